@@ -1,0 +1,36 @@
+#include "lasius/error.h"
+
+#include <utility>
+
+namespace lasius {
+namespace {
+
+std::string sentence(const Error::Place& place, const std::string& problem,
+                     const std::string& remedy) {
+  std::string text;
+  if (!place.file.empty()) {
+    text = place.file;
+    if (place.line >= 0) text += ", line " + std::to_string(place.line);
+    if (place.offset >= 0) text += ", byte " + std::to_string(place.offset);
+    text += ": ";
+  }
+  text += problem;
+  if (!remedy.empty()) text += "; " + remedy;
+  return text;
+}
+
+}  // namespace
+
+Error::Error(ErrorCode code, std::string problem, std::string remedy)
+    : Error(code, Place{}, std::move(problem), std::move(remedy)) {}
+
+Error::Error(ErrorCode code, Place place, std::string problem, std::string remedy)
+    : std::runtime_error(sentence(place, problem, remedy)),
+      code_(code),
+      place_(std::move(place)),
+      problem_(std::move(problem)),
+      remedy_(std::move(remedy)) {}
+
+Error::~Error() = default;
+
+}  // namespace lasius

@@ -1,0 +1,47 @@
+// What the library throws, and when: only for bad input and failed input or output.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "lasius/export.h"
+
+namespace lasius {
+
+enum class ErrorCode {
+  invalid_parameter,  ///< a parameter is out of its range, or does not compose with another
+  file_missing,       ///< a file cannot be opened for reading
+  file_broken,        ///< a file's content is not what its format asks for
+  file_unsupported,   ///< a well-formed file of a kind that is not read, or too large
+  output_failed,      ///< a file cannot be written
+};
+
+/// Thrown for bad input and failed I/O. `what()` is one sentence that names the value, the place
+/// and the remedy; the parts are kept apart for programs.
+class LASIUS_EXPORT Error : public std::runtime_error {
+ public:
+  /// Where in a file an error was found. Text formats count lines from 1, binary ones bytes from 0.
+  struct Place {
+    std::string file;
+    std::int64_t line = -1;    ///< -1 where it does not apply
+    std::int64_t offset = -1;  ///< -1 where it does not apply
+  };
+
+  Error(ErrorCode code, std::string problem, std::string remedy);
+  Error(ErrorCode code, Place place, std::string problem, std::string remedy);
+  ~Error() override;
+
+  ErrorCode code() const noexcept { return code_; }
+  const Place& place() const noexcept { return place_; }
+  const std::string& problem() const noexcept { return problem_; }
+  const std::string& remedy() const noexcept { return remedy_; }
+
+ private:
+  ErrorCode code_;
+  Place place_;
+  std::string problem_;
+  std::string remedy_;
+};
+
+}  // namespace lasius

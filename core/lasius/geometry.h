@@ -1,0 +1,23 @@
+// Coordinates shared by the whole library: x is the column, y the row, (0, 0) the top left.
+#pragma once
+
+namespace lasius {
+
+/// A cell of a bitmap. It covers the closed square [x, x + 1] x [y, y + 1].
+struct Cell {
+  int x = 0;
+  int y = 0;
+  friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+/// A point in continuous cell coordinates, y downwards. The centre of cell (0, 0) is (0.5, 0.5).
+struct Point {
+  double x = 0;
+  double y = 0;
+  friend bool operator==(const Point&, const Point&) = default;
+};
+
+/// The centre of a cell.
+constexpr Point centre(Cell c) noexcept { return {c.x + 0.5, c.y + 0.5}; }
+
+}  // namespace lasius

@@ -1,0 +1,71 @@
+// The bitmap that every grid planner works on.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lasius/export.h"
+#include "lasius/geometry.h"
+
+namespace lasius {
+
+/// When a diagonal step between two free cells is allowed, by its two side cells.
+enum class Corners {
+  forbid,    ///< both side cells must be free
+  one_side,  ///< at least one side cell must be free
+  allow,     ///< always
+};
+
+/// A bitmap of free and blocked cells, one bit a cell (1 = blocked), with a border of blocked
+/// bits all around so that neighbours need no bounds check.
+///
+/// Layout: row y is `words()` 64-bit words; cell x is bit x % 64 of word x / 64. Bits past the
+/// width are blocked, so are word -1, word `words()`, row -1 and row `height()`, all readable.
+class LASIUS_EXPORT Grid {
+ public:
+  /// The largest width and height. Every exactness argument in the library is made for this size.
+  static constexpr int kMaxSide = 32768;
+
+  /// A grid of free cells. @throws Error(invalid_parameter) unless 1 <= width, height <= kMaxSide.
+  Grid(int width, int height);
+
+  int width() const noexcept { return width_; }
+  int height() const noexcept { return height_; }
+
+  bool contains(Cell c) const noexcept {
+    return c.x >= 0 && c.y >= 0 && c.x < width_ && c.y < height_;
+  }
+  /// True for blocked cells and for everything outside.
+  bool blocked(Cell c) const noexcept {
+    return !contains(c) || ((row(c.y)[c.x >> 6] >> (c.x & 63)) & 1) != 0;
+  }
+  bool free(Cell c) const noexcept { return !blocked(c); }
+
+  /// Sets one cell. Precondition: contains(c).
+  void set_blocked(Cell c, bool blocked = true) noexcept;
+
+  int words() const noexcept { return words_; }       ///< words that hold cells, a row
+  int stride() const noexcept { return words_ + 1; }  ///< words from one row to the next
+  /// Words of row y, y in [-1, height()]; indices -1 .. words() are readable.
+  const std::uint64_t* row(int y) const noexcept {
+    return bits_.data() + (static_cast<std::int64_t>(y) + 1) * stride() + 1;
+  }
+  /// Replaces row y by `words()` words; bits past the width are ignored.
+  void set_row(int y, const std::uint64_t* words) noexcept;
+
+  std::int64_t count_free() const noexcept;
+  /// 64-bit fingerprint of size and bits, the same on every machine: the map's hash in results.
+  std::uint64_t hash() const noexcept;
+
+  friend bool operator==(const Grid&, const Grid&) = default;
+
+ private:
+  std::uint64_t* mutable_row(int y) noexcept { return const_cast<std::uint64_t*>(row(y)); }
+
+  int width_;
+  int height_;
+  int words_;
+  std::vector<std::uint64_t> bits_;
+};
+
+}  // namespace lasius

@@ -1,0 +1,46 @@
+// Maps on disk: MovingAI .map, PBM, PGM here; PNG and ROS YAML in the component lasius::io.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lasius/export.h"
+#include "lasius/geometry.h"
+#include "lasius/grid.h"
+
+namespace lasius {
+
+/// Pose of a map in the world, as ROS map_server gives it: the lower left corner of the lower left
+/// cell lies at (origin_x, origin_y), the map turned by `yaw` about it; world y points up.
+struct LASIUS_EXPORT WorldFrame {
+  double resolution = 1;  ///< metres a cell, > 0
+  double origin_x = 0;    ///< metres
+  double origin_y = 0;    ///< metres
+  double yaw = 0;         ///< radians
+
+  /// Metres to continuous cell coordinates of a map `height` cells high, and back.
+  Point to_cells(Point world, int height) const noexcept;
+  Point to_world(Point cells, int height) const noexcept;
+};
+
+/// A map as read from a file.
+struct Map {
+  Grid grid;
+  std::optional<WorldFrame> frame;  ///< only where the file gives one
+};
+
+/// How grey values and unknown cells become free or blocked.
+struct ReadOptions {
+  bool unknown_is_free = false;  ///< ROS maps: unknown cells count as free
+  double free_below = 0.5;       ///< plain PGM/PNG: occupancy (255 - grey) / 255 below it is free
+};
+
+/// Reads .map, .pbm or .pgm, told apart by content; row by row, without a buffer of the whole file.
+/// @throws Error(file_missing, file_broken, file_unsupported), naming file and line or offset.
+LASIUS_EXPORT Map read_map(const std::string& path, const ReadOptions& options = {});
+
+/// Writes .map or .pbm by the name's ending, under a temporary name that is then renamed.
+/// @throws Error(output_failed), or Error(invalid_parameter) for another ending.
+LASIUS_EXPORT void write_map(const Grid& grid, const std::string& path);
+
+}  // namespace lasius

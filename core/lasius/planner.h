@@ -1,0 +1,136 @@
+// Planning on a bitmap: prepare a map once, then plan on it from as many threads as you like.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lasius/export.h"
+#include "lasius/geometry.h"
+#include "lasius/grid.h"
+#include "lasius/params.h"
+#include "lasius/stop.h"
+
+namespace lasius {
+
+/// How a plan ended: outcomes, not errors.
+enum class Status {
+  solved,       ///< the algorithm ended by its own rule, with a path
+  limit,        ///< the deadline ended it; the best path so far, if any
+  interrupted,  ///< the stop token ended it; the best path so far, if any
+  unreachable,  ///< proven: no path exists
+  no_path,      ///< its iterations ended without a path
+  invalid,      ///< start or goal outside or blocked
+};
+LASIUS_EXPORT std::string_view to_string(Status status) noexcept;
+
+/// One question.
+struct Request {
+  Cell start;
+  Cell goal;
+  StopCondition stop = {};
+  double target_gap = 0;  ///< stop at this certified gap, as a fraction; for certifying algorithms
+};
+
+/// One answer. Without a path `path` is empty and `length` is not a number.
+struct Result {
+  Status status = Status::no_path;
+  std::string error;         ///< why the status is invalid or unreachable; else empty
+  std::vector<Point> path;   ///< final polyline, start and goal at cell centres
+  double length;             ///< in cells
+  int iterations = 0;        ///< iterations done
+  std::vector<double> best;  ///< by iteration: shortest final path up to then; NaN if none
+  std::vector<double> mean;  ///< by iteration: mean raw tour of the arrived ants; NaN if none
+  std::vector<int> arrived;  ///< by iteration: ants that reached the goal
+  std::optional<double> lower_bound;  ///< certified: no path is shorter
+  /// Certified (length - lower_bound) / lower_bound; 0 at length 0; nothing where not certified.
+  std::optional<double> gap() const;
+  bool optimal = false;  ///< proven shortest
+
+  Result();
+};
+
+/// What an observer may look at, between two iterations, on the calling thread.
+class LASIUS_EXPORT Progress {
+ public:
+  virtual ~Progress();
+  int iteration = 0;       ///< from 0
+  double best_length = 0;  ///< NaN if none yet
+  double mean_length = 0;  ///< NaN if none arrived
+  int arrived = 0;
+  virtual int ants() const = 0;
+  /// The tour of one ant, start to goal; empty if it did not arrive.
+  virtual std::vector<Cell> tour(int ant) const = 0;
+  /// Pheromone on a cell.
+  virtual double pheromone(Cell c) const = 0;
+};
+using Observer = std::function<void(const Progress&)>;
+
+/// Scratch memory of one call in flight. Keep one per thread: a second call of the same size does
+/// not allocate.
+class LASIUS_EXPORT Workspace {
+ public:
+  Workspace();
+  ~Workspace();
+  Workspace(Workspace&&) noexcept;
+  Workspace& operator=(Workspace&&) noexcept;
+  class Impl;
+  Impl& impl() noexcept { return *impl_; }
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+/// A map made ready for planning. Immutable: use one from many threads, a Workspace each.
+class LASIUS_EXPORT Planner {
+ public:
+  explicit Planner(Grid grid);
+  ~Planner();
+  Planner(Planner&&) noexcept;
+  Planner& operator=(Planner&&) noexcept;
+
+  const Grid& grid() const noexcept;
+
+  /// True when the cells are joined under the rule (4-connected for forbid and one_side,
+  /// 8-connected for allow). No work that grows with the map.
+  bool connected(Cell a, Cell b, Corners corners = Corners::forbid) const;
+
+  /// The free cell nearest to `c` (Euclidean, ties to the smaller row, then column), if there is
+  /// one.
+  std::optional<Cell> nearest_free(Cell c) const;
+
+  /// Answers one question.
+  /// Deterministic in (grid, request, params); threads and CPU never change the answer, a deadline
+  /// or token may. An unreachable goal is proven before any search.
+  /// @throws Error(invalid_parameter) for parameters out of range. Start or goal outside or blocked
+  /// is an answer, not an exception: Status::invalid.
+  Result plan(const Request& request, const Params& params = {}, Workspace* workspace = nullptr,
+              const Observer& observer = {}) const;
+
+  /// A planner for the map with some cells changed; this one stays as it is. Copies the bitmap
+  /// (one bit a cell) and prepares only the tiles around changed cells again.
+  struct Edit {
+    Cell cell;
+    bool blocked = true;
+  };
+  Planner edited(std::span<const Edit> edits) const;
+
+  /// Memory held, in bytes, by part.
+  struct Footprint {
+    std::int64_t bitmap = 0;
+    std::int64_t components = 0;
+    std::int64_t corners = 0;
+  };
+  Footprint footprint() const noexcept;
+
+  class Impl;
+
+ private:
+  explicit Planner(std::shared_ptr<const Impl> impl);
+  std::shared_ptr<const Impl> impl_;
+};
+
+}  // namespace lasius

@@ -1,0 +1,7 @@
+#include "lasius/stop.h"
+
+namespace lasius {
+
+TimeSource::~TimeSource() = default;
+
+}  // namespace lasius
