@@ -1,0 +1,111 @@
+# Run by ctest with the variables that CMakeLists.txt sets. LIBRARY_DIR: a build to install from;
+# empty: the library of this KIND (static or shared) is built here first.
+
+# run(WHAT COMMAND...): its output in `output`; ends the test when the command fails.
+function(run what)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE out ERROR_VARIABLE err RESULT_VARIABLE failed
+    WORKING_DIRECTORY ${SOURCE_DIR})
+  if(failed)
+    message(FATAL_ERROR "${KIND}: ${what} failed (${failed})\n${out}\n${err}")
+  endif()
+  set(output "${out}" PARENT_SCOPE)
+endfunction()
+
+# expect_refusal(WHAT TEXT ARGUMENT...): configuring the consumer fails and the reason holds TEXT.
+function(expect_refusal what text)
+  file(REMOVE_RECURSE ${WORK_DIR}/refusal)
+  execute_process(COMMAND ${configure} -B ${WORK_DIR}/refusal ${ARGN}
+    OUTPUT_QUIET ERROR_VARIABLE err RESULT_VARIABLE failed)
+  string(REGEX REPLACE "[ \n]+" " " err "${err}")
+  string(FIND "${err}" "${text}" position)
+  if(NOT failed OR position EQUAL -1)
+    message(FATAL_ERROR "${KIND}: ${what} should be refused with '${text}', not with:\n${err}")
+  endif()
+endfunction()
+
+# expect_length(OUTPUT): the example's last line is the length of a path.
+function(expect_length text)
+  if(NOT text MATCHES "(^|\n)([0-9]+)(\\.[0-9]+)?\n$")
+    message(FATAL_ERROR "${KIND}: the example should end with a length, not with:\n${text}")
+  endif()
+endfunction()
+
+set(toolchain -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
+  -DCMAKE_BUILD_TYPE=Release)
+set(prefix ${WORK_DIR}/prefix)
+set(build ${WORK_DIR}/build)
+file(REMOVE_RECURSE ${prefix} ${build})
+file(MAKE_DIRECTORY ${WORK_DIR})
+
+if(NOT LIBRARY_DIR)
+  set(LIBRARY_DIR ${WORK_DIR}/library)
+  string(COMPARE EQUAL ${KIND} shared shared)
+  run("configuring the library" ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${LIBRARY_DIR} ${toolchain}
+    -DBUILD_SHARED_LIBS=${shared} -DLASIUS_BUILD_IO=${BUILD_IO} -DLASIUS_BUILD_TOOLS=OFF
+    -DLASIUS_BUILD_TESTS=OFF -DLASIUS_BUILD_BENCH=OFF -DCMAKE_INSTALL_LIBDIR=${LIBDIR})
+  run("building the library" ${CMAKE_COMMAND} --build ${LIBRARY_DIR})
+endif()
+run("installing" ${CMAKE_COMMAND} --install ${LIBRARY_DIR} --prefix ${prefix})
+
+# README.md's first C++ block is the example, so that it cannot drift.
+file(READ ${SOURCE_DIR}/README.md readme)
+string(FIND "${readme}" "```cpp\n" begin)
+if(begin EQUAL -1)
+  message(FATAL_ERROR "README.md has no C++ block")
+endif()
+math(EXPR begin "${begin} + 7")
+string(SUBSTRING "${readme}" ${begin} -1 readme)
+string(FIND "${readme}" "```" end)
+string(SUBSTRING "${readme}" 0 ${end} example)
+file(WRITE ${WORK_DIR}/example.cpp "${example}")
+
+set(components "")
+if(BUILD_IO)
+  set(components io)
+endif()
+set(configure ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project ${toolchain}
+  -DCMAKE_PREFIX_PATH=${prefix} -DEXAMPLE=${WORK_DIR}/example.cpp)
+run("configuring the consumer" ${configure} -B ${build} -DCOMPONENTS=${components}
+  -DLASIUS_WANTED=${VERSION})
+run("building the consumer" ${CMAKE_COMMAND} --build ${build})
+run("the example" ${build}/example)
+expect_length("${output}")
+foreach(component IN LISTS components)
+  run("use_${component}" ${build}/use_${component} ${WORK_DIR})
+endforeach()
+
+expect_refusal("an unknown component" "lasius has no component 'wings'" -DCOMPONENTS=wings)
+if(NOT EXISTS ${prefix}/${LIBDIR}/cmake/lasius/lasius-arm-targets.cmake)
+  expect_refusal("a component that was not built" "built without its component 'arm'"
+    -DCOMPONENTS=arm)
+endif()
+expect_refusal("another minor version" "compatible with requested version" -DLASIUS_WANTED=99.1)
+
+# The same through pkg-config.
+set(ENV{PKG_CONFIG_PATH} ${prefix}/${LIBDIR}/pkgconfig)
+run("pkg-config" ${PKG_CONFIG} --cflags --libs "lasius = ${VERSION}")
+separate_arguments(flags UNIX_COMMAND "${output}")
+run("compiling with pkg-config" ${CXX} -std=c++20 ${WORK_DIR}/example.cpp -o ${WORK_DIR}/example
+  ${flags} -Wl,-rpath,${prefix}/${LIBDIR})
+run("the pkg-config example" ${WORK_DIR}/example)
+expect_length("${output}")
+foreach(component IN LISTS components)
+  run("pkg-config for ${component}" ${PKG_CONFIG} --cflags --libs lasius-${component})
+  separate_arguments(flags UNIX_COMMAND "${output}")
+  run("compiling with pkg-config for ${component}" ${CXX} -std=c++20
+    ${CMAKE_CURRENT_LIST_DIR}/project/use_${component}.cpp -o ${WORK_DIR}/use_${component} ${flags}
+    -Wl,-rpath,${prefix}/${LIBDIR})
+  run("use_${component} by pkg-config" ${WORK_DIR}/use_${component} ${WORK_DIR})
+endforeach()
+
+# A shared library is found by its versioned name, and shows public names only.
+if(KIND STREQUAL "shared")
+  string(REGEX MATCH "^[0-9]+\\.[0-9]+" soversion ${VERSION})
+  if(NOT EXISTS ${prefix}/${LIBDIR}/liblasius.so.${soversion})
+    message(FATAL_ERROR "liblasius.so.${soversion} is not installed")
+  endif()
+  run("nm" nm -DC --defined-only ${prefix}/${LIBDIR}/liblasius.so)
+  if(output MATCHES "lasius::kernels::[^\n]*")
+    message(FATAL_ERROR "liblasius.so exports an internal name: ${CMAKE_MATCH_0}")
+  endif()
+endif()

@@ -1,0 +1,88 @@
+# The installed package: one CMake package with components, a pkg-config file for each library.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(LASIUS_COMPONENTS io polygon arm)  # beside lasius::lasius, which is always there
+set(LASIUS_CMAKE_DIR ${CMAKE_CURRENT_LIST_DIR})
+
+# lasius_package_library(TARGET [COMPONENT NAME] [HEADERS FILE...] [PC_REQUIRES MODULE...])
+# Alias, version and install rules of one library. HEADERS are the component's own public headers;
+# the main library's are all of core/lasius that no component claims. PC_REQUIRES are the
+# pkg-config modules that a static archive needs. A component's pkg-config file names lasius itself.
+function(lasius_package_library target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "COMPONENT" "HEADERS;PC_REQUIRES")
+  set(name lasius)
+  set(pc lasius)
+  if(arg_COMPONENT)
+    set(name ${arg_COMPONENT})
+    set(pc lasius-${arg_COMPONENT})
+  endif()
+  add_library(lasius::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES
+    EXPORT_NAME ${name}
+    OUTPUT_NAME ${pc}
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  if(NOT LASIUS_INSTALL)
+    return()
+  endif()
+
+  install(TARGETS ${target} EXPORT ${pc}-targets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(EXPORT ${pc}-targets NAMESPACE lasius::
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/lasius)
+  if(arg_COMPONENT)
+    install(FILES ${arg_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius)
+    list(TRANSFORM arg_HEADERS REPLACE "^.*/" "")
+  endif()
+  set_property(GLOBAL APPEND PROPERTY LASIUS_PACKAGED ${pc})
+  set_property(GLOBAL APPEND PROPERTY LASIUS_COMPONENT_HEADERS ${arg_HEADERS})
+  lasius_pc_file(${pc} "${arg_COMPONENT}" "${arg_PC_REQUIRES}")
+endfunction()
+
+function(lasius_pc_file pc component static_requires)
+  # Paths relative to the file itself, so that the installed tree can be moved.
+  file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+  string(REGEX REPLACE "/$" "" pc_prefix ${pc_prefix})
+  file(RELATIVE_PATH pc_libdir ${CMAKE_INSTALL_PREFIX} ${CMAKE_INSTALL_FULL_LIBDIR})
+  file(RELATIVE_PATH pc_includedir ${CMAKE_INSTALL_PREFIX} ${CMAKE_INSTALL_FULL_INCLUDEDIR})
+  set(pc_description "${PROJECT_DESCRIPTION}")
+  set(pc_requires "")
+  set(pc_libs "-l${pc}")
+  if(component)
+    string(APPEND pc_description ", component ${component}")
+    set(pc_requires "lasius = ${PROJECT_VERSION}")
+  endif()
+  if(NOT BUILD_SHARED_LIBS)
+    list(TRANSFORM OpenMP_CXX_LIB_NAMES PREPEND "-l")
+    list(JOIN OpenMP_CXX_LIB_NAMES " " openmp)
+    string(APPEND pc_libs " ${openmp}")
+    list(PREPEND static_requires ${pc_requires})
+    list(JOIN static_requires ", " pc_requires)
+  endif()
+  configure_file(${LASIUS_CMAKE_DIR}/lasius.pc.in ${PROJECT_BINARY_DIR}/${pc}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${pc}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
+# Headers, generated headers and the package's config files; called once, after all libraries.
+function(lasius_install_package)
+  get_property(component_headers GLOBAL PROPERTY LASIUS_COMPONENT_HEADERS)
+  file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/lasius/*.h)
+  foreach(header IN LISTS component_headers)
+    list(REMOVE_ITEM headers ${PROJECT_SOURCE_DIR}/core/lasius/${header})
+  endforeach()
+  install(FILES ${headers}
+    ${PROJECT_BINARY_DIR}/core/lasius/export.h ${PROJECT_BINARY_DIR}/core/lasius/version.h
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius)
+
+  set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/lasius)
+  configure_package_config_file(${LASIUS_CMAKE_DIR}/lasius-config.cmake.in
+    ${PROJECT_BINARY_DIR}/lasius-config.cmake INSTALL_DESTINATION ${destination}
+    NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/lasius-config-version.cmake
+    COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/lasius-config.cmake
+    ${PROJECT_BINARY_DIR}/lasius-config-version.cmake DESTINATION ${destination})
+endfunction()
