@@ -1,0 +1,39 @@
+// Straightening without allocation: the workspace behind straighten().
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "kernels/sight_cone.h"
+#include "lasius/geometry.h"
+#include "lasius/grid.h"
+#include "lasius/stop.h"
+
+namespace lasius {
+
+/// Pulls walks straight as `straighten()` states, with buffers that are reused from call to call.
+/// One per thread. The spans it returns hold until the next call.
+class Straightener {
+ public:
+  /// Straightens a walk of at least one cell; see `straighten()` for what a walk is.
+  void run(const Grid& grid, std::span<const Cell> walk, const StopCondition& stop = {});
+
+  /// Cells at the vertices of the polyline, first and last cell included (one cell if equal).
+  std::span<const Cell> vertices() const noexcept { return best_; }
+
+  /// Cells the polyline crosses, in order, each once for every visit. All free; consecutive ones
+  /// are 4-neighbours, except across a kept squeeze between two diagonal blocks.
+  std::span<const Cell> cells() const noexcept { return raster_; }
+
+  /// Euclidean length, summed from the first vertex.
+  double length() const noexcept { return length_; }
+
+ private:
+  std::vector<Cell> best_;    // shortest polyline so far, from the walk's first cell
+  std::vector<Cell> pulled_;  // the polyline of one pass, in the pass's direction
+  std::vector<Cell> raster_;  // the walk that a pass pulls, at the end the result's cells
+  double length_ = 0;
+  kernels::SightCone cone_;
+};
+
+}  // namespace lasius
