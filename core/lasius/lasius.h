@@ -8,6 +8,7 @@
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/map_io.h"
+#include "lasius/output.h"
 #include "lasius/params.h"
 #include "lasius/path.h"
 #include "lasius/planner.h"

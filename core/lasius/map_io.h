@@ -29,14 +29,19 @@ struct Map {
   std::optional<WorldFrame> frame;  ///< only where the file gives one
 };
 
-/// How grey values and unknown cells become free or blocked.
+/// How grey values and unknown cells become free or blocked: dark is blocked.
 struct ReadOptions {
   bool unknown_is_free = false;  ///< ROS maps: unknown cells count as free
-  double free_below = 0.5;       ///< plain PGM/PNG: occupancy (255 - grey) / 255 below it is free
+  /// PGM and PNG: a pixel of darkness (white - grey) / white below this is free, in (0, 1]. At the
+  /// default 0.5 the greys 128 .. 255 of 255 are free. Black pixels (1) of a PBM are blocked.
+  double free_below = 0.5;
 };
 
 /// Reads .map, .pbm or .pgm, told apart by content; row by row, without a buffer of the whole file.
-/// @throws Error(file_missing, file_broken, file_unsupported), naming file and line or offset.
+/// A .map's '.', 'G' and 'S' are free, '@', 'O', 'T' and 'W' blocked. The map is returned whole or
+/// not at all.
+/// @throws Error(file_missing, file_broken, file_unsupported), naming the file, the line of a text
+///         format or the byte offset of a binary one, and the remedy.
 LASIUS_EXPORT Map read_map(const std::string& path, const ReadOptions& options = {});
 
 /// Writes .map or .pbm by the name's ending, under a temporary name that is then renamed.

@@ -1,0 +1,20 @@
+// Files that are either written whole or not at all.
+#pragma once
+
+#include <functional>
+#include <ostream>
+#include <string>
+
+#include "lasius/export.h"
+
+namespace lasius {
+
+/// Calls `write` with a binary stream to a temporary file beside `path`, then renames that file to
+/// `path`: a reader never sees half a file, and a failure leaves an older file as it was. A
+/// symbolic link is followed; a device or pipe (/dev/stdout) is written directly.
+/// @throws Error(output_failed) where the file cannot be made, written or renamed, and whatever
+///         `write` throws; the temporary file is removed in either case.
+LASIUS_EXPORT void write_file(const std::string& path,
+                              const std::function<void(std::ostream&)>& write);
+
+}  // namespace lasius

@@ -1,0 +1,89 @@
+#include "lasius/output.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "lasius/error.h"
+
+namespace lasius {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& path, const std::string& problem,
+                       const std::string& remedy) {
+  throw Error(ErrorCode::output_failed, Error::Place{path}, problem, remedy);
+}
+
+std::string reason() { return std::generic_category().message(errno); }
+
+void write_to(const std::string& file, const std::string& path,
+              const std::function<void(std::ostream&)>& write) {
+  errno = 0;
+  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  if (!out) {
+    fail(path, "cannot be written (" + reason() + ")",
+         "check that its folder exists and may be written");
+  }
+  write(out);
+  out.close();
+  if (!out) fail(path, "could not be written whole (" + reason() + ")", "check the free space");
+}
+
+// Removes the temporary file unless it was renamed.
+class Temporary {
+ public:
+  explicit Temporary(std::string name) : name_(std::move(name)) {}
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  ~Temporary() {
+    std::error_code ignored;
+    if (!renamed_) fs::remove(name_, ignored);
+  }
+  const std::string& name() const noexcept { return name_; }
+  std::error_code rename_to(const std::string& target) {
+    std::error_code error;
+    fs::rename(name_, target, error);
+    renamed_ = !error;
+    return error;
+  }
+
+ private:
+  std::string name_;
+  bool renamed_ = false;
+};
+
+// Unique among the threads of this process and among processes.
+std::string temporary_name(const std::string& target) {
+  static std::atomic<unsigned> counter{0};
+  return target + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
+}
+
+}  // namespace
+
+void write_file(const std::string& path, const std::function<void(std::ostream&)>& write) {
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  if (fs::is_directory(status)) fail(path, "is a folder", "name a file");
+  if (fs::exists(status) && !fs::is_regular_file(status)) return write_to(path, path, write);
+
+  std::string target = path;
+  if (fs::exists(status) && fs::is_symlink(fs::symlink_status(path, error))) {
+    const auto real = fs::canonical(path, error);
+    if (!error) target = real.string();
+  }
+  Temporary temporary(temporary_name(target));
+  write_to(temporary.name(), path, write);
+  error = temporary.rename_to(target);
+  if (error) {
+    fail(path, "cannot be replaced (" + error.message() + ")",
+         "check that its folder may be written");
+  }
+}
+
+}  // namespace lasius
