@@ -43,6 +43,8 @@ LASIUS_EXPORT std::vector<Point> tauten(const Grid& grid, std::span<const Point>
                                         const StopCondition& stop = {});
 
 /// Why a polyline breaks the rule of the plane (segment and cell named), or nothing if it obeys.
+/// Exact. Vertices must be multiples of 0.5 (cell centres, lattice points) inside the map: any
+/// other one is a fault.
 /// With Corners::allow squeezes between diagonal blocks are no fault; the other two rules agree.
 LASIUS_EXPORT std::optional<std::string> path_fault(const Grid& grid, std::span<const Point> path,
                                                     Corners corners = Corners::forbid);

@@ -6,26 +6,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <deque>
-#include <new>
 
 #include "grid_view.h"
 #include "kernels/sight.h"
 #include "lasius/path.h"
 #include "loop_cutter.h"
+#include "tests/count_allocations.h"
 #include "tests/plane_rule.h"
 #include "tests/random_grid.h"
-
-namespace {
-std::int64_t allocations = 0;
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 namespace lasius {
 namespace {
@@ -98,13 +86,6 @@ bool passes(std::span<const Cell> cells, std::span<const Cell> vertices) {
     if (at == cells.end()) return false;
   }
   return true;
-}
-
-TEST(PathLength, SumsTheSegments) {
-  const Point path[] = {{0.5, 0.5}, {3.5, 4.5}, {3.5, 5.5}};
-  EXPECT_EQ(path_length(path), 6);
-  EXPECT_EQ(path_length(std::span(path, 1)), 0);
-  EXPECT_EQ(path_length({}), 0);
 }
 
 TEST(Straighten, PullsAStaircaseIntoOneSegment) {

@@ -1,0 +1,20 @@
+// Counts what a test program allocates. Include it in one source of the program only.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+
+namespace lasius {
+inline std::atomic<std::int64_t> allocations{0};
+}  // namespace lasius
+
+// Not inlined: compilers that see through one of a pair warn of a mismatch.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++lasius::allocations;
+  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
