@@ -1,0 +1,28 @@
+// The list of comparators, by name.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "bench/peers/query_planner.h"
+
+namespace lasius::peers {
+
+/// What a planner's answer is the shortest of.
+enum class Optimality {
+  octile,     ///< shortest over 8 neighbours
+  any_angle,  ///< shortest in the plane
+  none,       ///< any-angle, no promise
+};
+
+struct Peer {
+  std::string_view name;
+  std::string_view summary;
+  Optimality optimality;
+  std::unique_ptr<QueryPlanner> (*make)(const Grid&);
+};
+
+std::span<const Peer> all_peers() noexcept;
+
+}  // namespace lasius::peers

@@ -1,0 +1,72 @@
+// Runs of free and blocked cells in a bit row, found a word at a time.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace lasius::peers {
+
+inline bool bit(const std::uint64_t* row, int x) noexcept { return (row[x >> 6] >> (x & 63)) & 1; }
+
+/// The first blocked column >= x; the border ends every row.
+inline int first_blocked(const std::uint64_t* row, int x) noexcept {
+  int i = x >> 6;
+  std::uint64_t word = row[i] >> (x & 63);
+  if (word != 0) return x + std::countr_zero(word);
+  while ((word = row[++i]) == 0) {
+  }
+  return i * 64 + std::countr_zero(word);
+}
+
+/// The last blocked column <= x, -1 for the border.
+inline int last_blocked(const std::uint64_t* row, int x) noexcept {
+  int i = x >> 6;
+  std::uint64_t word = row[i] << (63 - (x & 63));
+  if (word != 0) return x - std::countl_zero(word);
+  while ((word = row[--i]) == 0) {
+  }
+  return i * 64 + 63 - std::countl_zero(word);
+}
+
+/// The first free column >= x, or `end` if there is none before it.
+inline int first_free(const std::uint64_t* row, int x, int end) noexcept {
+  if (x >= end) return end;
+  int i = x >> 6;
+  std::uint64_t word = ~row[i] >> (x & 63);
+  if (word != 0) return x + std::countr_zero(word);
+  const int last = (end - 1) >> 6;
+  while (++i <= last) {
+    word = ~row[i];
+    if (word != 0) return i * 64 + std::countr_zero(word);
+  }
+  return end;
+}
+
+/// The first column right of x where either of two rows differs from its bit at x, not both of
+/// which are blocked there.
+inline int first_change_right(const std::uint64_t* a, const std::uint64_t* b, int x) noexcept {
+  const std::uint64_t flip_a = bit(a, x) ? ~std::uint64_t{0} : 0;
+  const std::uint64_t flip_b = bit(b, x) ? ~std::uint64_t{0} : 0;
+  int i = x >> 6;
+  std::uint64_t word = ((a[i] ^ flip_a) | (b[i] ^ flip_b)) & (~std::uint64_t{0} << (x & 63));
+  while (word == 0) {
+    ++i;
+    word = (a[i] ^ flip_a) | (b[i] ^ flip_b);
+  }
+  return i * 64 + std::countr_zero(word);
+}
+
+/// The same to the left.
+inline int first_change_left(const std::uint64_t* a, const std::uint64_t* b, int x) noexcept {
+  const std::uint64_t flip_a = bit(a, x) ? ~std::uint64_t{0} : 0;
+  const std::uint64_t flip_b = bit(b, x) ? ~std::uint64_t{0} : 0;
+  int i = x >> 6;
+  std::uint64_t word = ((a[i] ^ flip_a) | (b[i] ^ flip_b)) & (~std::uint64_t{0} >> (63 - (x & 63)));
+  while (word == 0) {
+    --i;
+    word = (a[i] ^ flip_a) | (b[i] ^ flip_b);
+  }
+  return i * 64 + 63 - std::countl_zero(word);
+}
+
+}  // namespace lasius::peers

@@ -1,0 +1,116 @@
+#include "bench/peers/theta_star.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+#include "bench/peers/sight.h"
+
+namespace lasius::peers {
+namespace {
+
+double distance(Cell a, Cell b) noexcept {
+  const double dx = a.x - b.x, dy = a.y - b.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+}  // namespace
+
+ThetaStar::ThetaStar(const Grid& grid, Kind kind)
+    : grid_(&grid), kind_(kind), moves_(grid), nodes_(moves_.size(), Node{0, 0, 0}) {}
+
+double ThetaStar::plan(Cell start, Cell goal, std::vector<Point>& path) {
+  path.clear();
+  heap_.clear();
+  mark_ += 2;
+  const std::uint32_t start_index = moves_.index(start), goal_index = moves_.index(goal);
+  nodes_[start_index] = {0, start_index, mark_};
+  heap_.push_back({distance(start, goal), 0, start_index, static_cast<std::uint16_t>(start.x),
+                   static_cast<std::uint16_t>(start.y)});
+  bool reached = false;
+  while (!heap_.empty() && !reached) {
+    std::pop_heap(heap_.begin(), heap_.end());
+    const Item item = heap_.back();
+    heap_.pop_back();
+    Node& node = nodes_[item.index];
+    if (node.state != mark_ || item.cost > node.cost) continue;  // closed, or improved since
+    if (kind_ == Kind::lazy) find_parent(item);
+    reached = item.index == goal_index;
+    node.state = mark_ + 1;
+    if (reached) break;
+    kind_ == Kind::lazy ? expand_lazy(item, goal) : expand_basic(item, goal);
+  }
+  if (!reached) return kNoPath;
+  for (std::uint32_t i = goal_index; i != start_index; i = nodes_[i].parent) {
+    path.push_back(centre(moves_.cell(i)));
+  }
+  path.push_back(centre(start));
+  std::reverse(path.begin(), path.end());
+  return nodes_[goal_index].cost;
+}
+
+void ThetaStar::offer(std::uint32_t index, Cell c, double cost, std::uint32_t parent, Cell goal) {
+  nodes_[index] = {cost, parent, mark_};
+  heap_.push_back({cost + distance(c, goal), cost, index, static_cast<std::uint16_t>(c.x),
+                   static_cast<std::uint16_t>(c.y)});
+  std::push_heap(heap_.begin(), heap_.end());
+}
+
+void ThetaStar::expand_basic(const Item& item, Cell goal) {
+  const std::uint32_t parent = nodes_[item.index].parent;
+  const Cell parent_cell = moves_.cell(parent);
+  const double parent_cost = nodes_[parent].cost;
+  for (unsigned mask = moves_.moves(item.index); mask != 0; mask &= mask - 1) {
+    const auto k = static_cast<unsigned>(std::countr_zero(mask));
+    const auto index = item.index + static_cast<std::uint32_t>(moves_.offsets()[k]);
+    const Node& next = nodes_[index];
+    if (next.state == mark_ + 1) continue;
+    const double known = next.state == mark_ ? next.cost : kNoPath;
+    const Cell c{item.x + kMoveX[k], item.y + kMoveY[k]};
+    // By the triangle inequality the way over the parent is the shorter one.
+    const double over_parent = parent_cost + distance(parent_cell, c);
+    if (over_parent >= known) continue;
+    if (clear_line(*grid_, parent_cell, c)) {
+      offer(index, c, over_parent, parent, goal);
+      continue;
+    }
+    const double over_cell = item.cost + (k < 4 ? 1.0 : std::numbers::sqrt2);
+    if (over_cell < known) offer(index, c, over_cell, item.index, goal);
+  }
+}
+
+void ThetaStar::expand_lazy(const Item& item, Cell goal) {
+  const std::uint32_t parent = nodes_[item.index].parent;
+  const Cell parent_cell = moves_.cell(parent);
+  const double parent_cost = nodes_[parent].cost;
+  for (unsigned mask = moves_.moves(item.index); mask != 0; mask &= mask - 1) {
+    const auto k = static_cast<unsigned>(std::countr_zero(mask));
+    const auto index = item.index + static_cast<std::uint32_t>(moves_.offsets()[k]);
+    const Node& next = nodes_[index];
+    if (next.state == mark_ + 1) continue;
+    const Cell c{item.x + kMoveX[k], item.y + kMoveY[k]};
+    const double cost = parent_cost + distance(parent_cell, c);
+    if (next.state != mark_ || cost < next.cost) offer(index, c, cost, parent, goal);
+  }
+}
+
+// Lazy Theta*: the parent was taken to be in sight; where it is not, the best closed neighbour.
+void ThetaStar::find_parent(const Item& item) {
+  Node& node = nodes_[item.index];
+  const Cell here{item.x, item.y};
+  if (clear_line(*grid_, moves_.cell(node.parent), here)) return;
+  node.cost = kNoPath;
+  for (unsigned mask = moves_.moves(item.index); mask != 0; mask &= mask - 1) {
+    const auto k = static_cast<unsigned>(std::countr_zero(mask));
+    const auto index = item.index + static_cast<std::uint32_t>(moves_.offsets()[k]);
+    const Node& next = nodes_[index];
+    if (next.state != mark_ + 1) continue;
+    const double cost = next.cost + (k < 4 ? 1.0 : std::numbers::sqrt2);
+    if (cost >= node.cost) continue;
+    node.cost = cost;
+    node.parent = index;
+  }
+}
+
+}  // namespace lasius::peers

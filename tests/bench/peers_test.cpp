@@ -1,0 +1,234 @@
+#include "bench/peers/peers.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "bench/peers/anya.h"
+#include "bench/peers/bucket_astar.h"
+#include "bench/peers/sight.h"
+#include "tests/bench/naive_plane.h"
+#include "tests/bench/shared_maps.h"
+
+namespace lasius::peers {
+namespace {
+
+Grid random_grid(int width, int height, double density, std::mt19937& random) {
+  Grid grid(width, height);
+  std::bernoulli_distribution blocked(density);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) grid.set_blocked({x, y}, blocked(random));
+  }
+  return grid;
+}
+
+Cell random_free(const Grid& grid, std::mt19937& random) {
+  std::uniform_int_distribution<int> x(0, grid.width() - 1), y(0, grid.height() - 1);
+  for (;;) {
+    const Cell c{x(random), y(random)};
+    if (grid.free(c)) return c;
+  }
+}
+
+// The vertex in half cells.
+naive::HalfPoint half(Point p) {
+  return {static_cast<std::int64_t>(std::lround(2 * p.x)),
+          static_cast<std::int64_t>(std::lround(2 * p.y))};
+}
+
+double length_of(const std::vector<Point>& path) {
+  double length = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
+  }
+  return length;
+}
+
+void expect_valid(const Grid& grid, Cell start, Cell goal, const std::vector<Point>& path,
+                  double length, std::string_view name) {
+  ASSERT_FALSE(path.empty()) << name;
+  EXPECT_EQ(path.front(), centre(start)) << name;
+  EXPECT_EQ(path.back(), centre(goal)) << name;
+  EXPECT_NEAR(length, length_of(path), 1e-9 * (1 + length)) << name;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    EXPECT_TRUE(naive::segment_free(grid, half(path[i - 1]), half(path[i])))
+        << name << " segment " << i << " from " << path[i - 1].x << ',' << path[i - 1].y;
+  }
+}
+
+// The octile optimum of one start to every cell, by Boost.Graph on an explicit graph.
+std::vector<double> octile_by_boost(const Grid& grid, Cell start) {
+  using Graph =
+      boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property,
+                            boost::property<boost::edge_weight_t, double>>;
+  const auto id = [&](Cell c) { return static_cast<std::size_t>(c.y) * grid.width() + c.x; };
+  Graph graph(static_cast<std::size_t>(grid.width()) * grid.height());
+  for (int y = 0; y < grid.height(); ++y) {
+    for (int x = 0; x < grid.width(); ++x) {
+      if (grid.blocked({x, y})) continue;
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          if ((dx == 0 && dy == 0) || grid.blocked({x + dx, y + dy})) continue;
+          if (grid.blocked({x + dx, y}) || grid.blocked({x, y + dy})) continue;
+          boost::add_edge(id({x, y}), id({x + dx, y + dy}),
+                          dx != 0 && dy != 0 ? std::numbers::sqrt2 : 1.0, graph);
+        }
+      }
+    }
+  }
+  std::vector<double> cost(boost::num_vertices(graph));
+  boost::dijkstra_shortest_paths(graph, id(start), boost::distance_map(cost.data()));
+  return cost;
+}
+
+TEST(Sight, AgreesWithTheNaivePlaneOnRandomGrids) {
+  std::mt19937 random(7);
+  int clear = 0, hidden = 0;
+  for (int round = 0; round < 400; ++round) {
+    const Grid grid = random_grid(2 + round % 90, 2 + round % 11, 0.02 * (round % 12), random);
+    if (grid.count_free() < 2) continue;
+    for (int i = 0; i < 50; ++i) {
+      const Cell a = random_free(grid, random), b = random_free(grid, random);
+      const bool expected = naive::segment_free(grid, half(centre(a)), half(centre(b)));
+      ++(expected ? clear : hidden);
+      ASSERT_EQ(clear_line(grid, a, b), expected)
+          << round << ": " << a.x << ',' << a.y << " - " << b.x << ',' << b.y;
+    }
+  }
+  EXPECT_GT(clear, 1000);
+  EXPECT_GT(hidden, 1000);
+}
+
+TEST(Peers, FindTheOptimaOfSmallRandomGrids) {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> side(2, 12);
+  int reachable = 0, unreachable = 0;
+  for (int round = 0; round < 6000; ++round) {
+    const double density = (round % 8) * 0.07;
+    const Grid grid = random_grid(side(random), side(random), density, random);
+    if (grid.count_free() < 2) continue;
+    const Cell start = random_free(grid, random);
+    const std::vector<double> octile = octile_by_boost(grid, start);
+    std::vector<std::unique_ptr<QueryPlanner>> planners;
+    for (const Peer& peer : all_peers()) planners.push_back(peer.make(grid));
+    for (int i = 0; i < 4; ++i) {
+      const Cell goal = random_free(grid, random);
+      const double optimum = naive::shortest(grid, start, goal);
+      ++(optimum < kNoPath ? reachable : unreachable);
+      for (std::size_t p = 0; p < planners.size(); ++p) {
+        const Peer& peer = all_peers()[p];
+        std::vector<Point> path = {{-1, -1}};
+        const double length = planners[p]->plan(start, goal, path);
+        if (optimum == kNoPath) {
+          EXPECT_EQ(length, kNoPath) << peer.name;
+          EXPECT_TRUE(path.empty()) << peer.name;
+          continue;
+        }
+        expect_valid(grid, start, goal, path, length, peer.name);
+        EXPECT_GE(length, optimum - 1e-9) << peer.name;
+        if (peer.optimality == Optimality::octile) {
+          EXPECT_NEAR(length, octile[static_cast<std::size_t>(goal.y) * grid.width() + goal.x],
+                      1e-9)
+              << peer.name;
+        } else if (peer.optimality == Optimality::any_angle) {
+          EXPECT_NEAR(length, optimum, 1e-9) << peer.name;
+        }
+        if (testing::Test::HasFailure()) {
+          FAIL() << "round " << round << ", " << start.x << ',' << start.y << " to " << goal.x
+                 << ',' << goal.y;
+        }
+      }
+    }
+  }
+  EXPECT_GT(reachable, 1000);
+  EXPECT_GT(unreachable, 200);
+}
+
+TEST(Peers, FindTheOptimaOfLargerRandomGrids) {
+  std::mt19937 random(2);
+  for (int round = 0; round < 60; ++round) {
+    const double density = round % 2 == 0 ? 0.025 * (round % 3) : 0.3 + 0.05 * (round % 4);
+    const Grid grid = random_grid(40 + round, 100 - round, density, random);
+    const Cell start = random_free(grid, random), goal = random_free(grid, random);
+    const double octile =
+        octile_by_boost(grid, start)[static_cast<std::size_t>(goal.y) * grid.width() + goal.x];
+    double exact = kNoPath;
+    for (const Peer& peer : all_peers()) {
+      std::vector<Point> path;
+      const double length = peer.make(grid)->plan(start, goal, path);
+      if (length == kNoPath) {
+        EXPECT_GT(octile, 1e9) << peer.name;
+        continue;
+      }
+      expect_valid(grid, start, goal, path, length, peer.name);
+      if (peer.optimality == Optimality::octile) {
+        EXPECT_NEAR(length, octile, 1e-6) << peer.name;
+      }
+      if (peer.optimality == Optimality::any_angle) exact = length;
+      EXPECT_LE(length, octile + 1e-6) << peer.name;
+    }
+    if (exact < kNoPath) {
+      EXPECT_LE(exact, octile);
+    }
+  }
+}
+
+TEST(BucketAStar, CoarsensItsCostsForVeryLongPaths) {
+  // A snake of 2.1 million cells: longer than the finest integer costs can count.
+  const int side = 2048;
+  Grid grid(side, side);
+  for (int y = 1; y < side; y += 2) {
+    for (int x = 0; x < side; ++x) grid.set_blocked({x, y}, x != (y % 4 == 1 ? side - 1 : 0));
+  }
+  BucketAStar planner(grid);
+  std::vector<Point> path;
+  // 1024 free rows of 2047 steps, joined by 1023 ways down of two.
+  const double expected = 1024.0 * (side - 1) + 2 * 1023;
+  const double length = planner.plan({0, 0}, {0, side - 2}, path);
+  EXPECT_NEAR(length, expected, 1e-3);
+  EXPECT_EQ(planner.plan({0, 0}, {side - 1, 0}, path), side - 1);
+}
+
+class SharedPeers : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(SharedPeers, FindTheOptimaOfRealMaps) {
+  const auto tables = bench_test::shared_tables();
+  if (tables.empty()) GTEST_SKIP() << "no shared maps at " << bench_test::shared_dir();
+  const Peer& peer = all_peers()[GetParam()];
+  for (const auto& table : tables) {
+    const bench_test::SharedMap map = bench_test::load_shared(table);
+    const auto planner = peer.make(map.grid);
+    // The slow ones answer one query in six; the exact one, and the octile optimum, all of them.
+    const bool all = peer.name == "anya" || peer.name == "astar-bucket";
+    for (std::size_t i = 0; i < map.queries.size(); i += all ? 1 : 6) {
+      const bench_test::Query& q = map.queries[i];
+      std::vector<Point> path;
+      const double length = planner->plan(q.start, q.goal, path);
+      EXPECT_NEAR(length, length_of(path), 1e-6);
+      EXPECT_GE(length, q.euclid - 1e-6) << map.name;
+      if (peer.optimality == Optimality::octile) {
+        EXPECT_NEAR(length, q.octile, 1e-6) << map.name;
+      }
+      if (peer.optimality == Optimality::any_angle) {
+        EXPECT_NEAR(length, q.euclid, 1e-6) << map.name;
+      }
+      if (peer.optimality == Optimality::none) {
+        EXPECT_LE(length, q.octile + 1e-6) << map.name;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SharedPeers, testing::Range<std::size_t>(0, all_peers().size()),
+                         [](const auto& param) {
+                           std::string name(all_peers()[param.param].name);
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace lasius::peers

@@ -1,0 +1,64 @@
+// The real maps with their exact optima, where this machine has them.
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "lasius/grid.h"
+
+namespace lasius::bench_test {
+
+struct Query {
+  Cell start, goal;
+  double octile, euclid;
+};
+
+struct SharedMap {
+  std::string name;
+  Grid grid;
+  std::vector<Query> queries;
+};
+
+inline std::filesystem::path shared_dir() {
+  return std::filesystem::path(LASIUS_SHARED_DIR) / "data" / "movingai";
+}
+
+/// The tables of queries, sorted by name; empty without the shared folder.
+inline std::vector<std::filesystem::path> shared_tables() {
+  std::vector<std::filesystem::path> found;
+  if (!std::filesystem::is_directory(shared_dir())) return found;
+  for (const auto& entry : std::filesystem::directory_iterator(shared_dir())) {
+    if (entry.path().extension() == ".tsv") found.push_back(entry.path());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+inline SharedMap load_shared(const std::filesystem::path& table) {
+  std::ifstream in(std::filesystem::path(table).replace_extension(".map"));
+  std::string word, line;
+  int width = 0, height = 0;
+  in >> word >> word >> word >> height >> word >> width >> word;
+  SharedMap map{table.stem().string(), Grid(width, height), {}};
+  for (int y = 0; y < height; ++y) {
+    in >> line;
+    for (int x = 0; x < width; ++x) {
+      if (std::string(".GS").find(line[x]) == std::string::npos) map.grid.set_blocked({x, y});
+    }
+  }
+  std::ifstream queries(table);
+  std::getline(queries, line);
+  while (std::getline(queries, line)) {
+    std::istringstream fields(line);
+    Query q;
+    fields >> word >> q.start.x >> q.start.y >> q.goal.x >> q.goal.y >> q.octile >> q.euclid;
+    map.queries.push_back(q);
+  }
+  return map;
+}
+
+}  // namespace lasius::bench_test
