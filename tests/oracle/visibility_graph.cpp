@@ -1,0 +1,201 @@
+#include "tests/oracle/visibility_graph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace lasius::oracle {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+using Entry = std::pair<double, int>;
+using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
+
+}  // namespace
+
+VisibilityGraph::VisibilityGraph(const Grid& grid) : width_(grid.width()), height_(grid.height()) {
+  for (int y = -1; y <= height_; ++y) {
+    for (int x = -1; x <= width_; ++x) blocked_.push_back(grid.blocked({x, y}));
+  }
+  for (int y = 0; y <= height_; ++y) {
+    for (int x = 0; x <= width_; ++x) {
+      Node corner{2 * x, 2 * y, 0, 0};
+      int count = 0;
+      for (const int by : {-1, 1}) {
+        for (const int bx : {-1, 1}) {
+          if (!blocked(bx < 0 ? x - 1 : x, by < 0 ? y - 1 : y)) continue;
+          ++count;
+          corner.block_x = bx;
+          corner.block_y = by;
+        }
+      }
+      if (count == 1) corners_.push_back(corner);
+    }
+  }
+}
+
+// Along y, which is the middle of a row (odd) or the line between two rows (even).
+bool VisibilityGraph::sees_level(int y, int x0, int x1) const {
+  const int first = x0 / 2;
+  const int last = (x1 + 1) / 2 - 1;
+  for (int x = first; x <= last; ++x) {
+    const int below = y / 2;
+    const int above = y % 2 != 0 ? below : below - 1;
+    if (blocked(x, above) && blocked(x, below)) return false;
+    if (x == last) break;
+    // Two diagonal blocks close the line; in the middle of a row this is the test above.
+    if (blocked(x, above) && blocked(x + 1, below)) return false;
+    if (blocked(x, below) && blocked(x + 1, above)) return false;
+  }
+  return true;
+}
+
+bool VisibilityGraph::sees_upright(int x, int y0, int y1) const {
+  const int first = y0 / 2;
+  const int last = (y1 + 1) / 2 - 1;
+  for (int y = first; y <= last; ++y) {
+    const int right = x / 2;
+    const int left = x % 2 != 0 ? right : right - 1;
+    if (blocked(left, y) && blocked(right, y)) return false;
+    if (y == last) break;
+    if (blocked(left, y) && blocked(right, y + 1)) return false;
+    if (blocked(right, y) && blocked(left, y + 1)) return false;
+  }
+  return true;
+}
+
+bool VisibilityGraph::sees(const Node& a, const Node& b) const {
+  if (a.y == b.y) return sees_level(a.y, std::min(a.x, b.x), std::max(a.x, b.x));
+  if (a.x == b.x) return sees_upright(a.x, std::min(a.y, b.y), std::max(a.y, b.y));
+  // Mirrored so that the segment runs right and down: u = flip_x x, v = flip_y y.
+  const int flip_x = a.x < b.x ? 1 : -1;
+  const int flip_y = a.y < b.y ? 1 : -1;
+  const std::int64_t dx = std::abs(b.x - a.x);
+  const std::int64_t dy = std::abs(b.y - a.y);
+  const auto hits = [&](std::int64_t u, std::int64_t v) {  // cell [2u, 2u + 2] x [2v, 2v + 2]
+    const std::int64_t x = flip_x > 0 ? u : -u - 1;
+    const std::int64_t y = flip_y > 0 ? v : -v - 1;
+    return blocked(static_cast<int>(x), static_cast<int>(y));
+  };
+  const std::int64_t u0 = flip_x * a.x;
+  const std::int64_t v0 = flip_y * a.y;
+  const auto floor_half = [](std::int64_t n) { return n >> 1; };
+  // From cell to cell: the next line to be crossed, upright (u) or level (v), is the nearer one.
+  std::int64_t u = floor_half(u0);
+  std::int64_t v = floor_half(v0);
+  while (!hits(u, v)) {
+    const std::int64_t to_u = (2 * u + 2 - u0) * dy;  // times 1 / (dx dy) along the segment
+    const std::int64_t to_v = (2 * v + 2 - v0) * dx;
+    if (std::min(to_u, to_v) >= dx * dy) return true;
+    if (to_u == to_v) {
+      if (hits(u + 1, v) && hits(u, v + 1)) return false;
+    }
+    if (to_u <= to_v) ++u;
+    if (to_v <= to_u) ++v;
+  }
+  return false;
+}
+
+double VisibilityGraph::octile(Cell start, Cell goal) const {
+  std::vector<double> g(blocked_.size(), kInfinity);
+  const int stride = width_ + 2;
+  const int from = (start.y + 1) * stride + start.x + 1;
+  const int to = (goal.y + 1) * stride + goal.x + 1;
+  if (blocked_[from] != 0 || blocked_[to] != 0) return kInfinity;
+  Queue queue;
+  g[from] = 0;
+  queue.push({0, from});
+  while (!queue.empty()) {
+    const auto [distance, at] = queue.top();
+    queue.pop();
+    if (at == to) return distance;
+    if (distance > g[at]) continue;
+    for (const int dy : {-stride, 0, stride}) {
+      for (const int dx : {-1, 0, 1}) {
+        if (blocked_[at + dx] != 0 || blocked_[at + dy] != 0 || blocked_[at + dx + dy] != 0) {
+          continue;
+        }
+        const double length = distance + (dx != 0 && dy != 0 ? std::sqrt(2.0) : 1.0);
+        if (length >= g[at + dx + dy]) continue;
+        g[at + dx + dy] = length;
+        queue.push({length, at + dx + dy});
+      }
+    }
+  }
+  return kInfinity;
+}
+
+std::optional<Shortest> VisibilityGraph::shortest(Cell start, Cell goal) const {
+  // No path leaves the ellipse of a known one, so neither do edges worth a look.
+  const double bound = 2 * octile(start, goal) * (1 + 1e-9);
+  if (bound == kInfinity) return std::nullopt;
+  const int count = static_cast<int>(corners_.size());
+  const int goal_node = count + 1;
+  std::vector<Node> nodes = corners_;
+  nodes.push_back({2 * start.x + 1, 2 * start.y + 1, 0, 0});
+  nodes.push_back({2 * goal.x + 1, 2 * goal.y + 1, 0, 0});
+
+  const auto distance = [&](int a, int b) {
+    const double dx = nodes[a].x - nodes[b].x;
+    const double dy = nodes[a].y - nodes[b].y;
+    return std::sqrt(dx * dx + dy * dy);
+  };
+  // The edge from `a` in direction (dx, dy) neither enters a's block nor points straight away
+  // from it: only then can a taut path bend round it.
+  const auto along = [](const Node& a, int dx, int dy) {
+    return static_cast<std::int64_t>(dx) * a.block_x * dy * a.block_y <= 0;
+  };
+  // Going on from u, reached from p, bends towards u's block or not at all.
+  const auto taut = [&](const Node& p, const Node& u, const Node& v) {
+    const std::int64_t dx = u.x - p.x;
+    const std::int64_t dy = u.y - p.y;
+    const std::int64_t turn = dx * (v.y - u.y) - dy * (v.x - u.x);
+    const std::int64_t block = dx * u.block_y - dy * u.block_x;
+    return block > 0 ? turn >= 0 : turn <= 0;
+  };
+
+  std::vector<double> g(nodes.size(), kInfinity);
+  std::vector<double> h(nodes.size());
+  for (int i = 0; i <= goal_node; ++i) h[i] = distance(i, goal_node);
+  std::vector<int> parent(nodes.size(), -1);
+  std::vector<char> closed(nodes.size(), 0);
+  Queue queue;
+  g[count] = 0;
+  queue.push({h[count], count});
+  while (!queue.empty()) {
+    const int u = queue.top().second;
+    queue.pop();
+    if (u == goal_node) break;
+    if (std::exchange(closed[u], 1) != 0) continue;
+    for (int v = 0; v <= goal_node; ++v) {
+      const int dx = nodes[v].x - nodes[u].x;
+      const int dy = nodes[v].y - nodes[u].y;
+      if (closed[v] != 0 || !along(nodes[u], dx, dy) || !along(nodes[v], -dx, -dy)) continue;
+      if (parent[u] >= 0 && !taut(nodes[parent[u]], nodes[u], nodes[v])) continue;
+      const double length = g[u] + distance(u, v);
+      if (length >= g[v] || length + h[v] > bound || !sees(nodes[u], nodes[v])) continue;
+      g[v] = length;
+      parent[v] = u;
+      queue.push({length + h[v], v});
+    }
+  }
+  if (g[goal_node] == kInfinity) return std::nullopt;
+  Shortest shortest{0, {}};
+  for (int i = goal_node; i >= 0; i = parent[i]) {
+    shortest.path.push_back({nodes[i].x / 2.0, nodes[i].y / 2.0});
+  }
+  std::reverse(shortest.path.begin(), shortest.path.end());
+  for (std::size_t i = 1; i < shortest.path.size(); ++i) {
+    const double dx = shortest.path[i].x - shortest.path[i - 1].x;
+    const double dy = shortest.path[i].y - shortest.path[i - 1].y;
+    shortest.length += std::sqrt(dx * dx + dy * dy);
+  }
+  return shortest;
+}
+
+}  // namespace lasius::oracle

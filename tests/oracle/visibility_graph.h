@@ -1,0 +1,54 @@
+// The exact any-angle optimum between two cells, by brute force: a yardstick that shares no code
+// with the library's own geometry.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lasius/geometry.h"
+#include "lasius/grid.h"
+
+namespace lasius::oracle {
+
+/// A shortest path under the rule of the plane, and its length.
+struct Shortest {
+  double length;
+  std::vector<Point> path;
+};
+
+/// The visibility graph over the convex corners of the blocked cells: lattice points where exactly
+/// one of the four cells is blocked. Two points are joined when they see each other (decided in
+/// integers, cell by cell) and the edge can be part of a taut path. Edges are found while A*
+/// asks for them.
+class VisibilityGraph {
+ public:
+  explicit VisibilityGraph(const Grid& grid);
+
+  /// A shortest path between the centres of two cells, or nothing where there is none.
+  std::optional<Shortest> shortest(Cell start, Cell goal) const;
+
+  /// Length of a shortest path of king's moves that cut no corner (a bound from above), or
+  /// infinity.
+  double octile(Cell start, Cell goal) const;
+
+ private:
+  /// A point in half cells; for a corner also the direction (+-1, +-1) of its blocked cell.
+  struct Node {
+    int x;
+    int y;
+    int block_x;
+    int block_y;
+  };
+
+  bool blocked(int x, int y) const { return blocked_[(y + 1) * (width_ + 2) + x + 1] != 0; }
+  bool sees(const Node& a, const Node& b) const;
+  bool sees_level(int y, int x0, int x1) const;
+  bool sees_upright(int x, int y0, int y1) const;
+
+  int width_;
+  int height_;
+  std::vector<char> blocked_;  // with a border of blocked cells
+  std::vector<Node> corners_;
+};
+
+}  // namespace lasius::oracle

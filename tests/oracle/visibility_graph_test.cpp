@@ -1,0 +1,128 @@
+#include "tests/oracle/visibility_graph.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "lasius/map_io.h"
+#include "lasius/path.h"
+#include "tests/plane_rule.h"
+#include "tests/random_grid.h"
+
+namespace lasius::oracle {
+namespace {
+
+// Dijkstra over all centres and all lattice points without diagonal blocks, where nothing can be
+// squeezed through; every pair of them is an edge if its segment obeys the rule.
+double all_pairs(const Grid& grid, Cell start, Cell goal) {
+  std::vector<rule::HalfSegment> points;  // in ax, ay
+  for (int y = 0; y <= 2 * grid.height(); ++y) {
+    for (int x = y % 2; x <= 2 * grid.width(); x += 2) {
+      const auto free = rule::free_around(grid, x / 2, y / 2);
+      const bool diagonal = (free[0] == free[2]) && (free[1] == free[3]) && free[0] != free[1];
+      if (y % 2 == 0 ? diagonal : grid.blocked({x / 2, y / 2})) continue;
+      points.push_back({x, y, 0, 0});
+    }
+  }
+  std::vector<double> g(points.size(), std::numeric_limits<double>::infinity());
+  std::vector<char> closed(points.size(), 0);
+  const auto is = [&](std::size_t i, Cell c) {
+    return points[i].ax == 2 * c.x + 1 && points[i].ay == 2 * c.y + 1;
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (is(i, start)) g[i] = 0;
+  }
+  for (;;) {
+    std::size_t u = points.size();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (closed[i] == 0 && std::isfinite(g[i]) && (u == points.size() || g[i] < g[u])) u = i;
+    }
+    if (u == points.size()) return std::numeric_limits<double>::infinity();
+    if (is(u, goal)) return g[u];
+    closed[u] = 1;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      const auto dx = static_cast<double>(points[v].ax - points[u].ax);
+      const auto dy = static_cast<double>(points[v].ay - points[u].ay);
+      const double length = g[u] + std::hypot(dx, dy) / 2;
+      if (closed[v] != 0 || length >= g[v]) continue;
+      if (!rule::segment_obeys(grid, {points[u].ax, points[u].ay, points[v].ax, points[v].ay})) {
+        continue;
+      }
+      g[v] = length;
+    }
+  }
+}
+
+TEST(Oracle, KnowsALengthWorkedByHand) {
+  const Grid grid = drawn({".....", ".###.", "....."});
+  const auto way = VisibilityGraph(grid).shortest({0, 1}, {4, 1});
+  ASSERT_TRUE(way.has_value());
+  EXPECT_EQ(way->path.size(), 4u);
+  EXPECT_NEAR(way->length, 3 + 2 * std::sqrt(0.5), 1e-12);
+  EXPECT_EQ(VisibilityGraph(grid).shortest({0, 1}, {0, 1})->length, 0);
+  EXPECT_FALSE(VisibilityGraph(grid).shortest({0, 1}, {2, 1}));
+}
+
+TEST(Oracle, EqualsAllPairsOnSmallGrids) {
+  std::mt19937 random(1);
+  int unreachable = 0;
+  int bends = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const Grid grid =
+        random_grid(random_in(1, 7, random), random_in(1, 7, random), 10 * (round % 6), random);
+    const VisibilityGraph graph(grid);
+    const Cell a{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
+    const Cell b{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
+    if (grid.blocked(a) || grid.blocked(b)) continue;
+    const double truth = all_pairs(grid, a, b);
+    const auto way = graph.shortest(a, b);
+    ASSERT_EQ(way.has_value(), std::isfinite(truth));
+    if (!way) {
+      ++unreachable;
+      continue;
+    }
+    ASSERT_NEAR(way->length, truth, 1e-9);
+    ASSERT_TRUE(rule::Checker(grid).obeys(way->path));
+    ASSERT_EQ(way->path.front(), centre(a));
+    ASSERT_EQ(way->path.back(), centre(b));
+    bends += static_cast<int>(way->path.size()) > 2;
+  }
+  EXPECT_GT(unreachable, 50);
+  EXPECT_GT(bends, 80);
+}
+
+// The optima that come with the shared maps were found by other programs.
+TEST(Oracle, AgreesWithTheSharedOptima) {
+  const std::filesystem::path folder = std::filesystem::path(LASIUS_SHARED_DIR) / "data/movingai";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is missing";
+  int checked = 0;
+  for (const char* name : {"AR0300SR", "turtlebot3_world", "Boston_0_512", "w_woundedcoast",
+                           "16room_001", "maze512-16-4"}) {
+    const VisibilityGraph graph(read_map((folder / (std::string(name) + ".map")).string()).grid);
+    std::ifstream table(folder / (std::string(name) + ".tsv"));
+    std::string line;
+    std::getline(table, line);
+    for (int i = 0; i < 5 && std::getline(table, line); ++i) {
+      std::istringstream fields(line);
+      std::string map;
+      Cell a;
+      Cell b;
+      double octile = 0;
+      double euclid = 0;
+      fields >> map >> a.x >> a.y >> b.x >> b.y >> octile >> euclid;
+      const auto way = graph.shortest(a, b);
+      ASSERT_TRUE(way.has_value()) << line;
+      EXPECT_NEAR(way->length, euclid, 1e-6) << line;
+      EXPECT_NEAR(graph.octile(a, b), octile, 1e-6) << line;
+      ++checked;
+    }
+  }
+  EXPECT_EQ(checked, 30);
+}
+
+}  // namespace
+}  // namespace lasius::oracle
