@@ -1,0 +1,164 @@
+// The walk kernel: ants step from cell to cell, each drawing its moves from rows of weights.
+//
+// Several ants advance in turn within one call, so that the processor overlaps their chains of
+// dependent loads. An ant's walk depends on the weights and on its own random stream only: not on
+// the other ants, the thread, the order of the calls or the instruction set.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "kernels/cpu.h"
+
+namespace lasius::kernels {
+
+inline constexpr int kMaxMoves = 8;
+
+// Weight rows live in square tiles, row-major inside.
+inline constexpr int kTileShift = 5;
+inline constexpr int kTileSide = 1 << kTileShift;
+inline constexpr int kTileCells = kTileSide * kTileSide;
+
+/// A cell packed into one word: y in the upper half, x in the lower; both below 32768.
+using PackedCell = std::uint32_t;
+constexpr PackedCell pack(int x, int y) noexcept {
+  return static_cast<PackedCell>(y) << 16 | static_cast<PackedCell>(x);
+}
+constexpr int packed_x(PackedCell c) noexcept { return static_cast<int>(c & 0xffff); }
+constexpr int packed_y(PackedCell c) noexcept { return static_cast<int>(c >> 16); }
+
+/// Moves of a neighbourhood in scan order (row by row, left to right), 4 or 8 of them.
+struct Moves {
+  int count = 0;
+  std::array<std::int8_t, kMaxMoves> dx{};
+  std::array<std::int8_t, kMaxMoves> dy{};
+};
+Moves moves_of(int neighbours) noexcept;
+
+/// Cells that one ant has entered, one bit each, kept in words of 64 columns that start every 32
+/// columns and overlap: around every cell, 16 columns to either side lie in one word. Words of one
+/// strip follow each other by row, so the memory touched follows the walk.
+struct VisitedPlane {
+  std::uint64_t* origin = nullptr;  ///< word of strip 0, row 0; one strip and row of padding around
+  std::int64_t rows = 0;            ///< words of a strip, padding included
+
+  static std::int64_t rows_for(int height) noexcept { return height + 2; }
+  static std::int64_t words_for(int width, int height) noexcept {
+    return rows_for(height) * ((width + 31) / 32 + 2);
+  }
+  static VisitedPlane over(std::uint64_t* words, int height) noexcept {
+    return {words + rows_for(height) + 1, rows_for(height)};
+  }
+
+  std::uint64_t* word(PackedCell c) const noexcept {
+    return origin + static_cast<std::int64_t>((c & 0xffff) >> 5) * rows + packed_y(c);
+  }
+  static int bit(PackedCell c) noexcept { return static_cast<int>(c & 31) + 16; }
+
+  void mark(PackedCell c) const noexcept {
+    std::uint64_t* w = word(c);
+    const int b = bit(c);
+    w[0] |= std::uint64_t{1} << b;
+    w[neighbour(b)] |= std::uint64_t{1} << (b ^ 32);
+  }
+  void clear(PackedCell c) const noexcept {
+    std::uint64_t* w = word(c);
+    const int b = bit(c);
+    w[0] &= ~(std::uint64_t{1} << b);
+    w[neighbour(b)] &= ~(std::uint64_t{1} << (b ^ 32));
+  }
+
+ private:
+  /// From a cell's word to the other word that holds it, without a branch.
+  std::int64_t neighbour(int bit) const noexcept { return ((bit >> 5) * 2 - 1) * rows; }
+};
+
+/// The rules an ant's step mixes (Fan et al. 2004, note 4), in the order of the rule roulette.
+enum Rule { kPheromoneRule, kDistanceRule, kCombinedRule, kRules };
+
+/// What all ants of an iteration share. Read-only during a walk, but for new tiles.
+struct WalkWorld {
+  /// Rows of weights by tile, row-major `tiles_x` a row; null where no ant has been. Of a cell:
+  /// with one rule, `lanes` floats; with a mixture, `lanes` of pheromone, then `lanes` of distance.
+  /// A weight of 0 is a move that does not exist, every other one is at least 2^-120.
+  float* const* tiles = nullptr;
+  int tiles_x = 0;
+  /// Called for a null entry, from any thread: makes the tile and returns its rows.
+  float* (*make_tile)(void* context, int tile) = nullptr;
+  void* context = nullptr;
+
+  std::array<std::int32_t, kMaxMoves> delta{};  ///< PackedCell difference of a move
+  /// Factor on pheromone weights by previous move (kMaxMoves: none yet) and move.
+  alignas(32) std::array<std::array<float, kMaxMoves>, kMaxMoves + 1> factor{};
+  /// Rule roulette: rule r is drawn for random words from rule_start[r] to below the next one's.
+  std::array<std::uint64_t, kRules> rule_start{};
+  std::array<float, kRules> rule_scale{};  ///< maps the rest of the word onto [0, 1]
+
+  PackedCell start = 0;
+  PackedCell goal = 0;
+  bool backtrack = true;
+  std::uint64_t seed = 0;
+  std::uint32_t iteration = 0;
+  std::int64_t plane_rows = 0;
+};
+
+enum class WalkState : std::uint32_t { walking, arrived, lost };
+
+/// One ant under way. Random word n of ant a in iteration q is word n % 4 of Philox4x32-10 with
+/// key = seed and counter (n / 4, a, q, 0).
+struct WalkSlot {
+  static constexpr int kRandomWords = 16;
+
+  PackedCell at = 0;
+  std::uint32_t previous = kMaxMoves;  ///< last move; kMaxMoves at the start
+  WalkState state = WalkState::lost;
+  std::uint32_t ant = 0;
+  std::uint8_t* moves = nullptr;       ///< the tour so far, room for every step of the call
+  std::int64_t move_count = 0;
+  PackedCell* dead = nullptr;          ///< cells entered and left again, room likewise
+  std::int64_t dead_count = 0;
+
+  VisitedPlane visited;
+  std::uint32_t random_used = kRandomWords;
+  std::uint32_t random_block = 0;      ///< next Philox counter
+  alignas(32) std::array<std::uint32_t, kRandomWords> random;
+
+  /// Steps done, those taken back included: each draws one word.
+  std::int64_t steps() const noexcept {
+    return std::int64_t{random_block} * 4 - (kRandomWords - std::int64_t{random_used});
+  }
+};
+
+inline constexpr int kMaxSlots = 16;  ///< slots of one call
+
+/// Advances each slot that is walking by at most `rounds` steps. A step moves the ant, or takes
+/// back its last move when every move on is closed (lost if it may not, or stands at
+/// the start).
+using WalkFn = void (*)(const WalkWorld& world, std::span<WalkSlot> slots, int rounds) noexcept;
+
+/// What a walk kernel is compiled for.
+struct WalkShape {
+  int lanes = 8;         ///< 4 or 8
+  bool mixture = false;  ///< rows hold two rules
+  bool factor = false;   ///< WalkWorld::factor is not all ones
+  constexpr int index() const noexcept { return (lanes == 8 ? 4 : 0) + 2 * mixture + factor; }
+};
+
+/// Draws from one row as the kernel does, for tests and benchmarks.
+///   row     as in WalkWorld::tiles, aligned to 16 bytes
+///   open    bit k set where move k is not tabu
+///   random  one random word, uniform
+/// Returns the move, -1 if there is none.
+using DrawFn = int (*)(const WalkWorld& world, const float* row, std::uint32_t open,
+                       std::uint32_t previous, std::uint32_t random) noexcept;
+
+/// The kernels of one instruction set, by WalkShape::index().
+struct WalkTable {
+  std::array<WalkFn, 8> walk;
+  std::array<DrawFn, 8> draw;
+};
+/// On a set without kernels of its own, the table of the next lesser one.
+const WalkTable& walk_table(Isa isa) noexcept;
+
+}  // namespace lasius::kernels

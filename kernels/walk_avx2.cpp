@@ -1,0 +1,134 @@
+// The walk with AVX2: a row of eight weights in one register.
+
+#include "kernels/walk.h"
+
+#if defined(__x86_64__)
+
+#include <immintrin.h>
+
+#define LASIUS_TARGET [[gnu::target("avx2,bmi,bmi2,lzcnt")]]
+
+namespace lasius::kernels {
+namespace {
+
+/// Four or eight weights, their bits by lane, and sums in the order of the scalar reference.
+template <int kLanes>
+struct Row;
+
+template <>
+struct Row<4> {
+  using V = __m128;
+  LASIUS_TARGET [[gnu::always_inline]] static V load(const float* p) noexcept {
+    return _mm_load_ps(p);
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V only(V v, std::uint32_t open) noexcept {
+    const __m128i bit = _mm_setr_epi32(1, 2, 4, 8);
+    const __m128i on = _mm_and_si128(_mm_set1_epi32(static_cast<int>(open)), bit);
+    return _mm_and_ps(v, _mm_castsi128_ps(_mm_cmpeq_epi32(on, bit)));
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V times(V a, V b) noexcept {
+    return _mm_mul_ps(a, b);
+  }
+  /// b where the mask's bits are set, else a.
+  LASIUS_TARGET [[gnu::always_inline]] static V blend(V a, V b, int mask) noexcept {
+    return _mm_blendv_ps(a, b, _mm_castsi128_ps(_mm_set1_epi32(mask)));
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V prefix(V v) noexcept {
+    v = _mm_add_ps(v, shifted<4>(v));
+    return _mm_add_ps(v, shifted<8>(v));
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V total(V sums) noexcept {
+    return _mm_shuffle_ps(sums, sums, 0xff);
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V all(float x) noexcept { return _mm_set1_ps(x); }
+  LASIUS_TARGET [[gnu::always_inline]] static std::uint32_t less(V a, V b) noexcept {
+    return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmplt_ps(a, b)));
+  }
+
+ private:
+  template <int kBytes>
+  LASIUS_TARGET [[gnu::always_inline]] static V shifted(V v) noexcept {
+    return _mm_castsi128_ps(_mm_slli_si128(_mm_castps_si128(v), kBytes));
+  }
+};
+
+template <>
+struct Row<8> {
+  using V = __m256;
+  LASIUS_TARGET [[gnu::always_inline]] static V load(const float* p) noexcept {
+    return _mm256_load_ps(p);
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V only(V v, std::uint32_t open) noexcept {
+    const __m256i bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+    const __m256i on = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(open)), bit);
+    return _mm256_and_ps(v, _mm256_castsi256_ps(_mm256_cmpeq_epi32(on, bit)));
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V times(V a, V b) noexcept {
+    return _mm256_mul_ps(a, b);
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V blend(V a, V b, int mask) noexcept {
+    return _mm256_blendv_ps(a, b, _mm256_castsi256_ps(_mm256_set1_epi32(mask)));
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V prefix(V v) noexcept {
+    v = _mm256_add_ps(v, shifted<4>(v));
+    v = _mm256_add_ps(v, shifted<8>(v));
+    const V lower_total = _mm256_permute2f128_ps(v, v, 0x08);  // upper half: lower half
+    return _mm256_add_ps(v, _mm256_shuffle_ps(lower_total, lower_total, 0xff));
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V total(V sums) noexcept {
+    return _mm256_permutevar8x32_ps(sums, _mm256_set1_epi32(7));
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V all(float x) noexcept { return _mm256_set1_ps(x); }
+  LASIUS_TARGET [[gnu::always_inline]] static std::uint32_t less(V a, V b) noexcept {
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LT_OQ)));
+  }
+
+ private:
+  template <int kBytes>
+  LASIUS_TARGET [[gnu::always_inline]] static V shifted(V v) noexcept {
+    return _mm256_castsi256_ps(_mm256_slli_si256(_mm256_castps_si256(v), kBytes));
+  }
+};
+
+struct Avx2Ops {
+  template <int kLanes, bool kMixture, bool kFactor>
+  LASIUS_TARGET [[gnu::always_inline]] static int draw(const WalkWorld& world, const float* row,
+                                                       std::uint32_t open, std::uint32_t previous,
+                                                       std::uint32_t random) noexcept {
+    using R = Row<kLanes>;
+    auto weight = R::load(row);
+    float share = static_cast<float>(random) * 0x1p-32f;
+    if constexpr (kFactor) weight = R::times(weight, R::load(world.factor[previous].data()));
+    if constexpr (kMixture) {
+      const int rule = (random >= world.rule_start[1]) + (random >= world.rule_start[2]);
+      const auto rest = random - static_cast<std::uint32_t>(world.rule_start[rule]);
+      share = static_cast<float>(rest) * world.rule_scale[rule];
+      const auto distance = R::load(row + kLanes);
+      const auto combined = R::times(weight, distance);
+      weight = R::blend(weight, distance, -(rule == kDistanceRule));
+      weight = R::blend(weight, combined, -(rule == kCombinedRule));
+    }
+    weight = R::only(weight, open);
+    const auto sums = R::prefix(weight);
+    const std::uint32_t positive = R::less(R::all(0), weight);
+    if (positive == 0) [[unlikely]] return -1;
+    const auto threshold = R::times(R::all(share), R::total(sums));
+    const std::uint32_t hit = R::less(threshold, sums) & positive;
+    if (hit == 0) [[unlikely]] return 31 - __builtin_clz(positive);
+    return __builtin_ctz(hit);
+  }
+};
+
+}  // namespace
+}  // namespace lasius::kernels
+
+#define LASIUS_OPS Avx2Ops
+#include "kernels/walk_body.h"
+
+namespace lasius::kernels {
+
+const WalkTable& avx2_walk_table() noexcept { return kTable; }
+
+}  // namespace lasius::kernels
+
+#endif
