@@ -11,6 +11,7 @@
 namespace lasius {
 
 /// The way with the fewest moves from a walk's first to its last cell inside the walk's own cells.
+/// Between first and last any further cells that the ant entered may stand, in any order.
 ///
 /// Cells are kept in tiles of 8 x 8, found through a small hash table: time and memory follow the
 /// walk's cells, not the map. Buffers are reused from call to call; one object per thread.

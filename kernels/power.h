@@ -1,4 +1,5 @@
-// x^a from IEEE operations only, so that every machine, compiler and vector width agrees bit for bit.
+// x^a from IEEE operations only, so that every machine, compiler and vector width agrees bit for
+// bit.
 #pragma once
 
 #include <bit>

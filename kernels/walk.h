@@ -114,14 +114,14 @@ struct WalkSlot {
   std::uint32_t previous = kMaxMoves;  ///< last move; kMaxMoves at the start
   WalkState state = WalkState::lost;
   std::uint32_t ant = 0;
-  std::uint8_t* moves = nullptr;       ///< the tour so far, room for every step of the call
+  std::uint8_t* moves = nullptr;  ///< the tour so far, room for every step of the call
   std::int64_t move_count = 0;
-  PackedCell* dead = nullptr;          ///< cells entered and left again, room likewise
+  PackedCell* dead = nullptr;  ///< cells entered and left again, room likewise
   std::int64_t dead_count = 0;
 
   VisitedPlane visited;
   std::uint32_t random_used = kRandomWords;
-  std::uint32_t random_block = 0;      ///< next Philox counter
+  std::uint32_t random_block = 0;  ///< next Philox counter
   alignas(32) std::array<std::uint32_t, kRandomWords> random;
 
   /// Steps done, those taken back included: each draws one word.

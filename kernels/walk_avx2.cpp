@@ -111,10 +111,12 @@ struct Avx2Ops {
     weight = R::only(weight, open);
     const auto sums = R::prefix(weight);
     const std::uint32_t positive = R::less(R::all(0), weight);
-    if (positive == 0) [[unlikely]] return -1;
+    if (positive == 0) [[unlikely]]
+      return -1;
     const auto threshold = R::times(R::all(share), R::total(sums));
     const std::uint32_t hit = R::less(threshold, sums) & positive;
-    if (hit == 0) [[unlikely]] return 31 - __builtin_clz(positive);
+    if (hit == 0) [[unlikely]]
+      return 31 - __builtin_clz(positive);
     return __builtin_ctz(hit);
   }
 };

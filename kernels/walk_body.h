@@ -69,7 +69,8 @@ struct Walk {
     const int x = packed_x(at), y = packed_y(at);
     const int tile = (y >> kTileShift) * world.tiles_x + (x >> kTileShift);
     const float* rows = __atomic_load_n(world.tiles + tile, __ATOMIC_ACQUIRE);
-    if (rows == nullptr) [[unlikely]] rows = world.make_tile(world.context, tile);
+    if (rows == nullptr) [[unlikely]]
+      rows = world.make_tile(world.context, tile);
     const int cell = (y % kTileSide) * kTileSide + x % kTileSide;
 
     if (slot.random_used == WalkSlot::kRandomWords) refill(world, slot);
@@ -78,7 +79,8 @@ struct Walk {
     const std::uint32_t open = open_moves<kLanes>(slot.visited.word(at), VisitedPlane::bit(at));
     const int move = LASIUS_OPS::draw<kLanes, kMixture, kFactor>(world, rows + cell * kRow, open,
                                                                  slot.previous, random);
-    if (move < 0) [[unlikely]] return take_back(world, slot);
+    if (move < 0) [[unlikely]]
+      return take_back(world, slot);
 
     slot.at = at + static_cast<PackedCell>(world.delta[move]);
     slot.previous = static_cast<std::uint32_t>(move);

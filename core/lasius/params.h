@@ -27,19 +27,27 @@ enum class DeadEnd {
 /// Which straightened paths of fan2004 get pheromone too (Fan et al. 2004, step 3).
 enum class StraightDeposit { none, improving, all };
 
-/// How the visibility eta(j) of a move to cell j is made.
-enum class Visibility {
-  step,          ///< 1 / length of the move (Fan et al. 2004, eq. 1)
-  inverse_goal,  ///< 1 / Euclidean distance from j to the goal
+/// The part of a move's weight that depends on where it leads, and never on the iteration.
+enum class Heuristic {
+  uniform,            ///< 1
+  rescaled_distance,  ///< ((Dmax - d(j, E)) omega + mu)^lambda (Fan et al. 2004, eq. 4)
+  inverse_distance,   ///< (1 / d(j, E))^beta, d at least half a cell
 };
 
-/// Which pheromone update follows an iteration.
-enum class UpdateRule {
-  ant_system,  ///< all evaporate, every arrived ant deposits Q / L (Dorigo et al. 1996)
+/// The part of a move's weight that depends on the move alone.
+enum class Visibility {
+  none,          ///< 1
+  inverse_step,  ///< (1 / length of the move)^beta (Fan et al. 2004, eq. 1)
+};
+
+/// What carries pheromone.
+enum class Trail {
+  cells,  ///< tau of a move is that of the cell it leads to
+  arcs,   ///< each move out of each cell has its own tau, in the direction walked
 };
 
 /// Parameters of one plan. Fields that an algorithm does not use are ignored by it; its own list,
-/// with ranges, is in `algorithms()`.
+/// with ranges, is in `algorithms()`, its published values in `defaults()`.
 struct Params {
   std::string algorithm = "fan2004";
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
@@ -52,28 +60,30 @@ struct Params {
   Polish polish = Polish::straight;
   DeadEnd dead_end = DeadEnd::backtrack;
 
-  // Random proportional rule: tau^alpha eta^beta.
-  Visibility visibility = Visibility::step;
-  double alpha = 1;
-  double beta = 0;
-  // Time-varying weights (Fan et al. 2004, eq. 5, 6): from the first value at iteration 0 linearly
-  // to the last at `critical_time`, constant after it.
+  // Random proportional rule: weight of a move = tau^alpha * visibility * heuristic.
+  Trail trail = Trail::cells;
+  Heuristic heuristic = Heuristic::rescaled_distance;
+  Visibility visibility = Visibility::inverse_step;
+  double alpha = 4;   ///< exponent of pheromone
+  double beta = 1.5;  ///< exponent of visibility and of inverse_distance
+  // Time-varying exponents (Fan et al. 2004, eq. 5, 6): linear from the value at iteration 0 to
+  // alpha and beta at iteration `critical_time`, constant after it.
+  int critical_time = 10;  ///< mc; 0: constant from the start
   double alpha_first = 0;
-  double beta_first = 0;
-  int critical_time = 0;  ///< mc; 0: constant weights
+  double beta_first = 3;
 
-  // Distance rule (Fan et al. 2004, eq. 4): ((Dmax - d) omega + mu)^lambda.
+  // Rescaled distance (Fan et al. 2004, eq. 4).
   double omega = 10;
   double mu = 2;
   double lambda = 2;
 
-  // Roulette between the rules, with a = min(1, q / mc): weight = first + (last - first) a.
-  double pheromone_rule_first = 0, pheromone_rule_last = 0;
-  double distance_rule_first = 0, distance_rule_last = 0;
-  double combined_rule_first = 1, combined_rule_last = 1;
+  // Roulette between the rules (Fan et al. 2004, note 4): shares at iteration 0 and from
+  // `critical_time` on, linear between. Only their ratios count.
+  double pheromone_rule_first = 0, pheromone_rule = 0.1;
+  double distance_rule_first = 1, distance_rule = 0.1;
+  double combined_rule_first = 0, combined_rule = 0.8;
 
-  // Update.
-  UpdateRule update = UpdateRule::ant_system;
+  // Update: tau <- persistence * tau + sum of deposit / L over the arrived ants.
   double persistence = 0.7;      ///< share of pheromone that remains after an iteration
   double initial_pheromone = 1;  ///< tau0
   double deposit = 100;          ///< Q
@@ -83,8 +93,9 @@ struct Params {
 /// One parameter of an algorithm, as `lasius algorithms` lists it.
 struct Parameter {
   std::string_view name;
+  std::string_view type;   ///< "integer", "number" or "choice"
+  std::string_view range;  ///< "1 .. 1000000", "a|b|c"
   std::string_view summary;
-  std::string_view range;  ///< for people: "1 .. 1000000", "a|b|c"
 };
 
 /// One algorithm: its name, where it comes from, what it reads of Params.

@@ -1,0 +1,13 @@
+// The colony: the one loop that every ant algorithm on a grid runs.
+#pragma once
+
+#include "lasius/planner.h"
+
+namespace lasius {
+
+/// Runs the colony that `params` composes from `request.start` to `request.goal`, which are free,
+/// joined and not equal.
+Result run_colony(const Grid& grid, const Request& request, const Params& params,
+                  Workspace::Impl& workspace, const Observer& observer);
+
+}  // namespace lasius

@@ -1,0 +1,53 @@
+// From ants' tours to paths: straightened, taut, or as they are.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "kernels/walk.h"
+#include "lasius/geometry.h"
+#include "lasius/grid.h"
+#include "lasius/params.h"
+#include "lasius/stop.h"
+#include "loop_cutter.h"
+#include "straighten.h"
+#include "walkers.h"
+
+namespace lasius {
+
+/// One ant's path after polishing.
+struct PolishedPath {
+  double length = 0;          // NaN where the ant did not arrive: never less than any other
+  std::vector<Point> points;  // the polyline
+  std::vector<Cell> raster;   // the cells under it; empty without polish
+};
+
+/// Polishes the tours of one iteration, over threads.
+class Polisher {
+ public:
+  void reset(const Params& params, int threads);
+
+  /// Makes the path of every ant that arrived. When stopped, rougher but valid paths.
+  void polish(const Grid& grid, Cell start, const kernels::Moves& moves, std::span<const Ant> ants,
+              const StopCondition& stop);
+
+  /// By ant.
+  std::span<const PolishedPath> paths() const noexcept { return paths_; }
+
+ private:
+  struct Scratch {  // of one thread
+    std::vector<Cell> tour;
+    LoopCutter cutter;
+    Straightener straightener;
+  };
+  void polish_one(const Grid& grid, Cell start, const kernels::Moves& moves, const Ant& ant,
+                  const StopCondition& stop, PolishedPath& path);
+
+  Polish polish_ = Polish::none;
+  Corners corners_ = Corners::forbid;
+  int threads_ = 1;
+  std::vector<Scratch> scratch_;
+  std::vector<PolishedPath> paths_;
+};
+
+}  // namespace lasius

@@ -1,0 +1,132 @@
+#include "walkers.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <new>
+
+namespace lasius {
+
+using kernels::PackedCell;
+using kernels::VisitedPlane;
+using kernels::WalkSlot;
+using kernels::WalkState;
+using kernels::WalkWorld;
+
+void tour_cells(const Ant& ant, const kernels::Moves& moves, Cell start, std::vector<Cell>& cells) {
+  cells.resize(static_cast<std::size_t>(ant.move_count) + 1);
+  cells[0] = start;
+  for (std::int64_t i = 0; i < ant.move_count; ++i) {
+    const int k = ant.moves[i];
+    cells[i + 1] = {cells[i].x + moves.dx[k], cells[i].y + moves.dy[k]};
+  }
+}
+
+void Walkers::Free::operator()(std::uint64_t* p) const noexcept { std::free(p); }
+
+void Walkers::reset(int width, int height, int threads, int ants) {
+  if (width != width_ || height != height_) teams_.clear();
+  width_ = width;
+  height_ = height;
+  threads_ = std::clamp(ants / 2, 1, threads);  // more would idle
+  if (static_cast<int>(teams_.size()) < threads_) teams_.resize(threads_);
+  const auto words = static_cast<std::size_t>(VisitedPlane::words_for(width, height));
+  for (Team& team : teams_) {
+    for (int i = 0; i < std::min(kSlots, ants); ++i) {
+      auto& plane = team.slots[i].plane;
+      if (plane != nullptr) continue;
+      plane.reset(static_cast<std::uint64_t*>(std::calloc(words, sizeof(std::uint64_t))));
+      if (plane == nullptr) throw std::bad_alloc();
+    }
+  }
+}
+
+StopCondition::Cause Walkers::walk(const WalkWorld& world, kernels::WalkFn kernel,
+                                   std::span<Ant> ants, const StopCondition& stop) {
+  std::atomic<int> next{0};
+  std::atomic<StopCondition::Cause> cause{StopCondition::Cause::none};
+  std::exception_ptr error;
+#pragma omp parallel for schedule(static, 1) num_threads(threads_) if (threads_ > 1)
+  for (int thread = 0; thread < threads_; ++thread) {
+    try {
+      work(teams_[thread], world, kernel, ants, next, cause, stop);
+    } catch (...) {  // none may leave the parallel region
+#pragma omp critical
+      error = std::current_exception();
+    }
+  }
+  if (error) std::rethrow_exception(error);
+  return cause;
+}
+
+void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, std::span<Ant> ants,
+                   std::atomic<int>& next, std::atomic<StopCondition::Cause>& cause,
+                   const StopCondition& stop) const {
+  const int slot_count = std::min(kSlots, static_cast<int>(ants.size()));
+  std::array<WalkSlot, kSlots> slots;
+  std::array<bool, kSlots> occupied{};
+  int under_way = 0;
+
+  const auto send = [&](int i) {
+    const int ant = next.fetch_add(1, std::memory_order_relaxed);
+    occupied[i] = ant < static_cast<int>(ants.size());
+    if (!occupied[i]) return;
+    WalkSlot& slot = slots[i];
+    slot = WalkSlot{};
+    slot.at = world.start;
+    slot.state = WalkState::walking;
+    slot.ant = static_cast<std::uint32_t>(ant);
+    slot.visited = VisitedPlane::over(team.slots[i].plane.get(), height_);
+    slot.visited.mark(slot.at);
+    ++under_way;
+  };
+
+  const auto make_room = [&](int i) {
+    WalkSlot& slot = slots[i];
+    const auto room = [](auto& buffer, std::int64_t used) {
+      if (static_cast<std::int64_t>(buffer.size()) < used + kRounds) {
+        buffer.resize(2 * static_cast<std::size_t>(used + kRounds));
+      }
+      return buffer.data();
+    };
+    slot.moves = room(ants[slot.ant].moves, slot.move_count);
+    slot.dead = room(team.slots[i].dead, slot.dead_count);
+  };
+
+  // Records the ant's tour and forgets the cells that it entered.
+  const auto retire = [&](int i) {
+    WalkSlot& slot = slots[i];
+    Ant& ant = ants[slot.ant];
+    ant.arrived = slot.state == WalkState::arrived;
+    ant.move_count = slot.move_count;
+    ant.steps = slot.steps();
+    PackedCell c = slot.at;
+    slot.visited.clear(c);
+    for (std::int64_t m = slot.move_count - 1; m >= 0; --m) {
+      c -= static_cast<PackedCell>(world.delta[slot.moves[m]]);
+      slot.visited.clear(c);
+    }
+    for (std::int64_t d = 0; d < slot.dead_count; ++d) slot.visited.clear(slot.dead[d]);
+    ant.dead.assign(slot.dead, slot.dead + slot.dead_count);
+    slot.state = WalkState::lost;
+    --under_way;
+  };
+
+  for (int i = 0; i < slot_count; ++i) send(i);
+  while (under_way > 0) {
+    for (int i = 0; i < slot_count; ++i) {
+      if (occupied[i]) make_room(i);
+    }
+    kernel(world, {slots.data(), static_cast<std::size_t>(slot_count)}, kRounds);
+    if (const auto seen = stop.poll(); seen != StopCondition::Cause::none) cause = seen;
+    const bool stopped = cause != StopCondition::Cause::none;
+    if (stopped) next = static_cast<int>(ants.size());  // nobody sends another
+    for (int i = 0; i < slot_count; ++i) {
+      if (!occupied[i] || (slots[i].state == WalkState::walking && !stopped)) continue;
+      retire(i);
+      send(i);
+    }
+  }
+}
+
+}  // namespace lasius

@@ -1,0 +1,70 @@
+// Sends the ants of one iteration through the walk kernel, over threads.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "kernels/walk.h"
+#include "lasius/geometry.h"
+#include "lasius/stop.h"
+
+namespace lasius {
+
+/// One ant's walk. Buffers keep their size between iterations and plans.
+struct Ant {
+  bool arrived = false;
+  std::int64_t move_count = 0;            // moves of the tour
+  std::vector<std::uint8_t> moves;        // at least move_count
+  std::vector<kernels::PackedCell> dead;  // cells entered and left again
+  std::int64_t steps = 0;                 // steps done, those taken back included
+};
+
+/// The cells of an ant's tour, start first, into `cells`.
+void tour_cells(const Ant& ant, const kernels::Moves& moves, Cell start, std::vector<Cell>& cells);
+
+/// Ants under way, a few a thread, with the cells that each has entered.
+class Walkers {
+ public:
+  /// Gets ready for a grid of this size. Address space is reserved by area, memory touched only
+  /// where ants go.
+  void reset(int width, int height, int threads, int ants);
+
+  /// Walks every ant until it has arrived or is lost, or `stop` says so; then ants still under way
+  /// are lost, and those not yet sent stay as they were given (not arrived). Which thread walks
+  /// which ant changes nothing.
+  StopCondition::Cause walk(const kernels::WalkWorld& world, kernels::WalkFn kernel,
+                            std::span<Ant> ants, const StopCondition& stop);
+
+ private:
+  // Ants that one thread advances in turn: enough to hide the latency of their loads.
+  static constexpr int kSlots = 8;
+  static constexpr int kRounds = 128;
+  static_assert(kSlots <= kernels::kMaxSlots && kSlots * kRounds <= Poller::kSteps);
+
+  // calloc: pages that no ant touches stay unmapped.
+  struct Free {
+    void operator()(std::uint64_t* p) const noexcept;
+  };
+  struct Slot {
+    std::unique_ptr<std::uint64_t[], Free> plane;
+    std::vector<kernels::PackedCell> dead;
+  };
+  struct Team {  // of one thread
+    std::array<Slot, kSlots> slots;
+  };
+
+  void work(Team& team, const kernels::WalkWorld& world, kernels::WalkFn kernel,
+            std::span<Ant> ants, std::atomic<int>& next, std::atomic<StopCondition::Cause>& cause,
+            const StopCondition& stop) const;
+
+  std::vector<Team> teams_;
+  int threads_ = 1;
+  int width_ = 0;
+  int height_ = 0;
+};
+
+}  // namespace lasius
