@@ -19,7 +19,7 @@ struct Widths {
 Widths widths_for(BlockedShare share) {
   Widths best{6, 0};
   std::int64_t best_miss = share;
-  for (const int corridor : {6, 5, 7, 4, 8, 3, 9, 2}) {
+  for (const int corridor : {6, 5, 7, 4, 8, 3, 9, 2, 10, 12, 14, 17, 20, 24}) {
     for (int wall = 1; wall <= 24; ++wall) {
       const std::int64_t miss =
           std::abs((std::int64_t{wall} << 32) / (corridor + wall) - std::int64_t{share});

@@ -1,6 +1,7 @@
 // Maps cut from noise: blobs, open, random.
 #include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "generate_kinds.h"
@@ -11,15 +12,18 @@ namespace {
 
 constexpr int kSampleSide = 1024;  // rows and columns looked at to find a threshold, about
 
-// The noise value at and above which a cell is blocked. Small maps are looked at whole.
-std::int32_t threshold_of(MapNoise& noise, int width, int height, BlockedShare share) {
-  const int step_x = std::max(1, width / kSampleSide);
-  const int step_y = std::max(1, height / kSampleSide);
-  std::vector<std::int32_t> row(width);
+// The noise value at and above which a cell is blocked. Small maps are looked at whole; of large
+// ones a cell of each tile, at random, since even steps would meet the same phase of the lattice.
+std::int32_t threshold_of(MapNoise& noise, const Grid& grid, BlockedShare share, MapDraws draws) {
+  const int step_x = std::max(1, grid.width() / kSampleSide);
+  const int step_y = std::max(1, grid.height() / kSampleSide);
+  std::vector<std::int32_t> row(grid.width());
   std::vector<std::int32_t> samples;
-  for (int y = step_y / 2; y < height; y += step_y) {
-    noise.row(y, row);
-    for (int x = step_x / 2; x < width; x += step_x) samples.push_back(row[x]);
+  for (int y = 0; y + step_y <= grid.height(); y += step_y) {
+    noise.row(y + draws.between(0, step_y - 1), row);
+    for (int x = 0; x + step_x <= grid.width(); x += step_x) {
+      samples.push_back(row[x + draws.between(0, step_x - 1)]);
+    }
   }
   const std::size_t blocked = samples.size() * std::uint64_t{share} >> 32;
   if (blocked == 0) return INT32_MAX;
@@ -28,8 +32,11 @@ std::int32_t threshold_of(MapNoise& noise, int width, int height, BlockedShare s
   return *nth;
 }
 
-void cut_noise(Grid& grid, BlockedShare share, MapNoise noise) {
-  const std::int32_t threshold = threshold_of(noise, grid.width(), grid.height(), share);
+void cut_noise(Grid& grid, BlockedShare share, const MapRandom& random,
+               std::span<const MapNoise::Octave> octaves) {
+  MapNoise noise(grid.width(), random, octaves);
+  const std::int32_t threshold =
+      threshold_of(noise, grid, share, MapDraws(random, MapStream::samples));
   std::vector<std::int32_t> values(grid.width());
   std::vector<std::uint64_t> words(grid.words());
   for (int y = 0; y < grid.height(); ++y) {
@@ -48,14 +55,14 @@ void make_blobs(Grid& grid, BlockedShare share, const MapRandom& random) {
   const int pitch = std::clamp(std::min(grid.width(), grid.height()) / 10, 6, 24);
   const std::array<MapNoise::Octave, 3> octaves = {
       {{pitch, 12}, {std::max(2, pitch / 2), 6}, {std::max(2, pitch / 5), 2}}};
-  cut_noise(grid, share, MapNoise(grid.width(), random, octaves));
+  cut_noise(grid, share, random, octaves);
 }
 
 void make_open(Grid& grid, BlockedShare share, const MapRandom& random) {
   const int pitch = std::max(8, std::min(grid.width(), grid.height()) / 5);
   const std::array<MapNoise::Octave, 3> octaves = {
       {{pitch, 16}, {std::max(4, pitch / 4), 4}, {std::max(2, pitch / 12), 1}}};
-  cut_noise(grid, share, MapNoise(grid.width(), random, octaves));
+  cut_noise(grid, share, random, octaves);
 }
 
 void make_random(Grid& grid, BlockedShare share, const MapRandom& random) {

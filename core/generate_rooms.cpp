@@ -16,7 +16,7 @@ struct Sizes {
 Sizes sizes_for(BlockedShare share, int width, int height) {
   const std::uint32_t side_free = integer_sqrt((std::uint64_t{1} << 32) - share);  // in 2^-16
   const int side_blocked = std::max(1, 65536 - static_cast<int>(side_free));
-  constexpr int kLeastRoom = 4;
+  constexpr int kLeastRoom = 10;
   const int usual = std::min(width, height) < 200 ? 1 : 2;
   const int wall = std::max(usual, kLeastRoom * side_blocked / static_cast<int>(side_free));
   const std::int64_t pitch = std::int64_t{wall} * 65536 / side_blocked;

@@ -9,7 +9,16 @@
 namespace lasius {
 
 /// A use of random numbers; two uses never share any.
-enum class MapStream : std::uint32_t { noise, maze, maze_loops, rooms, city, buildings, cells };
+enum class MapStream : std::uint32_t {
+  noise,
+  maze,
+  maze_loops,
+  rooms,
+  city,
+  buildings,
+  cells,
+  samples
+};
 
 class MapRandom {
  public:
