@@ -23,6 +23,9 @@ function(lasius_package_library target)
     OUTPUT_NAME ${pc}
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  if(BUILD_SHARED_LIBS AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+    target_link_options(${target} PRIVATE LINKER:--no-undefined)
+  endif()
   if(NOT LASIUS_INSTALL)
     return()
   endif()
