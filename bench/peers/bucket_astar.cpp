@@ -7,27 +7,15 @@
 #include <numbers>
 
 namespace lasius::peers {
-namespace {
-
-struct Scale {
-  std::uint32_t straight, diagonal;
-};
-// Convergents of sqrt 2, the finest first: paths to 1.8, 25 and 358 million cells fit 32 bits.
-constexpr std::array<Scale, 3> kScales = {{{2378, 3363}, {169, 239}, {12, 17}}};
-
-}  // namespace
-
 BucketAStar::BucketAStar(const Grid& grid) : moves_(grid), nodes_(moves_.size(), Node{0, 0}) {
   use_scale(0);
 }
 
 void BucketAStar::use_scale(std::size_t scale) {
   scale_ = scale;
-  straight_ = kScales[scale].straight;
-  diagonal_ = kScales[scale].diagonal;
-  // A bucket is 1/16 to 1/8 of a cell wide; the largest rise of a step, 2 sqrt 2, fits the ring.
-  bucket_shift_ =
-      static_cast<unsigned>(std::max<int>(0, static_cast<int>(std::bit_width(straight_)) - 5));
+  // A bucket is a fifth of a cell wide; the largest rise of a step, 2 sqrt 2, fits the ring.
+  bucket_shift_ = static_cast<unsigned>(
+      std::max<int>(0, static_cast<int>(std::bit_width(kOctileCosts[scale].straight)) - 3));
 }
 
 double BucketAStar::plan(Cell start, Cell goal, std::vector<Point>& path) {
@@ -59,13 +47,7 @@ BucketAStar::Outcome BucketAStar::search(Cell start, Cell goal) {
   }
   for (auto& bucket : buckets_) bucket.clear();
   const std::uint32_t mark = stamp_ << 4;
-  const std::uint32_t straight = straight_, diagonal = diagonal_;
-  const std::uint32_t turn = diagonal - straight;
-  const auto estimate = [=](int x, int y) noexcept {
-    const auto dx = static_cast<std::uint32_t>(std::abs(x - goal.x));
-    const auto dy = static_cast<std::uint32_t>(std::abs(y - goal.y));
-    return straight * std::max(dx, dy) + turn * std::min(dx, dy);
-  };
+  const OctileCosts costs = kOctileCosts[scale_];
   const std::uint32_t goal_index = moves_.index(goal);
   const std::uint32_t start_index = moves_.index(start);
   Node* const nodes = nodes_.data();
@@ -73,8 +55,8 @@ BucketAStar::Outcome BucketAStar::search(Cell start, Cell goal) {
   const unsigned shift = bucket_shift_;
 
   nodes[start_index] = {0, mark};
-  std::uint32_t bucket = estimate(start.x, start.y) >> shift;
-  const std::uint32_t last_bucket = (~std::uint32_t{0} >> shift) - kBuckets;
+  std::uint32_t bucket = costs.distance(start.x, start.y, goal) >> shift;
+  const std::uint32_t last_bucket = (kCostLimit >> shift) - kBuckets;
   buckets_[bucket % kBuckets].push_back(
       {start_index, static_cast<std::uint16_t>(start.x), static_cast<std::uint16_t>(start.y)});
   std::uint32_t best = ~std::uint32_t{0};  // cost of the goal so far
@@ -95,13 +77,13 @@ BucketAStar::Outcome BucketAStar::search(Cell start, Cell goal) {
     Node& node = nodes[item.index];
     if ((node.state & kClosed) != 0) continue;
     const std::uint32_t cost = node.cost;
-    if (best != ~std::uint32_t{0} && cost + estimate(item.x, item.y) >= best) continue;
+    if (best != ~std::uint32_t{0} && cost + costs.distance(item.x, item.y, goal) >= best) continue;
     node.state |= kClosed;
     ++expansions;
     for (unsigned mask = moves_.moves(item.index); mask != 0; mask &= mask - 1) {
       const auto k = static_cast<unsigned>(std::countr_zero(mask));
       const auto next_index = item.index + static_cast<std::uint32_t>(offsets[k]);
-      const std::uint32_t next_cost = cost + (k < 4 ? straight : diagonal);
+      const std::uint32_t next_cost = cost + (k < 4 ? costs.straight : costs.diagonal);
       Node& next = nodes[next_index];
       if ((next.state & ~std::uint32_t{15}) == mark && next.cost <= next_cost) continue;
       next = {next_cost, mark | k};
@@ -109,7 +91,7 @@ BucketAStar::Outcome BucketAStar::search(Cell start, Cell goal) {
       if (next_index == goal_index) {
         best = next_cost;
       } else {
-        buckets_[((next_cost + estimate(x, y)) >> shift) % kBuckets].push_back(
+        buckets_[((next_cost + costs.distance(x, y, goal)) >> shift) % kBuckets].push_back(
             {next_index, static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)});
       }
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/peers/move_grid.h"
+#include "bench/peers/octile_costs.h"
 #include "bench/peers/query_planner.h"
 
 namespace lasius::peers {
@@ -37,7 +38,7 @@ class BucketAStar final : public QueryPlanner {
   };
   enum class Outcome { reached, unreachable, overflow };
 
-  static constexpr std::uint32_t kBuckets = 64;
+  static constexpr std::uint32_t kBuckets = 32;
   static constexpr std::uint32_t kClosed = 8;
 
   void use_scale(std::size_t scale);
@@ -50,7 +51,6 @@ class BucketAStar final : public QueryPlanner {
   std::vector<Cell> cells_;
   std::uint32_t stamp_ = 0;
   std::size_t scale_ = 0;
-  std::uint32_t straight_ = 0, diagonal_ = 0;
   unsigned bucket_shift_ = 0;
   std::int64_t expansions_ = 0;
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/peers/move_grid.h"
+#include "bench/peers/octile_costs.h"
 #include "bench/peers/query_planner.h"
 
 namespace lasius::peers {
@@ -18,24 +19,25 @@ class HeapAStar final : public QueryPlanner {
 
  private:
   struct Node {
-    double cost;
-    std::uint32_t stamp;
-    std::uint32_t move;
+    std::uint32_t cost;
+    std::uint32_t state;  // stamp << 3 | move that led here
   };
   struct Item {
-    double bound, cost;
+    std::uint64_t key;  // bound, then the cost still to go: the smaller the better
     std::uint32_t index;
     std::uint16_t x, y;
     // The standard heap keeps the largest on top.
-    bool operator<(const Item& o) const noexcept {
-      return bound != o.bound ? bound > o.bound : cost < o.cost;
-    }
+    bool operator<(const Item& o) const noexcept { return key > o.key; }
   };
+  enum class Outcome { reached, unreachable, overflow };
+
+  Outcome search(Cell start, Cell goal);
 
   MoveGrid moves_;
   std::vector<Node> nodes_;
   std::vector<Item> heap_;
   std::uint32_t stamp_ = 0;
+  std::size_t scale_ = 0;
 };
 
 }  // namespace lasius::peers

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lasius/grid.h"
+#include "lasius/map_io.h"
 
 namespace lasius::bench_test {
 
@@ -39,17 +40,10 @@ inline std::vector<std::filesystem::path> shared_tables() {
 }
 
 inline SharedMap load_shared(const std::filesystem::path& table) {
-  std::ifstream in(std::filesystem::path(table).replace_extension(".map"));
+  SharedMap map{table.stem().string(),
+                read_map(std::filesystem::path(table).replace_extension(".map").string()).grid,
+                {}};
   std::string word, line;
-  int width = 0, height = 0;
-  in >> word >> word >> word >> height >> word >> width >> word;
-  SharedMap map{table.stem().string(), Grid(width, height), {}};
-  for (int y = 0; y < height; ++y) {
-    in >> line;
-    for (int x = 0; x < width; ++x) {
-      if (std::string(".GS").find(line[x]) == std::string::npos) map.grid.set_blocked({x, y});
-    }
-  }
   std::ifstream queries(table);
   std::getline(queries, line);
   while (std::getline(queries, line)) {

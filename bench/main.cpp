@@ -1,0 +1,44 @@
+// lasius_bench: micro benchmarks (Google Benchmark) and comparisons of planners.
+#include <benchmark/benchmark.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <string_view>
+
+#include "bench/commands.h"
+#include "lasius/version.h"
+
+namespace {
+
+int run_benchmarks(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // Google Benchmark has the command line to itself unless a subcommand comes first.
+  if (argc < 2 || std::string_view(argv[1]).starts_with("--benchmark_")) {
+    return run_benchmarks(argc, argv);
+  }
+  CLI::App app("Benchmarks of lasius. Without a subcommand: micro benchmarks, --benchmark_...");
+  app.set_version_flag("--version", LASIUS_VERSION);
+  app.require_subcommand(1);
+  lasius::bench::add_queries_command(app);
+  try {
+    app.parse(argc, argv);
+    return 0;
+  } catch (const CLI::RuntimeError& e) {
+    return e.get_exit_code();
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 2;
+  } catch (const std::exception& e) {
+    std::cerr << "lasius_bench: " << e.what() << '\n';
+    return 1;
+  }
+}

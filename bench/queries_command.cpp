@@ -1,0 +1,100 @@
+// lasius_bench queries: every planner on the same queries.
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "bench/commands.h"
+#include "bench/contenders.h"
+#include "bench/report.h"
+#include "lasius/error.h"
+
+namespace lasius::bench {
+namespace {
+
+struct Options {
+  std::vector<std::string> maps;
+  std::vector<int> sides;
+  std::vector<std::string> planners;
+  std::string subject;
+  std::string markdown, raw;
+  std::size_t count = 30;
+  std::uint64_t seed = 1;
+  ComparisonOptions comparison;
+};
+
+std::vector<peers::Peer> chosen(const std::vector<std::string>& names) {
+  const auto all = all_contenders();
+  if (names.empty()) return all;
+  std::vector<peers::Peer> found;
+  for (const std::string& name : names) {
+    for (const auto& planner : all) {
+      if (planner.name == name) found.push_back(planner);
+    }
+  }
+  return found;
+}
+
+void run(const Options& options) {
+  const auto planners = chosen(options.planners);
+  std::size_t subject = 0;
+  for (std::size_t p = 0; p < planners.size(); ++p) {
+    if (planners[p].name == options.subject) subject = p;
+  }
+  auto sources = find_sources(options.maps);
+  const auto generated = generated_sources(options.sides, options.seed);
+  sources.insert(sources.end(), generated.begin(), generated.end());
+
+  std::vector<MapComparison> results;
+  for (const QuerySource& source : sources) {
+    std::cerr << source.name << std::endl;
+    results.push_back(compare(load(source, options.count), planners, options.comparison));
+  }
+  const std::string seeds =
+      "seed " + std::to_string(options.seed) + " for generated maps and queries";
+  write_markdown(std::cout, results, planners, subject, options.comparison, seeds);
+  if (!options.markdown.empty()) {
+    std::ofstream out(options.markdown);
+    write_markdown(out, results, planners, subject, options.comparison, seeds);
+  }
+  if (!options.raw.empty()) {
+    std::ofstream out(options.raw);
+    write_tsv(out, results, planners);
+  }
+  if (count_faults(results) != 0) throw CLI::RuntimeError(1);
+}
+
+}  // namespace
+
+void add_queries_command(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("queries", "All planners on the same queries");
+  command->add_option("--maps", options->maps,
+                      "Folders, .map, .tsv or .scen files; a map without a table gets random "
+                      "queries");
+  command->add_option("--generated", options->sides, "Sides of generated maps, as 512,1024,4096")
+      ->delimiter(',')
+      ->check(CLI::Range(16, Grid::kMaxSide));
+  std::vector<std::string> names;
+  for (const auto& planner : all_contenders()) names.emplace_back(planner.name);
+  command->add_option("--planners", options->planners, "Only these, by name")
+      ->delimiter(',')
+      ->check(CLI::IsMember(names));
+  command->add_option("--subject", options->subject, "The planner that ratios are against")
+      ->check(CLI::IsMember(names));
+  command->add_option("--queries", options->count, "Queries a map; 0: all of its table")
+      ->capture_default_str();
+  command->add_option("--rounds", options->comparison.rounds, "Rounds over the queries of a map")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  command
+      ->add_option("--seconds", options->comparison.seconds,
+                   "A planner that spent this on a map starts no further round there")
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Of generated maps and random queries")
+      ->capture_default_str();
+  command->add_option("-o,--output", options->markdown, "Write the Markdown here, too");
+  command->add_option("--raw", options->raw, "Write every measurement here, as TSV");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace lasius::bench

@@ -1,0 +1,168 @@
+#include "bench/query_set.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <random>
+#include <sstream>
+
+#include "lasius/components.h"
+#include "lasius/error.h"
+#include "lasius/map_io.h"
+
+namespace lasius::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where the fields of a query stand in a line.
+struct Columns {
+  std::size_t sx = 4, sy = 5, gx = 6, gy = 7;  // of a .scen
+  std::size_t optimum = ~std::size_t{0};
+};
+
+std::vector<std::string> fields_of(const std::string& line) {
+  std::istringstream in(line);
+  std::vector<std::string> fields;
+  for (std::string field; in >> field;) fields.push_back(field);
+  return fields;
+}
+
+Columns columns_of(const std::vector<std::string>& header, const std::string& path) {
+  const auto find = [&](const char* name) {
+    const auto it = std::find(header.begin(), header.end(), name);
+    return static_cast<std::size_t>(it - header.begin());
+  };
+  Columns columns{find("sx"), find("sy"), find("gx"), find("gy")};
+  if (std::max({columns.sx, columns.sy, columns.gx, columns.gy}) == header.size()) {
+    throw Error(ErrorCode::file_broken, {path, 1}, "the header lacks one of sx sy gx gy",
+                "name these columns in the first line");
+  }
+  if (find("euclid") < header.size()) columns.optimum = find("euclid");
+  return columns;
+}
+
+// The table that belongs to a map: NAME.tsv, else NAME.map.scen or NAME.scen; empty without one.
+std::string table_of(const fs::path& map) {
+  for (const fs::path& table : {fs::path(map).replace_extension(".tsv"), fs::path(map) += ".scen",
+                                fs::path(map).replace_extension(".scen")}) {
+    if (fs::exists(table)) return table.string();
+  }
+  return {};
+}
+
+void add_map(const fs::path& map, std::vector<QuerySource>& sources) {
+  sources.push_back({map.stem().string(), map.string(), table_of(map), {}, {}});
+}
+
+// Two different cells that are joined; tries a bounded number of pairs.
+Query random_query(const Grid& grid, const Components& components, std::mt19937_64& random) {
+  const auto cell = [&] {
+    return Cell{static_cast<int>(random() % static_cast<std::uint64_t>(grid.width())),
+                static_cast<int>(random() % static_cast<std::uint64_t>(grid.height()))};
+  };
+  for (int i = 0; i < 1'000'000; ++i) {
+    const Cell a = cell(), b = cell();
+    if (a != b && grid.free(a) && grid.free(b) && components.connected(grid, a, b)) return {a, b};
+  }
+  throw Error(ErrorCode::invalid_parameter, "a map has no two joined cells", "use another map");
+}
+
+}  // namespace
+
+std::vector<Query> read_queries(const std::string& path) {
+  std::ifstream in(path);
+  if (!in) throw Error(ErrorCode::file_missing, {path}, "cannot be opened", "check the name");
+  std::string line;
+  std::getline(in, line);
+  const auto header = fields_of(line);
+  const bool scen = !header.empty() && header[0] == "version";
+  const Columns columns = scen ? Columns{} : columns_of(header, path);
+  const std::size_t needed = std::max({columns.sx, columns.sy, columns.gx, columns.gy}) + 1;
+  std::vector<Query> queries;
+  for (std::int64_t number = 2; std::getline(in, line); ++number) {
+    const auto fields = fields_of(line);
+    if (fields.empty()) continue;
+    try {
+      if (fields.size() < needed) throw std::invalid_argument("short");
+      Query q{{std::stoi(fields[columns.sx]), std::stoi(fields[columns.sy])},
+              {std::stoi(fields[columns.gx]), std::stoi(fields[columns.gy])}};
+      if (columns.optimum < fields.size()) q.optimum = std::stod(fields[columns.optimum]);
+      queries.push_back(q);
+    } catch (const std::logic_error&) {
+      throw Error(ErrorCode::file_broken, {path, number}, "not a query", "give sx sy gx gy");
+    }
+  }
+  return queries;
+}
+
+std::vector<QuerySource> find_sources(const std::vector<std::string>& names) {
+  std::vector<QuerySource> sources;
+  for (const std::string& name : names) {
+    const fs::path path(name);
+    if (fs::is_directory(path)) {
+      std::vector<fs::path> maps;
+      for (const auto& entry : fs::directory_iterator(path)) {
+        if (entry.path().extension() == ".map" && !table_of(entry.path()).empty()) {
+          maps.push_back(entry.path());
+        }
+      }
+      std::sort(maps.begin(), maps.end());
+      for (const auto& map : maps) add_map(map, sources);
+    } else if (!fs::exists(path)) {
+      throw Error(ErrorCode::file_missing, {name}, "no such file or folder", "check the name");
+    } else if (path.extension() == ".tsv" || path.extension() == ".scen") {
+      fs::path map = fs::path(path).replace_extension(".map");
+      if (!fs::exists(map)) map = fs::path(path).replace_extension();  // NAME.map.scen
+      sources.push_back({map.stem().string(), map.string(), name, {}, {}});
+    } else {
+      add_map(path, sources);
+    }
+  }
+  return sources;
+}
+
+std::vector<QuerySource> generated_sources(const std::vector<int>& sides, std::uint64_t seed) {
+  std::vector<QuerySource> sources;
+  const auto names = map_kind_names();
+  for (const int side : sides) {
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const auto kind = static_cast<MapKind>(k);
+      const auto add = [&](double density, const std::string& suffix) {
+        sources.push_back({std::string(names[k]) + suffix + "-" + std::to_string(side),
+                           {},
+                           {},
+                           kind,
+                           {side, side, density, seed}});
+      };
+      if (kind != MapKind::random) {
+        add(-1, "");
+        continue;
+      }
+      for (const int percent : {10, 20, 30, 40}) add(percent / 100.0, std::to_string(percent));
+    }
+  }
+  return sources;
+}
+
+QuerySet load(const QuerySource& source, std::size_t count) {
+  const auto grid = [&] {
+    return source.map.empty() ? generate(source.kind, source.options) : read_map(source.map).grid;
+  };
+  QuerySet set{source.name, grid(), {}};
+  if (!source.table.empty()) {
+    const auto all = read_queries(source.table);
+    const std::size_t n = count == 0 ? all.size() : std::min(count, all.size());
+    for (std::size_t i = 0; i < n; ++i) set.queries.push_back(all[i * all.size() / n]);
+    return set;
+  }
+  const Components components(set.grid, Components::Connectivity::four);
+  std::mt19937_64 random(source.options.seed);
+  for (std::size_t i = 0; i < (count == 0 ? 30 : count); ++i) {
+    set.queries.push_back(random_query(set.grid, components, random));
+  }
+  return set;
+}
+
+}  // namespace lasius::bench

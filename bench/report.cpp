@@ -1,0 +1,156 @@
+#include "bench/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <sstream>
+
+#include "lasius/version.h"
+
+namespace lasius::bench {
+namespace {
+
+std::string cpu_name() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  }
+  return "unknown CPU";
+}
+
+using Value = std::function<double(const MapComparison&, std::size_t planner)>;
+
+void write_row(std::ostream& out, const std::string& name, const std::vector<double>& values) {
+  out << "| " << name << " |";
+  for (const double value : values) out << ' ' << short_number(value) << " |";
+  out << '\n';
+}
+
+// One line a map, then the geometric mean where it means something.
+void write_table(std::ostream& out, const std::string& corner, std::span<const MapComparison> maps,
+                 std::span<const peers::Peer> planners, const Value& value, bool mean) {
+  out << "| " << corner << " |";
+  for (const auto& planner : planners) out << ' ' << planner.name << " |";
+  out << "\n|---|";
+  for (std::size_t i = 0; i < planners.size(); ++i) out << "--:|";
+  out << '\n';
+  std::vector<double> logs(planners.size(), 0.0);
+  for (const MapComparison& map : maps) {
+    std::vector<double> row;
+    for (std::size_t p = 0; p < planners.size(); ++p) {
+      row.push_back(value(map, p));
+      logs[p] += std::log(row.back());
+    }
+    write_row(out, map.name, row);
+  }
+  if (mean && maps.size() > 1) {
+    for (double& v : logs) v = std::exp(v / static_cast<double>(maps.size()));
+    write_row(out, "**geometric mean**", logs);
+  }
+  out << '\n';
+}
+
+void write_faults(std::ostream& out, std::span<const MapComparison> maps,
+                  std::span<const peers::Peer> planners) {
+  out << count_faults(maps) << " faults.\n";
+  for (const MapComparison& map : maps) {
+    for (std::size_t p = 0; p < planners.size(); ++p) {
+      for (std::size_t q = 0; q < map.optima.size(); ++q) {
+        const Measurement& m = map.planners[p].queries[q];
+        if (m.fault.empty()) continue;
+        out << "* " << map.name << ", query " << q << ", " << planners[p].name << ": " << m.fault
+            << '\n';
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::string machine_line() {
+  std::ostringstream line;
+  line << cpu_name() << "; " << __VERSION__ << "; lasius " << LASIUS_VERSION;
+  return line.str();
+}
+
+std::string short_number(double value) {
+  if (!std::isfinite(value)) return "-";
+  if (value == 0) return "0";
+  const int digits =
+      std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 6);
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+std::size_t count_faults(std::span<const MapComparison> maps) {
+  std::size_t faults = 0;
+  for (const MapComparison& map : maps) {
+    for (const PlannerRun& run : map.planners) {
+      for (const Measurement& m : run.queries) faults += m.fault.empty() ? 0 : 1;
+    }
+  }
+  return faults;
+}
+
+void write_markdown(std::ostream& out, std::span<const MapComparison> maps,
+                    std::span<const peers::Peer> planners, std::size_t subject,
+                    const ComparisonOptions& options, const std::string& seeds) {
+  std::size_t queries = 0;
+  for (const MapComparison& map : maps) queries += map.optima.size();
+  out << machine_line() << ". One thread; " << maps.size() << " maps, " << queries
+      << " queries, the median of up to " << options.rounds
+      << " rounds each, planners taking turns; " << seeds << ".\n\n";
+
+  out << "Mean time of a query, microseconds:\n\n";
+  write_table(
+      out, "map", maps, planners,
+      [](const MapComparison& m, std::size_t p) { return m.planners[p].mean_microseconds(); },
+      true);
+  out << "Median time of a query, microseconds:\n\n";
+  write_table(
+      out, "map", maps, planners,
+      [](const MapComparison& m, std::size_t p) { return m.planners[p].median_microseconds(); },
+      true);
+  out << "Mean time divided by that of " << planners[subject].name << ":\n\n";
+  write_table(
+      out, "map", maps, planners,
+      [subject](const MapComparison& m, std::size_t p) {
+        return m.planners[p].mean_microseconds() / m.planners[subject].mean_microseconds();
+      },
+      true);
+  out << "Mean gap to the optimum, per cent:\n\n";
+  write_table(
+      out, "map", maps, planners,
+      [](const MapComparison& m, std::size_t p) {
+        const double gap = 100 * m.mean_gap(p);
+        return gap < 1e-6 ? 0 : gap;
+      },
+      false);
+  out << "Preparation of a map, milliseconds:\n\n";
+  write_table(
+      out, "map", maps, planners,
+      [](const MapComparison& m, std::size_t p) { return m.planners[p].preparation_ms; }, false);
+  write_faults(out, maps, planners);
+}
+
+void write_tsv(std::ostream& out, std::span<const MapComparison> maps,
+               std::span<const peers::Peer> planners) {
+  out << "map\twidth\theight\tplanner\tquery\tmicroseconds\trounds\tlength\toptimum\tfault\n"
+      << std::setprecision(12);
+  for (const MapComparison& map : maps) {
+    for (std::size_t p = 0; p < planners.size(); ++p) {
+      for (std::size_t q = 0; q < map.optima.size(); ++q) {
+        const Measurement& m = map.planners[p].queries[q];
+        out << map.name << '\t' << map.width << '\t' << map.height << '\t' << planners[p].name
+            << '\t' << q << '\t' << m.microseconds << '\t' << m.rounds << '\t' << m.length << '\t'
+            << map.optima[q] << '\t' << m.fault << '\n';
+      }
+    }
+  }
+}
+
+}  // namespace lasius::bench
