@@ -1,0 +1,68 @@
+#include <filesystem>
+#include <string_view>
+
+#include "byte_reader.h"
+#include "io/png_reader.h"
+#include "io/ros_map.h"
+#include "lasius/error.h"
+#include "lasius/io.h"
+#include "movingai.h"
+#include "pixel_rule.h"
+#include "pnm.h"
+
+namespace lasius {
+namespace {
+
+constexpr std::size_t kHead = 8;
+
+bool is_yaml_name(const std::string& path) {
+  return path.ends_with(".yaml") || path.ends_with(".yml");
+}
+
+Grid read_image(ByteReader& in, const PixelRule& rule) {
+  const std::string_view head = in.ahead(kHead);
+  if (is_png(head)) return read_png(in, rule);
+  if (is_pnm(head)) return read_pnm(in, rule);
+  in.fail_at_offset(0, "this is no PNG, PGM or PBM image", "convert it",
+                    ErrorCode::file_unsupported);
+}
+
+Map read_ros_map(ByteReader& in, const ReadOptions& options) {
+  const RosMap ros = read_ros_yaml(in);
+  const auto image = std::filesystem::path(in.name()).parent_path() / ros.image;
+  try {
+    InputFile file(image.string());
+    return {read_image(file.reader(), ros_rule(ros, options)), ros.frame};
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::file_missing) throw;
+    in.fail_at_line(ros.image_line, "its image " + image.string() + " " + error.problem(),
+                    "correct 'image', which is relative to the YAML file", ErrorCode::file_missing);
+  }
+}
+
+}  // namespace
+
+Map read_any_map(const std::string& path, const ReadOptions& options) {
+  const PixelRule rule = plain_rule(options.free_below);
+  InputFile file(path);
+  ByteReader& in = file.reader();
+  const std::string_view head = in.ahead(kHead);
+  if (is_movingai(head)) return {read_movingai(in), std::nullopt};
+  if (is_png(head) || is_pnm(head)) return {read_image(in, rule), std::nullopt};
+  if (is_yaml_name(path)) return read_ros_map(in, options);
+  in.fail_at_offset(0, "this is no map that is read",
+                    "give a MovingAI .map, a PBM, PGM or PNG image, or a ROS map's .yaml",
+                    ErrorCode::file_unsupported);
+}
+
+void write_any_map(const Grid& grid, const std::string& path) {
+  if (path.ends_with(".png")) return write_png(grid, path);
+  try {
+    write_map(grid, path);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::invalid_parameter) throw;
+    throw Error(error.code(), error.problem(), "end its name in .map, .pbm or .png");
+  }
+}
+
+}  // namespace lasius

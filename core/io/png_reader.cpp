@@ -1,0 +1,177 @@
+#include "io/png_reader.h"
+
+#include <png.h>
+
+#include <csetjmp>
+#include <cstdio>
+#include <exception>
+#include <vector>
+
+#include "map_size.h"
+
+namespace lasius {
+namespace {
+
+constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
+constexpr std::int64_t kMostDeflate = 1032;  // bytes that one byte of deflate data can stand for
+
+// libpng reports errors by longjmp. So each call into it is made through guarded(), from frames
+// without destructors, and its callbacks let no exception out.
+class PngReader {
+ public:
+  PngReader(ByteReader& in, const PixelRule& rule) : in_(in), rule_(rule) {
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning);
+    if (png_ != nullptr) info_ = png_create_info_struct(png_);
+  }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
+  ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+
+  Grid read();
+
+ private:
+  struct Pass {
+    int columns, rows, x, y, step_x, step_y;
+  };
+
+  [[noreturn]] static void on_error(png_structp png, png_const_charp message) {
+    auto* self = static_cast<PngReader*>(png_get_error_ptr(png));
+    std::snprintf(self->message_, sizeof self->message_, "%s", message);
+    png_longjmp(png, 1);
+  }
+  static void on_warning(png_structp, png_const_charp) {}
+  static void on_read(png_structp png, png_bytep target, size_t count) {
+    auto* self = static_cast<PngReader*>(png_get_io_ptr(png));
+    std::size_t done = 0;
+    try {
+      done = self->in_.read(reinterpret_cast<char*>(target), count);
+    } catch (...) {
+      self->failure_ = std::current_exception();
+    }
+    if (done < count) png_error(png, "the file ends too early");
+  }
+
+  template <typename Call>
+  void guarded(Call call) {
+    if (setjmp(png_jmpbuf(png_)) == 0) {
+      call();
+    } else {
+      fail();
+    }
+  }
+  [[noreturn]] void fail() const {
+    if (failure_) std::rethrow_exception(failure_);
+    in_.fail_at_offset(in_.offset(), std::string("broken PNG: ") + message_,
+                       "get the whole file, or save the image again");
+  }
+
+  void read_header();
+  void read_pass(const Pass& pass, Grid& grid);
+  bool pixel_blocked(const png_byte* pixel) const noexcept;
+
+  ByteReader& in_;
+  const PixelRule& rule_;
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+  char message_[200] = {};
+  std::exception_ptr failure_;
+
+  int width_ = 0;
+  int height_ = 0;
+  bool interlaced_ = false;
+  int depth_ = 0;     // bytes a sample
+  int channels_ = 0;  // grey, grey + alpha, RGB, RGB + alpha
+  int white_ = 255;
+  std::vector<std::uint8_t> blocked_;  // by level
+  std::vector<png_byte> row_;
+};
+
+void PngReader::read_header() {
+  guarded([this] {
+    png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_set_read_fn(png_, this, on_read);
+    png_read_info(png_, info_);
+  });
+  constexpr std::int64_t kSizeOffset = 16;  // of IHDR, always the first chunk
+  const SizePlace place{-1, kSizeOffset};
+  const std::int64_t width = png_get_image_width(png_, info_);
+  const std::int64_t height = png_get_image_height(png_, info_);
+  check_map_size(in_, place, width, height);
+  const auto stored_row = static_cast<std::int64_t>(png_get_rowbytes(png_, info_));
+  check_bytes_left(in_, place, width, height, stored_row * height / kMostDeflate);
+
+  guarded([this] {
+    png_set_expand(png_);
+    png_read_update_info(png_, info_);
+  });
+  width_ = static_cast<int>(width);
+  height_ = static_cast<int>(height);
+  interlaced_ = png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE;
+  depth_ = png_get_bit_depth(png_, info_) / 8;
+  channels_ = png_get_channels(png_, info_);
+  white_ = depth_ == 1 ? 255 : 65535;
+  blocked_ = rule_.table(white_);
+  row_.resize(png_get_rowbytes(png_, info_));
+}
+
+bool PngReader::pixel_blocked(const png_byte* pixel) const noexcept {
+  const auto sample = [&](int i) noexcept {
+    return depth_ == 1 ? pixel[i] : pixel[2 * i] << 8 | pixel[2 * i + 1];
+  };
+  const std::int64_t white = white_;
+  std::int64_t level = sample(0);
+  if (channels_ >= 3) {
+    level = (2126 * level + std::int64_t{7152} * sample(1) + 722 * sample(2) + 5000) / 10000;
+  }
+  if (channels_ % 2 == 0) {
+    const std::int64_t alpha = sample(channels_ - 1);
+    if (alpha < white) {
+      using Transparent = PixelRule::Transparent;
+      if (rule_.transparent == Transparent::blocked) return true;
+      if (rule_.transparent == Transparent::free) return false;
+      if (rule_.transparent == Transparent::on_white) {
+        level = (level * alpha + white * (white - alpha) + white / 2) / white;
+      }
+    }
+  }
+  return blocked_[level] != 0;
+}
+
+void PngReader::read_pass(const Pass& pass, Grid& grid) {
+  const int pixel_bytes = channels_ * depth_;
+  for (int j = 0; j < pass.rows; ++j) {
+    guarded([this] { png_read_row(png_, row_.data(), nullptr); });
+    const int y = pass.y + j * pass.step_y;
+    for (int i = 0; i < pass.columns; ++i) {
+      if (pixel_blocked(row_.data() + std::ptrdiff_t{i} * pixel_bytes)) {
+        grid.set_blocked({pass.x + i * pass.step_x, y});
+      }
+    }
+  }
+}
+
+Grid PngReader::read() {
+  if (info_ == nullptr) throw std::bad_alloc();
+  read_header();
+  Grid grid(width_, height_);
+  if (!interlaced_) {
+    read_pass({width_, height_, 0, 0, 1, 1}, grid);
+  } else {
+    // Adam7 without libpng's help: a pass is a small image whose pixels lie apart.
+    for (int k = 0; k < PNG_INTERLACE_ADAM7_PASSES; ++k) {
+      const Pass pass{PNG_PASS_COLS(width_, k), PNG_PASS_ROWS(height_, k), PNG_PASS_START_COL(k),
+                      PNG_PASS_START_ROW(k),    PNG_PASS_COL_OFFSET(k),    PNG_PASS_ROW_OFFSET(k)};
+      if (pass.columns > 0) read_pass(pass, grid);
+    }
+  }
+  guarded([this] { png_read_end(png_, nullptr); });
+  return grid;
+}
+
+}  // namespace
+
+bool is_png(std::string_view head) noexcept { return head.starts_with(kSignature); }
+
+Grid read_png(ByteReader& in, const PixelRule& rule) { return PngReader(in, rule).read(); }
+
+}  // namespace lasius

@@ -1,0 +1,19 @@
+// Reading PNG row by row.
+#pragma once
+
+#include <string_view>
+
+#include "byte_reader.h"
+#include "lasius/grid.h"
+#include "pixel_rule.h"
+
+namespace lasius {
+
+/// True for what starts with the PNG signature.
+bool is_png(std::string_view head) noexcept;
+
+/// Reads one image, one row at a time; interlaced ones pass by pass into the grid itself.
+/// @throws Error(file_broken, file_unsupported) with the byte offset.
+Grid read_png(ByteReader& in, const PixelRule& rule);
+
+}  // namespace lasius

@@ -1,0 +1,153 @@
+#include "io/ros_map.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+
+namespace lasius {
+namespace {
+
+constexpr std::size_t kLargestFile = 1 << 16;
+
+// The values of the file's top level, each checked, each fault with its key's line.
+class Fields {
+ public:
+  Fields(const ByteReader& in, const YAML::Node& root) : in_(in), root_(root) {
+    if (!root.IsMap()) {
+      in_.fail_at_line(1, "this is no list of keys and values", "start with 'image: map.pgm'");
+    }
+  }
+
+  // Line 1 for a key that is missing.
+  std::int64_t line_of(const std::string& key) const {
+    for (const auto& entry : root_) {
+      if (entry.first.IsScalar() && entry.first.Scalar() == key) return entry.first.Mark().line + 1;
+    }
+    return 1;
+  }
+  [[noreturn]] void fail(const std::string& key, const std::string& problem,
+                         const std::string& remedy) const {
+    in_.fail_at_line(line_of(key), "'" + key + "' " + problem, remedy);
+  }
+
+  bool has(const std::string& key) const { return root_[key].IsDefined(); }
+  YAML::Node get(const std::string& key, const std::string& usual) const {
+    const YAML::Node node = root_[key];
+    if (!node.IsDefined())
+      fail(key, "is missing", "add a line such as '" + key + ": " + usual + "'");
+    return node;
+  }
+  std::string text(const std::string& key, const std::string& usual) const {
+    const YAML::Node node = get(key, usual);
+    if (!node.IsScalar() || node.Scalar().empty()) {
+      fail(key, "is empty or no text", "write it as '" + key + ": " + usual + "'");
+    }
+    return node.Scalar();
+  }
+  double number(const std::string& key, const std::string& usual) const {
+    return number(get(key, usual), key, usual);
+  }
+  double number(const YAML::Node& node, const std::string& key, const std::string& usual) const {
+    double value = 0;
+    if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value)) {
+      fail(key, "is no finite number", "write it as '" + key + ": " + usual + "'");
+    }
+    return value;
+  }
+  bool flag(const std::string& key) const {
+    const YAML::Node node = get(key, "0");
+    int number = 0;
+    if (node.IsScalar() && YAML::convert<int>::decode(node, number)) return number != 0;
+    bool value = false;
+    if (!node.IsScalar() || !YAML::convert<bool>::decode(node, value)) {
+      fail(key, "is neither 0 nor 1", "write it as '" + key + ": 0'");
+    }
+    return value;
+  }
+
+ private:
+  const ByteReader& in_;
+  YAML::Node root_;
+};
+
+WorldFrame read_frame(const Fields& fields) {
+  WorldFrame frame;
+  frame.resolution = fields.number("resolution", "0.05");
+  if (!(frame.resolution > 0)) {
+    fields.fail("resolution", "is not above 0", "give the metres a cell");
+  }
+  const std::string usual = "[0.0, 0.0, 0.0]";
+  const YAML::Node origin = fields.get("origin", usual);
+  if (!origin.IsSequence() || origin.size() != 3) {
+    fields.fail("origin", "is not a list of x, y and yaw", "write it as 'origin: " + usual + "'");
+  }
+  frame.origin_x = fields.number(origin[0], "origin", usual);
+  frame.origin_y = fields.number(origin[1], "origin", usual);
+  frame.yaw = fields.number(origin[2], "origin", usual);
+  return frame;
+}
+
+RosMap::Mode read_mode(const Fields& fields) {
+  if (!fields.has("mode")) return RosMap::Mode::trinary;
+  const std::string mode = fields.text("mode", "trinary");
+  if (mode == "trinary") return RosMap::Mode::trinary;
+  if (mode == "scale") return RosMap::Mode::scale;
+  if (mode == "raw") return RosMap::Mode::raw;
+  fields.fail("mode", "is '" + mode.substr(0, 20) + "'", "the modes are trinary, scale and raw");
+}
+
+RosMap read_fields(const Fields& fields) {
+  RosMap ros;
+  ros.image = fields.text("image", "map.pgm");
+  ros.image_line = fields.line_of("image");
+  ros.frame = read_frame(fields);
+  ros.mode = read_mode(fields);
+  ros.negate = fields.flag("negate");
+  ros.occupied_thresh = fields.number("occupied_thresh", "0.65");
+  ros.free_thresh = fields.number("free_thresh", "0.196");
+  if (!(0 <= ros.free_thresh && ros.free_thresh < ros.occupied_thresh &&
+        ros.occupied_thresh <= 1)) {
+    fields.fail("free_thresh", "and 'occupied_thresh' are out of order",
+                "0 <= free_thresh < occupied_thresh <= 1 must hold");
+  }
+  return ros;
+}
+
+}  // namespace
+
+RosMap read_ros_yaml(ByteReader& in) {
+  std::string text(kLargestFile + 1, '\0');
+  text.resize(in.read(text.data(), text.size()));
+  if (text.size() > kLargestFile) {
+    in.fail_at_line(1, "larger than any ROS map description", "name the YAML file, not the image");
+  }
+  try {
+    return read_fields(Fields(in, YAML::Load(text)));
+  } catch (const YAML::Exception& error) {
+    in.fail_at_line(error.mark.is_null() ? 1 : error.mark.line + 1, "broken YAML: " + error.msg,
+                    "correct it");
+  }
+}
+
+PixelRule ros_rule(const RosMap& ros, const ReadOptions& options) {
+  const bool unknown = !options.unknown_is_free;
+  const double free_below = options.free_below;
+  const auto transparent = unknown ? PixelRule::Transparent::blocked : PixelRule::Transparent::free;
+  if (ros.mode == RosMap::Mode::raw) {
+    const auto blocked = [=](int level, int white) {
+      const int grey = (level * 255 + white / 2) / white;
+      return grey > 100 ? unknown : grey >= 100 * free_below;
+    };
+    return {blocked, PixelRule::Transparent::ignored};
+  }
+  const auto blocked = [=](int level, int white) {
+    const double p = static_cast<double>(ros.negate ? level : white - level) / white;
+    if (p <= ros.free_thresh) return false;
+    if (p >= ros.occupied_thresh) return true;
+    if (ros.mode == RosMap::Mode::trinary) return unknown;
+    return p - ros.free_thresh >= free_below * (ros.occupied_thresh - ros.free_thresh);
+  };
+  return {blocked, transparent};
+}
+
+}  // namespace lasius

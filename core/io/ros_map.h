@@ -1,0 +1,31 @@
+// The YAML file beside a ROS map image.
+#pragma once
+
+#include <string>
+
+#include "byte_reader.h"
+#include "lasius/map_io.h"
+#include "pixel_rule.h"
+
+namespace lasius {
+
+/// What a map_server YAML file says. Keys that it does not know are skipped, as map_server does.
+struct RosMap {
+  enum class Mode { trinary, scale, raw };
+
+  std::string image;             ///< as written
+  std::int64_t image_line = -1;  ///< where
+  WorldFrame frame;
+  Mode mode = Mode::trinary;
+  bool negate = false;
+  double occupied_thresh = 0;
+  double free_thresh = 0;
+};
+
+/// @throws Error(file_broken) with the line.
+RosMap read_ros_yaml(ByteReader& in);
+
+/// The cells' rule, as read_any_map states it.
+PixelRule ros_rule(const RosMap& ros, const ReadOptions& options);
+
+}  // namespace lasius

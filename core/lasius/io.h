@@ -1,0 +1,45 @@
+// Component lasius::io: PNG and ROS map_server YAML, and every other map format through one door.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "lasius/grid.h"
+#include "lasius/io_export.h"
+#include "lasius/map_io.h"
+
+namespace lasius {
+
+/// Reads a map of any kind: .map, PBM, PGM and PNG, told apart by content, and ROS map_server YAML,
+/// known by its name (.yaml, .yml). PNG is read row by row, interlaced or not.
+///
+/// PNG: colours count by their luma (Rec. 709 weights of the stored values, gamma is ignored), what
+/// is transparent is seen on a white page, and the pixel then counts as in ReadOptions::free_below.
+///
+/// ROS: the image (PNG, PGM or PBM; its path relative to the YAML file) by the rules of map_server
+/// in nav2, with p = darkness, or lightness where `negate` is set:
+///   trinary  p >= occupied_thresh is blocked, p <= free_thresh free, between and not opaque
+///   unknown scale    as trinary, but between them free where (p - free_thresh) / (occupied_thresh
+///   -
+///            free_thresh) < free_below
+///   raw      the stored grey v in 0 .. 255 is the occupancy: up to 100 free where
+///            v / 100 < free_below, above 100 unknown; `negate` and opacity do not count
+/// Unknown is blocked unless ReadOptions::unknown_is_free. `frame` holds resolution and origin.
+/// @throws Error(file_missing, file_broken, file_unsupported), naming the file, the line of a text
+///         format or the byte offset of a binary one, and the remedy.
+LASIUS_IO_EXPORT Map read_any_map(const std::string& path, const ReadOptions& options = {});
+
+/// Writes .map, .pbm or .png by the name's ending, whole or not at all; blocked cells of a PNG are
+/// black, free ones white. @throws as write_map.
+LASIUS_IO_EXPORT void write_any_map(const Grid& grid, const std::string& path);
+
+/// Writes a PNG of 1 bit a pixel: blocked black, free white. @throws Error(output_failed)
+LASIUS_IO_EXPORT void write_png(const Grid& grid, const std::string& path);
+
+/// Writes a picture: `rgb` holds 3 bytes a pixel, row by row from the top.
+/// @throws Error(output_failed), or Error(invalid_parameter) where the sizes do not fit.
+LASIUS_IO_EXPORT void write_png_rgb(const std::string& path, int width, int height,
+                                    std::span<const std::uint8_t> rgb);
+
+}  // namespace lasius
