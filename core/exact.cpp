@@ -1,0 +1,328 @@
+#include "exact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grid_view.h"
+#include "kernels/scan_line.h"
+#include "kernels/sight.h"
+#include "lasius/path.h"
+
+namespace lasius {
+
+using exact::Corner;
+using exact::CornerTable;
+using exact::Heading;
+using kernels::ConeFrame;
+using kernels::ConeScan;
+using kernels::Fixed;
+using kernels::Turn;
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kBucketWidth = 0.125;  // cells
+
+// The ants of a search without a target gap: how they weigh the distance to the goal, the number
+// of expansions before the first are sent, and their share of the expansions since.
+constexpr double kAntWeight = 1.5;
+constexpr std::int64_t kFirstAnts = 64;
+constexpr std::int64_t kAntShare = 4;
+
+// In cells, between places in half cells: exact but for the square root.
+double distance(int x0, int y0, int x1, int y1) noexcept {
+  const double dx = x1 - x0;
+  const double dy = y1 - y0;
+  return 0.5 * std::sqrt(dx * dx + dy * dy);
+}
+
+// Work between two looks at the stop condition, 20 to 100 microseconds; an expansion counts as so
+// many words, besides those that it scans.
+constexpr std::int64_t kWordsPerPoll = 8192;
+constexpr std::int64_t kWordsPerExpansion = 16;
+
+}  // namespace
+
+// What a scan finds, put into the corners and the frontier. Columns u = S * x.
+template <int S>
+struct ExactSearch::Visitor {
+  ExactSearch& search;
+  int down;
+  int line0;
+
+  double corner(int u, int line, Turn turn) {
+    const bool back = turn == Turn::back;
+    const Heading heading{static_cast<std::int8_t>(back ? -S : S), static_cast<std::int8_t>(down),
+                          turn == Turn::onward};
+    return search.reach(search.root_.index, S * u, line0 + down * line, heading);
+  }
+
+  bool beaten(const kernels::Rival& rival, Fixed u, int line) const noexcept {
+    const double x = S * static_cast<double>(u) / static_cast<double>(kernels::kOne);
+    const double y = line0 + down * line;
+    const double from_root_x = x - 0.5 * search.root_.x;
+    const double from_root_y = y - 0.5 * search.root_.y;
+    const double from_rival_x = x - S * rival.u;
+    const double from_rival_y = y - (line0 + down * rival.line);
+    return rival.length + std::sqrt(from_rival_x * from_rival_x + from_rival_y * from_rival_y) <
+           search.root_.length + std::sqrt(from_root_x * from_root_x + from_root_y * from_root_y) -
+               kMargin;
+  }
+
+  bool go_on(std::int64_t words) noexcept {
+    search.counters_.words += words;
+    return !search.poller_->stop_after(words);
+  }
+
+  // Far above the rounding of any length, so that no way ever beats itself.
+  static constexpr double kMargin = 1e-7;
+};
+
+// A corner of a blocked cell at lattice point (x, y), seen from the root in hand. Returns the
+// length of a shorter way there, or a negative number.
+double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
+  ++counters_.reports;
+  const double length = root_.length + distance(root_.x, root_.y, 2 * x, 2 * y);
+  const std::size_t slot = corners_.slot(x, y);
+  std::uint32_t index = corners_.at(slot);
+  if (index != CornerTable::kStart) {
+    Corner& known = corners_[index];
+    if (length >= known.length) return known.length;
+    known.length = length;
+    known.parent = parent;
+    known.heading = heading;
+    known.expanded = false;
+  } else {
+    const double to_goal = distance(2 * x, 2 * y, goal_x_, goal_y_);
+    if (length + to_goal >= upper_) return -1;
+    index = corners_.add(slot, {2 * x, 2 * y, length, to_goal, parent, heading, false, false});
+  }
+  const double to_goal = corners_[index].to_goal;
+  if (length + to_goal < upper_) {
+    ++counters_.pushes;
+    frontier_.push(index, length + to_goal);
+    if (ants_out_ && !corners_[index].walked) {
+      trail_.push(index, length + ant_weight_ * to_goal);
+    }
+  }
+  return -1;
+}
+
+// The part of the map where a path over the root in hand can be shorter than the best one: the box
+// around the ellipse of points p with length + |root p| + |p goal| < upper.
+template <int S>
+ConeFrame ExactSearch::frame(int down) const noexcept {
+  ConeFrame f;
+  f.map = map_;
+  f.down = down;
+  f.line0 = down > 0 ? (root_.y + 1) >> 1 : root_.y >> 1;
+  f.depth0 = 0.5 * (root_.y & 1);
+  f.root = S * root_.x * (kernels::kOne / 2);
+  f.last_line = map_.height;
+  f.last_column = S > 0 ? map_.width + 1 : 1;
+  if (upper_ < kInfinity) {
+    const double dx = 0.25 * (goal_x_ - root_.x);  // from the root to the middle of the ellipse
+    const double dy = 0.25 * (goal_y_ - root_.y);
+    const double sum = 0.5 * (upper_ - root_.length);  // long half axis
+    const double minor = std::max(0.0, sum * sum - dx * dx - dy * dy);
+    const double right = S * (0.5 * root_.x + dx) + std::sqrt(minor + dx * dx);
+    const double depth = down * dy + std::sqrt(minor + dy * dy);
+    constexpr int kSpare = 2;  // rounding, and the column that a scan may leave out
+    f.last_column = std::min(f.last_column, static_cast<int>(std::floor(right)) + 1 + kSpare);
+    f.last_line = std::min(f.last_line, static_cast<int>(depth) + kSpare);
+  }
+  return f;
+}
+
+// Is the goal where a taut path over this corner may go straight to it?
+template <int S>
+bool ExactSearch::goal_in_cone(const Corner& corner, const Corner& parent) const noexcept {
+  const Heading heading = corner.heading;
+  const std::int64_t goal_u = S * (goal_x_ - corner.x);
+  const std::int64_t goal_depth = heading.down * (goal_y_ - corner.y);
+  const std::int64_t u = S * (corner.x - parent.x);
+  const std::int64_t depth = heading.down * (corner.y - parent.y);
+  if (goal_u < 0 || goal_depth <= 0) return false;
+  const std::int64_t side = goal_u * depth - u * goal_depth;
+  return heading.towards_column ? side <= 0 : side >= 0;
+}
+
+void ExactSearch::expand(std::uint32_t index) {
+  ++counters_.expansions;
+  if (corners_[index].heading.right > 0) {
+    expand<1>(index);
+  } else {
+    expand<-1>(index);
+  }
+}
+
+template <int S>
+void ExactSearch::expand(std::uint32_t index) {
+  const Corner corner = corners_[index];
+  const Corner& parent = corners_[corner.parent];
+  const Heading heading = corner.heading;
+  if (goal_in_cone<S>(corner, parent) &&
+      kernels::sees(map_, {corner.x, corner.y}, {goal_x_, goal_y_})) {
+    upper_ = corner.length + corner.to_goal;
+    last_ = index;
+    return;  // every other way on from here is longer
+  }
+  const int u = S * (corner.x - parent.x);
+  const int depth = heading.down * (corner.y - parent.y);
+  const Fixed slope =
+      depth == 0
+          ? kernels::kLevelSlope
+          : static_cast<Fixed>(static_cast<double>(u) * static_cast<double>(kernels::kOne) / depth);
+  root_ = {index, corner.x, corner.y, corner.length};
+  const ConeFrame cone = frame<S>(heading.down);
+  Visitor<S> visitor{*this, heading.down, cone.line0};
+  if (heading.towards_column) {
+    ConeScan<S, Visitor<S>>(cone, stack_, visitor).from_corner(0, slope);
+    return;
+  }
+  const auto report = [&](int column, bool above) {
+    reach(index, S * column, cone.line0,
+          {static_cast<std::int8_t>(S), static_cast<std::int8_t>(above ? -1 : 1), true});
+  };
+  kernels::scan_line<S>(map_, cone.line0, S * (corner.x >> 1), cone.last_column, report);
+  ConeScan<S, Visitor<S>>(cone, stack_, visitor).from_corner(slope, kernels::kLevelSlope);
+}
+
+void ExactSearch::leave_start() {
+  const Corner start = corners_[CornerTable::kStart];
+  root_ = {CornerTable::kStart, start.x, start.y, 0};
+  for (const int down : {1, -1}) {
+    const ConeFrame right = frame<1>(down);
+    Visitor<1> right_visitor{*this, down, right.line0};
+    ConeScan<1, Visitor<1>>(right, stack_, right_visitor).from_centre();
+    const ConeFrame left = frame<-1>(down);
+    Visitor<-1> left_visitor{*this, down, left.line0};
+    ConeScan<-1, Visitor<-1>>(left, stack_, left_visitor).from_centre();
+  }
+}
+
+// Takes the best corner of the frontier; false when none can lead to a shorter path.
+bool ExactSearch::next_corner(std::uint32_t& index) {
+  while (frontier_.advance()) {
+    lower_ = std::max(lower_, frontier_.floor());
+    if (lower_ >= upper_) return false;
+    index = frontier_.pop();
+    const Corner& corner = corners_[index];
+    if (!corner.expanded && corner.length + corner.to_goal < upper_) return true;
+  }
+  lower_ = upper_;
+  return false;
+}
+
+// Ants follow their own frontier, which weighs the distance to the goal more: each goes from the
+// best corner that no ant has been to. They explore for all: what they find enters both frontiers.
+void ExactSearch::send_ants(std::int64_t steps, Poller& poller) {
+  for (; steps > 0 && upper_ == kInfinity && !poller.stopped() && trail_.advance(); --steps) {
+    const std::uint32_t index = trail_.pop();
+    Corner& corner = corners_[index];
+    if (corner.walked || corner.expanded) continue;
+    corner.walked = true;
+    corner.expanded = true;
+    ++counters_.ant_steps;
+    expand(index);
+    poller.stop_after(kWordsPerExpansion);
+  }
+  ants_out_ = upper_ == kInfinity;
+}
+
+void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
+  Poller poller(stop, kWordsPerPoll);
+  poller_ = &poller;
+  const bool hurry = options.target_gap > 0;
+  ants_out_ = true;
+  ant_weight_ = hurry ? 1 + options.target_gap : kAntWeight;
+  trail_.reset(ant_weight_ * lower_, kBucketWidth);
+  leave_start();
+  std::int64_t next_ants = kFirstAnts;
+  if (hurry) send_ants(std::numeric_limits<std::int64_t>::max(), poller);
+  std::uint32_t index = 0;
+  while (!poller.stopped() && next_corner(index)) {
+    if (upper_ - lower_ <= options.target_gap * lower_) break;
+    corners_[index].expanded = true;
+    expand(index);
+    poller.stop_after(kWordsPerExpansion);
+    if (ants_out_ && counters_.expansions >= next_ants) {
+      send_ants(counters_.expansions / kAntShare, poller);
+      next_ants = counters_.expansions * 2;
+    }
+  }
+  cause_ = poller.cause();
+}
+
+void ExactSearch::search(const Grid& grid, Cell start, Cell goal, const ExactOptions& options,
+                         const StopCondition& stop, ExactAnswer& answer) {
+  map_ = view_of(grid);
+  goal_x_ = 2 * goal.x + 1;
+  goal_y_ = 2 * goal.y + 1;
+  counters_ = {};
+  cause_ = StopCondition::Cause::none;
+  const int x = 2 * start.x + 1;
+  const int y = 2 * start.y + 1;
+  lower_ = distance(x, y, goal_x_, goal_y_);
+  upper_ = kInfinity;
+  last_ = CornerTable::kStart;
+  corners_.reset(grid.width(), {x, y, 0, lower_, CornerTable::kStart, {}, true, true});
+  if (kernels::sees(map_, {x, y}, {goal_x_, goal_y_})) {
+    upper_ = lower_;
+  } else {
+    frontier_.reset(lower_, kBucketWidth);
+    run(options, stop);
+  }
+  finish(options, answer);
+}
+
+// The path back from its last corner, without corners that it passes straight by.
+void ExactSearch::trace(std::vector<Point>& path) const {
+  path.assign(1, {0.5 * goal_x_, 0.5 * goal_y_});
+  int x = goal_x_;
+  int y = goal_y_;
+  for (std::uint32_t i = last_;; i = corners_[i].parent) {
+    const Corner& corner = corners_[i];
+    if (i != CornerTable::kStart) {
+      const Corner& parent = corners_[corner.parent];
+      const std::int64_t bend = static_cast<std::int64_t>(x - corner.x) * (corner.y - parent.y) -
+                                static_cast<std::int64_t>(y - corner.y) * (corner.x - parent.x);
+      if (bend == 0) continue;
+    }
+    path.push_back({0.5 * corner.x, 0.5 * corner.y});
+    x = corner.x;
+    y = corner.y;
+    if (i == CornerTable::kStart) break;
+  }
+  std::reverse(path.begin(), path.end());
+}
+
+void ExactSearch::finish(const ExactOptions& options, ExactAnswer& answer) const {
+  answer.path.clear();
+  answer.length = std::numeric_limits<double>::quiet_NaN();
+  answer.lower_bound = lower_ * (1 - exact::kRounding);
+  answer.cause = cause_;
+  answer.optimal = false;
+  if (upper_ < kInfinity) {
+    trace(answer.path);
+    answer.length = path_length(answer.path);
+    answer.optimal = lower_ >= upper_;
+    if (answer.optimal) answer.lower_bound = answer.length;
+  }
+  if (answer.optimal) {
+    answer.end = ExactEnd::proven;
+  } else if (upper_ < kInfinity && upper_ - lower_ <= options.target_gap * lower_) {
+    answer.end = ExactEnd::target_gap;
+  } else if (cause_ != StopCondition::Cause::none) {
+    answer.end = ExactEnd::stopped;
+  } else {
+    answer.end = ExactEnd::unreachable;
+  }
+}
+
+std::int64_t ExactSearch::bytes() const noexcept {
+  return corners_.bytes() + frontier_.bytes() +
+         static_cast<std::int64_t>(stack_.capacity() * sizeof(kernels::Interval));
+}
+
+}  // namespace lasius

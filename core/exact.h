@@ -1,0 +1,119 @@
+// Exact Euclidean shortest paths on a bitmap, anytime, with a certificate.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "exact_corner_table.h"
+#include "exact_frontier.h"
+#include "kernels/scan_cone.h"
+#include "lasius/geometry.h"
+#include "lasius/grid.h"
+#include "lasius/stop.h"
+
+namespace lasius {
+
+struct ExactOptions {
+  /// Stop once (length - lower_bound) / lower_bound is at most this.
+  double target_gap = 0;
+};
+
+/// How a search ended.
+enum class ExactEnd {
+  proven,       ///< the path is a shortest one
+  target_gap,   ///< the path is within the target gap
+  unreachable,  ///< there is no path
+  stopped,      ///< by the stop condition; a path or none
+};
+
+struct ExactAnswer {
+  ExactEnd end = ExactEnd::unreachable;
+  StopCondition::Cause cause = StopCondition::Cause::none;
+  std::vector<Point> path;  ///< start to goal; empty without one
+  double length = std::numeric_limits<double>::quiet_NaN();
+  /// No path is shorter; infinite where none exists. Allows for rounding: at most
+  /// exact::kRounding of itself below the length when proven.
+  double lower_bound = 0;
+  bool optimal = false;
+};
+
+namespace exact {
+/// Lengths are sums of at most 2^20 square roots, each operation rounded to 2^-53: they are off by
+/// less than this fraction of themselves.
+constexpr double kRounding = 1e-9;
+
+/// What a search did, for benchmarks and tests.
+struct Counters {
+  std::int64_t expansions = 0;
+  std::int64_t words = 0;    ///< rows of intervals, and windows of wide ones
+  std::int64_t reports = 0;  ///< corners seen
+  std::int64_t pushes = 0;
+  std::int64_t ant_steps = 0;  ///< expansions by ants
+};
+}  // namespace exact
+
+/// A* over taut corners. Keeps its memory from search to search: a second one of the same size does
+/// not allocate. Nothing in it grows with the map. One thread at a time.
+///
+/// A shortest path bends only at corners of blocked cells, and only around them. Each corner is
+/// reached with the best known length g; its cone, the directions in which a path can go on and
+/// still be taut, is scanned for the corners seen in it (kernels/scan_cone.h). The frontier holds
+/// corners by g + straight distance to the goal. No path is shorter than its least item (lower
+/// bound), and ants sent from its best item give paths (upper bound); where they meet, the path is
+/// proven to be shortest.
+class ExactSearch {
+ public:
+  /// Plans from the centre of one free cell to that of another, both inside `grid`.
+  /// Deterministic, except for when it is stopped.
+  void search(const Grid& grid, Cell start, Cell goal, const ExactOptions& options,
+              const StopCondition& stop, ExactAnswer& answer);
+
+  const exact::Counters& counters() const noexcept { return counters_; }
+  std::int64_t bytes() const noexcept;
+
+ private:
+  template <int S>
+  struct Visitor;
+  // A place in half cells, and the length of the path to it.
+  struct Root {
+    std::uint32_t index;
+    int x, y;
+    double length;
+  };
+
+  bool sees_goal_from_start() const noexcept;
+  void leave_start();
+  void send_ants(std::int64_t steps, Poller& poller);
+  void run(const ExactOptions& options, const StopCondition& stop);
+  bool next_corner(std::uint32_t& index);
+  void expand(std::uint32_t index);
+  template <int S>
+  void expand(std::uint32_t index);
+  template <int S>
+  bool goal_in_cone(const exact::Corner& corner, const exact::Corner& parent) const noexcept;
+  template <int S>
+  kernels::ConeFrame frame(int down) const noexcept;
+  double reach(std::uint32_t parent, int x, int y, exact::Heading heading);
+  void trace(std::vector<Point>& path) const;
+  void finish(const ExactOptions& options, ExactAnswer& answer) const;
+
+  kernels::BitmapView map_{};
+  int goal_x_ = 0, goal_y_ = 0;  // half cells
+  Root root_{};                  // of the cone in hand
+  double upper_ = 0;             // length of the best path
+  std::uint32_t last_ = 0;       // its last corner
+  double lower_ = 0;
+  Poller* poller_ = nullptr;
+  StopCondition::Cause cause_ = StopCondition::Cause::none;
+
+  exact::CornerTable corners_;
+  exact::Frontier frontier_;
+  exact::Frontier trail_;  // of the ants
+  bool ants_out_ = false;
+  double ant_weight_ = 1;
+  std::vector<kernels::Interval> stack_;
+  exact::Counters counters_;
+};
+
+}  // namespace lasius

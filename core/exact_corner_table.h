@@ -1,0 +1,97 @@
+// The corners that a search has reached, and the one table that finds them.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace lasius::exact {
+
+/// The cone a path may go on in after it turned at a corner: a quadrant given by its two signs,
+/// and the side of it that the turn is towards.
+struct Heading {
+  std::int8_t right;    ///< sign of dx
+  std::int8_t down;     ///< sign of dy
+  bool towards_column;  ///< turned towards the vertical line, else towards the horizontal one
+};
+
+/// A corner of a blocked cell, or the start (index 0), in half-cell coordinates.
+struct Corner {
+  int x, y;
+  double length;   ///< of the shortest known path from the start
+  double to_goal;  ///< straight distance
+  std::uint32_t parent;
+  Heading heading;
+  bool expanded;  ///< its cone was scanned at this length
+  bool walked;    ///< an ant has been here
+};
+
+/// All corners reached, by index and by place. Place and index share a word of an open table with
+/// linear probing that is at most half full.
+class CornerTable {
+ public:
+  static constexpr std::uint32_t kStart = 0;
+
+  /// Forgets all; `width` of the map in cells.
+  void reset(int width, const Corner& start) {
+    width_ = static_cast<std::uint32_t>(width) + 1;
+    corners_.clear();
+    corners_.push_back(start);
+    rehash(kSmallest);
+  }
+
+  Corner& operator[](std::uint32_t i) noexcept { return corners_[i]; }
+  const Corner& operator[](std::uint32_t i) const noexcept { return corners_[i]; }
+  std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(corners_.size()); }
+
+  /// Where lattice point (x, y) is in the table, or would be.
+  std::size_t slot(int x, int y) const noexcept {
+    const std::uint64_t place = place_of(x, y);
+    std::size_t at = (place * kMultiplier) >> shift_;
+    while (table_[at] != 0 && table_[at] >> 32 != place) at = (at + 1) & (table_.size() - 1);
+    return at;
+  }
+  /// The index at a slot, kStart if it is empty.
+  std::uint32_t at(std::size_t slot) const noexcept {
+    return static_cast<std::uint32_t>(table_[slot]);
+  }
+  /// Puts a corner into an empty slot found for it. Invalidates slots.
+  std::uint32_t add(std::size_t slot, const Corner& corner) {
+    const std::uint32_t index = size();
+    corners_.push_back(corner);
+    table_[slot] = place_of(corner.x >> 1, corner.y >> 1) << 32 | index;
+    if (corners_.size() * 2 > table_.size()) rehash(table_.size() * 4);
+    return index;
+  }
+
+  std::int64_t bytes() const noexcept {
+    return static_cast<std::int64_t>(corners_.capacity() * sizeof(Corner) +
+                                     table_.capacity() * sizeof(std::uint64_t));
+  }
+
+ private:
+  static constexpr std::size_t kSmallest = 256;
+  static constexpr std::uint64_t kMultiplier = 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio
+
+  // Below 2^31 for every map.
+  std::uint64_t place_of(int x, int y) const noexcept {
+    return static_cast<std::uint64_t>(y) * width_ + static_cast<std::uint64_t>(x);
+  }
+
+  void rehash(std::size_t size) {
+    table_.assign(size, 0);
+    shift_ = 64 - std::countr_zero(size);
+    for (std::uint32_t i = 1; i < this->size(); ++i) {
+      const int x = corners_[i].x >> 1;
+      const int y = corners_[i].y >> 1;
+      table_[slot(x, y)] = place_of(x, y) << 32 | i;
+    }
+  }
+
+  std::vector<Corner> corners_;
+  std::vector<std::uint64_t> table_;  // place << 32 | index; 0: empty
+  std::uint64_t width_ = 1;
+  int shift_ = 0;
+};
+
+}  // namespace lasius::exact

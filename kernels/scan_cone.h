@@ -1,0 +1,300 @@
+// Visible corners in a cone of rays, found row by row on the bits of a grid.
+//
+// Line j (j = 0, 1, ...) is a grid line, row j the cells between lines j and j + 1, counted away
+// from the root. An interval is what the rays through one gap reach of a line. Going on by a row
+// cuts it at the row's blocked cells: rays through a blocked cell's near edge end there, rays that
+// meet its side end at the side, the others form the next intervals.
+//
+// Arithmetic. A boundary ray passes through the root, whose coordinates are multiples of 1/2, and
+// through a lattice point. On a line at depth d <= 32768 its exact column is a fraction whose
+// denominator is at most 2^17, so an exact column that is no integer is at least 2^-17 away from
+// any. The computed column is off by less than 2^-29: a slope is a quotient of exact numbers,
+// rounded to 2^-53 of itself (2^-38 columns over a run of at most 2^15) and then to 2^-44 (2^-29
+// over at most 2^15 rows). Comparing with the slack kSlack = 2^-19 therefore decides "less, equal,
+// greater" against integers as exact arithmetic would.
+//
+// A gap narrower than kSlack holds neither a lattice point nor a cell's centre strictly inside, on
+// this line or later: such a point at depth d3 has a slope that differs from those of the boundary
+// rays, made at depths d1 and d2, by at least 1/(4 d1 d3) and 1/(4 d2 d3), so at any depth from
+// max(d1, d2) on the rays are at least 2^-17 + 2^-17 apart. Points on a boundary ray are in the
+// cone of the corner which that ray touches. So such gaps are dropped, and with them those of
+// width 0, where a ray would squeeze between two diagonal blocks.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "kernels/scan_bits.h"
+
+namespace lasius::kernels {
+
+constexpr Fixed kSlack = kOne >> 19;
+/// A slope that crosses every map within one row.
+constexpr Fixed kLevelSlope = kOne << 16;
+
+/// How a taut path turns at a corner, seen from the ray that reaches it.
+enum class Turn : std::uint8_t {
+  onward,    ///< around a block ahead on the near side, towards straight onward
+  sideways,  ///< around a block behind on the far side, towards larger u
+  back,      ///< from a ray straight onward, around a block behind: towards smaller u
+};
+
+/// A corner on a boundary ray that another route reaches sooner than the root does.
+struct Rival {
+  double length = -1;  ///< of that route; negative: none
+  int u = 0;
+  int line = 0;
+};
+
+/// The rays through one gap: columns on a line, and columns a row.
+struct Interval {
+  Fixed left, right;
+  Fixed left_slope, right_slope;  ///< 0 <= left_slope <= right_slope
+  std::int32_t line;
+  bool wall;  ///< right is a blocked cell's side; right_slope is then a bound from above
+  Rival left_rival = {}, right_rival = {};
+};
+
+/// Where a scan starts and how far it looks.
+struct ConeFrame {
+  BitmapView map;
+  int down;  ///< +1: line j is grid line line0 + j; -1: line0 - j
+  int line0;
+  double depth0;    ///< rows from the root to line 0: 0, or 1/2 for a root in a cell's centre
+  Fixed root;       ///< column of the root
+  int last_line;    ///< intervals are not followed past this line
+  int last_column;  ///< nor past this column; at most one more than the border that ends rows
+};
+
+/// Scans the cone of one root. A Visitor has
+///   double corner(int u, int line, Turn)  for each corner that a taut path from the root may turn
+///       at; returns the length of a shorter way there if it knows one, else a negative number
+///   bool beaten(const Rival&, Fixed u, int line)  is the way over the rival to that point shorter
+///       than the straight one from the root?
+///   bool go_on(std::int64_t words)  told of the work done, false to stop.
+/// Corners come in a fixed order.
+template <int S, class Visitor>
+class ConeScan {
+ public:
+  ConeScan(const ConeFrame& frame, std::vector<Interval>& stack, Visitor& visitor) noexcept
+      : frame_(frame),
+        row0_(bytes_of(frame.map.row(frame.down > 0 ? frame.line0 : frame.line0 - 1))),
+        step_(frame.down * frame.map.stride * std::ptrdiff_t{sizeof(std::uint64_t)}),
+        limit_(fixed(frame.last_column)),
+        stack_(stack),
+        visitor_(visitor) {}
+
+  /// From a lattice point between two slopes. Returns whether rays were cut off at the last line
+  /// or column of the frame.
+  bool from_corner(Fixed left_slope, Fixed right_slope) {
+    const int column = floor_column(frame_.root);
+    const Fixed reach = frame_.root + right_slope;
+    const int last = last_cell(reach);
+    const int a = next_cell<S, true>(row0_, column, last);
+    Interval first{frame_.root + left_slope, reach, left_slope, right_slope, 1, a <= last};
+    if (first.wall) {
+      first.right = fixed(a);
+      first.right_slope = slope_to(a, 1);
+    }
+    if (first.right - first.left > kSlack && clip(first)) run(first);
+    return cut_off_;
+  }
+
+  /// From the centre of the cell before line 0: all rays towards larger u.
+  bool from_centre() {
+    const int a = next_cell<S, true>(row0_ - step_, floor_column(frame_.root), last_cell(limit_));
+    Interval first{frame_.root, fixed(a), 0, slope_to(a, 0), 0, true};
+    run(first);
+    return cut_off_;
+  }
+
+ private:
+  using B = Bits<S>;
+
+  Fixed slope_to(int u, int line) const noexcept {
+    return static_cast<Fixed>(static_cast<double>(fixed(u) - frame_.root) / (line + frame_.depth0));
+  }
+
+  // The last cell that a ray ending at this column passes, or the last one within the limit.
+  int last_cell(Fixed reach) const noexcept {
+    return floor_column((reach < limit_ ? reach : limit_) - kSlack);
+  }
+
+  // Cuts off what lies past the limit; false if nothing is left but the limit's own column, which
+  // the caller made one column wider than what it needs.
+  bool clip(Interval& v) noexcept {
+    if (v.right <= limit_) return true;
+    cut_off_ = true;
+    v.right = limit_;
+    return v.left <= limit_ - kOne;
+  }
+
+  void run(const Interval& first) {
+    stack_.assign(1, first);
+    bool going = true;
+    while (going && !stack_.empty()) {
+      const Interval v = stack_.back();
+      stack_.pop_back();
+      going = follow(v);
+    }
+    visitor_.go_on(words_);
+  }
+
+  bool stopped() {
+    if (words_ < kWordsAtOnce) return false;
+    const bool stop = !visitor_.go_on(words_);
+    words_ = 0;
+    return stop;
+  }
+
+  // Follows one interval until it ends; further gaps go on the stack. False when stopped.
+  bool follow(Interval v) {
+    const char* next = row0_ + step_ * v.line;
+    for (; v.line <= frame_.last_line; ++v.line, next += step_) {
+      ++words_;
+      const int base = floor_column(v.left - kSlack);
+      const int last_point = floor_column(v.right + kSlack);
+      if (v.wall && !blocked_cell<S>(next, last_point)) {
+        v.right_slope = slope_to(last_point, v.line);
+        v.wall = false;
+      }
+      const int last = last_cell(v.right + v.right_slope);
+      recent_count_ = 0;
+      if (last - base < B::kValid - 1 && last_point - base < B::kValid - 1) {
+        const std::uint64_t n = B::window(next, base);
+        const std::uint64_t p = B::window(next - step_, base);
+        const int first = floor_column(v.left + kSlack);
+        const std::uint64_t turns = turn_points(n, p, on_axis(v)) & B::to(last_point - base);
+        const std::uint64_t blocks = n & B::from(first - base) & B::to(last - base);
+        if ((turns | blocks) == 0) {
+          v.left += v.left_slope;
+          v.right += v.right_slope;
+          if (!clip(v)) return true;
+          continue;
+        }
+        report(turns, n, p, base, v);
+      } else if (!report_wide(next, base, last_point, v)) {
+        return false;
+      }
+      if (!split(next, last, v) || !clip(v)) return true;
+      if (stopped()) return false;
+    }
+    cut_off_ = true;
+    return true;
+  }
+
+  // Is the left boundary the line straight onward from a lattice root?
+  bool on_axis(const Interval& v) const noexcept {
+    return v.left == frame_.root && v.left_slope == 0 && frame_.depth0 == 0;
+  }
+
+  // Points (at indices >= 1) where a taut path may turn, from the rows ahead (n) and behind (p):
+  // exactly one of the four cells is blocked and the ray passes beside it. Rays run towards larger
+  // u, except the axis at index 1: it passes beside blocks behind, and goes straight on along
+  // those ahead.
+  static std::uint64_t turn_points(std::uint64_t n, std::uint64_t p, bool axis) noexcept {
+    const std::uint64_t n1 = B::previous(n);
+    const std::uint64_t p1 = B::previous(p);
+    std::uint64_t found = ~n & ~p1 & (n1 ^ p);
+    if (axis) {
+      found &= ~(B::only(1) & n1);
+      found |= B::only(1) & p1 & ~(p | n | n1);
+    }
+    return found & B::from(1);
+  }
+
+  void report(std::uint64_t turns, std::uint64_t n, std::uint64_t p, int base, Interval& v) {
+    for (; turns != 0; turns &= ~B::only(B::first(turns))) {
+      const int i = B::first(turns);
+      const std::uint64_t bit = B::only(i);
+      const Turn turn = (p & bit) != 0                ? Turn::sideways
+                        : (B::previous(n) & bit) != 0 ? Turn::onward
+                                                      : Turn::back;
+      const Rival rival{visitor_.corner(base + i, v.line, turn), base + i, v.line};
+      if (turn == Turn::sideways) v.right_rival = rival;
+      if (turn == Turn::onward && recent_count_ < kRecent) recent_[recent_count_++] = rival;
+    }
+  }
+
+  bool report_wide(const char* next, int base, int last_point, Interval& v) {
+    bool axis = on_axis(v);
+    for (int c = base; c < last_point; c += B::kValid - 1, axis = false) {
+      const std::uint64_t n = B::window(next, c);
+      const std::uint64_t p = B::window(next - step_, c);
+      const int last = last_point - c < B::kValid - 1 ? last_point - c : B::kValid - 1;
+      report(turn_points(n, p, axis) & B::to(last), n, p, c, v);
+      ++words_;
+      if (stopped()) return false;
+    }
+    return true;
+  }
+
+  // Goes on by one row, cutting the interval at the row's blocked cells. The last gap stays in v
+  // (false if there is none), on the line it had; the gaps before it go on the stack.
+  bool split(const char* next, int last, Interval& v) {
+    const Fixed right = v.right;
+    int c = floor_column(v.left + kSlack);
+    int seen = 0;
+    for (;;) {
+      if (blocked_cell<S>(next, c)) {
+        c = next_cell<S, false>(next, c + 1, last);
+        if (fixed(c) >= right - kSlack) return false;
+        v.left = fixed(c);
+        v.left_slope = slope_to(c, v.line);
+        while (seen < recent_count_ && recent_[seen].u < c) ++seen;
+        v.left_rival = seen < recent_count_ && recent_[seen].u == c ? recent_[seen] : Rival{};
+      }
+      const int a = next_cell<S, true>(next, c, last);
+      const Fixed left = v.left + v.left_slope;
+      if (a > last) {
+        v.left = left;
+        v.right = right + v.right_slope;
+        v.wall = false;
+        return v.right - left > kSlack && !beaten(v);
+      }
+      const Fixed stop = fixed(a);
+      const bool final = stop >= right - kSlack;
+      const bool slides = v.wall && stop == right;  // along the wall it came by
+      if (stop - left > kSlack) {
+        Interval gap{left,   stop, v.left_slope, slides ? v.right_slope : slope_to(a, v.line + 1),
+                     v.line, true, v.left_rival, slides ? v.right_rival : Rival{}};
+        if (!beaten(gap)) {
+          if (final) {
+            v = gap;
+            return true;
+          }
+          ++gap.line;
+          stack_.push_back(gap);
+        }
+      }
+      if (final) return false;
+      c = a;
+    }
+  }
+
+  // Is the root r no longer the way to go for any ray of this gap? Its ends are on the next line.
+  // A rival corner w on one boundary ray sees every point p of the gap, because all rays between
+  // came this far. |r p| - |w p| falls as p moves away from w's ray, so if the way over w is
+  // shorter to the far end it is shorter to all p, and to all that lies behind them.
+  bool beaten(const Interval& v) {
+    return (v.left_rival.length >= 0 && visitor_.beaten(v.left_rival, v.right, v.line + 1)) ||
+           (v.right_rival.length >= 0 && visitor_.beaten(v.right_rival, v.left, v.line + 1));
+  }
+
+  static constexpr std::int64_t kWordsAtOnce = 4096;
+  static constexpr int kRecent = 16;
+
+  const ConeFrame frame_;
+  const char* row0_;
+  std::ptrdiff_t step_;
+  Fixed limit_;
+  std::vector<Interval>& stack_;
+  Visitor& visitor_;
+  std::int64_t words_ = 0;
+  bool cut_off_ = false;
+  int recent_count_ = 0;
+  Rival recent_[kRecent];  // corners just reported that the next left boundaries pass
+};
+
+}  // namespace lasius::kernels

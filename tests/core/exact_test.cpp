@@ -1,0 +1,212 @@
+#include "exact.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "lasius/path.h"
+#include "tests/bench/shared_maps.h"
+#include "tests/count_allocations.h"
+#include "tests/oracle/visibility_graph.h"
+#include "tests/random_grid.h"
+
+namespace lasius {
+namespace {
+
+ExactAnswer solve(const Grid& grid, Cell start, Cell goal, const ExactOptions& options = {}) {
+  ExactSearch search;
+  ExactAnswer answer;
+  search.search(grid, start, goal, options, {}, answer);
+  return answer;
+}
+
+// A free cell, or nothing after many tries.
+std::optional<Cell> random_free(const Grid& grid, std::mt19937& random) {
+  for (int i = 0; i < 64; ++i) {
+    const Cell c{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
+    if (grid.free(c)) return c;
+  }
+  return std::nullopt;
+}
+
+void expect_path(const Grid& grid, Cell start, Cell goal, const ExactAnswer& answer) {
+  ASSERT_FALSE(answer.path.empty());
+  EXPECT_EQ(answer.path.front(), centre(start));
+  EXPECT_EQ(answer.path.back(), centre(goal));
+  EXPECT_EQ(answer.length, path_length(answer.path));
+  const auto fault = path_fault(grid, answer.path);
+  EXPECT_FALSE(fault.has_value()) << *fault;
+}
+
+// The answer equals the optimum by brute force; true if there is a path.
+bool expect_exact(const Grid& grid, Cell start, Cell goal, ExactSearch& search) {
+  ExactAnswer answer;
+  search.search(grid, start, goal, {}, {}, answer);
+  const auto shortest = oracle::VisibilityGraph(grid).shortest(start, goal);
+  if (!shortest) {
+    EXPECT_EQ(answer.end, ExactEnd::unreachable);
+    EXPECT_TRUE(answer.path.empty());
+    EXPECT_TRUE(std::isinf(answer.lower_bound));
+    EXPECT_FALSE(answer.optimal);
+    return false;
+  }
+  EXPECT_EQ(answer.end, ExactEnd::proven);
+  EXPECT_TRUE(answer.optimal);
+  EXPECT_NEAR(answer.length, shortest->length, 1e-9 * shortest->length);
+  EXPECT_EQ(answer.lower_bound, answer.length);
+  expect_path(grid, start, goal, answer);
+  return true;
+}
+
+// LASIUS_EXACT_GRIDS scales the random tests: 25 makes 100 000 small and 10 000 large queries.
+int scaled(int count) {
+  const char* scale = std::getenv("LASIUS_EXACT_GRIDS");
+  return scale == nullptr ? count : count * std::max(1, std::atoi(scale));
+}
+
+TEST(Exact, SeesStraightToTheGoal) {
+  const Grid grid(20, 10);
+  const auto answer = solve(grid, {1, 1}, {13, 6});
+  EXPECT_EQ(answer.end, ExactEnd::proven);
+  EXPECT_DOUBLE_EQ(answer.length, 13);
+  EXPECT_EQ(answer.path, (std::vector<Point>{{1.5, 1.5}, {13.5, 6.5}}));
+}
+
+TEST(Exact, StartIsGoal) {
+  const auto answer = solve(Grid(3, 3), {1, 1}, {1, 1});
+  EXPECT_TRUE(answer.optimal);
+  EXPECT_EQ(answer.length, 0);
+  EXPECT_EQ(answer.lower_bound, 0);
+}
+
+TEST(Exact, BendsAroundAWall) {
+  const Grid grid = drawn({"...#...", "...#...", "...#...", "...#...", "......."});
+  const auto answer = solve(grid, {1, 1}, {5, 1});
+  EXPECT_EQ(answer.path, (std::vector<Point>{{1.5, 1.5}, {3, 4}, {4, 4}, {5.5, 1.5}}));
+  EXPECT_DOUBLE_EQ(answer.length, 1 + 2 * std::sqrt(1.5 * 1.5 + 2.5 * 2.5));
+}
+
+TEST(Exact, DoesNotSqueezeBetweenDiagonalBlocks) {
+  EXPECT_EQ(solve(drawn({".#", "#."}), {0, 0}, {1, 1}).end, ExactEnd::unreachable);
+  const auto around = solve(drawn({".#.", "#..", "..."}), {0, 0}, {2, 2});
+  EXPECT_EQ(around.end, ExactEnd::unreachable);
+}
+
+TEST(Exact, SlidesAlongEdgesAndStraightPastCorners) {
+  // Every corner of the middle row's blocks lies on one horizontal line with the path.
+  const Grid grid = drawn({".......", ".#.#.#.", "......."});
+  std::mt19937 random(3);
+  ExactSearch search;
+  for (int x = 0; x < 7; x += 2) {
+    for (int y = 0; y < 3; ++y) expect_exact(grid, {x, y}, {6, 1}, search);
+  }
+}
+
+TEST(Exact, EqualsBruteForceOnSmallGrids) {
+  std::mt19937 random(20260101);
+  ExactSearch search;
+  int reachable = 0;
+  int unreachable = 0;
+  for (int i = 0; i < scaled(4000) && !testing::Test::HasFailure(); ++i) {
+    const int percent = i % 2 == 0 ? random_in(0, 40, random) : random_in(30, 60, random);
+    const Grid grid =
+        random_grid(random_in(2, 12, random), random_in(2, 12, random), percent, random);
+    const auto start = random_free(grid, random);
+    const auto goal = random_free(grid, random);
+    if (!start || !goal) continue;
+    SCOPED_TRACE("grid " + std::to_string(i));
+    ++(expect_exact(grid, *start, *goal, search) ? reachable : unreachable);
+  }
+  EXPECT_GT(reachable, 1000);
+  EXPECT_GT(unreachable, 300);
+}
+
+TEST(Exact, EqualsBruteForceOnLargerGrids) {
+  std::mt19937 random(20260102);
+  ExactSearch search;
+  int reachable = 0;
+  for (int i = 0; i < scaled(400) && !testing::Test::HasFailure(); ++i) {
+    const int percent = i % 2 == 0 ? random_in(0, 5, random) : random_in(30, 45, random);
+    const Grid grid = random_grid(64, 64, percent, random);
+    const auto start = random_free(grid, random);
+    const auto goal = random_free(grid, random);
+    if (!start || !goal) continue;
+    SCOPED_TRACE("grid " + std::to_string(i));
+    reachable += expect_exact(grid, *start, *goal, search);
+  }
+  EXPECT_GT(reachable, 200);
+}
+
+TEST(Exact, EqualsTheKnownOptimaOfRealMaps) {
+  const auto tables = bench_test::shared_tables();
+  if (tables.empty()) GTEST_SKIP() << "no maps in " << bench_test::shared_dir();
+  ExactSearch search;
+  ExactAnswer answer;
+  for (const auto& table : tables) {
+    const auto map = bench_test::load_shared(table);
+    SCOPED_TRACE(map.name);
+    for (const auto& q : map.queries) {
+      search.search(map.grid, q.start, q.goal, {}, {}, answer);
+      EXPECT_TRUE(answer.optimal);
+      EXPECT_NEAR(answer.length, q.euclid, 1e-6);
+      expect_path(map.grid, q.start, q.goal, answer);
+    }
+  }
+}
+
+TEST(Exact, TheTargetGapIsCertified) {
+  std::mt19937 random(5);
+  ExactSearch search;
+  int early = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Grid grid = random_grid(60, 60, random_in(5, 35, random), random);
+    const auto start = random_free(grid, random);
+    const auto goal = random_free(grid, random);
+    ExactAnswer exact;
+    ExactAnswer near;
+    search.search(grid, *start, *goal, {}, {}, exact);
+    if (!exact.optimal) continue;
+    search.search(grid, *start, *goal, {0.1}, {}, near);
+    expect_path(grid, *start, *goal, near);
+    EXPECT_LE(near.lower_bound, exact.length);
+    EXPECT_GE(near.length, exact.length * (1 - 1e-12));
+    EXPECT_LE(near.length, near.lower_bound * (1.1 + 1e-6));
+    early += near.end == ExactEnd::target_gap;
+  }
+  EXPECT_GT(early, 5);
+}
+
+TEST(Exact, EqualRunsGiveEqualAnswersWhateverCameBefore) {
+  std::mt19937 random(6);
+  ExactSearch used;
+  for (int i = 0; i < 20; ++i) {
+    const Grid grid = random_grid(80, 50, 20, random);
+    const auto start = random_free(grid, random);
+    const auto goal = random_free(grid, random);
+    ExactAnswer again;
+    used.search(grid, *start, *goal, {}, {}, again);
+    const ExactAnswer fresh = solve(grid, *start, *goal);
+    EXPECT_EQ(fresh.path, again.path);
+    EXPECT_EQ(fresh.end, again.end);
+  }
+}
+
+TEST(Exact, ASecondSearchDoesNotAllocate) {
+  std::mt19937 random(7);
+  const Grid grid = random_grid(120, 120, 25, random);
+  ExactSearch search;
+  ExactAnswer answer;
+  const Cell start = *random_free(grid, random);
+  std::vector<Cell> goals;
+  for (int i = 0; i < 20; ++i) goals.push_back(*random_free(grid, random));
+  for (const Cell goal : goals) search.search(grid, start, goal, {}, {}, answer);
+  const auto before = allocations.load();
+  for (const Cell goal : goals) search.search(grid, start, goal, {}, {}, answer);
+  EXPECT_EQ(allocations.load(), before);
+}
+
+}  // namespace
+}  // namespace lasius
