@@ -1,8 +1,8 @@
 #include "lasius/params.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -54,7 +54,9 @@ constexpr std::array<std::string_view, 3> kStraightDeposit{"none", "improving", 
 constexpr std::array<std::string_view, 2> kNeighbours{"4", "8"};
 
 constexpr Choice kNeighboursChoice{kNeighbours,
-                                   [](const Params& p) { return p.neighbours == 4 ? 0 : 1; },
+                                   [](const Params& p) {
+                                     return p.neighbours == 4 ? 0 : p.neighbours == 8 ? 1 : 2;
+                                   },
                                    [](Params& p, int i) { p.neighbours = i == 0 ? 4 : 8; }};
 
 // Every parameter of the grid colonies.
@@ -210,14 +212,37 @@ struct Getter {
   }
 };
 
+/// Whether a parameter's value is one that it may have.
+struct InRange {
+  const Params& params;
+
+  bool operator()(const Integer& v) const {
+    return params.*v.member >= v.least && params.*v.member <= v.most;
+  }
+  bool operator()(const Number& v) const {
+    return params.*v.member >= v.least && params.*v.member <= v.most;
+  }
+  bool operator()(const Choice& v) const {
+    return static_cast<std::size_t>(v.get(params)) < v.names.size();
+  }
+};
+
+void check_algorithm(std::string_view name) {
+  std::array<std::string_view, kAlgorithms.size()> names;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = kAlgorithms[i].name;
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  throw invalid("unknown algorithm \"" + std::string(name) + "\"",
+                "did you mean \"" + std::string(nearest_name(name, names)) + "\"?");
+}
+
 }  // namespace
 
 std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
 
 Params defaults(std::string_view algorithm) {
+  check_algorithm(algorithm);
   Params p;  // as published for fan2004
   p.algorithm = algorithm;
-  if (algorithm == "fan2004") return p;
   if (algorithm == "as") {
     // The arcs of the graph carry pheromone, as in the source. Its iterations and ants are those of
     // fan2004; alpha, beta and evaporation 0.3 are those that found the optima of the small grids
@@ -238,12 +263,8 @@ Params defaults(std::string_view algorithm) {
     p.deposit = 1;
     p.straight_deposit = StraightDeposit::none;
     p.polish = Polish::none;
-    return p;
   }
-  std::vector<std::string_view> names;
-  for (const Algorithm& a : kAlgorithms) names.push_back(a.name);
-  throw invalid("unknown algorithm \"" + std::string(algorithm) + "\"",
-                "did you mean \"" + std::string(nearest_name(algorithm, names)) + "\"?");
+  return p;
 }
 
 void set_parameter(Params& params, std::string_view name, std::string_view value) {
@@ -256,13 +277,11 @@ std::string get_parameter(const Params& params, std::string_view name) {
 }
 
 void validate(const Params& params) {
-  defaults(params.algorithm);  // throws for an unknown name
-  Params copy = params;
+  check_algorithm(params.algorithm);
   for (const Entry& e : kColony) {
-    std::visit(Setter{copy, e.info, get_parameter(params, e.info.name)}, e.value);
-  }
-  if (params.neighbours != 4 && params.neighbours != 8) {
-    throw invalid("neighbours is " + std::to_string(params.neighbours), "it must be 4|8");
+    if (!std::visit(InRange{params}, e.value)) {
+      out_of_range(e.info, get_parameter(params, e.info.name));
+    }
   }
   if (static_cast<double>(params.seed) > kMaxSeed) {
     throw invalid("seed is " + std::to_string(params.seed), "it must be at most 2^53 - 1");

@@ -75,8 +75,8 @@ TEST(Fan2004, DistanceRuleIsEquation4) {
   Rows rows(grid, {6, 8}, defaults("fan2004"));
   const float* phi = rows.of({3, 4}) + 4;
   const auto value = [](double d) { return std::pow((std::sqrt(34.0) - d) * 10 + 2, 2); };
-  const double south = value(std::sqrt(18.0));  // 320.07: the largest
-  EXPECT_NEAR(south, 320.07, 0.01);
+  const double south = value(std::sqrt(18.0));  // 17.883^2, the largest
+  EXPECT_NEAR(south, 319.806, 0.001);
   EXPECT_NEAR(phi[0], 4 / south, 1e-6);  // mu^lambda = 4 for the farthest
   EXPECT_NEAR(phi[1], value(std::sqrt(32.0)) / south, 1e-6);
   EXPECT_NEAR(phi[2], value(std::sqrt(20.0)) / south, 1e-6);
