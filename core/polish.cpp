@@ -56,7 +56,7 @@ void Polisher::polish_one(const Grid& grid, Cell start, const kernels::Moves& mo
   }
   path.points.reserve(vertices.size());
   for (const Cell c : vertices) path.points.push_back(centre(c));
-  if (polish_ == Polish::taut) path.points = tauten(grid, path.points, stop);
+  if (polish_ == Polish::taut) path.points = tauten(grid, path.points, corners_, stop);
   path.length = path_length(path.points);
 }
 
