@@ -7,6 +7,7 @@ namespace lasius::bench {
 
 /// Each adds a subcommand; its callback runs it and throws CLI::RuntimeError(1) on a fault found.
 void add_queries_command(CLI::App& app);
+void add_colony_command(CLI::App& app);
 void add_sampling_command(CLI::App& app);  ///< only with OMPL
 
 }  // namespace lasius::bench

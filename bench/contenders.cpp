@@ -1,6 +1,8 @@
 #include "bench/contenders.h"
 
+#include "bench/peers/bucket_astar.h"
 #include "exact.h"
+#include "lasius/path.h"
 
 namespace lasius::bench {
 namespace {
@@ -23,6 +25,25 @@ class Exact final : public peers::QueryPlanner {
   ExactAnswer answer_;
 };
 
+// What a robotics engineer would run: bucketed A*, its walk pulled straight, then taut.
+template <bool kTaut>
+class PulledAStar final : public peers::QueryPlanner {
+ public:
+  explicit PulledAStar(const Grid& grid) : grid_(&grid), search_(grid) {}
+  double plan(Cell start, Cell goal, std::vector<Point>& path) override {
+    path.clear();
+    if (search_.plan_cells(start, goal, cells_) == peers::kNoPath) return peers::kNoPath;
+    for (const Cell c : straighten(*grid_, cells_)) path.push_back(centre(c));
+    if (kTaut) path = tauten(*grid_, path);
+    return path_length(path);
+  }
+
+ private:
+  const Grid* grid_;
+  peers::BucketAStar search_;
+  std::vector<Cell> cells_;
+};
+
 template <typename T>
 std::unique_ptr<peers::QueryPlanner> make(const Grid& grid) {
   return std::make_unique<T>(grid);
@@ -32,7 +53,9 @@ std::unique_ptr<peers::QueryPlanner> make(const Grid& grid) {
 
 std::vector<peers::Peer> all_contenders() {
   std::vector<peers::Peer> all = {
-      {"exact", "lasius: exact any-angle search", Optimality::any_angle, make<Exact>}};
+      {"exact", "lasius: exact any-angle search", Optimality::any_angle, make<Exact>},
+      {"astar-straight", "bucketed A*, straightened", Optimality::none, make<PulledAStar<false>>},
+      {"astar-taut", "bucketed A*, pulled taut", Optimality::none, make<PulledAStar<true>>}};
   const auto peers = peers::all_peers();
   all.insert(all.end(), peers.begin(), peers.end());
   return all;

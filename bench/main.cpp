@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", LASIUS_VERSION);
   app.require_subcommand(1);
   lasius::bench::add_queries_command(app);
+  lasius::bench::add_colony_command(app);
 #ifdef LASIUS_HAVE_OMPL
   lasius::bench::add_sampling_command(app);
 #endif

@@ -1,15 +1,16 @@
 // lasius_bench sampling: how long OMPL's planners take to come near the optimum.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <iostream>
 #include <memory>
 
+#include "bench/clocks.h"
 #include "bench/commands.h"
 #include "bench/contenders.h"
 #include "bench/peers/sampling.h"
 #include "bench/report.h"
+#include "bench/statistics.h"
 
 namespace lasius::bench {
 namespace {
@@ -32,11 +33,6 @@ struct Row {
   std::string map, planner;
   std::vector<SamplingTrial> trials;
 };
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
 
 // Median milliseconds over all trials, those that never got there counting as longer, and how many
 // got there.
@@ -77,10 +73,9 @@ void write_raw(std::ostream& out, const std::vector<Row>& rows) {
 // Our exact search as a row of the same table: its only path is the optimum.
 SamplingTrial time_exact(peers::QueryPlanner& exact, const Query& query) {
   std::vector<Point> path;
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const double length = exact.plan(query.start, query.goal, path);
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds = watch.seconds();
   return {seconds, {seconds, seconds, seconds}, length, path};
 }
 
