@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "exit_code.h"
+#include "values.h"
 
 namespace lasius::tool {
 namespace {
@@ -21,6 +22,11 @@ std::string in_metres(const PreparedMap& map, const Answer& answer) {
   std::array<char, 96> text;
   std::snprintf(text.data(), text.size(), ", its centre at %.3f,%.3f m", metres.x, metres.y);
   return text.data();
+}
+
+/// Says why a cell that looks free is not.
+std::string grown(const PreparedMap& map) {
+  return map.radius > 0 ? " (obstacles grown by " + to_text(map.radius) + " cells)" : "";
 }
 
 }  // namespace
@@ -84,7 +90,7 @@ std::string explain(const PreparedMap& map, const RunOptions& run, const Answer&
     case Status::solved:
       return {};
     case Status::unreachable:
-      return result.error;
+      return result.error + grown(map);
     case Status::limit:
       return "the time limit ended the run" + after + held;
     case Status::interrupted:
@@ -92,7 +98,7 @@ std::string explain(const PreparedMap& map, const RunOptions& run, const Answer&
     case Status::no_path:
       return "no path" + after + "; try more --iterations, more --ants or another --seed";
     case Status::invalid:
-      return result.error + (run.frame == Frame::world ? in_metres(map, answer) : "");
+      return result.error + (run.frame == Frame::world ? in_metres(map, answer) : "") + grown(map);
   }
   return {};
 }

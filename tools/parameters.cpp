@@ -7,14 +7,11 @@
 #include "values.h"
 
 namespace lasius::tool {
-namespace {
 
 bool has_parameter(const Algorithm& algorithm, std::string_view name) {
   return std::any_of(algorithm.parameters.begin(), algorithm.parameters.end(),
                      [name](const Parameter& parameter) { return parameter.name == name; });
 }
-
-}  // namespace
 
 Params default_params(std::string_view name) {
   if (name.empty()) return defaults(algorithms().front().name);

@@ -15,6 +15,8 @@ Params default_params(std::string_view name);
 /// The library's entry. Precondition: a known name.
 const Algorithm& find_algorithm(std::string_view name);
 
+bool has_parameter(const Algorithm& algorithm, std::string_view name);
+
 /// Sets a parameter that has an option of its own. False where the algorithm does not have it; the
 /// value is checked all the same.
 bool set_common(Params& params, std::string_view name, std::string_view value);

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
@@ -9,8 +10,11 @@
 #include "announce.h"
 #include "answer.h"
 #include "commands.h"
+#include "lasius/batch.h"
+#include "lasius/error.h"
 #include "lasius/output.h"
 #include "map_file.h"
+#include "parameters.h"
 #include "picture.h"
 #include "progress.h"
 #include "report.h"
@@ -41,6 +45,22 @@ std::string note(const Progress& progress) {
   return text.data();
 }
 
+/// Plans, with a progress line and the recorder looking on where there are any.
+Answer watched_answer(const PreparedMap& map, const RunOptions& run, const Query& query,
+                      const std::stop_token& token, std::optional<PictureRecorder>& recorder) {
+  const bool counted = has_parameter(find_algorithm(run.params.algorithm), "iterations");
+  const bool shown = wants_progress(run.messages);
+  ProgressLine bar(shown, counted ? run.params.iterations : 0, run.time_limit.value_or(0));
+  Observer observer;
+  if (shown || recorder)
+    observer = [&](const Progress& progress) {
+      bar.update(progress.iteration + 1, note(progress));
+      if (recorder) recorder->observe(progress);
+    };
+  const StopCondition stop{.token = token, .deadline = deadline_after(run.time_limit)};
+  return answer(map, run, query.start, query.goal, stop, observer);
+}
+
 }  // namespace
 
 int run_plan(const PlanCommand& command) {
@@ -55,25 +75,21 @@ int run_plan(const PlanCommand& command) {
   std::optional<PictureRecorder> recorder;
   if (std::any_of(run.outputs.begin(), run.outputs.end(), is_picture))
     recorder.emplace(map.planner.grid(), run.track_iterations, run.params.iterations);
-  const StopCondition stop{.token = signals.token(), .deadline = deadline_after(run.time_limit)};
-  const Answer found = [&] {
-    ProgressLine bar(wants_progress(run.messages), run.params.iterations,
-                     run.time_limit.value_or(0));
-    return answer(map, run, start, goal, stop, [&](const Progress& progress) {
-      bar.update(progress.iteration + 1, note(progress));
-      if (recorder) recorder->observe(progress);
-    });
-  }();
+  const Answer found = watched_answer(map, run, {start, goal}, signals.token(), recorder);
 
   const std::string why = explain(map, run, found);
   if (!why.empty() && (found.result.path.empty() || !run.messages.quiet)) message(why);
-  write_outputs(map, run, found, recorder ? &*recorder : nullptr);
-  const int code = exit_code(found.result);
+  // What one output refuses the others still get.
+  std::exception_ptr fault;
   try {
     print(run.json ? line(result_json(map, run, found)) : result_text(map, run, found));
   } catch (const ClosedOutput&) {
+  } catch (const Error&) {
+    fault = std::current_exception();
   }
-  return code;
+  write_outputs(map, run, found, recorder ? &*recorder : nullptr);
+  if (fault) std::rethrow_exception(fault);
+  return exit_code(found.result);
 }
 
 }  // namespace lasius::tool

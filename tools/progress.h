@@ -15,7 +15,8 @@ bool wants_progress(const Messages& messages);
 /// Redraws itself at most ten times a second; wiped when it goes.
 class ProgressLine {
  public:
-  /// `limit_seconds`: a run ends then at the latest; 0: no limit.
+  /// `total` 0: not known, the time goes instead. `limit_seconds`: a run ends then at the latest;
+  /// 0: no limit.
   ProgressLine(bool shown, std::int64_t total, double limit_seconds = 0);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;

@@ -48,6 +48,11 @@ class ExitCodes(ProgramTest):
         self.assertIn("(4, 2)", run.err)
         self.assertEqual(self.plan(start="3,1", goal="4,2").code, 4)
 
+    def test_grown_obstacles_are_named(self):
+        run = self.plan("--radius", "0.5")
+        self.assertEqual(run.code, 4)
+        self.assertIn("grown by 0.5 cells", run.err)
+
     def test_no_path_within_the_iterations(self):
         run = self.plan("--iterations", "0")
         self.assertEqual((run.code, run.out), (6, "no_path\n"))

@@ -43,6 +43,14 @@ class Outputs(ProgramTest):
         self.assertEqual(run.code, 7)
         self.assertIn("standard output", run.err)
 
+    def test_a_full_stdout_leaves_the_files(self):
+        with open("/dev/full", "wb") as full:
+            process = self.start_program("plan", "small.map", "--start", "0,0", "--goal", "9,5",
+                                         "-o", "r.json", stdout=full)
+            process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 7)
+        self.assertEqual(json.loads(self.read("r.json"))["status"], "solved")
+
 
 class Signals(ProgramTest):
     def interrupt(self, number, *arguments):
