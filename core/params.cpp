@@ -123,9 +123,32 @@ const std::array kColony{
           choice<&Params::straight_deposit>(kStraightDeposit)},
 };
 
+// What the genetic algorithm has of its own.
+const std::array kGenetic{
+    Entry{{"population", "integer", "2 .. 1000000", "paths of a generation"},
+          Integer{&Params::population, 2, 1000000}},
+    Entry{{"crossover", "number", "0 .. 1", "probability that two parents cross"},
+          Number{&Params::crossover, 0, 1}},
+    Entry{{"mutation", "number", "0 .. 1", "probability that a child gets a new way to the goal"},
+          Number{&Params::mutation, 0, 1}},
+};
+
 const auto kColonyParameters = [] {
   std::array<Parameter, kColony.size()> list;
   for (std::size_t i = 0; i < list.size(); ++i) list[i] = kColony[i].info;
+  return list;
+}();
+
+// What it shares with the colonies, then its own.
+const auto kGeneticParameters = [] {
+  constexpr std::array<std::string_view, 4> kShared{"iterations", "neighbours", "corners",
+                                                    "polish"};
+  std::array<Parameter, kShared.size() + kGenetic.size()> list;
+  auto next = list.begin();
+  for (const Entry& e : kColony) {
+    if (std::find(kShared.begin(), kShared.end(), e.info.name) != kShared.end()) *next++ = e.info;
+  }
+  for (const Entry& e : kGenetic) *next++ = e.info;
   return list;
 }();
 
@@ -140,6 +163,11 @@ const std::array kAlgorithms{
               "Dorigo, Maniezzo, Colorni: Ant System: optimization by a colony of cooperating "
               "agents. IEEE Trans. SMC-B 26 (1), 1996",
               kColonyParameters},
+    Algorithm{"grid-ga",
+              "genetic algorithm, the comparator: paths of cells that cross where they meet",
+              "Ahn, Ramakrishna: A genetic algorithm for shortest path routing problem and the "
+              "sizing of populations. IEEE Trans. Evolutionary Computation 6 (6), 2002",
+              kGeneticParameters},
 };
 
 Error invalid(std::string problem, std::string remedy) {
@@ -148,9 +176,11 @@ Error invalid(std::string problem, std::string remedy) {
 
 const Entry& entry(std::string_view name) {
   std::vector<std::string_view> names;
-  for (const Entry& e : kColony) {
-    if (e.info.name == name) return e;
-    names.push_back(e.info.name);
+  for (const std::span<const Entry> list : {std::span<const Entry>(kColony), {kGenetic}}) {
+    for (const Entry& e : list) {
+      if (e.info.name == name) return e;
+      names.push_back(e.info.name);
+    }
   }
   throw invalid("unknown parameter \"" + std::string(name) + "\"",
                 "did you mean \"" + std::string(nearest_name(name, names)) + "\"?");
@@ -264,6 +294,10 @@ Params defaults(std::string_view algorithm) {
     p.straight_deposit = StraightDeposit::none;
     p.polish = Polish::none;
   }
+  if (algorithm == "grid-ga") {
+    p.neighbours = 8;
+    p.iterations = 100;
+  }
   return p;
 }
 
@@ -278,9 +312,11 @@ std::string get_parameter(const Params& params, std::string_view name) {
 
 void validate(const Params& params) {
   check_algorithm(params.algorithm);
-  for (const Entry& e : kColony) {
-    if (!std::visit(InRange{params}, e.value)) {
-      out_of_range(e.info, get_parameter(params, e.info.name));
+  for (const std::span<const Entry> list : {std::span<const Entry>(kColony), {kGenetic}}) {
+    for (const Entry& e : list) {
+      if (!std::visit(InRange{params}, e.value)) {
+        out_of_range(e.info, get_parameter(params, e.info.name));
+      }
     }
   }
   if (static_cast<double>(params.seed) > kMaxSeed) {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "colony.h"
+#include "grid_ga.h"
 #include "lasius/components.h"
 #include "lasius/error.h"
 #include "lasius/path.h"
@@ -168,7 +169,12 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
 
   std::optional<Workspace> own;
   if (workspace == nullptr) workspace = &own.emplace();
-  result = run_colony(grid, request, params, workspace->impl(), observer);
+  if (params.algorithm == "grid-ga") {
+    const auto joined = [&](Cell c) { return connected(request.start, c, corners); };
+    result = run_grid_ga(grid, request, params, joined, observer);
+  } else {
+    result = run_colony(grid, request, params, workspace->impl(), observer);
+  }
   if (const auto fault = path_fault(grid, result.path, corners); fault && !result.path.empty()) {
     throw std::logic_error("a planned path is not valid: " + *fault);
   }
