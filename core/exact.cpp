@@ -25,9 +25,9 @@ constexpr double kBucketWidth = 0.125;  // cells
 
 // The ants of a search without a target gap: how they weigh the distance to the goal, the number
 // of expansions before the first are sent, and their share of the expansions since.
-constexpr double kAntWeight = 1.5;
-constexpr std::int64_t kFirstAnts = 64;
-constexpr std::int64_t kAntShare = 4;
+constexpr double kAntWeight = 1.2;
+constexpr std::int64_t kFirstAnts = 16;
+constexpr std::int64_t kAntShare = 8;
 
 // In cells, between places in half cells: exact but for the square root.
 double distance(int x0, int y0, int x1, int y1) noexcept {
@@ -35,6 +35,12 @@ double distance(int x0, int y0, int x1, int y1) noexcept {
   const double dy = y1 - y0;
   return 0.5 * std::sqrt(dx * dx + dy * dy);
 }
+
+// How far ahead of a corner's bound its cone is scanned at first, in cells and as a share of the
+// bound, and how often it is scanned before the horizon is dropped.
+constexpr double kHorizon = 256;
+constexpr double kHorizonShare = 1.0 / 256;
+constexpr int kMostScans = 4;
 
 // Work between two looks at the stop condition, 20 to 100 microseconds; an expansion counts as so
 // many words, besides those that it scans.
@@ -52,8 +58,7 @@ struct ExactSearch::Visitor {
 
   double corner(int u, int line, Turn turn) {
     const bool back = turn == Turn::back;
-    const Heading heading{static_cast<std::int8_t>(back ? -S : S), static_cast<std::int8_t>(down),
-                          turn == Turn::onward};
+    const Heading heading(back ? -S : S, down, turn == Turn::onward);
     return search.reach(search.root_.index, S * u, line0 + down * line, heading);
   }
 
@@ -92,10 +97,11 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
     known.parent = parent;
     known.heading = heading;
     known.expanded = false;
+    known.scans = 0;
   } else {
     const double to_goal = distance(2 * x, 2 * y, goal_x_, goal_y_);
     if (length + to_goal >= upper_) return -1;
-    index = corners_.add(slot, {2 * x, 2 * y, length, to_goal, parent, heading, false, false});
+    index = corners_.add(slot, {2 * x, 2 * y, length, to_goal, parent, heading, false, false, 0});
   }
   const double to_goal = corners_[index].to_goal;
   if (length + to_goal < upper_) {
@@ -109,7 +115,7 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
 }
 
 // The part of the map where a path over the root in hand can be shorter than the best one: the box
-// around the ellipse of points p with length + |root p| + |p goal| < upper.
+// around the ellipse of points p with length + |root p| + |p goal| < horizon.
 template <int S>
 ConeFrame ExactSearch::frame(int down) const noexcept {
   ConeFrame f;
@@ -118,12 +124,12 @@ ConeFrame ExactSearch::frame(int down) const noexcept {
   f.line0 = down > 0 ? (root_.y + 1) >> 1 : root_.y >> 1;
   f.depth0 = 0.5 * (root_.y & 1);
   f.root = S * root_.x * (kernels::kOne / 2);
-  f.last_line = map_.height;
+  f.last_line = down > 0 ? map_.height - f.line0 : f.line0;  // the border's row
   f.last_column = S > 0 ? map_.width + 1 : 1;
-  if (upper_ < kInfinity) {
+  if (horizon_ < kInfinity) {
     const double dx = 0.25 * (goal_x_ - root_.x);  // from the root to the middle of the ellipse
     const double dy = 0.25 * (goal_y_ - root_.y);
-    const double sum = 0.5 * (upper_ - root_.length);  // long half axis
+    const double sum = 0.5 * (horizon_ - root_.length);  // long half axis
     const double minor = std::max(0.0, sum * sum - dx * dx - dy * dy);
     const double right = S * (0.5 * root_.x + dx) + std::sqrt(minor + dx * dx);
     const double depth = down * dy + std::sqrt(minor + dy * dy);
@@ -139,25 +145,43 @@ template <int S>
 bool ExactSearch::goal_in_cone(const Corner& corner, const Corner& parent) const noexcept {
   const Heading heading = corner.heading;
   const std::int64_t goal_u = S * (goal_x_ - corner.x);
-  const std::int64_t goal_depth = heading.down * (goal_y_ - corner.y);
+  const std::int64_t goal_depth = heading.down() * (goal_y_ - corner.y);
   const std::int64_t u = S * (corner.x - parent.x);
-  const std::int64_t depth = heading.down * (corner.y - parent.y);
+  const std::int64_t depth = heading.down() * (corner.y - parent.y);
   if (goal_u < 0 || goal_depth <= 0) return false;
   const std::int64_t side = goal_u * depth - u * goal_depth;
-  return heading.towards_column ? side <= 0 : side >= 0;
+  return heading.towards_column() ? side <= 0 : side >= 0;
 }
 
+// Scans the cone of a corner. Where the view is long, only as far as paths not much longer than the
+// corner's own bound can lead; what lies behind stays in the frontier, as the corner itself with
+// that horizon as its key. Each further scan looks four times as far ahead.
 void ExactSearch::expand(std::uint32_t index) {
   ++counters_.expansions;
-  if (corners_[index].heading.right > 0) {
-    expand<1>(index);
-  } else {
-    expand<-1>(index);
+  Corner& corner = corners_[index];
+  corner.expanded = true;
+  const double bound = corner.length + corner.to_goal;
+  horizon_ = upper_;
+  if (corner.scans < kMostScans) {
+    const double ahead = (kHorizon + kHorizonShare * bound) * (1 << 2 * corner.scans);
+    horizon_ = std::min(upper_, bound + ahead);
   }
+  const double horizon = horizon_;
+  const bool cut_off = index == CornerTable::kStart ? leave_start()
+                       : corner.heading.right() > 0 ? leave_corner<1>(index)
+                                                    : leave_corner<-1>(index);
+  if (!cut_off || horizon >= upper_) return;
+  Corner& again = corners_[index];
+  again.expanded = false;
+  again.walked = false;
+  ++again.scans;
+  frontier_.push(index, horizon);
+  if (ants_out_) trail_.push(index, horizon + (ant_weight_ - 1) * again.to_goal);
 }
 
+// Returns whether rays were cut off at the horizon.
 template <int S>
-void ExactSearch::expand(std::uint32_t index) {
+bool ExactSearch::leave_corner(std::uint32_t index) {
   const Corner corner = corners_[index];
   const Corner& parent = corners_[corner.parent];
   const Heading heading = corner.heading;
@@ -165,40 +189,48 @@ void ExactSearch::expand(std::uint32_t index) {
       kernels::sees(map_, {corner.x, corner.y}, {goal_x_, goal_y_})) {
     upper_ = corner.length + corner.to_goal;
     last_ = index;
-    return;  // every other way on from here is longer
+    return false;  // every other way on from here is longer
   }
   const int u = S * (corner.x - parent.x);
-  const int depth = heading.down * (corner.y - parent.y);
+  const int depth = heading.down() * (corner.y - parent.y);
   const Fixed slope =
       depth == 0
           ? kernels::kLevelSlope
           : static_cast<Fixed>(static_cast<double>(u) * static_cast<double>(kernels::kOne) / depth);
   root_ = {index, corner.x, corner.y, corner.length};
-  const ConeFrame cone = frame<S>(heading.down);
-  Visitor<S> visitor{*this, heading.down, cone.line0};
-  if (heading.towards_column) {
-    ConeScan<S, Visitor<S>>(cone, stack_, visitor).from_corner(0, slope);
-    return;
+  const ConeFrame cone = frame<S>(heading.down());
+  Visitor<S> visitor{*this, heading.down(), cone.line0};
+  if (heading.towards_column()) {
+    return ConeScan<S, Visitor<S>>(cone, stack_, visitor).from_corner(0, slope);
   }
+  kernels::Rival level{-1, 0, 0};
   const auto report = [&](int column, bool above) {
-    reach(index, S * column, cone.line0,
-          {static_cast<std::int8_t>(S), static_cast<std::int8_t>(above ? -1 : 1), true});
+    const double shorter = reach(index, S * column, cone.line0, Heading(S, above ? -1 : 1, true));
+    if (shorter >= 0 && level.length < 0) level = {shorter, column, 0};
   };
-  kernels::scan_line<S>(map_, cone.line0, S * (corner.x >> 1), cone.last_column, report);
-  ConeScan<S, Visitor<S>>(cone, stack_, visitor).from_corner(slope, kernels::kLevelSlope);
+  const bool cut_line =
+      kernels::scan_line<S>(map_, cone.line0, S * (corner.x >> 1), cone.last_column, report);
+  const bool cut_cone = ConeScan<S, Visitor<S>>(cone, stack_, visitor)
+                            .from_corner(slope, kernels::kLevelSlope, level);
+  return cut_line || cut_cone;
 }
 
-void ExactSearch::leave_start() {
-  const Corner start = corners_[CornerTable::kStart];
+template <int S>
+bool ExactSearch::leave_start(int down) {
+  const ConeFrame cone = frame<S>(down);
+  Visitor<S> visitor{*this, down, cone.line0};
+  return ConeScan<S, Visitor<S>>(cone, stack_, visitor).from_centre(S > 0 ? map_.width : 0);
+}
+
+bool ExactSearch::leave_start() {
+  const Corner& start = corners_[CornerTable::kStart];
   root_ = {CornerTable::kStart, start.x, start.y, 0};
+  bool cut_off = false;
   for (const int down : {1, -1}) {
-    const ConeFrame right = frame<1>(down);
-    Visitor<1> right_visitor{*this, down, right.line0};
-    ConeScan<1, Visitor<1>>(right, stack_, right_visitor).from_centre();
-    const ConeFrame left = frame<-1>(down);
-    Visitor<-1> left_visitor{*this, down, left.line0};
-    ConeScan<-1, Visitor<-1>>(left, stack_, left_visitor).from_centre();
+    cut_off |= leave_start<1>(down);
+    cut_off |= leave_start<-1>(down);
   }
+  return cut_off;
 }
 
 // Takes the best corner of the frontier; false when none can lead to a shorter path.
@@ -222,7 +254,6 @@ void ExactSearch::send_ants(std::int64_t steps, Poller& poller) {
     Corner& corner = corners_[index];
     if (corner.walked || corner.expanded) continue;
     corner.walked = true;
-    corner.expanded = true;
     ++counters_.ant_steps;
     expand(index);
     poller.stop_after(kWordsPerExpansion);
@@ -237,13 +268,12 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   ants_out_ = true;
   ant_weight_ = hurry ? 1 + options.target_gap : kAntWeight;
   trail_.reset(ant_weight_ * lower_, kBucketWidth);
-  leave_start();
+  expand(CornerTable::kStart);
   std::int64_t next_ants = kFirstAnts;
   if (hurry) send_ants(std::numeric_limits<std::int64_t>::max(), poller);
   std::uint32_t index = 0;
   while (!poller.stopped() && next_corner(index)) {
     if (upper_ - lower_ <= options.target_gap * lower_) break;
-    corners_[index].expanded = true;
     expand(index);
     poller.stop_after(kWordsPerExpansion);
     if (ants_out_ && counters_.expansions >= next_ants) {
@@ -266,7 +296,7 @@ void ExactSearch::search(const Grid& grid, Cell start, Cell goal, const ExactOpt
   lower_ = distance(x, y, goal_x_, goal_y_);
   upper_ = kInfinity;
   last_ = CornerTable::kStart;
-  corners_.reset(grid.width(), {x, y, 0, lower_, CornerTable::kStart, {}, true, true});
+  corners_.reset(grid.width(), {x, y, 0, lower_, CornerTable::kStart, {}, false, true, 0});
   if (kernels::sees(map_, {x, y}, {goal_x_, goal_y_})) {
     upper_ = lower_;
   } else {

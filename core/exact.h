@@ -83,13 +83,15 @@ class ExactSearch {
   };
 
   bool sees_goal_from_start() const noexcept;
-  void leave_start();
   void send_ants(std::int64_t steps, Poller& poller);
   void run(const ExactOptions& options, const StopCondition& stop);
   bool next_corner(std::uint32_t& index);
   void expand(std::uint32_t index);
+  bool leave_start();
   template <int S>
-  void expand(std::uint32_t index);
+  bool leave_start(int down);
+  template <int S>
+  bool leave_corner(std::uint32_t index);
   template <int S>
   bool goal_in_cone(const exact::Corner& corner, const exact::Corner& parent) const noexcept;
   template <int S>
@@ -102,6 +104,7 @@ class ExactSearch {
   int goal_x_ = 0, goal_y_ = 0;  // half cells
   Root root_{};                  // of the cone in hand
   double upper_ = 0;             // length of the best path
+  double horizon_ = 0;           // paths over the root that are longer do not matter yet
   std::uint32_t last_ = 0;       // its last corner
   double lower_ = 0;
   Poller* poller_ = nullptr;

@@ -7,12 +7,21 @@
 
 namespace lasius::exact {
 
-/// The cone a path may go on in after it turned at a corner: a quadrant given by its two signs,
-/// and the side of it that the turn is towards.
-struct Heading {
-  std::int8_t right;    ///< sign of dx
-  std::int8_t down;     ///< sign of dy
-  bool towards_column;  ///< turned towards the vertical line, else towards the horizontal one
+/// The cone a path may go on in after it turned at a corner: a quadrant given by two signs, and the
+/// side of it that the turn is towards.
+class Heading {
+ public:
+  Heading() = default;
+  /// Signs of dx and dy; turned towards the vertical line (else towards the horizontal one)?
+  constexpr Heading(int right, int down, bool towards_column) noexcept
+      : bits_(static_cast<std::uint8_t>((right > 0 ? 1 : 0) | (down > 0 ? 2 : 0) |
+                                        (towards_column ? 4 : 0))) {}
+  constexpr int right() const noexcept { return (bits_ & 1) * 2 - 1; }
+  constexpr int down() const noexcept { return (bits_ & 2) - 1; }
+  constexpr bool towards_column() const noexcept { return (bits_ & 4) != 0; }
+
+ private:
+  std::uint8_t bits_ = 0;
 };
 
 /// A corner of a blocked cell, or the start (index 0), in half-cell coordinates.
@@ -22,9 +31,11 @@ struct Corner {
   double to_goal;  ///< straight distance
   std::uint32_t parent;
   Heading heading;
-  bool expanded;  ///< its cone was scanned at this length
-  bool walked;    ///< an ant has been here
+  bool expanded;       ///< its cone was scanned at this length
+  bool walked;         ///< an ant has been here
+  std::uint8_t scans;  ///< how often its cone was scanned and cut off, at this length
 };
+static_assert(sizeof(Corner) == 32);
 
 /// All corners reached, by index and by place. Place and index share a word of an open table with
 /// linear probing that is at most half full.
@@ -60,7 +71,7 @@ class CornerTable {
     const std::uint32_t index = size();
     corners_.push_back(corner);
     table_[slot] = place_of(corner.x >> 1, corner.y >> 1) << 32 | index;
-    if (corners_.size() * 2 > table_.size()) rehash(table_.size() * 4);
+    if (corners_.size() * 2 > table_.size()) rehash(table_.size() * 2);
     return index;
   }
 

@@ -42,9 +42,9 @@ enum class Turn : std::uint8_t {
 
 /// A corner on a boundary ray that another route reaches sooner than the root does.
 struct Rival {
-  double length = -1;  ///< of that route; negative: none
-  int u = 0;
-  int line = 0;
+  double length;  ///< of that route
+  int u;
+  int line;
 };
 
 /// The rays through one gap: columns on a line, and columns a row.
@@ -53,7 +53,7 @@ struct Interval {
   Fixed left_slope, right_slope;  ///< 0 <= left_slope <= right_slope
   std::int32_t line;
   bool wall;  ///< right is a blocked cell's side; right_slope is then a bound from above
-  Rival left_rival = {}, right_rival = {};
+  std::uint8_t left_rival = 0, right_rival = 0;  ///< numbers of rivals, 0: none
 };
 
 /// Where a scan starts and how far it looks.
@@ -87,25 +87,34 @@ class ConeScan {
 
   /// From a lattice point between two slopes. Returns whether rays were cut off at the last line
   /// or column of the frame.
-  bool from_corner(Fixed left_slope, Fixed right_slope) {
+  bool from_corner(Fixed left_slope, Fixed right_slope, const Rival& level = {-1, 0, 0}) {
     const int column = floor_column(frame_.root);
     const Fixed reach = frame_.root + right_slope;
     const int last = last_cell(reach);
     const int a = next_cell<S, true>(row0_, column, last);
-    Interval first{frame_.root + left_slope, reach, left_slope, right_slope, 1, a <= last};
+    Interval first{frame_.root + left_slope, reach, left_slope, right_slope, 1, a <= last, 0, 0};
     if (first.wall) {
       first.right = fixed(a);
       first.right_slope = slope_to(a, 1);
+    }
+    if (level.length >= 0 && fixed(level.u) <= first.right &&
+        visitor_.beaten(level, first.left, 1)) {
+      return cut_off_;
     }
     if (first.right - first.left > kSlack && clip(first)) run(first);
     return cut_off_;
   }
 
-  /// From the centre of the cell before line 0: all rays towards larger u.
-  bool from_centre() {
-    const int a = next_cell<S, true>(row0_ - step_, floor_column(frame_.root), last_cell(limit_));
-    Interval first{frame_.root, fixed(a), 0, slope_to(a, 0), 0, true};
-    run(first);
+  /// From the centre of the cell before line 0: all rays towards larger u. `border` is the column
+  /// that ends every row.
+  bool from_centre(int border) {
+    const int a = next_cell<S, true>(row0_ - step_, floor_column(frame_.root), border);
+    Interval first{frame_.root, fixed(a), 0, slope_to(a, 0), 0, true, 0, 0};
+    if (first.right > limit_) {
+      first.wall = false;
+      first.right_slope = slope_to(frame_.last_column, 0);
+    }
+    if (clip(first)) run(first);
     return cut_off_;
   }
 
@@ -131,8 +140,8 @@ class ConeScan {
   }
 
   void run(const Interval& first) {
-    stack_.assign(1, first);
-    bool going = true;
+    stack_.clear();
+    bool going = follow(first);
     while (going && !stack_.empty()) {
       const Interval v = stack_.back();
       stack_.pop_back();
@@ -151,6 +160,7 @@ class ConeScan {
   // Follows one interval until it ends; further gaps go on the stack. False when stopped.
   bool follow(Interval v) {
     const char* next = row0_ + step_ * v.line;
+    int quiet = 0;  // rows in turn that held nothing
     for (; v.line <= frame_.last_line; ++v.line, next += step_) {
       ++words_;
       const int base = floor_column(v.left - kSlack);
@@ -160,7 +170,7 @@ class ConeScan {
         v.wall = false;
       }
       const int last = last_cell(v.right + v.right_slope);
-      recent_count_ = 0;
+      const int fresh = rivals_;
       if (last - base < B::kValid - 1 && last_point - base < B::kValid - 1) {
         const std::uint64_t n = B::window(next, base);
         const std::uint64_t p = B::window(next - step_, base);
@@ -170,6 +180,7 @@ class ConeScan {
         if ((turns | blocks) == 0) {
           v.left += v.left_slope;
           v.right += v.right_slope;
+          if (++quiet >= kQuietRows) next += stride(next, n, base, v);
           if (!clip(v)) return true;
           continue;
         }
@@ -177,11 +188,33 @@ class ConeScan {
       } else if (!report_wide(next, base, last_point, v)) {
         return false;
       }
-      if (!split(next, last, v) || !clip(v)) return true;
+      quiet = 0;
+      if (!split(next, last, v, fresh) || !clip(v)) return true;
       if (stopped()) return false;
     }
     cut_off_ = true;
     return true;
+  }
+
+  // Rows without blocked cells go by several at a time. From a line whose row behind is n.
+  [[gnu::noinline]] std::ptrdiff_t stride(const char* next, std::uint64_t n, int base,
+                                          Interval& v) noexcept {
+    std::ptrdiff_t moved = 0;
+    for (;;) {
+      const Fixed right = v.right + kStride * v.right_slope;
+      const int hull = floor_column(right + kSlack) - base;
+      if (hull >= B::kValid || v.line + kStride > frame_.last_line) return moved;
+      n |= B::window(next + step_, base) | B::window(next + 2 * step_, base) |
+           B::window(next + 3 * step_, base);
+      if ((n & B::to(hull)) != 0) return moved;
+      n = 0;
+      v.left += kStride * v.left_slope;
+      v.right = right;
+      v.line += kStride;
+      next += kStride * step_;
+      moved += kStride * step_;
+      words_ += kStride;
+    }
   }
 
   // Is the left boundary the line straight onward from a lattice root?
@@ -211,9 +244,11 @@ class ConeScan {
       const Turn turn = (p & bit) != 0                ? Turn::sideways
                         : (B::previous(n) & bit) != 0 ? Turn::onward
                                                       : Turn::back;
-      const Rival rival{visitor_.corner(base + i, v.line, turn), base + i, v.line};
-      if (turn == Turn::sideways) v.right_rival = rival;
-      if (turn == Turn::onward && recent_count_ < kRecent) recent_[recent_count_++] = rival;
+      const double shorter = visitor_.corner(base + i, v.line, turn);
+      const bool beaten = shorter >= 0 && rivals_ + 1 < kRivals;
+      if (beaten) rival_[++rivals_] = {shorter, base + i, v.line};
+      if (turn == Turn::sideways) v.right_rival = beaten ? rivals_ : 0;
+      if (turn == Turn::back && beaten) v.left_rival = rivals_;
     }
   }
 
@@ -231,19 +266,22 @@ class ConeScan {
   }
 
   // Goes on by one row, cutting the interval at the row's blocked cells. The last gap stays in v
-  // (false if there is none), on the line it had; the gaps before it go on the stack.
-  bool split(const char* next, int last, Interval& v) {
+  // (false if there is none), on the line it had; the gaps before it go on the stack. `fresh` is
+  // the number of the last rival before this row's.
+  bool split(const char* next, int last, Interval& v, int fresh) {
     const Fixed right = v.right;
     int c = floor_column(v.left + kSlack);
-    int seen = 0;
     for (;;) {
       if (blocked_cell<S>(next, c)) {
         c = next_cell<S, false>(next, c + 1, last);
         if (fixed(c) >= right - kSlack) return false;
         v.left = fixed(c);
         v.left_slope = slope_to(c, v.line);
-        while (seen < recent_count_ && recent_[seen].u < c) ++seen;
-        v.left_rival = seen < recent_count_ && recent_[seen].u == c ? recent_[seen] : Rival{};
+        v.left_rival = 0;
+        while (fresh < rivals_ && rival_[fresh + 1].u < c) ++fresh;
+        if (fresh < rivals_ && rival_[fresh + 1].u == c) {
+          v.left_rival = static_cast<std::uint8_t>(fresh + 1);
+        }
       }
       const int a = next_cell<S, true>(next, c, last);
       const Fixed left = v.left + v.left_slope;
@@ -254,21 +292,25 @@ class ConeScan {
         return v.right - left > kSlack && !beaten(v);
       }
       const Fixed stop = fixed(a);
-      const bool final = stop >= right - kSlack;
-      const bool slides = v.wall && stop == right;  // along the wall it came by
-      if (stop - left > kSlack) {
-        Interval gap{left,   stop, v.left_slope, slides ? v.right_slope : slope_to(a, v.line + 1),
-                     v.line, true, v.left_rival, slides ? v.right_rival : Rival{}};
-        if (!beaten(gap)) {
-          if (final) {
-            v = gap;
-            return true;
-          }
-          ++gap.line;
-          stack_.push_back(gap);
+      const bool open = stop - left > kSlack;
+      if (stop >= right - kSlack) {  // the last gap
+        if (!v.wall || stop != right) {
+          v.right_rival = 0;
+          v.right_slope = slope_to(a, v.line + 1);
         }
+        v.left = left;
+        v.right = stop;
+        v.wall = true;
+        return open && !beaten(v);
       }
-      if (final) return false;
+      if (open) {
+        stack_.push_back(
+            {left, stop, v.left_slope, slope_to(a, v.line + 1), v.line, true, v.left_rival, 0});
+        if (beaten(stack_.back()))
+          stack_.pop_back();
+        else
+          ++stack_.back().line;
+      }
       c = a;
     }
   }
@@ -278,14 +320,16 @@ class ConeScan {
   // came this far. |r p| - |w p| falls as p moves away from w's ray, so if the way over w is
   // shorter to the far end it is shorter to all p, and to all that lies behind them.
   bool beaten(const Interval& v) {
-    return (v.left_rival.length >= 0 && visitor_.beaten(v.left_rival, v.right, v.line + 1)) ||
-           (v.right_rival.length >= 0 && visitor_.beaten(v.right_rival, v.left, v.line + 1));
+    return (v.left_rival != 0 && visitor_.beaten(rival_[v.left_rival], v.right, v.line + 1)) ||
+           (v.right_rival != 0 && visitor_.beaten(rival_[v.right_rival], v.left, v.line + 1));
   }
 
   static constexpr std::int64_t kWordsAtOnce = 4096;
-  static constexpr int kRecent = 16;
+  static constexpr int kRivals = 64;
+  static constexpr int kStride = 3;
+  static constexpr int kQuietRows = 4;
 
-  const ConeFrame frame_;
+  const ConeFrame& frame_;
   const char* row0_;
   std::ptrdiff_t step_;
   Fixed limit_;
@@ -293,8 +337,8 @@ class ConeScan {
   Visitor& visitor_;
   std::int64_t words_ = 0;
   bool cut_off_ = false;
-  int recent_count_ = 0;
-  Rival recent_[kRecent];  // corners just reported that the next left boundaries pass
+  std::uint8_t rivals_ = 0;
+  Rival rival_[kRivals];  // from 1 on, in the order they were seen
 };
 
 }  // namespace lasius::kernels

@@ -8,8 +8,8 @@ namespace lasius::kernels {
 /// Corners on grid line y that a path sliding along it from the lattice point `root` towards larger
 /// u may turn at: around a block that lies behind it on one side, nothing else being blocked there.
 /// The line ends where no free cell touches it any more or where it would squeeze between two
-/// diagonal blocks, at `limit` at the latest. report(u, above) for each, in order.
-/// Returns true if it ended at `limit`.
+/// diagonal blocks; it is not followed further than a window past `limit`. report(u, above) for
+/// each, in order. Returns true if it went on past the limit.
 template <int S, class Report>
 bool scan_line(const BitmapView& map, int y, int root, int limit, Report&& report) {
   using B = Bits<S>;
