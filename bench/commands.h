@@ -5,7 +5,16 @@
 
 namespace lasius::bench {
 
-/// Each adds a subcommand; its callback runs it and throws CLI::RuntimeError(1) on a fault found.
+/// Each adds a subcommand, whose callback runs it and throws CLI::RuntimeError(1) for a fault
+/// found.
 void add_queries_command(CLI::App& app);
+void add_colony_command(CLI::App& app);
+void add_quality_command(CLI::App& app);
+void add_validity_command(CLI::App& app);
+void add_sampling_command(CLI::App& app);  ///< only with OMPL
+void add_smoke_command(CLI::App& app);
+
+/// All of them that were built, but for smoke.
+void add_commands(CLI::App& app);
 
 }  // namespace lasius::bench

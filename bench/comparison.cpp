@@ -1,26 +1,15 @@
 #include "bench/comparison.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 
+#include "bench/clocks.h"
+#include "bench/statistics.h"
 #include "lasius/path.h"
 
 namespace lasius::bench {
 namespace {
-
-using Stopwatch = std::chrono::steady_clock;
-
-double microseconds_since(Stopwatch::time_point start) {
-  return std::chrono::duration<double, std::micro>(Stopwatch::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::string fault_of(const Grid& grid, const Query& query, const std::vector<Point>& path,
                      double length) {
@@ -45,9 +34,9 @@ void run_round(const QuerySet& set, Contender& contender, PlannerRun& run) {
   std::vector<Point> path;
   for (std::size_t q = 0; q < set.queries.size(); ++q) {
     const Query& query = set.queries[q];
-    const auto start = Stopwatch::now();
+    const Stopwatch watch;
     const double length = contender.planner->plan(query.start, query.goal, path);
-    const double elapsed = microseconds_since(start);
+    const double elapsed = watch.microseconds();
     contender.spent += elapsed;
     contender.times[q].push_back(elapsed);
     Measurement& m = run.queries[q];
@@ -112,9 +101,9 @@ MapComparison compare(const QuerySet& set, std::span<const peers::Peer> planners
   result.planners.resize(planners.size());
   std::vector<Contender> contenders(planners.size());
   for (std::size_t p = 0; p < planners.size(); ++p) {
-    const auto start = Stopwatch::now();
+    const Stopwatch watch;
     contenders[p].planner = planners[p].make(set.grid);
-    result.planners[p].preparation_ms = microseconds_since(start) / 1000;
+    result.planners[p].preparation_ms = 1000 * watch.seconds();
     result.planners[p].queries.resize(set.queries.size());
     contenders[p].times.resize(set.queries.size());
   }

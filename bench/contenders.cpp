@@ -1,10 +1,64 @@
 #include "bench/contenders.h"
 
+#include "bench/peers/bucket_astar.h"
+#include "exact.h"
+#include "lasius/path.h"
+
 namespace lasius::bench {
+namespace {
+
+using peers::Optimality;
+
+// The search behind the algorithm `exact`, without the request around it.
+class Exact final : public peers::QueryPlanner {
+ public:
+  explicit Exact(const Grid& grid) : grid_(&grid) {}
+  double plan(Cell start, Cell goal, std::vector<Point>& path) override {
+    search_.search(*grid_, start, goal, {}, {}, answer_);
+    path.assign(answer_.path.begin(), answer_.path.end());
+    return answer_.path.empty() ? peers::kNoPath : answer_.length;
+  }
+
+ private:
+  const Grid* grid_;
+  ExactSearch search_;
+  ExactAnswer answer_;
+};
+
+// What a robotics engineer would run: bucketed A*, its walk pulled straight, then taut.
+template <bool kTaut>
+class PulledAStar final : public peers::QueryPlanner {
+ public:
+  explicit PulledAStar(const Grid& grid) : grid_(&grid), search_(grid) {}
+  double plan(Cell start, Cell goal, std::vector<Point>& path) override {
+    path.clear();
+    if (search_.plan_cells(start, goal, cells_) == peers::kNoPath) return peers::kNoPath;
+    for (const Cell c : straighten(*grid_, cells_)) path.push_back(centre(c));
+    if (kTaut) path = tauten(*grid_, path);
+    return path_length(path);
+  }
+
+ private:
+  const Grid* grid_;
+  peers::BucketAStar search_;
+  std::vector<Cell> cells_;
+};
+
+template <typename T>
+std::unique_ptr<peers::QueryPlanner> make(const Grid& grid) {
+  return std::make_unique<T>(grid);
+}
+
+}  // namespace
 
 std::vector<peers::Peer> all_contenders() {
+  std::vector<peers::Peer> all = {
+      {"exact", "lasius: exact any-angle search", Optimality::any_angle, make<Exact>},
+      {"astar-straight", "bucketed A*, straightened", Optimality::none, make<PulledAStar<false>>},
+      {"astar-taut", "bucketed A*, pulled taut", Optimality::none, make<PulledAStar<true>>}};
   const auto peers = peers::all_peers();
-  return {peers.begin(), peers.end()};
+  all.insert(all.end(), peers.begin(), peers.end());
+  return all;
 }
 
 }  // namespace lasius::bench

@@ -21,6 +21,16 @@ int run_benchmarks(int argc, char** argv) {
 
 }  // namespace
 
+void lasius::bench::add_commands(CLI::App& app) {
+  add_queries_command(app);
+  add_colony_command(app);
+  add_quality_command(app);
+  add_validity_command(app);
+#ifdef LASIUS_HAVE_OMPL
+  add_sampling_command(app);
+#endif
+}
+
 int main(int argc, char** argv) {
   // Google Benchmark has the command line to itself unless a subcommand comes first.
   if (argc < 2 || std::string_view(argv[1]).starts_with("--benchmark_")) {
@@ -29,7 +39,8 @@ int main(int argc, char** argv) {
   CLI::App app("Benchmarks of lasius. Without a subcommand: micro benchmarks, --benchmark_...");
   app.set_version_flag("--version", LASIUS_VERSION);
   app.require_subcommand(1);
-  lasius::bench::add_queries_command(app);
+  lasius::bench::add_commands(app);
+  lasius::bench::add_smoke_command(app);
   try {
     app.parse(argc, argv);
     return 0;

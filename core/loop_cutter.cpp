@@ -71,7 +71,7 @@ std::int32_t LoopCutter::tile_of(std::uint32_t key) {
 
 // The walk's cells as tiles that know the tiles around them.
 void LoopCutter::collect(std::span<const Cell> walk, int moves) {
-  // A walk of n cells crosses fewer than n / 2 + 4 tiles: at least half of the slots stay free.
+  // A walk of n cells crosses fewer than n / 2 + 4 tiles: about half of the slots stay free.
   slots_.assign(std::bit_ceil(walk.size() + 16), kNone);
   tiles_.clear();
   std::uint32_t key = ~key_of(walk[0]);
@@ -107,17 +107,19 @@ bool LoopCutter::allowed(const Grid& grid, Corners corners, Entry e, int move) c
 }
 
 std::span<const Cell> LoopCutter::cut(const Grid& grid, std::span<const Cell> walk, bool diagonal,
-                                      Corners corners) {
+                                      Corners corners, const StopCondition& stop) {
   const int moves = diagonal ? 8 : 4;
   collect(walk, moves);
   // Breadth first from the walk's end, so that the moves lead on from its start.
   const auto entry = [this](Cell c) { return Entry{slots_[slot_of(key_of(c))], bit_of(c)}; };
   const Entry start = entry(walk.front());
   const Entry end = entry(walk.back());
+  Poller poller(stop, Poller::kSteps);
   queue_.assign(1, end);
   tiles_[end.tile].unseen &= ~(std::uint64_t{1} << end.bit);
   const std::uint64_t start_bit = std::uint64_t{1} << start.bit;
   for (std::size_t head = 0; (tiles_[start.tile].unseen & start_bit) != 0; ++head) {
+    if (poller.stop_after(1)) return {};
     const Entry e = queue_[head];
     for (int i = 0; i < moves; ++i) {
       const Step step = kSteps[e.bit][i];

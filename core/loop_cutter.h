@@ -7,6 +7,7 @@
 
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
+#include "lasius/stop.h"
 
 namespace lasius {
 
@@ -18,10 +19,12 @@ namespace lasius {
 class LoopCutter {
  public:
   /// Cuts a walk of at least one cell. Moves are the 4 neighbours, with `diagonal` also the 4
-  /// diagonals that `corners` allows on `grid`, straight moves tried first. The walk must use
-  /// such moves only. The result holds until the next call; ties are broken by a fixed order.
+  /// diagonals that `corners` allows on `grid`, straight moves tried first. All that counts is that
+  /// such moves lead from the first cell to the last by others: further cells may be among them.
+  /// The result holds until the next call; ties are broken by a fixed order. Empty when told to
+  /// stop before the way was found.
   std::span<const Cell> cut(const Grid& grid, std::span<const Cell> walk, bool diagonal = false,
-                            Corners corners = Corners::forbid);
+                            Corners corners = Corners::forbid, const StopCondition& stop = {});
 
  private:
   /// Cell (x, y) of a tile is bit 8 (y % 8) + x % 8 of its words.

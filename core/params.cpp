@@ -1,8 +1,8 @@
 #include "lasius/params.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -54,7 +54,9 @@ constexpr std::array<std::string_view, 3> kStraightDeposit{"none", "improving", 
 constexpr std::array<std::string_view, 2> kNeighbours{"4", "8"};
 
 constexpr Choice kNeighboursChoice{kNeighbours,
-                                   [](const Params& p) { return p.neighbours == 4 ? 0 : 1; },
+                                   [](const Params& p) {
+                                     return p.neighbours == 4 ? 0 : p.neighbours == 8 ? 1 : 2;
+                                   },
                                    [](Params& p, int i) { p.neighbours = i == 0 ? 4 : 8; }};
 
 // Every parameter of the grid colonies.
@@ -121,9 +123,32 @@ const std::array kColony{
           choice<&Params::straight_deposit>(kStraightDeposit)},
 };
 
+// What the genetic algorithm has of its own.
+const std::array kGenetic{
+    Entry{{"population", "integer", "2 .. 1000000", "paths of a generation"},
+          Integer{&Params::population, 2, 1000000}},
+    Entry{{"crossover", "number", "0 .. 1", "probability that two parents cross"},
+          Number{&Params::crossover, 0, 1}},
+    Entry{{"mutation", "number", "0 .. 1", "probability that a child gets a new way to the goal"},
+          Number{&Params::mutation, 0, 1}},
+};
+
 const auto kColonyParameters = [] {
   std::array<Parameter, kColony.size()> list;
   for (std::size_t i = 0; i < list.size(); ++i) list[i] = kColony[i].info;
+  return list;
+}();
+
+// What it shares with the colonies, then its own.
+const auto kGeneticParameters = [] {
+  constexpr std::array<std::string_view, 4> kShared{"iterations", "neighbours", "corners",
+                                                    "polish"};
+  std::array<Parameter, kShared.size() + kGenetic.size()> list;
+  auto next = list.begin();
+  for (const Entry& e : kColony) {
+    if (std::find(kShared.begin(), kShared.end(), e.info.name) != kShared.end()) *next++ = e.info;
+  }
+  for (const Entry& e : kGenetic) *next++ = e.info;
   return list;
 }();
 
@@ -138,6 +163,11 @@ const std::array kAlgorithms{
               "Dorigo, Maniezzo, Colorni: Ant System: optimization by a colony of cooperating "
               "agents. IEEE Trans. SMC-B 26 (1), 1996",
               kColonyParameters},
+    Algorithm{"grid-ga",
+              "genetic algorithm, the comparator: paths of cells that cross where they meet",
+              "Ahn, Ramakrishna: A genetic algorithm for shortest path routing problem and the "
+              "sizing of populations. IEEE Trans. Evolutionary Computation 6 (6), 2002",
+              kGeneticParameters},
 };
 
 Error invalid(std::string problem, std::string remedy) {
@@ -146,9 +176,11 @@ Error invalid(std::string problem, std::string remedy) {
 
 const Entry& entry(std::string_view name) {
   std::vector<std::string_view> names;
-  for (const Entry& e : kColony) {
-    if (e.info.name == name) return e;
-    names.push_back(e.info.name);
+  for (const std::span<const Entry> list : {std::span<const Entry>(kColony), {kGenetic}}) {
+    for (const Entry& e : list) {
+      if (e.info.name == name) return e;
+      names.push_back(e.info.name);
+    }
   }
   throw invalid("unknown parameter \"" + std::string(name) + "\"",
                 "did you mean \"" + std::string(nearest_name(name, names)) + "\"?");
@@ -210,14 +242,37 @@ struct Getter {
   }
 };
 
+/// Whether a parameter's value is one that it may have.
+struct InRange {
+  const Params& params;
+
+  bool operator()(const Integer& v) const {
+    return params.*v.member >= v.least && params.*v.member <= v.most;
+  }
+  bool operator()(const Number& v) const {
+    return params.*v.member >= v.least && params.*v.member <= v.most;
+  }
+  bool operator()(const Choice& v) const {
+    return static_cast<std::size_t>(v.get(params)) < v.names.size();
+  }
+};
+
+void check_algorithm(std::string_view name) {
+  std::array<std::string_view, kAlgorithms.size()> names;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = kAlgorithms[i].name;
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  throw invalid("unknown algorithm \"" + std::string(name) + "\"",
+                "did you mean \"" + std::string(nearest_name(name, names)) + "\"?");
+}
+
 }  // namespace
 
 std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
 
 Params defaults(std::string_view algorithm) {
+  check_algorithm(algorithm);
   Params p;  // as published for fan2004
   p.algorithm = algorithm;
-  if (algorithm == "fan2004") return p;
   if (algorithm == "as") {
     // The arcs of the graph carry pheromone, as in the source. Its iterations and ants are those of
     // fan2004; alpha, beta and evaporation 0.3 are those that found the optima of the small grids
@@ -238,12 +293,12 @@ Params defaults(std::string_view algorithm) {
     p.deposit = 1;
     p.straight_deposit = StraightDeposit::none;
     p.polish = Polish::none;
-    return p;
   }
-  std::vector<std::string_view> names;
-  for (const Algorithm& a : kAlgorithms) names.push_back(a.name);
-  throw invalid("unknown algorithm \"" + std::string(algorithm) + "\"",
-                "did you mean \"" + std::string(nearest_name(algorithm, names)) + "\"?");
+  if (algorithm == "grid-ga") {
+    p.neighbours = 8;
+    p.iterations = 100;
+  }
+  return p;
 }
 
 void set_parameter(Params& params, std::string_view name, std::string_view value) {
@@ -256,13 +311,13 @@ std::string get_parameter(const Params& params, std::string_view name) {
 }
 
 void validate(const Params& params) {
-  defaults(params.algorithm);  // throws for an unknown name
-  Params copy = params;
-  for (const Entry& e : kColony) {
-    std::visit(Setter{copy, e.info, get_parameter(params, e.info.name)}, e.value);
-  }
-  if (params.neighbours != 4 && params.neighbours != 8) {
-    throw invalid("neighbours is " + std::to_string(params.neighbours), "it must be 4|8");
+  check_algorithm(params.algorithm);
+  for (const std::span<const Entry> list : {std::span<const Entry>(kColony), {kGenetic}}) {
+    for (const Entry& e : list) {
+      if (!std::visit(InRange{params}, e.value)) {
+        out_of_range(e.info, get_parameter(params, e.info.name));
+      }
+    }
   }
   if (static_cast<double>(params.seed) > kMaxSeed) {
     throw invalid("seed is " + std::to_string(params.seed), "it must be at most 2^53 - 1");

@@ -107,30 +107,6 @@ std::string segment_fault(const BitmapView& map, HalfPoint a, HalfPoint b, bool 
   return on_line ? line_fault(map, a, b, squeezes) : cells_fault(map, a, b, squeezes);
 }
 
-// The quadrants around a lattice point, clockwise from the top left, that a direction lies in.
-unsigned quadrants_towards(HalfPoint from, HalfPoint to) noexcept {
-  const bool left = to.x <= from.x;
-  const bool right = to.x >= from.x;
-  const bool up = to.y <= from.y;
-  const bool down = to.y >= from.y;
-  return unsigned{left && up} | unsigned{right && up} << 1 | unsigned{right && down} << 2 |
-         unsigned{left && down} << 3;
-}
-
-// True when the way round lattice point v from a to b is closed on both sides by blocked cells.
-bool vertex_squeezes(const BitmapView& map, HalfPoint a, HalfPoint v, HalfPoint b) noexcept {
-  const int x = v.x >> 1;
-  const int y = v.y >> 1;
-  const unsigned free = unsigned{!map.blocked(x - 1, y - 1)} |
-                        unsigned{!map.blocked(x, y - 1)} << 1 | unsigned{!map.blocked(x, y)} << 2 |
-                        unsigned{!map.blocked(x - 1, y)} << 3;
-  unsigned reached = quadrants_towards(v, a) & free;
-  for (int i = 0; i < 3; ++i) {
-    reached |= (reached << 1 | reached >> 3 | reached >> 1 | reached << 3) & free;
-  }
-  return (reached & quadrants_towards(v, b)) == 0;
-}
-
 bool half_integer(double v) noexcept { return 2 * v == std::floor(2 * v); }
 
 }  // namespace
@@ -164,7 +140,7 @@ std::optional<std::string> path_fault(const Grid& grid, std::span<const Point> p
     const std::string fault = segment_fault(map, a, b, squeezes);
     if (!fault.empty()) return "segment " + text(a) + " - " + text(b) + ' ' + fault;
     if (squeezes && i > 1 && a.x % 2 == 0 && a.y % 2 == 0 &&
-        vertex_squeezes(map, points[i - 2], a, b)) {
+        kernels::squeezes(map, points[i - 2], a, b)) {
       return "the path squeezes between blocked cells at " + text(a);
     }
   }

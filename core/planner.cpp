@@ -1,12 +1,15 @@
 #include "lasius/planner.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <mutex>
 #include <stdexcept>
 
 #include "colony.h"
+#include "grid_ga.h"
 #include "lasius/components.h"
 #include "lasius/error.h"
 #include "lasius/path.h"
@@ -80,14 +83,22 @@ bool Planner::connected(Cell a, Cell b, Corners corners) const {
 
 namespace {
 
-/// Distance along row y from column x to the nearest free cell, at most `limit`; -1 if none.
-/// Ties go to the left.
-int nearest_free_in_row(const Grid& grid, int x, int y, int limit) {
-  for (int d = 0; d <= limit; ++d) {
-    if (grid.free({x - d, y})) return -d;
-    if (grid.free({x + d, y})) return d;
+/// The column of the free cell of row y nearest to x, the left one of two, or nothing. x may lie
+/// outside.
+std::optional<int> nearest_free_in_row(const Grid& grid, int x, int y) {
+  const std::uint64_t* row = grid.row(y);
+  const int inside = std::clamp(x, 0, grid.width() - 1);
+  std::optional<int> left, right;
+  std::uint64_t upto = ~std::uint64_t{0} >> (63 - (inside & 63));
+  for (int w = inside >> 6; w >= 0 && !left; --w, upto = ~std::uint64_t{0}) {
+    if (const std::uint64_t free = ~row[w] & upto) left = w * 64 + 63 - std::countl_zero(free);
   }
-  return limit + 1;
+  std::uint64_t from = ~std::uint64_t{0} << (inside & 63);
+  for (int w = inside >> 6; w < grid.words() && !right; ++w, from = ~std::uint64_t{0}) {
+    if (const std::uint64_t free = ~row[w] & from) right = w * 64 + std::countr_zero(free);
+  }
+  if (!left || !right) return left ? left : right;
+  return std::abs(*right - x) < std::abs(x - *left) ? right : left;
 }
 
 std::string name(Cell c) {
@@ -101,21 +112,22 @@ std::string name(Cell c) {
 std::optional<Cell> Planner::nearest_free(Cell c) const {
   const Grid& grid = impl_->grid;
   std::optional<Cell> best;
-  std::int64_t best_squared = std::numeric_limits<std::int64_t>::max();
-  const int reach = grid.width() + grid.height();
-  const Cell from{std::clamp(c.x, -reach, 2 * reach), std::clamp(c.y, -reach, 2 * reach)};
-  for (int dy = 0; static_cast<std::int64_t>(dy) * dy < best_squared && dy <= 3 * reach; ++dy) {
-    for (const int y : {from.y - dy, from.y + dy}) {
+  std::uint64_t best_squared = std::numeric_limits<std::uint64_t>::max();
+  // Rows outwards from the cell's own, the upper one first.
+  const std::int64_t above = c.y, below = static_cast<std::int64_t>(grid.height()) - 1 - c.y;
+  const std::int64_t last = std::max(above, below);
+  for (std::int64_t d = std::max<std::int64_t>({0, -above, -below}); d <= last; ++d) {
+    const auto dy = static_cast<std::uint64_t>(d);  // below 2^32: squares add up in 64 bits
+    if (dy * dy > best_squared) break;
+    for (const std::int64_t y : {c.y - d, c.y + d}) {
       if (y < 0 || y >= grid.height()) continue;
-      const double room = std::sqrt(static_cast<double>(best_squared));
-      const int limit = static_cast<int>(std::min<double>(3.0 * reach, room));
-      const int dx = nearest_free_in_row(grid, from.x, y, limit);
-      const std::int64_t squared =
-          static_cast<std::int64_t>(dx) * dx + static_cast<std::int64_t>(dy) * dy;
-      if (dx <= limit && squared < best_squared) {
-        best_squared = squared;
-        best = Cell{from.x + dx, y};
-      }
+      const auto x = nearest_free_in_row(grid, c.x, static_cast<int>(y));
+      if (!x) continue;
+      const auto dx = static_cast<std::uint64_t>(std::abs(static_cast<std::int64_t>(*x) - c.x));
+      const std::uint64_t squared = dx * dx + dy * dy;
+      if (squared > best_squared || (squared == best_squared && y > best->y)) continue;
+      best_squared = squared;
+      best = Cell{*x, static_cast<int>(y)};
     }
   }
   return best;
@@ -157,7 +169,12 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
 
   std::optional<Workspace> own;
   if (workspace == nullptr) workspace = &own.emplace();
-  result = run_colony(grid, request, params, workspace->impl(), observer);
+  if (params.algorithm == "grid-ga") {
+    const auto joined = [&](Cell c) { return connected(request.start, c, corners); };
+    result = run_grid_ga(grid, request, params, joined, observer);
+  } else {
+    result = run_colony(grid, request, params, workspace->impl(), observer);
+  }
   if (const auto fault = path_fault(grid, result.path, corners); fault && !result.path.empty()) {
     throw std::logic_error("a planned path is not valid: " + *fault);
   }

@@ -44,19 +44,26 @@ void Polisher::polish_one(const Grid& grid, Cell start, const kernels::Moves& mo
   std::span<const Cell> vertices = scratch.tour;
   if (polish_ != Polish::none && stop.poll() == StopCondition::Cause::none) {
     // Cells that the ant left again may shorten its way, too.
+    const std::size_t tour_size = scratch.tour.size();
     const Cell goal = scratch.tour.back();
     for (const auto c : ant.dead)
       scratch.tour.push_back({kernels::packed_x(c), kernels::packed_y(c)});
     scratch.tour.push_back(goal);
-    const auto walk = scratch.cutter.cut(grid, scratch.tour, moves.count > 4, corners_);
+    auto walk = scratch.cutter.cut(grid, scratch.tour, moves.count > 4, corners_, stop);
+    scratch.tour.resize(tour_size);
+    if (walk.empty()) walk = scratch.tour;  // stopped
     scratch.straightener.run(grid, walk, stop);
     vertices = scratch.straightener.vertices();
     const auto cells = scratch.straightener.cells();
     path.raster.assign(cells.begin(), cells.end());
   }
-  path.points.reserve(vertices.size());
-  for (const Cell c : vertices) path.points.push_back(centre(c));
-  if (polish_ == Polish::taut) path.points = tauten(grid, path.points, stop);
+  if (polish_ == Polish::taut) {
+    scratch.tautener.run(grid, vertices, corners_, stop);
+    const auto points = scratch.tautener.path();
+    path.points.assign(points.begin(), points.end());
+  } else {
+    for (const Cell c : vertices) path.points.push_back(centre(c));
+  }
   path.length = path_length(path.points);
 }
 

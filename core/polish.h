@@ -11,6 +11,7 @@
 #include "lasius/stop.h"
 #include "loop_cutter.h"
 #include "straighten.h"
+#include "tauten.h"
 #include "walkers.h"
 
 namespace lasius {
@@ -39,6 +40,7 @@ class Polisher {
     std::vector<Cell> tour;
     LoopCutter cutter;
     Straightener straightener;
+    Tautener tautener;
   };
   void polish_one(const Grid& grid, Cell start, const kernels::Moves& moves, const Ant& ant,
                   const StopCondition& stop, PolishedPath& path);

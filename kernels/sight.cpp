@@ -119,7 +119,30 @@ bool sees_downwards(const BitmapView& map, HalfPoint a, HalfPoint b) noexcept {
   return row_seen(row, top, {b.x >> 1, b.x & 1});
 }
 
+// The quadrants around a lattice point, clockwise from the top left, that a direction lies in.
+unsigned quadrants_towards(HalfPoint from, HalfPoint to) noexcept {
+  const bool left = to.x <= from.x;
+  const bool right = to.x >= from.x;
+  const bool up = to.y <= from.y;
+  const bool down = to.y >= from.y;
+  return unsigned{left && up} | unsigned{right && up} << 1 | unsigned{right && down} << 2 |
+         unsigned{left && down} << 3;
+}
+
 }  // namespace
+
+bool squeezes(const BitmapView& map, HalfPoint a, HalfPoint v, HalfPoint b) noexcept {
+  const int x = v.x >> 1;
+  const int y = v.y >> 1;
+  const unsigned free = unsigned{!map.blocked(x - 1, y - 1)} |
+                        unsigned{!map.blocked(x, y - 1)} << 1 | unsigned{!map.blocked(x, y)} << 2 |
+                        unsigned{!map.blocked(x - 1, y)} << 3;
+  unsigned reached = quadrants_towards(v, a) & free;
+  for (int i = 0; i < 3; ++i) {
+    reached |= (reached << 1 | reached >> 3 | reached >> 1 | reached << 3) & free;
+  }
+  return (reached & quadrants_towards(v, b)) == 0;
+}
 
 bool sees(const BitmapView& map, HalfPoint a, HalfPoint b) noexcept {
   if (a == b) {

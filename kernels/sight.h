@@ -40,7 +40,11 @@ inline bool row_free(const std::uint64_t* row, int lo, int hi) noexcept {
 /// words the segment spans.
 bool sees(const BitmapView& map, HalfPoint a, HalfPoint b) noexcept;
 
-/// The same between the centres of two cells.
+/// True when a path from a over the lattice point v to b passes between two diagonal blocks there:
+/// on both ways round v blocked cells lie between the two segments.
+bool squeezes(const BitmapView& map, HalfPoint a, HalfPoint v, HalfPoint b) noexcept;
+
+/// `sees` between the centres of two cells.
 inline bool sees_cell(const BitmapView& map, int ax, int ay, int bx, int by) noexcept {
   return sees(map, {2 * ax + 1, 2 * ay + 1}, {2 * bx + 1, 2 * by + 1});
 }

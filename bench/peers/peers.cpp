@@ -1,6 +1,9 @@
 #include "bench/peers/peers.h"
 
 #include "bench/peers/anya.h"
+#ifdef LASIUS_HAVE_BOOST_GRAPH
+#include "bench/peers/boost_astar.h"
+#endif
 #include "bench/peers/bucket_astar.h"
 #include "bench/peers/heap_astar.h"
 #include "bench/peers/theta_star.h"
@@ -23,6 +26,9 @@ constexpr Peer kPeers[] = {
     {"astar-heap", "A*, 8 neighbours, binary heap", Optimality::octile, make<HeapAStar>},
     {"theta", "Theta*", Optimality::none, make_theta<ThetaStar::Kind::basic>},
     {"lazy-theta", "Lazy Theta*", Optimality::none, make_theta<ThetaStar::Kind::lazy>},
+#ifdef LASIUS_HAVE_BOOST_GRAPH
+    {"astar-boost", "A*, 8 neighbours, Boost.Graph", Optimality::octile, make<BoostAStar>},
+#endif
     {"anya", "ANYA", Optimality::any_angle, make<Anya>},
 };
 

@@ -5,27 +5,29 @@
 #include <vector>
 
 #include "lasius/export.h"
+#include "lasius/geometry.h"
 #include "lasius/grid.h"
-#include "lasius/stop.h"
 
 namespace lasius {
 
 /// Exact squared Euclidean distances, in half cells, from each cell's centre to the nearest point
 /// of a blocked cell's square or of the outside; 0 for blocked cells. Row-major, width x height.
-/// (Felzenszwalb & Huttenlocher 2012, in integers.)
 struct ClearanceField {
   int width = 0;
   int height = 0;
-  std::vector<std::int32_t> squared_half_cells;
-  /// Clearance in cells.
+  std::vector<std::int32_t> squared_half_cells;  ///< at most 2^30
+  /// Clearance in cells. Precondition: the cell lies inside.
   LASIUS_EXPORT double at(Cell c) const noexcept;
 };
 
-LASIUS_EXPORT ClearanceField clearance(const Grid& grid);
+/// The clearance of every cell, by lower envelopes of parabolas (Felzenszwalb & Huttenlocher 2012)
+/// in integers: O(1) a cell, 4 bytes a cell.
+[[nodiscard]] LASIUS_EXPORT ClearanceField clearance(const Grid& grid);
 
 /// Blocks every cell whose centre lies at most `radius` cells from a blocked cell's square or from
-/// the outside. Radius 0 changes nothing. Works in bands, so that memory stays a few rows.
+/// the outside, that is, where squared_half_cells <= 4 radius^2. Exact; radius 0 changes nothing.
+/// O(1) a cell; beside the grids some rows of memory, whatever the radius.
 /// @throws Error(invalid_parameter) for a negative or not finite radius.
-LASIUS_EXPORT Grid grow_obstacles(const Grid& grid, double radius);
+[[nodiscard]] LASIUS_EXPORT Grid grow_obstacles(const Grid& grid, double radius);
 
 }  // namespace lasius

@@ -1,6 +1,7 @@
 // The whole public API of lasius::lasius.
 #pragma once
 
+#include "lasius/batch.h"
 #include "lasius/clearance.h"
 #include "lasius/components.h"
 #include "lasius/error.h"

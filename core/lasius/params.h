@@ -88,6 +88,11 @@ struct Params {
   double initial_pheromone = 1;  ///< tau0
   double deposit = 100;          ///< Q
   StraightDeposit straight_deposit = StraightDeposit::all;
+
+  // The genetic algorithm. An iteration is a generation.
+  int population = 50;
+  double crossover = 1;    ///< probability that two parents cross
+  double mutation = 0.05;  ///< probability that a child gets a new way to the goal
 };
 
 /// One parameter of an algorithm, as `lasius algorithms` lists it.

@@ -35,11 +35,16 @@ LASIUS_EXPORT std::vector<Cell> straighten(const Grid& grid, std::span<const Cel
                                            const StopCondition& stop = {});
 
 /// Shortest path of the homotopy class of a valid polyline: every inner vertex of the result is a
-/// corner of a blocked cell that the path bends around. First and last vertex are kept.
-///   path  vertices at cell centres or lattice points (multiples of 0.5), valid under the rule.
+/// corner of a blocked cell that the path bends around. First and last vertex are kept. Exact:
+/// vertex by vertex, b of a, b, c is replaced by the convex chain of the corners inside triangle
+/// abc, in integers, until every vertex is taut; a locally shortest path is the shortest one of
+/// its class.
+///   path     vertices at multiples of 0.5, valid under the rule
+///   corners  with Corners::allow the path may squeeze between diagonal blocks, and is kept there
 /// When stopped, a valid path no longer than the input. @throws Error(invalid_parameter) if the
 /// path is not valid.
 LASIUS_EXPORT std::vector<Point> tauten(const Grid& grid, std::span<const Point> path,
+                                        Corners corners = Corners::forbid,
                                         const StopCondition& stop = {});
 
 /// Why a polyline breaks the rule of the plane (segment and cell named), or nothing if it obeys.

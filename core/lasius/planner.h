@@ -36,7 +36,7 @@ struct Request {
 };
 
 /// One answer. Without a path `path` is empty and `length` is not a number.
-struct Result {
+struct LASIUS_EXPORT Result {
   Status status = Status::no_path;
   std::string error;         ///< why the status is invalid or unreachable; else empty
   std::vector<Point> path;   ///< final polyline, start and goal at cell centres

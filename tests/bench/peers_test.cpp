@@ -10,6 +10,7 @@
 
 #include "bench/peers/anya.h"
 #include "bench/peers/bucket_astar.h"
+#include "bench/peers/segment.h"
 #include "bench/peers/sight.h"
 #include "tests/bench/naive_plane.h"
 #include "tests/bench/shared_maps.h"
@@ -101,6 +102,31 @@ TEST(Sight, AgreesWithTheNaivePlaneOnRandomGrids) {
   }
   EXPECT_GT(clear, 1000);
   EXPECT_GT(hidden, 1000);
+}
+
+TEST(Segment, IsClearOnlyWhereEveryPointOfItIsFree) {
+  std::mt19937 random(9);
+  int clear = 0, hidden = 0, stepped_over = 0;
+  for (int round = 0; round < 200; ++round) {
+    const Grid grid = random_grid(3 + round, 3 + round % 20, 0.01 * (round % 10), random);
+    std::uniform_real_distribution<double> x(0, grid.width()), y(0, grid.height());
+    for (int i = 0; i < 50; ++i) {
+      const Point a{x(random), y(random)}, b{x(random), y(random)};
+      bool all_free = true;
+      for (int s = 0; s <= 4000; ++s) {
+        const double t = s / 4000.0;
+        all_free = all_free && grid.free({static_cast<int>(a.x + t * (b.x - a.x)),
+                                          static_cast<int>(a.y + t * (b.y - a.y))});
+      }
+      const bool found = segment_clear(grid, a, b);
+      ++(found ? clear : hidden);
+      EXPECT_LE(found, all_free);
+      stepped_over += !found && all_free;
+    }
+  }
+  EXPECT_LT(stepped_over, 50);  // samples may miss a blocked corner
+  EXPECT_GT(clear, 500);
+  EXPECT_GT(hidden, 500);
 }
 
 TEST(Peers, FindTheOptimaOfSmallRandomGrids) {

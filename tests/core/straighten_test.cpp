@@ -18,35 +18,6 @@
 namespace lasius {
 namespace {
 
-using Walk = std::vector<Cell>;
-
-// A walk of random steps from a random free cell; its last part leans to one side.
-Walk random_walk(const Grid& grid, int steps, bool diagonal, Corners corners,
-                 std::mt19937& random) {
-  Cell at{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
-  if (grid.blocked(at)) return {};
-  Walk walk{at};
-  int lean_x = 0;
-  int lean_y = 0;
-  for (int i = 0; i < steps; ++i) {
-    if (random() % 16 == 0) {
-      lean_x = random_in(-1, 1, random);
-      lean_y = random_in(-1, 1, random);
-    }
-    const bool lean = random() % 2 == 0;
-    const int dx = lean ? lean_x : random_in(-1, 1, random);
-    const int dy = lean ? lean_y : random_in(-1, 1, random);
-    const Cell next{at.x + dx, at.y + dy};
-    if (grid.blocked(next) || (!diagonal && dx != 0 && dy != 0)) continue;
-    const int free_sides = grid.free({at.x + dx, at.y}) + grid.free({at.x, at.y + dy});
-    if (corners == Corners::forbid && free_sides < 2) continue;
-    if (corners == Corners::one_side && free_sides < 1) continue;
-    at = next;
-    walk.push_back(at);
-  }
-  return walk;
-}
-
 double length_of(std::span<const Cell> cells) {
   std::vector<Point> path;
   for (const Cell c : cells) path.push_back(centre(c));
@@ -269,6 +240,25 @@ TEST(LoopCutter, FindsTheFewestMovesInsideTheWalk) {
     cut += static_cast<std::int64_t>(walk.size() - way.size());
   }
   EXPECT_GT(cut, 100000);
+}
+
+TEST(LoopCutter, PollsAndFindsNothingWhenStopped) {
+  const Grid grid(300, 200);
+  Walk snake;
+  for (int i = 0; i < 300 * 200; ++i) {
+    const int y = i / 300;
+    snake.push_back({y % 2 == 0 ? i % 300 : 299 - i % 300, y});
+  }
+  std::swap(snake.front(), snake.back());  // of a set of cells, only the ends matter
+  CountingTime time;
+  StopCondition stop;
+  stop.time = &time;
+  stop.deadline = Clock::time_point(std::chrono::seconds(5));
+  LoopCutter cutter;
+  EXPECT_EQ(cutter.cut(grid, snake, false, Corners::forbid, stop).size(), 200u);
+  EXPECT_EQ(time.polls, 199 * 200 / 2 / 4096);  // the cells nearer to the end
+  time.stop_at = time.polls = 0;
+  EXPECT_TRUE(cutter.cut(grid, snake, false, Corners::forbid, stop).empty());
 }
 
 }  // namespace

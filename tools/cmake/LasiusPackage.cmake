@@ -6,8 +6,8 @@ set(LASIUS_COMPONENTS io polygon arm)  # beside lasius::lasius, which is always 
 set(LASIUS_CMAKE_DIR ${CMAKE_CURRENT_LIST_DIR})
 
 # lasius_package_library(TARGET [COMPONENT NAME] [HEADERS FILE...] [PC_REQUIRES MODULE...])
-# Alias, version and install rules of one library. HEADERS are the component's own public headers;
-# the main library's are all of core/lasius that no component claims. PC_REQUIRES are the
+# Alias, version and install rules of one library. HEADERS are a component's own public headers,
+# whose names begin with the component's; all others belong to the main library. PC_REQUIRES are the
 # pkg-config modules that a static archive needs. A component's pkg-config file names lasius itself.
 function(lasius_package_library target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "COMPONENT" "HEADERS;PC_REQUIRES")
@@ -38,10 +38,7 @@ function(lasius_package_library target)
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/lasius)
   if(arg_COMPONENT)
     install(FILES ${arg_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius)
-    list(TRANSFORM arg_HEADERS REPLACE "^.*/" "")
   endif()
-  set_property(GLOBAL APPEND PROPERTY LASIUS_PACKAGED ${pc})
-  set_property(GLOBAL APPEND PROPERTY LASIUS_COMPONENT_HEADERS ${arg_HEADERS})
   lasius_pc_file(${pc} "${arg_COMPONENT}" "${arg_PC_REQUIRES}")
 endfunction()
 
@@ -71,11 +68,9 @@ endfunction()
 
 # Headers, generated headers and the package's config files; called once, after all libraries.
 function(lasius_install_package)
-  get_property(component_headers GLOBAL PROPERTY LASIUS_COMPONENT_HEADERS)
   file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/lasius/*.h)
-  foreach(header IN LISTS component_headers)
-    list(REMOVE_ITEM headers ${PROJECT_SOURCE_DIR}/core/lasius/${header})
-  endforeach()
+  list(JOIN LASIUS_COMPONENTS "|" components)
+  list(FILTER headers EXCLUDE REGEX "/(${components})(_[a-z_]+)?\\.h$")
   install(FILES ${headers}
     ${PROJECT_BINARY_DIR}/core/lasius/export.h ${PROJECT_BINARY_DIR}/core/lasius/version.h
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius)

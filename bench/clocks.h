@@ -1,0 +1,35 @@
+// The clocks of the benchmarks.
+#pragma once
+
+#include <chrono>
+#include <ctime>
+
+namespace lasius::bench {
+
+/// Wall clock, from its construction.
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  double microseconds() const { return 1e6 * seconds(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Processor time of all threads, from its construction: what other programs do does not count.
+class ProcessorStopwatch {
+ public:
+  double seconds() const { return now() - start_; }
+
+ private:
+  static double now() {
+    std::timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  }
+  double start_ = now();
+};
+
+}  // namespace lasius::bench

@@ -1,0 +1,42 @@
+// The figures of the colony that the README states, each measured by one function.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lasius/grid.h"
+#include "lasius/planner.h"
+
+namespace lasius::bench {
+
+/// One line of the table: what, how much, and what it should be.
+struct Figure {
+  std::string what, value, aim;
+};
+
+/// A map with one query.
+struct Course {
+  std::string name;
+  Grid grid;
+  Cell start, goal;
+};
+/// maps/fan400x200.map and its query.
+const Course& fan_course();
+
+/// Ant steps a second, in processor time, of the textbook ant system, the bare ceiling, `as` with 8
+/// neighbours and `fan2004`, in turns; medians over the rounds.
+std::vector<Figure> measure_steps(int rounds);
+
+/// fan2004 with 64 ants on one thread and on two, in turns, and whether they answer alike.
+std::vector<Figure> measure_threads(int rounds);
+
+/// The fan course alone and inside a blocked map of side x side: time of an iteration, memory.
+std::vector<Figure> measure_area(int rounds, int side);
+
+/// Time of queries between cells that are not joined, on a map of 40% noise of that side.
+std::vector<Figure> measure_unreachable(int queries, int side);
+
+/// How far plans overrun deadlines of 1 to 20 ms.
+std::vector<Figure> measure_overshoot(int plans);
+
+}  // namespace lasius::bench

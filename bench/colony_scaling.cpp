@@ -1,0 +1,128 @@
+#include <fstream>
+#include <optional>
+#include <string>
+
+#include "bench/clocks.h"
+#include "bench/colony_figures.h"
+#include "bench/report.h"
+#include "bench/statistics.h"
+
+namespace lasius::bench {
+namespace {
+
+// A value of /proc/self/status in bytes, or nothing.
+std::optional<double> status_bytes(const std::string& key) {
+  std::ifstream in("/proc/self/status");
+  for (std::string line; std::getline(in, line);) {
+    if (line.rfind(key, 0) == 0) return 1024 * std::stod(line.substr(key.size() + 1));
+  }
+  return {};
+}
+
+// Starts VmHWM, the peak of resident memory, anew.
+void forget_peak() { std::ofstream("/proc/self/clear_refs") << 5; }
+
+bool alike(const Result& a, const Result& b) {
+  const auto same = [](const std::vector<double>& x, const std::vector<double>& y) {
+    if (x.size() != y.size()) return false;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (x[i] != y[i] && !(x[i] != x[i] && y[i] != y[i])) return false;
+    }
+    return true;
+  };
+  return a.path == b.path && same(a.best, b.best) && same(a.mean, b.mean) && a.arrived == b.arrived;
+}
+
+// Seconds of the plan's iterations, the first left out: it makes the tiles.
+std::vector<double> iteration_times(const Planner& planner, const Course& course,
+                                    const Params& params, Workspace& workspace) {
+  std::vector<double> times;
+  Stopwatch watch;
+  double last = 0;
+  planner.plan({course.start, course.goal}, params, &workspace, [&](const Progress& p) {
+    const double now = watch.seconds();
+    if (p.iteration > 0) times.push_back(now - last);
+    last = now;
+  });
+  return times;
+}
+
+// The fan course in the middle of a blocked square.
+Course pasted(int side) {
+  const Course& small = fan_course();
+  Course large{"pasted", Grid(side, side), {}, {}};
+  const std::vector<std::uint64_t> blocked(large.grid.words(), ~std::uint64_t{0});
+  for (int y = 0; y < side; ++y) large.grid.set_row(y, blocked.data());
+  const int x0 = side / 2 - 217, y0 = side / 2 - 91;
+  for (int y = 0; y < small.grid.height(); ++y) {
+    for (int x = 0; x < small.grid.width(); ++x) {
+      if (small.grid.free({x, y})) large.grid.set_blocked({x0 + x, y0 + y}, false);
+    }
+  }
+  large.start = {x0 + small.start.x, y0 + small.start.y};
+  large.goal = {x0 + small.goal.x, y0 + small.goal.y};
+  return large;
+}
+
+}  // namespace
+
+std::vector<Figure> measure_threads(int rounds) {
+  const Course& c = fan_course();
+  const Planner planner(c.grid);
+  Params params = defaults("fan2004");
+  params.ants = 64;
+  params.iterations = 40;
+  std::vector<double> ratios;
+  bool identical = true;
+  Workspace one, two;
+  for (int round = 0; round < rounds; ++round) {
+    params.seed = static_cast<std::uint64_t>(round) + 1;
+    params.threads = 1;
+    const Stopwatch first;
+    const Result a = planner.plan({c.start, c.goal}, params, &one);
+    const double single = first.seconds();
+    params.threads = 2;
+    const Stopwatch second;
+    const Result b = planner.plan({c.start, c.goal}, params, &two);
+    ratios.push_back(single / second.seconds());
+    identical = identical && alike(a, b);
+  }
+  return {{"1 thread / 2 threads, 64 ants", short_number(median(ratios)), ">= 1.8"},
+          {"identical with 1 and 2 threads", identical ? "yes" : "NO", "yes"}};
+}
+
+std::vector<Figure> measure_area(int rounds, int side) {
+  const Course& small = fan_course();
+  const Planner small_planner(small.grid);
+  Params params = defaults("fan2004");
+  params.threads = 1;
+  params.iterations = 30;
+  Workspace small_workspace, large_workspace;
+  iteration_times(small_planner, small, params, small_workspace);
+
+  forget_peak();
+  const double before = status_bytes("VmRSS:").value_or(0);
+  Course large = pasted(side);
+  const Planner large_planner(std::move(large.grid));
+  iteration_times(large_planner, large, params, large_workspace);
+  const double peak = status_bytes("VmHWM:").value_or(0) - before;
+
+  std::vector<double> ratios;
+  for (int round = 0; round < rounds; ++round) {
+    params.seed = static_cast<std::uint64_t>(round) + 1;
+    const auto a = iteration_times(small_planner, small, params, small_workspace);
+    const auto b = iteration_times(large_planner, large, params, large_workspace);
+    ratios.push_back(median(b) / median(a));
+  }
+  const auto footprint = large_planner.footprint();
+  const double cells = static_cast<double>(side) * side;
+  const double held =
+      static_cast<double>(footprint.bitmap + footprint.components + footprint.corners);
+  return {{"iteration, pasted into " + std::to_string(side) + " square / alone",
+           short_number(median(ratios)), "<= 1.5"},
+          {"map held, bits a cell", short_number(8 * held / cells), ""},
+          {"peak memory, bits a cell", short_number(8 * peak / cells), "<= 2.25 + ants'"},
+          {"peak memory beyond the map, MB", short_number((peak - held) / 1e6), ""}};
+}
+
+}  // namespace lasius::bench

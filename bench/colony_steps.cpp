@@ -1,0 +1,140 @@
+#include <functional>
+
+#include "bench/clocks.h"
+#include "bench/colony_figures.h"
+#include "bench/peers/row_ceiling.h"
+#include "bench/peers/textbook_ants.h"
+#include "bench/report.h"
+#include "bench/statistics.h"
+#include "kernel_choice.h"
+#include "lasius/map_io.h"
+#include "schedule.h"
+#include "workspace.h"
+
+namespace lasius::bench {
+namespace {
+
+constexpr int kAnts = 30;  // the default of `as`
+
+double textbook_rate(std::uint32_t seed) {
+  const Course& c = fan_course();
+  peers::TextbookAnts ants(c.grid, c.start, c.goal, {.ants = kAnts, .seed = seed});
+  const ProcessorStopwatch watch;
+  while (watch.seconds() < 0.1) ants.iterate();
+  return static_cast<double>(ants.steps()) / watch.seconds();
+}
+
+double ceiling_rate(peers::RowCeiling::Path path, int walkers) {
+  static peers::RowCeiling ceiling(400, 200);
+  constexpr std::int64_t kSteps = 1 << 20;
+  std::int64_t steps = 0;
+  std::uint64_t sum = 0;
+  const ProcessorStopwatch watch;
+  for (; watch.seconds() < 0.05; steps += kSteps) sum += ceiling.walk(path, walkers, kSteps);
+  const double rate = static_cast<double>(steps) / watch.seconds();
+  return sum == 0 ? 0 : rate;  // the sum keeps the walk from being optimised away
+}
+
+// The walks of `as` alone, tabu and tracks included, on its first rows of weights.
+class WalkOnly {
+ public:
+  WalkOnly() {
+    const Course& c = fan_course();
+    params_.ants = kAnts;
+    const kernels::Moves moves = kernels::moves_of(params_.neighbours);
+    field_.reset(c.grid, moves, c.goal, params_);
+    field_.refresh(schedule(params_, 0), 1);
+    field_.fill(world_);
+    for (int k = 0; k < moves.count; ++k) world_.delta[k] = moves.dy[k] * 65536 + moves.dx[k];
+    for (auto& row : world_.factor) row.fill(1);
+    world_.start = kernels::pack(c.start.x, c.start.y);
+    world_.goal = kernels::pack(c.goal.x, c.goal.y);
+    walkers_.reset(c.grid.width(), c.grid.height(), 1, kAnts);
+    kernel_ = kernels::walk_table(chosen_isa()).walk[kernels::WalkShape{.lanes = 8}.index()];
+  }
+
+  double rate(int round) {
+    world_.seed = static_cast<std::uint64_t>(round);
+    std::int64_t steps = 0;
+    const ProcessorStopwatch watch;
+    for (; watch.seconds() < 0.1; ++world_.iteration) {
+      walkers_.walk(world_, kernel_, ants_, {});
+      for (const Ant& ant : ants_) steps += ant.steps;
+    }
+    return static_cast<double>(steps) / watch.seconds();
+  }
+
+ private:
+  Params params_ = defaults("as");
+  Field field_;
+  kernels::WalkWorld world_;
+  Walkers walkers_;
+  kernels::WalkFn kernel_ = nullptr;
+  std::vector<Ant> ants_ = std::vector<Ant>(kAnts);
+};
+
+// Whole plans on one thread: walks, updates, straightening.
+double plan_rate(const Planner& planner, const char* algorithm, std::uint64_t seed) {
+  static Workspace workspace;
+  Params params = defaults(algorithm);
+  params.threads = 1;
+  params.ants = kAnts;
+  params.iterations = 10;
+  params.seed = seed;
+  std::int64_t steps = 0;
+  const Course& c = fan_course();
+  const ProcessorStopwatch watch;
+  planner.plan({c.start, c.goal}, params, &workspace, [&](const Progress&) {
+    for (const Ant& ant : workspace.impl().ants) steps += ant.steps;
+  });
+  return static_cast<double>(steps) / watch.seconds();
+}
+
+}  // namespace
+
+const Course& fan_course() {
+  static const Course course{
+      "fan400x200", read_map(LASIUS_MAPS_DIR "/fan400x200.map").grid, {14, 14}, {380, 179}};
+  return course;
+}
+
+std::vector<Figure> measure_steps(int rounds) {
+  using Path = peers::RowCeiling::Path;
+  const Planner planner(fan_course().grid);
+  WalkOnly walk;
+  struct Subject {
+    std::string name;
+    std::function<double(int)> rate;
+    std::vector<double> rates;
+  };
+  std::vector<Subject> subjects = {
+      {"textbook ant system", [](int r) { return textbook_rate(r + 1); }, {}},
+      {"walks of `as`, 8 neighbours", [&](int r) { return walk.rate(r + 1); }, {}},
+      {"whole plans of `as`", [&](int r) { return plan_rate(planner, "as", r + 1); }, {}},
+      {"whole plans of `fan2004`, 4 neighbours",
+       [&](int r) { return plan_rate(planner, "fan2004", r + 1); },
+       {}},
+      {"ceiling, 8 walkers", [](int) { return ceiling_rate(Path::walk, 8); }, {}},
+      {"ceiling, 1 walker", [](int) { return ceiling_rate(Path::walk, 1); }, {}},
+      {"ceiling, 8 walkers that jump", [](int) { return ceiling_rate(Path::jump, 8); }, {}}};
+  for (int round = 0; round < rounds; ++round) {
+    for (Subject& s : subjects) s.rates.push_back(s.rate(round));
+  }
+  std::vector<Figure> figures;
+  for (const Subject& s : subjects) {
+    figures.push_back({"steps/s, " + s.name, short_number(median(s.rates) / 1e6) + " M", ""});
+  }
+  const auto ratio = [&](std::size_t a, std::size_t b) {
+    std::vector<double> ratios;
+    for (int i = 0; i < rounds; ++i) ratios.push_back(subjects[a].rates[i] / subjects[b].rates[i]);
+    return short_number(median(ratios));
+  };
+  figures.push_back({"walks of `as` / textbook", ratio(1, 0), ">= 20"});
+  figures.push_back({"whole plans of `as` / textbook", ratio(2, 0), ""});
+  figures.push_back({"whole plans of `fan2004` / textbook", ratio(3, 0), ""});
+  figures.push_back({"walks of `as` / ceiling, 8 walkers", ratio(1, 4), ">= 0.5"});
+  figures.push_back({"walks of `as` / ceiling, 1 walker", ratio(1, 5), ""});
+  return figures;
+}
+
+}  // namespace lasius::bench

@@ -1,0 +1,142 @@
+// lasius_bench sampling: how long OMPL's planners take to come near the optimum.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "bench/clocks.h"
+#include "bench/commands.h"
+#include "bench/contenders.h"
+#include "bench/peers/sampling.h"
+#include "bench/report.h"
+#include "bench/statistics.h"
+
+namespace lasius::bench {
+namespace {
+
+using peers::kGaps;
+using peers::SamplingTrial;
+
+struct Options {
+  std::vector<std::string> maps;
+  std::vector<int> sides;
+  std::string markdown, raw;
+  std::size_t count = 3;
+  int seeds = 3;
+  double cap = 2;
+  std::uint64_t seed = 1;
+};
+
+// All trials of one planner on one map.
+struct Row {
+  std::string map, planner;
+  std::vector<SamplingTrial> trials;
+};
+
+// Median milliseconds over all trials, those that never got there counting as longer, and how many
+// got there.
+std::string cell(const std::vector<SamplingTrial>& trials, std::size_t gap) {
+  std::vector<double> times;
+  for (const SamplingTrial& t : trials) times.push_back(1000 * t.seconds[gap]);
+  const auto reached = std::count_if(times.begin(), times.end(), [](double t) { return t < 1e18; });
+  return short_number(median(times)) + " (" + std::to_string(reached) + "/" +
+         std::to_string(times.size()) + ")";
+}
+
+void write(std::ostream& out, const std::vector<Row>& rows, const Options& options) {
+  out << machine_line() << "; " << peers::ompl_version() << ". " << options.count
+      << " queries a map, " << options.seeds << " seeds, at most " << options.cap
+      << " s each; median milliseconds to within a gap of the optimum (trials that got there).\n\n";
+  out << "| map | planner | any path | 5% | 1% | 0.1% |\n|---|---|--:|--:|--:|--:|\n";
+  for (const Row& row : rows) {
+    std::vector<double> first;
+    for (const SamplingTrial& t : row.trials) first.push_back(1000 * t.first_seconds);
+    out << "| " << row.map << " | " << row.planner << " | " << short_number(median(first));
+    for (std::size_t g = 0; g < kGaps.size(); ++g) out << " | " << cell(row.trials, g);
+    out << " |\n";
+  }
+}
+
+void write_raw(std::ostream& out, const std::vector<Row>& rows) {
+  out << "map\tplanner\ttrial\tfirst_s\tto_5pct_s\tto_1pct_s\tto_0.1pct_s\tlength\n";
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.trials.size(); ++i) {
+      const SamplingTrial& t = row.trials[i];
+      out << row.map << '\t' << row.planner << '\t' << i << '\t' << t.first_seconds << '\t'
+          << t.seconds[0] << '\t' << t.seconds[1] << '\t' << t.seconds[2] << '\t' << t.length
+          << '\n';
+    }
+  }
+}
+
+// Our exact search as a row of the same table: its only path is the optimum.
+SamplingTrial time_exact(peers::QueryPlanner& exact, const Query& query) {
+  std::vector<Point> path;
+  const Stopwatch watch;
+  const double length = exact.plan(query.start, query.goal, path);
+  const double seconds = watch.seconds();
+  return {seconds, {seconds, seconds, seconds}, length, path};
+}
+
+void run_map(const QuerySet& set, const Options& options, std::vector<Row>& rows) {
+  const auto exact = all_contenders().front().make(set.grid);
+  Row ours{set.name, "lasius exact", {}};
+  std::vector<double> optima;
+  for (const Query& query : set.queries) {
+    ours.trials.push_back(time_exact(*exact, query));
+    optima.push_back(ours.trials.back().length);
+  }
+  rows.push_back(ours);
+  for (std::size_t s = 0; s < peers::sampler_names().size(); ++s) {
+    Row row{set.name, std::string(peers::sampler_names()[s]), {}};
+    for (std::size_t q = 0; q < set.queries.size(); ++q) {
+      for (int seed = 0; seed < options.seeds; ++seed) {
+        row.trials.push_back(peers::run_sampler(
+            static_cast<peers::Sampler>(s), set.grid, set.queries[q].start, set.queries[q].goal,
+            optima[q], options.cap, static_cast<std::uint32_t>(options.seed) + seed));
+      }
+    }
+    rows.push_back(row);
+  }
+}
+
+void run(const Options& options) {
+  auto sources = find_sources(options.maps);
+  const auto generated = generated_sources(options.sides, options.seed);
+  sources.insert(sources.end(), generated.begin(), generated.end());
+  std::vector<Row> rows;
+  for (const QuerySource& source : sources) {
+    std::cerr << source.name << std::endl;
+    run_map(load(source, options.count), options, rows);
+  }
+  write(std::cout, rows, options);
+  if (!options.markdown.empty()) {
+    std::ofstream out(options.markdown);
+    write(out, rows, options);
+  }
+  if (!options.raw.empty()) {
+    std::ofstream out(options.raw);
+    write_raw(out, rows);
+  }
+}
+
+}  // namespace
+
+void add_sampling_command(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("sampling", "OMPL's planners: time to 5, 1 and 0.1%");
+  command->add_option("--maps", options->maps, "As for queries");
+  command->add_option("--generated", options->sides, "As for queries")
+      ->delimiter(',')
+      ->check(CLI::Range(16, Grid::kMaxSide));
+  command->add_option("--queries", options->count, "Queries a map")->capture_default_str();
+  command->add_option("--seeds", options->seeds, "Runs of each query")->capture_default_str();
+  command->add_option("--cap", options->cap, "Seconds a run")->capture_default_str();
+  command->add_option("--seed", options->seed, "The first one")->capture_default_str();
+  command->add_option("-o,--output", options->markdown, "Write the Markdown here, too");
+  command->add_option("--raw", options->raw, "Write every run here, as TSV");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace lasius::bench

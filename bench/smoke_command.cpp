@@ -1,0 +1,34 @@
+// lasius_bench smoke: every mode once, on little input, in a few seconds.
+#include <iostream>
+
+#include "bench/commands.h"
+
+namespace lasius::bench {
+namespace {
+
+constexpr const char* kLines[] = {
+    "queries --generated 96 --queries 4 --rounds 1",
+    "colony --rounds 1 --side 1024 --plans 4",
+    "quality --seeds 1 --blobs 1 --no-fan",
+    "validity --random 20 --side 96",
+#ifdef LASIUS_HAVE_OMPL
+    "sampling --generated 96 --queries 1 --seeds 1 --cap 0.02",
+#endif
+};
+
+void run() {
+  for (const char* line : kLines) {
+    std::cout << "\nlasius_bench " << line << "\n\n";
+    CLI::App app;
+    add_commands(app);
+    app.parse(line);
+  }
+}
+
+}  // namespace
+
+void add_smoke_command(CLI::App& app) {
+  app.add_subcommand("smoke", "Every mode once, in a few seconds")->callback(run);
+}
+
+}  // namespace lasius::bench

@@ -1,0 +1,191 @@
+#include "bench/comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "bench/report.h"
+#include "bench/statistics.h"
+#include "lasius/error.h"
+#include "lasius/map_io.h"
+
+namespace lasius::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using peers::Optimality;
+
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / ("lasius_comparison_" + std::to_string(getpid()))) {
+    fs::create_directory(path_);
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name) << text;
+    return (path_ / name).string();
+  }
+  std::string name(const std::string& file) const { return (path_ / file).string(); }
+
+ private:
+  fs::path path_;
+};
+
+TEST(Queries, AreReadFromTablesByTheirHeader) {
+  const Folder folder;
+  const auto queries = read_queries(folder.write(
+      "a.tsv", "map\tgy\tgx\tsx\tsy\teuclid\nm\t4\t3\t1\t2\t2.5\n\nm\t0\t0\t9\t8\t1\n"));
+  ASSERT_EQ(queries.size(), 2u);
+  EXPECT_EQ(queries[0].start, (Cell{1, 2}));
+  EXPECT_EQ(queries[0].goal, (Cell{3, 4}));
+  EXPECT_EQ(queries[0].optimum, 2.5);
+  EXPECT_EQ(queries[1].start, (Cell{9, 8}));
+}
+
+TEST(Queries, AreReadFromScenarios) {
+  const Folder folder;
+  const auto queries =
+      read_queries(folder.write("a.scen", "version 1.0\n0 m.map 49 49 1 11 2 12 1.41421356\n"));
+  ASSERT_EQ(queries.size(), 1u);
+  EXPECT_EQ(queries[0].start, (Cell{1, 11}));
+  EXPECT_EQ(queries[0].goal, (Cell{2, 12}));
+  EXPECT_TRUE(std::isnan(queries[0].optimum));  // the octile length is not the optimum
+}
+
+TEST(Queries, NameTheLineThatIsBroken) {
+  const Folder folder;
+  for (const char* bad : {"1 2 3", "1 2 x 4", "1 2 3 99999999999999"}) {
+    const auto file = folder.write("b.tsv", std::string("sx sy gx gy\n1 2 3 4\n") + bad + "\n");
+    try {
+      read_queries(file);
+      FAIL() << bad;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), ErrorCode::file_broken);
+      EXPECT_EQ(e.place().line, 3);
+    }
+  }
+  EXPECT_THROW(read_queries(folder.write("c.tsv", "sx sy gx\n")), Error);
+  EXPECT_THROW(read_queries(folder.name("none.tsv")), Error);
+}
+
+TEST(Sources, AreFoundInFoldersAndByName) {
+  const Folder folder;
+  write_map(Grid(8, 8), folder.name("one.map"));
+  write_map(Grid(8, 8), folder.name("two.map"));
+  folder.write("one.tsv", "sx sy gx gy\n0 0 1 1\n");
+  folder.write("two.map.scen", "version 1\n0 two.map 8 8 0 0 2 2 2.8\n");
+  const auto all = find_sources({fs::path(folder.name("x")).parent_path().string()});
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].name, "one");
+  EXPECT_EQ(all[1].table, folder.name("two.map.scen"));
+  EXPECT_EQ(load(all[1], 0).queries.at(0).goal, (Cell{2, 2}));
+  EXPECT_EQ(find_sources({folder.name("two.map.scen")}).at(0).map, folder.name("two.map"));
+  EXPECT_THROW(find_sources({folder.name("three.map")}), Error);
+}
+
+TEST(Sources, GeneratedQueriesAreJoinedAndRepeatable) {
+  const auto sources = generated_sources({64}, 3);
+  EXPECT_EQ(sources.size(), map_kind_names().size() + 3);
+  for (const QuerySource& source : sources) {
+    const QuerySet a = load(source, 5), b = load(source, 5);
+    ASSERT_EQ(a.queries.size(), 5u) << source.name;
+    for (std::size_t i = 0; i < 5; ++i) {
+      EXPECT_EQ(a.queries[i].start, b.queries[i].start);
+      std::vector<Point> path;
+      const auto planner = peers::all_peers()[0].make(a.grid);
+      EXPECT_LT(planner->plan(a.queries[i].start, a.queries[i].goal, path), peers::kNoPath)
+          << source.name;
+    }
+  }
+}
+
+// Answers with the straight line, whatever lies between, times a factor.
+template <int kPercent>
+class Straight final : public peers::QueryPlanner {
+ public:
+  explicit Straight(const Grid&) {}
+  double plan(Cell start, Cell goal, std::vector<Point>& path) override {
+    path = {centre(start), centre(goal)};
+    return kPercent / 100.0 * std::hypot(goal.x - start.x, goal.y - start.y);
+  }
+};
+template <int kPercent>
+std::unique_ptr<peers::QueryPlanner> straight(const Grid& grid) {
+  return std::make_unique<Straight<kPercent>>(grid);
+}
+
+TEST(Comparison, FindsEveryKindOfFault) {
+  QuerySet set{"wall", Grid(9, 9), {{{0, 0}, {8, 0}}, {{0, 8}, {8, 8}}}};
+  for (int y = 0; y < 8; ++y) set.grid.set_blocked({4, y});
+  const std::vector<peers::Peer> planners = {
+      *std::find_if(peers::all_peers().begin(), peers::all_peers().end(),
+                    [](const auto& p) { return p.optimality == Optimality::any_angle; }),
+      peers::all_peers()[0],
+      {"through", "", Optimality::none, straight<100>},
+      {"liar", "", Optimality::none, straight<90>}};
+  const MapComparison result = compare(set, planners, {.rounds = 2});
+  for (std::size_t q = 0; q < 2; ++q) {
+    EXPECT_EQ(result.planners[0].queries[q].fault, "");
+    EXPECT_EQ(result.planners[1].queries[q].fault, "");
+    EXPECT_EQ(result.planners[0].queries[q].rounds, 2);
+    EXPECT_EQ(result.optima[q], result.planners[0].queries[q].length);
+    EXPECT_EQ(result.planners[3].queries[q].fault, "the length is not the path's");
+  }
+  EXPECT_NE(result.planners[2].queries[0].fault, "");  // through the wall
+  EXPECT_EQ(result.planners[2].queries[1].fault, "");  // nothing in the way
+  EXPECT_EQ(result.mean_gap(0), 0);
+  EXPECT_GT(result.mean_gap(1), 0);
+  const std::vector<MapComparison> maps = {result};
+  EXPECT_EQ(count_faults(maps), 3u);
+}
+
+TEST(Comparison, HoldsLengthsAgainstTheTable) {
+  QuerySet set{"open", Grid(9, 9), {{{0, 0}, {3, 4}, 4.0}, {{0, 0}, {3, 4}, 6.0}}};
+  const std::vector<peers::Peer> planners = {{"a", "", Optimality::any_angle, straight<100>}};
+  const auto result = compare(set, planners, {.rounds = 1});
+  EXPECT_EQ(result.planners[0].queries[0].fault, "longer than the optimum");
+  EXPECT_EQ(result.planners[0].queries[1].fault, "shorter than the optimum");
+}
+
+TEST(Report, ShowsMeansRatiosAndFaults) {
+  MapComparison map{"m", 4, 4, {1.0, 2.0}, {}};
+  map.planners = {{1.5, {{10, 1.0, 3, ""}, {30, 2.0, 3, ""}}},
+                  {2.5, {{40, 1.1, 3, ""}, {80, 2.0, 3, "bad"}}}};
+  const std::vector<peers::Peer> planners = {{"ours", "", Optimality::any_angle, straight<100>},
+                                             {"theirs", "", Optimality::none, straight<100>}};
+  EXPECT_EQ(map.planners[0].mean_microseconds(), 20);
+  EXPECT_NEAR(map.mean_gap(1), 0.05, 1e-12);
+  std::ostringstream out;
+  write_markdown(out, std::vector{map}, planners, 0, {}, "seed 1");
+  EXPECT_NE(out.str().find("| m | 20.0 | 60.0 |"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("| m | 1.00 | 3.00 |"), std::string::npos);
+  EXPECT_NE(out.str().find("| m | 0 | 5.00 |"), std::string::npos);
+  EXPECT_NE(out.str().find("1 faults."), std::string::npos);
+  EXPECT_NE(out.str().find("query 1, theirs: bad"), std::string::npos);
+  std::ostringstream raw;
+  write_tsv(raw, std::vector{map}, planners);
+  EXPECT_NE(raw.str().find("m\t4\t4\ttheirs\t1\t80\t3\t2\t2\tbad\n"), std::string::npos);
+}
+
+TEST(Statistics, QuantilesAreMembersOfTheSample) {
+  EXPECT_EQ(median({3, 1, 2}), 2);
+  EXPECT_EQ(quantile({5, 4, 3, 2, 1}, 0), 1);
+  EXPECT_EQ(quantile({5, 4, 3, 2, 1}, 1), 5);
+  EXPECT_EQ(largest({1, 7, 3}), 7);
+}
+
+TEST(Report, NumbersKeepThreeDigits) {
+  EXPECT_EQ(short_number(0), "0");
+  EXPECT_EQ(short_number(0.012345), "0.0123");
+  EXPECT_EQ(short_number(1.5), "1.50");
+  EXPECT_EQ(short_number(123456), "123456");
+  EXPECT_EQ(short_number(std::nan("")), "-");
+}
+
+}  // namespace
+}  // namespace lasius::bench

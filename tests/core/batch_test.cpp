@@ -1,0 +1,146 @@
+#include "lasius/batch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include "lasius/error.h"
+#include "lasius/generate.h"
+
+namespace lasius {
+namespace {
+
+Params quick() {
+  Params params = defaults("fan2004");
+  params.iterations = 3;
+  params.ants = 4;
+  params.seed = 11;
+  params.threads = 1;
+  return params;
+}
+
+/// A map, and queries of every outcome on it: far and near, equal cells, blocked, outside.
+struct Scene {
+  Planner planner{generate(MapKind::blobs, {.width = 90, .height = 60, .density = -1, .seed = 5})};
+  std::vector<Query> queries;
+
+  Scene() {
+    for (int i = 0; i < 150; ++i)
+      queries.push_back({{i % 90, (7 * i) % 60}, {(13 * i + 5) % 90, (11 * i) % 60}});
+    queries.push_back({{3, 3}, {3, 3}});
+    queries.push_back({{-1, 3}, {3, 3}});
+  }
+};
+
+void expect_equal(const Result& a, const Result& b) {
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.error, b.error);
+  EXPECT_EQ(a.path, b.path);
+  if (!a.path.empty()) {
+    EXPECT_EQ(a.length, b.length);
+  }
+  EXPECT_EQ(a.best.size(), b.best.size());
+  EXPECT_EQ(a.arrived, b.arrived);
+}
+
+TEST(Batch, AnswersInOrderWhatPlanAnswers) {
+  const Scene scene;
+  for (const int threads : {1, 2, 5}) {
+    std::size_t next = 0;
+    const auto count = plan_batch(
+        scene.planner, scene.queries, quick(), {.threads = threads},
+        [&](const BatchAnswer& answer) {
+          ASSERT_EQ(answer.index, next++);
+          const Query& query = scene.queries[answer.index];
+          expect_equal(answer.result, scene.planner.plan({query.start, query.goal}, quick()));
+          EXPECT_GE(answer.elapsed.count(), 0);
+        });
+    EXPECT_EQ(count, scene.queries.size());
+  }
+}
+
+TEST(Batch, NoQueriesNoCalls) {
+  const Scene scene;
+  const auto count = plan_batch(scene.planner, {}, quick(), {.threads = 2},
+                                [](const BatchAnswer&) { FAIL() << "called"; });
+  EXPECT_EQ(count, 0U);
+}
+
+TEST(Batch, RefusesBadParametersBeforeAnyQuery) {
+  const Scene scene;
+  Params params = quick();
+  params.ants = 0;
+  EXPECT_THROW(plan_batch(scene.planner, scene.queries, params, {},
+                          [](const BatchAnswer&) { FAIL() << "called"; }),
+               Error);
+}
+
+TEST(Batch, AStopEndsItAfterWhatWasBegun) {
+  const Scene scene;
+  for (const int threads : {1, 3}) {
+    std::stop_source source;
+    std::size_t seen = 0;
+    const auto count = plan_batch(scene.planner, scene.queries, quick(),
+                                  {.threads = threads, .token = source.get_token()},
+                                  [&](const BatchAnswer& answer) {
+                                    ASSERT_EQ(answer.index, seen);
+                                    if (++seen == 10) source.request_stop();
+                                  });
+    EXPECT_EQ(count, seen);
+    EXPECT_GE(count, 10U);
+    // What was in flight or waited for its turn when the stop came is received too.
+    EXPECT_LE(count, 10U + 64U + 9U * static_cast<std::size_t>(threads));
+    EXPECT_LT(count, scene.queries.size());
+  }
+}
+
+TEST(Batch, AStoppedTokenBeginsNothing) {
+  const Scene scene;
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_EQ(
+      plan_batch(scene.planner, scene.queries, quick(), {.threads = 2, .token = source.get_token()},
+                 [](const BatchAnswer&) { FAIL() << "called"; }),
+      0U);
+}
+
+TEST(Batch, WhatTheReceiverThrowsComesOut) {
+  const Scene scene;
+  for (const int threads : {1, 4}) {
+    std::size_t calls = 0;
+    try {
+      plan_batch(scene.planner, scene.queries, quick(), {.threads = threads},
+                 [&](const BatchAnswer&) {
+                   if (++calls == 4) throw std::runtime_error("enough");
+                 });
+      FAIL() << "nothing was thrown";
+    } catch (const std::runtime_error& fault) {
+      EXPECT_STREQ(fault.what(), "enough");
+    }
+    EXPECT_EQ(calls, 4U);
+  }
+}
+
+TEST(Batch, ATimeLimitHoldsForEachQuery) {
+  const Scene scene;
+  Params params = quick();
+  params.iterations = 1000000000;
+  const auto joined = std::find_if(scene.queries.begin(), scene.queries.end(), [&](const Query& q) {
+    return scene.planner.plan({q.start, q.goal}, quick()).length > 30;
+  });
+  ASSERT_NE(joined, scene.queries.end());
+  const std::vector<Query> queries(3, *joined);
+  int limited = 0;
+  plan_batch(scene.planner, queries, params,
+             {.threads = 2, .time_limit = std::chrono::duration<double>(0.02)},
+             [&](const BatchAnswer& answer) {
+               limited += answer.result.status == Status::limit ? 1 : 0;
+               EXPECT_GE(answer.elapsed.count(), 0.02);
+             });
+  EXPECT_EQ(limited, 3);
+}
+
+}  // namespace
+}  // namespace lasius

@@ -1,0 +1,94 @@
+#include "lasius/params.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "lasius/error.h"
+
+namespace lasius {
+namespace {
+
+std::string message_of(const auto& action) {
+  try {
+    action();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::invalid_parameter);
+    return e.what();
+  }
+  return "nothing thrown";
+}
+
+TEST(Params, EveryAlgorithmsDefaultsAreValidAndRoundTrip) {
+  for (const Algorithm& algorithm : algorithms()) {
+    const Params published = defaults(algorithm.name);
+    EXPECT_EQ(published.algorithm, algorithm.name);
+    EXPECT_NO_THROW(validate(published)) << algorithm.name;
+    EXPECT_FALSE(algorithm.source.empty());
+    for (const Parameter& parameter : algorithm.parameters) {
+      Params copy = published;
+      const std::string value = get_parameter(published, parameter.name);
+      set_parameter(copy, parameter.name, value);
+      EXPECT_EQ(get_parameter(copy, parameter.name), value) << parameter.name;
+    }
+  }
+}
+
+TEST(Params, NumbersRoundTrip) {
+  Params p;
+  set_parameter(p, "persistence", "0.1");
+  EXPECT_EQ(p.persistence, 0.1);
+  EXPECT_EQ(get_parameter(p, "persistence"), "0.1");
+  set_parameter(p, "mu", "1e-3");
+  EXPECT_EQ(p.mu, 1e-3);
+}
+
+TEST(Params, MistypedNamesAreAnsweredWithTheNearest) {
+  Params p;
+  EXPECT_EQ(message_of([&] { set_parameter(p, "alhpa", "1"); }),
+            "unknown parameter \"alhpa\"; did you mean \"alpha\"?");
+  EXPECT_EQ(message_of([&] { defaults("fan2044"); }),
+            "unknown algorithm \"fan2044\"; did you mean \"fan2004\"?");
+  EXPECT_EQ(message_of([&] { set_parameter(p, "polish", "strait"); }),
+            "polish is \"strait\"; did you mean \"straight\"? It must be none|straight|taut");
+}
+
+TEST(Params, ValuesOutOfRangeNameTheRange) {
+  Params p;
+  for (const auto& [name, value] : {std::pair{"ants", "0"},
+                                    {"ants", "1.5"},
+                                    {"ants", ""},
+                                    {"ants", "99999999999999"},
+                                    {"persistence", "1.1"},
+                                    {"persistence", "nan"},
+                                    {"alpha", "inf"},
+                                    {"alpha", "4x"},
+                                    {"mu", "0"}}) {
+    const std::string message = message_of([&, n = name, v = value] { set_parameter(p, n, v); });
+    EXPECT_EQ(message.find(std::string(name) + " is " + value + "; it must be "), 0u) << message;
+  }
+  EXPECT_EQ(get_parameter(p, "ants"), "10");  // nothing half-set
+}
+
+TEST(Params, ValidateNamesTheField) {
+  const auto message = [](auto change) {
+    Params p;
+    change(p);
+    return message_of([&] { validate(p); });
+  };
+  EXPECT_EQ(message([](Params& p) { p.ants = -3; }), "ants is -3; it must be 1 .. 1000000");
+  EXPECT_EQ(message([](Params& p) { p.neighbours = 5; }), "neighbours is not one of its values; it must be 4|8");
+  EXPECT_EQ(message([](Params& p) { p.alpha = -1; }), "alpha is -1; it must be 0 .. 20");
+  EXPECT_EQ(message([](Params& p) { p.seed = std::uint64_t{1} << 53; }),
+            "seed is 9007199254740992; it must be at most 2^53 - 1");
+  EXPECT_NE(message([](Params& p) { p.algorithm = "ass"; }).find("\"as\""), std::string::npos);
+  EXPECT_NE(message([](Params& p) { p.trail = Trail::arcs; }).find("straight_deposit"),
+            std::string::npos);
+  EXPECT_NE(message([](Params& p) { p.distance_rule_first = 0; }).find("shares"),
+            std::string::npos);
+  EXPECT_NE(message([](Params& p) { p.polish = static_cast<Polish>(7); }).find("polish"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace lasius

@@ -1,0 +1,375 @@
+#include "lasius/planner.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <thread>
+
+#include "kernels/cpu.h"
+#include "lasius/error.h"
+#include "lasius/generate.h"
+#include "lasius/map_io.h"
+#include "lasius/path.h"
+#include "tests/count_allocations.h"
+
+namespace lasius {
+namespace {
+
+Grid blobs(int width = 200, int height = 120, std::uint64_t seed = 3) {
+  return generate(MapKind::blobs, {.width = width, .height = height, .seed = seed});
+}
+
+/// Free cells far apart in one component.
+Request far_apart(const Planner& planner) {
+  const Grid& grid = planner.grid();
+  for (int i = 1; i < grid.width(); ++i) {
+    const Cell start = planner.nearest_free({i, 1}).value();
+    for (int j = 1; j < grid.width() / 2; ++j) {
+      const Cell goal = planner.nearest_free({grid.width() - 1 - j, grid.height() - 2}).value();
+      if (planner.connected(start, goal)) return {.start = start, .goal = goal};
+    }
+  }
+  ADD_FAILURE() << "no far goal";
+  return {};
+}
+
+Params quick(std::string_view algorithm) {
+  Params p = defaults(algorithm);
+  p.iterations = 15;
+  return p;
+}
+
+void expect_equal(const Result& a, const Result& b) {
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.path, b.path);
+  EXPECT_EQ(a.length, b.length);
+  EXPECT_EQ(a.best, b.best);
+  EXPECT_EQ(a.mean, b.mean);
+  EXPECT_EQ(a.arrived, b.arrived);
+}
+
+class EveryColony : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Planner, EveryColony, testing::Values("fan2004", "as"));
+
+TEST_P(EveryColony, PlansAValidPathAndItsCurves) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  const Params params = quick(GetParam());
+  const Result result = planner.plan(request, params);
+  ASSERT_EQ(result.status, Status::solved);
+  EXPECT_EQ(result.path.front(), centre(request.start));
+  EXPECT_EQ(result.path.back(), centre(request.goal));
+  EXPECT_EQ(path_fault(planner.grid(), result.path), std::nullopt);
+  EXPECT_EQ(result.length, path_length(result.path));
+  EXPECT_EQ(result.iterations, 15);
+  ASSERT_EQ(result.best.size(), 15u);
+  ASSERT_EQ(result.mean.size(), 15u);
+  EXPECT_EQ(result.best.back(), result.length);
+  for (std::size_t i = 1; i < 15; ++i) EXPECT_LE(result.best[i], result.best[i - 1]);
+  for (std::size_t i = 0; i < 15; ++i) {
+    EXPECT_EQ(result.arrived[i], params.ants);  // who backtracks arrives
+    EXPECT_GE(result.mean[i], result.length);
+  }
+  EXPECT_FALSE(result.gap().has_value());
+  EXPECT_FALSE(result.optimal);
+}
+
+TEST_P(EveryColony, GivesTheSamePlanWithAnyNumberOfThreads) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  Params params = quick(GetParam());
+  params.threads = 1;
+  const Result one = planner.plan(request, params);
+  for (const int threads : {2, 5}) {
+    params.threads = threads;
+    expect_equal(planner.plan(request, params), one);
+  }
+}
+
+TEST_P(EveryColony, GivesTheSamePlanWithScalarAndVectorKernels) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  const Params params = quick(GetParam());
+  ASSERT_EQ(setenv("LASIUS_KERNELS", "scalar", 1), 0);
+  const Result scalar = planner.plan(request, params);
+  if (kernels::supported_isa() >= kernels::Isa::avx2) {
+    ASSERT_EQ(setenv("LASIUS_KERNELS", "avx2", 1), 0);
+    expect_equal(planner.plan(request, params), scalar);
+  }
+  ASSERT_EQ(setenv("LASIUS_KERNELS", "sse9", 1), 0);
+  EXPECT_THROW((void)planner.plan(request, params), Error);
+  ASSERT_EQ(unsetenv("LASIUS_KERNELS"), 0);
+  expect_equal(planner.plan(request, params), scalar);
+}
+
+TEST_P(EveryColony, SeedsGiveDifferentRunsAndWorkspacesDoNot) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  Params params = quick(GetParam());
+  const Result first = planner.plan(request, params);
+  Workspace workspace;
+  expect_equal(planner.plan(request, params, &workspace), first);
+  const Planner other(blobs(90, 300, 8));
+  (void)other.plan(far_apart(other), params, &workspace);  // leaves its traces
+  expect_equal(planner.plan(request, params, &workspace), first);
+  params.seed = 2;
+  EXPECT_NE(planner.plan(request, params).mean, first.mean);
+}
+
+TEST_P(EveryColony, ASecondCallOfTheSameSizeAllocatesOnlyItsResult) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  Params params = quick(GetParam());
+  params.threads = 1;
+  Workspace workspace;
+  (void)planner.plan(request, params, &workspace);
+  params.iterations = 3;
+  const auto count = [&] {
+    const auto before = allocations.load();
+    (void)planner.plan(request, params, &workspace);
+    return allocations - before;
+  };
+  const auto three = count();
+  EXPECT_LT(three, 40);
+  params.iterations = 6;
+  EXPECT_LT(count() - three, 12);  // the curves grow, nothing else
+}
+
+TEST_P(EveryColony, PlansWithEveryNeighbourhoodCornerRuleAndPolish) {
+  const Planner planner(blobs(100, 80));
+  const Request request = far_apart(planner);
+  for (const int neighbours : {4, 8}) {
+    for (const auto corners : {Corners::forbid, Corners::one_side, Corners::allow}) {
+      for (const auto polish : {Polish::none, Polish::straight, Polish::taut}) {
+        for (const auto dead_end : {DeadEnd::backtrack, DeadEnd::kill}) {
+          Params params = quick(GetParam());
+          params.iterations = 3;
+          params.neighbours = neighbours;
+          params.corners = corners;
+          params.polish = polish;
+          params.dead_end = dead_end;
+          const Result result = planner.plan(request, params);
+          EXPECT_EQ(path_fault(planner.grid(), result.path, corners).has_value(),
+                    result.path.empty());
+        }
+      }
+    }
+  }
+}
+
+TEST(Planner, TautIsNeverLongerThanStraightAndStraightThanNone) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  Params params = defaults("as");  // its trails do not depend on the polish
+  params.iterations = 1;
+  const auto length = [&](Polish polish) {
+    params.polish = polish;
+    return planner.plan(request, params).length;
+  };
+  const double none = length(Polish::none), straight = length(Polish::straight);
+  EXPECT_LT(straight, none);
+  EXPECT_LE(length(Polish::taut), straight);
+}
+
+TEST(Planner, StartAndGoalOutsideOrBlockedAreAnAnswer) {
+  Grid grid(10, 10);
+  grid.set_blocked({4, 4});
+  const Planner planner(grid);
+  const auto error = [&](Cell start, Cell goal) {
+    const Result result = planner.plan({.start = start, .goal = goal});
+    EXPECT_EQ(result.status, Status::invalid);
+    EXPECT_TRUE(result.path.empty());
+    EXPECT_TRUE(std::isnan(result.length));
+    return result.error;
+  };
+  EXPECT_EQ(error({4, 4}, {0, 0}), "start (4, 4) is blocked; the nearest free cell is (4, 3)");
+  EXPECT_EQ(error({0, 0}, {10, 3}),
+            "goal (10, 3) is outside the map; the nearest free cell is (9, 3)");
+  EXPECT_EQ(error({-2000000000, 5}, {0, 0}),
+            "start (-2000000000, 5) is outside the map; the nearest free cell is (0, 5)");
+  Grid full(2, 1);
+  full.set_blocked({0, 0});
+  full.set_blocked({1, 0});
+  EXPECT_EQ(Planner(full).plan({.start = {0, 0}, .goal = {1, 0}}).error,
+            "start (0, 0) is blocked; the map has no free cell");
+}
+
+TEST(Planner, StartEqualToGoalIsAPathOfLengthZero) {
+  const Result result = Planner(Grid(5, 5)).plan({.start = {2, 2}, .goal = {2, 2}});
+  EXPECT_EQ(result.status, Status::solved);
+  EXPECT_EQ(result.path, std::vector<Point>{(Point{2.5, 2.5})});
+  EXPECT_EQ(result.length, 0);
+  EXPECT_EQ(result.gap(), 0);
+}
+
+TEST(Planner, UnreachableGoalsAreProvenUnderTheRuleInForce) {
+  Grid grid(20, 20);
+  for (int y = 0; y < 20; ++y) grid.set_blocked({y, y});  // a wall of diagonal neighbours
+  const Planner planner(grid);
+  const Request request{.start = {10, 2}, .goal = {2, 10}};
+  Params params = quick("as");
+  EXPECT_EQ(planner.plan(request, params).status, Status::unreachable);
+  EXPECT_NE(planner.plan(request, params).error, "");
+  params.corners = Corners::allow;
+  EXPECT_EQ(planner.plan(request, params).status, Status::solved);
+  params.neighbours = 4;  // the rule has no say
+  EXPECT_EQ(planner.plan(request, params).status, Status::unreachable);
+}
+
+TEST(Planner, UnreachableNeedsNoTimeAtAll) {
+  // Any poll at all would end the call with another status.
+  struct Expired : TimeSource {
+    Clock::time_point now() const noexcept override {
+      ++polls;
+      return Clock::time_point::max();
+    }
+    mutable std::atomic<int> polls{0};
+  } time;
+  Grid grid(1000, 1000);
+  for (int y = 0; y < 1000; ++y) grid.set_blocked({500, y});
+  const Planner planner(grid);
+  const auto before = allocations.load();
+  const Result result = planner.plan({.start = {1, 1},
+                                      .goal = {900, 900},
+                                      .stop = {.deadline = Clock::time_point{}, .time = &time}},
+                                     defaults("fan2004"));
+  EXPECT_EQ(result.status, Status::unreachable);
+  EXPECT_EQ(time.polls, 0);
+  EXPECT_LT(allocations - before, 300);
+}
+
+/// Says that time is up from a given reading on, and counts the readings.
+struct CountingTime : TimeSource {
+  explicit CountingTime(int readings) : left(readings) {}
+  Clock::time_point now() const noexcept override {
+    ++polls;
+    return left-- > 0 ? Clock::time_point::min() : Clock::time_point::max();
+  }
+  mutable std::atomic<int> left;
+  mutable std::atomic<int> polls{0};
+};
+
+TEST_P(EveryColony, AnExpiredDeadlineEndsTheCallWithTheBestPathSoFar) {
+  const Planner planner(blobs());
+  Request request = far_apart(planner);
+  request.stop.deadline = Clock::time_point{};
+  Params params = quick(GetParam());
+  params.threads = 1;
+  bool with = false, without = false;
+  for (int readings = 0; readings < 400; readings += 7) {
+    const CountingTime time(readings);
+    request.stop.time = &time;
+    const Result result = planner.plan(request, params);
+    ASSERT_EQ(result.status, Status::limit) << readings;
+    EXPECT_LE(time.polls - readings, params.ants + 40);
+    EXPECT_EQ(result.best.size(), static_cast<std::size_t>(result.iterations));
+    (result.path.empty() ? without : with) = true;
+    if (!result.path.empty()) {
+      EXPECT_EQ(path_fault(planner.grid(), result.path), std::nullopt);
+    }
+  }
+  EXPECT_TRUE(with && without);
+}
+
+TEST(Planner, WalksPollAtLeastEvery4096Steps) {
+  // One ant on a map without guidance to speak of: steps are many, polls must be, too.
+  const Planner planner(blobs(300, 300));
+  Request request = far_apart(planner);
+  const CountingTime time(1 << 30);
+  request.stop = {.deadline = Clock::time_point{}, .time = &time};
+  Params params = quick("fan2004");
+  params.heuristic = Heuristic::uniform;
+  params.ants = 1;
+  params.iterations = 1;
+  const Result result = planner.plan(request, params);
+  EXPECT_EQ(result.status, Status::solved);
+  EXPECT_GE(time.polls, result.mean[0] / 4096);
+}
+
+TEST(Planner, ATokenInterrupts) {
+  const Planner planner(blobs());
+  Request request = far_apart(planner);
+  std::stop_source source;
+  request.stop.token = source.get_token();
+  Params params = quick("fan2004");
+  params.iterations = 1000000;
+  const Result result = planner.plan(request, params, nullptr, [&](const Progress& p) {
+    if (p.iteration == 4) source.request_stop();
+  });
+  EXPECT_EQ(result.status, Status::interrupted);
+  EXPECT_EQ(result.iterations, 5);
+  EXPECT_FALSE(result.path.empty());
+}
+
+TEST(Planner, ZeroIterationsEndWithoutAPath) {
+  const Planner planner(blobs());
+  Params params = quick("fan2004");
+  params.iterations = 0;
+  const Result result = planner.plan(far_apart(planner), params);
+  EXPECT_EQ(result.status, Status::no_path);
+  EXPECT_TRUE(result.best.empty());
+}
+
+TEST(Planner, ObserversSeeToursAndPheromone) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  int calls = 0;
+  (void)planner.plan(request, quick("fan2004"), nullptr, [&](const Progress& p) {
+    EXPECT_EQ(p.iteration, calls++);
+    EXPECT_EQ(p.ants(), 10);
+    EXPECT_EQ(p.arrived, 10);
+    for (int a = 0; a < p.ants(); ++a) {
+      const auto tour = p.tour(a);
+      ASSERT_GE(tour.size(), 2u);
+      EXPECT_EQ(tour.front(), request.start);
+      EXPECT_EQ(tour.back(), request.goal);
+      EXPECT_GT(p.pheromone(tour[tour.size() / 2]), p.pheromone({0, 119}));
+    }
+  });
+  EXPECT_EQ(calls, 15);
+}
+
+TEST(Planner, OnePlannerServesManyThreads) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  Params params = quick("fan2004");
+  params.threads = 1;
+  params.iterations = 4;
+  const Result expected = planner.plan(request, params);
+  std::vector<Result> results(4);
+  {
+    std::vector<std::jthread> threads;
+    for (Result& result : results) {
+      threads.emplace_back([&] { result = planner.plan(request, params); });
+    }
+  }
+  for (const Result& result : results) expect_equal(result, expected);
+}
+
+TEST(Planner, EditsMakeANewVersionAndLeaveTheOldOne) {
+  Grid grid(600, 300);
+  for (int y = 0; y < 300; ++y) grid.set_blocked({300, y});
+  const Planner closed(grid);
+  const Planner::Edit door{{300, 150}, false};
+  const Planner open = closed.edited({&door, 1});
+  const Cell a{10, 10}, b{590, 290};
+  EXPECT_FALSE(closed.connected(a, b));
+  EXPECT_TRUE(open.connected(a, b));
+  const Planner::Edit shut{{300, 150}, true};
+  EXPECT_FALSE(open.edited({&shut, 1}).connected(a, b));
+  EXPECT_EQ(open.edited({&shut, 1}).grid(), closed.grid());
+  const Planner::Edit outside{{600, 0}, true};
+  EXPECT_THROW((void)open.edited({&outside, 1}), Error);
+}
+
+TEST(Planner, ParametersOutOfRangeThrow) {
+  const Planner planner(Grid(5, 5));
+  Params params;
+  params.ants = 0;
+  EXPECT_THROW((void)planner.plan({.start = {0, 0}, .goal = {1, 1}}, params), Error);
+}
+
+}  // namespace
+}  // namespace lasius

@@ -1,0 +1,37 @@
+// Shared by the fuzz targets: bytes as a file, and what a reader may do with them.
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "byte_reader.h"
+#include "lasius/error.h"
+
+namespace lasius::fuzz {
+
+/// Ends the fuzzer where `holds` is false.
+inline void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+/// What `read(ByteReader&)` returns, or nothing where it refuses the bytes as it should: with an
+/// Error that names the file, a line or offset within it, and a remedy.
+template <typename Read>
+auto read_bytes(const std::string& bytes, bool size_known, Read read)
+    -> std::optional<decltype(read(std::declval<ByteReader&>()))> {
+  std::istringstream stream(bytes);
+  ByteReader in(stream, "fuzz", size_known ? static_cast<std::int64_t>(bytes.size()) : -1);
+  try {
+    return read(in);
+  } catch (const Error& error) {
+    require(error.place().file == "fuzz" && !error.problem().empty() && !error.remedy().empty());
+    require((error.place().line >= 0) != (error.place().offset >= 0));
+    require(error.place().offset <= static_cast<std::int64_t>(bytes.size()));
+    return std::nullopt;
+  }
+}
+
+}  // namespace lasius::fuzz

@@ -1,0 +1,130 @@
+"""batch: formats of queries, order, equality with plan, exit codes."""
+import json
+import os
+import unittest
+
+from program import MAPS, ProgramTest
+
+HEADER = "map\tsx\tsy\tgx\tgy\tnote\n"
+FAN = os.path.join(MAPS, "fan400x200.map")
+
+
+def without(result, *keys):
+    return {key: value for key, value in result.items() if key not in keys}
+
+
+class Formats(ProgramTest):
+    def batch(self, queries, *arguments, name="q.tsv", map_file="small.map"):
+        self.write(name, queries)
+        return self.run_program("batch", map_file, name, "--iterations", "3", *arguments)
+
+    def test_a_table_with_columns_among_others(self):
+        run = self.batch(HEADER + "a\t0\t0\t9\t5\tx\nb\t1\t0\t9\t0\t\n")
+        self.assertEqual((run.code, run.err), (0, ""))
+        self.assertEqual([(q["index"], q["start"], q["goal"], q["status"]) for q in run.lines],
+                         [(0, [0, 0], [9, 5], "solved"), (1, [1, 0], [9, 0], "solved")])
+
+    def test_columns_in_any_order_blanks_and_line_ends(self):
+        run = self.batch("gy gx  sy sx\r\n5 9 0 0\r\n\r\n 0\t9  0 1 \r\n")
+        self.assertEqual([(q["start"], q["goal"]) for q in run.lines],
+                         [([0, 0], [9, 5]), ([1, 0], [9, 0])])
+
+    def test_scenarios(self):
+        for version in ("1", "1.0"):
+            for blank in ("\t", "  ", " \t "):
+                with self.subTest(version=version, blank=blank):
+                    fields = ["0", "maps/other.map", "10", "6", "0", "0", "9", "5", "10.5"]
+                    run = self.batch(f"version {version}\n" + blank.join(fields) + "\n", name="q.scen")
+                    self.assertEqual(run.code, 0, run.err)
+                    self.assertEqual([q["goal"] for q in run.lines], [[9, 5]])
+
+    def test_no_queries_is_no_error(self):
+        for queries in ("version 1\n", HEADER):
+            run = self.batch(queries)
+            self.assertEqual((run.code, run.out), (0, ""))
+
+    def test_a_broken_file_prints_nothing_and_names_the_line(self):
+        good = "a\t0\t0\t9\t5\tx\n"
+        row = "0\tm.map\t10\t6\t0\t0\t9\t5\t1\n"
+        cases = [
+            ("", "empty"), ("\n\n", "empty"), ("sx sy gx\n1 2 3\n", "line 1"),
+            ("sx\tsy\tgx\tgy\tgy\n", "two columns"),
+            (HEADER + good + "a\t0\t0\t9\tfive\tx\n", "line 3"),
+            (HEADER + good + "a\t0\t0\t9\t5.5\tx\n", "line 3"),
+            (HEADER + good + good + "a\t0\t0\t9\n", "line 4"),
+            (HEADER + good + "a\t0\t0\t9\t5\tx\ty\n", "line 3"),
+            ("version 2\n" + row, "line 1"), ("version\n" + row, "line 1"),
+            ("version 1\n" + row + "0\tm.map\t10\t6\t0\t0\t9\t5\n", "line 3"),
+            ("version 1\n" + row + row.replace("10", "11"), "line 3"),
+            ("version 1\n" + row.replace("\t1\n", "\tone\n"), "line 2"),
+            ("version 1\n" + row.replace("9\t5", "9\tx"), "line 2"),
+        ]
+        for queries, word in cases:
+            with self.subTest(queries=queries):
+                self.refused(self.batch(queries), 3, "q.tsv", word)
+        self.refused(self.run_program("batch", "small.map", "missing.tsv"), 3, "missing.tsv")
+        self.refused(self.run_program("batch", "small.map", "."), 3)
+        self.refused(self.batch(HEADER + good, map_file="missing.map"), 3, "missing.map")
+
+    def test_bad_queries_do_not_end_the_run(self):
+        run = self.batch("sx\tsy\tgx\tgy\n3\t1\t0\t0\n0\t0\t99\t0\n0\t0\t4\t2\n-5\t0\t0\t0\n"
+                         "0\t0\t9\t5\n0\t0\t99999999999\t0\n")
+        self.assertEqual(run.code, 0)
+        self.assertEqual([q["status"] for q in run.lines],
+                         ["invalid", "invalid", "unreachable", "invalid", "solved", "invalid"])
+        self.assertEqual([q["index"] for q in run.lines], list(range(6)))
+        for query in run.lines:
+            self.assertEqual(query["error"] is None, query["status"] == "solved")
+        self.assertIn("nearest free cell", run.lines[0]["error"])
+
+
+class Answers(ProgramTest):
+    QUERIES = [((14, 14), (380, 179)), ((14, 14), (60, 40)), ((380, 179), (14, 14)),
+               ((200, 20), (14, 14)), ((14, 14), (14, 14)), ((399, 0), (14, 14))] * 3
+
+    def setUp(self):
+        super().setUp()
+        rows = [f"{sx}\t{sy}\t{gx}\t{gy}\n" for (sx, sy), (gx, gy) in self.QUERIES]
+        self.write("q.tsv", "sx\tsy\tgx\tgy\n" + "".join(rows))
+
+    def batch(self, *arguments):
+        return self.run_program("batch", FAN, "q.tsv", "--iterations", "4", "--seed", "7",
+                                *arguments)
+
+    def test_each_query_gives_what_plan_gives(self):
+        lines = self.batch("--threads", "2").lines
+        for query, line in list(zip(self.QUERIES, lines))[:6]:
+            (sx, sy), (gx, gy) = query
+            single = self.plan("--json", "--iterations", "4", "--seed", "7", map_file=FAN,
+                               start=f"{sx},{sy}", goal=f"{gx},{gy}").json
+            self.assertEqual(without(line, "index", "threads", "elapsed_ms"),
+                             without(single, "threads", "elapsed_ms"))
+
+    def test_any_number_of_threads_prints_the_same(self):
+        runs = [[without(line, "threads", "elapsed_ms") for line in self.batch("--threads", n).lines]
+                for n in ("1", "2", "7")]
+        self.assertEqual(len(runs[0]), len(self.QUERIES))
+        self.assertEqual([line["index"] for line in runs[0]], list(range(len(self.QUERIES))))
+        self.assertEqual(runs[0], runs[1])
+        self.assertEqual(runs[0], runs[2])
+
+    def test_files(self):
+        run = self.batch("-o", "all.json", "-o", "all.csv", "-o", "all.png")
+        self.assertEqual(self.read("all.json").decode(), run.out)
+        rows = self.read("all.csv").decode().splitlines()
+        self.assertEqual(rows[0].split(",")[:7], ["index", "sx", "sy", "gx", "gy", "status", "length"])
+        self.assertEqual(len(rows), 1 + len(self.QUERIES))
+        self.assertEqual([row.split(",")[5] for row in rows[1:]],
+                         [line["status"] for line in run.lines])
+        self.assertLessEqual(max(self.png_size("all.png")), 2000)
+
+    def test_a_time_limit_holds_for_each_query(self):
+        lines = self.batch("--time-limit", "0").lines
+        self.assertEqual(len(lines), len(self.QUERIES))
+        for query, line in zip(self.QUERIES, lines):
+            if line["status"] not in ("invalid", "unreachable"):
+                self.assertEqual(line["status"], "solved" if query[0] == query[1] else "limit")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,179 @@
+"""info, algorithms, generate, and the world frame of ROS maps."""
+import json
+import math
+import os
+import unittest
+
+from program import MAPS, ProgramTest
+
+
+class Info(ProgramTest):
+    def test_what_is_known_of_a_map(self):
+        run = self.run_program("info", "small.map", "--json")
+        self.assertEqual((run.code, run.err), (0, ""))
+        info = run.json
+        self.assertEqual((info["width"], info["height"], info["free_cells"]), (10, 6, 44))
+        self.assertAlmostEqual(info["free_share"], 44 / 60)
+        self.assertEqual((info["connectivity"], info["components"]), (4, 3))
+        self.assertIsNone(info["frame"])
+        self.assertGreater(info["memory"]["total"], 0)
+        self.assertGreaterEqual(info["prepare_ms"], 0)
+        self.assertEqual(info["hash"], self.plan("--json").json["map"]["hash"])
+
+    def test_for_people(self):
+        run = self.run_program("info", "small.map")
+        self.assertEqual(run.code, 0)
+        for word in ("10 x 6 cells", "44 cells, 73%", "3 (4-connected)", "bits a cell"):
+            self.assertIn(word, run.out)
+
+    def test_a_missing_map(self):
+        self.refused(self.run_program("info", "missing.map"), 3, "missing.map")
+
+
+class Algorithms(ProgramTest):
+    def test_machine_readable(self):
+        listing = self.run_program("algorithms", "--json").json
+        names = [entry["name"] for entry in listing["algorithms"]]
+        self.assertIn("fan2004", names)
+        self.assertIn("as", names)
+        for entry in listing["algorithms"]:
+            self.assertTrue(entry["summary"] and entry["source"])
+            for parameter in entry["parameters"]:
+                with self.subTest(algorithm=entry["name"], parameter=parameter["name"]):
+                    self.assertIn(parameter["type"], ("integer", "number", "choice"))
+                    if parameter["type"] == "choice":
+                        self.assertIn(parameter["default"], parameter["values"])
+                    else:
+                        self.assertLessEqual(parameter["minimum"], parameter["default"])
+                        self.assertLessEqual(parameter["default"], parameter["maximum"])
+
+    def test_every_listed_parameter_can_be_set_and_is_recorded(self):
+        for entry in self.run_program("algorithms", "--json").json["algorithms"]:
+            defaults = {p["name"]: p["default"] for p in entry["parameters"]}
+            settings = [word for name, value in defaults.items() if name != "iterations"
+                        for word in ("--set", f"{name}={value}")]
+            result = self.plan("--json", "--algorithm", entry["name"], *settings).json
+            self.assertEqual({name: result["parameters"][name] for name in defaults}, defaults)
+
+    def test_bounds_are_the_ones_that_hold(self):
+        for entry in self.run_program("algorithms", "--json").json["algorithms"]:
+            for parameter in entry["parameters"]:
+                if parameter["type"] == "integer":
+                    beyond = parameter["maximum"] + 1
+                elif parameter["type"] == "number":
+                    beyond = parameter["maximum"] * 2
+                else:
+                    beyond = "nonsense"
+                with self.subTest(parameter=parameter["name"]):
+                    run = self.plan("--algorithm", entry["name"], "--set",
+                                    f"{parameter['name']}={beyond}")
+                    self.refused(run, 2, parameter["name"])
+
+    def test_for_people(self):
+        out = self.run_program("algorithms").out
+        for word in ("fan2004:", "persistence=0.7", "[0 .. 1]", "forbid|one-side|allow"):
+            self.assertIn(word, out)
+
+
+class Generate(ProgramTest):
+    def test_equal_bits_from_equal_seeds_in_every_format(self):
+        hashes = {}
+        for name in ("a.map", "b.pbm", "c.png"):
+            run = self.run_program("generate", "blobs", "--size", "70x40", "--seed", "3", "-o", name)
+            self.assertEqual((run.code, run.out, run.err), (0, "", ""))
+            hashes[name] = self.run_program("info", name, "--json").json["hash"]
+        self.assertEqual(len(set(hashes.values())), 1, hashes)
+        self.run_program("generate", "blobs", "--size", "70x40", "--seed", "4", "-o", "d.map")
+        self.assertNotEqual(self.run_program("info", "d.map", "--json").json["hash"],
+                            hashes["a.map"])
+
+    def test_every_kind(self):
+        for kind in ("blobs", "maze", "rooms", "city", "random", "open"):
+            run = self.run_program("generate", kind, "--size", "33x21", "-o", f"{kind}.map")
+            self.assertEqual(run.code, 0, run.err)
+            info = self.run_program("info", f"{kind}.map", "--json").json
+            self.assertEqual((info["width"], info["height"]), (33, 21))
+            self.assertGreater(info["free_cells"], 0)
+
+    def test_an_output_that_cannot_be_written(self):
+        self.refused(self.run_program("generate", "open", "--size", "8x8", "-o", "no/m.map"), 7)
+
+
+class WorldFrame(ProgramTest):
+    # 8 x 4 cells of 0.5 m whose lower left corner lies at (-1, 2), turned by 30 degrees.
+    YAW = math.pi / 6
+
+    def setUp(self):
+        super().setUp()
+        self.write("world.pgm", b"P5\n8 4\n255\n" + b"\xfe" * 8 + b"\xfe" * 3 + b"\x00" * 2 +
+                   b"\xfe" * 3 + b"\xfe" * 3 + b"\x00" * 2 + b"\xcd" * 3 + b"\xfe" * 8)
+        self.write("world.yaml", "image: world.pgm\nresolution: 0.5\n"
+                   f"origin: [-1.0, 2.0, {self.YAW!r}]\nnegate: 0\n"
+                   "occupied_thresh: 0.65\nfree_thresh: 0.196\n")
+
+    def metres(self, x, y):
+        east, north = 0.5 * x, 0.5 * (4 - y)
+        c, s = math.cos(self.YAW), math.sin(self.YAW)
+        return -1 + c * east - s * north, 2 + s * east + c * north
+
+    def world(self, *arguments, start=(0.2, 0.3), goal=(7.7, 0.6)):
+        points = ["%.12f,%.12f" % self.metres(*point) for point in (start, goal)]
+        return self.plan("--frame", "world", *arguments, map_file="world.yaml", start=points[0],
+                         goal=points[1])
+
+    def test_metres_in_and_out(self):
+        run = self.world("--json", goal=(7.7, 3.6))
+        self.assertEqual(run.code, 0, run.err)
+        result = run.json
+        self.assertEqual((result["start"], result["goal"]), ([0, 0], [7, 3]))
+        self.assertEqual(result["parameters"]["frame"], "world")
+        self.assertAlmostEqual(result["length_m"], 0.5 * result["length"], places=12)
+        self.assertEqual(len(result["path_world"]), len(result["path"]))
+        for cell, world in zip(result["path"], result["path_world"]):
+            for got, expected in zip(world, self.metres(*cell)):
+                self.assertAlmostEqual(got, expected, places=9)
+
+    def test_plain_output_is_in_metres(self):
+        result = self.world("--json").json
+        lines = self.world().out.splitlines()
+        self.assertEqual(float(lines[1]), result["length_m"])
+        self.assertEqual([[float(n) for n in line.split()] for line in lines[2:]],
+                         result["path_world"])
+
+    def test_the_cell_frame_has_no_metres(self):
+        result = self.plan("--json", map_file="world.yaml", start="0,0", goal="7,0").json
+        self.assertNotIn("path_world", result)
+        self.assertNotIn("length_m", result)
+
+    def test_outside_is_named_in_both_frames(self):
+        run = self.world(goal=(9.5, 0.5))
+        self.assertEqual(run.code, 4)
+        self.assertIn("(7, 0)", run.err)
+        self.assertIn("%.3f" % self.metres(7.5, 0.5)[0], run.err)
+
+    def test_unknown_cells(self):
+        self.assertEqual(self.world(goal=(6.5, 2.5)).code, 4)
+        self.assertEqual(self.world("--unknown-free", goal=(6.5, 2.5)).code, 0)
+
+    def test_a_radius_is_in_metres(self):
+        blocked = self.world("--json", "--radius", "0.3").json
+        self.assertEqual(blocked["parameters"]["radius"], 0.6)
+        self.assertEqual(blocked["status"], "invalid")
+
+    def test_batch_tables_are_in_metres_and_scenarios_in_cells(self):
+        start, goal = self.metres(0.5, 0.5), self.metres(7.5, 0.5)
+        self.write("q.tsv", "sx\tsy\tgx\tgy\n%r\t%r\t%r\t%r\n" % (*start, *goal))
+        self.write("q.scen", "version 1\n0 m 8 4 0 0 7 0 7\n")
+        for name in ("q.tsv", "q.scen"):
+            run = self.run_program("batch", "world.yaml", name, "--frame", "world")
+            self.assertEqual(run.code, 0, run.err)
+            self.assertEqual((run.lines[0]["start"], run.lines[0]["goal"]), ([0, 0], [7, 0]))
+            self.assertAlmostEqual(run.lines[0]["length_m"], 3.5)
+
+    def test_verify_replays_it(self):
+        self.world("-o", "r.json", "--unknown-free", goal=(6.5, 2.5))
+        self.assertEqual(self.run_program("verify", "r.json").code, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

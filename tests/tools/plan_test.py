@@ -1,0 +1,217 @@
+"""plan: exit codes, the JSON of a result, the plain output, files."""
+import json
+import math
+import os
+import unittest
+
+from program import MAPS, ProgramTest
+
+KEYS = ["format", "version", "map", "algorithm", "start", "goal", "seed", "threads", "parameters",
+        "status", "error", "length", "path", "iterations", "best", "mean", "arrived",
+        "lower_bound", "gap", "optimal", "elapsed_ms"]
+FAN = dict(map_file=os.path.join(MAPS, "fan400x200.map"), start="14,14", goal="380,179")
+
+
+def path_length(path):
+    return sum(math.dist(p, q) for p, q in zip(path, path[1:]))
+
+
+class ExitCodes(ProgramTest):
+    def test_found(self):
+        self.assertEqual(self.plan().code, 0)
+
+    def test_a_missing_or_broken_map(self):
+        self.refused(self.plan(map_file="missing.map"), 3, "missing.map")
+        self.refused(self.plan(map_file="."), 3)
+        for name, content in (("empty.map", ""), ("short.map", "type octile\nheight 6\nwidth 10\nmap\n...\n"),
+                              ("text.map", "this is no map\n"), ("size.map", "type octile\nheight x\n"),
+                              ("cut.pbm", b"P4\n64 64\n\0\0")):
+            with self.subTest(name=name):
+                self.write(name, content)
+                self.refused(self.plan(map_file=name), 3, name)
+
+    def test_start_or_goal_outside_or_blocked(self):
+        cases = [("3,1", "0,0", "start", "3, 0"), ("0,0", "3,1", "goal", "3, 0"),
+                 ("-1,5", "0,0", "start", "0, 5"), ("0,0", "10,5", "goal", "9, 5"),
+                 ("0,0", "99999999999,2", "goal", "9, 2"), ("0,-2147483648", "0,0", "start", "0, 0")]
+        for start, goal, which, free in cases:
+            with self.subTest(start=start, goal=goal):
+                run = self.plan(start=start, goal=goal)
+                self.assertEqual((run.code, run.out), (4, "invalid\n"))
+                self.assertIn(which, run.err)
+                self.assertIn(f"nearest free cell is ({free})", run.err)
+
+    def test_unreachable_says_so_and_invalid_beats_it(self):
+        run = self.plan(goal="4,2")
+        self.assertEqual((run.code, run.out), (5, "unreachable\n"))
+        self.assertIn("(0, 0)", run.err)
+        self.assertIn("(4, 2)", run.err)
+        self.assertEqual(self.plan(start="3,1", goal="4,2").code, 4)
+
+    def test_grown_obstacles_are_named(self):
+        run = self.plan("--radius", "0.5")
+        self.assertEqual(run.code, 4)
+        self.assertIn("grown by 0.5 cells", run.err)
+
+    def test_no_path_within_the_iterations(self):
+        run = self.plan("--iterations", "0")
+        self.assertEqual((run.code, run.out), (6, "no_path\n"))
+        self.assertIn("0 iterations", run.err)
+
+    def test_a_time_limit(self):
+        spent = self.plan("--time-limit", "0", **FAN)
+        self.assertEqual((spent.code, spent.out), (6, "limit\n"))
+        kept = self.plan("--iterations", "1000000000", "--time-limit", "0.3", "--json")
+        self.assertEqual(kept.code, 0)
+        self.assertEqual(kept.json["status"], "limit")
+        self.assertAlmostEqual(path_length(kept.json["path"]), kept.json["length"], places=9)
+        self.assertEqual(len(kept.json["best"]), kept.json["iterations"])
+
+    def test_an_output_that_cannot_be_written(self):
+        self.refused(self.plan("-o", "no/folder/x.json"), 7, "no/folder")
+        os.mkdir(self.path("x.json"))
+        self.refused(self.plan("-o", "x.json"), 7, "x.json")
+
+    def test_a_world_frame_needs_a_ros_map(self):
+        self.refused(self.plan("--frame", "world"), 2, "frame", ".yaml")
+
+
+class Json(ProgramTest):
+    def test_keys_types_and_order(self):
+        run = self.plan("--json", "--iterations", "7", "--seed", "5", "--threads", "2")
+        result = run.json
+        self.assertEqual(list(result), KEYS)
+        self.assertEqual(run.out.count("\n"), 1)
+        self.assertEqual(result["format"], "lasius-plan/1")
+        self.assertEqual(list(result["map"]), ["file", "hash", "width", "height"])
+        self.assertEqual((result["map"]["file"], result["map"]["width"], result["map"]["height"]),
+                         ("small.map", 10, 6))
+        self.assertRegex(result["map"]["hash"], r"^[0-9a-f]{16}$")
+        self.assertEqual((result["start"], result["goal"]), ([0, 0], [9, 5]))
+        self.assertEqual((result["seed"], result["threads"]), (5, 2))
+        self.assertEqual((result["status"], result["error"]), ("solved", None))
+        self.assertEqual((result["path"][0], result["path"][-1]), ([0.5, 0.5], [9.5, 5.5]))
+        self.assertAlmostEqual(path_length(result["path"]), result["length"], places=9)
+        self.assertEqual(result["iterations"], 7)
+        for key in ("best", "mean", "arrived"):
+            self.assertEqual(len(result[key]), 7)
+        self.assertEqual(result["best"], sorted(result["best"], reverse=True))
+        self.assertEqual(result["best"][-1], result["length"])
+        self.assertTrue(all(isinstance(n, int) and 0 <= n <= 10 for n in result["arrived"]))
+        self.assertEqual(result["parameters"]["iterations"], 7)
+        self.assertIs(result["optimal"], False)
+
+    def test_results_without_a_path(self):
+        for arguments, status in ((dict(goal="4,2"), "unreachable"), (dict(goal="3,1"), "invalid")):
+            with self.subTest(status=status):
+                result = self.plan("--json", **arguments).json
+                self.assertEqual(list(result), KEYS)
+                self.assertEqual((result["status"], result["length"], result["path"]),
+                                 (status, None, None))
+                self.assertIsInstance(result["error"], str)
+                self.assertEqual((result["iterations"], result["best"]), (0, []))
+        self.assertIn("nearest free cell is (3, 0)", self.plan("--json", goal="3,1").json["error"])
+
+    def test_start_is_goal(self):
+        result = self.plan("--json", start="2,2", goal="2,2").json
+        self.assertEqual((result["status"], result["length"], result["path"]),
+                         ("solved", 0, [[2.5, 2.5]]))
+
+    def test_iterations_without_an_arrival_are_null(self):
+        # Ants that die in dead ends, on a map that is one: few or none arrive.
+        rows = ["." * 40 if y % 2 == 0 else "." * 39 + "@" if y % 4 == 1 else "@" + "." * 39
+                for y in range(40)]
+        self.write("dead.map", "type octile\nheight 40\nwidth 40\nmap\n" + "\n".join(rows) + "\n")
+        result = self.plan("--json", "--set", "dead_end=kill", "--ants", "1", "--iterations", "20",
+                           "--algorithm", "as", "--set", "beta=0", map_file="dead.map",
+                           goal="39,39").json
+        for best, mean, arrived in zip(result["best"], result["mean"], result["arrived"]):
+            self.assertEqual(mean is None, arrived == 0)
+            if best is None:
+                self.assertEqual(arrived, 0)
+        self.assertIn(0, result["arrived"])
+
+    def test_equal_runs_differ_in_threads_and_time_only(self):
+        runs = [self.plan("--json", "--iterations", "12", "--threads", threads, **FAN).json
+                for threads in ("1", "2", "5")]
+        for run in runs:
+            del run["threads"], run["elapsed_ms"]
+        self.assertEqual(runs[0], runs[1])
+        self.assertEqual(runs[0], runs[2])
+        other = self.plan("--json", "--iterations", "12", "--seed", "2", **FAN).json
+        self.assertNotEqual(other["mean"], runs[0]["mean"])
+
+    def test_numbers_round_trip(self):
+        out = self.plan("--json", "--iterations", "5", **FAN).out
+        again = json.dumps(json.loads(out), separators=(",", ":"))
+        self.assertEqual(json.loads(again), json.loads(out))
+        self.assertEqual(again, out.rstrip("\n"))
+
+    def test_parameters_are_recorded(self):
+        result = self.plan("--json", "--set", "persistence=0.123456789", "--ants", "3", "--polish",
+                           "none", "--set", "alpha=2.5", "--time-limit", "100", "--target-gap",
+                           "1").json
+        expected = {"persistence": 0.123456789, "ants": 3, "polish": "none", "alpha": 2.5,
+                    "time_limit": 100, "target_gap": 0.01, "radius": 0, "unknown": "blocked",
+                    "frame": "cell", "corners": "forbid", "neighbours": 4}
+        self.assertEqual({key: result["parameters"][key] for key in expected}, expected)
+
+    def test_set_wins_over_the_options_own_name(self):
+        result = self.plan("--json", "--set", "ants=4", "--ants", "3").json
+        self.assertEqual(result["parameters"]["ants"], 4)
+
+    def test_gap_adds_the_optimum(self):
+        result = self.plan("--json", "--gap").json
+        self.assertEqual([key for key in result if key not in KEYS], ["optimum", "optimum_gap"])
+
+
+class Text(ProgramTest):
+    def test_status_length_and_one_vertex_a_line(self):
+        result = self.plan("--json").json
+        lines = self.plan().out.splitlines()
+        self.assertEqual(lines[0], "solved")
+        self.assertEqual(float(lines[1]), result["length"])
+        self.assertEqual([[float(n) for n in line.split()] for line in lines[2:]], result["path"])
+
+    def test_messages_only_where_asked(self):
+        self.assertEqual(self.plan().err, "")
+        self.assertIn("small.map", self.plan("-v").err)
+        self.assertIn("fan2004", self.plan("-v").err)
+        self.assertNotEqual(self.plan("-q", goal="4,2").err, "")
+
+    def test_progress_never_unless_a_terminal_or_asked(self):
+        self.assertNotIn("\r", self.plan("--progress", "auto", "-v").err)
+        shown = self.plan("--progress", "always").err
+        self.assertIn("/120", shown)
+        self.assertTrue(shown.endswith("\033[K"))
+
+
+class Files(ProgramTest):
+    def test_json_is_what_stdout_gets(self):
+        run = self.plan("--json", "-o", "a.json", "-o", "b.json")
+        self.assertEqual(self.read("a.json").decode(), run.out)
+        self.assertEqual(self.read("b.json").decode(), run.out)
+        left = sorted(name for name in os.listdir(self.folder))
+        self.assertEqual(left, ["a.json", "b.json", "small.map"])
+
+    def test_json_of_a_failure_is_written_too(self):
+        self.assertEqual(self.plan("-o", "a.json", goal="4,2").code, 5)
+        self.assertEqual(json.loads(self.read("a.json"))["status"], "unreachable")
+
+    def test_csv_is_the_convergence(self):
+        result = self.plan("--json", "--iterations", "4", "-o", "run.csv").json
+        rows = [row.split(",") for row in self.read("run.csv").decode().splitlines()]
+        self.assertEqual(rows[0], ["iteration", "best", "mean", "arrived"])
+        self.assertEqual([int(row[0]) for row in rows[1:]], [1, 2, 3, 4])
+        self.assertEqual([float(row[1]) for row in rows[1:]], result["best"])
+        self.assertEqual([float(row[2]) for row in rows[1:]], result["mean"])
+        self.assertEqual([int(row[3]) for row in rows[1:]], result["arrived"])
+
+    def test_a_failed_run_leaves_an_older_file_alone(self):
+        self.write("a.json", "old")
+        self.plan("-o", "a.json", map_file="missing.map")
+        self.assertEqual(self.read("a.json"), b"old")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,110 @@
+"""Runs the built program as a user would. Standard library only."""
+import json
+import os
+import struct
+import subprocess
+import tempfile
+import unittest
+import zlib
+
+PROGRAM = os.environ["LASIUS_PROGRAM"]
+MAPS = os.environ["LASIUS_MAPS_DIR"]
+
+# Free cells are dots. (0,0)-(9,5) is joined, (6,2) lies in a closed cell, (3,2) is blocked.
+SMALL_MAP = """type octile
+height 6
+width 10
+map
+..........
+...@@@@@@.
+...@..@.@.
+...@@@@@@.
+....@.....
+..........
+"""
+
+
+class Run:
+    """What a finished run left: code, out, err."""
+
+    def __init__(self, done):
+        self.code, self.out, self.err = done.returncode, done.stdout, done.stderr
+
+    @property
+    def json(self):
+        return json.loads(self.out, parse_constant=refuse_constant)
+
+    @property
+    def lines(self):
+        return [json.loads(line, parse_constant=refuse_constant)
+                for line in self.out.splitlines()]
+
+
+def refuse_constant(name):
+    raise ValueError(f"{name} is no JSON")
+
+
+def environment(extra):
+    clean = {k: v for k, v in os.environ.items() if k not in ("LASIUS_THREADS", "OMP_NUM_THREADS")}
+    # Threads that wait shall sleep: other tests run beside this one.
+    return {**clean, "OMP_WAIT_POLICY": "passive", **(extra or {})}
+
+
+class ProgramTest(unittest.TestCase):
+    """Each test runs in a folder of its own that holds small.map."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="lasius-test-")
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.write("small.map", SMALL_MAP)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content if isinstance(content, bytes) else content.encode())
+        return name
+
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def run_program(self, *arguments, env=None, **options):
+        return Run(subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder,
+                                  env=environment(env), stdin=subprocess.DEVNULL,
+                                  capture_output=True, text=True, timeout=120, check=False,
+                                  **options))
+
+    def start_program(self, *arguments, **options):
+        return subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder,
+                                env=environment(None), stdin=subprocess.DEVNULL,
+                                stdout=options.pop("stdout", subprocess.PIPE),
+                                stderr=subprocess.PIPE, **options)
+
+    def plan(self, *arguments, start="0,0", goal="9,5", map_file="small.map", **options):
+        return self.run_program("plan", map_file, "--start", start, "--goal", goal, *arguments,
+                                **options)
+
+    def refused(self, run, code, *words):
+        """Exit code `code`, nothing on stdout, and a message that says all `words`."""
+        self.assertEqual(run.code, code, run.err)
+        self.assertEqual(run.out, "")
+        for word in words:
+            self.assertIn(word, run.err)
+
+    def png_size(self, name):
+        """Width and height of a PNG whose every chunk is whole."""
+        data = self.read(name)
+        self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
+        position, kinds = 8, []
+        while position < len(data):
+            length, kind = struct.unpack(">I4s", data[position:position + 8])
+            body = data[position + 4:position + 8 + length]
+            self.assertEqual(struct.unpack(">I", data[position + 8 + length:][:4])[0],
+                             zlib.crc32(body))
+            kinds.append(kind)
+            position += 12 + length
+        self.assertEqual((kinds[0], kinds[-1]), (b"IHDR", b"IEND"))
+        return struct.unpack(">II", data[16:24])

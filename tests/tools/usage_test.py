@@ -1,0 +1,104 @@
+"""The command line: help, and every kind of bad argument."""
+import unittest
+
+from program import ProgramTest
+
+
+class Usage(ProgramTest):
+    def test_version_and_help_go_to_stdout(self):
+        version = self.run_program("--version")
+        self.assertEqual((version.code, version.err), (0, ""))
+        self.assertRegex(version.out, r"^lasius \d+\.\d+\.\d+\n$")
+        for command in ([], ["plan"], ["batch"], ["info"], ["algorithms"], ["generate"],
+                        ["verify"]):
+            with self.subTest(command=command):
+                shown = self.run_program(*command, "--help")
+                self.assertEqual((shown.code, shown.err), (0, ""))
+                self.assertIn("Usage: lasius", shown.out)
+
+    def test_no_command(self):
+        self.refused(self.run_program(), 2, "no command", "plan", "verify")
+
+    def test_the_nearest_known_word_is_named(self):
+        plan = ["plan", "small.map", "--start", "0,0", "--goal", "9,5"]
+        cases = [
+            (["paln", "small.map"], '"plan"'),
+            (["verfy"], '"verify"'),
+            (["plan", "small.map", "--strat", "0,0", "--goal", "9,5"], '"--start"'),
+            ([*plan, "--iteratoins", "3"], '"--iterations"'),
+            ([*plan, "--sead=3"], '"--seed"'),
+            (["info", "small.map", "--jsn"], '"--json"'),
+            ([*plan, "--algorithm", "fan204"], '"fan2004"'),
+            ([*plan, "--set", "persistance=0.5"], '"persistence"'),
+            ([*plan, "--set", "dead_end=kil"], '"kill"'),
+            ([*plan, "--polish", "tuat"], '"taut"'),
+            ([*plan, "--corners", "one_side"], '"one-side"'),
+            ([*plan, "--frame", "wrld"], '"world"'),
+            ([*plan, "--progress", "nevr"], '"never"'),
+            ([*plan, "-o", "picture.pngg"], '".png"'),
+            (["generate", "mazes", "--size", "8x8", "-o", "m.map"], '"maze"'),
+            (["generate", "maze", "--size", "8x8", "-o", "m.pdm"], '".pbm"'),
+        ]
+        for arguments, nearest in cases:
+            with self.subTest(arguments=arguments):
+                self.refused(self.run_program(*arguments), 2, "did you mean " + nearest)
+
+    def test_bad_values(self):
+        cases = [
+            ("--start", "1"), ("--start", "1,"), ("--start", "1,2,3"), ("--start", "1.5,2"),
+            ("--start", "a,b"), ("--start", " 1,2"), ("--start", "1;2"), ("--start", ""),
+            ("--seed", "-1"), ("--seed", "9007199254740992"), ("--seed", "1.5"), ("--seed", "x"),
+            ("--threads", "0"), ("--threads", "-2"), ("--threads", "many"),
+            ("--time-limit", "-1"), ("--time-limit", "inf"), ("--time-limit", "nan"),
+            ("--time-limit", "2s"), ("--target-gap", "-1"), ("--target-gap", "1%"),
+            ("--ants", "0"), ("--ants", "-3"), ("--ants", "2.5"), ("--ants", ""),
+            ("--iterations", "-1"), ("--iterations", "1e3"), ("--neighbours", "5"),
+            ("--radius", "-1"), ("--radius", "nan"), ("--tracks", "0"), ("--tracks", "1,,2"),
+            ("--tracks", "1,"), ("--set", "ants"), ("--set", "=3"), ("--set", "ants="),
+            ("--set", "ants=many"), ("--set", "alpha=nan"), ("--set", "alpha=1e99"),
+        ]
+        for option, value in cases:
+            with self.subTest(option=option, value=value):
+                arguments = {"--start": "0,0", "--goal": "9,5", option: value}
+                flat = [word for pair in arguments.items() for word in pair]
+                run = self.run_program("plan", "small.map", *flat)
+                self.refused(run, 2)
+                self.assertTrue(run.err.startswith("lasius: "), run.err)
+
+    def test_missing_and_surplus_arguments(self):
+        self.refused(self.run_program("plan"), 2, "required")
+        self.refused(self.run_program("plan", "small.map", "--start", "0,0"), 2, "--goal")
+        self.refused(self.run_program("batch", "small.map"), 2, "QUERIES")
+        self.refused(self.run_program("generate", "maze", "-o", "m.map"), 2, "--size")
+        self.refused(self.run_program("generate", "maze", "--size", "8x8"), 2, "--output")
+        self.refused(self.plan("more"), 2, "more")
+        self.refused(self.plan("--seed"), 2, "--seed")
+        self.refused(self.plan("--seed", "1", "--seed", "2"), 2, "--seed")
+        self.refused(self.plan("--json=yes"), 2, "json")
+        self.refused(self.plan("-q", "-v"), 2, "-q and -v")
+
+    def test_bad_sizes_and_densities(self):
+        for size in ("8", "8x", "x8", "0x8", "8x-1", "8x8x8", "8.5x8", "32769x8", "99999999999x8"):
+            with self.subTest(size=size):
+                self.refused(self.run_program("generate", "open", "--size", size, "-o", "m.map"), 2)
+        for density in ("-0.1", "1.5", "nan", "half"):
+            with self.subTest(density=density):
+                self.refused(self.run_program("generate", "blobs", "--size", "8x8", "--density",
+                                              density, "-o", "m.map"), 2)
+
+    def test_threads_of_the_environment(self):
+        def threads(*arguments, **env):
+            return self.plan("--json", "--iterations", "1", *arguments, env=env).json["threads"]
+
+        self.assertEqual(threads(LASIUS_THREADS="3", OMP_NUM_THREADS="2"), 3)
+        self.assertEqual(threads(OMP_NUM_THREADS="2,4"), 2)
+        self.assertEqual(threads("--threads", "4", LASIUS_THREADS="3"), 4)
+        self.assertGreaterEqual(threads(OMP_NUM_THREADS="nonsense"), 1)
+        self.refused(self.plan(env={"LASIUS_THREADS": "some"}), 2, "LASIUS_THREADS")
+
+    def test_usage_comes_before_files(self):
+        self.refused(self.plan("--seed", "x", map_file="missing.map"), 2, "--seed")
+
+
+if __name__ == "__main__":
+    unittest.main()

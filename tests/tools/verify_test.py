@@ -1,0 +1,122 @@
+"""verify: replays results, and tells equal from tampered, foreign and not replayable ones."""
+import json
+import os
+import shutil
+import unittest
+
+from program import MAPS, ProgramTest
+
+
+class Verify(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        shutil.copy(os.path.join(MAPS, "fan400x200.map"), self.path("fan.map"))
+
+    def save(self, *arguments, name="r.json", **question):
+        run = self.plan("--json", "--iterations", "8", *arguments,
+                        **{"map_file": "fan.map", "start": "14,14", "goal": "380,179", **question})
+        self.write(name, run.out)
+        return run.json
+
+    def test_equal_with_any_number_of_threads(self):
+        self.save("--threads", "1", "--set", "persistence=0.65", "--seed", "9007199254740991")
+        for threads in ("1", "2", "3"):
+            run = self.run_program("verify", "r.json", "--threads", threads)
+            self.assertEqual((run.code, run.out, run.err),
+                             (0, "1 of 1 result is equal to the replay\n", ""))
+
+    def test_options_that_shape_a_result_are_replayed(self):
+        for arguments in (["--algorithm", "as"], ["--polish", "none"], ["--ants", "3"],
+                          ["--neighbours", "8", "--corners", "one-side"],
+                          ["--time-limit", "1000"], ["--gap"], ["--target-gap", "3"]):
+            with self.subTest(arguments=arguments):
+                self.assertEqual(self.save(*arguments)["status"], "solved")
+                self.assertEqual(self.run_program("verify", "r.json").code, 0)
+
+    def test_a_radius_is_replayed(self):
+        rows = [("." * 12 + "@@" + "." * 12) if 8 <= y < 18 else "." * 26 for y in range(26)]
+        self.write("block.map", "type octile\nheight 26\nwidth 26\nmap\n" + "\n".join(rows))
+        lengths = [self.save("--radius", radius, map_file="block.map", start="4,12",
+                             goal="21,12")["length"] for radius in ("0", "2.5")]
+        self.assertLess(lengths[0], lengths[1])
+        self.assertEqual(self.run_program("verify", "r.json").code, 0)
+
+    def test_failures_are_results_too(self):
+        for goal in ("399,0", "1000,0"):
+            self.assertIn(self.save(goal=goal)["status"], ("invalid", "unreachable"))
+            self.assertEqual(self.run_program("verify", "r.json").code, 0)
+
+    def test_tampering_is_found_and_named(self):
+        result = self.save()
+        changes = {
+            "length": result["length"] - 1e-12 * result["length"],
+            "path": result["path"][:-1] + [[1.5, 1.5]],
+            "best": result["best"][:-1] + [1.0],
+            "mean": [result["mean"][0] + 1] + result["mean"][1:],
+            "status": "no_path",
+            "optimal": True,
+        }
+        for key, value in changes.items():
+            with self.subTest(key=key):
+                self.write("bad.json", json.dumps({**result, key: value}))
+                self.refused(self.run_program("verify", "-q", "bad.json"), 1, key)
+        self.write("bad.json", json.dumps({**result, "seed": 2}))
+        self.assertEqual(self.run_program("verify", "bad.json").code, 1)
+
+    def test_what_a_clock_ended_cannot_be_replayed(self):
+        result = self.save()
+        for status in ("limit", "interrupted"):
+            self.write("r.json", json.dumps({**result, "status": status}))
+            run = self.run_program("verify", "r.json")
+            self.assertEqual(run.code, 2)
+            self.assertIn("cannot be replayed", run.err)
+
+    def test_another_map_is_refused(self):
+        result = self.save()
+        self.write("fan.map", self.read("small.map"))
+        self.refused(self.run_program("verify", "r.json"), 3, "fan.map", result["map"]["hash"])
+        os.remove(self.path("fan.map"))
+        self.refused(self.run_program("verify", "r.json"), 3, "fan.map")
+
+    def test_a_map_that_moved(self):
+        self.save()
+        os.mkdir(self.path("sub"))
+        os.rename(self.path("fan.map"), self.path("sub/fan.map"))
+        self.assertEqual(self.run_program("verify", "r.json", "--map", "sub/fan.map").code, 0)
+        os.rename(self.path("r.json"), self.path("sub/r.json"))
+        self.assertEqual(self.run_program("verify", "sub/r.json").code, 0)
+
+    def test_the_lines_of_a_batch(self):
+        self.write("q.tsv", "sx\tsy\tgx\tgy\n14\t14\t60\t40\n0\t0\t-1\t0\n60\t40\t14\t14\n")
+        run = self.run_program("batch", "fan.map", "q.tsv", "--iterations", "3")
+        self.write("lines.json", run.out)
+        verified = self.run_program("verify", "lines.json")
+        self.assertEqual((verified.code, verified.out),
+                         (0, "3 of 3 results are equal to the replay\n"))
+        lines = run.lines
+        lines[2]["length"] += 1
+        self.write("lines.json", "".join(json.dumps(line) + "\n" for line in lines))
+        verified = self.run_program("verify", "lines.json")
+        self.assertEqual(verified.code, 1)
+        self.assertIn("result 2", verified.err)
+
+    def test_a_result_that_is_laid_out_for_people(self):
+        self.write("r.json", json.dumps(self.save(), indent=2))
+        self.assertEqual(self.run_program("verify", "r.json").code, 0)
+
+    def test_broken_results(self):
+        result = self.save()
+        cases = {"missing.json": None, "empty.json": "", "text.json": "hello", "array.json": "[1]",
+                 "cut.json": json.dumps(result)[:200], "other.json": '{"format": "other/1"}',
+                 "wide.json": json.dumps({**result, "start": [1e99, 0]}),
+                 "bare.json": json.dumps({"format": "lasius-plan/1", "status": "solved"}),
+                 "typed.json": json.dumps({**result, "seed": "one"})}
+        for name, content in cases.items():
+            with self.subTest(name=name):
+                if content is not None:
+                    self.write(name, content)
+                self.refused(self.run_program("verify", name), 3, name)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,27 @@
+#include "announce.h"
+
+#include <array>
+#include <cstdio>
+
+#include "answer.h"
+#include "report.h"
+#include "streams.h"
+
+namespace lasius::tool {
+
+void announce(const PreparedMap& map, const RunOptions& run) {
+  if (run.messages.quiet) return;
+  for (const auto& note : run.notes) message(note);
+  if (run.with_optimum && !knows_optimum())
+    message("--gap has no effect: this build has no exact planner");
+  if (!run.messages.verbose) return;
+  std::array<char, 160> text;
+  std::snprintf(text.data(), text.size(),
+                ": %d x %d cells, hash %s, read in %.1f ms, prepared in %.1f ms", map.width,
+                map.height, hash_text(map.hash).c_str(), map.read_ms, map.prepare_ms);
+  message(map.file + text.data());
+  message(run.params.algorithm + ", seed " + std::to_string(run.params.seed) + ", " +
+          std::to_string(run.params.threads) + " threads");
+}
+
+}  // namespace lasius::tool

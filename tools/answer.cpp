@@ -1,0 +1,106 @@
+#include "answer.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string_view>
+
+#include "exit_code.h"
+#include "values.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr std::string_view kExact = "exact";
+
+/// Where the free cell lies that the library named, for those who think in metres.
+std::string in_metres(const PreparedMap& map, const Answer& answer) {
+  const Cell bad = map.planner.grid().free(answer.start) ? answer.goal : answer.start;
+  const auto free = map.planner.nearest_free(bad);
+  if (!free) return {};
+  const Point metres = map.to_world(centre(*free));
+  std::array<char, 96> text;
+  std::snprintf(text.data(), text.size(), ", its centre at %.3f,%.3f m", metres.x, metres.y);
+  return text.data();
+}
+
+/// Says why a cell that looks free is not.
+std::string grown(const PreparedMap& map) {
+  return map.radius > 0 ? " (obstacles grown by " + to_text(map.radius) + " cells)" : "";
+}
+
+}  // namespace
+
+Clock::time_point deadline_after(const std::optional<double>& seconds) {
+  const auto now = Clock::now();
+  const auto left = std::chrono::duration<double>(Clock::time_point::max() - now).count();
+  if (!seconds || *seconds >= left) return Clock::time_point::max();
+  return now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*seconds));
+}
+
+Answer answer(const PreparedMap& map, const RunOptions& run, Cell start, Cell goal,
+              const StopCondition& stop, const Observer& observer) {
+  const Request request{.start = start, .goal = goal, .stop = stop, .target_gap = run.target_gap};
+  const auto begin = Clock::now();
+  Answer answer{.start = start, .goal = goal};
+  answer.result = map.planner.plan(request, run.params, nullptr, observer);
+  answer.elapsed_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  if (run.with_optimum && knows_optimum()) {
+    const Request exact{.start = start, .goal = goal, .stop = {.token = stop.token}};
+    const Result best = map.planner.plan(exact, optimum_params(run));
+    if (best.optimal) answer.optimum = best.length;
+  }
+  return answer;
+}
+
+bool knows_optimum() {
+  const auto all = algorithms();
+  return std::any_of(all.begin(), all.end(),
+                     [](const Algorithm& algorithm) { return algorithm.name == kExact; });
+}
+
+Params optimum_params(const RunOptions& run) {
+  Params params = defaults(kExact);
+  params.threads = run.params.threads;
+  params.corners = run.params.corners;
+  return params;
+}
+
+int exit_code(const Result& result) {
+  switch (result.status) {
+    case Status::invalid:
+      return kInvalidQuery;
+    case Status::unreachable:
+      return kUnreachable;
+    case Status::interrupted:
+      return kInterrupted;
+    case Status::solved:
+    case Status::limit:
+    case Status::no_path:
+      break;
+  }
+  return result.path.empty() ? kNoPath : kFound;
+}
+
+std::string explain(const PreparedMap& map, const RunOptions& run, const Answer& answer) {
+  const Result& result = answer.result;
+  const std::string after = " after " + std::to_string(result.iterations) + " iterations";
+  const std::string held = result.path.empty() ? ", no path yet" : ", the best path so far is kept";
+  switch (result.status) {
+    case Status::solved:
+      return {};
+    case Status::unreachable:
+      return result.error + grown(map);
+    case Status::limit:
+      return "the time limit ended the run" + after + held;
+    case Status::interrupted:
+      return "interrupted" + after + held;
+    case Status::no_path:
+      return "no path" + after + "; try more --iterations, more --ants or another --seed";
+    case Status::invalid:
+      return result.error + (run.frame == Frame::world ? in_metres(map, answer) : "") + grown(map);
+  }
+  return {};
+}
+
+}  // namespace lasius::tool

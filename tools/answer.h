@@ -1,0 +1,42 @@
+// One question answered, with all that a result records.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "lasius/planner.h"
+#include "map_file.h"
+#include "options.h"
+
+namespace lasius::tool {
+
+struct Answer {
+  Cell start{};
+  Cell goal{};
+  Result result{};
+  double elapsed_ms = 0;               ///< of the plan; the map's preparation is not in it
+  std::optional<double> optimum{};     ///< with --gap: exact shortest length, where one exists
+  std::optional<std::size_t> index{};  ///< of a batch's query
+};
+
+/// The deadline that `seconds` from now sets.
+Clock::time_point deadline_after(const std::optional<double>& seconds);
+
+/// Plans from `start` to `goal`. The deadline bounds the plan; --gap's optimum only the token.
+Answer answer(const PreparedMap& map, const RunOptions& run, Cell start, Cell goal,
+              const StopCondition& stop, const Observer& observer = {});
+
+/// True where the library has the exact planner that --gap asks.
+bool knows_optimum();
+
+/// Params of the exact planner for a run. Precondition: knows_optimum().
+Params optimum_params(const RunOptions& run);
+
+/// The program's exit code for a result.
+int exit_code(const Result& result);
+
+/// One sentence for people: why a result has no path, or is not final; empty for `solved`.
+std::string explain(const PreparedMap& map, const RunOptions& run, const Answer& answer);
+
+}  // namespace lasius::tool

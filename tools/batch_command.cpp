@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "announce.h"
+#include "answer.h"
+#include "commands.h"
+#include "exit_code.h"
+#include "lasius/batch.h"
+#include "lasius/output.h"
+#include "map_file.h"
+#include "picture.h"
+#include "progress.h"
+#include "queries.h"
+#include "report.h"
+#include "signals.h"
+#include "streams.h"
+
+namespace lasius::tool {
+namespace {
+
+/// What files need of a batch, kept only for the kinds that are asked for.
+class Collected {
+ public:
+  explicit Collected(const RunOptions& run) : run_(run) {
+    for (const auto& file : run.outputs) {
+      json_ |= file.ends_with(".json");
+      csv_ |= file.ends_with(".csv");
+      paths_ |= is_picture(file);
+    }
+    if (csv_) rows_ = batch_csv_header();
+  }
+
+  void add(const Answer& answer, const std::string& json_line) {
+    if (json_) lines_ += json_line;
+    if (csv_) rows_ += batch_csv_row(answer);
+    if (paths_ && !answer.result.path.empty()) kept_.push_back(answer.result.path);
+  }
+
+  void write(const PreparedMap& map) const {
+    for (const auto& file : run_.outputs) {
+      if (is_picture(file))
+        write_batch_picture(file, map, run_, kept_);
+      else
+        write_file(file,
+                   [&](std::ostream& out) { out << (file.ends_with(".csv") ? rows_ : lines_); });
+    }
+  }
+
+ private:
+  const RunOptions& run_;
+  bool json_ = false, csv_ = false, paths_ = false;
+  std::string lines_, rows_;
+  std::vector<std::vector<Point>> kept_;
+};
+
+/// The exact lengths of some queries, NaN where there is none.
+std::vector<double> optima(const PreparedMap& map, const RunOptions& run,
+                           std::span<const Query> queries, const BatchOptions& options) {
+  std::vector<double> lengths(queries.size(), std::nan(""));
+  BatchOptions exact{.threads = options.threads, .token = options.token};
+  plan_batch(map.planner, queries, optimum_params(run), exact, [&](const BatchAnswer& found) {
+    if (found.result.optimal) lengths[found.index] = found.result.length;
+  });
+  return lengths;
+}
+
+}  // namespace
+
+int run_batch(const BatchCommand& command) {
+  const RunOptions& run = command.run;
+  for (const auto& file : run.outputs) check_writable(file);
+  SignalWatcher signals;
+  const PreparedMap map = prepare_map(run.map, run.frame);
+  const QueryFile file =
+      read_queries(command.queries, map.width, map.height, run.frame == Frame::cell);
+  announce(map, run);
+  const Frame frame = file.scenario ? Frame::cell : run.frame;
+  std::vector<Query> queries;
+  for (const auto& line : file.queries)
+    queries.push_back({to_cell(map, line.start, frame), to_cell(map, line.goal, frame)});
+
+  BatchOptions options{
+      .threads = run.params.threads, .target_gap = run.target_gap, .token = signals.token()};
+  if (run.time_limit) options.time_limit = std::chrono::duration<double>(*run.time_limit);
+  Collected collected(run);
+  ProgressLine bar(wants_progress(run.messages), static_cast<std::int64_t>(queries.size()));
+  const bool with_optimum = run.with_optimum && knows_optimum();
+  // The optimum is asked beside each chunk, so that answers still stream.
+  const std::size_t chunk = with_optimum ? 256 : queries.size();
+  for (std::size_t from = 0; from < queries.size() && !signals.interrupted(); from += chunk) {
+    const auto part = std::span(queries).subspan(from, std::min(chunk, queries.size() - from));
+    std::vector<double> best;
+    if (with_optimum) best = optima(map, run, part, options);
+    plan_batch(map.planner, part, run.params, options, [&](const BatchAnswer& found) {
+      Answer answer{.start = part[found.index].start,
+                    .goal = part[found.index].goal,
+                    .result = found.result,
+                    .elapsed_ms = std::chrono::duration<double, std::milli>(found.elapsed).count(),
+                    .index = from + found.index};
+      if (with_optimum && !std::isnan(best[found.index])) answer.optimum = best[found.index];
+      const std::string text = line(result_json(map, run, answer));
+      collected.add(answer, text);
+      print(text);
+      bar.update(static_cast<std::int64_t>(*answer.index) + 1, "queries");
+    });
+  }
+  collected.write(map);
+  return signals.interrupted() ? kInterrupted : kFound;
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,22 @@
+// Convergence by iteration, as a chart with axes.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "canvas.h"
+
+namespace lasius::tool {
+
+struct Convergence {
+  std::vector<double> best;  ///< by iteration; NaN where there is none
+  std::vector<double> mean;
+  std::optional<double> optimum;
+};
+
+/// Round numbers that cover [low, high] in about `count` steps, low < high.
+std::vector<double> ticks(double low, double high, int count);
+
+void draw_convergence(Canvas& canvas, const Box& box, const Convergence& data);
+
+}  // namespace lasius::tool

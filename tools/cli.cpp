@@ -1,0 +1,296 @@
+#include "cli.h"
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <string_view>
+
+#include "exit_code.h"
+#include "lasius/version.h"
+#include "run_text.h"
+#include "threads.h"
+#include "values.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr const char* kPlanExits =
+    "Exit codes: 0 a path was returned; 1 internal error; 2 usage; 3 a map is missing or broken;\n"
+    "4 start or goal outside or blocked; 5 proven unreachable; 6 no path (limit or iterations "
+    "spent);\n"
+    "7 an output cannot be written; 130 interrupted, best so far written.";
+
+constexpr const char* kBatchExits =
+    "Exit codes: 0 every query was answered, be it by status invalid, unreachable or no_path; 1 "
+    "internal\n"
+    "error; 2 usage; 3 map or queries are missing or broken, nothing printed; 7 an output cannot "
+    "be\n"
+    "written; 130 interrupted, whole lines only. A scenario's coordinates are cells in any frame.";
+
+constexpr const char* kOutputs =
+    "Write a file, by its ending (repeatable):\n"
+    ".json  what --json prints\n"
+    ".csv   iteration,best,mean,arrived by iteration; x,y of the path for algorithms without\n"
+    "       iterations; for batch a line a query\n"
+    ".svg, .png  map, tracks, pheromone, path and convergence; for batch all paths";
+
+void add_repeatable(CLI::App& app, const std::string& names, std::vector<std::string>& to,
+                    const std::string& help, const std::string& type) {
+  app.add_option(names, to, help)->type_name(type)->allow_extra_args(false);
+}
+
+/// An option that was given an empty value was not left out.
+std::string not_empty(const std::string& value) { return value.empty() ? "has no value" : ""; }
+
+void add_switch(CLI::App& app, const std::string& names, bool& to, const std::string& help) {
+  app.add_flag(names, to, help)->disable_flag_override();
+}
+
+void add_run_options(CLI::App& app, RunText& text) {
+  const auto option = [&app](const char* names, std::string& to, const char* help,
+                             const char* type) {
+    app.add_option(names, to, help)->type_name(type);
+  };
+  app.add_option("MAP", text.map, "Map: .map, PBM, PGM, PNG or ROS YAML")
+      ->type_name("FILE")
+      ->required();
+  option("--algorithm", text.algorithm, "Algorithm, as listed by `lasius algorithms`", "NAME");
+  add_repeatable(app, "--set", text.set,
+                 "Set any parameter of the algorithm (repeatable; wins over its own option)",
+                 "NAME=VALUE");
+  option("--ants", text.value_of("ants"), "Ants an iteration", "N");
+  option("--iterations", text.value_of("iterations"), "Iterations", "N");
+  option("--neighbours", text.value_of("neighbours"), "Moves from a cell", "N");
+  option("--corners", text.value_of("corners"), "Diagonal steps past blocked cells",
+         "forbid|one-side|allow");
+  option("--polish", text.value_of("polish"), "What is done with a path", "none|straight|taut");
+  option("--seed", text.seed, "Seed, from 0 to 2^53-1 (default 1)", "N");
+  option("--threads", text.threads,
+         "Threads (default LASIUS_THREADS, OMP_NUM_THREADS, all cores); never changes a result",
+         "N");
+  option("--time-limit", text.time_limit,
+         "Stop after this time, counted once the map is prepared; for batch by query", "SECONDS");
+  option("--target-gap", text.target_gap,
+         "Stop at this certified gap, for algorithms that certify one (1 means 1%)", "PCT");
+  option("--frame", text.frame, "Coordinates in cells, or in metres of a ROS map's frame",
+         "cell|world");
+  option("--radius", text.radius,
+         "Grow obstacles by this radius, in cells (metres with --frame world)", "R");
+  add_switch(app, "--unknown-free", text.unknown_free, "Unknown cells of a ROS map count as free");
+  add_switch(app, "--gap", text.gap, "Add the exact optimum and the true gap");
+  add_switch(app, "--json", text.json, "Print one JSON object (batch always does, one a query)");
+  add_repeatable(app, "-o,--output", text.outputs, kOutputs, "FILE");
+  option("--tracks", text.tracks,
+         "Iterations after which a picture shows the tracks (default 10,50,120)", "N,N,...");
+  option("--progress", text.progress, "Progress on stderr", "auto|always|never");
+  add_switch(app, "-q,--quiet", text.quiet, "Print errors only");
+  add_switch(app, "-v,--verbose", text.verbose, "Print what is done");
+}
+
+/// One subcommand: its options, and how they become a command.
+struct Subcommand {
+  CLI::App* app;
+  std::function<Command()> make;
+};
+
+Subcommand add_plan(CLI::App& app) {
+  struct Raw {
+    RunText run;
+    std::string start, goal;
+  };
+  auto raw = std::make_shared<Raw>();
+  auto* plan = app.add_subcommand("plan", "Plan one path");
+  plan->add_option("--start", raw->start, "Where the path starts")->type_name("X,Y")->required();
+  plan->add_option("--goal", raw->goal, "Where it ends")->type_name("X,Y")->required();
+  add_run_options(*plan, raw->run);
+  plan->footer(kPlanExits);
+  return {plan, [raw]() -> Command {
+            auto run = make_run(raw->run);
+            const bool cells = run.frame == Frame::cell;
+            const Point start = pair_value("--start", raw->start, cells);
+            const Point goal = pair_value("--goal", raw->goal, cells);
+            return PlanCommand{std::move(run), start, goal};
+          }};
+}
+
+Subcommand add_batch(CLI::App& app) {
+  struct Raw {
+    RunText run;
+    std::string queries;
+  };
+  auto raw = std::make_shared<Raw>();
+  auto* batch = app.add_subcommand("batch", "Plan many paths on one map: JSON, one object a line");
+  add_run_options(*batch, raw->run);
+  batch->footer(kBatchExits);
+  batch->add_option("QUERIES", raw->queries, "A MovingAI .scen, or a TSV with columns sx sy gx gy")
+      ->type_name("FILE")
+      ->required();
+  return {batch, [raw]() -> Command {
+            auto run = make_run(raw->run);
+            return BatchCommand{std::move(run), raw->queries};
+          }};
+}
+
+Subcommand add_info(CLI::App& app) {
+  struct Raw {
+    std::string map, corners, radius;
+    bool unknown_free = false, json = false;
+  };
+  auto raw = std::make_shared<Raw>();
+  auto* info = app.add_subcommand("info", "Describe a map");
+  info->add_option("MAP", raw->map, "Map: .map, PBM, PGM, PNG or ROS YAML")
+      ->type_name("FILE")
+      ->required();
+  info->add_option("--corners", raw->corners, "Rule by which components are joined")
+      ->type_name("forbid|one-side|allow");
+  info->add_option("--radius", raw->radius, "Grow obstacles by this radius, in cells")
+      ->type_name("R");
+  add_switch(*info, "--unknown-free", raw->unknown_free,
+             "Unknown cells of a ROS map count as free");
+  add_switch(*info, "--json", raw->json, "Print one JSON object");
+  return {info, [raw]() -> Command {
+            InfoCommand options{.map = {.file = raw->map, .unknown_is_free = raw->unknown_free},
+                                .json = raw->json};
+            static constexpr std::string_view kRules[] = {"forbid", "one-side", "allow"};
+            if (!raw->corners.empty())
+              options.corners =
+                  static_cast<Corners>(choice_value("--corners", raw->corners, kRules));
+            if (!raw->radius.empty())
+              options.map.radius = real_value("--radius", raw->radius, 0, kNoLimit);
+            return options;
+          }};
+}
+
+Subcommand add_algorithms(CLI::App& app) {
+  auto json = std::make_shared<bool>(false);
+  auto* list = app.add_subcommand("algorithms", "List the algorithms and their parameters");
+  add_switch(*list, "--json", *json, "Print one JSON object");
+  return {list, [json]() -> Command { return AlgorithmsCommand{*json}; }};
+}
+
+Subcommand add_generate(CLI::App& app) {
+  struct Raw {
+    std::string kind, size, density, seed, output;
+  };
+  auto raw = std::make_shared<Raw>();
+  auto* make = app.add_subcommand("generate", "Make a map from a seed");
+  make->add_option("KIND", raw->kind, "Kind of map")
+      ->type_name("blobs|maze|rooms|city|random|open")
+      ->required();
+  make->add_option("--size", raw->size, "Width and height in cells")->type_name("WxH")->required();
+  make->add_option("--density", raw->density, "Share of blocked cells that is aimed at")
+      ->type_name("D");
+  make->add_option("--seed", raw->seed, "Seed, from 0 to 2^53-1 (default 1)")->type_name("N");
+  make->add_option("-o,--output", raw->output, "Map to write: .map, .pbm or .png")
+      ->type_name("FILE")
+      ->required();
+  return {make, [raw]() -> Command {
+            static constexpr std::string_view kEndings[] = {".map", ".pbm", ".png"};
+            GenerateCommand command;
+            command.kind = static_cast<MapKind>(choice_value("KIND", raw->kind, map_kind_names()));
+            const Cell size = size_value("--size", raw->size);
+            command.options.width = size.x;
+            command.options.height = size.y;
+            if (!raw->density.empty())
+              command.options.density = real_value("--density", raw->density, 0, 1);
+            if (!raw->seed.empty())
+              command.options.seed = static_cast<std::uint64_t>(
+                  integer_value("--seed", raw->seed, 0, kMaxExactInteger));
+            check_endings({raw->output}, kEndings);
+            command.output = raw->output;
+            return command;
+          }};
+}
+
+Subcommand add_verify(CLI::App& app) {
+  struct Raw {
+    std::string result, map, threads;
+    bool quiet = false;
+  };
+  auto raw = std::make_shared<Raw>();
+  auto* verify = app.add_subcommand(
+      "verify",
+      "Replay saved results from their recorded inputs and compare all but threads, elapsed_ms and "
+      "version");
+  verify->add_option("RESULT", raw->result, "A result of plan, or the lines of batch")
+      ->type_name("FILE")
+      ->required();
+  verify->add_option("--map", raw->map, "The map, where it is no longer where it was")
+      ->type_name("FILE");
+  verify->add_option("--threads", raw->threads, "Threads of the replay")->type_name("N");
+  add_switch(*verify, "-q,--quiet", raw->quiet, "Print differences only");
+  verify->footer(
+      "Exit codes: 0 every result was replayed and is equal, bit for bit; 1 one differs; 2 usage, "
+      "or\n"
+      "a result that cannot be replayed, because a time limit or a signal ended it; 3 a result or\n"
+      "its map is missing, broken, or not the one recorded.");
+  return {verify, [raw]() -> Command {
+            return VerifyCommand{raw->result, raw->map, thread_count(raw->threads), raw->quiet};
+          }};
+}
+
+/// The first thing on the command line that nothing takes, with the nearest known word.
+void refuse_extras(const CLI::App& app) {
+  const auto extras = app.remaining();
+  if (extras.empty()) return;
+  const std::string word = extras.front().substr(0, extras.front().find('='));
+  if (word.size() < 2 || word[0] != '-')
+    throw UsageError("\"" + word + "\" is one argument too many; see --help");
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+    for (const auto& name : option->get_snames()) names.push_back("-" + name);
+  }
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  throw UsageError("unknown option \"" + word + "\"; " + did_you_mean(word, known));
+}
+
+/// A first word that is no subcommand, named before CLI11 gets to see the rest.
+void refuse_unknown_command(std::string_view word, const std::vector<Subcommand>& commands) {
+  std::vector<std::string> names;
+  for (const auto& command : commands) names.push_back(command.app->get_name());
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  if (std::find(known.begin(), known.end(), word) != known.end()) return;
+  throw UsageError("unknown command \"" + std::string(word) + "\"; " + did_you_mean(word, known));
+}
+
+void refuse_extras(const CLI::App& app, const std::vector<Subcommand>& commands) {
+  refuse_extras(app);
+  for (const auto& command : commands)
+    if (command.app->parsed()) refuse_extras(*command.app);
+}
+
+}  // namespace
+
+Command parse_command_line(int argc, const char* const* argv) {
+  CLI::App app{"lasius: ant-colony motion planning on maps", "lasius"};
+  app.set_version_flag("--version", LASIUS_VERSION);
+  app.require_subcommand(1);
+  std::vector<Subcommand> commands{add_plan(app),       add_batch(app),    add_info(app),
+                                   add_algorithms(app), add_generate(app), add_verify(app)};
+  for (auto& command : commands) {
+    command.app->allow_extras();
+    for (CLI::Option* option : command.app->get_options({}))
+      if (option->get_items_expected_max() > 0) option->check(not_empty);
+  }
+  if (argc < 2) throw UsageError("no command\n\n" + app.help());
+  if (argv[1][0] != '-') refuse_unknown_command(argv[1], commands);
+  app.allow_extras();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const auto chosen = app.get_subcommands();
+    return Text{chosen.empty() ? app.help() : chosen.front()->help("lasius")};
+  } catch (const CLI::CallForVersion&) {
+    return Text{std::string("lasius ") + LASIUS_VERSION + "\n"};
+  } catch (const CLI::ParseError& fault) {
+    refuse_extras(app, commands);
+    throw UsageError(std::string(fault.what()) + "; see --help");
+  }
+  refuse_extras(app, commands);
+  for (const auto& command : commands)
+    if (command.app->parsed()) return command.make();
+  throw UsageError("no command\n\n" + app.help());
+}
+
+}  // namespace lasius::tool

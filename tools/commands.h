@@ -1,0 +1,15 @@
+// What each subcommand does. All return the exit code.
+#pragma once
+
+#include "options.h"
+
+namespace lasius::tool {
+
+int run_plan(const PlanCommand& command);
+int run_batch(const BatchCommand& command);
+int run_info(const InfoCommand& command);
+int run_algorithms(const AlgorithmsCommand& command);
+int run_generate(const GenerateCommand& command);
+int run_verify(const VerifyCommand& command);
+
+}  // namespace lasius::tool

@@ -1,0 +1,62 @@
+#include <exception>
+#include <new>
+
+#include "cli.h"
+#include "commands.h"
+#include "exit_code.h"
+#include "lasius/error.h"
+#include "streams.h"
+
+namespace lasius::tool {
+namespace {
+
+int run(const Text& text) {
+  print(text.text);
+  return kFound;
+}
+int run(const PlanCommand& command) { return run_plan(command); }
+int run(const BatchCommand& command) { return run_batch(command); }
+int run(const InfoCommand& command) { return run_info(command); }
+int run(const AlgorithmsCommand& command) { return run_algorithms(command); }
+int run(const GenerateCommand& command) { return run_generate(command); }
+int run(const VerifyCommand& command) { return run_verify(command); }
+
+int exit_code(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::invalid_parameter:
+      return kUsage;
+    case ErrorCode::output_failed:
+      return kNoOutput;
+    case ErrorCode::file_missing:
+    case ErrorCode::file_broken:
+    case ErrorCode::file_unsupported:
+      break;
+  }
+  return kBadFile;
+}
+
+int guarded_main(int argc, char** argv) {
+  guard_standard_streams();
+  try {
+    return std::visit([](const auto& command) { return run(command); },
+                      parse_command_line(argc, argv));
+  } catch (const ClosedOutput&) {
+    return kFound;
+  } catch (const UsageError& fault) {
+    message(fault.what());
+    return kUsage;
+  } catch (const Error& fault) {
+    message(fault.what());
+    return exit_code(fault.code());
+  } catch (const std::bad_alloc&) {
+    message("out of memory");
+  } catch (const std::exception& fault) {
+    message(std::string("internal error: ") + fault.what());
+  }
+  return kInternal;
+}
+
+}  // namespace
+}  // namespace lasius::tool
+
+int main(int argc, char** argv) { return lasius::tool::guarded_main(argc, argv); }

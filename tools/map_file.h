@@ -1,0 +1,40 @@
+// A map file made ready for planning.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lasius/map_io.h"
+#include "lasius/planner.h"
+#include "options.h"
+
+namespace lasius::tool {
+
+struct PreparedMap {
+  std::string file;
+  std::uint64_t hash = 0;  ///< of the grid as read, before obstacles grow
+  int width = 0;
+  int height = 0;
+  std::optional<WorldFrame> frame;
+  bool unknown_is_free = false;
+  double radius = 0;  ///< cells
+  Planner planner;
+  double read_ms = 0;     ///< reading, and growing obstacles
+  double prepare_ms = 0;  ///< making the planner
+
+  // Precondition of these: the map has a frame.
+  Point to_world(Point cells) const { return frame->to_world(cells, height); }
+  std::vector<Point> to_world(const std::vector<Point>& path) const;
+  double metres(double cells) const { return cells * frame->resolution; }
+};
+
+/// @throws Error; UsageError where metres are asked for and the file gives no frame.
+PreparedMap prepare_map(const MapOptions& options, Frame frame = Frame::cell);
+
+/// The cell under a point of the command line or a query file, in `frame`. Points far outside stay
+/// outside.
+Cell to_cell(const PreparedMap& map, Point point, Frame frame);
+
+}  // namespace lasius::tool

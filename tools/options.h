@@ -1,0 +1,90 @@
+// What the command line asks for, as plain data.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lasius/generate.h"
+#include "lasius/geometry.h"
+#include "lasius/params.h"
+
+namespace lasius::tool {
+
+enum class Frame { cell, world };
+enum class ProgressMode { automatic, always, never };
+
+/// How the map file becomes the grid that is planned on.
+struct MapOptions {
+  std::string file;
+  bool unknown_is_free = false;
+  double radius = 0;           ///< obstacles grow by it
+  bool radius_metres = false;  ///< else cells
+};
+
+/// How much is said on stderr.
+struct Messages {
+  ProgressMode progress = ProgressMode::automatic;
+  bool quiet = false;
+  bool verbose = false;
+};
+
+/// The options that `plan` and `batch` share.
+struct RunOptions {
+  MapOptions map;
+  Params params;
+  double target_gap = 0;             ///< fraction
+  std::optional<double> time_limit;  ///< seconds
+  Frame frame = Frame::cell;
+  bool with_optimum = false;
+  bool json = false;
+  std::vector<std::string> outputs;
+  std::vector<int> track_iterations;  ///< of the pictures, rising, from 1
+  Messages messages;
+  std::vector<std::string> notes;  ///< what was asked for and has no effect
+};
+
+struct PlanCommand {
+  RunOptions run;
+  Point start, goal;  ///< cells, or metres in the world frame
+};
+
+struct BatchCommand {
+  RunOptions run;
+  std::string queries;
+};
+
+struct InfoCommand {
+  MapOptions map;
+  Corners corners = Corners::forbid;
+  bool json = false;
+};
+
+struct AlgorithmsCommand {
+  bool json = false;
+};
+
+struct GenerateCommand {
+  MapKind kind{};
+  GenerateOptions options;
+  std::string output;
+};
+
+struct VerifyCommand {
+  std::string result;
+  std::string map;  ///< empty: the one that the result names
+  int threads = 1;
+  bool quiet = false;
+};
+
+/// Text that was asked for, as by --help: printed on stdout.
+struct Text {
+  std::string text;
+};
+
+using Command = std::variant<Text, PlanCommand, BatchCommand, InfoCommand, AlgorithmsCommand,
+                             GenerateCommand, VerifyCommand>;
+
+}  // namespace lasius::tool

@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+
+#include "announce.h"
+#include "answer.h"
+#include "commands.h"
+#include "lasius/batch.h"
+#include "lasius/error.h"
+#include "lasius/output.h"
+#include "map_file.h"
+#include "parameters.h"
+#include "picture.h"
+#include "progress.h"
+#include "report.h"
+#include "signals.h"
+#include "streams.h"
+#include "values.h"
+
+namespace lasius::tool {
+namespace {
+
+void write_outputs(const PreparedMap& map, const RunOptions& run, const Answer& answer,
+                   const PictureRecorder* recorder) {
+  for (const auto& file : run.outputs) {
+    if (is_picture(file))
+      write_plan_picture(file, map, run, answer, recorder);
+    else if (file.ends_with(".csv"))
+      write_file(file, [&](std::ostream& out) { out << result_csv(answer.result); });
+    else
+      write_file(file, [&](std::ostream& out) { out << line(result_json(map, run, answer)); });
+    if (run.messages.verbose) message("wrote " + file);
+  }
+}
+
+std::string note(const Progress& progress) {
+  if (!std::isfinite(progress.best_length)) return "no path yet";
+  std::array<char, 48> text;
+  std::snprintf(text.data(), text.size(), "best %.3f", progress.best_length);
+  return text.data();
+}
+
+/// Plans, with a progress line and the recorder looking on where there are any.
+Answer watched_answer(const PreparedMap& map, const RunOptions& run, const Query& query,
+                      const std::stop_token& token, std::optional<PictureRecorder>& recorder) {
+  const bool counted = has_parameter(find_algorithm(run.params.algorithm), "iterations");
+  const bool shown = wants_progress(run.messages);
+  ProgressLine bar(shown, counted ? run.params.iterations : 0, run.time_limit.value_or(0));
+  Observer observer;
+  if (shown || recorder)
+    observer = [&](const Progress& progress) {
+      bar.update(progress.iteration + 1, note(progress));
+      if (recorder) recorder->observe(progress);
+    };
+  const StopCondition stop{.token = token, .deadline = deadline_after(run.time_limit)};
+  return answer(map, run, query.start, query.goal, stop, observer);
+}
+
+}  // namespace
+
+int run_plan(const PlanCommand& command) {
+  const RunOptions& run = command.run;
+  for (const auto& file : run.outputs) check_writable(file);
+  SignalWatcher signals;
+  const PreparedMap map = prepare_map(run.map, run.frame);
+  announce(map, run);
+  const Cell start = to_cell(map, command.start, run.frame);
+  const Cell goal = to_cell(map, command.goal, run.frame);
+
+  std::optional<PictureRecorder> recorder;
+  if (std::any_of(run.outputs.begin(), run.outputs.end(), is_picture))
+    recorder.emplace(map.planner.grid(), run.track_iterations, run.params.iterations);
+  const Answer found = watched_answer(map, run, {start, goal}, signals.token(), recorder);
+
+  const std::string why = explain(map, run, found);
+  if (!why.empty() && (found.result.path.empty() || !run.messages.quiet)) message(why);
+  // What one output refuses the others still get.
+  std::exception_ptr fault;
+  try {
+    print(run.json ? line(result_json(map, run, found)) : result_text(map, run, found));
+  } catch (const ClosedOutput&) {
+  } catch (const Error&) {
+    fault = std::current_exception();
+  }
+  write_outputs(map, run, found, recorder ? &*recorder : nullptr);
+  if (fault) std::rethrow_exception(fault);
+  return exit_code(found.result);
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,28 @@
+// Files of queries: MovingAI scenarios, and tables with columns sx sy gx gy.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lasius/geometry.h"
+
+namespace lasius::tool {
+
+struct QueryFile {
+  struct Line {
+    Point start, goal;
+  };
+  std::vector<Line> queries;
+  bool scenario = false;  ///< coordinates are cells whatever the frame
+};
+
+/// Reads all of a file before anything is returned.
+///   .scen  "version 1" or "version 1.0", then bucket map width height sx sy gx gy optimal a line,
+///          split at any blanks; the map's name is not looked at, its size must be width x height
+///   TSV    a header that names sx, sy, gx and gy among others, split at tabs; at any blanks where
+///          the header has no tab
+/// Coordinates are whole numbers; in a TSV any finite ones unless `whole`.
+/// @throws Error(file_missing, file_broken) naming file and line.
+QueryFile read_queries(const std::string& file, int width, int height, bool whole);
+
+}  // namespace lasius::tool

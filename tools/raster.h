@@ -1,0 +1,50 @@
+// Cells of a map on the pixels of a picture: large maps shrink without losing thin walls.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lasius/grid.h"
+
+namespace lasius::tool {
+
+/// One value a pixel, row-major.
+template <class T>
+struct Raster {
+  int width = 0;
+  int height = 0;
+  std::vector<T> values;
+
+  Raster() = default;
+  Raster(int w, int h, T fill = {})
+      : width(w),
+        height(h),
+        values(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), fill) {}
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
+  }
+  T& at(int x, int y) { return values[index(x, y)]; }
+  const T& at(int x, int y) const { return values[index(x, y)]; }
+};
+
+/// Half-open range of cells.
+struct Span {
+  int from = 0;
+  int to = 0;
+};
+
+/// The cells under pixel `pixel` of `pixels` along a side of `cells` cells: at least one.
+Span cells_under(int pixel, int pixels, int cells);
+
+/// Share of blocked cells under each pixel, in [0, 1].
+Raster<float> blocked_share(const Grid& grid, int width, int height);
+
+struct Colour {
+  double red, green, blue;
+};
+
+/// `from` at 0, `to` at 1.
+Colour blend(Colour from, Colour to, double share);
+
+}  // namespace lasius::tool

@@ -1,0 +1,74 @@
+#include "run_text.h"
+
+#include <stdexcept>
+
+#include "exit_code.h"
+#include "parameters.h"
+#include "threads.h"
+#include "values.h"
+
+namespace lasius::tool {
+namespace {
+
+Messages make_messages(const RunText& text) {
+  static constexpr std::string_view kModes[] = {"auto", "always", "never"};
+  if (text.quiet && text.verbose) throw UsageError("-q and -v exclude each other");
+  Messages messages{.quiet = text.quiet, .verbose = text.verbose};
+  if (!text.progress.empty())
+    messages.progress =
+        static_cast<ProgressMode>(choice_value("--progress", text.progress, kModes));
+  return messages;
+}
+
+}  // namespace
+
+std::string& RunText::value_of(std::string_view name) {
+  for (auto& [known, value] : named)
+    if (known == name) return value;
+  throw std::logic_error("no option of this name");
+}
+
+void check_endings(const std::vector<std::string>& files,
+                   std::span<const std::string_view> endings) {
+  for (const auto& file : files) {
+    const auto dot = file.find_last_of("./");
+    const bool has_ending = dot != std::string::npos && file[dot] == '.';
+    choice_value("-o " + file, has_ending ? file.substr(dot) : "", endings);
+  }
+}
+
+RunOptions make_run(const RunText& text) {
+  static constexpr std::string_view kFrames[] = {"cell", "world"};
+  static constexpr std::string_view kEndings[] = {".json", ".csv", ".svg", ".png"};
+  RunOptions run;
+  run.map.file = text.map;
+  run.params = default_params(text.algorithm);
+  for (const auto& [name, value] : text.named)
+    if (!value.empty() && !set_common(run.params, name, value))
+      run.notes.push_back("--" + name + " has no effect: " + run.params.algorithm +
+                          " has no such parameter");
+  for (const auto& setting : text.set) set_named(run.params, setting);
+  validate(run.params);
+  if (!text.seed.empty())
+    run.params.seed =
+        static_cast<std::uint64_t>(integer_value("--seed", text.seed, 0, kMaxExactInteger));
+  run.params.threads = thread_count(text.threads);
+  if (!text.time_limit.empty())
+    run.time_limit = real_value("--time-limit", text.time_limit, 0, kNoLimit);
+  if (!text.target_gap.empty())
+    run.target_gap = real_value("--target-gap", text.target_gap, 0, kNoLimit) / 100;
+  if (!text.frame.empty())
+    run.frame = static_cast<Frame>(choice_value("--frame", text.frame, kFrames));
+  if (!text.radius.empty()) run.map.radius = real_value("--radius", text.radius, 0, kNoLimit);
+  run.map.radius_metres = run.frame == Frame::world;
+  run.map.unknown_is_free = text.unknown_free;
+  run.with_optimum = text.gap;
+  run.json = text.json;
+  check_endings(text.outputs, kEndings);
+  run.outputs = text.outputs;
+  run.track_iterations = list_value("--tracks", text.tracks.empty() ? "10,50,120" : text.tracks);
+  run.messages = make_messages(text);
+  return run;
+}
+
+}  // namespace lasius::tool

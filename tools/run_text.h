@@ -1,0 +1,35 @@
+// The options of plan and batch: as typed, and read.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "options.h"
+
+namespace lasius::tool {
+
+/// Options as typed, before their values are looked at.
+struct RunText {
+  std::string map, algorithm, seed, threads, time_limit, target_gap, frame, radius, progress,
+      tracks;
+  std::vector<std::string> set, outputs;
+  /// Parameters with an option of their own: name as in `algorithms`, and value.
+  std::vector<std::pair<std::string, std::string>> named{
+      {"ants", ""}, {"iterations", ""}, {"neighbours", ""}, {"corners", ""}, {"polish", ""}};
+  bool unknown_free = false, gap = false, json = false, quiet = false, verbose = false;
+
+  /// Precondition: one of them.
+  std::string& value_of(std::string_view name);
+};
+
+/// @throws UsageError; Error(invalid_parameter) for a value that the library refuses.
+RunOptions make_run(const RunText& text);
+
+/// @throws UsageError for a file whose ending is not one of `endings`, with the nearest.
+void check_endings(const std::vector<std::string>& files,
+                   std::span<const std::string_view> endings);
+
+}  // namespace lasius::tool

@@ -1,0 +1,143 @@
+#include "values.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "exit_code.h"
+
+namespace lasius::tool {
+namespace {
+
+template <class Number>
+std::optional<Number> parse_all(std::string_view text) {
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, fault] = std::from_chars(text.data(), end, value);
+  if (fault != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+
+UsageError bad_value(std::string_view option, std::string_view text, const std::string& wanted) {
+  return UsageError(std::string(option) + ": \"" + std::string(text) + "\" is not " + wanted);
+}
+
+}  // namespace
+
+int edit_distance(std::string_view a, std::string_view b) {
+  std::vector<int> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = static_cast<int>(j);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const int replace = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({replace, last[j] + 1, row[j - 1] + 1});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    before.swap(last);
+    last.swap(row);
+  }
+  return last[b.size()];
+}
+
+std::string_view nearest(std::string_view word, std::span<const std::string_view> known) {
+  const auto closer = [word](std::string_view a, std::string_view b) {
+    return edit_distance(word, a) < edit_distance(word, b);
+  };
+  const auto found = std::min_element(known.begin(), known.end(), closer);
+  return found == known.end() ? std::string_view{} : *found;
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> known) {
+  return "did you mean \"" + std::string(nearest(word, known)) + "\"?";
+}
+
+std::optional<std::int64_t> parse_integer(std::string_view text) {
+  return parse_all<std::int64_t>(text);
+}
+
+std::optional<double> parse_real(std::string_view text) {
+  const auto value = parse_all<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::int64_t integer_value(std::string_view option, std::string_view text, std::int64_t low,
+                           std::int64_t high) {
+  const auto value = parse_integer(text);
+  if (!value || *value < low || *value > high)
+    throw bad_value(option, text,
+                    "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+  return *value;
+}
+
+double real_value(std::string_view option, std::string_view text, double low, double high) {
+  const auto value = parse_real(text);
+  if (value && *value >= low && *value <= high) return *value;
+  std::string wanted = "a number from " + to_text(low);
+  wanted += high < kNoLimit ? " to " + to_text(high) : " up";
+  throw bad_value(option, text, wanted);
+}
+
+std::size_t choice_value(std::string_view option, std::string_view text,
+                         std::span<const std::string_view> known) {
+  const auto found = std::find(known.begin(), known.end(), text);
+  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+  std::string wanted;
+  for (const auto name : known) wanted.append(wanted.empty() ? "" : "|").append(name);
+  throw bad_value(option, text, wanted.append("; ").append(did_you_mean(text, known)));
+}
+
+Point pair_value(std::string_view option, std::string_view text, bool whole) {
+  const auto comma = text.find(',');
+  if (comma != std::string_view::npos) {
+    const auto x_text = text.substr(0, comma), y_text = text.substr(comma + 1);
+    if (whole) {
+      const auto x = parse_integer(x_text), y = parse_integer(y_text);
+      if (x && y) return {static_cast<double>(*x), static_cast<double>(*y)};
+    } else {
+      const auto x = parse_real(x_text), y = parse_real(y_text);
+      if (x && y) return {*x, *y};
+    }
+  }
+  throw bad_value(option, text,
+                  whole ? "a cell X,Y (column and row, whole numbers, no blanks)"
+                        : "a point X,Y in metres (no blanks)");
+}
+
+Cell size_value(std::string_view option, std::string_view text) {
+  const auto cross = text.find('x');
+  if (cross != std::string_view::npos) {
+    const auto width = parse_all<int>(text.substr(0, cross));
+    const auto height = parse_all<int>(text.substr(cross + 1));
+    if (width && height) return {*width, *height};
+  }
+  throw bad_value(option, text, "a size WxH, as in 400x200");
+}
+
+std::vector<int> list_value(std::string_view option, std::string_view text) {
+  std::vector<int> values;
+  for (std::string_view rest = text; !rest.empty();) {
+    const auto comma = std::min(rest.find(','), rest.size());
+    const auto value = parse_all<int>(rest.substr(0, comma));
+    if (!value || *value < 1 || comma + 1 == rest.size()) {
+      values.clear();
+      break;
+    }
+    values.push_back(*value);
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
+  }
+  if (values.empty()) throw bad_value(option, text, "a list of whole numbers from 1, as in 10,50");
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+std::string to_text(double value) {
+  std::array<char, 32> buffer;
+  const auto [end, fault] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return fault == std::errc{} ? std::string(buffer.data(), end) : std::string("nan");
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,56 @@
+// Values on the command line and in files, read strictly: all of the text, or an error.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lasius/geometry.h"
+
+namespace lasius::tool {
+
+/// The largest integer that every JSON reader keeps exactly, and so the largest seed: 2^53 - 1.
+inline constexpr std::int64_t kMaxExactInteger = (std::int64_t{1} << 53) - 1;
+
+/// An upper bound for numbers that have none.
+inline constexpr double kNoLimit = std::numeric_limits<double>::max();
+
+/// Edit distance: insertions, deletions, replacements and swaps of neighbours, one each.
+int edit_distance(std::string_view a, std::string_view b);
+
+/// The known word nearest to `word`, the first of equals; empty if none is known.
+std::string_view nearest(std::string_view word, std::span<const std::string_view> known);
+
+/// The question that names it. Precondition: something is known.
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> known);
+
+/// All of `text` as a number, or nothing. Reals are finite.
+std::optional<std::int64_t> parse_integer(std::string_view text);
+std::optional<double> parse_real(std::string_view text);
+
+/// The same for an option's value. @throws UsageError naming option, value and range.
+std::int64_t integer_value(std::string_view option, std::string_view text, std::int64_t low,
+                           std::int64_t high);
+double real_value(std::string_view option, std::string_view text, double low, double high);
+
+/// Index of `text` in `known`. @throws UsageError naming the nearest known value.
+std::size_t choice_value(std::string_view option, std::string_view text,
+                         std::span<const std::string_view> known);
+
+/// "X,Y": whole numbers where `whole`, else finite ones. @throws UsageError.
+Point pair_value(std::string_view option, std::string_view text, bool whole);
+
+/// "WxH". @throws UsageError.
+Cell size_value(std::string_view option, std::string_view text);
+
+/// "a,b,c": whole numbers from 1, returned in rising order without repeats. @throws UsageError.
+std::vector<int> list_value(std::string_view option, std::string_view text);
+
+/// The shortest text that reads back as the same number.
+std::string to_text(double value);
+
+}  // namespace lasius::tool

@@ -1,0 +1,188 @@
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "answer.h"
+#include "commands.h"
+#include "exit_code.h"
+#include "lasius/error.h"
+#include "lasius/version.h"
+#include "map_file.h"
+#include "parameters.h"
+#include "report.h"
+#include "signals.h"
+#include "streams.h"
+#include "values.h"
+
+namespace lasius::tool {
+namespace {
+
+Error broken(const std::string& file, const std::string& problem) {
+  return Error(ErrorCode::file_broken, {.file = file}, problem,
+               "give a result that `lasius plan --json` or `lasius batch` printed");
+}
+
+/// The objects of a file: one result, or one a line.
+std::vector<Json> read_results(const std::string& file) {
+  std::error_code ignored;
+  std::ifstream in;
+  if (!std::filesystem::is_directory(file, ignored)) in.open(file, std::ios::binary);
+  if (!in.is_open())
+    throw Error(ErrorCode::file_missing, {.file = file}, "cannot be opened", "name a saved result");
+  std::vector<Json> results;
+  try {
+    while (in >> std::ws && in.peek() != std::ifstream::traits_type::eof())
+      in >> results.emplace_back();
+  } catch (const Json::exception& fault) {
+    throw broken(file,
+                 "result " + std::to_string(results.size()) + " is not JSON: " + fault.what());
+  }
+  if (results.empty()) throw broken(file, "holds no result");
+  return results;
+}
+
+/// The recorded inputs of one result.
+struct Recorded {
+  RunOptions run;
+  std::string hash;
+  Cell start, goal;
+  std::optional<std::size_t> index;
+};
+
+int coordinate(const Json& json) {
+  const auto value = json.get<double>();
+  if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
+    throw UsageError(json.dump() + " is no coordinate of a cell");
+  return static_cast<int>(value);
+}
+
+Cell cell(const Json& json) { return {coordinate(json.at(0)), coordinate(json.at(1))}; }
+
+Recorded recorded_inputs(const Json& json) {
+  Recorded inputs;
+  RunOptions& run = inputs.run;
+  run.map.file = json.at("map").at("file").get<std::string>();
+  inputs.hash = json.at("map").at("hash").get<std::string>();
+  inputs.start = cell(json.at("start"));
+  inputs.goal = cell(json.at("goal"));
+  if (json.contains("index")) inputs.index = json.at("index").get<std::size_t>();
+  run.with_optimum = json.contains("optimum");
+
+  run.params = default_params(json.at("algorithm").get<std::string>());
+  run.params.seed = json.at("seed").get<std::uint64_t>();
+  const Json& parameters = json.at("parameters");
+  for (const auto& parameter : find_algorithm(run.params.algorithm).parameters)
+    set_parameter(run.params, parameter.name,
+                  parameter_text(parameters.at(std::string(parameter.name))));
+  run.target_gap = parameters.at("target_gap").get<double>();
+  if (!parameters.at("time_limit").is_null())
+    run.time_limit = parameters.at("time_limit").get<double>();
+  run.map.radius = parameters.at("radius").get<double>();
+  run.map.unknown_is_free = parameters.at("unknown").get<std::string>() == "free";
+  if (parameters.at("frame").get<std::string>() == "world") run.frame = Frame::world;
+  return inputs;
+}
+
+/// The first difference between a result and its replay, or nothing. What may differ is left out.
+std::string difference(Json recorded, Json replay) {
+  for (const char* free : {"threads", "elapsed_ms", "version"}) {
+    recorded.erase(free);
+    replay.erase(free);
+  }
+  recorded["map"].erase("file");
+  replay["map"].erase("file");
+  for (const auto& [key, value] : replay.items())
+    if (!recorded.contains(key) || recorded[key] != value) return key;
+  for (const auto& [key, value] : recorded.items())
+    if (!replay.contains(key)) return key;
+  return {};
+}
+
+/// Keeps the map of the last result: the lines of a batch share one.
+class Maps {
+ public:
+  explicit Maps(const VerifyCommand& command) : command_(command) {}
+
+  const PreparedMap& find(const Recorded& inputs) {
+    MapOptions options = inputs.run.map;
+    options.file = located(options.file);
+    const bool same = map_ && map_->file == options.file && map_->radius == options.radius &&
+                      map_->unknown_is_free == options.unknown_is_free;
+    if (!same) map_.emplace(prepare_map(options, inputs.run.frame));
+    if (hash_text(map_->hash) != inputs.hash)
+      throw Error(ErrorCode::file_broken, {.file = options.file},
+                  "has hash " + hash_text(map_->hash) + ", the result was made on " + inputs.hash,
+                  "name the map of that time with --map");
+    return *map_;
+  }
+
+ private:
+  /// Where --map says, where the result says, or there seen from the result's folder.
+  std::string located(const std::string& file) const {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    if (!command_.map.empty()) return command_.map;
+    const fs::path beside = fs::path(command_.result).parent_path() / file;
+    return !fs::exists(file, ignored) && fs::exists(beside, ignored) ? beside.string() : file;
+  }
+
+  const VerifyCommand& command_;
+  std::optional<PreparedMap> map_;
+};
+
+}  // namespace
+
+int run_verify(const VerifyCommand& command) {
+  SignalWatcher signals;
+  Maps maps(command);
+  int code = kFound;
+  std::size_t equal = 0;
+  const auto results = read_results(command.result);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const Json& recorded = results[i];
+    const std::string name =
+        results.size() > 1 ? command.result + ", result " + std::to_string(i) : command.result;
+    if (!recorded.is_object() || recorded.value("format", "") != kFormat)
+      throw broken(name, std::string("is not of format ") + kFormat);
+    const std::string status = recorded.value("status", "");
+    if (status == "limit" || status == "interrupted") {
+      message(name + ": cannot be replayed: " + (status == "limit" ? "a time limit" : "a signal") +
+              " ended it, and no clock runs twice the same");
+      if (code == kFound) code = kUsage;
+      continue;
+    }
+    Recorded inputs;
+    try {
+      inputs = recorded_inputs(recorded);
+    } catch (const Json::exception& fault) {
+      throw broken(name, std::string("lacks an input of its run: ") + fault.what());
+    } catch (const UsageError& fault) {
+      throw broken(name, std::string("holds a bad input: ") + fault.what());
+    } catch (const Error& fault) {
+      throw broken(name, std::string("holds a bad input: ") + fault.what());
+    }
+    if (recorded.value("version", "") != LASIUS_VERSION && !command.quiet)
+      message(name + ": made by version " + recorded.value("version", "?") + ", replayed by " +
+              LASIUS_VERSION);
+    inputs.run.params.threads = command.threads;
+    const PreparedMap& map = maps.find(inputs);
+    Answer replay = answer(map, inputs.run, inputs.start, inputs.goal, {.token = signals.token()});
+    if (signals.interrupted()) return kInterrupted;
+    replay.index = inputs.index;
+    const std::string key = difference(recorded, result_json(map, inputs.run, replay));
+    if (key.empty()) {
+      ++equal;
+      continue;
+    }
+    code = kInternal;
+    message(name + ": differs from its replay in '" + key + "'");
+  }
+  if (!command.quiet)
+    print(std::to_string(equal) + " of " + std::to_string(results.size()) +
+          (results.size() == 1 ? " result is" : " results are") + " equal to the replay\n");
+  return code;
+}
+
+}  // namespace lasius::tool
