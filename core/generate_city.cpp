@@ -25,7 +25,7 @@ struct Direction {
 Direction random_direction(MapDraws& draws) {
   const int x = draws.between(20, 100);
   const int y = draws.between(20, 100);
-  const auto length = integer_sqrt(static_cast<std::uint64_t>(x * x + y * y));
+  const auto length = integer_sqrt(static_cast<std::uint32_t>(x * x + y * y));
   return {draws.chance(128) ? x : -x, y, static_cast<int>(length)};
 }
 

@@ -115,13 +115,13 @@ void PngReader::read_header() {
 }
 
 bool PngReader::pixel_blocked(const png_byte* pixel) const noexcept {
-  const auto sample = [&](int i) noexcept {
+  const auto sample = [&](std::ptrdiff_t i) noexcept -> std::int64_t {
     return depth_ == 1 ? pixel[i] : pixel[2 * i] << 8 | pixel[2 * i + 1];
   };
   const std::int64_t white = white_;
   std::int64_t level = sample(0);
   if (channels_ >= 3) {
-    level = (2126 * level + std::int64_t{7152} * sample(1) + 722 * sample(2) + 5000) / 10000;
+    level = (2126 * level + 7152 * sample(1) + 722 * sample(2) + 5000) / 10000;
   }
   if (channels_ % 2 == 0) {
     const std::int64_t alpha = sample(channels_ - 1);
