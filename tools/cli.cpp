@@ -229,6 +229,37 @@ Subcommand add_verify(CLI::App& app) {
           }};
 }
 
+Subcommand add_study(CLI::App& app) {
+  struct Raw {
+    std::string name, seeds, folder, threads, maps;
+    bool quiet = false;
+  };
+  auto raw = std::make_shared<Raw>();
+  auto* study = app.add_subcommand(
+      "study",
+      "Repeat a source's experiments and set ours beside its figures; goes on where an "
+      "earlier call stopped");
+  study->add_option("NAME", raw->name, "The study; list: what there is")->required();
+  study->add_option("--seeds", raw->seeds, "Runs of each algorithm, seeds 1 to N (default 30)")
+      ->type_name("N");
+  study->add_option("-o,--output", raw->folder, "Folder to write (default study-NAME)")
+      ->type_name("DIR");
+  study->add_option("--threads", raw->threads, "Runs at a time")->type_name("N");
+  study->add_option("--maps", raw->maps, "Folder of the maps, instead of the program's own")
+      ->type_name("DIR");
+  add_switch(*study, "-q,--quiet", raw->quiet, "Print errors only");
+  return {study, [raw]() -> Command {
+            StudyCommand command{.name = raw->name,
+                                 .threads = thread_count(raw->threads),
+                                 .folder = raw->folder.empty() ? "study-" + raw->name : raw->folder,
+                                 .maps = raw->maps};
+            if (!raw->seeds.empty())
+              command.seeds = static_cast<int>(integer_value("--seeds", raw->seeds, 1, 100000));
+            command.messages.quiet = raw->quiet;
+            return command;
+          }};
+}
+
 /// The first thing on the command line that nothing takes, with the nearest known word.
 void refuse_extras(const CLI::App& app) {
   const auto extras = app.remaining();
@@ -267,7 +298,8 @@ Command parse_command_line(int argc, const char* const* argv) {
   app.set_version_flag("--version", LASIUS_VERSION);
   app.require_subcommand(1);
   std::vector<Subcommand> commands{add_plan(app),       add_batch(app),    add_info(app),
-                                   add_algorithms(app), add_generate(app), add_verify(app)};
+                                   add_algorithms(app), add_generate(app), add_verify(app),
+                                   add_study(app)};
   for (auto& command : commands) {
     command.app->allow_extras();
     for (CLI::Option* option : command.app->get_options({}))

@@ -11,5 +11,6 @@ int run_info(const InfoCommand& command);
 int run_algorithms(const AlgorithmsCommand& command);
 int run_generate(const GenerateCommand& command);
 int run_verify(const VerifyCommand& command);
+int run_study(const StudyCommand& command);
 
 }  // namespace lasius::tool

@@ -20,6 +20,7 @@ int run(const InfoCommand& command) { return run_info(command); }
 int run(const AlgorithmsCommand& command) { return run_algorithms(command); }
 int run(const GenerateCommand& command) { return run_generate(command); }
 int run(const VerifyCommand& command) { return run_verify(command); }
+int run(const StudyCommand& command) { return run_study(command); }
 
 int exit_code(ErrorCode code) {
   switch (code) {

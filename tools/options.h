@@ -79,12 +79,21 @@ struct VerifyCommand {
   bool quiet = false;
 };
 
+struct StudyCommand {
+  std::string name;  ///< or "list"
+  int seeds = 30;
+  int threads = 1;
+  std::string folder;  ///< of the report and its runs
+  std::string maps;    ///< folder of the maps; empty: the program's own
+  Messages messages = {};
+};
+
 /// Text that was asked for, as by --help: printed on stdout.
 struct Text {
   std::string text;
 };
 
 using Command = std::variant<Text, PlanCommand, BatchCommand, InfoCommand, AlgorithmsCommand,
-                             GenerateCommand, VerifyCommand>;
+                             GenerateCommand, VerifyCommand, StudyCommand>;
 
 }  // namespace lasius::tool

@@ -1,0 +1,21 @@
+// The report of a study as one Markdown page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/findings.h"
+
+namespace lasius::study {
+
+/// A picture that the page shows, by the name of its file without the ending.
+struct Figure {
+  const Experiment* experiment;
+  std::string file;  ///< relative to the page
+  std::string caption;
+};
+
+std::string report_page(const Study& study, const Findings& findings, int seeds,
+                        const std::vector<Figure>& figures);
+
+}  // namespace lasius::study

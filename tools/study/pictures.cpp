@@ -1,0 +1,155 @@
+#include "study/pictures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lasius/map_io.h"
+#include "raster.h"
+#include "study/line_chart.h"
+#include "study/statistics.h"
+#include "study/text.h"
+
+namespace lasius::study {
+namespace {
+
+namespace fs = std::filesystem;
+using tool::Align;
+using tool::Box;
+using tool::Canvas;
+using tool::Colour;
+
+constexpr Colour kInk{0.15, 0.17, 0.2};
+constexpr Colour kWall{0.42, 0.45, 0.49};
+constexpr double kMargin = 20, kTitle = 34, kLegendLine = 22;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void save(const Canvas& canvas, const fs::path& file) {
+  canvas.save(file.string() + ".svg");
+  canvas.save(file.string() + ".png");
+}
+
+/// The samples of a question with the equal budget: what is drawn.
+std::vector<const Sample*> drawn(const Findings& findings, const Experiment& experiment,
+                                 const Question& question) {
+  std::vector<const Sample*> samples;
+  for (const Contender& contender : experiment.contenders)
+    if (contender.budget == 1)
+      if (const Sample* s = findings.find(experiment.name, question.name, contender.name))
+        samples.push_back(s);
+  return samples;
+}
+
+/// Median and quartiles over the runs of the best length, by paths built; a run without a path yet
+/// counts as infinitely long.
+Curve convergence(const Sample& sample, Colour colour) {
+  Curve curve{.label = sample.contender->label + " (median, quartiles)", .colour = colour};
+  std::size_t iterations = 0;
+  for (const Run& run : sample.runs) iterations = std::max(iterations, run.best.size());
+  for (std::size_t i = 0; i < iterations; ++i) {
+    std::vector<double> lengths;
+    for (const Run& run : sample.runs) {
+      const double best = run.best.empty() ? kInfinity : run.best[std::min(i, run.best.size() - 1)];
+      lengths.push_back(std::isfinite(best) ? best : kInfinity);
+    }
+    curve.x.push_back(static_cast<double>(i + 1) * sample.paths_an_iteration);
+    curve.y.push_back(quantile(lengths, 0.5));
+    curve.low.push_back(quantile(lengths, 0.25));
+    curve.high.push_back(quantile(lengths, 0.75));
+  }
+  return curve;
+}
+
+void draw_convergence(const Findings& findings, const Experiment& experiment,
+                      const Question& question, const fs::path& file) {
+  LineChart chart{.title = "Convergence on " + question.name,
+                  .x_label = "paths built",
+                  .y_label = "best length so far, cells",
+                  .level = findings.optimum(experiment, question),
+                  .level_label = "true optimum"};
+  for (const Sample* sample : drawn(findings, experiment, question))
+    chart.curves.push_back(convergence(*sample, palette(chart.curves.size())));
+  Canvas canvas(960, 600);
+  draw(canvas, {kMargin, kMargin, 960 - 2 * kMargin, 600 - 2 * kMargin}, chart);
+  save(canvas, file);
+}
+
+void paint_walls(Canvas& canvas, const Box& box, const Grid& grid) {
+  const int width = std::min(grid.width(), static_cast<int>(box.width));
+  const int height = std::min(grid.height(), static_cast<int>(box.height));
+  const auto share = tool::blocked_share(grid, width, height);
+  tool::Raster<Colour> pixels(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) pixels.at(x, y) = tool::blend({1, 1, 1}, kWall, share.at(x, y));
+  canvas.image(pixels, box);
+  canvas.frame(box, kInk, 1);
+}
+
+const Run* best_run(const Sample& sample) {
+  const Run* best = nullptr;
+  for (const Run& run : sample.runs)
+    if (run.solved() && (best == nullptr || run.length < best->length)) best = &run;
+  return best;
+}
+
+/// The map with the best path of each contender, the first one on top; lengths below.
+void draw_paths(const Findings& findings, const Experiment& experiment, const Question& question,
+                const Grid& grid, const fs::path& file) {
+  const auto samples = drawn(findings, experiment, question);
+  double scale = std::min(1100.0 / grid.width(), 800.0 / grid.height());
+  if (scale > 1) scale = std::floor(scale);
+  const double wide = std::max(420.0, grid.width() * scale);
+  const double legend = static_cast<double>(samples.size()) * kLegendLine;
+  const Box box{kMargin + (wide - grid.width() * scale) / 2, kMargin + kTitle, grid.width() * scale,
+                grid.height() * scale};
+  Canvas canvas(static_cast<int>(wide + 2 * kMargin),
+                static_cast<int>(box.y + box.height + 16 + legend + kMargin));
+  canvas.text({kMargin + wide / 2, kMargin + 18}, "Best paths on " + question.name, 17,
+              Align::centre, kInk, true);
+  paint_walls(canvas, box, grid);
+  const auto page = [&](Point p) { return Point{box.x + p.x * scale, box.y + p.y * scale}; };
+  const auto optimum = findings.optimum(experiment, question);
+  for (std::size_t i = samples.size(); i-- > 0;) {
+    const Run* const run = best_run(*samples[i]);
+    std::string text = samples[i]->contender->label + ": no path";
+    if (run != nullptr) {
+      std::vector<Point> points;
+      for (const Point p : run->path) points.push_back(page(p));
+      // Wider below: equal paths stay visible as bands.
+      canvas.polyline(points, palette(i), 2 + 2 * static_cast<double>(i));
+      text = samples[i]->contender->label + ": " + fixed(run->length, 3);
+      if (optimum)
+        text += ", " + fixed(100 * (run->length / *optimum - 1), 2) + "% above the optimum";
+    }
+    const double y = box.y + box.height + 26 + static_cast<double>(i) * kLegendLine;
+    canvas.line({kMargin, y}, {kMargin + 26, y}, palette(i), 3);
+    canvas.text({kMargin + 34, y + 5}, text, 14, Align::left, kInk);
+  }
+  const double radius = std::clamp(scale / 3, 5.0, 9.0);
+  canvas.disc(page(centre(question.start)), radius, {0.1, 0.6, 0.25});
+  canvas.diamond(page(centre(question.goal)), radius + 2, {0.55, 0.1, 0.5});
+  save(canvas, file);
+}
+
+}  // namespace
+
+std::vector<Figure> draw_pictures(const Study& study, const Findings& findings,
+                                  const fs::path& folder, const fs::path& maps) {
+  fs::create_directories(folder / "pictures");
+  std::vector<Figure> figures;
+  for (const Experiment& experiment : study.experiments) {
+    for (const Question& question : experiment.questions) {
+      if (drawn(findings, experiment, question).empty()) continue;
+      const std::string stem = "pictures/" + experiment.name + "-" + question.name;
+      const Grid grid = read_map((maps / question.map).string()).grid;
+      draw_paths(findings, experiment, question, grid, folder / (stem + "-paths"));
+      figures.push_back(
+          {&experiment, stem + "-paths", "Best paths of each algorithm on " + question.name});
+      draw_convergence(findings, experiment, question, folder / (stem + "-convergence"));
+      figures.push_back({&experiment, stem + "-convergence",
+                         "Best length so far by paths built on " + question.name});
+    }
+  }
+  return figures;
+}
+
+}  // namespace lasius::study

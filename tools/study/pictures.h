@@ -1,0 +1,18 @@
+// Convergence plots and path pictures of a study.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "study/findings.h"
+#include "study/markdown.h"
+
+namespace lasius::study {
+
+/// Draws, for every question of every experiment, the convergence and the best path of each
+/// contender, into `folder`/pictures as SVG and PNG. Returns the figures in the order of the page.
+std::vector<Figure> draw_pictures(const Study& study, const Findings& findings,
+                                  const std::filesystem::path& folder,
+                                  const std::filesystem::path& maps);
+
+}  // namespace lasius::study

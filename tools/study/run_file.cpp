@@ -1,0 +1,99 @@
+#include "study/run_file.h"
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "lasius/output.h"
+#include "lasius/version.h"
+
+namespace lasius::study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json numbers(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double v : values) list.push_back(number(v));
+  return list;
+}
+
+double number(const Json& json) { return json.is_null() ? kUnknown : json.get<double>(); }
+
+std::vector<double> numbers(const Json& json) {
+  std::vector<double> values;
+  for (const Json& v : json) values.push_back(number(v));
+  return values;
+}
+
+Status status_of(const std::string& text) {
+  for (const Status s : {Status::solved, Status::limit, Status::interrupted, Status::unreachable,
+                         Status::no_path, Status::invalid})
+    if (to_string(s) == text) return s;
+  throw std::runtime_error("unknown status");
+}
+
+Run run_of(const Json& json) {
+  Run run;
+  run.seed = json.at("seed").get<std::uint64_t>();
+  run.status = status_of(json.at("status").get<std::string>());
+  run.length = number(json.at("length"));
+  run.iterations = json.at("iterations").get<int>();
+  run.seconds = json.at("seconds").get<double>();
+  run.best = numbers(json.at("best"));
+  run.mean = numbers(json.at("mean"));
+  run.arrived = json.at("arrived").get<std::vector<int>>();
+  for (const Json& p : json.at("path")) run.path.push_back({p.at(0), p.at(1)});
+  return run;
+}
+
+}  // namespace
+
+std::string run_key(const Grid& grid, const Question& question, const Params& params) {
+  std::string key = "lasius " LASIUS_VERSION " map " + std::to_string(grid.hash());
+  for (const int v : {question.start.x, question.start.y, question.goal.x, question.goal.y})
+    key += ' ' + std::to_string(v);
+  key += ' ' + params.algorithm;
+  for (const Algorithm& algorithm : algorithms()) {
+    if (algorithm.name != params.algorithm) continue;
+    for (const Parameter& p : algorithm.parameters)
+      key += ' ' + std::string(p.name) + '=' + get_parameter(params, p.name);
+  }
+  return key;
+}
+
+std::optional<Run> read_run(const std::filesystem::path& file, const std::string& key,
+                            std::uint64_t seed) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return std::nullopt;
+  try {
+    const Json json = Json::parse(in);
+    if (json.at("key") != key) return std::nullopt;
+    Run run = run_of(json);
+    if (run.seed != seed) return std::nullopt;
+    return run;
+  } catch (const std::exception&) {
+    return std::nullopt;  // torn or foreign: the run is done again
+  }
+}
+
+void write_run(const std::filesystem::path& file, const std::string& key, const Run& run) {
+  Json json;
+  json["key"] = key;
+  json["seed"] = run.seed;
+  json["status"] = to_string(run.status);
+  json["length"] = number(run.length);
+  json["iterations"] = run.iterations;
+  json["seconds"] = run.seconds;
+  json["best"] = numbers(run.best);
+  json["mean"] = numbers(run.mean);
+  json["arrived"] = run.arrived;
+  json["path"] = Json::array();
+  for (const Point p : run.path) json["path"].push_back({p.x, p.y});
+  write_file(file.string(), [&](std::ostream& out) { out << json.dump() << '\n'; });
+}
+
+}  // namespace lasius::study

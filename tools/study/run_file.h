@@ -1,0 +1,23 @@
+// One file a run, so that a study can stop anywhere and go on.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "study/findings.h"
+
+namespace lasius::study {
+
+/// All that decides a run but its seed: library version, map, question and every parameter. A file
+/// whose key differs is from another study and is not used.
+std::string run_key(const Grid& grid, const Question& question, const Params& params);
+
+/// The run in a file; nothing where there is no file, it is broken, or its key or seed differ.
+std::optional<Run> read_run(const std::filesystem::path& file, const std::string& key,
+                            std::uint64_t seed);
+
+/// Writes under a temporary name and renames. @throws Error(output_failed).
+void write_run(const std::filesystem::path& file, const std::string& key, const Run& run);
+
+}  // namespace lasius::study

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+
+#include "answer.h"
+#include "commands.h"
+#include "exit_code.h"
+#include "lasius/output.h"
+#include "picture.h"
+#include "picture_recorder.h"
+#include "progress.h"
+#include "signals.h"
+#include "streams.h"
+#include "study/markdown.h"
+#include "study/pictures.h"
+#include "study/runner.h"
+#include "study/table.h"
+#include "values.h"
+
+namespace lasius::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string list_text() {
+  std::string text;
+  for (const study::Entry& entry : study::catalogue())
+    text += std::string(entry.name) + "\t" + entry.make().summary + "\n";
+  return text;
+}
+
+study::Study make_study(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const study::Entry& entry : study::catalogue()) {
+    if (entry.name == name) return entry.make();
+    names.push_back(entry.name);
+  }
+  throw UsageError("unknown study \"" + name + "\"; " + did_you_mean(name, names));
+}
+
+/// Maps are looked for in the option's folder, else beside the installed program, else in the
+/// source tree.
+fs::path find_maps(const std::string& option) {
+  if (!option.empty()) return option;
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path installed = program.parent_path() / LASIUS_INSTALLED_MAPS;
+  return fs::is_directory(installed, ignored) ? installed : fs::path(LASIUS_SOURCE_MAPS);
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+  write_file(file.string(), [&](std::ostream& out) { out << text; });
+}
+
+/// Tracks, pheromone and convergence of the first contender's run with seed 1, on each question.
+std::vector<study::Figure> draw_portraits(const study::Study& study, const fs::path& folder,
+                                          const fs::path& maps, const StopCondition& stop) {
+  std::vector<study::Figure> figures;
+  for (const study::Experiment& experiment : study.experiments) {
+    if (!experiment.portrait) continue;
+    for (const study::Question& question : experiment.questions) {
+      const study::Contender& contender = experiment.contenders.front();
+      RunOptions run;
+      run.map.file = (maps / question.map).string();
+      run.params = study::params_of(contender);
+      run.track_iterations = {10, 50, 120};
+      const PreparedMap map = prepare_map(run.map);
+      PictureRecorder recorder(map.planner.grid(), run.track_iterations, run.params.iterations);
+      const Answer found = answer(map, run, question.start, question.goal, stop,
+                                  [&](const Progress& progress) { recorder.observe(progress); });
+      const std::string stem = "pictures/" + experiment.name + "-" + question.name + "-run";
+      for (const char* ending : {".svg", ".png"})
+        write_plan_picture((folder / (stem + ending)).string(), map, run, found, &recorder);
+      figures.push_back({&experiment, stem,
+                         "One run of " + contender.label +
+                             " (seed 1): accumulated tracks, "
+                             "pheromone, path and convergence"});
+    }
+  }
+  return figures;
+}
+
+void write_report(const study::Study& study, const study::Findings& findings,
+                  const StudyCommand& command, const fs::path& maps, const StopCondition& stop) {
+  const fs::path folder = command.folder;
+  auto figures = study::draw_pictures(study, findings, folder, maps);
+  for (auto& figure : draw_portraits(study, folder, maps, stop))
+    figures.push_back(std::move(figure));
+  std::string results, tests;
+  for (const study::Experiment& experiment : study.experiments) {
+    results += experiment.name + "\n" + result_table(findings, experiment).csv() + "\n";
+    tests += experiment.name + "\n" + test_table(findings, experiment).csv() + "\n";
+  }
+  write_text(folder / "runs.csv", run_table(findings).csv());
+  write_text(folder / "results.csv", results);
+  write_text(folder / "tests.csv", tests);
+  write_text(folder / "report.md", report_page(study, findings, command.seeds, figures));
+}
+
+}  // namespace
+
+int run_study(const StudyCommand& command) {
+  if (command.name == "list") {
+    print(list_text());
+    return kFound;
+  }
+  const study::Study study = make_study(command.name);
+  const fs::path maps = find_maps(command.maps);
+  SignalWatcher signals;
+  const auto findings = [&] {
+    constexpr std::int64_t kParts = 1000;
+    ProgressLine bar(wants_progress(command.messages), kParts);
+    study::RunnerOptions options{.seeds = command.seeds,
+                                 .threads = command.threads,
+                                 .folder = command.folder,
+                                 .maps = maps,
+                                 .stop = signals.token()};
+    options.progress = [&](std::int64_t done, std::int64_t total, const std::string& note) {
+      bar.update(done * kParts / std::max<std::int64_t>(total, 1), note);
+    };
+    return study::run_study(study, options);
+  }();
+  if (!findings) {
+    message("interrupted; the same command goes on from here");
+    return kInterrupted;
+  }
+  write_report(study, *findings, command, maps, {.token = signals.token()});
+  print((fs::path(command.folder) / "report.md").string() + "\n");
+  return kFound;
+}
+
+}  // namespace lasius::tool
