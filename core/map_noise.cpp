@@ -19,7 +19,8 @@ MapNoise::MapNoise(int width, const MapRandom& random, std::span<const Octave> o
     for (int i = 0; i < octave.pitch; ++i) {
       const std::int64_t t = (2 * std::int64_t{i} + 1) * kOne / (2 * std::int64_t{octave.pitch});
       layer.offset.push_back(static_cast<std::int32_t>(t));
-      layer.blend.push_back(static_cast<std::int32_t>(t * t * (3 * std::int64_t{kOne} - 2 * t) >> 2 * kBits));
+      layer.blend.push_back(
+          static_cast<std::int32_t>(t * t * (3 * std::int64_t{kOne} - 2 * t) >> 2 * kBits));
     }
     const std::size_t columns = static_cast<std::size_t>((width - 1) / octave.pitch) + 2;
     layer.above.resize(columns);
