@@ -47,15 +47,7 @@ std::vector<std::string_view> split_tabs(std::string_view line) {
 /// The lines of a file that are not blank, with their numbers.
 class Lines {
  public:
-  explicit Lines(const std::string& file) : file_(file) {
-    std::error_code ignored;
-    errno = 0;
-    if (!std::filesystem::is_directory(file, ignored)) in_.open(file, std::ios::binary);
-    if (!in_.is_open())
-      throw Error(ErrorCode::file_missing, {.file = file},
-                  std::string("cannot be opened: ") + std::strerror(errno != 0 ? errno : EISDIR),
-                  "name a .scen or .tsv file of queries");
-  }
+  Lines(std::istream& in, const std::string& file) : file_(file), in_(in) {}
 
   bool next() {
     while (std::getline(in_, text_)) {
@@ -87,7 +79,7 @@ class Lines {
 
  private:
   std::string file_;
-  std::ifstream in_;
+  std::istream& in_;
   std::string text_;
   std::int64_t number_ = 0;
 };
@@ -155,13 +147,26 @@ QueryFile read_table(Lines& lines, bool whole) {
 
 }  // namespace
 
-QueryFile read_queries(const std::string& file, int width, int height, bool whole) {
-  Lines lines(file);
+QueryFile read_queries(std::istream& in, const std::string& file, int width, int height,
+                       bool whole) {
+  Lines lines(in, file);
   if (!lines.next())
     lines.fail("is empty", "name a MovingAI .scen, or a TSV with columns sx sy gx gy");
   const auto first = split_blanks(lines.text());
   if (first.front() == "version") return read_scenario(lines, width, height);
   return read_table(lines, whole);
+}
+
+QueryFile read_queries(const std::string& file, int width, int height, bool whole) {
+  std::ifstream in;
+  std::error_code ignored;
+  errno = 0;
+  if (!std::filesystem::is_directory(file, ignored)) in.open(file, std::ios::binary);
+  if (!in.is_open())
+    throw Error(ErrorCode::file_missing, {.file = file},
+                std::string("cannot be opened: ") + std::strerror(errno != 0 ? errno : EISDIR),
+                "name a .scen or .tsv file of queries");
+  return read_queries(in, file, width, height, whole);
 }
 
 }  // namespace lasius::tool

@@ -1,6 +1,7 @@
 // Files of queries: MovingAI scenarios, and tables with columns sx sy gx gy.
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -24,5 +25,9 @@ struct QueryFile {
 /// Coordinates are whole numbers; in a TSV any finite ones unless `whole`.
 /// @throws Error(file_missing, file_broken) naming file and line.
 QueryFile read_queries(const std::string& file, int width, int height, bool whole);
+
+/// The same from a stream; `file` is named in errors.
+QueryFile read_queries(std::istream& in, const std::string& file, int width, int height,
+                       bool whole);
 
 }  // namespace lasius::tool

@@ -37,7 +37,7 @@ std::vector<Json> read_results(const std::string& file) {
       in >> results.emplace_back();
   } catch (const Json::exception& fault) {
     throw broken(file,
-                 "result " + std::to_string(results.size()) + " is not JSON: " + fault.what());
+                 "result " + std::to_string(results.size() - 1) + " is not JSON: " + fault.what());
   }
   if (results.empty()) throw broken(file, "holds no result");
   return results;
