@@ -41,7 +41,7 @@ double Anya::plan(Cell start, Cell goal, std::vector<Point>& path) {
   target_ = centre(goal);
   best_ = kNoPath;
 
-  roots_.push_back({start.x + 0.5, start.y + 0.5, 0, -1, kNoCorner});
+  push_root(start.x + 0.5, start.y + 0.5, 0, -1, kNoCorner);
   const std::uint64_t* row = grid_->row(start.y);
   const int left = last_blocked(row, start.x) + 1, right = first_blocked(row, start.x);
   see_goal(0, start.y, left, right);
@@ -112,8 +112,7 @@ void Anya::expand_run(const Node& node, double ratio, int run_left, int run_righ
   const double right = std::min<double>(node.right, run_right);
   const int ahead = row_ahead(node.line, node.dy);
   if (ahead == goal_.y && run_left <= goal_.x && goal_.x < run_right) {
-    const double t = (node.line - root.y) / (target_.y - root.y);
-    const double straight = root.x + (target_.x - root.x) * t;
+    const double straight = root.x + root.slope * (node.line - root.y);
     const double through = std::clamp(straight, left, right);
     const double length = root.cost + distance(root.x, root.y, through, node.line) +
                           distance(through, node.line, target_.x, target_.y);
@@ -221,24 +220,32 @@ std::int32_t Anya::make_root(std::int32_t parent, int x, int y) {
   Entry& known = entry(corner);
   if (known.cost <= cost + kTie) return -1;
   known.cost = cost;
-  roots_.push_back({static_cast<double>(x), static_cast<double>(y), cost, parent, corner});
+  push_root(x, y, cost, parent, corner);
   return static_cast<std::int32_t>(roots_.size()) - 1;
+}
+
+void Anya::push_root(double x, double y, double cost, std::int32_t parent, std::uint32_t corner) {
+  const double to_goal = distance(x, y, target_.x, target_.y);
+  const double slope = y == target_.y ? 0 : (target_.x - x) / (target_.y - y);
+  roots_.push_back({x, y, cost, to_goal, slope, parent, corner});
 }
 
 void Anya::add_cone(std::int32_t r, double left, double right, int line, int dy) {
   const Root& root = roots_[r];
-  // A goal behind the line is mirrored: the path has to cross the line first.
   double goal_y = target_.y;
-  if ((goal_y - line) * dy < 0) goal_y = 2.0 * line - goal_y;
-  const double t = (line - root.y) / (goal_y - root.y);
-  const double straight = root.x + (target_.x - root.x) * t;
-  double bound = root.cost;
-  if (straight < left) {
-    bound += distance(root.x, root.y, left, line) + distance(left, line, target_.x, goal_y);
-  } else if (straight > right) {
-    bound += distance(root.x, root.y, right, line) + distance(right, line, target_.x, goal_y);
+  double straight, bound = root.cost;
+  if ((goal_y - line) * dy > 0) {
+    straight = root.x + root.slope * (line - root.y);
   } else {
-    bound += distance(root.x, root.y, target_.x, goal_y);
+    // A goal behind the line is mirrored: the path has to cross the line first.
+    goal_y = 2.0 * line - goal_y;
+    straight = root.x + (target_.x - root.x) * (line - root.y) / (goal_y - root.y);
+  }
+  if (straight < left || straight > right) {
+    const double end = straight < left ? left : right;
+    bound += distance(root.x, root.y, end, line) + distance(end, line, target_.x, goal_y);
+  } else {
+    bound += goal_y == target_.y ? root.to_goal : distance(root.x, root.y, target_.x, goal_y);
   }
   if (bound >= best_ - kTie) return;
   fresh_.push_back({left, right, bound, r, line, static_cast<std::int8_t>(dy), 0});
@@ -256,7 +263,7 @@ void Anya::add_flat(std::int32_t r, int x, int line, int dx) {
 void Anya::see_goal(std::int32_t r, int row, int run_left, int run_right) {
   if (row != goal_.y || goal_.x < run_left || goal_.x >= run_right) return;
   const Root& root = roots_[r];
-  const double length = root.cost + distance(root.x, root.y, target_.x, target_.y);
+  const double length = root.cost + root.to_goal;
   if (length >= best_) return;
   best_ = length;
   best_root_ = r;

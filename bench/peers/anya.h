@@ -25,6 +25,8 @@ class Anya final : public QueryPlanner {
   struct Root {
     double x, y;
     double cost;
+    double to_goal;  // straight distance
+    double slope;    // of that line, columns a row
     std::int32_t parent;
     std::uint32_t corner;  // lattice point, kNoCorner for the start
   };
@@ -56,6 +58,7 @@ class Anya final : public QueryPlanner {
   void turn_behind(const Node& node, double ratio, int x, int side);
 
   std::int32_t make_root(std::int32_t parent, int x, int y);
+  void push_root(double x, double y, double cost, std::int32_t parent, std::uint32_t corner);
   void add_cone(std::int32_t root, double left, double right, int line, int dy);
   void add_flat(std::int32_t root, int x, int line, int dx);
   void see_goal(std::int32_t root, int row, int run_left, int run_right);
