@@ -41,6 +41,8 @@ double distance(int x0, int y0, int x1, int y1) noexcept {
 constexpr double kHorizon = 256;
 constexpr double kHorizonShare = 1.0 / 256;
 constexpr int kMostScans = 4;
+// On maps smaller than this, views are short enough to be scanned at once.
+constexpr int kLongViews = 2048;
 
 // Work between two looks at the stop condition, 20 to 100 microseconds; an expansion counts as so
 // many words, besides those that it scans.
@@ -90,26 +92,27 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
   const double length = root_.length + distance(root_.x, root_.y, 2 * x, 2 * y);
   const std::size_t slot = corners_.slot(x, y);
   std::uint32_t index = corners_.at(slot);
+  double to_goal = 0;
   if (index != CornerTable::kStart) {
-    Corner& known = corners_[index];
+    const Corner& known = corners_[index];
     if (length >= known.length) return known.length;
-    known.length = length;
-    known.parent = parent;
-    known.heading = heading;
-    known.expanded = false;
-    known.scans = 0;
+    to_goal = known.to_goal;
   } else {
-    const double to_goal = distance(2 * x, 2 * y, goal_x_, goal_y_);
+    to_goal = distance(2 * x, 2 * y, goal_x_, goal_y_);
     if (length + to_goal >= upper_) return -1;
-    index = corners_.add(slot, {2 * x, 2 * y, length, to_goal, parent, heading, false, false, 0});
+    index = corners_.add(slot, x, y);
   }
-  const double to_goal = corners_[index].to_goal;
+  Corner& corner = corners_[index];
+  corner.length = length;
+  corner.to_goal = to_goal;
+  corner.parent = parent;
+  corner.heading = heading;
+  corner.expanded = false;
+  corner.scans = 0;
   if (length + to_goal < upper_) {
     ++counters_.pushes;
     frontier_.push(index, length + to_goal);
-    if (ants_out_ && !corners_[index].walked) {
-      trail_.push(index, length + ant_weight_ * to_goal);
-    }
+    if (ants_out_ && !corner.walked) trail_.push(index, length + ant_weight_ * to_goal);
   }
   return -1;
 }
@@ -162,7 +165,7 @@ void ExactSearch::expand(std::uint32_t index) {
   corner.expanded = true;
   const double bound = corner.length + corner.to_goal;
   horizon_ = upper_;
-  if (corner.scans < kMostScans) {
+  if (long_views_ && corner.scans < kMostScans) {
     const double ahead = (kHorizon + kHorizonShare * bound) * (1 << 2 * corner.scans);
     horizon_ = std::min(upper_, bound + ahead);
   }
@@ -182,7 +185,7 @@ void ExactSearch::expand(std::uint32_t index) {
 // Returns whether rays were cut off at the horizon.
 template <int S>
 bool ExactSearch::leave_corner(std::uint32_t index) {
-  const Corner corner = corners_[index];
+  const Corner& corner = corners_[index];
   const Corner& parent = corners_[corner.parent];
   const Heading heading = corner.heading;
   if (goal_in_cone<S>(corner, parent) &&
@@ -197,7 +200,7 @@ bool ExactSearch::leave_corner(std::uint32_t index) {
       depth == 0
           ? kernels::kLevelSlope
           : static_cast<Fixed>(static_cast<double>(u) * static_cast<double>(kernels::kOne) / depth);
-  root_ = {index, corner.x, corner.y, corner.length};
+  root_ = {index, corner.x, corner.y, corner.length};  // corners may move from here on
   const ConeFrame cone = frame<S>(heading.down());
   Visitor<S> visitor{*this, heading.down(), cone.line0};
   if (heading.towards_column()) {
@@ -209,7 +212,7 @@ bool ExactSearch::leave_corner(std::uint32_t index) {
     if (shorter >= 0 && level.length < 0) level = {shorter, column, 0};
   };
   const bool cut_line =
-      kernels::scan_line<S>(map_, cone.line0, S * (corner.x >> 1), cone.last_column, report);
+      kernels::scan_line<S>(map_, cone.line0, S * (root_.x >> 1), cone.last_column, report);
   const bool cut_cone = ConeScan<S, Visitor<S>>(cone, stack_, visitor)
                             .from_corner(slope, kernels::kLevelSlope, level);
   return cut_line || cut_cone;
@@ -295,6 +298,7 @@ void ExactSearch::search(const Grid& grid, Cell start, Cell goal, const ExactOpt
   const int y = 2 * start.y + 1;
   lower_ = distance(x, y, goal_x_, goal_y_);
   upper_ = kInfinity;
+  long_views_ = std::max(grid.width(), grid.height()) > kLongViews;
   last_ = CornerTable::kStart;
   corners_.reset(grid.width(), {x, y, 0, lower_, CornerTable::kStart, {}, false, true, 0});
   if (kernels::sees(map_, {x, y}, {goal_x_, goal_y_})) {

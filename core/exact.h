@@ -104,6 +104,7 @@ class ExactSearch {
   int goal_x_ = 0, goal_y_ = 0;  // half cells
   Root root_{};                  // of the cone in hand
   double upper_ = 0;             // length of the best path
+  bool long_views_ = false;
   double horizon_ = 0;           // paths over the root that are longer do not matter yet
   std::uint32_t last_ = 0;       // its last corner
   double lower_ = 0;

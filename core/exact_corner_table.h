@@ -26,14 +26,14 @@ class Heading {
 
 /// A corner of a blocked cell, or the start (index 0), in half-cell coordinates.
 struct Corner {
-  int x, y;
-  double length;   ///< of the shortest known path from the start
-  double to_goal;  ///< straight distance
-  std::uint32_t parent;
-  Heading heading;
-  bool expanded;       ///< its cone was scanned at this length
-  bool walked;         ///< an ant has been here
-  std::uint8_t scans;  ///< how often its cone was scanned and cut off, at this length
+  int x = 0, y = 0;
+  double length = 0;   ///< of the shortest known path from the start
+  double to_goal = 0;  ///< straight distance
+  std::uint32_t parent = 0;
+  Heading heading = {};
+  bool expanded = false;   ///< its cone was scanned at this length
+  bool walked = false;     ///< an ant has been here
+  std::uint8_t scans = 0;  ///< how often its cone was scanned and cut off, at this length
 };
 static_assert(sizeof(Corner) == 32);
 
@@ -66,11 +66,14 @@ class CornerTable {
   std::uint32_t at(std::size_t slot) const noexcept {
     return static_cast<std::uint32_t>(table_[slot]);
   }
-  /// Puts a corner into an empty slot found for it. Invalidates slots.
-  std::uint32_t add(std::size_t slot, const Corner& corner) {
+  /// Makes a corner at lattice point (x, y) for the empty slot found for it; its caller fills in the
+  /// rest. Invalidates slots.
+  std::uint32_t add(std::size_t slot, int x, int y) {
     const std::uint32_t index = size();
-    corners_.push_back(corner);
-    table_[slot] = place_of(corner.x >> 1, corner.y >> 1) << 32 | index;
+    Corner& corner = corners_.emplace_back();
+    corner.x = 2 * x;
+    corner.y = 2 * y;
+    table_[slot] = place_of(x, y) << 32 | index;
     if (corners_.size() * 2 > table_.size()) rehash(table_.size() * 2);
     return index;
   }

@@ -49,10 +49,10 @@ struct Rival {
 
 /// The rays through one gap: columns on a line, and columns a row.
 struct Interval {
-  Fixed left, right;
-  Fixed left_slope, right_slope;  ///< 0 <= left_slope <= right_slope
-  std::int32_t line;
-  bool wall;  ///< right is a blocked cell's side; right_slope is then a bound from above
+  Fixed left = 0, right = 0;
+  Fixed left_slope = 0, right_slope = 0;  ///< 0 <= left_slope <= right_slope
+  std::int32_t line = 0;
+  bool wall = false;  ///< right is a blocked cell's side; right_slope is then a bound from above
   std::uint8_t left_rival = 0, right_rival = 0;  ///< numbers of rivals, 0: none
 };
 
@@ -139,13 +139,13 @@ class ConeScan {
     return v.left <= limit_ - kOne;
   }
 
-  void run(const Interval& first) {
+  void run(Interval& first) {
     stack_.clear();
     bool going = follow(first);
     while (going && !stack_.empty()) {
-      const Interval v = stack_.back();
+      first = stack_.back();
       stack_.pop_back();
-      going = follow(v);
+      going = follow(first);
     }
     visitor_.go_on(words_);
   }
@@ -158,7 +158,7 @@ class ConeScan {
   }
 
   // Follows one interval until it ends; further gaps go on the stack. False when stopped.
-  bool follow(Interval v) {
+  bool follow(Interval& v) {
     const char* next = row0_ + step_ * v.line;
     int quiet = 0;  // rows in turn that held nothing
     for (; v.line <= frame_.last_line; ++v.line, next += step_) {
@@ -304,12 +304,20 @@ class ConeScan {
         return open && !beaten(v);
       }
       if (open) {
-        stack_.push_back(
-            {left, stop, v.left_slope, slope_to(a, v.line + 1), v.line, true, v.left_rival, 0});
-        if (beaten(stack_.back()))
+        // Field by field: a copied temporary would wait for its own stores.
+        Interval& gap = stack_.emplace_back();
+        gap.left = left;
+        gap.right = stop;
+        gap.left_slope = v.left_slope;
+        gap.right_slope = slope_to(a, v.line + 1);
+        gap.line = v.line;
+        gap.wall = true;
+        gap.left_rival = v.left_rival;
+        if (beaten(gap)) {
           stack_.pop_back();
-        else
-          ++stack_.back().line;
+        } else {
+          ++gap.line;
+        }
       }
       c = a;
     }
