@@ -28,6 +28,8 @@ constexpr double kBucketWidth = 0.125;  // cells
 constexpr double kAntWeight = 1.2;
 constexpr std::int64_t kFirstAnts = 16;
 constexpr std::int64_t kAntShare = 8;
+// Without a hurry, a search that is soon over is not held up by ants for longer than this.
+constexpr std::int64_t kAntsPatience = 256;
 
 // In cells, between places in half cells: exact but for the square root.
 double distance(int x0, int y0, int x1, int y1) noexcept {
@@ -268,6 +270,7 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   Poller poller(stop, kWordsPerPoll);
   poller_ = &poller;
   const bool hurry = options.target_gap > 0;
+  const bool patient = hurry || long_views_ || stop.deadline != Clock::time_point::max();
   ants_out_ = true;
   ant_weight_ = hurry ? 1 + options.target_gap : kAntWeight;
   trail_.reset(ant_weight_ * lower_, kBucketWidth);
@@ -279,7 +282,10 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
     if (upper_ - lower_ <= options.target_gap * lower_) break;
     expand(index);
     poller.stop_after(kWordsPerExpansion);
-    if (ants_out_ && counters_.expansions >= next_ants) {
+    if (!ants_out_ || counters_.expansions < next_ants) continue;
+    if (counters_.expansions > kAntsPatience && !patient) {
+      ants_out_ = false;
+    } else {
       send_ants(counters_.expansions / kAntShare, poller);
       next_ants = counters_.expansions * 2;
     }
