@@ -73,18 +73,16 @@ struct ExactSearch::Visitor {
     const double from_root_y = y - 0.5 * search.root_.y;
     const double from_rival_x = x - S * rival.u;
     const double from_rival_y = y - (line0 + down * rival.line);
-    return rival.length + std::sqrt(from_rival_x * from_rival_x + from_rival_y * from_rival_y) <
-           search.root_.length + std::sqrt(from_root_x * from_root_x + from_root_y * from_root_y) -
-               kMargin;
+    // With room for the rounding of any length, so that no way ever beats itself.
+    return rival.length * (1 + exact::kRounding) +
+               std::sqrt(from_rival_x * from_rival_x + from_rival_y * from_rival_y) <
+           search.root_.length + std::sqrt(from_root_x * from_root_x + from_root_y * from_root_y);
   }
 
   bool go_on(std::int64_t words) noexcept {
     search.counters_.words += words;
     return !search.poller_->stop_after(words);
   }
-
-  // Far above the rounding of any length, so that no way ever beats itself.
-  static constexpr double kMargin = 1e-7;
 };
 
 // A corner of a blocked cell at lattice point (x, y), seen from the root in hand. Returns the

@@ -32,8 +32,8 @@ struct ExactAnswer {
   StopCondition::Cause cause = StopCondition::Cause::none;
   std::vector<Point> path;  ///< start to goal; empty without one
   double length = std::numeric_limits<double>::quiet_NaN();
-  /// No path is shorter; infinite where none exists. Allows for rounding: at most
-  /// exact::kRounding of itself below the length when proven.
+  /// No path is shorter; infinite where none exists. The length itself when that is proven to be
+  /// the optimum, up to exact::kRounding of it; else less by that allowance.
   double lower_bound = 0;
   bool optimal = false;
 };
@@ -60,8 +60,19 @@ struct Counters {
 /// reached with the best known length g; its cone, the directions in which a path can go on and
 /// still be taut, is scanned for the corners seen in it (kernels/scan_cone.h). The frontier holds
 /// corners by g + straight distance to the goal. No path is shorter than its least item (lower
-/// bound), and ants sent from its best item give paths (upper bound); where they meet, the path is
-/// proven to be shortest.
+/// bound), and ants give paths (upper bound); where they meet, the path is proven to be shortest.
+///
+/// Why no shortest path is missed. Let v, w follow each other on one, v reached at its least
+/// length. The scan of v's cone leaves w out only where
+///   * w is outside the taut cone: then the path could be pulled shorter at v;
+///   * a known way to w, or to a point between v and w, is shorter than the one over v (rivals);
+///   * every path over v and w is at least as long as the best one known (the ellipse of frame());
+///   * w is behind the horizon: then v stays in the frontier, with a key that no path over v and
+///     what lies behind the horizon is shorter than.
+/// The first two cannot be on a shortest path; the third cannot improve the answer; the fourth is
+/// only put off. Ties do no harm: two shortest ways to v see the same w, else one of them could be
+/// pulled shorter than the optimum. Lengths are compared as computed, so the answer is the optimum
+/// up to exact::kRounding.
 class ExactSearch {
  public:
   /// Plans from the centre of one free cell to that of another, both inside `grid`.
@@ -82,7 +93,6 @@ class ExactSearch {
     double length;
   };
 
-  bool sees_goal_from_start() const noexcept;
   void send_ants(std::int64_t steps, Poller& poller);
   void run(const ExactOptions& options, const StopCondition& stop);
   bool next_corner(std::uint32_t& index);
@@ -103,10 +113,10 @@ class ExactSearch {
   kernels::BitmapView map_{};
   int goal_x_ = 0, goal_y_ = 0;  // half cells
   Root root_{};                  // of the cone in hand
-  double upper_ = 0;             // length of the best path
   bool long_views_ = false;
-  double horizon_ = 0;           // paths over the root that are longer do not matter yet
-  std::uint32_t last_ = 0;       // its last corner
+  double horizon_ = 0;      // paths over the root that are longer do not matter yet
+  double upper_ = 0;        // length of the best path
+  std::uint32_t last_ = 0;  // its last corner
   double lower_ = 0;
   Poller* poller_ = nullptr;
   StopCondition::Cause cause_ = StopCondition::Cause::none;

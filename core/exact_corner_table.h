@@ -66,8 +66,8 @@ class CornerTable {
   std::uint32_t at(std::size_t slot) const noexcept {
     return static_cast<std::uint32_t>(table_[slot]);
   }
-  /// Makes a corner at lattice point (x, y) for the empty slot found for it; its caller fills in the
-  /// rest. Invalidates slots.
+  /// Makes a corner at lattice point (x, y) for the empty slot found for it; its caller fills in
+  /// the rest. Invalidates slots.
   std::uint32_t add(std::size_t slot, int x, int y) {
     const std::uint32_t index = size();
     Corner& corner = corners_.emplace_back();
