@@ -41,12 +41,13 @@ class WalkOnly {
   WalkOnly() {
     const Course& c = fan_course();
     params_.ants = kAnts;
-    const kernels::Moves moves = kernels::moves_of(params_.neighbours);
-    field_.reset(c.grid, moves, c.goal, params_);
+    const kernels::Moves moves = kernels::moves_of(kernels::Neighbourhood::eight);
+    field_.reset(c.grid, moves, c.goal, params_, 1, {});
     field_.refresh(schedule(params_, 0), 1);
     field_.fill(world_);
-    for (int k = 0; k < moves.count; ++k) world_.delta[k] = moves.dy[k] * 65536 + moves.dx[k];
-    for (auto& row : world_.factor) row.fill(1);
+    for (int k = 0; k < moves.count; ++k) {
+      world_.delta[k] = moves[k].to.dy * 65536 + moves[k].to.dx;
+    }
     world_.start = kernels::pack(c.start.x, c.start.y);
     world_.goal = kernels::pack(c.goal.x, c.goal.y);
     walkers_.reset(c.grid.width(), c.grid.height(), 1, kAnts);
@@ -58,7 +59,7 @@ class WalkOnly {
     std::int64_t steps = 0;
     const ProcessorStopwatch watch;
     for (; watch.seconds() < 0.1; ++world_.iteration) {
-      walkers_.walk(world_, kernel_, ants_, {});
+      walkers_.walk(world_, kernel_, ants_, 0, {});
       for (const Ant& ant : ants_) steps += ant.steps;
     }
     return static_cast<double>(steps) / watch.seconds();

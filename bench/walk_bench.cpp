@@ -45,7 +45,7 @@ BENCHMARK_CAPTURE(row_ceiling, jump, peers::RowCeiling::Path::jump)
     ->Unit(benchmark::kMillisecond);
 
 // A whole plan, updates and straightening included.
-void plan_steps(benchmark::State& state, const char* algorithm, int neighbours) {
+void plan_steps(benchmark::State& state, const char* algorithm, Neighbours neighbours) {
   const Planner planner(fan_course().grid);
   Workspace workspace;
   Params params = defaults(algorithm);
@@ -64,8 +64,8 @@ void plan_steps(benchmark::State& state, const char* algorithm, int neighbours) 
   }
   count_steps(state, steps);
 }
-BENCHMARK_CAPTURE(plan_steps, as, "as", 8)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(plan_steps, fan2004, "fan2004", 4)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(plan_steps, as, "as", Neighbours::eight)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(plan_steps, fan2004, "fan2004", Neighbours::four)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace lasius::bench

@@ -1,8 +1,11 @@
 #include "colony.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "kernel_choice.h"
@@ -10,6 +13,7 @@
 #include "lasius/path.h"
 #include "polish.h"
 #include "schedule.h"
+#include "update.h"
 #include "workspace.h"
 
 namespace lasius {
@@ -19,15 +23,45 @@ using kernels::WalkWorld;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Length of a tour: counts are exact, so the sum does not depend on the order of the moves.
-double tour_length(const Ant& ant, const kernels::Moves& moves) {
-  std::int64_t diagonal = 0;
-  for (std::int64_t i = 0; i < ant.move_count; ++i) {
-    const int k = ant.moves[i];
-    diagonal += moves.dx[k] != 0 && moves.dy[k] != 0;
+/// Length of a tour. Moves are counted by kind, so that the sum does not depend on their order.
+double tour_length(std::span<const std::uint8_t> tour, const kernels::Moves& moves) {
+  std::array<std::int64_t, kernels::kMaxMoves> count{};
+  for (const int k : tour) ++count[k];
+  // Moves of one length, met first to last, make one product.
+  double length = 0;
+  for (int k = 0; k < moves.count; ++k) {
+    std::int64_t alike = 0;
+    for (int j = moves.count - 1; j >= k; --j) {
+      if (moves[j].length != moves[k].length) continue;
+      alike += count[j];
+      count[j] = 0;
+    }
+    length += static_cast<double>(alike) * moves[k].length;
   }
-  return static_cast<double>(ant.move_count - diagonal) +
-         static_cast<double>(diagonal) * std::numbers::sqrt2;
+  return length;
+}
+
+kernels::Neighbourhood neighbourhood(Neighbours n) {
+  switch (n) {
+    case Neighbours::four:
+      return kernels::Neighbourhood::four;
+    case Neighbours::eight:
+      return kernels::Neighbourhood::eight;
+    case Neighbours::sixteen:
+      return kernels::Neighbourhood::sixteen;
+    case Neighbours::sixteen_knight:
+      return kernels::Neighbourhood::sixteen_knight;
+    case Neighbours::twenty_four:
+      return kernels::Neighbourhood::twenty_four;
+    case Neighbours::thirty_two:
+      return kernels::Neighbourhood::thirty_two;
+  }
+  return kernels::Neighbourhood::eight;
+}
+
+double straight_distance(const Request& request) {
+  const double dx = request.goal.x - request.start.x, dy = request.goal.y - request.start.y;
+  return std::sqrt(dx * dx + dy * dy);
 }
 
 class Colony final : public Progress {
@@ -38,134 +72,198 @@ class Colony final : public Progress {
         params_(params),
         ws_(workspace),
         threads_(thread_count(params)),
-        moves_(kernels::moves_of(params.neighbours)) {
-    ws_.field.reset(grid, moves_, request.goal, params);
+        moves_(kernels::moves_of(neighbourhood(params.neighbours))),
+        tau0_(initial_pheromone(params, straight_distance(request))) {
+    ws_.field.reset(grid, moves_, request.goal, params, untouched(), request.stop);
     ws_.walkers.reset(grid.width(), grid.height(), threads_, params.ants);
     ws_.polisher.reset(params, threads_);
     ws_.ants.resize(params.ants);
+    ws_.tours.resize(params.ants);
     shape_ = {.lanes = moves_.count,
               .mixture = ws_.field.mixture(),
-              .factor = params.visibility != Visibility::none && moves_.count > 4};
+              .factor = params.visibility != Visibility::none && moves_.count > 4,
+              .draw = params.selection == Selection::roulette ? kernels::Draw::roulette
+                                                              : kernels::Draw::discard};
+    if (params.visibility == Visibility::heading_change) shape_.factor = true;
     kernel_ = kernels::walk_table(chosen_isa()).walk[shape_.index()];
     world_ = make_world();
   }
 
   /// The main loop.
   Result run(const Observer& observer) {
-    auto cause = StopCondition::Cause::none;
-    for (int q = 0; q < params_.iterations; ++q) {
-      const StepWeights weights = schedule(params_, q);
-      ws_.field.refresh(weights, threads_);
-      apply(weights, q);
-      for (Ant& ant : ws_.ants) ant.arrived = false;
-      cause = ws_.walkers.walk(world_, kernel_, ws_.ants, request_.stop);
-      ws_.polisher.polish(grid_, request_.start, moves_, ws_.ants, request_.stop);
-      const bool improved = offer();
-      if (cause == StopCondition::Cause::none) cause = request_.stop.poll();
-      if (cause != StopCondition::Cause::none) break;
-      lay_trails(improved);
+    auto cause = request_.stop.poll();
+    for (int q = 0; q < params_.iterations && cause == StopCondition::Cause::none; ++q) {
+      cause = walk(q);
+      if (params_.update == Update::terminal_index) {
+        if (cause != StopCondition::Cause::none) break;
+        update(q);
+        polish({&answer(), 1});
+        offer();
+      } else {
+        polish(ws_.ants);
+        offer();
+        if (cause == StopCondition::Cause::none) cause = request_.stop.poll();
+        if (cause != StopCondition::Cause::none) break;
+        update(q);
+        lay_straight_trails();
+      }
       record(q);
       if (observer) observer(*this);
     }
-    return answer(cause);
+    return result(cause);
   }
 
   // What an observer sees.
   int ants() const override { return params_.ants; }
   std::vector<Cell> tour(int ant) const override {
     std::vector<Cell> cells;
-    if (ws_.ants.at(ant).arrived) tour_cells(ws_.ants[ant], moves_, request_.start, cells);
+    const Ant& a = ws_.ants.at(ant);
+    if (a.arrived) tour_cells(a.tour(), moves_, request_.start, false, cells);
     return cells;
   }
   double pheromone(Cell c) const override { return ws_.field.pheromone(c); }
 
  private:
-  WalkWorld make_world() {
+  /// tau where no ant has been; the terminal index of unknown cells grows with the map.
+  double untouched() const {
+    if (params_.update != Update::terminal_index) return tau0_;
+    return params_.unknown_index * std::max(grid_.width(), grid_.height()) / 20;
+  }
+
+  WalkWorld make_world() const {
     WalkWorld world;
-    for (int k = 0; k < moves_.count; ++k) world.delta[k] = moves_.dy[k] * 65536 + moves_.dx[k];
+    for (int k = 0; k < moves_.count; ++k) {
+      const auto [dx, dy] = moves_[k].to;
+      world.delta[k] = dy * 65536 + dx;
+      world.window |= std::uint64_t{1} << ((dy + kernels::kMaxReach) * 7 + dx + kernels::kMaxReach);
+    }
     world.start = kernels::pack(request_.start.x, request_.start.y);
     world.goal = kernels::pack(request_.goal.x, request_.goal.y);
     world.backtrack = params_.dead_end == DeadEnd::backtrack;
     world.seed = params_.seed;
-    for (auto& row : world.factor) row.fill(1);
     return world;
   }
 
-  /// Hands an iteration's weights to the walk.
-  void apply(const StepWeights& weights, int q) {
-    ws_.field.fill(world_);
-    world_.iteration = static_cast<std::uint32_t>(q);
-    double total = 0;
-    for (const double share : weights.rule_shares) total += share;
-    double before = 0;
-    for (int r = 0; r < kernels::kRules; ++r) {
-      const double share = weights.rule_shares[r] / total * 0x1p32;
-      world_.rule_start[r] = static_cast<std::uint64_t>(std::ceil(before));
-      world_.rule_scale[r] = share > 0 ? static_cast<float>(1 / share) : 0.0f;
-      before += share;
-    }
-    if (shape_.factor) {
-      const auto diagonal = static_cast<float>(kernels::power(std::numbers::sqrt2, -weights.beta));
-      for (auto& row : world_.factor) {
-        for (int k = 0; k < moves_.count; ++k) {
-          row[k] = moves_.dx[k] != 0 && moves_.dy[k] != 0 ? diagonal : 1.0f;
+  /// Sends all ants, batch by batch, and measures their tours.
+  StopCondition::Cause walk(int q) {
+    const StepWeights weights = schedule(params_, q);
+    spin_wheel(weights, q);
+    for (Ant& ant : ws_.ants) ant.arrived = false;
+    const int batch = params_.batch > 0 ? params_.batch : params_.ants;
+    for (int first = 0; first < params_.ants; first += batch) {
+      const int count = std::min(batch, params_.ants - first);
+      const auto ants = std::span(ws_.ants).subspan(first, count);
+      ws_.field.refresh(weights, threads_);
+      ws_.field.fill(world_);
+      const auto cause = ws_.walkers.walk(world_, kernel_, ants, first, request_.stop);
+      for (int a = first; a < first + count; ++a) {
+        const auto tour = ws_.ants[a].tour();
+        ws_.tours[a] = {tour, ws_.ants[a].arrived ? tour_length(tour, moves_) : kNaN};
+        if (!ws_.ants[a].arrived) continue;
+        if (best_moves_.empty() || ws_.tours[a].length < best_tour_length_) {
+          best_moves_.assign(tour.begin(), tour.end());
+          best_tour_length_ = ws_.tours[a].length;
         }
       }
+      if (cause != StopCondition::Cause::none) return cause;
+      update_locally(ws_.field, params_, tau0_, tours(q, first, count));
     }
+    return StopCondition::Cause::none;
   }
 
-  /// Offers every ant's path as the best one, ties to the lower index. True if one was better.
-  bool offer() {
-    const auto paths = ws_.polisher.paths();
-    int best = -1;
-    for (int a = 0; a < params_.ants; ++a) {
-      if (paths[a].length < (best < 0 ? best_length_ : paths[best].length)) best = a;
-    }
-    improving_ant_ = best;
-    if (best < 0) return false;
-    best_length_ = paths[best].length;
-    best_path_ = paths[best].points;
-    return true;
+  Tours tours(int q, int first, int count) const {
+    return {.start = request_.start,
+            .moves = moves_,
+            .ants = std::span(ws_.tours).subspan(first, count),
+            .best_so_far = {best_moves_, best_moves_.empty() ? kNaN : best_tour_length_},
+            .iteration = q,
+            .rows = grid_.height(),
+            .ranking = ws_.ranking};
   }
 
-  /// Evaporation, then Q / L on each tour, then on each straightened path (Fan et al. 2004, steps
-  /// 2 and 3); always in the order of the ants.
-  void lay_trails(bool improved) {
-    ws_.field.evaporate(params_.persistence);
-    for (int a = 0; a < params_.ants; ++a) {
-      const Ant& ant = ws_.ants[a];
-      if (!ant.arrived) continue;
-      const double amount = params_.deposit / tour_length(ant, moves_);
-      Cell c = request_.start;
-      if (params_.trail == Trail::cells) ws_.field.deposit(c, 0, amount);
-      for (std::int64_t i = 0; i < ant.move_count; ++i) {
-        const int k = ant.moves[i];
-        if (params_.trail == Trail::arcs) ws_.field.deposit(c, k, amount);
-        c = {c.x + moves_.dx[k], c.y + moves_.dy[k]};
-        if (params_.trail == Trail::cells) ws_.field.deposit(c, 0, amount);
+  /// Hands an iteration's shares of the rules and factors of the moves to the walk.
+  void spin_wheel(const StepWeights& weights, int q) {
+    world_.iteration = static_cast<std::uint32_t>(q);
+    double drawn = 0;  // shares of the rules that draw
+    for (int r = kernels::kPheromoneRule; r < kernels::kRules; ++r) drawn += weights.rule_shares[r];
+    double before = 0;
+    for (int r = 0; r < kernels::kRules; ++r) {
+      const double share = r == kernels::kGreedyRule
+                               ? params_.greedy
+                               : weights.rule_shares[r] / drawn * (1 - params_.greedy);
+      world_.rule_start[r] = static_cast<std::uint64_t>(std::ceil(before * 0x1p32));
+      world_.rule_scale[r] = share > 0 ? static_cast<float>(1 / (share * 0x1p32)) : 0.0f;
+      before += share;
+    }
+    if (!shape_.factor) return;
+    for (int previous = 0; previous <= kernels::kMaxMoves; ++previous) {
+      for (int k = 0; k < moves_.count; ++k) {
+        world_.factor[previous][k] = move_factor(previous, k, weights.beta);
       }
     }
+  }
+
+  float move_factor(int previous, int k, double beta) const {
+    if (params_.visibility == Visibility::inverse_step) {
+      return static_cast<float>(kernels::power(moves_[k].length, -beta));
+    }
+    if (previous >= moves_.count) return 1;
+    const auto from = moves_[previous].to, to = moves_[k].to;
+    const int cross = from.dx * to.dy - from.dy * to.dx, dot = from.dx * to.dx + from.dy * to.dy;
+    if (cross == 0 && dot < 0) return 0;  // straight back
+    const double turn = kernels::angle_between(from.dx, from.dy, to.dx, to.dy);
+    return static_cast<float>(kernels::power(1 + turn / (std::numbers::pi / 4), -beta));
+  }
+
+  void update(int q) { update_trail(ws_.field, params_, tours(q, 0, params_.ants)); }
+
+  /// The generation's answer as one more ant.
+  const Ant& answer() {
+    Ant& ant = ws_.answer;
+    best_known_way(ws_.field, moves_, request_.start, request_.goal, ant.moves);
+    ant.move_count = static_cast<std::int64_t>(ant.moves.size());
+    ant.arrived = !ant.moves.empty();
+    return ant;
+  }
+
+  void polish(std::span<const Ant> ants) {
+    ws_.polisher.polish(grid_, request_.start, moves_, ants, request_.stop);
+    polished_ = static_cast<int>(ants.size());
+  }
+
+  /// Offers every polished path as the best one, ties to the lower index.
+  void offer() {
+    const auto paths = ws_.polisher.paths();
+    improving_ant_ = -1;
+    for (int a = 0; a < polished_; ++a) {
+      if (!(paths[a].length < best_length_)) continue;
+      improving_ant_ = a;
+      best_length_ = paths[a].length;
+    }
+    if (improving_ant_ >= 0) best_path_ = paths[improving_ant_].points;
+  }
+
+  /// Q / L on the cells under straightened paths (Fan et al. 2004, step 3).
+  void lay_straight_trails() {
+    if (params_.straight_deposit == StraightDeposit::none) return;
     for (int a = 0; a < params_.ants; ++a) {
-      const bool laid = params_.straight_deposit == StraightDeposit::all ||
-                        (params_.straight_deposit == StraightDeposit::improving && improved &&
-                         a == improving_ant_);
+      if (!ws_.ants[a].arrived) continue;
+      if (params_.straight_deposit == StraightDeposit::improving && a != improving_ant_) continue;
       const PolishedPath& path = ws_.polisher.paths()[a];
-      if (!laid || !ws_.ants[a].arrived) continue;
       for (const Cell c : path.raster) ws_.field.deposit(c, 0, params_.deposit / path.length);
     }
   }
 
   void record(int q) {
     double sum = 0;
-    int count = 0;
-    for (const Ant& ant : ws_.ants) {
-      if (!ant.arrived) continue;
-      sum += tour_length(ant, moves_);
-      ++count;
+    arrived = 0;
+    for (const Tour& tour : ws_.tours) {
+      if (!(tour.length > 0)) continue;
+      sum += tour.length;
+      ++arrived;
     }
     iteration = q;
-    arrived = count;
-    mean_length = count > 0 ? sum / count : kNaN;
+    mean_length = arrived > 0 ? sum / arrived : kNaN;
     best_length = best_length_ < kInfinity ? best_length_ : kNaN;
     result_.best.push_back(best_length);
     result_.mean.push_back(mean_length);
@@ -173,7 +271,7 @@ class Colony final : public Progress {
     result_.iterations = q + 1;
   }
 
-  Result answer(StopCondition::Cause cause) {
+  Result result(StopCondition::Cause cause) {
     const bool found = best_length_ < kInfinity;
     switch (cause) {
       case StopCondition::Cause::none:
@@ -201,13 +299,17 @@ class Colony final : public Progress {
   Workspace::Impl& ws_;
   int threads_;
   kernels::Moves moves_;
+  double tau0_;
   kernels::WalkShape shape_;
   kernels::WalkFn kernel_ = nullptr;
   WalkWorld world_;
 
-  double best_length_ = kInfinity;
-  int improving_ant_ = -1;
+  std::vector<std::uint8_t> best_moves_;  // the best tour so far, as it was walked
+  double best_tour_length_ = 0;
+  int polished_ = 0;                // paths that the polisher holds
+  double best_length_ = kInfinity;  // the best path so far, polished
   std::vector<Point> best_path_;
+  int improving_ant_ = -1;  // who found it, if in this iteration
   Result result_;
 };
 

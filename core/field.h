@@ -6,6 +6,7 @@
 #include <mutex>
 #include <vector>
 
+#include "heuristic.h"
 #include "kernels/walk.h"
 #include "lasius/grid.h"
 #include "lasius/params.h"
@@ -16,38 +17,55 @@ namespace lasius {
 /// tau of every cell or arc, and from it the rows that ants draw from.
 ///
 /// A row's weights are products of A = (tau / largest tau of the row)^alpha and the heuristic B,
-/// also scaled to a largest value of 1: a draw only sees ratios. Both are at least 2^-60 for a move
-/// that exists and 0 for one that does not, so the static part of the feasible neighbourhood needs
-/// no mask of its own.
+/// whose largest value is 1 too: a draw only sees ratios. Both are at least 2^-60 for a move that
+/// exists and 0 for one that does not, so the feasible neighbourhood needs no mask but the tabu.
 ///
 /// Evaporation multiplies one number, `scale_`: stored values are tau / scale. It cancels in every
-/// row, so only rows next to a deposit are computed again, and a cell that no ant touched costs
-/// nothing. Where alpha or beta change, so are the rows next to any deposit there ever was.
+/// row, so only rows next to a change are computed again, and a cell that no ant touched costs
+/// nothing. Where alpha or beta change, so are the rows next to any change there ever was.
 class Field {
  public:
   Field();
   ~Field();
 
-  /// Forgets everything and gets ready for one plan. Tiles are kept for reuse.
-  /// `moves` and `goal` shape the rows; `grid` must outlive the field's use.
-  void reset(const Grid& grid, const kernels::Moves& moves, Cell goal, const Params& params);
+  /// Forgets everything and gets ready for one plan; tau is `untouched` everywhere, eta 1. Tiles
+  /// are kept for reuse. `grid` must outlive the field's use.
+  void reset(const Grid& grid, const kernels::Moves& moves, Cell goal, const Params& params,
+             double untouched, const StopCondition& stop);
 
-  /// Brings all rows up to date with the deposits so far and this iteration's exponents.
+  /// Brings all rows up to date with the changes so far and this iteration's exponents.
   void refresh(const StepWeights& weights, int threads);
 
   /// Completes what a walk reads: tiles and how to make one.
   void fill(kernels::WalkWorld& world);
 
-  /// tau <- persistence * tau everywhere.
-  void evaporate(double persistence);
-
-  /// tau += amount on a cell (Trail::cells) or on the move `move` out of it (Trail::arcs).
-  void deposit(Cell c, int move, double amount);
-
   /// Rows hold a part for pheromone and one for distance, for a mixture of rules.
   bool mixture() const noexcept { return mixture_; }
 
-  double pheromone(Cell c) const;  ///< tau of a cell; with arcs, the largest of its moves
+  /// tau <- persistence * tau everywhere.
+  void evaporate(double persistence);
+
+  /// tau is read as at least `least` and at most `most` from now on.
+  void bound(double least, double most) noexcept;
+
+  /// tau of a cell (Trail::cells), or of the move `move` out of it (Trail::arcs).
+  double tau(Cell c, int move) const;
+  void set_tau(Cell c, int move, double value);
+  void deposit(Cell c, int move, double amount);
+
+  /// Raises tau where it was never changed, and the rows next to it. `value` is above the old one.
+  void raise_untouched(double value);
+  double untouched() const noexcept { return untouched_ * scale_; }
+
+  /// True when the move leads somewhere.
+  bool exists(Cell c, int move);
+
+  /// What a cell has taught the ants (Heuristic::learned); 1 at first.
+  double eta(Cell c) const;
+  void set_eta(Cell c, double value);
+
+  /// tau of a cell; with arcs, the largest of its moves.
+  double pheromone(Cell c) const;
 
   std::int64_t bytes() const noexcept;  ///< memory held
   int tiles() const noexcept { return static_cast<int>(used_.size()); }
@@ -55,24 +73,31 @@ class Field {
  private:
   struct Tile;
 
-  Tile* find(int x, int y) const noexcept;
+  Tile* find(Cell c) const noexcept;
   Tile& obtain(int index);
+  Tile& touch(Cell c);
   static float* make_tile(void* field, int index);
+  int taus() const noexcept { return params_.trail == Trail::arcs ? moves_.count : 1; }
   void fill_heuristic(Tile& tile) const;
   void fill_row(Tile& tile, int x, int y) const;
+  void weigh_trail(const Tile& tile, int x, int y, const float* heuristic, float* weights) const;
+  void weigh_index(const Tile& tile, int x, int y, const float* heuristic, float* weights) const;
   void refresh_tile(Tile& tile, bool touched, bool all) const;
-  float stored(int x, int y) const noexcept;
+  void keep_scale_in_range();
+  int index_of(Cell c) const noexcept {
+    return (c.y >> kernels::kTileShift) * tiles_x_ + (c.x >> kernels::kTileShift);
+  }
 
   const Grid* grid_ = nullptr;
   kernels::Moves moves_;
   Params params_;
-  Cell goal_;
-  int lanes_ = 8;
+  HeuristicRows heuristic_;
   bool mixture_ = false;
+  bool learned_ = false;
+  int reach_ = 1;  // cells that a move goes at most
   StepWeights weights_;
 
   int tiles_x_ = 0;
-  int tiles_y_ = 0;
   std::vector<float*> rows_;                 // by tile, what walks read; null where there is none
   std::vector<Tile*> directory_;             // by tile
   std::vector<std::unique_ptr<Tile>> pool_;  // every tile ever made
@@ -80,8 +105,11 @@ class Field {
   std::vector<Tile*> used_;
   std::mutex making_;
 
-  double scale_ = 1;     // tau = stored value * scale_
-  float untouched_ = 1;  // stored value where nothing was ever deposited
+  double scale_ = 1;        // tau = stored value * scale_
+  float untouched_ = 1;     // stored value where nothing was ever changed
+  bool all_stale_ = false;  // every row is to be made again
+  double least_ = 0;        // bounds on tau
+  double most_ = 0;
 };
 
 }  // namespace lasius

@@ -86,7 +86,7 @@ class GridGa final : public Progress {
         request_(request),
         params_(params),
         joined_(joined),
-        moves_{params.neighbours, params.corners},
+        moves_{params.neighbours == Neighbours::four ? 4 : 8, params.corners},
         threads_(std::clamp(thread_count(params), 1, params.population)) {
     for (int t = 0; t < threads_; ++t) scratch_.push_back(std::make_unique<Scratch>(grid, moves_));
     population_.resize(static_cast<std::size_t>(params.population));

@@ -9,6 +9,7 @@
 
 #include "lasius/error.h"
 #include "nearest_name.h"
+#include "presets.h"
 
 namespace lasius {
 namespace {
@@ -43,29 +44,30 @@ struct Entry {
   std::variant<Integer, Number, Choice> value;
 };
 
-constexpr std::array<std::string_view, 3> kCorners{"forbid", "one-side", "allow"};
-constexpr std::array<std::string_view, 3> kPolish{"none", "straight", "taut"};
-constexpr std::array<std::string_view, 2> kDeadEnd{"backtrack", "kill"};
-constexpr std::array<std::string_view, 2> kTrail{"cells", "arcs"};
-constexpr std::array<std::string_view, 3> kHeuristic{"uniform", "rescaled-distance",
-                                                     "inverse-distance"};
-constexpr std::array<std::string_view, 2> kVisibility{"none", "inverse-step"};
-constexpr std::array<std::string_view, 3> kStraightDeposit{"none", "improving", "all"};
-constexpr std::array<std::string_view, 2> kNeighbours{"4", "8"};
-
-constexpr Choice kNeighboursChoice{kNeighbours,
-                                   [](const Params& p) {
-                                     return p.neighbours == 4 ? 0 : p.neighbours == 8 ? 1 : 2;
-                                   },
-                                   [](Params& p, int i) { p.neighbours = i == 0 ? 4 : 8; }};
+using Names = std::span<const std::string_view>;
+constexpr std::string_view kNeighbours[]{"4", "8", "16", "16k", "24", "32"};
+constexpr std::string_view kCorners[]{"forbid", "one-side", "allow"};
+constexpr std::string_view kPolish[]{"none", "straight", "taut"};
+constexpr std::string_view kDeadEnd[]{"backtrack", "kill"};
+constexpr std::string_view kSelection[]{"roulette", "inverse-roulette"};
+constexpr std::string_view kTrail[]{"cells", "arcs"};
+constexpr std::string_view kHeuristic[]{"uniform",       "rescaled-distance", "inverse-distance",
+                                        "distance",      "goal-angle",        "learned",
+                                        "distance-field"};
+constexpr std::string_view kVisibility[]{"none", "inverse-step", "heading-change"};
+constexpr std::string_view kUpdate[]{"ant-system",    "elitist",    "rank",           "max-min",
+                                     "colony-system", "best-share", "terminal-index", "learning"};
+constexpr std::string_view kStraightDeposit[]{"none", "improving", "all"};
+constexpr std::string_view kReward[]{"factor", "affine"};
 
 // Every parameter of the grid colonies.
-const std::array kColony{
+constexpr std::array kColony{
     Entry{{"ants", "integer", "1 .. 1000000", "ants an iteration, m"},
           Integer{&Params::ants, 1, 1000000}},
     Entry{{"iterations", "integer", "0 .. 1000000000", "iterations, T"},
           Integer{&Params::iterations, 0, 1000000000}},
-    Entry{{"neighbours", "choice", "4|8", "moves of an ant"}, kNeighboursChoice},
+    Entry{{"neighbours", "choice", "4|8|16|16k|24|32", "moves of an ant"},
+          choice<&Params::neighbours>(kNeighbours)},
     Entry{{"corners", "choice", "forbid|one-side|allow",
            "free side cells that a diagonal move needs: both, one, none"},
           choice<&Params::corners>(kCorners)},
@@ -73,17 +75,24 @@ const std::array kColony{
           choice<&Params::polish>(kPolish)},
     Entry{{"dead_end", "choice", "backtrack|kill", "what an ant does when every move is closed"},
           choice<&Params::dead_end>(kDeadEnd)},
+    Entry{{"selection", "choice", "roulette|inverse-roulette",
+           "how a move is drawn from its row of weights"},
+          choice<&Params::selection>(kSelection)},
     Entry{{"trail", "choice", "cells|arcs", "what carries pheromone"},
           choice<&Params::trail>(kTrail)},
-    Entry{{"heuristic", "choice", "uniform|rescaled-distance|inverse-distance",
+    Entry{{"heuristic", "choice",
+           "uniform|rescaled-distance|inverse-distance|distance|goal-angle|learned|distance-field",
            "weight of a move by where it leads"},
           choice<&Params::heuristic>(kHeuristic)},
-    Entry{{"visibility", "choice", "none|inverse-step", "weight of a move by its length"},
+    Entry{{"visibility", "choice", "none|inverse-step|heading-change",
+           "weight of a move by itself and the one before"},
           choice<&Params::visibility>(kVisibility)},
     Entry{{"alpha", "number", "0 .. 20", "exponent of pheromone from the critical time on"},
           Number{&Params::alpha, 0, 20}},
     Entry{{"beta", "number", "0 .. 20", "exponent of visibility and inverse distance, likewise"},
           Number{&Params::beta, 0, 20}},
+    Entry{{"greedy", "number", "0 .. 1", "share of steps that take the largest weight, q0"},
+          Number{&Params::greedy, 0, 1}},
     Entry{{"critical_time", "integer", "0 .. 1000000000",
            "iteration from which exponents and shares are constant, mc; 0: always"},
           Integer{&Params::critical_time, 0, 1000000000}},
@@ -112,19 +121,53 @@ const std::array kColony{
           Number{&Params::combined_rule_first, 0, 1e6}},
     Entry{{"combined_rule", "number", "0 .. 1000000", "the same from the critical time on"},
           Number{&Params::combined_rule, 0, 1e6}},
+    Entry{{"update", "choice",
+           "ant-system|elitist|rank|max-min|colony-system|best-share|terminal-index|learning",
+           "how the trail changes after an iteration"},
+          choice<&Params::update>(kUpdate)},
     Entry{{"persistence", "number", "0 .. 1", "share of pheromone that remains after an iteration"},
           Number{&Params::persistence, 0, 1}},
-    Entry{{"initial_pheromone", "number", "1e-9 .. 1e9", "pheromone everywhere at first, tau0"},
-          Number{&Params::initial_pheromone, 1e-9, 1e9}},
+    Entry{{"initial_pheromone", "number", "0 .. 1e9",
+           "pheromone everywhere at first, tau0; 0: the formula of the update's source"},
+          Number{&Params::initial_pheromone, 0, 1e9}},
     Entry{{"deposit", "number", "0 .. 1e9", "an ant of tour length L deposits deposit / L, Q"},
           Number{&Params::deposit, 0, 1e9}},
     Entry{{"straight_deposit", "choice", "none|improving|all",
            "which straightened paths get pheromone too"},
           choice<&Params::straight_deposit>(kStraightDeposit)},
+    Entry{{"elite_weight", "number", "0 .. 1e6", "weight of the best tour so far (elitist), e"},
+          Number{&Params::elite_weight, 0, 1e6}},
+    Entry{{"ranks", "integer", "1 .. 1000000", "ranks that deposit (rank), w"},
+          Integer{&Params::ranks, 1, 1000000}},
+    Entry{{"elite_ants", "integer", "1 .. 1000000", "ants that deposit (best-share)"},
+          Integer{&Params::elite_ants, 1, 1000000}},
+    Entry{{"best_so_far_every", "integer", "0 .. 1000000000",
+           "iterations between deposits of the best tour so far (max-min); 0: never"},
+          Integer{&Params::best_so_far_every, 0, 1000000000}},
+    Entry{{"best_probability", "number", "1e-9 .. 1",
+           "chance to draw the best tour again at the bounds (max-min), p_best"},
+          Number{&Params::best_probability, 1e-9, 1}},
+    Entry{{"local_evaporation", "number", "0 .. 1",
+           "share of a crossed trail that returns to tau0 (colony-system), xi"},
+          Number{&Params::local_evaporation, 0, 1}},
+    Entry{{"batch", "integer", "0 .. 1000000",
+           "ants that walk before a local update; 1 is the source, 0 all of them"},
+          Integer{&Params::batch, 0, 1000000}},
+    Entry{{"unknown_index", "number", "1 .. 1e6",
+           "terminal index of unknown cells, for 20 x 20 cells"},
+          Number{&Params::unknown_index, 1, 1e6}},
+    Entry{{"index_spread", "number", "0 .. 1", "q of K' = K - q Kmin (terminal-index)"},
+          Number{&Params::index_spread, 0, 1}},
+    Entry{{"reward", "number", "0 .. 1e6", "factor of the reward (learning)"},
+          Number{&Params::reward, 0, 1e6}},
+    Entry{{"reward_reading", "choice", "factor|affine", "reading of the reward's formula"},
+          choice<&Params::reward_reading>(kReward)},
+    Entry{{"penalty", "number", "0 .. 1", "what a dead end leaves of tau and eta (learning)"},
+          Number{&Params::penalty, 0, 1}},
 };
 
 // What the genetic algorithm has of its own.
-const std::array kGenetic{
+constexpr std::array kGenetic{
     Entry{{"population", "integer", "2 .. 1000000", "paths of a generation"},
           Integer{&Params::population, 2, 1000000}},
     Entry{{"crossover", "number", "0 .. 1", "probability that two parents cross"},
@@ -133,14 +176,14 @@ const std::array kGenetic{
           Number{&Params::mutation, 0, 1}},
 };
 
-const auto kColonyParameters = [] {
+constexpr auto kColonyParameters = [] {
   std::array<Parameter, kColony.size()> list;
   for (std::size_t i = 0; i < list.size(); ++i) list[i] = kColony[i].info;
   return list;
 }();
 
-// What it shares with the colonies, then its own.
-const auto kGeneticParameters = [] {
+// What the genetic algorithm shares with the colonies, then its own.
+constexpr auto kGeneticParameters = [] {
   constexpr std::array<std::string_view, 4> kShared{"iterations", "neighbours", "corners",
                                                     "polish"};
   std::array<Parameter, kShared.size() + kGenetic.size()> list;
@@ -152,23 +195,7 @@ const auto kGeneticParameters = [] {
   return list;
 }();
 
-const std::array kAlgorithms{
-    Algorithm{"fan2004",
-              "bitmaps of many irregular obstacles: pheromone, rescaled distance and their product "
-              "mixed by roulette, exponents that vary with time, tours pulled straight",
-              "Fan, Luo, Yi, Zhang: Path planning for robots based on ant colony optimization "
-              "algorithm under complex environment. Control and Decision 19 (2), 2004",
-              kColonyParameters},
-    Algorithm{"as", "ant system, the classic: 8 neighbours, visibility 1 / distance to the goal",
-              "Dorigo, Maniezzo, Colorni: Ant System: optimization by a colony of cooperating "
-              "agents. IEEE Trans. SMC-B 26 (1), 1996",
-              kColonyParameters},
-    Algorithm{"grid-ga",
-              "genetic algorithm, the comparator: paths of cells that cross where they meet",
-              "Ahn, Ramakrishna: A genetic algorithm for shortest path routing problem and the "
-              "sizing of populations. IEEE Trans. Evolutionary Computation 6 (6), 2002",
-              kGeneticParameters},
-};
+constexpr std::array kEntries{std::span<const Entry>(kColony), std::span<const Entry>(kGenetic)};
 
 Error invalid(std::string problem, std::string remedy) {
   return {ErrorCode::invalid_parameter, std::move(problem), std::move(remedy)};
@@ -176,7 +203,7 @@ Error invalid(std::string problem, std::string remedy) {
 
 const Entry& entry(std::string_view name) {
   std::vector<std::string_view> names;
-  for (const std::span<const Entry> list : {std::span<const Entry>(kColony), {kGenetic}}) {
+  for (const auto list : kEntries) {
     for (const Entry& e : list) {
       if (e.info.name == name) return e;
       names.push_back(e.info.name);
@@ -257,49 +284,10 @@ struct InRange {
   }
 };
 
-void check_algorithm(std::string_view name) {
-  std::array<std::string_view, kAlgorithms.size()> names;
-  for (std::size_t i = 0; i < names.size(); ++i) names[i] = kAlgorithms[i].name;
-  if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  throw invalid("unknown algorithm \"" + std::string(name) + "\"",
-                "did you mean \"" + std::string(nearest_name(name, names)) + "\"?");
-}
-
 }  // namespace
 
-std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
-
-Params defaults(std::string_view algorithm) {
-  check_algorithm(algorithm);
-  Params p;  // as published for fan2004
-  p.algorithm = algorithm;
-  if (algorithm == "as") {
-    // The arcs of the graph carry pheromone, as in the source. Its iterations and ants are those of
-    // fan2004; alpha, beta and evaporation 0.3 are those that found the optima of the small grids
-    // of Li, Wang and Ma in all of 30 seeds.
-    p.neighbours = 8;
-    p.trail = Trail::arcs;
-    p.heuristic = Heuristic::inverse_distance;
-    p.visibility = Visibility::none;
-    p.ants = 30;
-    p.iterations = 100;
-    p.alpha = p.alpha_first = 1;
-    p.beta = p.beta_first = 5;
-    p.critical_time = 0;
-    p.pheromone_rule_first = p.pheromone_rule = 0;
-    p.distance_rule_first = p.distance_rule = 0;
-    p.combined_rule_first = p.combined_rule = 1;
-    p.persistence = 0.7;
-    p.deposit = 1;
-    p.straight_deposit = StraightDeposit::none;
-    p.polish = Polish::none;
-  }
-  if (algorithm == "grid-ga") {
-    p.neighbours = 8;
-    p.iterations = 100;
-  }
-  return p;
-}
+std::span<const Parameter> colony_parameters() noexcept { return kColonyParameters; }
+std::span<const Parameter> genetic_parameters() noexcept { return kGeneticParameters; }
 
 void set_parameter(Params& params, std::string_view name, std::string_view value) {
   const Entry& e = entry(name);
@@ -311,12 +299,11 @@ std::string get_parameter(const Params& params, std::string_view name) {
 }
 
 void validate(const Params& params) {
-  check_algorithm(params.algorithm);
-  for (const std::span<const Entry> list : {std::span<const Entry>(kColony), {kGenetic}}) {
+  find_algorithm(params.algorithm);
+  for (const auto list : kEntries) {
     for (const Entry& e : list) {
-      if (!std::visit(InRange{params}, e.value)) {
-        out_of_range(e.info, get_parameter(params, e.info.name));
-      }
+      if (std::visit(InRange{params}, e.value)) continue;
+      out_of_range(e.info, get_parameter(params, e.info.name));
     }
   }
   if (static_cast<double>(params.seed) > kMaxSeed) {
@@ -333,10 +320,35 @@ void validate(const Params& params) {
     throw invalid("the shares of the pheromone, distance and combined rules are all 0",
                   "give one of them a share above 0");
   }
-  if (params.trail == Trail::arcs && params.straight_deposit != StraightDeposit::none) {
-    throw invalid("straight_deposit lays pheromone on cells, but the trail is on arcs",
-                  "set trail to cells or straight_deposit to none");
-  }
+  const bool mixture = params.pheromone_rule_first > 0 || params.pheromone_rule > 0 ||
+                       params.distance_rule_first > 0 || params.distance_rule > 0;
+  const bool inverse = params.selection == Selection::inverse_roulette;
+  const bool index = params.update == Update::terminal_index;
+  const bool learning = params.update == Update::learning;
+  const bool cells = params.trail == Trail::cells;
+  const auto refuse_if = [](bool wrong, const char* problem, const char* remedy) {
+    if (wrong) throw invalid(problem, remedy);
+  };
+  refuse_if(!cells && params.straight_deposit != StraightDeposit::none,
+            "straight_deposit lays pheromone on cells, but the trail is on arcs",
+            "set trail to cells or straight_deposit to none");
+  refuse_if(inverse != index,
+            "the inverse roulette discards large weights, which only the "
+            "terminal index gives to bad moves",
+            "set selection to inverse-roulette and update to terminal-index, or neither");
+  refuse_if(inverse && (mixture || params.greedy > 0),
+            "the inverse roulette knows one rule and no greedy steps",
+            "set greedy and the shares of the pheromone and distance rules to 0");
+  refuse_if((index || learning) && !cells, "this update keeps one value a cell, not one an arc",
+            "set trail to cells");
+  refuse_if(index && params.straight_deposit != StraightDeposit::none,
+            "the terminal index is no pheromone that could be laid",
+            "set straight_deposit to none");
+  refuse_if((params.heuristic == Heuristic::learned) != learning,
+            "the learned heuristic and the update learning belong together",
+            "set heuristic to learned and update to learning, or neither");
+  refuse_if(params.algorithm == "grid-ga" && params.neighbours > Neighbours::eight,
+            "grid-ga knows moves to 4 or 8 neighbours only", "set neighbours to 4 or 8");
 }
 
 }  // namespace lasius

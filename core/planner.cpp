@@ -159,7 +159,7 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
     return result;
   }
   // With 4 neighbours no corner is ever passed, whatever the rule.
-  const Corners corners = params.neighbours == 4 ? Corners::forbid : params.corners;
+  const Corners corners = params.neighbours == Neighbours::four ? Corners::forbid : params.corners;
   if (!connected(request.start, request.goal, corners)) {
     result.status = Status::unreachable;
     result.error = "start " + name(request.start) + " and goal " + name(request.goal) +

@@ -40,9 +40,10 @@ void Polisher::polish_one(const Grid& grid, Cell start, const kernels::Moves& mo
   if (!ant.arrived) return;
 
   Scratch& scratch = scratch_[omp_get_thread_num()];
-  tour_cells(ant, moves, start, scratch.tour);
+  const bool straight = polish_ != Polish::none && stop.poll() == StopCondition::Cause::none;
+  tour_cells(ant.tour(), moves, start, straight, scratch.tour);
   std::span<const Cell> vertices = scratch.tour;
-  if (polish_ != Polish::none && stop.poll() == StopCondition::Cause::none) {
+  if (straight) {
     // Cells that the ant left again may shorten its way, too.
     const std::size_t tour_size = scratch.tour.size();
     const Cell goal = scratch.tour.back();

@@ -13,7 +13,7 @@ namespace lasius {
 struct StepWeights {
   double alpha = 1;
   double beta = 0;
-  std::array<double, kernels::kRules> rule_shares{};  ///< pheromone, distance, combined
+  std::array<double, kernels::kRules> rule_shares{};  ///< by kernels::Rule
 };
 
 /// Linear from the first values at iteration 0 to the last ones at the critical time, constant from
@@ -26,7 +26,7 @@ inline StepWeights schedule(const Params& p, int iteration) noexcept {
   };
   return {between(p.alpha_first, p.alpha),
           between(p.beta_first, p.beta),
-          {between(p.pheromone_rule_first, p.pheromone_rule),
+          {p.greedy, between(p.pheromone_rule_first, p.pheromone_rule),
            between(p.distance_rule_first, p.distance_rule),
            between(p.combined_rule_first, p.combined_rule)}};
 }

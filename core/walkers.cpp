@@ -13,12 +13,17 @@ using kernels::WalkSlot;
 using kernels::WalkState;
 using kernels::WalkWorld;
 
-void tour_cells(const Ant& ant, const kernels::Moves& moves, Cell start, std::vector<Cell>& cells) {
-  cells.resize(static_cast<std::size_t>(ant.move_count) + 1);
-  cells[0] = start;
-  for (std::int64_t i = 0; i < ant.move_count; ++i) {
-    const int k = ant.moves[i];
-    cells[i + 1] = {cells[i].x + moves.dx[k], cells[i].y + moves.dy[k]};
+void tour_cells(std::span<const std::uint8_t> tour, const kernels::Moves& moves, Cell start,
+                bool swept, std::vector<Cell>& cells) {
+  cells.assign(1, start);
+  Cell c = start;
+  for (const int k : tour) {
+    const kernels::Move& move = moves[k];
+    for (int i = 0; swept && i < move.swept_count; ++i) {
+      cells.push_back({c.x + move.swept[i].dx, c.y + move.swept[i].dy});
+    }
+    c = {c.x + move.to.dx, c.y + move.to.dy};
+    cells.push_back(c);
   }
 }
 
@@ -42,14 +47,14 @@ void Walkers::reset(int width, int height, int threads, int ants) {
 }
 
 StopCondition::Cause Walkers::walk(const WalkWorld& world, kernels::WalkFn kernel,
-                                   std::span<Ant> ants, const StopCondition& stop) {
+                                   std::span<Ant> ants, int first, const StopCondition& stop) {
   std::atomic<int> next{0};
   std::atomic<StopCondition::Cause> cause{StopCondition::Cause::none};
   std::exception_ptr error;
 #pragma omp parallel for schedule(static, 1) num_threads(threads_) if (threads_ > 1)
   for (int thread = 0; thread < threads_; ++thread) {
     try {
-      work(teams_[thread], world, kernel, ants, next, cause, stop);
+      work(teams_[thread], world, kernel, ants, first, next, cause, stop);
     } catch (...) {  // none may leave the parallel region
 #pragma omp critical
       error = std::current_exception();
@@ -60,11 +65,12 @@ StopCondition::Cause Walkers::walk(const WalkWorld& world, kernels::WalkFn kerne
 }
 
 void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, std::span<Ant> ants,
-                   std::atomic<int>& next, std::atomic<StopCondition::Cause>& cause,
+                   int first, std::atomic<int>& next, std::atomic<StopCondition::Cause>& cause,
                    const StopCondition& stop) const {
   const int slot_count = std::min(kSlots, static_cast<int>(ants.size()));
   std::array<WalkSlot, kSlots> slots;
   std::array<bool, kSlots> occupied{};
+  std::array<int, kSlots> numbers{};  // in `ants`
   int under_way = 0;
 
   const auto send = [&](int i) {
@@ -75,7 +81,8 @@ void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, s
     slot = WalkSlot{};
     slot.at = world.start;
     slot.state = WalkState::walking;
-    slot.ant = static_cast<std::uint32_t>(ant);
+    slot.ant = static_cast<std::uint32_t>(first + ant);
+    numbers[i] = ant;
     slot.visited = VisitedPlane::over(team.slots[i].plane.get(), height_);
     slot.visited.mark(slot.at);
     ++under_way;
@@ -89,17 +96,17 @@ void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, s
       }
       return buffer.data();
     };
-    slot.moves = room(ants[slot.ant].moves, slot.move_count);
+    slot.moves = room(ants[numbers[i]].moves, slot.move_count);
     slot.dead = room(team.slots[i].dead, slot.dead_count);
   };
 
   // Records the ant's tour and forgets the cells that it entered.
   const auto retire = [&](int i) {
     WalkSlot& slot = slots[i];
-    Ant& ant = ants[slot.ant];
+    Ant& ant = ants[numbers[i]];
     ant.arrived = slot.state == WalkState::arrived;
     ant.move_count = slot.move_count;
-    ant.steps = slot.steps();
+    ant.steps = slot.move_count + 2 * slot.dead_count;
     PackedCell c = slot.at;
     slot.visited.clear(c);
     for (std::int64_t m = slot.move_count - 1; m >= 0; --m) {

@@ -21,10 +21,16 @@ struct Ant {
   std::vector<std::uint8_t> moves;        // at least move_count
   std::vector<kernels::PackedCell> dead;  // cells entered and left again
   std::int64_t steps = 0;                 // steps done, those taken back included
+
+  std::span<const std::uint8_t> tour() const noexcept {
+    return {moves.data(), static_cast<std::size_t>(move_count)};
+  }
 };
 
-/// The cells of an ant's tour, start first, into `cells`.
-void tour_cells(const Ant& ant, const kernels::Moves& moves, Cell start, std::vector<Cell>& cells);
+/// The cells of a tour, start first, into `cells`; with `swept` also those that moves of more than
+/// one cell cross.
+void tour_cells(std::span<const std::uint8_t> tour, const kernels::Moves& moves, Cell start,
+                bool swept, std::vector<Cell>& cells);
 
 /// Ants under way, a few a thread, with the cells that each has entered.
 class Walkers {
@@ -34,10 +40,11 @@ class Walkers {
   void reset(int width, int height, int threads, int ants);
 
   /// Walks every ant until it has arrived or is lost, or `stop` says so; then ants still under way
-  /// are lost, and those not yet sent stay as they were given (not arrived). Which thread walks
+  /// are lost, and those not yet sent stay as they were given (not arrived). `first` is the number
+  /// of the first ant, which picks its random stream. Which thread walks
   /// which ant changes nothing.
   StopCondition::Cause walk(const kernels::WalkWorld& world, kernels::WalkFn kernel,
-                            std::span<Ant> ants, const StopCondition& stop);
+                            std::span<Ant> ants, int first, const StopCondition& stop);
 
  private:
   // Ants that one thread advances in turn: enough to hide the latency of their loads.
@@ -58,8 +65,8 @@ class Walkers {
   };
 
   void work(Team& team, const kernels::WalkWorld& world, kernels::WalkFn kernel,
-            std::span<Ant> ants, std::atomic<int>& next, std::atomic<StopCondition::Cause>& cause,
-            const StopCondition& stop) const;
+            std::span<Ant> ants, int first, std::atomic<int>& next,
+            std::atomic<StopCondition::Cause>& cause, const StopCondition& stop) const;
 
   std::vector<Team> teams_;
   int threads_ = 1;

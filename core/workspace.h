@@ -6,6 +6,7 @@
 #include "field.h"
 #include "lasius/planner.h"
 #include "polish.h"
+#include "update.h"
 #include "walkers.h"
 
 namespace lasius {
@@ -15,6 +16,9 @@ class Workspace::Impl {
   Field field;
   Walkers walkers;
   std::vector<Ant> ants;
+  std::vector<Tour> tours;   // of the ants
+  std::vector<int> ranking;  // of the ants
+  Ant answer;                // of a colony whose ants only teach it
   Polisher polisher;
 };
 

@@ -51,4 +51,25 @@ namespace lasius::kernels {
                                (std::bit_cast<std::uint64_t>(rounded) << 52));
 }
 
+/// Angle between two vectors of whole numbers, in radians, in [0, pi]; 0 if one is zero. Likewise
+/// from IEEE operations only; error below 1e-13.
+inline double angle_between(double ax, double ay, double bx, double by) noexcept {
+  constexpr double kPi = 3.14159265358979323846;
+  double along = ax * bx + ay * by, across = ax * by - ay * bx;
+  across = across < 0 ? -across : across;
+  if (along == 0 && across == 0) return 0;
+  // atan2(across, along): fold into the first octant, then halve twice onto |t| < tan(pi / 16).
+  const bool obtuse = along < 0;
+  along = obtuse ? -along : along;
+  const bool steep = across > along;
+  double t = steep ? along / across : across / along;
+  for (int i = 0; i < 2; ++i) t = t / (1 + __builtin_sqrt(1 + t * t));
+  const double z = t * t;
+  double p = 0;
+  for (int n = 21; n >= 1; n -= 2) p = 1.0 / n - z * p;
+  double angle = 4 * t * p;
+  if (steep) angle = kPi / 2 - angle;
+  return obtuse ? kPi - angle : angle;
+}
+
 }  // namespace lasius::kernels

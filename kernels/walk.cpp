@@ -12,18 +12,4 @@ const WalkTable& walk_table(Isa isa) noexcept {
   return (void)isa, scalar_walk_table();
 }
 
-Moves moves_of(int neighbours) noexcept {
-  Moves moves;
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      const int taxicab = (dx != 0) + (dy != 0);
-      if (taxicab == 0 || (neighbours == 4 && taxicab == 2)) continue;
-      moves.dx[moves.count] = static_cast<std::int8_t>(dx);
-      moves.dy[moves.count] = static_cast<std::int8_t>(dy);
-      ++moves.count;
-    }
-  }
-  return moves;
-}
-
 }  // namespace lasius::kernels

@@ -10,10 +10,9 @@
 #include <span>
 
 #include "kernels/cpu.h"
+#include "kernels/moves.h"
 
 namespace lasius::kernels {
-
-inline constexpr int kMaxMoves = 8;
 
 // Weight rows live in square tiles, row-major inside.
 inline constexpr int kTileShift = 5;
@@ -28,27 +27,19 @@ constexpr PackedCell pack(int x, int y) noexcept {
 constexpr int packed_x(PackedCell c) noexcept { return static_cast<int>(c & 0xffff); }
 constexpr int packed_y(PackedCell c) noexcept { return static_cast<int>(c >> 16); }
 
-/// Moves of a neighbourhood in scan order (row by row, left to right), 4 or 8 of them.
-struct Moves {
-  int count = 0;
-  std::array<std::int8_t, kMaxMoves> dx{};
-  std::array<std::int8_t, kMaxMoves> dy{};
-};
-Moves moves_of(int neighbours) noexcept;
-
 /// Cells that one ant has entered, one bit each, kept in words of 64 columns that start every 32
 /// columns and overlap: around every cell, 16 columns to either side lie in one word. Words of one
 /// strip follow each other by row, so the memory touched follows the walk.
 struct VisitedPlane {
-  std::uint64_t* origin = nullptr;  ///< word of strip 0, row 0; one strip and row of padding around
+  std::uint64_t* origin = nullptr;  ///< word of strip 0, row 0; padded all around
   std::int64_t rows = 0;            ///< words of a strip, padding included
 
-  static std::int64_t rows_for(int height) noexcept { return height + 2; }
+  static std::int64_t rows_for(int height) noexcept { return height + 2 * kMaxReach; }
   static std::int64_t words_for(int width, int height) noexcept {
     return rows_for(height) * ((width + 31) / 32 + 2);
   }
   static VisitedPlane over(std::uint64_t* words, int height) noexcept {
-    return {words + rows_for(height) + 1, rows_for(height)};
+    return {words + rows_for(height) + kMaxReach, rows_for(height)};
   }
 
   std::uint64_t* word(PackedCell c) const noexcept {
@@ -74,8 +65,10 @@ struct VisitedPlane {
   std::int64_t neighbour(int bit) const noexcept { return ((bit >> 5) * 2 - 1) * rows; }
 };
 
-/// The rules an ant's step mixes (Fan et al. 2004, note 4), in the order of the rule roulette.
-enum Rule { kPheromoneRule, kDistanceRule, kCombinedRule, kRules };
+/// What a step may do, in the order of the wheel that chooses: go where the weight is largest (the
+/// pseudo-random proportional rule of ACS), or draw by pheromone, by distance or by their product
+/// (Fan et al. 2004, note 4).
+enum Rule { kGreedyRule, kPheromoneRule, kDistanceRule, kCombinedRule, kRules };
 
 /// What all ants of an iteration share. Read-only during a walk, but for new tiles.
 struct WalkWorld {
@@ -89,18 +82,19 @@ struct WalkWorld {
   void* context = nullptr;
 
   std::array<std::int32_t, kMaxMoves> delta{};  ///< PackedCell difference of a move
-  /// Factor on pheromone weights by previous move (kMaxMoves: none yet) and move.
-  alignas(32) std::array<std::array<float, kMaxMoves>, kMaxMoves + 1> factor{};
-  /// Rule roulette: rule r is drawn for random words from rule_start[r] to below the next one's.
+  std::uint64_t window = 0;  ///< more than 8 moves: their bits in 7 x 7 cells, row by row
+  /// Factor on pheromone weights by previous move (kMaxMoves: none yet) and move; 0 closes a move.
+  alignas(64) std::array<std::array<float, kMaxMoves>, kMaxMoves + 1> factor{};
+  /// The wheel: rule r is chosen by random words from rule_start[r] to below the next rule's.
   std::array<std::uint64_t, kRules> rule_start{};
-  std::array<float, kRules> rule_scale{};  ///< maps the rest of the word onto [0, 1]
+  /// Maps the rest of the word onto [0, 1]. As given here, every word draws by the product.
+  std::array<float, kRules> rule_scale{0, 0, 0, 0x1p-32f};
 
   PackedCell start = 0;
   PackedCell goal = 0;
   bool backtrack = true;
   std::uint64_t seed = 0;
   std::uint32_t iteration = 0;
-  std::int64_t plane_rows = 0;
 };
 
 enum class WalkState : std::uint32_t { walking, arrived, lost };
@@ -124,8 +118,9 @@ struct WalkSlot {
   std::uint32_t random_block = 0;  ///< next Philox counter
   alignas(32) std::array<std::uint32_t, kRandomWords> random;
 
-  /// Steps done, those taken back included: each draws one word.
-  std::int64_t steps() const noexcept {
+  /// Random words used: one a step (Draw::discard: one a move of the row), those taken back
+  /// included.
+  std::int64_t words_used() const noexcept {
     return std::int64_t{random_block} * 4 - (kRandomWords - std::int64_t{random_used});
   }
 };
@@ -137,26 +132,41 @@ inline constexpr int kMaxSlots = 16;  ///< slots of one call
 /// the start).
 using WalkFn = void (*)(const WalkWorld& world, std::span<WalkSlot> slots, int rounds) noexcept;
 
-/// What a walk kernel is compiled for.
-struct WalkShape {
-  int lanes = 8;         ///< 4 or 8
-  bool mixture = false;  ///< rows hold two rules
-  bool factor = false;   ///< WalkWorld::factor is not all ones
-  constexpr int index() const noexcept { return (lanes == 8 ? 4 : 0) + 2 * mixture + factor; }
+/// How one move is drawn from a row.
+enum class Draw {
+  roulette,  ///< with probability proportional to its weight
+  /// Discard moves one by one, each with probability proportional to its weight, until one is left
+  /// (Li, Wang & Ma, section 2.3). Run as a race: move k gets a time of density
+  /// weight * exp(-weight * t), and the last one stays, which is the same distribution.
+  discard,
 };
 
+/// What a walk kernel is compiled for.
+struct WalkShape {
+  int lanes = 8;         ///< moves: 4, 8, 16, 24 or 32
+  bool mixture = false;  ///< rows hold two rules; roulette only
+  bool factor = false;   ///< WalkWorld::factor is not all ones
+  Draw draw = Draw::roulette;
+
+  constexpr int index() const noexcept {
+    const int wide = lanes == 4 ? 0 : lanes / 8;
+    return (wide * 2 + factor) * 3 + (draw == Draw::discard ? 2 : mixture ? 1 : 0);
+  }
+};
+inline constexpr int kWalkShapes = 30;
+
 /// Draws from one row as the kernel does, for tests and benchmarks.
-///   row     as in WalkWorld::tiles, aligned to 16 bytes
+///   row     as in WalkWorld::tiles, aligned to 16 bytes (4 lanes) or 32 bytes
 ///   open    bit k set where move k is not tabu
-///   random  one random word, uniform
+///   random  random words, uniform: one (roulette), or `lanes` (discard)
 /// Returns the move, -1 if there is none.
 using DrawFn = int (*)(const WalkWorld& world, const float* row, std::uint32_t open,
-                       std::uint32_t previous, std::uint32_t random) noexcept;
+                       std::uint32_t previous, const std::uint32_t* random) noexcept;
 
 /// The kernels of one instruction set, by WalkShape::index().
 struct WalkTable {
-  std::array<WalkFn, 8> walk;
-  std::array<DrawFn, 8> draw;
+  std::array<WalkFn, kWalkShapes> walk;
+  std::array<DrawFn, kWalkShapes> draw;
 };
 /// On a set without kernels of its own, the table of the next lesser one.
 const WalkTable& walk_table(Isa isa) noexcept;

@@ -41,6 +41,14 @@ struct Row<4> {
     return _mm_shuffle_ps(sums, sums, 0xff);
   }
   LASIUS_TARGET [[gnu::always_inline]] static V all(float x) noexcept { return _mm_set1_ps(x); }
+  LASIUS_TARGET [[gnu::always_inline]] static V plus(V a, V b) noexcept { return _mm_add_ps(a, b); }
+  LASIUS_TARGET [[gnu::always_inline]] static V larger(V a, V b) noexcept {
+    return _mm_max_ps(a, b);
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V largest(V v) noexcept {
+    v = _mm_max_ps(v, _mm_shuffle_ps(v, v, 0x4e));
+    return _mm_max_ps(v, _mm_shuffle_ps(v, v, 0xb1));
+  }
   LASIUS_TARGET [[gnu::always_inline]] static std::uint32_t less(V a, V b) noexcept {
     return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmplt_ps(a, b)));
   }
@@ -79,6 +87,17 @@ struct Row<8> {
     return _mm256_permutevar8x32_ps(sums, _mm256_set1_epi32(7));
   }
   LASIUS_TARGET [[gnu::always_inline]] static V all(float x) noexcept { return _mm256_set1_ps(x); }
+  LASIUS_TARGET [[gnu::always_inline]] static V plus(V a, V b) noexcept {
+    return _mm256_add_ps(a, b);
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V larger(V a, V b) noexcept {
+    return _mm256_max_ps(a, b);
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V largest(V v) noexcept {
+    v = _mm256_max_ps(v, _mm256_permute2f128_ps(v, v, 1));
+    v = _mm256_max_ps(v, _mm256_shuffle_ps(v, v, 0x4e));
+    return _mm256_max_ps(v, _mm256_shuffle_ps(v, v, 0xb1));
+  }
   LASIUS_TARGET [[gnu::always_inline]] static std::uint32_t less(V a, V b) noexcept {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LT_OQ)));
   }
@@ -91,33 +110,67 @@ struct Row<8> {
 };
 
 struct Avx2Ops {
+  /// As ScalarOps::roulette; rows of more than eight moves take several registers.
   template <int kLanes, bool kMixture, bool kFactor>
-  LASIUS_TARGET [[gnu::always_inline]] static int draw(const WalkWorld& world, const float* row,
-                                                       std::uint32_t open, std::uint32_t previous,
-                                                       std::uint32_t random) noexcept {
-    using R = Row<kLanes>;
-    auto weight = R::load(row);
-    float share = static_cast<float>(random) * 0x1p-32f;
-    if constexpr (kFactor) weight = R::times(weight, R::load(world.factor[previous].data()));
+  LASIUS_TARGET [[gnu::always_inline]] static int roulette(const WalkWorld& world,
+                                                           const float* row, std::uint32_t open,
+                                                           std::uint32_t previous,
+                                                           std::uint32_t random) noexcept {
+    constexpr int kWidth = kLanes == 4 ? 4 : 8;
+    constexpr int kParts = kLanes / kWidth;
+    using R = Row<kWidth>;
+    int rule = random < world.rule_start[kPheromoneRule] ? kGreedyRule : kCombinedRule;
     if constexpr (kMixture) {
-      const int rule = (random >= world.rule_start[1]) + (random >= world.rule_start[2]);
-      const auto rest = random - static_cast<std::uint32_t>(world.rule_start[rule]);
-      share = static_cast<float>(rest) * world.rule_scale[rule];
-      const auto distance = R::load(row + kLanes);
-      const auto combined = R::times(weight, distance);
-      weight = R::blend(weight, distance, -(rule == kDistanceRule));
-      weight = R::blend(weight, combined, -(rule == kCombinedRule));
+      rule = (random >= world.rule_start[kPheromoneRule]) +
+             (random >= world.rule_start[kDistanceRule]) +
+             (random >= world.rule_start[kCombinedRule]);
     }
-    weight = R::only(weight, open);
-    const auto sums = R::prefix(weight);
-    const std::uint32_t positive = R::less(R::all(0), weight);
-    if (positive == 0) [[unlikely]]
-      return -1;
-    const auto threshold = R::times(R::all(share), R::total(sums));
-    const std::uint32_t hit = R::less(threshold, sums) & positive;
-    if (hit == 0) [[unlikely]]
-      return 31 - __builtin_clz(positive);
+    typename R::V weight[kParts];
+    std::uint32_t positive = 0;
+    for (int part = 0; part < kParts; ++part) {
+      const int k = part * kWidth;
+      auto w = R::load(row + k);
+      if constexpr (kFactor) w = R::times(w, R::load(world.factor[previous].data() + k));
+      if constexpr (kMixture) {
+        const auto distance = R::load(row + kLanes + k);
+        const auto combined = R::times(w, distance);
+        w = R::blend(w, distance, -(rule == kDistanceRule));
+        w = R::blend(w, combined, -((rule == kCombinedRule) | (rule == kGreedyRule)));
+      }
+      weight[part] = R::only(w, open >> k);
+      positive |= R::less(R::all(0), weight[part]) << k;
+    }
+    if (positive == 0) [[unlikely]] return -1;
+    if (rule == kGreedyRule) {
+      auto most = weight[0];
+      for (int part = 1; part < kParts; ++part) most = R::larger(most, weight[part]);
+      most = R::largest(most);
+      std::uint32_t below = 0;
+      for (int part = 0; part < kParts; ++part) {
+        below |= R::less(weight[part], most) << (part * kWidth);
+      }
+      return __builtin_ctz(positive & ~below);
+    }
+    typename R::V sums[kParts];
+    sums[0] = R::prefix(weight[0]);
+    for (int part = 1; part < kParts; ++part) {
+      sums[part] = R::plus(R::prefix(weight[part]), R::total(sums[part - 1]));
+    }
+    const auto rest = random - static_cast<std::uint32_t>(world.rule_start[rule]);
+    const float share = static_cast<float>(rest) * world.rule_scale[rule];
+    const auto threshold = R::times(R::all(share), R::total(sums[kParts - 1]));
+    std::uint32_t hit = 0;
+    for (int part = 0; part < kParts; ++part) {
+      hit |= R::less(threshold, sums[part]) << (part * kWidth);
+    }
+    hit &= positive;
+    if (hit == 0) [[unlikely]] return 31 - __builtin_clz(positive);
     return __builtin_ctz(hit);
+  }
+
+  LASIUS_TARGET [[gnu::always_inline]] static std::uint32_t bits_at(std::uint64_t word,
+                                                                    std::uint64_t mask) noexcept {
+    return static_cast<std::uint32_t>(_pext_u64(word, mask));
   }
 };
 

@@ -1,14 +1,16 @@
 // The walk, written once and compiled for each instruction set. The including file defines
 //   LASIUS_TARGET  the function attribute of its instruction set (may be empty)
-//   LASIUS_OPS     a struct with `draw<lanes, mixture, factor>`, see walk_scalar.cpp
-// and gets the table entries `walk_table` and `draw_table` in an unnamed namespace.
+//   LASIUS_OPS     a struct with `roulette<lanes, mixture, factor>` and `bits_at`
+// and gets the table of its kernels as `kTable` in an unnamed namespace.
 
 #include <Random123/philox.h>
 
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <utility>
 
+#include "kernels/race.h"
 #include "kernels/walk.h"
 
 namespace lasius::kernels {
@@ -26,27 +28,41 @@ namespace {
   slot.random_used = 0;
 }
 
-/// Bit k set where move k leads to a cell that the ant has not entered.
-template <int kLanes>
-[[gnu::always_inline]] inline std::uint32_t open_moves(const std::uint64_t* word,
-                                                       int bit) noexcept {
-  const auto up = static_cast<std::uint32_t>(word[-1] >> (bit - 1)) & 7;
-  const auto here = static_cast<std::uint32_t>(word[0] >> (bit - 1)) & 7;
-  const auto down = static_cast<std::uint32_t>(word[1] >> (bit - 1)) & 7;
-  if constexpr (kLanes == 4) {
-    return ~((up >> 1 & 1) | (here & 1) << 1 | (here & 4) | (down & 2) << 2) & 0xf;
-  } else {
-    return ~(up | (here & 1) << 3 | (here & 4) << 2 | down << 5) & 0xff;
-  }
-}
-
-template <int kLanes, bool kMixture, bool kFactor>
+template <int kLanes, bool kMixture, bool kFactor, Draw kDraw>
 struct Walk {
   static constexpr int kRow = kMixture ? 2 * kLanes : kLanes;
+  static constexpr std::uint32_t kAll = ~std::uint32_t{0} >> (32 - kLanes);
 
   LASIUS_TARGET static int draw(const WalkWorld& world, const float* row, std::uint32_t open,
-                                std::uint32_t previous, std::uint32_t random) noexcept {
-    return LASIUS_OPS::draw<kLanes, kMixture, kFactor>(world, row, open, previous, random);
+                                std::uint32_t previous, const std::uint32_t* random) noexcept {
+    if constexpr (kDraw == Draw::discard) {
+      const float* factor = kFactor ? world.factor[previous].data() : nullptr;
+      return last_of_race<kLanes, kFactor>(row, factor, open, random);
+    } else {
+      return LASIUS_OPS::roulette<kLanes, kMixture, kFactor>(world, row, open, previous, *random);
+    }
+  }
+
+  /// Bit k set where move k leads to a cell that the ant has not entered.
+  LASIUS_TARGET [[gnu::always_inline]] static std::uint32_t open_moves(
+      const WalkWorld& world, const VisitedPlane& visited, PackedCell at) noexcept {
+    const std::uint64_t* word = visited.word(at);
+    const int bit = VisitedPlane::bit(at);
+    if constexpr (kLanes > 8) {
+      std::uint64_t window = 0;
+      for (int dy = kMaxReach; dy >= -kMaxReach; --dy) {
+        window = window << 7 | (word[dy] >> (bit - kMaxReach) & 127);
+      }
+      return ~LASIUS_OPS::bits_at(window, world.window) & kAll;
+    }
+    const auto up = static_cast<std::uint32_t>(word[-1] >> (bit - 1)) & 7;
+    const auto here = static_cast<std::uint32_t>(word[0] >> (bit - 1)) & 7;
+    const auto down = static_cast<std::uint32_t>(word[1] >> (bit - 1)) & 7;
+    if constexpr (kLanes == 4) {
+      return ~((up >> 1 & 1) | (here & 1) << 1 | (here & 4) | (down & 2) << 2) & kAll;
+    } else {
+      return ~(up | (here & 1) << 3 | (here & 4) << 2 | down << 5) & kAll;
+    }
   }
 
   /// False when the ant is lost.
@@ -69,18 +85,26 @@ struct Walk {
     const int x = packed_x(at), y = packed_y(at);
     const int tile = (y >> kTileShift) * world.tiles_x + (x >> kTileShift);
     const float* rows = __atomic_load_n(world.tiles + tile, __ATOMIC_ACQUIRE);
-    if (rows == nullptr) [[unlikely]]
-      rows = world.make_tile(world.context, tile);
-    const int cell = (y % kTileSide) * kTileSide + x % kTileSide;
+    if (rows == nullptr) [[unlikely]] rows = world.make_tile(world.context, tile);
+    const float* row = rows + ((y % kTileSide) * kTileSide + x % kTileSide) * kRow;
 
-    if (slot.random_used == WalkSlot::kRandomWords) refill(world, slot);
-    const std::uint32_t random = slot.random[slot.random_used++];
-
-    const std::uint32_t open = open_moves<kLanes>(slot.visited.word(at), VisitedPlane::bit(at));
-    const int move = LASIUS_OPS::draw<kLanes, kMixture, kFactor>(world, rows + cell * kRow, open,
-                                                                 slot.previous, random);
-    if (move < 0) [[unlikely]]
-      return take_back(world, slot);
+    const std::uint32_t open = open_moves(world, slot.visited, at);
+    int move;
+    if constexpr (kDraw == Draw::discard) {
+      std::array<std::uint32_t, kLanes> words;
+      for (std::uint32_t k = 0; k < kLanes; k += 4) {  // the buffer holds fours
+        if (slot.random_used == WalkSlot::kRandomWords) refill(world, slot);
+        std::memcpy(words.data() + k, slot.random.data() + slot.random_used, 16);
+        slot.random_used += 4;
+      }
+      move = draw(world, row, open, slot.previous, words.data());
+    } else {
+      if (slot.random_used == WalkSlot::kRandomWords) refill(world, slot);
+      const std::uint32_t random = slot.random[slot.random_used++];
+      move = LASIUS_OPS::roulette<kLanes, kMixture, kFactor>(world, row, open, slot.previous,
+                                                             random);
+    }
+    if (move < 0) [[unlikely]] return take_back(world, slot);
 
     slot.at = at + static_cast<PackedCell>(world.delta[move]);
     slot.previous = static_cast<std::uint32_t>(move);
@@ -110,16 +134,32 @@ struct Walk {
   }
 };
 
-/// All shapes, at index 4 * (lanes == 8) + 2 * mixture + factor.
-template <template <int, bool, bool> class Kernel>
-constexpr auto all_shapes(auto pick) {
-  return std::array{pick(Kernel<4, false, false>{}), pick(Kernel<4, false, true>{}),
-                    pick(Kernel<4, true, false>{}),  pick(Kernel<4, true, true>{}),
-                    pick(Kernel<8, false, false>{}), pick(Kernel<8, false, true>{}),
-                    pick(Kernel<8, true, false>{}),  pick(Kernel<8, true, true>{})};
+/// Enters the six kernels of a lane count.
+template <int kLanes>
+constexpr void enter(WalkTable& table) {
+  const auto set = [&]<bool kMixture, bool kFactor, Draw kDraw>(
+                       Walk<kLanes, kMixture, kFactor, kDraw>) {
+    const int i = WalkShape{kLanes, kMixture, kFactor, kDraw}.index();
+    table.walk[i] = &Walk<kLanes, kMixture, kFactor, kDraw>::walk;
+    table.draw[i] = &Walk<kLanes, kMixture, kFactor, kDraw>::draw;
+  };
+  set(Walk<kLanes, false, false, Draw::roulette>{});
+  set(Walk<kLanes, true, false, Draw::roulette>{});
+  set(Walk<kLanes, false, true, Draw::roulette>{});
+  set(Walk<kLanes, true, true, Draw::roulette>{});
+  set(Walk<kLanes, false, false, Draw::discard>{});
+  set(Walk<kLanes, false, true, Draw::discard>{});
 }
-constexpr WalkTable kTable{all_shapes<Walk>([](auto k) -> WalkFn { return &decltype(k)::walk; }),
-                           all_shapes<Walk>([](auto k) -> DrawFn { return &decltype(k)::draw; })};
+
+constexpr WalkTable kTable = [] {
+  WalkTable table{};
+  enter<4>(table);
+  enter<8>(table);
+  enter<16>(table);
+  enter<24>(table);
+  enter<32>(table);
+  return table;
+}();
 
 }  // namespace
 }  // namespace lasius::kernels

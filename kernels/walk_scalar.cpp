@@ -6,19 +6,18 @@ namespace lasius::kernels {
 namespace {
 
 struct ScalarOps {
-  /// One draw from a row: pick a rule, mask closed moves, spin the roulette wheel.
-  /// Prefix sums follow the tree of the vector code: by pairs, by fours, then the lower four's
-  /// total onto the upper four.
+  /// One draw from a row: choose a rule, mask closed moves, spin the roulette wheel.
+  /// Prefix sums follow the tree of the vector code: by pairs, by fours, the lower four's total
+  /// onto the upper four, the total of eight onto the next eight.
   template <int kLanes, bool kMixture, bool kFactor>
-  [[gnu::always_inline]] static int draw(const WalkWorld& world, const float* row,
-                                         std::uint32_t open, std::uint32_t previous,
-                                         std::uint32_t random) noexcept {
-    int rule = kCombinedRule;
-    float share = static_cast<float>(random) * 0x1p-32f;
+  [[gnu::always_inline]] static int roulette(const WalkWorld& world, const float* row,
+                                             std::uint32_t open, std::uint32_t previous,
+                                             std::uint32_t random) noexcept {
+    int rule = random < world.rule_start[kPheromoneRule] ? kGreedyRule : kCombinedRule;
     if constexpr (kMixture) {
-      rule = (random >= world.rule_start[1]) + (random >= world.rule_start[2]);
-      const auto rest = random - static_cast<std::uint32_t>(world.rule_start[rule]);
-      share = static_cast<float>(rest) * world.rule_scale[rule];
+      rule = (random >= world.rule_start[kPheromoneRule]) +
+             (random >= world.rule_start[kDistanceRule]) +
+             (random >= world.rule_start[kCombinedRule]);
     }
     float weight[kLanes];
     float sum[kLanes];
@@ -32,6 +31,13 @@ struct ScalarOps {
       weight[k] = (open >> k & 1) != 0 ? w : 0.0f;
       sum[k] = weight[k];
     }
+    if (rule == kGreedyRule) {
+      int best = -1;
+      for (int k = 0; k < kLanes; ++k) {
+        if (weight[k] > (best < 0 ? 0.0f : weight[best])) best = k;
+      }
+      return best;
+    }
     for (int base = 0; base < kLanes; base += 4) {
       float* s = sum + base;
       const float pairs[4] = {s[0], s[1] + s[0], s[2] + s[1], s[3] + s[2]};
@@ -40,9 +46,14 @@ struct ScalarOps {
       s[2] = pairs[2] + pairs[0];
       s[3] = pairs[3] + pairs[1];
     }
-    if constexpr (kLanes == 8) {
-      for (int k = 4; k < 8; ++k) sum[k] += sum[3];
+    for (int base = 0; base + 8 <= kLanes; base += 8) {
+      for (int k = base + 4; k < base + 8; ++k) sum[k] += sum[base + 3];
+      if (base == 0) continue;
+      const float before = sum[base - 1];
+      for (int k = base; k < base + 8; ++k) sum[k] += before;
     }
+    const auto rest = random - static_cast<std::uint32_t>(world.rule_start[rule]);
+    const float share = static_cast<float>(rest) * world.rule_scale[rule];
     const float threshold = share * sum[kLanes - 1];
     int last = -1;
     for (int k = 0; k < kLanes; ++k) {
@@ -51,6 +62,15 @@ struct ScalarOps {
       last = k;
     }
     return last;
+  }
+
+  /// The bits of `word` at the set bits of `mask`, moved together (pext).
+  static std::uint32_t bits_at(std::uint64_t word, std::uint64_t mask) noexcept {
+    std::uint32_t bits = 0;
+    for (int k = 0; mask != 0; mask &= mask - 1, ++k) {
+      bits |= static_cast<std::uint32_t>((word & mask & -mask) != 0) << k;
+    }
+    return bits;
   }
 };
 

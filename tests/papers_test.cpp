@@ -18,7 +18,7 @@ TEST(Fan2004, ParametersAreThePapers) {
   EXPECT_EQ(p.critical_time, 10);
   EXPECT_EQ(p.iterations, 120);
   EXPECT_EQ(p.persistence, 0.7);
-  EXPECT_EQ(p.neighbours, 4);
+  EXPECT_EQ(p.neighbours, Neighbours::four);
   EXPECT_EQ(p.omega, 10);
   EXPECT_EQ(p.mu, 2);
   EXPECT_EQ(p.lambda, 2);
@@ -54,7 +54,8 @@ TEST(Fan2004, SharesOfTheRulesChangeUntilTheCriticalTime) {
 
 struct Rows {
   Rows(const Grid& grid, Cell goal, const Params& p) : params(p) {
-    field.reset(grid, kernels::moves_of(p.neighbours), goal, p);
+    moves = kernels::moves_of(static_cast<kernels::Neighbourhood>(p.neighbours));
+    field.reset(grid, moves, goal, p, p.initial_pheromone > 0 ? p.initial_pheromone : 1, {});
   }
   const float* of(Cell c) {
     kernels::WalkWorld world;
@@ -62,9 +63,10 @@ struct Rows {
     const int tile = (c.y / 32) * world.tiles_x + c.x / 32;
     const float* rows = world.tiles[tile];
     if (rows == nullptr) rows = world.make_tile(world.context, tile);
-    return rows + ((c.y % 32) * 32 + c.x % 32) * params.neighbours * (field.mixture() ? 2 : 1);
+    return rows + ((c.y % 32) * 32 + c.x % 32) * moves.count * (field.mixture() ? 2 : 1);
   }
   Params params;
+  kernels::Moves moves;
   Field field;
 };
 
@@ -143,6 +145,7 @@ TEST(AntSystem, PheromoneLiesOnTheArcsWalked) {
   Params p = defaults("as");
   p.ants = 1;
   p.iterations = 1;
+  p.initial_pheromone = 1;
   double on_arc = 0, off = 0;
   Planner(grid).plan({.start = {0, 0}, .goal = {4, 0}}, p, nullptr, [&](const Progress& progress) {
     on_arc = progress.pheromone({0, 0});

@@ -24,26 +24,65 @@ enum class DeadEnd {
   kill,       ///< the ant dies without a tour
 };
 
-/// Which straightened paths of fan2004 get pheromone too (Fan et al. 2004, step 3).
+/// Which straightened paths get pheromone too (Fan et al. 2004, step 3).
 enum class StraightDeposit { none, improving, all };
 
-/// The part of a move's weight that depends on where it leads, and never on the iteration.
+/// Moves of an ant. Moves of more than one cell need every cell that they sweep to be free.
+enum class Neighbours {
+  four,            ///< along x or y
+  eight,           ///< all around
+  sixteen,         ///< the 8 directions at 1 and 2 cells
+  sixteen_knight,  ///< 8 and the knight's moves
+  twenty_four,     ///< all of the 5 x 5 square
+  thirty_two,      ///< 24 and the 8 directions at 3 cells
+};
+
+/// The part of a move's weight that depends on where it leads.
 enum class Heuristic {
   uniform,            ///< 1
   rescaled_distance,  ///< ((Dmax - d(j, E)) omega + mu)^lambda (Fan et al. 2004, eq. 4)
   inverse_distance,   ///< (1 / d(j, E))^beta, d at least half a cell
+  distance,           ///< d(j, E)^beta, d at least half a cell; for rules where larger is worse
+  goal_angle,         ///< (1 / (1 + h / 45 degrees))^beta, h between the move and the way to E
+  learned,            ///< eta(j)^beta, eta learned from successful ants (Cong & Ponnambalam 2009)
+  distance_field,     ///< (1 / shortest way from j to E on the grid)^beta; map-sized work
 };
 
-/// The part of a move's weight that depends on the move alone.
+/// The part of a move's weight that depends on the move and the one before it.
 enum class Visibility {
-  none,          ///< 1
-  inverse_step,  ///< (1 / length of the move)^beta (Fan et al. 2004, eq. 1)
+  none,            ///< 1
+  inverse_step,    ///< (1 / length of the move)^beta (Fan et al. 2004, eq. 1)
+  heading_change,  ///< (1 / (1 + turn / 45 degrees))^beta; straight back is closed (the lecture)
 };
 
 /// What carries pheromone.
 enum class Trail {
   cells,  ///< tau of a move is that of the cell it leads to
   arcs,   ///< each move out of each cell has its own tau, in the direction walked
+};
+
+/// How the trail changes after each iteration. L is an ant's tour length, Q `deposit`.
+enum class Update {
+  ant_system,      ///< every arrived ant: Q / L
+  elitist,         ///< the same, and elite_weight Q / L on the best tour so far
+  rank,            ///< the `ranks` - 1 best: (ranks - r) Q / L; the best so far: ranks Q / L
+  max_min,         ///< one best tour: Q / L, tau kept in [tau_min, tau_max]
+  colony_system,   ///< on the best tour so far only: tau <- persistence tau + (1 - persistence) / L
+  best_share,      ///< the elite_ants best of the iteration: Q / ants on each cell (the lecture)
+  terminal_index,  ///< no trail but the best known way from each cell (Li, Wang & Ma)
+  learning,        ///< rewards and penalties, ant by ant (Cong & Ponnambalam 2009, eq. 3, 4)
+};
+
+/// How a move is drawn from the weights of its row.
+enum class Selection {
+  roulette,          ///< in proportion to the weights
+  inverse_roulette,  ///< moves are discarded in proportion until one is left (Li, Wang & Ma)
+};
+
+/// Cong & Ponnambalam 2009, eq. 3 is broken in print: which reading to take.
+enum class Reward {
+  factor,  ///< tau <- tau (1 + reward rows / L)
+  affine,  ///< tau <- tau reward rows / L + 1
 };
 
 /// Parameters of one plan. Fields that an algorithm does not use are ignored by it; its own list,
@@ -55,17 +94,19 @@ struct Params {
 
   int ants = 10;         ///< m
   int iterations = 120;  ///< T
-  int neighbours = 4;    ///< 4 or 8
+  Neighbours neighbours = Neighbours::four;
   Corners corners = Corners::forbid;
   Polish polish = Polish::straight;
   DeadEnd dead_end = DeadEnd::backtrack;
 
   // Random proportional rule: weight of a move = tau^alpha * visibility * heuristic.
+  Selection selection = Selection::roulette;
   Trail trail = Trail::cells;
   Heuristic heuristic = Heuristic::rescaled_distance;
   Visibility visibility = Visibility::inverse_step;
-  double alpha = 4;   ///< exponent of pheromone
-  double beta = 1.5;  ///< exponent of visibility and of inverse_distance
+  double alpha = 4;   ///< exponent of pheromone (of the terminal index)
+  double beta = 1.5;  ///< exponent of visibility and heuristic
+  double greedy = 0;  ///< share of steps that take the largest weight, q0 (ACS)
   // Time-varying exponents (Fan et al. 2004, eq. 5, 6): linear from the value at iteration 0 to
   // alpha and beta at iteration `critical_time`, constant after it.
   int critical_time = 10;  ///< mc; 0: constant from the start
@@ -83,11 +124,27 @@ struct Params {
   double distance_rule_first = 1, distance_rule = 0.1;
   double combined_rule_first = 0, combined_rule = 0.8;
 
-  // Update: tau <- persistence * tau + sum of deposit / L over the arrived ants.
+  // Update: tau <- persistence * tau, then deposits.
+  Update update = Update::ant_system;
   double persistence = 0.7;      ///< share of pheromone that remains after an iteration
-  double initial_pheromone = 1;  ///< tau0
+  double initial_pheromone = 1;  ///< tau0; 0: the family's own formula, see `defaults()`
   double deposit = 100;          ///< Q
   StraightDeposit straight_deposit = StraightDeposit::all;
+  double elite_weight = 0;    ///< e of Update::elitist
+  int ranks = 6;              ///< w of Update::rank
+  int elite_ants = 1;         ///< ants that Update::best_share lets deposit
+  int best_so_far_every = 0;  ///< Update::max_min: every how many iterations the best so far, not
+                              ///< the iteration's best, deposits; 0: never
+  double best_probability = 0.05;  ///< Update::max_min: p_best, which sets tau_min / tau_max
+  double local_evaporation = 0;    ///< Update::colony_system: tau <- (1 - xi) tau + xi tau0
+  int batch = 0;                   ///< ants that walk before a local update; 0: all of them
+
+  double unknown_index = 99;  ///< terminal index of a cell without one, on 20 x 20 cells
+  double index_spread = 0.8;  ///< q of K'(c) = K(c) - q Kmin (Li, Wang & Ma, eq. 8)
+
+  double reward = 1.2;  ///< Update::learning, on success
+  Reward reward_reading = Reward::factor;
+  double penalty = 0.5;  ///< Update::learning, factor on the second half of a dead end
 
   // The genetic algorithm. An iteration is a generation.
   int population = 50;

@@ -38,7 +38,7 @@ struct Reference {
   Reference(const Grid& g, const Params& p)
       : grid(g),
         params(p),
-        moves(kernels::moves_of(p.neighbours)),
+        moves(kernels::moves_of(static_cast<kernels::Neighbourhood>(p.neighbours))),
         tau(static_cast<std::size_t>(g.width()) * g.height() *
                 (p.trail == Trail::arcs ? moves.count : 1),
             p.initial_pheromone) {}
@@ -48,7 +48,8 @@ struct Reference {
     return tau[params.trail == Trail::arcs ? cell * moves.count + move : cell];
   }
   double of_move(Cell c, int k) {
-    return params.trail == Trail::arcs ? at(c, k) : at({c.x + moves.dx[k], c.y + moves.dy[k]}, 0);
+    return params.trail == Trail::arcs ? at(c, k)
+                                       : at({c.x + moves[k].to.dx, c.y + moves[k].to.dy}, 0);
   }
 
   const Grid& grid;
@@ -63,7 +64,7 @@ TEST_P(FieldAgainstReference, RowsKeepTheRatiosOfTauToTheAlpha) {
   const auto [neighbours, trail, persistence] = GetParam();
   const Grid grid = noisy(90, 70, 0.2, 4);
   Params params;
-  params.neighbours = neighbours;
+  params.neighbours = neighbours == 4 ? Neighbours::four : Neighbours::eight;
   params.trail = trail;
   params.straight_deposit = StraightDeposit::none;
   params.persistence = persistence;
@@ -71,7 +72,7 @@ TEST_P(FieldAgainstReference, RowsKeepTheRatiosOfTauToTheAlpha) {
   params.corners = Corners::allow;
   Field field;
   Reference reference(grid, params);
-  field.reset(grid, reference.moves, {80, 60}, params);
+  field.reset(grid, reference.moves, {80, 60}, params, params.initial_pheromone, {});
 
   std::mt19937 random(9);
   for (int q = 0; q < 60; ++q) {
@@ -90,7 +91,7 @@ TEST_P(FieldAgainstReference, RowsKeepTheRatiosOfTauToTheAlpha) {
           EXPECT_EQ(a[k], 0);
           continue;
         }
-        const Cell to{c.x + reference.moves.dx[k], c.y + reference.moves.dy[k]};
+        const Cell to{c.x + reference.moves[k].to.dx, c.y + reference.moves[k].to.dy};
         EXPECT_EQ(a[k] > 0, grid.free(to));
         EXPECT_EQ(b[k] > 0, grid.free(to));
         if (a[k] == 0) continue;
@@ -126,8 +127,8 @@ TEST(Field, ASingleRuleHoldsTheProductOfBothParts) {
   single.distance_rule_first = single.distance_rule = 0;
   single.combined_rule_first = 1;
   Field two, one;
-  two.reset(grid, kernels::moves_of(4), {50, 50}, mixture);
-  one.reset(grid, kernels::moves_of(4), {50, 50}, single);
+  two.reset(grid, kernels::moves_of(kernels::Neighbourhood::four), {50, 50}, mixture, 1, {});
+  one.reset(grid, kernels::moves_of(kernels::Neighbourhood::four), {50, 50}, single, 1, {});
   EXPECT_TRUE(two.mixture());
   EXPECT_FALSE(one.mixture());
   for (Field* f : {&two, &one}) {
@@ -147,11 +148,11 @@ TEST(Field, CornerRulesCloseDiagonalMoves) {
   grid.set_blocked({1, 0});  // beside the move from (1, 1) to (0, 0) and to (2, 0)
   grid.set_blocked({0, 1});  // the other side of the one to (0, 0)
   Params params;
-  params.neighbours = 8;
+  params.neighbours = Neighbours::eight;
   const auto open = [&](Corners corners) {
     params.corners = corners;
     Field field;
-    field.reset(grid, kernels::moves_of(8), {2, 2}, params);
+    field.reset(grid, kernels::moves_of(kernels::Neighbourhood::eight), {2, 2}, params, 1, {});
     const float* a = row(field, {1, 1}, 16);
     std::string moves;
     for (int k = 0; k < 8; ++k) moves += a[k] > 0 ? '1' : '0';
@@ -166,7 +167,7 @@ TEST(Field, CornerRulesCloseDiagonalMoves) {
 TEST(Field, TilesExistOnlyWhereSomethingWasAskedOrLaid) {
   const Grid grid(4096, 4096);
   Field field;
-  field.reset(grid, kernels::moves_of(4), {4000, 4000}, Params{});
+  field.reset(grid, kernels::moves_of(kernels::Neighbourhood::four), {4000, 4000}, Params{}, 1, {});
   EXPECT_EQ(field.tiles(), 0);
   field.deposit({5, 5}, 0, 1);
   field.deposit({3000, 2000}, 0, 1);
@@ -180,7 +181,7 @@ TEST(Field, ManyIterationsNeitherOverflowNorForget) {
   const Grid grid(40, 40);
   Params params;
   Field field;
-  field.reset(grid, kernels::moves_of(4), {39, 39}, params);
+  field.reset(grid, kernels::moves_of(kernels::Neighbourhood::four), {39, 39}, params, 1, {});
   for (int q = 0; q < 5000; ++q) {
     field.evaporate(0.5);
     field.deposit({20, 20}, 0, 1);

@@ -163,7 +163,7 @@ TEST(GridGa, EqualForAnyNumberOfThreads) {
 TEST(GridGa, FourNeighboursMoveByFour) {
   const Planner planner(pocket());
   Params p = genetic(Polish::none);
-  p.neighbours = 4;
+  p.neighbours = Neighbours::four;
   const Result result = planner.plan({kStart, kGoal}, p);
   ASSERT_FALSE(result.path.empty());
   for (std::size_t i = 1; i < result.path.size(); ++i)

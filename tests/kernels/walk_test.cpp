@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -13,12 +14,32 @@
 namespace lasius::kernels {
 namespace {
 
-const WalkShape kShapes[] = {{4, false, false}, {4, false, true},  {4, true, false},
-                             {4, true, true},   {8, false, false}, {8, false, true},
-                             {8, true, false},  {8, true, true}};
+/// Every shape that a kernel is compiled for.
+std::vector<WalkShape> all_shapes() {
+  std::vector<WalkShape> shapes;
+  for (const int lanes : {4, 8, 16, 24, 32}) {
+    for (const bool factor : {false, true}) {
+      shapes.push_back({lanes, false, factor, Draw::roulette});
+      shapes.push_back({lanes, true, factor, Draw::roulette});
+      shapes.push_back({lanes, false, factor, Draw::discard});
+    }
+  }
+  return shapes;
+}
+
+Neighbourhood neighbourhood(int lanes) {
+  switch (lanes) {
+    case 4: return Neighbourhood::four;
+    case 8: return Neighbourhood::eight;
+    case 16: return Neighbourhood::sixteen_knight;
+    case 24: return Neighbourhood::twenty_four;
+    default: return Neighbourhood::thirty_two;
+  }
+}
 
 std::string name(WalkShape s) {
-  return std::to_string(s.lanes) + (s.mixture ? "mixture" : "single") + (s.factor ? "factor" : "");
+  return std::to_string(s.lanes) + (s.mixture ? "mixture" : "single") + (s.factor ? "factor" : "") +
+         (s.draw == Draw::discard ? "discard" : "");
 }
 
 /// A world whose rows are random and which is bounded by moves of weight 0.
@@ -26,7 +47,7 @@ class World {
  public:
   World(WalkShape shape, int width, int height, unsigned seed, double blocked = 0.2)
       : shape_(shape), width_(width), height_(height), random_(seed) {
-    const Moves moves = moves_of(shape.lanes);
+    const Moves moves = moves_of(neighbourhood(shape.lanes));
     const int tiles_x = (width + kTileSide - 1) / kTileSide;
     const int tiles_y = (height + kTileSide - 1) / kTileSide;
     const int row = shape.lanes * (shape.mixture ? 2 : 1);
@@ -42,7 +63,7 @@ class World {
         float* cell = tiles_[(y / kTileSide) * tiles_x + x / kTileSide] +
                       ((y % kTileSide) * kTileSide + x % kTileSide) * row;
         for (int k = 0; k < moves.count; ++k) {
-          const int nx = x + moves.dx[k], ny = y + moves.dy[k];
+          const int nx = x + moves[k].to.dx, ny = y + moves[k].to.dy;
           const bool inside = nx >= 0 && ny >= 0 && nx < width && ny < height;
           if (!inside || !open[ny * width + nx]) continue;
           cell[k] = static_cast<float>(uniform() + 1e-3);
@@ -52,12 +73,17 @@ class World {
     }
     view.tiles = tiles_.data();
     view.tiles_x = tiles_x;
-    for (int k = 0; k < moves.count; ++k) view.delta[k] = moves.dy[k] * 65536 + moves.dx[k];
+    for (int k = 0; k < moves.count; ++k) {
+      const auto [dx, dy] = moves[k].to;
+      view.delta[k] = dy * 65536 + dx;
+      view.window |= std::uint64_t{1} << ((dy + kMaxReach) * 7 + dx + kMaxReach);
+    }
     for (auto& factors : view.factor) {
       for (auto& f : factors) f = shape.factor ? static_cast<float>(uniform() + 0.1) : 1.0f;
     }
-    view.rule_start = {0, 0x20000000, 0x60000000};
-    view.rule_scale = {0x1p-29f, 0x1p-30f, 1.0f / static_cast<float>(0xa0000000)};
+    // Shares 1/8 greedy, 1/8 pheromone, 1/4 distance, 1/2 combined.
+    view.rule_start = {0, 0x20000000, 0x40000000, 0x80000000};
+    view.rule_scale = {0x1p-29f, 0x1p-29f, 0x1p-30f, 0x1p-31f};
     view.start = pack(0, 0);
     view.goal = pack(width - 1, height - 1);
     view.seed = 77;
@@ -101,7 +127,7 @@ class World {
         result.push_back({s.state,
                           {moves[i].begin(), moves[i].begin() + s.move_count},
                           {dead[i].begin(), dead[i].begin() + s.dead_count},
-                          s.steps()});
+                          s.words_used()});
       }
     }
     return result;
@@ -129,58 +155,95 @@ INSTANTIATE_TEST_SUITE_P(Walk, EveryIsa, testing::Values(Isa::scalar, Isa::avx2,
 
 TEST_P(EveryIsa, DrawsAsTheScalarReferenceOnEveryMask) {
   std::mt19937 random(5);
-  for (const WalkShape shape : kShapes) {
+  for (const WalkShape shape : all_shapes()) {
     World world(shape, 64, 64, 3);
     const auto reference = walk_table(Isa::scalar).draw[shape.index()];
     const auto draw = walk_table(GetParam()).draw[shape.index()];
-    for (std::uint32_t open = 0; open < 1u << shape.lanes; ++open) {
-      for (int i = 0; i < 40; ++i) {
-        alignas(32) float row[16];
-        for (float& w : row) {
-          const auto r = random() % 8;
-          w = r == 0 ? 0.0f : r == 1 ? 0x1p-60f : static_cast<float>(random()) * 0x1p-32f + 1e-6f;
-        }
-        for (int k = 0; k < shape.lanes; ++k) {  // a move exists for both rules or for none
-          if (row[k] == 0) row[shape.lanes + k] = 0;
-          if (row[shape.lanes + k] == 0) row[k] = 0;
-        }
-        const auto word = i == 0 ? 0u : i == 1 ? ~0u : static_cast<std::uint32_t>(random());
-        const auto previous = static_cast<std::uint32_t>(random() % 9);
-        EXPECT_EQ(draw(world.view, row, open, previous, word),
-                  reference(world.view, row, open, previous, word))
-            << name(shape) << " mask " << open << " word " << word;
+    const std::uint32_t all = ~std::uint32_t{0} >> (32 - shape.lanes);
+    for (std::uint32_t i = 0; i < 20000; ++i) {  // masks of up to 8 moves are all among them
+      const std::uint32_t open =
+          (shape.lanes <= 8 ? i : static_cast<std::uint32_t>(random())) & all;
+      alignas(32) float row[64];
+      for (float& w : row) {
+        const auto r = random() % 8;
+        w = r == 0 ? 0.0f : r == 1 ? 0x1p-60f : static_cast<float>(random()) * 0x1p-32f + 1e-6f;
       }
+      for (int k = 0; k < shape.lanes; ++k) {  // a move exists for both rules or for none
+        if (row[k] == 0) row[shape.lanes + k] = 0;
+        if (row[shape.lanes + k] == 0) row[k] = 0;
+      }
+      std::array<std::uint32_t, kMaxMoves> words;
+      for (auto& word : words) {
+        word = i % 40 == 0 ? 0u : i % 40 == 1 ? ~0u : static_cast<std::uint32_t>(random());
+      }
+      const auto previous = static_cast<std::uint32_t>(random() % (shape.lanes + 1u));
+      ASSERT_EQ(draw(world.view, row, open, previous, words.data()),
+                reference(world.view, row, open, previous, words.data()))
+          << name(shape) << " mask " << open << " word " << words[0];
     }
   }
 }
 
-TEST_P(EveryIsa, DrawsEachMoveInProportionToItsWeight) {
-  World world({8, false, false}, 64, 64, 3);
+TEST_P(EveryIsa, RouletteDrawsEachMoveInProportionToItsWeight) {
+  const WalkShape shape{8, false, false, Draw::roulette};
+  World world(shape, 64, 64, 3);
+  world.view.rule_start = {0, 0, 0, 0};
+  world.view.rule_scale = {0, 0, 0, 0x1p-32f};
   alignas(32) const float row[8] = {1, 0, 2, 4, 0.5f, 0, 1, 3};
   const std::uint32_t open = 0b11011111;  // move 5 is tabu, move 1 does not exist
-  const auto draw = walk_table(GetParam()).draw[WalkShape{8, false, false}.index()];
+  const auto draw = walk_table(GetParam()).draw[shape.index()];
   std::array<int, 8> drawn{};
-  constexpr int kDraws = 1 << 16;
-  for (std::uint32_t i = 0; i < kDraws; ++i) ++drawn[draw(world.view, row, open, 8, i << 16)];
+  constexpr std::uint32_t kDraws = 1 << 16;
+  for (std::uint32_t i = 0; i < kDraws; ++i) {
+    const std::uint32_t word = i << 16;
+    ++drawn[draw(world.view, row, open, kMaxMoves, &word)];
+  }
   // Words on a regular lattice: each count is exact but for the ends of its interval.
   const double total = 11.5;
   for (int k = 0; k < 8; ++k) EXPECT_NEAR(drawn[k], row[k] / total * kDraws, 2) << k;
 }
 
 TEST_P(EveryIsa, MixesTheRulesAsTheirShares) {
-  // Pheromone allows move 0 or 1 alike, distance prefers move 0 by 3 to 1.
-  World world({4, true, false}, 64, 64, 3);
+  // Pheromone allows move 0 or 1 alike, distance prefers move 0 by 3 to 1; the greedy rule and the
+  // product, too.
+  const WalkShape shape{4, true, false, Draw::roulette};
+  World world(shape, 64, 64, 3);
   alignas(32) const float row[8] = {1, 1, 0, 0, 0.75f, 0.25f, 0, 0};
-  const auto draw = walk_table(GetParam()).draw[WalkShape{4, true, false}.index()];
+  const auto draw = walk_table(GetParam()).draw[shape.index()];
   int first = 0;
-  constexpr int kDraws = 1 << 16;
-  for (std::uint32_t i = 0; i < kDraws; ++i) first += draw(world.view, row, 0xf, 8, i << 16) == 0;
-  // Shares 1/8 pheromone, 2/8 distance, 5/8 combined.
-  EXPECT_NEAR(first, (0.125 * 0.5 + 0.25 * 0.75 + 0.625 * 0.75) * kDraws, 4);
+  constexpr std::uint32_t kDraws = 1 << 16;
+  for (std::uint32_t i = 0; i < kDraws; ++i) {
+    const std::uint32_t word = i << 16;
+    first += draw(world.view, row, 0xf, kMaxMoves, &word) == 0;
+  }
+  EXPECT_NEAR(first, (0.125 * 1 + 0.125 * 0.5 + 0.25 * 0.75 + 0.5 * 0.75) * kDraws, 4);
+}
+
+TEST_P(EveryIsa, DiscardLeavesAMoveAsOftenAsSuccessiveDiscardsWould) {
+  // Weights 1, 2, 3: move 0 is left with probability P(discard 2 then 1) + P(discard 1 then 2) =
+  // 3/6 * 2/3 + 2/6 * 3/4 = 7/12; move 1: 3/6 * 1/3 + 1/6 * 3/5 = 4/15; move 2: 3/20.
+  const WalkShape shape{4, false, false, Draw::discard};
+  World world(shape, 64, 64, 3);
+  alignas(32) const float row[4] = {1, 2, 3, 5};
+  const auto draw = walk_table(GetParam()).draw[shape.index()];
+  std::array<int, 4> left{};
+  std::mt19937 random(1);
+  constexpr int kDraws = 400000;
+  for (int i = 0; i < kDraws; ++i) {
+    std::array<std::uint32_t, 4> words;
+    for (auto& word : words) word = static_cast<std::uint32_t>(random());
+    ++left[draw(world.view, row, 0b0111, kMaxMoves, words.data())];
+  }
+  // Five standard errors of a share near a half.
+  const double tolerance = 5 * std::sqrt(0.25 / kDraws);
+  EXPECT_NEAR(left[0] / double{kDraws}, 7.0 / 12, tolerance);
+  EXPECT_NEAR(left[1] / double{kDraws}, 4.0 / 15, tolerance);
+  EXPECT_NEAR(left[2] / double{kDraws}, 3.0 / 20, tolerance);
+  EXPECT_EQ(left[3], 0);
 }
 
 TEST_P(EveryIsa, WalksAsTheScalarReferenceHoweverManyTogether) {
-  for (const WalkShape shape : kShapes) {
+  for (const WalkShape shape : all_shapes()) {
     World world(shape, 100, 70, 11);
     const auto reference = world.walk(Isa::scalar, 20, 1, 1000000);
     EXPECT_EQ(world.walk(GetParam(), 20, 1, 1), reference) << name(shape);
@@ -190,7 +253,7 @@ TEST_P(EveryIsa, WalksAsTheScalarReferenceHoweverManyTogether) {
 }
 
 TEST_P(EveryIsa, NeverEntersACellTwiceAndEndsAtTheGoal) {
-  for (const WalkShape shape : kShapes) {
+  for (const WalkShape shape : all_shapes()) {
     World world(shape, 90, 60, 2);
     int arrived = 0;
     for (const auto& ant : world.walk(GetParam(), 30, 8, 128)) {
@@ -207,8 +270,9 @@ TEST_P(EveryIsa, NeverEntersACellTwiceAndEndsAtTheGoal) {
       }
       for (const auto c : ant.dead) EXPECT_TRUE(enter(c));
       EXPECT_EQ(at, ant.state == WalkState::arrived ? world.view.goal : world.view.start);
-      EXPECT_EQ(ant.steps, static_cast<std::int64_t>(ant.moves.size() + 2 * ant.dead.size()) +
-                               (ant.state == WalkState::lost));
+      const auto steps = static_cast<std::int64_t>(ant.moves.size() + 2 * ant.dead.size()) +
+                         (ant.state == WalkState::lost);
+      EXPECT_EQ(ant.steps, steps * (shape.draw == Draw::discard ? shape.lanes : 1));
       arrived += ant.state == WalkState::arrived;
     }
     EXPECT_GT(arrived, 0) << name(shape);
@@ -216,7 +280,7 @@ TEST_P(EveryIsa, NeverEntersACellTwiceAndEndsAtTheGoal) {
 }
 
 TEST_P(EveryIsa, AKilledAntStopsAtItsFirstDeadEnd) {
-  World world({4, false, false}, 64, 64, 9);
+  World world({4, false, false, Draw::roulette}, 64, 64, 9);
   world.view.backtrack = false;
   int lost = 0;
   for (const auto& ant : world.walk(GetParam(), 50, 8, 128)) {
@@ -240,17 +304,6 @@ TEST(VisitedPlane, MarksWhatItsWindowsSee) {
     }
     plane.clear(pack(x, 2));
     EXPECT_EQ(words, std::vector<std::uint64_t>(words.size())) << x;
-  }
-}
-
-TEST(Moves, StandInScanOrder) {
-  const Moves four = moves_of(4), eight = moves_of(8);
-  EXPECT_EQ(four.count, 4);
-  EXPECT_EQ(eight.count, 8);
-  const std::array<std::pair<int, int>, 8> expected{
-      {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
-  for (int k = 0; k < 8; ++k) {
-    EXPECT_EQ(std::pair(int{eight.dx[k]}, int{eight.dy[k]}), expected[k]);
   }
 }
 

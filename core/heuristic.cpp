@@ -1,0 +1,126 @@
+#include "heuristic.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <queue>
+#include <tuple>
+
+#include "kernels/power.h"
+
+namespace lasius {
+namespace {
+
+constexpr double kNearest = 0.5;  // cells: the goal itself is not at distance 0 from its weight
+
+double distance(Cell a, Cell b) noexcept {
+  const double dx = a.x - b.x, dy = a.y - b.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+Cell operator+(Cell c, kernels::Offset o) noexcept { return {c.x + o.dx, c.y + o.dy}; }
+
+}  // namespace
+
+void HeuristicRows::reset(const Grid& grid, const kernels::Moves& moves, Cell goal,
+                          const Params& params, const StopCondition& stop) {
+  grid_ = &grid;
+  moves_ = moves;
+  goal_ = goal;
+  params_ = params;
+  distances_.clear();
+  if (params.heuristic == Heuristic::distance_field) measure_distances(stop);
+}
+
+bool HeuristicRows::exists(Cell c, const kernels::Move& move) const noexcept {
+  if (grid_->blocked(c + move.to)) return false;
+  for (int i = 0; i < move.swept_count; ++i) {
+    if (grid_->blocked(c + move.swept[i])) return false;
+  }
+  if (params_.corners == Corners::allow) return true;
+  const int needed = params_.corners == Corners::forbid ? 2 : 1;
+  for (int i = 0; i < move.corner_count; ++i) {
+    const auto& [a, b] = move.corners[i];
+    if (grid_->free(c + a) + grid_->free(c + b) < needed) return false;
+  }
+  return true;
+}
+
+void HeuristicRows::fill(Cell c, double beta, float* row) const {
+  std::fill_n(row, moves_.count, 0.0f);
+  if (grid_->blocked(c)) return;
+  // Dmax of equation 4 is over all free cells around, whether or not a corner closes the move.
+  double farthest = 0;
+  for (int k = 0; k < moves_.count; ++k) {
+    const Cell to = c + moves_[k].to;
+    if (grid_->free(to)) farthest = std::max(farthest, distance(to, goal_));
+  }
+  std::array<double, kernels::kMaxMoves> values{};
+  double largest = 0;
+  for (int k = 0; k < moves_.count; ++k) {
+    if (!exists(c, moves_[k])) continue;
+    values[k] = value(c, c + moves_[k].to, beta, farthest);
+    largest = std::max(largest, values[k]);
+  }
+  for (int k = 0; k < moves_.count; ++k) {
+    if (values[k] > 0) row[k] = static_cast<float>(std::max(values[k] / largest, kSmallest));
+  }
+}
+
+double HeuristicRows::value(Cell c, Cell to, double beta, double farthest) const noexcept {
+  using kernels::power;
+  switch (params_.heuristic) {
+    case Heuristic::uniform:
+    case Heuristic::learned:
+      break;
+    case Heuristic::rescaled_distance:
+      return power((farthest - distance(to, goal_)) * params_.omega + params_.mu, params_.lambda);
+    case Heuristic::inverse_distance:
+      return power(std::max(distance(to, goal_), kNearest), -beta);
+    case Heuristic::distance:
+      return power(std::max(distance(to, goal_), kNearest), beta);
+    case Heuristic::goal_angle: {
+      const double h = kernels::angle_between(to.x - c.x, to.y - c.y, goal_.x - c.x, goal_.y - c.y);
+      return power(1 + h / (std::numbers::pi / 4), -beta);
+    }
+    case Heuristic::distance_field: {
+      const double d = distances_[static_cast<std::size_t>(to.y) * grid_->width() + to.x];
+      return power(std::max(d, kNearest), -beta);
+    }
+  }
+  return 1;
+}
+
+void HeuristicRows::measure_distances(const StopCondition& stop) {
+  // Dijkstra from the goal, over 4 or 8 neighbours under the corner rule. Moves can be walked both
+  // ways: what closes a corner lies beside it.
+  const auto steps = kernels::moves_of(moves_.count == 4 ? kernels::Neighbourhood::four
+                                                         : kernels::Neighbourhood::eight);
+  const auto index = [&](Cell c) { return static_cast<std::size_t>(c.y) * grid_->width() + c.x; };
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  distances_.assign(static_cast<std::size_t>(grid_->width()) * grid_->height(), kFar);
+  using Item = std::tuple<float, int, int>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> open;
+  distances_[index(goal_)] = 0;
+  open.emplace(0.0f, goal_.y, goal_.x);
+  Poller poller(stop);
+  while (!open.empty() && !poller.stop_after(steps.count)) {
+    const auto [length, y, x] = open.top();
+    open.pop();
+    const Cell c{x, y};
+    if (length > distances_[index(c)]) continue;
+    for (int k = 0; k < steps.count; ++k) {
+      if (!exists(c, steps[k])) continue;
+      const Cell to = c + steps[k].to;
+      const float through = length + static_cast<float>(steps[k].length);
+      if (through >= distances_[index(to)]) continue;
+      distances_[index(to)] = through;
+      open.emplace(through, to.y, to.x);
+    }
+  }
+  std::replace(distances_.begin(), distances_.end(), kFar, 0.0f);
+}
+
+}  // namespace lasius

@@ -1,0 +1,19 @@
+// The published algorithms: one function a source, each a value of Params.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "lasius/params.h"
+
+namespace lasius {
+
+/// The parameters that every grid colony reads.
+std::span<const Parameter> colony_parameters() noexcept;
+/// Those of the genetic comparator.
+std::span<const Parameter> genetic_parameters() noexcept;
+
+/// @throws Error(invalid_parameter) for an unknown name, with the nearest known one.
+const Algorithm& find_algorithm(std::string_view name);
+
+}  // namespace lasius
