@@ -28,6 +28,10 @@ constexpr double kBucketWidth = 0.125;  // cells
 constexpr double kAntWeight = 1.2;
 constexpr std::int64_t kFirstAnts = 16;
 constexpr std::int64_t kAntShare = 8;
+// With a target gap: the ants that are sent first, and their share later. Where they do not arrive
+// soon (mazes, dense noise), the paths they find would mostly be found again by shorter ways.
+constexpr std::int64_t kHurriedAnts = 131072;
+constexpr std::int64_t kHurriedShare = 4;
 // Without a hurry, a search that is soon over is not held up by ants for longer than this.
 constexpr std::int64_t kAntsPatience = 256;
 
@@ -274,7 +278,7 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   trail_.reset(ant_weight_ * lower_, kBucketWidth);
   expand(CornerTable::kStart);
   std::int64_t next_ants = kFirstAnts;
-  if (hurry) send_ants(std::numeric_limits<std::int64_t>::max(), poller);
+  if (hurry) send_ants(kHurriedAnts, poller);
   std::uint32_t index = 0;
   while (!poller.stopped() && next_corner(index)) {
     if (upper_ - lower_ <= options.target_gap * lower_) break;
@@ -284,7 +288,7 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
     if (counters_.expansions > kAntsPatience && !patient) {
       ants_out_ = false;
     } else {
-      send_ants(counters_.expansions / kAntShare, poller);
+      send_ants(counters_.expansions / (hurry ? kHurriedShare : kAntShare), poller);
       next_ants = counters_.expansions * 2;
     }
   }
