@@ -18,18 +18,21 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Processor time of all threads, from its construction: what other programs do does not count.
-class ProcessorStopwatch {
+/// Processor time, from its construction: what other programs do does not count.
+template <clockid_t kClock>
+class ProcessorClock {
  public:
   double seconds() const { return now() - start_; }
 
  private:
   static double now() {
     std::timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    clock_gettime(kClock, &t);
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
   }
   double start_ = now();
 };
+using ProcessorStopwatch = ProcessorClock<CLOCK_PROCESS_CPUTIME_ID>;  ///< of all threads
+using ThreadStopwatch = ProcessorClock<CLOCK_THREAD_CPUTIME_ID>;      ///< of this one
 
 }  // namespace lasius::bench

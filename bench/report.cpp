@@ -103,7 +103,9 @@ void write_markdown(std::ostream& out, std::span<const MapComparison> maps,
   for (const MapComparison& map : maps) queries += map.optima.size();
   out << machine_line() << ". One thread; " << maps.size() << " maps, " << queries
       << " queries, the median of up to " << options.rounds
-      << " rounds each, planners taking turns; " << seeds << ".\n\n";
+      << " rounds each, planners taking turns; wall clock, or processor time where a query was "
+         "interrupted; "
+      << seeds << ".\n\n";
 
   out << "Mean time of a query, microseconds:\n\n";
   write_table(
