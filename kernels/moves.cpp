@@ -11,11 +11,16 @@ bool belongs(Neighbourhood neighbourhood, int dx, int dy) noexcept {
   const int reach = ax > ay ? ax : ay;
   const bool straight = ax == 0 || ay == 0 || ax == ay;  // one of the 8 directions
   switch (neighbourhood) {
-    case Neighbourhood::four: return ax + ay == 1;
-    case Neighbourhood::eight: return reach == 1;
-    case Neighbourhood::sixteen: return straight && (reach == 1 || reach == 2);
-    case Neighbourhood::sixteen_knight: return reach == 1 || ax * ay == 2;
-    case Neighbourhood::twenty_four: return reach == 1 || reach == 2;
+    case Neighbourhood::four:
+      return ax + ay == 1;
+    case Neighbourhood::eight:
+      return reach == 1;
+    case Neighbourhood::sixteen:
+      return straight && (reach == 1 || reach == 2);
+    case Neighbourhood::sixteen_knight:
+      return reach == 1 || ax * ay == 2;
+    case Neighbourhood::twenty_four:
+      return reach == 1 || reach == 2;
     case Neighbourhood::thirty_two:
       return reach == 1 || reach == 2 || (straight && reach == 3);
   }

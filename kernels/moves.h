@@ -7,8 +7,8 @@
 namespace lasius::kernels {
 
 inline constexpr int kMaxMoves = 32;
-inline constexpr int kMaxReach = 3;   ///< cells that a move goes at most, along x or y
-inline constexpr int kMaxSwept = 6;   ///< cells that a move sweeps at most, its ends not counted
+inline constexpr int kMaxReach = 3;  ///< cells that a move goes at most, along x or y
+inline constexpr int kMaxSwept = 6;  ///< cells that a move sweeps at most, its ends not counted
 
 enum class Neighbourhood {
   four,            ///< along x or y

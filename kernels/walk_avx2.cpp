@@ -112,8 +112,8 @@ struct Row<8> {
 struct Avx2Ops {
   /// As ScalarOps::roulette; rows of more than eight moves take several registers.
   template <int kLanes, bool kMixture, bool kFactor>
-  LASIUS_TARGET [[gnu::always_inline]] static int roulette(const WalkWorld& world,
-                                                           const float* row, std::uint32_t open,
+  LASIUS_TARGET [[gnu::always_inline]] static int roulette(const WalkWorld& world, const float* row,
+                                                           std::uint32_t open,
                                                            std::uint32_t previous,
                                                            std::uint32_t random) noexcept {
     constexpr int kWidth = kLanes == 4 ? 4 : 8;
@@ -140,7 +140,8 @@ struct Avx2Ops {
       weight[part] = R::only(w, open >> k);
       positive |= R::less(R::all(0), weight[part]) << k;
     }
-    if (positive == 0) [[unlikely]] return -1;
+    if (positive == 0) [[unlikely]]
+      return -1;
     if (rule == kGreedyRule) {
       auto most = weight[0];
       for (int part = 1; part < kParts; ++part) most = R::larger(most, weight[part]);
@@ -164,7 +165,8 @@ struct Avx2Ops {
       hit |= R::less(threshold, sums[part]) << (part * kWidth);
     }
     hit &= positive;
-    if (hit == 0) [[unlikely]] return 31 - __builtin_clz(positive);
+    if (hit == 0) [[unlikely]]
+      return 31 - __builtin_clz(positive);
     return __builtin_ctz(hit);
   }
 

@@ -44,8 +44,9 @@ struct Walk {
   }
 
   /// Bit k set where move k leads to a cell that the ant has not entered.
-  LASIUS_TARGET [[gnu::always_inline]] static std::uint32_t open_moves(
-      const WalkWorld& world, const VisitedPlane& visited, PackedCell at) noexcept {
+  LASIUS_TARGET [[gnu::always_inline]] static std::uint32_t open_moves(const WalkWorld& world,
+                                                                       const VisitedPlane& visited,
+                                                                       PackedCell at) noexcept {
     const std::uint64_t* word = visited.word(at);
     const int bit = VisitedPlane::bit(at);
     if constexpr (kLanes > 8) {
@@ -85,7 +86,8 @@ struct Walk {
     const int x = packed_x(at), y = packed_y(at);
     const int tile = (y >> kTileShift) * world.tiles_x + (x >> kTileShift);
     const float* rows = __atomic_load_n(world.tiles + tile, __ATOMIC_ACQUIRE);
-    if (rows == nullptr) [[unlikely]] rows = world.make_tile(world.context, tile);
+    if (rows == nullptr) [[unlikely]]
+      rows = world.make_tile(world.context, tile);
     const float* row = rows + ((y % kTileSide) * kTileSide + x % kTileSide) * kRow;
 
     const std::uint32_t open = open_moves(world, slot.visited, at);
@@ -101,10 +103,11 @@ struct Walk {
     } else {
       if (slot.random_used == WalkSlot::kRandomWords) refill(world, slot);
       const std::uint32_t random = slot.random[slot.random_used++];
-      move = LASIUS_OPS::roulette<kLanes, kMixture, kFactor>(world, row, open, slot.previous,
-                                                             random);
+      move =
+          LASIUS_OPS::roulette<kLanes, kMixture, kFactor>(world, row, open, slot.previous, random);
     }
-    if (move < 0) [[unlikely]] return take_back(world, slot);
+    if (move < 0) [[unlikely]]
+      return take_back(world, slot);
 
     slot.at = at + static_cast<PackedCell>(world.delta[move]);
     slot.previous = static_cast<std::uint32_t>(move);
@@ -137,12 +140,12 @@ struct Walk {
 /// Enters the six kernels of a lane count.
 template <int kLanes>
 constexpr void enter(WalkTable& table) {
-  const auto set = [&]<bool kMixture, bool kFactor, Draw kDraw>(
-                       Walk<kLanes, kMixture, kFactor, kDraw>) {
-    const int i = WalkShape{kLanes, kMixture, kFactor, kDraw}.index();
-    table.walk[i] = &Walk<kLanes, kMixture, kFactor, kDraw>::walk;
-    table.draw[i] = &Walk<kLanes, kMixture, kFactor, kDraw>::draw;
-  };
+  const auto set =
+      [&]<bool kMixture, bool kFactor, Draw kDraw>(Walk<kLanes, kMixture, kFactor, kDraw>) {
+        const int i = WalkShape{kLanes, kMixture, kFactor, kDraw}.index();
+        table.walk[i] = &Walk<kLanes, kMixture, kFactor, kDraw>::walk;
+        table.draw[i] = &Walk<kLanes, kMixture, kFactor, kDraw>::draw;
+      };
   set(Walk<kLanes, false, false, Draw::roulette>{});
   set(Walk<kLanes, true, false, Draw::roulette>{});
   set(Walk<kLanes, false, true, Draw::roulette>{});

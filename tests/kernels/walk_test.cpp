@@ -29,11 +29,16 @@ std::vector<WalkShape> all_shapes() {
 
 Neighbourhood neighbourhood(int lanes) {
   switch (lanes) {
-    case 4: return Neighbourhood::four;
-    case 8: return Neighbourhood::eight;
-    case 16: return Neighbourhood::sixteen_knight;
-    case 24: return Neighbourhood::twenty_four;
-    default: return Neighbourhood::thirty_two;
+    case 4:
+      return Neighbourhood::four;
+    case 8:
+      return Neighbourhood::eight;
+    case 16:
+      return Neighbourhood::sixteen_knight;
+    case 24:
+      return Neighbourhood::twenty_four;
+    default:
+      return Neighbourhood::thirty_two;
   }
 }
 
