@@ -133,6 +133,35 @@ std::optional<Cell> Planner::nearest_free(Cell c) const {
   return best;
 }
 
+namespace {
+
+Result run_exact(const Grid& grid, const Request& request, Workspace::Impl& workspace) {
+  ExactAnswer& answer = workspace.exact_answer;
+  workspace.exact.search(grid, request.start, request.goal, {.target_gap = request.target_gap},
+                         request.stop, answer);
+  Result result;
+  switch (answer.end) {
+    case ExactEnd::proven:
+    case ExactEnd::target_gap:
+      result.status = Status::solved;
+      break;
+    case ExactEnd::unreachable:
+      result.status = Status::unreachable;
+      return result;
+    case ExactEnd::stopped:
+      result.status =
+          answer.cause == StopCondition::Cause::token ? Status::interrupted : Status::limit;
+      break;
+  }
+  result.path = answer.path;
+  if (!result.path.empty()) result.length = answer.length;
+  result.lower_bound = answer.lower_bound;
+  result.optimal = answer.optimal;
+  return result;
+}
+
+}  // namespace
+
 Result Planner::plan(const Request& request, const Params& params, Workspace* workspace,
                      const Observer& observer) const {
   validate(params);
@@ -158,8 +187,9 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
     result.optimal = true;
     return result;
   }
-  // With 4 neighbours no corner is ever passed, whatever the rule.
-  const Corners corners = params.neighbours == Neighbours::four ? Corners::forbid : params.corners;
+  // Any-angle paths never squeeze, and with 4 neighbours no corner is ever passed.
+  const bool squeezes = params.algorithm != "exact" && params.neighbours != Neighbours::four;
+  const Corners corners = squeezes ? params.corners : Corners::forbid;
   if (!connected(request.start, request.goal, corners)) {
     result.status = Status::unreachable;
     result.error = "start " + name(request.start) + " and goal " + name(request.goal) +
@@ -169,7 +199,9 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
 
   std::optional<Workspace> own;
   if (workspace == nullptr) workspace = &own.emplace();
-  if (params.algorithm == "grid-ga") {
+  if (params.algorithm == "exact") {
+    result = run_exact(grid, request, workspace->impl());
+  } else if (params.algorithm == "grid-ga") {
     const auto joined = [&](Cell c) { return connected(request.start, c, corners); };
     result = run_grid_ga(grid, request, params, joined, observer);
   } else {

@@ -10,6 +10,9 @@
 namespace lasius {
 namespace {
 
+/// Nothing to set: where it ends is in the request.
+Params exact() { return {}; }
+
 /// Fan, Luo, Yi & Zhang 2004, section 4; omega, mu, lambda from note 1, exponents from note 2. The
 /// source gives no weights for the roulette between its rules and no Q and tau0: with a = min(1,
 /// q / mc) the shares are 0.1 a, 1 - 0.9 a and 0.8 a, and Q / tau0 = 100. It does not say what an
@@ -153,56 +156,53 @@ struct Preset {
 };
 
 const std::array kPresets{
+    Preset{{"exact",
+            "the shortest any-angle path, with a proof; before that the best path so far with a "
+            "certified gap",
+            "lasius: ants on taut corners, see ARCHITECTURE.md",
+            {}},
+           exact},
     Preset{{"fan2004",
             "bitmaps of many irregular obstacles: pheromone, rescaled distance and their product "
             "mixed by roulette, exponents that vary with time, tours pulled straight",
             "Fan, Luo, Yi, Zhang: Path planning for robots based on ant colony optimization "
             "algorithm under complex environment. Control and Decision 19 (2), 2004",
-            {}},
+            colony_parameters()},
            fan2004},
-    Preset{{"as",
-            "ant system, the classic: visibility 1 / distance to the goal",
+    Preset{{"as", "ant system, the classic: visibility 1 / distance to the goal",
             "Dorigo, Maniezzo, Colorni: Ant System: optimization by a colony of cooperating "
             "agents. IEEE Trans. SMC-B 26 (1), 1996",
-            {}},
+            colony_parameters()},
            ant_system},
-    Preset{{"eas",
-            "elitist ant system: the best tour so far deposits as well",
+    Preset{{"eas", "elitist ant system: the best tour so far deposits as well",
             "Dorigo, Stuetzle: Ant Colony Optimization. MIT Press, 2004, section 3.3.2",
-            {}},
+            colony_parameters()},
            elitist},
-    Preset{{"ras",
-            "rank-based ant system: the best ants deposit, weighted by rank",
+    Preset{{"ras", "rank-based ant system: the best ants deposit, weighted by rank",
             "Bullnheimer, Hartl, Strauss: A new rank-based version of the Ant System. Central "
             "European J. for Operations Research 7 (1), 1999",
-            {}},
+            colony_parameters()},
            rank_based},
-    Preset{{"mmas",
-            "MAX-MIN ant system: one best ant deposits, pheromone between bounds",
+    Preset{{"mmas", "MAX-MIN ant system: one best ant deposits, pheromone between bounds",
             "Stuetzle, Hoos: MAX-MIN Ant System. Future Generation Computer Systems 16 (8), 2000",
-            {}},
+            colony_parameters()},
            max_min},
-    Preset{{"acs",
-            "ant colony system: pseudo-random proportional rule, local and global update",
+    Preset{{"acs", "ant colony system: pseudo-random proportional rule, local and global update",
             "Dorigo, Gambardella: Ant Colony System: a cooperative learning approach to the "
             "traveling salesman problem. IEEE Trans. Evolutionary Computation 1 (1), 1997",
-            {}},
+            colony_parameters()},
            colony_system},
     Preset{{"terminal-index",
             "the best known way from each cell in place of pheromone, moves discarded one by one",
-            "Li, Wang, Ma: ant colony path planning with a terminal index",
-            {}},
+            "Li, Wang, Ma: ant colony path planning with a terminal index", colony_parameters()},
            terminal_index},
-    Preset{{"cong2009",
-            "one ant at a time, learned heuristic, penalties for dead ends",
+    Preset{{"cong2009", "one ant at a time, learned heuristic, penalties for dead ends",
             "Cong, Ponnambalam: Mobile robot path planning using ant colony optimization. "
             "IEEE/ASME Int. Conf. on Advanced Intelligent Mechatronics, 2009",
-            {}},
+            colony_parameters()},
            cong2009},
-    Preset{{"lecture-grid",
-            "heading change as heuristic, the best ants deposit",
-            "lecture on ant algorithms for robot path planning, grid part",
-            {}},
+    Preset{{"lecture-grid", "heading change as heuristic, the best ants deposit",
+            "lecture on ant algorithms for robot path planning, grid part", colony_parameters()},
            lecture_grid},
     Preset{
         {"grid-ga", "genetic algorithm, the comparator: paths of cells that cross where they meet",
@@ -214,10 +214,7 @@ const std::array kPresets{
 
 const auto kAlgorithms = [] {
   std::array<Algorithm, kPresets.size()> list;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    list[i] = kPresets[i].algorithm;
-    if (list[i].parameters.empty()) list[i].parameters = colony_parameters();
-  }
+  for (std::size_t i = 0; i < list.size(); ++i) list[i] = kPresets[i].algorithm;
   return list;
 }();
 

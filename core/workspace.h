@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "exact.h"
 #include "field.h"
 #include "lasius/planner.h"
 #include "polish.h"
@@ -20,6 +21,8 @@ class Workspace::Impl {
   std::vector<int> ranking;  // of the ants
   Ant answer;                // of a colony whose ants only teach it
   Polisher polisher;
+  ExactSearch exact;
+  ExactAnswer exact_answer;
 };
 
 }  // namespace lasius

@@ -85,10 +85,11 @@ enum class Reward {
   affine,  ///< tau <- tau reward rows / L + 1
 };
 
-/// Parameters of one plan. Fields that an algorithm does not use are ignored by it; its own list,
-/// with ranges, is in `algorithms()`, its published values in `defaults()`.
+/// Parameters of one plan: as given here those of `exact`, which needs none, and the colony's of
+/// `fan2004`. Fields that an algorithm does not use are ignored by it; its own list, with ranges,
+/// is in `algorithms()`, its published values in `defaults()`.
 struct Params {
-  std::string algorithm = "fan2004";
+  std::string algorithm = "exact";
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
   int threads = 0;         ///< 0: as many as OpenMP gives; never changes the answer
 
