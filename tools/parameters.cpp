@@ -31,6 +31,16 @@ bool set_common(Params& params, std::string_view name, std::string_view value) {
   return has_parameter(find_algorithm(params.algorithm), name);
 }
 
+namespace {
+
+std::vector<std::string_view> names_of(const Algorithm& algorithm) {
+  std::vector<std::string_view> names;
+  for (const auto& parameter : algorithm.parameters) names.push_back(parameter.name);
+  return names;
+}
+
+}  // namespace
+
 void set_named(Params& params, std::string_view setting) {
   const auto equals = setting.find('=');
   if (equals == std::string_view::npos)
@@ -38,11 +48,14 @@ void set_named(Params& params, std::string_view setting) {
   const auto name = setting.substr(0, equals);
   const auto& algorithm = find_algorithm(params.algorithm);
   if (!has_parameter(algorithm, name)) {
-    std::vector<std::string_view> known;
-    for (const auto& parameter : algorithm.parameters) known.push_back(parameter.name);
-    throw UsageError("--set " + std::string(setting) + ": " + params.algorithm +
-                     " has no parameter \"" + std::string(name) + "\"; " +
-                     did_you_mean(name, known));
+    const auto unknown = "--set " + std::string(setting) + ": " + params.algorithm +
+                         " has no parameter \"" + std::string(name) + "\"; ";
+    if (!algorithm.parameters.empty())
+      throw UsageError(unknown + did_you_mean(name, names_of(algorithm)));
+    // One that needs none was meant for another.
+    const Algorithm& other = algorithms()[1];
+    throw UsageError(unknown + "it takes none. " + std::string(other.name) +
+                     " has: " + did_you_mean(name, names_of(other)));
   }
   set_parameter(params, name, setting.substr(equals + 1));
 }

@@ -165,6 +165,33 @@ class Json(ProgramTest):
         self.assertEqual([key for key in result if key not in KEYS], ["optimum", "optimum_gap"])
 
 
+class Exact(ProgramTest):
+    """The default algorithm."""
+
+    def exact(self, *arguments):
+        return self.plan("--algorithm", "exact", "--json", *arguments)
+
+    def test_it_is_the_default(self):
+        run = self.run_program("algorithms", "--json")
+        self.assertEqual(run.json[0]["name"] if isinstance(run.json, list)
+                         else run.json["algorithms"][0]["name"], "exact")
+
+    def test_its_path_is_proven(self):
+        result = self.exact().json
+        self.assertEqual((result["status"], result["optimal"], result["gap"]), ("solved", True, 0))
+        self.assertEqual(result["length"], result["lower_bound"])
+        self.assertEqual((result["iterations"], result["best"], result["mean"]), (0, [], []))
+
+    def test_gap_adds_the_optimum_to_any_algorithm(self):
+        best = self.exact().json["length"]
+        result = self.plan("--gap", "--json").json
+        self.assertEqual(result["optimum"], best)
+        self.assertAlmostEqual(result["optimum_gap"], result["length"] / best - 1)
+
+    def test_parameters_of_others_are_named(self):
+        self.refused(self.exact("--set", "alhpa=1"), 2, "takes none", "alpha")
+
+
 class Text(ProgramTest):
     def test_status_length_and_one_vertex_a_line(self):
         result = self.plan("--json").json

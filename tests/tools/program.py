@@ -71,14 +71,23 @@ class ProgramTest(unittest.TestCase):
         with open(self.path(name), "rb") as file:
             return file.read()
 
+    # Most tests want iterations to look at, which the default algorithm has not.
+    algorithm = "fan2004"
+
+    def command(self, arguments):
+        words = [PROGRAM, *map(str, arguments)]
+        if words[1:2] not in (["plan"], ["batch"]) or "--algorithm" in words:
+            return words
+        return words[:2] + ["--algorithm", self.algorithm] + words[2:]
+
     def run_program(self, *arguments, env=None, **options):
-        return Run(subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder,
+        return Run(subprocess.run(self.command(arguments), cwd=self.folder,
                                   env=environment(env), stdin=subprocess.DEVNULL,
                                   capture_output=True, text=True, timeout=120, check=False,
                                   **options))
 
     def start_program(self, *arguments, **options):
-        return subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder,
+        return subprocess.Popen(self.command(arguments), cwd=self.folder,
                                 env=environment(None), stdin=subprocess.DEVNULL,
                                 stdout=options.pop("stdout", subprocess.PIPE),
                                 stderr=subprocess.PIPE, **options)

@@ -21,7 +21,7 @@ class Outputs(ProgramTest):
                 read_end, write_end = os.pipe()
                 os.close(read_end)
                 try:
-                    run = Run(subprocess.run([PROGRAM, *arguments], cwd=self.folder,
+                    run = Run(subprocess.run(self.command(arguments), cwd=self.folder,
                                              stdin=subprocess.DEVNULL, stdout=write_end,
                                              stderr=subprocess.PIPE, text=True, timeout=120,
                                              env=environment(None), check=False))
