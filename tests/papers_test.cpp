@@ -1,11 +1,15 @@
 // The formulas of the papers with numbers worked by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "field.h"
 #include "lasius/planner.h"
 #include "schedule.h"
+#include "update.h"
 
 namespace lasius {
 namespace {
@@ -153,6 +157,175 @@ TEST(AntSystem, PheromoneLiesOnTheArcsWalked) {
   });
   EXPECT_NEAR(on_arc, 0.7 + 0.25, 1e-6);
   EXPECT_NEAR(off, 0.7, 1e-6);
+}
+
+// Updates. On a free 20 x 20 grid ants walk from (2, 2): east is move 4 of 8, north-east move 2.
+
+constexpr std::uint8_t kEast = 4, kNorthEast = 2;
+
+struct Trail20 {
+  explicit Trail20(Params p, double tau0 = 1) : params(std::move(p)), rows(grid, {10, 2}, params) {
+    rows.field.reset(grid, rows.moves, {10, 2}, params, tau0, {});
+  }
+  void walk(std::vector<std::uint8_t> moves, bool arrived = true) {
+    walked.push_back(std::move(moves));
+    double length = 0;
+    for (const int k : walked.back()) length += rows.moves[k].length;
+    lengths.push_back(arrived ? length : std::nan(""));
+  }
+  void update(int best_so_far = -1, int iteration = 0) {
+    std::vector<Tour> ants;
+    for (std::size_t a = 0; a < walked.size(); ++a) ants.push_back({walked[a], lengths[a]});
+    std::vector<int> ranking;
+    const Tour none{{}, std::nan("")};
+    update_trail(rows.field, params,
+                 {.start = {2, 2},
+                  .moves = rows.moves,
+                  .ants = ants,
+                  .best_so_far = best_so_far < 0 ? none : ants[best_so_far],
+                  .iteration = iteration,
+                  .rows = 20,
+                  .ranking = ranking});
+  }
+  double tau(int x, int y, int move = 0) const { return rows.field.tau({x, y}, move); }
+
+  Grid grid{20, 20};
+  Params params;
+  Rows rows;
+  std::vector<std::vector<std::uint8_t>> walked;
+  std::vector<double> lengths;
+};
+
+TEST(Elitist, TheBestTourSoFarDepositsAgain) {
+  // Evaporation 0.5, e = 30, Q = 1: 0.5 + 1/2 on the tour of length 2, and 30/2 more as the best.
+  Trail20 trail(defaults("eas"));
+  trail.walk({kEast, kEast});
+  trail.walk({kNorthEast});
+  trail.update(0);
+  EXPECT_NEAR(trail.tau(2, 2, kEast), 0.5 + 0.5 + 15, 1e-5);
+  EXPECT_NEAR(trail.tau(2, 2, kNorthEast), 0.5 + 1 / std::sqrt(2.0), 1e-6);
+}
+
+TEST(RankBased, WeightsFallWithTheRank) {
+  // w = 3: rank 1 deposits 2/L, rank 2 1/L, rank 3 nothing, the best so far 3/L; evaporation 0.1.
+  Params p = defaults("ras");
+  p.ranks = 3;
+  Trail20 trail(p);
+  trail.walk({kEast, kEast, kEast, kEast});  // rank 3
+  trail.walk({kNorthEast});                  // rank 1 and best so far
+  trail.walk({kEast, kEast});                // rank 2
+  trail.update(1);
+  EXPECT_NEAR(trail.tau(2, 2, kNorthEast), 0.9 + 5 / std::sqrt(2.0), 1e-5);
+  EXPECT_NEAR(trail.tau(2, 2, kEast), 0.9 + 1.0 / 2, 1e-6);
+  EXPECT_NEAR(trail.tau(5, 2, kEast), 0.9, 1e-6);
+}
+
+TEST(MaxMin, PheromoneStaysBetweenItsBounds) {
+  // Best tour of 4 moves, L = 4, evaporation 0.02: tau_max = 1 / (0.02 * 4) = 12.5; p^(1/4) =
+  // 0.05^0.25 = 0.472871, mean choice 4: tau_min = 12.5 * 0.527129 / (3 * 0.472871) = 4.644734.
+  Trail20 trail(defaults("mmas"), 100);
+  trail.walk({kEast, kEast, kEast, kEast});
+  trail.update(0);
+  EXPECT_NEAR(trail.tau(2, 2, kEast), 12.5, 1e-4);
+  EXPECT_NEAR(trail.tau(2, 2, kNorthEast), 12.5, 1e-4);
+  for (int i = 0; i < 200; ++i) trail.update(0);  // 12.5 * 0.98^200 = 0.22 without a bound
+  EXPECT_NEAR(trail.tau(2, 2, kEast), 12.5, 1e-4);
+  EXPECT_NEAR(trail.tau(2, 2, kNorthEast), 4.644734, 1e-4);
+}
+
+TEST(AntColonySystem, OnlyTheBestTourChangesGlobally) {
+  // tau <- 0.9 * 1 + 0.1 * (1 / 2) = 0.95 on the best tour, 1 elsewhere.
+  Trail20 trail(defaults("acs"));
+  trail.walk({kEast, kEast});
+  trail.walk({kNorthEast, kNorthEast, kNorthEast});
+  trail.update(0);
+  EXPECT_NEAR(trail.tau(3, 2, kEast), 0.95, 1e-6);
+  EXPECT_NEAR(trail.tau(2, 2, kNorthEast), 1, 1e-6);
+}
+
+TEST(AntColonySystem, CrossedArcsReturnTowardTau0) {
+  // xi = 0.1, tau0 = 0.2: tau <- 0.9 * 1 + 0.1 * 0.2 = 0.92.
+  Trail20 trail(defaults("acs"));
+  const std::vector<std::uint8_t> moves{kEast};
+  const Tour tour{moves, 1};
+  std::vector<int> ranking;
+  update_locally(trail.rows.field, trail.params, 0.2,
+                 {.start = {2, 2},
+                  .moves = trail.rows.moves,
+                  .ants = {&tour, 1},
+                  .best_so_far = tour,
+                  .ranking = ranking});
+  EXPECT_NEAR(trail.tau(2, 2, kEast), 0.92, 1e-6);
+  EXPECT_NEAR(trail.tau(3, 2, kEast), 1, 1e-6);
+}
+
+TEST(LectureGrid, TheBestAntsShareTheDeposit) {
+  // Evaporation 0.1, tau0 0.5, Q = 0.5, 3 ants of which 2 deposit: 0.45 + 0.5 / 3.
+  Params p = defaults("lecture-grid");
+  p.elite_ants = 2;
+  Trail20 trail(p, 0.5);
+  trail.walk({kEast, kEast});
+  trail.walk({kEast, kEast, kEast, kEast});
+  trail.walk({kNorthEast});
+  trail.update(2);
+  EXPECT_NEAR(trail.tau(3, 1), 0.45 + 0.5 / 3, 1e-6);
+  EXPECT_NEAR(trail.tau(3, 2), 0.45 + 0.5 / 3, 1e-6);
+  EXPECT_NEAR(trail.tau(2, 2), 0.45 + 2 * 0.5 / 3, 1e-6);
+  EXPECT_NEAR(trail.tau(6, 2), 0.45, 1e-6);
+}
+
+// Li, Wang, Ma.
+
+TEST(TerminalIndex, IsTheLeastKnownWayToTheGoal) {
+  // Two ways from (2, 2) to (4, 2): straight, 2; by (3, 1), 2 sqrt(2). Unknown cells stay at 99.
+  Trail20 trail(defaults("terminal-index"), 99);
+  constexpr std::uint8_t kSouthEast = 7;
+  trail.walk({kNorthEast, kSouthEast});
+  trail.update();
+  EXPECT_NEAR(trail.tau(2, 2), 2 * std::sqrt(2.0), 1e-5);
+  trail.walk({kEast, kEast});
+  trail.update();
+  EXPECT_NEAR(trail.tau(4, 2), 0, 1e-5);
+  EXPECT_NEAR(trail.tau(3, 2), 1, 1e-5);
+  EXPECT_NEAR(trail.tau(3, 1), std::sqrt(2.0), 1e-5);
+  EXPECT_NEAR(trail.tau(2, 2), 2, 1e-5);  // the smaller value is kept
+  EXPECT_NEAR(trail.tau(9, 9), 99, 1e-4);
+}
+
+TEST(TerminalIndex, WeightsAreEquations8And9) {
+  // At (3, 2), goal (10, 2): K(4, 2) = 0 is Kmin, so K' = K; unknown 99. East: the least weight.
+  Trail20 trail(defaults("terminal-index"), 99);
+  trail.walk({kEast, kEast});
+  trail.update();
+  trail.rows.field.refresh(schedule(trail.params, 1), 1);
+  const float* w = trail.rows.of({3, 2});
+  // West, K = 2, d = 8, against north-west, K = 99, d = sqrt(65): (2/99)^0.9 (8/sqrt(65))^1.5.
+  EXPECT_NEAR(w[3] / w[0], std::pow(2.0 / 99, 0.9) * std::pow(8 / std::sqrt(65.0), 1.5), 1e-6);
+  EXPECT_EQ(std::min_element(w, w + 8) - w, kEast);
+}
+
+// Cong, Ponnambalam 2009. Four neighbours: north, west, east, south.
+
+TEST(Cong2009, SuccessMultipliesPheromoneAndTeachesTheHeuristic) {
+  // tau <- 0.8 * 3 = 2.4, then * (1 + 1.2 * 20 / 4) = 16.8; eta <- 1 + 20 / 4 = 6.
+  Trail20 trail(defaults("cong2009"), 3);
+  trail.walk({2, 2, 2, 2});
+  trail.update(0);
+  EXPECT_NEAR(trail.tau(4, 2), 16.8, 1e-5);
+  EXPECT_NEAR(trail.rows.field.eta({4, 2}), 6, 1e-6);
+  EXPECT_NEAR(trail.tau(4, 5), 2.4, 1e-6);
+  EXPECT_NEAR(trail.rows.field.eta({4, 5}), 1, 1e-6);
+}
+
+TEST(Cong2009, ADeadEndHalvesTheSecondHalfOfTheTour) {
+  Trail20 trail(defaults("cong2009"), 3);
+  trail.walk({2, 2, 2, 2}, false);
+  trail.update();
+  EXPECT_NEAR(trail.tau(3, 2), 2.4, 1e-6);
+  for (int x = 4; x <= 6; ++x) {
+    EXPECT_NEAR(trail.tau(x, 2), 1.2, 1e-6) << x;
+    EXPECT_NEAR(trail.rows.field.eta({x, 2}), 0.5, 1e-6) << x;
+  }
 }
 
 }  // namespace
