@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <limits>
 #include <string>
@@ -54,9 +55,12 @@ class Axis {
 /// 1, 2, 5 times powers of ten within [low, high].
 std::vector<double> log_ticks(double low, double high) {
   std::vector<double> marks;
-  for (double decade = std::pow(10, std::floor(std::log10(low))); decade <= high; decade *= 10)
-    for (const double factor : {1.0, 2.0, 5.0})
-      if (decade * factor >= low && decade * factor <= high) marks.push_back(decade * factor);
+  const int last = static_cast<int>(std::floor(std::log10(high)));
+  for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= last; ++decade)
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double mark = factor * std::pow(10, decade);
+      if (mark >= low && mark <= high) marks.push_back(mark);
+    }
   return marks;
 }
 
@@ -153,8 +157,9 @@ std::vector<double> ticks(double low, double high, int count) {
   const double factor = raw / decade;
   const double step = decade * (factor <= 1 ? 1 : factor <= 2 ? 2 : factor <= 5 ? 5 : 10);
   std::vector<double> marks;
-  for (double i = std::ceil(low / step - 1e-9); i * step <= high + step * 1e-9; ++i)
-    marks.push_back(i * step);
+  const auto first = static_cast<std::int64_t>(std::ceil(low / step - 1e-9));
+  const auto last = static_cast<std::int64_t>(std::floor(high / step + 1e-9));
+  for (auto i = first; i <= last; ++i) marks.push_back(static_cast<double>(i) * step);
   return marks;
 }
 

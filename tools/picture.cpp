@@ -176,8 +176,8 @@ void write_page(const std::string& file, const Grid& grid, const std::string& ti
               Align::centre, kInk, true);
   for (int i = 0; i < count; ++i) {
     const Panel& panel = panels[static_cast<std::size_t>(i)];
-    const Box place{kMargin + i % layout.columns * step_x,
-                    kMargin + kTitle + i / layout.columns * step_y, layout.place_width,
+    const int column = i % layout.columns, row = i / layout.columns;
+    const Box place{kMargin + column * step_x, kMargin + kTitle + row * step_y, layout.place_width,
                     layout.place_height};
     Box box = place;
     if (!panel.chart) {
@@ -186,11 +186,11 @@ void write_page(const std::string& file, const Grid& grid, const std::string& ti
              layout.map_height};
     }
     panel.draw(canvas, box);
-    std::string caption = panel.caption;
-    if (count > 1) caption = std::string("(") + static_cast<char>('a' + i) + ") " + caption;
-    caption = fitted(canvas, caption, 17, place.width, false);
-    canvas.text({place.x + place.width / 2, place.y + place.height + 23}, caption, 17,
-                Align::centre, kInk);
+    std::string caption;
+    if (count > 1) caption.append("(").append(1, static_cast<char>('a' + i)).append(") ");
+    caption.append(panel.caption);
+    canvas.text({place.x + place.width / 2, place.y + place.height + 23},
+                fitted(canvas, caption, 17, place.width, false), 17, Align::centre, kInk);
   }
   canvas.save(file);
 }
@@ -229,6 +229,7 @@ void write_plan_picture(const std::string& file, const PreparedMap& map, const R
   const auto tracks =
       recorder != nullptr ? recorder->tracks() : std::vector<PictureRecorder::Tracks>{};
   std::vector<Panel> panels;
+  panels.reserve(tracks.size() + 3);
   for (const auto& kept : tracks)
     panels.push_back({"tracks of all ants up to iteration " + std::to_string(kept.iterations),
                       [&](Canvas& canvas, const Box& box) {

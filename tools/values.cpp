@@ -128,7 +128,9 @@ std::vector<int> list_value(std::string_view option, std::string_view text) {
     values.push_back(*value);
     rest.remove_prefix(std::min(comma + 1, rest.size()));
   }
-  if (values.empty()) throw bad_value(option, text, "a list of whole numbers from 1, as in 10,50");
+  constexpr std::size_t kMost = 20;
+  if (values.empty() || values.size() > kMost)
+    throw bad_value(option, text, "a list of 1 to 20 whole numbers from 1, as in 10,50");
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;

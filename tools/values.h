@@ -47,7 +47,8 @@ Point pair_value(std::string_view option, std::string_view text, bool whole);
 /// "WxH". @throws UsageError.
 Cell size_value(std::string_view option, std::string_view text);
 
-/// "a,b,c": whole numbers from 1, returned in rising order without repeats. @throws UsageError.
+/// "a,b,c": at most 20 whole numbers from 1, returned in rising order without repeats. @throws
+/// UsageError.
 std::vector<int> list_value(std::string_view option, std::string_view text);
 
 /// The shortest text that reads back as the same number.

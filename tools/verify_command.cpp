@@ -3,6 +3,7 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <stop_token>
 
 #include "answer.h"
 #include "commands.h"
@@ -132,6 +133,51 @@ class Maps {
   std::optional<PreparedMap> map_;
 };
 
+/// The inputs of one result, whatever is wrong with them named by file.
+Recorded checked_inputs(const Json& recorded, const std::string& name) {
+  try {
+    return recorded_inputs(recorded);
+  } catch (const Json::exception& fault) {
+    throw broken(name, std::string("lacks an input of its run: ") + fault.what());
+  } catch (const UsageError& fault) {
+    throw broken(name, std::string("holds a bad input: ") + fault.what());
+  } catch (const Error& fault) {
+    throw broken(name, std::string("holds a bad input: ") + fault.what());
+  }
+}
+
+/// A text of a result; empty where it has none.
+std::string text_of(const Json& recorded, const char* key) {
+  const bool there = recorded.is_object() && recorded.contains(key) && recorded[key].is_string();
+  return there ? recorded[key].get<std::string>() : std::string();
+}
+
+/// Replays one result and says what is wrong. Its exit code.
+int verify(const VerifyCommand& command, const Json& recorded, const std::string& name, Maps& maps,
+           const std::stop_token& token) {
+  if (text_of(recorded, "format") != kFormat)
+    throw broken(name, std::string("is not of format ") + kFormat);
+  const std::string status = text_of(recorded, "status");
+  if (status == "limit" || status == "interrupted") {
+    message(name + ": cannot be replayed: " + (status == "limit" ? "a time limit" : "a signal") +
+            " ended it, and no clock runs twice the same");
+    return kUsage;
+  }
+  Recorded inputs = checked_inputs(recorded, name);
+  const std::string version = text_of(recorded, "version");
+  if (version != LASIUS_VERSION && !command.quiet)
+    message(name + ": made by version " + version + ", replayed by " + LASIUS_VERSION);
+  inputs.run.params.threads = command.threads;
+  const PreparedMap& map = maps.find(inputs);
+  Answer replay = answer(map, inputs.run, inputs.start, inputs.goal, {.token = token});
+  if (token.stop_requested()) return kInterrupted;
+  replay.index = inputs.index;
+  const std::string key = difference(recorded, result_json(map, inputs.run, replay));
+  if (key.empty()) return kFound;
+  message(std::string(name).append(": differs from its replay in '").append(key).append("'"));
+  return kInternal;
+}
+
 }  // namespace
 
 int run_verify(const VerifyCommand& command) {
@@ -141,43 +187,13 @@ int run_verify(const VerifyCommand& command) {
   std::size_t equal = 0;
   const auto results = read_results(command.result);
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const Json& recorded = results[i];
     const std::string name =
         results.size() > 1 ? command.result + ", result " + std::to_string(i) : command.result;
-    if (!recorded.is_object() || recorded.value("format", "") != kFormat)
-      throw broken(name, std::string("is not of format ") + kFormat);
-    const std::string status = recorded.value("status", "");
-    if (status == "limit" || status == "interrupted") {
-      message(name + ": cannot be replayed: " + (status == "limit" ? "a time limit" : "a signal") +
-              " ended it, and no clock runs twice the same");
-      if (code == kFound) code = kUsage;
-      continue;
-    }
-    Recorded inputs;
-    try {
-      inputs = recorded_inputs(recorded);
-    } catch (const Json::exception& fault) {
-      throw broken(name, std::string("lacks an input of its run: ") + fault.what());
-    } catch (const UsageError& fault) {
-      throw broken(name, std::string("holds a bad input: ") + fault.what());
-    } catch (const Error& fault) {
-      throw broken(name, std::string("holds a bad input: ") + fault.what());
-    }
-    if (recorded.value("version", "") != LASIUS_VERSION && !command.quiet)
-      message(name + ": made by version " + recorded.value("version", "?") + ", replayed by " +
-              LASIUS_VERSION);
-    inputs.run.params.threads = command.threads;
-    const PreparedMap& map = maps.find(inputs);
-    Answer replay = answer(map, inputs.run, inputs.start, inputs.goal, {.token = signals.token()});
-    if (signals.interrupted()) return kInterrupted;
-    replay.index = inputs.index;
-    const std::string key = difference(recorded, result_json(map, inputs.run, replay));
-    if (key.empty()) {
-      ++equal;
-      continue;
-    }
-    code = kInternal;
-    message(name + ": differs from its replay in '" + key + "'");
+    const int one = verify(command, results[i], name, maps, signals.token());
+    if (one == kInterrupted) return one;
+    if (one == kFound) ++equal;
+    // A difference weighs more than a result that cannot be replayed.
+    if (code != kInternal && one != kFound) code = one;
   }
   if (!command.quiet)
     print(std::to_string(equal) + " of " + std::to_string(results.size()) +

@@ -54,7 +54,8 @@ class Usage(ProgramTest):
             ("--ants", "0"), ("--ants", "-3"), ("--ants", "2.5"), ("--ants", ""),
             ("--iterations", "-1"), ("--iterations", "1e3"), ("--neighbours", "5"),
             ("--radius", "-1"), ("--radius", "nan"), ("--tracks", "0"), ("--tracks", "1,,2"),
-            ("--tracks", "1,"), ("--set", "ants"), ("--set", "=3"), ("--set", "ants="),
+            ("--tracks", "1,"),
+            ("--tracks", ",".join(map(str, range(1, 22)))), ("--set", "ants"), ("--set", "=3"), ("--set", "ants="),
             ("--set", "ants=many"), ("--set", "alpha=nan"), ("--set", "alpha=1e99"),
         ]
         for option, value in cases:

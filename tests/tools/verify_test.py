@@ -108,6 +108,7 @@ class Verify(ProgramTest):
         result = self.save()
         cases = {"missing.json": None, "empty.json": "", "text.json": "hello", "array.json": "[1]",
                  "cut.json": json.dumps(result)[:200], "other.json": '{"format": "other/1"}',
+                 "number.json": '{"format": 3}', "null.json": "null",
                  "wide.json": json.dumps({**result, "start": [1e99, 0]}),
                  "bare.json": json.dumps({"format": "lasius-plan/1", "status": "solved"}),
                  "typed.json": json.dumps({**result, "seed": "one"})}
