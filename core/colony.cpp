@@ -116,9 +116,11 @@ class Colony final : public Progress {
   // What an observer sees.
   int ants() const override { return params_.ants; }
   std::vector<Cell> tour(int ant) const override {
+    return ws_.ants.at(ant).arrived ? walk(ant) : std::vector<Cell>{};
+  }
+  std::vector<Cell> walk(int ant) const override {
     std::vector<Cell> cells;
-    const Ant& a = ws_.ants.at(ant);
-    if (a.arrived) tour_cells(a.tour(), moves_, request_.start, false, cells);
+    tour_cells(ws_.ants.at(ant).tour(), moves_, request_.start, false, cells);
     return cells;
   }
   double pheromone(Cell c) const override { return ws_.field.pheromone(c); }

@@ -64,6 +64,8 @@ class LASIUS_EXPORT Progress {
   virtual int ants() const = 0;
   /// The tour of one ant, start to goal; empty if it did not arrive.
   virtual std::vector<Cell> tour(int ant) const = 0;
+  /// The way that one ant had taken when it ended, arrived or stuck.
+  virtual std::vector<Cell> walk(int ant) const { return tour(ant); }
   /// Pheromone on a cell.
   virtual double pheromone(Cell c) const = 0;
 };
