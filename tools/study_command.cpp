@@ -2,17 +2,15 @@
 #include <filesystem>
 #include <ostream>
 
-#include "answer.h"
 #include "commands.h"
 #include "exit_code.h"
 #include "lasius/output.h"
-#include "picture.h"
-#include "picture_recorder.h"
 #include "progress.h"
 #include "signals.h"
 #include "streams.h"
 #include "study/markdown.h"
 #include "study/pictures.h"
+#include "study/portrait.h"
 #include "study/runner.h"
 #include "study/table.h"
 #include "values.h"
@@ -52,39 +50,11 @@ void write_text(const fs::path& file, const std::string& text) {
   write_file(file.string(), [&](std::ostream& out) { out << text; });
 }
 
-/// Tracks, pheromone and convergence of the first contender's run with seed 1, on each question.
-std::vector<study::Figure> draw_portraits(const study::Study& study, const fs::path& folder,
-                                          const fs::path& maps, const StopCondition& stop) {
-  std::vector<study::Figure> figures;
-  for (const study::Experiment& experiment : study.experiments) {
-    if (!experiment.portrait) continue;
-    for (const study::Question& question : experiment.questions) {
-      const study::Contender& contender = experiment.contenders.front();
-      RunOptions run;
-      run.map.file = (maps / question.map).string();
-      run.params = study::params_of(contender);
-      run.track_iterations = {10, 50, 120};
-      const PreparedMap map = prepare_map(run.map);
-      PictureRecorder recorder(map.planner.grid(), run.track_iterations, run.params.iterations);
-      const Answer found = answer(map, run, question.start, question.goal, stop,
-                                  [&](const Progress& progress) { recorder.observe(progress); });
-      const std::string stem = "pictures/" + experiment.name + "-" + question.name + "-run";
-      for (const char* ending : {".svg", ".png"})
-        write_plan_picture((folder / (stem + ending)).string(), map, run, found, &recorder);
-      figures.push_back({&experiment, stem,
-                         "One run of " + contender.label +
-                             " (seed 1): accumulated tracks, "
-                             "pheromone, path and convergence"});
-    }
-  }
-  return figures;
-}
-
 void write_report(const study::Study& study, const study::Findings& findings,
                   const StudyCommand& command, const fs::path& maps, const StopCondition& stop) {
   const fs::path folder = command.folder;
   auto figures = study::draw_pictures(study, findings, folder, maps);
-  for (auto& figure : draw_portraits(study, folder, maps, stop))
+  for (auto& figure : study::draw_portraits(study, folder, maps, stop))
     figures.push_back(std::move(figure));
   std::string results, tests;
   for (const study::Experiment& experiment : study.experiments) {

@@ -4,8 +4,8 @@ namespace lasius::study {
 
 std::span<const Entry> catalogue() {
   static constexpr Entry kStudies[] = {
-      {"fan2004", fan2004},
-      {"families", families},
+      {"fan2004", fan2004},           {"terminal-index", terminal_index}, {"cong2009", cong2009},
+      {"lecture-grid", lecture_grid}, {"neighbourhoods", neighbourhoods}, {"families", families},
   };
   return kStudies;
 }

@@ -14,13 +14,35 @@ constexpr double kSignificant = 0.05;
 /// Both samples of every question.
 using Pairs = std::vector<std::pair<const Sample*, const Sample*>>;
 
-Pairs pairs(const Findings& findings, const std::string& experiment, const std::string& a,
+Pairs pairs(const Findings& findings, const Experiments& experiments, const std::string& a,
             const std::string& b) {
   Pairs found;
-  for (const Sample* first : findings.of(experiment, a))
-    if (const Sample* second = findings.find(experiment, first->question->name, b))
-      found.emplace_back(first, second);
+  for (const std::string& experiment : experiments)
+    for (const Sample* first : findings.of(experiment, a))
+      if (const Sample* second = findings.find(experiment, first->question->name, b))
+        found.emplace_back(first, second);
   return found;
+}
+
+std::vector<const Sample*> samples(const Findings& findings, const Experiments& experiments,
+                                   const std::string& contender) {
+  std::vector<const Sample*> found;
+  for (const std::string& experiment : experiments)
+    for (const Sample* sample : findings.of(experiment, contender)) found.push_back(sample);
+  return found;
+}
+
+/// The shortest length of the first `runs` runs; infinite without a path.
+double best_of(const Sample& sample, int runs) {
+  double best = kInfinity;
+  for (const Run& run : sample.runs)
+    if (run.seed <= static_cast<std::uint64_t>(runs) && run.solved())
+      best = std::min(best, run.length);
+  return best;
+}
+
+std::string of(int part, std::size_t whole) {
+  return std::to_string(part) + " of " + std::to_string(whole);
 }
 
 double mean_length(const Sample& sample) {
@@ -59,9 +81,9 @@ std::vector<double> differences(const Sample& a, const Sample& b) {
 
 SignedRank compare(const Sample& a, const Sample& b) { return signed_rank(differences(a, b)); }
 
-Check shorter_everywhere(std::string experiment, std::string a, std::string b) {
+Check shorter_everywhere(Experiments experiments, std::string a, std::string b) {
   return [=](const Findings& findings) {
-    const Pairs all = pairs(findings, experiment, a, b);
+    const Pairs all = pairs(findings, experiments, a, b);
     if (all.empty()) return kNotRun;
     int shorter = 0, longer = 0;
     std::vector<double> p;
@@ -80,16 +102,15 @@ Check shorter_everywhere(std::string experiment, std::string a, std::string b) {
       if (adjusted[i] < kSignificant) ++(ahead[i] ? clear : clear_loss);
     const int count = static_cast<int>(all.size());
     return verdict(shorter == count,
-                   "shorter in the mean on " + std::to_string(shorter) + " of " +
-                       std::to_string(count) + ", longer on " + std::to_string(longer) +
-                       "; significant at 5% after Holm: " + std::to_string(clear) + " won, " +
-                       std::to_string(clear_loss) + " lost");
+                   "shorter in the mean on " + of(shorter, all.size()) + ", longer on " +
+                       std::to_string(longer) + "; significant at 5% after Holm: " +
+                       std::to_string(clear) + " won, " + std::to_string(clear_loss) + " lost");
   };
 }
 
-Check faster_everywhere(std::string experiment, std::string a, std::string b, double factor) {
+Check faster_everywhere(Experiments experiments, std::string a, std::string b, double factor) {
   return [=](const Findings& findings) {
-    const Pairs all = pairs(findings, experiment, a, b);
+    const Pairs all = pairs(findings, experiments, a, b);
     if (all.empty()) return kNotRun;
     double least = kInfinity, most = 0;
     for (const auto& [first, second] : all) {
@@ -102,11 +123,11 @@ Check faster_everywhere(std::string experiment, std::string a, std::string b, do
   };
 }
 
-Check optimum_by(std::string experiment, std::string contender, int median, int worst) {
+Check optimum_by(Experiments experiments, std::string contender, int median, int worst) {
   return [=](const Findings& findings) {
     std::vector<double> iterations;
     int runs = 0;
-    for (const Sample* sample : findings.of(experiment, contender)) {
+    for (const Sample* sample : samples(findings, experiments, contender)) {
       const auto optimum = findings.optimum(*sample->experiment, *sample->question);
       if (!optimum) return kNotRun;
       for (const Run& run : sample->runs) {
@@ -125,27 +146,62 @@ Check optimum_by(std::string experiment, std::string contender, int median, int 
   };
 }
 
-Check best_is_optimal(std::string experiment, std::string contender, int questions) {
+Check best_is_optimal(Experiments experiments, std::string contender, int runs, int questions) {
   return [=](const Findings& findings) {
-    int optimal = 0, known = 0;
-    for (const Sample* sample : findings.of(experiment, contender)) {
+    int optimal = 0;
+    std::size_t known = 0;
+    for (const Sample* sample : samples(findings, experiments, contender)) {
       const auto optimum = findings.optimum(*sample->experiment, *sample->question);
       if (!optimum) continue;
       ++known;
-      const auto lengths = sample->lengths();
-      optimal += !lengths.empty() && quantile(lengths, 0) <= *optimum * (1 + kSameLength);
+      optimal += best_of(*sample, runs) <= *optimum * (1 + kSameLength);
     }
     if (known == 0) return kNotRun;
-    return verdict(
-        optimal >= std::min(questions, known),
-        "the best run is optimal on " + std::to_string(optimal) + " of " + std::to_string(known));
+    return verdict(optimal >= questions, "the best of " + std::to_string(runs) +
+                                             " runs is optimal on " + of(optimal, known));
   };
 }
 
-Check converged_by(std::string experiment, std::string contender, int iteration) {
+Check best_never_longer(Experiments experiments, std::string a, std::string b, int runs) {
+  return [=](const Findings& findings) {
+    const Pairs all = pairs(findings, experiments, a, b);
+    if (all.empty()) return kNotRun;
+    int shorter = 0, longer = 0;
+    for (const auto& [first, second] : all) {
+      const double ours = best_of(*first, runs), theirs = best_of(*second, runs);
+      shorter += ours < theirs * (1 - kSameLength);
+      longer += ours > theirs * (1 + kSameLength);
+    }
+    return verdict(longer == 0, "best of " + std::to_string(runs) + " runs: shorter on " +
+                                    of(shorter, all.size()) + ", longer on " +
+                                    std::to_string(longer));
+  };
+}
+
+Check sooner_everywhere(Experiments experiments, std::string a, std::string b) {
+  return [=](const Findings& findings) {
+    const Pairs all = pairs(findings, experiments, a, b);
+    if (all.empty()) return kNotRun;
+    int sooner = 0;
+    std::vector<double> ours, theirs;
+    for (const auto& [first, second] : all) {
+      if (first->solved() == 0 || second->solved() == 0) continue;
+      ours.push_back(summarise(first->iterations_to_converge()).median);
+      theirs.push_back(summarise(second->iterations_to_converge()).median);
+      sooner += ours.back() < theirs.back();
+    }
+    if (ours.empty()) return verdict(false, "no question on which both find a path");
+    return verdict(sooner == static_cast<int>(all.size()),
+                   "sooner on " + of(sooner, all.size()) + "; median iterations over the maps " +
+                       fixed(quantile(ours, 0.5), 1) + " against " +
+                       fixed(quantile(theirs, 0.5), 1));
+  };
+}
+
+Check converged_by(Experiments experiments, std::string contender, int iteration) {
   return [=](const Findings& findings) {
     std::vector<double> all;
-    for (const Sample* sample : findings.of(experiment, contender))
+    for (const Sample* sample : samples(findings, experiments, contender))
       for (const double i : sample->iterations_to_converge()) all.push_back(i);
     if (all.empty()) return kNotRun;
     const auto by = std::count_if(all.begin(), all.end(), [=](double i) { return i <= iteration; });
@@ -157,10 +213,10 @@ Check converged_by(std::string experiment, std::string contender, int iteration)
   };
 }
 
-Check never_rises(std::string experiment, std::string contender) {
+Check never_rises(Experiments experiments, std::string contender) {
   return [=](const Findings& findings) {
     int runs = 0, rises = 0;
-    for (const Sample* sample : findings.of(experiment, contender)) {
+    for (const Sample* sample : samples(findings, experiments, contender)) {
       for (const Run& run : sample->runs) {
         ++runs;
         rises += std::adjacent_find(run.best.begin(), run.best.end(),

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "study/findings.h"
 #include "study/statistics.h"
@@ -20,18 +21,25 @@ std::vector<double> differences(const Sample& a, const Sample& b);
 
 using Check = std::function<Claim::Answer(const Findings&)>;
 
+/// Names of experiments whose questions count together.
+using Experiments = std::vector<std::string>;
+
 /// `a` is shorter than `b` in the mean on every question; the figures tell how many of them are
 /// significant at 5% after Holm.
-Check shorter_everywhere(std::string experiment, std::string a, std::string b);
+Check shorter_everywhere(Experiments experiments, std::string a, std::string b);
+/// The best of the first `runs` runs of `a` is no longer than that of `b`, on every question.
+Check best_never_longer(Experiments experiments, std::string a, std::string b, int runs);
 /// `a` takes at most 1 / `factor` of the time of `b` on every question.
-Check faster_everywhere(std::string experiment, std::string a, std::string b, double factor);
+Check faster_everywhere(Experiments experiments, std::string a, std::string b, double factor);
+/// `a` converges in fewer iterations than `b` in the median, on every question.
+Check sooner_everywhere(Experiments experiments, std::string a, std::string b);
 /// Every run finds the optimum, by iteration `median` in the median and `worst` at worst.
-Check optimum_by(std::string experiment, std::string contender, int median, int worst);
-/// The best run on a question has the optimum, on at least `questions` of them.
-Check best_is_optimal(std::string experiment, std::string contender, int questions);
+Check optimum_by(Experiments experiments, std::string contender, int median, int worst);
+/// The best of the first `runs` runs on a question is optimal, on at least `questions` of them.
+Check best_is_optimal(Experiments experiments, std::string contender, int runs, int questions);
 /// No run improves after this iteration.
-Check converged_by(std::string experiment, std::string contender, int iteration);
+Check converged_by(Experiments experiments, std::string contender, int iteration);
 /// The best length never rises from one iteration to the next, in any run.
-Check never_rises(std::string experiment, std::string contender);
+Check never_rises(Experiments experiments, std::string contender);
 
 }  // namespace lasius::study

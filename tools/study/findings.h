@@ -18,8 +18,6 @@ struct Run {
   int iterations = 0;
   double seconds = 0;        ///< processor time on one thread
   std::vector<double> best;  ///< as in Result
-  std::vector<double> mean;
-  std::vector<int> arrived;
   std::vector<Point> path;
 
   bool solved() const { return !path.empty(); }

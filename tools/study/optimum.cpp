@@ -29,13 +29,14 @@ void add_knights(std::vector<Move>& moves) {
       if (std::abs(dx) != std::abs(dy)) moves.push_back({dx, dy, std::sqrt(5.0)});
 }
 
-std::vector<Move> moves_of(int neighbours) {
-  if (neighbours == 4) return {{0, -1, 1}, {-1, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+std::vector<Move> moves_of(std::string_view neighbours) {
+  if (neighbours == "4") return {{0, -1, 1}, {-1, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+  const bool square = neighbours == "24" || neighbours == "32";
   std::vector<Move> moves;
   add_directions(moves, 1);
-  if (neighbours == 16 || neighbours >= 24) add_directions(moves, 2);
-  if (neighbours == 17 || neighbours >= 24) add_knights(moves);
-  if (neighbours == 32) add_directions(moves, 3);
+  if (square || neighbours == "16") add_directions(moves, 2);
+  if (square || neighbours == "16k") add_knights(moves);
+  if (neighbours == "32") add_directions(moves, 3);
   return moves;
 }
 
@@ -47,7 +48,7 @@ bool step_allowed(const Grid& grid, Cell at, int dx, int dy, Corners corners) {
 }
 
 /// Straight and diagonal moves step by step under the rule of corners; a knight's move passes if
-/// the four cells that it sweeps are free.
+/// the two cells that it sweeps are free.
 bool allowed(const Grid& grid, Cell at, const Move& move, Corners corners) {
   const int reach = std::gcd(move.dx, move.dy);
   const int dx = move.dx / reach, dy = move.dy / reach;
@@ -61,8 +62,8 @@ bool allowed(const Grid& grid, Cell at, const Move& move, Corners corners) {
 
 }  // namespace
 
-std::optional<double> shortest_by_moves(const Grid& grid, Cell start, Cell goal, int neighbours,
-                                        Corners corners) {
+std::optional<double> shortest_by_moves(const Grid& grid, Cell start, Cell goal,
+                                        std::string_view neighbours, Corners corners) {
   if (grid.blocked(start) || grid.blocked(goal)) return std::nullopt;
   const auto moves = moves_of(neighbours);
   const auto index = [&](Cell c) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lasius/map_io.h"
-#include "raster.h"
 #include "study/line_chart.h"
+#include "study/map_panel.h"
+#include "study/map_source.h"
 #include "study/statistics.h"
 #include "study/text.h"
 
@@ -18,15 +18,8 @@ using tool::Box;
 using tool::Canvas;
 using tool::Colour;
 
-constexpr Colour kInk{0.15, 0.17, 0.2};
-constexpr Colour kWall{0.42, 0.45, 0.49};
 constexpr double kMargin = 20, kTitle = 34, kLegendLine = 22;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-void save(const Canvas& canvas, const fs::path& file) {
-  canvas.save(file.string() + ".svg");
-  canvas.save(file.string() + ".png");
-}
 
 /// The samples of a question with the equal budget: what is drawn.
 std::vector<const Sample*> drawn(const Findings& findings, const Experiment& experiment,
@@ -42,7 +35,7 @@ std::vector<const Sample*> drawn(const Findings& findings, const Experiment& exp
 /// Median and quartiles over the runs of the best length, by paths built; a run without a path yet
 /// counts as infinitely long.
 Curve convergence(const Sample& sample, Colour colour) {
-  Curve curve{.label = sample.contender->label + " (median, quartiles)", .colour = colour};
+  Curve curve{.label = sample.contender->label, .colour = colour};
   std::size_t iterations = 0;
   for (const Run& run : sample.runs) iterations = std::max(iterations, run.best.size());
   for (std::size_t i = 0; i < iterations; ++i) {
@@ -61,7 +54,7 @@ Curve convergence(const Sample& sample, Colour colour) {
 
 void draw_convergence(const Findings& findings, const Experiment& experiment,
                       const Question& question, const fs::path& file) {
-  LineChart chart{.title = "Convergence on " + question.name,
+  LineChart chart{.title = "Convergence on " + question.name + ": median and quartiles",
                   .x_label = "paths built",
                   .y_label = "best length so far, cells",
                   .level = findings.optimum(experiment, question),
@@ -71,17 +64,6 @@ void draw_convergence(const Findings& findings, const Experiment& experiment,
   Canvas canvas(960, 600);
   draw(canvas, {kMargin, kMargin, 960 - 2 * kMargin, 600 - 2 * kMargin}, chart);
   save(canvas, file);
-}
-
-void paint_walls(Canvas& canvas, const Box& box, const Grid& grid) {
-  const int width = std::min(grid.width(), static_cast<int>(box.width));
-  const int height = std::min(grid.height(), static_cast<int>(box.height));
-  const auto share = tool::blocked_share(grid, width, height);
-  tool::Raster<Colour> pixels(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) pixels.at(x, y) = tool::blend({1, 1, 1}, kWall, share.at(x, y));
-  canvas.image(pixels, box);
-  canvas.frame(box, kInk, 1);
 }
 
 const Run* best_run(const Sample& sample) {
@@ -115,7 +97,7 @@ void draw_paths(const Findings& findings, const Experiment& experiment, const Qu
       std::vector<Point> points;
       for (const Point p : run->path) points.push_back(page(p));
       // Wider below: equal paths stay visible as bands.
-      canvas.polyline(points, palette(i), 2 + 2 * static_cast<double>(i));
+      canvas.polyline(points, palette(i), 3 + 2.5 * static_cast<double>(i));
       text = samples[i]->contender->label + ": " + fixed(run->length, 3);
       if (optimum)
         text += ", " + fixed(100 * (run->length / *optimum - 1), 2) + "% above the optimum";
@@ -124,9 +106,7 @@ void draw_paths(const Findings& findings, const Experiment& experiment, const Qu
     canvas.line({kMargin, y}, {kMargin + 26, y}, palette(i), 3);
     canvas.text({kMargin + 34, y + 5}, text, 14, Align::left, kInk);
   }
-  const double radius = std::clamp(scale / 3, 5.0, 9.0);
-  canvas.disc(page(centre(question.start)), radius, {0.1, 0.6, 0.25});
-  canvas.diamond(page(centre(question.goal)), radius + 2, {0.55, 0.1, 0.5});
+  mark_ends(canvas, box, scale, question.start, question.goal);
   save(canvas, file);
 }
 
@@ -140,7 +120,7 @@ std::vector<Figure> draw_pictures(const Study& study, const Findings& findings,
     for (const Question& question : experiment.questions) {
       if (drawn(findings, experiment, question).empty()) continue;
       const std::string stem = "pictures/" + experiment.name + "-" + question.name;
-      const Grid grid = read_map((maps / question.map).string()).grid;
+      const Grid grid = load_map(question.map, maps);
       draw_paths(findings, experiment, question, grid, folder / (stem + "-paths"));
       figures.push_back(
           {&experiment, stem + "-paths", "Best paths of each algorithm on " + question.name});

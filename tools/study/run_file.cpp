@@ -1,5 +1,6 @@
 #include "study/run_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -15,18 +16,24 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json numbers(const std::vector<double>& values) {
-  Json list = Json::array();
-  for (const double v : values) list.push_back(number(v));
-  return list;
+/// A curve as its steps, [index, value] where the value changes: most of it is flat.
+Json steps_of(const std::vector<double>& curve) {
+  Json steps = Json::array();
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const bool starts = i == 0 || std::isfinite(curve[i]) != std::isfinite(curve[i - 1]);
+    if (starts || (std::isfinite(curve[i]) && curve[i] != curve[i - 1]))
+      steps.push_back({i, number(curve[i])});
+  }
+  return steps;
 }
 
 double number(const Json& json) { return json.is_null() ? kUnknown : json.get<double>(); }
 
-std::vector<double> numbers(const Json& json) {
-  std::vector<double> values;
-  for (const Json& v : json) values.push_back(number(v));
-  return values;
+std::vector<double> curve_of(const Json& steps, std::size_t size) {
+  std::vector<double> curve(size, kUnknown);
+  for (const Json& step : steps)
+    std::fill(curve.begin() + step.at(0).get<std::ptrdiff_t>(), curve.end(), number(step.at(1)));
+  return curve;
 }
 
 Status status_of(const std::string& text) {
@@ -43,9 +50,7 @@ Run run_of(const Json& json) {
   run.length = number(json.at("length"));
   run.iterations = json.at("iterations").get<int>();
   run.seconds = json.at("seconds").get<double>();
-  run.best = numbers(json.at("best"));
-  run.mean = numbers(json.at("mean"));
-  run.arrived = json.at("arrived").get<std::vector<int>>();
+  run.best = curve_of(json.at("best"), json.at("best_size").get<std::size_t>());
   for (const Json& p : json.at("path")) run.path.push_back({p.at(0), p.at(1)});
   return run;
 }
@@ -88,9 +93,8 @@ void write_run(const std::filesystem::path& file, const std::string& key, const 
   json["length"] = number(run.length);
   json["iterations"] = run.iterations;
   json["seconds"] = run.seconds;
-  json["best"] = numbers(run.best);
-  json["mean"] = numbers(run.mean);
-  json["arrived"] = run.arrived;
+  json["best_size"] = run.best.size();
+  json["best"] = steps_of(run.best);
   json["path"] = Json::array();
   for (const Point p : run.path) json["path"].push_back({p.x, p.y});
   write_file(file.string(), [&](std::ostream& out) { out << json.dump() << '\n'; });

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "lasius/error.h"
-#include "lasius/map_io.h"
+#include "study/map_source.h"
 #include "study/optimum.h"
 #include "study/run_file.h"
 
@@ -27,7 +27,7 @@ Planners read_maps(const Study& study, const fs::path& folder) {
   for (const Experiment& experiment : study.experiments)
     for (const Question& question : experiment.questions)
       if (!planners.contains(question.map))
-        planners.emplace(question.map, Planner(read_map((folder / question.map).string()).grid));
+        planners.emplace(question.map, Planner(load_map(question.map, folder)));
   return planners;
 }
 
@@ -71,8 +71,6 @@ Run plan_once(const Job& job, Workspace& workspace, std::stop_token stop) {
   run.length = result.length;
   run.iterations = result.iterations;
   run.best = std::move(result.best);
-  run.mean = std::move(result.mean);
-  run.arrived = std::move(result.arrived);
   run.path = std::move(result.path);
   return run;
 }

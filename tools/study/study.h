@@ -48,7 +48,7 @@ struct Question {
 /// The paths among which a question's optimum is the shortest.
 struct Truth {
   enum class Kind { any_angle, moves } kind = Kind::any_angle;
-  int neighbours = 8;  ///< of `moves`
+  std::string_view neighbours = "8";  ///< of `moves`, as the parameter has it
   Corners corners = Corners::forbid;
 };
 
@@ -58,9 +58,12 @@ struct Experiment {
   std::string title;  ///< of the report's section
   std::string text;   ///< what is repeated, and on what
   Truth truth = {};
-  std::vector<Contender> contenders;  ///< the first is the one that the others are compared with
-  std::vector<Question> questions;
+  std::vector<Contender> contenders =
+      {};  ///< the first is the one that the others are compared with
+  std::vector<Question> questions = {};
   bool portrait = false;  ///< also draws tracks and pheromone of the first contender's first run
+  bool by_ant =
+      false;  ///< also draws the first contender's tours ant by ant, for ants one at a time
 };
 
 class Findings;

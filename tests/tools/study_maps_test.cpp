@@ -1,0 +1,105 @@
+// The maps of the studies: what maps/README.md and the studies say of them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "lasius/error.h"
+#include "lasius/planner.h"
+#include "tools/study/map_source.h"
+#include "tools/study/optimum.h"
+#include "tools/study/study.h"
+
+namespace lasius::study {
+namespace {
+
+const std::string kMaps = LASIUS_MAPS_DIR;
+
+TEST(Catalogue, EveryQuestionHasAWay) {
+  for (const Entry& entry : catalogue()) {
+    const Study study = entry.make();
+    EXPECT_EQ(study.name, entry.name);
+    std::set<std::string> experiments;
+    for (const Experiment& e : study.experiments) {
+      EXPECT_TRUE(experiments.insert(e.name).second) << e.name;
+      std::set<std::string> names;
+      for (const Contender& c : e.contenders) EXPECT_TRUE(names.insert(c.name).second) << c.name;
+      for (const Question& q : e.questions) {
+        EXPECT_TRUE(names.insert(q.name).second) << q.name;
+        const Planner planner(load_map(q.map, kMaps));
+        EXPECT_TRUE(planner.connected(q.start, q.goal)) << study.name << " " << q.name;
+        for (const Published& p : q.published) EXPECT_TRUE(names.contains(p.contender));
+      }
+    }
+  }
+}
+
+double steps(const Grid& grid, Cell start, Cell goal) {
+  return shortest_by_moves(grid, start, goal, "4", Corners::forbid).value_or(INFINITY);
+}
+
+class Mazes : public testing::TestWithParam<std::pair<const char*, int>> {};
+INSTANTIATE_TEST_SUITE_P(Study, Mazes,
+                         testing::Values(std::pair{"maze1-10x10", 10}, std::pair{"maze2-10x10", 10},
+                                         std::pair{"maze3-12x12", 12}, std::pair{"maze4-16x16", 16},
+                                         std::pair{"maze5-16x16", 16}, std::pair{"maze6-20x20", 20},
+                                         std::pair{"maze7-24x24", 24},
+                                         std::pair{"maze8-32x32", 32}));
+
+TEST_P(Mazes, HaveLoopsAndASecondRoute) {
+  const auto [name, side] = GetParam();
+  Grid grid = load_map(std::string(name) + ".map", kMaps);
+  ASSERT_EQ(grid.width(), side);
+  ASSERT_EQ(grid.height(), side);
+  const Cell start{0, side - 1}, goal{side - 1, 0};
+  const double best = steps(grid, start, goal);
+
+  // Corridors are one cell wide, so every cycle of the cells' graph is a loop of the maze.
+  int cells = 0, joins = 0;
+  double second = INFINITY;
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const Cell c{x, y};
+      if (grid.blocked(c)) continue;
+      ++cells;
+      joins += grid.free({x + 1, y}) + grid.free({x, y + 1});
+      if (c == start || c == goal) continue;
+      if (steps(grid, start, c) + steps(grid, c, goal) != best) continue;
+      grid.set_blocked(c);  // on a best route: which one misses it?
+      second = std::min(second, steps(grid, start, goal));
+      grid.set_blocked(c, false);
+    }
+  }
+  EXPECT_GE(joins - cells + 1, 3);
+  EXPECT_LE(second, 1.1 * best);
+}
+
+TEST(Grid20a, HasTheOptimumOfTheWorkedExample) {
+  const Grid grid = load_map("grid20a.map", kMaps);
+  EXPECT_NEAR(shortest_by_moves(grid, {0, 19}, {19, 0}, "8", Corners::forbid).value(),
+              14 + 12 * std::sqrt(2.0), 1e-9);
+}
+
+// The lecture's best lengths of its colony, and start and goal of each pair.
+TEST(Workspaces, OptimaLieALittleBelowTheLecturesLengths) {
+  for (const Experiment& e : lecture_grid().experiments) {
+    for (const Question& q : e.questions) {
+      if (q.published.empty()) continue;
+      const Planner planner(load_map(q.map, kMaps));
+      const auto optimum = true_optimum(planner, q, e.truth, {});
+      ASSERT_TRUE(optimum);
+      EXPECT_LE(*optimum, q.published[0].length) << e.name << " " << q.name;
+      EXPECT_GE(*optimum, 0.96 * q.published[0].length) << e.name << " " << q.name;
+    }
+  }
+}
+
+TEST(LoadMap, RefusesWhatItCannotMake) {
+  EXPECT_THROW((void)load_map("castle 10x10 0.2 1", kMaps), Error);
+  EXPECT_THROW((void)load_map("random 10x 0.2 1", kMaps), Error);
+  EXPECT_THROW((void)load_map("missing.map", kMaps), Error);
+  EXPECT_EQ(load_map("random 10x8 0.25 3", kMaps).height(), 8);
+}
+
+}  // namespace
+}  // namespace lasius::study
