@@ -29,7 +29,7 @@ Experiment grids(std::string name, std::string title, std::vector<Question> ques
               "index off a step draws by distance alone; the generation's answer still follows "
               "the index.",
           .truth = {Truth::Kind::moves, "8", Corners::forbid},
-          .contenders = {index, dying, off, classic, on_cells, ga, tenfold(off), tenfold(classic),
+          .contenders = {index, dying, off, classic, on_cells, ga, tenfold(classic),
                          tenfold(on_cells), tenfold(ga)},
           .questions = std::move(questions)};
 }

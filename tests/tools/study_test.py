@@ -1,0 +1,65 @@
+"""study: lists, refuses, stops and goes on, and writes its report."""
+import csv
+import os
+import signal
+import subprocess
+import time
+import unittest
+
+from program import MAPS, PROGRAM, ProgramTest, environment
+
+
+class Study(ProgramTest):
+    COMMAND = ("study", "terminal-index", "--seeds", "1", "-o", "out", "--maps", MAPS)
+
+    def out(self, *parts):
+        return os.path.join(self.folder, "out", *parts)
+
+    def runs(self):
+        return [os.path.join(at, f) for at, _, files in os.walk(self.out("runs")) for f in files]
+
+    def test_lists_what_there_is(self):
+        run = self.run_program("study", "list")
+        self.assertEqual((run.code, run.err), (0, ""))
+        names = [line.split("\t")[0] for line in run.out.splitlines()]
+        self.assertEqual(names, ["fan2004", "terminal-index", "cong2009", "lecture-grid",
+                                 "neighbourhoods", "families"])
+
+    def test_refuses_what_it_does_not_know(self):
+        self.refused(self.run_program("study", "fan2005", "-o", "out"), 2, "fan2004")
+        self.refused(self.run_program("study", "fan2004", "--seeds", "0"), 2, "--seeds")
+        self.refused(self.run_program("study", "fan2004", "--maps", "nowhere"), 3, "fan400x200.map")
+
+    def test_goes_on_where_it_stopped_and_reports(self):
+        process = subprocess.Popen([PROGRAM, *self.COMMAND], cwd=self.folder,
+                                   env=environment({}), stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE)
+        while process.poll() is None and not self.runs():
+            time.sleep(0.005)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate()
+        self.assertEqual((process.returncode, out), (130, b""), err)
+        self.assertIn(b"goes on", err)
+        self.assertFalse(os.path.exists(self.out("report.md")))
+        kept = {f: os.stat(f).st_mtime_ns for f in self.runs()}
+        self.assertTrue(kept)
+
+        run = self.run_program(*self.COMMAND)
+        self.assertEqual((run.code, run.out, run.err), (0, "out/report.md\n", ""))
+        for file, time_ns in kept.items():
+            self.assertEqual(os.stat(file).st_mtime_ns, time_ns)
+        with open(self.out("runs.csv"), encoding="utf-8") as table:
+            self.assertEqual(len(list(csv.DictReader(table))), len(self.runs()))
+        with open(self.out("report.md"), encoding="utf-8") as page:
+            text = page.read()
+        for word in ("true optimum", "What the source claims", "terminal-index, index off"):
+            self.assertIn(word, text)
+        for name in ("paths", "convergence"):
+            for ending in ("svg", "png"):
+                picture = f"pictures/grid20-grid20a-{name}.{ending}"
+                self.assertIn(picture, text)
+                self.assertGreater(os.path.getsize(self.out(picture)), 1000)
+
+
+if __name__ == "__main__":
+    unittest.main()
