@@ -113,6 +113,7 @@ struct WalkSlot {
   PackedCell* dead = nullptr;  ///< cells entered and left again, room likewise
   std::int64_t dead_count = 0;
 
+  const float* row = nullptr;  ///< of the cell it is at; the kernel's own
   VisitedPlane visited;
   std::uint32_t random_used = kRandomWords;
   std::uint32_t random_block = 0;  ///< next Philox counter

@@ -66,6 +66,17 @@ struct Walk {
     }
   }
 
+  /// Finds the row of the ant's cell, and asks for it: by the ant's next turn it has arrived.
+  [[gnu::always_inline]] static void find_row(const WalkWorld& world, WalkSlot& slot) noexcept {
+    const int x = packed_x(slot.at), y = packed_y(slot.at);
+    const int tile = (y >> kTileShift) * world.tiles_x + (x >> kTileShift);
+    const float* rows = __atomic_load_n(world.tiles + tile, __ATOMIC_ACQUIRE);
+    if (rows == nullptr) [[unlikely]]
+      rows = world.make_tile(world.context, tile);
+    slot.row = rows + ((y % kTileSide) * kTileSide + x % kTileSide) * kRow;
+    for (int k = 0; k < kRow; k += 16) __builtin_prefetch(slot.row + k);
+  }
+
   /// False when the ant is lost.
   [[gnu::always_inline]] static bool take_back(const WalkWorld& world, WalkSlot& slot) noexcept {
     if (!world.backtrack || slot.move_count == 0) {
@@ -76,6 +87,7 @@ struct Walk {
     --slot.move_count;
     slot.at -= static_cast<PackedCell>(world.delta[slot.moves[slot.move_count]]);
     slot.previous = slot.move_count > 0 ? slot.moves[slot.move_count - 1] : kMaxMoves;
+    find_row(world, slot);
     return true;
   }
 
@@ -83,13 +95,7 @@ struct Walk {
   LASIUS_TARGET [[gnu::always_inline]] static bool step(const WalkWorld& world,
                                                         WalkSlot& slot) noexcept {
     const PackedCell at = slot.at;
-    const int x = packed_x(at), y = packed_y(at);
-    const int tile = (y >> kTileShift) * world.tiles_x + (x >> kTileShift);
-    const float* rows = __atomic_load_n(world.tiles + tile, __ATOMIC_ACQUIRE);
-    if (rows == nullptr) [[unlikely]]
-      rows = world.make_tile(world.context, tile);
-    const float* row = rows + ((y % kTileSide) * kTileSide + x % kTileSide) * kRow;
-
+    const float* row = slot.row;
     const std::uint32_t open = open_moves(world, slot.visited, at);
     int move;
     if constexpr (kDraw == Draw::discard) {
@@ -113,6 +119,7 @@ struct Walk {
     slot.previous = static_cast<std::uint32_t>(move);
     slot.moves[slot.move_count++] = static_cast<std::uint8_t>(move);
     slot.visited.mark(slot.at);
+    find_row(world, slot);
     if (slot.at != world.goal) return true;
     slot.state = WalkState::arrived;
     return false;
@@ -123,7 +130,9 @@ struct Walk {
     std::array<WalkSlot*, kMaxSlots> walking;
     int count = 0;
     for (WalkSlot& slot : slots) {
-      if (slot.state == WalkState::walking) walking[count++] = &slot;
+      if (slot.state != WalkState::walking) continue;
+      find_row(world, slot);
+      walking[count++] = &slot;
     }
     for (; rounds > 0 && count > 0; --rounds) {
       for (int i = 0; i < count;) {
