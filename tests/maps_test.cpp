@@ -102,14 +102,14 @@ std::vector<int> passes(const std::vector<Point>& path, const std::vector<Point>
 }
 
 TEST_F(Fan400x200, IsMadeByItsCommand) {
-  EXPECT_EQ(grid_, generate(MapKind::blobs, {.width = 400, .height = 200, .seed = 5189}));
+  EXPECT_EQ(grid_, generate(MapKind::blobs, {.width = 400, .height = 200, .seed = 61}));
 }
 
 TEST_F(Fan400x200, BlocksTheStraightLine) {
   EXPECT_FALSE(visible(grid_, kStart, kGoal));
   const double straight = path_length(std::vector<Point>{centre(kStart), centre(kGoal)});
   EXPECT_NEAR(straight, 401.474, 0.0005);
-  EXPECT_NEAR(optimum(), 455.496, 0.0005);
+  EXPECT_NEAR(optimum(), 445.001, 0.0005);
   EXPECT_GE(optimum(), 1.1 * straight);
 }
 

@@ -42,7 +42,7 @@ class Verify(ProgramTest):
         self.assertEqual(self.run_program("verify", "r.json").code, 0)
 
     def test_failures_are_results_too(self):
-        for goal in ("178,96", "1000,0"):  # walled in, outside
+        for goal in ("399,0", "1000,0"):
             self.assertIn(self.save(goal=goal)["status"], ("invalid", "unreachable"))
             self.assertEqual(self.run_program("verify", "r.json").code, 0)
 
