@@ -7,16 +7,17 @@ namespace lasius::study {
 namespace {
 
 constexpr const char* kHowToRead =
-    "Lengths are in cells. Mean, sd and interval are over the runs that found a path; the interval "
-    "is the\n2.5 to 97.5 percentile of 10 000 resampled means. A gap is (length - optimum) / "
-    "optimum against the\ntrue optimum. Iterations to converge: the last one that improved a run's "
-    "best length, median (least\nto most). Time is the median processor time of a run on one "
-    "thread.\n\n"
-    "Tests compare the first algorithm of a table with each other one, paired by seed: Wilcoxon's "
-    "signed-rank\ntest, two-sided, exact, p adjusted by Holm's method over the table; effect is "
-    "the matched-pairs rank\nbiserial correlation, from -1 to 1, positive where the first one is "
-    "shorter; \"longer by\" is the median\nof the paired differences; a run without a path counts "
-    "as infinitely long. \"x10\": the other algorithm has\nten times the iterations.\n";
+    R"(Lengths are in cells. Mean, sd and interval are over the runs that found a path; the interval is the
+2.5 to 97.5 percentile of 10 000 resampled means. A gap is (length - optimum) / optimum against the
+true optimum. Iterations to converge: the last one that improved a run's best length, median (least
+to most). Time is the median processor time of a run on one thread.
+
+Tests compare the first algorithm of a table with each other one, paired by seed: Wilcoxon's
+signed-rank test, two-sided, exact, p adjusted by Holm's method over the table; effect is the
+matched-pairs rank biserial correlation, from -1 to 1, positive where the first one is shorter;
+"longer by" is the median of the paired differences; a run without a path counts as infinitely
+long. "x10": the other algorithm has ten times the iterations.
+)";
 
 std::string verdict_text(Verdict verdict) {
   switch (verdict) {

@@ -11,6 +11,8 @@
 namespace lasius::study {
 namespace {
 
+constexpr std::string_view kExact = "exact";
+
 struct Move {
   int dx, dy;
   double length;
@@ -99,7 +101,6 @@ std::optional<double> true_optimum(const Planner& planner, const Question& quest
   if (truth.kind == Truth::Kind::moves)
     return shortest_by_moves(planner.grid(), question.start, question.goal, truth.neighbours,
                              truth.corners);
-  constexpr std::string_view kExact = "exact";
   const auto all = algorithms();
   if (std::none_of(all.begin(), all.end(), [](const Algorithm& a) { return a.name == kExact; }))
     return std::nullopt;
