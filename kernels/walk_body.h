@@ -30,7 +30,7 @@ namespace {
 
 template <int kLanes, bool kMixture, bool kFactor, Draw kDraw>
 struct Walk {
-  static constexpr int kRow = kMixture ? 2 * kLanes : kLanes;
+  static constexpr std::ptrdiff_t kRow = kMixture ? 2 * kLanes : kLanes;  // floats a cell
   static constexpr std::uint32_t kAll = ~std::uint32_t{0} >> (32 - kLanes);
 
   LASIUS_TARGET static int draw(const WalkWorld& world, const float* row, std::uint32_t open,
@@ -74,7 +74,7 @@ struct Walk {
     if (rows == nullptr) [[unlikely]]
       rows = world.make_tile(world.context, tile);
     slot.row = rows + ((y % kTileSide) * kTileSide + x % kTileSide) * kRow;
-    for (int k = 0; k < kRow; k += 16) __builtin_prefetch(slot.row + k);
+    for (std::ptrdiff_t k = 0; k < kRow; k += 16) __builtin_prefetch(slot.row + k);
   }
 
   /// False when the ant is lost.
