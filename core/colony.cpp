@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "colony_loop.h"
 #include "kernel_choice.h"
 #include "kernels/power.h"
 #include "lasius/path.h"
@@ -24,7 +25,7 @@ using kernels::WalkWorld;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Length of a tour. Moves are counted by kind, so that the sum does not depend on their order.
-double tour_length(std::span<const std::uint8_t> tour, const kernels::Moves& moves) {
+double raw_length(std::span<const std::uint8_t> tour, const kernels::Moves& moves) {
   std::array<std::int64_t, kernels::kMaxMoves> count{};
   for (const int k : tour) ++count[k];
   // Moves of one length, met first to last, make one product.
@@ -64,13 +65,16 @@ double straight_distance(const Request& request) {
   return std::sqrt(dx * dx + dy * dy);
 }
 
-class Colony final : public Progress {
+/// A colony on a bitmap.
+class GridColony final : public ColonyWorld {
  public:
-  Colony(const Grid& grid, const Request& request, const Params& params, Workspace::Impl& workspace)
+  GridColony(const Grid& grid, const Request& request, const Params& params,
+             Workspace::Impl& workspace, const Observer& observer)
       : grid_(grid),
         request_(request),
         params_(params),
         ws_(workspace),
+        observer_(observer),
         threads_(thread_count(params)),
         moves_(kernels::moves_of(neighbourhood(params.neighbours))),
         tau0_(initial_pheromone(params, straight_distance(request))) {
@@ -89,43 +93,81 @@ class Colony final : public Progress {
     world_ = make_world();
   }
 
-  /// The main loop.
-  Result run(const Observer& observer) {
-    auto cause = request_.stop.poll();
-    for (int q = 0; q < params_.iterations && cause == StopCondition::Cause::none; ++q) {
-      cause = walk(q);
-      if (params_.update == Update::terminal_index) {
-        if (cause != StopCondition::Cause::none) break;
-        update(q);
-        polish({&answer(), 1});
-        offer();
-      } else {
-        polish(ws_.ants);
-        offer();
-        if (cause == StopCondition::Cause::none) cause = request_.stop.poll();
-        if (cause != StopCondition::Cause::none) break;
-        update(q);
-        lay_straight_trails();
-      }
-      record(q);
-      if (observer) observer(*this);
-    }
-    return result(cause);
+  Result run() {
+    Convergence run;
+    const auto cause = run_colony_loop(*this, params_.iterations, request_.stop, run);
+    return result(cause, std::move(run));
   }
 
-  // What an observer sees.
+  // What the loop asks for.
+
+  /// Sends all ants, batch by batch, and measures their tours.
+  StopCondition::Cause send_ants(int q) override {
+    const StepWeights weights = schedule(params_, q);
+    spin_wheel(weights, q);
+    for (Ant& ant : ws_.ants) ant.arrived = false;
+    const int batch = params_.batch > 0 ? params_.batch : params_.ants;
+    for (int first = 0; first < params_.ants; first += batch) {
+      const int count = std::min(batch, params_.ants - first);
+      const auto ants = std::span(ws_.ants).subspan(first, count);
+      ws_.field.refresh(weights, threads_);
+      ws_.field.fill(world_);
+      const auto cause = ws_.walkers.walk(world_, kernel_, ants, first, request_.stop);
+      for (int a = first; a < first + count; ++a) measure(a);
+      if (cause != StopCondition::Cause::none) return cause;
+      update_locally(ws_.field, params_, tau0_, tours(q, first, count));
+    }
+    return StopCondition::Cause::none;
+  }
+
+  void offer() override {
+    if (params_.update != Update::terminal_index) offer(ws_.ants);
+  }
+
+  /// The ants of the terminal index only teach it: its answer is read from what they taught.
+  void update(int q) override {
+    update_trail(ws_.field, params_, tours(q, 0, params_.ants));
+    if (params_.update == Update::terminal_index) {
+      offer({&answer(), 1});
+    } else {
+      lay_straight_trails();
+    }
+  }
+
   int ants() const override { return params_.ants; }
-  std::vector<Cell> tour(int ant) const override {
-    return ws_.ants.at(ant).arrived ? walk(ant) : std::vector<Cell>{};
+  double tour_length(int ant) const override { return ws_.tours[ant].length; }
+  double best_length() const override { return best_length_ < kInfinity ? best_length_ : kNaN; }
+
+  void observe(const Convergence& run) override {
+    if (observer_) observer_(View(*this, run));
   }
-  std::vector<Cell> walk(int ant) const override {
-    std::vector<Cell> cells;
-    tour_cells(ws_.ants.at(ant).tour(), moves_, request_.start, false, cells);
-    return cells;
-  }
-  double pheromone(Cell c) const override { return ws_.field.pheromone(c); }
 
  private:
+  /// What an observer sees.
+  class View final : public Progress {
+   public:
+    View(const GridColony& colony, const Convergence& run) : colony_(colony) {
+      iteration = run.iterations - 1;
+      best_length = run.best.back();
+      mean_length = run.mean.back();
+      arrived = run.arrived.back();
+    }
+    int ants() const override { return colony_.ants(); }
+    std::vector<Cell> tour(int ant) const override {
+      return colony_.ws_.ants.at(ant).arrived ? walk(ant) : std::vector<Cell>{};
+    }
+    std::vector<Cell> walk(int ant) const override {
+      std::vector<Cell> cells;
+      tour_cells(colony_.ws_.ants.at(ant).tour(), colony_.moves_, colony_.request_.start, false,
+                 cells);
+      return cells;
+    }
+    double pheromone(Cell c) const override { return colony_.ws_.field.pheromone(c); }
+
+   private:
+    const GridColony& colony_;
+  };
+
   /// tau where no ant has been; the terminal index of unknown cells grows with the map.
   double untouched() const {
     if (params_.update != Update::terminal_index) return tau0_;
@@ -146,31 +188,13 @@ class Colony final : public Progress {
     return world;
   }
 
-  /// Sends all ants, batch by batch, and measures their tours.
-  StopCondition::Cause walk(int q) {
-    const StepWeights weights = schedule(params_, q);
-    spin_wheel(weights, q);
-    for (Ant& ant : ws_.ants) ant.arrived = false;
-    const int batch = params_.batch > 0 ? params_.batch : params_.ants;
-    for (int first = 0; first < params_.ants; first += batch) {
-      const int count = std::min(batch, params_.ants - first);
-      const auto ants = std::span(ws_.ants).subspan(first, count);
-      ws_.field.refresh(weights, threads_);
-      ws_.field.fill(world_);
-      const auto cause = ws_.walkers.walk(world_, kernel_, ants, first, request_.stop);
-      for (int a = first; a < first + count; ++a) {
-        const auto tour = ws_.ants[a].tour();
-        ws_.tours[a] = {tour, ws_.ants[a].arrived ? tour_length(tour, moves_) : kNaN};
-        if (!ws_.ants[a].arrived) continue;
-        if (best_moves_.empty() || ws_.tours[a].length < best_tour_length_) {
-          best_moves_.assign(tour.begin(), tour.end());
-          best_tour_length_ = ws_.tours[a].length;
-        }
-      }
-      if (cause != StopCondition::Cause::none) return cause;
-      update_locally(ws_.field, params_, tau0_, tours(q, first, count));
-    }
-    return StopCondition::Cause::none;
+  void measure(int ant) {
+    const auto tour = ws_.ants[ant].tour();
+    ws_.tours[ant] = {tour, ws_.ants[ant].arrived ? raw_length(tour, moves_) : kNaN};
+    if (!ws_.ants[ant].arrived) return;
+    if (!best_moves_.empty() && !(ws_.tours[ant].length < best_tour_length_)) return;
+    best_moves_.assign(tour.begin(), tour.end());
+    best_tour_length_ = ws_.tours[ant].length;
   }
 
   Tours tours(int q, int first, int count) const {
@@ -217,8 +241,6 @@ class Colony final : public Progress {
     return static_cast<float>(kernels::power(1 + turn / (std::numbers::pi / 4), -beta));
   }
 
-  void update(int q) { update_trail(ws_.field, params_, tours(q, 0, params_.ants)); }
-
   /// The generation's answer as one more ant.
   const Ant& answer() {
     Ant& ant = ws_.answer;
@@ -228,16 +250,12 @@ class Colony final : public Progress {
     return ant;
   }
 
-  void polish(std::span<const Ant> ants) {
+  /// Polishes the tours and offers every path as the best one, ties to the lower index.
+  void offer(std::span<const Ant> ants) {
     ws_.polisher.polish(grid_, request_.start, moves_, ants, request_.stop);
-    polished_ = static_cast<int>(ants.size());
-  }
-
-  /// Offers every polished path as the best one, ties to the lower index.
-  void offer() {
     const auto paths = ws_.polisher.paths();
     improving_ant_ = -1;
-    for (int a = 0; a < polished_; ++a) {
+    for (int a = 0; a < static_cast<int>(ants.size()); ++a) {
       if (!(paths[a].length < best_length_)) continue;
       improving_ant_ = a;
       best_length_ = paths[a].length;
@@ -256,41 +274,29 @@ class Colony final : public Progress {
     }
   }
 
-  void record(int q) {
-    double sum = 0;
-    arrived = 0;
-    for (const Tour& tour : ws_.tours) {
-      if (!(tour.length > 0)) continue;
-      sum += tour.length;
-      ++arrived;
-    }
-    iteration = q;
-    mean_length = arrived > 0 ? sum / arrived : kNaN;
-    best_length = best_length_ < kInfinity ? best_length_ : kNaN;
-    result_.best.push_back(best_length);
-    result_.mean.push_back(mean_length);
-    result_.arrived.push_back(arrived);
-    result_.iterations = q + 1;
-  }
-
-  Result result(StopCondition::Cause cause) {
+  Result result(StopCondition::Cause cause, Convergence run) {
+    Result result;
+    result.iterations = run.iterations;
+    result.best = std::move(run.best);
+    result.mean = std::move(run.mean);
+    result.arrived = std::move(run.arrived);
     const bool found = best_length_ < kInfinity;
     switch (cause) {
       case StopCondition::Cause::none:
-        result_.status = found ? Status::solved : Status::no_path;
+        result.status = found ? Status::solved : Status::no_path;
         break;
       case StopCondition::Cause::deadline:
-        result_.status = Status::limit;
+        result.status = Status::limit;
         break;
       case StopCondition::Cause::token:
-        result_.status = Status::interrupted;
+        result.status = Status::interrupted;
         break;
     }
     if (found) {
-      result_.path = std::move(best_path_);
-      result_.length = path_length(result_.path);
+      result.path = std::move(best_path_);
+      result.length = path_length(result.path);
     }
-    return std::move(result_);
+    return result;
   }
 
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -299,6 +305,7 @@ class Colony final : public Progress {
   const Request& request_;
   const Params& params_;
   Workspace::Impl& ws_;
+  const Observer& observer_;
   int threads_;
   kernels::Moves moves_;
   double tau0_;
@@ -308,18 +315,16 @@ class Colony final : public Progress {
 
   std::vector<std::uint8_t> best_moves_;  // the best tour so far, as it was walked
   double best_tour_length_ = 0;
-  int polished_ = 0;                // paths that the polisher holds
   double best_length_ = kInfinity;  // the best path so far, polished
   std::vector<Point> best_path_;
   int improving_ant_ = -1;  // who found it, if in this iteration
-  Result result_;
 };
 
 }  // namespace
 
 Result run_colony(const Grid& grid, const Request& request, const Params& params,
                   Workspace::Impl& workspace, const Observer& observer) {
-  return Colony(grid, request, params, workspace).run(observer);
+  return GridColony(grid, request, params, workspace, observer).run();
 }
 
 }  // namespace lasius

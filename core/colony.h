@@ -1,4 +1,4 @@
-// The colony: the one loop that every ant algorithm on a grid runs.
+// The colony on a bitmap: what the one loop asks of it, composed from parameters.
 #pragma once
 
 #include "lasius/planner.h"

@@ -1,4 +1,4 @@
-// How the trail changes after ants have walked: one function a published family.
+// How the trail of a grid changes after ants have walked.
 #pragma once
 
 #include <span>
@@ -42,17 +42,5 @@ void update_trail(Field& field, const Params& params, const Tours& tours);
 /// K + step, ties to the first move (Li, Wang & Ma, section 2.2). Empty while the start has none.
 void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell goal,
                     std::vector<std::uint8_t>& way);
-
-/// Calls `visit(cell, move)` along a tour, for every cell that carries pheromone: with arcs the
-/// cells that a move leaves, with cells all of them (the last without a move, 0).
-template <class Visit>
-void along(const Tours& tours, const Tour& tour, Trail trail, const Visit& visit) {
-  Cell c = tours.start;
-  for (const int k : tour.moves) {
-    visit(c, k);
-    c = {c.x + tours.moves[k].to.dx, c.y + tours.moves[k].to.dy};
-  }
-  if (trail == Trail::cells) visit(c, 0);
-}
 
 }  // namespace lasius

@@ -1,0 +1,49 @@
+// The one loop that every ant algorithm runs, on a bitmap, among polygons or in a lattice.
+#pragma once
+
+#include <vector>
+
+#include "lasius/stop.h"
+
+namespace lasius {
+
+/// What an iteration left, and what all of them left so far.
+struct Convergence {
+  int iterations = 0;        ///< done
+  std::vector<double> best;  ///< by iteration: shortest final path up to then; NaN if none
+  std::vector<double> mean;  ///< by iteration: mean raw tour of the arrived ants; NaN if none
+  std::vector<int> arrived;  ///< by iteration: ants that reached the goal
+};
+
+/// A world as the loop sees it: where ants walk, what a tour is, what carries pheromone.
+class ColonyWorld {
+ public:
+  virtual ~ColonyWorld() = default;
+
+  /// Sends all ants of iteration q and measures their tours. Other than `none` when it was cut
+  /// short: then some ants count as lost.
+  virtual StopCondition::Cause send_ants(int q) = 0;
+  /// Offers what the ants found as the best path so far.
+  virtual void offer() = 0;
+  /// Changes the trail by what the ants found.
+  virtual void update(int q) = 0;
+
+  virtual int ants() const = 0;
+  /// Length of an ant's raw tour, NaN unless it arrived.
+  virtual double tour_length(int ant) const = 0;
+  /// Length of the best path so far, NaN without one.
+  virtual double best_length() const = 0;
+
+  /// True when another iteration is of no use.
+  virtual bool settled() const { return false; }
+  /// Called after every iteration, its record the last of `run`.
+  virtual void observe(const Convergence& run) { static_cast<void>(run); }
+};
+
+/// The main loop: send the ants, offer, update, record, up to `iterations` times. Returns why it
+/// was cut short, or `none`. An iteration that was cut short is not recorded and leaves the trail
+/// alone, but what its ants found is offered.
+StopCondition::Cause run_colony_loop(ColonyWorld& world, int iterations, const StopCondition& stop,
+                                     Convergence& run);
+
+}  // namespace lasius
