@@ -12,39 +12,10 @@
 #include "lasius/generate.h"
 #include "lasius/map_io.h"
 #include "lasius/path.h"
-#include "tests/count_allocations.h"
+#include "tests/core/planning.h"
 
 namespace lasius {
 namespace {
-
-Grid blobs(int width = 120, int height = 80, std::uint64_t seed = 3) {
-  return generate(MapKind::blobs, {.width = width, .height = height, .seed = seed});
-}
-
-/// Free cells far apart in one component.
-Request far_apart(const Planner& planner) {
-  const Grid& grid = planner.grid();
-  for (int i = 1; i < grid.width(); ++i) {
-    const Cell start = planner.nearest_free({i, 1}).value();
-    for (int j = 1; j < grid.width() / 2; ++j) {
-      const Cell goal = planner.nearest_free({grid.width() - 1 - j, grid.height() - 2}).value();
-      if (planner.connected(start, goal)) return {.start = start, .goal = goal};
-    }
-  }
-  ADD_FAILURE() << "no far goal";
-  return {};
-}
-
-Params quick(std::string_view algorithm) {
-  Params p = defaults(algorithm);
-  p.iterations = 15;
-  p.threads = 1;
-  if (algorithm == "cong2009") {  // alone and mortal, ants seldom arrive on such maps
-    p.ants = 10;
-    p.dead_end = DeadEnd::backtrack;
-  }
-  return p;
-}
 
 void expect_equal(const Result& a, const Result& b) {
   EXPECT_EQ(a.status, b.status);
@@ -56,9 +27,7 @@ void expect_equal(const Result& a, const Result& b) {
 }
 
 class EveryColony : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Planner, EveryColony,
-                         testing::Values("fan2004", "as", "eas", "ras", "mmas", "acs",
-                                         "terminal-index", "cong2009", "lecture-grid"));
+INSTANTIATE_TEST_SUITE_P(Planner, EveryColony, testing::ValuesIn(kColonies));
 
 TEST_P(EveryColony, PlansAValidPathAndItsCurves) {
   const Planner planner(blobs());
@@ -123,25 +92,6 @@ TEST_P(EveryColony, SeedsGiveDifferentRunsAndWorkspacesDoNot) {
   expect_equal(planner.plan(request, params, &workspace), first);
   params.seed = 2;
   EXPECT_NE(planner.plan(request, params).mean, first.mean);
-}
-
-TEST_P(EveryColony, ASecondCallOfTheSameSizeAllocatesOnlyItsResult) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
-  Params params = quick(GetParam());
-  params.threads = 1;
-  Workspace workspace;
-  (void)planner.plan(request, params, &workspace);
-  params.iterations = 3;
-  const auto count = [&] {
-    const auto before = allocations.load();
-    (void)planner.plan(request, params, &workspace);
-    return allocations - before;
-  };
-  const auto three = count();
-  EXPECT_LT(three, 40);
-  params.iterations = 6;
-  EXPECT_LT(count() - three, 12);  // the curves grow, nothing else
 }
 
 TEST_P(EveryColony, PlansWithEveryNeighbourhoodCornerRuleAndPolish) {
@@ -239,14 +189,12 @@ TEST(Planner, UnreachableNeedsNoTimeAtAll) {
   Grid grid(1000, 1000);
   for (int y = 0; y < 1000; ++y) grid.set_blocked({500, y});
   const Planner planner(grid);
-  const auto before = allocations.load();
   const Result result = planner.plan({.start = {1, 1},
                                       .goal = {900, 900},
                                       .stop = {.deadline = Clock::time_point{}, .time = &time}},
                                      defaults("fan2004"));
   EXPECT_EQ(result.status, Status::unreachable);
   EXPECT_EQ(time.polls, 0);
-  EXPECT_LT(allocations - before, 300);
 }
 
 /// Says that time is up from a given reading on, and counts the readings.

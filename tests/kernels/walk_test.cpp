@@ -78,11 +78,7 @@ class World {
     }
     view.tiles = tiles_.data();
     view.tiles_x = tiles_x;
-    for (int k = 0; k < moves.count; ++k) {
-      const auto [dx, dy] = moves[k].to;
-      view.delta[k] = dy * 65536 + dx;
-      view.window |= std::uint64_t{1} << ((dy + kMaxReach) * 7 + dx + kMaxReach);
-    }
+    for (int k = 0; k < moves.count; ++k) view.set_move(k, moves[k].to);
     for (auto& factors : view.factor) {
       for (auto& f : factors) f = shape.factor ? static_cast<float>(uniform() + 0.1) : 1.0f;
     }

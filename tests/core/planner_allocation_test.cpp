@@ -1,0 +1,44 @@
+// What a plan allocates. Apart from the other tests of plans: the thread sanitizer has an allocator
+// of its own.
+#include <gtest/gtest.h>
+
+#include "tests/core/planning.h"
+#include "tests/count_allocations.h"
+
+namespace lasius {
+namespace {
+
+class EveryColony : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(PlannerAllocation, EveryColony, testing::ValuesIn(kColonies));
+
+TEST_P(EveryColony, ASecondCallOfTheSameSizeAllocatesOnlyItsResult) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  Params params = quick(GetParam());
+  params.threads = 1;
+  Workspace workspace;
+  (void)planner.plan(request, params, &workspace);
+  params.iterations = 3;
+  const auto count = [&] {
+    const auto before = allocations.load();
+    (void)planner.plan(request, params, &workspace);
+    return allocations - before;
+  };
+  const auto three = count();
+  EXPECT_LT(three, 40);
+  params.iterations = 6;
+  EXPECT_LT(count() - three, 12);  // the curves grow, nothing else
+}
+
+TEST(PlannerAllocation, ProvingUnreachableTakesNoMapSizedMemory) {
+  Grid grid(1000, 1000);
+  for (int y = 0; y < 1000; ++y) grid.set_blocked({500, y});
+  const Planner planner(grid);
+  const auto before = allocations.load();
+  const Result result = planner.plan({.start = {1, 1}, .goal = {900, 900}}, defaults("fan2004"));
+  EXPECT_EQ(result.status, Status::unreachable);
+  EXPECT_LT(allocations - before, 300);
+}
+
+}  // namespace
+}  // namespace lasius

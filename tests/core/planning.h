@@ -1,0 +1,46 @@
+// Problems for tests of whole plans.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string_view>
+
+#include "lasius/generate.h"
+#include "lasius/planner.h"
+
+namespace lasius {
+
+/// Every algorithm that runs the colony's loop.
+inline constexpr const char* kColonies[] = {
+    "fan2004", "as", "eas", "ras", "mmas", "acs", "terminal-index", "cong2009", "lecture-grid"};
+
+inline Grid blobs(int width = 120, int height = 80, std::uint64_t seed = 3) {
+  return generate(MapKind::blobs, {.width = width, .height = height, .seed = seed});
+}
+
+/// Free cells far apart in one component.
+inline Request far_apart(const Planner& planner) {
+  const Grid& grid = planner.grid();
+  for (int i = 1; i < grid.width(); ++i) {
+    const Cell start = planner.nearest_free({i, 1}).value();
+    for (int j = 1; j < grid.width() / 2; ++j) {
+      const Cell goal = planner.nearest_free({grid.width() - 1 - j, grid.height() - 2}).value();
+      if (planner.connected(start, goal)) return {.start = start, .goal = goal};
+    }
+  }
+  ADD_FAILURE() << "no far goal";
+  return {};
+}
+
+inline Params quick(std::string_view algorithm) {
+  Params p = defaults(algorithm);
+  p.iterations = 15;
+  p.threads = 1;
+  if (algorithm == "cong2009") {  // alone and mortal, ants seldom arrive on such maps
+    p.ants = 10;
+    p.dead_end = DeadEnd::backtrack;
+  }
+  return p;
+}
+
+}  // namespace lasius
