@@ -45,9 +45,7 @@ class WalkOnly {
     field_.reset(c.grid, moves, c.goal, params_, 1, {});
     field_.refresh(schedule(params_, 0), 1);
     field_.fill(world_);
-    for (int k = 0; k < moves.count; ++k) {
-      world_.delta[k] = moves[k].to.dy * 65536 + moves[k].to.dx;
-    }
+    for (int k = 0; k < moves.count; ++k) world_.set_move(k, moves[k].to);
     world_.start = kernels::pack(c.start.x, c.start.y);
     world_.goal = kernels::pack(c.goal.x, c.goal.y);
     walkers_.reset(c.grid.width(), c.grid.height(), 1, kAnts);

@@ -176,11 +176,7 @@ class GridColony final : public ColonyWorld {
 
   WalkWorld make_world() const {
     WalkWorld world;
-    for (int k = 0; k < moves_.count; ++k) {
-      const auto [dx, dy] = moves_[k].to;
-      world.delta[k] = dy * 65536 + dx;
-      world.window |= std::uint64_t{1} << ((dy + kernels::kMaxReach) * 7 + dx + kernels::kMaxReach);
-    }
+    for (int k = 0; k < moves_.count; ++k) world.set_move(k, moves_[k].to);
     world.start = kernels::pack(request_.start.x, request_.start.y);
     world.goal = kernels::pack(request_.goal.x, request_.goal.y);
     world.backtrack = params_.dead_end == DeadEnd::backtrack;

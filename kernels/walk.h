@@ -47,9 +47,8 @@ struct VisitedPlane {
   }
   static int bit(PackedCell c) noexcept { return static_cast<int>(c & 31) + 16; }
 
-  void mark(PackedCell c) const noexcept {
-    std::uint64_t* w = word(c);
-    const int b = bit(c);
+  void mark(PackedCell c) const noexcept { mark(word(c), bit(c)); }
+  void mark(std::uint64_t* w, int b) const noexcept {
     w[0] |= std::uint64_t{1} << b;
     w[neighbour(b)] |= std::uint64_t{1} << (b ^ 32);
   }
@@ -81,7 +80,9 @@ struct WalkWorld {
   float* (*make_tile)(void* context, int tile) = nullptr;
   void* context = nullptr;
 
-  std::array<std::int32_t, kMaxMoves> delta{};  ///< PackedCell difference of a move
+  std::array<std::int32_t, kMaxMoves> delta{};      ///< PackedCell difference of a move
+  std::array<std::int32_t, kMaxMoves> tile_step{};  ///< the same in cells of a tile, row-major
+  std::array<std::int32_t, kMaxMoves> row_step{};   ///< rows that a move goes down
   std::uint64_t window = 0;  ///< more than 8 moves: their bits in 7 x 7 cells, row by row
   /// Factor on pheromone weights by previous move (kMaxMoves: none yet) and move; 0 closes a move.
   alignas(64) std::array<std::array<float, kMaxMoves>, kMaxMoves + 1> factor{};
@@ -89,6 +90,14 @@ struct WalkWorld {
   std::array<std::uint64_t, kRules> rule_start{};
   /// Maps the rest of the word onto [0, 1]. As given here, every word draws by the product.
   std::array<float, kRules> rule_scale{0, 0, 0, 0x1p-32f};
+
+  /// Enters the differences of move k.
+  void set_move(int k, Offset to) noexcept {
+    delta[k] = to.dy * 65536 + to.dx;
+    tile_step[k] = to.dy * kTileSide + to.dx;
+    row_step[k] = to.dy;
+    window |= std::uint64_t{1} << ((to.dy + kMaxReach) * 7 + to.dx + kMaxReach);
+  }
 
   PackedCell start = 0;
   PackedCell goal = 0;
@@ -102,7 +111,7 @@ enum class WalkState : std::uint32_t { walking, arrived, lost };
 /// One ant under way. Random word n of ant a in iteration q is word n % 4 of Philox4x32-10 with
 /// key = seed and counter (n / 4, a, q, 0).
 struct WalkSlot {
-  static constexpr int kRandomWords = 16;
+  static constexpr int kRandomWords = 32;
 
   PackedCell at = 0;
   std::uint32_t previous = kMaxMoves;  ///< last move; kMaxMoves at the start
@@ -113,8 +122,9 @@ struct WalkSlot {
   PackedCell* dead = nullptr;  ///< cells entered and left again, room likewise
   std::int64_t dead_count = 0;
 
-  const float* row = nullptr;  ///< of the cell it is at; the kernel's own
+  const float* row = nullptr;  ///< of the cell it is at; the kernel's own, as is `word`
   VisitedPlane visited;
+  std::uint64_t* word = nullptr;  ///< of `visited` around that cell
   std::uint32_t random_used = kRandomWords;
   std::uint32_t random_block = 0;  ///< next Philox counter
   alignas(32) std::array<std::uint32_t, kRandomWords> random;

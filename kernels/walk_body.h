@@ -16,15 +16,22 @@
 namespace lasius::kernels {
 namespace {
 
-/// Fills the slot's buffer with its next random words.
-[[gnu::always_inline]] inline void refill(const WalkWorld& world, WalkSlot& slot) noexcept {
+/// Fills the slot's buffer with its next random words, block by block in the lanes of a vector.
+LASIUS_TARGET inline void refill(const WalkWorld& world, WalkSlot& slot) noexcept {
+  constexpr int kBlocks = WalkSlot::kRandomWords / 4;
   const r123::Philox4x32::key_type key{
       {static_cast<std::uint32_t>(world.seed), static_cast<std::uint32_t>(world.seed >> 32)}};
-  for (int i = 0; i < WalkSlot::kRandomWords; i += 4) {
-    const r123::Philox4x32::ctr_type counter{{slot.random_block++, slot.ant, world.iteration, 0}};
-    const auto words = philox4x32(counter, key);
-    std::memcpy(slot.random.data() + i, words.v, sizeof words.v);
+  std::uint32_t words[4][kBlocks];
+  for (int i = 0; i < kBlocks; ++i) {
+    const auto block = slot.random_block + static_cast<std::uint32_t>(i);
+    const r123::Philox4x32::ctr_type counter{{block, slot.ant, world.iteration, 0}};
+    const auto drawn = philox4x32(counter, key);
+    for (int w = 0; w < 4; ++w) words[w][i] = drawn.v[w];
   }
+  for (int i = 0; i < kBlocks; ++i) {
+    for (int w = 0; w < 4; ++w) slot.random[4 * i + w] = words[w][i];
+  }
+  slot.random_block += kBlocks;
   slot.random_used = 0;
 }
 
@@ -45,9 +52,8 @@ struct Walk {
 
   /// Bit k set where move k leads to a cell that the ant has not entered.
   LASIUS_TARGET [[gnu::always_inline]] static std::uint32_t open_moves(const WalkWorld& world,
-                                                                       const VisitedPlane& visited,
+                                                                       const std::uint64_t* word,
                                                                        PackedCell at) noexcept {
-    const std::uint64_t* word = visited.word(at);
     const int bit = VisitedPlane::bit(at);
     if constexpr (kLanes > 8) {
       std::uint64_t window = 0;
@@ -66,15 +72,35 @@ struct Walk {
     }
   }
 
-  /// Finds the row of the ant's cell, and asks for it: by the ant's next turn it has arrived.
-  [[gnu::always_inline]] static void find_row(const WalkWorld& world, WalkSlot& slot) noexcept {
+  /// Asks for the row of the ant's cell: by the ant's next turn it has arrived.
+  [[gnu::always_inline]] static void prefetch(const WalkSlot& slot) noexcept {
+    for (std::ptrdiff_t k = 0; k < kRow; k += 16) __builtin_prefetch(slot.row + k);
+  }
+
+  /// Finds what belongs to the ant's cell.
+  static void find(const WalkWorld& world, WalkSlot& slot) noexcept {
     const int x = packed_x(slot.at), y = packed_y(slot.at);
     const int tile = (y >> kTileShift) * world.tiles_x + (x >> kTileShift);
     const float* rows = __atomic_load_n(world.tiles + tile, __ATOMIC_ACQUIRE);
     if (rows == nullptr) [[unlikely]]
       rows = world.make_tile(world.context, tile);
     slot.row = rows + ((y % kTileSide) * kTileSide + x % kTileSide) * kRow;
-    for (std::ptrdiff_t k = 0; k < kRow; k += 16) __builtin_prefetch(slot.row + k);
+    slot.word = slot.visited.word(slot.at);
+    prefetch(slot);
+  }
+
+  /// Moves the ant; inside a tile what belongs to its cell is found by adding.
+  [[gnu::always_inline]] static void go(const WalkWorld& world, WalkSlot& slot, int move) noexcept {
+    constexpr PackedCell kOtherTile = ~pack(kTileSide - 1, kTileSide - 1);
+    const PackedCell from = slot.at;
+    slot.at = from + static_cast<PackedCell>(world.delta[move]);
+    if (((from ^ slot.at) & kOtherTile) == 0) [[likely]] {
+      slot.row += world.tile_step[move] * kRow;
+      slot.word += world.row_step[move];
+      prefetch(slot);
+    } else {
+      find(world, slot);
+    }
   }
 
   /// False when the ant is lost.
@@ -87,16 +113,15 @@ struct Walk {
     --slot.move_count;
     slot.at -= static_cast<PackedCell>(world.delta[slot.moves[slot.move_count]]);
     slot.previous = slot.move_count > 0 ? slot.moves[slot.move_count - 1] : kMaxMoves;
-    find_row(world, slot);
+    find(world, slot);
     return true;
   }
 
   /// False when the ant's walk has ended.
   LASIUS_TARGET [[gnu::always_inline]] static bool step(const WalkWorld& world,
                                                         WalkSlot& slot) noexcept {
-    const PackedCell at = slot.at;
     const float* row = slot.row;
-    const std::uint32_t open = open_moves(world, slot.visited, at);
+    const std::uint32_t open = open_moves(world, slot.word, slot.at);
     int move;
     if constexpr (kDraw == Draw::discard) {
       std::array<std::uint32_t, kLanes> words;
@@ -115,11 +140,10 @@ struct Walk {
     if (move < 0) [[unlikely]]
       return take_back(world, slot);
 
-    slot.at = at + static_cast<PackedCell>(world.delta[move]);
+    go(world, slot, move);
     slot.previous = static_cast<std::uint32_t>(move);
     slot.moves[slot.move_count++] = static_cast<std::uint8_t>(move);
-    slot.visited.mark(slot.at);
-    find_row(world, slot);
+    slot.visited.mark(slot.word, VisitedPlane::bit(slot.at));
     if (slot.at != world.goal) return true;
     slot.state = WalkState::arrived;
     return false;
@@ -131,7 +155,7 @@ struct Walk {
     int count = 0;
     for (WalkSlot& slot : slots) {
       if (slot.state != WalkState::walking) continue;
-      find_row(world, slot);
+      find(world, slot);
       walking[count++] = &slot;
     }
     for (; rounds > 0 && count > 0; --rounds) {
