@@ -64,6 +64,22 @@ StopCondition::Cause Walkers::walk(const WalkWorld& world, kernels::WalkFn kerne
   return cause;
 }
 
+void Walkers::forget(const WalkSlot& slot, std::uint64_t* plane, const WalkWorld& world) const {
+  // Clearing a cell costs about what sixteen words of a whole plane do.
+  const auto words = VisitedPlane::words_for(width_, height_);
+  if (words <= 16 * (slot.move_count + slot.dead_count)) {
+    std::fill_n(plane, words, 0);
+    return;
+  }
+  PackedCell c = slot.at;
+  slot.visited.clear(c);
+  for (std::int64_t m = slot.move_count - 1; m >= 0; --m) {
+    c -= static_cast<PackedCell>(world.delta[slot.moves[m]]);
+    slot.visited.clear(c);
+  }
+  for (std::int64_t d = 0; d < slot.dead_count; ++d) slot.visited.clear(slot.dead[d]);
+}
+
 void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, std::span<Ant> ants,
                    int first, std::atomic<int>& next, std::atomic<StopCondition::Cause>& cause,
                    const StopCondition& stop) const {
@@ -100,20 +116,14 @@ void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, s
     slot.dead = room(team.slots[i].dead, slot.dead_count);
   };
 
-  // Records the ant's tour and forgets the cells that it entered.
+  // Records the ant's tour.
   const auto retire = [&](int i) {
     WalkSlot& slot = slots[i];
     Ant& ant = ants[numbers[i]];
     ant.arrived = slot.state == WalkState::arrived;
     ant.move_count = slot.move_count;
     ant.steps = slot.move_count + 2 * slot.dead_count;
-    PackedCell c = slot.at;
-    slot.visited.clear(c);
-    for (std::int64_t m = slot.move_count - 1; m >= 0; --m) {
-      c -= static_cast<PackedCell>(world.delta[slot.moves[m]]);
-      slot.visited.clear(c);
-    }
-    for (std::int64_t d = 0; d < slot.dead_count; ++d) slot.visited.clear(slot.dead[d]);
+    forget(slot, team.slots[i].plane.get(), world);
     ant.dead.assign(slot.dead, slot.dead + slot.dead_count);
     slot.state = WalkState::lost;
     --under_way;

@@ -64,6 +64,9 @@ class Walkers {
     std::array<Slot, kSlots> slots;
   };
 
+  /// Clears the plane of the cells that an ant entered.
+  void forget(const kernels::WalkSlot& slot, std::uint64_t* plane,
+              const kernels::WalkWorld& world) const;
   void work(Team& team, const kernels::WalkWorld& world, kernels::WalkFn kernel,
             std::span<Ant> ants, int first, std::atomic<int>& next,
             std::atomic<StopCondition::Cause>& cause, const StopCondition& stop) const;
