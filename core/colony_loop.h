@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "lasius/export.h"
 #include "lasius/stop.h"
 
 namespace lasius {
@@ -43,7 +44,8 @@ class ColonyWorld {
 /// The main loop: send the ants, offer, update, record, up to `iterations` times. Returns why it
 /// was cut short, or `none`. An iteration that was cut short is not recorded and leaves the trail
 /// alone, but what its ants found is offered.
-StopCondition::Cause run_colony_loop(ColonyWorld& world, int iterations, const StopCondition& stop,
-                                     Convergence& run);
+/// Exported for the components; not a public header.
+LASIUS_EXPORT StopCondition::Cause run_colony_loop(ColonyWorld& world, int iterations,
+                                                   const StopCondition& stop, Convergence& run);
 
 }  // namespace lasius

@@ -41,7 +41,8 @@ if(NOT LIBRARY_DIR)
   set(LIBRARY_DIR ${WORK_DIR}/library)
   string(COMPARE EQUAL ${KIND} shared shared)
   run("configuring the library" ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${LIBRARY_DIR} ${toolchain}
-    -DBUILD_SHARED_LIBS=${shared} -DLASIUS_BUILD_IO=${BUILD_IO} -DLASIUS_BUILD_TOOLS=OFF
+    -DBUILD_SHARED_LIBS=${shared} -DLASIUS_BUILD_IO=${BUILD_IO}
+    -DLASIUS_BUILD_ARM=${BUILD_ARM} -DLASIUS_BUILD_TOOLS=OFF
     -DLASIUS_BUILD_TESTS=OFF -DLASIUS_BUILD_BENCH=OFF -DCMAKE_INSTALL_LIBDIR=${LIBDIR})
   run("building the library" ${CMAKE_COMMAND} --build ${LIBRARY_DIR})
 endif()
@@ -63,9 +64,13 @@ set(components "")
 if(BUILD_IO)
   set(components io)
 endif()
+if(BUILD_ARM)
+  list(APPEND components arm)
+endif()
 set(configure ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project ${toolchain}
   -DCMAKE_PREFIX_PATH=${prefix} -DEXAMPLE=${WORK_DIR}/example.cpp)
-run("configuring the consumer" ${configure} -B ${build} -DCOMPONENTS=${components}
+list(JOIN components "," component_names)
+run("configuring the consumer" ${configure} -B ${build} -DCOMPONENTS=${component_names}
   -DLASIUS_WANTED=${VERSION})
 run("building the consumer" ${CMAKE_COMMAND} --build ${build})
 run("the example" ${build}/example)
@@ -95,9 +100,10 @@ expect_length("${output}")
 foreach(component IN LISTS components)
   run("pkg-config for ${component}" ${PKG_CONFIG} --cflags --libs lasius-${component})
   separate_arguments(flags UNIX_COMMAND "${output}")
-  run("compiling with pkg-config for ${component}" ${CXX} -std=c++20
+  # The standard comes last: Debian's urdfdom names an older one.
+  run("compiling with pkg-config for ${component}" ${CXX}
     ${CMAKE_CURRENT_LIST_DIR}/project/use_${component}.cpp -o ${WORK_DIR}/use_${component} ${flags}
-    -Wl,-rpath,${prefix}/${LIBDIR})
+    -std=c++20 -Wl,-rpath,${prefix}/${LIBDIR})
   run("use_${component} by pkg-config" ${WORK_DIR}/use_${component} ${WORK_DIR})
 endforeach()
 

@@ -30,6 +30,10 @@ function(lasius_package_library target)
     return()
   endif()
 
+  if(arg_COMPONENT AND BUILD_SHARED_LIBS)
+    # A program that uses a component only need not link the main library itself.
+    set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN")
+  endif()
   install(TARGETS ${target} EXPORT ${pc}-targets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -83,4 +87,7 @@ function(lasius_install_package)
     COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/lasius-config.cmake
     ${PROJECT_BINARY_DIR}/lasius-config-version.cmake DESTINATION ${destination})
+  if(LASIUS_BUILD_ARM)
+    install(FILES ${LASIUS_CMAKE_DIR}/LasiusArmLibraries.cmake DESTINATION ${destination})
+  endif()
 endfunction()

@@ -11,7 +11,6 @@
 
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
-#include "lasius/params.h"
 
 namespace lasius::study {
 
@@ -49,7 +48,7 @@ struct Question {
 /// The paths among which a question's optimum is the shortest.
 struct Truth {
   enum class Kind { any_angle, moves } kind = Kind::any_angle;
-  Neighbours neighbours = Neighbours::eight;  ///< of `moves`
+  std::string_view neighbours = "8";  ///< of `moves`, as the parameter has it
   Corners corners = Corners::forbid;
 };
 

@@ -1,0 +1,144 @@
+#include "kinematics.h"
+
+#include <limits>
+
+namespace lasius::arm {
+namespace {
+
+/// A 3 x 3 symmetric matrix, and its inverse applied to a vector.
+struct Symmetric {
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+
+  void add(Vec3 column) noexcept {
+    xx += column.x * column.x;
+    xy += column.x * column.y;
+    xz += column.x * column.z;
+    yy += column.y * column.y;
+    yz += column.y * column.z;
+    zz += column.z * column.z;
+  }
+  /// By cofactors. The damping on the diagonal keeps the determinant above 0.
+  Vec3 solve(Vec3 b) const noexcept {
+    const Vec3 r0{yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy};
+    const Vec3 r1{r0.y, xx * zz - xz * xz, xy * xz - xx * yz};
+    const Vec3 r2{r0.z, r1.z, xx * yy - xy * xy};
+    const double determinant = xx * r0.x + xy * r0.y + xz * r0.z;
+    return (1 / determinant) * Vec3{dot(r0, b), dot(r1, b), dot(r2, b)};
+  }
+};
+
+}  // namespace
+
+Kinematics::Kinematics(const Robot& robot) : robot_(&robot) {
+  const int last = robot.size() - 1;
+  for (int j = 0; j <= last; ++j) {
+    const Joint& joint = robot.joints[j];
+    if (j > 0) reach_ += length(joint.origin);
+    if (joint.kind == Joint::Kind::prismatic) {
+      reach_ += std::max(std::abs(joint.low), std::abs(joint.high));
+    }
+  }
+  reach_ += length(robot.tip);
+}
+
+void Kinematics::place(std::span<const double> q, Poses& poses) const noexcept {
+  Pose at;
+  for (int j = 0; j < size(); ++j) {
+    const Joint& joint = robot_->joints[j];
+    const Rotation frame = j == 0 ? joint.rotation : at.rotation * joint.rotation;
+    const Vec3 origin = at * joint.origin;
+    if (joint.kind == Joint::Kind::prismatic) {
+      at = {frame, origin + q[j] * (frame * joint.axis)};
+    } else {
+      at = {frame * rotation_about(joint.axis, q[j]), origin};
+    }
+    poses[j] = at;
+  }
+}
+
+/// One step of the solver: the tip's error, and each joint's effect on the tip.
+struct Kinematics::Step {
+  std::array<Vec3, Robot::kMaxJoints> column;
+
+  void fill(const Kinematics& arm, const Poses& poses, Vec3 tip) noexcept {
+    for (int j = 0; j < arm.size(); ++j) {
+      const Joint& joint = arm.robot_->joints[j];
+      // The joint's own turn leaves its axis where it is.
+      const Vec3 axis = poses[j].rotation * joint.axis;
+      column[j] =
+          joint.kind == Joint::Kind::prismatic ? axis : cross(axis, tip - poses[j].position);
+    }
+  }
+};
+
+bool Kinematics::reach_for(Vec3 target, std::span<const double> rest,
+                           std::span<double> q) const noexcept {
+  constexpr int kMostSteps = 60;
+  constexpr double kDamping = 0.02;     // of the squared error
+  constexpr double kPull = 0.5;         // share of the way to `rest` a step
+  constexpr double kStill = 1e-6;       // radians or metres: the pull has come to rest
+  constexpr double kLongestStep = 0.5;  // radians or metres
+  if (distance(target, shoulder()) > reach_ + kTolerance) return false;
+
+  const int n = size();
+  Poses poses;
+  Step step;
+  for (int count = 0; count < kMostSteps; ++count) {
+    place(q, poses);
+    Vec3 error = target - tip(poses);
+    step.fill(*this, poses, tip(poses));
+    double moved = 0;
+
+    std::array<bool, Robot::kMaxJoints> held{};
+    JointArray change{};
+    // A joint that a step would push past its limit is held, and the step taken anew.
+    for (int round = 0; round <= n; ++round) {
+      Symmetric normal;
+      for (int j = 0; j < n; ++j) {
+        if (!held[j]) normal.add(step.column[j]);
+      }
+      const double damping = kDamping * dot(error, error) + 1e-12;
+      normal.xx += damping;
+      normal.yy += damping;
+      normal.zz += damping;
+      // dq = J^T A^-1 e + (z - J^T A^-1 J z) with z the pull: one solve for both.
+      Vec3 wanted = error;
+      for (int j = 0; j < n; ++j) {
+        if (!held[j]) wanted = wanted - (kPull * (rest[j] - q[j])) * step.column[j];
+      }
+      const Vec3 force = normal.solve(wanted);
+      bool pushed = false;
+      double longest = 0;
+      for (int j = 0; j < n; ++j) {
+        change[j] = held[j] ? 0 : kPull * (rest[j] - q[j]) + dot(step.column[j], force);
+        longest = std::max(longest, std::abs(change[j]));
+      }
+      const double shrink = longest > kLongestStep ? kLongestStep / longest : 1;
+      for (int j = 0; j < n; ++j) {
+        change[j] *= shrink;
+        const Joint& joint = robot_->joints[j];
+        const double next = q[j] + change[j];
+        if (held[j] || (next >= joint.low && next <= joint.high)) continue;
+        held[j] = true;
+        pushed = true;
+        const double limit = std::clamp(next, joint.low, joint.high);
+        moved = std::max(moved, std::abs(limit - q[j]));
+        error = error - (limit - q[j]) * step.column[j];
+        q[j] = limit;
+      }
+      if (!pushed) break;
+      if (round == n) return false;
+    }
+    for (int j = 0; j < n; ++j) {
+      moved = std::max(moved, std::abs(change[j]));
+      q[j] += change[j];
+    }
+    if (moved < kStill || count + 1 == kMostSteps) {
+      place(q, poses);
+      if (distance(target, tip(poses)) <= kTolerance) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace lasius::arm

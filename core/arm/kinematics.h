@@ -1,0 +1,50 @@
+// Where a robot's bodies are, and joint values that bring its tip to a point.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "lasius/arm.h"
+#include "vec3.h"
+
+namespace lasius::arm {
+
+/// Values of up to kMaxJoints joints.
+using JointArray = std::array<double, Robot::kMaxJoints>;
+
+class Kinematics {
+ public:
+  /// `robot` must outlive it.
+  explicit Kinematics(const Robot& robot);
+
+  int size() const noexcept { return robot_->size(); }
+  const Robot& robot() const noexcept { return *robot_; }
+
+  /// Poses of the bodies that move with each joint.
+  using Poses = std::array<Pose, Robot::kMaxJoints>;
+  void place(std::span<const double> q, Poses& poses) const noexcept;
+  Vec3 tip(const Poses& poses) const noexcept { return poses[size() - 1] * robot_->tip; }
+
+  /// No point is further from the first joint's origin than this, whatever the joints do.
+  double reach() const noexcept { return reach_; }
+  Vec3 shoulder() const noexcept { return robot_->joints.front().origin; }
+
+  /// Brings the tip to `target`, starting from `q`, which is overwritten; false where it does not
+  /// get there, `q` is then the last attempt. Among the solutions near the start the one nearest to
+  /// `rest` is sought. Joint limits hold. Kinematics only; the same on every machine.
+  ///
+  /// Damped least squares with its damping proportional to the squared error (Levenberg's rule, as
+  /// in Sugihara 2011), and a pull towards `rest` in the null space; a joint at its limit takes no
+  /// further part in a step that would push it out.
+  bool reach_for(Vec3 target, std::span<const double> rest, std::span<double> q) const noexcept;
+
+  /// The tip is within this of a target that was reached.
+  static constexpr double kTolerance = 1e-7;
+
+ private:
+  struct Step;
+  const Robot* robot_;
+  double reach_ = 0;
+};
+
+}  // namespace lasius::arm

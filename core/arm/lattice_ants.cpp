@@ -1,0 +1,108 @@
+#include "lattice_ants.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+
+#include "kernels/proportional.h"
+#include "kernels/random_stream.h"
+
+namespace lasius::arm {
+
+/// An ant's random stream, by a name of its own so that the header needs no Random123.
+class Dice : public kernels::RandomStream {
+ public:
+  using RandomStream::RandomStream;
+};
+
+LatticeAnts::LatticeAnts(const Lattice& lattice, const LatticeTrail& trail,
+                         const Parameters& parameters)
+    : lattice_(lattice), trail_(trail), parameters_(parameters) {
+  const int threads = std::clamp(parameters.ants / 2, 1, std::max(parameters.threads, 1));
+  for (int i = 0; i < threads; ++i) {
+    teams_.push_back({ZeroArray<std::uint8_t>(lattice.nodes()), {}});
+  }
+}
+
+StopCondition::Cause LatticeAnts::walk(int iteration, std::span<LatticeAnt> ants,
+                                       const StopCondition& stop) {
+  std::atomic<int> next{0};
+  std::atomic<StopCondition::Cause> cause{StopCondition::Cause::none};
+  std::exception_ptr error;
+  const int threads = static_cast<int>(teams_.size());
+#pragma omp parallel for schedule(static, 1) num_threads(threads) if (threads > 1)
+  for (int thread = 0; thread < threads; ++thread) {
+    try {
+      for (int a = next++; a < static_cast<int>(ants.size()); a = next++) {
+        ants[a].arrived = false;
+        ants[a].moves.clear();
+        ants[a].steps = 0;
+        if (cause != StopCondition::Cause::none) continue;
+        const auto seen = walk_one(teams_[thread], iteration, a, ants[a], stop);
+        if (seen != StopCondition::Cause::none) cause = seen;
+      }
+    } catch (...) {  // none may leave the parallel region
+#pragma omp critical
+      error = std::current_exception();
+      next = static_cast<int>(ants.size());
+    }
+  }
+  if (error) std::rethrow_exception(error);
+  return cause;
+}
+
+/// The random proportional rule (eq. 3, 9) over the points not yet visited that can be reached: a
+/// move that turns out closed is drawn again without it, which leaves the others in proportion. -1
+/// when there is none.
+int LatticeAnts::draw_open_move(const Team& team, Node at, Dice& dice) const {
+  std::array<double, kMoves> weight;
+  const float* guidance = lattice_.guidance(at);
+  for (int k = 0; k < kMoves; ++k) {
+    const bool visited = team.visited[lattice_.to(at, k)] != 0;
+    weight[k] = visited ? 0 : trail_.attraction(lattice_.edge(at, k)) * guidance[k];
+  }
+  for (;;) {
+    const int move = kernels::proportional_choice(weight, 0, dice.next());
+    if (move < 0 || lattice_.open(at, move)) return move;
+    weight[move] = 0;
+  }
+}
+
+StopCondition::Cause LatticeAnts::walk_one(Team& team, int iteration, int number, LatticeAnt& ant,
+                                           const StopCondition& stop) const {
+  constexpr int kSteps = 256;  // between two polls: a step may ask the sensor several times
+  static_assert(kSteps <= Poller::kSteps);
+  Dice dice(parameters_.seed, static_cast<std::uint32_t>(number),
+            static_cast<std::uint32_t>(iteration));
+  Poller poller(stop, kSteps);
+  Node at = lattice_.start();
+  team.visited[at] = 1;
+  team.entered.assign(1, at);
+  struct Forget {
+    Team& team;
+    ~Forget() {
+      for (const Node v : team.entered) team.visited[v] = 0;
+    }
+  } forget{team};
+
+  while (at != lattice_.goal()) {
+    if (poller.stop_after(1)) return poller.cause();
+    ++ant.steps;
+    const int move = draw_open_move(team, at, dice);
+    if (move >= 0) {
+      at = lattice_.to(at, move);
+      ant.moves.push_back(static_cast<std::uint8_t>(move));
+      team.visited[at] = 1;
+      team.entered.push_back(at);
+    } else if (ant.moves.empty() || parameters_.dead_end == DeadEnd::kill) {
+      return StopCondition::Cause::none;  // lost
+    } else {
+      at = lattice_.to(at, ant.moves.back() ^ 1);
+      ant.moves.pop_back();
+    }
+  }
+  ant.arrived = true;
+  return StopCondition::Cause::none;
+}
+
+}  // namespace lasius::arm

@@ -1,0 +1,46 @@
+// Ants in the lattice: one iteration's walks, over threads.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lasius/stop.h"
+#include "lattice.h"
+#include "lattice_trail.h"
+
+namespace lasius::arm {
+
+/// One ant's walk.
+struct LatticeAnt {
+  bool arrived = false;
+  std::vector<std::uint8_t> moves;  // of the tour, what was taken back left out
+  std::int64_t steps = 0;           // moves made, those taken back twice
+};
+
+class LatticeAnts {
+ public:
+  LatticeAnts(const Lattice& lattice, const LatticeTrail& trail, const Parameters& parameters);
+
+  /// Walks every ant until it has arrived, is lost, or `stop` says so; then ants under way are
+  /// lost. Which thread walks which ant changes nothing.
+  StopCondition::Cause walk(int iteration, std::span<LatticeAnt> ants, const StopCondition& stop);
+
+ private:
+  /// What one thread needs: the points that its ant has visited, a byte each.
+  struct Team {
+    ZeroArray<std::uint8_t> visited;
+    std::vector<Node> entered;  // to clear it by
+  };
+
+  StopCondition::Cause walk_one(Team& team, int iteration, int number, LatticeAnt& ant,
+                                const StopCondition& stop) const;
+  int draw_open_move(const Team& team, Node at, class Dice& dice) const;
+
+  const Lattice& lattice_;
+  const LatticeTrail& trail_;
+  const Parameters& parameters_;
+  std::vector<Team> teams_;
+};
+
+}  // namespace lasius::arm

@@ -1,0 +1,34 @@
+#include "lattice_bound.h"
+
+namespace lasius::arm {
+
+KnownWay shortest_known_way(const Lattice& lattice, const StopCondition& stop) {
+  // The estimate changes by one with each move, so a point's total is that of the one before it or
+  // two more: two stacks make the queue.
+  ZeroArray<std::uint8_t> closed(lattice.nodes());
+  struct Entry {
+    Node at;
+    std::int64_t moves;
+  };
+  std::vector<Entry> now, later;
+  now.push_back({lattice.start(), 0});
+  Poller poller(stop, 1024);  // kinematics takes its time
+  while (!now.empty() || !later.empty()) {
+    if (now.empty()) now.swap(later);
+    const Entry entry = now.back();
+    now.pop_back();
+    if (closed[entry.at] != 0) continue;
+    closed[entry.at] = 1;
+    if (entry.at == lattice.goal()) return {.moves = entry.moves};
+    if (poller.stop_after(1)) return {.cause = poller.cause(), .moves = {}};
+    const int left = lattice.manhattan(entry.at);
+    for (int k = 0; k < kMoves; ++k) {
+      const Node next = lattice.to(entry.at, k);
+      if (closed[next] != 0 || !lattice.maybe_open(entry.at, k)) continue;
+      (lattice.manhattan(next) < left ? now : later).push_back({next, entry.moves + 1});
+    }
+  }
+  return {};
+}
+
+}  // namespace lasius::arm

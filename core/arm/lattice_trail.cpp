@@ -1,0 +1,49 @@
+#include "lattice_trail.h"
+
+#include <algorithm>
+
+#include "kernels/power.h"
+
+namespace lasius::arm {
+namespace {
+
+// A power of two keeps every ratio exact. Weaker trails than the floor count as the floor: with
+// alpha up to 8 no weight leaves the range of a double.
+constexpr double kRescaleBelow = 0x1p-40;
+constexpr double kFloor = 0x1p-60;
+
+}  // namespace
+
+LatticeTrail::LatticeTrail(std::int64_t edges, double initial, double alpha)
+    : alpha_(alpha), scale_(initial), untouched_power_(power(1)), stored_(edges), power_(edges) {}
+
+double LatticeTrail::power(double stored) const noexcept {
+  if (alpha_ == 0) return 1;
+  return alpha_ == 1 ? stored : kernels::power(stored, alpha_);
+}
+
+void LatticeTrail::evaporate(double persistence) {
+  scale_ *= std::max(persistence, kFloor);
+  while (scale_ < kRescaleBelow) {
+    scale_ /= kRescaleBelow;
+    untouched_ = std::max(untouched_ * kRescaleBelow, kFloor);
+    for (const auto edge : touched_)
+      stored_[edge] = std::max(stored_[edge] * kRescaleBelow, kFloor);
+    all_changed_ = true;
+  }
+}
+
+void LatticeTrail::deposit(std::int64_t edge, double amount) {
+  if (!(stored_[edge] > 0)) touched_.push_back(edge);
+  stored_[edge] = stored(edge) + amount / scale_;
+  changed_.push_back(edge);
+}
+
+void LatticeTrail::refresh() {
+  untouched_power_ = power(untouched_);
+  for (const auto edge : all_changed_ ? touched_ : changed_) power_[edge] = power(stored_[edge]);
+  changed_.clear();
+  all_changed_ = false;
+}
+
+}  // namespace lasius::arm

@@ -1,0 +1,70 @@
+#include "mesh_tree.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "vec3.h"
+
+namespace lasius::arm {
+namespace {
+
+double Vec3::*const kAxes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
+
+}  // namespace
+
+MeshTree::MeshTree(Triangles triangles) : triangles_(std::move(triangles)) {
+  if (!triangles_.empty()) build(0, static_cast<int>(triangles_.size()));
+}
+
+int MeshTree::build(int first, int count) {
+  const auto begin = triangles_.begin() + first, end = begin + count;
+  Vec3 low = (*begin)[0], high = low;
+  for (auto triangle = begin; triangle != end; ++triangle) {
+    for (const Vec3 corner : *triangle) {
+      for (const auto axis : kAxes) {
+        low.*axis = std::min(low.*axis, corner.*axis);
+        high.*axis = std::max(high.*axis, corner.*axis);
+      }
+    }
+  }
+  const int index = static_cast<int>(nodes_.size());
+  nodes_.push_back({0.5 * (low + high), 0.5 * (high - low), first, count});
+  if (count <= kLeaf) return index;
+
+  // Half of them to either side of the median, along the longest side.
+  const Vec3 size = high - low;
+  const auto axis = size.x >= size.y && size.x >= size.z ? &Vec3::x
+                    : size.y >= size.z                   ? &Vec3::y
+                                                         : &Vec3::z;
+  const auto middle = begin + count / 2;
+  std::nth_element(begin, middle, end, [axis](const auto& a, const auto& b) {
+    return a[0].*axis + a[1].*axis + a[2].*axis < b[0].*axis + b[1].*axis + b[2].*axis;
+  });
+  build(first, count / 2);
+  const int second = build(first + count / 2, count - count / 2);
+  nodes_[index].first = second;
+  nodes_[index].count = 0;
+  return index;
+}
+
+double MeshTree::distance(const Segment& s, double limit) const noexcept {
+  double least = limit;
+  if (!nodes_.empty()) descend(0, s, least);
+  return least;
+}
+
+void MeshTree::descend(int node, const Segment& s, double& least) const noexcept {
+  const Node& n = nodes_[node];
+  const Segment local{s.from - n.centre, s.to - n.centre};
+  if (distance_to_box(local, n.half) >= least) return;
+  if (n.count > 0) {
+    for (int i = n.first; i < n.first + n.count; ++i) {
+      least = std::min(least, distance_to_triangle(s, triangles_[i]));
+    }
+    return;
+  }
+  descend(node + 1, s, least);
+  descend(n.first, s, least);
+}
+
+}  // namespace lasius::arm

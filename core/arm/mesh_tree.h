@@ -1,0 +1,31 @@
+// A mesh's triangles in a tree of boxes, for the distance to the nearest one.
+#pragma once
+
+#include <vector>
+
+#include "proximity.h"
+
+namespace lasius::arm {
+
+class MeshTree {
+ public:
+  explicit MeshTree(Triangles triangles);
+
+  /// Distance from the segment to the nearest triangle where that is below `limit`, else `limit`.
+  double distance(const Segment& s, double limit) const noexcept;
+
+ private:
+  struct Node {
+    Vec3 centre, half;
+    int first = 0;  // leaf: its first triangle; else: its second child, the first follows the node
+    int count = 0;  // triangles of a leaf; 0: not one
+  };
+  int build(int first, int count);
+  void descend(int node, const Segment& s, double& least) const noexcept;
+
+  static constexpr int kLeaf = 4;
+  Triangles triangles_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace lasius::arm

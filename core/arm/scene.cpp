@@ -1,0 +1,95 @@
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "json_fields.h"
+#include "lasius/arm.h"
+#include "lasius/error.h"
+#include "nearest_name.h"
+#include "text_file.h"
+#include "vec3.h"
+
+namespace lasius::arm {
+namespace {
+
+constexpr double kFar = 1000;  // metres
+constexpr double kThin = 1e-6;
+
+Obstacle::Shape shape_of(const JsonFields& fields) {
+  static constexpr std::array<std::string_view, 4> kShapes{"box", "sphere", "cylinder", "mesh"};
+  const std::string name = fields.text("shape");
+  for (std::size_t i = 0; i < kShapes.size(); ++i) {
+    if (name == kShapes[i]) return static_cast<Obstacle::Shape>(i);
+  }
+  fields.fail("shape", "is \"" + name + "\"",
+              "did you mean \"" + std::string(nearest_name(name, kShapes)) +
+                  "\"? It must be box|sphere|cylinder|mesh");
+}
+
+void refuse_foreign(const JsonFields& fields, std::string_view shape,
+                    std::initializer_list<std::string_view> foreign) {
+  for (const auto name : foreign) {
+    if (fields.has(name)) {
+      fields.fail(name, "is not a field of a " + std::string(shape), "leave it out");
+    }
+  }
+}
+
+Obstacle read_obstacle(const JsonFields& fields) {
+  Obstacle o;
+  o.shape = shape_of(fields);
+  o.name = fields.text_or("name", "");
+  o.position = fields.vector_or("position", kFar, {});
+  o.rotation = roll_pitch_yaw(fields.vector_or("rpy", 100, {}));
+  switch (o.shape) {
+    case Obstacle::Shape::box:
+      refuse_foreign(fields, "box", {"radius", "length", "file", "scale"});
+      o.size = fields.vector("size", kFar);
+      if (!(o.size.x >= kThin && o.size.y >= kThin && o.size.z >= kThin)) {
+        fields.fail("size", "is too small", "every side must be 0.000001 .. 1000");
+      }
+      break;
+    case Obstacle::Shape::sphere:
+      refuse_foreign(fields, "sphere", {"size", "length", "file", "scale"});
+      o.radius = fields.number("radius", kThin, kFar);
+      break;
+    case Obstacle::Shape::cylinder:
+      refuse_foreign(fields, "cylinder", {"size", "file", "scale"});
+      o.radius = fields.number("radius", kThin, kFar);
+      o.length = fields.number("length", kThin, kFar);
+      break;
+    case Obstacle::Shape::mesh: {
+      refuse_foreign(fields, "mesh", {"size", "radius", "length"});
+      const double scale = fields.number_or("scale", kThin, kFar, 1);
+      o.triangles = read_stl(beside(fields.file(), fields.text("file")));
+      for (auto& triangle : o.triangles) {
+        for (Vec3& corner : triangle) corner = scale * corner;
+      }
+      break;
+    }
+  }
+  return o;
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& file) {
+  constexpr std::size_t kMost = 10000;
+  const nlohmann::json document = parse_json(text, file, "lasius-scene/1");
+  const JsonFields top(document, file, "", {"format", "name", "obstacles"});
+  Scene scene;
+  scene.name = top.text_or("name", "");
+  for (const JsonFields& fields : top.list(
+           "obstacles", 0, kMost,
+           {"shape", "name", "position", "rpy", "size", "radius", "length", "file", "scale"})) {
+    scene.obstacles.push_back(read_obstacle(fields));
+  }
+  return scene;
+}
+
+Scene read_scene(const std::string& path) {
+  constexpr std::int64_t kMostBytes = 64 << 20;
+  return parse_scene(read_text(path, kMostBytes), path);
+}
+
+}  // namespace lasius::arm

@@ -1,0 +1,271 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "kinematics.h"
+#include "lasius/arm_sensor.h"
+#include "lasius/error.h"
+#include "mesh_tree.h"
+#include "proximity.h"
+
+namespace lasius::arm {
+namespace {
+
+/// A point that no point of the thing is further from than `radius`.
+struct Ball {
+  Vec3 centre;
+  double radius = 0;
+};
+
+/// Two bodies of the robot that must not touch; 0 is the base.
+struct BodyPair {
+  int first, second;
+};
+
+/// A capsule at its place.
+struct PlacedCapsule {
+  Segment axis;
+  double radius;
+  Ball ball;
+
+  PlacedCapsule() = default;
+  PlacedCapsule(const Pose& pose, const Capsule& capsule, double half)
+      : axis{pose * capsule.from, pose * capsule.to},
+        radius(capsule.radius),
+        ball{0.5 * (axis.from + axis.to), half + capsule.radius} {}
+};
+
+struct PlacedObstacle {
+  const Obstacle* obstacle;
+  Ball ball;
+  std::optional<MeshTree> mesh;
+
+  explicit PlacedObstacle(const Obstacle& o) : obstacle(&o), ball{o.position, 0} {
+    switch (o.shape) {
+      case Obstacle::Shape::box:
+        ball.radius = 0.5 * length(o.size);
+        break;
+      case Obstacle::Shape::sphere:
+        ball.radius = o.radius;
+        break;
+      case Obstacle::Shape::cylinder:
+        ball.radius = std::sqrt(o.radius * o.radius + 0.25 * o.length * o.length);
+        break;
+      case Obstacle::Shape::mesh:
+        for (const auto& triangle : o.triangles) {
+          for (const Vec3 corner : triangle) ball.radius = std::max(ball.radius, length(corner));
+        }
+        mesh.emplace(o.triangles);
+        break;
+    }
+  }
+
+  /// From a segment; for a mesh at most `limit` is told.
+  double distance(const Segment& s, double limit) const noexcept {
+    const Obstacle& o = *obstacle;
+    if (o.shape == Obstacle::Shape::sphere) return distance_to_point(s, o.position) - o.radius;
+    const Segment local{rotate_back(o.rotation, s.from - o.position),
+                        rotate_back(o.rotation, s.to - o.position)};
+    switch (o.shape) {
+      case Obstacle::Shape::box:
+        return distance_to_box(local, 0.5 * o.size);
+      case Obstacle::Shape::cylinder:
+        return distance_to_cylinder(local, o.radius, 0.5 * o.length);
+      default:
+        return mesh->distance(local, limit);
+    }
+  }
+};
+
+}  // namespace
+
+class SceneSensor::Impl {
+ public:
+  Impl(const Robot& robot, const Scene& scene, double clearance)
+      : robot_(robot), scene_(scene), kinematics_(robot_), clearance_(clearance) {
+    for (const Obstacle& o : scene_.obstacles) obstacles_.emplace_back(o);
+    const int bodies = robot_.size() + 1;
+    for (int b = 0; b < bodies; ++b) {
+      first_.push_back(static_cast<int>(capsules_.size()));
+      for (const Capsule& c : shapes(b)) capsules_.push_back(&c);
+    }
+    first_.push_back(static_cast<int>(capsules_.size()));
+    for (const Capsule* c : capsules_) half_.push_back(0.5 * length(c->to - c->from));
+    for (int b = 2; b < bodies; ++b) {
+      for (int a = 0; a + 1 < b; ++a) {
+        const std::pair pair{a, b}, mirrored{b, a};
+        const auto& free = robot_.may_touch;
+        const bool may = std::find(free.begin(), free.end(), pair) != free.end() ||
+                         std::find(free.begin(), free.end(), mirrored) != free.end();
+        if (!may) pairs_.push_back({a, b});
+      }
+    }
+    set_levers();
+  }
+
+  /// Follows a motion; a position is one of no length. Where it is not free and `told` is given,
+  /// says there what is in the way.
+  bool is_free(std::span<const double> from, std::span<const double> to,
+               std::string* told = nullptr) const {
+    Frame frame;
+    const bool moves = set_speeds(from, to, frame.speed);
+    JointArray q;
+    for (double t = 0;;) {
+      for (int j = 0; j < robot_.size(); ++j) q[j] = from[j] + t * (to[j] - from[j]);
+      place(q, frame);
+      double step = 1 - t;
+      if (!advance(frame, step, told)) return false;
+      if (t >= 1 || !moves) return true;
+      t = step >= 1 - t ? 1 : t + step;
+    }
+  }
+
+  double clearance() const noexcept { return clearance_; }
+
+ private:
+  static constexpr int kMostCapsules = 128;
+
+  struct Frame {
+    std::array<PlacedCapsule, kMostCapsules> capsules;
+    std::array<double, Robot::kMaxJoints + 1> speed{};  // of each body, per unit of t
+  };
+
+  const std::vector<Capsule>& shapes(int body) const {
+    return body == 0 ? robot_.base : robot_.joints[body - 1].capsules;
+  }
+
+  /// lever_[j][b]: no point of body b is further from the axis of joint j.
+  void set_levers() {
+    for (int b = 1; b <= robot_.size(); ++b) {
+      double far = 0;
+      for (const Capsule& c : shapes(b)) {
+        far = std::max(far, std::max(length(c.from), length(c.to)) + c.radius);
+      }
+      for (int j = b - 1; j >= 0; --j) {
+        const Joint& joint = robot_.joints[j];
+        lever_[j][b] = joint.kind == Joint::Kind::prismatic ? 1 : far;
+        if (joint.kind == Joint::Kind::prismatic) {
+          far += std::max(std::abs(joint.low), std::abs(joint.high));
+        }
+        far += length(joint.origin);
+      }
+    }
+  }
+
+  /// False when nothing moves.
+  bool set_speeds(std::span<const double> from, std::span<const double> to,
+                  std::array<double, Robot::kMaxJoints + 1>& speed) const noexcept {
+    double all = 0;
+    for (int b = 1; b <= robot_.size(); ++b) {
+      for (int j = 0; j < b; ++j) speed[b] += std::abs(to[j] - from[j]) * lever_[j][b];
+      all += speed[b];
+    }
+    return all > 0;
+  }
+
+  void place(std::span<const double> q, Frame& frame) const noexcept {
+    Kinematics::Poses poses;
+    kinematics_.place(q, poses);
+    for (int b = 0; b <= robot_.size(); ++b) {
+      const Pose pose = b == 0 ? Pose{} : poses[b - 1];
+      for (int i = first_[b]; i < first_[b + 1]; ++i) {
+        frame.capsules[i] = PlacedCapsule(pose, *capsules_[i], half_[i]);
+      }
+    }
+  }
+
+  /// Shortens `step` to what all distances allow; false on contact. Every measured distance is at
+  /// least twice the clearance, so steps have a least length and the motion ends.
+  bool advance(const Frame& frame, double& step, std::string* told) const {
+    for (int b = 1; b <= robot_.size(); ++b) {
+      for (const PlacedObstacle& o : obstacles_) {
+        for (int i = first_[b]; i < first_[b + 1]; ++i) {
+          const PlacedCapsule& c = frame.capsules[i];
+          // Nothing nearer than this matters: neither contact nor a shorter step.
+          const double enough = std::max(2 * clearance_, clearance_ + step * frame.speed[b]);
+          if (distance(c.ball.centre, o.ball.centre) - c.ball.radius - o.ball.radius >= enough) {
+            continue;
+          }
+          const double gap = o.distance(c.axis, enough + c.radius) - c.radius;
+          if (gap >= enough) continue;
+          if (gap < 2 * clearance_) {
+            if (told != nullptr) *told = name(b) + " and " + name(o);
+            return false;
+          }
+          step = std::min(step, (gap - clearance_) / frame.speed[b]);
+        }
+      }
+    }
+    for (const BodyPair& pair : pairs_) {
+      const double speed = frame.speed[pair.first] + frame.speed[pair.second];
+      for (int i = first_[pair.first]; i < first_[pair.first + 1]; ++i) {
+        for (int k = first_[pair.second]; k < first_[pair.second + 1]; ++k) {
+          const PlacedCapsule &a = frame.capsules[i], &c = frame.capsules[k];
+          const double enough = std::max(2 * clearance_, clearance_ + step * speed);
+          if (distance(a.ball.centre, c.ball.centre) - a.ball.radius - c.ball.radius >= enough) {
+            continue;
+          }
+          const double gap = distance_to_segment(a.axis, c.axis) - a.radius - c.radius;
+          if (gap >= enough) continue;
+          if (gap < 2 * clearance_) {
+            if (told != nullptr) *told = name(pair.first) + " and " + name(pair.second);
+            return false;
+          }
+          step = std::min(step, (gap - clearance_) / speed);
+        }
+      }
+    }
+    return true;
+  }
+
+  std::string name(int body) const {
+    if (body == 0) return "the base";
+    const std::string& joint = robot_.joints[body - 1].name;
+    return "link " + std::to_string(body) + (joint.empty() ? "" : " (after " + joint + ")");
+  }
+  std::string name(const PlacedObstacle& o) const {
+    const auto index = o.obstacle - scene_.obstacles.data() + 1;
+    return "obstacle " + std::to_string(index) +
+           (o.obstacle->name.empty() ? "" : " (" + o.obstacle->name + ")");
+  }
+
+  const Robot robot_;
+  const Scene scene_;
+  const Kinematics kinematics_;
+  double clearance_;
+  std::vector<PlacedObstacle> obstacles_;
+  std::vector<const Capsule*> capsules_;  // body by body
+  std::vector<double> half_;              // half length of each one's axis
+  std::vector<int> first_;                // of each body in `capsules_`, and the end
+  std::vector<BodyPair> pairs_;
+  std::array<std::array<double, Robot::kMaxJoints + 1>, Robot::kMaxJoints> lever_{};
+
+  friend class SceneSensor;
+};
+
+Sensor::~Sensor() = default;
+
+SceneSensor::SceneSensor(const Robot& robot, const Scene& scene, double clearance) {
+  validate(robot);
+  validate(scene);
+  if (!(clearance >= 1e-6 && clearance <= 1)) {
+    throw Error(ErrorCode::invalid_parameter, "clearance is " + std::to_string(clearance),
+                "it must be 0.000001 .. 1 metres");
+  }
+  impl_ = std::make_unique<const Impl>(robot, scene, clearance);
+}
+SceneSensor::~SceneSensor() = default;
+
+bool SceneSensor::position_free(std::span<const double> q) const { return impl_->is_free(q, q); }
+bool SceneSensor::motion_free(std::span<const double> from, std::span<const double> to) const {
+  return impl_->is_free(from, to);
+}
+double SceneSensor::clearance() const { return impl_->clearance(); }
+std::string SceneSensor::contact(std::span<const double> q) const {
+  std::string told;
+  impl_->is_free(q, q, &told);
+  return told;
+}
+
+}  // namespace lasius::arm

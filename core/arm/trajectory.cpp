@@ -1,0 +1,262 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lasius/arm_trajectory.h"
+#include "lasius/error.h"
+#include "spline.h"
+#include "vec3.h"
+
+namespace lasius::arm {
+namespace {
+
+using Waypoints = std::vector<std::vector<double>>;
+
+/// Asks the sensor, counts, and polls.
+class Asker {
+ public:
+  Asker(const Sensor& sensor, const StopCondition& stop) : sensor_(sensor), poller_(stop, 16) {}
+
+  bool motion_free(std::span<const double> from, std::span<const double> to) {
+    if (poller_.stop_after(1)) return false;
+    ++asked_;
+    return sensor_.motion_free(from, to);
+  }
+  bool stopped() const noexcept { return poller_.stopped(); }
+  std::int64_t asked() const noexcept { return asked_; }
+  double clearance() const { return std::max(sensor_.clearance(), 1e-4); }
+
+ private:
+  const Sensor& sensor_;
+  Poller poller_;
+  std::int64_t asked_ = 0;
+};
+
+/// From each waypoint on to one as far ahead as a straight motion goes, found by doubling and
+/// halving; again until nothing is left out.
+Waypoints shortened(Waypoints way, Asker& asker) {
+  for (bool shorter = true; shorter && !asker.stopped();) {
+    Waypoints kept{way.front()};
+    for (std::size_t i = 0; i + 1 < way.size();) {
+      std::size_t good = 1, bad = way.size() - i;  // ahead of i
+      for (std::size_t step = 2; step < bad; step *= 2) {
+        (asker.motion_free(way[i], way[i + step]) ? good : bad) = step;
+      }
+      while (bad - good > 1) {
+        const std::size_t middle = good + (bad - good) / 2;
+        (asker.motion_free(way[i], way[i + middle]) ? good : bad) = middle;
+      }
+      i += good;
+      kept.push_back(way[i]);
+    }
+    shorter = kept.size() < way.size();
+    way = std::move(kept);
+  }
+  return way;
+}
+
+/// The fastest that the joints' velocities allow on the straight.
+double fastest(const Robot& robot, const std::vector<double>& a, const std::vector<double>& b) {
+  double most = 1e-6;
+  for (std::size_t j = 0; j < a.size(); ++j) {
+    most = std::max(most, std::abs(b[j] - a[j]) / robot.joints[j].velocity);
+  }
+  return most;
+}
+
+/// Stretches spans until the limits hold nearly everywhere, and then all of them until they do.
+template <class Make>
+Trajectory within_limits(const Robot& robot, Course& course, const Make& make) {
+  constexpr int kRounds = 30;
+  Trajectory trajectory = make(course);
+  for (int round = 0; round < kRounds; ++round) {
+    double worst = 0;
+    std::size_t span = 0;
+    double until = course.spans[0];
+    std::vector<double> need(course.spans.size(), 0);
+    for (std::size_t i = 0; i + 1 < trajectory.knots().size(); ++i) {
+      const double middle = 0.5 * (trajectory.knots()[i].time + trajectory.knots()[i + 1].time);
+      while (middle > until && span + 1 < course.spans.size()) until += course.spans[++span];
+      need[span] = std::max(need[span], needed_stretch(robot, trajectory, i));
+      worst = std::max(worst, need[span]);
+    }
+    if (worst <= 1.02) break;
+    for (std::size_t i = 0; i < need.size(); ++i) {
+      if (need[i] > 1) course.spans[i] *= std::min(need[i], 2.0);
+    }
+    trajectory = make(course);
+  }
+  double worst = 0;
+  for (std::size_t i = 0; i + 1 < trajectory.knots().size(); ++i) {
+    worst = std::max(worst, needed_stretch(robot, trajectory, i));
+  }
+  constexpr double kHair = 1 + 1e-12;  // rounding
+  for (double& span : course.spans) span *= worst * kHair;
+  return stretched(trajectory, worst * kHair);
+}
+
+/// A bound for how far any point of the arm moves when joint j turns by one radian.
+std::vector<double> levers(const Robot& robot) {
+  std::vector<double> lever(robot.joints.size());
+  double far = length(robot.tip);
+  for (std::size_t j = robot.joints.size(); j-- > 0;) {
+    const Joint& joint = robot.joints[j];
+    for (const Capsule& c : joint.capsules) {
+      far = std::max(far, std::max(length(c.from), length(c.to)) + c.radius);
+    }
+    lever[j] = joint.kind == Joint::Kind::prismatic ? 1 : far;
+    if (joint.kind == Joint::Kind::prismatic) {
+      far += std::max(std::abs(joint.low), std::abs(joint.high));
+    }
+    far += length(joint.origin);
+  }
+  return lever;
+}
+
+bool within_values(const Robot& robot, const Trajectory& trajectory, std::size_t i) {
+  constexpr double kHair = 1e-12;
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    const auto [low, high] = values_between(trajectory, i, j);
+    if (low < robot.joints[j].low - kHair || high > robot.joints[j].high + kHair) return false;
+  }
+  return true;
+}
+
+/// A chord of a piece of length h is within h^2 / 8 max |ddq| of the joint's curve.
+bool free_between(const Trajectory& trajectory, std::size_t i, const std::vector<double>& lever,
+                  Asker& asker) {
+  const Trajectory::Knot &a = trajectory.knots()[i], &b = trajectory.knots()[i + 1];
+  const double h = b.time - a.time;
+  double bend = 0;
+  for (std::size_t j = 0; j < lever.size(); ++j) {
+    bend += lever[j] * std::max(std::abs(a.ddq[j]), std::abs(b.ddq[j]));
+  }
+  const int pieces =
+      std::max(1, static_cast<int>(std::ceil(h * std::sqrt(bend / (8 * asker.clearance())))));
+  std::vector<double> from = a.q;
+  for (int p = 1; p <= pieces; ++p) {
+    std::vector<double> to = p == pieces ? b.q : trajectory.at(a.time + h * p / pieces).q;
+    if (!asker.motion_free(from, to)) return false;
+    from = std::move(to);
+  }
+  return true;
+}
+
+/// Halves the marked spans of a course, each new point half way along the straight motion.
+Course refined(const Course& course, const std::vector<bool>& marked) {
+  Course finer;
+  finer.points.push_back(course.points.front());
+  for (std::size_t i = 0; i < course.spans.size(); ++i) {
+    const auto &a = course.points[i], &b = course.points[i + 1];
+    if (marked[i]) {
+      std::vector<double> middle(a.size());
+      for (std::size_t j = 0; j < a.size(); ++j) middle[j] = 0.5 * (a[j] + b[j]);
+      finer.points.push_back(std::move(middle));
+      finer.spans.push_back(0.5 * course.spans[i]);
+    }
+    finer.points.push_back(b);
+    finer.spans.push_back((marked[i] ? 0.5 : 1) * course.spans[i]);
+  }
+  return finer;
+}
+
+/// Spans of the course in which the spline is not free, and their neighbours.
+std::vector<bool> faulty_spans(const Robot& robot, const Course& course,
+                               const Trajectory& trajectory, const std::vector<double>& lever,
+                               Asker& asker) {
+  std::vector<bool> faulty(course.spans.size(), false);
+  std::size_t span = 0;
+  double until = course.spans[0];
+  for (std::size_t i = 0; i + 1 < trajectory.knots().size(); ++i) {
+    const double middle = 0.5 * (trajectory.knots()[i].time + trajectory.knots()[i + 1].time);
+    while (middle > until && span + 1 < course.spans.size()) until += course.spans[++span];
+    if (within_values(robot, trajectory, i) && free_between(trajectory, i, lever, asker)) continue;
+    if (span > 0) faulty[span - 1] = true;
+    faulty[span] = true;
+    if (span + 1 < faulty.size()) faulty[span + 1] = true;
+  }
+  return faulty;
+}
+
+void check(const Robot& robot, std::span<const std::vector<double>> waypoints) {
+  for (const auto& q : waypoints) {
+    if (q.size() == robot.joints.size()) continue;
+    throw Error(
+        ErrorCode::invalid_parameter, "a waypoint has " + std::to_string(q.size()) + " values",
+        "it must have one for each of the " + std::to_string(robot.joints.size()) + " joints");
+  }
+}
+
+}  // namespace
+
+Trajectory::Trajectory(std::vector<Knot> knots) : knots_(std::move(knots)) {}
+
+Trajectory::State Trajectory::at(double time) const {
+  const auto after = std::upper_bound(knots_.begin() + 1, knots_.end() - (knots_.size() > 1), time,
+                                      [](double t, const Knot& knot) { return t < knot.time; });
+  if (knots_.size() == 1) {
+    const std::vector<double> none(knots_[0].q.size(), 0);
+    return {knots_[0].q, none, none};
+  }
+  const Knot &a = after[-1], &b = *after;
+  const double h = b.time - a.time, t = std::clamp(time - a.time, 0.0, h);
+  State state;
+  for (std::size_t j = 0; j < a.q.size(); ++j) {
+    const double bend = (b.ddq[j] - a.ddq[j]) / h;
+    const double first = (b.q[j] - a.q[j]) / h - h * (2 * a.ddq[j] + b.ddq[j]) / 6;
+    state.q.push_back(a.q[j] + t * (first + t * (a.ddq[j] / 2 + t * bend / 6)));
+    state.dq.push_back(first + t * (a.ddq[j] + t * bend / 2));
+    state.ddq.push_back(a.ddq[j] + t * bend);
+  }
+  return state;
+}
+
+std::vector<double> Trajectory::velocity(std::size_t knot) const {
+  return at(knots_[knot].time).dq;
+}
+
+TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
+                                 std::span<const std::vector<double>> waypoints,
+                                 const TrajectoryOptions& options) {
+  constexpr int kRounds = 6;
+  validate(robot);
+  check(robot, waypoints);
+  TrajectoryResult result;
+  if (waypoints.empty()) return result;
+  Waypoints way;
+  for (const auto& q : waypoints) {
+    if (way.empty() || q != way.back()) way.push_back(q);
+  }
+  if (way.size() == 1) {
+    result.waypoints = 1;
+    result.trajectory = Trajectory({{0, way[0], std::vector<double>(robot.joints.size(), 0)}});
+    return result;
+  }
+
+  Asker asker(sensor, options.stop);
+  if (options.shortcut) way = shortened(std::move(way), asker);
+  result.waypoints = static_cast<int>(way.size());
+  Course course{way, {}};
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    course.spans.push_back(fastest(robot, way[i], way[i + 1]));
+  }
+  const Course straight = course;
+  const std::vector<double> lever = levers(robot);
+  bool found = false;
+  for (int round = 0; round < kRounds && !found && !asker.stopped(); ++round) {
+    result.trajectory = within_limits(robot, course, spline_through);
+    const auto faulty = faulty_spans(robot, course, result.trajectory, lever, asker);
+    found = std::find(faulty.begin(), faulty.end(), true) == faulty.end();
+    if (!found) course = refined(course, faulty);
+  }
+  // Rest at every waypoint also where there was no time to check: straight motions are known.
+  if (!found) {
+    course = straight;
+    result.trajectory = within_limits(robot, course, stop_and_go);
+    result.stops = true;
+  }
+  result.questions = asker.asked();
+  return result;
+}
+
+}  // namespace lasius::arm

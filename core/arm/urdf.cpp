@@ -1,0 +1,258 @@
+#include "urdf.h"
+
+#include <console_bridge/console.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <mutex>
+
+#include "enclose.h"
+#include "kinematics.h"
+#include "lasius/arm_sensor.h"
+#include "lasius/error.h"
+#include "nearest_name.h"
+#include "text_file.h"
+#include "vec3.h"
+
+namespace lasius::arm {
+namespace {
+
+using LinkPtr = urdf::LinkConstSharedPtr;
+
+[[noreturn]] void broken(const std::string& file, const std::string& problem,
+                         const std::string& remedy) {
+  throw Error(ErrorCode::file_broken, {.file = file}, problem, remedy);
+}
+
+/// What urdfdom would print, kept: its first complaint is our reason.
+class Complaints final : public console_bridge::OutputHandler {
+ public:
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first_.empty()) first_ = text;
+  }
+  std::string first() const { return first_.empty() ? "urdfdom does not say why" : first_; }
+
+ private:
+  std::string first_;
+};
+
+urdf::ModelInterfaceSharedPtr parse_model(std::string_view text, const std::string& file) {
+  static std::mutex one_at_a_time;  // the handler is the program's
+  const std::scoped_lock lock(one_at_a_time);
+  Complaints complaints;
+  console_bridge::OutputHandler* const before = console_bridge::getOutputHandler();
+  console_bridge::useOutputHandler(&complaints);
+  urdf::ModelInterfaceSharedPtr model;
+  std::string fault;
+  try {
+    model = urdf::parseURDF(std::string(text));
+  } catch (const std::exception& e) {
+    fault = e.what();
+  }
+  console_bridge::useOutputHandler(before);
+  if (model == nullptr) {
+    broken(file, "this is no URDF (" + (fault.empty() ? complaints.first() : fault) + ")",
+           "check it with check_urdf");
+  }
+  return model;
+}
+
+/// urdfdom computes rotations by the C library; rounded, they are the same on every machine.
+double settle(double v) { return std::round(v * 0x1p40) * 0x1p-40; }
+
+Vec3 vec(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
+
+Pose pose(const urdf::Pose& p) {
+  const urdf::Rotation& r = p.rotation;
+  const double x = r.x, y = r.y, z = r.z, w = r.w;
+  Pose result{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w),
+               2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w),
+               2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)},
+              vec(p.position)};
+  for (double& entry : result.rotation) entry = settle(entry);
+  return result;
+}
+
+LinkPtr find_link(const urdf::ModelInterface& model, const std::string& name,
+                  const std::string& what) {
+  if (LinkPtr link = model.getLink(name)) return link;
+  std::vector<std::string_view> names;
+  for (const auto& [known, link] : model.links_) names.push_back(known);
+  throw Error(ErrorCode::invalid_parameter, "the robot has no " + what + " link \"" + name + "\"",
+              "did you mean \"" + std::string(nearest_name(name, names)) + "\"?");
+}
+
+LinkPtr only_leaf(const urdf::ModelInterface& model) {
+  LinkPtr leaf;
+  std::string names;
+  int count = 0;
+  for (const auto& [name, link] : model.links_) {
+    if (!link->child_links.empty()) continue;
+    leaf = link;
+    names += (count++ > 0 ? ", " : "") + name;
+  }
+  if (count == 1) return leaf;
+  throw Error(ErrorCode::invalid_parameter, "the robot ends in several links: " + names,
+              "choose one of them as the tip");
+}
+
+std::vector<Capsule> enclose(const urdf::Geometry& shape, const Pose& at, const std::string& file) {
+  switch (shape.type) {
+    case urdf::Geometry::SPHERE: {
+      const auto& sphere = static_cast<const urdf::Sphere&>(shape);
+      return {{at.position, at.position, sphere.radius}};
+    }
+    case urdf::Geometry::CYLINDER: {
+      const auto& cylinder = static_cast<const urdf::Cylinder&>(shape);
+      const Vec3 half{0, 0, 0.5 * cylinder.length};
+      return {{at * (-1.0 * half), at * half, cylinder.radius}};
+    }
+    case urdf::Geometry::BOX:
+      return enclose_box(at, vec(static_cast<const urdf::Box&>(shape).dim));
+    default: {
+      const auto& mesh = static_cast<const urdf::Mesh&>(shape);
+      if (mesh.filename.find("://") != std::string::npos || !mesh.filename.ends_with(".stl")) {
+        throw Error(ErrorCode::file_unsupported, {.file = file},
+                    "the mesh \"" + mesh.filename + "\" cannot be found or read",
+                    "name an .stl file by its path beside the URDF file");
+      }
+      const Triangles triangles = read_stl(beside(file, mesh.filename));
+      Vec3 low = triangles[0][0], high = low;
+      for (const auto& triangle : triangles) {
+        for (const Vec3 c : triangle) {
+          low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};
+          high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
+        }
+      }
+      const auto scaled = [&](Vec3 v) {
+        return Vec3{v.x * mesh.scale.x, v.y * mesh.scale.y, v.z * mesh.scale.z};
+      };
+      low = scaled(low);
+      high = scaled(high);
+      const Vec3 size = high - low;
+      return enclose_box(at * Pose{kNoRotation, 0.5 * (low + high)},
+                         {std::abs(size.x), std::abs(size.y), std::abs(size.z)});
+    }
+  }
+}
+
+/// Adds a link's collision geometry to the body that it moves with, `at` its pose there.
+void add_geometry(const urdf::Link& link, const Pose& at, const std::string& file,
+                  std::vector<Capsule>& to) {
+  for (const auto& collision : link.collision_array) {
+    if (collision == nullptr || collision->geometry == nullptr) continue;
+    for (const Capsule& c : enclose(*collision->geometry, at * pose(collision->origin), file)) {
+      to.push_back(c);
+    }
+  }
+}
+
+Joint moving_joint(const urdf::Joint& joint, const Pose& at, const std::string& file) {
+  Joint made;
+  made.name = joint.name;
+  made.origin = at.position;
+  made.rotation = at.rotation;
+  const Vec3 axis = vec(joint.axis);
+  if (!(length(axis) > 1e-9)) {
+    broken(file, "joint \"" + joint.name + "\" has an axis of no length", "as in xyz=\"0 0 1\"");
+  }
+  made.axis = (1 / length(axis)) * axis;
+  made.kind = joint.type == urdf::Joint::PRISMATIC ? Joint::Kind::prismatic : Joint::Kind::revolute;
+  constexpr double kTurn = 6.283185307179586;
+  if (joint.type == urdf::Joint::CONTINUOUS) {
+    made.low = -kTurn;
+    made.high = kTurn;
+  } else if (joint.limits != nullptr) {
+    made.low = joint.limits->lower;
+    made.high = joint.limits->upper;
+  }
+  if (!(made.low < made.high)) {
+    broken(file, "joint \"" + joint.name + "\" has limits that leave it no room",
+           "give it a <limit> with lower below upper");
+  }
+  const double velocity = joint.limits != nullptr ? joint.limits->velocity : 0;
+  made.velocity = velocity > 0 ? velocity : 1;
+  made.acceleration = 4 * made.velocity;
+  return made;
+}
+
+/// Pairs of bodies that touch where all joints are at 0, or as near to it as they get: by their
+/// making, or because their capsules are wider than they are.
+void let_touch_what_touches(Robot& robot) {
+  std::vector<double> q;
+  for (const Joint& joint : robot.joints) q.push_back(std::clamp(0.0, joint.low, joint.high));
+  for (int b = 2; b <= robot.size(); ++b) {
+    for (int a = 0; a + 1 < b; ++a) {
+      Robot pair = robot;
+      pair.may_touch.clear();
+      for (int body = 0; body <= robot.size(); ++body) {
+        if (body == a || body == b) continue;
+        (body == 0 ? pair.base : pair.joints[body - 1].capsules).clear();
+      }
+      if (!SceneSensor(pair, {}).position_free(q)) robot.may_touch.emplace_back(a, b);
+    }
+  }
+}
+
+}  // namespace
+
+Robot parse_urdf(std::string_view text, const std::string& file, const Chain& chain) {
+  const urdf::ModelInterfaceSharedPtr model = parse_model(text, file);
+  const LinkPtr base =
+      chain.base.empty() ? model->getRoot() : find_link(*model, chain.base, "base");
+  const LinkPtr tip = chain.tip.empty() ? only_leaf(*model) : find_link(*model, chain.tip, "tip");
+
+  std::vector<LinkPtr> links;  // from the tip down to the base
+  for (LinkPtr link = tip; link != nullptr && link != base; link = link->getParent()) {
+    links.push_back(link);
+  }
+  const LinkPtr last = links.empty() ? tip : links.back()->getParent();
+  if (last != base) {
+    throw Error(ErrorCode::invalid_parameter,
+                "link \"" + tip->name + "\" does not hang on \"" + base->name + "\"",
+                "choose a base between the root and the tip");
+  }
+  std::reverse(links.begin(), links.end());
+
+  Robot robot;
+  robot.name = model->getName();
+  Pose at;  // of the link in the body that it moves with
+  add_geometry(*base, at, file, robot.base);
+  for (const LinkPtr& link : links) {
+    const urdf::Joint& joint = *link->parent_joint;
+    at = at * pose(joint.parent_to_joint_origin_transform);
+    if (joint.mimic != nullptr) {
+      throw Error(ErrorCode::file_unsupported, {.file = file},
+                  "joint \"" + joint.name + "\" follows another one",
+                  "joints that mimic are not supported");
+    }
+    switch (joint.type) {
+      case urdf::Joint::FIXED:
+        break;
+      case urdf::Joint::REVOLUTE:
+      case urdf::Joint::CONTINUOUS:
+      case urdf::Joint::PRISMATIC:
+        robot.joints.push_back(moving_joint(joint, at, file));
+        at = {};
+        break;
+      default:
+        throw Error(ErrorCode::file_unsupported, {.file = file},
+                    "joint \"" + joint.name + "\" is neither fixed nor turns or slides",
+                    "planar and floating joints are not supported");
+    }
+    if (robot.size() > Robot::kMaxJoints) {
+      throw Error(ErrorCode::file_unsupported, {.file = file}, "the chain has too many joints",
+                  "at most " + std::to_string(Robot::kMaxJoints) + " are supported");
+    }
+    add_geometry(*link, at, file, robot.joints.empty() ? robot.base : robot.joints.back().capsules);
+  }
+  if (robot.joints.empty()) broken(file, "the chain has no joint that moves", "choose another tip");
+  robot.tip = at.position;
+  let_touch_what_touches(robot);
+  return robot;
+}
+
+}  // namespace lasius::arm

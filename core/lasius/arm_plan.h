@@ -1,0 +1,122 @@
+// The planner `goritov2020`: an ant colony in the lattice of tip positions around the start, which
+// learns of obstacles only by trying positions.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lasius/arm_sensor.h"
+#include "lasius/params.h"
+#include "lasius/planner.h"
+#include "lasius/stop.h"
+
+namespace lasius::arm {
+
+/// Parameters of `goritov2020`, as given here those of its base set (Goritov & Goncharov 2020).
+struct Parameters {
+  std::uint64_t seed = 1;  ///< at most 2^53 - 1
+  int threads = 0;         ///< 0: as many as OpenMP gives; never changes the answer
+
+  int ants = 64;         ///< m
+  int iterations = 100;  ///< T
+  // Random proportional rule: weight of a move = tau^alpha eta^beta u^gamma, with eta = 1 / weight
+  // of the edge and u = 1 / (1 + theta), theta the angle between the move and the way to the goal.
+  double alpha = 1;
+  double beta = 1;  ///< without effect: all edges that exist weigh the same
+  double gamma = 0.25;
+  double evaporation = 0.25;     ///< rho: share of pheromone lost in an iteration
+  double elite_weight = 0;       ///< e: weight of the iteration's best tour
+  double initial_pheromone = 0;  ///< tau0; 0: ants / Manhattan distance from start to goal
+  DeadEnd dead_end = DeadEnd::backtrack;
+
+  double pitch = 0;         ///< d, metres; 0: a twentieth of the arm's reach
+  int side = 0;             ///< lattice points a side, about the middle of start and goal; 0: all
+                            ///< that the arm can reach
+  double joint_step = 0.5;  ///< an edge is closed where a joint moves further, radians or metres
+  int patience = 0;         ///< stop after so many iterations without a shorter path; 0: never
+  double line_ants = 0;     ///< ants whose deposits lie on the straight way before the first
+  bool shortcut = true;     ///< cut the lattice staircase before the trajectory is made
+};
+
+/// All parameters by name, with ranges, as `lasius algorithms` lists them.
+LASIUS_ARM_EXPORT std::span<const Algorithm> algorithms() noexcept;
+/// @throws Error(invalid_parameter) for an unknown name (with the nearest), value or range.
+LASIUS_ARM_EXPORT void set_parameter(Parameters& parameters, std::string_view name,
+                                     std::string_view value);
+LASIUS_ARM_EXPORT std::string get_parameter(const Parameters& parameters, std::string_view name);
+/// @throws Error(invalid_parameter) for the first field out of range.
+LASIUS_ARM_EXPORT void validate(const Parameters& parameters);
+
+/// One question.
+struct Request {
+  std::vector<double> start;  ///< a value for each joint
+  Vec3 goal;                  ///< of the tip, its orientation is free
+  StopCondition stop = {};
+  double target_gap = 0;  ///< stop at this gap to what was learned so far, as a fraction; 0: never
+};
+
+/// Questions that the sensor was asked, each once.
+struct Questions {
+  std::int64_t positions = 0;
+  std::int64_t motions = 0;
+  friend bool operator==(const Questions&, const Questions&) = default;
+};
+
+/// One answer. Without a path `joints` and `tips` are empty and `length` is not a number.
+struct LASIUS_ARM_EXPORT Result {
+  Status status = Status::no_path;
+  std::string error;                        ///< why it is invalid or unreachable; else empty
+  std::vector<std::vector<double>> joints;  ///< q^(0) .. q^(p), a lattice point each
+  std::vector<Vec3> tips;                   ///< of the tip, likewise
+  double length;                            ///< moves times pitch, the source's L
+  double pitch = 0;                         ///< as used
+  std::array<int, 3> points{};              ///< of the lattice, by axis
+  int iterations = 0;                       ///< done
+  std::vector<double> best;                 ///< by iteration, as in lasius::Result
+  std::vector<double> mean;
+  std::vector<int> arrived;
+  Questions questions;
+  std::int64_t steps = 0;  ///< of all ants, those taken back included
+  /// Shortest way in the lattice with all that was not tried taken as free: no way in this lattice
+  /// is shorter.
+  std::optional<double> lower_bound;
+  /// (length - lower_bound) / lower_bound; 0 at length 0; nothing without a bound.
+  std::optional<double> gap() const;
+  bool optimal = false;  ///< no way in this lattice is shorter
+
+  Result();
+};
+
+/// What an observer may look at, after each iteration, on the calling thread.
+struct IterationView {
+  int iteration = 0;  ///< from 0
+  double best_length = 0;
+  double mean_length = 0;
+  int arrived = 0;
+  Questions questions;
+};
+using Observer = std::function<void(const IterationView&)>;
+
+/// Searches for a short way of the tip from where the arm stands to the goal.
+///
+/// The lattice (D.1): points start + d v, v in Z^3, edges between points at Manhattan distance 1.
+/// The goal's nearest point is moved onto the goal, by at most d / 2 along each axis. The joint
+/// values of a point are found by kinematics from those of the neighbour towards the start, along
+/// the axis with the largest |v_i| (or the next largest, where that one has none): a function of v
+/// alone. An edge is closed where an end has none, a joint would move further than `joint_step`, or
+/// the sensor says so.
+///
+/// An ant draws among the neighbours that it has not visited, and tries what it drew: if the way is
+/// closed it draws again among the rest. That is the source's rule, and makes a walk depend on the
+/// world alone, not on what others have learned: so the answer is the same for any number of
+/// threads. At a dead end an ant steps back, the point stays visited.
+/// @throws Error(invalid_parameter) for parameters out of range or a lattice that is too large;
+///         what the sensor throws. A bad start or goal is an answer: Status::invalid.
+LASIUS_ARM_EXPORT Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
+                              const Parameters& parameters = {}, const Observer& observer = {});
+
+}  // namespace lasius::arm

@@ -1,0 +1,84 @@
+// From a sequence of joint vectors to a smooth motion in time.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lasius/arm_sensor.h"
+#include "lasius/stop.h"
+
+namespace lasius::arm {
+
+/// A cubic spline for each joint: q, dq/dt and d2q/dt2 are continuous, and both derivatives are 0
+/// at both ends.
+class LASIUS_ARM_EXPORT Trajectory {
+ public:
+  struct State {
+    std::vector<double> q, dq, ddq;
+  };
+
+  /// A knot: joint values and their second derivatives; between two knots these are linear in t.
+  struct Knot {
+    double time = 0;
+    std::vector<double> q;
+    std::vector<double> ddq;
+  };
+
+  Trajectory() = default;
+  /// Knots in rising time from 0, values of equal number; at least one.
+  explicit Trajectory(std::vector<Knot> knots);
+
+  double duration() const noexcept { return knots_.empty() ? 0 : knots_.back().time; }
+  const std::vector<Knot>& knots() const noexcept { return knots_; }
+
+  /// The state at a time, clamped to 0 .. duration(). Precondition: not empty.
+  State at(double time) const;
+  /// First derivatives at a knot, from the right (at the last knot from the left).
+  std::vector<double> velocity(std::size_t knot) const;
+
+  bool empty() const noexcept { return knots_.empty(); }
+
+ private:
+  std::vector<Knot> knots_;
+};
+
+struct TrajectoryOptions {
+  bool shortcut = true;  ///< leave out waypoints that a straight joint motion can pass by
+  StopCondition stop = {};
+};
+
+struct TrajectoryResult {
+  Trajectory trajectory;  ///< empty where the waypoints are, or it was stopped
+  int waypoints = 0;      ///< left after shortcutting
+  bool stops = false;     ///< it rests at every waypoint: no faster motion between them was free
+  std::int64_t questions = 0;  ///< motions that the sensor was asked about
+};
+
+/// A motion along `waypoints`, between whose neighbours straight joint motions are free.
+///
+/// Natural cubic splines through the joint vectors with two free knots, one in the first and one in
+/// the last interval, which make velocity and acceleration 0 at both ends (Lin, Chang & Luh 1983).
+/// Intervals are stretched where a limit of velocity or acceleration is exceeded, and all of them
+/// at last, so that both hold everywhere and one is just met. The spline is checked between its
+/// knots: pieces short enough to stay within the sensor's clearance of their chords are asked about
+/// as straight motions. Where it is not free, or leaves the joint limits, knots are added on the
+/// straight motion there, and in the end it rests at each waypoint, which is always free.
+/// @throws Error(invalid_parameter) where sizes do not fit the robot; what the sensor throws.
+LASIUS_ARM_EXPORT TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
+                                                   std::span<const std::vector<double>> waypoints,
+                                                   const TrajectoryOptions& options = {});
+
+/// What an independent check of a trajectory found: kinematics by KDL, collision by FCL, at
+/// `samples` times evenly spread. Shares no code with the planner but the reading of files.
+struct Recheck {
+  int samples = 0;
+  int contacts = 0;      ///< samples at which a link touches an obstacle or another link
+  int limits = 0;        ///< samples at which a limit of value, velocity or acceleration is broken
+  double nearest = 0;    ///< least distance to an obstacle or another link, metres
+  double tip_error = 0;  ///< largest distance between KDL's tip and ours
+};
+LASIUS_ARM_EXPORT Recheck recheck(const Robot& robot, const Scene& scene,
+                                  const Trajectory& trajectory, int samples = 1000);
+
+}  // namespace lasius::arm
