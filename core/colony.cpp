@@ -12,6 +12,7 @@
 #include "kernel_choice.h"
 #include "kernels/power.h"
 #include "lasius/path.h"
+#include "move_rule.h"
 #include "polish.h"
 #include "schedule.h"
 #include "update.h"
@@ -42,24 +43,6 @@ double raw_length(std::span<const std::uint8_t> tour, const kernels::Moves& move
   return length;
 }
 
-kernels::Neighbourhood neighbourhood(Neighbours n) {
-  switch (n) {
-    case Neighbours::four:
-      return kernels::Neighbourhood::four;
-    case Neighbours::eight:
-      return kernels::Neighbourhood::eight;
-    case Neighbours::sixteen:
-      return kernels::Neighbourhood::sixteen;
-    case Neighbours::sixteen_knight:
-      return kernels::Neighbourhood::sixteen_knight;
-    case Neighbours::twenty_four:
-      return kernels::Neighbourhood::twenty_four;
-    case Neighbours::thirty_two:
-      return kernels::Neighbourhood::thirty_two;
-  }
-  return kernels::Neighbourhood::eight;
-}
-
 double straight_distance(const Request& request) {
   const double dx = request.goal.x - request.start.x, dy = request.goal.y - request.start.y;
   return std::sqrt(dx * dx + dy * dy);
@@ -76,7 +59,7 @@ class GridColony final : public ColonyWorld {
         ws_(workspace),
         observer_(observer),
         threads_(thread_count(params)),
-        moves_(kernels::moves_of(neighbourhood(params.neighbours))),
+        moves_(moves_of(params.neighbours)),
         tau0_(initial_pheromone(params, straight_distance(request))) {
     ws_.field.reset(grid, moves_, request.goal, params, untouched(), request.stop);
     ws_.walkers.reset(grid.width(), grid.height(), threads_, params.ants);

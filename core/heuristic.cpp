@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "kernels/power.h"
+#include "move_rule.h"
 
 namespace lasius {
 namespace {
@@ -20,8 +21,6 @@ double distance(Cell a, Cell b) noexcept {
   return std::sqrt(dx * dx + dy * dy);
 }
 
-Cell operator+(Cell c, kernels::Offset o) noexcept { return {c.x + o.dx, c.y + o.dy}; }
-
 }  // namespace
 
 void HeuristicRows::reset(const Grid& grid, const kernels::Moves& moves, Cell goal,
@@ -32,20 +31,6 @@ void HeuristicRows::reset(const Grid& grid, const kernels::Moves& moves, Cell go
   params_ = params;
   distances_.clear();
   if (params.heuristic == Heuristic::distance_field) measure_distances(stop);
-}
-
-bool HeuristicRows::exists(Cell c, const kernels::Move& move) const noexcept {
-  if (grid_->blocked(c + move.to)) return false;
-  for (int i = 0; i < move.swept_count; ++i) {
-    if (grid_->blocked(c + move.swept[i])) return false;
-  }
-  if (params_.corners == Corners::allow) return true;
-  const int needed = params_.corners == Corners::forbid ? 2 : 1;
-  for (int i = 0; i < move.corner_count; ++i) {
-    const auto& [a, b] = move.corners[i];
-    if (grid_->free(c + a) + grid_->free(c + b) < needed) return false;
-  }
-  return true;
 }
 
 void HeuristicRows::fill(Cell c, double beta, float* row) const {
@@ -60,7 +45,7 @@ void HeuristicRows::fill(Cell c, double beta, float* row) const {
   std::array<double, kernels::kMaxMoves> values{};
   double largest = 0;
   for (int k = 0; k < moves_.count; ++k) {
-    if (!exists(c, moves_[k])) continue;
+    if (!move_exists(*grid_, params_.corners, c, moves_[k])) continue;
     values[k] = value(c, c + moves_[k].to, beta, farthest);
     largest = std::max(largest, values[k]);
   }
@@ -112,7 +97,7 @@ void HeuristicRows::measure_distances(const StopCondition& stop) {
     const Cell c{x, y};
     if (length > distances_[index(c)]) continue;
     for (int k = 0; k < steps.count; ++k) {
-      if (!exists(c, steps[k])) continue;
+      if (!move_exists(*grid_, params_.corners, c, steps[k])) continue;
       const Cell to = c + steps[k].to;
       const float through = length + static_cast<float>(steps[k].length);
       if (through >= distances_[index(to)]) continue;

@@ -34,7 +34,6 @@ class HeuristicRows {
   }
 
  private:
-  bool exists(Cell c, const kernels::Move& move) const noexcept;
   double value(Cell c, Cell to, double beta, double farthest) const noexcept;
   void measure_distances(const StopCondition& stop);
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "exit_code.h"
+#include "lasius/shortest_walk.h"
 #include "values.h"
 
 namespace lasius::tool {
@@ -49,8 +50,23 @@ Answer answer(const PreparedMap& map, const RunOptions& run, Cell start, Cell go
     const Request exact{.start = start, .goal = goal, .stop = {.token = stop.token}};
     const Result best = map.planner.plan(exact, optimum_params(run));
     if (best.optimal) answer.optimum = best.length;
+    answer.grid_optimum = moves_on_cells(run)
+                              ? shortest_by_own_moves(map, run, {start, goal}, stop.token)
+                              : answer.optimum;
   }
   return answer;
+}
+
+bool moves_on_cells(const RunOptions& run) { return run.params.algorithm != kExact; }
+
+std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOptions& run,
+                                            const Query& query, const std::stop_token& token) {
+  const Grid& grid = map.planner.grid();
+  const bool joined = grid.free(query.start) && grid.free(query.goal) &&
+                      map.planner.connected(query.start, query.goal, run.params.corners);
+  if (!joined) return std::nullopt;
+  return shortest_walk(grid, query.start, query.goal, run.params.neighbours, run.params.corners,
+                       {.token = token});
 }
 
 bool knows_optimum() {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "lasius/batch.h"
 #include "lasius/planner.h"
 #include "map_file.h"
 #include "options.h"
@@ -15,20 +16,30 @@ struct Answer {
   Cell start{};
   Cell goal{};
   Result result{};
-  double elapsed_ms = 0;               ///< of the plan; the map's preparation is not in it
-  std::optional<double> optimum{};     ///< with --gap: exact shortest length, where one exists
+  double elapsed_ms = 0;            ///< of the plan; the map's preparation is not in it
+  std::optional<double> optimum{};  ///< with --gap: exact shortest length, where one exists
+  /// With --gap: the shortest by the algorithm's own moves, any angle for `exact`.
+  std::optional<double> grid_optimum{};
   std::optional<std::size_t> index{};  ///< of a batch's query
 };
 
 /// The deadline that `seconds` from now sets.
 Clock::time_point deadline_after(const std::optional<double>& seconds);
 
-/// Plans from `start` to `goal`. The deadline bounds the plan; --gap's optimum only the token.
+/// Plans from `start` to `goal`. The deadline bounds the plan; --gap's optima only the token.
 Answer answer(const PreparedMap& map, const RunOptions& run, Cell start, Cell goal,
               const StopCondition& stop, const Observer& observer = {});
 
 /// True where the library has the exact planner that --gap asks.
 bool knows_optimum();
+
+/// Length of the shortest walk by the moves of the run's algorithm, if there is one. Precondition:
+/// the algorithm is not `exact`.
+std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOptions& run,
+                                            const Query& query, const std::stop_token& token);
+
+/// True where the algorithm moves from cell to cell.
+bool moves_on_cells(const RunOptions& run);
 
 /// Params of the exact planner for a run. Precondition: knows_optimum().
 Params optimum_params(const RunOptions& run);

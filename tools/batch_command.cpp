@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <future>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -56,15 +58,36 @@ class Collected {
   std::vector<std::vector<Point>> kept_;
 };
 
-/// The exact lengths of some queries, NaN where there is none.
-std::vector<double> optima(const PreparedMap& map, const RunOptions& run,
-                           std::span<const Query> queries, const BatchOptions& options) {
-  std::vector<double> lengths(queries.size(), std::nan(""));
+/// What --gap adds to some queries; NaN where there is none.
+struct Optima {
+  std::vector<double> any_angle, by_moves;
+};
+
+Optima optima(const PreparedMap& map, const RunOptions& run, std::span<const Query> queries,
+              const BatchOptions& options) {
+  Optima found;
+  found.any_angle.assign(queries.size(), std::nan(""));
   BatchOptions exact{.threads = options.threads, .token = options.token};
-  plan_batch(map.planner, queries, optimum_params(run), exact, [&](const BatchAnswer& found) {
-    if (found.result.optimal) lengths[found.index] = found.result.length;
+  plan_batch(map.planner, queries, optimum_params(run), exact, [&](const BatchAnswer& answer) {
+    if (answer.result.optimal) found.any_angle[answer.index] = answer.result.length;
   });
-  return lengths;
+  found.by_moves = found.any_angle;
+  if (!moves_on_cells(run)) return found;
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < queries.size(); i = next++)
+      found.by_moves[i] =
+          shortest_by_own_moves(map, run, queries[i], options.token).value_or(std::nan(""));
+  };
+  std::vector<std::future<void>> others;
+  for (int i = 1; i < options.threads; ++i) others.push_back(std::async(std::launch::async, work));
+  work();
+  for (auto& other : others) other.get();
+  return found;
+}
+
+std::optional<double> known(double value) {
+  return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
 }  // namespace
@@ -92,7 +115,7 @@ int run_batch(const BatchCommand& command) {
   const std::size_t chunk = with_optimum ? 256 : queries.size();
   for (std::size_t from = 0; from < queries.size() && !signals.interrupted(); from += chunk) {
     const auto part = std::span(queries).subspan(from, std::min(chunk, queries.size() - from));
-    std::vector<double> best;
+    Optima best;
     if (with_optimum) best = optima(map, run, part, options);
     plan_batch(map.planner, part, run.params, options, [&](const BatchAnswer& found) {
       Answer answer{.start = part[found.index].start,
@@ -100,7 +123,10 @@ int run_batch(const BatchCommand& command) {
                     .result = found.result,
                     .elapsed_ms = std::chrono::duration<double, std::milli>(found.elapsed).count(),
                     .index = from + found.index};
-      if (with_optimum && !std::isnan(best[found.index])) answer.optimum = best[found.index];
+      if (with_optimum) {
+        answer.optimum = known(best.any_angle[found.index]);
+        answer.grid_optimum = known(best.by_moves[found.index]);
+      }
       const std::string text = line(result_json(map, run, answer));
       collected.add(answer, text);
       print(text);

@@ -77,7 +77,8 @@ void add_run_options(CLI::App& app, RunText& text) {
   option("--radius", text.radius,
          "Grow obstacles by this radius, in cells (metres with --frame world)", "R");
   add_switch(app, "--unknown-free", text.unknown_free, "Unknown cells of a ROS map count as free");
-  add_switch(app, "--gap", text.gap, "Add the exact optimum and the true gap");
+  add_switch(app, "--gap", text.gap,
+             "Add the exact optimum, the true gap, and the optimum of the algorithm's own moves");
   add_switch(app, "--json", text.json, "Print one JSON object (batch always does, one a query)");
   add_repeatable(app, "-o,--output", text.outputs, kOutputs, "FILE");
   option("--tracks", text.tracks,

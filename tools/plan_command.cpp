@@ -79,6 +79,9 @@ int run_plan(const PlanCommand& command) {
 
   const std::string why = explain(map, run, found);
   if (!why.empty() && (found.result.path.empty() || !run.messages.quiet)) message(why);
+  if (run.with_optimum && !run.json && !run.messages.quiet) {
+    if (const std::string gap = gap_text(found); !gap.empty()) message(gap);
+  }
   // What one output refuses the others still get.
   std::exception_ptr fault;
   try {

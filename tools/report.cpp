@@ -107,6 +107,7 @@ Json result_json(const PreparedMap& map, const RunOptions& run, const Answer& an
   if (run.with_optimum) {
     json["optimum"] = optional_number(answer.optimum);
     json["optimum_gap"] = true_gap(answer);
+    json["grid_optimum"] = optional_number(answer.grid_optimum);
   }
   json["elapsed_ms"] = number(answer.elapsed_ms);
   return json;

@@ -34,6 +34,9 @@ std::string line(const Json& value);
 /// Status, length and path, one vertex a line; in metres in the world frame.
 std::string result_text(const PreparedMap& map, const RunOptions& run, const Answer& answer);
 
+/// What --gap found, for people; empty without an optimum.
+std::string gap_text(const Answer& answer);
+
 /// A batch as a table: header, and a line a query.
 std::string batch_csv_header();
 std::string batch_csv_row(const Answer& answer);

@@ -1,4 +1,6 @@
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json_fwd.hpp>
 #include <sstream>
 
@@ -28,6 +30,22 @@ std::string result_text(const PreparedMap& map, const RunOptions& run, const Ans
   out << to_text(world ? map.metres(result.length) : result.length) << "\n";
   write_points(out, world ? map.to_world(result.path) : result.path, " ");
   return out.str();
+}
+
+std::string gap_text(const Answer& answer) {
+  if (!answer.optimum) return {};
+  const auto against = [&](const char* name, double optimum) {
+    std::array<char, 96> text;
+    std::snprintf(text.data(), text.size(), "%s %.6f", name, optimum);
+    std::string part = text.data();
+    if (answer.result.path.empty() || !(optimum > 0)) return part;
+    const double gap = 100 * (answer.result.length / optimum - 1);
+    std::snprintf(text.data(), text.size(), " (the path: %+.3f%%)", gap);
+    return part + text.data();
+  };
+  std::string text = against("optimum", *answer.optimum);
+  if (answer.grid_optimum) text += ", " + against("by its own moves", *answer.grid_optimum);
+  return text;
 }
 
 std::string result_csv(const Result& result) {

@@ -13,5 +13,6 @@
 #include "lasius/params.h"
 #include "lasius/path.h"
 #include "lasius/planner.h"
+#include "lasius/shortest_walk.h"
 #include "lasius/stop.h"
 #include "lasius/version.h"

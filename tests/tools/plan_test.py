@@ -162,7 +162,26 @@ class Json(ProgramTest):
 
     def test_gap_adds_the_optimum(self):
         result = self.plan("--json", "--gap").json
-        self.assertEqual([key for key in result if key not in KEYS], ["optimum", "optimum_gap"])
+        self.assertEqual([key for key in result if key not in KEYS],
+                         ["optimum", "optimum_gap", "grid_optimum"])
+        self.assertEqual(result["grid_optimum"], 14)  # by 4 moves
+
+    def test_gap_adds_the_optimum_of_the_own_moves(self):
+        fan = self.plan("--json", "--gap", "--iterations", "2", **FAN).json
+        four = fan["grid_optimum"]
+        self.assertEqual(four, int(four))
+        self.assertLess(fan["optimum"], four)
+        self.assertLessEqual(four, fan["mean"][0])
+        eight = self.plan("--json", "--gap", "--iterations", "2", "--neighbours", "8",
+                          **FAN).json["grid_optimum"]
+        self.assertLess(fan["optimum"], eight)
+        self.assertLess(eight, four)
+
+    def test_gap_is_told_beside_the_text(self):
+        run = self.plan("--gap", "--iterations", "2", **FAN)
+        self.assertEqual(run.out.splitlines()[0], "solved")
+        self.assertRegex(run.err, r"optimum [0-9.]+ .*, by its own moves [0-9.]+")
+        self.assertEqual(self.plan("--gap", "-q", "--iterations", "2", **FAN).err, "")
 
 
 class Exact(ProgramTest):
@@ -184,6 +203,8 @@ class Exact(ProgramTest):
 
     def test_gap_adds_the_optimum_to_any_algorithm(self):
         best = self.exact().json["length"]
+        own = self.exact("--gap").json
+        self.assertEqual((own["optimum"], own["grid_optimum"], own["optimum_gap"]), (best, best, 0))
         result = self.plan("--gap", "--json").json
         self.assertEqual(result["optimum"], best)
         self.assertAlmostEqual(result["optimum_gap"], result["length"] / best - 1)

@@ -6,6 +6,7 @@
 
 #include "lasius/error.h"
 #include "lasius/planner.h"
+#include "lasius/shortest_walk.h"
 #include "tools/study/map_source.h"
 #include "tools/study/optimum.h"
 #include "tools/study/study.h"
@@ -35,7 +36,7 @@ TEST(Catalogue, EveryQuestionHasAWay) {
 }
 
 double steps(const Grid& grid, Cell start, Cell goal) {
-  return shortest_by_moves(grid, start, goal, "4", Corners::forbid).value_or(INFINITY);
+  return shortest_walk(grid, start, goal, Neighbours::four).value_or(INFINITY);
 }
 
 class Mazes : public testing::TestWithParam<std::pair<const char*, int>> {};
@@ -76,7 +77,7 @@ TEST_P(Mazes, HaveLoopsAndASecondRoute) {
 
 TEST(Grid20a, HasTheOptimumOfTheWorkedExample) {
   const Grid grid = load_map("grid20a.map", kMaps);
-  EXPECT_NEAR(shortest_by_moves(grid, {0, 19}, {19, 0}, "8", Corners::forbid).value(),
+  EXPECT_NEAR(shortest_walk(grid, {0, 19}, {19, 0}, Neighbours::eight).value(),
               14 + 12 * std::sqrt(2.0), 1e-9);
 }
 

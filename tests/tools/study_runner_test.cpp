@@ -40,7 +40,7 @@ class StudyRunner : public testing::Test {
     Experiment e{.name = "walls",
                  .title = "Walls",
                  .text = "One wall.",
-                 .truth = {Truth::Kind::moves, "8", Corners::forbid},
+                 .truth = {Truth::Kind::moves, Neighbours::eight, Corners::forbid},
                  .contenders = {slow, ga, tenfold(ga), none},
                  .questions = {{"wall", "wall.map", {2, 10}, {17, 10}, {{"as", 23.5, 4, 2}}}}};
     return {"test", "a test", "Nobody", "", {e}, {}};
@@ -177,32 +177,6 @@ TEST(Run, ConvergesAtItsLastImprovement) {
   EXPECT_EQ(run.converged(), 1);
   run.best = {};
   EXPECT_EQ(run.converged(), 0);
-}
-
-TEST(ShortestByMoves, ByHand) {
-  Grid grid(5, 5);
-  const double sqrt2 = std::sqrt(2.0);
-  const auto length = [&](const char* neighbours, Corners corners = Corners::forbid) {
-    return shortest_by_moves(grid, {0, 0}, {4, 2}, neighbours, corners).value();
-  };
-  EXPECT_EQ(length("4"), 6);
-  EXPECT_NEAR(length("8"), 2 + 2 * sqrt2, 1e-12);
-  EXPECT_NEAR(length("16"), 2 + 2 * sqrt2, 1e-12);  // longer strides, no new direction
-  EXPECT_NEAR(length("16k"), 2 * std::sqrt(5.0), 1e-12);
-  EXPECT_NEAR(length("24"), 2 * std::sqrt(5.0), 1e-12);
-  // Between two diagonal blocks only `allow` passes, past one of them also `one_side`.
-  Grid small(2, 2);
-  const auto diagonal = [&](Corners corners) {
-    return shortest_by_moves(small, {0, 0}, {1, 1}, "8", corners);
-  };
-  small.set_blocked({1, 0});
-  EXPECT_EQ(diagonal(Corners::forbid), 2);
-  EXPECT_EQ(diagonal(Corners::one_side), sqrt2);
-  small.set_blocked({0, 1});
-  EXPECT_EQ(diagonal(Corners::allow), sqrt2);
-  EXPECT_FALSE(diagonal(Corners::one_side));
-  for (int x = 0; x < 5; ++x) grid.set_blocked({x, 1});
-  EXPECT_FALSE(shortest_by_moves(grid, {0, 0}, {4, 2}, "8", Corners::allow));
 }
 
 }  // namespace

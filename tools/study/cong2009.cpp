@@ -41,7 +41,7 @@ Experiment experiment(std::string name, std::string title, std::string text, int
   Experiment e{.name = std::move(name),
                .title = std::move(title),
                .text = std::move(text),
-               .truth = {Truth::Kind::moves, "4", Corners::forbid},
+               .truth = {Truth::Kind::moves, Neighbours::four, Corners::forbid},
                .contenders = contenders(ants),
                .questions = std::move(questions)};
   add_tenfold(e.contenders);

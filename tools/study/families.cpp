@@ -33,7 +33,7 @@ Study families() {
                    .text =
                        "3000 paths each, 8 moves, no corner cut, no polish; beta 5 and the "
                        "families' own evaporation.",
-                   .truth = {Truth::Kind::moves, "8", Corners::forbid},
+                   .truth = {Truth::Kind::moves, Neighbours::eight, Corners::forbid},
                    .contenders = contenders("none"),
                    .questions = {{"grid20a", "grid20a.map", {0, 19}, {19, 0}},
                                  {"grid20b", "grid20b.map", {0, 19}, {19, 0}},

@@ -81,7 +81,7 @@ Experiment free_spaces() {
                .text =
                    "30 ants, 50 iterations, no polish: the grid's own paths. Only figure 6 is "
                    "legible; the two easier maps are ours.",
-               .truth = {Truth::Kind::moves, "8", Corners::forbid},
+               .truth = {Truth::Kind::moves, Neighbours::eight, Corners::forbid},
                .contenders = contenders(small, "none")};
   for (const auto* name : {"simple", "average", "complex"})
     e.questions.push_back({name, std::string("free-space-") + name + ".map", {0, 9}, {9, 0}});

@@ -11,6 +11,7 @@
 
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
+#include "lasius/params.h"
 
 namespace lasius::study {
 
@@ -48,7 +49,7 @@ struct Question {
 /// The paths among which a question's optimum is the shortest.
 struct Truth {
   enum class Kind { any_angle, moves } kind = Kind::any_angle;
-  std::string_view neighbours = "8";  ///< of `moves`, as the parameter has it
+  Neighbours neighbours = Neighbours::eight;  ///< of `moves`
   Corners corners = Corners::forbid;
 };
 

@@ -28,7 +28,7 @@ Experiment grids(std::string name, std::string title, std::vector<Question> ques
               "and a weaker one on cells (beta 2, evaporation 0.1) stand for it. With the "
               "index off a step draws by distance alone; the generation's answer still follows "
               "the index.",
-          .truth = {Truth::Kind::moves, "8", Corners::forbid},
+          .truth = {Truth::Kind::moves, Neighbours::eight, Corners::forbid},
           .contenders = {index, dying, off, classic, on_cells, ga, tenfold(classic),
                          tenfold(on_cells), tenfold(ga)},
           .questions = std::move(questions)};
