@@ -31,15 +31,17 @@ constexpr int packed_y(PackedCell c) noexcept { return static_cast<int>(c >> 16)
 /// columns and overlap: around every cell, 16 columns to either side lie in one word. Words of one
 /// strip follow each other by row, so the memory touched follows the walk.
 struct VisitedPlane {
-  std::uint64_t* origin = nullptr;  ///< word of strip 0, row 0; padded all around
-  std::int64_t rows = 0;            ///< words of a strip, padding included
+  std::uint64_t* origin = nullptr;      ///< word of strip 0, row 0; padded all around
+  std::int64_t rows = 0;                ///< words of a strip, padding included
+  std::array<std::int64_t, 2> sides{};  ///< to the words of the strips on either side
 
   static std::int64_t rows_for(int height) noexcept { return height + 2 * kMaxReach; }
   static std::int64_t words_for(int width, int height) noexcept {
     return rows_for(height) * ((width + 31) / 32 + 2);
   }
   static VisitedPlane over(std::uint64_t* words, int height) noexcept {
-    return {words + rows_for(height) + kMaxReach, rows_for(height)};
+    const std::int64_t rows = rows_for(height);
+    return {words + rows + kMaxReach, rows, {-rows, rows}};
   }
 
   std::uint64_t* word(PackedCell c) const noexcept {
@@ -61,7 +63,7 @@ struct VisitedPlane {
 
  private:
   /// From a cell's word to the other word that holds it, without a branch.
-  std::int64_t neighbour(int bit) const noexcept { return ((bit >> 5) * 2 - 1) * rows; }
+  std::int64_t neighbour(int bit) const noexcept { return sides[bit >> 5]; }
 };
 
 /// What a step may do, in the order of the wheel that chooses: go where the weight is largest (the
@@ -114,7 +116,7 @@ struct WalkSlot {
   static constexpr int kRandomWords = 32;
 
   PackedCell at = 0;
-  std::uint32_t previous = kMaxMoves;  ///< last move; kMaxMoves at the start
+  std::uint32_t previous = kMaxMoves;  ///< with factors, the last move; kMaxMoves at the start
   WalkState state = WalkState::lost;
   std::uint32_t ant = 0;
   std::uint8_t* moves = nullptr;  ///< the tour so far, room for every step of the call

@@ -68,7 +68,7 @@ struct Walk {
     if constexpr (kLanes == 4) {
       return ~((up >> 1 & 1) | (here & 1) << 1 | (here & 4) | (down & 2) << 2) & kAll;
     } else {
-      return ~(up | (here & 1) << 3 | (here & 4) << 2 | down << 5) & kAll;
+      return ~LASIUS_OPS::without_centre(up | here << 3 | down << 6) & kAll;
     }
   }
 
@@ -89,14 +89,16 @@ struct Walk {
     prefetch(slot);
   }
 
-  /// Moves the ant; inside a tile what belongs to its cell is found by adding.
+  /// Moves the ant along a move (kSign 1) or back over it (-1). Inside a tile, what belongs to its
+  /// cell is found by adding.
+  template <int kSign>
   [[gnu::always_inline]] static void go(const WalkWorld& world, WalkSlot& slot, int move) noexcept {
     constexpr PackedCell kOtherTile = ~pack(kTileSide - 1, kTileSide - 1);
     const PackedCell from = slot.at;
-    slot.at = from + static_cast<PackedCell>(world.delta[move]);
+    slot.at = from + static_cast<PackedCell>(kSign * world.delta[move]);
     if (((from ^ slot.at) & kOtherTile) == 0) [[likely]] {
-      slot.row += world.tile_step[move] * kRow;
-      slot.word += world.row_step[move];
+      slot.row += kSign * world.tile_step[move] * kRow;
+      slot.word += kSign * world.row_step[move];
       prefetch(slot);
     } else {
       find(world, slot);
@@ -111,9 +113,10 @@ struct Walk {
     }
     slot.dead[slot.dead_count++] = slot.at;
     --slot.move_count;
-    slot.at -= static_cast<PackedCell>(world.delta[slot.moves[slot.move_count]]);
-    slot.previous = slot.move_count > 0 ? slot.moves[slot.move_count - 1] : kMaxMoves;
-    find(world, slot);
+    go<-1>(world, slot, slot.moves[slot.move_count]);
+    if constexpr (kFactor) {
+      slot.previous = slot.move_count > 0 ? slot.moves[slot.move_count - 1] : kMaxMoves;
+    }
     return true;
   }
 
@@ -140,8 +143,8 @@ struct Walk {
     if (move < 0) [[unlikely]]
       return take_back(world, slot);
 
-    go(world, slot, move);
-    slot.previous = static_cast<std::uint32_t>(move);
+    go<1>(world, slot, move);
+    if constexpr (kFactor) slot.previous = static_cast<std::uint32_t>(move);
     slot.moves[slot.move_count++] = static_cast<std::uint8_t>(move);
     slot.visited.mark(slot.word, VisitedPlane::bit(slot.at));
     if (slot.at != world.goal) return true;

@@ -64,6 +64,11 @@ struct ScalarOps {
     return last;
   }
 
+  /// The nine bits of 3 x 3 cells without the middle one.
+  static std::uint32_t without_centre(std::uint32_t window) noexcept {
+    return (window & 15) | (window >> 5 & 15) << 4;
+  }
+
   /// The bits of `word` at the set bits of `mask`, moved together (pext).
   static std::uint32_t bits_at(std::uint64_t word, std::uint64_t mask) noexcept {
     std::uint32_t bits = 0;
