@@ -82,6 +82,39 @@ void Canvas::fill(const Box& box, Colour colour) {
   cairo_fill(context_.get());
 }
 
+void Canvas::area(std::span<const Point> points, Colour colour, double opacity) {
+  cairo_t* const c = context_.get();
+  cairo_new_path(c);
+  for (const Point p : points) cairo_line_to(c, p.x, p.y);
+  cairo_close_path(c);
+  cairo_set_source_rgba(c, colour.red, colour.green, colour.blue, opacity);
+  cairo_fill_preserve(c);
+  ink(colour);
+  cairo_set_line_width(c, 1);
+  cairo_stroke(c);
+}
+
+void Canvas::stroke(std::span<const Point> points, Colour colour, double width, double opacity) {
+  cairo_t* const c = context_.get();
+  cairo_save(c);
+  cairo_new_path(c);
+  for (const Point p : points) cairo_line_to(c, p.x, p.y);
+  cairo_set_source_rgba(c, colour.red, colour.green, colour.blue, opacity);
+  cairo_set_line_cap(c, CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_join(c, CAIRO_LINE_JOIN_ROUND);
+  cairo_set_line_width(c, width);
+  cairo_stroke(c);
+  cairo_restore(c);
+}
+
+void Canvas::clip(const Box& box) {
+  cairo_save(context_.get());
+  cairo_rectangle(context_.get(), box.x - 0.5, box.y - 0.5, box.width + 1, box.height + 1);
+  cairo_clip(context_.get());
+}
+
+void Canvas::unclip() { cairo_restore(context_.get()); }
+
 void Canvas::rimmed(Colour colour) {
   ink(colour);
   cairo_fill_preserve(context_.get());

@@ -29,6 +29,13 @@ class Canvas {
   void dashed(Point from, Point to, Colour colour, double width);
   void frame(const Box& box, Colour colour, double width);
   void fill(const Box& box, Colour colour);
+  /// A closed area, `opacity` 0 .. 1, with a thin rim of the same colour.
+  void area(std::span<const Point> points, Colour colour, double opacity);
+  /// A line with round ends and corners.
+  void stroke(std::span<const Point> points, Colour colour, double width, double opacity);
+  /// Until `unclip`, what is drawn outside of the box is left out.
+  void clip(const Box& box);
+  void unclip();
   /// A filled circle with a white rim.
   void disc(Point at, double radius, Colour colour);
   /// A filled square on its corner, with a white rim.

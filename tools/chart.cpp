@@ -85,6 +85,7 @@ struct Plot {
   Colour colour;
   double width;
   std::optional<double> optimum;
+  std::string optimum_name;
   bool labelled;  ///< says what the iterations are
 };
 
@@ -139,7 +140,7 @@ void draw_plot(Canvas& canvas, const Plot& plot) {
   if (plot.optimum) {
     canvas.dashed({box.x, y.at(*plot.optimum)}, {box.x + box.width, y.at(*plot.optimum)}, kOptimum,
                   1.5);
-    name += "; dashed: optimum";
+    name += "; dashed: " + plot.optimum_name;
   }
   draw_curve(canvas, x, y, plot.values, plot.colour, plot.width);
   canvas.frame(box, kInk, 1);
@@ -173,6 +174,7 @@ void draw_convergence(Canvas& canvas, const Box& box, const Convergence& data) {
                      kBest,
                      2.5,
                      data.optimum,
+                     data.optimum_name,
                      false});
   draw_plot(canvas, {{box.x + kLeft, box.y + 2 + upper + kBetween, width, height - upper},
                      data.mean,
@@ -180,9 +182,10 @@ void draw_convergence(Canvas& canvas, const Box& box, const Convergence& data) {
                      kMean,
                      1.75,
                      {},
+                     {},
                      true});
-  canvas.text({box.x + 16, box.y + 2 + (upper + kBetween + height - upper) / 2}, "length in cells",
-              kLabel + 1, Align::centre, kInk, false, true);
+  canvas.text({box.x + 16, box.y + 2 + (upper + kBetween + height - upper) / 2},
+              "length in " + data.unit, kLabel + 1, Align::centre, kInk, false, true);
 }
 
 }  // namespace lasius::tool

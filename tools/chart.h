@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "canvas.h"
@@ -12,6 +13,8 @@ struct Convergence {
   std::vector<double> best;  ///< by iteration; NaN where there is none
   std::vector<double> mean;
   std::optional<double> optimum;
+  std::string unit = "cells";
+  std::string optimum_name = "optimum";
 };
 
 /// Round numbers that cover [low, high] in about `count` steps, low < high.

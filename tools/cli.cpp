@@ -261,6 +261,57 @@ Subcommand add_study(CLI::App& app) {
           }};
 }
 
+Subcommand add_arm(CLI::App& app) {
+  auto raw = std::make_shared<ArmText>();
+  auto* arm = app.add_subcommand("arm", "Plan an arm's motion among obstacles that it learns");
+  const auto option = [arm](const char* names, std::string& to, const char* help,
+                            const char* type) {
+    return arm->add_option(names, to, help)->type_name(type);
+  };
+  option("ROBOT", raw->robot, "Robot: URDF, or JSON as in maps/arms", "FILE")->required();
+  option("--scene", raw->scene, "Obstacles: JSON as in maps/arms", "FILE")->required();
+  option("--start", raw->start, "Joint values, radians or metres", "Q1,Q2,...")->required();
+  option("--goal", raw->goal, "Where the tip goes, metres; orientation free", "X,Y,Z")->required();
+  option("--base", raw->base, "Link that a URDF's chain begins with (default the root)", "LINK");
+  option("--tip", raw->tip, "Link that it ends with (default the only leaf)", "LINK");
+  option("--algorithm", raw->algorithm, "goritov2020", "NAME");
+  add_repeatable(*arm, "--set", raw->set, "Set any parameter of the algorithm (repeatable)",
+                 "NAME=VALUE");
+  option("--ants", raw->named[0].second, "Ants an iteration", "N");
+  option("--iterations", raw->named[1].second, "Iterations", "N");
+  option("--pitch", raw->named[2].second,
+         "Distance of lattice points (default a twentieth of the reach)", "METRES");
+  option("--side", raw->named[3].second, "Lattice points a side (default all in reach)", "N");
+  option("--seed", raw->seed, "Seed, from 0 to 2^53-1 (default 1)", "N");
+  option("--threads", raw->threads, "Threads; never changes a result", "N");
+  option("--time-limit", raw->time_limit, "Stop after this time", "SECONDS");
+  option("--target-gap", raw->target_gap,
+         "Stop at this gap to the bound from what was learned (1 means 1%)", "PCT");
+  option("--clearance", raw->clearance, "Distance that is kept from everything (default 0.002)",
+         "METRES");
+  add_switch(*arm, "--no-shortcut", raw->plain, "Keep every lattice point of the path");
+  option("--rate", raw->rate, "Samples of the trajectory a second (default 100)", "HZ");
+  option("--recheck", raw->recheck, "Check the trajectory at N times by KDL and FCL", "N");
+  add_switch(*arm, "--json", raw->json, "Print one JSON object");
+  add_repeatable(*arm, "-o,--output", raw->outputs,
+                 "Write a file, by its ending (repeatable):\n"
+                 ".json  what --json prints\n"
+                 ".csv   the trajectory: time, q, dq, ddq, tip\n"
+                 ".svg, .png  arm, obstacles, tip's path in three views, joints, convergence",
+                 "FILE");
+  option("--progress", raw->progress, "Progress on stderr", "auto|always|never");
+  add_switch(*arm, "-q,--quiet", raw->quiet, "Print errors only");
+  add_switch(*arm, "-v,--verbose", raw->verbose, "Print what is done");
+  arm->footer(
+      "Exit codes: 0 a motion was returned; 1 internal error; 2 usage; 3 robot, scene or mesh is\n"
+      "missing or broken; 4 start or goal outside or blocked; 5 proven unreachable in the "
+      "lattice;\n"
+      "6 no path (limit or iterations spent); 7 an output cannot be written; 130 interrupted, "
+      "best\n"
+      "so far written.");
+  return {arm, [raw]() -> Command { return make_arm(*raw); }};
+}
+
 /// The first thing on the command line that nothing takes, with the nearest known word.
 void refuse_extras(const CLI::App& app) {
   const auto extras = app.remaining();
@@ -300,7 +351,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   app.require_subcommand(1);
   std::vector<Subcommand> commands{add_plan(app),       add_batch(app),    add_info(app),
                                    add_algorithms(app), add_generate(app), add_verify(app),
-                                   add_study(app)};
+                                   add_study(app),      add_arm(app)};
   for (auto& command : commands) {
     command.app->allow_extras();
     for (CLI::Option* option : command.app->get_options({}))

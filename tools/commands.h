@@ -12,5 +12,6 @@ int run_algorithms(const AlgorithmsCommand& command);
 int run_generate(const GenerateCommand& command);
 int run_verify(const VerifyCommand& command);
 int run_study(const StudyCommand& command);
+int run_arm(const ArmCommand& command);
 
 }  // namespace lasius::tool

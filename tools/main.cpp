@@ -21,6 +21,7 @@ int run(const AlgorithmsCommand& command) { return run_algorithms(command); }
 int run(const GenerateCommand& command) { return run_generate(command); }
 int run(const VerifyCommand& command) { return run_verify(command); }
 int run(const StudyCommand& command) { return run_study(command); }
+int run(const ArmCommand& command) { return run_arm(command); }
 
 int exit_code(ErrorCode code) {
   switch (code) {

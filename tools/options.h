@@ -1,9 +1,11 @@
 // What the command line asks for, as plain data.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -88,12 +90,31 @@ struct StudyCommand {
   Messages messages = {};
 };
 
+struct ArmCommand {
+  std::string robot;
+  std::string base_link, tip_link;  ///< of a URDF's chain; empty: the root, the only leaf
+  std::string scene;
+  std::vector<double> start;  ///< a value for each joint
+  std::array<double, 3> goal{};
+  std::vector<std::pair<std::string, std::string>> settings = {};  ///< of parameters, by name
+  std::uint64_t seed = 1;
+  int threads = 1;
+  double clearance = 0;  ///< metres; 0: the sensor's own
+  double target_gap = 0;
+  std::optional<double> time_limit = {};  ///< seconds
+  double rate = 100;                 ///< samples of the trajectory a second
+  int recheck = 0;                   ///< samples of the independent check
+  bool json = false;
+  std::vector<std::string> outputs;
+  Messages messages;
+};
+
 /// Text that was asked for, as by --help: printed on stdout.
 struct Text {
   std::string text;
 };
 
 using Command = std::variant<Text, PlanCommand, BatchCommand, InfoCommand, AlgorithmsCommand,
-                             GenerateCommand, VerifyCommand, StudyCommand>;
+                             GenerateCommand, VerifyCommand, StudyCommand, ArmCommand>;
 
 }  // namespace lasius::tool

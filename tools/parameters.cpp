@@ -15,6 +15,8 @@ bool has_parameter(const Algorithm& algorithm, std::string_view name) {
 
 Params default_params(std::string_view name) {
   if (name.empty()) return defaults(algorithms().front().name);
+  if (name == "goritov2020")
+    throw UsageError("--algorithm: goritov2020 plans for arms, not on maps; use `lasius arm`");
   std::vector<std::string_view> known;
   for (const auto& algorithm : algorithms()) known.push_back(algorithm.name);
   return defaults(known[choice_value("--algorithm", name, known)]);

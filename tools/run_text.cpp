@@ -10,7 +10,8 @@
 namespace lasius::tool {
 namespace {
 
-Messages make_messages(const RunText& text) {
+template <class Text>
+Messages make_messages(const Text& text) {
   static constexpr std::string_view kModes[] = {"auto", "always", "never"};
   if (text.quiet && text.verbose) throw UsageError("-q and -v exclude each other");
   Messages messages{.quiet = text.quiet, .verbose = text.verbose};
@@ -69,6 +70,44 @@ RunOptions make_run(const RunText& text) {
   run.track_iterations = list_value("--tracks", text.tracks.empty() ? "10,50,120" : text.tracks);
   run.messages = make_messages(text);
   return run;
+}
+
+ArmCommand make_arm(const ArmText& text) {
+  static constexpr std::string_view kEndings[] = {".json", ".csv", ".svg", ".png"};
+  static constexpr std::string_view kAlgorithms[] = {"goritov2020"};
+  ArmCommand arm{.robot = text.robot,
+                 .base_link = text.base,
+                 .tip_link = text.tip,
+                 .scene = text.scene,
+                 .start = reals_value("--start", text.start, 1, 16),
+                 .threads = thread_count(text.threads),
+                 .json = text.json,
+                 .outputs = text.outputs,
+                 .messages = make_messages(text)};
+  const auto goal = reals_value("--goal", text.goal, 3, 3);
+  arm.goal = {goal[0], goal[1], goal[2]};
+  if (!text.algorithm.empty()) choice_value("--algorithm", text.algorithm, kAlgorithms);
+  for (const auto& [name, value] : text.named)
+    if (!value.empty()) arm.settings.emplace_back(name, value);
+  if (text.plain) arm.settings.emplace_back("shortcut", "off");
+  for (const auto& setting : text.set) {
+    const auto equals = setting.find('=');
+    if (equals == 0 || equals == std::string::npos || equals + 1 == setting.size())
+      throw UsageError("--set: \"" + setting + "\" is not NAME=VALUE");
+    arm.settings.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+  }
+  if (!text.seed.empty())
+    arm.seed = static_cast<std::uint64_t>(integer_value("--seed", text.seed, 0, kMaxExactInteger));
+  if (!text.time_limit.empty())
+    arm.time_limit = real_value("--time-limit", text.time_limit, 0, kNoLimit);
+  if (!text.target_gap.empty())
+    arm.target_gap = real_value("--target-gap", text.target_gap, 0, kNoLimit) / 100;
+  if (!text.clearance.empty()) arm.clearance = real_value("--clearance", text.clearance, 1e-6, 1);
+  if (!text.rate.empty()) arm.rate = real_value("--rate", text.rate, 1e-3, 1e5);
+  if (!text.recheck.empty())
+    arm.recheck = static_cast<int>(integer_value("--recheck", text.recheck, 1, 1000000));
+  check_endings(text.outputs, kEndings);
+  return arm;
 }
 
 }  // namespace lasius::tool

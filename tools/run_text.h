@@ -28,6 +28,19 @@ struct RunText {
 /// @throws UsageError; Error(invalid_parameter) for a value that the library refuses.
 RunOptions make_run(const RunText& text);
 
+/// Options of arm, likewise.
+struct ArmText {
+  std::string robot, base, tip, scene, start, goal, algorithm, seed, threads, time_limit,
+      target_gap, clearance, rate, recheck, progress;
+  std::vector<std::string> set, outputs;
+  std::vector<std::pair<std::string, std::string>> named{
+      {"ants", ""}, {"iterations", ""}, {"pitch", ""}, {"side", ""}};
+  bool plain = false, json = false, quiet = false, verbose = false;
+};
+
+/// @throws UsageError. Values of parameters are looked at when the command runs.
+ArmCommand make_arm(const ArmText& text);
+
 /// @throws UsageError for a file whose ending is not one of `endings`, with the nearest.
 void check_endings(const std::vector<std::string>& files,
                    std::span<const std::string_view> endings);

@@ -136,6 +136,23 @@ std::vector<int> list_value(std::string_view option, std::string_view text) {
   return values;
 }
 
+std::vector<double> reals_value(std::string_view option, std::string_view text, std::size_t least,
+                                std::size_t most) {
+  std::vector<double> values;
+  bool good = true;
+  for (std::size_t from = 0; from <= text.size() && good;) {
+    const auto comma = std::min(text.find(',', from), text.size());
+    const auto value = parse_real(text.substr(from, comma - from));
+    good = value.has_value();
+    if (good) values.push_back(*value);
+    from = comma + 1;
+  }
+  if (good && values.size() >= least && values.size() <= most) return values;
+  std::string count = std::to_string(least);
+  if (most > least) count += " to " + std::to_string(most);
+  throw bad_value(option, text, "a list of " + count + " numbers, as in 0.5,-1.2,0 (no blanks)");
+}
+
 std::string to_text(double value) {
   std::array<char, 32> buffer;
   const auto [end, fault] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);

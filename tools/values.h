@@ -51,6 +51,10 @@ Cell size_value(std::string_view option, std::string_view text);
 /// UsageError.
 std::vector<int> list_value(std::string_view option, std::string_view text);
 
+/// "a,b,c": `least` to `most` finite numbers. @throws UsageError.
+std::vector<double> reals_value(std::string_view option, std::string_view text, std::size_t least,
+                                std::size_t most);
+
 /// The shortest text that reads back as the same number.
 std::string to_text(double value);
 

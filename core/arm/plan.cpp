@@ -321,7 +321,7 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
   arm.place(request.start, poses);
   const Vec3 from = arm.tip(poses);
   const Vec3 way = (1 / parameters.pitch) * (request.goal - from);
-  if (!(distance(request.goal, arm.shoulder()) <= arm.reach())) {
+  if (!(distance(request.goal, arm.shoulder()) <= arm.reach() + Kinematics::kTolerance)) {
     return invalid("goal " + text(request.goal) +
                    " is outside: " + std::to_string(distance(request.goal, arm.shoulder())) +
                    " m from the first joint, the arm reaches " + std::to_string(arm.reach()) +

@@ -192,14 +192,17 @@ void check(const Robot& robot, std::span<const std::vector<double>> waypoints) {
 Trajectory::Trajectory(std::vector<Knot> knots) : knots_(std::move(knots)) {}
 
 Trajectory::State Trajectory::at(double time) const {
-  const auto after = std::upper_bound(knots_.begin() + 1, knots_.end() - (knots_.size() > 1), time,
+  // At rest at both ends, whatever rounding says.
+  const auto at_rest = [](const Knot& knot) {
+    const std::vector<double> none(knot.q.size(), 0);
+    return State{knot.q, none, none};
+  };
+  if (time <= 0) return at_rest(knots_.front());
+  if (time >= duration()) return at_rest(knots_.back());
+  const auto after = std::upper_bound(knots_.begin(), knots_.end(), time,
                                       [](double t, const Knot& knot) { return t < knot.time; });
-  if (knots_.size() == 1) {
-    const std::vector<double> none(knots_[0].q.size(), 0);
-    return {knots_[0].q, none, none};
-  }
   const Knot &a = after[-1], &b = *after;
-  const double h = b.time - a.time, t = std::clamp(time - a.time, 0.0, h);
+  const double h = b.time - a.time, t = time - a.time;
   State state;
   for (std::size_t j = 0; j < a.q.size(); ++j) {
     const double bend = (b.ddq[j] - a.ddq[j]) / h;
@@ -209,10 +212,6 @@ Trajectory::State Trajectory::at(double time) const {
     state.ddq.push_back(a.ddq[j] + t * bend);
   }
   return state;
-}
-
-std::vector<double> Trajectory::velocity(std::size_t knot) const {
-  return at(knots_[knot].time).dq;
 }
 
 TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,

@@ -34,9 +34,6 @@ class LASIUS_ARM_EXPORT Trajectory {
 
   /// The state at a time, clamped to 0 .. duration(). Precondition: not empty.
   State at(double time) const;
-  /// First derivatives at a knot, from the right (at the last knot from the left).
-  std::vector<double> velocity(std::size_t knot) const;
-
   bool empty() const noexcept { return knots_.empty(); }
 
  private:

@@ -10,7 +10,7 @@ class Usage(ProgramTest):
         self.assertEqual((version.code, version.err), (0, ""))
         self.assertRegex(version.out, r"^lasius \d+\.\d+\.\d+\n$")
         for command in ([], ["plan"], ["batch"], ["info"], ["algorithms"], ["generate"],
-                        ["verify"]):
+                        ["verify"], ["arm"]):
             with self.subTest(command=command):
                 shown = self.run_program(*command, "--help")
                 self.assertEqual((shown.code, shown.err), (0, ""))

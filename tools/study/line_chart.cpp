@@ -41,6 +41,12 @@ Range lengths_shown(const LineChart& chart) {
     for (std::size_t i = settled; i < curve.y.size(); ++i) range.add(curve.y[i]);
     for (std::size_t i = settled; i < curve.low.size(); ++i) range.add(curve.low[i]);
   }
+  if (!chart.lengths) {
+    for (const Curve& curve : chart.curves)
+      for (const double y : curve.y) range.add(y);
+    const double room = std::max(0.06 * (range.high - range.low), 1e-3);
+    return {range.low - room, range.high + room};
+  }
   if (!(range.low <= range.high)) range = {0, 1};
   const double spread = std::max(range.high - range.low, 0.01 * std::max(1.0, range.high));
   return {std::max(0.0, range.low - 0.06 * spread), range.high + 0.1 * spread};

@@ -24,6 +24,7 @@ struct LineChart {
   std::vector<Curve> curves = {};
   std::optional<double> level = {};  ///< a dashed line
   std::string level_label = {};
+  bool lengths = true;  ///< values are 0 or more, and far larger ones at first may be left out
 };
 
 /// Draws over the whole box: title, axes, curves, and the legend below. The vertical axis leaves
