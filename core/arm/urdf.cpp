@@ -249,7 +249,11 @@ Robot parse_urdf(std::string_view text, const std::string& file, const Chain& ch
     }
     add_geometry(*link, at, file, robot.joints.empty() ? robot.base : robot.joints.back().capsules);
   }
-  if (robot.joints.empty()) broken(file, "the chain has no joint that moves", "choose another tip");
+  if (robot.joints.empty()) {
+    throw Error(ErrorCode::invalid_parameter,
+                "no joint moves between \"" + base->name + "\" and \"" + tip->name + "\"",
+                "choose another base or tip");
+  }
   robot.tip = at.position;
   let_touch_what_touches(robot);
   return robot;
