@@ -59,7 +59,7 @@ int LatticeAnts::draw_open_move(const Team& team, Node at, Dice& dice) const {
   const float* guidance = lattice_.guidance(at);
   for (int k = 0; k < kMoves; ++k) {
     const bool visited = team.visited[lattice_.to(at, k)] != 0;
-    weight[k] = visited ? 0 : trail_.attraction(lattice_.edge(at, k)) * guidance[k];
+    weight[k] = visited ? 0 : trail_.attraction(trail_.place(at, k)) * guidance[k];
   }
   for (;;) {
     const int move = kernels::proportional_choice(weight, 0, dice.next());

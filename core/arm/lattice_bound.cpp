@@ -2,7 +2,7 @@
 
 namespace lasius::arm {
 
-KnownWay shortest_known_way(const Lattice& lattice, const StopCondition& stop) {
+KnownWay shortest_known_way(const Lattice& lattice, Unknown unknown, const StopCondition& stop) {
   // The estimate changes by one with each move, so a point's total is that of the one before it or
   // two more: two stacks make the queue.
   ZeroArray<std::uint8_t> closed(lattice.nodes());
@@ -24,7 +24,10 @@ KnownWay shortest_known_way(const Lattice& lattice, const StopCondition& stop) {
     const int left = lattice.manhattan(entry.at);
     for (int k = 0; k < kMoves; ++k) {
       const Node next = lattice.to(entry.at, k);
-      if (closed[next] != 0 || !lattice.maybe_open(entry.at, k)) continue;
+      if (closed[next] != 0) continue;
+      const bool open = unknown == Unknown::is_asked ? lattice.open(entry.at, k)
+                                                     : lattice.maybe_open(entry.at, k);
+      if (!open) continue;
       (lattice.manhattan(next) < left ? now : later).push_back({next, entry.moves + 1});
     }
   }

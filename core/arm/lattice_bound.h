@@ -16,8 +16,10 @@ struct KnownWay {
   std::optional<std::int64_t> moves;  ///< empty although not stopped: proven, there is no way
 };
 
-/// A* with the Manhattan distance, which never overestimates. What was not tried counts as free, so
-/// no way is shorter; kinematics is worked out on the fly, the sensor is not asked.
-KnownWay shortest_known_way(const Lattice& lattice, const StopCondition& stop);
+enum class Unknown { counts_as_free, is_asked };
+
+/// A* with the Manhattan distance, which never overestimates. Where what was not tried counts as
+/// free no way is shorter; kinematics is worked out on the fly, the sensor is not asked.
+KnownWay shortest_known_way(const Lattice& lattice, Unknown unknown, const StopCondition& stop);
 
 }  // namespace lasius::arm

@@ -14,8 +14,14 @@ constexpr double kFloor = 0x1p-60;
 
 }  // namespace
 
-LatticeTrail::LatticeTrail(std::int64_t edges, double initial, double alpha)
-    : alpha_(alpha), scale_(initial), untouched_power_(power(1)), stored_(edges), power_(edges) {}
+LatticeTrail::LatticeTrail(const Lattice& lattice, Pheromone kind, double initial, double alpha)
+    : lattice_(lattice),
+      kind_(kind),
+      alpha_(alpha),
+      scale_(initial),
+      untouched_power_(power(1)),
+      stored_(kMoves * lattice.nodes()),
+      power_(kMoves * lattice.nodes()) {}
 
 double LatticeTrail::power(double stored) const noexcept {
   if (alpha_ == 0) return 1;
@@ -27,21 +33,21 @@ void LatticeTrail::evaporate(double persistence) {
   while (scale_ < kRescaleBelow) {
     scale_ /= kRescaleBelow;
     untouched_ = std::max(untouched_ * kRescaleBelow, kFloor);
-    for (const auto edge : touched_)
-      stored_[edge] = std::max(stored_[edge] * kRescaleBelow, kFloor);
+    for (const auto place : touched_)
+      stored_[place] = std::max(stored_[place] * kRescaleBelow, kFloor);
     all_changed_ = true;
   }
 }
 
-void LatticeTrail::deposit(std::int64_t edge, double amount) {
-  if (!(stored_[edge] > 0)) touched_.push_back(edge);
-  stored_[edge] = stored(edge) + amount / scale_;
-  changed_.push_back(edge);
+void LatticeTrail::deposit(std::int64_t place, double amount) {
+  if (!(stored_[place] > 0)) touched_.push_back(place);
+  stored_[place] = stored(place) + amount / scale_;
+  changed_.push_back(place);
 }
 
 void LatticeTrail::refresh() {
   untouched_power_ = power(untouched_);
-  for (const auto edge : all_changed_ ? touched_ : changed_) power_[edge] = power(stored_[edge]);
+  for (const auto place : all_changed_ ? touched_ : changed_) power_[place] = power(stored_[place]);
   changed_.clear();
   all_changed_ = false;
 }

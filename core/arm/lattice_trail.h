@@ -1,4 +1,4 @@
-// Pheromone on the edges of a lattice.
+// Pheromone in a lattice.
 #pragma once
 
 #include <cstdint>
@@ -8,41 +8,48 @@
 
 namespace lasius::arm {
 
-/// tau of every edge, and tau^alpha of it as the ants read it.
+/// tau of every place, an arc or an edge, and tau^alpha of it as the ants read it.
 ///
-/// As in the grid's field, evaporation multiplies one number that cancels in every draw, so an edge
-/// without a deposit costs nothing; only edges with a new deposit get a new power.
+/// As in the grid's field, evaporation multiplies one number that cancels in every draw, so a place
+/// without a deposit costs nothing; only places with a new deposit get a new power.
 class LatticeTrail {
  public:
-  LatticeTrail(std::int64_t edges, double initial, double alpha);
+  LatticeTrail(const Lattice& lattice, Pheromone kind, double initial, double alpha);
 
-  // What trail_rules.h asks of a trail; a place is an edge.
+  /// What carries the pheromone of a move.
+  std::int64_t place(Node v, int move) const noexcept {
+    return kind_ == Pheromone::arcs ? kMoves * v + move : lattice_.edge(v, move);
+  }
+
+  // What trail_rules.h asks of a trail.
   void evaporate(double persistence);
-  void deposit(std::int64_t edge, double amount);
-  double tau(std::int64_t edge) const noexcept { return stored(edge) * scale_; }
+  void deposit(std::int64_t place, double amount);
+  double tau(std::int64_t place) const noexcept { return stored(place) * scale_; }
 
   /// Brings the powers up to date with the deposits so far.
   void refresh();
-  /// tau^alpha, up to a factor that all edges share.
-  double attraction(std::int64_t edge) const noexcept {
-    const double power = power_[edge];
+  /// tau^alpha, up to a factor that all places share.
+  double attraction(std::int64_t place) const noexcept {
+    const double power = power_[place];
     return power > 0 ? power : untouched_power_;
   }
 
  private:
-  double stored(std::int64_t edge) const noexcept {
-    const double value = stored_[edge];
+  double stored(std::int64_t place) const noexcept {
+    const double value = stored_[place];
     return value > 0 ? value : untouched_;
   }
   double power(double stored) const noexcept;
 
+  const Lattice& lattice_;
+  Pheromone kind_;
   double alpha_;
   double scale_;          // tau = stored * scale
   double untouched_ = 1;  // stored, where there was no deposit
   double untouched_power_;
   ZeroArray<double> stored_;           // 0: untouched
   ZeroArray<double> power_;            // likewise
-  std::vector<std::int64_t> touched_;  // every edge with a deposit
+  std::vector<std::int64_t> touched_;  // every place with a deposit
   std::vector<std::int64_t> changed_;  // since the last refresh
   bool all_changed_ = false;
 };

@@ -22,18 +22,28 @@ struct Number {
   double Parameters::*member;
   double least, most;
 };
-struct DeadEndChoice {};
-struct Switch {
-  bool Parameters::*member;
+/// One of a few names, kept as the number of the name.
+struct Choice {
+  std::span<const std::string_view> names;
+  int (*get)(const Parameters&);
+  void (*set)(Parameters&, int);
 };
+
+template <auto kMember>
+constexpr Choice choice(std::span<const std::string_view> names) {
+  using Value = std::remove_reference_t<decltype(std::declval<Parameters&>().*kMember)>;
+  return {names, [](const Parameters& p) { return static_cast<int>(p.*kMember); },
+          [](Parameters& p, int i) { p.*kMember = static_cast<Value>(i); }};
+}
 
 struct Entry {
   Parameter info;
-  std::variant<Integer, Number, DeadEndChoice, Switch> value;
+  std::variant<Integer, Number, Choice> value;
 };
 
-constexpr std::array<std::string_view, 2> kDeadEnds{"backtrack", "kill"};
-constexpr std::array<std::string_view, 2> kSwitch{"off", "on"};
+constexpr std::string_view kPheromone[]{"arcs", "edges"};
+constexpr std::string_view kDeadEnd[]{"backtrack", "kill"};
+constexpr std::string_view kSwitch[]{"off", "on"};
 
 constexpr std::array kEntries{
     Entry{{"ants", "integer", "1 .. 1000000", "ants an iteration, m"},
@@ -54,8 +64,10 @@ constexpr std::array kEntries{
     Entry{{"initial_pheromone", "number", "0 .. 1e9",
            "pheromone everywhere at first, tau0; 0: ants / Manhattan distance"},
           Number{&Parameters::initial_pheromone, 0, 1e9}},
+    Entry{{"pheromone", "choice", "arcs|edges", "what carries pheromone"},
+          choice<&Parameters::pheromone>(kPheromone)},
     Entry{{"dead_end", "choice", "backtrack|kill", "what an ant does when every move is closed"},
-          DeadEndChoice{}},
+          choice<&Parameters::dead_end>(kDeadEnd)},
     Entry{{"pitch", "number", "0 .. 1000",
            "distance of lattice points, metres; 0: a twentieth of the arm's reach"},
           Number{&Parameters::pitch, 0, 1000}},
@@ -72,7 +84,7 @@ constexpr std::array kEntries{
            "ants whose deposits lie on the straight way before the first iteration"},
           Number{&Parameters::line_ants, 0, 1e6}},
     Entry{{"shortcut", "choice", "off|on", "cut the lattice staircase before the trajectory"},
-          Switch{&Parameters::shortcut}},
+          choice<&Parameters::shortcut>(kSwitch)},
 };
 
 constexpr auto kInfos = [] {
@@ -118,15 +130,6 @@ T parse(const Parameter& info, std::string_view text, T least, T most) {
   return value;
 }
 
-std::size_t choose(const Parameter& info, std::span<const std::string_view> names,
-                   std::string_view text) {
-  const auto found = std::find(names.begin(), names.end(), text);
-  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  throw invalid(std::string(info.name) + " is \"" + std::string(text) + "\"",
-                "did you mean \"" + std::string(nearest_name(text, names)) + "\"? It must be " +
-                    std::string(info.range));
-}
-
 struct Setter {
   Parameters& p;
   const Parameter& info;
@@ -134,10 +137,14 @@ struct Setter {
 
   void operator()(const Integer& v) const { p.*v.member = parse(info, text, v.least, v.most); }
   void operator()(const Number& v) const { p.*v.member = parse(info, text, v.least, v.most); }
-  void operator()(DeadEndChoice) const {
-    p.dead_end = static_cast<DeadEnd>(choose(info, kDeadEnds, text));
+  void operator()(const Choice& v) const {
+    for (std::size_t i = 0; i < v.names.size(); ++i) {
+      if (v.names[i] == text) return v.set(p, static_cast<int>(i));
+    }
+    throw invalid(std::string(info.name) + " is \"" + std::string(text) + "\"",
+                  "did you mean \"" + std::string(nearest_name(text, v.names)) + "\"? It must be " +
+                      std::string(info.range));
   }
-  void operator()(const Switch& v) const { p.*v.member = choose(info, kSwitch, text) == 1; }
 };
 
 struct Getter {
@@ -148,11 +155,10 @@ struct Getter {
     std::array<char, 32> text;
     return {text.data(), std::to_chars(text.data(), text.data() + text.size(), p.*v.member).ptr};
   }
-  std::string operator()(DeadEndChoice) const {
-    const auto i = static_cast<std::size_t>(p.dead_end);
-    return i < kDeadEnds.size() ? std::string(kDeadEnds[i]) : "not one of its values";
+  std::string operator()(const Choice& v) const {
+    const auto i = static_cast<std::size_t>(v.get(p));
+    return i < v.names.size() ? std::string(v.names[i]) : "not one of its values";
   }
-  std::string operator()(const Switch& v) const { return p.*v.member ? "on" : "off"; }
 };
 
 struct InRange {
@@ -162,10 +168,9 @@ struct InRange {
     return p.*v.member >= v.least && p.*v.member <= v.most;
   }
   bool operator()(const Number& v) const { return p.*v.member >= v.least && p.*v.member <= v.most; }
-  bool operator()(DeadEndChoice) const {
-    return static_cast<std::size_t>(p.dead_end) < kDeadEnds.size();
+  bool operator()(const Choice& v) const {
+    return static_cast<std::size_t>(v.get(p)) < v.names.size();
   }
-  bool operator()(const Switch&) const { return true; }
 };
 
 }  // namespace

@@ -26,13 +26,14 @@ struct Tour {
 
 struct Tours {
   const Lattice& lattice;
+  const LatticeTrail& trail;
   std::span<const Tour> ants;
 
   template <class Visit>
   void along(const Tour& tour, const Visit& visit) const {
     Node at = lattice.start();
     for (const int k : tour.moves) {
-      visit(lattice.edge(at, k));
+      visit(trail.place(at, k));
       at = lattice.to(at, k);
     }
   }
@@ -55,7 +56,7 @@ class ArmColony final : public ColonyWorld {
         parameters_(parameters),
         observer_(observer),
         rules_(rule_params(parameters)),
-        trail_(3 * lattice.nodes(), tau0(), parameters.alpha),
+        trail_(lattice, parameters.pheromone, tau0(), parameters.alpha),
         walkers_(lattice, trail_, parameters),
         ants_(parameters.ants),
         tours_(parameters.ants) {
@@ -101,7 +102,7 @@ class ArmColony final : public ColonyWorld {
   }
 
   void update(int) override {
-    const Tours tours{lattice_, tours_};
+    const Tours tours{lattice_, trail_, tours_};
     // e = 0 is the plain ant system (eq. 10), else the iteration's best counts e times more (11).
     if (parameters_.elite_weight == 0 || shortest_ == nullptr) {
       trail_rules::ant_system(trail_, rules_, tours);
@@ -165,14 +166,14 @@ class ArmColony final : public ColonyWorld {
       }
       ++done[next];
       const int move = 2 * next + (goal[next] > 0 ? 0 : 1);
-      trail_.deposit(lattice_.edge(at, move),
+      trail_.deposit(trail_.place(at, move),
                      parameters_.line_ants / length(static_cast<std::size_t>(moves)));
       at = lattice_.to(at, move);
     }
   }
 
   void bound() {
-    const KnownWay way = shortest_known_way(lattice_, request_.stop);
+    const KnownWay way = shortest_known_way(lattice_, Unknown::counts_as_free, request_.stop);
     if (way.cause != Cause::none) return;
     bound_at_ = lattice_.questions();
     unreachable_ = !way.moves;
@@ -306,8 +307,12 @@ std::optional<double> Result::gap() const {
   return (length - *lower_bound) / *lower_bound;
 }
 
-Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
-            const Parameters& given, const Observer& observer) {
+namespace {
+
+/// Checks a question, lays out its lattice, and has it answered by `search(lattice, parameters)`.
+template <class Search>
+Result answer(const Robot& robot, const Sensor& sensor, const Request& request,
+              const Parameters& given, const Search& search) {
   validate(robot);
   validate(given);
   Parameters parameters = given;
@@ -368,7 +373,35 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
                          " is outside: the arm does not get there from the start within its joint "
                          "limits"));
   }
-  return sized(ArmColony(lattice, request, parameters, observer).run());
+  return sized(search(lattice, parameters));
+}
+
+}  // namespace
+
+Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
+            const Parameters& parameters, const Observer& observer) {
+  return answer(robot, sensor, request, parameters,
+                [&](const Lattice& lattice, const Parameters& p) {
+                  return ArmColony(lattice, request, p, observer).run();
+                });
+}
+
+Result shortest_lattice_way(const Robot& robot, const Sensor& sensor, const Request& request,
+                            const Parameters& parameters) {
+  const auto search = [&](const Lattice& lattice, const Parameters&) {
+    const KnownWay way = shortest_known_way(lattice, Unknown::is_asked, request.stop);
+    Result result;
+    result.status = way.cause == Cause::token      ? Status::interrupted
+                    : way.cause == Cause::deadline ? Status::limit
+                    : way.moves                    ? Status::solved
+                                                   : Status::unreachable;
+    if (!way.moves) return result;
+    result.length = static_cast<double>(*way.moves) * lattice.pitch();
+    result.lower_bound = result.length;
+    result.optimal = true;
+    return result;
+  };
+  return answer(robot, sensor, request, parameters, search);
 }
 
 }  // namespace lasius::arm

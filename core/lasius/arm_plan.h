@@ -16,6 +16,13 @@
 
 namespace lasius::arm {
 
+/// What carries pheromone. The source's set of edges holds ordered pairs of points, its words speak
+/// of edges.
+enum class Pheromone {
+  arcs,   ///< each direction of an edge has its own
+  edges,  ///< both directions share it: ants are drawn back as much as on, and take far longer
+};
+
 /// Parameters of `goritov2020`, as given here those of its base set (Goritov & Goncharov 2020).
 struct Parameters {
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
@@ -31,6 +38,7 @@ struct Parameters {
   double evaporation = 0.25;     ///< rho: share of pheromone lost in an iteration
   double elite_weight = 0;       ///< e: weight of the iteration's best tour
   double initial_pheromone = 0;  ///< tau0; 0: ants / Manhattan distance from start to goal
+  Pheromone pheromone = Pheromone::arcs;
   DeadEnd dead_end = DeadEnd::backtrack;
 
   double pitch = 0;         ///< d, metres; 0: a twentieth of the arm's reach
@@ -118,5 +126,12 @@ using Observer = std::function<void(const IterationView&)>;
 ///         what the sensor throws. A bad start or goal is an answer: Status::invalid.
 LASIUS_ARM_EXPORT Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
                               const Parameters& parameters = {}, const Observer& observer = {});
+
+/// The shortest way in the same lattice when everything is known: A*, which asks the sensor about
+/// whatever it needs. A measure for `plan`, not a planner for unknown worlds. Status::solved with
+/// `length`, `lower_bound` and `questions`, Status::unreachable, or as `plan`; no joints, no tips.
+LASIUS_ARM_EXPORT Result shortest_lattice_way(const Robot& robot, const Sensor& sensor,
+                                              const Request& request,
+                                              const Parameters& parameters = {});
 
 }  // namespace lasius::arm

@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "kernels/random_stream.h"
+#include "kinematics.h"
+#include "lasius/arm_generate.h"
+#include "lasius/arm_sensor.h"
+#include "lasius/error.h"
+#include "vec3.h"
+
+namespace lasius::arm {
+namespace {
+
+/// Numbers of one attempt.
+class Draw {
+ public:
+  Draw(std::uint64_t seed, int attempt) : words_(seed, static_cast<std::uint32_t>(attempt), 0) {}
+  double between(double low, double high) noexcept {
+    return low + (high - low) * ((words_.next() + 0.5) * 0x1p-32);
+  }
+  int below(int count) noexcept { return static_cast<int>(between(0, count)); }
+  Vec3 in_cube(double half) noexcept {
+    const double x = between(-half, half), y = between(-half, half);
+    return {x, y, between(-half, half)};
+  }
+
+ private:
+  kernels::RandomStream words_;
+};
+
+Obstacle draw_obstacle(Draw& draw, const Kinematics& arm) {
+  const double reach = arm.reach();
+  Obstacle o;
+  o.shape = static_cast<Obstacle::Shape>(draw.below(3));
+  o.position = arm.shoulder() + draw.in_cube(reach);
+  o.rotation = roll_pitch_yaw(draw.in_cube(3.14));
+  const auto size = [&] { return reach * draw.between(0.04, 0.2); };
+  o.size = {size(), size(), size()};
+  o.radius = 0.5 * size();
+  o.length = 2 * size();
+  return o;
+}
+
+/// A position of the arm, and where its tip is then.
+struct Stand {
+  std::vector<double> q;
+  Vec3 tip;
+};
+
+Stand draw_stand(Draw& draw, const Robot& robot) {
+  Stand stand;
+  for (const Joint& joint : robot.joints) {
+    // A middle part of its range: the ends are full of self-contact.
+    const double middle = 0.5 * (joint.low + joint.high), half = 0.35 * (joint.high - joint.low);
+    stand.q.push_back(draw.between(middle - half, middle + half));
+  }
+  stand.tip = tip_position(robot, stand.q);
+  return stand;
+}
+
+/// A plate across the way from one tip to the other.
+Obstacle wall_between(Vec3 from, Vec3 to, double share) {
+  const Vec3 way = to - from;
+  const double far = length(way);
+  const double level = std::sqrt(way.x * way.x + way.y * way.y);
+  Obstacle o;
+  o.name = "wall";
+  o.position = 0.5 * (from + to);
+  o.size = {0.04 * far, share * far, share * far};
+  if (level > 1e-9) {
+    // Its thin side along the way as seen from above.
+    o.rotation = {way.x / level, -way.y / level, 0, way.y / level, way.x / level, 0, 0, 0, 1};
+  }
+  return o;
+}
+
+std::optional<Query> attempt(const Robot& robot, const GenerateOptions& options, int number) {
+  const Kinematics arm(robot);
+  Draw draw(options.seed, number);
+  Query query;
+  for (int i = 0; i < options.obstacles; ++i) {
+    query.scene.obstacles.push_back(draw_obstacle(draw, arm));
+  }
+  const Stand start = draw_stand(draw, robot), goal = draw_stand(draw, robot);
+  if (distance(start.tip, goal.tip) < options.least_distance * arm.reach()) return std::nullopt;
+  if (options.wall > 0) {
+    query.scene.obstacles.push_back(wall_between(start.tip, goal.tip, options.wall));
+  }
+  const SceneSensor sensor(robot, query.scene);
+  if (!sensor.position_free(start.q) || !sensor.position_free(goal.q)) return std::nullopt;
+  query.start = start.q;
+  query.goal = goal.tip;
+  return query;
+}
+
+}  // namespace
+
+Query generate_query(const Robot& robot, const GenerateOptions& options) {
+  constexpr int kAttempts = 10000;
+  validate(robot);
+  const auto check = [](bool good, const char* name, const char* range) {
+    if (good) return;
+    throw Error(ErrorCode::invalid_parameter, std::string(name) + " is out of range", range);
+  };
+  check(options.obstacles >= 0 && options.obstacles <= 1000, "obstacles", "it must be 0 .. 1000");
+  check(options.wall >= 0 && options.wall <= 100, "wall", "it must be 0 .. 100");
+  check(options.least_distance >= 0 && options.least_distance <= 1, "least_distance",
+        "it must be 0 .. 1");
+  for (int i = 0; i < kAttempts; ++i) {
+    if (auto query = attempt(robot, options, i)) return *std::move(query);
+  }
+  throw Error(ErrorCode::invalid_parameter,
+              std::to_string(options.obstacles) + " obstacles leave this arm no room",
+              "ask for fewer, or for a shorter distance");
+}
+
+}  // namespace lasius::arm

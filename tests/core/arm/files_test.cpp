@@ -1,0 +1,244 @@
+// Robots, scenes and meshes from text and files.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "core/arm/enclose.h"
+#include "core/arm/proximity.h"
+#include "core/arm/vec3.h"
+#include "lasius/error.h"
+#include "tests/core/arm/arms.h"
+
+namespace lasius::arm {
+namespace {
+
+constexpr const char* kUrdf = R"(<robot name="r">
+  <link name="a"/><link name="b"><collision><origin xyz="0 0 0.5"/>
+    <geometry><cylinder radius="0.1" length="1"/></geometry></collision></link>
+  <link name="c"><collision><geometry><sphere radius="0.2"/></geometry></collision></link>
+  <link name="d"/>
+  <joint name="j1" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 2"/></joint>
+  <joint name="f" type="fixed"><parent link="b"/><child link="c"/><origin xyz="0 0 1"/></joint>
+  <joint name="j2" type="prismatic"><parent link="c"/><child link="d"/>
+    <origin xyz="0 0 0.5" rpy="0 1.5707963267948966 0"/><axis xyz="0 0 1"/>
+    <limit lower="-0.2" upper="0.3" velocity="0.5" effort="1"/></joint>
+</robot>)";
+
+void expect_error(const std::string& text, ErrorCode code, const std::string& words) {
+  try {
+    parse_robot(text, "r.txt");
+    ADD_FAILURE() << "accepted: " << text.substr(0, 80);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), code) << error.what();
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    EXPECT_FALSE(error.remedy().empty());
+  }
+}
+
+TEST(Urdf, AChainWithFixedJointsFolded) {
+  const Robot robot = parse_robot(kUrdf, "r.urdf");
+  ASSERT_EQ(robot.size(), 2);
+  EXPECT_EQ(robot.name, "r");
+  EXPECT_EQ(robot.joints[0].axis, (Vec3{0, 0, 1}));
+  EXPECT_GT(robot.joints[0].high, 6);
+  // The cylinder of b and the sphere of c, which is fixed to it.
+  ASSERT_EQ(robot.joints[0].capsules.size(), 2u);
+  EXPECT_EQ(robot.joints[0].capsules[0].to, (Vec3{0, 0, 1}));
+  EXPECT_EQ(robot.joints[0].capsules[1].from, (Vec3{0, 0, 1}));
+  EXPECT_DOUBLE_EQ(robot.joints[0].capsules[1].radius, 0.2);
+  const Joint& slide = robot.joints[1];
+  EXPECT_EQ(slide.kind, Joint::Kind::prismatic);
+  EXPECT_EQ(slide.origin, (Vec3{0, 0, 1.5}));
+  EXPECT_DOUBLE_EQ(slide.low, -0.2);
+  EXPECT_DOUBLE_EQ(slide.velocity, 0.5);
+  EXPECT_DOUBLE_EQ(slide.acceleration, 2);
+  // Slides along the world's x at 0.
+  EXPECT_LT(distance(tip_position(robot, std::vector{0.0, 0.3}), {0.3, 0, 1.5}), 1e-9);
+}
+
+TEST(Urdf, ChainsByName) {
+  const Robot part = parse_robot(kUrdf, "r.urdf", {.base = "b", .tip = "d"});
+  EXPECT_EQ(part.size(), 1);
+  EXPECT_EQ(part.base.size(), 2u);
+  EXPECT_THROW(parse_robot(kUrdf, "r.urdf", {.base = "", .tip = "e"}), Error);
+  EXPECT_THROW(parse_robot(kUrdf, "r.urdf", {.base = "d", .tip = "b"}), Error);
+  EXPECT_THROW(parse_robot(kUrdf, "r.urdf", {.base = "b", .tip = "c"}), Error);
+}
+
+TEST(Urdf, BadFiles) {
+  expect_error("<robot", ErrorCode::file_broken, "URDF");
+  expect_error("<a/>", ErrorCode::file_broken, "URDF");
+  std::string no_room = kUrdf;
+  no_room.replace(no_room.find("\"-0.2\""), 6, "\"0.4\"");
+  expect_error(no_room, ErrorCode::file_broken, "no room");
+  std::string floating = kUrdf;
+  floating.replace(floating.find("prismatic"), 9, "floating");
+  expect_error(floating, ErrorCode::file_unsupported, "j2");
+  std::string mesh = kUrdf;
+  mesh.replace(mesh.find("<sphere radius=\"0.2\"/>"), 22, "<mesh filename=\"package://x/y.dae\"/>");
+  expect_error(mesh, ErrorCode::file_unsupported, "y.dae");
+}
+
+TEST(ShortRobot, WhatItsFieldsMean) {
+  const Robot robot = parse_robot(R"({"format": "lasius-arm/1", "base": [0, 0, 1],
+      "base_radius": 0.2, "may_touch": [[0, 2]], "joints": [
+      {"axis": [0, 0, 3], "link": [1, 0, 0], "limits": [-1, 1]},
+      {"type": "prismatic", "axis": [1, 0, 0], "link": [0, 2, 0], "radius": 0.1,
+       "limits": [0, 1], "velocity": 0.5, "acceleration": 3}]})",
+                                  "r.json");
+  ASSERT_EQ(robot.size(), 2);
+  EXPECT_EQ(robot.joints[0].axis, (Vec3{0, 0, 1}));
+  EXPECT_TRUE(robot.joints[0].capsules.empty()) << "no radius, no body";
+  EXPECT_EQ(robot.joints[1].origin, (Vec3{1, 0, 0}));
+  EXPECT_EQ(robot.base.size(), 1u);
+  EXPECT_EQ(robot.may_touch.size(), 1u);
+  EXPECT_LT(distance(tip_position(robot, std::vector{0.0, 0.5}), {1.5, 2, 1}), 1e-12);
+}
+
+TEST(ShortRobot, BadFields) {
+  const auto joint = [](const std::string& fields) {
+    return "{\"format\": \"lasius-arm/1\", \"joints\": [{" + fields + "}]}";
+  };
+  const std::string good = R"("axis": [0, 0, 1], "link": [1, 0, 0], "limits": [-1, 1])";
+  EXPECT_NO_THROW(parse_robot(joint(good), "r.json"));
+  const std::pair<std::string, std::string> cases[] = {
+      {joint(good + R"(, "type": "round")"), "joints[0].type is \"round\""},
+      {joint(good + R"(, "velocity": 0)"), "joints[0].velocity is 0"},
+      {joint(good + R"(, "velocity": "fast")"), "not a number"},
+      {joint(good + R"(, "radius": -1)"), "joints[0].radius"},
+      {joint(R"("axis": [0, 0, 0], "link": [1, 0, 0], "limits": [-1, 1])"), "no length"},
+      {joint(R"("axis": [0, 0, 1], "link": [1, 0, 0], "limits": [1, -1])"), "above its second"},
+      {joint(R"("axis": [0, 0, 1], "link": [1e9, 0, 0], "limits": [-1, 1])"), "joints[0].link"},
+      {joint(R"("axis": [0, 0, 1], "link": [1, 0], "limits": [-1, 1])"), "list of 3"},
+      {R"({"format": "lasius-arm/1", "joints": 3})", "joints is not a list"},
+      {R"({"format": "lasius-arm/1", "joints": [3]})", "joints[0] is not an object"},
+      {R"({"format": "lasius-arm/1", "joints": [], "name": 3})", "name is not a text"},
+      {R"({"format": 3})", "format is 3"},
+      {"null", "no \"format\""},
+      {"{\"a\": \xff}", "not JSON"},
+  };
+  for (const auto& [text, words] : cases) expect_error(text, ErrorCode::file_broken, words);
+  expect_error(
+      R"({"format": "lasius-arm/1", "joints": [{)" + good + R"(}], "may_touch": [[0, 9]]})",
+      ErrorCode::file_broken, "may_touch");
+}
+
+TEST(Enclose, ABoxIsInsideItsCapsules) {
+  const Pose pose{roll_pitch_yaw({0.3, -0.8, 2}), {1, 2, 3}};
+  for (const Vec3 size :
+       {Vec3{1, 0.2, 0.2}, Vec3{0.1, 0.9, 0.4}, Vec3{0.5, 0.5, 0.01}, Vec3{1, 1, 1}}) {
+    const auto capsules = enclose_box(pose, size);
+    EXPECT_LE(capsules.size(), 4u);
+    for (int i = 0; i < 1000; ++i) {
+      const auto part = [&](int n) { return (i / n % 10) / 9.0 - 0.5; };
+      const Vec3 p = pose * Vec3{part(1) * size.x, part(10) * size.y, part(100) * size.z};
+      double nearest = 1e300;
+      for (const Capsule& c : capsules) {
+        nearest = std::min(nearest, distance_to_point({c.from, c.to}, p) - c.radius);
+      }
+      EXPECT_LE(nearest, 1e-12);
+    }
+  }
+}
+
+class Folder : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              (std::string("lasius-arm-") +
+               testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::string write(const std::string& name, const std::string& bytes) {
+    std::ofstream(folder_ / name, std::ios::binary) << bytes;
+    return (folder_ / name).string();
+  }
+  std::filesystem::path folder_;
+};
+
+std::string binary_stl(std::uint32_t claimed, const std::vector<float>& corners) {
+  std::string bytes(80, 'x');
+  bytes.append(reinterpret_cast<const char*>(&claimed), 4);
+  for (std::size_t i = 0; i + 9 <= corners.size(); i += 9) {
+    bytes.append(12, '\0');
+    bytes.append(reinterpret_cast<const char*>(corners.data() + i), 36);
+    bytes.append(2, '\0');
+  }
+  return bytes;
+}
+
+using StlFile = Folder;
+
+TEST_F(StlFile, TextAndBinaryAreTheSame) {
+  const auto text = read_stl(write("a.stl", R"(solid s
+ facet normal 0 0 1
+  outer loop
+   vertex 0 0 0
+   vertex 1 0 0
+   vertex 0 2.5 0
+  endloop
+ endfacet
+endsolid s
+)"));
+  const auto binary = read_stl(write("b.stl", binary_stl(1, {0, 0, 0, 1, 0, 0, 0, 2.5f, 0})));
+  ASSERT_EQ(text.size(), 1u);
+  EXPECT_EQ(text, binary);
+  EXPECT_EQ(text[0][2], (Vec3{0, 2.5, 0}));
+}
+
+TEST_F(StlFile, BadOnes) {
+  const auto refused = [&](const std::string& bytes) {
+    EXPECT_THROW(read_stl(write("bad.stl", bytes)), Error) << bytes.substr(0, 40);
+  };
+  refused("");
+  refused("solid empty\nendsolid\n");
+  refused("solid s\nvertex 1 2\n");
+  refused("solid s\nvertex 1 2 x\n");
+  refused("solid s\nvertex 1 2 3\nvertex 1 2 3\n");
+  refused("solid s\nfacet\nvertex 1 2 3\nfacet\n");
+  refused("solid s\nvertex 1 2 1e9\nvertex 1 2 3\nvertex 1 2 3\n");
+  refused(binary_stl(2, {0, 0, 0, 1, 0, 0, 0, 1, 0}));
+  refused(binary_stl(0xffffffff, {0, 0, 0, 1, 0, 0, 0, 1, 0}));
+  refused(binary_stl(1, {0, 0, 0, 1, 0, 0, 0, std::nanf(""), 0}));
+  refused("a picture of a box");
+  EXPECT_THROW(read_stl((folder_ / "missing.stl").string()), Error);
+  EXPECT_THROW(read_stl(folder_.string()), Error);
+}
+
+using SceneFile = Folder;
+
+TEST_F(SceneFile, AllShapes) {
+  write("m.stl", "solid s\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n");
+  const Scene scene = read_scene(write("s.json", R"({"format": "lasius-scene/1", "obstacles": [
+      {"shape": "box", "size": [1, 2, 3], "position": [1, 0, 0], "rpy": [0, 0, 1.5707963267948966]},
+      {"shape": "sphere", "radius": 0.5, "name": "ball"},
+      {"shape": "cylinder", "radius": 0.1, "length": 2},
+      {"shape": "mesh", "file": "m.stl", "scale": 2}]})"));
+  ASSERT_EQ(scene.obstacles.size(), 4u);
+  EXPECT_LT(distance(scene.obstacles[0].rotation * Vec3{1, 0, 0}, {0, 1, 0}), 1e-12);
+  EXPECT_EQ(scene.obstacles[1].name, "ball");
+  EXPECT_DOUBLE_EQ(scene.obstacles[2].length, 2);
+  EXPECT_EQ(scene.obstacles[3].triangles[0][1], (Vec3{2, 0, 0}));
+  EXPECT_NO_THROW(validate(scene));
+}
+
+TEST(Generate, QuestionsAreFreeAndTheSameBySeed) {
+  const Robot robot = shipped("industrial6");
+  const Query a = generate_query(robot, {.seed = 3, .obstacles = 15, .wall = 1});
+  const Query b = generate_query(robot, {.seed = 3, .obstacles = 15, .wall = 1});
+  const Query c = generate_query(robot, {.seed = 4, .obstacles = 15, .wall = 1});
+  EXPECT_EQ(a.start, b.start);
+  EXPECT_EQ(a.goal, b.goal);
+  EXPECT_NE(a.start, c.start);
+  EXPECT_EQ(a.scene.obstacles.size(), 16u);
+  EXPECT_TRUE(SceneSensor(robot, a.scene).position_free(a.start));
+  EXPECT_THROW(generate_query(robot, {.obstacles = -1}), Error);
+  EXPECT_THROW(generate_query(robot, {.least_distance = 2}), Error);
+}
+
+}  // namespace
+}  // namespace lasius::arm

@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include "lasius/arm_sensor.h"
+#include "lasius/arm_trajectory.h"
+#include "lasius/error.h"
+#include "tests/core/arm/arms.h"
+
+namespace lasius::arm {
+namespace {
+
+Obstacle ball(Vec3 at, double radius) {
+  Obstacle o;
+  o.shape = Obstacle::Shape::sphere;
+  o.position = at;
+  o.radius = radius;
+  return o;
+}
+
+TEST(SceneSensor, APositionByHand) {
+  // The arm lies along x, 0.01 thick; the ball's surface is 0.05 - 0.03 - 0.01 = 0.01 away.
+  const Robot robot = two_links();
+  const Scene scene{"", {ball({0.3, 0.05, 0}, 0.03)}};
+  const std::vector<double> q{0, 0};
+  EXPECT_TRUE(SceneSensor(robot, scene, 0.0049).position_free(q));
+  EXPECT_FALSE(SceneSensor(robot, scene, 0.0051).position_free(q));
+  EXPECT_EQ(SceneSensor(robot, scene, 0.0051).contact(q), "link 1 and obstacle 1");
+  EXPECT_EQ(SceneSensor(robot, scene, 0.0049).contact(q), "");
+}
+
+TEST(SceneSensor, AMotionPastAThinThing) {
+  // Free at both ends, a wire between them.
+  const Robot robot = two_links();
+  const Scene wire{"", {ball({0, 0.8, 0}, 0.001)}};
+  const SceneSensor sensor(robot, wire);
+  const std::vector<double> left{1.2, 0}, right{2.0, 0}, back{1.2, 0.9};
+  EXPECT_TRUE(sensor.position_free(left));
+  EXPECT_TRUE(sensor.position_free(right));
+  EXPECT_FALSE(sensor.motion_free(left, right));
+  EXPECT_FALSE(sensor.motion_free(right, left));
+  EXPECT_TRUE(sensor.motion_free(left, back) ||
+              !sensor.position_free(back));  // away from it, or into it
+}
+
+TEST(SceneSensor, LinksDoNotTouchEachOther) {
+  const Robot robot = shipped("planar3");
+  const SceneSensor sensor(robot, {});
+  EXPECT_TRUE(sensor.position_free(std::vector{0.0, 0.0, 0.0}));
+  EXPECT_FALSE(sensor.position_free(std::vector{0.0, 2.5, 1.9}));
+  EXPECT_EQ(sensor.contact(std::vector{0.0, 2.5, 1.9}),
+            "link 1 (after shoulder) and link 3 (after wrist)");
+  Robot lenient = robot;
+  lenient.may_touch = {{3, 1}};
+  EXPECT_TRUE(SceneSensor(lenient, {}).position_free(std::vector{0.0, 2.5, 1.9}));
+}
+
+TEST(SceneSensor, WhatIsFreeKeepsItsDistanceByFcl) {
+  // Straight motions between random positions: FCL measures 100 places on each free one.
+  const Robot robot = shipped("industrial6");
+  int free = 0, blocked = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const Query a = generate_query(robot, {.seed = seed, .obstacles = 15, .wall = 0.5});
+    const Query b = generate_query(robot, {.seed = seed + 100, .obstacles = 0});
+    const SceneSensor sensor(robot, a.scene);
+    const bool is_free = sensor.motion_free(a.start, b.start);
+    (is_free ? free : blocked)++;
+    const std::size_t n = a.start.size();
+    // Straight in joint space: second derivatives are 0 at both knots.
+    const Trajectory line(
+        {{0, a.start, std::vector<double>(n, 0)}, {1, b.start, std::vector<double>(n, 0)}});
+    const Recheck check = recheck(robot, a.scene, line, 200);
+    if (is_free) {
+      EXPECT_EQ(check.contacts, 0) << seed;
+      EXPECT_GE(check.nearest, sensor.clearance() - 1e-6) << seed;
+    } else {
+      EXPECT_LT(check.nearest, 2 * sensor.clearance() + 0.02) << seed;
+    }
+    EXPECT_LT(check.tip_error, 1e-12);
+  }
+  EXPECT_GE(free, 2);
+  EXPECT_GE(blocked, 2);
+}
+
+TEST(SceneSensor, MeshesLikeTheBoxTheyMake) {
+  Obstacle box;
+  box.position = {0.5, 0.4, 0};
+  box.size = {0.2, 0.2, 0.2};
+  Obstacle mesh = box;
+  mesh.shape = Obstacle::Shape::mesh;
+  const auto corner = [](int i) {
+    return Vec3{(i & 1) != 0 ? 0.1 : -0.1, (i & 2) != 0 ? 0.1 : -0.1, (i & 4) != 0 ? 0.1 : -0.1};
+  };
+  for (const auto& [a, b, c, d] :
+       {std::array{0, 1, 3, 2}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+        std::array{2, 3, 7, 6}, std::array{0, 2, 6, 4}, std::array{1, 3, 7, 5}}) {
+    mesh.triangles.push_back({corner(a), corner(b), corner(c)});
+    mesh.triangles.push_back({corner(a), corner(c), corner(d)});
+  }
+  const Robot robot = two_links();
+  const SceneSensor by_box(robot, {"", {box}}), by_mesh(robot, {"", {mesh}});
+  int free = 0;
+  for (double a = -1.5; a < 1.5; a += 0.05) {
+    for (double b = -2.5; b < 2.5; b += 0.25) {
+      const std::vector<double> q{a, b};
+      EXPECT_EQ(by_box.position_free(q), by_mesh.position_free(q)) << a << " " << b;
+      free += by_box.position_free(q);
+    }
+  }
+  EXPECT_GT(free, 100);
+  EXPECT_LT(free, 1150);
+}
+
+TEST(SceneSensor, RefusesBadScenesAndRobots) {
+  const Robot robot = two_links();
+  EXPECT_THROW(SceneSensor(robot, {}, 0), Error);
+  EXPECT_THROW(SceneSensor(robot, {"", {ball({}, -1)}}), Error);
+  Scene tilted{"", {ball({}, 1)}};
+  tilted.obstacles[0].rotation[0] = 2;
+  EXPECT_THROW(SceneSensor(robot, tilted), Error);
+  Robot bad = robot;
+  bad.joints[0].axis = {0, 0, 2};
+  EXPECT_THROW(SceneSensor(bad, {}), Error);
+  bad = robot;
+  bad.joints[1].low = 4;
+  EXPECT_THROW(SceneSensor(bad, {}), Error);
+  bad.joints.clear();
+  EXPECT_THROW(SceneSensor(bad, {}), Error);
+}
+
+}  // namespace
+}  // namespace lasius::arm

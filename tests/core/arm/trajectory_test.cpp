@@ -1,0 +1,236 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/arm/spline.h"
+#include "lasius/arm_trajectory.h"
+#include "lasius/error.h"
+#include "tests/core/arm/arms.h"
+
+namespace lasius::arm {
+namespace {
+
+class Nothing final : public Sensor {
+ public:
+  bool position_free(std::span<const double>) const override { return true; }
+  bool motion_free(std::span<const double>, std::span<const double>) const override { return true; }
+  double clearance() const override { return 0.001; }
+};
+
+/// Refuses every motion that was not allowed beforehand.
+class OnlyThese final : public Sensor {
+ public:
+  explicit OnlyThese(std::vector<std::vector<double>> way) : way_(std::move(way)) {}
+  bool position_free(std::span<const double>) const override { return true; }
+  bool motion_free(std::span<const double> a, std::span<const double> b) const override {
+    for (std::size_t i = 0; i + 1 < way_.size(); ++i) {
+      if (std::equal(a.begin(), a.end(), way_[i].begin()) &&
+          std::equal(b.begin(), b.end(), way_[i + 1].begin())) {
+        return true;
+      }
+    }
+    return false;
+  }
+  double clearance() const override { return 0.001; }
+
+ private:
+  std::vector<std::vector<double>> way_;
+};
+
+/// Continuity and rest, to rounding, at all knots and both ends.
+void expect_smooth(const Robot& robot, const Trajectory& t) {
+  const double hair = 1e-9;
+  ASSERT_FALSE(t.empty());
+  const std::size_t joints = robot.joints.size();
+  const double step = 1e-7 * t.duration();
+  for (std::size_t i = 1; i + 1 < t.knots().size(); ++i) {
+    const double at = t.knots()[i].time;
+    const auto before = t.at(at - step), after = t.at(at + step), here = t.at(at);
+    for (std::size_t j = 0; j < joints; ++j) {
+      const double v = robot.joints[j].velocity, a = robot.joints[j].acceleration;
+      EXPECT_NEAR(here.q[j], t.knots()[i].q[j], hair);
+      EXPECT_NEAR(before.q[j], after.q[j], 3 * v * step + hair);
+      EXPECT_NEAR(before.dq[j], after.dq[j], 3 * a * step + hair);
+      EXPECT_NEAR(here.ddq[j], t.knots()[i].ddq[j], hair);
+    }
+  }
+  for (const double end : {0.0, t.duration()}) {
+    for (const double v : t.at(end).dq) EXPECT_EQ(v, 0);
+    for (const double a : t.at(end).ddq) EXPECT_EQ(a, 0);
+  }
+  // Not only said to be at rest: so it is next to the ends.
+  for (std::size_t j = 0; j < joints; ++j) {
+    const double a = robot.joints[j].acceleration;
+    EXPECT_NEAR(t.at(step).dq[j], 0, a * step + hair);
+    EXPECT_NEAR(t.at(t.duration() - step).dq[j], 0, a * step + hair);
+    EXPECT_EQ(t.knots().front().ddq[j], 0);
+    EXPECT_EQ(t.knots().back().ddq[j], 0);
+  }
+}
+
+/// Largest share of a limit that is used, over 2000 times.
+double limit_used(const Robot& robot, const Trajectory& t) {
+  double most = 0;
+  for (int i = 0; i <= 2000; ++i) {
+    const auto state = t.at(t.duration() * i / 2000);
+    for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+      most = std::max({most, std::abs(state.dq[j]) / robot.joints[j].velocity,
+                       std::abs(state.ddq[j]) / robot.joints[j].acceleration});
+    }
+  }
+  return most;
+}
+
+TEST(Spline, OneSpanByHand) {
+  // From 0 to 1 in time 3, knots at 1 and 2. By symmetry M1 = -M2 = M and q1 = M / 6,
+  // q2 = 1 - M / 6; continuity of the velocity at 1: M / 2 = (q2 - q1) - (2 M - M) / 6, so
+  // M / 2 = 1 - M / 3 - M / 6, M = 1.
+  const Trajectory t = spline_through({{{0}, {1}}, {3}});
+  ASSERT_EQ(t.knots().size(), 4u);
+  EXPECT_NEAR(t.knots()[1].ddq[0], 1, 1e-12);
+  EXPECT_NEAR(t.knots()[2].ddq[0], -1, 1e-12);
+  EXPECT_NEAR(t.knots()[1].q[0], 1.0 / 6, 1e-12);
+  EXPECT_NEAR(t.at(1.5).q[0], 0.5, 1e-12);
+  EXPECT_NEAR(t.at(1.5).dq[0], 0.75, 1e-12);
+}
+
+TEST(Spline, PassesItsPointsSmoothly) {
+  const Robot robot = two_links();
+  const Course course{{{0, 0}, {0.5, -1}, {0.4, 0.3}, {1, 1}, {1.5, 0}}, {0.3, 0.8, 0.2, 0.5}};
+  const Trajectory t = spline_through(course);
+  EXPECT_EQ(t.knots().size(), 7u) << "a free knot in the first and one in the last span";
+  double time = 0;
+  for (std::size_t i = 0; i < course.points.size(); ++i) {
+    for (int j = 0; j < 2; ++j) EXPECT_NEAR(t.at(time).q[j], course.points[i][j], 1e-9);
+    if (i < course.spans.size()) time += course.spans[i];
+  }
+  // The first derivative of each piece at its end is that of the next at its start.
+  for (std::size_t i = 1; i + 1 < t.knots().size(); ++i) {
+    const auto &a = t.knots()[i - 1], &b = t.knots()[i], &c = t.knots()[i + 1];
+    const double h = b.time - a.time, g = c.time - b.time;
+    for (int j = 0; j < 2; ++j) {
+      const double left = (b.q[j] - a.q[j]) / h + h * (a.ddq[j] + 2 * b.ddq[j]) / 6;
+      const double right = (c.q[j] - b.q[j]) / g - g * (2 * b.ddq[j] + c.ddq[j]) / 6;
+      EXPECT_NEAR(left, right, 1e-9);
+    }
+  }
+  expect_smooth(robot, stretched(t, 10));
+}
+
+TEST(Spline, ExtremesBetweenKnots) {
+  const Course course{{{0}, {1}, {0}}, {1, 1}};
+  const Trajectory t = spline_through(course);
+  for (std::size_t i = 0; i + 1 < t.knots().size(); ++i) {
+    const auto [low, high] = values_between(t, i, 0);
+    double least = 1e300, most = -1e300;
+    for (int s = 0; s <= 1000; ++s) {
+      const double span = t.knots()[i + 1].time - t.knots()[i].time;
+      const double q = t.at(t.knots()[i].time + span * s / 1000).q[0];
+      least = std::min(least, q);
+      most = std::max(most, q);
+    }
+    EXPECT_NEAR(low, least, 1e-5);
+    EXPECT_NEAR(high, most, 1e-5);
+    EXPECT_LE(low, least + 1e-12);
+    EXPECT_GE(high, most - 1e-12);
+  }
+}
+
+TEST(Trajectory, MeetsALimitAndBreaksNone) {
+  const Robot robot = two_links();
+  const std::vector<std::vector<double>> way{{0, 0}, {0.5, 0.5}, {0.5, 1}, {-1, 2}, {-1, 1.5}};
+  for (const bool shortcut : {false, true}) {
+    const auto made = make_trajectory(robot, Nothing(), way, {.shortcut = shortcut});
+    EXPECT_EQ(made.waypoints, shortcut ? 2 : 5);
+    EXPECT_FALSE(made.stops);
+    expect_smooth(robot, made.trajectory);
+    EXPECT_LE(limit_used(robot, made.trajectory), 1 + 1e-9);
+    EXPECT_GE(limit_used(robot, made.trajectory), 0.99);
+    EXPECT_EQ(made.trajectory.at(0).q, way.front());
+    EXPECT_EQ(made.trajectory.at(1e9).q, way.back());
+  }
+}
+
+TEST(Trajectory, RestsAtEachWaypointWhereNothingElseIsFree) {
+  const Robot robot = two_links();
+  const std::vector<std::vector<double>> way{{0, 0}, {0.5, 0.5}, {0.5, 1}, {-1, 2}};
+  const auto made = make_trajectory(robot, OnlyThese(way), way);
+  EXPECT_TRUE(made.stops);
+  EXPECT_EQ(made.waypoints, 4);
+  expect_smooth(robot, made.trajectory);
+  EXPECT_LE(limit_used(robot, made.trajectory), 1 + 1e-9);
+  // On the straight lines all along: the second joint follows the first on the first one.
+  for (int i = 0; i <= 1000; ++i) {
+    const auto q = made.trajectory.at(made.trajectory.duration() * i / 1000).q;
+    double off = 1e300;
+    for (std::size_t k = 0; k + 1 < way.size(); ++k) {
+      const double dx = way[k + 1][0] - way[k][0], dy = way[k + 1][1] - way[k][1];
+      const double share = std::clamp(
+          ((q[0] - way[k][0]) * dx + (q[1] - way[k][1]) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+      off = std::min(off, std::hypot(q[0] - way[k][0] - share * dx, q[1] - way[k][1] - share * dy));
+    }
+    EXPECT_LT(off, 1e-9);
+  }
+}
+
+TEST(Trajectory, KeepsWithinJointLimitsThatASplineWouldOvershoot) {
+  Robot robot = two_links();
+  robot.joints[0].high = 1;
+  const std::vector<std::vector<double>> way{{0, 0}, {1, 0.1}, {1, 0.2}, {1, 0.3}, {0, 0.4}};
+  const auto made = make_trajectory(robot, Nothing(), way, {.shortcut = false});
+  for (int i = 0; i <= 2000; ++i) {
+    EXPECT_LE(made.trajectory.at(made.trajectory.duration() * i / 2000).q[0], 1 + 1e-9);
+  }
+}
+
+TEST(Trajectory, SmallCases) {
+  const Robot robot = two_links();
+  EXPECT_TRUE(make_trajectory(robot, Nothing(), {}).trajectory.empty());
+  const std::vector<std::vector<double>> one{{1, 2}};
+  const auto still = make_trajectory(robot, Nothing(), one);
+  EXPECT_EQ(still.trajectory.duration(), 0);
+  EXPECT_EQ(still.trajectory.at(5).q, one[0]);
+  const std::vector<std::vector<double>> wrong{{1, 2, 3}};
+  EXPECT_THROW(make_trajectory(robot, Nothing(), wrong), Error);
+}
+
+TEST(Trajectory, FclFindsNoContactOnRandomScenes) {
+  for (const char* name : {"planar3", "industrial6", "redundant7"}) {
+    const Robot robot = shipped(name);
+    int moved = 0;
+    for (const std::uint64_t seed : {2u, 4u, 6u, 7u}) {
+      const Query query =
+          generate_query(robot, {.seed = seed, .obstacles = 10, .wall = seed % 2 == 0 ? 0.8 : 0});
+      const SceneSensor sensor(robot, query.scene);
+      const Request request{.start = query.start, .goal = query.goal};
+      Parameters parameters = lattice_of(robot, request, 10);
+      parameters.iterations = 20;
+      const Result found = plan(robot, sensor, request, parameters);
+      const auto made = make_trajectory(robot, sensor, found.joints, {.shortcut = seed % 3 != 0});
+      if (made.trajectory.empty()) continue;
+      ++moved;
+      expect_smooth(robot, made.trajectory);
+      const Recheck check = recheck(robot, query.scene, made.trajectory, 1000);
+      EXPECT_EQ(check.contacts, 0) << name << " " << seed;
+      EXPECT_EQ(check.limits, 0) << name << " " << seed;
+      EXPECT_GE(check.nearest, sensor.clearance() - 1e-6) << name << " " << seed;
+      EXPECT_LT(check.tip_error, 1e-12);
+    }
+    EXPECT_GE(moved, 2) << name;
+  }
+}
+
+TEST(Recheck, SeesContactsAndBrokenLimits) {
+  const Robot robot = two_links();
+  Obstacle box;
+  box.position = {0.9, 0, 0};
+  box.size = {0.1, 0.1, 0.1};
+  const Trajectory still({{0, {0, 0}, {0, 0}}});
+  EXPECT_EQ(recheck(robot, {"", {box}}, still, 10).contacts, 10);
+  EXPECT_EQ(recheck(robot, {}, still, 10).contacts, 0);
+  const Trajectory hasty({{0, {0, 0}, {0, 0}}, {0.01, {1, 0}, {0, 0}}});
+  EXPECT_GT(recheck(robot, {}, hasty, 10).limits, 0);
+}
+
+}  // namespace
+}  // namespace lasius::arm
