@@ -198,7 +198,7 @@ TEST(Trajectory, FclFindsNoContactOnRandomScenes) {
   for (const char* name : {"planar3", "industrial6", "redundant7"}) {
     const Robot robot = shipped(name);
     int moved = 0;
-    for (const std::uint64_t seed : {2u, 4u, 6u, 7u}) {
+    for (const std::uint64_t seed : {1u, 4u, 6u, 7u, 8u}) {
       const Query query =
           generate_query(robot, {.seed = seed, .obstacles = 10, .wall = seed % 2 == 0 ? 0.8 : 0});
       const SceneSensor sensor(robot, query.scene);
