@@ -1,6 +1,7 @@
 // Exact Euclidean shortest paths on a bitmap, anytime, with a certificate.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -43,6 +44,13 @@ namespace exact {
 /// less than this fraction of themselves.
 constexpr double kRounding = 1e-9;
 
+/// In cells, between places in half cells: exact but for the square root.
+inline double distance(int x0, int y0, int x1, int y1) noexcept {
+  const double dx = x1 - x0;
+  const double dy = y1 - y0;
+  return 0.5 * std::sqrt(dx * dx + dy * dy);
+}
+
 /// What a search did, for benchmarks and tests.
 struct Counters {
   std::int64_t expansions = 0;
@@ -59,15 +67,24 @@ struct Counters {
 /// A shortest path bends only at corners of blocked cells, and only around them. Each corner is
 /// reached with the best known length g; its cone, the directions in which a path can go on and
 /// still be taut, is scanned for the corners seen in it (kernels/scan_cone.h). The frontier holds
-/// corners by g + straight distance to the goal. No path is shorter than its least item (lower
-/// bound), and ants give paths (upper bound); where they meet, the path is proven to be shortest.
+/// corners by g + h, h the straight distance to the goal. No path is shorter than its least key
+/// (lower bound), and ants give a path (upper bound); where the two meet, it is proven shortest.
+///
+/// Ants expand corners, too, but in the order of g + W h, best first. They leave from the trail, a
+/// second queue of the corners that were not expanded yet, some now and then until one of them sees
+/// the goal; all corners that they see enter both queues. With a target gap W is almost 1 plus that
+/// gap, they go first, and they take up again what is reached by a shorter way. Then the least key
+/// of the trail is at most W times the optimum: of a shortest path, the first corner w that was not
+/// expanded at its least length waits in the trail with g + W h <= W (g + h) <= W optimum. (Behind
+/// a horizon H <= optimum it waits as its parent v, with key H + (W - 1) h(v).) So that key divided
+/// by W is a lower bound, and the first path is within the gap.
 ///
 /// Why no shortest path is missed. Let v, w follow each other on one, v reached at its least
 /// length. The scan of v's cone leaves w out only where
 ///   * w is outside the taut cone: then the path could be pulled shorter at v;
 ///   * a known way to w, or to a point between v and w, is shorter than the one over v (rivals);
-///   * every path over v and w is at least as long as the best one known (the ellipse of frame());
-///   * w is behind the horizon: then v stays in the frontier, with a key that no path over v and
+///   * every path over v and w is at least as long as the best one known (the ellipse of limits());
+///   * w is behind the horizon: then v stays in the queues, with a key that no path over v and
 ///     what lies behind the horizon is shorter than.
 /// The first two cannot be on a shortest path; the third cannot improve the answer; the fourth is
 /// only put off. Ties do no harm: two shortest ways to v see the same w, else one of them could be
@@ -97,6 +114,8 @@ class ExactSearch {
   void run(const ExactOptions& options, const StopCondition& stop);
   bool next_corner(std::uint32_t& index);
   void expand(std::uint32_t index);
+  /// Scans the cone of a corner up to the horizon; returns whether rays were cut off there.
+  bool leave(std::uint32_t index);
   bool leave_start();
   template <int S>
   bool leave_start(int down);
@@ -106,6 +125,8 @@ class ExactSearch {
   bool goal_in_cone(const exact::Corner& corner, const exact::Corner& parent) const noexcept;
   template <int S>
   kernels::ConeFrame frame(int down) const noexcept;
+  template <int S>
+  kernels::ConeLimits limits(int down, int line0) const noexcept;
   double reach(std::uint32_t parent, int x, int y, exact::Heading heading);
   void trace(std::vector<Point>& path) const;
   void finish(const ExactOptions& options, ExactAnswer& answer) const;
@@ -113,11 +134,11 @@ class ExactSearch {
   kernels::BitmapView map_{};
   int goal_x_ = 0, goal_y_ = 0;  // half cells
   Root root_{};                  // of the cone in hand
-  bool long_views_ = false;
-  double horizon_ = 0;      // paths over the root that are longer do not matter yet
-  double upper_ = 0;        // length of the best path
-  std::uint32_t last_ = 0;  // its last corner
+  double horizon_ = 0;           // paths over the root that are longer do not matter yet
+  double upper_ = 0;             // length of the best path
+  std::uint32_t last_ = 0;       // its last corner
   double lower_ = 0;
+  double straight_ = 0;  // distance from start to goal
   Poller* poller_ = nullptr;
   StopCondition::Cause cause_ = StopCondition::Cause::none;
 
@@ -125,6 +146,7 @@ class ExactSearch {
   exact::Frontier frontier_;
   exact::Frontier trail_;  // of the ants
   bool ants_out_ = false;
+  bool hurry_ = false;
   double ant_weight_ = 1;
   std::vector<kernels::Interval> stack_;
   exact::Counters counters_;

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace lasius::exact {
@@ -14,7 +15,8 @@ namespace lasius::exact {
 ///
 /// The floor of the bucket in hand is a lower bound of all keys in the queue: a key lies in the
 /// bucket floor((key - origin) / width), both operations rounded, so that the bound holds up to a
-/// relative 2^-51, which the search allows for.
+/// relative 2^-51, which the search allows for. A smaller key than those in hand moves the queue
+/// back; one below the origin waits in the first bucket and lowers the floor for good.
 class Frontier {
  public:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
@@ -25,6 +27,7 @@ class Frontier {
     width_ = width;
     per_width_ = 1 / width;
     current_ = 0;
+    least_ = std::numeric_limits<double>::infinity();
     items_.clear();
     spare_ = kNone;
     overflow_ = kNone;
@@ -58,7 +61,7 @@ class Frontier {
     }
   }
   /// After advance(): no key is below this.
-  double floor() const noexcept { return origin_ + current_ * width_; }
+  double floor() const noexcept { return std::min(origin_ + current_ * width_, least_); }
   /// Takes an item of the bucket that advance() found.
   std::uint32_t pop() noexcept {
     const std::uint32_t item = heads_[current_];
@@ -91,7 +94,9 @@ class Frontier {
       overflow_ = item;
       return;
     }
-    const int bucket = std::max(static_cast<int>(at), current_);
+    const int bucket = at > 0 ? static_cast<int>(at) : 0;
+    if (at < 0) least_ = std::min(least_, items_[item].key);
+    current_ = std::min(current_, bucket);
     const std::uint64_t bit = std::uint64_t{1} << (bucket & 63);
     std::uint64_t& word = full_[bucket >> 6];
     items_[item].next = (word & bit) != 0 ? heads_[bucket] : kNone;
@@ -120,6 +125,7 @@ class Frontier {
   double width_ = 1;
   double per_width_ = 1;
   int current_ = 0;
+  double least_ = 0;  // of the keys below the first bucket, which holds them
   std::uint32_t spare_ = kNone;
   std::uint32_t overflow_ = kNone;
   std::vector<Item> items_;

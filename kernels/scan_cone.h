@@ -21,6 +21,7 @@
 // width 0, where a ray would squeeze between two diagonal blocks.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -50,21 +51,32 @@ struct Rival {
 /// The rays through one gap: columns on a line, and columns a row.
 struct Interval {
   Fixed left = 0, right = 0;
-  Fixed left_slope = 0, right_slope = 0;  ///< 0 <= left_slope <= right_slope
+  Fixed left_slope = 0;
+  Fixed right_slope = 0;  ///< at least the left one; of no meaning along a wall
   std::int32_t line = 0;
-  bool wall = false;  ///< right is a blocked cell's side; right_slope is then a bound from above
+  bool wall = false;  ///< right is the side of a blocked cell in the row behind
   std::uint8_t left_rival = 0, right_rival = 0;  ///< numbers of rivals, 0: none
 };
 
-/// Where a scan starts and how far it looks.
+/// Where a scan starts.
 struct ConeFrame {
   BitmapView map;
   int down;  ///< +1: line j is grid line line0 + j; -1: line0 - j
   int line0;
-  double depth0;    ///< rows from the root to line 0: 0, or 1/2 for a root in a cell's centre
-  Fixed root;       ///< column of the root
+  double depth0;  ///< rows from the root to line 0: 0, or 1/2 for a root in a cell's centre
+  Fixed root;     ///< column of the root
+
+  /// The last line with rows behind and ahead: that of the border's row.
+  int lines() const noexcept { return down > 0 ? map.height - line0 : line0; }
+};
+
+/// How far a scan looks: a box and a strip, both convex and with the root inside, so that no ray
+/// that left them comes back.
+struct ConeLimits {
   int last_line;    ///< intervals are not followed past this line
   int last_column;  ///< nor past this column; at most one more than the border that ends rows
+  /// On line j the strip reaches from column left0 + j * slope to right0 + j * slope.
+  Fixed left0, right0, slope;
 };
 
 /// Scans the cone of one root. A Visitor has
@@ -72,6 +84,7 @@ struct ConeFrame {
 ///       at; returns the length of a shorter way there if it knows one, else a negative number
 ///   bool beaten(const Rival&, Fixed u, int line)  is the way over the rival to that point shorter
 ///       than the straight one from the root?
+///   ConeLimits limits()  asked when the scan leaves the root's neighbourhood
 ///   bool go_on(std::int64_t words)  told of the work done, false to stop.
 /// Corners come in a fixed order.
 template <int S, class Visitor>
@@ -81,48 +94,48 @@ class ConeScan {
       : frame_(frame),
         row0_(bytes_of(frame.map.row(frame.down > 0 ? frame.line0 : frame.line0 - 1))),
         step_(frame.down * frame.map.stride * std::ptrdiff_t{sizeof(std::uint64_t)}),
-        limit_(fixed(frame.last_column)),
+        last_line_(std::min(kNearLines, frame.lines())),
+        limit_(fixed(floor_column(frame.root) + kNearColumns)),
         stack_(stack),
         visitor_(visitor) {}
 
-  /// From a lattice point between two slopes. Returns whether rays were cut off at the last line
-  /// or column of the frame.
+  /// From a lattice point between two slopes. Returns whether rays were cut off at the limits.
   bool from_corner(Fixed left_slope, Fixed right_slope, const Rival& level = {-1, 0, 0}) {
     const int column = floor_column(frame_.root);
     const Fixed reach = frame_.root + right_slope;
-    const int last = last_cell(reach);
-    const int a = next_cell<S, true>(row0_, column, last);
-    Interval first{frame_.root + left_slope, reach, left_slope, right_slope, 1, a <= last, 0, 0};
-    if (first.wall) {
-      first.right = fixed(a);
-      first.right_slope = slope_to(a, 1);
+    int last = last_cell(reach);
+    int a = next_cell<S, true>(row0_, column, last);
+    if (a > last && reach > limit_) {
+      look_far();
+      last = last_cell(reach);
+      a = next_cell<S, true>(row0_, column, last);
     }
+    Interval first{frame_.root + left_slope, reach, left_slope, right_slope, 1, a <= last, 0, 0};
+    if (first.wall) first.right = fixed(a);
     if (level.length >= 0 && fixed(level.u) <= first.right &&
         visitor_.beaten(level, first.left, 1)) {
       return cut_off_;
     }
-    if (first.right - first.left > kSlack && clip(first)) run(first);
+    if (first.right - first.left > kSlack && clip(first, 1)) run(first);
     return cut_off_;
   }
 
   /// From the centre of the cell before line 0: all rays towards larger u. `border` is the column
   /// that ends every row.
   bool from_centre(int border) {
+    look_far();
     const int a = next_cell<S, true>(row0_ - step_, floor_column(frame_.root), border);
-    Interval first{frame_.root, fixed(a), 0, slope_to(a, 0), 0, true, 0, 0};
-    if (first.right > limit_) {
-      first.wall = false;
-      first.right_slope = slope_to(frame_.last_column, 0);
-    }
-    if (clip(first)) run(first);
+    Interval first{frame_.root, fixed(a), 0, 0, 0, true, 0, 0};
+    if (clip(first, 0)) run(first);
     return cut_off_;
   }
 
  private:
   using B = Bits<S>;
 
-  Fixed slope_to(int u, int line) const noexcept {
-    return static_cast<Fixed>(static_cast<double>(fixed(u) - frame_.root) / (line + frame_.depth0));
+  Fixed slope_to(int u, int line) const noexcept { return slope_through(fixed(u), line); }
+  Fixed slope_through(Fixed u, int line) const noexcept {
+    return static_cast<Fixed>(static_cast<double>(u - frame_.root) / (line + frame_.depth0));
   }
 
   // The last cell that a ray ending at this column passes, or the last one within the limit.
@@ -130,14 +143,41 @@ class ConeScan {
     return floor_column((reach < limit_ ? reach : limit_) - kSlack);
   }
 
-  // Cuts off what lies past the limit; false if nothing is left but the limit's own column, which
-  // the caller made one column wider than what it needs.
-  bool clip(Interval& v) noexcept {
-    if (v.right <= limit_) return true;
-    cut_off_ = true;
-    v.right = limit_;
-    return v.left <= limit_ - kOne;
+  // Most scans among many obstacles end near the root, where limits cost more than they save.
+  [[gnu::noinline]] void look_far() {
+    const ConeLimits limits = visitor_.limits();
+    near_ = false;
+    last_line_ = limits.last_line;
+    limit_ = fixed(limits.last_column);
+    left0_ = limits.left0;
+    right0_ = limits.right0;
+    slope_ = limits.slope;
   }
+
+  // Cuts off what lies past the limits on a line. False if all that is left lies within a column of
+  // the edge that cut it, which the caller made wider than what it needs: rays near an edge only
+  // come nearer.
+  bool clip(Interval& v, int line) {
+    if (near_) {
+      if (v.right <= limit_) return v.right - v.left > kSlack;
+      look_far();
+    }
+    const Fixed moved = line * slope_;
+    const Fixed left = left0_ + moved;
+    const Fixed right = right0_ + moved < limit_ ? right0_ + moved : limit_;
+    if (v.left >= left && v.right <= right) return v.right - v.left > kSlack;
+    cut_off_ = true;
+    if (v.left < left) v.left = left;
+    if (v.right > right) {
+      v.right = right;
+      if (v.wall) v.right_slope = slope_through(v.right, line);
+      v.wall = false;
+    }
+    return v.right - v.left > kOne;
+  }
+
+  // How far the right boundary moves in the row ahead. Along a wall it stays.
+  static Fixed widening(const Interval& v) noexcept { return v.wall ? 0 : v.right_slope; }
 
   void run(Interval& first) {
     stack_.clear();
@@ -145,7 +185,7 @@ class ConeScan {
     while (going && !stack_.empty()) {
       first = stack_.back();
       stack_.pop_back();
-      going = follow(first);
+      if (clip(first, first.line)) going = follow(first);
     }
     visitor_.go_on(words_);
   }
@@ -161,15 +201,20 @@ class ConeScan {
   bool follow(Interval& v) {
     const char* next = row0_ + step_ * v.line;
     int quiet = 0;  // rows in turn that held nothing
-    for (; v.line <= frame_.last_line; ++v.line, next += step_) {
+    for (;; ++v.line, next += step_) {
+      if (v.wall && !blocked_cell<S>(next, floor_column(v.right + kSlack))) {
+        v.right_slope = slope_to(floor_column(v.right + kSlack), v.line);
+        v.wall = false;
+      }
+      if (near_ && (v.line > last_line_ || v.right + widening(v) > limit_)) {
+        look_far();
+        if (!clip(v, v.line)) return true;
+      }
+      if (v.line > last_line_) break;
       ++words_;
       const int base = floor_column(v.left - kSlack);
       const int last_point = floor_column(v.right + kSlack);
-      if (v.wall && !blocked_cell<S>(next, last_point)) {
-        v.right_slope = slope_to(last_point, v.line);
-        v.wall = false;
-      }
-      const int last = last_cell(v.right + v.right_slope);
+      const int last = last_cell(v.right + widening(v));
       const int fresh = rivals_;
       if (last - base < B::kValid - 1 && last_point - base < B::kValid - 1) {
         const std::uint64_t n = B::window(next, base);
@@ -179,9 +224,9 @@ class ConeScan {
         const std::uint64_t blocks = n & B::from(first - base) & B::to(last - base);
         if ((turns | blocks) == 0) {
           v.left += v.left_slope;
-          v.right += v.right_slope;
-          if (++quiet >= kQuietRows) next += stride(next, n, base, v);
-          if (!clip(v)) return true;
+          v.right += widening(v);
+          if (++quiet >= kQuietRows && !v.wall) next += stride(next, n, base, v);
+          if (!clip(v, v.line + 1)) return true;
           continue;
         }
         report(turns, n, p, base, v);
@@ -189,7 +234,7 @@ class ConeScan {
         return false;
       }
       quiet = 0;
-      if (!split(next, last, v, fresh) || !clip(v)) return true;
+      if (!split(next, last, v, fresh) || !clip(v, v.line + 1)) return true;
       if (stopped()) return false;
     }
     cut_off_ = true;
@@ -203,7 +248,7 @@ class ConeScan {
     for (;;) {
       const Fixed right = v.right + kStride * v.right_slope;
       const int hull = floor_column(right + kSlack) - base;
-      if (hull >= B::kValid || v.line + kStride > frame_.last_line) return moved;
+      if (hull >= B::kValid || v.line + kStride > last_line_) return moved;
       n |= B::window(next + step_, base) | B::window(next + 2 * step_, base) |
            B::window(next + 3 * step_, base);
       if ((n & B::to(hull)) != 0) return moved;
@@ -287,17 +332,13 @@ class ConeScan {
       const Fixed left = v.left + v.left_slope;
       if (a > last) {
         v.left = left;
-        v.right = right + v.right_slope;
-        v.wall = false;
+        v.right = right + widening(v);
         return v.right - left > kSlack && !beaten(v);
       }
       const Fixed stop = fixed(a);
       const bool open = stop - left > kSlack;
       if (stop >= right - kSlack) {  // the last gap
-        if (!v.wall || stop != right) {
-          v.right_rival = 0;
-          v.right_slope = slope_to(a, v.line + 1);
-        }
+        v.right_rival = 0;
         v.left = left;
         v.right = stop;
         v.wall = true;
@@ -309,7 +350,6 @@ class ConeScan {
         gap.left = left;
         gap.right = stop;
         gap.left_slope = v.left_slope;
-        gap.right_slope = slope_to(a, v.line + 1);
         gap.line = v.line;
         gap.wall = true;
         gap.left_rival = v.left_rival;
@@ -334,13 +374,18 @@ class ConeScan {
 
   static constexpr std::int64_t kWordsAtOnce = 4096;
   static constexpr int kRivals = 64;
+  static constexpr int kNearLines = 12;
+  static constexpr int kNearColumns = 40;
   static constexpr int kStride = 3;
   static constexpr int kQuietRows = 4;
 
   const ConeFrame& frame_;
   const char* row0_;
   std::ptrdiff_t step_;
+  bool near_ = true;  // limits were not asked for yet
+  int last_line_;
   Fixed limit_;
+  Fixed left0_ = 0, right0_ = 0, slope_ = 0;
   std::vector<Interval>& stack_;
   Visitor& visitor_;
   std::int64_t words_ = 0;

@@ -1,10 +1,12 @@
 // Searches cut short: what they give back must still be certified.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
 #include "exact.h"
+#include "lasius/generate.h"
 #include "lasius/path.h"
 #include "tests/random_grid.h"
 
@@ -79,6 +81,41 @@ TEST(ExactStop, BoundsHoldAtEveryStop) {
   }
   EXPECT_GT(stopped, 8);
   EXPECT_GT(with_path, 4);
+}
+
+// Stopped at a random look at the clock, hurried or not.
+TEST(ExactStop, BoundsHoldAtRandomStopsOnEveryKindOfMap) {
+  std::mt19937 random(14);
+  ExactSearch search;
+  int stopped = 0, with_path = 0, with_gain = 0;
+  for (std::size_t k = 0; k < map_kind_names().size(); ++k) {
+    const Grid grid = generate(static_cast<MapKind>(k), {600, 500, -1, 4});
+    for (int i = 0; i < 60; ++i) {
+      const auto cell = [&] { return Cell{random_in(0, 599, random), random_in(0, 499, random)}; };
+      const Cell start = cell(), goal = cell();
+      if (grid.blocked(start) || grid.blocked(goal)) continue;
+      CountingTime counted(1 << 30);
+      ExactAnswer exact;
+      const ExactOptions options{i % 2 == 0 ? 0 : 0.05};
+      search.search(grid, start, goal, {}, {}, exact);
+      if (!exact.optimal) continue;
+      ExactAnswer whole, cut;
+      search.search(grid, start, goal, options, until(counted), whole);
+      CountingTime time(random_in(0, std::max(0, counted.polls() - 1), random));
+      search.search(grid, start, goal, options, until(time), cut);
+      EXPECT_LE(cut.lower_bound, exact.length);
+      stopped += cut.end == ExactEnd::stopped;
+      const double dx = goal.x - start.x, dy = goal.y - start.y;
+      with_gain += cut.lower_bound > std::sqrt(dx * dx + dy * dy);
+      if (cut.path.empty()) continue;
+      ++with_path;
+      EXPECT_GE(cut.length, exact.length * (1 - 1e-12));
+      EXPECT_FALSE(path_fault(grid, cut.path).has_value());
+    }
+  }
+  EXPECT_GT(stopped, 30);
+  EXPECT_GT(with_path, 10);
+  EXPECT_GT(with_gain, 20);
 }
 
 TEST(ExactStop, PollsAtLeastEach65536Words) {

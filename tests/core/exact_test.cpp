@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "lasius/generate.h"
 #include "lasius/path.h"
 #include "tests/bench/shared_maps.h"
 #include "tests/count_allocations.h"
@@ -140,6 +141,52 @@ TEST(Exact, EqualsBruteForceOnLargerGrids) {
   EXPECT_GT(reachable, 200);
 }
 
+// Long views between few blocks, where scans keep to strips and boxes.
+TEST(Exact, EqualsBruteForceInWideSparseGrids) {
+  std::mt19937 random(20260103);
+  ExactSearch search;
+  int reachable = 0;
+  for (int i = 0; i < scaled(60) && !testing::Test::HasFailure(); ++i) {
+    const bool wide = i % 2 == 0;
+    Grid grid(wide ? 400 : 40, wide ? 40 : 400);
+    for (int blocks = random_in(5, 200, random); blocks > 0; --blocks) {
+      const Cell at{random_in(0, grid.width() - 1, random),
+                    random_in(0, grid.height() - 1, random)};
+      const int side = random_in(1, 4, random);
+      for (int k = 0; k < side * side; ++k) {
+        const Cell c{at.x + k % side, at.y + k / side};
+        if (grid.contains(c)) grid.set_blocked(c);
+      }
+    }
+    const auto start = random_free(grid, random);
+    const auto goal = random_free(grid, random);
+    SCOPED_TRACE("grid " + std::to_string(i));
+    reachable += expect_exact(grid, *start, *goal, search);
+  }
+  EXPECT_GT(reachable, 40);
+}
+
+TEST(Exact, EqualsBruteForceOnTheWidestMaps) {
+  // Walls with a gap at one end, on the lower side in turn: the path winds round every one.
+  constexpr int kWidth = Grid::kMaxSide;
+  for (const bool tall : {false, true}) {
+    Grid grid(tall ? 5 : kWidth, tall ? kWidth : 5);
+    const auto cell = [tall](int along, int across) {
+      return tall ? Cell{across, along} : Cell{along, across};
+    };
+    for (int wall = 0; wall < 12; ++wall) {
+      for (int k = 0; k < 4; ++k) {
+        grid.set_blocked(cell(1500 + 2500 * wall, wall % 2 == 0 ? k : 4 - k));
+      }
+    }
+    ExactSearch search;
+    expect_exact(grid, cell(0, 2), cell(kWidth - 1, 1), search);
+    ExactAnswer near;
+    search.search(grid, cell(0, 2), cell(kWidth - 1, 1), {0.05}, {}, near);
+    expect_path(grid, cell(0, 2), cell(kWidth - 1, 1), near);
+  }
+}
+
 TEST(Exact, EqualsTheKnownOptimaOfRealMaps) {
   const auto tables = bench_test::shared_tables();
   if (tables.empty()) GTEST_SKIP() << "no maps in " << bench_test::shared_dir();
@@ -157,26 +204,39 @@ TEST(Exact, EqualsTheKnownOptimaOfRealMaps) {
   }
 }
 
+// Searches for every gap; counts the answers that need not be the optimum.
+int expect_gaps(const Grid& grid, Cell start, Cell goal, ExactSearch& search) {
+  ExactAnswer exact;
+  search.search(grid, start, goal, {}, {}, exact);
+  if (!exact.optimal) return 0;
+  int early = 0;
+  for (const double gap : {0.3, 0.1, 0.02}) {
+    ExactAnswer near;
+    search.search(grid, start, goal, {gap}, {}, near);
+    expect_path(grid, start, goal, near);
+    EXPECT_LE(near.lower_bound, exact.length);
+    EXPECT_GE(near.length, exact.length * (1 - 1e-12));
+    EXPECT_LE(near.length, near.lower_bound * (1 + gap + 1e-6));
+    early += near.end == ExactEnd::target_gap;
+  }
+  return early;
+}
+
 TEST(Exact, TheTargetGapIsCertified) {
   std::mt19937 random(5);
   ExactSearch search;
   int early = 0;
-  for (int i = 0; i < 60; ++i) {
-    const Grid grid = random_grid(60, 60, random_in(5, 35, random), random);
-    const auto start = random_free(grid, random);
-    const auto goal = random_free(grid, random);
-    ExactAnswer exact;
-    ExactAnswer near;
-    search.search(grid, *start, *goal, {}, {}, exact);
-    if (!exact.optimal) continue;
-    search.search(grid, *start, *goal, {0.1}, {}, near);
-    expect_path(grid, *start, *goal, near);
-    EXPECT_LE(near.lower_bound, exact.length);
-    EXPECT_GE(near.length, exact.length * (1 - 1e-12));
-    EXPECT_LE(near.length, near.lower_bound * (1.1 + 1e-6));
-    early += near.end == ExactEnd::target_gap;
+  for (int i = 0; i < 200; ++i) {
+    const Grid grid = random_grid(60, 60, random_in(5, 42, random), random);
+    early += expect_gaps(grid, *random_free(grid, random), *random_free(grid, random), search);
   }
-  EXPECT_GT(early, 5);
+  for (const MapKind kind : {MapKind::blobs, MapKind::maze, MapKind::rooms, MapKind::city}) {
+    const Grid grid = generate(kind, {200, 150, -1, 3});
+    for (int i = 0; i < 20; ++i) {
+      early += expect_gaps(grid, *random_free(grid, random), *random_free(grid, random), search);
+    }
+  }
+  EXPECT_GT(early, 100);
 }
 
 TEST(Exact, EqualRunsGiveEqualAnswersWhateverCameBefore) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
 #include <set>
 #include <utility>
 
@@ -19,6 +21,7 @@ using Places = std::set<std::pair<int, int>>;  // lattice points
 
 struct Collector {
   int right, down, line0;
+  kernels::ConeLimits all;
   Places seen = {};
   std::int64_t words = 0;
 
@@ -27,6 +30,7 @@ struct Collector {
     return -1;
   }
   bool beaten(const kernels::Rival&, kernels::Fixed, int) const { return false; }
+  const kernels::ConeLimits& limits() const { return all; }
   bool go_on(std::int64_t n) {
     words += n;
     return true;
@@ -40,15 +44,22 @@ kernels::ConeFrame frame(const BitmapView& map, HalfPoint root, int right, int d
   f.line0 = down > 0 ? (root.y + 1) / 2 : root.y / 2;
   f.depth0 = 0.5 * (root.y % 2);
   f.root = right * root.x * (kernels::kOne / 2);
-  f.last_line = down > 0 ? map.height - f.line0 : f.line0;
-  f.last_column = right > 0 ? map.width + 1 : 1;
   return f;
+}
+
+kernels::ConeLimits whole(const BitmapView& map, int line0, int right, int down) {
+  constexpr int kFar = 1 << 18;
+  return {.last_line = down > 0 ? map.height - line0 : line0,
+          .last_column = right > 0 ? map.width + 1 : 1,
+          .left0 = -kernels::fixed(kFar),
+          .right0 = kernels::fixed(kFar),
+          .slope = 0};
 }
 
 template <int S>
 Places scan_quadrant(const BitmapView& map, HalfPoint root, int down) {
   const auto f = frame(map, root, S, down);
-  Collector found{S, down, f.line0};
+  Collector found{S, down, f.line0, whole(map, f.line0, S, down)};
   std::vector<kernels::Interval> stack;
   kernels::ConeScan<S, Collector> scan(f, stack, found);
   const bool cut_off = root.x % 2 != 0 ? scan.from_centre(S > 0 ? map.width : 0)
@@ -121,6 +132,55 @@ TEST(ScanCone, SeesTheCornersThatAreVisible) {
   }
 }
 
+// Scans the quadrant within a strip and a box: all that is seen must be visible, and what lies
+// inside by more than the columns to spare must be seen.
+template <int S>
+void expect_strip_seen(const BitmapView& map, HalfPoint root, int down, std::mt19937& random) {
+  const auto f = frame(map, root, S, down);
+  Collector all{S, down, f.line0, whole(map, f.line0, S, down)};
+  Collector some = all;
+  const double slope = random_in(-300, 300, random) / 100.0;
+  const double half = random_in(2, 40, random) / 4.0;
+  const double middle = slope * f.depth0;
+  const auto one = static_cast<double>(kernels::kOne);
+  some.all.slope = static_cast<kernels::Fixed>(slope * one);
+  some.all.left0 = f.root + static_cast<kernels::Fixed>((middle - half) * one);
+  some.all.right0 = f.root + static_cast<kernels::Fixed>((middle + half) * one);
+  some.all.last_line = random_in(0, some.all.last_line, random);
+  std::vector<kernels::Interval> stack;
+  const auto run = [&](Collector& found) {
+    kernels::ConeScan<S, Collector> scan(f, stack, found);
+    return root.x % 2 != 0 ? scan.from_centre(S > 0 ? map.width : 0)
+                           : scan.from_corner(0, kernels::kLevelSlope);
+  };
+  EXPECT_FALSE(run(all));
+  const bool cut_off = run(some);
+  for (const auto& place : some.seen) EXPECT_TRUE(all.seen.contains(place));
+  for (const auto& [x, y] : all.seen) {
+    const double depth = down * (y - 0.5 * root.y);
+    const double off = S * (x - 0.5 * root.x) - slope * depth;
+    const bool inside = std::abs(off) < half - 1.5 && down * (y - f.line0) < some.all.last_line;
+    EXPECT_TRUE(!inside || some.seen.contains({x, y})) << x << ' ' << y;
+    EXPECT_TRUE(cut_off || some.seen.contains({x, y})) << x << ' ' << y;
+  }
+}
+
+TEST(ScanCone, KeepsWithinItsLimits) {
+  std::mt19937 random(2);
+  for (int i = 0; i < 3000 && !testing::Test::HasFailure(); ++i) {
+    const Grid grid = random_grid(random_in(1, 150, random), random_in(1, 60, random),
+                                  random_in(0, 12, random), random);
+    const Cell c{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
+    if (grid.blocked(c)) continue;
+    const int down = random() % 2 == 0 ? 1 : -1;
+    const bool centre = random() % 2 == 0;
+    const int y = centre ? 2 * c.y + 1 : down > 0 ? 2 * c.y : 2 * c.y + 2;
+    SCOPED_TRACE(i);
+    expect_strip_seen<1>(view_of(grid), {centre ? 2 * c.x + 1 : 2 * c.x, y}, down, random);
+    expect_strip_seen<-1>(view_of(grid), {centre ? 2 * c.x + 1 : 2 * c.x + 2, y}, down, random);
+  }
+}
+
 TEST(ScanCone, CrossesTheLargestMap) {
   // Two blocks at the far end of 32768 rows; the second is hidden by one column of the first.
   constexpr int kSide = 32768;
@@ -136,12 +196,13 @@ TEST(ScanLine, ReportsEndsOfBlocksAndStopsBetweenTwo) {
   const Grid grid = drawn({"##..###.", "....#...", "..#.#..."});
   Places seen;
   const auto report = [&](int u, bool above) { seen.insert({u, above}); };
-  EXPECT_FALSE(kernels::scan_line<1>(view_of(grid), 1, 1, 9, report));
+  const auto upto = [](int column) { return [column] { return column; }; };
+  EXPECT_FALSE(kernels::scan_line<1>(view_of(grid), 1, 1, upto(9), report));
   EXPECT_EQ(seen, (Places{{2, 1}}));  // column 4 is blocked on both sides
   const Grid open(300, 2);
-  EXPECT_TRUE(kernels::scan_line<1>(view_of(open), 1, 1, 100, report));
+  EXPECT_TRUE(kernels::scan_line<1>(view_of(open), 1, 1, upto(100), report));
   seen.clear();
-  EXPECT_FALSE(kernels::scan_line<-1>(view_of(grid), 2, -4, 1, report));
+  EXPECT_FALSE(kernels::scan_line<-1>(view_of(grid), 2, -4, upto(1), report));
   EXPECT_EQ(seen, (Places{{-2, 0}}));
 }
 
