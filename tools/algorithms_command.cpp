@@ -1,5 +1,7 @@
 #include <nlohmann/json.hpp>
+#include <span>
 #include <sstream>
+#include <string>
 #include <vector>
 
 #include "commands.h"
@@ -15,29 +17,34 @@
 namespace lasius::tool {
 namespace {
 
-/// The planners of every kind that this program has.
-std::vector<Algorithm> all_algorithms() {
-  std::vector<Algorithm> list(algorithms().begin(), algorithms().end());
+/// The planners of one kind of world.
+struct Group {
+  std::string_view key;    ///< in the JSON
+  std::string_view title;  ///< in the text, empty for maps
+  std::span<const Algorithm> algorithms;
+  std::string (*default_text)(const Algorithm&, std::string_view parameter);
+};
+
+std::vector<Group> groups() {
+  std::vector<Group> all = {
+      {"algorithms", "", algorithms(), [](const Algorithm& a, std::string_view parameter) {
+         return get_parameter(defaults(a.name), parameter);
+       }}};
 #ifdef LASIUS_WITH_ARM
-  list.insert(list.end(), arm::algorithms().begin(), arm::algorithms().end());
+  all.push_back({"arm_algorithms", "Arms, see `lasius arm --help`", arm::algorithms(),
+                 [](const Algorithm&, std::string_view parameter) {
+                   return arm::get_parameter(arm::Parameters{}, parameter);
+                 }});
 #endif
-  return list;
+  return all;
 }
 
-std::string default_text(const Algorithm& algorithm, std::string_view parameter) {
-#ifdef LASIUS_WITH_ARM
-  for (const Algorithm& known : arm::algorithms())
-    if (known.name == algorithm.name) return arm::get_parameter(arm::Parameters{}, parameter);
-#endif
-  return get_parameter(defaults(algorithm.name), parameter);
-}
-
-Json algorithm_json(const Algorithm& algorithm) {
+Json algorithm_json(const Group& group, const Algorithm& algorithm) {
   Json list = Json::array();
   for (const auto& parameter : algorithm.parameters) {
     Json entry = {{"name", parameter.name},
                   {"summary", parameter.summary},
-                  {"default", parameter_json(default_text(algorithm, parameter.name))}};
+                  {"default", parameter_json(group.default_text(algorithm, parameter.name))}};
     entry.update(range_json(parameter));
     list.push_back(entry);
   }
@@ -47,13 +54,13 @@ Json algorithm_json(const Algorithm& algorithm) {
           {"parameters", list}};
 }
 
-std::string algorithm_text(const Algorithm& algorithm) {
+std::string algorithm_text(const Group& group, const Algorithm& algorithm) {
   constexpr std::size_t kColumn = 46;
   std::ostringstream text;
   text << algorithm.name << ": " << algorithm.summary << "\n  " << algorithm.source << "\n";
   for (const auto& parameter : algorithm.parameters) {
     std::ostringstream left;
-    left << "  " << parameter.name << "=" << default_text(algorithm, parameter.name) << "  ["
+    left << "  " << parameter.name << "=" << group.default_text(algorithm, parameter.name) << "  ["
          << parameter.range << "]";
     const auto width = left.str().size();
     text << left.str() << std::string(width + 2 > kColumn ? 2 : kColumn - width, ' ')
@@ -65,18 +72,18 @@ std::string algorithm_text(const Algorithm& algorithm) {
 }  // namespace
 
 int run_algorithms(const AlgorithmsCommand& command) {
-  if (command.json) {
-    Json list = Json::array();
-    for (const auto& algorithm : all_algorithms()) list.push_back(algorithm_json(algorithm));
-    print(line({{"format", "lasius-algorithms/1"}, {"algorithms", list}}));
-    return kFound;
-  }
+  Json json = {{"format", "lasius-algorithms/1"}};
   std::string text;
-  for (const auto& algorithm : all_algorithms()) {
-    if (!text.empty()) text += '\n';
-    text += algorithm_text(algorithm);
+  for (const Group& group : groups()) {
+    if (!group.title.empty()) text.append("\n").append(group.title).append("\n");
+    Json& list = json[std::string(group.key)] = Json::array();
+    for (const Algorithm& algorithm : group.algorithms) {
+      list.push_back(algorithm_json(group, algorithm));
+      if (!text.empty()) text += '\n';
+      text += algorithm_text(group, algorithm);
+    }
   }
-  print(text);
+  print(command.json ? line(json) : text);
   return kFound;
 }
 

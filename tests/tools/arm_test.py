@@ -201,7 +201,7 @@ class Arm(ProgramTest):
         self.assertIsNotNone(result["path"])
 
     def test_listed(self):
-        names = {a["name"]: a for a in self.run_program("algorithms", "--json").json["algorithms"]}
+        names = {a["name"]: a for a in self.run_program("algorithms", "--json").json["arm_algorithms"]}
         parameters = {p["name"]: p for p in names["goritov2020"]["parameters"]}
         defaults = {name: parameters[name]["default"]
                     for name in ("alpha", "beta", "gamma", "evaporation", "ants", "iterations",
