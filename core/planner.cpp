@@ -52,7 +52,12 @@ Workspace& Workspace::operator=(Workspace&&) noexcept = default;
 class Planner::Impl {
  public:
   explicit Impl(Grid g) : grid(std::move(g)), four(grid, Components::Connectivity::four) {}
-  Impl(Grid g, Components c) : grid(std::move(g)), four(std::move(c)) {}
+  Impl(Grid g, Components c, std::vector<Direction> e, std::vector<Cell> shut)
+      : grid(std::move(g)), four(std::move(c)), excluded(std::move(e)), closed(std::move(shut)) {}
+
+  /// The next version: the map with some edits, and these directions excluded.
+  std::shared_ptr<const Impl> next(std::span<const Edit> edits,
+                                   std::vector<Direction> directions) const;
 
   /// Made when first asked for: only Corners::allow needs it.
   const Components& eight() const {
@@ -62,6 +67,8 @@ class Planner::Impl {
 
   const Grid grid;
   const Components four;
+  const std::vector<Direction> excluded;
+  const std::vector<Cell> closed;  ///< blocked in `grid` by `excluded`, not by the map
 
  private:
   mutable std::once_flag eight_made_;
@@ -213,22 +220,70 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
   return result;
 }
 
-Planner Planner::edited(std::span<const Edit> edits) const {
-  Grid grid = impl_->grid;
-  std::vector<Cell> changed;
+std::shared_ptr<const Planner::Impl> Planner::Impl::next(std::span<const Edit> edits,
+                                                         std::vector<Direction> directions) const {
+  Grid now = grid;
+  for (const Cell c : closed) now.set_blocked(c, false);  // the map as it is
   for (const Edit& edit : edits) {
-    if (!grid.contains(edit.cell)) {
+    if (!now.contains(edit.cell)) {
       throw Error(ErrorCode::invalid_parameter, "edited cell " + name(edit.cell) + " is outside",
-                  "the map is " + std::to_string(grid.width()) + " x " +
-                      std::to_string(grid.height()) + " cells");
+                  "the map is " + std::to_string(now.width()) + " x " +
+                      std::to_string(now.height()) + " cells");
     }
-    if (grid.blocked(edit.cell) == edit.blocked) continue;
-    grid.set_blocked(edit.cell, edit.blocked);
-    changed.push_back(edit.cell);
+    now.set_blocked(edit.cell, edit.blocked);
   }
-  Components components = impl_->four.updated(grid, changed);
-  return Planner(std::make_shared<const Impl>(std::move(grid), std::move(components)));
+  std::vector<Cell> shut;
+  for (const Direction& d : directions) {
+    const Cell c{d.from.x + d.dx, d.from.y + d.dy};
+    if (now.blocked(c)) continue;  // by the map, by another direction, or outside
+    now.set_blocked(c, true);
+    shut.push_back(c);
+  }
+  std::vector<Cell> changed;
+  const auto note = [&](Cell c) {
+    if (now.blocked(c) != grid.blocked(c)) changed.push_back(c);
+  };
+  for (const Edit& edit : edits) note(edit.cell);
+  for (const Cell c : closed) note(c);
+  for (const Cell c : shut) note(c);
+  Components components = four.updated(now, changed);
+  return std::make_shared<const Impl>(std::move(now), std::move(components), std::move(directions),
+                                      std::move(shut));
 }
+
+Planner Planner::edited(std::span<const Edit> edits) const {
+  return Planner(impl_->next(edits, impl_->excluded));
+}
+
+Planner Planner::exclude(std::span<const Direction> reported) const {
+  std::vector<Direction> directions = impl_->excluded;
+  for (const Direction& d : reported) {
+    if (!impl_->grid.contains(d.from)) {
+      throw Error(ErrorCode::invalid_parameter,
+                  "excluded direction starts outside the map, at " + name(d.from),
+                  "give a cell of the map");
+    }
+    if (std::max(std::abs(d.dx), std::abs(d.dy)) != 1) {
+      throw Error(ErrorCode::invalid_parameter,
+                  "(" + std::to_string(d.dx) + ", " + std::to_string(d.dy) + ") is no direction",
+                  "give one of the eight steps to a neighbour");
+    }
+    if (std::find(directions.begin(), directions.end(), d) == directions.end()) {
+      directions.push_back(d);
+    }
+  }
+  return Planner(impl_->next({}, std::move(directions)));
+}
+
+Planner Planner::allow(std::span<const Direction> gone) const {
+  std::vector<Direction> directions;
+  for (const Direction& d : impl_->excluded) {
+    if (std::find(gone.begin(), gone.end(), d) == gone.end()) directions.push_back(d);
+  }
+  return Planner(impl_->next({}, std::move(directions)));
+}
+
+std::span<const Planner::Direction> Planner::excluded() const noexcept { return impl_->excluded; }
 
 Planner::Footprint Planner::footprint() const noexcept {
   const Grid& grid = impl_->grid;

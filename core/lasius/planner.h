@@ -113,12 +113,34 @@ class LASIUS_EXPORT Planner {
               const Observer& observer = {}) const;
 
   /// A planner for the map with some cells changed; this one stays as it is. Copies the bitmap
-  /// (one bit a cell) and prepares only the tiles around changed cells again.
+  /// (one bit a cell) and prepares only the tiles around changed cells again. What is excluded
+  /// stays excluded.
   struct Edit {
     Cell cell;
     bool blocked = true;
   };
   Planner edited(std::span<const Edit> edits) const;
+
+  /// A direction out of a cell, towards one of its eight neighbours.
+  struct Direction {
+    Cell from;
+    int dx = 0;  ///< -1 .. 1
+    int dy = 0;  ///< -1 .. 1, not both 0
+    friend bool operator==(const Direction&, const Direction&) = default;
+  };
+
+  /// Local planning in a world that changes (lecture, local planning): a planner whose ants are
+  /// kept out of the directions in which a sensor reports an obstacle that the map does not have.
+  /// The neighbour there counts as blocked, for the polish and for reachability too, until no
+  /// direction to it is excluded any more. Costs what `edited` does; this planner stays as it is,
+  /// so plans under way end in the world that they began in.
+  /// @throws Error(invalid_parameter) for a cell outside the map or a step that is no direction.
+  Planner exclude(std::span<const Direction> reported) const;
+  /// The same without these directions: the sensor has stopped reporting them. Those that were not
+  /// excluded are ignored.
+  Planner allow(std::span<const Direction> gone) const;
+  /// What is excluded now, in the order in which it was reported.
+  std::span<const Direction> excluded() const noexcept;
 
   /// Memory held, in bytes, by part.
   struct Footprint {
