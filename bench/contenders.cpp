@@ -9,12 +9,14 @@ namespace {
 
 using peers::Optimality;
 
-// The search behind the algorithm `exact`, without the request around it.
+// The search behind the algorithm `exact`, without the request around it, up to a certified gap in
+// per cent.
+template <int kGap>
 class Exact final : public peers::QueryPlanner {
  public:
   explicit Exact(const Grid& grid) : grid_(&grid) {}
   double plan(Cell start, Cell goal, std::vector<Point>& path) override {
-    search_.search(*grid_, start, goal, {}, {}, answer_);
+    search_.search(*grid_, start, goal, {.target_gap = kGap / 100.0}, {}, answer_);
     path.assign(answer_.path.begin(), answer_.path.end());
     return answer_.path.empty() ? peers::kNoPath : answer_.length;
   }
@@ -53,7 +55,9 @@ std::unique_ptr<peers::QueryPlanner> make(const Grid& grid) {
 
 std::vector<peers::Peer> all_contenders() {
   std::vector<peers::Peer> all = {
-      {"exact", "lasius: exact any-angle search", Optimality::any_angle, make<Exact>},
+      {"exact", "lasius: exact any-angle search", Optimality::any_angle, make<Exact<0>>},
+      {"exact-gap3", "the same, to a certified gap of 3%", Optimality::none, make<Exact<3>>},
+      {"exact-gap10", "the same, to a certified gap of 10%", Optimality::none, make<Exact<10>>},
       {"astar-straight", "bucketed A*, straightened", Optimality::none, make<PulledAStar<false>>},
       {"astar-taut", "bucketed A*, pulled taut", Optimality::none, make<PulledAStar<true>>}};
   const auto peers = peers::all_peers();

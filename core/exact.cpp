@@ -16,7 +16,7 @@ using exact::distance;
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kBucketWidth = 0.125;  // cells
+constexpr double kBucketWidth = 0.03125;  // cells
 
 // The ants of a search without a target gap: how they weigh the distance to the goal, the number
 // of expansions before the first are sent, and their share of the expansions since.
@@ -38,7 +38,7 @@ constexpr int kPatientSide = 2048;  // of maps where no search is that short
 // from start to goal (a larger one where any path in reach will do), and of what the lower bound
 // has risen above that distance, which says how crowded the map is. And how often a cone is scanned
 // before the horizon is dropped.
-constexpr double kHorizon = 1.0 / 512;
+constexpr double kHorizon = 1.0 / 1024;
 constexpr double kHurriedHorizon = 1.0 / 64;
 constexpr double kHorizonOfRise = 4;
 constexpr int kMostScans = 4;
