@@ -13,7 +13,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> maps;
-  std::vector<int> sides;
+  std::vector<int> sides, noise;
   std::vector<std::string> planners;
   std::string subject;
   std::string markdown, raw;
@@ -41,8 +41,10 @@ void run(const Options& options) {
     if (planners[p].name == options.subject) subject = p;
   }
   auto sources = find_sources(options.maps);
-  const auto generated = generated_sources(options.sides, options.seed);
-  sources.insert(sources.end(), generated.begin(), generated.end());
+  for (const auto& more : {generated_sources(options.sides, options.seed),
+                           noise_sources(options.noise, options.seed)}) {
+    sources.insert(sources.end(), more.begin(), more.end());
+  }
 
   std::vector<MapComparison> results;
   for (const QuerySource& source : sources) {
@@ -65,15 +67,23 @@ void run(const Options& options) {
 
 }  // namespace
 
+void add_map_options(CLI::App& command, std::vector<std::string>& maps, std::vector<int>& sides,
+                     std::vector<int>& noise) {
+  command.add_option("--maps", maps,
+                     "Folders, .map, .tsv or .scen files; a map without a table gets random "
+                     "queries");
+  command.add_option("--generated", sides, "Sides of generated maps, as 512,1024,4096")
+      ->delimiter(',')
+      ->check(CLI::Range(16, Grid::kMaxSide));
+  command.add_option("--noise", noise, "Sides of maps of isolated blocked cells, 0.5 to 40%")
+      ->delimiter(',')
+      ->check(CLI::Range(16, Grid::kMaxSide));
+}
+
 void add_queries_command(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("queries", "All planners on the same queries");
-  command->add_option("--maps", options->maps,
-                      "Folders, .map, .tsv or .scen files; a map without a table gets random "
-                      "queries");
-  command->add_option("--generated", options->sides, "Sides of generated maps, as 512,1024,4096")
-      ->delimiter(',')
-      ->check(CLI::Range(16, Grid::kMaxSide));
+  add_map_options(*command, options->maps, options->sides, options->noise);
   std::vector<std::string> names;
   for (const auto& planner : all_contenders()) names.emplace_back(planner.name);
   command->add_option("--planners", options->planners, "Only these, by name")

@@ -146,6 +146,20 @@ std::vector<QuerySource> generated_sources(const std::vector<int>& sides, std::u
   return sources;
 }
 
+std::vector<QuerySource> noise_sources(const std::vector<int>& sides, std::uint64_t seed) {
+  std::vector<QuerySource> sources;
+  for (const int side : sides) {
+    for (const char* percent : {"0.5", "1", "2", "5", "10", "20", "30", "40"}) {
+      sources.push_back({std::string("noise") + percent + "-" + std::to_string(side),
+                         {},
+                         {},
+                         MapKind::random,
+                         {side, side, std::stod(percent) / 100, seed}});
+    }
+  }
+  return sources;
+}
+
 QuerySet load(const QuerySource& source, std::size_t count) {
   const auto grid = [&] {
     return source.map.empty() ? generate(source.kind, source.options) : read_map(source.map).grid;

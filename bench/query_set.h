@@ -44,6 +44,9 @@ std::vector<QuerySource> find_sources(const std::vector<std::string>& names);
 /// Generated maps of all kinds (random at 10, 20, 30 and 40%) at the given sides.
 std::vector<QuerySource> generated_sources(const std::vector<int>& sides, std::uint64_t seed);
 
+/// Maps of isolated blocked cells at the given sides, from 0.5 to 40% of them.
+std::vector<QuerySource> noise_sources(const std::vector<int>& sides, std::uint64_t seed);
+
 /// Loads one; generated maps get `count` queries between random cells that are joined, and a table
 /// gives at most `count`, spread evenly (0: all).
 QuerySet load(const QuerySource& source, std::size_t count);

@@ -104,7 +104,7 @@ ConeFrame ExactSearch::frame(int down) const noexcept {
           .down = down,
           .line0 = down > 0 ? (root_.y + 1) >> 1 : root_.y >> 1,
           .depth0 = 0.5 * (root_.y & 1),
-          .root = S * root_.x * (kernels::kOne / 2)};
+          .root = Fixed{S} * root_.x * (kernels::kOne / 2)};
 }
 
 // The part of the map where a path over the root in hand can be shorter than the horizon: the box
@@ -133,9 +133,9 @@ ConeLimits ExactSearch::limits(int down, int line0) const noexcept {
   // the ends of the short axis.
   const double slope = S * dx / (down * dy);
   const double half = std::sqrt(minor * (1 + slope * slope)) + kSpare;
-  if (std::abs(slope) * (limits.last_line + 1) + half < kAllColumns / 2) {
+  if (std::abs(slope) * (limits.last_line + 1) + half < 0.5 * kAllColumns) {
     const double middle = slope * 0.5 * (root_.y & 1);
-    const Fixed root = S * root_.x * (kernels::kOne / 2);
+    const Fixed root = Fixed{S} * root_.x * (kernels::kOne / 2);
     limits.slope = static_cast<Fixed>(slope * kOne);
     limits.left0 = root + static_cast<Fixed>((middle - half) * kOne);
     limits.right0 = root + static_cast<Fixed>((middle + half) * kOne);
@@ -147,10 +147,12 @@ ConeLimits ExactSearch::limits(int down, int line0) const noexcept {
 template <int S>
 bool ExactSearch::goal_in_cone(const Corner& corner, const Corner& parent) const noexcept {
   const Heading heading = corner.heading;
-  const std::int64_t goal_u = S * (goal_x_ - corner.x);
-  const std::int64_t goal_depth = heading.down() * (goal_y_ - corner.y);
-  const std::int64_t u = S * (corner.x - parent.x);
-  const std::int64_t depth = heading.down() * (corner.y - parent.y);
+  const std::int64_t right = S;
+  const std::int64_t down = heading.down();
+  const std::int64_t goal_u = right * (goal_x_ - corner.x);
+  const std::int64_t goal_depth = down * (goal_y_ - corner.y);
+  const std::int64_t u = right * (corner.x - parent.x);
+  const std::int64_t depth = down * (corner.y - parent.y);
   if (goal_u < 0 || goal_depth <= 0) return false;
   const std::int64_t side = goal_u * depth - u * goal_depth;
   return heading.towards_column() ? side <= 0 : side >= 0;

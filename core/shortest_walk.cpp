@@ -50,7 +50,7 @@ class Knowledge {
 
  private:
   static constexpr int kSide = 32;
-  using Tile = std::array<Reached, kSide * kSide>;
+  using Tile = std::array<Reached, std::size_t{kSide} * kSide>;
   int across_;
   std::vector<std::unique_ptr<Tile>> tiles_;
 };

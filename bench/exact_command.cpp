@@ -1,0 +1,132 @@
+// lasius_bench exact: preparation, anytime figures, memory and threads of the exact planner.
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+#include "bench/clocks.h"
+#include "bench/commands.h"
+#include "bench/query_set.h"
+#include "bench/report.h"
+#include "bench/statistics.h"
+#include "exact.h"
+#include "lasius/batch.h"
+
+namespace lasius::bench {
+namespace {
+
+struct Options {
+  std::vector<std::string> maps;
+  std::vector<int> sides, noise;
+  std::size_t count = 30;
+  int rounds = 3;
+  std::uint64_t seed = 1;
+};
+
+constexpr double kGaps[] = {0.1, 0.03, 0.01, 0};
+
+// Mean microseconds of a query up to a certified gap: medians over the rounds. `peak` becomes the
+// most memory that a search held.
+double mean_time(const QuerySet& set, double gap, int rounds, double& peak) {
+  double sum = 0;
+  for (const Query& query : set.queries) {
+    ExactSearch search;  // a new one, so that its memory is the query's own
+    ExactAnswer answer;
+    std::vector<double> times;
+    for (int round = 0; round < rounds; ++round) {
+      const ThreadStopwatch watch;
+      search.search(set.grid, query.start, query.goal, {.target_gap = gap}, {}, answer);
+      times.push_back(1e6 * watch.seconds());
+    }
+    sum += median(times);
+    peak = std::max(peak, static_cast<double>(search.bytes()));
+  }
+  return sum / static_cast<double>(set.queries.size());
+}
+
+// What a second thread does to a batch: wall clock with one over that with two, and processor time
+// with two over that with one, which tells its overhead even where other programs take the cores.
+struct Threads {
+  double gain, cost;
+};
+
+Threads compare_threads(const Planner& planner, const QuerySet& set, int rounds) {
+  constexpr double kSeconds = 0.2;  // a batch is made at least this long
+  std::vector<lasius::Query> queries;
+  for (const Query& q : set.queries) queries.push_back({q.start, q.goal});
+  struct Spent {
+    double wall, processor;
+  };
+  const auto spent = [&](int threads) -> Spent {
+    const Stopwatch wall;
+    const ProcessorStopwatch processor;
+    plan_batch(planner, queries, {}, {.threads = threads}, [](const BatchAnswer&) {});
+    return {wall.seconds(), processor.seconds()};
+  };
+  const auto copies = static_cast<std::size_t>(std::clamp(kSeconds / spent(1).wall, 1.0, 1000.0));
+  const std::vector<lasius::Query> part = queries;
+  for (std::size_t i = 1; i < copies; ++i) queries.insert(queries.end(), part.begin(), part.end());
+  std::vector<double> gains, costs;
+  for (int round = 0; round < rounds; ++round) {
+    const Spent one = spent(1);
+    const Spent two = spent(2);
+    gains.push_back(one.wall / two.wall);
+    costs.push_back(two.processor / one.processor);
+  }
+  return {median(gains), median(costs)};
+}
+
+void write_row(const QuerySet& set, const Options& options) {
+  const Stopwatch watch;
+  const Planner planner(set.grid);
+  const double prepared = 1000 * watch.seconds();
+  const auto held = planner.footprint();
+  const double cells = static_cast<double>(set.grid.width()) * set.grid.height();
+  const auto bytes = static_cast<double>(held.bitmap + held.components + held.corners);
+  std::cout << "| " << set.name << " | " << short_number(1e6 * prepared / cells) << " | "
+            << short_number(8 * bytes / cells) << " |";
+  double peak = 0;
+  for (const double gap : kGaps) {
+    std::cout << ' ' << short_number(mean_time(set, gap, options.rounds, peak)) << " |"
+              << std::flush;
+  }
+  const Threads threads = compare_threads(planner, set, options.rounds);
+  std::cout << ' ' << short_number(peak / 1e6) << " | " << short_number(threads.gain) << " | "
+            << short_number(threads.cost) << " |" << std::endl;
+}
+
+void run(const Options& options) {
+  auto sources = find_sources(options.maps);
+  for (const auto& more : {generated_sources(options.sides, options.seed),
+                           noise_sources(options.noise, options.seed)}) {
+    sources.insert(sources.end(), more.begin(), more.end());
+  }
+  std::cout
+      << machine_line() << ". " << options.count << " queries a map, seed " << options.seed
+      << ", median of " << options.rounds
+      << " rounds. Preparation without the copy of the map; microseconds of processor time a "
+         "query, mean, to a certified gap.\n\n"
+      << "| map | prepared, ms a million cells | bits a cell | gap 10% | gap 3% | gap 1% | "
+         "proven | MB a query, most | batch, time with 1 / 2 threads | processor time, 2 / 1 |\n"
+      << "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+  for (const QuerySource& source : sources) write_row(load(source, options.count), options);
+}
+
+}  // namespace
+
+void add_exact_command(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("exact", "Preparation, anytime figures, memory and threads of `exact`");
+  add_map_options(*command, options->maps, options->sides, options->noise);
+  command->add_option("--queries", options->count, "Queries a map; 0: all of its table")
+      ->capture_default_str();
+  command->add_option("--rounds", options->rounds, "Rounds of each query")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--seed", options->seed, "Of generated maps and random queries")
+      ->capture_default_str();
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace lasius::bench
