@@ -1,0 +1,161 @@
+// Planning among polygons: MAKLINK lines, the algorithms on their crossing points, exact optima.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lasius/params.h"
+#include "lasius/planner.h"
+#include "lasius/polygon.h"
+#include "lasius/stop.h"
+
+namespace lasius::polygon {
+
+/// How obstacles grow at their corners.
+enum class Join { mitre, round, bevel };
+
+/// How a world is made ready.
+struct Preparation {
+  std::optional<double> margin;  ///< in place of the world's own
+  Join join = Join::mitre;       ///< mitres of more than 5 margins are cut off
+};
+
+/// Which best path the global update of `maklink-acs` deposits on.
+enum class GlobalBest { so_far, iteration };
+
+/// Parameters of one plan: as given here those of `exact`, which needs none, and the lecture's of
+/// `maklink-acs`. What `real-ga` sets otherwise is in `defaults()`.
+struct Parameters {
+  std::string algorithm = "exact";
+  std::uint64_t seed = 1;  ///< at most 2^53 - 1
+  int threads = 0;         ///< for the record: planning takes one, never changes the answer
+
+  int ants = 10;                      ///< m
+  int iterations = 200;               ///< NC; generations of the genetic algorithm
+  int values = 11;                    ///< crossing points of a line: h = 0, 1 / (values - 1) .. 1
+  double beta = 2;                    ///< exponent of visibility (1.1 - |h - h*|) / 1.1
+  double greedy = 0.85;               ///< q0
+  double evaporation = 0.1;           ///< rho of both updates
+  double initial_pheromone = 0.0002;  ///< tau0
+  GlobalBest global_best = GlobalBest::so_far;
+  /// The run ends after so many iterations in a row in which all ants went the same way; 0: never.
+  /// The source ends at the first; but ants that take the largest weight in 85% of choices agree by
+  /// chance, long before the 175 iterations that it takes itself.
+  int agreement = 10;
+  int routes = 1;  ///< line sequences that are searched, the shortest first; 1 is the source
+
+  int population = 50;
+  double crossover = 0.6;  ///< probability that two parents cross
+  double mutation = 0.05;  ///< probability, by gene, that it is drawn anew
+  double blend = 0.3;      ///< share of the other parent in a child that was crossed
+};
+
+/// All algorithms among polygons, the default first.
+LASIUS_POLYGON_EXPORT std::span<const Algorithm> algorithms() noexcept;
+/// The published defaults. @throws Error(invalid_parameter) for an unknown name, with the nearest.
+LASIUS_POLYGON_EXPORT Parameters defaults(std::string_view algorithm);
+/// @throws Error(invalid_parameter) for an unknown name (with the nearest), value or range.
+LASIUS_POLYGON_EXPORT void set_parameter(Parameters& parameters, std::string_view name,
+                                         std::string_view value);
+LASIUS_POLYGON_EXPORT std::string get_parameter(const Parameters& parameters,
+                                                std::string_view name);
+/// @throws Error(invalid_parameter) for the first field out of range.
+LASIUS_POLYGON_EXPORT void validate(const Parameters& parameters);
+
+/// A free MAKLINK line, and the two convex regions of free space that it parts.
+struct Line {
+  Point a, b;
+  int left = 0;  ///< region on the left of the way from a to b
+  int right = 0;
+  Point midpoint() const noexcept { return {a.x + 0.5 * (b.x - a.x), a.y + 0.5 * (b.y - a.y)}; }
+};
+
+/// The MAKLINK graph of a world: free space cut into convex regions by free lines.
+struct Maklink {
+  std::vector<Line> lines;
+  std::vector<std::vector<Point>> regions;     ///< convex, counter-clockwise
+  std::vector<std::vector<int>> region_lines;  ///< lines on the border of each region
+  std::vector<Polygon> free_space;             ///< boundary less grown obstacles, what was cut up
+};
+
+struct Request {
+  std::optional<Point> start;  ///< in place of the world's
+  std::optional<Point> goal;
+  StopCondition stop = {};
+  double target_gap = 0;  ///< stop at this gap to the exact optimum, as a fraction; 0: never
+};
+
+/// A way across lines, and the crossing point on each: a + value (b - a).
+struct Crossing {
+  std::vector<int> lines;
+  std::vector<double> values;
+  std::vector<Point> path;  ///< start, crossing points, goal
+  double length = 0;
+};
+
+/// One answer: what all planners answer, and what the graph adds. `lower_bound` is the exact
+/// optimum of the whole world, so every path has its true gap.
+struct Result : lasius::Result {
+  Crossing crossing;                         ///< of the ants' or the genetic algorithm's best path
+  std::optional<Crossing> dijkstra;          ///< through midpoints; none for `exact`
+  std::optional<Crossing> discrete_optimum;  ///< of the same lines and values (programming)
+  std::optional<Crossing> sequence_optimum;  ///< of the same lines, any crossing points (funnel)
+};
+
+/// What an observer may look at after each iteration, on the calling thread.
+struct IterationView {
+  int iteration = 0;  ///< from 0
+  double best_length = 0;
+  double mean_length = 0;
+  int arrived = 0;
+};
+using Observer = std::function<void(const IterationView&)>;
+
+/// A world made ready: obstacles grown, clipped and merged, the MAKLINK graph made. Immutable: use
+/// one from many threads.
+///
+/// A path may touch obstacles and slide along their edges; it may not pass between two that touch.
+/// Coordinates are put on a grid of 2^-42 of the world's size: in it every decision (sides, sight,
+/// convexity) is made in integers, without rounding.
+class LASIUS_POLYGON_EXPORT Planner {
+ public:
+  /// @throws Error(invalid_parameter) for a world that `check` refuses, a margin that is not a
+  ///         number of at least 0, or where no free space is left.
+  explicit Planner(const World& world, const Preparation& preparation = {});
+  ~Planner();
+  Planner(Planner&&) noexcept;
+  Planner& operator=(Planner&&) noexcept;
+
+  const World& world() const noexcept;
+  double margin() const noexcept;
+  Join join() const noexcept;
+  const Maklink& maklink() const noexcept;
+  /// Pieces of free space that are not joined.
+  int components() const noexcept;
+  /// Obstacles as grown and merged, clipped to the boundary.
+  const std::vector<Polygon>& grown_obstacles() const noexcept;
+
+  bool free(Point p) const;
+  /// The point of free space nearest to `p`.
+  Point nearest_free(Point p) const;
+
+  /// Answers one question. Deterministic in (world, request, parameters) and the version of GEOS;
+  /// a deadline or token may change the answer. An unreachable goal is proven first.
+  /// @throws Error(invalid_parameter) for parameters out of range, or without start or goal. Start
+  /// or goal outside or blocked is an answer: Status::invalid.
+  Result plan(const Request& request = {}, const Parameters& parameters = {},
+              const Observer& observer = {}) const;
+
+  class Impl;
+
+ private:
+  std::unique_ptr<const Impl> impl_;
+};
+
+}  // namespace lasius::polygon

@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "free_space.h"
+#include "geos.h"
+#include "lasius/error.h"
+#include "lasius/polygon.h"
+
+namespace lasius::polygon {
+namespace {
+
+constexpr double kMostSide = 32768;
+
+void check_resolution(double resolution) {
+  if (resolution > 0 && std::isfinite(resolution)) return;
+  throw Error(ErrorCode::invalid_parameter, "resolution is " + std::to_string(resolution),
+              "it must be above 0");
+}
+
+/// Where the edges of free space meet the level y, from the left.
+std::vector<double> crossings(const std::vector<Polygon>& pieces, double y) {
+  std::vector<double> list;
+  const auto cut = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
+      if ((a.y > y) == (b.y > y)) continue;
+      list.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+    }
+  };
+  for (const Polygon& piece : pieces) {
+    cut(piece.outer);
+    for (const Ring& hole : piece.holes) cut(hole);
+  }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+}  // namespace
+
+World from_grid(const Grid& grid, const WorldFrame& frame) {
+  check_resolution(frame.resolution);
+  if (frame.yaw != 0) {
+    throw Error(ErrorCode::invalid_parameter,
+                "the map is turned by yaw " + std::to_string(frame.yaw),
+                "turn the map upright, or set yaw to 0");
+  }
+  const auto corner = [&](int x, int y) {
+    return frame.to_world({static_cast<double>(x), static_cast<double>(y)}, grid.height());
+  };
+  const auto box = [&](int left, int top, int right, int bottom) {
+    return Polygon{
+        {corner(left, bottom), corner(right, bottom), corner(right, top), corner(left, top)}, {}};
+  };
+  const Geos geos;
+  std::vector<Geos::Geometry> runs;
+  for (int y = 0; y < grid.height(); ++y) {
+    for (int x = 0; x < grid.width(); ++x) {
+      if (grid.free({x, y})) continue;
+      const int from = x;
+      while (x < grid.width() && grid.blocked({x, y})) ++x;
+      runs.push_back(geos.polygon(box(from, y, x, y + 1)));
+    }
+  }
+  const auto all = geos.collection(std::move(runs));
+  const auto merged = geos.own(GEOSUnaryUnion_r(geos.context(), all.get()));
+  const auto simple = geos.own(GEOSSimplify_r(geos.context(), merged.get(), 0));
+  World world;
+  world.boundary = box(0, 0, grid.width(), grid.height());
+  world.obstacles = geos.polygons(simple.get());
+  return world;
+}
+
+Map to_grid(const World& world, double resolution) {
+  check_resolution(resolution);
+  check(world);
+  const FreeSpace space = make_free_space(world, world.margin, Join::mitre);
+  Point low = world.boundary.outer[0], high = low;
+  for (const Point p : world.boundary.outer) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const double wide = std::ceil((high.x - low.x) / resolution);
+  const double tall = std::ceil((high.y - low.y) / resolution);
+  if (!(wide <= kMostSide && tall <= kMostSide)) {
+    throw Error(ErrorCode::invalid_parameter,
+                "resolution " + std::to_string(resolution) + " gives more than 32768 cells a side",
+                "give a coarser one");
+  }
+  Map map{Grid(static_cast<int>(wide), static_cast<int>(tall)),
+          WorldFrame{.resolution = resolution, .origin_x = low.x, .origin_y = low.y}};
+  for (int y = 0; y < map.grid.height(); ++y) {
+    for (int x = 0; x < map.grid.width(); ++x) map.grid.set_blocked({x, y}, true);
+    const double level = map.frame->to_world({0, y + 0.5}, map.grid.height()).y;
+    const auto cuts = crossings(space.pieces, level);
+    for (std::size_t i = 0; i + 1 < cuts.size(); i += 2) {
+      // Cells whose centre lies in [from, to).
+      const auto first = [&](double x) {
+        return static_cast<int>(std::clamp(std::ceil((x - low.x) / resolution - 0.5), 0.0, wide));
+      };
+      for (int x = first(cuts[i]); x < first(cuts[i + 1]); ++x) {
+        map.grid.set_blocked({x, y}, false);
+      }
+    }
+  }
+  return map;
+}
+
+}  // namespace lasius::polygon

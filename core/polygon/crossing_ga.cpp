@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <limits>
+
+#include "crossing_colony.h"
+#include "kernels/random_stream.h"
+
+namespace lasius::polygon {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+struct Chromosome {
+  std::vector<double> genes;
+  double length = kNaN;
+};
+
+/// Random numbers of one child; those of generation 0 make the first population.
+class Draws {
+ public:
+  Draws(std::uint64_t seed, int child, int generation)
+      : stream_(seed, static_cast<std::uint32_t>(child), static_cast<std::uint32_t>(generation)) {}
+  /// Uniform in [0, 1].
+  double real() { return stream_.next() / (0x1p32 - 1); }
+  int below(int count) {
+    return static_cast<int>(static_cast<std::uint64_t>(stream_.next()) * count >> 32);
+  }
+  bool chance(double share) { return stream_.next() < share * 0x1p32; }
+
+ private:
+  kernels::RandomStream stream_;
+};
+
+class CrossingGa final : public ColonyWorld {
+ public:
+  CrossingGa(const Route& route, const Crossing& start, const Parameters& parameters,
+             const RunControl& control)
+      : route_(route),
+        start_(start),
+        parameters_(parameters),
+        control_(control),
+        population_(parameters.population),
+        children_(parameters.population),
+        best_length_(start.length) {}
+
+  CrossingRun run() {
+    CrossingRun run;
+    run.cause = run_colony_loop(*this, parameters_.iterations, control_.stop, run.curves);
+    run.best = best_.genes.empty() || start_.length <= best_.length
+                   ? start_
+                   : cross_at(route_, std::move(best_.genes));
+    return run;
+  }
+
+  StopCondition::Cause send_ants(int q) override {
+    for (Chromosome& child : children_) child.length = kNaN;
+    Poller poller(control_.stop, Poller::kSteps);
+    for (int i = 0; i < parameters_.population; ++i) {
+      Draws draws(parameters_.seed, i, q);
+      if (q == 0) {
+        newcomer(children_[i], draws);
+      } else {
+        breed(children_[i], draws);
+      }
+      children_[i].length = measured(children_[i].genes);
+      if (poller.stop_after(static_cast<std::int64_t>(route_.gates.size()))) return poller.cause();
+    }
+    return StopCondition::Cause::none;
+  }
+
+  void offer() override {
+    for (const Chromosome& child : children_) {
+      if (!(child.length > 0) || child.length >= best_.length) continue;
+      best_ = child;
+      best_length_ = std::min(best_length_, child.length);
+    }
+  }
+
+  /// Elitist selection: of parents and children the fittest live on.
+  void update(int q) override {
+    if (q == 0) {
+      population_ = children_;
+    } else {
+      for (const Chromosome& child : children_) population_.push_back(child);
+    }
+    std::stable_sort(population_.begin(), population_.end(),
+                     [](const auto& a, const auto& b) { return a.length < b.length; });
+    population_.resize(children_.size());
+  }
+
+  int ants() const override { return parameters_.population; }
+  double tour_length(int ant) const override { return children_[ant].length; }
+  double best_length() const override { return best_length_; }
+  bool settled() const override { return best_length_ <= control_.good_enough; }
+  void observe(const Convergence& run) override {
+    if (control_.observe) control_.observe(run);
+  }
+
+ private:
+  void newcomer(Chromosome& child, Draws& draws) const {
+    child.genes.resize(route_.gates.size());
+    for (double& gene : child.genes) gene = draws.real();
+  }
+
+  const Chromosome& parent(Draws& draws) const {
+    const int a = draws.below(parameters_.population), b = draws.below(parameters_.population);
+    return population_[population_[b].length < population_[a].length ? b : a];
+  }
+
+  void breed(Chromosome& child, Draws& draws) const {
+    const Chromosome& one = parent(draws);
+    const Chromosome& other = parent(draws);
+    child.genes = one.genes;
+    if (draws.chance(parameters_.crossover)) {
+      for (std::size_t g = 0; g < child.genes.size(); ++g) {
+        child.genes[g] += parameters_.blend * (other.genes[g] - one.genes[g]);
+      }
+    }
+    for (double& gene : child.genes) {
+      if (draws.chance(parameters_.mutation)) gene = draws.real();
+    }
+  }
+
+  double measured(const std::vector<double>& genes) const {
+    Point at = route_.start.given;
+    double length = 0;
+    for (std::size_t g = 0; g < genes.size(); ++g) {
+      const Point next = route_.gates[g].at(genes[g]);
+      length += distance(at, next);
+      at = next;
+    }
+    return length + distance(at, route_.goal.given);
+  }
+
+  const Route& route_;
+  const Crossing& start_;
+  const Parameters& parameters_;
+  const RunControl& control_;
+  std::vector<Chromosome> population_, children_;
+  Chromosome best_{{}, std::numeric_limits<double>::infinity()};
+  double best_length_;
+};
+
+}  // namespace
+
+CrossingRun run_crossing_ga(const Route& route, const Crossing& start, const Parameters& parameters,
+                            const RunControl& control) {
+  return CrossingGa(route, start, parameters, control).run();
+}
+
+}  // namespace lasius::polygon

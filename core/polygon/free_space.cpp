@@ -1,0 +1,194 @@
+#include "free_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "geos.h"
+#include "lasius/error.h"
+
+namespace lasius::polygon {
+namespace {
+
+constexpr int kLatticeBits = 42;
+constexpr double kMitreLimit = 5;
+constexpr int kQuadrantSegments = 8;
+
+Lattice lattice_of(const World& world) {
+  double left = world.boundary.outer[0].x, right = left;
+  double bottom = world.boundary.outer[0].y, top = bottom;
+  for (const Point p : world.boundary.outer) {
+    left = std::min(left, p.x);
+    right = std::max(right, p.x);
+    bottom = std::min(bottom, p.y);
+    top = std::max(top, p.y);
+  }
+  int exponent = 0;
+  std::frexp(std::max(right - left, top - bottom), &exponent);
+  return {left, bottom, std::ldexp(1.0, exponent - kLatticeBits)};
+}
+
+Polygon scaled(const Lattice& lattice, const Polygon& polygon) {
+  Polygon result;
+  for (const Point p : polygon.outer) result.outer.push_back(lattice.scaled(p));
+  for (const Ring& hole : polygon.holes) {
+    Ring& ring = result.holes.emplace_back();
+    for (const Point p : hole) ring.push_back(lattice.scaled(p));
+  }
+  return result;
+}
+
+Geos::Geometry grown(const Geos& geos, Geos::Geometry obstacles, double margin, Join join) {
+  if (!(margin > 0)) return obstacles;
+  const auto context = geos.context();
+  GEOSBufferParams* how = GEOSBufferParams_create_r(context);
+  GEOSBufferParams_setJoinStyle_r(context, how,
+                                  join == Join::round   ? GEOSBUF_JOIN_ROUND
+                                  : join == Join::bevel ? GEOSBUF_JOIN_BEVEL
+                                                        : GEOSBUF_JOIN_MITRE);
+  GEOSBufferParams_setMitreLimit_r(context, how, kMitreLimit);
+  GEOSBufferParams_setQuadrantSegments_r(context, how, kQuadrantSegments);
+  GEOSGeometry* result = GEOSBufferWithParams_r(context, obstacles.get(), how, margin);
+  GEOSBufferParams_destroy_r(context, how);
+  return geos.own(result);
+}
+
+double doubled_area(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+    sum += (a.x - ring[0].x) * (b.y - ring[0].y) - (a.y - ring[0].y) * (b.x - ring[0].x);
+  }
+  return sum;
+}
+
+/// Adds a ring with free space on its left.
+void add_ring(FreeSpace& space, Ring ring, bool outer) {
+  if ((doubled_area(ring) > 0) != outer) std::reverse(ring.begin(), ring.end());
+  const int first = static_cast<int>(space.corners.size());
+  const int count = static_cast<int>(ring.size());
+  for (int i = 0; i < count; ++i) {
+    space.corners.push_back({{std::llrint(ring[i].x), std::llrint(ring[i].y)},
+                             first + (i + 1) % count,
+                             first + (i + count - 1) % count,
+                             outer});
+  }
+}
+
+/// Where rings touch, each way out of the point is paired with the way in that is met first
+/// counter-clockwise: between the two lies free space, and nothing else.
+void part_touching_rings(std::vector<Corner>& corners) {
+  std::map<LatticePoint, std::vector<int>> meetings;
+  for (int c = 0; c < static_cast<int>(corners.size()); ++c) meetings[corners[c].at].push_back(c);
+  std::vector<std::pair<int, int>> joined;  // corners before and at the point
+  for (const auto& [at, group] : meetings) {
+    if (group.size() == 1) continue;
+    for (const int c : group) {
+      const LatticePoint out = corners[corners[c].next].at - at;
+      int first = corners[c].previous;
+      for (const int other : group) {
+        const int before = corners[other].previous;
+        if (turns_after(out, corners[before].at - at, corners[first].at - at)) first = before;
+      }
+      joined.emplace_back(first, c);
+    }
+  }
+  for (const auto& [before, c] : joined) {
+    corners[before].next = c;
+    corners[c].previous = before;
+  }
+}
+
+/// Takes out corners in the middle of a straight edge, unless another ring touches there.
+void drop_flat_corners(std::vector<Corner>& corners) {
+  std::map<LatticePoint, int> uses;
+  for (const Corner& c : corners) ++uses[c.at];
+  std::vector<char> dropped(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Corner& c = corners[i];
+    const LatticePoint ahead = corners[c.next].at - c.at, back = corners[c.previous].at - c.at;
+    if (uses[c.at] > 1 || cross(ahead, back) != 0 || dot(ahead, back) >= 0) continue;
+    corners[c.previous].next = c.next;
+    corners[c.next].previous = c.previous;
+    dropped[i] = 1;
+  }
+  std::vector<int> place(corners.size());
+  int kept = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    place[i] = kept;
+    if (dropped[i] == 0) corners[kept++] = corners[i];
+  }
+  corners.resize(kept);
+  for (Corner& c : corners) {
+    c.next = place[c.next];
+    c.previous = place[c.previous];
+  }
+}
+
+void remember(FreeSpace& space, const Polygon& p) {
+  for (const Point at : p.outer) space.written.try_emplace(space.lattice.nearest(at), at);
+  for (const Ring& hole : p.holes) {
+    for (const Point at : hole) space.written.try_emplace(space.lattice.nearest(at), at);
+  }
+}
+
+/// Coordinates back in the world.
+std::vector<Polygon> unscaled(const FreeSpace& space, std::vector<Polygon> list) {
+  const auto back = [&](Ring& ring) {
+    for (Point& p : ring) p = space.point({std::llrint(p.x), std::llrint(p.y)});
+  };
+  for (Polygon& p : list) {
+    back(p.outer);
+    for (Ring& hole : p.holes) back(hole);
+  }
+  return list;
+}
+
+}  // namespace
+
+FreeSpace make_free_space(const World& world, double margin, Join join) {
+  FreeSpace space;
+  space.lattice = lattice_of(world);
+  const Geos geos;
+  const auto context = geos.context();
+
+  std::vector<Geos::Geometry> parts;
+  for (const Polygon& p : world.obstacles) {
+    parts.push_back(geos.polygon(scaled(space.lattice, p)));
+  }
+  const Polygon wall = scaled(space.lattice, world.boundary);
+  for (const Ring& hole : wall.holes) parts.push_back(geos.polygon({hole, {}}));
+  Geos::Geometry obstacles = geos.collection(std::move(parts));
+  obstacles = geos.own(GEOSUnaryUnion_r(context, obstacles.get()));
+  obstacles = grown(geos, std::move(obstacles), margin / space.lattice.spacing, join);
+  const Geos::Geometry boundary = geos.polygon({wall.outer, {}});
+  // The overlay rounds to whole numbers and stays valid.
+  obstacles = geos.own(GEOSIntersectionPrec_r(context, obstacles.get(), boundary.get(), 1));
+  // Obstacles that only touch the boundary leave points and lines behind.
+  const std::vector<Polygon> inside = geos.polygons(obstacles.get());
+  parts.clear();
+  for (const Polygon& p : inside) parts.push_back(geos.polygon(p));
+  obstacles = geos.collection(std::move(parts));
+  const Geos::Geometry free =
+      geos.own(GEOSDifferencePrec_r(context, boundary.get(), obstacles.get(), 1));
+
+  const std::vector<Polygon> pieces = geos.polygons(free.get());
+  if (pieces.empty()) {
+    throw Error(ErrorCode::invalid_parameter, "the obstacles leave no free space",
+                "give a smaller margin or a larger boundary");
+  }
+  for (const Polygon& piece : pieces) {
+    add_ring(space, piece.outer, true);
+    for (const Ring& hole : piece.holes) add_ring(space, hole, false);
+  }
+  part_touching_rings(space.corners);
+  drop_flat_corners(space.corners);
+  remember(space, world.boundary);
+  for (const Polygon& p : world.obstacles) remember(space, p);
+  space.pieces = unscaled(space, pieces);
+  space.obstacles = unscaled(space, inside);
+  return space;
+}
+
+}  // namespace lasius::polygon

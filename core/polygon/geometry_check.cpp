@@ -1,0 +1,119 @@
+#include "geometry_check.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "lattice_point.h"
+
+namespace lasius::polygon {
+namespace {
+
+std::string text(double value) {
+  std::array<char, 32> digits;
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+
+std::string name(Point p) { return '(' + text(p.x) + ", " + text(p.y) + ')'; }
+
+double distance_to(Point a, Point b, Point p) {
+  const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
+  const double along = squared > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / squared : 0;
+  const double share = std::clamp(along, 0.0, 1.0);
+  return distance({a.x + share * dx, a.y + share * dy}, p);
+}
+
+std::vector<const Ring*> rings_of(const Polygon& polygon) {
+  std::vector<const Ring*> rings{&polygon.outer};
+  for (const Ring& hole : polygon.holes) rings.push_back(&hole);
+  return rings;
+}
+
+/// The ring and the edge that are nearest to where GEOS found a fault.
+std::string place_of(const Polygon& polygon, Point at) {
+  const auto rings = rings_of(polygon);
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t ring = 0, edge = 0;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const Ring& points = *rings[r];
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double d = distance_to(points[i], points[(i + 1) % points.size()], at);
+      if (!(d < least)) continue;
+      least = d;
+      ring = r;
+      edge = i;
+    }
+  }
+  std::string place = "near " + name(at);
+  place += ", on ring " + std::to_string(ring) + " between its points " + std::to_string(edge);
+  return place += " and " + std::to_string((edge + 1) % rings[ring]->size());
+}
+
+std::optional<std::string> ring_fault(const Ring& ring, std::size_t number) {
+  std::string which = "ring ";
+  which += std::to_string(number);
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point p = ring[i];
+    if (std::abs(p.x) <= kMostCoordinate && std::abs(p.y) <= kMostCoordinate) continue;
+    which += " has point " + std::to_string(i) + " at " + name(p);
+    return which += ", which is no number within 1e12";
+  }
+  Ring distinct = ring;
+  std::sort(distinct.begin(), distinct.end(),
+            [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  if (distinct.size() >= 3) return std::nullopt;
+  which += " has only " + std::to_string(distinct.size()) + " distinct points";
+  if (!distinct.empty()) which += ", the first " + name(ring[0]);
+  return which;
+}
+
+}  // namespace
+
+void drop_repeats(Ring& ring) {
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+}
+
+std::optional<std::string> fault(const Geos& geos, const Polygon& polygon) {
+  const auto rings = rings_of(polygon);
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    if (auto wrong = ring_fault(*rings[r], r)) return wrong;
+  }
+  const auto context = geos.context();
+  const auto geometry = geos.polygon(polygon);
+  char* reason = nullptr;
+  GEOSGeometry* where = nullptr;
+  const char valid = GEOSisValidDetail_r(context, geometry.get(), 0, &reason, &where);
+  if (valid == 1) return std::nullopt;
+  std::string problem = reason != nullptr ? reason : geos.said();
+  GEOSFree_r(context, reason);
+  if (where != nullptr) {
+    Point at;
+    GEOSGeomGetX_r(context, where, &at.x);
+    GEOSGeomGetY_r(context, where, &at.y);
+    GEOSGeom_destroy_r(context, where);
+    problem += ' ';
+    problem += place_of(polygon, at);
+  }
+  return problem;
+}
+
+std::vector<Polygon> repaired(const Geos& geos, Polygon polygon) {
+  drop_repeats(polygon.outer);
+  if (polygon.outer.size() < 3) return {};
+  std::vector<Ring> holes;
+  for (Ring& hole : polygon.holes) {
+    drop_repeats(hole);
+    if (hole.size() >= 3) holes.push_back(std::move(hole));
+  }
+  polygon.holes = std::move(holes);
+  const auto geometry = geos.polygon(polygon);
+  const auto valid = geos.own(GEOSMakeValid_r(geos.context(), geometry.get()));
+  return geos.polygons(valid.get());
+}
+
+}  // namespace lasius::polygon

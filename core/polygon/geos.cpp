@@ -1,0 +1,105 @@
+#include "geos.h"
+
+#include <stdexcept>
+
+namespace lasius::polygon {
+namespace {
+
+void keep(const char* text, void* said) { *static_cast<std::string*>(said) = text; }
+
+}  // namespace
+
+Geos::Geos() : context_(GEOS_init_r()) {
+  GEOSContext_setErrorMessageHandler_r(context_, keep, &said_);
+  GEOSContext_setNoticeMessageHandler_r(
+      context_, [](const char*, void*) {}, nullptr);
+}
+
+Geos::~Geos() { GEOS_finish_r(context_); }
+
+Geos::Geometry Geos::own(GEOSGeometry* g) const {
+  if (g == nullptr) throw std::runtime_error("GEOS: " + said_);
+  return {g, Destroy{context_}};
+}
+
+GEOSGeometry* Geos::ring(const Ring& points) const {
+  const auto count = static_cast<unsigned>(points.size());
+  GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(context_, count + 1, 2);
+  for (unsigned i = 0; i <= count; ++i) {
+    const Point p = points[i < count ? i : 0];
+    GEOSCoordSeq_setXY_r(context_, sequence, i, p.x, p.y);
+  }
+  return own(GEOSGeom_createLinearRing_r(context_, sequence)).release();
+}
+
+Geos::Geometry Geos::polygon(const Polygon& p) const {
+  GEOSGeometry* shell = ring(p.outer);
+  std::vector<GEOSGeometry*> holes;
+  for (const Ring& hole : p.holes) holes.push_back(ring(hole));
+  return own(
+      GEOSGeom_createPolygon_r(context_, shell, holes.data(), static_cast<unsigned>(holes.size())));
+}
+
+Geos::Geometry Geos::collection(std::vector<Geometry> parts, int type) const {
+  std::vector<GEOSGeometry*> raw;
+  for (Geometry& part : parts) raw.push_back(part.release());
+  return own(
+      GEOSGeom_createCollection_r(context_, type, raw.data(), static_cast<unsigned>(raw.size())));
+}
+
+Geos::Geometry Geos::empty() const {
+  return own(GEOSGeom_createEmptyCollection_r(context_, GEOS_MULTIPOLYGON));
+}
+
+Ring Geos::ring(const GEOSGeometry* g) const {
+  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(context_, g);
+  unsigned count = 0;
+  GEOSCoordSeq_getSize_r(context_, sequence, &count);
+  Ring points;
+  for (unsigned i = 0; i + 1 < count; ++i) {
+    Point p;
+    GEOSCoordSeq_getXY_r(context_, sequence, i, &p.x, &p.y);
+    points.push_back(p);
+  }
+  return points;
+}
+
+std::vector<Polygon> Geos::polygons(const GEOSGeometry* g) const {
+  std::vector<Polygon> list;
+  const int type = GEOSGeomTypeId_r(context_, g);
+  if (type == GEOS_POLYGON) {
+    if (GEOSisEmpty_r(context_, g) == 1) return list;
+    Polygon p{ring(GEOSGetExteriorRing_r(context_, g)), {}};
+    const int holes = GEOSGetNumInteriorRings_r(context_, g);
+    for (int i = 0; i < holes; ++i) {
+      p.holes.push_back(ring(GEOSGetInteriorRingN_r(context_, g, i)));
+    }
+    list.push_back(std::move(p));
+  } else if (type == GEOS_MULTIPOLYGON || type == GEOS_GEOMETRYCOLLECTION) {
+    const int parts = GEOSGetNumGeometries_r(context_, g);
+    for (int i = 0; i < parts; ++i) {
+      for (Polygon& p : polygons(GEOSGetGeometryN_r(context_, g, i))) list.push_back(std::move(p));
+    }
+  }
+  return list;
+}
+
+Geos::Geometry Geos::read_wkt(const std::string& text) const {
+  GEOSWKTReader* reader = GEOSWKTReader_create_r(context_);
+  GEOSGeometry* g = GEOSWKTReader_read_r(context_, reader, text.c_str());
+  GEOSWKTReader_destroy_r(context_, reader);
+  return own(g);
+}
+
+std::string Geos::write_wkt(const GEOSGeometry* g) const {
+  GEOSWKTWriter* writer = GEOSWKTWriter_create_r(context_);
+  GEOSWKTWriter_setTrim_r(context_, writer, 1);
+  GEOSWKTWriter_setRoundingPrecision_r(context_, writer, 17);
+  char* text = GEOSWKTWriter_write_r(context_, writer, g);
+  const std::string result = text != nullptr ? text : "";
+  GEOSFree_r(context_, text);
+  GEOSWKTWriter_destroy_r(context_, writer);
+  return result;
+}
+
+}  // namespace lasius::polygon

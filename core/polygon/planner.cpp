@@ -1,0 +1,287 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "crossing_colony.h"
+#include "free_space.h"
+#include "lasius/error.h"
+#include "lasius/polygon_plan.h"
+#include "regions.h"
+#include "route.h"
+#include "shortest_path.h"
+
+namespace lasius::polygon {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+double checked_margin(double margin) {
+  if (margin >= 0 && margin < std::numeric_limits<double>::infinity()) return margin;
+  throw Error(ErrorCode::invalid_parameter, "margin is " + std::to_string(margin),
+              "it must be a number of at least 0");
+}
+
+const World& checked(const World& world) {
+  check(world);
+  return world;
+}
+
+std::string text(double value) {
+  std::array<char, 32> digits;
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+std::string name(Point p) {
+  std::string result = "(";
+  result += text(p.x);
+  result += ", ";
+  result += text(p.y);
+  return result += ')';
+}
+
+Maklink maklink_of(const Regions& regions) {
+  Maklink graph;
+  const FreeSpace& space = regions.space();
+  for (std::size_t l = 0; l < regions.links().size(); ++l) {
+    const Link& link = regions.links()[l];
+    const auto [left, right] = regions.beside(static_cast<int>(l));
+    graph.lines.push_back(
+        {space.point(regions.at(link.a)), space.point(regions.at(link.b)), left, right});
+  }
+  for (const Region& region : regions.regions()) {
+    auto& corners = graph.regions.emplace_back();
+    auto& lines = graph.region_lines.emplace_back();
+    for (const Side& side : region.sides) {
+      corners.push_back(space.point(regions.at(side.corner)));
+      if (side.link >= 0) lines.push_back(side.link);
+    }
+  }
+  graph.free_space = space.pieces;
+  return graph;
+}
+
+/// The point of a segment nearest to p.
+Point nearest_on(Point a, Point b, Point p) {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  const double share = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
+  if (!(share > 0)) return a;
+  return share >= 1 ? b : Point{a.x + share * dx, a.y + share * dy};
+}
+
+void set_status(Result& result, StopCondition::Cause cause) {
+  result.status = cause == StopCondition::Cause::deadline ? Status::limit
+                  : cause == StopCondition::Cause::token  ? Status::interrupted
+                                                          : Status::solved;
+}
+
+}  // namespace
+
+class Planner::Impl {
+ public:
+  Impl(const World& w, const Preparation& preparation)
+      : world(checked(w)),
+        margin(checked_margin(preparation.margin.value_or(w.margin))),
+        join(preparation.join),
+        regions(make_free_space(w, margin, join)),
+        maklink(maklink_of(regions)) {}
+
+  /// On the grid a point of the border may fall just outside: then the free point of the grid
+  /// that is nearest to it stands for it.
+  Place place(Point p) const {
+    Place place{p, regions.space().lattice.nearest(p), {}};
+    const double limit = std::ldexp(1.0, 44);
+    const Point s = regions.space().lattice.scaled(p);
+    if (!(std::abs(s.x) < limit && std::abs(s.y) < limit)) return place;
+    constexpr std::int64_t kReach = 2;
+    for (std::int64_t reach = 0; reach <= kReach; ++reach) {
+      for (std::int64_t dy = -reach; dy <= reach; ++dy) {
+        for (std::int64_t dx = -reach; dx <= reach; ++dx) {
+          if (std::max(std::abs(dx), std::abs(dy)) != reach) continue;
+          const LatticePoint at{place.at.x + dx, place.at.y + dy};
+          auto holding = regions.holding(at);
+          if (!holding.empty()) return {p, at, std::move(holding)};
+        }
+      }
+    }
+    return place;
+  }
+
+  /// Even-odd rule, on the input: only for the words of a message.
+  bool inside_boundary(Point p) const {
+    bool inside = false;
+    const Ring& ring = world.boundary.outer;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
+      if ((a.y > p.y) == (b.y > p.y)) continue;
+      if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+    }
+    return inside;
+  }
+
+  const World world;
+  const double margin;
+  const Join join;
+  const Regions regions;
+  const Maklink maklink;
+};
+
+Planner::Planner(const World& world, const Preparation& preparation)
+    : impl_(std::make_unique<const Impl>(world, preparation)) {}
+Planner::~Planner() = default;
+Planner::Planner(Planner&&) noexcept = default;
+Planner& Planner::operator=(Planner&&) noexcept = default;
+
+const World& Planner::world() const noexcept { return impl_->world; }
+double Planner::margin() const noexcept { return impl_->margin; }
+Join Planner::join() const noexcept { return impl_->join; }
+const Maklink& Planner::maklink() const noexcept { return impl_->maklink; }
+int Planner::components() const noexcept { return impl_->regions.pieces(); }
+const std::vector<Polygon>& Planner::grown_obstacles() const noexcept {
+  return impl_->regions.space().obstacles;
+}
+
+bool Planner::free(Point p) const { return !impl_->place(p).regions.empty(); }
+
+Point Planner::nearest_free(Point p) const {
+  if (free(p)) return p;
+  Point best{};
+  double least = std::numeric_limits<double>::infinity();
+  const auto look = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point near = nearest_on(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], p);
+      if (!(distance(near, p) < least)) continue;
+      least = distance(near, p);
+      best = near;
+    }
+  };
+  for (const Polygon& piece : impl_->maklink.free_space) {
+    look(piece.outer);
+    for (const Ring& hole : piece.holes) look(hole);
+  }
+  return best;
+}
+
+namespace {
+
+/// Dijkstra's route and what runs over it, route by route; the best one is kept.
+class RoutePlan {
+ public:
+  RoutePlan(const Regions& regions, const Parameters& parameters, const Request& request,
+            const Observer& observer)
+      : regions_(regions), parameters_(parameters), request_(request), observer_(observer) {}
+
+  void run(const Place& start, const Place& goal, double optimum, Result& result) {
+    const auto routes = midpoint_routes(regions_, start, goal, parameters_.routes);
+    StopCondition::Cause cause = StopCondition::Cause::none;
+    for (const Route& route : routes) {
+      const Crossing dijkstra = cross_at(route, std::vector<double>(route.gates.size(), 0.5));
+      Crossing found = dijkstra;
+      const double enough = request_.target_gap > 0 ? optimum * (1 + request_.target_gap) : 0;
+      if (!route.gates.empty()) {
+        const RunControl control{request_.stop, enough,
+                                 [&](const Convergence& run) { observe(run, result); }};
+        CrossingRun run = parameters_.algorithm == "real-ga"
+                              ? run_crossing_ga(route, dijkstra, parameters_, control)
+                              : run_crossing_colony(route, dijkstra, parameters_, control);
+        append(run.curves, result);
+        cause = run.cause;
+        found = std::move(run.best);
+      }
+      if (!result.dijkstra || found.length < result.crossing.length) {
+        result.dijkstra = dijkstra;
+        result.crossing = std::move(found);
+        result.discrete_optimum = discrete_optimum(route, parameters_.values);
+        result.sequence_optimum = sequence_optimum(route, regions_.space());
+      }
+      if (cause != StopCondition::Cause::none || result.crossing.length <= enough) break;
+    }
+    set_status(result, cause);
+    result.path = result.crossing.path;
+    result.length = result.crossing.length;
+  }
+
+ private:
+  double so_far(const Result& result, double best) const {
+    return result.dijkstra ? std::min(best, result.crossing.length) : best;
+  }
+
+  void observe(const Convergence& run, const Result& result) const {
+    if (!observer_) return;
+    observer_({result.iterations + run.iterations - 1, so_far(result, run.best.back()),
+               run.mean.back(), run.arrived.back()});
+  }
+
+  void append(const Convergence& run, Result& result) const {
+    for (const double best : run.best) result.best.push_back(so_far(result, best));
+    result.mean.insert(result.mean.end(), run.mean.begin(), run.mean.end());
+    result.arrived.insert(result.arrived.end(), run.arrived.begin(), run.arrived.end());
+    result.iterations += run.iterations;
+  }
+
+  const Regions& regions_;
+  const Parameters& parameters_;
+  const Request& request_;
+  const Observer& observer_;
+};
+
+}  // namespace
+
+Result Planner::plan(const Request& request, const Parameters& parameters,
+                     const Observer& observer) const {
+  validate(parameters);
+  const Regions& regions = impl_->regions;
+  Result result;
+  std::array<Place, 2> ends;
+  const std::array asked{std::pair{"start", request.start ? request.start : impl_->world.start},
+                         std::pair{"goal", request.goal ? request.goal : impl_->world.goal}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto& [what, point] = asked[i];
+    if (!point || !std::isfinite(point->x) || !std::isfinite(point->y)) {
+      throw Error(ErrorCode::invalid_parameter, std::string("the world has no ") + what,
+                  std::string("give a ") + what);
+    }
+    ends[i] = impl_->place(*point);
+    if (!ends[i].regions.empty()) continue;
+    result.status = Status::invalid;
+    const bool outside = !impl_->inside_boundary(*point);
+    result.error = std::string(what) + " " + name(*point) +
+                   (outside ? " is outside the boundary" : " is blocked") +
+                   "; the nearest free point is " + name(nearest_free(*point));
+    return result;
+  }
+  const auto& [start, goal] = ends;
+  if (start.given == goal.given) {
+    result.status = Status::solved;
+    result.path = {start.given};
+    result.length = 0;
+    result.lower_bound = 0;
+    result.optimal = true;
+    return result;
+  }
+  const bool joined = std::any_of(start.regions.begin(), start.regions.end(), [&](int a) {
+    return std::any_of(goal.regions.begin(), goal.regions.end(),
+                       [&](int b) { return regions.piece(a) == regions.piece(b); });
+  });
+  if (!joined) {
+    result.status = Status::unreachable;
+    result.error = "start " + name(start.given) + " and goal " + name(goal.given) +
+                   " lie in different pieces of free space";
+    return result;
+  }
+  const ShortestPath shortest = shortest_path(regions, start, goal, request.stop);
+  result.lower_bound = shortest.lower_bound;
+  if (parameters.algorithm == "exact") {
+    set_status(result, shortest.cause);
+    result.path = shortest.path;
+    result.length = shortest.path.empty() ? kNaN : shortest.length;
+    result.optimal = !shortest.path.empty();
+    return result;
+  }
+  RoutePlan(regions, parameters, request, observer).run(start, goal, shortest.lower_bound, result);
+  // Lengths are sums of rounded roots: a path may come out a hair below the bound.
+  result.lower_bound = std::min(*result.lower_bound, result.length);
+  return result;
+}
+
+}  // namespace lasius::polygon

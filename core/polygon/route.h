@@ -1,0 +1,53 @@
+// Line sequences: Dijkstra's through midpoints, and the best crossing points of one sequence.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lasius/polygon_plan.h"
+#include "regions.h"
+
+namespace lasius::polygon {
+
+/// A start or goal: the point as it was given, on the grid, and the regions that hold it.
+struct Place {
+  Point given;
+  LatticePoint at;
+  std::vector<int> regions;
+};
+
+/// One line that a route crosses. Crossing points are a + h (b - a), h in [0, 1].
+struct Gate {
+  int link = 0;
+  Point a, b;
+  LatticePoint left, right;  ///< ends as seen on the way to the goal
+  bool a_is_left = false;
+
+  Point at(double h) const noexcept { return {a.x + h * (b.x - a.x), a.y + h * (b.y - a.y)}; }
+};
+
+/// Start, goal and the lines crossed on the way.
+struct Route {
+  Place start, goal;
+  std::vector<Gate> gates;
+};
+
+/// The shortest way through midpoints of lines (Dijkstra), or nothing where there is none; ties to
+/// fewer lines, then to lower numbers. Lines in `closed` are not crossed.
+std::optional<Route> midpoint_route(const Regions& regions, const Place& start, const Place& goal);
+
+/// The `count` shortest such ways, the first first (Yen 1971).
+std::vector<Route> midpoint_routes(const Regions& regions, const Place& start, const Place& goal,
+                                   int count);
+
+/// The path through given points of the gates.
+Crossing cross_at(const Route& route, std::vector<double> values);
+
+/// Shortest path over `values` evenly spaced points of each gate, by dynamic programming.
+Crossing discrete_optimum(const Route& route, int values);
+
+/// Shortest path over any points of the gates: the funnel (Lee & Preparata 1984), sides decided
+/// without rounding.
+Crossing sequence_optimum(const Route& route, const FreeSpace& space);
+
+}  // namespace lasius::polygon

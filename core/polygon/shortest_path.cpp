@@ -1,0 +1,144 @@
+#include "shortest_path.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace lasius::polygon {
+namespace {
+
+class VisibilitySearch {
+ public:
+  VisibilitySearch(const Regions& regions, const Place& start, const Place& goal,
+                   const StopCondition& stop)
+      : regions_(regions), start_(start), goal_(goal), poller_(stop) {
+    const std::size_t corners = regions.space().corners.size();
+    length_.assign(corners + 2, std::numeric_limits<double>::infinity());
+    before_.assign(corners + 2, -1);
+    done_.assign(corners + 2, 0);
+    in_goal_.assign(regions.regions().size(), 0);
+    for (const int r : goal.regions) in_goal_[r] = 1;
+  }
+
+  ShortestPath run() {
+    const int start = start_node(), goal = goal_node();
+    length_[start] = 0;
+    queue_.emplace(distance(start_.given, goal_.given), start);
+    ShortestPath result;
+    while (!queue_.empty()) {
+      const auto [key, node] = queue_.top();
+      queue_.pop();
+      if (done_[node] != 0) continue;
+      done_[node] = 1;
+      result.lower_bound = std::max(result.lower_bound, key);
+      if (node == goal) break;
+      expand(node);
+      if (poller_.stopped()) break;
+    }
+    result.cause = poller_.cause();
+    if (done_[goal] == 0) return result;
+    for (int node = goal; node >= 0; node = before_[node]) result.path.push_back(point(node));
+    std::reverse(result.path.begin(), result.path.end());
+    result.path.erase(std::unique(result.path.begin(), result.path.end()), result.path.end());
+    for (std::size_t i = 1; i < result.path.size(); ++i) {
+      result.length += distance(result.path[i - 1], result.path[i]);
+    }
+    result.lower_bound = result.length;
+    return result;
+  }
+
+ private:
+  /// What is seen through a link: the part of a region between two rays.
+  struct Cone {
+    int region;
+    int through;  // the link
+    LatticePoint left, right;
+  };
+
+  int start_node() const { return static_cast<int>(regions_.space().corners.size()); }
+  int goal_node() const { return start_node() + 1; }
+  LatticePoint at(int node) const {
+    if (node == start_node()) return start_.at;
+    return node == goal_node() ? goal_.at : regions_.at(node);
+  }
+  Point point(int node) const {
+    if (node == start_node()) return start_.given;
+    return node == goal_node() ? goal_.given : regions_.space().point(regions_.at(node));
+  }
+
+  void expand(int node) {
+    const LatticePoint eye = at(node);
+    for (const int r : node == start_node() ? start_.regions : regions_.around(node)) {
+      look_around(node, eye, r);
+    }
+    while (!cones_.empty() && !poller_.stopped()) {
+      const Cone cone = cones_.back();
+      cones_.pop_back();
+      look(node, eye, cone);
+    }
+    cones_.clear();
+  }
+
+  /// A region that the eye stands in: all of it is seen.
+  void look_around(int node, LatticePoint eye, int r) {
+    if (in_goal_[r] != 0) offer(node, goal_node());
+    const auto& sides = regions_.regions()[r].sides;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      offer(node, sides[i].corner);
+      const LatticePoint right = regions_.at(sides[i].corner);
+      const LatticePoint left = regions_.at(sides[i + 1 < sides.size() ? i + 1 : 0].corner);
+      if (sides[i].link < 0 || side(eye, right, left) <= 0) continue;
+      cones_.push_back({sides[i].across, sides[i].link, left, right});
+    }
+  }
+
+  void look(int node, LatticePoint eye, const Cone& cone) {
+    const auto seen = [&](LatticePoint p) {
+      return side(eye, cone.right, p) >= 0 && side(eye, cone.left, p) <= 0;
+    };
+    const auto& sides = regions_.regions()[cone.region].sides;
+    poller_.stop_after(static_cast<std::int64_t>(sides.size()));
+    if (in_goal_[cone.region] != 0 && seen(goal_.at)) offer(node, goal_node());
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      LatticePoint right = regions_.at(sides[i].corner);
+      if (seen(right)) offer(node, sides[i].corner);
+      if (sides[i].link < 0 || sides[i].link == cone.through) continue;
+      LatticePoint left = regions_.at(sides[i + 1 < sides.size() ? i + 1 : 0].corner);
+      if (side(eye, cone.right, right) < 0) right = cone.right;
+      if (side(eye, cone.left, left) > 0) left = cone.left;
+      if (side(eye, right, left) <= 0) continue;
+      cones_.push_back({sides[i].across, sides[i].link, left, right});
+    }
+  }
+
+  void offer(int from, int to) {
+    if (to != goal_node() && !regions_.reflex(to)) return;
+    if (done_[to] != 0) return;
+    const double length = length_[from] + distance(point(from), point(to));
+    if (!(length < length_[to])) return;
+    length_[to] = length;
+    before_[to] = from;
+    queue_.emplace(length + distance(point(to), goal_.given), to);
+  }
+
+  const Regions& regions_;
+  const Place& start_;
+  const Place& goal_;
+  Poller poller_;
+  std::vector<double> length_;
+  std::vector<int> before_;
+  std::vector<char> done_, in_goal_;
+  std::vector<Cone> cones_;
+  std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>>
+      queue_;
+};
+
+}  // namespace
+
+ShortestPath shortest_path(const Regions& regions, const Place& start, const Place& goal,
+                           const StopCondition& stop) {
+  return VisibilitySearch(regions, start, goal, stop).run();
+}
+
+}  // namespace lasius::polygon

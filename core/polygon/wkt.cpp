@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <exception>
+
+#include "world_maker.h"
+
+namespace lasius::polygon {
+namespace {
+
+constexpr int kMostDepth = 16;
+
+class WktReader {
+ public:
+  WktReader(std::string_view text, const std::string& name, const ReadOptions& options)
+      : text_(text),
+        name_(name),
+        maker_(options, [this](const auto& place, const auto& problem, const auto& remedy) {
+          fail(place.empty() ? problem : place + ": " + problem, remedy);
+        }) {}
+
+  World read() {
+    while (skip_blank()) {
+      begin_ = at_;
+      const std::string geometry = next_geometry();
+      ++number_;
+      try {
+        add(maker_.geos().read_wkt(geometry).get());
+      } catch (const Error&) {
+        throw;
+      } catch (const std::exception& e) {
+        fail(std::string("is no geometry (") + e.what() + ")",
+             "write it as POLYGON ((0 0, 1 0, 1 1, 0 0)) or POINT (0 0)");
+      }
+    }
+    return maker_.finish();
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const {
+    const auto line = 1 + std::count(text_.begin(), text_.begin() + begin_, '\n');
+    throw Error(ErrorCode::file_broken,
+                {.file = name_, .line = line, .offset = static_cast<std::int64_t>(begin_)}, problem,
+                remedy);
+  }
+
+  /// Steps over blanks, separators and comments; false at the end.
+  bool skip_blank() {
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      if (c == '#') {
+        const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+        read_comment(text_.substr(at_ + 1, end - at_ - 1));
+        at_ = end;
+      } else if (std::isspace(static_cast<unsigned char>(c)) != 0 || c == ';') {
+        ++at_;
+      } else {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void read_comment(std::string_view comment) {
+    constexpr std::string_view kMargin = " margin ";
+    if (!comment.starts_with(kMargin)) return;
+    comment.remove_prefix(kMargin.size());
+    double margin = -1;
+    std::from_chars(comment.data(), comment.data() + comment.size(), margin);
+    begin_ = at_;
+    maker_.set_margin(margin, "");
+  }
+
+  /// The text of one geometry: a word and what is in its parentheses.
+  std::string next_geometry() {
+    int depth = 0;
+    const std::size_t from = at_;
+    for (; at_ < text_.size(); ++at_) {
+      const char c = text_[at_];
+      if (c == '(' && ++depth > kMostDepth) fail("is nested too deep", "take parentheses away");
+      if (c == ')' && --depth <= 0) {
+        ++at_;
+        break;
+      }
+      if (depth == 0 && (c == ';' || c == '\n')) break;
+    }
+    return std::string(text_.substr(from, at_ - from));
+  }
+
+  void add(const GEOSGeometry* g) {
+    const Geos& geos = maker_.geos();
+    const auto context = geos.context();
+    const std::string place = "geometry " + std::to_string(number_ - 1);
+    switch (GEOSGeomTypeId_r(context, g)) {
+      case GEOS_POINT: {
+        if (GEOSisEmpty_r(context, g) == 1) fail(place + " is empty", "give it coordinates");
+        Point p;
+        GEOSGeomGetX_r(context, g, &p.x);
+        GEOSGeomGetY_r(context, g, &p.y);
+        if (!maker_.so_far().start) return maker_.add_start(p, place);
+        if (maker_.so_far().goal) fail(place + " is a third point", "give start and goal only");
+        return maker_.add_goal(p, place);
+      }
+      case GEOS_POLYGON:
+      case GEOS_MULTIPOLYGON:
+        for (Polygon& p : geos.polygons(g)) {
+          maker_.has_boundary() ? maker_.add_obstacle(std::move(p), place)
+                                : maker_.add_boundary(std::move(p), place);
+        }
+        return;
+      case GEOS_GEOMETRYCOLLECTION:
+        for (int i = 0; i < GEOSGetNumGeometries_r(context, g); ++i) {
+          add(GEOSGetGeometryN_r(context, g, i));
+        }
+        return;
+      default:
+        fail(place + " is neither polygon nor point", "take it out");
+    }
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  WorldMaker maker_;
+  std::size_t at_ = 0;
+  std::size_t begin_ = 0;
+  int number_ = 0;
+};
+
+}  // namespace
+
+World parse_wkt(std::string_view text, const std::string& name, const ReadOptions& options) {
+  return WktReader(text, name, options).read();
+}
+
+std::string to_wkt(const World& world) {
+  const Geos geos;
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), world.margin).ptr;
+  std::string text = "# margin " + std::string(digits.data(), end) + "\n";
+  const auto add = [&](const GEOSGeometry* g) { text += geos.write_wkt(g) + "\n"; };
+  add(geos.polygon(world.boundary).get());
+  for (const Polygon& p : world.obstacles) add(geos.polygon(p).get());
+  // A goal without a start would be read as one.
+  for (const auto& p : {world.start, world.start ? world.goal : std::nullopt}) {
+    if (!p) continue;
+    add(geos.own(GEOSGeom_createPointFromXY_r(geos.context(), p->x, p->y)).get());
+  }
+  return text;
+}
+
+}  // namespace lasius::polygon

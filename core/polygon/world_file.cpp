@@ -1,0 +1,39 @@
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "lasius/error.h"
+#include "lasius/output.h"
+#include "lasius/polygon.h"
+
+namespace lasius::polygon {
+
+World read_world(const std::string& path, const ReadOptions& options) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw Error(ErrorCode::file_broken, {.file = path}, "is a folder", "name a world file");
+  }
+  std::ifstream in(path, std::ios::binary);
+  if (!in) {
+    throw Error(ErrorCode::file_missing, {.file = path}, "cannot be opened",
+                "name a GeoJSON or WKT file that exists and may be read");
+  }
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::size_t first = 0;
+  while (first < text.size() && std::isspace(static_cast<unsigned char>(text[first])) != 0) ++first;
+  if (first == text.size()) {
+    throw Error(ErrorCode::file_broken, {.file = path}, "is empty", "give a GeoJSON or WKT world");
+  }
+  const char c = text[first];
+  const bool json = std::isalpha(static_cast<unsigned char>(c)) == 0 && c != '#';
+  return json ? parse_geojson(text, path, options) : parse_wkt(text, path, options);
+}
+
+void write_world(const World& world, const std::string& path) {
+  write_file(path, [&](std::ostream& out) {
+    out << (path.ends_with(".wkt") ? to_wkt(world) : to_geojson(world));
+  });
+}
+
+}  // namespace lasius::polygon

@@ -1,0 +1,131 @@
+#include "world_maker.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <exception>
+
+#include "geometry_check.h"
+
+namespace lasius::polygon {
+namespace {
+
+double area(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+    sum += (a.x - ring[0].x) * (b.y - ring[0].y) - (a.y - ring[0].y) * (b.x - ring[0].x);
+  }
+  return std::abs(sum);
+}
+
+bool is_number(Point p) {
+  return std::abs(p.x) <= kMostCoordinate && std::abs(p.y) <= kMostCoordinate;
+}
+
+constexpr const char* kRepair = "correct the ring, or read the world with --repair";
+
+}  // namespace
+
+std::vector<Polygon> WorldMaker::checked(Polygon polygon, const std::string& place) {
+  for (Ring* ring : [&] {
+         std::vector<Ring*> rings{&polygon.outer};
+         for (Ring& hole : polygon.holes) rings.push_back(&hole);
+         return rings;
+       }()) {
+    if (std::all_of(ring->begin(), ring->end(), is_number)) drop_repeats(*ring);
+  }
+  const auto wrong = fault(geos_, polygon);
+  if (!wrong) return {std::move(polygon)};
+  const auto numbers = [](const Ring& ring) {
+    return std::all_of(ring.begin(), ring.end(), is_number);
+  };
+  if (!options_.repair || !numbers(polygon.outer) ||
+      !std::all_of(polygon.holes.begin(), polygon.holes.end(), numbers)) {
+    fail_(place, *wrong, kRepair);
+  }
+  return repaired(geos_, std::move(polygon));
+}
+
+void WorldMaker::add_boundary(Polygon polygon, const std::string& place) {
+  if (has_boundary_) fail_(place, "is a second boundary", "give one boundary, and obstacles in it");
+  auto parts = checked(std::move(polygon), place);
+  if (parts.empty()) fail_(place, "encloses no area", "draw the boundary around the free space");
+  world_.boundary = std::move(*std::max_element(
+      parts.begin(), parts.end(),
+      [](const Polygon& a, const Polygon& b) { return area(a.outer) < area(b.outer); }));
+  has_boundary_ = true;
+}
+
+void WorldMaker::add_obstacle(Polygon polygon, const std::string& place) {
+  for (Polygon& part : checked(std::move(polygon), place)) {
+    world_.obstacles.push_back(std::move(part));
+  }
+}
+
+void WorldMaker::add_point(std::optional<Point>& to, Point p, const std::string& what,
+                           const std::string& place) {
+  if (to) fail_(place, "is a second " + what, "give one " + what);
+  if (!is_number(p)) fail_(place, "has a coordinate that is no number within 1e12", "correct it");
+  to = p;
+}
+
+void WorldMaker::set_margin(double margin, const std::string& place) {
+  if (!(margin >= 0 && margin <= kMostCoordinate)) {
+    fail_(place, "margin is " + std::to_string(margin), "it must be a number of at least 0");
+  }
+  world_.margin = margin;
+}
+
+World WorldMaker::finish() {
+  if (!has_boundary_) {
+    fail_("", "the world has no boundary", "add a polygon with the role \"boundary\"");
+  }
+  return std::move(world_);
+}
+
+void check(const World& world) {
+  const Geos geos;
+  const auto look = [&](const Polygon& polygon, const std::string& what) {
+    if (const auto wrong = fault(geos, polygon)) {
+      throw Error(ErrorCode::invalid_parameter, what + ": " + *wrong, "correct the ring");
+    }
+  };
+  look(world.boundary, "boundary");
+  for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
+    look(world.obstacles[i], "obstacle " + std::to_string(i));
+  }
+}
+
+std::uint64_t hash(const World& world) noexcept {
+  std::uint64_t value = 0xcbf29ce484222325u;  // FNV-1a over the bytes of all numbers
+  const auto mix = [&](std::uint64_t word) {
+    for (int byte = 0; byte < 8; ++byte)
+      value = (value ^ (word >> 8 * byte & 0xff)) * 0x100000001b3;
+  };
+  const auto mix_real = [&](double x) { mix(std::bit_cast<std::uint64_t>(x + 0.0)); };
+  const auto mix_ring = [&](const Ring& ring) {
+    mix(ring.size());
+    for (const Point p : ring) {
+      mix_real(p.x);
+      mix_real(p.y);
+    }
+  };
+  const auto mix_polygon = [&](const Polygon& p) {
+    mix_ring(p.outer);
+    mix(p.holes.size());
+    for (const Ring& hole : p.holes) mix_ring(hole);
+  };
+  mix_polygon(world.boundary);
+  mix(world.obstacles.size());
+  for (const Polygon& p : world.obstacles) mix_polygon(p);
+  for (const auto& p : {world.start, world.goal}) {
+    mix(p ? 1 : 0);
+    mix_real(p ? p->x : 0);
+    mix_real(p ? p->y : 0);
+  }
+  mix_real(world.margin);
+  return value;
+}
+
+}  // namespace lasius::polygon
