@@ -13,6 +13,9 @@
 #ifdef LASIUS_WITH_ARM
 #include "lasius/arm_plan.h"
 #endif
+#ifdef LASIUS_WITH_POLYGON
+#include "lasius/polygon_plan.h"
+#endif
 
 namespace lasius::tool {
 namespace {
@@ -34,6 +37,12 @@ std::vector<Group> groups() {
   all.push_back({"arm_algorithms", "Arms, see `lasius arm --help`", arm::algorithms(),
                  [](const Algorithm&, std::string_view parameter) {
                    return arm::get_parameter(arm::Parameters{}, parameter);
+                 }});
+#endif
+#ifdef LASIUS_WITH_POLYGON
+  all.push_back({"polygon_algorithms", "Polygon worlds, by `lasius plan WORLD.geojson`",
+                 polygon::algorithms(), [](const Algorithm& a, std::string_view parameter) {
+                   return polygon::get_parameter(polygon::defaults(a.name), parameter);
                  }});
 #endif
   return all;

@@ -7,6 +7,7 @@
 
 #include "exit_code.h"
 #include "lasius/version.h"
+#include "polygon_text.h"
 #include "run_text.h"
 #include "threads.h"
 #include "values.h"
@@ -27,12 +28,16 @@ constexpr const char* kBatchExits =
     "be\n"
     "written; 130 interrupted, whole lines only. A scenario's coordinates are cells in any frame.";
 
+constexpr const char* kMapHelp =
+    "Map: .map, PBM, PGM, PNG or ROS YAML; polygon world: .geojson, .json or .wkt";
+
 constexpr const char* kOutputs =
     "Write a file, by its ending (repeatable):\n"
     ".json  what --json prints\n"
     ".csv   iteration,best,mean,arrived by iteration; x,y of the path for algorithms without\n"
     "       iterations; for batch a line a query\n"
-    ".svg, .png  map, tracks, pheromone, path and convergence; for batch all paths";
+    ".svg, .png  map, tracks, pheromone, path and convergence; for batch all paths; for polygon\n"
+    "       worlds MAKLINK lines, midpoints, Dijkstra's path, path and convergence";
 
 void add_repeatable(CLI::App& app, const std::string& names, std::vector<std::string>& to,
                     const std::string& help, const std::string& type) {
@@ -51,9 +56,7 @@ void add_run_options(CLI::App& app, RunText& text) {
                              const char* type) {
     app.add_option(names, to, help)->type_name(type);
   };
-  app.add_option("MAP", text.map, "Map: .map, PBM, PGM, PNG or ROS YAML")
-      ->type_name("FILE")
-      ->required();
+  app.add_option("MAP", text.map, kMapHelp)->type_name("FILE")->required();
   option("--algorithm", text.algorithm, "Algorithm, as listed by `lasius algorithms`", "NAME");
   add_repeatable(app, "--set", text.set,
                  "Set any parameter of the algorithm (repeatable; wins over its own option)",
@@ -88,6 +91,14 @@ void add_run_options(CLI::App& app, RunText& text) {
   add_switch(app, "-v,--verbose", text.verbose, "Print what is done");
 }
 
+void add_world_options(CLI::App& app, WorldText& text) {
+  app.add_option("--margin", text.margin, "Polygon worlds: the robot's margin, in place of theirs")
+      ->type_name("R");
+  app.add_option("--join", text.join, "Polygon worlds: corners of grown obstacles")
+      ->type_name("mitre|round|bevel");
+  add_switch(app, "--repair", text.repair, "Polygon worlds: repair geometry that is not valid");
+}
+
 /// One subcommand: its options, and how they become a command.
 struct Subcommand {
   CLI::App* app;
@@ -97,19 +108,26 @@ struct Subcommand {
 Subcommand add_plan(CLI::App& app) {
   struct Raw {
     RunText run;
-    std::string start, goal;
+    PolygonText polygon;
   };
   auto raw = std::make_shared<Raw>();
   auto* plan = app.add_subcommand("plan", "Plan one path");
-  plan->add_option("--start", raw->start, "Where the path starts")->type_name("X,Y")->required();
-  plan->add_option("--goal", raw->goal, "Where it ends")->type_name("X,Y")->required();
+  plan->add_option("--start", raw->polygon.start, "Where the path starts; a polygon world may say")
+      ->type_name("X,Y");
+  plan->add_option("--goal", raw->polygon.goal, "Where it ends; likewise")->type_name("X,Y");
   add_run_options(*plan, raw->run);
+  add_world_options(*plan, raw->polygon.world);
   plan->footer(kPlanExits);
   return {plan, [raw]() -> Command {
+            const PolygonText& text = raw->polygon;
+            if (is_world(raw->run.map)) return make_polygon(raw->run, text);
+            refuse_world_options(text.world);
             auto run = make_run(raw->run);
             const bool cells = run.frame == Frame::cell;
-            const Point start = pair_value("--start", raw->start, cells);
-            const Point goal = pair_value("--goal", raw->goal, cells);
+            if (text.start.empty()) throw UsageError("--start is required; see --help");
+            if (text.goal.empty()) throw UsageError("--goal is required; see --help");
+            const Point start = pair_value("--start", text.start, cells);
+            const Point goal = pair_value("--goal", text.goal, cells);
             return PlanCommand{std::move(run), start, goal};
           }};
 }
@@ -135,21 +153,24 @@ Subcommand add_batch(CLI::App& app) {
 Subcommand add_info(CLI::App& app) {
   struct Raw {
     std::string map, corners, radius;
+    WorldText world;
     bool unknown_free = false, json = false;
   };
   auto raw = std::make_shared<Raw>();
-  auto* info = app.add_subcommand("info", "Describe a map");
-  info->add_option("MAP", raw->map, "Map: .map, PBM, PGM, PNG or ROS YAML")
-      ->type_name("FILE")
-      ->required();
+  auto* info = app.add_subcommand("info", "Describe a map or a polygon world");
+  info->add_option("MAP", raw->map, kMapHelp)->type_name("FILE")->required();
   info->add_option("--corners", raw->corners, "Rule by which components are joined")
       ->type_name("forbid|one-side|allow");
   info->add_option("--radius", raw->radius, "Grow obstacles by this radius, in cells")
       ->type_name("R");
   add_switch(*info, "--unknown-free", raw->unknown_free,
              "Unknown cells of a ROS map count as free");
+  add_world_options(*info, raw->world);
   add_switch(*info, "--json", raw->json, "Print one JSON object");
   return {info, [raw]() -> Command {
+            if (is_world(raw->map))
+              return WorldInfoCommand{make_world_options(raw->map, raw->world), raw->json};
+            refuse_world_options(raw->world);
             InfoCommand options{.map = {.file = raw->map, .unknown_is_free = raw->unknown_free},
                                 .json = raw->json};
             static constexpr std::string_view kRules[] = {"forbid", "one-side", "allow"};

@@ -13,5 +13,7 @@ int run_generate(const GenerateCommand& command);
 int run_verify(const VerifyCommand& command);
 int run_study(const StudyCommand& command);
 int run_arm(const ArmCommand& command);
+int run_polygon(const PolygonCommand& command);
+int run_world_info(const WorldInfoCommand& command);
 
 }  // namespace lasius::tool

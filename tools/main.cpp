@@ -22,6 +22,8 @@ int run(const GenerateCommand& command) { return run_generate(command); }
 int run(const VerifyCommand& command) { return run_verify(command); }
 int run(const StudyCommand& command) { return run_study(command); }
 int run(const ArmCommand& command) { return run_arm(command); }
+int run(const PolygonCommand& command) { return run_polygon(command); }
+int run(const WorldInfoCommand& command) { return run_world_info(command); }
 
 int exit_code(ErrorCode code) {
   switch (code) {

@@ -102,11 +102,42 @@ struct ArmCommand {
   double clearance = 0;  ///< metres; 0: the sensor's own
   double target_gap = 0;
   std::optional<double> time_limit = {};  ///< seconds
-  double rate = 100;                 ///< samples of the trajectory a second
-  int recheck = 0;                   ///< samples of the independent check
+  double rate = 100;                      ///< samples of the trajectory a second
+  int recheck = 0;                        ///< samples of the independent check
   bool json = false;
   std::vector<std::string> outputs;
   Messages messages;
+};
+
+/// A polygon world, and what the command line says in place of what it holds.
+struct WorldOptions {
+  std::string file;
+  bool repair = false;
+  std::optional<double> margin;
+  int join = 0;  ///< index of mitre, round, bevel
+};
+
+/// `plan` on a polygon world.
+struct PolygonCommand {
+  WorldOptions world;
+  std::optional<Point> start, goal;                        ///< in place of the world's
+  std::string algorithm;                                   ///< empty: the first
+  std::vector<std::pair<std::string, std::string>> named;  ///< parameters with their own option
+  std::vector<std::string> settings;                       ///< NAME=VALUE
+  std::uint64_t seed = 1;
+  int threads = 1;
+  double target_gap = 0;             ///< fraction
+  std::optional<double> time_limit;  ///< seconds
+  bool with_optimum = false;
+  bool json = false;
+  std::vector<std::string> outputs;
+  Messages messages;
+  std::vector<std::string> notes;  ///< what was asked for and has no effect
+};
+
+struct WorldInfoCommand {
+  WorldOptions world;
+  bool json = false;
 };
 
 /// Text that was asked for, as by --help: printed on stdout.
@@ -114,7 +145,8 @@ struct Text {
   std::string text;
 };
 
-using Command = std::variant<Text, PlanCommand, BatchCommand, InfoCommand, AlgorithmsCommand,
-                             GenerateCommand, VerifyCommand, StudyCommand, ArmCommand>;
+using Command =
+    std::variant<Text, PlanCommand, BatchCommand, InfoCommand, AlgorithmsCommand, GenerateCommand,
+                 VerifyCommand, StudyCommand, ArmCommand, PolygonCommand, WorldInfoCommand>;
 
 }  // namespace lasius::tool

@@ -11,7 +11,7 @@ namespace lasius::tool {
 namespace {
 
 template <class Text>
-Messages make_messages(const Text& text) {
+Messages messages_of(const Text& text) {
   static constexpr std::string_view kModes[] = {"auto", "always", "never"};
   if (text.quiet && text.verbose) throw UsageError("-q and -v exclude each other");
   Messages messages{.quiet = text.quiet, .verbose = text.verbose};
@@ -22,6 +22,8 @@ Messages make_messages(const Text& text) {
 }
 
 }  // namespace
+
+Messages make_messages(const RunText& text) { return messages_of(text); }
 
 std::string& RunText::value_of(std::string_view name) {
   for (auto& [known, value] : named)
@@ -68,7 +70,7 @@ RunOptions make_run(const RunText& text) {
   check_endings(text.outputs, kEndings);
   run.outputs = text.outputs;
   run.track_iterations = list_value("--tracks", text.tracks.empty() ? "10,50,120" : text.tracks);
-  run.messages = make_messages(text);
+  run.messages = messages_of(text);
   return run;
 }
 
@@ -83,7 +85,7 @@ ArmCommand make_arm(const ArmText& text) {
                  .threads = thread_count(text.threads),
                  .json = text.json,
                  .outputs = text.outputs,
-                 .messages = make_messages(text)};
+                 .messages = messages_of(text)};
   const auto goal = reals_value("--goal", text.goal, 3, 3);
   arm.goal = {goal[0], goal[1], goal[2]};
   if (!text.algorithm.empty()) choice_value("--algorithm", text.algorithm, kAlgorithms);

@@ -41,6 +41,9 @@ struct ArmText {
 /// @throws UsageError. Values of parameters are looked at when the command runs.
 ArmCommand make_arm(const ArmText& text);
 
+/// How much is said. @throws UsageError.
+Messages make_messages(const RunText& text);
+
 /// @throws UsageError for a file whose ending is not one of `endings`, with the nearest.
 void check_endings(const std::vector<std::string>& files,
                    std::span<const std::string_view> endings);

@@ -12,6 +12,8 @@
 #include "lasius/version.h"
 #include "map_file.h"
 #include "parameters.h"
+#include "polygon_text.h"
+#include "polygon_verify.h"
 #include "report.h"
 #include "signals.h"
 #include "streams.h"
@@ -101,6 +103,15 @@ std::string difference(Json recorded, Json replay) {
   return {};
 }
 
+/// Where --map says, where the result says, or there seen from the result's folder.
+std::string located(const VerifyCommand& command, const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (!command.map.empty()) return command.map;
+  const fs::path beside = fs::path(command.result).parent_path() / file;
+  return !fs::exists(file, ignored) && fs::exists(beside, ignored) ? beside.string() : file;
+}
+
 /// Keeps the map of the last result: the lines of a batch share one.
 class Maps {
  public:
@@ -108,7 +119,7 @@ class Maps {
 
   const PreparedMap& find(const Recorded& inputs) {
     MapOptions options = inputs.run.map;
-    options.file = located(options.file);
+    options.file = located(command_, options.file);
     const bool same = map_ && map_->file == options.file && map_->radius == options.radius &&
                       map_->unknown_is_free == options.unknown_is_free;
     if (!same) map_.emplace(prepare_map(options, inputs.run.frame));
@@ -120,28 +131,21 @@ class Maps {
   }
 
  private:
-  /// Where --map says, where the result says, or there seen from the result's folder.
-  std::string located(const std::string& file) const {
-    namespace fs = std::filesystem;
-    std::error_code ignored;
-    if (!command_.map.empty()) return command_.map;
-    const fs::path beside = fs::path(command_.result).parent_path() / file;
-    return !fs::exists(file, ignored) && fs::exists(beside, ignored) ? beside.string() : file;
-  }
-
   const VerifyCommand& command_;
   std::optional<PreparedMap> map_;
 };
 
-/// The inputs of one result, whatever is wrong with them named by file.
-Recorded checked_inputs(const Json& recorded, const std::string& name) {
+/// Reads inputs of one result, whatever is wrong with them named by file.
+template <class Read>
+auto checked_inputs(const std::string& name, const Read& read) {
   try {
-    return recorded_inputs(recorded);
+    return read();
   } catch (const Json::exception& fault) {
     throw broken(name, std::string("lacks an input of its run: ") + fault.what());
   } catch (const UsageError& fault) {
     throw broken(name, std::string("holds a bad input: ") + fault.what());
   } catch (const Error& fault) {
+    if (fault.code() != ErrorCode::invalid_parameter) throw;
     throw broken(name, std::string("holds a bad input: ") + fault.what());
   }
 }
@@ -150,6 +154,16 @@ Recorded checked_inputs(const Json& recorded, const std::string& name) {
 std::string text_of(const Json& recorded, const char* key) {
   const bool there = recorded.is_object() && recorded.contains(key) && recorded[key].is_string();
   return there ? recorded[key].get<std::string>() : std::string();
+}
+
+Json grid_replay(const VerifyCommand& command, const Json& recorded, const std::string& name,
+                 Maps& maps, const std::stop_token& token) {
+  Recorded inputs = checked_inputs(name, [&] { return recorded_inputs(recorded); });
+  inputs.run.params.threads = command.threads;
+  const PreparedMap& map = maps.find(inputs);
+  Answer replay = answer(map, inputs.run, inputs.start, inputs.goal, {.token = token});
+  replay.index = inputs.index;
+  return result_json(map, inputs.run, replay);
 }
 
 /// Replays one result and says what is wrong. Its exit code.
@@ -163,16 +177,20 @@ int verify(const VerifyCommand& command, const Json& recorded, const std::string
             " ended it, and no clock runs twice the same");
     return kUsage;
   }
-  Recorded inputs = checked_inputs(recorded, name);
   const std::string version = text_of(recorded, "version");
   if (version != LASIUS_VERSION && !command.quiet)
     message(name + ": made by version " + version + ", replayed by " + LASIUS_VERSION);
-  inputs.run.params.threads = command.threads;
-  const PreparedMap& map = maps.find(inputs);
-  Answer replay = answer(map, inputs.run, inputs.start, inputs.goal, {.token = token});
+  const std::string file =
+      recorded.contains("map") ? text_of(recorded["map"], "file") : std::string();
+  const Json replay = is_world(file)
+                          ? checked_inputs(name,
+                                           [&] {
+                                             return polygon_replay(recorded, located(command, file),
+                                                                   command.threads, token);
+                                           })
+                          : grid_replay(command, recorded, name, maps, token);
   if (token.stop_requested()) return kInterrupted;
-  replay.index = inputs.index;
-  const std::string key = difference(recorded, result_json(map, inputs.run, replay));
+  const std::string key = difference(recorded, replay);
   if (key.empty()) return kFound;
   message(std::string(name).append(": differs from its replay in '").append(key).append("'"));
   return kInternal;

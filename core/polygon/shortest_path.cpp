@@ -12,7 +12,7 @@ class VisibilitySearch {
  public:
   VisibilitySearch(const Regions& regions, const Place& start, const Place& goal,
                    const StopCondition& stop)
-      : regions_(regions), start_(start), goal_(goal), poller_(stop) {
+      : regions_(regions), start_(start), goal_(goal), stop_(stop), poller_(stop) {
     const std::size_t corners = regions.space().corners.size();
     length_.assign(corners + 2, std::numeric_limits<double>::infinity());
     before_.assign(corners + 2, -1);
@@ -24,8 +24,11 @@ class VisibilitySearch {
   ShortestPath run() {
     const int start = start_node(), goal = goal_node();
     length_[start] = 0;
-    queue_.emplace(distance(start_.given, goal_.given), start);
     ShortestPath result;
+    result.lower_bound = distance(start_.given, goal_.given);
+    result.cause = stop_.poll();
+    if (result.cause != StopCondition::Cause::none) return result;
+    queue_.emplace(result.lower_bound, start);
     while (!queue_.empty()) {
       const auto [key, node] = queue_.top();
       queue_.pop();
@@ -125,6 +128,7 @@ class VisibilitySearch {
   const Regions& regions_;
   const Place& start_;
   const Place& goal_;
+  const StopCondition& stop_;
   Poller poller_;
   std::vector<double> length_;
   std::vector<int> before_;

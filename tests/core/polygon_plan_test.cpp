@@ -1,0 +1,385 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+
+#include "lasius/error.h"
+#include "tests/random_world.h"
+
+namespace lasius::polygon {
+namespace {
+
+using lasius::testing::Dice;
+using lasius::testing::free_point;
+using lasius::testing::random_world;
+using lasius::testing::Referee;
+
+/// Issue's known world.
+World known_world() {
+  World world;
+  world.boundary.outer = {{0, 0}, {200, 0}, {200, 200}, {0, 200}};
+  world.obstacles = {{{{40, 140}, {60, 160}, {100, 140}, {60, 120}}, {}},
+                     {{{50, 30}, {30, 40}, {80, 80}, {100, 40}}, {}},
+                     {{{120, 160}, {140, 100}, {180, 170}, {165, 180}}, {}},
+                     {{{120, 40}, {170, 40}, {140, 80}}, {}}};
+  world.start = Point{20, 180};
+  world.goal = Point{160, 90};
+  return world;
+}
+
+double turn(Point a, Point b, Point c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+double area(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    sum += turn(ring[0], ring[i], ring[(i + 1) % ring.size()]);
+  }
+  return sum / 2;
+}
+
+/// Free lines part free space into convex regions, none of which could be joined to another.
+void expect_maklink(const Planner& planner, const std::string& which) {
+  const Maklink& graph = planner.maklink();
+  double regions = 0, free = 0;
+  for (const auto& region : graph.regions) {
+    regions += area(region);
+    for (std::size_t i = 0; i < region.size(); ++i) {
+      const std::size_t n = region.size();
+      EXPECT_GE(turn(region[i], region[(i + 1) % n], region[(i + 2) % n]), -1e-9) << which;
+    }
+  }
+  for (const Polygon& piece : graph.free_space) {
+    free += std::abs(area(piece.outer));
+    for (const Ring& hole : piece.holes) free -= std::abs(area(hole));
+  }
+  EXPECT_NEAR(regions, free, 1e-6) << which;
+  const auto neighbour = [&](int region, Point at, int step) {
+    const auto& ring = graph.regions[region];
+    const auto found = std::find(ring.begin(), ring.end(), at) - ring.begin();
+    return ring[(found + step + ring.size()) % ring.size()];
+  };
+  for (const Line& line : graph.lines) {
+    ASSERT_NE(line.left, line.right) << which;
+    // Without the line, the corner at one of its ends would be hollow.
+    const bool hollow_a =
+        turn(neighbour(line.left, line.a, -1), line.a, neighbour(line.right, line.a, 1)) < 0;
+    const bool hollow_b =
+        turn(neighbour(line.right, line.b, -1), line.b, neighbour(line.left, line.b, 1)) < 0;
+    EXPECT_TRUE(hollow_a || hollow_b) << which;
+  }
+}
+
+/// Shortest path over corners that see each other, pair by pair, as GEOS says.
+double brute_force(const Planner& planner, Point start, Point goal) {
+  const Referee referee(planner.grown_obstacles());
+  std::vector<Point> nodes{start, goal};
+  for (const Polygon& p : planner.grown_obstacles()) {
+    nodes.insert(nodes.end(), p.outer.begin(), p.outer.end());
+    for (const Ring& hole : p.holes) nodes.insert(nodes.end(), hole.begin(), hole.end());
+  }
+  std::vector<double> length(nodes.size(), std::numeric_limits<double>::infinity());
+  std::vector<char> done(nodes.size());
+  length[0] = 0;
+  for (;;) {
+    std::size_t next = nodes.size();
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (done[i] == 0 && (next == nodes.size() || length[i] < length[next])) next = i;
+    }
+    if (next == 1 || next == nodes.size() || std::isinf(length[next])) return length[1];
+    done[next] = 1;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const double offer =
+          length[next] + std::hypot(nodes[i].x - nodes[next].x, nodes[i].y - nodes[next].y);
+      if (done[i] == 0 && offer < length[i] && referee.sees(nodes[next], nodes[i])) {
+        length[i] = offer;
+      }
+    }
+  }
+}
+
+void expect_order(const Result& result, const std::string& which) {
+  ASSERT_FALSE(result.path.empty()) << which;
+  constexpr double kSlack = 1 + 1e-12;
+  EXPECT_LE(*result.lower_bound, result.sequence_optimum->length * kSlack) << which;
+  EXPECT_LE(result.sequence_optimum->length, result.discrete_optimum->length * kSlack) << which;
+  EXPECT_LE(result.length, result.dijkstra->length * kSlack) << which;
+}
+
+TEST(KnownWorld, ShortestPathOfTheWorld) {
+  const Result result = Planner(known_world()).plan();
+  EXPECT_EQ(result.status, Status::solved);
+  EXPECT_NEAR(result.length, 168.371941370, 5e-10);
+  EXPECT_TRUE(result.optimal);
+  EXPECT_EQ(result.path, (std::vector<Point>{{20, 180}, {100, 140}, {140, 100}, {160, 90}}));
+}
+
+TEST(KnownWorld, AntsReachTheOptimumOfTheirLinesWithEverySeed) {
+  const Planner planner(known_world());
+  expect_maklink(planner, "known world");
+  Parameters parameters = defaults("maklink-acs");
+  for (int seed = 1; seed <= 100; ++seed) {
+    parameters.seed = static_cast<std::uint64_t>(seed);
+    const Result result = planner.plan({}, parameters);
+    EXPECT_NEAR(result.length, result.discrete_optimum->length, 1e-9) << "seed " << seed;
+    expect_order(result, "seed " + std::to_string(seed));
+  }
+}
+
+TEST(KnownWorld, DiscreteOptimumByTrial) {
+  const Planner planner(known_world());
+  Parameters parameters = defaults("maklink-acs");
+  parameters.values = 3;
+  const Result result = planner.plan({}, parameters);
+  const auto& lines = result.crossing.lines;
+  double best = std::numeric_limits<double>::infinity();
+  for (int code = 0; code < std::pow(3, lines.size()); ++code) {
+    Point at{20, 180};
+    double length = 0;
+    for (std::size_t i = 0, rest = static_cast<std::size_t>(code); i < lines.size(); ++i) {
+      const Line& line = planner.maklink().lines[lines[i]];
+      const double h = static_cast<double>(rest % 3) / 2;
+      rest /= 3;
+      const Point p{line.a.x + h * (line.b.x - line.a.x), line.a.y + h * (line.b.y - line.a.y)};
+      length += std::hypot(p.x - at.x, p.y - at.y);
+      at = p;
+    }
+    best = std::min(best, length + std::hypot(160 - at.x, 90 - at.y));
+  }
+  EXPECT_NEAR(result.discrete_optimum->length, best, 1e-9);
+}
+
+TEST(RandomWorlds, MaklinkAndPathsAreValid) {
+  for (int i = 0; i < 60; ++i) {
+    const std::string which = "world " + std::to_string(i);
+    const int count = 5 + 195 * (i % 12) * (i % 12) / 121;
+    World world = random_world(static_cast<std::uint64_t>(i), count, i % 3 == 0 ? 5 : 0);
+    world.margin = i % 2 == 0 ? 0 : 0.1 * (i % 7);
+    const Planner planner(world);
+    expect_maklink(planner, which);
+    Dice dice(static_cast<std::uint64_t>(1000 + i));
+    const Request request{.start = free_point(planner, dice), .goal = free_point(planner, dice)};
+    const Result exact = planner.plan(request);
+    if (exact.status == Status::unreachable) continue;
+    const Referee referee(planner.grown_obstacles());
+    EXPECT_TRUE(referee.clear(exact.path, 200 * 1e-9)) << which;
+    for (const char* algorithm : {"maklink-acs", "real-ga"}) {
+      Parameters parameters = defaults(algorithm);
+      parameters.iterations = 50;
+      const Result result = planner.plan(request, parameters);
+      expect_order(result, which);
+      EXPECT_EQ(*result.lower_bound, std::min(exact.length, result.length)) << which;
+      EXPECT_TRUE(referee.clear(result.path, 200 * 1e-9)) << which;
+      EXPECT_TRUE(referee.clear(result.sequence_optimum->path, 200 * 1e-9)) << which;
+    }
+  }
+}
+
+TEST(RandomWorlds, ExactAgreesWithBruteForce) {
+  for (int i = 0; i < 12; ++i) {
+    const Planner planner(random_world(static_cast<std::uint64_t>(50 + i), 4 + i));
+    Dice dice(static_cast<std::uint64_t>(i));
+    const Point start = free_point(planner, dice), goal = free_point(planner, dice);
+    const Result result = planner.plan({.start = start, .goal = goal});
+    const double expected = brute_force(planner, start, goal);
+    if (std::isinf(expected)) {
+      EXPECT_EQ(result.status, Status::unreachable) << i;
+    } else {
+      EXPECT_NEAR(result.length, expected, 1e-6) << i;
+    }
+  }
+}
+
+World slalom() {
+  World world;
+  world.boundary.outer = {{0, 0}, {40, 0}, {40, 20}, {0, 20}};
+  for (int i = 0; i < 3; ++i) {
+    const double x = 10 + 10 * i, low = i % 2 == 0 ? 0 : 8, high = i % 2 == 0 ? 12 : 20;
+    world.obstacles.push_back({{{x, low}, {x + 1, low}, {x + 1, high}, {x, high}}, {}});
+  }
+  world.start = Point{1, 1};
+  world.goal = Point{39, 1};
+  return world;
+}
+
+TEST(Slalom, FunnelIsTheShortestPathWhereThereIsOneWay) {
+  const Planner planner(slalom());
+  const Result result = planner.plan({}, defaults("maklink-acs"));
+  const double by_hand =
+      std::hypot(9, 11) + 1 + std::hypot(9, 4) + 1 + std::hypot(9, 4) + 1 + std::hypot(8, 11);
+  EXPECT_NEAR(planner.plan().length, by_hand, 1e-9);
+  EXPECT_NEAR(result.sequence_optimum->length, by_hand, 1e-9);
+}
+
+TEST(Degenerate, ObstaclesThatTouchAreAWall) {
+  World world;
+  world.boundary.outer = {{0, 0}, {20, 0}, {20, 10}, {0, 10}};
+  // Corner to corner from wall to wall.
+  world.obstacles = {{{{10, 0}, {12, 2.5}, {10, 5}, {8, 2.5}}, {}},
+                     {{{10, 5}, {12, 7.5}, {10, 10}, {8, 7.5}}, {}}};
+  world.start = Point{1, 5};
+  world.goal = Point{19, 5};
+  const Planner planner(world);
+  EXPECT_EQ(planner.components(), 2);
+  const Result result = planner.plan();
+  EXPECT_EQ(result.status, Status::unreachable);
+  EXPECT_NE(result.error.find("different pieces"), std::string::npos);
+  world.obstacles[1].outer[2] = {10, 9};  // now there is a gap above
+  EXPECT_EQ(Planner(world).plan().status, Status::solved);
+}
+
+TEST(Degenerate, StartOnALineOnACornerOnAnEdge) {
+  const Planner planner(known_world());
+  for (const Line& line : planner.maklink().lines) {
+    for (const double h : {0.0, 0.25, 1.0}) {
+      const Point p{line.a.x + h * (line.b.x - line.a.x), line.a.y + h * (line.b.y - line.a.y)};
+      const Request request{.start = p, .goal = Point{160, 90}};
+      const Result result = planner.plan(request, defaults("maklink-acs"));
+      ASSERT_EQ(result.status, Status::solved);
+      expect_order(result, "on a line");
+      EXPECT_EQ(result.path.front(), p);
+    }
+  }
+  // In the middle of an edge that no binary number hits.
+  const Result edge = planner.plan({.start = Point{60 - 20 * 0.3, 160 - 20 * 0.3}, .goal = {}});
+  EXPECT_EQ(edge.status, Status::solved);
+}
+
+TEST(Degenerate, CollinearCornersAndStripes) {
+  World world;
+  world.boundary.outer = {{0, 0}, {10, 0}, {20, 0}, {30, 0}, {30, 30}, {15, 30}, {0, 30}};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      const double x = 3 + 9 * column, y = 3 + 9 * row;
+      world.obstacles.push_back(
+          {{{x, y}, {x + 3, y}, {x + 6, y}, {x + 6, y + 6}, {x, y + 6}, {x, y + 3}}, {}});
+    }
+  }
+  const Planner planner(world);
+  expect_maklink(planner, "blocks");
+  const Result result = planner.plan({.start = Point{0, 0}, .goal = Point{30, 30}});
+  // Right along the lowest street to its end, then up: or any other way round the blocks' corners.
+  EXPECT_NEAR(result.length, brute_force(planner, {0, 0}, {30, 30}), 1e-9);
+}
+
+TEST(Degenerate, NoObstaclesAndNoWay) {
+  World world;
+  world.boundary.outer = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
+  world.start = Point{0, 0};
+  world.goal = Point{4, 3};
+  Result result = Planner(world).plan({}, defaults("maklink-acs"));
+  EXPECT_EQ(result.length, 5);
+  EXPECT_EQ(*result.gap(), 0);
+  EXPECT_EQ(result.iterations, 0);
+  result = Planner(world).plan({.start = Point{1, 1}, .goal = Point{1, 1}});
+  EXPECT_EQ(result.length, 0);
+  EXPECT_EQ(result.path.size(), 1u);
+  // A pocket inside an obstacle's hole.
+  world.obstacles = {{{{1, 1}, {3, 1}, {3, 2}, {1, 2}}, {{{1.5, 1.2}, {2.5, 1.2}, {2.5, 1.8}}}}};
+  world.start = Point{2.4, 1.3};
+  EXPECT_EQ(Planner(world).components(), 2);
+  EXPECT_EQ(Planner(world).plan().status, Status::unreachable);
+}
+
+TEST(Ends, BlockedAndOutsideNameTheNearestFreePoint) {
+  const Planner planner(known_world());
+  const Result blocked = planner.plan({.start = Point{60, 140}, .goal = {}});
+  EXPECT_EQ(blocked.status, Status::invalid);
+  EXPECT_NE(blocked.error.find("start (60, 140) is blocked; the nearest free point is (50, 150)"),
+            std::string::npos)
+      << blocked.error;
+  const Result outside = planner.plan({.start = {}, .goal = Point{-3, 140}});
+  EXPECT_NE(outside.error.find("goal (-3, 140) is outside the boundary; the nearest free point is "
+                               "(0, 140)"),
+            std::string::npos)
+      << outside.error;
+  EXPECT_EQ(planner.plan({.start = Point{1e300, 0}, .goal = {}}).status, Status::invalid);
+  EXPECT_THROW(planner.plan({.start = Point{std::nan(""), 0}, .goal = {}}), Error);
+  World open = known_world();
+  open.start.reset();
+  EXPECT_THROW(Planner(open).plan(), Error);
+}
+
+TEST(Determinism, SeedAloneDecides) {
+  const Planner planner(random_world(7, 60));
+  Dice dice(1);
+  const Request request{.start = free_point(planner, dice), .goal = free_point(planner, dice)};
+  for (const char* algorithm : {"maklink-acs", "real-ga"}) {
+    Parameters parameters = defaults(algorithm);
+    parameters.iterations = 60;
+    const Result one = planner.plan(request, parameters);
+    parameters.threads = 3;
+    const Result two = Planner(random_world(7, 60)).plan(request, parameters);
+    EXPECT_EQ(one.path, two.path);
+    EXPECT_EQ(one.best, two.best);
+    EXPECT_EQ(one.mean, two.mean);
+    parameters.seed = 2;
+    EXPECT_NE(planner.plan(request, parameters).mean, one.mean);
+  }
+}
+
+TEST(Stops, TokenAndDeadlineKeepTheBestPath) {
+  const Planner planner(known_world());
+  std::stop_source source;
+  const Result cut = planner.plan({.start = {}, .goal = {}, .stop = {.token = source.get_token()}},
+                                  defaults("maklink-acs"), [&](const IterationView& view) {
+                                    if (view.iteration == 4) source.request_stop();
+                                  });
+  EXPECT_EQ(cut.status, Status::interrupted);
+  EXPECT_EQ(cut.iterations, 5);
+  EXPECT_FALSE(cut.path.empty());
+  for (const char* algorithm : {"maklink-acs", "real-ga"}) {
+    const Result late =
+        planner.plan({.start = {}, .goal = {}, .stop = {.deadline = Clock::time_point::min()}},
+                     defaults(algorithm));
+    EXPECT_EQ(late.status, Status::limit);
+    EXPECT_EQ(late.path, late.dijkstra->path);
+  }
+}
+
+TEST(TargetGap, EndsTheRun) {
+  const Planner planner(known_world());
+  const Result result =
+      planner.plan({.start = {}, .goal = {}, .target_gap = 0.02}, defaults("maklink-acs"));
+  EXPECT_LT(result.iterations, 50);
+  EXPECT_LE(*result.gap(), 0.02);
+}
+
+TEST(Routes, MoreLineSequencesAreNeverWorse) {
+  for (int i = 0; i < 8; ++i) {
+    const Planner planner(random_world(static_cast<std::uint64_t>(300 + i), 30));
+    Dice dice(static_cast<std::uint64_t>(i));
+    const Request request{.start = free_point(planner, dice), .goal = free_point(planner, dice)};
+    Parameters parameters = defaults("maklink-acs");
+    const Result one = planner.plan(request, parameters);
+    if (one.path.empty()) continue;
+    parameters.routes = 5;
+    const Result many = planner.plan(request, parameters);
+    EXPECT_LE(many.length, one.length);
+    EXPECT_GE(many.iterations, one.iterations);
+    EXPECT_TRUE(std::is_sorted(many.best.rbegin(), many.best.rend()));
+  }
+}
+
+TEST(Parameters, NamesRangesAndDefaults) {
+  EXPECT_EQ(algorithms().front().name, "exact");
+  for (const Algorithm& algorithm : algorithms()) {
+    Parameters parameters = defaults(algorithm.name);
+    EXPECT_NO_THROW(validate(parameters));
+    for (const Parameter& parameter : algorithm.parameters) {
+      const std::string value = get_parameter(parameters, parameter.name);
+      EXPECT_NO_THROW(set_parameter(parameters, parameter.name, value)) << parameter.name;
+      EXPECT_THROW(set_parameter(parameters, parameter.name, "1e99"), Error) << parameter.name;
+    }
+  }
+  EXPECT_THROW(defaults("maklink"), Error);
+  Parameters bad = defaults("maklink-acs");
+  bad.values = 1;
+  EXPECT_THROW(Planner(known_world()).plan({}, bad), Error);
+}
+
+}  // namespace
+}  // namespace lasius::polygon

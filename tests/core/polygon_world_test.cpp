@@ -1,0 +1,210 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "lasius/error.h"
+#include "lasius/generate.h"
+#include "lasius/polygon_plan.h"
+
+namespace lasius::polygon {
+namespace {
+
+constexpr const char* kSquare = "[[[0,0],[10,0],[10,10],[0,10],[0,0]]]";
+
+std::string feature(const std::string& role, const std::string& type, const std::string& at) {
+  return R"({"type":"Feature","properties":{"role":")" + role + R"("},"geometry":{"type":")" +
+         type + R"(","coordinates":)" + at + "}}";
+}
+std::string collection(const std::vector<std::string>& features, const std::string& more = "") {
+  std::string text = R"({"type":"FeatureCollection",)" + more + R"("features":[)";
+  for (std::size_t i = 0; i < features.size(); ++i) text += (i > 0 ? "," : "") + features[i];
+  return text + "]}";
+}
+std::string boundary() { return feature("boundary", "Polygon", kSquare); }
+
+/// What reading says; fails where it says nothing.
+std::string refusal(const std::string& text, bool wkt = false) {
+  try {
+    wkt ? parse_wkt(text, "w", {}) : parse_geojson(text, "w", {});
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::file_broken);
+    EXPECT_EQ(e.place().file, "w");
+    EXPECT_FALSE(e.remedy().empty());
+    return e.what();
+  }
+  ADD_FAILURE() << "was read: " << text;
+  return {};
+}
+
+void expect_refusal(const std::string& text, const std::string& part, bool wkt = false) {
+  const std::string what = refusal(text, wkt);
+  EXPECT_NE(what.find(part), std::string::npos) << what << "\nshould say: " << part;
+}
+
+TEST(GeoJson, ReadsEveryRole) {
+  const World world = parse_geojson(
+      collection({feature("obstacle", "MultiPolygon",
+                          "[[[[1,1],[2,1],[2,2],[1,1]]],[[[5,5],[9,5],[9,9],[5,9],[5,5]],"
+                          "[[6,6],[7,6],[7,7],[6,6]]]]"),
+                  boundary(), feature("start", "Point", "[0.5,0.25]"),
+                  feature("goal", "Point", "[9,1,7]")},
+                 R"("properties":{"margin":0.5},)"),
+      "w");
+  EXPECT_EQ(world.boundary.outer, (Ring{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
+  ASSERT_EQ(world.obstacles.size(), 2u);
+  EXPECT_EQ(world.obstacles[1].holes[0], (Ring{{6, 6}, {7, 6}, {7, 7}}));
+  EXPECT_EQ(world.start, (Point{0.5, 0.25}));
+  EXPECT_EQ(world.goal, (Point{9, 1}));
+  EXPECT_EQ(world.margin, 0.5);
+}
+
+TEST(GeoJson, NamesWhatIsWrong) {
+  expect_refusal("{\n\"type\": oops}", "line 2, byte 10");
+  expect_refusal("[]", "FeatureCollection");
+  expect_refusal(R"({"type":"FeatureCollection"})", "list of features");
+  expect_refusal(collection({}), "no boundary");
+  expect_refusal(collection({boundary(), boundary()}), "feature 1 (boundary): is a second");
+  expect_refusal(collection({boundary(), feature("obstacel", "Polygon", kSquare)}),
+                 "did you mean \"obstacle\"");
+  expect_refusal(collection({R"({"type":"Feature"})"}), "feature 0: has no role");
+  expect_refusal(collection({feature("boundary", "LineString", "[[0,0],[1,1]]")}), "LineString");
+  expect_refusal(collection({feature("boundary", "Polygon", "[[[0,0],[1,0],[1,1]]]")}),
+                 "ring 0: is not closed");
+  expect_refusal(collection({feature("boundary", "Polygon", "[[[0,0],[1,0],[\"a\",1],[0,0]]]")}),
+                 "ring 0, point 2");
+  expect_refusal(collection({feature("boundary", "Polygon", "[[[0,0],[1,0],[0,0]]]")}),
+                 "only 2 distinct points");
+  expect_refusal(collection({feature("boundary", "Polygon", "[[[0,0],[1e13,0],[1,1],[0,0]]]")}),
+                 "point 1");
+  expect_refusal(collection({feature("boundary", "Polygon", "[[[0,0],[1e999,0],[1,1],[0,0]]]")}),
+                 "JSON");
+  expect_refusal(collection({boundary(), feature("start", "Point", "[1]")}), "two numbers");
+  expect_refusal(collection({boundary()}, R"("margin":-1,)"), "margin");
+  expect_refusal(collection({boundary()}, R"("margin":"wide",)"), "margin");
+}
+
+TEST(GeoJson, NamesRingAndPointOfBadGeometry) {
+  const std::string bow = "[[[1,1],[5,5],[5,1],[1,5],[1,1]]]";
+  expect_refusal(
+      collection({boundary(), feature("obstacle", "Polygon", bow)}),
+      "feature 1 (obstacle): Self-intersection near (3, 3), on ring 0 between its points "
+      "0 and 1");
+  const std::string hole = "[[[1,1],[5,1],[5,5],[1,5],[1,1]],[[7,7],[8,7],[8,8],[7,7]]]";
+  expect_refusal(collection({boundary(), feature("obstacle", "Polygon", hole)}), "on ring 1");
+}
+
+TEST(GeoJson, RepairsOnRequest) {
+  const std::string bow = "[[[1,1],[5,5],[5,1],[1,5]]]";  // not closed either
+  const World world = parse_geojson(collection({boundary(), feature("obstacle", "Polygon", bow)}),
+                                    "w", {.repair = true});
+  ASSERT_EQ(world.obstacles.size(), 2u);  // both wings
+  EXPECT_NO_THROW(check(world));
+}
+
+TEST(Wkt, ReadsWhatItWrites) {
+  World world;
+  world.boundary.outer = {{0, 0}, {10.1, 0}, {10, 10}, {0, 10}};
+  world.obstacles = {{{{1, 1}, {2, 1}, {2, 2}}, {}},
+                     {{{4, 4}, {8, 4}, {8, 8}, {4, 8}}, {{{5, 5}, {6, 5}, {6, 6}}}}};
+  world.start = Point{0.1, 0.2};
+  world.goal = Point{9, 9.3};
+  world.margin = 0.125;
+  EXPECT_EQ(parse_wkt(to_wkt(world), "w"), world);
+  EXPECT_EQ(parse_geojson(to_geojson(world), "w"), world);
+  EXPECT_EQ(hash(parse_wkt(to_wkt(world), "w")), hash(world));
+}
+
+TEST(Wkt, CollectionsAndComments) {
+  const World world = parse_wkt(
+      "# drawn by hand\nGEOMETRYCOLLECTION (POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0)),\n POINT (1 1),"
+      " MULTIPOLYGON (((2 2, 3 2, 3 3, 2 2)), ((5 5, 6 5, 6 6, 5 5))));\nPOINT (8 8)\n",
+      "w");
+  EXPECT_EQ(world.obstacles.size(), 2u);
+  EXPECT_EQ(world.start, (Point{1, 1}));
+  EXPECT_EQ(world.goal, (Point{8, 8}));
+}
+
+TEST(Wkt, NamesWhatIsWrong) {
+  expect_refusal("POLYGON ((0 0, 1 0, 1 1, 0 0))\nPOLYGON ((0 0, 1 0", "line 2, byte 31", true);
+  expect_refusal("POLYGON ((0 0, 1 0, 1 1))", "line 1", true);
+  expect_refusal("LINESTRING (0 0, 1 1)", "neither polygon nor point", true);
+  expect_refusal("POINT (1 1)", "no boundary", true);
+  expect_refusal("POINT EMPTY", "empty", true);
+  expect_refusal("POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))", "Self-intersection", true);
+  expect_refusal(std::string(100, '('), "nested too deep", true);
+}
+
+TEST(WorldFile, ReadsByContentAndReportsMissingFiles) {
+  const auto folder = std::filesystem::temp_directory_path();
+  const std::string name = (folder / "lasius_world_test.wkt").string();
+  World world;
+  world.boundary.outer = {{0, 0}, {4, 0}, {4, 4}};
+  write_world(world, name);
+  EXPECT_EQ(read_world(name), world);
+  std::ofstream(name) << "  " << to_geojson(world);
+  EXPECT_EQ(read_world(name), world);
+  std::ofstream(name) << " \n";
+  EXPECT_THROW(read_world(name), Error);
+  std::filesystem::remove(name);
+  try {
+    read_world(name);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::file_missing);
+  }
+  EXPECT_THROW(read_world(folder.string()), Error);
+}
+
+TEST(Check, RefusesWorldsThatProgramsMade) {
+  World world;
+  EXPECT_THROW(check(world), Error);
+  world.boundary.outer = {{0, 0}, {4, 0}, {4, std::numeric_limits<double>::quiet_NaN()}};
+  EXPECT_THROW(check(world), Error);
+  EXPECT_THROW(Planner{world}, Error);
+}
+
+TEST(Margin, GrowsClipsAndMerges) {
+  World world;
+  world.boundary.outer = {{-5, 0}, {20, 0}, {20, 10}, {-5, 10}};
+  world.obstacles = {{{{4, 4}, {6, 4}, {6, 6}, {4, 6}}, {}},
+                     {{{8, 4}, {10, 4}, {10, 6}, {8, 6}}, {}},
+                     {{{18, 8}, {25, 8}, {25, 15}, {18, 15}}, {}}};
+  const auto at = [&](double margin, Join join = Join::mitre) {
+    return Planner(world, {.margin = margin, .join = join});
+  };
+  EXPECT_EQ(at(0.5).grown_obstacles().size(), 3u);
+  EXPECT_EQ(at(1.5).grown_obstacles().size(), 2u);  // the two squares merge
+  EXPECT_TRUE(at(0.5).free({3.4, 3.4}));
+  EXPECT_FALSE(at(0.5).free({3.6, 3.6}));              // a mitre keeps the corner
+  EXPECT_TRUE(at(0.5, Join::round).free({3.6, 3.6}));  // 0.566 from the corner
+  EXPECT_TRUE(at(0.5, Join::bevel).free({3.7, 3.7}));  // 0.424 from it, behind the bevel
+  const Planner half = at(0.5);
+  for (const Polygon& p : half.grown_obstacles()) {
+    for (const Point q : p.outer) EXPECT_TRUE(q.x <= 20 && q.y <= 10);
+  }
+  EXPECT_EQ(at(4.5).components(), 2);  // nothing above or below the merged squares
+  EXPECT_THROW(at(50), Error);         // no free space
+  EXPECT_THROW(at(-1), Error);
+}
+
+TEST(Bitmap, BecomesAWorldAndBackAgain) {
+  const Grid grid = generate(MapKind::rooms, {.width = 60, .height = 40, .seed = 3});
+  for (const double resolution : {1.0, 0.05}) {
+    const World world = from_grid(grid, {.resolution = resolution, .origin_x = -3, .origin_y = 2});
+    EXPECT_NO_THROW(check(world));
+    const Map map = to_grid(world, resolution);
+    EXPECT_EQ(map.grid, grid);
+    EXPECT_EQ(map.frame->origin_x, -3);
+  }
+  EXPECT_THROW(from_grid(grid, {.yaw = 0.1}), Error);
+  EXPECT_THROW(to_grid(from_grid(grid), 0), Error);
+  EXPECT_THROW(to_grid(from_grid(grid), 1e-4), Error);
+}
+
+}  // namespace
+}  // namespace lasius::polygon

@@ -1,0 +1,124 @@
+// Random polygon worlds, and what GEOS says of paths in them.
+#pragma once
+
+#include <geos_c.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "lasius/polygon_plan.h"
+
+namespace lasius::testing {
+
+/// Numbers that are the same with every standard library.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+  double real(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+  }
+  int whole(int low, int high) { return static_cast<int>(real(low, high + 1)); }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// A square of 200 with `count` star-shaped obstacles of 3 to 8 corners, many of which overlap;
+/// `step` > 0 puts corners on a coarse grid, so that they touch and line up.
+inline polygon::World random_world(std::uint64_t seed, int count, double step = 0) {
+  Dice dice(seed);
+  const auto snapped = [&](double v) { return step > 0 ? std::round(v / step) * step : v; };
+  polygon::World world;
+  world.boundary.outer = {{0, 0}, {200, 0}, {200, 200}, {0, 200}};
+  while (static_cast<int>(world.obstacles.size()) < count) {
+    const Point centre{dice.real(0, 200), dice.real(0, 200)};
+    const double reach = dice.real(12, 72) / std::sqrt(count);
+    const int corners = dice.whole(3, 8);
+    const double turn = dice.real(0, 2 * std::numbers::pi);
+    polygon::World one;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = turn + 2 * std::numbers::pi * i / corners, r = reach * dice.real(0.4, 1);
+      one.boundary.outer.push_back(
+          {snapped(centre.x + r * std::cos(angle)), snapped(centre.y + r * std::sin(angle))});
+    }
+    try {
+      polygon::check(one);
+    } catch (const std::exception&) {
+      continue;  // snapped flat
+    }
+    world.obstacles.push_back(one.boundary);
+  }
+  return world;
+}
+
+/// Free points of a planner's world.
+inline Point free_point(const polygon::Planner& planner, Dice& dice) {
+  return planner.nearest_free({dice.real(0, 200), dice.real(0, 200)});
+}
+
+/// Independent of the library but for the obstacles as grown: GEOS decides.
+class Referee {
+ public:
+  explicit Referee(const std::vector<polygon::Polygon>& obstacles) : context_(GEOS_init_r()) {
+    std::vector<GEOSGeometry*> parts;
+    for (const auto& p : obstacles) {
+      std::vector<GEOSGeometry*> holes;
+      for (const auto& hole : p.holes) holes.push_back(ring(hole));
+      parts.push_back(GEOSGeom_createPolygon_r(context_, ring(p.outer), holes.data(),
+                                               static_cast<unsigned>(holes.size())));
+    }
+    obstacles_ = GEOSGeom_createCollection_r(context_, GEOS_MULTIPOLYGON, parts.data(),
+                                             static_cast<unsigned>(parts.size()));
+  }
+  ~Referee() {
+    GEOSGeom_destroy_r(context_, obstacles_);
+    GEOS_finish_r(context_);
+  }
+  Referee(const Referee&) = delete;
+  Referee& operator=(const Referee&) = delete;
+
+  /// Whether a path stays clear of the obstacles once they are shrunk.
+  bool clear(const std::vector<Point>& path, double shrink) const {
+    if (path.size() < 2) return true;
+    GEOSGeometry* line = line_of(path);
+    GEOSGeometry* shrunk = GEOSBuffer_r(context_, obstacles_, -shrink, 1);
+    const bool meets = GEOSIntersects_r(context_, line, shrunk) == 1;
+    GEOSGeom_destroy_r(context_, shrunk);
+    GEOSGeom_destroy_r(context_, line);
+    return !meets;
+  }
+
+  /// Whether the segment misses the inside of every obstacle.
+  bool sees(Point a, Point b) const {
+    GEOSGeometry* line = line_of({a, b});
+    const bool enters = GEOSRelatePattern_r(context_, line, obstacles_, "T********") == 1;
+    GEOSGeom_destroy_r(context_, line);
+    return !enters;
+  }
+
+ private:
+  GEOSCoordSequence* sequence(const std::vector<Point>& points, bool closed) const {
+    const auto count = static_cast<unsigned>(points.size());
+    GEOSCoordSequence* s = GEOSCoordSeq_create_r(context_, count + (closed ? 1 : 0), 2);
+    for (unsigned i = 0; i < count + (closed ? 1 : 0); ++i) {
+      const Point p = points[i % count];
+      GEOSCoordSeq_setXY_r(context_, s, i, p.x, p.y);
+    }
+    return s;
+  }
+  GEOSGeometry* ring(const polygon::Ring& points) const {
+    return GEOSGeom_createLinearRing_r(context_, sequence(points, true));
+  }
+  GEOSGeometry* line_of(const std::vector<Point>& points) const {
+    return GEOSGeom_createLineString_r(context_, sequence(points, false));
+  }
+
+  GEOSContextHandle_t context_;
+  GEOSGeometry* obstacles_ = nullptr;
+};
+
+}  // namespace lasius::testing

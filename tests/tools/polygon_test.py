@@ -1,0 +1,232 @@
+"""plan, info, verify and algorithms on polygon worlds."""
+import json
+import math
+import unittest
+
+from program import ProgramTest
+
+WORLD = {
+    "boundary": [[0, 0], [200, 0], [200, 200], [0, 200]],
+    "obstacle": [[[40, 140], [60, 160], [100, 140], [60, 120]],
+                 [[50, 30], [30, 40], [80, 80], [100, 40]],
+                 [[120, 160], [140, 100], [180, 170], [165, 180]],
+                 [[120, 40], [170, 40], [140, 80]]],
+}
+OPTIMUM = 168.371941370
+
+
+def feature(role, kind, coordinates):
+    return {"type": "Feature", "properties": {"role": role},
+            "geometry": {"type": kind, "coordinates": coordinates}}
+
+
+def collection(start=(20, 180), goal=(160, 90), margin=0, obstacles=None):
+    features = [feature("boundary", "Polygon", [WORLD["boundary"] + [WORLD["boundary"][0]]])]
+    for ring in WORLD["obstacle"] if obstacles is None else obstacles:
+        features.append(feature("obstacle", "Polygon", [ring + [ring[0]]]))
+    if start:
+        features.append(feature("start", "Point", list(start)))
+    if goal:
+        features.append(feature("goal", "Point", list(goal)))
+    return json.dumps({"type": "FeatureCollection", "margin": margin, "features": features})
+
+
+class PolygonTest(ProgramTest):
+    algorithm = "exact"
+
+    def setUp(self):
+        super().setUp()
+        self.write("world.geojson", collection())
+
+    def plan_world(self, *arguments, world="world.geojson"):
+        return self.run_program("plan", world, *arguments)
+
+    def test_shortest_path(self):
+        run = self.plan_world()
+        self.assertEqual((run.code, run.err), (0, ""))
+        lines = run.out.splitlines()
+        self.assertEqual(lines[0], "solved")
+        self.assertAlmostEqual(float(lines[1]), OPTIMUM, places=8)
+        self.assertEqual(lines[2:], ["20 180", "100 140", "140 100", "160 90"])
+
+    def test_every_algorithm_prints_the_contract(self):
+        keys = ["format", "version", "map", "algorithm", "start", "goal", "seed", "threads",
+                "parameters", "status", "error", "length", "path", "iterations", "best", "mean",
+                "arrived", "lower_bound", "gap", "optimal", "optimum", "optimum_gap", "maklink",
+                "elapsed_ms"]
+        for algorithm in ("exact", "maklink-acs", "real-ga"):
+            with self.subTest(algorithm=algorithm):
+                run = self.plan_world("--algorithm", algorithm, "--json", "--gap")
+                self.assertEqual((run.code, run.err), (0, ""))
+                result = run.json
+                self.assertEqual(list(result), keys)
+                self.assertEqual(result["format"], "lasius-plan/1")
+                self.assertEqual(result["map"]["width"], 200)
+                self.assertEqual((result["start"], result["goal"]), ([20, 180], [160, 90]))
+                length = sum(math.dist(a, b) for a, b in zip(result["path"], result["path"][1:]))
+                self.assertAlmostEqual(result["length"], length, places=9)
+                self.assertAlmostEqual(result["lower_bound"], OPTIMUM, places=8)
+                self.assertAlmostEqual(result["optimum"], OPTIMUM, places=8)
+                self.assertAlmostEqual(result["gap"], result["length"] / OPTIMUM - 1, places=8)
+                self.assertEqual(len(result["best"]), result["iterations"])
+
+    def test_maklink_part(self):
+        result = self.plan_world("--algorithm", "maklink-acs", "--json").json["maklink"]
+        self.assertEqual(len(result["crossed"]), len(result["values"]))
+        self.assertAlmostEqual(result["discrete_optimum"], OPTIMUM, places=8)
+        self.assertAlmostEqual(result["sequence_optimum"], OPTIMUM, places=8)
+        self.assertGreater(result["dijkstra_length"], OPTIMUM)
+
+    def test_options_override_the_world(self):
+        run = self.plan_world("--start", "1.5,2.25", "--goal", "150,10.5", "--margin", "4",
+                              "--join", "round", "--json")
+        self.assertEqual(run.code, 0)
+        self.assertEqual(run.json["start"], [1.5, 2.25])
+        self.assertEqual(run.json["parameters"]["margin"], 4)
+        self.assertEqual(run.json["parameters"]["join"], "round")
+        grown = self.plan_world("--margin", "2", "--json").json
+        self.assertGreater(grown["length"], OPTIMUM)
+
+    def test_the_world_s_margin_counts(self):
+        self.write("wide.geojson", collection(margin=2))
+        self.assertEqual(self.plan_world("--json", world="wide.geojson").json["length"],
+                         self.plan_world("--margin", "2", "--json").json["length"])
+
+    def test_wkt(self):
+        text = "".join(f"POLYGON (({', '.join(f'{x} {y}' for x, y in ring + [ring[0]])}))\n"
+                       for ring in [WORLD["boundary"]] + WORLD["obstacle"])
+        self.write("world.wkt", text + "POINT (20 180)\nPOINT (160 90)\n")
+        run = self.plan_world("--json", world="world.wkt")
+        self.assertAlmostEqual(run.json["length"], OPTIMUM, places=8)
+        self.assertEqual(run.json["map"]["hash"], self.plan_world("--json").json["map"]["hash"])
+
+    def test_usage(self):
+        self.write("open.geojson", collection(start=None))
+        cases = [
+            (["--algorithm", "maklink-asc"], "did you mean \"maklink-acs\"?"),
+            (["--algorithm", "fan2004"], "--algorithm"),
+            (["--set", "beta=1"], "exact has no parameter"),
+            (["--algorithm", "real-ga", "--set", "population"], "NAME=VALUE"),
+            (["--algorithm", "real-ga", "--set", "populatoin=3"], "did you mean \"population\"?"),
+            (["--algorithm", "maklink-acs", "--ants", "0"], "1 .. 1000000"),
+            (["--join", "miter"], "did you mean \"mitre\"?"),
+            (["--margin", "-1"], "--margin"),
+            (["--start", "1"], "--start"),
+            (["--radius", "1"], "--margin"),
+            (["-o", "x.jpg"], "-o x.jpg"),
+        ]
+        for arguments, part in cases:
+            with self.subTest(arguments=arguments):
+                run = self.plan_world(*arguments)
+                self.assertEqual((run.code, run.out), (2, ""))
+                self.assertIn(part, run.err)
+        run = self.plan_world(world="open.geojson")
+        self.assertEqual(run.code, 2)
+        self.assertIn("--start is required", run.err)
+        run = self.plan(map_file="small.map", start="0,0", goal="1,1")
+        self.assertEqual(run.code, 0)
+        for option in (["--margin", "1"], ["--join", "round"], ["--repair"]):
+            run = self.run_program("plan", "small.map", "--start", "0,0", "--goal", "1,1", *option)
+            self.assertEqual(run.code, 2)
+            self.assertIn("polygon worlds", run.err)
+
+    def test_options_without_effect_are_named(self):
+        run = self.plan_world("--ants", "3", "--polish", "taut", "--unknown-free")
+        self.assertEqual(run.code, 0)
+        for part in ("--ants has no effect", "--polish has no effect", "--unknown-free"):
+            self.assertIn(part, run.err)
+        self.assertEqual(self.plan_world("--ants", "3", "-q").err, "")
+
+    def test_broken_worlds(self):
+        bow = [[10, 10], [30, 30], [30, 10], [10, 30]]
+        cases = [
+            ("missing.geojson", None, "cannot be opened"),
+            ("a.geojson", "{\"type\":\n x", "line 2"),
+            ("b.geojson", "{}", "FeatureCollection"),
+            ("c.geojson", collection(obstacles=[bow]), "feature 1 (obstacle): Self-intersection"),
+            ("d.wkt", "POLYGON ((0 0, 1 1", "byte 0"),
+            ("e.geojson", collection(obstacles=[WORLD["boundary"]]), "no free space"),
+        ]
+        for name, text, part in cases:
+            with self.subTest(name=name):
+                if text is not None:
+                    self.write(name, text)
+                for command in ("plan", "info"):
+                    run = self.run_program(command, name)
+                    self.assertEqual((run.code, run.out), (3, ""))
+                    self.assertIn(name, run.err)
+                    self.assertIn(part, run.err)
+        self.assertEqual(self.plan_world("--repair", world="c.geojson").code, 0)
+
+    def test_blocked_outside_unreachable(self):
+        run = self.plan_world("--start", "60,140", "--json")
+        self.assertEqual(run.code, 4)
+        self.assertEqual(run.json["status"], "invalid")
+        self.assertIn("nearest free point is (50, 150)", run.json["error"])
+        self.assertIsNone(run.json["path"])
+        self.assertEqual(self.plan_world("--goal", "300,1").code, 4)
+        wall = [[100, -1], [101, -1], [101, 201], [100, 201]]
+        self.write("wall.geojson", collection(obstacles=[wall]))
+        for algorithm in ("exact", "maklink-acs", "real-ga"):
+            run = self.plan_world("--json", "--algorithm", algorithm, world="wall.geojson")
+            self.assertEqual((run.code, run.json["status"]), (5, "unreachable"))
+
+    def test_time_limit(self):
+        run = self.plan_world("--algorithm", "maklink-acs", "--time-limit", "0", "--json")
+        self.assertEqual((run.code, run.json["status"]), (0, "limit"))
+        self.assertEqual(run.json["length"], run.json["maklink"]["dijkstra_length"])
+        self.assertEqual(self.plan_world("--time-limit", "0").code, 6)
+
+    def test_outputs(self):
+        for algorithm in ("exact", "maklink-acs"):
+            run = self.plan_world("--algorithm", algorithm, "-o", "o.json", "-o", "o.csv", "-o",
+                                  "o.svg", "-o", "o.png")
+            self.assertEqual(run.code, 0)
+            with open(self.path("o.csv"), encoding="utf-8") as file:
+                head = file.readline().strip()
+            self.assertEqual(head, "x,y" if algorithm == "exact" else "iteration,best,mean,arrived")
+            with open(self.path("o.svg"), encoding="utf-8") as file:
+                self.assertIn("<svg", file.read(2000))
+            with open(self.path("o.png"), "rb") as file:
+                self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(self.plan_world("-o", "no/such/o.json").code, 7)
+
+    def test_verify(self):
+        for arguments in ([], ["--algorithm", "maklink-acs", "--set", "values=7"],
+                          ["--algorithm", "real-ga", "--iterations", "40", "--gap"],
+                          ["--algorithm", "maklink-acs", "--set", "routes=3", "--margin", "1.5",
+                           "--join", "bevel", "--seed", "9007199254740991"],
+                          ["--start", "60,140"]):
+            with self.subTest(arguments=arguments):
+                self.plan_world("--json", "-o", "r.json", *arguments)
+                run = self.run_program("verify", "r.json", "--threads", "2")
+                self.assertEqual((run.code, run.err), (0, ""))
+        with open(self.path("r.json"), encoding="utf-8") as file:
+            result = json.load(file)
+        result["start"] = [61, 140]
+        self.write("r.json", json.dumps(result))
+        self.assertEqual(self.run_program("verify", "r.json").code, 1)
+        self.write("world.geojson", collection(margin=1))
+        run = self.run_program("verify", "r.json")
+        self.assertEqual(run.code, 3)
+        self.assertIn("hash", run.err)
+
+    def test_info_and_algorithms(self):
+        run = self.run_program("info", "world.geojson", "--json")
+        self.assertEqual(run.code, 0)
+        self.assertEqual((run.json["obstacles"], run.json["corners"], run.json["components"]),
+                         (4, 15, 1))
+        self.assertIn("maklink", self.run_program("info", "world.geojson").out)
+        listed = self.run_program("algorithms", "--json").json["polygon_algorithms"]
+        names = [algorithm["name"] for algorithm in listed]
+        self.assertEqual(names, ["exact", "maklink-acs", "real-ga"])
+        self.assertIn("maklink-acs", self.run_program("algorithms").out)
+        acs = listed[names.index("maklink-acs")]
+        values = {p["name"]: p["default"] for p in acs["parameters"]}
+        self.assertEqual([values[n] for n in ("ants", "iterations", "values", "beta", "greedy",
+                                              "evaporation", "initial_pheromone")],
+                         [10, 200, 11, 2, 0.85, 0.1, 0.0002])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,109 @@
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "answer.h"
+#include "commands.h"
+#include "exit_code.h"
+#include "lasius/error.h"
+#include "lasius/output.h"
+#include "picture.h"
+#include "polygon_picture.h"
+#include "polygon_report.h"
+#include "progress.h"
+#include "signals.h"
+#include "streams.h"
+
+namespace lasius::tool {
+namespace {
+
+void announce(const PreparedWorld& world, const PolygonCommand& command,
+              const polygon::Parameters& parameters, const std::vector<std::string>& notes) {
+  if (command.messages.quiet) return;
+  for (const auto& note : command.notes) message(note);
+  for (const auto& note : notes) message(note);
+  if (!command.messages.verbose) return;
+  std::array<char, 200> text;
+  std::snprintf(text.data(), text.size(),
+                ": %zu obstacles, %zu lines, %zu regions, hash %s, read in %.1f ms, prepared in "
+                "%.1f ms",
+                world.planner.world().obstacles.size(), world.planner.maklink().lines.size(),
+                world.planner.maklink().regions.size(), hash_text(world.hash).c_str(),
+                world.read_ms, world.prepare_ms);
+  message(world.file + text.data());
+  message(parameters.algorithm + ", seed " + std::to_string(parameters.seed));
+}
+
+PolygonAnswer watched_answer(const PreparedWorld& world, const PolygonCommand& command,
+                             const polygon::Parameters& parameters, const std::stop_token& token) {
+  const bool iterates = parameters.algorithm != polygon::algorithms().front().name;
+  const bool shown = wants_progress(command.messages);
+  ProgressLine bar(shown, iterates ? std::int64_t{parameters.iterations} * parameters.routes : 0,
+                   command.time_limit.value_or(0));
+  polygon::Observer observer;
+  if (shown)
+    observer = [&](const polygon::IterationView& view) {
+      std::array<char, 48> text;
+      std::snprintf(text.data(), text.size(), "best %.3f", view.best_length);
+      bar.update(view.iteration + 1, text.data());
+    };
+  const StopCondition stop{.token = token, .deadline = deadline_after(command.time_limit)};
+  return polygon_answer(world, command, parameters, stop, observer);
+}
+
+std::string explain(const polygon::Result& result) {
+  const std::string after = " after " + std::to_string(result.iterations) + " iterations";
+  const std::string held = result.path.empty() ? ", no path yet" : ", the best path so far is kept";
+  if (result.status == Status::limit) return "the time limit ended the run" + after + held;
+  if (result.status == Status::interrupted) return "interrupted" + after + held;
+  return result.error;
+}
+
+void write_outputs(const PreparedWorld& world, const PolygonCommand& command,
+                   const PolygonAnswer& answer) {
+  for (const auto& file : command.outputs) {
+    if (is_picture(file))
+      write_polygon_picture(file, world, answer);
+    else if (file.ends_with(".csv"))
+      write_file(file, [&](std::ostream& out) { out << result_csv(answer.result); });
+    else
+      write_file(file,
+                 [&](std::ostream& out) { out << line(polygon_json(world, command, answer)); });
+    if (command.messages.verbose) message("wrote " + file);
+  }
+}
+
+}  // namespace
+
+int run_polygon(const PolygonCommand& command) {
+  std::vector<std::string> notes;
+  const auto parameters = polygon_parameters(command, notes);
+  for (const auto& file : command.outputs) check_writable(file);
+  SignalWatcher signals;
+  const PreparedWorld world = prepare_world(command.world);
+  if (!command.start && !world.planner.world().start)
+    throw UsageError("--start is required: " + world.file + " has no feature with the role start");
+  if (!command.goal && !world.planner.world().goal)
+    throw UsageError("--goal is required: " + world.file + " has no feature with the role goal");
+  announce(world, command, parameters, notes);
+  const PolygonAnswer answer = watched_answer(world, command, parameters, signals.token());
+
+  const std::string why = explain(answer.result);
+  if (!why.empty() && (answer.result.path.empty() || !command.messages.quiet)) message(why);
+  // What one output refuses the others still get.
+  std::exception_ptr fault;
+  try {
+    print(command.json ? line(polygon_json(world, command, answer)) : polygon_text(answer));
+  } catch (const ClosedOutput&) {
+  } catch (const Error&) {
+    fault = std::current_exception();
+  }
+  write_outputs(world, command, answer);
+  if (fault) std::rethrow_exception(fault);
+  return exit_code(answer.result);
+}
+
+}  // namespace lasius::tool

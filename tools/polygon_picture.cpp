@@ -1,0 +1,157 @@
+#include "polygon_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "canvas.h"
+#include "chart.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr Colour kInk{0.15, 0.17, 0.2};
+constexpr Colour kFree{1, 1, 1};
+constexpr Colour kGrown{0.72, 0.74, 0.77};
+constexpr Colour kWall{0.36, 0.39, 0.44};
+constexpr Colour kLine{0.26, 0.57, 0.78};
+constexpr Colour kMidpoint{0.03, 0.19, 0.42};
+constexpr Colour kDijkstra{0.55, 0.3, 0.65};
+constexpr Colour kPath{0.85, 0.12, 0.12};
+constexpr Colour kStart{0.1, 0.6, 0.25};
+constexpr Colour kGoal{0.9, 0.45, 0.05};
+constexpr double kMargin = 24, kGap = 24, kCaption = 34, kTitle = 44, kLongSide = 620;
+
+/// The world's place on the page, y up.
+class View {
+ public:
+  View(const PreparedWorld& world, const Box& box) : low_(world.low()), box_(box) {
+    const Point high = world.high();
+    scale_ = std::min(box.width / (high.x - low_.x), box.height / (high.y - low_.y));
+  }
+  Point at(Point p) const {
+    return {box_.x + (p.x - low_.x) * scale_, box_.y + box_.height - (p.y - low_.y) * scale_};
+  }
+  std::vector<Point> at(const std::vector<Point>& points) const {
+    std::vector<Point> result;
+    for (const Point p : points) result.push_back(at(p));
+    return result;
+  }
+
+ private:
+  Point low_;
+  Box box_;
+  double scale_;
+};
+
+double area(const polygon::Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+    sum += (a.x - ring[0].x) * (b.y - ring[0].y) - (a.y - ring[0].y) * (b.x - ring[0].x);
+  }
+  return std::abs(sum);
+}
+
+/// Free space in white on the grown obstacles' grey, the obstacles as drawn in a darker one.
+void draw_world(Canvas& canvas, const View& view, const PreparedWorld& world, const Box& box) {
+  canvas.fill(box, kGrown);
+  auto pieces = world.planner.maklink().free_space;
+  std::ranges::stable_sort(
+      pieces, [](const auto& a, const auto& b) { return area(a.outer) > area(b.outer); });
+  for (const auto& piece : pieces) {
+    canvas.area(view.at(piece.outer), kFree, 1);
+    for (const auto& hole : piece.holes) canvas.area(view.at(hole), kGrown, 1);
+  }
+  canvas.clip(box);
+  for (const auto& obstacle : world.planner.world().obstacles)
+    if (obstacle.holes.empty()) canvas.area(view.at(obstacle.outer), kWall, 1);
+  canvas.unclip();
+}
+
+void draw_ends(Canvas& canvas, const View& view, const PolygonAnswer& answer) {
+  canvas.disc(view.at(answer.start), 7, kStart);
+  canvas.diamond(view.at(answer.goal), 9, kGoal);
+}
+
+void draw_graph(Canvas& canvas, const View& view, const PreparedWorld& world,
+                const PolygonAnswer& answer) {
+  for (const auto& line : world.planner.maklink().lines) {
+    canvas.dashed(view.at(line.a), view.at(line.b), kLine, 1.2);
+    canvas.disc(view.at(line.midpoint()), 3, kMidpoint);
+  }
+  if (answer.result.dijkstra)
+    canvas.polyline(view.at(answer.result.dijkstra->path), kDijkstra, 2.5);
+}
+
+std::string fixed(double value) {
+  std::array<char, 48> text;
+  std::snprintf(text.data(), text.size(), "%.3f", value);
+  return text.data();
+}
+
+std::string path_caption(const PolygonAnswer& answer) {
+  const auto& result = answer.result;
+  if (result.path.empty()) return std::string(to_string(result.status)) + ": no path";
+  std::string text = "path, length " + fixed(result.length);
+  if (result.optimal) return text + ", proven shortest";
+  if (result.gap()) text += ", " + fixed(100 * *result.gap()) + "% above the optimum";
+  return text;
+}
+
+}  // namespace
+
+void write_polygon_picture(const std::string& file, const PreparedWorld& world,
+                           const PolygonAnswer& answer) {
+  const Point low = world.low(), high = world.high();
+  const double scale = kLongSide / std::max(high.x - low.x, high.y - low.y);
+  const double width = std::max(40.0, scale * (high.x - low.x));
+  const double height = std::max(40.0, scale * (high.y - low.y));
+  const auto& result = answer.result;
+  const bool graph = result.dijkstra.has_value(), chart = !result.best.empty();
+  const int panels = 1 + (graph ? 1 : 0) + (chart ? 1 : 0);
+  const double place = std::max(width, 420.0), tall = std::max(height, 320.0);
+  const double page = 2 * kMargin + panels * place + (panels - 1) * kGap;
+  Canvas canvas(static_cast<int>(page), static_cast<int>(2 * kMargin + kTitle + tall + kCaption));
+  canvas.text({page / 2, kMargin + 20},
+              answer.parameters.algorithm + " on " +
+                  std::filesystem::path(world.file).filename().string() + ", seed " +
+                  std::to_string(answer.parameters.seed),
+              19, Align::centre, kInk, true);
+  int next = 0;
+  const auto panel = [&](const std::string& caption, bool whole, const auto& draw) {
+    const double x = kMargin + next * (place + kGap), y = kMargin + kTitle;
+    const std::string letter =
+        panels > 1 ? std::string("(").append(1, static_cast<char>('a' + next)).append(") ") : "";
+    ++next;
+    draw(whole ? Box{x, y, place, tall}
+               : Box{x + (place - width) / 2, y + (tall - height) / 2, width, height});
+    canvas.text({x + place / 2, y + tall + 24}, letter + caption, 15, Align::centre, kInk);
+  };
+  if (graph)
+    panel("MAKLINK lines, midpoints, Dijkstra's path, length " + fixed(result.dijkstra->length),
+          false, [&](const Box& box) {
+            const View view(world, box);
+            draw_world(canvas, view, world, box);
+            draw_graph(canvas, view, world, answer);
+            draw_ends(canvas, view, answer);
+            canvas.frame(box, kInk, 1);
+          });
+  panel(path_caption(answer), false, [&](const Box& box) {
+    const View view(world, box);
+    draw_world(canvas, view, world, box);
+    canvas.polyline(view.at(result.path), kPath, 3);
+    draw_ends(canvas, view, answer);
+    canvas.frame(box, kInk, 1);
+  });
+  if (chart)
+    panel("convergence", true, [&](const Box& box) {
+      draw_convergence(canvas, box,
+                       {result.best, result.mean, result.lower_bound, "the world's units"});
+    });
+  canvas.save(file);
+}
+
+}  // namespace lasius::tool

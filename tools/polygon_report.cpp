@@ -1,0 +1,223 @@
+#include "polygon_report.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "exit_code.h"
+#include "lasius/error.h"
+#include "lasius/version.h"
+#include "parameters.h"
+#include "values.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr std::array<const char*, 3> kJoins{"mitre", "round", "bevel"};
+
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+Json optional_number(const std::optional<double>& value) {
+  return value ? number(*value) : Json(nullptr);
+}
+
+Json numbers(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(number(value));
+  return list;
+}
+
+Json point(Point p) { return Json::array({number(p.x), number(p.y)}); }
+
+Json points(const std::vector<Point>& path) {
+  if (path.empty()) return nullptr;
+  Json list = Json::array();
+  for (const Point p : path) list.push_back(point(p));
+  return list;
+}
+
+const Algorithm& polygon_algorithm(std::string_view name) {
+  const auto all = polygon::algorithms();
+  return *std::ranges::find_if(all, [&](const Algorithm& a) { return a.name == name; });
+}
+
+Json parameters_json(const PreparedWorld& world, const PolygonCommand& command,
+                     const polygon::Parameters& parameters) {
+  Json object = Json::object();
+  for (const auto& parameter : polygon_algorithm(parameters.algorithm).parameters)
+    object[std::string(parameter.name)] =
+        parameter_json(polygon::get_parameter(parameters, parameter.name));
+  object["target_gap"] = number(command.target_gap);
+  object["time_limit"] = optional_number(command.time_limit);
+  object["margin"] = number(world.planner.margin());
+  object["join"] = kJoins[static_cast<std::size_t>(world.planner.join())];
+  object["repair"] = world.repair;
+  return object;
+}
+
+Json crossing_length(const std::optional<polygon::Crossing>& crossing) {
+  return crossing ? number(crossing->length) : Json(nullptr);
+}
+
+/// What the graph gave: sizes, the lines crossed, and the optima that bound the path.
+Json maklink_json(const PreparedWorld& world, const polygon::Result& result) {
+  const auto& graph = world.planner.maklink();
+  Json json = {{"lines", graph.lines.size()},
+               {"regions", graph.regions.size()},
+               {"crossed", result.crossing.lines},
+               {"values", numbers(result.crossing.values)},
+               {"dijkstra_length", crossing_length(result.dijkstra)},
+               {"dijkstra_path", result.dijkstra ? points(result.dijkstra->path) : Json(nullptr)},
+               {"discrete_optimum", crossing_length(result.discrete_optimum)},
+               {"sequence_optimum", crossing_length(result.sequence_optimum)}};
+  return json;
+}
+
+}  // namespace
+
+Point PreparedWorld::low() const {
+  Point p = planner.world().boundary.outer.front();
+  for (const Point q : planner.world().boundary.outer) p = {std::min(p.x, q.x), std::min(p.y, q.y)};
+  return p;
+}
+
+Point PreparedWorld::high() const {
+  Point p = planner.world().boundary.outer.front();
+  for (const Point q : planner.world().boundary.outer) p = {std::max(p.x, q.x), std::max(p.y, q.y)};
+  return p;
+}
+
+PreparedWorld prepare_world(const WorldOptions& options) {
+  const auto start = Clock::now();
+  const polygon::World world = polygon::read_world(options.file, {.repair = options.repair});
+  const double read_ms = ms_since(start);
+  const auto prepare_start = Clock::now();
+  const auto make = [&] {
+    try {
+      return polygon::Planner(
+          world, {.margin = options.margin, .join = static_cast<polygon::Join>(options.join)});
+    } catch (const Error& fault) {
+      throw Error(ErrorCode::file_broken, {.file = options.file}, fault.problem(), fault.remedy());
+    }
+  };
+  polygon::Planner planner = make();
+  return {.file = options.file,
+          .repair = options.repair,
+          .hash = polygon::hash(world),
+          .planner = std::move(planner),
+          .read_ms = read_ms,
+          .prepare_ms = ms_since(prepare_start)};
+}
+
+polygon::Parameters polygon_parameters(const PolygonCommand& command,
+                                       std::vector<std::string>& notes) {
+  const auto all = polygon::algorithms();
+  std::vector<std::string_view> known;
+  for (const auto& algorithm : all) known.push_back(algorithm.name);
+  const std::string_view name = command.algorithm.empty()
+                                    ? all.front().name
+                                    : known[choice_value("--algorithm", command.algorithm, known)];
+  auto parameters = polygon::defaults(name);
+  const Algorithm& algorithm = polygon_algorithm(name);
+  for (const auto& [key, value] : command.named) {
+    if (has_parameter(algorithm, key))
+      polygon::set_parameter(parameters, key, value);
+    else
+      notes.push_back("--" + key + " has no effect: " + std::string(name) +
+                      " has no such parameter");
+  }
+  std::vector<std::string_view> names;
+  for (const auto& parameter : algorithm.parameters) names.push_back(parameter.name);
+  for (const std::string& setting : command.settings) {
+    const auto equals = setting.find('=');
+    if (equals == std::string::npos)
+      throw UsageError("--set " + setting + ": not of the form NAME=VALUE");
+    const std::string key = setting.substr(0, equals);
+    if (!has_parameter(algorithm, key))
+      throw UsageError("--set " + setting + ": " + std::string(name) + " has no parameter \"" +
+                       key + "\"; " + (names.empty() ? "it takes none" : did_you_mean(key, names)));
+    polygon::set_parameter(parameters, key, setting.substr(equals + 1));
+  }
+  parameters.seed = command.seed;
+  parameters.threads = command.threads;
+  polygon::validate(parameters);
+  return parameters;
+}
+
+PolygonAnswer polygon_answer(const PreparedWorld& world, const PolygonCommand& command,
+                             const polygon::Parameters& parameters, const StopCondition& stop,
+                             const polygon::Observer& observer) {
+  const auto begin = Clock::now();
+  PolygonAnswer answer{.parameters = parameters,
+                       .start = *(command.start ? command.start : world.planner.world().start),
+                       .goal = *(command.goal ? command.goal : world.planner.world().goal),
+                       .result = {},
+                       .optimum = {}};
+  answer.result = world.planner.plan(
+      {.start = answer.start, .goal = answer.goal, .stop = stop, .target_gap = command.target_gap},
+      parameters, observer);
+  answer.elapsed_ms = ms_since(begin);
+  if (command.with_optimum) {
+    const auto best = world.planner.plan(
+        {.start = answer.start, .goal = answer.goal, .stop = {.token = stop.token}},
+        polygon::defaults("exact"));
+    if (best.optimal) answer.optimum = best.length;
+  }
+  return answer;
+}
+
+Json polygon_json(const PreparedWorld& world, const PolygonCommand& command,
+                  const PolygonAnswer& answer) {
+  const polygon::Result& result = answer.result;
+  const Point low = world.low(), high = world.high();
+  Json json = Json::object();
+  json["format"] = kFormat;
+  json["version"] = LASIUS_VERSION;
+  json["map"] = {{"file", world.file},
+                 {"hash", hash_text(world.hash)},
+                 {"width", number(high.x - low.x)},
+                 {"height", number(high.y - low.y)}};
+  json["algorithm"] = answer.parameters.algorithm;
+  json["start"] = point(answer.start);
+  json["goal"] = point(answer.goal);
+  json["seed"] = answer.parameters.seed;
+  json["threads"] = answer.parameters.threads;
+  json["parameters"] = parameters_json(world, command, answer.parameters);
+  json["status"] = to_string(result.status);
+  json["error"] = result.error.empty() ? Json(nullptr) : Json(result.error);
+  json["length"] = number(result.length);
+  json["path"] = points(result.path);
+  json["iterations"] = result.iterations;
+  json["best"] = numbers(result.best);
+  json["mean"] = numbers(result.mean);
+  json["arrived"] = result.arrived;
+  json["lower_bound"] = optional_number(result.lower_bound);
+  json["gap"] = optional_number(result.gap());
+  json["optimal"] = result.optimal;
+  if (command.with_optimum) {
+    const auto& optimum = answer.optimum;
+    json["optimum"] = optional_number(optimum);
+    json["optimum_gap"] = nullptr;
+    if (optimum && std::isfinite(result.length))
+      json["optimum_gap"] = number(*optimum > 0 ? (result.length - *optimum) / *optimum : 0.0);
+  }
+  json["maklink"] = maklink_json(world, result);
+  json["elapsed_ms"] = number(answer.elapsed_ms);
+  return json;
+}
+
+std::string polygon_text(const PolygonAnswer& answer) {
+  std::ostringstream out;
+  out << to_string(answer.result.status) << "\n";
+  if (answer.result.path.empty()) return out.str();
+  out << to_text(answer.result.length) << "\n";
+  for (const Point p : answer.result.path) out << to_text(p.x) << " " << to_text(p.y) << "\n";
+  return out.str();
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,84 @@
+#include "polygon_text.h"
+
+#include <algorithm>
+#include <array>
+
+#include "exit_code.h"
+#include "threads.h"
+#include "values.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr std::array<std::string_view, 3> kJoins{"mitre", "round", "bevel"};
+
+std::optional<Point> point(std::string_view option, const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  return pair_value(option, text, false);
+}
+
+}  // namespace
+
+bool is_world(std::string_view file) {
+  return std::ranges::any_of(std::array{".geojson", ".json", ".wkt"},
+                             [&](std::string_view ending) { return file.ends_with(ending); });
+}
+
+WorldOptions make_world_options(const std::string& file, const WorldText& text) {
+  WorldOptions options{.file = file, .repair = text.repair, .margin = {}};
+  if (!text.margin.empty()) options.margin = real_value("--margin", text.margin, 0, kNoLimit);
+  if (!text.join.empty())
+    options.join = static_cast<int>(choice_value("--join", text.join, kJoins));
+  return options;
+}
+
+PolygonCommand make_polygon(const RunText& run, const PolygonText& text) {
+  static constexpr std::string_view kFrames[] = {"cell", "world"};
+  static constexpr std::string_view kEndings[] = {".json", ".csv", ".svg", ".png"};
+  PolygonCommand command{.world = make_world_options(run.map, text.world),
+                         .start = point("--start", text.start),
+                         .goal = point("--goal", text.goal),
+                         .algorithm = run.algorithm,
+                         .named = {},
+                         .settings = run.set,
+                         .threads = thread_count(run.threads),
+                         .time_limit = {},
+                         .with_optimum = run.gap,
+                         .json = run.json,
+                         .outputs = run.outputs,
+                         .messages = make_messages(run),
+                         .notes = {}};
+  for (const auto& [name, value] : run.named)
+    if (!value.empty()) command.named.emplace_back(name, value);
+  if (!run.seed.empty())
+    command.seed =
+        static_cast<std::uint64_t>(integer_value("--seed", run.seed, 0, kMaxExactInteger));
+  if (!run.time_limit.empty())
+    command.time_limit = real_value("--time-limit", run.time_limit, 0, kNoLimit);
+  if (!run.target_gap.empty())
+    command.target_gap = real_value("--target-gap", run.target_gap, 0, kNoLimit) / 100;
+  if (!run.frame.empty()) choice_value("--frame", run.frame, kFrames);
+  if (!run.radius.empty())
+    throw UsageError("--radius: obstacles of a polygon world grow by --margin");
+  if (run.unknown_free)
+    command.notes.emplace_back("--unknown-free has no effect: a polygon world has no unknown part");
+  if (!run.tracks.empty()) {
+    list_value("--tracks", run.tracks);
+    command.notes.emplace_back("--tracks has no effect on a polygon world");
+  }
+  check_endings(run.outputs, kEndings);
+  return command;
+}
+
+void refuse_world_options(const WorldText& text) {
+  const char* option = !text.margin.empty() ? "--margin"
+                       : !text.join.empty() ? "--join"
+                       : text.repair        ? "--repair"
+                                            : nullptr;
+  if (option != nullptr)
+    throw UsageError(std::string(option) +
+                     " is for polygon worlds (.geojson, .json, .wkt); obstacles of a bitmap grow "
+                     "by --radius");
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,55 @@
+#include "polygon_verify.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "lasius/error.h"
+#include "parameters.h"
+#include "polygon_report.h"
+#include "values.h"
+
+namespace lasius::tool {
+namespace {
+
+Point point(const Json& json) { return {json.at(0).get<double>(), json.at(1).get<double>()}; }
+
+}  // namespace
+
+Json polygon_replay(const Json& recorded, const std::string& file, int threads,
+                    const std::stop_token& token) {
+  constexpr std::array<std::string_view, 3> kJoins{"mitre", "round", "bevel"};
+  const Json& settings = recorded.at("parameters");
+  PolygonCommand command;
+  command.world.file = file;
+  command.world.repair = settings.at("repair").get<bool>();
+  command.world.margin = settings.at("margin").get<double>();
+  command.world.join =
+      static_cast<int>(choice_value("join", settings.at("join").get<std::string>(), kJoins));
+  command.start = point(recorded.at("start"));
+  command.goal = point(recorded.at("goal"));
+  command.algorithm = recorded.at("algorithm").get<std::string>();
+  command.seed = recorded.at("seed").get<std::uint64_t>();
+  command.threads = threads;
+  command.target_gap = settings.at("target_gap").get<double>();
+  if (!settings.at("time_limit").is_null())
+    command.time_limit = settings.at("time_limit").get<double>();
+  command.with_optimum = recorded.contains("optimum");
+  for (const auto& algorithm : polygon::algorithms()) {
+    if (algorithm.name != command.algorithm) continue;
+    for (const auto& parameter : algorithm.parameters) {
+      const std::string name(parameter.name);
+      command.settings.push_back(name + "=" + parameter_text(settings.at(name)));
+    }
+  }
+  std::vector<std::string> notes;
+  const auto parameters = polygon_parameters(command, notes);
+  const PreparedWorld world = prepare_world(command.world);
+  const auto hash = recorded.at("map").at("hash").get<std::string>();
+  if (hash_text(world.hash) != hash)
+    throw Error(ErrorCode::file_broken, {.file = file},
+                "has hash " + hash_text(world.hash) + ", the result was made on " + hash,
+                "name the world of that time with --map");
+  return polygon_json(world, command, polygon_answer(world, command, parameters, {.token = token}));
+}
+
+}  // namespace lasius::tool
