@@ -42,7 +42,8 @@ if(NOT LIBRARY_DIR)
   string(COMPARE EQUAL ${KIND} shared shared)
   run("configuring the library" ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${LIBRARY_DIR} ${toolchain}
     -DBUILD_SHARED_LIBS=${shared} -DLASIUS_BUILD_IO=${BUILD_IO}
-    -DLASIUS_BUILD_ARM=${BUILD_ARM} -DLASIUS_BUILD_TOOLS=OFF
+    -DLASIUS_BUILD_ARM=${BUILD_ARM} -DLASIUS_BUILD_POLYGON=${BUILD_POLYGON}
+    -DLASIUS_BUILD_TOOLS=OFF
     -DLASIUS_BUILD_TESTS=OFF -DLASIUS_BUILD_BENCH=OFF -DCMAKE_INSTALL_LIBDIR=${LIBDIR})
   run("building the library" ${CMAKE_COMMAND} --build ${LIBRARY_DIR})
 endif()
@@ -66,6 +67,9 @@ if(BUILD_IO)
 endif()
 if(BUILD_ARM)
   list(APPEND components arm)
+endif()
+if(BUILD_POLYGON)
+  list(APPEND components polygon)
 endif()
 set(configure ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project ${toolchain}
   -DCMAKE_PREFIX_PATH=${prefix} -DEXAMPLE=${WORK_DIR}/example.cpp)
