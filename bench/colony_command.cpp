@@ -30,6 +30,7 @@ void run(const Options& options) {
     for (const Figure& f : figures) write("| " + f.what + " | " + f.value + " | " + f.aim + " |");
   };
   add(measure_steps(options.rounds));
+  add(measure_variants(options.rounds));
   add(measure_threads(options.rounds));
   add(measure_area(options.rounds, options.side));
   add(measure_unreachable(options.plans, options.side / 4));

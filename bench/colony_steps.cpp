@@ -73,9 +73,8 @@ class WalkOnly {
 };
 
 // Whole plans on one thread: walks, updates, straightening.
-double plan_rate(const Planner& planner, const char* algorithm, std::uint64_t seed) {
+double plan_rate(const Planner& planner, Params params, std::uint64_t seed) {
   static Workspace workspace;
-  Params params = defaults(algorithm);
   params.threads = 1;
   params.ants = kAnts;
   params.iterations = 10;
@@ -87,6 +86,16 @@ double plan_rate(const Planner& planner, const char* algorithm, std::uint64_t se
     for (const Ant& ant : workspace.impl().ants) steps += ant.steps;
   });
   return static_cast<double>(steps) / watch.seconds();
+}
+
+// Without polish, which is the same for all.
+double variant_rate(const Planner& planner, std::string_view algorithm, int batch,
+                    std::uint64_t seed) {
+  Params params = defaults(algorithm);
+  params.polish = Polish::none;
+  params.straight_deposit = StraightDeposit::none;
+  if (batch > 0) params.batch = batch;
+  return plan_rate(planner, params, seed);
 }
 
 }  // namespace
@@ -109,9 +118,9 @@ std::vector<Figure> measure_steps(int rounds) {
   std::vector<Subject> subjects = {
       {"textbook ant system", [](int r) { return textbook_rate(r + 1); }, {}},
       {"walks of `as`, 8 neighbours", [&](int r) { return walk.rate(r + 1); }, {}},
-      {"whole plans of `as`", [&](int r) { return plan_rate(planner, "as", r + 1); }, {}},
+      {"whole plans of `as`", [&](int r) { return plan_rate(planner, defaults("as"), r + 1); }, {}},
       {"whole plans of `fan2004`, 4 neighbours",
-       [&](int r) { return plan_rate(planner, "fan2004", r + 1); },
+       [&](int r) { return plan_rate(planner, defaults("fan2004"), r + 1); },
        {}},
       {"ceiling, 8 walkers", [](int) { return ceiling_rate(Path::walk, 8); }, {}},
       {"ceiling, 1 walker", [](int) { return ceiling_rate(Path::walk, 1); }, {}},
@@ -133,6 +142,26 @@ std::vector<Figure> measure_steps(int rounds) {
   figures.push_back({"whole plans of `fan2004` / textbook", ratio(3, 0), ""});
   figures.push_back({"walks of `as` / ceiling, 8 walkers", ratio(1, 4), ">= 0.5"});
   figures.push_back({"walks of `as` / ceiling, 1 walker", ratio(1, 5), ""});
+  return figures;
+}
+
+std::vector<Figure> measure_variants(int rounds) {
+  const Planner planner(fan_course().grid);
+  std::vector<Figure> figures;
+  for (const Algorithm& algorithm : algorithms()) {
+    if (algorithm.name == "exact" || algorithm.name == "grid-ga") continue;
+    // Ants that go one at a time are set against the flagship's ants, one at a time.
+    const int batch = defaults(algorithm.name).batch == 1 ? 1 : 0;
+    std::vector<double> rates, ratios;
+    for (int round = 1; round <= rounds; ++round) {
+      const double flagship = variant_rate(planner, "fan2004", batch, round);
+      rates.push_back(variant_rate(planner, algorithm.name, batch, round));
+      ratios.push_back(flagship / rates.back());
+    }
+    figures.push_back({"fan2004 / `" + std::string(algorithm.name) + "`, steps/s of plans (" +
+                           short_number(median(rates) / 1e6) + " M)",
+                       short_number(median(ratios)), "<= 2"});
+  }
   return figures;
 }
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "field_tile.h"
+#include "kernel_choice.h"
 
 namespace lasius {
 namespace {
@@ -30,6 +31,7 @@ void Field::reset(const Grid& grid, const kernels::Moves& moves, Cell goal, cons
   const auto shape_before = shape();
   grid_ = &grid;
   moves_ = moves;
+  raise_ = kernels::raise_row(chosen_isa());
   params_ = params;
   mixture_ = params.pheromone_rule_first > 0 || params.pheromone_rule > 0 ||
              params.distance_rule_first > 0 || params.distance_rule > 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "heuristic.h"
+#include "kernels/raise.h"
 #include "kernels/walk.h"
 #include "lasius/grid.h"
 #include "lasius/params.h"
@@ -92,6 +93,7 @@ class Field {
   kernels::Moves moves_;
   Params params_;
   HeuristicRows heuristic_;
+  kernels::RaiseFn raise_ = nullptr;
   bool mixture_ = false;
   bool learned_ = false;
   int reach_ = 1;  // cells that a move goes at most

@@ -6,7 +6,6 @@
 
 #include "field.h"
 #include "field_tile.h"
-#include "kernels/power.h"
 
 namespace lasius {
 namespace {
@@ -14,14 +13,6 @@ namespace {
 using kernels::kTileSide;
 
 constexpr int kManyTiles = 64;  // fewer are not worth waking threads for
-
-/// ratio^exponent; by multiplication for the small integers that schedules end at.
-double raise(double ratio, double exponent) noexcept {
-  if (exponent == 1) return ratio;
-  if (exponent == 2) return ratio * ratio;
-  if (exponent == 4) return (ratio * ratio) * (ratio * ratio);
-  return kernels::power(ratio, exponent);
-}
 
 }  // namespace
 
@@ -57,8 +48,10 @@ void Field::weigh_trail(const Tile& tile, int x, int y, const float* heuristic,
   const auto least = static_cast<float>(least_ / scale_);
   const auto most = static_cast<float>(std::min(most_ / scale_, 3e38));
 
-  std::array<float, kernels::kMaxMoves> tau{}, eta{};
+  std::array<float, kernels::kMaxMoves> tau, eta;
   float largest_tau = 0, largest_eta = 0;
+  tau.fill(1);  // of moves that do not exist: anything that has a power
+  eta.fill(1);
   for (int k = 0; k < moves_.count; ++k) {
     if (heuristic[k] == 0) continue;
     const auto [dx, dy] = moves_[k].to;
@@ -76,17 +69,19 @@ void Field::weigh_trail(const Tile& tile, int x, int y, const float* heuristic,
     largest_tau = std::max(largest_tau, tau[k]);
     largest_eta = std::max(largest_eta, learned);
   }
+  std::array<double, kernels::kMaxMoves> share, taught;
   for (int k = 0; k < moves_.count; ++k) {
-    double a = 0;
-    if (heuristic[k] != 0) {
-      a = tau[k] == largest_tau ? 1
-                                : raise(static_cast<double>(tau[k]) / largest_tau, weights_.alpha);
-      if (learned_ && eta[k] != largest_eta) {
-        a *= raise(static_cast<double>(eta[k]) / largest_eta, weights_.beta);
-      }
-      a = std::max(a, HeuristicRows::kSmallest);
-    }
-    weights[k] = static_cast<float>(a);
+    share[k] = static_cast<double>(tau[k]) / largest_tau;
+    taught[k] = static_cast<double>(eta[k]) / largest_eta;
+  }
+  raise_(share.data(), moves_.count, weights_.alpha);
+  if (learned_) {
+    raise_(taught.data(), moves_.count, weights_.beta);
+    for (int k = 0; k < moves_.count; ++k) share[k] *= taught[k];
+  }
+  for (int k = 0; k < moves_.count; ++k) {
+    const double weight = std::max(share[k], HeuristicRows::kSmallest);
+    weights[k] = heuristic[k] == 0 ? 0.0f : static_cast<float>(weight);
   }
 }
 
@@ -94,7 +89,7 @@ void Field::weigh_trail(const Tile& tile, int x, int y, const float* heuristic,
 /// Ma, eq. 8, 9); tau holds K. Scaled to a largest value of 1.
 void Field::weigh_index(const Tile& tile, int x, int y, const float* heuristic,
                         float* weights) const {
-  std::array<double, kernels::kMaxMoves> index{};
+  std::array<double, kernels::kMaxMoves> index{}, weight;
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < moves_.count; ++k) {
     const auto [dx, dy] = moves_[k].to;
@@ -103,17 +98,18 @@ void Field::weigh_index(const Tile& tile, int x, int y, const float* heuristic,
     index[k] = tau(to, 0);
     least = std::min(least, index[k]);
   }
+  for (int k = 0; k < moves_.count; ++k) {
+    weight[k] = std::max(index[k] - params_.index_spread * least, 0x1p-200);
+  }
+  raise_(weight.data(), moves_.count, weights_.alpha);
   double largest = 0;
   for (int k = 0; k < moves_.count; ++k) {
-    if (heuristic[k] == 0) continue;
-    const double spread = std::max(index[k] - params_.index_spread * least, 0x1p-200);
-    index[k] = heuristic[k] * raise(spread, weights_.alpha);
-    largest = std::max(largest, index[k]);
+    weight[k] *= heuristic[k];
+    largest = std::max(largest, weight[k]);
   }
   for (int k = 0; k < moves_.count; ++k) {
-    weights[k] = heuristic[k] == 0
-                     ? 0.0f
-                     : static_cast<float>(std::max(index[k] / largest, HeuristicRows::kSmallest));
+    const double share = std::max(weight[k] / largest, HeuristicRows::kSmallest);
+    weights[k] = heuristic[k] == 0 ? 0.0f : static_cast<float>(share);
   }
 }
 

@@ -26,23 +26,17 @@ namespace lasius::kernels {
   return (25.0f - exponent) - p * s * 2.885390082f;  // 2 / ln 2
 }
 
-/// The move that is discarded last: times -log(u) / weight, the largest wins, the first of equals.
-/// -1 if no open move has a weight. `factor` is read with kFactor only.
+/// The times of the moves of a row: -log(u) / weight for those that run, -1 for the others.
+/// `factor` is read with kFactor only.
 template <int kLanes, bool kFactor>
-[[gnu::always_inline]] inline int last_of_race(const float* row, const float* factor,
-                                               std::uint32_t open,
-                                               const std::uint32_t* random) noexcept {
-  float time[kLanes];
+[[gnu::always_inline]] inline void race_times(const float* row, const float* factor,
+                                              std::uint32_t open, const std::uint32_t* random,
+                                              float* time) noexcept {
   for (int k = 0; k < kLanes; ++k) {
     const float weight = kFactor ? row[k] * factor[k] : row[k];
-    const bool runs = (open >> k & 1) != 0 && weight > 0;
-    time[k] = runs ? minus_log2(random[k]) / weight : -1.0f;
+    const float finish = minus_log2(random[k]) / weight;
+    time[k] = (open >> k & 1) != 0 && weight > 0 ? finish : -1.0f;
   }
-  int last = 0;
-  for (int k = 1; k < kLanes; ++k) {
-    if (time[k] > time[last]) last = k;
-  }
-  return time[last] < 0 ? -1 : last;
 }
 
 }  // namespace lasius::kernels

@@ -1,6 +1,8 @@
 // The walk, written once and compiled for each instruction set. The including file defines
 //   LASIUS_TARGET  the function attribute of its instruction set (may be empty)
-//   LASIUS_OPS     a struct with `roulette<lanes, mixture, factor>` and `bits_at`
+//   LASIUS_OPS     a struct with `roulette<lanes, mixture, factor>`, `largest`, `without_centre`
+//   and
+//                  `bits_at`
 // and gets the table of its kernels as `kTable` in an unnamed namespace.
 
 #include <Random123/philox.h>
@@ -44,7 +46,9 @@ struct Walk {
                                 std::uint32_t previous, const std::uint32_t* random) noexcept {
     if constexpr (kDraw == Draw::discard) {
       const float* factor = kFactor ? world.factor[previous].data() : nullptr;
-      return last_of_race<kLanes, kFactor>(row, factor, open, random);
+      alignas(32) float time[kLanes];
+      race_times<kLanes, kFactor>(row, factor, open, random, time);
+      return LASIUS_OPS::largest<kLanes>(time);
     } else {
       return LASIUS_OPS::roulette<kLanes, kMixture, kFactor>(world, row, open, previous, *random);
     }

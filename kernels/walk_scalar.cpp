@@ -64,6 +64,16 @@ struct ScalarOps {
     return last;
   }
 
+  /// The largest of some numbers, the first of equals; -1 when none is at least 0.
+  template <int kLanes>
+  static int largest(const float* values) noexcept {
+    int best = -1;
+    for (int k = 0; k < kLanes; ++k) {
+      if (values[k] >= 0 && (best < 0 || values[k] > values[best])) best = k;
+    }
+    return best;
+  }
+
   /// The nine bits of 3 x 3 cells without the middle one.
   static std::uint32_t without_centre(std::uint32_t window) noexcept {
     return (window & 15) | (window >> 5 & 15) << 4;

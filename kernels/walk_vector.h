@@ -184,6 +184,20 @@ struct VectorOps {
     return __builtin_ctz(hit);
   }
 
+  template <int kLanes>
+  LASIUS_TARGET [[gnu::always_inline]] static int largest(const float* values) noexcept {
+    constexpr int kWidth = kLanes == 4 ? 4 : 8;
+    using R = Row<kWidth>;
+    auto most = R::load(values);
+    for (int k = kWidth; k < kLanes; k += kWidth) most = R::larger(most, R::load(values + k));
+    most = R::largest(most);
+    if (R::less(most, R::all(0)) != 0) [[unlikely]]
+      return -1;
+    std::uint32_t below = 0;
+    for (int k = 0; k < kLanes; k += kWidth) below |= R::less(R::load(values + k), most) << k;
+    return __builtin_ctz(~below);
+  }
+
   LASIUS_TARGET [[gnu::always_inline]] static std::uint32_t without_centre(
       std::uint32_t window) noexcept {
 #if LASIUS_MASKS  // pext is quick on every CPU with these, not on the first ones with AVX2
