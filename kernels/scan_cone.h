@@ -19,6 +19,10 @@
 // max(d1, d2) on the rays are at least 2^-17 + 2^-17 apart. Points on a boundary ray are in the
 // cone of the corner which that ray touches. So such gaps are dropped, and with them those of
 // width 0, where a ray would squeeze between two diagonal blocks.
+//
+// An edge of the limits is no ray. It cuts off only what lies a column or more outside of what is
+// wanted, and a gap that it cut is followed only while it is wider than a column, so nothing that
+// counts is decided within kSlack of an edge.
 #pragma once
 
 #include <algorithm>
