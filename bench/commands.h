@@ -14,6 +14,7 @@ void add_exact_command(CLI::App& app);
 void add_colony_command(CLI::App& app);
 void add_quality_command(CLI::App& app);
 void add_validity_command(CLI::App& app);
+void add_polygons_command(CLI::App& app);  ///< only with GEOS
 void add_sampling_command(CLI::App& app);  ///< only with OMPL
 void add_smoke_command(CLI::App& app);
 

@@ -27,6 +27,9 @@ void lasius::bench::add_commands(CLI::App& app) {
   add_colony_command(app);
   add_quality_command(app);
   add_validity_command(app);
+#ifdef LASIUS_HAVE_POLYGON
+  add_polygons_command(app);
+#endif
 #ifdef LASIUS_HAVE_OMPL
   add_sampling_command(app);
 #endif

@@ -12,6 +12,9 @@ constexpr const char* kLines[] = {
     "colony --rounds 1 --side 1024 --plans 4",
     "quality --seeds 1 --blobs 1 --no-fan",
     "validity --random 20 --side 96",
+#ifdef LASIUS_HAVE_POLYGON
+    "polygons --rounds 2 --worlds 10",
+#endif
 #ifdef LASIUS_HAVE_OMPL
     "sampling --generated 96 --queries 1 --seeds 1 --cap 0.02",
 #endif

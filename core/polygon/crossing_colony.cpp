@@ -13,6 +13,7 @@
 namespace lasius::polygon {
 namespace {
 
+constexpr int kMostTabulated = 64;  // values, for the table of distances
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A value of a gate.
@@ -87,6 +88,7 @@ class CrossingColony final : public ColonyWorld {
     for (const Gate& gate : route.gates) {
       for (int k = 0; k < parameters.values; ++k) points_.push_back(gate.at(value(k)));
     }
+    tabulate_legs();
     tabulate_visibility();
     for (int g = 0; g < gates_; ++g) see_around(g, start.values[g]);
   }
@@ -175,16 +177,30 @@ class CrossingColony final : public ColonyWorld {
     }
     return true;
   }
-  double measured(int ant) const {
-    Point at = route_.start.given;
-    double length = 0;
-    const auto choices = tour(ant).choices;
-    for (int g = 0; g < gates_; ++g) {
-      const Point next = points_[static_cast<std::size_t>(g) * parameters_.values + choices[g]];
-      length += distance(at, next);
-      at = next;
+  Point point(int gate, int value) const {
+    return points_[static_cast<std::size_t>(gate) * parameters_.values + value];
+  }
+  /// Distances between the values of neighbouring gates, where the table stays small.
+  void tabulate_legs() {
+    if (parameters_.values > kMostTabulated) return;
+    for (int g = 0; g + 1 < gates_; ++g) {
+      for (int j = 0; j < parameters_.values; ++j) {
+        for (int k = 0; k < parameters_.values; ++k) {
+          legs_.push_back(distance(point(g, j), point(g + 1, k)));
+        }
+      }
     }
-    return length + distance(at, route_.goal.given);
+  }
+  double leg(int gate, int from, int to) const {
+    if (legs_.empty()) return distance(point(gate, from), point(gate + 1, to));
+    const auto values = static_cast<std::size_t>(parameters_.values);
+    return legs_[(gate * values + from) * values + to];
+  }
+  double measured(int ant) const {
+    const auto choices = tour(ant).choices;
+    double length = distance(route_.start.given, point(0, choices.front()));
+    for (int g = 0; g + 1 < gates_; ++g) length += leg(g, choices[g], choices[g + 1]);
+    return length + distance(point(gates_ - 1, choices.back()), route_.goal.given);
   }
 
   static double visibility(double apart, double beta) {
@@ -216,6 +232,7 @@ class CrossingColony final : public ColonyWorld {
   Params rules_;
   int gates_;
   std::vector<Point> points_;  // of every value of every gate
+  std::vector<double> legs_;
   CrossingTrail trail_;
   std::vector<kernels::RandomStream> streams_;
   std::vector<int> choices_;  // by ant, then gate

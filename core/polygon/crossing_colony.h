@@ -26,7 +26,7 @@ struct RunControl {
 /// `maklink-acs` (the lecture, E2): ant colony system on `values` points of each gate. All ants
 /// advance in lock-step, gate by gate and ant by ant within a gate; the local update follows right
 /// after every choice. `start` is Dijkstra's path: its values are the first h*, it is what is kept
-/// until an ant does better.
+/// until an ant does better. Precondition of both: the route has a gate.
 CrossingRun run_crossing_colony(const Route& route, const Crossing& start,
                                 const Parameters& parameters, const RunControl& control);
 

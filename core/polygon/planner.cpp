@@ -250,7 +250,8 @@ Result Planner::plan(const Request& request, const Parameters& parameters,
                    "; the nearest free point is " + name(nearest_free(*point));
     return result;
   }
-  const auto& [start, goal] = ends;
+  const Place& start = ends[0];
+  const Place& goal = ends[1];
   if (start.given == goal.given) {
     result.status = Status::solved;
     result.path = {start.given};

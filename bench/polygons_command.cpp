@@ -1,0 +1,158 @@
+// lasius_bench polygons: the source's run against a textbook's, preparation of large worlds, and
+// paths checked over many random worlds.
+#include <cmath>
+#include <iostream>
+
+#include "bench/clocks.h"
+#include "bench/colony_figures.h"
+#include "bench/commands.h"
+#include "bench/peers/textbook_crossings.h"
+#include "bench/report.h"
+#include "bench/statistics.h"
+#include "tests/random_world.h"
+
+namespace lasius::bench {
+namespace {
+
+using polygon::Parameters;
+using polygon::Planner;
+
+struct Options {
+  int rounds = 50;
+  int worlds = 200;
+};
+
+/// 10 ants, 200 iterations, 9 lines, 11 values; both in turns, processor time.
+std::vector<Figure> measure_source_run(int rounds) {
+  const Planner planner(polygon::read_world(LASIUS_MAPS_DIR "/maklink200.geojson"));
+  Parameters parameters = polygon::defaults("maklink-acs");
+  std::vector<double> ours, none, textbook, ratios;
+  int optimal = 0, textbook_optimal = 0;
+  for (int i = 0; i < rounds; ++i) {
+    parameters.seed = static_cast<std::uint64_t>(i + 1);
+    const auto timed = [&](int iterations, std::vector<double>& times) {
+      parameters.iterations = iterations;
+      const ThreadStopwatch watch;
+      auto result = planner.plan({}, parameters);
+      times.push_back(1e3 * watch.seconds());
+      return result;
+    };
+    const auto result = timed(200, ours);
+    timed(0, none);
+    std::vector<std::pair<Point, Point>> lines;
+    for (const int line : result.crossing.lines) {
+      lines.emplace_back(planner.maklink().lines[line].a, planner.maklink().lines[line].b);
+    }
+    const ThreadStopwatch watch;
+    peers::TextbookCrossings plain(*planner.world().start, *planner.world().goal, lines,
+                                   {.seed = static_cast<std::uint32_t>(i + 1)});
+    for (int q = 0; q < 200; ++q) plain.iterate();
+    textbook.push_back(1e3 * watch.seconds());
+    ratios.push_back(textbook.back() / (ours.back() - none.back()));
+    const double optimum = result.discrete_optimum->length * (1 + 1e-12);
+    optimal += result.length <= optimum ? 1 : 0;
+    textbook_optimal += plain.best_length() <= optimum ? 1 : 0;
+  }
+  const auto share = [&](int count) {
+    return std::to_string(count) + " of " + std::to_string(rounds);
+  };
+  return {{"the source's run, milliseconds: plan with graph search and optima",
+           short_number(median(ours)), "<= 1"},
+          {"of these the ants' 200 iterations", short_number(median(ours) - median(none)), ""},
+          {"the same iterations, textbook code", short_number(median(textbook)), ""},
+          {"ratio, median of pairs", short_number(median(ratios)), ">= 10"},
+          {"runs that reach the optimum of lines and values", share(optimal), "95%"},
+          {"the same, textbook code", share(textbook_optimal), ""}};
+}
+
+std::size_t corner_count(const polygon::World& world) {
+  std::size_t count = world.boundary.outer.size();
+  for (const auto& obstacle : world.obstacles) count += obstacle.outer.size();
+  return count;
+}
+
+std::vector<Figure> measure_preparation(int rounds) {
+  const auto world = lasius::testing::random_world(5, 182);
+  std::vector<double> prepare, exact;
+  for (int i = 0; i < rounds; ++i) {
+    const Stopwatch watch;
+    const Planner planner(world);
+    prepare.push_back(1e3 * watch.seconds());
+    lasius::testing::Dice dice(static_cast<std::uint64_t>(i));
+    const Point start = lasius::testing::free_point(planner, dice);
+    const Point goal = lasius::testing::free_point(planner, dice);
+    const Stopwatch search;
+    planner.plan({.start = start, .goal = goal});
+    exact.push_back(1e3 * search.seconds());
+  }
+  const std::string which =
+      " of " + std::to_string(corner_count(world)) + " vertices, milliseconds";
+  return {{"MAKLINK graph of a world" + which, short_number(median(prepare)), "< 1000"},
+          {"`exact` in it", short_number(median(exact)), ""}};
+}
+
+/// Paths that meet an obstacle shrunk by 1e-9 of the world's size, as GEOS says.
+std::vector<Figure> check_paths(int worlds, int& faults) {
+  int paths = 0, unreachable = 0, optimal = 0;
+  std::vector<double> gaps;
+  for (int i = 0; i < worlds; ++i) {
+    lasius::testing::Dice dice(static_cast<std::uint64_t>(i) + 1'000'000);
+    auto world = lasius::testing::random_world(static_cast<std::uint64_t>(i), dice.whole(5, 200),
+                                               i % 4 == 0 ? 2 : 0);
+    world.margin = i % 2 == 0 ? 0 : dice.real(0, 1);
+    const Planner planner(world);
+    const lasius::testing::Referee referee(planner.grown_obstacles());
+    const polygon::Request request{.start = lasius::testing::free_point(planner, dice),
+                                   .goal = lasius::testing::free_point(planner, dice)};
+    for (const auto& algorithm : polygon::algorithms()) {
+      Parameters parameters = polygon::defaults(algorithm.name);
+      if (algorithm.name == "real-ga") parameters.iterations = 50;
+      const auto result = planner.plan(request, parameters);
+      if (result.path.empty()) {
+        ++unreachable;
+        if (result.status != Status::unreachable) ++faults;
+        continue;
+      }
+      ++paths;
+      faults += referee.clear(result.path, 200 * 1e-9) ? 0 : 1;
+      if (algorithm.name != "maklink-acs") continue;
+      gaps.push_back(result.length / result.discrete_optimum->length - 1);
+      optimal += gaps.back() <= 1e-12 ? 1 : 0;
+    }
+  }
+  return {{"paths in " + std::to_string(worlds) + " random worlds of 5 to 200 obstacles",
+           std::to_string(paths), ""},
+          {"that meet an obstacle shrunk by 1e-9 of the world", std::to_string(faults), "0"},
+          {"plans proven unreachable", std::to_string(unreachable), ""},
+          {"`maklink-acs` at the optimum of its lines and values",
+           std::to_string(optimal) + " of " + std::to_string(gaps.size()), ""},
+          {"its gap to it, median, %", gaps.empty() ? "" : short_number(100 * median(gaps)), ""}};
+}
+
+void run(const Options& options) {
+  std::cout << machine_line() << "\n\n| what | measured | aim |\n|---|--:|--:|\n";
+  const auto print = [](const std::vector<Figure>& figures) {
+    for (const Figure& f : figures) {
+      std::cout << "| " << f.what << " | " << f.value << " | " << f.aim << " |\n" << std::flush;
+    }
+  };
+  int faults = 0;
+  print(measure_source_run(options.rounds));
+  print(measure_preparation(std::max(1, options.rounds / 10)));
+  print(check_paths(options.worlds, faults));
+  if (faults > 0) throw CLI::RuntimeError(1);
+}
+
+}  // namespace
+
+void add_polygons_command(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("polygons", "Planning among polygons: speed and validity");
+  command->add_option("--rounds", options->rounds, "Runs that are timed")
+      ->check(CLI::Range(1, 10000));
+  command->add_option("--worlds", options->worlds, "Random worlds that are checked")
+      ->check(CLI::Range(0, 1000000));
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace lasius::bench
