@@ -12,6 +12,7 @@ int run_algorithms(const AlgorithmsCommand& command);
 int run_generate(const GenerateCommand& command);
 int run_verify(const VerifyCommand& command);
 int run_study(const StudyCommand& command);
+int run_maklink_study(const StudyCommand& command, const std::string& maps);
 int run_arm(const ArmCommand& command);
 int run_polygon(const PolygonCommand& command);
 int run_world_info(const WorldInfoCommand& command);

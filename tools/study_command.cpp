@@ -20,10 +20,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+#ifdef LASIUS_WITH_POLYGON
+constexpr std::string_view kMaklink = "maklink";  // among polygons: runs and reports on its own
+#endif
+
 std::string list_text() {
   std::string text;
   for (const study::Entry& entry : study::catalogue())
     text += std::string(entry.name) + "\t" + entry.make().summary + "\n";
+#ifdef LASIUS_WITH_POLYGON
+  text += std::string(kMaklink) + "\tant colony system over MAKLINK lines, a genetic comparator\n";
+#endif
   return text;
 }
 
@@ -33,6 +40,9 @@ study::Study make_study(const std::string& name) {
     if (entry.name == name) return entry.make();
     names.push_back(entry.name);
   }
+#ifdef LASIUS_WITH_POLYGON
+  names.push_back(kMaklink);
+#endif
   throw UsageError("unknown study \"" + name + "\"; " + did_you_mean(name, names));
 }
 
@@ -74,6 +84,9 @@ int run_study(const StudyCommand& command) {
     print(list_text());
     return kFound;
   }
+#ifdef LASIUS_WITH_POLYGON
+  if (command.name == kMaklink) return run_maklink_study(command, find_maps(command.maps).string());
+#endif
   const study::Study study = make_study(command.name);
   const fs::path maps = find_maps(command.maps);
   SignalWatcher signals;

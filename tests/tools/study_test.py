@@ -23,12 +23,26 @@ class Study(ProgramTest):
         self.assertEqual((run.code, run.err), (0, ""))
         names = [line.split("\t")[0] for line in run.out.splitlines()]
         self.assertEqual(names, ["fan2004", "terminal-index", "cong2009", "lecture-grid",
-                                 "neighbourhoods", "families"])
+                                 "neighbourhoods", "families", "maklink"][:len(names)])
+        self.assertGreaterEqual(len(names), 6)
 
     def test_refuses_what_it_does_not_know(self):
         self.refused(self.run_program("study", "fan2005", "-o", "out"), 2, "fan2004")
         self.refused(self.run_program("study", "fan2004", "--seeds", "0"), 2, "--seeds")
         self.refused(self.run_program("study", "fan2004", "--maps", "nowhere"), 3, "fan400x200.map")
+
+    def test_maklink(self):
+        if "maklink" not in self.run_program("study", "list").out:
+            self.skipTest("this lasius was built without polygon worlds")
+        run = self.run_program("study", "maklink", "--seeds", "3", "-o", "m", "--maps", MAPS)
+        self.assertEqual((run.code, run.out, run.err), (0, "m/report.md\n", ""))
+        with open(os.path.join(self.folder, "m", "runs.csv"), encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 18)
+        for row in rows:
+            self.assertGreaterEqual(float(row["length"]), float(row["own_limit"]) * (1 - 1e-12))
+        with open(os.path.join(self.folder, "m", "report.md"), encoding="utf-8") as file:
+            self.assertIn("crosses 9 (9)", file.read())
 
     def test_goes_on_where_it_stopped_and_reports(self):
         process = subprocess.Popen([PROGRAM, *self.COMMAND], cwd=self.folder,
