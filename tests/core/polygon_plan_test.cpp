@@ -152,6 +152,16 @@ TEST(KnownWorld, DiscreteOptimumByTrial) {
   EXPECT_NEAR(result.discrete_optimum->length, best, 1e-9);
 }
 
+TEST(Maklink200, IsWhatItsReadmeSays) {
+  const Planner planner(read_world(LASIUS_MAPS_DIR "/maklink200.geojson"));
+  expect_maklink(planner, "maklink200");
+  const Result result = planner.plan({}, defaults("maklink-acs"));
+  EXPECT_EQ(result.crossing.lines.size(), 9u);
+  EXPECT_NEAR(result.dijkstra->length, 509.689, 5e-4);
+  EXPECT_NEAR(*result.lower_bound, 432.686, 5e-4);
+  EXPECT_NEAR(result.length, result.discrete_optimum->length, 1e-9);
+}
+
 TEST(RandomWorlds, MaklinkAndPathsAreValid) {
   for (int i = 0; i < 60; ++i) {
     const std::string which = "world " + std::to_string(i);

@@ -1,0 +1,34 @@
+// Polygon worlds in GeoJSON and WKT. What is read is valid, and stays the same when it is written
+// and read again; repaired worlds are valid too.
+#include "lasius/polygon.h"
+#include "tests/fuzz/reading.h"
+
+namespace lasius::fuzz {
+namespace {
+
+std::optional<polygon::World> read(const std::string& text, bool json, bool repair) {
+  try {
+    return json ? polygon::parse_geojson(text, "fuzz", {.repair = repair})
+                : polygon::parse_wkt(text, "fuzz", {.repair = repair});
+  } catch (const Error& error) {
+    require(error.place().file == "fuzz" && !error.problem().empty() && !error.remedy().empty());
+    require(error.place().offset <= static_cast<std::int64_t>(text.size()));
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+}  // namespace lasius::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace lasius;
+  using namespace lasius::fuzz;
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  const bool json = text.find('{') < text.find('(');
+  if (const auto world = read(text, json, false)) {
+    polygon::check(*world);
+    require(read(polygon::to_geojson(*world), true, false) == world);
+  }
+  if (const auto world = read(text, json, true)) polygon::check(*world);
+  return 0;
+}
