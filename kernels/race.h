@@ -35,7 +35,11 @@ template <int kLanes, bool kFactor>
   for (int k = 0; k < kLanes; ++k) {
     const float weight = kFactor ? row[k] * factor[k] : row[k];
     const float finish = minus_log2(random[k]) / weight;
-    time[k] = (open >> k & 1) != 0 && weight > 0 ? finish : -1.0f;
+    // A choice by bits: one by `?:` would keep the division from being vectorised.
+    const std::uint32_t runs = -static_cast<std::uint32_t>(weight > 0) & -(open >> k & 1);
+    const auto bits = (std::bit_cast<std::uint32_t>(finish) & runs) |
+                      (std::bit_cast<std::uint32_t>(-1.0f) & ~runs);
+    time[k] = std::bit_cast<float>(bits);
   }
 }
 
