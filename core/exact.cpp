@@ -23,9 +23,10 @@ constexpr double kBucketWidth = 0.03125;  // cells
 constexpr double kAntWeight = 1.2;
 constexpr std::int64_t kFirstAnts = 16;
 constexpr std::int64_t kAntShare = 8;
-// With a target gap: the ants that are sent first, and their share later. Where they do not arrive
-// soon (mazes, dense noise), the paths they find would mostly be found again by shorter ways.
-constexpr std::int64_t kHurriedAnts = 131072;
+// With a target gap: the expansions by the ants that are sent first, for each cell of the straight
+// distance, and their share later. Where they do not arrive soon (mazes, warehouses, dense noise)
+// they would mostly find again, by shorter ways, what they found before.
+constexpr double kHurriedAnts = 4;
 constexpr std::int64_t kHurriedShare = 4;
 // What the weight of hurried ants takes of the target gap; the width of buckets has the rest.
 constexpr double kShareOfGap = 0.95;
@@ -119,7 +120,7 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   trail_.reset(lower_, std::max(kBucketWidth, lower_ * options.target_gap / kTrailBuckets));
   expand(CornerTable::kStart);
   std::int64_t next_ants = kFirstAnts;
-  if (hurry_) send_ants(kHurriedAnts, poller);
+  if (hurry_) send_ants(std::llround(kHurriedAnts * straight_), poller);
   std::uint32_t index = 0;
   while (!poller.stopped() && next_corner(index)) {
     if (upper_ - lower_ <= options.target_gap * lower_) break;
