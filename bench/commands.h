@@ -16,6 +16,7 @@ void add_quality_command(CLI::App& app);
 void add_validity_command(CLI::App& app);
 void add_polygons_command(CLI::App& app);  ///< only with GEOS
 void add_sampling_command(CLI::App& app);  ///< only with OMPL
+void add_arm_command(CLI::App& app);       ///< only with lasius::arm
 void add_smoke_command(CLI::App& app);
 
 /// The options that say which maps: --maps, --generated, --noise.

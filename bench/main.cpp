@@ -33,6 +33,9 @@ void lasius::bench::add_commands(CLI::App& app) {
 #ifdef LASIUS_HAVE_OMPL
   add_sampling_command(app);
 #endif
+#ifdef LASIUS_HAVE_ARM
+  add_arm_command(app);
+#endif
 }
 
 int main(int argc, char** argv) {

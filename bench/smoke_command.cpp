@@ -18,6 +18,9 @@ constexpr const char* kLines[] = {
 #ifdef LASIUS_HAVE_OMPL
     "sampling --generated 96 --queries 1 --seeds 1 --cap 0.02",
 #endif
+#ifdef LASIUS_HAVE_ARM
+    "arm --rounds 1 --scenes 2 --seeds 2",
+#endif
 };
 
 void run() {

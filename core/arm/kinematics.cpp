@@ -33,6 +33,7 @@ Kinematics::Kinematics(const Robot& robot) : robot_(&robot) {
   const int last = robot.size() - 1;
   for (int j = 0; j <= last; ++j) {
     const Joint& joint = robot.joints[j];
+    turned_[j] = joint.rotation != kNoRotation;
     if (j > 0) reach_ += length(joint.origin);
     if (joint.kind == Joint::Kind::prismatic) {
       reach_ += std::max(std::abs(joint.low), std::abs(joint.high));
@@ -45,7 +46,7 @@ void Kinematics::place(std::span<const double> q, Poses& poses) const noexcept {
   Pose at;
   for (int j = 0; j < size(); ++j) {
     const Joint& joint = robot_->joints[j];
-    const Rotation frame = j == 0 ? joint.rotation : at.rotation * joint.rotation;
+    const Rotation frame = turned_[j] ? at.rotation * joint.rotation : at.rotation;
     const Vec3 origin = at * joint.origin;
     if (joint.kind == Joint::Kind::prismatic) {
       at = {frame, origin + q[j] * (frame * joint.axis)};

@@ -45,6 +45,7 @@ class Kinematics {
   struct Step;
   const Robot* robot_;
   double reach_ = 0;
+  std::array<bool, Robot::kMaxJoints> turned_{};  // the joint's frame is
 };
 
 }  // namespace lasius::arm

@@ -103,28 +103,35 @@ bool Lattice::answer_once(std::uint8_t& answer, const Find& find) {
 }
 
 const double* Lattice::configuration(Node v) const {
-  const bool known = answer_once(solved_[v], [&] { return solve(v); });
-  return known ? values_.at(v * joints_) : nullptr;
+  const std::uint8_t known = load(solved_[v]);
+  if (known == kYes || known == kNo) return known == kYes ? values_.at(v * joints_) : nullptr;
+  // Two threads may solve the same point: they find the same, and one of them enters it.
+  JointArray q;
+  const bool found = solve(v, q);
+  const bool yes = answer_once(solved_[v], [&] {
+    if (!found) return false;
+    std::copy_n(q.begin(), joints_, values_.at(v * joints_));
+    fill_guidance(v);
+    return true;
+  });
+  return yes ? values_.at(v * joints_) : nullptr;
 }
 
-bool Lattice::solve(Node v) const {
+bool Lattice::solve(Node v, JointArray& q) const {
   if (outside(v)) return false;
   // Towards the start along the axis that is furthest from it; ties to x, then y.
   const auto at = coordinates(v);
   std::array<int, 3> axes{0, 1, 2};
   std::stable_sort(axes.begin(), axes.end(),
                    [&](int a, int b) { return std::abs(at[a]) > std::abs(at[b]); });
-  double* const q = values_.at(v * joints_);
   const std::span rest(values_.at(start_ * joints_), static_cast<std::size_t>(joints_));
   for (const int axis : axes) {
     if (at[axis] == 0) break;
     const Node parent = to(v, 2 * axis + (at[axis] > 0 ? 1 : 0));
     const double* from = configuration(parent);
     if (from == nullptr) continue;
-    std::copy_n(from, joints_, q);
-    if (!kinematics_.reach_for(position(v), rest, {q, rest.size()})) continue;
-    fill_guidance(v);
-    return true;
+    std::copy_n(from, joints_, q.begin());
+    if (kinematics_.reach_for(position(v), rest, {q.data(), rest.size()})) return true;
   }
   return false;
 }
@@ -157,11 +164,12 @@ bool Lattice::position_free(Node v) const {
 }
 
 bool Lattice::open(Node v, int move) const {
-  return answer_once(edges_[edge(v, move)], [&] {
-    const Node w = to(v, move);
-    if (configuration(w) == nullptr || !reachable_by_joints(v, w) || !position_free(w)) {
-      return false;
-    }
+  std::uint8_t& answer = edges_[edge(v, move)];
+  if (const std::uint8_t known = load(answer); known == kYes || known == kNo) return known == kYes;
+  const Node w = to(v, move);
+  const bool reachable = configuration(w) != nullptr && reachable_by_joints(v, w);
+  return answer_once(answer, [&] {
+    if (!reachable || !position_free(w)) return false;
     // Always in the same direction, so that the answer does not depend on who comes first.
     const auto joints = static_cast<std::size_t>(joints_);
     motions_asked_.fetch_add(1, std::memory_order_relaxed);

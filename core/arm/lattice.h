@@ -94,8 +94,7 @@ class Lattice {
   template <class Find>
   static bool answer_once(std::uint8_t& answer, const Find& find);
 
-  bool solve(Node v) const;
-  bool edge_open(Node a, Node b) const;
+  bool solve(Node v, JointArray& q) const;
   bool reachable_by_joints(Node a, Node b) const noexcept;
   void fill_guidance(Node v) const noexcept;
 
@@ -109,7 +108,6 @@ class Lattice {
   std::array<Node, kMoves> delta_;
   Node nodes_, start_, goal_;
   Vec3 origin_, goal_position_;
-  std::array<float, 8> start_guidance_{};
 
   ZeroArray<double> values_;          // joint values by point
   ZeroArray<float> guidance_;         // 8 a point

@@ -47,6 +47,30 @@ lasius::Params rule_params(const Parameters& p) {
   return params;
 }
 
+/// The moves from start to goal that keep nearest to the straight line: each along the axis that
+/// lags most behind its share of the way.
+std::vector<int> straight_moves(const Lattice& lattice) {
+  const auto goal = lattice.coordinates(lattice.goal());
+  const int count = lattice.manhattan(lattice.start());
+  std::array<int, 3> done{};
+  std::vector<int> moves;
+  for (int i = 1; i <= count; ++i) {
+    int next = 0;
+    double most = -1;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int all = std::abs(goal[axis]);
+      const double behind = static_cast<double>(i) * all / count - done[axis];
+      if (done[axis] < all && behind > most) {
+        most = behind;
+        next = axis;
+      }
+    }
+    ++done[next];
+    moves.push_back(2 * next + (goal[next] > 0 ? 0 : 1));
+  }
+  return moves;
+}
+
 class ArmColony final : public ColonyWorld {
  public:
   ArmColony(const Lattice& lattice, const Request& request, const Parameters& parameters,
@@ -146,28 +170,11 @@ class ArmColony final : public ColonyWorld {
     return parameters_.ants / nearest;
   }
 
-  /// Deposits of `line_ants` ants on the moves that keep nearest to the straight line.
   void seed_line() {
-    const auto goal = lattice_.coordinates(lattice_.goal());
-    const int moves = lattice_.manhattan(lattice_.start());
-    std::array<int, 3> done{};
+    const auto moves = straight_moves(lattice_);
     Node at = lattice_.start();
-    for (int i = 1; i <= moves; ++i) {
-      // The axis that lags most behind its share of the way.
-      int next = 0;
-      double most = -1;
-      for (int axis = 0; axis < 3; ++axis) {
-        const int all = std::abs(goal[axis]);
-        const double behind = static_cast<double>(i) * all / moves - done[axis];
-        if (done[axis] < all && behind > most) {
-          most = behind;
-          next = axis;
-        }
-      }
-      ++done[next];
-      const int move = 2 * next + (goal[next] > 0 ? 0 : 1);
-      trail_.deposit(trail_.place(at, move),
-                     parameters_.line_ants / length(static_cast<std::size_t>(moves)));
+    for (const int move : moves) {
+      trail_.deposit(trail_.place(at, move), parameters_.line_ants / length(moves.size()));
       at = lattice_.to(at, move);
     }
   }
@@ -399,6 +406,23 @@ Result shortest_lattice_way(const Robot& robot, const Sensor& sensor, const Requ
     result.length = static_cast<double>(*way.moves) * lattice.pitch();
     result.lower_bound = result.length;
     result.optimal = true;
+    return result;
+  };
+  return answer(robot, sensor, request, parameters, search);
+}
+
+Result straight_lattice_way(const Robot& robot, const Sensor& sensor, const Request& request,
+                            const Parameters& parameters) {
+  const auto search = [](const Lattice& lattice, const Parameters&) {
+    Result result;
+    Node at = lattice.start();
+    const auto moves = straight_moves(lattice);
+    for (const int move : moves) {
+      if (!lattice.open(at, move)) return result;
+      at = lattice.to(at, move);
+    }
+    result.status = Status::solved;
+    result.length = static_cast<double>(moves.size()) * lattice.pitch();
     return result;
   };
   return answer(robot, sensor, request, parameters, search);

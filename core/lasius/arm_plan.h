@@ -134,4 +134,11 @@ LASIUS_ARM_EXPORT Result shortest_lattice_way(const Robot& robot, const Sensor& 
                                               const Request& request,
                                               const Parameters& parameters = {});
 
+/// The way of the tip that keeps nearest to the straight line: Status::solved with its `length`
+/// where it is open, Status::no_path where something is in the way, or as `plan`. Likewise a
+/// measure: of how hard a question is.
+LASIUS_ARM_EXPORT Result straight_lattice_way(const Robot& robot, const Sensor& sensor,
+                                              const Request& request,
+                                              const Parameters& parameters = {});
+
 }  // namespace lasius::arm

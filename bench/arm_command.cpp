@@ -1,0 +1,221 @@
+// lasius_bench arm: speed, threads, validity and optima of arms among unknown obstacles.
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "bench/clocks.h"
+#include "bench/colony_figures.h"
+#include "bench/commands.h"
+#include "bench/report.h"
+#include "bench/statistics.h"
+#include "lasius/arm_generate.h"
+#include "lasius/arm_plan.h"
+#include "lasius/arm_trajectory.h"
+
+namespace lasius::bench {
+namespace {
+
+struct Options {
+  int rounds = 5;
+  int scenes = 60;
+  int seeds = 60;
+  std::string markdown;
+};
+
+arm::Robot shipped(const std::string& name) {
+  return arm::read_robot(LASIUS_MAPS_DIR "/arms/" + name + ".json");
+}
+
+/// A question, and a lattice of `side` points a side that reaches beyond start and goal.
+struct Case {
+  arm::Robot robot;
+  arm::Scene scene;
+  arm::Request request;
+  arm::Parameters parameters;
+};
+
+double widest(arm::Vec3 a, arm::Vec3 b) {
+  return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
+}
+
+Case make_case(const arm::Robot& robot, const arm::GenerateOptions& options, int side) {
+  arm::Query query = arm::generate_query(robot, options);
+  Case c{robot, std::move(query.scene), {.start = std::move(query.start), .goal = query.goal}, {}};
+  c.parameters.seed = options.seed;
+  c.parameters.threads = 1;
+  c.parameters.side = side;
+  c.parameters.pitch =
+      widest(arm::tip_position(robot, c.request.start), c.request.goal) / (0.6 * side);
+  return c;
+}
+
+/// Keeps the questions that a search asks.
+class Recorder final : public arm::Sensor {
+ public:
+  explicit Recorder(const arm::Sensor& sensor) : sensor_(sensor) {}
+  bool position_free(std::span<const double> q) const override {
+    const std::scoped_lock lock(mutex_);
+    positions.emplace_back(q.begin(), q.end());
+    return sensor_.position_free(q);
+  }
+  bool motion_free(std::span<const double> from, std::span<const double> to) const override {
+    const std::scoped_lock lock(mutex_);
+    motions.push_back(
+        std::array{std::vector(from.begin(), from.end()), std::vector(to.begin(), to.end())});
+    return sensor_.motion_free(from, to);
+  }
+  double clearance() const override { return sensor_.clearance(); }
+
+  mutable std::vector<std::vector<double>> positions;
+  mutable std::vector<std::array<std::vector<double>, 2>> motions;
+
+ private:
+  const arm::Sensor& sensor_;
+  mutable std::mutex mutex_;
+};
+
+/// The base set on the 6-axis arm among 20 obstacles, 40 x 40 x 40 points.
+std::vector<Figure> measure_speed(int rounds) {
+  const arm::Robot robot = shipped("industrial6");
+  std::vector<double> steps, ratios, per_position, per_motion, questions, planning;
+  bool identical = true;
+  for (std::uint64_t seed = 1; static_cast<int>(ratios.size()) < rounds; ++seed) {
+    Case c = make_case(robot, {.seed = seed, .obstacles = 20}, 40);
+    const arm::SceneSensor sensor(c.robot, c.scene);
+    const auto timed = [&](int threads, double& seconds) {
+      c.parameters.threads = threads;
+      const Stopwatch watch;
+      arm::Result result = arm::plan(c.robot, sensor, c.request, c.parameters);
+      seconds = watch.seconds();
+      return result;
+    };
+    double one = 0, two = 0;
+    const arm::Result a = timed(1, one);
+    if (a.status != Status::solved) continue;
+    const arm::Result b = timed(2, two);
+    identical = identical && a.joints == b.joints && a.best == b.best && a.mean == b.mean &&
+                a.questions == b.questions;
+    ratios.push_back(one / two);
+    planning.push_back(one);
+    steps.push_back(static_cast<double>(a.steps) / one);
+
+    const Recorder recorder(sensor);
+    arm::plan(c.robot, recorder, c.request, c.parameters);
+    questions.push_back(static_cast<double>(recorder.positions.size() + recorder.motions.size()));
+    const ProcessorStopwatch positions;
+    for (const auto& q : recorder.positions) sensor.position_free(q);
+    per_position.push_back(static_cast<double>(recorder.positions.size()) / positions.seconds());
+    const ProcessorStopwatch motions;
+    for (const auto& [from, to] : recorder.motions) sensor.motion_free(from, to);
+    per_motion.push_back(static_cast<double>(recorder.motions.size()) / motions.seconds());
+  }
+  return {{"ant steps a second, whole plan, 1 thread", short_number(median(steps)), ""},
+          {"seconds a plan, 1 thread", short_number(median(planning)), ""},
+          {"questions a plan, each asked once", short_number(median(questions)), ""},
+          {"positions checked a second, 1 thread", short_number(median(per_position)), ""},
+          {"motions checked a second, 1 thread", short_number(median(per_motion)), ""},
+          {"1 thread / 2 threads", short_number(median(ratios)), ">= 1.6"},
+          {"identical with 1 and 2 threads", identical ? "yes" : "NO", "yes"}};
+}
+
+/// Half of the scenes have a wall between start and goal.
+arm::GenerateOptions random_scene(std::uint64_t seed) {
+  return {.seed = seed, .obstacles = 15, .wall = seed % 2 == 0 ? 0.8 : 0};
+}
+
+/// Trajectories on random scenes, each checked at 1000 times by KDL and FCL.
+std::vector<Figure> measure_validity(int scenes) {
+  int moved = 0, contacts = 0, limits = 0, stops = 0;
+  double nearest = 1e300;
+  const std::array robots{shipped("planar3"), shipped("industrial6"), shipped("redundant7")};
+  for (std::uint64_t seed = 1; moved < scenes; ++seed) {
+    const arm::Robot& robot = robots[seed % robots.size()];
+    const Case c = make_case(robot, random_scene(seed), 12);
+    const arm::SceneSensor sensor(c.robot, c.scene);
+    const arm::Result found = arm::plan(c.robot, sensor, c.request, c.parameters);
+    if (found.joints.empty()) continue;
+    ++moved;
+    const auto made =
+        arm::make_trajectory(c.robot, sensor, found.joints, {.shortcut = seed % 4 != 0});
+    stops += made.stops;
+    const arm::Recheck check = arm::recheck(c.robot, c.scene, made.trajectory, 1000);
+    contacts += check.contacts;
+    limits += check.limits;
+    nearest = std::min(nearest, check.nearest);
+  }
+  return {{"trajectories checked by FCL at 1000 times", std::to_string(moved), ""},
+          {"contacts", std::to_string(contacts), "0"},
+          {"limits broken", std::to_string(limits), "0"},
+          {"least distance, mm (clearance 2)", short_number(1000 * nearest), ">= 2"},
+          {"that rest at each waypoint", std::to_string(stops), ""}};
+}
+
+/// Runs within 5% of the optimum of the fully known lattice.
+std::vector<Figure> measure_optimum(int seeds, int side, double elite_weight) {
+  const arm::Robot robot = shipped("industrial6");
+  int solved = 0, near = 0, optimal = 0;
+  std::vector<double> gaps;
+  for (std::uint64_t seed = 1; solved < seeds; ++seed) {
+    Case c = make_case(robot, random_scene(seed), side);
+    c.parameters.elite_weight = elite_weight;
+    c.parameters.threads = 0;
+    const arm::SceneSensor sensor(c.robot, c.scene);
+    const arm::Result best = arm::shortest_lattice_way(c.robot, sensor, c.request, c.parameters);
+    if (best.status != Status::solved || best.length <= 0) continue;
+    ++solved;
+    const arm::Result found = arm::plan(c.robot, sensor, c.request, c.parameters);
+    const double ratio = found.joints.empty() ? 1e9 : found.length / best.length;
+    near += ratio <= 1.05;
+    optimal += ratio <= 1 + 1e-9;
+    gaps.push_back(ratio - 1);
+  }
+  const std::string what = std::to_string(side) + "^3, e = " + short_number(elite_weight) + ": ";
+  const auto share = [&](int count) {
+    return short_number(100.0 * count / solved) + "% of " + std::to_string(solved);
+  };
+  return {{what + "within 5% of the optimum", share(near),
+           side <= 12 && elite_weight == 16 ? ">= 95%" : ""},
+          {what + "optimal", share(optimal), ""},
+          {what + "worst gap, %", short_number(100 * largest(gaps)), ""}};
+}
+
+void run(const Options& options) {
+  std::ofstream file(options.markdown);
+  const auto write = [&](const std::string& line) {
+    std::cout << line << std::endl;
+    file << line << std::endl;
+  };
+  write(machine_line() + ". maps/arms/industrial6.json, base set unless said otherwise.\n");
+  write("| what | figure | aim |\n|---|--:|--:|");
+  const auto add = [&](const std::vector<Figure>& figures) {
+    for (const Figure& f : figures) write("| " + f.what + " | " + f.value + " | " + f.aim + " |");
+  };
+  add(measure_speed(options.rounds));
+  add(measure_validity(options.scenes));
+  for (const double elite : {16.0, 0.0}) add(measure_optimum(options.seeds, 12, elite));
+  for (const int side : {20, 30}) add(measure_optimum(std::max(options.seeds / 4, 1), side, 16));
+}
+
+}  // namespace
+
+void add_arm_command(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("arm", "Speed, validity and optima of goritov2020");
+  command->add_option("--rounds", options->rounds, "Questions timed")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--scenes", options->scenes, "Trajectories checked by FCL")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100000));
+  command->add_option("--seeds", options->seeds, "Runs compared with the optimum")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100000));
+  command->add_option("-o,--output", options->markdown, "Write the Markdown here, too");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace lasius::bench
