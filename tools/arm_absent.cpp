@@ -3,10 +3,15 @@
 
 namespace lasius::tool {
 
-int run_arm(const ArmCommand&) {
-  throw UsageError(
-      "this lasius was built without arms; build it with LASIUS_BUILD_ARM=ON (orocos-kdl, urdfdom, "
-      "fcl)");
-}
+namespace {
+
+constexpr const char* kAbsent =
+    "this lasius was built without arms; build it with LASIUS_BUILD_ARM=ON (orocos-kdl, urdfdom, "
+    "fcl)";
+
+}  // namespace
+
+int run_arm(const ArmCommand&) { throw UsageError(kAbsent); }
+int run_arm_study(const StudyCommand&, const std::filesystem::path&) { throw UsageError(kAbsent); }
 
 }  // namespace lasius::tool

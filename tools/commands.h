@@ -1,6 +1,8 @@
 // What each subcommand does. All return the exit code.
 #pragma once
 
+#include <filesystem>
+
 #include "options.h"
 
 namespace lasius::tool {
@@ -16,5 +18,8 @@ int run_maklink_study(const StudyCommand& command, const std::string& maps);
 int run_arm(const ArmCommand& command);
 int run_polygon(const PolygonCommand& command);
 int run_world_info(const WorldInfoCommand& command);
+
+/// `study goritov2020`; `maps` holds the folder arms.
+int run_arm_study(const StudyCommand& command, const std::filesystem::path& maps);
 
 }  // namespace lasius::tool

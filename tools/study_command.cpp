@@ -23,6 +23,8 @@ namespace fs = std::filesystem;
 #ifdef LASIUS_WITH_POLYGON
 constexpr std::string_view kMaklink = "maklink";  // among polygons: runs and reports on its own
 #endif
+/// It asks arms, not maps, and has a runner of its own.
+constexpr const char* kArmStudy = "goritov2020";
 
 std::string list_text() {
   std::string text;
@@ -31,7 +33,7 @@ std::string list_text() {
 #ifdef LASIUS_WITH_POLYGON
   text += std::string(kMaklink) + "\tant colony system over MAKLINK lines, a genetic comparator\n";
 #endif
-  return text;
+  return text + kArmStudy + "\tthe source's parameters on arms among unknown obstacles\n";
 }
 
 study::Study make_study(const std::string& name) {
@@ -43,6 +45,7 @@ study::Study make_study(const std::string& name) {
 #ifdef LASIUS_WITH_POLYGON
   names.push_back(kMaklink);
 #endif
+  names.push_back(kArmStudy);
   throw UsageError("unknown study \"" + name + "\"; " + did_you_mean(name, names));
 }
 
@@ -84,11 +87,12 @@ int run_study(const StudyCommand& command) {
     print(list_text());
     return kFound;
   }
-#ifdef LASIUS_WITH_POLYGON
-  if (command.name == kMaklink) return run_maklink_study(command, find_maps(command.maps).string());
-#endif
-  const study::Study study = make_study(command.name);
   const fs::path maps = find_maps(command.maps);
+#ifdef LASIUS_WITH_POLYGON
+  if (command.name == kMaklink) return run_maklink_study(command, maps.string());
+#endif
+  if (command.name == kArmStudy) return run_arm_study(command, maps);
+  const study::Study study = make_study(command.name);
   SignalWatcher signals;
   const auto findings = [&] {
     constexpr std::int64_t kParts = 1000;

@@ -129,7 +129,7 @@ TEST(ArmPlan, AsksOnlyAboutWhatAntsTryAndNothingTwice) {
       Case c = make_case("industrial6", seed, 10, 0.8, 10);
       const SceneSensor world(c.robot, c.scene);
       c.parameters.threads = threads;
-      c.parameters.iterations = 15;
+      c.parameters.iterations = 8;
       c.parameters.pitch *= 1.0000001;  // so that the goal is not half way between two points
       const Witness witness(c.robot, world, c.request, c.parameters.pitch);
       const Result result = plan(c.robot, witness, c.request, c.parameters);
@@ -146,7 +146,7 @@ TEST(ArmPlan, AsksOnlyAboutWhatAntsTryAndNothingTwice) {
 TEST(ArmPlan, ThreadsChangeNothing) {
   for (const std::uint64_t seed : {3u, 16u}) {
     Case c = make_case("industrial6", seed, 20, 0.5, 12);
-    c.parameters.iterations = 20;
+    c.parameters.iterations = 12;
     const SceneSensor sensor(c.robot, c.scene);
     std::vector<Result> results;
     for (const int threads : {1, 2, 5}) {
@@ -167,9 +167,10 @@ TEST(ArmPlan, ThreadsChangeNothing) {
 
 TEST(ArmPlan, NeverBeatsTheOptimumAndTheBoundNeverExceedsIt) {
   int solved = 0, optimal = 0;
-  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 14; ++seed) {
     Case c = make_case("industrial6", seed, 12, seed % 2 == 0 ? 0.8 : 0, 9);
     c.parameters.elite_weight = 16;
+    c.parameters.iterations = 50;
     const SceneSensor sensor(c.robot, c.scene);
     const Result best = shortest_lattice_way(c.robot, sensor, c.request, c.parameters);
     const Result found = plan(c.robot, sensor, c.request, c.parameters);
@@ -187,7 +188,7 @@ TEST(ArmPlan, NeverBeatsTheOptimumAndTheBoundNeverExceedsIt) {
     }
     optimal += found.length < best.length + 1e-9;
   }
-  EXPECT_GE(solved, 8);
+  EXPECT_GE(solved, 7);
   EXPECT_GE(optimal, solved * 9 / 10);
 }
 
