@@ -63,7 +63,12 @@ Obstacle read_obstacle(const JsonFields& fields) {
       const double scale = fields.number_or("scale", kThin, kFar, 1);
       o.triangles = read_stl(beside(fields.file(), fields.text("file")));
       for (auto& triangle : o.triangles) {
-        for (Vec3& corner : triangle) corner = scale * corner;
+        for (Vec3& corner : triangle) {
+          corner = scale * corner;
+          if (!(length(corner) <= kFar)) {
+            fields.fail("scale", "makes the mesh larger than 1000 m", "scale it down");
+          }
+        }
       }
       break;
     }

@@ -255,6 +255,11 @@ Robot parse_urdf(std::string_view text, const std::string& file, const Chain& ch
                 "choose another base or tip");
   }
   robot.tip = at.position;
+  try {
+    validate(robot);
+  } catch (const Error& error) {
+    broken(file, error.problem(), error.remedy());
+  }
   let_touch_what_touches(robot);
   return robot;
 }

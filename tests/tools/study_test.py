@@ -22,9 +22,10 @@ class Study(ProgramTest):
         run = self.run_program("study", "list")
         self.assertEqual((run.code, run.err), (0, ""))
         names = [line.split("\t")[0] for line in run.out.splitlines()]
-        self.assertEqual(names, ["fan2004", "terminal-index", "cong2009", "lecture-grid",
-                                 "neighbourhoods", "families", "maklink"][:len(names)])
-        self.assertGreaterEqual(len(names), 6)
+        # The studies on polygons are there where polygons were built.
+        self.assertEqual([name for name in names if name != "maklink"],
+                         ["fan2004", "terminal-index", "cong2009", "lecture-grid",
+                          "neighbourhoods", "families", "goritov2020"])
 
     def test_refuses_what_it_does_not_know(self):
         self.refused(self.run_program("study", "fan2005", "-o", "out"), 2, "fan2004")

@@ -170,6 +170,14 @@ std::vector<ArmQuestion> arm_questions() {
           {4, 0.6}, {6, 0.6}, {7, 0.6}, {1, 0.6}, {3, 0.6}};
 }
 
+std::vector<ArmGround> arm_grounds(const fs::path& file) {
+  const arm::Robot robot = arm::read_robot(file.string());
+  std::vector<ArmGround> grounds;
+  for (const ArmQuestion& question : arm_questions())
+    grounds.push_back(measure(robot, make_case(robot, question)));
+  return grounds;
+}
+
 const std::vector<std::vector<ArmRun>>& ArmFindings::of(std::size_t reading,
                                                         const std::string& name) const {
   const auto found = std::find_if(settings.begin(), settings.end(),
@@ -181,14 +189,12 @@ std::optional<ArmFindings> run_arm_study(const ArmStudyOptions& options) {
   const arm::Robot robot = arm::read_robot(options.robot.string());
   ArmFindings findings{.seeds = options.seeds,
                        .questions = arm_questions(),
-                       .grounds = {},
+                       .grounds = arm_grounds(options.robot),
                        .settings = arm_settings(),
                        .runs = {}};
   std::vector<Case> cases;
-  for (const ArmQuestion& question : findings.questions) {
+  for (const ArmQuestion& question : findings.questions)
     cases.push_back(make_case(robot, question));
-    findings.grounds.push_back(measure(robot, cases.back()));
-  }
   fs::create_directories(options.folder / "runs");
 
   std::vector<Batch> todo;

@@ -52,6 +52,9 @@ struct ArmGround {
 /// What carries pheromone: the two readings of the source.
 inline constexpr std::array<const char*, 2> kReadings{"arcs", "edges"};
 
+/// Of each question, for the robot in this file.
+std::vector<ArmGround> arm_grounds(const std::filesystem::path& robot);
+
 struct ArmFindings {
   int seeds = 0;
   std::vector<ArmQuestion> questions;

@@ -74,6 +74,9 @@ TEST(Urdf, BadFiles) {
   std::string no_room = kUrdf;
   no_room.replace(no_room.find("\"-0.2\""), 6, "\"0.4\"");
   expect_error(no_room, ErrorCode::file_broken, "no room");
+  std::string huge = kUrdf;
+  huge.replace(huge.find("radius=\"0.1\""), 12, "radius=\"1e9\"");
+  expect_error(huge, ErrorCode::file_broken, "out of range");
   std::string floating = kUrdf;
   floating.replace(floating.find("prismatic"), 9, "floating");
   expect_error(floating, ErrorCode::file_unsupported, "j2");

@@ -1,0 +1,33 @@
+// Robots and scenes: URDF and JSON. What is accepted is valid and can be used.
+#include <string>
+
+#include "lasius/arm_sensor.h"
+#include "tests/fuzz/reading.h"
+
+namespace {
+
+template <class Parse>
+auto accepted(const Parse& parse) -> std::optional<decltype(parse())> {
+  try {
+    return parse();
+  } catch (const lasius::Error& error) {
+    lasius::fuzz::require(!error.problem().empty() && !error.remedy().empty());
+    return {};
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace lasius::arm;
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  if (const auto scene = accepted([&] { return parse_scene(text, "nowhere/fuzz"); })) {
+    validate(*scene);
+  }
+  if (const auto robot = accepted([&] { return parse_robot(text, "nowhere/fuzz"); })) {
+    std::vector<double> q;
+    for (const Joint& joint : robot->joints) q.push_back(joint.low);
+    accepted([&] { return SceneSensor(*robot, {}).position_free(q); });
+  }
+  return 0;
+}
