@@ -81,9 +81,10 @@ Field::Tile& Field::obtain(int index) {
     made->storage.resize(kTileCells * (row + moves_.count + taus() + learned_) + 16);
     const auto address = reinterpret_cast<std::uintptr_t>(made->storage.data());
     made->rows = made->storage.data() + (-address % 64) / sizeof(float);
-    made->heuristic = made->rows + kTileCells * row;
-    made->tau = made->heuristic + kTileCells * moves_.count;
-    made->eta = made->tau + kTileCells * taus();
+    constexpr std::ptrdiff_t kCells = kTileCells;
+    made->heuristic = made->rows + kCells * row;
+    made->tau = made->heuristic + kCells * moves_.count;
+    made->eta = made->tau + kCells * taus();
     unused_.push_back(made.get());
     pool_.push_back(std::move(made));
   }
@@ -137,7 +138,7 @@ void Field::deposit(Cell c, int move, double amount) {
 void Field::raise_untouched(double value) {
   untouched_ = static_cast<float>(value / scale_);
   for (Tile* tile : used_) {
-    for (int cell = 0; cell < kTileCells; ++cell) {
+    for (std::ptrdiff_t cell = 0; cell < kTileCells; ++cell) {
       const bool touched = (tile->touched[cell / kTileSide] >> cell % kTileSide & 1) != 0;
       if (!touched) std::fill_n(tile->tau + cell * taus(), taus(), untouched_);
     }

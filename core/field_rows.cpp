@@ -19,14 +19,15 @@ constexpr int kManyTiles = 64;  // fewer are not worth waking threads for
 void Field::fill_heuristic(Tile& tile) const {
   for (int y = 0; y < kTileSide; ++y) {
     for (int x = 0; x < kTileSide; ++x) {
-      heuristic_.fill({tile.x0 + x, tile.y0 + y}, weights_.beta,
-                      tile.heuristic + (y * kTileSide + x) * moves_.count);
+      heuristic_.fill(
+          {tile.x0 + x, tile.y0 + y}, weights_.beta,
+          tile.heuristic + static_cast<std::ptrdiff_t>(y * kTileSide + x) * moves_.count);
     }
   }
 }
 
 void Field::fill_row(Tile& tile, int x, int y) const {
-  const int cell = y * kTileSide + x;
+  const std::ptrdiff_t cell = y * kTileSide + x;
   const float* heuristic = tile.heuristic + cell * moves_.count;
   float* row = tile.rows + cell * (mixture_ ? 2 * moves_.count : moves_.count);
   if (params_.update == Update::terminal_index) return weigh_index(tile, x, y, heuristic, row);

@@ -50,7 +50,7 @@ class Walkers {
   // Ants that one thread advances in turn: enough to hide the latency of their loads.
   static constexpr int kSlots = 8;
   static constexpr int kRounds = 128;
-  static_assert(kSlots <= kernels::kMaxSlots && kSlots * kRounds <= Poller::kSteps);
+  static_assert(kSlots <= kernels::kMaxSlots && std::int64_t{kSlots} * kRounds <= Poller::kSteps);
 
   // calloc: pages that no ant touches stay unmapped.
   struct Free {

@@ -95,10 +95,11 @@ struct WalkWorld {
 
   /// Enters the differences of move k.
   void set_move(int k, Offset to) noexcept {
-    delta[k] = to.dy * 65536 + to.dx;
-    tile_step[k] = to.dy * kTileSide + to.dx;
-    row_step[k] = to.dy;
-    window |= std::uint64_t{1} << ((to.dy + kMaxReach) * 7 + to.dx + kMaxReach);
+    const int dx{to.dx}, dy{to.dy};
+    delta[k] = dy * 65536 + dx;
+    tile_step[k] = dy * kTileSide + dx;
+    row_step[k] = dy;
+    window |= std::uint64_t{1} << ((dy + kMaxReach) * 7 + dx + kMaxReach);
   }
 
   PackedCell start = 0;

@@ -101,8 +101,8 @@ struct Walk {
     const PackedCell from = slot.at;
     slot.at = from + static_cast<PackedCell>(kSign * world.delta[move]);
     if (((from ^ slot.at) & kOtherTile) == 0) [[likely]] {
-      slot.row += kSign * world.tile_step[move] * kRow;
-      slot.word += kSign * world.row_step[move];
+      slot.row += std::ptrdiff_t{kSign} * world.tile_step[move] * kRow;
+      slot.word += std::ptrdiff_t{kSign} * world.row_step[move];
       prefetch(slot);
     } else {
       find(world, slot);
