@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "kernels/sine.h"
 #include "lasius/arm.h"
@@ -30,8 +31,8 @@ inline Vec3 rotate_back(const Rotation& r, Vec3 a) noexcept {
 }
 inline Rotation operator*(const Rotation& a, const Rotation& b) noexcept {
   Rotation c;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
       c[3 * i + j] = a[3 * i] * b[j] + a[3 * i + 1] * b[3 + j] + a[3 * i + 2] * b[6 + j];
     }
   }
