@@ -36,13 +36,16 @@ struct Parameters {
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
   int threads = 0;         ///< for the record: planning takes one, never changes the answer
 
-  int ants = 10;                      ///< m
-  int iterations = 200;               ///< NC; generations of the genetic algorithm
-  int values = 11;                    ///< crossing points of a line: h = 0, 1 / (values - 1) .. 1
-  double beta = 2;                    ///< exponent of visibility (1.1 - |h - h*|) / 1.1
-  double greedy = 0.85;               ///< q0
-  double evaporation = 0.1;           ///< rho of both updates
-  double initial_pheromone = 0.0002;  ///< tau0
+  int ants = 10;             ///< m
+  int iterations = 200;      ///< NC; generations of the genetic algorithm
+  int values = 11;           ///< crossing points of a line: h = 0, 1 / (values - 1) .. 1
+  double beta = 2;           ///< exponent of visibility (1.1 - |h - h*|) / 1.1
+  double greedy = 0.85;      ///< q0
+  double evaporation = 0.1;  ///< rho of both updates
+  /// tau0; 0: 1 / (d L) with d lines and L of Dijkstra's path, the formula of ACS (Dorigo &
+  /// Gambardella 1997), which is 0.00022 on the source's world. A fixed one ties the balance of
+  /// old and new paths to the unit of length.
+  double initial_pheromone = 0.0002;
   GlobalBest global_best = GlobalBest::so_far;
   /// The run ends after so many iterations in a row in which all ants went the same way; 0: never.
   /// The source ends at the first; but ants that take the largest weight in 85% of choices agree by

@@ -78,7 +78,9 @@ class CrossingColony final : public ColonyWorld {
         parameters_(parameters),
         control_(control),
         gates_(static_cast<int>(route.gates.size())),
-        trail_(gates_, parameters.values, parameters.initial_pheromone),
+        tau0_(parameters.initial_pheromone > 0 ? parameters.initial_pheromone
+                                               : 1 / (gates_ * start.length)),
+        trail_(gates_, parameters.values, tau0_),
         choices_(static_cast<std::size_t>(parameters.ants) * gates_),
         lengths_(parameters.ants, kNaN),
         best_length_(start.length) {
@@ -119,7 +121,7 @@ class CrossingColony final : public ColonyWorld {
         const int k =
             kernels::proportional_choice(trail_.weights(g), parameters_.greedy, streams_[a].next());
         choice(a, g) = std::max(k, 0);  // below 0 once all weights have underflowed
-        trail_rules::pass(trail_, rules_, parameters_.initial_pheromone, Node{g, choice(a, g)});
+        trail_rules::pass(trail_, rules_, tau0_, Node{g, choice(a, g)});
       }
       if (poller.stop_after(parameters_.ants)) return poller.cause();
     }
@@ -231,6 +233,7 @@ class CrossingColony final : public ColonyWorld {
   const RunControl& control_;
   Params rules_;
   int gates_;
+  double tau0_;
   std::vector<Point> points_;  // of every value of every gate
   std::vector<double> legs_;
   CrossingTrail trail_;
