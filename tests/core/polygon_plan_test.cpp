@@ -7,6 +7,7 @@
 #include <queue>
 
 #include "lasius/error.h"
+#include "lasius/generate.h"
 #include "tests/random_world.h"
 
 namespace lasius::polygon {
@@ -347,6 +348,25 @@ TEST(Stops, TokenAndDeadlineKeepTheBestPath) {
                      defaults(algorithm));
     EXPECT_EQ(late.status, Status::limit);
     EXPECT_EQ(late.path, late.dijkstra->path);
+  }
+}
+
+TEST(Bitmap, ExactPathsOfBothWorldsAreOfOneLength) {
+  for (const MapKind kind : {MapKind::rooms, MapKind::blobs, MapKind::random}) {
+    const Grid grid = generate(kind, {.width = 48, .height = 40, .seed = 2});
+    const lasius::Planner cells(grid);
+    const Planner planner(from_grid(grid));
+    Dice dice(9);
+    for (int i = 0; i < 6; ++i) {
+      const Cell a = *cells.nearest_free({dice.whole(0, 47), dice.whole(0, 39)});
+      const Cell b = *cells.nearest_free({dice.whole(0, 47), dice.whole(0, 39)});
+      const auto up = [](Cell c) { return Point{c.x + 0.5, 39.5 - c.y}; };
+      const lasius::Result expected = cells.plan({.start = a, .goal = b});
+      const Result result = planner.plan({.start = up(a), .goal = up(b)});
+      EXPECT_EQ(result.status, expected.status);
+      if (expected.path.empty()) continue;
+      EXPECT_NEAR(result.length, expected.length, 1e-9);
+    }
   }
 }
 
