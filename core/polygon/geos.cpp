@@ -35,6 +35,7 @@ GEOSGeometry* Geos::ring(const Ring& points) const {
 Geos::Geometry Geos::polygon(const Polygon& p) const {
   GEOSGeometry* shell = ring(p.outer);
   std::vector<GEOSGeometry*> holes;
+  holes.reserve(p.holes.size());
   for (const Ring& hole : p.holes) holes.push_back(ring(hole));
   return own(
       GEOSGeom_createPolygon_r(context_, shell, holes.data(), static_cast<unsigned>(holes.size())));
@@ -96,7 +97,7 @@ std::string Geos::write_wkt(const GEOSGeometry* g) const {
   GEOSWKTWriter_setTrim_r(context_, writer, 1);
   GEOSWKTWriter_setRoundingPrecision_r(context_, writer, 17);
   char* text = GEOSWKTWriter_write_r(context_, writer, g);
-  const std::string result = text != nullptr ? text : "";
+  std::string result = text != nullptr ? text : "";
   GEOSFree_r(context_, text);
   GEOSWKTWriter_destroy_r(context_, writer);
   return result;

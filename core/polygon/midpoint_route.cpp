@@ -191,6 +191,7 @@ std::vector<Route> midpoint_routes(const Regions& regions, const Place& start, c
     candidates.erase(best);
   }
   std::vector<Route> routes;
+  routes.reserve(found.size());
   for (const Way& way : found) routes.push_back(make_route(regions, start, goal, way));
   return routes;
 }

@@ -182,6 +182,7 @@ std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
 
 Parameters defaults(std::string_view algorithm) {
   std::vector<std::string_view> names;
+  names.reserve(kAlgorithms.size());
   for (const Algorithm& known : kAlgorithms) names.push_back(known.name);
   if (std::find(names.begin(), names.end(), algorithm) == names.end()) {
     throw invalid("unknown algorithm \"" + std::string(algorithm) + "\"",

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <exception>
 
 #include "geometry_check.h"
 
@@ -23,27 +22,24 @@ bool is_number(Point p) {
   return std::abs(p.x) <= kMostCoordinate && std::abs(p.y) <= kMostCoordinate;
 }
 
+bool all_numbers(const Polygon& polygon) {
+  const auto numbers = [](const Ring& ring) { return std::ranges::all_of(ring, is_number); };
+  return numbers(polygon.outer) && std::ranges::all_of(polygon.holes, numbers);
+}
+
 constexpr const char* kRepair = "correct the ring, or read the world with --repair";
 
 }  // namespace
 
 std::vector<Polygon> WorldMaker::checked(Polygon polygon, const std::string& place) {
-  for (Ring* ring : [&] {
-         std::vector<Ring*> rings{&polygon.outer};
-         for (Ring& hole : polygon.holes) rings.push_back(&hole);
-         return rings;
-       }()) {
-    if (std::all_of(ring->begin(), ring->end(), is_number)) drop_repeats(*ring);
+  const bool numbers = all_numbers(polygon);
+  if (numbers) {
+    drop_repeats(polygon.outer);
+    for (Ring& hole : polygon.holes) drop_repeats(hole);
   }
   const auto wrong = fault(geos_, polygon);
   if (!wrong) return {std::move(polygon)};
-  const auto numbers = [](const Ring& ring) {
-    return std::all_of(ring.begin(), ring.end(), is_number);
-  };
-  if (!options_.repair || !numbers(polygon.outer) ||
-      !std::all_of(polygon.holes.begin(), polygon.holes.end(), numbers)) {
-    fail_(place, *wrong, kRepair);
-  }
+  if (!options_.repair || !numbers) fail_(place, *wrong, kRepair);
   return repaired(geos_, std::move(polygon));
 }
 
