@@ -2,8 +2,11 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <string>
 #include <vector>
+
+#include "bench/query_set.h"
 
 namespace lasius::bench {
 
@@ -19,9 +22,15 @@ void add_sampling_command(CLI::App& app);  ///< only with OMPL
 void add_arm_command(CLI::App& app);       ///< only with lasius::arm
 void add_smoke_command(CLI::App& app);
 
-/// The options that say which maps: --maps, --generated, --noise.
-void add_map_options(CLI::App& command, std::vector<std::string>& maps, std::vector<int>& sides,
-                     std::vector<int>& noise);
+/// Which maps a command runs on.
+struct MapOptions {
+  std::vector<std::string> maps;
+  std::vector<int> sides, noise;
+  std::vector<std::string> kinds;
+  std::uint64_t seed = 1;
+};
+void add_map_options(CLI::App& command, MapOptions& options);
+std::vector<QuerySource> sources_of(const MapOptions& options);
 
 /// All of them that were built, but for smoke.
 void add_commands(CLI::App& app);

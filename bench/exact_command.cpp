@@ -16,11 +16,9 @@ namespace lasius::bench {
 namespace {
 
 struct Options {
-  std::vector<std::string> maps;
-  std::vector<int> sides, noise;
+  MapOptions maps;
   std::size_t count = 30;
   int rounds = 3;
-  std::uint64_t seed = 1;
 };
 
 constexpr double kGaps[] = {0.1, 0.03, 0.01, 0};
@@ -96,20 +94,17 @@ void write_row(const QuerySet& set, const Options& options) {
 }
 
 void run(const Options& options) {
-  auto sources = find_sources(options.maps);
-  for (const auto& more : {generated_sources(options.sides, options.seed),
-                           noise_sources(options.noise, options.seed)}) {
-    sources.insert(sources.end(), more.begin(), more.end());
-  }
   std::cout
-      << machine_line() << ". " << options.count << " queries a map, seed " << options.seed
+      << machine_line() << ". " << options.count << " queries a map, seed " << options.maps.seed
       << ", median of " << options.rounds
       << " rounds. Preparation without the copy of the map; microseconds of processor time a "
          "query, mean, to a certified gap.\n\n"
       << "| map | prepared, ms a million cells | bits a cell | gap 10% | gap 3% | gap 1% | "
          "proven | MB a query, most | batch, time with 1 / 2 threads | processor time, 2 / 1 |\n"
       << "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
-  for (const QuerySource& source : sources) write_row(load(source, options.count), options);
+  for (const QuerySource& source : sources_of(options.maps)) {
+    write_row(load(source, options.count), options);
+  }
 }
 
 }  // namespace
@@ -118,14 +113,12 @@ void add_exact_command(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("exact", "Preparation, anytime figures, memory and threads of `exact`");
-  add_map_options(*command, options->maps, options->sides, options->noise);
+  add_map_options(*command, options->maps);
   command->add_option("--queries", options->count, "Queries a map; 0: all of its table")
       ->capture_default_str();
   command->add_option("--rounds", options->rounds, "Rounds of each query")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
-  command->add_option("--seed", options->seed, "Of generated maps and random queries")
-      ->capture_default_str();
   command->callback([options] { run(*options); });
 }
 

@@ -1,4 +1,5 @@
 // lasius_bench queries: every planner on the same queries.
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -12,13 +13,11 @@ namespace lasius::bench {
 namespace {
 
 struct Options {
-  std::vector<std::string> maps;
-  std::vector<int> sides, noise;
+  MapOptions maps;
   std::vector<std::string> planners;
   std::string subject;
   std::string markdown, raw;
   std::size_t count = 30;
-  std::uint64_t seed = 1;
   ComparisonOptions comparison;
 };
 
@@ -40,19 +39,14 @@ void run(const Options& options) {
   for (std::size_t p = 0; p < planners.size(); ++p) {
     if (planners[p].name == options.subject) subject = p;
   }
-  auto sources = find_sources(options.maps);
-  for (const auto& more : {generated_sources(options.sides, options.seed),
-                           noise_sources(options.noise, options.seed)}) {
-    sources.insert(sources.end(), more.begin(), more.end());
-  }
-
+  const auto sources = sources_of(options.maps);
   std::vector<MapComparison> results;
   for (const QuerySource& source : sources) {
     std::cerr << source.name << std::endl;
     results.push_back(compare(load(source, options.count), planners, options.comparison));
   }
   const std::string seeds =
-      "seed " + std::to_string(options.seed) + " for generated maps and queries";
+      "seed " + std::to_string(options.maps.seed) + " for generated maps and queries";
   write_markdown(std::cout, results, planners, subject, options.comparison, seeds);
   if (!options.markdown.empty()) {
     std::ofstream out(options.markdown);
@@ -67,23 +61,42 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_map_options(CLI::App& command, std::vector<std::string>& maps, std::vector<int>& sides,
-                     std::vector<int>& noise) {
-  command.add_option("--maps", maps,
+void add_map_options(CLI::App& command, MapOptions& options) {
+  command.add_option("--maps", options.maps,
                      "Folders, .map, .tsv or .scen files; a map without a table gets random "
                      "queries");
-  command.add_option("--generated", sides, "Sides of generated maps, as 512,1024,4096")
+  command.add_option("--generated", options.sides, "Sides of generated maps, as 512,1024,4096")
       ->delimiter(',')
       ->check(CLI::Range(16, Grid::kMaxSide));
-  command.add_option("--noise", noise, "Sides of maps of isolated blocked cells, 0.5 to 40%")
+  command
+      .add_option("--kinds", options.kinds, "Of the generated maps only these, as blobs,random20")
+      ->delimiter(',');
+  command
+      .add_option("--noise", options.noise, "Sides of maps of isolated blocked cells, 0.5 to 40%")
       ->delimiter(',')
       ->check(CLI::Range(16, Grid::kMaxSide));
+  command.add_option("--seed", options.seed, "Of generated maps and random queries")
+      ->capture_default_str();
+}
+
+std::vector<QuerySource> sources_of(const MapOptions& options) {
+  auto sources = find_sources(options.maps);
+  for (const QuerySource& made : generated_sources(options.sides, options.seed)) {
+    const bool wanted =
+        std::any_of(options.kinds.begin(), options.kinds.end(),
+                    [&](const std::string& kind) { return made.name.rfind(kind + "-", 0) == 0; });
+    if (wanted || options.kinds.empty()) sources.push_back(made);
+  }
+  for (QuerySource& made : noise_sources(options.noise, options.seed)) {
+    sources.push_back(std::move(made));
+  }
+  return sources;
 }
 
 void add_queries_command(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("queries", "All planners on the same queries");
-  add_map_options(*command, options->maps, options->sides, options->noise);
+  add_map_options(*command, options->maps);
   std::vector<std::string> names;
   for (const auto& planner : all_contenders()) names.emplace_back(planner.name);
   command->add_option("--planners", options->planners, "Only these, by name")
@@ -99,8 +112,6 @@ void add_queries_command(CLI::App& app) {
   command
       ->add_option("--seconds", options->comparison.seconds,
                    "A planner that spent this on a map starts no further round there")
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "Of generated maps and random queries")
       ->capture_default_str();
   command->add_option("-o,--output", options->markdown, "Write the Markdown here, too");
   command->add_option("--raw", options->raw, "Write every measurement here, as TSV");
