@@ -48,7 +48,7 @@ Study families() {
           "comparator only.",
       .contenders = contenders("straight"),
       .questions = {{"fan400x200", "fan400x200.map", {14, 14}, {380, 179}},
-                    {"workspace-complex", "workspace-complex.map", {20, 55}, {460, 455}}}};
+                    {"workspace-complex", "workspace-complex.pbm", {20, 55}, {460, 455}}}};
   return {
       .name = "families",
       .summary = "ant system, elitist, rank, ACS and MAX-MIN side by side",

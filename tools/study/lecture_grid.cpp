@@ -66,7 +66,7 @@ Experiment workspace(const Workspace& w) {
                .contenders = contenders(w, "straight")};
   for (int i = 0; i < 3; ++i)
     e.questions.push_back({"pair" + std::to_string(i + 1),
-                           "workspace-" + w.name + ".map",
+                           "workspace-" + w.name + ".pbm",
                            kStarts[i],
                            kGoals[i],
                            {{"colony", w.ant_length[i], double(w.ant_iterations), w.ant_seconds},

@@ -38,10 +38,21 @@ class Map:
         return 0 <= x < self.side and 0 <= y < self.side and not self.rows[y][x]
 
     def write(self, file):
+        if file.endswith(".pbm"):  # large maps: one bit a cell
+            self.write_pbm(file)
+            return
         with open(file, "w", encoding="ascii") as out:
             out.write(f"type octile\nheight {self.side}\nwidth {self.side}\nmap\n")
             for row in self.rows:
                 out.write("".join("@" if b else "." for b in row) + "\n")
+
+    def write_pbm(self, file):
+        with open(file, "wb") as out:
+            out.write(f"P4\n{self.side} {self.side}\n".encode("ascii"))
+            for row in self.rows:
+                bits = "".join("1" if b else "0" for b in row)
+                bits += "0" * (-len(bits) % 8)
+                out.write(int(bits, 2).to_bytes(len(bits) // 8, "big"))
 
 
 def steps(m, start, goal):
@@ -222,9 +233,9 @@ def main(folder):
     blocks(30, 35, 36, 5).write(f"{folder}/grid30b.map")
     for name, m in free_spaces().items():
         m.write(f"{folder}/free-space-{name}.map")
-    simple_workspace().write(f"{folder}/workspace-simple.map")
-    relatively_complex_workspace().write(f"{folder}/workspace-relatively-complex.map")
-    complex_workspace().write(f"{folder}/workspace-complex.map")
+    simple_workspace().write(f"{folder}/workspace-simple.pbm")
+    relatively_complex_workspace().write(f"{folder}/workspace-relatively-complex.pbm")
+    complex_workspace().write(f"{folder}/workspace-complex.pbm")
 
 
 if __name__ == "__main__":

@@ -28,9 +28,9 @@ std::vector<Contender> contenders(const char* polish) {
 
 std::vector<Question> questions() {
   return {
-      {"workspace-simple", "workspace-simple.map", {20, 55}, {460, 455}},
-      {"workspace-relatively-complex", "workspace-relatively-complex.map", {20, 55}, {460, 455}},
-      {"workspace-complex", "workspace-complex.map", {20, 55}, {460, 455}},
+      {"workspace-simple", "workspace-simple.pbm", {20, 55}, {460, 455}},
+      {"workspace-relatively-complex", "workspace-relatively-complex.pbm", {20, 55}, {460, 455}},
+      {"workspace-complex", "workspace-complex.pbm", {20, 55}, {460, 455}},
       {"fan400x200", "fan400x200.map", {14, 14}, {380, 179}},
       {"grid30b", "grid30b.map", {0, 29}, {29, 0}}};
 }
