@@ -83,6 +83,7 @@ void solve_joint(const std::vector<double>& times, const std::vector<double>& pa
 
 std::vector<Knot> empty_knots(const std::vector<double>& times, std::size_t joints) {
   std::vector<Knot> knots;
+  knots.reserve(times.size());
   for (const double t : times) {
     knots.push_back({t, std::vector<double>(joints), std::vector<double>(joints)});
   }
