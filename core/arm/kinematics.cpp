@@ -72,6 +72,13 @@ struct Kinematics::Step {
   }
 };
 
+void Kinematics::bend(std::span<double> q, double amount) const noexcept {
+  for (std::size_t j = 0; j < q.size(); ++j) {
+    const Joint& joint = robot_->joints[j];
+    q[j] = std::clamp(q[j] + (j == 0 ? -amount : amount), joint.low, joint.high);
+  }
+}
+
 bool Kinematics::reach_for(Vec3 target, std::span<const double> rest,
                            std::span<double> q) const noexcept {
   constexpr int kMostSteps = 60;

@@ -38,6 +38,10 @@ class Kinematics {
   /// further part in a step that would push it out.
   bool reach_for(Vec3 target, std::span<const double> rest, std::span<double> q) const noexcept;
 
+  /// Folds the joints to and fro by `amount`, radians or metres, every other one the other way, as
+  /// far as their limits let them.
+  void bend(std::span<double> q, double amount) const noexcept;
+
   /// The tip is within this of a target that was reached.
   static constexpr double kTolerance = 1e-7;
 

@@ -10,6 +10,8 @@
 namespace lasius::arm {
 namespace {
 
+constexpr double kBend = 0.3;  // radians or metres
+
 /// Points of the padded box.
 Node count_nodes(const std::array<int, 3>& low, const std::array<int, 3>& high) {
   Node count = 1;
@@ -124,14 +126,22 @@ bool Lattice::solve(Node v, JointArray& q) const {
   std::array<int, 3> axes{0, 1, 2};
   std::stable_sort(axes.begin(), axes.end(),
                    [&](int a, int b) { return std::abs(at[a]) > std::abs(at[b]); });
-  const std::span rest(values_.at(start_ * joints_), static_cast<std::size_t>(joints_));
-  for (const int axis : axes) {
-    if (at[axis] == 0) break;
-    const Node parent = to(v, 2 * axis + (at[axis] > 0 ? 1 : 0));
-    const double* from = configuration(parent);
-    if (from == nullptr) continue;
-    std::copy_n(from, joints_, q.begin());
-    if (kinematics_.reach_for(position(v), rest, {q.data(), rest.size()})) return true;
+  // Stretched out, an arm is drawn in by no small change of its joints: a second try bends it
+  // first.
+  for (const double bend : {0.0, kBend}) {
+    JointArray rest;
+    std::copy_n(values_.at(start_ * joints_), joints_, rest.begin());
+    kinematics_.bend({rest.data(), static_cast<std::size_t>(joints_)}, bend);
+    for (const int axis : axes) {
+      if (at[axis] == 0) break;
+      const Node parent = to(v, 2 * axis + (at[axis] > 0 ? 1 : 0));
+      const double* from = configuration(parent);
+      if (from == nullptr) continue;
+      std::copy_n(from, joints_, q.begin());
+      const std::span values(q.data(), static_cast<std::size_t>(joints_));
+      kinematics_.bend(values, bend);
+      if (kinematics_.reach_for(position(v), {rest.data(), values.size()}, values)) return true;
+    }
   }
   return false;
 }

@@ -53,7 +53,7 @@ CrossingTrial run_trial(const polygon::Planner& planner, const CrossingContender
                       .seconds = std::max(0.0, seconds - rest),
                       .best = result.best};
   const auto settled = std::ranges::find_if(
-      result.best, [&](double length) { return length <= result.length * (1 + 1e-12); });
+      result.best, [limit = result.length * (1 + 1e-12)](double best) { return best <= limit; });
   trial.converged = static_cast<int>(settled - result.best.begin()) + 1;
   return trial;
 }

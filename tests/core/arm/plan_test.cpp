@@ -466,6 +466,15 @@ TEST(ArmPlan, BadParametersAreRefused) {
   EXPECT_EQ(p.pheromone, Pheromone::edges);
 }
 
+TEST(ArmPlan, AnArmThatIsStretchedOutIsDrawnIn) {
+  const Robot robot = shipped("planar3");
+  const Nothing sensor;
+  Request request;
+  request.start = {0, 0, 0};
+  request.goal = {0.3, 0.4, 0};
+  EXPECT_EQ(plan(robot, sensor, request, {}).status, Status::solved);
+}
+
 TEST(ArmPlan, StopsEarlyWhenAsked) {
   Case c = make_case("industrial6", 3, 10, 0, 10);
   const SceneSensor sensor(c.robot, c.scene);
