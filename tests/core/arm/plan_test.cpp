@@ -39,7 +39,6 @@ class Witness final : public Sensor {
   Witness(const Robot& robot, const Sensor& world, const Request& request, double pitch)
       : robot_(robot),
         world_(world),
-        request_(request),
         pitch_(pitch),
         from_(tip_position(robot, request.start)) {
     entered_.insert({0, 0, 0});
@@ -97,7 +96,6 @@ class Witness final : public Sensor {
 
   const Robot& robot_;
   const Sensor& world_;
-  const Request& request_;
   double pitch_;
   Vec3 from_;
   mutable std::mutex mutex_;
