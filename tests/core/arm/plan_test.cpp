@@ -37,10 +37,7 @@ class Nothing final : public Sensor {
 class Witness final : public Sensor {
  public:
   Witness(const Robot& robot, const Sensor& world, const Request& request, double pitch)
-      : robot_(robot),
-        world_(world),
-        pitch_(pitch),
-        from_(tip_position(robot, request.start)) {
+      : robot_(robot), world_(world), pitch_(pitch), from_(tip_position(robot, request.start)) {
     entered_.insert({0, 0, 0});
   }
 
