@@ -160,6 +160,7 @@ Recheck recheck(const Robot& robot, const Scene& scene, const Trajectory& trajec
                                distance(tip_position(robot, state.q), {tip.x(), tip.y(), tip.z()}));
 
     std::vector<Placed> placed;
+    placed.reserve(links.size());
     for (const Link& link : links) placed.push_back({link.shape, bodies[link.body] * link.in_body});
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < links.size(); ++i) {

@@ -43,6 +43,7 @@ Geos::Geometry Geos::polygon(const Polygon& p) const {
 
 Geos::Geometry Geos::collection(std::vector<Geometry> parts, int type) const {
   std::vector<GEOSGeometry*> raw;
+  raw.reserve(parts.size());
   for (Geometry& part : parts) raw.push_back(part.release());
   return own(
       GEOSGeom_createCollection_r(context_, type, raw.data(), static_cast<unsigned>(raw.size())));
