@@ -160,6 +160,9 @@ nlohmann::json parse_json(std::string_view text, const std::string& file, std::s
     throw Error(ErrorCode::file_broken,
                 {.file = file, .offset = static_cast<std::int64_t>(fault.byte)}, "this is not JSON",
                 "look at what stands before this byte");
+  } catch (const nlohmann::json::exception&) {
+    throw Error(ErrorCode::file_broken, {.file = file}, "a number in it is too large",
+                "numbers lie within 1e308");
   }
   const bool named = document.is_object() && document.contains("format");
   if (!named || document["format"] != format) {

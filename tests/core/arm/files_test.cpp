@@ -122,6 +122,7 @@ TEST(ShortRobot, BadFields) {
       {R"({"format": 3})", "format is 3"},
       {"null", "no \"format\""},
       {"{\"a\": \xff}", "not JSON"},
+      {"{\"a\": 1e999}", "too large"},
   };
   for (const auto& [text, words] : cases) expect_error(text, ErrorCode::file_broken, words);
   expect_error(
