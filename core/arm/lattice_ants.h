@@ -11,8 +11,8 @@
 
 namespace lasius::arm {
 
-/// One ant's walk.
-struct LatticeAnt {
+/// One ant's walk. A cache line of its own: neighbours are walked by different threads.
+struct alignas(64) LatticeAnt {
   bool arrived = false;
   std::vector<std::uint8_t> moves;  // of the tour, what was taken back left out
   std::int64_t steps = 0;           // moves made, those taken back twice
@@ -27,8 +27,9 @@ class LatticeAnts {
   StopCondition::Cause walk(int iteration, std::span<LatticeAnt> ants, const StopCondition& stop);
 
  private:
-  /// What one thread needs: the points that its ant has visited, a byte each.
-  struct Team {
+  /// What one thread needs, apart from the others': the points that its ant has visited, a byte
+  /// each.
+  struct alignas(64) Team {
     ZeroArray<std::uint8_t> visited;
     std::vector<Node> entered;  // to clear it by
   };
