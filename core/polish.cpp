@@ -2,6 +2,7 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <exception>
 #include <limits>
 
@@ -20,7 +21,8 @@ void Polisher::reset(const Params& params, int threads) {
 void Polisher::polish(const Grid& grid, Cell start, const kernels::Moves& moves,
                       std::span<const Ant> ants, const StopCondition& stop) {
   std::exception_ptr error;
-#pragma omp parallel for schedule(dynamic) num_threads(threads_) if (threads_ > 1)
+  const int threads = std::clamp(static_cast<int>(ants.size()) / 2, 1, threads_);
+#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1)
   for (int a = 0; a < static_cast<int>(ants.size()); ++a) {
     try {
       polish_one(grid, start, moves, ants[a], stop, paths_[a]);
