@@ -26,15 +26,16 @@ namespace lasius::kernels {
   return (25.0f - exponent) - p * s * 2.885390082f;  // 2 / ln 2
 }
 
-/// The times of the moves of a row: -log(u) / weight for those that run, -1 for the others.
-/// `factor` is read with kFactor only.
+/// The times of the moves of a row: a move of weight w that runs takes its time at weight 1,
+/// minus_log2 of its random word, divided by w; the others get -1. `factor` is read with kFactor
+/// only.
 template <int kLanes, bool kFactor>
 [[gnu::always_inline]] inline void race_times(const float* row, const float* factor,
-                                              std::uint32_t open, const std::uint32_t* random,
+                                              std::uint32_t open, const float* at_weight_one,
                                               float* time) noexcept {
   for (int k = 0; k < kLanes; ++k) {
     const float weight = kFactor ? row[k] * factor[k] : row[k];
-    const float finish = minus_log2(random[k]) / weight;
+    const float finish = at_weight_one[k] / weight;
     // A choice by bits: one by `?:` would keep the division from being vectorised.
     const std::uint32_t runs = -static_cast<std::uint32_t>(weight > 0) & -(open >> k & 1);
     const auto bits = (std::bit_cast<std::uint32_t>(finish) & runs) |

@@ -130,6 +130,7 @@ struct WalkSlot {
   std::uint64_t* word = nullptr;  ///< of `visited` around that cell
   std::uint32_t random_used = kRandomWords;
   std::uint32_t random_block = 0;  ///< next Philox counter
+  /// Words to come; for a race (Draw::discard) their times at weight 1, as the bits of floats.
   alignas(32) std::array<std::uint32_t, kRandomWords> random;
 
   /// Random words used: one a step (Draw::discard: one a move of the row), those taken back

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
+#include <numeric>
 #include <utility>
 
 #include "kernels/race.h"
@@ -18,7 +20,9 @@
 namespace lasius::kernels {
 namespace {
 
-/// Fills the slot's buffer with its next random words, block by block in the lanes of a vector.
+/// Fills the slot's buffer with its next random words, block by block in the lanes of a vector; for
+/// a race, with the times of the words.
+template <Draw kDraw>
 LASIUS_TARGET inline void refill(const WalkWorld& world, WalkSlot& slot) noexcept {
   constexpr int kBlocks = WalkSlot::kRandomWords / 4;
   const r123::Philox4x32::key_type key{
@@ -33,6 +37,9 @@ LASIUS_TARGET inline void refill(const WalkWorld& world, WalkSlot& slot) noexcep
   for (int i = 0; i < kBlocks; ++i) {
     for (int w = 0; w < 4; ++w) slot.random[4 * i + w] = words[w][i];
   }
+  if constexpr (kDraw == Draw::discard) {
+    for (std::uint32_t& word : slot.random) word = std::bit_cast<std::uint32_t>(minus_log2(word));
+  }
   slot.random_block += kBlocks;
   slot.random_used = 0;
 }
@@ -45,13 +52,21 @@ struct Walk {
   LASIUS_TARGET static int draw(const WalkWorld& world, const float* row, std::uint32_t open,
                                 std::uint32_t previous, const std::uint32_t* random) noexcept {
     if constexpr (kDraw == Draw::discard) {
-      const float* factor = kFactor ? world.factor[previous].data() : nullptr;
-      alignas(32) float time[kLanes];
-      race_times<kLanes, kFactor>(row, factor, open, random, time);
-      return LASIUS_OPS::largest<kLanes>(time);
+      float at_weight_one[kLanes];
+      for (int k = 0; k < kLanes; ++k) at_weight_one[k] = minus_log2(random[k]);
+      return race(world, row, open, previous, at_weight_one);
     } else {
       return LASIUS_OPS::roulette<kLanes, kMixture, kFactor>(world, row, open, previous, *random);
     }
+  }
+
+  LASIUS_TARGET [[gnu::always_inline]] static int race(const WalkWorld& world, const float* row,
+                                                       std::uint32_t open, std::uint32_t previous,
+                                                       const float* at_weight_one) noexcept {
+    const float* factor = kFactor ? world.factor[previous].data() : nullptr;
+    alignas(32) float time[kLanes];
+    race_times<kLanes, kFactor>(row, factor, open, at_weight_one, time);
+    return LASIUS_OPS::largest<kLanes>(time);
   }
 
   /// Bit k set where move k leads to a cell that the ant has not entered.
@@ -131,15 +146,17 @@ struct Walk {
     const std::uint32_t open = open_moves(world, slot.word, slot.at);
     int move;
     if constexpr (kDraw == Draw::discard) {
-      std::array<std::uint32_t, kLanes> words;
-      for (std::uint32_t k = 0; k < kLanes; k += 4) {  // the buffer holds fours
-        if (slot.random_used == WalkSlot::kRandomWords) refill(world, slot);
-        std::memcpy(words.data() + k, slot.random.data() + slot.random_used, 16);
-        slot.random_used += 4;
+      // The most that the buffer surely holds together.
+      constexpr std::uint32_t kRun = std::gcd(kLanes, WalkSlot::kRandomWords);
+      float at_weight_one[kLanes];
+      for (std::uint32_t k = 0; k < kLanes; k += kRun) {
+        if (slot.random_used == WalkSlot::kRandomWords) refill<kDraw>(world, slot);
+        std::memcpy(at_weight_one + k, slot.random.data() + slot.random_used, kRun * sizeof(float));
+        slot.random_used += kRun;
       }
-      move = draw(world, row, open, slot.previous, words.data());
+      move = race(world, row, open, slot.previous, at_weight_one);
     } else {
-      if (slot.random_used == WalkSlot::kRandomWords) refill(world, slot);
+      if (slot.random_used == WalkSlot::kRandomWords) refill<kDraw>(world, slot);
       const std::uint32_t random = slot.random[slot.random_used++];
       move =
           LASIUS_OPS::roulette<kLanes, kMixture, kFactor>(world, row, open, slot.previous, random);
