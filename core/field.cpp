@@ -17,8 +17,9 @@ using kernels::kTileSide;
 
 constexpr double kRescaleBelow = 0x1p-40;  // of the evaporation scale
 constexpr float kTiny = 0x1p-100f;         // stored values stay above: ratios stay defined
+constexpr int kInTile = kTileSide - 1;
 
-int in_tile(Cell c) noexcept { return (c.y % kTileSide) * kTileSide + c.x % kTileSide; }
+int in_tile(Cell c) noexcept { return (c.y & kInTile) * kTileSide + (c.x & kInTile); }
 
 }  // namespace
 
@@ -40,7 +41,7 @@ void Field::reset(const Grid& grid, const kernels::Moves& moves, Cell goal, cons
   for (int k = 0; k < moves.count; ++k) reach_ = std::max<int>(reach_, std::abs(moves[k].to.dx));
   heuristic_.reset(grid, moves, goal, params, stop);
   weights_ = schedule(params, 0);
-  scale_ = untouched;
+  set_scale(untouched);
   untouched_ = 1;
   all_stale_ = false;
   bound(0, std::numeric_limits<double>::infinity());
@@ -111,9 +112,9 @@ Field::Tile& Field::obtain(int index) {
 Field::Tile& Field::touch(Cell c) {
   const int index = index_of(c);
   Tile& tile = directory_[index] != nullptr ? *directory_[index] : obtain(index);
-  const std::uint32_t bit = std::uint32_t{1} << c.x % kTileSide;
-  tile.changed[c.y % kTileSide] |= bit;
-  tile.touched[c.y % kTileSide] |= bit;
+  const std::uint32_t bit = std::uint32_t{1} << (c.x & kInTile);
+  tile.changed[c.y & kInTile] |= bit;
+  tile.touched[c.y & kInTile] |= bit;
   tile.any_changed = tile.any_touched = true;
   return tile;
 }
@@ -127,16 +128,16 @@ double Field::tau(Cell c, int move) const {
 
 void Field::set_tau(Cell c, int move, double value) {
   const int at = in_tile(c) * taus() + (taus() > 1 ? move : 0);
-  touch(c).tau[at] = std::max(static_cast<float>(value / scale_), kTiny);
+  touch(c).tau[at] = std::max(static_cast<float>(value * per_scale_), kTiny);
 }
 
 void Field::deposit(Cell c, int move, double amount) {
   float& stored = touch(c).tau[in_tile(c) * taus() + (taus() > 1 ? move : 0)];
-  stored = static_cast<float>((std::clamp(stored * scale_, least_, most_) + amount) / scale_);
+  stored = static_cast<float>((std::clamp(stored * scale_, least_, most_) + amount) * per_scale_);
 }
 
 void Field::raise_untouched(double value) {
-  untouched_ = static_cast<float>(value / scale_);
+  untouched_ = static_cast<float>(value * per_scale_);
   for (Tile* tile : used_) {
     for (std::ptrdiff_t cell = 0; cell < kTileCells; ++cell) {
       const bool touched = (tile->touched[cell / kTileSide] >> cell % kTileSide & 1) != 0;
@@ -169,14 +170,14 @@ double Field::pheromone(Cell c) const {
 }
 
 void Field::evaporate(double persistence) {
-  scale_ *= std::max(persistence, HeuristicRows::kSmallest);
+  set_scale(scale_ * std::max(persistence, HeuristicRows::kSmallest));
   keep_scale_in_range();
 }
 
 void Field::keep_scale_in_range() {
   // A power of two keeps every ratio exact; values too small to matter in any draw stay positive.
   while (scale_ < kRescaleBelow) {
-    scale_ /= kRescaleBelow;
+    set_scale(scale_ / kRescaleBelow);
     const auto shrink = [](float& v) {
       v = std::max(v * static_cast<float>(kRescaleBelow), kTiny);
     };

@@ -82,9 +82,14 @@ class Field {
   void fill_heuristic(Tile& tile) const;
   void fill_row(Tile& tile, int x, int y) const;
   void weigh_trail(const Tile& tile, int x, int y, const float* heuristic, float* weights) const;
+  void read_trail(const Tile& tile, int x, int y, float* tau, float* eta) const;
   void weigh_index(const Tile& tile, int x, int y, const float* heuristic, float* weights) const;
   void refresh_tile(Tile& tile, bool touched, bool all) const;
   void keep_scale_in_range();
+  void set_scale(double scale) noexcept {
+    scale_ = scale;
+    per_scale_ = 1 / scale;
+  }
   int index_of(Cell c) const noexcept {
     return (c.y >> kernels::kTileShift) * tiles_x_ + (c.x >> kernels::kTileShift);
   }
@@ -108,6 +113,7 @@ class Field {
   std::mutex making_;
 
   double scale_ = 1;        // tau = stored value * scale_
+  double per_scale_ = 1;    // 1 / scale_
   float untouched_ = 1;     // stored value where nothing was ever changed
   bool all_stale_ = false;  // every row is to be made again
   double least_ = 0;        // bounds on tau

@@ -14,6 +14,18 @@ using kernels::kTileSide;
 
 constexpr int kManyTiles = 64;  // fewer are not worth waking threads for
 
+/// Shares of the largest among the moves that exist; of the others, something up to 1.
+void divide_by_largest(const float* values, const float* heuristic, int count,
+                       double* shares) noexcept {
+  float largest = std::numeric_limits<float>::min();
+  for (int k = 0; k < count; ++k) {
+    largest = std::max(largest, heuristic[k] > 0 ? values[k] : 0.0f);
+  }
+  for (int k = 0; k < count; ++k) {
+    shares[k] = static_cast<double>(std::min(values[k], largest)) / largest;
+  }
+}
+
 }  // namespace
 
 void Field::fill_heuristic(Tile& tile) const {
@@ -44,45 +56,42 @@ void Field::fill_row(Tile& tile, int x, int y) const {
 /// (tau / largest)^alpha, with learned visibility times (eta / largest)^beta.
 void Field::weigh_trail(const Tile& tile, int x, int y, const float* heuristic,
                         float* weights) const {
-  const int cell = y * kTileSide + x;
-  const bool inside = std::min(x, y) >= reach_ && std::max(x, y) < kTileSide - reach_;
-  const auto least = static_cast<float>(least_ / scale_);
-  const auto most = static_cast<float>(std::min(most_ / scale_, 3e38));
-
   std::array<float, kernels::kMaxMoves> tau, eta;
-  float largest_tau = 0, largest_eta = 0;
-  tau.fill(1);  // of moves that do not exist: anything that has a power
-  eta.fill(1);
-  for (int k = 0; k < moves_.count; ++k) {
-    if (heuristic[k] == 0) continue;
-    const auto [dx, dy] = moves_[k].to;
-    float stored = untouched_, learned = 1;
-    if (params_.trail == Trail::arcs) {
-      stored = tile.tau[cell * moves_.count + k];
-    } else {
-      const Tile* from = inside ? &tile : find({tile.x0 + x + dx, tile.y0 + y + dy});
-      const int at = ((y + dy) & (kTileSide - 1)) * kTileSide + ((x + dx) & (kTileSide - 1));
-      if (from != nullptr) stored = from->tau[at];
-      if (from != nullptr && learned_) learned = from->eta[at];
-    }
-    tau[k] = std::clamp(stored, least, most);
-    eta[k] = learned;
-    largest_tau = std::max(largest_tau, tau[k]);
-    largest_eta = std::max(largest_eta, learned);
-  }
-  std::array<double, kernels::kMaxMoves> share, taught;
-  for (int k = 0; k < moves_.count; ++k) {
-    share[k] = static_cast<double>(tau[k]) / largest_tau;
-    taught[k] = static_cast<double>(eta[k]) / largest_eta;
-  }
+  read_trail(tile, x, y, tau.data(), eta.data());
+  const auto least = static_cast<float>(least_ * per_scale_);
+  const auto most = static_cast<float>(std::min(most_ * per_scale_, 3e38));
+  for (int k = 0; k < moves_.count; ++k) tau[k] = std::clamp(tau[k], least, most);
+
+  std::array<double, kernels::kMaxMoves> share;
+  divide_by_largest(tau.data(), heuristic, moves_.count, share.data());
   raise_(share.data(), moves_.count, weights_.alpha);
   if (learned_) {
+    std::array<double, kernels::kMaxMoves> taught;
+    divide_by_largest(eta.data(), heuristic, moves_.count, taught.data());
     raise_(taught.data(), moves_.count, weights_.beta);
     for (int k = 0; k < moves_.count; ++k) share[k] *= taught[k];
   }
   for (int k = 0; k < moves_.count; ++k) {
     const double weight = std::max(share[k], HeuristicRows::kSmallest);
     weights[k] = heuristic[k] == 0 ? 0.0f : static_cast<float>(weight);
+  }
+}
+
+/// Stored tau of each move out of a cell; what the cells that they lead to have taught, if ants
+/// learn.
+void Field::read_trail(const Tile& tile, int x, int y, float* tau, float* eta) const {
+  const int cell = y * kTileSide + x;
+  if (params_.trail == Trail::arcs) {
+    std::copy_n(tile.tau + cell * moves_.count, moves_.count, tau);
+    if (!learned_) return;
+  }
+  const bool inside = std::min(x, y) >= reach_ && std::max(x, y) < kTileSide - reach_;
+  for (int k = 0; k < moves_.count; ++k) {
+    const auto [dx, dy] = moves_[k].to;
+    const Tile* to = inside ? &tile : find({tile.x0 + x + dx, tile.y0 + y + dy});
+    const int at = ((y + dy) & (kTileSide - 1)) * kTileSide + ((x + dx) & (kTileSide - 1));
+    if (params_.trail == Trail::cells) tau[k] = to == nullptr ? untouched_ : to->tau[at];
+    if (learned_) eta[k] = to == nullptr ? 1 : to->eta[at];
   }
 }
 

@@ -8,6 +8,7 @@
 #include <queue>
 #include <tuple>
 
+#include "kernel_choice.h"
 #include "kernels/power.h"
 #include "move_rule.h"
 
@@ -15,6 +16,7 @@ namespace lasius {
 namespace {
 
 constexpr double kNearest = 0.5;  // cells: the goal itself is not at distance 0 from its weight
+constexpr double kLeastBase = 0x1p-100;  // a move that exists has a value, however low
 
 double distance(Cell a, Cell b) noexcept {
   const double dx = a.x - b.x, dy = a.y - b.y;
@@ -29,6 +31,7 @@ void HeuristicRows::reset(const Grid& grid, const kernels::Moves& moves, Cell go
   moves_ = moves;
   goal_ = goal;
   params_ = params;
+  raise_ = kernels::raise_row(chosen_isa());
   distances_.clear();
   if (params.heuristic == Heuristic::distance_field) measure_distances(stop);
 }
@@ -38,41 +41,48 @@ void HeuristicRows::fill(Cell c, double beta, float* row) const {
   if (grid_->blocked(c)) return;
   // Dmax of equation 4 is over all free cells around, whether or not a corner closes the move.
   double farthest = 0;
-  for (int k = 0; k < moves_.count; ++k) {
-    const Cell to = c + moves_[k].to;
-    if (grid_->free(to)) farthest = std::max(farthest, distance(to, goal_));
+  if (params_.heuristic == Heuristic::rescaled_distance) {
+    for (int k = 0; k < moves_.count; ++k) {
+      const Cell to = c + moves_[k].to;
+      if (grid_->free(to)) farthest = std::max(farthest, distance(to, goal_));
+    }
   }
-  std::array<double, kernels::kMaxMoves> values{};
+  std::array<bool, kernels::kMaxMoves> exists{};
+  std::array<double, kernels::kMaxMoves> values;
+  values.fill(1);  // of moves that do not exist: anything that has a power
+  for (int k = 0; k < moves_.count; ++k) {
+    exists[k] = move_exists(*grid_, params_.corners, c, moves_[k]);
+    if (exists[k]) values[k] = std::max(base(c, c + moves_[k].to, farthest), kLeastBase);
+  }
+  const bool rescaled = params_.heuristic == Heuristic::rescaled_distance;
+  raise_(values.data(), moves_.count, rescaled ? params_.lambda : beta);
   double largest = 0;
   for (int k = 0; k < moves_.count; ++k) {
-    if (!move_exists(*grid_, params_.corners, c, moves_[k])) continue;
-    values[k] = value(c, c + moves_[k].to, beta, farthest);
-    largest = std::max(largest, values[k]);
+    if (exists[k]) largest = std::max(largest, values[k]);
   }
   for (int k = 0; k < moves_.count; ++k) {
-    if (values[k] > 0) row[k] = static_cast<float>(std::max(values[k] / largest, kSmallest));
+    if (exists[k]) row[k] = static_cast<float>(std::max(values[k] / largest, kSmallest));
   }
 }
 
-double HeuristicRows::value(Cell c, Cell to, double beta, double farthest) const noexcept {
-  using kernels::power;
+double HeuristicRows::base(Cell c, Cell to, double farthest) const noexcept {
   switch (params_.heuristic) {
     case Heuristic::uniform:
     case Heuristic::learned:
       break;
     case Heuristic::rescaled_distance:
-      return power((farthest - distance(to, goal_)) * params_.omega + params_.mu, params_.lambda);
+      return (farthest - distance(to, goal_)) * params_.omega + params_.mu;
     case Heuristic::inverse_distance:
-      return power(std::max(distance(to, goal_), kNearest), -beta);
+      return 1 / std::max(distance(to, goal_), kNearest);
     case Heuristic::distance:
-      return power(std::max(distance(to, goal_), kNearest), beta);
+      return std::max(distance(to, goal_), kNearest);
     case Heuristic::goal_angle: {
       const double h = kernels::angle_between(to.x - c.x, to.y - c.y, goal_.x - c.x, goal_.y - c.y);
-      return power(1 + h / (std::numbers::pi / 4), -beta);
+      return 1 / (1 + h / (std::numbers::pi / 4));
     }
     case Heuristic::distance_field: {
       const double d = distances_[static_cast<std::size_t>(to.y) * grid_->width() + to.x];
-      return power(std::max(d, kNearest), -beta);
+      return 1 / std::max(d, kNearest);
     }
   }
   return 1;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernels/moves.h"
+#include "kernels/raise.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/params.h"
@@ -34,13 +35,15 @@ class HeuristicRows {
   }
 
  private:
-  double value(Cell c, Cell to, double beta, double farthest) const noexcept;
+  /// What is raised to beta, or to lambda with Heuristic::rescaled_distance.
+  double base(Cell c, Cell to, double farthest) const noexcept;
   void measure_distances(const StopCondition& stop);
 
   const Grid* grid_ = nullptr;
   kernels::Moves moves_;
   Cell goal_;
   Params params_;
+  kernels::RaiseFn raise_ = nullptr;
   std::vector<float> distances_;  // Heuristic::distance_field: of each cell, row-major
 };
 

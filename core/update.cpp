@@ -58,11 +58,15 @@ void terminal_index(Field& field, const Tours& tours) {
     Cell c = tours.start;
     for (const int k : tour.moves) c = {c.x + tours.moves[k].to.dx, c.y + tours.moves[k].to.dy};
     field.set_tau(c, 0, 0);
+    double least = field.tau(c, 0);
     for (std::size_t i = tour.moves.size(); i-- > 0;) {
       const kernels::Move& move = tours.moves[tour.moves[i]];
-      const double through = field.tau(c, 0) + move.length;
+      const double through = least + move.length;
       c = {c.x - move.to.dx, c.y - move.to.dy};
-      if (through < field.tau(c, 0)) field.set_tau(c, 0, through);
+      least = field.tau(c, 0);
+      if (through >= least) continue;
+      field.set_tau(c, 0, through);
+      least = field.tau(c, 0);  // as it is stored
     }
   }
 }
