@@ -72,12 +72,15 @@ class WalkOnly {
   std::vector<Ant> ants_ = std::vector<Ant>(kAnts);
 };
 
-// Whole plans on one thread: walks, updates, straightening.
+// Whole plans on one thread: walks, updates, straightening. Colonies of one ant send as many ants,
+// one an iteration.
 double plan_rate(const Planner& planner, Params params, std::uint64_t seed) {
   static Workspace workspace;
+  constexpr int kIterations = 10;
+  const bool alone = params.ants == 1;
   params.threads = 1;
-  params.ants = kAnts;
-  params.iterations = 10;
+  params.ants = alone ? 1 : kAnts;
+  params.iterations = alone ? kAnts * kIterations : kIterations;
   params.seed = seed;
   std::int64_t steps = 0;
   const Course& c = fan_course();
@@ -151,7 +154,8 @@ std::vector<Figure> measure_variants(int rounds) {
   for (const Algorithm& algorithm : algorithms()) {
     if (algorithm.name == "exact" || algorithm.name == "grid-ga") continue;
     // Ants that go one at a time are set against the flagship's ants, one at a time.
-    const int batch = defaults(algorithm.name).batch == 1 ? 1 : 0;
+    const Params usual = defaults(algorithm.name);
+    const int batch = usual.batch == 1 || usual.ants == 1 ? 1 : 0;
     std::vector<double> rates, ratios;
     for (int round = 1; round <= rounds; ++round) {
       const double flagship = variant_rate(planner, "fan2004", batch, round);
