@@ -2,49 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <optional>
-#include <variant>
-#include <vector>
 
-#include "lasius/error.h"
-#include "nearest_name.h"
+#include "parameter_table.h"
 #include "presets.h"
 
 namespace lasius {
 namespace {
 
-constexpr double kMaxSeed = 9007199254740991.0;  // 2^53 - 1: exact in JSON
+using Table = ParameterTable<Params>;
+using Entry = Table::Entry;
+using Integer = Table::Integer;
+using Number = Table::Number;
 
-// A parameter that is one of a few names, kept as an enum or as the number the name stands for.
-struct Choice {
-  std::span<const std::string_view> names;
-  int (*get)(const Params&);
-  void (*set)(Params&, int);
-};
-
-template <auto kMember>
-constexpr Choice choice(std::span<const std::string_view> names) {
-  using Value = std::remove_reference_t<decltype(std::declval<Params&>().*kMember)>;
-  return {names, [](const Params& p) { return static_cast<int>(p.*kMember); },
-          [](Params& p, int i) { p.*kMember = static_cast<Value>(i); }};
-}
-
-struct Integer {
-  int Params::*member;
-  int least, most;
-};
-struct Number {
-  double Params::*member;
-  double least, most;
-};
-
-struct Entry {
-  Parameter info;
-  std::variant<Integer, Number, Choice> value;
-};
-
-using Names = std::span<const std::string_view>;
 constexpr std::string_view kNeighbours[]{"4", "8", "16", "16k", "24", "32"};
 constexpr std::string_view kCorners[]{"forbid", "one-side", "allow"};
 constexpr std::string_view kPolish[]{"none", "straight", "taut"};
@@ -67,26 +36,26 @@ constexpr std::array kColony{
     Entry{{"iterations", "integer", "0 .. 1000000000", "iterations, T"},
           Integer{&Params::iterations, 0, 1000000000}},
     Entry{{"neighbours", "choice", "4|8|16|16k|24|32", "moves of an ant"},
-          choice<&Params::neighbours>(kNeighbours)},
+          Table::choice<&Params::neighbours>(kNeighbours)},
     Entry{{"corners", "choice", "forbid|one-side|allow",
            "free side cells that a diagonal move needs: both, one, none"},
-          choice<&Params::corners>(kCorners)},
+          Table::choice<&Params::corners>(kCorners)},
     Entry{{"polish", "choice", "none|straight|taut", "what is done with each ant's tour"},
-          choice<&Params::polish>(kPolish)},
+          Table::choice<&Params::polish>(kPolish)},
     Entry{{"dead_end", "choice", "backtrack|kill", "what an ant does when every move is closed"},
-          choice<&Params::dead_end>(kDeadEnd)},
+          Table::choice<&Params::dead_end>(kDeadEnd)},
     Entry{{"selection", "choice", "roulette|inverse-roulette",
            "how a move is drawn from its row of weights"},
-          choice<&Params::selection>(kSelection)},
+          Table::choice<&Params::selection>(kSelection)},
     Entry{{"trail", "choice", "cells|arcs", "what carries pheromone"},
-          choice<&Params::trail>(kTrail)},
+          Table::choice<&Params::trail>(kTrail)},
     Entry{{"heuristic", "choice",
            "uniform|rescaled-distance|inverse-distance|distance|goal-angle|learned|distance-field",
            "weight of a move by where it leads"},
-          choice<&Params::heuristic>(kHeuristic)},
+          Table::choice<&Params::heuristic>(kHeuristic)},
     Entry{{"visibility", "choice", "none|inverse-step|heading-change",
            "weight of a move by itself and the one before"},
-          choice<&Params::visibility>(kVisibility)},
+          Table::choice<&Params::visibility>(kVisibility)},
     Entry{{"alpha", "number", "0 .. 20", "exponent of pheromone from the critical time on"},
           Number{&Params::alpha, 0, 20}},
     Entry{{"beta", "number", "0 .. 20", "exponent of visibility and inverse distance, likewise"},
@@ -124,7 +93,7 @@ constexpr std::array kColony{
     Entry{{"update", "choice",
            "ant-system|elitist|rank|max-min|colony-system|best-share|terminal-index|learning",
            "how the trail changes after an iteration"},
-          choice<&Params::update>(kUpdate)},
+          Table::choice<&Params::update>(kUpdate)},
     Entry{{"persistence", "number", "0 .. 1", "share of pheromone that remains after an iteration"},
           Number{&Params::persistence, 0, 1}},
     Entry{{"initial_pheromone", "number", "0 .. 1e9",
@@ -134,7 +103,7 @@ constexpr std::array kColony{
           Number{&Params::deposit, 0, 1e9}},
     Entry{{"straight_deposit", "choice", "none|improving|all",
            "which straightened paths get pheromone too"},
-          choice<&Params::straight_deposit>(kStraightDeposit)},
+          Table::choice<&Params::straight_deposit>(kStraightDeposit)},
     Entry{{"elite_weight", "number", "0 .. 1e6", "weight of the best tour so far (elitist), e"},
           Number{&Params::elite_weight, 0, 1e6}},
     Entry{{"ranks", "integer", "1 .. 1000000", "ranks that deposit (rank), w"},
@@ -161,7 +130,7 @@ constexpr std::array kColony{
     Entry{{"reward", "number", "0 .. 1e6", "factor of the reward (learning)"},
           Number{&Params::reward, 0, 1e6}},
     Entry{{"reward_reading", "choice", "factor|affine", "reading of the reward's formula"},
-          choice<&Params::reward_reading>(kReward)},
+          Table::choice<&Params::reward_reading>(kReward)},
     Entry{{"penalty", "number", "0 .. 1", "what a dead end leaves of tau and eta (learning)"},
           Number{&Params::penalty, 0, 1}},
 };
@@ -176,11 +145,7 @@ constexpr std::array kGenetic{
           Number{&Params::mutation, 0, 1}},
 };
 
-constexpr auto kColonyParameters = [] {
-  std::array<Parameter, kColony.size()> list;
-  for (std::size_t i = 0; i < list.size(); ++i) list[i] = kColony[i].info;
-  return list;
-}();
+constexpr auto kColonyParameters = Table::infos(kColony);
 
 // What the genetic algorithm shares with the colonies, then its own.
 constexpr auto kGeneticParameters = [] {
@@ -197,92 +162,7 @@ constexpr auto kGeneticParameters = [] {
 
 constexpr std::array kEntries{std::span<const Entry>(kColony), std::span<const Entry>(kGenetic)};
 
-Error invalid(std::string problem, std::string remedy) {
-  return {ErrorCode::invalid_parameter, std::move(problem), std::move(remedy)};
-}
-
-const Entry& entry(std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const auto list : kEntries) {
-    for (const Entry& e : list) {
-      if (e.info.name == name) return e;
-      names.push_back(e.info.name);
-    }
-  }
-  throw invalid("unknown parameter \"" + std::string(name) + "\"",
-                "did you mean \"" + std::string(nearest_name(name, names)) + "\"?");
-}
-
-std::string shortest(double value) {
-  std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
-
-template <class T>
-std::optional<T> parse(std::string_view text) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-[[noreturn]] void out_of_range(const Parameter& info, std::string_view value) {
-  throw invalid(std::string(info.name) + " is " + std::string(value),
-                "it must be " + std::string(info.range));
-}
-
-/// Reads and writes one parameter as text.
-struct Setter {
-  Params& params;
-  const Parameter& info;
-  std::string_view text;
-
-  void operator()(const Integer& v) const {
-    const auto value = parse<int>(text);
-    if (!value || *value < v.least || *value > v.most) out_of_range(info, text);
-    params.*v.member = *value;
-  }
-  void operator()(const Number& v) const {
-    const auto value = parse<double>(text);
-    if (!value || !(*value >= v.least && *value <= v.most)) out_of_range(info, text);
-    params.*v.member = *value;
-  }
-  void operator()(const Choice& v) const {
-    for (std::size_t i = 0; i < v.names.size(); ++i) {
-      if (v.names[i] == text) return v.set(params, static_cast<int>(i));
-    }
-    throw invalid(std::string(info.name) + " is \"" + std::string(text) + "\"",
-                  "did you mean \"" + std::string(nearest_name(text, v.names)) + "\"? It must be " +
-                      std::string(info.range));
-  }
-};
-
-struct Getter {
-  const Params& params;
-
-  std::string operator()(const Integer& v) const { return std::to_string(params.*v.member); }
-  std::string operator()(const Number& v) const { return shortest(params.*v.member); }
-  std::string operator()(const Choice& v) const {
-    const auto i = static_cast<std::size_t>(v.get(params));
-    return i < v.names.size() ? std::string(v.names[i]) : "not one of its values";
-  }
-};
-
-/// Whether a parameter's value is one that it may have.
-struct InRange {
-  const Params& params;
-
-  bool operator()(const Integer& v) const {
-    return params.*v.member >= v.least && params.*v.member <= v.most;
-  }
-  bool operator()(const Number& v) const {
-    return params.*v.member >= v.least && params.*v.member <= v.most;
-  }
-  bool operator()(const Choice& v) const {
-    return static_cast<std::size_t>(v.get(params)) < v.names.size();
-  }
-};
+constexpr Table kTable(kEntries);
 
 }  // namespace
 
@@ -290,35 +170,22 @@ std::span<const Parameter> colony_parameters() noexcept { return kColonyParamete
 std::span<const Parameter> genetic_parameters() noexcept { return kGeneticParameters; }
 
 void set_parameter(Params& params, std::string_view name, std::string_view value) {
-  const Entry& e = entry(name);
-  std::visit(Setter{params, e.info, value}, e.value);
+  kTable.set(params, name, value);
 }
 
 std::string get_parameter(const Params& params, std::string_view name) {
-  return std::visit(Getter{params}, entry(name).value);
+  return kTable.get(params, name);
 }
 
 void validate(const Params& params) {
   find_algorithm(params.algorithm);
-  for (const auto list : kEntries) {
-    for (const Entry& e : list) {
-      if (std::visit(InRange{params}, e.value)) continue;
-      out_of_range(e.info, get_parameter(params, e.info.name));
-    }
-  }
-  if (static_cast<double>(params.seed) > kMaxSeed) {
-    throw invalid("seed is " + std::to_string(params.seed), "it must be at most 2^53 - 1");
-  }
-  if (params.threads < 0 || params.threads > 1024) {
-    throw invalid("threads is " + std::to_string(params.threads),
-                  "it must be 0 (all cores) to 1024");
-  }
+  kTable.check(params);
   const double first =
       params.pheromone_rule_first + params.distance_rule_first + params.combined_rule_first;
   const double last = params.pheromone_rule + params.distance_rule + params.combined_rule;
   if (!(last > 0) || (params.critical_time > 0 && !(first > 0))) {
-    throw invalid("the shares of the pheromone, distance and combined rules are all 0",
-                  "give one of them a share above 0");
+    throw invalid_parameter("the shares of the pheromone, distance and combined rules are all 0",
+                            "give one of them a share above 0");
   }
   const bool mixture = params.pheromone_rule_first > 0 || params.pheromone_rule > 0 ||
                        params.distance_rule_first > 0 || params.distance_rule > 0;
@@ -327,7 +194,7 @@ void validate(const Params& params) {
   const bool learning = params.update == Update::learning;
   const bool cells = params.trail == Trail::cells;
   const auto refuse_if = [](bool wrong, const char* problem, const char* remedy) {
-    if (wrong) throw invalid(problem, remedy);
+    if (wrong) throw invalid_parameter(problem, remedy);
   };
   refuse_if(!cells && params.straight_deposit != StraightDeposit::none,
             "straight_deposit lays pheromone on cells, but the trail is on arcs",

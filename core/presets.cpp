@@ -4,8 +4,7 @@
 #include <array>
 #include <string>
 
-#include "lasius/error.h"
-#include "nearest_name.h"
+#include "parameter_table.h"
 
 namespace lasius {
 namespace {
@@ -228,8 +227,7 @@ const Algorithm& find_algorithm(std::string_view name) {
     if (kAlgorithms[i].name == name) return kAlgorithms[i];
     names[i] = kAlgorithms[i].name;
   }
-  throw Error(ErrorCode::invalid_parameter, "unknown algorithm \"" + std::string(name) + "\"",
-              "did you mean \"" + std::string(nearest_name(name, names)) + "\"?");
+  throw unknown_name("algorithm", name, names);
 }
 
 Params defaults(std::string_view algorithm) {

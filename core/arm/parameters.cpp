@@ -1,45 +1,15 @@
-#include <algorithm>
 #include <array>
-#include <charconv>
-#include <optional>
-#include <string>
-#include <type_traits>
-#include <variant>
-#include <vector>
 
 #include "lasius/arm_plan.h"
-#include "lasius/error.h"
-#include "nearest_name.h"
+#include "parameter_table.h"
 
 namespace lasius::arm {
 namespace {
 
-struct Integer {
-  int Parameters::*member;
-  int least, most;
-};
-struct Number {
-  double Parameters::*member;
-  double least, most;
-};
-/// One of a few names, kept as the number of the name.
-struct Choice {
-  std::span<const std::string_view> names;
-  int (*get)(const Parameters&);
-  void (*set)(Parameters&, int);
-};
-
-template <auto kMember>
-constexpr Choice choice(std::span<const std::string_view> names) {
-  using Value = std::remove_reference_t<decltype(std::declval<Parameters&>().*kMember)>;
-  return {names, [](const Parameters& p) { return static_cast<int>(p.*kMember); },
-          [](Parameters& p, int i) { p.*kMember = static_cast<Value>(i); }};
-}
-
-struct Entry {
-  Parameter info;
-  std::variant<Integer, Number, Choice> value;
-};
+using Table = ParameterTable<Parameters>;
+using Entry = Table::Entry;
+using Integer = Table::Integer;
+using Number = Table::Number;
 
 constexpr std::string_view kPheromone[]{"arcs", "edges"};
 constexpr std::string_view kDeadEnd[]{"backtrack", "kill"};
@@ -65,9 +35,9 @@ constexpr std::array kEntries{
            "pheromone everywhere at first, tau0; 0: ants / Manhattan distance"},
           Number{&Parameters::initial_pheromone, 0, 1e9}},
     Entry{{"pheromone", "choice", "arcs|edges", "what carries pheromone"},
-          choice<&Parameters::pheromone>(kPheromone)},
+          Table::choice<&Parameters::pheromone>(kPheromone)},
     Entry{{"dead_end", "choice", "backtrack|kill", "what an ant does when every move is closed"},
-          choice<&Parameters::dead_end>(kDeadEnd)},
+          Table::choice<&Parameters::dead_end>(kDeadEnd)},
     Entry{{"pitch", "number", "0 .. 1000",
            "distance of lattice points, metres; 0: a twentieth of the arm's reach"},
           Number{&Parameters::pitch, 0, 1000}},
@@ -84,14 +54,10 @@ constexpr std::array kEntries{
            "ants whose deposits lie on the straight way before the first iteration"},
           Number{&Parameters::line_ants, 0, 1e6}},
     Entry{{"shortcut", "choice", "off|on", "cut the lattice staircase before the trajectory"},
-          choice<&Parameters::shortcut>(kSwitch)},
+          Table::choice<&Parameters::shortcut>(kSwitch)},
 };
 
-constexpr auto kInfos = [] {
-  std::array<Parameter, kEntries.size()> list;
-  for (std::size_t i = 0; i < list.size(); ++i) list[i] = kEntries[i].info;
-  return list;
-}();
+constexpr auto kInfos = Table::infos(kEntries);
 
 const std::array kAlgorithms{Algorithm{
     "goritov2020",
@@ -102,102 +68,21 @@ const std::array kAlgorithms{Algorithm{
     "University 23 (2), 2020",
     kInfos}};
 
-Error invalid(std::string problem, std::string remedy) {
-  return {ErrorCode::invalid_parameter, std::move(problem), std::move(remedy)};
-}
-
-const Entry& entry(std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const Entry& e : kEntries) {
-    if (e.info.name == name) return e;
-    names.push_back(e.info.name);
-  }
-  throw invalid("unknown parameter \"" + std::string(name) + "\"",
-                "did you mean \"" + std::string(nearest_name(name, names)) + "\"?");
-}
-
-[[noreturn]] void out_of_range(const Parameter& info, std::string_view value) {
-  throw invalid(std::string(info.name) + " is " + std::string(value),
-                "it must be " + std::string(info.range));
-}
-
-template <class T>
-T parse(const Parameter& info, std::string_view text, T least, T most) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  if (!whole || !(value >= least && value <= most)) out_of_range(info, text);
-  return value;
-}
-
-struct Setter {
-  Parameters& p;
-  const Parameter& info;
-  std::string_view text;
-
-  void operator()(const Integer& v) const { p.*v.member = parse(info, text, v.least, v.most); }
-  void operator()(const Number& v) const { p.*v.member = parse(info, text, v.least, v.most); }
-  void operator()(const Choice& v) const {
-    for (std::size_t i = 0; i < v.names.size(); ++i) {
-      if (v.names[i] == text) return v.set(p, static_cast<int>(i));
-    }
-    throw invalid(std::string(info.name) + " is \"" + std::string(text) + "\"",
-                  "did you mean \"" + std::string(nearest_name(text, v.names)) + "\"? It must be " +
-                      std::string(info.range));
-  }
-};
-
-struct Getter {
-  const Parameters& p;
-
-  std::string operator()(const Integer& v) const { return std::to_string(p.*v.member); }
-  std::string operator()(const Number& v) const {
-    std::array<char, 32> text;
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), p.*v.member).ptr};
-  }
-  std::string operator()(const Choice& v) const {
-    const auto i = static_cast<std::size_t>(v.get(p));
-    return i < v.names.size() ? std::string(v.names[i]) : "not one of its values";
-  }
-};
-
-struct InRange {
-  const Parameters& p;
-
-  bool operator()(const Integer& v) const {
-    return p.*v.member >= v.least && p.*v.member <= v.most;
-  }
-  bool operator()(const Number& v) const { return p.*v.member >= v.least && p.*v.member <= v.most; }
-  bool operator()(const Choice& v) const {
-    return static_cast<std::size_t>(v.get(p)) < v.names.size();
-  }
-};
+constexpr std::array kLists{std::span<const Entry>(kEntries)};
+constexpr Table kTable(kLists);
 
 }  // namespace
 
 std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
 
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view value) {
-  const Entry& e = entry(name);
-  std::visit(Setter{parameters, e.info, value}, e.value);
+  kTable.set(parameters, name, value);
 }
 
 std::string get_parameter(const Parameters& parameters, std::string_view name) {
-  return std::visit(Getter{parameters}, entry(name).value);
+  return kTable.get(parameters, name);
 }
 
-void validate(const Parameters& parameters) {
-  for (const Entry& e : kEntries) {
-    if (!std::visit(InRange{parameters}, e.value)) {
-      out_of_range(e.info, get_parameter(parameters, e.info.name));
-    }
-  }
-  if (parameters.seed > 9007199254740991u) {
-    throw invalid("seed is " + std::to_string(parameters.seed), "it must be at most 2^53 - 1");
-  }
-  if (parameters.threads < 0) {
-    throw invalid("threads is " + std::to_string(parameters.threads), "it must be 0 or more");
-  }
-}
+void validate(const Parameters& parameters) { kTable.check(parameters); }
 
 }  // namespace lasius::arm

@@ -26,7 +26,7 @@ enum class Pheromone {
 /// Parameters of `goritov2020`, as given here those of its base set (Goritov & Goncharov 2020).
 struct Parameters {
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
-  int threads = 0;         ///< 0: as many as OpenMP gives; never changes the answer
+  int threads = 0;         ///< at most 1024; 0: as many as OpenMP gives; never changes the answer
 
   int ants = 64;         ///< m
   int iterations = 100;  ///< T

@@ -91,7 +91,7 @@ enum class Reward {
 struct Params {
   std::string algorithm = "exact";
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
-  int threads = 0;         ///< 0: as many as OpenMP gives; never changes the answer
+  int threads = 0;         ///< at most 1024; 0: as many as OpenMP gives; never changes the answer
 
   int ants = 10;         ///< m
   int iterations = 120;  ///< T

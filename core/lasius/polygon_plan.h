@@ -34,7 +34,7 @@ enum class GlobalBest { so_far, iteration };
 struct Parameters {
   std::string algorithm = "exact";
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
-  int threads = 0;         ///< for the record: planning takes one, never changes the answer
+  int threads = 0;         ///< at most 1024; for the record: planning takes one
 
   int ants = 10;             ///< m
   int iterations = 200;      ///< NC; generations of the genetic algorithm

@@ -1,34 +1,19 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <optional>
-#include <string>
-#include <variant>
 #include <vector>
 
-#include "lasius/error.h"
 #include "lasius/polygon_plan.h"
-#include "nearest_name.h"
+#include "parameter_table.h"
 
 namespace lasius::polygon {
 namespace {
 
-struct Integer {
-  int Parameters::*member;
-  int least, most;
-};
-struct Number {
-  double Parameters::*member;
-  double least, most;
-};
-struct GlobalBestChoice {};
+using Table = ParameterTable<Parameters>;
+using Entry = Table::Entry;
+using Integer = Table::Integer;
+using Number = Table::Number;
 
-struct Entry {
-  Parameter info;
-  std::variant<Integer, Number, GlobalBestChoice> value;
-};
-
-constexpr std::array<std::string_view, 2> kGlobalBest{"so-far", "iteration"};
+constexpr std::string_view kGlobalBest[]{"so-far", "iteration"};
 
 constexpr Entry kIterations{{"iterations", "integer", "0 .. 1000000000", "iterations, NC"},
                             Integer{&Parameters::iterations, 0, 1000000000}};
@@ -53,7 +38,7 @@ constexpr std::array kColony{
           Number{&Parameters::initial_pheromone, 0, 1e9}},
     Entry{{"global_best", "choice", "so-far|iteration",
            "which best path the global update deposits on"},
-          GlobalBestChoice{}},
+          Table::choice<&Parameters::global_best>(kGlobalBest)},
     Entry{
         {"agreement", "integer", "0 .. 1000000000",
          "iterations in a row with all ants on one way that end the run; the source: 1; 0: never"},
@@ -74,14 +59,8 @@ constexpr std::array kGenetic{
     kRoutes,
 };
 
-template <std::size_t kCount>
-constexpr std::array<Parameter, kCount> infos(const std::array<Entry, kCount>& entries) {
-  std::array<Parameter, kCount> list;
-  for (std::size_t i = 0; i < kCount; ++i) list[i] = entries[i].info;
-  return list;
-}
-constexpr auto kColonyInfos = infos(kColony);
-constexpr auto kGeneticInfos = infos(kGenetic);
+constexpr auto kColonyInfos = Table::infos(kColony);
+constexpr auto kGeneticInfos = Table::infos(kGenetic);
 
 constexpr std::array kAlgorithms{
     Algorithm{"exact",
@@ -102,79 +81,7 @@ constexpr std::array kAlgorithms{
 
 constexpr std::array kEntries{std::span<const Entry>(kColony), std::span<const Entry>(kGenetic)};
 
-Error invalid(std::string problem, std::string remedy) {
-  return {ErrorCode::invalid_parameter, std::move(problem), std::move(remedy)};
-}
-
-const Entry& entry(std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const auto list : kEntries) {
-    for (const Entry& e : list) {
-      if (e.info.name == name) return e;
-      names.push_back(e.info.name);
-    }
-  }
-  throw invalid("unknown parameter \"" + std::string(name) + "\"",
-                "did you mean \"" + std::string(nearest_name(name, names)) + "\"?");
-}
-
-[[noreturn]] void out_of_range(const Parameter& info, std::string_view value) {
-  throw invalid(std::string(info.name) + " is " + std::string(value),
-                "it must be " + std::string(info.range));
-}
-
-template <class T>
-T parse(const Parameter& info, std::string_view text, T least, T most) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  if (!whole || !(value >= least && value <= most)) out_of_range(info, text);
-  return value;
-}
-
-struct Setter {
-  Parameters& p;
-  const Parameter& info;
-  std::string_view text;
-
-  void operator()(const Integer& v) const { p.*v.member = parse(info, text, v.least, v.most); }
-  void operator()(const Number& v) const { p.*v.member = parse(info, text, v.least, v.most); }
-  void operator()(GlobalBestChoice) const {
-    const auto found = std::find(kGlobalBest.begin(), kGlobalBest.end(), text);
-    if (found == kGlobalBest.end()) {
-      throw invalid(std::string(info.name) + " is \"" + std::string(text) + "\"",
-                    "did you mean \"" + std::string(nearest_name(text, kGlobalBest)) +
-                        "\"? It must be " + std::string(info.range));
-    }
-    p.global_best = static_cast<GlobalBest>(found - kGlobalBest.begin());
-  }
-};
-
-struct Getter {
-  const Parameters& p;
-
-  std::string operator()(const Integer& v) const { return std::to_string(p.*v.member); }
-  std::string operator()(const Number& v) const {
-    std::array<char, 32> text;
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), p.*v.member).ptr};
-  }
-  std::string operator()(GlobalBestChoice) const {
-    const auto i = static_cast<std::size_t>(p.global_best);
-    return i < kGlobalBest.size() ? std::string(kGlobalBest[i]) : "not one of its values";
-  }
-};
-
-struct InRange {
-  const Parameters& p;
-
-  bool operator()(const Integer& v) const {
-    return p.*v.member >= v.least && p.*v.member <= v.most;
-  }
-  bool operator()(const Number& v) const { return p.*v.member >= v.least && p.*v.member <= v.most; }
-  bool operator()(GlobalBestChoice) const {
-    return static_cast<std::size_t>(p.global_best) < kGlobalBest.size();
-  }
-};
+constexpr Table kTable(kEntries);
 
 }  // namespace
 
@@ -185,8 +92,7 @@ Parameters defaults(std::string_view algorithm) {
   names.reserve(kAlgorithms.size());
   for (const Algorithm& known : kAlgorithms) names.push_back(known.name);
   if (std::find(names.begin(), names.end(), algorithm) == names.end()) {
-    throw invalid("unknown algorithm \"" + std::string(algorithm) + "\"",
-                  "did you mean \"" + std::string(nearest_name(algorithm, names)) + "\"?");
+    throw unknown_name("algorithm", algorithm, names);
   }
   Parameters p;
   p.algorithm = algorithm;
@@ -196,28 +102,16 @@ Parameters defaults(std::string_view algorithm) {
 }
 
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view value) {
-  const Entry& e = entry(name);
-  std::visit(Setter{parameters, e.info, value}, e.value);
+  kTable.set(parameters, name, value);
 }
 
 std::string get_parameter(const Parameters& parameters, std::string_view name) {
-  return std::visit(Getter{parameters}, entry(name).value);
+  return kTable.get(parameters, name);
 }
 
 void validate(const Parameters& parameters) {
   defaults(parameters.algorithm);
-  for (const auto list : kEntries) {
-    for (const Entry& e : list) {
-      if (std::visit(InRange{parameters}, e.value)) continue;
-      out_of_range(e.info, get_parameter(parameters, e.info.name));
-    }
-  }
-  if (parameters.seed > 9007199254740991u) {
-    throw invalid("seed is " + std::to_string(parameters.seed), "it must be at most 2^53 - 1");
-  }
-  if (parameters.threads < 0) {
-    throw invalid("threads is " + std::to_string(parameters.threads), "it must be 0 or more");
-  }
+  kTable.check(parameters);
 }
 
 }  // namespace lasius::polygon

@@ -81,6 +81,11 @@ TEST(Params, ValidateNamesTheField) {
   EXPECT_EQ(message([](Params& p) { p.alpha = -1; }), "alpha is -1; it must be 0 .. 20");
   EXPECT_EQ(message([](Params& p) { p.seed = std::uint64_t{1} << 53; }),
             "seed is 9007199254740992; it must be at most 2^53 - 1");
+  for (const int threads : {-1, 1025}) {
+    EXPECT_EQ(message([&](Params& p) { p.threads = threads; }),
+              "threads is " + std::to_string(threads) + "; it must be 0 (all cores) to 1024");
+  }
+  EXPECT_EQ(message([](Params& p) { p.threads = 1024; }), "nothing thrown");
   EXPECT_NE(message([](Params& p) { p.algorithm = "ass"; }).find("\"as\""), std::string::npos);
   EXPECT_NE(message([](Params& p) { p.trail = Trail::arcs; }).find("straight_deposit"),
             std::string::npos);

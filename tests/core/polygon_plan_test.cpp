@@ -436,6 +436,11 @@ TEST(Parameters, NamesRangesAndDefaults) {
   Parameters bad = defaults("maklink-acs");
   bad.values = 1;
   EXPECT_THROW(Planner(known_world()).plan({}, bad), Error);
+  for (const int threads : {-1, 1025}) {
+    bad = defaults("maklink-acs");
+    bad.threads = threads;
+    EXPECT_THROW(validate(bad), Error);
+  }
 }
 
 }  // namespace

@@ -451,6 +451,7 @@ TEST(ArmPlan, BadParametersAreRefused) {
   refused([](Parameters& p) { p.evaporation = std::nan(""); });
   refused([](Parameters& p) { p.seed = std::uint64_t{1} << 53; });
   refused([](Parameters& p) { p.threads = -1; });
+  refused([](Parameters& p) { p.threads = 1025; });
   refused([](Parameters& p) { p.pitch = 1e-5; });  // too many points
   refused([](Parameters& p) { p.pitch = 1e-300; });
   Parameters p;
