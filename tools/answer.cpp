@@ -4,8 +4,9 @@
 #include <array>
 #include <cstdio>
 #include <string_view>
+#include <utility>
 
-#include "exit_code.h"
+#include "elapsed.h"
 #include "lasius/shortest_walk.h"
 #include "values.h"
 
@@ -45,7 +46,7 @@ Answer answer(const PreparedMap& map, const RunOptions& run, Cell start, Cell go
   const auto begin = Clock::now();
   Answer answer{.start = start, .goal = goal};
   answer.result = map.planner.plan(request, run.params, nullptr, observer);
-  answer.elapsed_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  answer.elapsed_ms = ms_since(begin);
   if (run.with_optimum && knows_optimum()) {
     const Request exact{.start = start, .goal = goal, .stop = {.token = stop.token}};
     const Result best = map.planner.plan(exact, optimum_params(run));
@@ -82,41 +83,16 @@ Params optimum_params(const RunOptions& run) {
   return params;
 }
 
-int exit_code(const Result& result) {
-  switch (result.status) {
-    case Status::invalid:
-      return kInvalidQuery;
-    case Status::unreachable:
-      return kUnreachable;
-    case Status::interrupted:
-      return kInterrupted;
-    case Status::solved:
-    case Status::limit:
-    case Status::no_path:
-      break;
-  }
-  return result.path.empty() ? kNoPath : kFound;
-}
-
-std::string explain(const PreparedMap& map, const RunOptions& run, const Answer& answer) {
+Outcome outcome(const PreparedMap& map, const RunOptions& run, const Answer& answer) {
   const Result& result = answer.result;
-  const std::string after = " after " + std::to_string(result.iterations) + " iterations";
-  const std::string held = result.path.empty() ? ", no path yet" : ", the best path so far is kept";
-  switch (result.status) {
-    case Status::solved:
-      return {};
-    case Status::unreachable:
-      return result.error + grown(map);
-    case Status::limit:
-      return "the time limit ended the run" + after + held;
-    case Status::interrupted:
-      return "interrupted" + after + held;
-    case Status::no_path:
-      return "no path" + after + "; try more --iterations, more --ants or another --seed";
-    case Status::invalid:
-      return result.error + (run.frame == Frame::world ? in_metres(map, answer) : "") + grown(map);
-  }
-  return {};
+  std::string error = result.error;
+  if (result.status == Status::invalid && run.frame == Frame::world)
+    error += in_metres(map, answer);
+  if (result.status == Status::invalid || result.status == Status::unreachable) error += grown(map);
+  return {.status = result.status,
+          .iterations = result.iterations,
+          .has_path = !result.path.empty(),
+          .error = std::move(error)};
 }
 
 }  // namespace lasius::tool

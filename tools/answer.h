@@ -3,12 +3,12 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 
 #include "lasius/batch.h"
 #include "lasius/planner.h"
 #include "map_file.h"
 #include "options.h"
+#include "outcome.h"
 
 namespace lasius::tool {
 
@@ -44,10 +44,7 @@ bool moves_on_cells(const RunOptions& run);
 /// Params of the exact planner for a run. Precondition: knows_optimum().
 Params optimum_params(const RunOptions& run);
 
-/// The program's exit code for a result.
-int exit_code(const Result& result);
-
-/// One sentence for people: why a result has no path, or is not final; empty for `solved`.
-std::string explain(const PreparedMap& map, const RunOptions& run, const Answer& answer);
+/// How the run ended, with what its map and frame add to the library's words.
+Outcome outcome(const PreparedMap& map, const RunOptions& run, const Answer& answer);
 
 }  // namespace lasius::tool

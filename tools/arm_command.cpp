@@ -1,20 +1,15 @@
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <ostream>
 
 #include "answer.h"
 #include "arm_picture.h"
 #include "arm_report.h"
 #include "commands.h"
-#include "exit_code.h"
-#include "lasius/error.h"
-#include "lasius/output.h"
-#include "picture.h"
+#include "elapsed.h"
+#include "outputs.h"
 #include "progress.h"
 #include "signals.h"
 #include "streams.h"
@@ -74,7 +69,7 @@ void solve(const ArmCommand& command, const arm::SceneSensor& sensor, const std:
   answer.plan = arm::plan(answer.robot, sensor, request, answer.parameters, observer);
   answer.motion = arm::make_trajectory(answer.robot, sensor, answer.plan.joints,
                                        {.shortcut = answer.parameters.shortcut, .stop = stop});
-  answer.elapsed_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  answer.elapsed_ms = ms_since(begin);
   if (command.recheck > 0 && !answer.motion.trajectory.empty())
     answer.recheck =
         arm::recheck(answer.robot, answer.scene, answer.motion.trajectory, command.recheck);
@@ -86,56 +81,12 @@ void name_contact(const ArmCommand& command, const arm::SceneSensor& sensor, Arm
   answer.plan.error += ": " + sensor.contact(command.start);
 }
 
-std::string explain(const arm::Result& plan) {
-  const std::string after = " after " + std::to_string(plan.iterations) + " iterations";
-  const std::string held = plan.joints.empty() ? ", no path yet" : ", the best path so far is kept";
-  switch (plan.status) {
-    case Status::solved:
-      return {};
-    case Status::limit:
-      return "the time limit ended the run" + after + held;
-    case Status::interrupted:
-      return "interrupted" + after + held;
-    case Status::no_path:
-      return "no path" + after + "; try more --iterations, more --ants or another --seed";
-    case Status::unreachable:
-    case Status::invalid:
-      return plan.error;
-  }
-  return {};
-}
-
-int exit_code(const arm::Result& plan) {
-  switch (plan.status) {
-    case Status::invalid:
-      return kInvalidQuery;
-    case Status::unreachable:
-      return kUnreachable;
-    case Status::interrupted:
-      return kInterrupted;
-    default:
-      return plan.joints.empty() ? kNoPath : kFound;
-  }
-}
-
 void announce(const ArmCommand& command, const ArmAnswer& answer) {
   if (!command.messages.verbose) return;
   message(command.robot + ": " + std::to_string(answer.robot.size()) + " joints");
   message(command.scene + ": " + std::to_string(answer.scene.obstacles.size()) + " obstacles");
   message("goritov2020, seed " + std::to_string(command.seed) + ", " +
           std::to_string(command.threads) + " threads");
-}
-
-void write_outputs(const ArmCommand& command, const ArmAnswer& answer) {
-  for (const auto& file : command.outputs) {
-    if (is_picture(file))
-      write_arm_picture(file, command, answer);
-    else if (file.ends_with(".csv"))
-      write_file(file, [&](std::ostream& out) { out << arm_csv(command, answer); });
-    else
-      write_file(file, [&](std::ostream& out) { out << line(arm_json(command, answer)); });
-    if (command.messages.verbose) message("wrote " + file);
-  }
 }
 
 }  // namespace
@@ -149,21 +100,20 @@ int run_arm(const ArmCommand& command) {
   solve(command, sensor, signals.token(), answer);
   name_contact(command, sensor, answer);
 
-  const std::string why = explain(answer.plan);
-  if (!why.empty() && (answer.plan.joints.empty() || !command.messages.quiet)) message(why);
+  const Outcome ended{.status = answer.plan.status,
+                      .iterations = answer.plan.iterations,
+                      .has_path = !answer.plan.joints.empty(),
+                      .error = answer.plan.error};
+  report(ended, command.messages);
   if (answer.motion.stops && !command.messages.quiet)
     message("the motion rests at each waypoint: no faster one between them was found free");
-  // What one output refuses the others still get.
-  std::exception_ptr fault;
-  try {
-    print(command.json ? line(arm_json(command, answer)) : arm_text(answer));
-  } catch (const ClosedOutput&) {
-  } catch (const Error&) {
-    fault = std::current_exception();
-  }
-  write_outputs(command, answer);
-  if (fault) std::rethrow_exception(fault);
-  return exit_code(answer.plan);
+  const Forms forms{
+      .text = [&] { return arm_text(answer); },
+      .json = [&] { return line(arm_json(command, answer)); },
+      .csv = [&] { return arm_csv(command, answer); },
+      .write_picture = [&](const std::string& file) { write_arm_picture(file, command, answer); }};
+  deliver(forms, command.json, command.outputs, command.messages);
+  return exit_code(ended);
 }
 
 }  // namespace lasius::tool

@@ -10,23 +10,12 @@
 namespace lasius::tool {
 namespace {
 
-Json optional_number(const std::optional<double>& value) {
-  return value ? number(*value) : Json(nullptr);
-}
-
-Json numbers(const std::vector<double>& values) {
-  Json list = Json::array();
-  for (const double value : values) list.push_back(number(value));
-  return list;
-}
-
 Json point(arm::Vec3 p) { return {number(p.x), number(p.y), number(p.z)}; }
 
-Json parameters_json(const ArmCommand& command, const ArmAnswer& answer) {
-  Json object = Json::object();
-  for (const auto& parameter : arm::algorithms().front().parameters)
-    object[std::string(parameter.name)] =
-        parameter_json(arm::get_parameter(answer.parameters, parameter.name));
+Json settings_json(const ArmCommand& command, const ArmAnswer& answer) {
+  Json object = parameters_json(arm::algorithms().front(), [&](std::string_view name) {
+    return get_parameter(answer.parameters, name);
+  });
   object["clearance"] = number(answer.clearance);
   object["target_gap"] = number(command.target_gap);
   object["time_limit"] = optional_number(command.time_limit);
@@ -92,7 +81,7 @@ Json arm_json(const ArmCommand& command, const ArmAnswer& answer) {
   json["goal"] = numbers({command.goal.begin(), command.goal.end()});
   json["seed"] = command.seed;
   json["threads"] = command.threads;
-  json["parameters"] = parameters_json(command, answer);
+  json["parameters"] = settings_json(command, answer);
   json["status"] = to_string(plan.status);
   json["error"] = plan.error.empty() ? Json(nullptr) : Json(plan.error);
   json["length"] = number(plan.length);

@@ -1,20 +1,15 @@
 #include "map_file.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "elapsed.h"
 #include "exit_code.h"
 #include "lasius/clearance.h"
 #include "lasius/io.h"
 
 namespace lasius::tool {
 namespace {
-
-double ms_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
-}
 
 int clamped(double coordinate) {
   constexpr double kFar = 1e9;
@@ -24,7 +19,7 @@ int clamped(double coordinate) {
 }  // namespace
 
 PreparedMap prepare_map(const MapOptions& options, Frame frame) {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   Map map = read_any_map(options.file, {.unknown_is_free = options.unknown_is_free});
   if (frame == Frame::world && !map.frame)
     throw UsageError("--frame world: " + options.file +
@@ -35,7 +30,7 @@ PreparedMap prepare_map(const MapOptions& options, Frame frame) {
       options.radius_metres ? options.radius / map.frame->resolution : options.radius;
   if (radius > 0) map.grid = grow_obstacles(map.grid, radius);
   const double read_ms = ms_since(start);
-  const auto prepare_start = std::chrono::steady_clock::now();
+  const auto prepare_start = Clock::now();
   Planner planner(std::move(map.grid));
   return {.file = options.file,
           .hash = hash,

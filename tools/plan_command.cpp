@@ -2,18 +2,15 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <ostream>
 
 #include "announce.h"
 #include "answer.h"
 #include "commands.h"
 #include "lasius/batch.h"
-#include "lasius/error.h"
-#include "lasius/output.h"
 #include "map_file.h"
+#include "outputs.h"
 #include "parameters.h"
 #include "picture.h"
 #include "progress.h"
@@ -24,19 +21,6 @@
 
 namespace lasius::tool {
 namespace {
-
-void write_outputs(const PreparedMap& map, const RunOptions& run, const Answer& answer,
-                   const PictureRecorder* recorder) {
-  for (const auto& file : run.outputs) {
-    if (is_picture(file))
-      write_plan_picture(file, map, run, answer, recorder);
-    else if (file.ends_with(".csv"))
-      write_file(file, [&](std::ostream& out) { out << result_csv(answer.result); });
-    else
-      write_file(file, [&](std::ostream& out) { out << line(result_json(map, run, answer)); });
-    if (run.messages.verbose) message("wrote " + file);
-  }
-}
 
 std::string note(const Progress& progress) {
   if (!std::isfinite(progress.best_length)) return "no path yet";
@@ -77,22 +61,21 @@ int run_plan(const PlanCommand& command) {
     recorder.emplace(map.planner.grid(), run.track_iterations, run.params.iterations);
   const Answer found = watched_answer(map, run, {start, goal}, signals.token(), recorder);
 
-  const std::string why = explain(map, run, found);
-  if (!why.empty() && (found.result.path.empty() || !run.messages.quiet)) message(why);
+  const Outcome ended = outcome(map, run, found);
+  report(ended, run.messages);
   if (run.with_optimum && !run.json && !run.messages.quiet) {
     if (const std::string gap = gap_text(found); !gap.empty()) message(gap);
   }
-  // What one output refuses the others still get.
-  std::exception_ptr fault;
-  try {
-    print(run.json ? line(result_json(map, run, found)) : result_text(map, run, found));
-  } catch (const ClosedOutput&) {
-  } catch (const Error&) {
-    fault = std::current_exception();
-  }
-  write_outputs(map, run, found, recorder ? &*recorder : nullptr);
-  if (fault) std::rethrow_exception(fault);
-  return exit_code(found.result);
+  const Forms forms{.text = [&] { return result_text(map, run, found); },
+                    .json = [&] { return line(result_json(map, run, found)); },
+                    .csv = [&] { return result_csv(found.result); },
+                    .write_picture =
+                        [&](const std::string& file) {
+                          write_plan_picture(file, map, run, found,
+                                             recorder ? &*recorder : nullptr);
+                        }};
+  deliver(forms, run.json, run.outputs, run.messages);
+  return exit_code(ended);
 }
 
 }  // namespace lasius::tool

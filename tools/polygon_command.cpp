@@ -1,16 +1,11 @@
 #include <array>
-#include <cmath>
 #include <cstdio>
-#include <exception>
 #include <nlohmann/json.hpp>
-#include <ostream>
 
 #include "answer.h"
 #include "commands.h"
 #include "exit_code.h"
-#include "lasius/error.h"
-#include "lasius/output.h"
-#include "picture.h"
+#include "outputs.h"
 #include "polygon_picture.h"
 #include "polygon_report.h"
 #include "progress.h"
@@ -54,28 +49,6 @@ PolygonAnswer watched_answer(const PreparedWorld& world, const PolygonCommand& c
   return polygon_answer(world, command, parameters, stop, observer);
 }
 
-std::string explain(const polygon::Result& result) {
-  const std::string after = " after " + std::to_string(result.iterations) + " iterations";
-  const std::string held = result.path.empty() ? ", no path yet" : ", the best path so far is kept";
-  if (result.status == Status::limit) return "the time limit ended the run" + after + held;
-  if (result.status == Status::interrupted) return "interrupted" + after + held;
-  return result.error;
-}
-
-void write_outputs(const PreparedWorld& world, const PolygonCommand& command,
-                   const PolygonAnswer& answer) {
-  for (const auto& file : command.outputs) {
-    if (is_picture(file))
-      write_polygon_picture(file, world, answer);
-    else if (file.ends_with(".csv"))
-      write_file(file, [&](std::ostream& out) { out << result_csv(answer.result); });
-    else
-      write_file(file,
-                 [&](std::ostream& out) { out << line(polygon_json(world, command, answer)); });
-    if (command.messages.verbose) message("wrote " + file);
-  }
-}
-
 }  // namespace
 
 int run_polygon(const PolygonCommand& command) {
@@ -91,19 +64,20 @@ int run_polygon(const PolygonCommand& command) {
   announce(world, command, parameters, notes);
   const PolygonAnswer answer = watched_answer(world, command, parameters, signals.token());
 
-  const std::string why = explain(answer.result);
-  if (!why.empty() && (answer.result.path.empty() || !command.messages.quiet)) message(why);
-  // What one output refuses the others still get.
-  std::exception_ptr fault;
-  try {
-    print(command.json ? line(polygon_json(world, command, answer)) : polygon_text(answer));
-  } catch (const ClosedOutput&) {
-  } catch (const Error&) {
-    fault = std::current_exception();
-  }
-  write_outputs(world, command, answer);
-  if (fault) std::rethrow_exception(fault);
-  return exit_code(answer.result);
+  const polygon::Result& result = answer.result;
+  const Outcome ended{.status = result.status,
+                      .iterations = result.iterations,
+                      .has_path = !result.path.empty(),
+                      .error = result.error};
+  report(ended, command.messages);
+  const Forms forms{
+      .text = [&] { return polygon_text(answer); },
+      .json = [&] { return line(polygon_json(world, command, answer)); },
+      .csv = [&] { return result_csv(result); },
+      .write_picture =
+          [&](const std::string& file) { write_polygon_picture(file, world, answer); }};
+  deliver(forms, command.json, command.outputs, command.messages);
+  return exit_code(ended);
 }
 
 }  // namespace lasius::tool

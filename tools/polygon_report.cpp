@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "elapsed.h"
 #include "exit_code.h"
 #include "lasius/error.h"
 #include "lasius/version.h"
@@ -18,40 +17,16 @@ namespace {
 
 constexpr std::array<const char*, 3> kJoins{"mitre", "round", "bevel"};
 
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-Json optional_number(const std::optional<double>& value) {
-  return value ? number(*value) : Json(nullptr);
-}
-
-Json numbers(const std::vector<double>& values) {
-  Json list = Json::array();
-  for (const double value : values) list.push_back(number(value));
-  return list;
-}
-
-Json point(Point p) { return Json::array({number(p.x), number(p.y)}); }
-
-Json points(const std::vector<Point>& path) {
-  if (path.empty()) return nullptr;
-  Json list = Json::array();
-  for (const Point p : path) list.push_back(point(p));
-  return list;
-}
-
 const Algorithm& polygon_algorithm(std::string_view name) {
   const auto all = polygon::algorithms();
   return *std::ranges::find_if(all, [&](const Algorithm& a) { return a.name == name; });
 }
 
-Json parameters_json(const PreparedWorld& world, const PolygonCommand& command,
-                     const polygon::Parameters& parameters) {
-  Json object = Json::object();
-  for (const auto& parameter : polygon_algorithm(parameters.algorithm).parameters)
-    object[std::string(parameter.name)] =
-        parameter_json(polygon::get_parameter(parameters, parameter.name));
+Json settings_json(const PreparedWorld& world, const PolygonCommand& command,
+                   const polygon::Parameters& parameters) {
+  Json object =
+      parameters_json(polygon_algorithm(parameters.algorithm),
+                      [&](std::string_view name) { return get_parameter(parameters, name); });
   object["target_gap"] = number(command.target_gap);
   object["time_limit"] = optional_number(command.time_limit);
   object["margin"] = number(world.planner.margin());
@@ -187,7 +162,7 @@ Json polygon_json(const PreparedWorld& world, const PolygonCommand& command,
   json["goal"] = point(answer.goal);
   json["seed"] = answer.parameters.seed;
   json["threads"] = answer.parameters.threads;
-  json["parameters"] = parameters_json(world, command, answer.parameters);
+  json["parameters"] = settings_json(world, command, answer.parameters);
   json["status"] = to_string(result.status);
   json["error"] = result.error.empty() ? Json(nullptr) : Json(result.error);
   json["length"] = number(result.length);
@@ -200,11 +175,8 @@ Json polygon_json(const PreparedWorld& world, const PolygonCommand& command,
   json["gap"] = optional_number(result.gap());
   json["optimal"] = result.optimal;
   if (command.with_optimum) {
-    const auto& optimum = answer.optimum;
-    json["optimum"] = optional_number(optimum);
-    json["optimum_gap"] = nullptr;
-    if (optimum && std::isfinite(result.length))
-      json["optimum_gap"] = number(*optimum > 0 ? (result.length - *optimum) / *optimum : 0.0);
+    json["optimum"] = optional_number(answer.optimum);
+    json["optimum_gap"] = gap_to(answer.optimum, result.length);
   }
   json["maklink"] = maklink_json(world, result);
   json["elapsed_ms"] = number(answer.elapsed_ms);

@@ -11,7 +11,7 @@
 namespace lasius::tool {
 namespace {
 
-Point point(const Json& json) { return {json.at(0).get<double>(), json.at(1).get<double>()}; }
+Point point_of(const Json& json) { return {json.at(0).get<double>(), json.at(1).get<double>()}; }
 
 }  // namespace
 
@@ -25,8 +25,8 @@ Json polygon_replay(const Json& recorded, const std::string& file, int threads,
   command.world.margin = settings.at("margin").get<double>();
   command.world.join =
       static_cast<int>(choice_value("join", settings.at("join").get<std::string>(), kJoins));
-  command.start = point(recorded.at("start"));
-  command.goal = point(recorded.at("goal"));
+  command.start = point_of(recorded.at("start"));
+  command.goal = point_of(recorded.at("goal"));
   command.algorithm = recorded.at("algorithm").get<std::string>();
   command.seed = recorded.at("seed").get<std::uint64_t>();
   command.threads = threads;

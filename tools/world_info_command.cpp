@@ -11,9 +11,7 @@
 namespace lasius::tool {
 namespace {
 
-Json optional_point(const std::optional<Point>& p) {
-  return p ? Json::array({number(p->x), number(p->y)}) : Json(nullptr);
-}
+Json optional_point(const std::optional<Point>& p) { return p ? point(*p) : Json(nullptr); }
 
 std::size_t corners(const std::vector<polygon::Polygon>& polygons) {
   std::size_t count = 0;
