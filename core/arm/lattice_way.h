@@ -1,4 +1,4 @@
-// The shortest way through a lattice as far as it is known.
+// Ways through a lattice: the shortest as far as it is known, and the straightest.
 #pragma once
 
 #include <cstdint>
@@ -21,5 +21,9 @@ enum class Unknown { counts_as_free, is_asked };
 /// A* with the Manhattan distance, which never overestimates. Where what was not tried counts as
 /// free no way is shorter; kinematics is worked out on the fly, the sensor is not asked.
 KnownWay shortest_known_way(const Lattice& lattice, Unknown unknown, const StopCondition& stop);
+
+/// The moves from start to goal that keep nearest to the straight line: each along the axis that
+/// lags most behind its share of the way. Asks nothing.
+std::vector<int> straight_moves(const Lattice& lattice);
 
 }  // namespace lasius::arm

@@ -1,4 +1,7 @@
-#include "lattice_bound.h"
+#include "lattice_way.h"
+
+#include <array>
+#include <cstdlib>
 
 namespace lasius::arm {
 
@@ -32,6 +35,28 @@ KnownWay shortest_known_way(const Lattice& lattice, Unknown unknown, const StopC
     }
   }
   return {};
+}
+
+std::vector<int> straight_moves(const Lattice& lattice) {
+  const auto goal = lattice.coordinates(lattice.goal());
+  const int count = lattice.manhattan(lattice.start());
+  std::array<int, 3> done{};
+  std::vector<int> moves;
+  for (int i = 1; i <= count; ++i) {
+    int next = 0;
+    double most = -1;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int all = std::abs(goal[axis]);
+      const double behind = static_cast<double>(i) * all / count - done[axis];
+      if (done[axis] < all && behind > most) {
+        most = behind;
+        next = axis;
+      }
+    }
+    ++done[next];
+    moves.push_back(2 * next + (goal[next] > 0 ? 0 : 1));
+  }
+  return moves;
 }
 
 }  // namespace lasius::arm
