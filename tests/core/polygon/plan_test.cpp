@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <queue>
 
 #include "lasius/error.h"
 #include "lasius/generate.h"
+#include "tests/core/polygon/known_world.h"
 #include "tests/random_world.h"
 
 namespace lasius::polygon {
@@ -17,19 +16,6 @@ using lasius::testing::Dice;
 using lasius::testing::free_point;
 using lasius::testing::random_world;
 using lasius::testing::Referee;
-
-/// Issue's known world.
-World known_world() {
-  World world;
-  world.boundary.outer = {{0, 0}, {200, 0}, {200, 200}, {0, 200}};
-  world.obstacles = {{{{40, 140}, {60, 160}, {100, 140}, {60, 120}}, {}},
-                     {{{50, 30}, {30, 40}, {80, 80}, {100, 40}}, {}},
-                     {{{120, 160}, {140, 100}, {180, 170}, {165, 180}}, {}},
-                     {{{120, 40}, {170, 40}, {140, 80}}, {}}};
-  world.start = Point{20, 180};
-  world.goal = Point{160, 90};
-  return world;
-}
 
 double turn(Point a, Point b, Point c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -100,14 +86,6 @@ double brute_force(const Planner& planner, Point start, Point goal) {
       }
     }
   }
-}
-
-void expect_order(const Result& result, const std::string& which) {
-  ASSERT_FALSE(result.path.empty()) << which;
-  constexpr double kSlack = 1 + 1e-12;
-  EXPECT_LE(*result.lower_bound, result.sequence_optimum->length * kSlack) << which;
-  EXPECT_LE(result.sequence_optimum->length, result.discrete_optimum->length * kSlack) << which;
-  EXPECT_LE(result.length, result.dijkstra->length * kSlack) << which;
 }
 
 TEST(KnownWorld, ShortestPathOfTheWorld) {
@@ -314,43 +292,6 @@ TEST(Ends, BlockedAndOutsideNameTheNearestFreePoint) {
   EXPECT_THROW(Planner(open).plan(), Error);
 }
 
-TEST(Determinism, SeedAloneDecides) {
-  const Planner planner(random_world(7, 60));
-  Dice dice(1);
-  const Request request{.start = free_point(planner, dice), .goal = free_point(planner, dice)};
-  for (const char* algorithm : {"maklink-acs", "real-ga"}) {
-    Parameters parameters = defaults(algorithm);
-    parameters.iterations = 60;
-    const Result one = planner.plan(request, parameters);
-    parameters.threads = 3;
-    const Result two = Planner(random_world(7, 60)).plan(request, parameters);
-    EXPECT_EQ(one.path, two.path);
-    EXPECT_EQ(one.best, two.best);
-    EXPECT_EQ(one.mean, two.mean);
-    parameters.seed = 2;
-    EXPECT_NE(planner.plan(request, parameters).mean, one.mean);
-  }
-}
-
-TEST(Stops, TokenAndDeadlineKeepTheBestPath) {
-  const Planner planner(known_world());
-  std::stop_source source;
-  const Result cut = planner.plan({.start = {}, .goal = {}, .stop = {.token = source.get_token()}},
-                                  defaults("maklink-acs"), [&](const IterationView& view) {
-                                    if (view.iteration == 4) source.request_stop();
-                                  });
-  EXPECT_EQ(cut.status, Status::interrupted);
-  EXPECT_EQ(cut.iterations, 5);
-  EXPECT_FALSE(cut.path.empty());
-  for (const char* algorithm : {"maklink-acs", "real-ga"}) {
-    const Result late =
-        planner.plan({.start = {}, .goal = {}, .stop = {.deadline = Clock::time_point::min()}},
-                     defaults(algorithm));
-    EXPECT_EQ(late.status, Status::limit);
-    EXPECT_EQ(late.path, late.dijkstra->path);
-  }
-}
-
 TEST(Bitmap, ExactPathsOfBothWorldsAreOfOneLength) {
   for (const MapKind kind : {MapKind::rooms, MapKind::blobs, MapKind::random}) {
     const Grid grid = generate(kind, {.width = 48, .height = 40, .seed = 2});
@@ -367,79 +308,6 @@ TEST(Bitmap, ExactPathsOfBothWorldsAreOfOneLength) {
       if (expected.path.empty()) continue;
       EXPECT_NEAR(result.length, expected.length, 1e-9);
     }
-  }
-}
-
-TEST(InitialPheromone, OfTheFamilyDoesNotDependOnTheUnit) {
-  World world = known_world();
-  const auto scaled = [&](double by) {
-    World other = world;
-    const auto grow = [&](Point& p) { p = {p.x * by, p.y * by}; };
-    for (Point& p : other.boundary.outer) grow(p);
-    for (Polygon& o : other.obstacles) {
-      for (Point& p : o.outer) grow(p);
-    }
-    grow(*other.start);
-    grow(*other.goal);
-    return other;
-  };
-  Parameters parameters = defaults("maklink-acs");
-  parameters.initial_pheromone = 0;
-  const Result metres = Planner(world).plan({}, parameters);
-  const Result other = Planner(scaled(1024)).plan({}, parameters);
-  EXPECT_EQ(metres.crossing.values, other.crossing.values);
-  ASSERT_EQ(metres.mean.size(), other.mean.size());
-  for (std::size_t i = 0; i < metres.mean.size(); ++i) {
-    EXPECT_EQ(metres.mean[i] * 1024, other.mean[i]);
-  }
-  parameters.initial_pheromone = defaults("maklink-acs").initial_pheromone;
-  EXPECT_NE(Planner(world).plan({}, parameters).mean,
-            Planner(scaled(1024)).plan({}, parameters).mean);
-}
-
-TEST(TargetGap, EndsTheRun) {
-  const Planner planner(known_world());
-  const Result result =
-      planner.plan({.start = {}, .goal = {}, .target_gap = 0.02}, defaults("maklink-acs"));
-  EXPECT_LT(result.iterations, 50);
-  EXPECT_LE(*result.gap(), 0.02);
-}
-
-TEST(Routes, MoreLineSequencesAreNeverWorse) {
-  for (int i = 0; i < 8; ++i) {
-    const Planner planner(random_world(static_cast<std::uint64_t>(300 + i), 30));
-    Dice dice(static_cast<std::uint64_t>(i));
-    const Request request{.start = free_point(planner, dice), .goal = free_point(planner, dice)};
-    Parameters parameters = defaults("maklink-acs");
-    const Result one = planner.plan(request, parameters);
-    if (one.path.empty()) continue;
-    parameters.routes = 5;
-    const Result many = planner.plan(request, parameters);
-    EXPECT_LE(many.length, one.length);
-    EXPECT_GE(many.iterations, one.iterations);
-    EXPECT_TRUE(std::is_sorted(many.best.rbegin(), many.best.rend()));
-  }
-}
-
-TEST(Parameters, NamesRangesAndDefaults) {
-  EXPECT_EQ(algorithms().front().name, "exact");
-  for (const Algorithm& algorithm : algorithms()) {
-    Parameters parameters = defaults(algorithm.name);
-    EXPECT_NO_THROW(validate(parameters));
-    for (const Parameter& parameter : algorithm.parameters) {
-      const std::string value = get_parameter(parameters, parameter.name);
-      EXPECT_NO_THROW(set_parameter(parameters, parameter.name, value)) << parameter.name;
-      EXPECT_THROW(set_parameter(parameters, parameter.name, "1e99"), Error) << parameter.name;
-    }
-  }
-  EXPECT_THROW(defaults("maklink"), Error);
-  Parameters bad = defaults("maklink-acs");
-  bad.values = 1;
-  EXPECT_THROW(Planner(known_world()).plan({}, bad), Error);
-  for (const int threads : {-1, 1025}) {
-    bad = defaults("maklink-acs");
-    bad.threads = threads;
-    EXPECT_THROW(validate(bad), Error);
   }
 }
 

@@ -1,0 +1,144 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <stdexcept>
+#include <stop_token>
+
+#include "lasius/error.h"
+#include "tests/core/arm/questions.h"
+
+// How runs end before their time: refused, proven hopeless, stopped.
+namespace lasius::arm {
+namespace {
+
+TEST(ArmPlan, ProvesThatThereIsNoWay) {
+  const Robot robot = two_links();
+  const Request request = across(robot);
+  const double from = tip_position(robot, request.start).x;
+  Parameters parameters;
+  parameters.pitch = 0.05;
+  parameters.side = 11;
+  const Wall wall(robot, from - 0.12);
+  const Result r = plan(robot, wall, request, parameters);
+  EXPECT_EQ(r.status, Status::unreachable);
+  EXPECT_FALSE(r.error.empty());
+  EXPECT_LT(r.iterations, 100);
+  EXPECT_TRUE(r.joints.empty());
+  EXPECT_TRUE(std::isnan(r.length));
+  EXPECT_EQ(shortest_lattice_way(robot, wall, request, parameters).status, Status::unreachable);
+
+  // The goal itself is blocked, which an ant beside it learns: that beats unreachable.
+  const Wall at_goal(robot, request.goal.x + 0.01);
+  const Result blocked = plan(robot, at_goal, request, parameters);
+  EXPECT_EQ(blocked.status, Status::invalid);
+  EXPECT_EQ(blocked.error, "the arm touches something at the goal");
+}
+
+TEST(ArmPlan, BadQuestionsAreAnswers) {
+  const Robot robot = two_links();
+  const Nothing sensor;
+  const auto expect_invalid = [&](Request request, const std::string& words) {
+    const Result r = plan(robot, sensor, request);
+    EXPECT_EQ(r.status, Status::invalid);
+    EXPECT_NE(r.error.find(words), std::string::npos) << r.error;
+  };
+  expect_invalid({.start = {0}, .goal = {0.9, 0, 0}}, "1 joint values");
+  expect_invalid({.start = {0, 4}, .goal = {0.9, 0, 0}}, "joint 2");
+  expect_invalid({.start = {0, std::nan("")}, .goal = {0.9, 0, 0}}, "joint 2");
+  expect_invalid({.start = {0, 1}, .goal = {2, 0, 0}}, "outside");
+  expect_invalid({.start = {0, 1}, .goal = {std::nan(""), 0, 0}}, "outside");
+  expect_invalid({.start = {0, 1}, .goal = {0.5, 0, 0.3}}, "does not get there");
+  Request near = across(robot);
+  near.goal = tip_position(robot, near.start);
+  near.goal.y += 0.001;
+  expect_invalid(near, "half a pitch");
+  const Wall everywhere(robot, 10);
+  EXPECT_EQ(plan(robot, everywhere, across(robot)).error, "the arm touches something at the start");
+}
+
+TEST(ArmPlan, BadParametersAreRefused) {
+  const Robot robot = two_links();
+  const Nothing sensor;
+  const auto refused = [&](auto change) {
+    Parameters p;
+    change(p);
+    EXPECT_THROW(plan(robot, sensor, across(robot), p), Error);
+  };
+  refused([](Parameters& p) { p.ants = 0; });
+  refused([](Parameters& p) { p.iterations = -1; });
+  refused([](Parameters& p) { p.alpha = 9; });
+  refused([](Parameters& p) { p.evaporation = 1.1; });
+  refused([](Parameters& p) { p.evaporation = std::nan(""); });
+  refused([](Parameters& p) { p.seed = std::uint64_t{1} << 53; });
+  refused([](Parameters& p) { p.threads = -1; });
+  refused([](Parameters& p) { p.threads = 1025; });
+  refused([](Parameters& p) { p.pitch = 1e-5; });  // too many points
+  refused([](Parameters& p) { p.pitch = 1e-300; });
+  Parameters p;
+  EXPECT_THROW(set_parameter(p, "elite_wait", "1"), Error);
+  EXPECT_THROW(set_parameter(p, "ants", "many"), Error);
+  set_parameter(p, "pheromone", "edges");
+  EXPECT_EQ(get_parameter(p, "pheromone"), "edges");
+  EXPECT_EQ(p.pheromone, Pheromone::edges);
+}
+
+TEST(ArmPlan, StopsEarlyWhenAsked) {
+  Case c = make_case("industrial6", 3, 10, 0, 10);
+  const SceneSensor sensor(c.robot, c.scene);
+  c.parameters.patience = 5;
+  const Result patient = plan(c.robot, sensor, c.request, c.parameters);
+  EXPECT_LT(patient.iterations, 100);
+  EXPECT_EQ(patient.status, Status::solved);
+
+  c.parameters.patience = 0;
+  c.request.target_gap = 0.5;
+  const Result close = plan(c.robot, sensor, c.request, c.parameters);
+  EXPECT_LT(close.iterations, 100);
+  EXPECT_LE(close.gap().value(), 0.5);
+}
+
+TEST(ArmPlan, TokenAndDeadlineKeepTheBest) {
+  Case c = make_case("industrial6", 3, 10, 0, 12);
+  const SceneSensor sensor(c.robot, c.scene);
+  c.parameters.iterations = 1000000;
+  std::stop_source source;
+  c.request.stop.token = source.get_token();
+  const Result r = plan(c.robot, sensor, c.request, c.parameters, [&](const IterationView& view) {
+    if (view.iteration == 3) source.request_stop();
+  });
+  EXPECT_EQ(r.status, Status::interrupted);
+  EXPECT_EQ(r.iterations, 4);
+  EXPECT_FALSE(r.joints.empty());
+
+  c.request.stop = {.deadline = Clock::now()};
+  const Result late = plan(c.robot, sensor, c.request, c.parameters);
+  EXPECT_EQ(late.status, Status::limit);
+  EXPECT_EQ(late.iterations, 0);
+}
+
+/// Breaks down after some questions.
+class Broken final : public Sensor {
+ public:
+  bool position_free(std::span<const double>) const override {
+    if (++asked_ > 50) throw std::runtime_error("cable");
+    return true;
+  }
+  bool motion_free(std::span<const double>, std::span<const double>) const override { return true; }
+  double clearance() const override { return 0.001; }
+
+ private:
+  mutable std::atomic<int> asked_{0};
+};
+
+TEST(ArmPlan, WhatASensorThrowsArrives) {
+  const Case c = make_case("industrial6", 2, 0, 0, 12);
+  for (const int threads : {1, 4}) {
+    Parameters p = c.parameters;
+    p.threads = threads;
+    EXPECT_THROW(plan(c.robot, Broken(), c.request, p), std::runtime_error);
+  }
+}
+
+}  // namespace
+}  // namespace lasius::arm

@@ -1,0 +1,63 @@
+// Questions and sensors for tests of planning.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "lasius/arm_plan.h"
+#include "tests/core/arm/arms.h"
+
+namespace lasius::arm {
+
+/// A sensor that knows no obstacle.
+class Nothing final : public Sensor {
+ public:
+  bool position_free(std::span<const double>) const override { return true; }
+  bool motion_free(std::span<const double>, std::span<const double>) const override { return true; }
+  double clearance() const override { return 0.001; }
+};
+
+/// Blocks every position with the tip at `x` or beyond it, against x.
+class Wall final : public Sensor {
+ public:
+  Wall(const Robot& robot, double x) : robot_(robot), x_(x) {}
+  bool position_free(std::span<const double> q) const override {
+    return tip_position(robot_, q).x > x_;
+  }
+  bool motion_free(std::span<const double>, std::span<const double>) const override { return true; }
+  double clearance() const override { return 0.001; }
+
+ private:
+  const Robot& robot_;
+  double x_;
+};
+
+/// The two links, bent, move their tip by 0.2 against x.
+inline Request across(const Robot& robot) {
+  Request request{.start = {0.6, 1.2}, .goal = tip_position(robot, std::vector{0.6, 1.2})};
+  request.goal.x -= 0.2;
+  return request;
+}
+
+struct Case {
+  Robot robot;
+  Scene scene;
+  Request request;
+  Parameters parameters;
+};
+
+/// A generated question to a robot that is shipped, answered by one thread.
+inline Case make_case(const char* robot, std::uint64_t seed, int obstacles, double wall, int side) {
+  Case c{shipped(robot), {}, {}, {}};
+  Query query = generate_query(c.robot, {.seed = seed, .obstacles = obstacles, .wall = wall});
+  c.scene = std::move(query.scene);
+  c.request.start = std::move(query.start);
+  c.request.goal = query.goal;
+  c.parameters = lattice_of(c.robot, c.request, side);
+  c.parameters.threads = 1;
+  return c;
+}
+
+}  // namespace lasius::arm

@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "lasius/error.h"
+#include "tests/core/io/images.h"
+
+namespace lasius {
+namespace {
+
+TEST_F(Io, ReadsEveryFormatByContent) {
+  const Grid expected = grid_of({"#.", ".."});
+  const std::string contents[] = {"type octile\nheight 2\nwidth 2\nmap\n@.\n..\n", "P1 2 2 1000",
+                                  "P5 2 2 255\n\x01\xff\xff\xff",
+                                  png_of({2, 2, 1, PNG_COLOR_TYPE_GRAY, {{0x40}, {0xc0}}})};
+  for (const std::string& content : contents) {
+    EXPECT_EQ(read_any_map(file(content, "map.yaml")).grid, expected);
+    EXPECT_FALSE(read_any_map(file(content)).frame.has_value());
+  }
+}
+
+TEST_F(Io, WritesWhatItReads) {
+  for (const int width : {1, 7, 8, 64, 65, 131}) {
+    Grid grid(width, 9);
+    for (int i = 0; i < width * 9; i += 1 + i % 5) grid.set_blocked({i % width, i / width});
+    for (const char* name : {"a.map", "a.pbm", "a.png"}) {
+      write_any_map(grid, path(name));
+      EXPECT_EQ(read_any_map(path(name)).grid, grid) << name << ", width " << width;
+    }
+  }
+  EXPECT_EQ(files().size(), 3U) << "no temporary file is left";
+  try {
+    write_any_map(Grid(2, 2), path("a.jpg"));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::invalid_parameter);
+    EXPECT_NE(error.remedy().find(".png"), std::string::npos);
+  }
+}
+
+TEST_F(Io, RefusesWhatIsNoMap) {
+  try {
+    (void)read_any_map(file("GIF89a"));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::file_unsupported);
+    EXPECT_NE(std::string(error.what()).find(".yaml"), std::string::npos);
+  }
+  EXPECT_THROW((void)read_any_map(path("none.png")), Error);
+  EXPECT_THROW((void)read_any_map(path(".")), Error);
+  EXPECT_THROW((void)read_any_map(file("", "empty.yaml")), Error);
+}
+
+}  // namespace
+}  // namespace lasius
