@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 
 namespace lasius::study {
 
@@ -10,7 +11,9 @@ std::string fixed(double value, int decimals) {
   if (!std::isfinite(value)) return "-";
   std::array<char, 64> text;
   std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  return text.data();
+  const std::string_view shown = text.data();
+  const bool zero = shown.find_first_not_of("-0.") == std::string_view::npos;
+  return std::string(zero && shown.front() == '-' ? shown.substr(1) : shown);
 }
 
 std::string p_text(double p) { return p < 0.001 ? "< 0.001" : fixed(p, 3); }

@@ -5,7 +5,7 @@
 
 namespace lasius::study {
 
-/// With this many decimals; "-" where it is not finite.
+/// With this many decimals, 0 without a sign; "-" where it is not finite.
 std::string fixed(double value, int decimals);
 
 /// A p value: "0.032", or "< 0.001".
