@@ -1,19 +1,17 @@
 #include "grid_ga.h"
 
-#include <Random123/philox.h>
 #include <omp.h>
 
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <limits>
 #include <memory>
 
 #include "grid_ga_route.h"
 #include "kernel_choice.h"
+#include "kernels/random_stream.h"
 #include "lasius/path.h"
 #include "loop_cutter.h"
-#include "map_random.h"
 #include "straighten.h"
 #include "tauten.h"
 
@@ -27,31 +25,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 enum class Use : std::uint32_t { newcomer = 1, tournament, crossover, mutation };
 
 /// Random words of one use, generation and individual.
-class Draws {
+class Draws : public kernels::RandomStream {
  public:
   Draws(std::uint64_t seed, Use use, int generation, int individual)
-      : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}},
-        counter_{{0, static_cast<std::uint32_t>(individual), static_cast<std::uint32_t>(generation),
-                  static_cast<std::uint32_t>(use)}} {}
-
-  std::uint32_t next() {
-    if (used_ == 4) {
-      words_ = r123::Philox4x32()(counter_, key_);
-      ++counter_[0];
-      used_ = 0;
-    }
-    return words_[used_++];
-  }
-  /// Uniform in [0, count).
-  int below(int count) { return lasius::below(count, next()); }
-  /// True with this probability.
-  bool chance(double share) { return next() < share * 0x1p32; }
-
- private:
-  r123::Philox4x32::key_type key_;
-  r123::Philox4x32::ctr_type counter_;
-  r123::Philox4x32::ctr_type words_{};
-  std::size_t used_ = 4;
+      : RandomStream(seed, static_cast<std::uint32_t>(individual),
+                     static_cast<std::uint32_t>(generation), static_cast<std::uint32_t>(use)) {}
 };
 
 /// A chromosome with its path after polish.

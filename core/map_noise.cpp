@@ -36,8 +36,8 @@ void MapNoise::load_gradients(Layer& layer, std::uint32_t index, int lattice_row
     for (std::size_t i = 0; i < row.size(); ++i) {
       const auto words = random_.at(MapStream::noise, static_cast<std::uint32_t>(i),
                                     static_cast<std::uint32_t>(y), index);
-      row[i] = {below(2 * kGradient + 1, words[0]) - kGradient,
-                below(2 * kGradient + 1, words[1]) - kGradient};
+      row[i] = {kernels::below(2 * kGradient + 1, words[0]) - kGradient,
+                kernels::below(2 * kGradient + 1, words[1]) - kGradient};
     }
   };
   if (lattice_row == layer.lattice_row) return;

@@ -15,19 +15,13 @@ struct Chromosome {
 };
 
 /// Random numbers of one child; those of generation 0 make the first population.
-class Draws {
+class Draws : public kernels::RandomStream {
  public:
   Draws(std::uint64_t seed, int child, int generation)
-      : stream_(seed, static_cast<std::uint32_t>(child), static_cast<std::uint32_t>(generation)) {}
+      : RandomStream(seed, static_cast<std::uint32_t>(child),
+                     static_cast<std::uint32_t>(generation)) {}
   /// Uniform in [0, 1].
-  double real() { return stream_.next() / (0x1p32 - 1); }
-  int below(int count) {
-    return static_cast<int>(static_cast<std::uint64_t>(stream_.next()) * count >> 32);
-  }
-  bool chance(double share) { return stream_.next() < share * 0x1p32; }
-
- private:
-  kernels::RandomStream stream_;
+  double real() { return next() / (0x1p32 - 1); }
 };
 
 class CrossingGa final : public ColonyWorld {
