@@ -1,14 +1,13 @@
 #include "picture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <functional>
 
 #include "canvas.h"
 #include "chart.h"
+#include "study/text.h"
 
 namespace lasius::tool {
 namespace {
@@ -195,12 +194,6 @@ void write_page(const std::string& file, const Grid& grid, const std::string& ti
   canvas.save(file);
 }
 
-std::string fixed(double value) {
-  std::array<char, 48> text;
-  std::snprintf(text.data(), text.size(), "%.2f", value);
-  return text.data();
-}
-
 std::string plan_title(const PreparedMap& map, const RunOptions& run) {
   return run.params.algorithm + " on " + std::filesystem::path(map.file).filename().string() +
          ", " + std::to_string(map.width) + " x " + std::to_string(map.height) + " cells, seed " +
@@ -210,10 +203,10 @@ std::string plan_title(const PreparedMap& map, const RunOptions& run) {
 std::string path_caption(const Answer& answer) {
   const Result& result = answer.result;
   if (result.path.empty()) return std::string(to_string(result.status)) + ": no path";
-  std::string text = "path, length " + fixed(result.length);
+  std::string text = "path, length " + study::fixed(result.length, 2);
   if (result.optimal) return text + ", proven shortest";
   if (answer.optimum && *answer.optimum > 0)
-    text += ", " + fixed(100 * (result.length / *answer.optimum - 1)) + "% above the optimum";
+    text += ", " + study::fixed(100 * (result.length / *answer.optimum - 1), 2) + "% above the optimum";
   return text;
 }
 

@@ -1,13 +1,12 @@
 #include "polygon_picture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include "canvas.h"
 #include "chart.h"
+#include "study/text.h"
 
 namespace lasius::tool {
 namespace {
@@ -86,18 +85,12 @@ void draw_graph(Canvas& canvas, const View& view, const PreparedWorld& world,
     canvas.polyline(view.at(answer.result.dijkstra->path), kDijkstra, 2.5);
 }
 
-std::string fixed(double value) {
-  std::array<char, 48> text;
-  std::snprintf(text.data(), text.size(), "%.3f", value);
-  return text.data();
-}
-
 std::string path_caption(const PolygonAnswer& answer) {
   const auto& result = answer.result;
   if (result.path.empty()) return std::string(to_string(result.status)) + ": no path";
-  std::string text = "path, length " + fixed(result.length);
+  std::string text = "path, length " + study::fixed(result.length, 3);
   if (result.optimal) return text + ", proven shortest";
-  if (result.gap()) text += ", " + fixed(100 * *result.gap()) + "% above the optimum";
+  if (result.gap()) text += ", " + study::fixed(100 * *result.gap(), 3) + "% above the optimum";
   return text;
 }
 
@@ -131,7 +124,7 @@ void write_polygon_picture(const std::string& file, const PreparedWorld& world,
     canvas.text({x + place / 2, y + tall + 24}, letter + caption, 15, Align::centre, kInk);
   };
   if (graph)
-    panel("MAKLINK lines, midpoints, Dijkstra's path, length " + fixed(result.dijkstra->length),
+    panel("MAKLINK lines, midpoints, Dijkstra's path, length " + study::fixed(result.dijkstra->length, 3),
           false, [&](const Box& box) {
             const View view(world, box);
             draw_world(canvas, view, world, box);
