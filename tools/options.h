@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -109,12 +110,15 @@ struct ArmCommand {
   Messages messages;
 };
 
+/// Corners of grown obstacles, in the order of polygon::Join.
+inline constexpr std::array<std::string_view, 3> kJoins{"mitre", "round", "bevel"};
+
 /// A polygon world, and what the command line says in place of what it holds.
 struct WorldOptions {
   std::string file;
   bool repair = false;
   std::optional<double> margin;
-  int join = 0;  ///< index of mitre, round, bevel
+  int join = 0;  ///< index in kJoins
 };
 
 /// `plan` on a polygon world.

@@ -1,8 +1,10 @@
 // Parameters of algorithms by name: from the command line, and to and from results.
 #pragma once
 
-#include <string>
+#include <span>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "lasius/params.h"
 
@@ -12,14 +14,26 @@ namespace lasius::tool {
 /// @throws UsageError for an unknown one, with the nearest.
 Params default_params(std::string_view name);
 
-/// The library's entry. Precondition: a known name.
+/// The entry of this name. Precondition: it is one of `all`, by default those on bitmaps.
+const Algorithm& find_algorithm(std::span<const Algorithm> all, std::string_view name);
 const Algorithm& find_algorithm(std::string_view name);
+
+/// Names of algorithms or of parameters.
+template <class Named>
+std::vector<std::string_view> names_of(std::span<const Named> things) {
+  std::vector<std::string_view> names;
+  for (const Named& thing : things) names.push_back(thing.name);
+  return names;
+}
 
 bool has_parameter(const Algorithm& algorithm, std::string_view name);
 
 /// Sets a parameter that has an option of its own. False where the algorithm does not have it; the
 /// value is checked all the same.
 bool set_common(Params& params, std::string_view name, std::string_view value);
+
+/// Name and value of "NAME=VALUE". @throws UsageError for anything else.
+std::pair<std::string_view, std::string_view> setting_parts(std::string_view setting);
 
 /// Sets "NAME=VALUE". @throws UsageError where the algorithm has no such parameter, with the
 /// nearest; Error(invalid_parameter) for a bad value.

@@ -206,7 +206,8 @@ std::string path_caption(const Answer& answer) {
   std::string text = "path, length " + study::fixed(result.length, 2);
   if (result.optimal) return text + ", proven shortest";
   if (answer.optimum && *answer.optimum > 0)
-    text += ", " + study::fixed(100 * (result.length / *answer.optimum - 1), 2) + "% above the optimum";
+    text +=
+        ", " + study::fixed(100 * (result.length / *answer.optimum - 1), 2) + "% above the optimum";
   return text;
 }
 

@@ -124,7 +124,8 @@ void write_polygon_picture(const std::string& file, const PreparedWorld& world,
     canvas.text({x + place / 2, y + tall + 24}, letter + caption, 15, Align::centre, kInk);
   };
   if (graph)
-    panel("MAKLINK lines, midpoints, Dijkstra's path, length " + study::fixed(result.dijkstra->length, 3),
+    panel("MAKLINK lines, midpoints, Dijkstra's path, length " +
+              study::fixed(result.dijkstra->length, 3),
           false, [&](const Box& box) {
             const View view(world, box);
             draw_world(canvas, view, world, box);

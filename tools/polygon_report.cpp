@@ -1,7 +1,6 @@
 #include "polygon_report.h"
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -15,17 +14,10 @@
 namespace lasius::tool {
 namespace {
 
-constexpr std::array<const char*, 3> kJoins{"mitre", "round", "bevel"};
-
-const Algorithm& polygon_algorithm(std::string_view name) {
-  const auto all = polygon::algorithms();
-  return *std::ranges::find_if(all, [&](const Algorithm& a) { return a.name == name; });
-}
-
 Json settings_json(const PreparedWorld& world, const PolygonCommand& command,
                    const polygon::Parameters& parameters) {
   Json object =
-      parameters_json(polygon_algorithm(parameters.algorithm),
+      parameters_json(find_algorithm(polygon::algorithms(), parameters.algorithm),
                       [&](std::string_view name) { return get_parameter(parameters, name); });
   object["target_gap"] = number(command.target_gap);
   object["time_limit"] = optional_number(command.time_limit);
@@ -92,31 +84,26 @@ PreparedWorld prepare_world(const WorldOptions& options) {
 polygon::Parameters polygon_parameters(const PolygonCommand& command,
                                        std::vector<std::string>& notes) {
   const auto all = polygon::algorithms();
-  std::vector<std::string_view> known;
-  for (const auto& algorithm : all) known.push_back(algorithm.name);
-  const std::string_view name = command.algorithm.empty()
-                                    ? all.front().name
-                                    : known[choice_value("--algorithm", command.algorithm, known)];
+  const auto known = names_of(all);
+  const std::string name(command.algorithm.empty()
+                             ? known.front()
+                             : known[choice_value("--algorithm", command.algorithm, known)]);
+  const Algorithm& algorithm = find_algorithm(all, name);
   auto parameters = polygon::defaults(name);
-  const Algorithm& algorithm = polygon_algorithm(name);
   for (const auto& [key, value] : command.named) {
     if (has_parameter(algorithm, key))
-      polygon::set_parameter(parameters, key, value);
+      set_parameter(parameters, key, value);
     else
-      notes.push_back("--" + key + " has no effect: " + std::string(name) +
-                      " has no such parameter");
+      notes.push_back("--" + key + " has no effect: " + name + " has no such parameter");
   }
-  std::vector<std::string_view> names;
-  for (const auto& parameter : algorithm.parameters) names.push_back(parameter.name);
   for (const std::string& setting : command.settings) {
-    const auto equals = setting.find('=');
-    if (equals == std::string::npos)
-      throw UsageError("--set " + setting + ": not of the form NAME=VALUE");
-    const std::string key = setting.substr(0, equals);
+    const auto [key, value] = setting_parts(setting);
     if (!has_parameter(algorithm, key))
-      throw UsageError("--set " + setting + ": " + std::string(name) + " has no parameter \"" +
-                       key + "\"; " + (names.empty() ? "it takes none" : did_you_mean(key, names)));
-    polygon::set_parameter(parameters, key, setting.substr(equals + 1));
+      throw UsageError(
+          "--set " + setting + ": " + name + " has no parameter \"" + std::string(key) + "\"; " +
+          (algorithm.parameters.empty() ? "it takes none"
+                                        : did_you_mean(key, names_of(algorithm.parameters))));
+    set_parameter(parameters, key, value);
   }
   parameters.seed = command.seed;
   parameters.threads = command.threads;

@@ -10,8 +10,6 @@
 namespace lasius::tool {
 namespace {
 
-constexpr std::array<std::string_view, 3> kJoins{"mitre", "round", "bevel"};
-
 std::optional<Point> point(std::string_view option, const std::string& text) {
   if (text.empty()) return std::nullopt;
   return pair_value(option, text, false);

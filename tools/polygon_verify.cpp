@@ -1,6 +1,5 @@
 #include "polygon_verify.h"
 
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "lasius/error.h"
@@ -17,7 +16,6 @@ Point point_of(const Json& json) { return {json.at(0).get<double>(), json.at(1).
 
 Json polygon_replay(const Json& recorded, const std::string& file, int threads,
                     const std::stop_token& token) {
-  constexpr std::array<std::string_view, 3> kJoins{"mitre", "round", "bevel"};
   const Json& settings = recorded.at("parameters");
   PolygonCommand command;
   command.world.file = file;
