@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "polygon_report.h"
+#include "polygon_answer.h"
 
 namespace lasius::tool {
 

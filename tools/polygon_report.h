@@ -1,49 +1,13 @@
-// A plan on a polygon world: the answer, and its JSON, text and tables.
+// Results on polygon worlds as JSON and plain text.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 
-#include "lasius/polygon_plan.h"
 #include "options.h"
+#include "polygon_answer.h"
 #include "report.h"
 
 namespace lasius::tool {
-
-/// A world made ready, and what it took.
-struct PreparedWorld {
-  std::string file;
-  bool repair = false;
-  std::uint64_t hash = 0;  ///< of the world as read
-  polygon::Planner planner;
-  double read_ms = 0;
-  double prepare_ms = 0;
-
-  /// Corners of the boundary's bounding box.
-  Point low() const;
-  Point high() const;
-};
-
-/// @throws Error for a file that is missing or broken, or leaves no free space.
-PreparedWorld prepare_world(const WorldOptions& options);
-
-struct PolygonAnswer {
-  polygon::Parameters parameters;
-  Point start, goal;
-  polygon::Result result;
-  double elapsed_ms = 0;
-  std::optional<double> optimum;  ///< with --gap
-};
-
-/// @throws UsageError for unknown names; Error(invalid_parameter) for values.
-polygon::Parameters polygon_parameters(const PolygonCommand& command,
-                                       std::vector<std::string>& notes);
-
-/// Plans. Precondition: start and goal are given by the command or the world.
-PolygonAnswer polygon_answer(const PreparedWorld& world, const PolygonCommand& command,
-                             const polygon::Parameters& parameters, const StopCondition& stop,
-                             const polygon::Observer& observer = {});
 
 /// Keys in the order of the contract; `maklink` holds what polygon worlds add.
 Json polygon_json(const PreparedWorld& world, const PolygonCommand& command,
