@@ -6,6 +6,7 @@
 #include "geos.h"
 #include "lasius/error.h"
 #include "lasius/polygon.h"
+#include "rings.h"
 
 namespace lasius::polygon {
 namespace {
@@ -75,11 +76,8 @@ Map to_grid(const World& world, double resolution) {
   check_resolution(resolution);
   check(world);
   const FreeSpace space = make_free_space(world, world.margin, Join::mitre);
-  Point low = world.boundary.outer[0], high = low;
-  for (const Point p : world.boundary.outer) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
+  const auto box = bounds_of(world.boundary.outer);
+  const Point low = box.low, high = box.high;
   const double wide = std::ceil((high.x - low.x) / resolution);
   const double tall = std::ceil((high.y - low.y) / resolution);
   if (!(wide <= kMostSide && tall <= kMostSide)) {

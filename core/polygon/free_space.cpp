@@ -7,6 +7,7 @@
 
 #include "geos.h"
 #include "lasius/error.h"
+#include "rings.h"
 
 namespace lasius::polygon {
 namespace {
@@ -16,17 +17,10 @@ constexpr double kMitreLimit = 5;
 constexpr int kQuadrantSegments = 8;
 
 Lattice lattice_of(const World& world) {
-  double left = world.boundary.outer[0].x, right = left;
-  double bottom = world.boundary.outer[0].y, top = bottom;
-  for (const Point p : world.boundary.outer) {
-    left = std::min(left, p.x);
-    right = std::max(right, p.x);
-    bottom = std::min(bottom, p.y);
-    top = std::max(top, p.y);
-  }
+  const auto [low, high] = bounds_of(world.boundary.outer);
   int exponent = 0;
-  std::frexp(std::max(right - left, top - bottom), &exponent);
-  return {left, bottom, std::ldexp(1.0, exponent - kLatticeBits)};
+  std::frexp(std::max(high.x - low.x, high.y - low.y), &exponent);
+  return {low.x, low.y, std::ldexp(1.0, exponent - kLatticeBits)};
 }
 
 Polygon scaled(const Lattice& lattice, const Polygon& polygon) {
@@ -52,15 +46,6 @@ Geos::Geometry grown(const Geos& geos, Geos::Geometry obstacles, double margin, 
   GEOSGeometry* result = GEOSBufferWithParams_r(context, obstacles.get(), how, margin);
   GEOSBufferParams_destroy_r(context, how);
   return geos.own(result);
-}
-
-double doubled_area(const Ring& ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-    sum += (a.x - ring[0].x) * (b.y - ring[0].y) - (a.y - ring[0].y) * (b.x - ring[0].x);
-  }
-  return sum;
 }
 
 /// Adds a ring with free space on its left.

@@ -1,23 +1,15 @@
 #include "geometry_check.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "lattice_point.h"
+#include "rings.h"
 
 namespace lasius::polygon {
 namespace {
-
-std::string text(double value) {
-  std::array<char, 32> digits;
-  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
-}
-
-std::string name(Point p) { return '(' + text(p.x) + ", " + text(p.y) + ')'; }
 
 double distance_to(Point a, Point b, Point p) {
   const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
@@ -47,7 +39,7 @@ std::string place_of(const Polygon& polygon, Point at) {
       edge = i;
     }
   }
-  std::string place = "near " + name(at);
+  std::string place = "near " + text(at);
   place += ", on ring " + std::to_string(ring) + " between its points " + std::to_string(edge);
   return place += " and " + std::to_string((edge + 1) % rings[ring]->size());
 }
@@ -58,7 +50,7 @@ std::optional<std::string> ring_fault(const Ring& ring, std::size_t number) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point p = ring[i];
     if (std::abs(p.x) <= kMostCoordinate && std::abs(p.y) <= kMostCoordinate) continue;
-    which += " has point " + std::to_string(i) + " at " + name(p);
+    which += " has point " + std::to_string(i) + " at " + text(p);
     return which += ", which is no number within 1e12";
   }
   Ring distinct = ring;
@@ -67,7 +59,7 @@ std::optional<std::string> ring_fault(const Ring& ring, std::size_t number) {
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
   if (distinct.size() >= 3) return std::nullopt;
   which += " has only " + std::to_string(distinct.size()) + " distinct points";
-  if (!distinct.empty()) which += ", the first " + name(ring[0]);
+  if (!distinct.empty()) which += ", the first " + text(ring[0]);
   return which;
 }
 

@@ -139,48 +139,46 @@ double head_length(const MidpointSearch& search, Point start, const Way& way, st
   return sum;
 }
 
-}  // namespace
-
-std::optional<Route> midpoint_route(const Regions& regions, const Place& start, const Place& goal) {
-  auto routes = midpoint_routes(regions, start, goal, 1);
-  if (routes.empty()) return std::nullopt;
-  return std::move(routes.front());
+/// The shortest way that goes along with `base` for its first `spur` links, and from there by a
+/// link that no way of `found` with the same head takes; nothing where there is none.
+std::optional<Way> spur_way(MidpointSearch& search, const Place& start,
+                            const std::vector<Way>& found, const Way& base, std::size_t spur) {
+  const auto head = static_cast<std::ptrdiff_t>(spur);
+  std::set<int> closed(base.links.begin(), base.links.begin() + head);
+  for (const Way& other : found) {
+    if (other.links.size() <= spur) continue;
+    if (std::equal(other.links.begin(), other.links.begin() + head, base.links.begin())) {
+      closed.insert(other.links[spur]);
+    }
+  }
+  const Point from = spur == 0 ? start.given : search.middle(base.links[spur - 1]);
+  const auto sources = spur == 0 ? start.regions : std::vector<int>{base.regions[spur]};
+  const auto tail = search.search(from, sources, closed);
+  if (!tail) return std::nullopt;
+  Way way{head_length(search, start.given, base, spur) + tail->length,
+          {base.links.begin(), base.links.begin() + head},
+          {base.regions.begin(), base.regions.begin() + head}};
+  way.links.insert(way.links.end(), tail->links.begin(), tail->links.end());
+  way.regions.insert(way.regions.end(), tail->regions.begin(), tail->regions.end());
+  return way;
 }
+
+}  // namespace
 
 std::vector<Route> midpoint_routes(const Regions& regions, const Place& start, const Place& goal,
                                    int count) {
   MidpointSearch search(regions, goal);
-  std::vector<Way> found;
-  std::set<std::pair<double, std::vector<int>>> known;  // candidates by length
-  std::vector<Way> candidates;
-  if (auto first = search.search(start.given, start.regions, {})) found.push_back(*first);
+  std::vector<Way> found, candidates;
+  std::set<std::vector<int>> known;  // links of both
+  if (auto first = search.search(start.given, start.regions, {})) {
+    known.insert(first->links);
+    found.push_back(std::move(*first));
+  }
   while (!found.empty() && static_cast<int>(found.size()) < count) {
     const Way base = found.back();
     for (std::size_t spur = 0; spur <= base.links.size(); ++spur) {
-      // Ways that share the head with one that is known leave it by another link.
-      std::set<int> closed(base.links.begin(), base.links.begin() + static_cast<int>(spur));
-      for (const Way& other : found) {
-        if (other.links.size() <= spur) continue;
-        if (std::equal(other.links.begin(), other.links.begin() + static_cast<int>(spur),
-                       base.links.begin())) {
-          closed.insert(other.links[spur]);
-        }
-      }
-      const Point from = spur == 0 ? start.given : search.middle(base.links[spur - 1]);
-      const std::vector<int> sources =
-          spur == 0 ? start.regions : std::vector<int>{base.regions[spur]};
-      auto tail = search.search(from, sources, closed);
-      if (!tail) continue;
-      Way way{head_length(search, start.given, base, spur) + tail->length,
-              {base.links.begin(), base.links.begin() + static_cast<int>(spur)},
-              {base.regions.begin(), base.regions.begin() + static_cast<int>(spur)}};
-      way.links.insert(way.links.end(), tail->links.begin(), tail->links.end());
-      way.regions.insert(way.regions.end(), tail->regions.begin(), tail->regions.end());
-      const bool again = std::any_of(found.begin(), found.end(),
-                                     [&](const Way& w) { return w.links == way.links; });
-      if (!again && known.emplace(way.length, way.links).second) {
-        candidates.push_back(std::move(way));
-      }
+      auto way = spur_way(search, start, found, base, spur);
+      if (way && known.insert(way->links).second) candidates.push_back(std::move(*way));
     }
     if (candidates.empty()) break;
     const auto best =

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -9,6 +8,7 @@
 #include "lasius/error.h"
 #include "lasius/polygon_plan.h"
 #include "regions.h"
+#include "rings.h"
 #include "route.h"
 #include "shortest_path.h"
 
@@ -26,18 +26,6 @@ double checked_margin(double margin) {
 const World& checked(const World& world) {
   check(world);
   return world;
-}
-
-std::string text(double value) {
-  std::array<char, 32> digits;
-  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
-}
-std::string name(Point p) {
-  std::string result = "(";
-  result += text(p.x);
-  result += ", ";
-  result += text(p.y);
-  return result += ')';
 }
 
 Maklink maklink_of(const Regions& regions) {
@@ -107,6 +95,16 @@ class Planner::Impl {
     return place;
   }
 
+  /// The answer to a start or goal that is not free.
+  Result blocked(const char* what, Point p, Point nearest) const {
+    Result result;
+    result.status = Status::invalid;
+    result.error = std::string(what) + " " + text(p) +
+                   (inside_boundary(p) ? " is blocked" : " is outside the boundary") +
+                   "; the nearest free point is " + text(nearest);
+    return result;
+  }
+
   /// Even-odd rule, on the input: only for the words of a message.
   bool inside_boundary(Point p) const {
     bool inside = false;
@@ -163,6 +161,33 @@ Point Planner::nearest_free(Point p) const {
 }
 
 namespace {
+
+/// The answer where the goal is the start.
+Result stay(Point at) {
+  Result result;
+  result.status = Status::solved;
+  result.path = {at};
+  result.length = 0;
+  result.lower_bound = 0;
+  result.optimal = true;
+  return result;
+}
+
+bool joined(const Regions& regions, const Place& start, const Place& goal) {
+  return std::ranges::any_of(start.regions, [&](int a) {
+    return std::ranges::any_of(goal.regions,
+                               [&](int b) { return regions.piece(a) == regions.piece(b); });
+  });
+}
+
+/// The answer where no way leads from one to the other.
+Result apart(Point start, Point goal) {
+  Result result;
+  result.status = Status::unreachable;
+  result.error =
+      "start " + text(start) + " and goal " + text(goal) + " lie in different pieces of free space";
+  return result;
+}
 
 /// Dijkstra's route and what runs over it, route by route; the best one is kept.
 class RoutePlan {
@@ -230,46 +255,26 @@ class RoutePlan {
 Result Planner::plan(const Request& request, const Parameters& parameters,
                      const Observer& observer) const {
   validate(parameters);
-  const Regions& regions = impl_->regions;
   Result result;
-  std::array<Place, 2> ends;
-  const std::array asked{std::pair{"start", request.start ? request.start : impl_->world.start},
-                         std::pair{"goal", request.goal ? request.goal : impl_->world.goal}};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const auto& [what, point] = asked[i];
+  const auto find = [&](const char* what, const std::optional<Point>& asked,
+                        const std::optional<Point>& written) {
+    const auto& point = asked ? asked : written;
     if (!point || !std::isfinite(point->x) || !std::isfinite(point->y)) {
       throw Error(ErrorCode::invalid_parameter, std::string("the world has no ") + what,
                   std::string("give a ") + what);
     }
-    ends[i] = impl_->place(*point);
-    if (!ends[i].regions.empty()) continue;
-    result.status = Status::invalid;
-    const bool outside = !impl_->inside_boundary(*point);
-    result.error = std::string(what) + " " + name(*point) +
-                   (outside ? " is outside the boundary" : " is blocked") +
-                   "; the nearest free point is " + name(nearest_free(*point));
-    return result;
-  }
-  const Place& start = ends[0];
-  const Place& goal = ends[1];
-  if (start.given == goal.given) {
-    result.status = Status::solved;
-    result.path = {start.given};
-    result.length = 0;
-    result.lower_bound = 0;
-    result.optimal = true;
-    return result;
-  }
-  const bool joined = std::any_of(start.regions.begin(), start.regions.end(), [&](int a) {
-    return std::any_of(goal.regions.begin(), goal.regions.end(),
-                       [&](int b) { return regions.piece(a) == regions.piece(b); });
-  });
-  if (!joined) {
-    result.status = Status::unreachable;
-    result.error = "start " + name(start.given) + " and goal " + name(goal.given) +
-                   " lie in different pieces of free space";
-    return result;
-  }
+    Place place = impl_->place(*point);
+    if (place.regions.empty()) result = impl_->blocked(what, *point, nearest_free(*point));
+    return place;
+  };
+  const Place start = find("start", request.start, impl_->world.start);
+  if (start.regions.empty()) return result;
+  const Place goal = find("goal", request.goal, impl_->world.goal);
+  if (goal.regions.empty()) return result;
+  if (start.given == goal.given) return stay(start.given);
+  const Regions& regions = impl_->regions;
+  if (!joined(regions, start, goal)) return apart(start.given, goal.given);
+
   const ShortestPath shortest = shortest_path(regions, start, goal, request.stop);
   result.lower_bound = shortest.lower_bound;
   if (parameters.algorithm == "exact") {

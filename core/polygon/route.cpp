@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "lasius/path.h"
+
 namespace lasius::polygon {
 namespace {
-
-double path_length(const std::vector<Point>& path) {
-  double sum = 0;
-  for (std::size_t i = 1; i < path.size(); ++i) sum += distance(path[i - 1], path[i]);
-  return sum;
-}
 
 void append(std::vector<Point>& path, Point p) {
   if (path.empty() || path.back() != p) path.push_back(p);

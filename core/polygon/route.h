@@ -1,7 +1,6 @@
 // Line sequences: Dijkstra's through midpoints, and the best crossing points of one sequence.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "lasius/polygon_plan.h"
@@ -32,11 +31,9 @@ struct Route {
   std::vector<Gate> gates;
 };
 
-/// The shortest way through midpoints of lines (Dijkstra), or nothing where there is none; ties to
-/// fewer lines, then to lower numbers. Lines in `closed` are not crossed.
-std::optional<Route> midpoint_route(const Regions& regions, const Place& start, const Place& goal);
-
-/// The `count` shortest such ways, the first first (Yen 1971).
+/// The `count` shortest ways through midpoints of lines, or as many as there are, the shortest
+/// first: Dijkstra's, then Yen's way of asking for the next (1971). Ties to fewer lines, then to
+/// lower numbers.
 std::vector<Route> midpoint_routes(const Regions& regions, const Place& start, const Place& goal,
                                    int count);
 

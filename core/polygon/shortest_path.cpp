@@ -5,6 +5,8 @@
 #include <queue>
 #include <utility>
 
+#include "lasius/path.h"
+
 namespace lasius::polygon {
 namespace {
 
@@ -44,9 +46,7 @@ class VisibilitySearch {
     for (int node = goal; node >= 0; node = before_[node]) result.path.push_back(point(node));
     std::reverse(result.path.begin(), result.path.end());
     result.path.erase(std::unique(result.path.begin(), result.path.end()), result.path.end());
-    for (std::size_t i = 1; i < result.path.size(); ++i) {
-      result.length += distance(result.path[i - 1], result.path[i]);
-    }
+    result.length = path_length(result.path);
     result.lower_bound = result.length;
     return result;
   }

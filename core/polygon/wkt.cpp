@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <exception>
 
+#include "rings.h"
 #include "world_maker.h"
 
 namespace lasius::polygon {
@@ -135,10 +135,8 @@ World parse_wkt(std::string_view text, const std::string& name, const ReadOption
 
 std::string to_wkt(const World& world) {
   const Geos geos;
-  std::array<char, 32> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), world.margin).ptr;
-  std::string text = "# margin " + std::string(digits.data(), end) + "\n";
-  const auto add = [&](const GEOSGeometry* g) { text += geos.write_wkt(g) + "\n"; };
+  std::string lines = "# margin " + text(world.margin) + "\n";
+  const auto add = [&](const GEOSGeometry* g) { lines += geos.write_wkt(g) + "\n"; };
   add(geos.polygon(world.boundary).get());
   for (const Polygon& p : world.obstacles) add(geos.polygon(p).get());
   // A goal without a start would be read as one.
@@ -146,7 +144,7 @@ std::string to_wkt(const World& world) {
     if (!p) continue;
     add(geos.own(GEOSGeom_createPointFromXY_r(geos.context(), p->x, p->y)).get());
   }
-  return text;
+  return lines;
 }
 
 }  // namespace lasius::polygon

@@ -5,18 +5,12 @@
 #include <cmath>
 
 #include "geometry_check.h"
+#include "rings.h"
 
 namespace lasius::polygon {
 namespace {
 
-double area(const Ring& ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-    sum += (a.x - ring[0].x) * (b.y - ring[0].y) - (a.y - ring[0].y) * (b.x - ring[0].x);
-  }
-  return std::abs(sum);
-}
+double area(const Ring& ring) { return std::abs(doubled_area(ring)); }
 
 bool is_number(Point p) {
   return std::abs(p.x) <= kMostCoordinate && std::abs(p.y) <= kMostCoordinate;

@@ -1,0 +1,24 @@
+// What is asked of rings and points in several places: area, bounds, words.
+#pragma once
+
+#include <string>
+
+#include "lasius/polygon.h"
+
+namespace lasius::polygon {
+
+/// Twice the area, positive where the ring runs counter-clockwise.
+double doubled_area(const Ring& ring) noexcept;
+
+/// The smallest upright box around a ring. Precondition: it has a point.
+struct Bounds {
+  Point low, high;
+};
+Bounds bounds_of(const Ring& ring) noexcept;
+
+/// The shortest text that reads back as the same number.
+std::string text(double value);
+/// A point in messages: "(3, 4.5)".
+std::string text(Point p);
+
+}  // namespace lasius::polygon
