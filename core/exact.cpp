@@ -157,51 +157,19 @@ void ExactSearch::search(const Grid& grid, Cell start, Cell goal, const ExactOpt
     frontier_.reset(lower_, kBucketWidth);
     run(options, stop);
   }
-  finish(options, answer);
-}
-
-// The path back from its last corner, without corners that it passes straight by.
-void ExactSearch::trace(std::vector<Point>& path) const {
-  path.assign(1, {0.5 * goal_x_, 0.5 * goal_y_});
-  int x = goal_x_;
-  int y = goal_y_;
-  for (std::uint32_t i = last_;; i = corners_[i].parent) {
-    const Corner& corner = corners_[i];
-    if (i != CornerTable::kStart) {
-      const Corner& parent = corners_[corner.parent];
-      const std::int64_t bend = static_cast<std::int64_t>(x - corner.x) * (corner.y - parent.y) -
-                                static_cast<std::int64_t>(y - corner.y) * (corner.x - parent.x);
-      if (bend == 0) continue;
-    }
-    path.push_back({0.5 * corner.x, 0.5 * corner.y});
-    x = corner.x;
-    y = corner.y;
-    if (i == CornerTable::kStart) break;
-  }
-  std::reverse(path.begin(), path.end());
-}
-
-void ExactSearch::finish(const ExactOptions& options, ExactAnswer& answer) const {
   answer.path.clear();
-  answer.length = std::numeric_limits<double>::quiet_NaN();
-  answer.lower_bound = lower_ * (1 - exact::kRounding);
-  answer.cause = cause_;
-  answer.optimal = false;
-  if (upper_ < kInfinity) {
-    trace(answer.path);
-    answer.length = path_length(answer.path);
-    answer.optimal = lower_ >= upper_;
-    if (answer.optimal) answer.lower_bound = answer.length;
+  if (upper_ < kInfinity) trace(answer.path);
+  exact::conclude(lower_, upper_, cause_, options.target_gap, answer);
+}
+
+void ExactSearch::trace(std::vector<Point>& path) const {
+  exact::BackwardPath back({goal_x_, goal_y_}, path);
+  for (std::uint32_t i = last_; i != CornerTable::kStart; i = corners_[i].parent) {
+    const Corner& parent = corners_[corners_[i].parent];
+    back.corner({corners_[i].x, corners_[i].y}, {parent.x, parent.y});
   }
-  if (answer.optimal) {
-    answer.end = ExactEnd::proven;
-  } else if (upper_ < kInfinity && upper_ - lower_ <= options.target_gap * lower_) {
-    answer.end = ExactEnd::target_gap;
-  } else if (cause_ != StopCondition::Cause::none) {
-    answer.end = ExactEnd::stopped;
-  } else {
-    answer.end = ExactEnd::unreachable;
-  }
+  const Corner& start = corners_[CornerTable::kStart];
+  back.start({start.x, start.y});
 }
 
 std::int64_t ExactSearch::bytes() const noexcept {

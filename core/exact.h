@@ -1,56 +1,19 @@
 // Exact Euclidean shortest paths on a bitmap, anytime, with a certificate.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include "exact_answer.h"
 #include "exact_corner_table.h"
 #include "exact_frontier.h"
 #include "kernels/scan_cone.h"
-#include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/stop.h"
 
 namespace lasius {
 
-struct ExactOptions {
-  /// Stop once (length - lower_bound) / lower_bound is at most this.
-  double target_gap = 0;
-};
-
-/// How a search ended.
-enum class ExactEnd {
-  proven,       ///< the path is a shortest one
-  target_gap,   ///< the path is within the target gap
-  unreachable,  ///< there is no path
-  stopped,      ///< by the stop condition; a path or none
-};
-
-struct ExactAnswer {
-  ExactEnd end = ExactEnd::unreachable;
-  StopCondition::Cause cause = StopCondition::Cause::none;
-  std::vector<Point> path;  ///< start to goal; empty without one
-  double length = std::numeric_limits<double>::quiet_NaN();
-  /// No path is shorter; infinite where none exists. The length itself when that is proven to be
-  /// the optimum, up to exact::kRounding of it; else less by that allowance.
-  double lower_bound = 0;
-  bool optimal = false;
-};
-
 namespace exact {
-/// Lengths are sums of at most 2^20 square roots, each operation rounded to 2^-53: they are off by
-/// less than this fraction of themselves.
-constexpr double kRounding = 1e-9;
-
-/// In cells, between places in half cells: exact but for the square root.
-inline double distance(int x0, int y0, int x1, int y1) noexcept {
-  const double dx = x1 - x0;
-  const double dy = y1 - y0;
-  return 0.5 * std::sqrt(dx * dx + dy * dy);
-}
-
 /// What a search did, for benchmarks and tests.
 struct Counters {
   std::int64_t expansions = 0;
@@ -124,12 +87,9 @@ class ExactSearch {
   template <int S>
   bool goal_in_cone(const exact::Corner& corner, const exact::Corner& parent) const noexcept;
   template <int S>
-  kernels::ConeFrame frame(int down) const noexcept;
-  template <int S>
   kernels::ConeLimits limits(int down, int line0) const noexcept;
   double reach(std::uint32_t parent, int x, int y, exact::Heading heading);
   void trace(std::vector<Point>& path) const;
-  void finish(const ExactOptions& options, ExactAnswer& answer) const;
 
   kernels::BitmapView map_{};
   int goal_x_ = 0, goal_y_ = 0;  // half cells

@@ -16,12 +16,12 @@ using kernels::ConeFrame;
 using kernels::ConeLimits;
 using kernels::ConeScan;
 using kernels::Fixed;
+using kernels::frame_at;
 using kernels::Turn;
 
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kAllColumns = 1 << 18;  // more than any map has, on both sides
 
 }  // namespace
 
@@ -98,26 +98,12 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
   return -1;
 }
 
-template <int S>
-ConeFrame ExactSearch::frame(int down) const noexcept {
-  return {.map = map_,
-          .down = down,
-          .line0 = down > 0 ? (root_.y + 1) >> 1 : root_.y >> 1,
-          .depth0 = 0.5 * (root_.y & 1),
-          .root = Fixed{S} * root_.x * (kernels::kOne / 2)};
-}
-
 // The part of the map where a path over the root in hand can be shorter than the horizon: the box
 // and the strip around the ellipse of points p with length + |root p| + |p goal| < horizon.
 template <int S>
 ConeLimits ExactSearch::limits(int down, int line0) const noexcept {
   constexpr double kOne = static_cast<double>(kernels::kOne);
-  ConeLimits limits;
-  limits.last_line = down > 0 ? map_.height - line0 : line0;  // the border's row
-  limits.last_column = S > 0 ? map_.width + 1 : 1;
-  limits.left0 = -kernels::fixed(kAllColumns);
-  limits.right0 = kernels::fixed(kAllColumns);
-  limits.slope = 0;
+  ConeLimits limits = kernels::whole_map<S>(map_, down > 0 ? map_.height - line0 : line0);
   if (horizon_ == kInfinity) return limits;
   const double dx = 0.25 * (goal_x_ - root_.x);  // from the root to the middle of the ellipse
   const double dy = 0.25 * (goal_y_ - root_.y);
@@ -133,7 +119,7 @@ ConeLimits ExactSearch::limits(int down, int line0) const noexcept {
   // the ends of the short axis.
   const double slope = S * dx / (down * dy);
   const double half = std::sqrt(minor * (1 + slope * slope)) + kSpare;
-  if (std::abs(slope) * (limits.last_line + 1) + half < 0.5 * kAllColumns) {
+  if (std::abs(slope) * (limits.last_line + 1) + half < 0.5 * kernels::kAllColumns) {
     const double middle = slope * 0.5 * (root_.y & 1);
     const Fixed root = Fixed{S} * root_.x * (kernels::kOne / 2);
     limits.slope = static_cast<Fixed>(slope * kOne);
@@ -177,7 +163,7 @@ bool ExactSearch::leave_corner(std::uint32_t index) {
           ? kernels::kLevelSlope
           : static_cast<Fixed>(static_cast<double>(u) * static_cast<double>(kernels::kOne) / depth);
   root_ = {index, corner.x, corner.y, corner.length};  // corners may move from here on
-  const ConeFrame cone = frame<S>(heading.down());
+  const ConeFrame cone = frame_at<S>(map_, root_.x, root_.y, heading.down());
   Visitor<S> visitor{*this, heading.down(), cone.line0};
   if (heading.towards_column()) {
     return ConeScan<S, Visitor<S>>(cone, stack_, visitor).from_corner(0, slope);
@@ -197,7 +183,7 @@ bool ExactSearch::leave_corner(std::uint32_t index) {
 
 template <int S>
 bool ExactSearch::leave_start(int down) {
-  const ConeFrame cone = frame<S>(down);
+  const ConeFrame cone = frame_at<S>(map_, root_.x, root_.y, down);
   Visitor<S> visitor{*this, down, cone.line0};
   return ConeScan<S, Visitor<S>>(cone, stack_, visitor).from_centre(S > 0 ? map_.width : 0);
 }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "colony.h"
+#include "corner_graph.h"
 #include "grid_ga.h"
 #include "lasius/components.h"
 #include "lasius/error.h"
@@ -52,6 +53,9 @@ Workspace& Workspace::operator=(Workspace&&) noexcept = default;
 class Planner::Impl {
  public:
   explicit Impl(Grid g) : grid(std::move(g)), four(grid, Components::Connectivity::four) {}
+  Impl(Grid g, const PrepareOptions& options) : Impl(std::move(g)) {
+    graph = exact::CornerGraph::make(grid, options, preparation);
+  }
   Impl(Grid g, Components c, std::vector<Direction> e, std::vector<Cell> shut)
       : grid(std::move(g)), four(std::move(c)), excluded(std::move(e)), closed(std::move(shut)) {}
 
@@ -69,6 +73,8 @@ class Planner::Impl {
   const Components four;
   const std::vector<Direction> excluded;
   const std::vector<Cell> closed;  ///< blocked in `grid` by `excluded`, not by the map
+  std::shared_ptr<const exact::CornerGraph> graph;  ///< of `grid`; null if not prepared
+  Preparation preparation;
 
  private:
   mutable std::once_flag eight_made_;
@@ -76,6 +82,8 @@ class Planner::Impl {
 };
 
 Planner::Planner(Grid grid) : impl_(std::make_shared<const Impl>(std::move(grid))) {}
+Planner::Planner(Grid grid, const PrepareOptions& options)
+    : impl_(std::make_shared<const Impl>(std::move(grid), options)) {}
 Planner::Planner(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 Planner::~Planner() = default;
 Planner::Planner(Planner&&) noexcept = default;
@@ -142,10 +150,16 @@ std::optional<Cell> Planner::nearest_free(Cell c) const {
 
 namespace {
 
-Result run_exact(const Grid& grid, const Request& request, Workspace::Impl& workspace) {
+Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Request& request,
+                 Workspace::Impl& workspace) {
   ExactAnswer& answer = workspace.exact_answer;
-  workspace.exact.search(grid, request.start, request.goal, {.target_gap = request.target_gap},
-                         request.stop, answer);
+  const ExactOptions options{.target_gap = request.target_gap};
+  if (graph != nullptr) {
+    workspace.prepared.search(grid, *graph, request.start, request.goal, options, request.stop,
+                              answer);
+  } else {
+    workspace.exact.search(grid, request.start, request.goal, options, request.stop, answer);
+  }
   Result result;
   switch (answer.end) {
     case ExactEnd::proven:
@@ -207,7 +221,7 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
   std::optional<Workspace> own;
   if (workspace == nullptr) workspace = &own.emplace();
   if (params.algorithm == "exact") {
-    result = run_exact(grid, request, workspace->impl());
+    result = run_exact(grid, impl_->graph.get(), request, workspace->impl());
   } else if (params.algorithm == "grid-ga") {
     const auto joined = [&](Cell c) { return connected(request.start, c, corners); };
     result = run_grid_ga(grid, request, params, joined, observer);
@@ -285,11 +299,14 @@ Planner Planner::allow(std::span<const Direction> gone) const {
 
 std::span<const Planner::Direction> Planner::excluded() const noexcept { return impl_->excluded; }
 
+const Preparation& Planner::preparation() const noexcept { return impl_->preparation; }
+
 Planner::Footprint Planner::footprint() const noexcept {
   const Grid& grid = impl_->grid;
   Footprint f;
   f.bitmap = static_cast<std::int64_t>(grid.stride()) * (grid.height() + 2) * 8;
   f.components = impl_->four.bytes();
+  f.corners = impl_->preparation.bytes;
   return f;
 }
 

@@ -7,6 +7,7 @@
 #include "field.h"
 #include "lasius/planner.h"
 #include "polish.h"
+#include "prepared_search.h"
 #include "update.h"
 #include "walkers.h"
 
@@ -22,6 +23,7 @@ class Workspace::Impl {
   Ant answer;                // of a colony whose ants only teach it
   Polisher polisher;
   ExactSearch exact;
+  exact::PreparedSearch prepared;
   ExactAnswer exact_answer;
 };
 

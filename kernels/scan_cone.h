@@ -74,6 +74,17 @@ struct ConeFrame {
   int lines() const noexcept { return down > 0 ? map.height - line0 : line0; }
 };
 
+/// The frame of a root at (x, y) in half cells, a lattice point or the centre of a cell, for
+/// columns u = S * x.
+template <int S>
+constexpr ConeFrame frame_at(const BitmapView& map, int x, int y, int down) noexcept {
+  return {.map = map,
+          .down = down,
+          .line0 = down > 0 ? (y + 1) >> 1 : y >> 1,
+          .depth0 = 0.5 * (y & 1),
+          .root = Fixed{S} * x * (kOne / 2)};
+}
+
 /// How far a scan looks: a box and a strip, both convex and with the root inside, so that no ray
 /// that left them comes back.
 struct ConeLimits {
@@ -82,6 +93,18 @@ struct ConeLimits {
   /// On line j the strip reaches from column left0 + j * slope to right0 + j * slope.
   Fixed left0, right0, slope;
 };
+
+constexpr int kAllColumns = 1 << 18;  ///< more than any map has, on both sides
+
+/// Limits that leave the whole map in.
+template <int S>
+constexpr ConeLimits whole_map(const BitmapView& map, int lines) noexcept {
+  return {.last_line = lines,
+          .last_column = S > 0 ? map.width + 1 : 1,
+          .left0 = -fixed(kAllColumns),
+          .right0 = fixed(kAllColumns),
+          .slope = 0};
+}
 
 /// Scans the cone of one root. A Visitor has
 ///   double corner(int u, int line, Turn)  for each corner that a taut path from the root may turn

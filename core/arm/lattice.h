@@ -4,32 +4,13 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <cstdlib>
-#include <memory>
 #include <span>
 
 #include "kinematics.h"
 #include "lasius/arm_plan.h"
+#include "zero_array.h"
 
 namespace lasius::arm {
-
-/// Memory that reads as zero and is mapped where it is first written.
-template <class T>
-class ZeroArray {
- public:
-  explicit ZeroArray(std::int64_t size)
-      : data_(static_cast<T*>(std::calloc(static_cast<std::size_t>(size), sizeof(T)))) {
-    if (data_ == nullptr) throw std::bad_alloc();
-  }
-  T& operator[](std::int64_t i) const noexcept { return data_.get()[i]; }
-  T* at(std::int64_t i) const noexcept { return data_.get() + i; }
-
- private:
-  struct Free {
-    void operator()(T* p) const noexcept { std::free(p); }
-  };
-  std::unique_ptr<T[], Free> data_;
-};
 
 /// Moves of the tip: +x, -x, +y, -y, +z, -z.
 inline constexpr int kMoves = 6;

@@ -1,6 +1,7 @@
 // Planning on a bitmap: prepare a map once, then plan on it from as many threads as you like.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -86,10 +87,37 @@ class LASIUS_EXPORT Workspace {
   std::unique_ptr<Impl> impl_;
 };
 
+/// How much `exact` may prepare of a map before its first question.
+struct PrepareOptions {
+  int threads = 0;  ///< 0: as many as OpenMP gives; never changes what is prepared
+  /// Preparation that would hold more is given up. A Workspace takes 32 bytes more for each corner.
+  std::int64_t max_bytes = std::int64_t{1} << 30;
+  StopCondition stop = {};
+};
+
+/// What came of it.
+struct Preparation {
+  enum class State {
+    none,       ///< not asked for, or gone with an edit
+    ready,      ///< `exact` plans on it
+    too_large,  ///< given up: it would take more than max_bytes
+    stopped,    ///< given up: the stop condition said so
+  };
+  State state = State::none;
+  std::int64_t corners = 0;  ///< corners of the map at which a path may bend
+  std::int64_t edges = 0;    ///< from corner to corner in sight, if ready
+  std::int64_t bytes = 0;    ///< held, if ready
+};
+
 /// A map made ready for planning. Immutable: use one from many threads, a Workspace each.
 class LASIUS_EXPORT Planner {
  public:
   explicit Planner(Grid grid);
+  /// Prepares more for `exact`: every corner learns which corners it sees, so that queries scan
+  /// from start and goal only. Answers are as short and as certain as without, where several paths
+  /// are shortest perhaps another one. Given up, it plans as without. Planners made from this one
+  /// by edited, exclude and allow are not prepared.
+  Planner(Grid grid, const PrepareOptions& options);
   ~Planner();
   Planner(Planner&&) noexcept;
   Planner& operator=(Planner&&) noexcept;
@@ -142,11 +170,14 @@ class LASIUS_EXPORT Planner {
   /// What is excluded now, in the order in which it was reported.
   std::span<const Direction> excluded() const noexcept;
 
+  /// What the heavier preparation came to.
+  const Preparation& preparation() const noexcept;
+
   /// Memory held, in bytes, by part.
   struct Footprint {
     std::int64_t bitmap = 0;
     std::int64_t components = 0;
-    std::int64_t corners = 0;
+    std::int64_t corners = 0;  ///< heavier preparation
   };
   Footprint footprint() const noexcept;
 

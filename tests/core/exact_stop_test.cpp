@@ -2,35 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include "exact.h"
 #include "lasius/generate.h"
 #include "lasius/path.h"
+#include "tests/core/counting_time.h"
 #include "tests/random_grid.h"
 
 namespace lasius {
 namespace {
-
-// Time is up at the n-th look at the clock.
-class CountingTime final : public TimeSource {
- public:
-  explicit CountingTime(int polls) : left_(polls) {}
-  Clock::time_point now() const noexcept override {
-    ++polls_;
-    return left_-- > 0 ? Clock::time_point{} : Clock::time_point{} + std::chrono::hours(1);
-  }
-  int polls() const noexcept { return polls_; }
-
- private:
-  mutable std::atomic<int> left_;
-  mutable std::atomic<int> polls_ = 0;
-};
-
-StopCondition until(const CountingTime& time) {
-  return {.deadline = Clock::time_point{} + std::chrono::minutes(1), .time = &time};
-}
 
 constexpr int kSide = 700;
 constexpr Cell kStart{2, 2};
@@ -62,7 +43,7 @@ TEST(ExactStop, BoundsHoldAtEveryStop) {
     for (int polls = 0; polls < 100; ++polls) {
       CountingTime time(polls);
       ExactAnswer cut;
-      search.search(grid, kStart, kGoal, {}, until(time), cut);
+      search.search(grid, kStart, kGoal, {}, time.is_up(), cut);
       if (cut.end != ExactEnd::stopped) {
         EXPECT_EQ(cut.path, exact.path);
         break;
@@ -100,9 +81,9 @@ TEST(ExactStop, BoundsHoldAtRandomStopsOnEveryKindOfMap) {
       search.search(grid, start, goal, {}, {}, exact);
       if (!exact.optimal) continue;
       ExactAnswer whole, cut;
-      search.search(grid, start, goal, options, until(counted), whole);
+      search.search(grid, start, goal, options, counted.is_up(), whole);
       CountingTime time(random_in(0, std::max(0, counted.polls() - 1), random));
-      search.search(grid, start, goal, options, until(time), cut);
+      search.search(grid, start, goal, options, time.is_up(), cut);
       EXPECT_LE(cut.lower_bound, exact.length);
       stopped += cut.end == ExactEnd::stopped;
       const double dx = goal.x - start.x, dy = goal.y - start.y;
@@ -124,7 +105,7 @@ TEST(ExactStop, PollsAtLeastEach65536Words) {
   ExactSearch search;
   ExactAnswer answer;
   CountingTime time(1 << 30);
-  search.search(grid, kStart, kGoal, {}, until(time), answer);
+  search.search(grid, kStart, kGoal, {}, time.is_up(), answer);
   ASSERT_TRUE(answer.optimal);
   const std::int64_t words = search.counters().words;
   ASSERT_GT(words, 65536);

@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 #include "lasius/generate.h"
 #include "lasius/path.h"
 #include "tests/bench/shared_maps.h"
+#include "tests/core/exact_answers.h"
 #include "tests/count_allocations.h"
-#include "tests/oracle/visibility_graph.h"
-#include "tests/random_grid.h"
 
 namespace lasius {
 namespace {
@@ -24,48 +22,11 @@ ExactAnswer solve(const Grid& grid, Cell start, Cell goal, const ExactOptions& o
   return answer;
 }
 
-// A free cell, or nothing after many tries.
-std::optional<Cell> random_free(const Grid& grid, std::mt19937& random) {
-  for (int i = 0; i < 64; ++i) {
-    const Cell c{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
-    if (grid.free(c)) return c;
-  }
-  return std::nullopt;
-}
-
-void expect_path(const Grid& grid, Cell start, Cell goal, const ExactAnswer& answer) {
-  ASSERT_FALSE(answer.path.empty());
-  EXPECT_EQ(answer.path.front(), centre(start));
-  EXPECT_EQ(answer.path.back(), centre(goal));
-  EXPECT_EQ(answer.length, path_length(answer.path));
-  const auto fault = path_fault(grid, answer.path);
-  EXPECT_FALSE(fault.has_value()) << *fault;
-}
-
-// The answer equals the optimum by brute force; true if there is a path.
+// Searches; the answer equals the optimum by brute force. True if there is a path.
 bool expect_exact(const Grid& grid, Cell start, Cell goal, ExactSearch& search) {
   ExactAnswer answer;
   search.search(grid, start, goal, {}, {}, answer);
-  const auto shortest = oracle::VisibilityGraph(grid).shortest(start, goal);
-  if (!shortest) {
-    EXPECT_EQ(answer.end, ExactEnd::unreachable);
-    EXPECT_TRUE(answer.path.empty());
-    EXPECT_TRUE(std::isinf(answer.lower_bound));
-    EXPECT_FALSE(answer.optimal);
-    return false;
-  }
-  EXPECT_EQ(answer.end, ExactEnd::proven);
-  EXPECT_TRUE(answer.optimal);
-  EXPECT_NEAR(answer.length, shortest->length, 1e-9 * shortest->length);
-  EXPECT_EQ(answer.lower_bound, answer.length);
-  expect_path(grid, start, goal, answer);
-  return true;
-}
-
-// LASIUS_EXACT_GRIDS scales the random tests: 25 makes 100 000 small and 10 000 large queries.
-int scaled(int count) {
-  const char* scale = std::getenv("LASIUS_EXACT_GRIDS");
-  return scale == nullptr ? count : count * std::max(1, std::atoi(scale));
+  return expect_optimum(grid, start, goal, answer);
 }
 
 TEST(Exact, SeesStraightToTheGoal) {
@@ -106,15 +67,14 @@ TEST(Exact, SlidesAlongEdgesAndStraightPastCorners) {
   }
 }
 
+// LASIUS_EXACT_GRIDS=25 makes 100 000 small and 10 000 large queries.
 TEST(Exact, EqualsBruteForceOnSmallGrids) {
   std::mt19937 random(20260101);
   ExactSearch search;
   int reachable = 0;
   int unreachable = 0;
   for (int i = 0; i < scaled(4000) && !testing::Test::HasFailure(); ++i) {
-    const int percent = i % 2 == 0 ? random_in(0, 40, random) : random_in(30, 60, random);
-    const Grid grid =
-        random_grid(random_in(2, 12, random), random_in(2, 12, random), percent, random);
+    const Grid grid = random_small_grid(i, random);
     const auto start = random_free(grid, random);
     const auto goal = random_free(grid, random);
     if (!start || !goal) continue;
@@ -147,17 +107,7 @@ TEST(Exact, EqualsBruteForceInWideSparseGrids) {
   ExactSearch search;
   int reachable = 0;
   for (int i = 0; i < scaled(60) && !testing::Test::HasFailure(); ++i) {
-    const bool wide = i % 2 == 0;
-    Grid grid(wide ? 400 : 40, wide ? 40 : 400);
-    for (int blocks = random_in(5, 200, random); blocks > 0; --blocks) {
-      const Cell at{random_in(0, grid.width() - 1, random),
-                    random_in(0, grid.height() - 1, random)};
-      const int side = random_in(1, 4, random);
-      for (int k = 0; k < side * side; ++k) {
-        const Cell c{at.x + k % side, at.y + k / side};
-        if (grid.contains(c)) grid.set_blocked(c);
-      }
-    }
+    const Grid grid = random_sparse_grid(i % 2 == 0, random);
     const auto start = random_free(grid, random);
     const auto goal = random_free(grid, random);
     SCOPED_TRACE("grid " + std::to_string(i));

@@ -1,0 +1,189 @@
+#include "place_landmarks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <mutex>
+
+#include "corner_graph.h"
+#include "grid_view.h"
+#include "kernels/sight.h"
+#include "prepared_search.h"
+#include "whole_view.h"
+
+namespace lasius::exact {
+namespace {
+
+constexpr std::uint32_t kTries = 8;  // places to start from, until one is in the largest region
+
+// The cell at a corner that lies across from its block: always free.
+Cell cell_across(const GraphCorner& c) {
+  return {c.block_x() > 0 ? c.x() - 1 : c.x(), c.block_y() > 0 ? c.y() - 1 : c.y()};
+}
+
+// Where landmarks go, and floods from them.
+class Placement {
+ public:
+  Placement(const Grid& grid, const CornerGraph& graph, const StopCondition& stop)
+      : grid_(grid), graph_(graph), stop_(stop) {
+    Landmarks::Distances unknown;
+    unknown.fill(Landmarks::kUnknown);
+    distances.assign(graph.size(), unknown);
+  }
+
+  // False if stopped.
+  bool run() {
+    if (!flood_largest_region()) return false;
+    for (std::size_t i = 0; i < Landmarks::kCount && farthest() > 0; ++i) {
+      cells.push_back(cell_across(graph_.corner(farthest_)));
+      if (!flood(cells.back())) return false;
+      for (std::uint32_t v = 0; v < graph_.size(); ++v) {
+        if (std::isfinite(lengths_[v])) distances[v][i] = static_cast<float>(lengths_[v]);
+        // What the first was far from counts no longer.
+        nearest_[v] = i == 0 ? lengths_[v] : std::min(nearest_[v], lengths_[v]);
+      }
+      nearest_[farthest_] = 0;
+    }
+    return true;
+  }
+
+  std::vector<Cell> cells;
+  std::vector<Landmarks::Distances> distances;
+
+ private:
+  bool flood(Cell from) { return !search_.flood(grid_, graph_, from, stop_, lengths_); }
+
+  bool flood_largest_region() {
+    std::ptrdiff_t most = 0;
+    for (std::uint32_t i = 0; i < kTries && most * 2 < graph_.size(); ++i) {
+      const auto from = static_cast<std::uint32_t>(std::uint64_t{graph_.size()} * i / kTries);
+      if (!flood(cell_across(graph_.corner(from)))) return false;
+      const auto reached = std::count_if(lengths_.begin(), lengths_.end(),
+                                         [](double length) { return std::isfinite(length); });
+      if (reached > most) nearest_.swap(lengths_);
+      most = std::max<std::ptrdiff_t>(most, reached);
+    }
+    return true;
+  }
+
+  // The corner farthest from all landmarks, and how far it is; 0 if there is none.
+  double farthest() {
+    double distance = 0;
+    for (std::uint32_t v = 0; v < nearest_.size(); ++v) {
+      if (!std::isfinite(nearest_[v]) || nearest_[v] <= distance) continue;
+      distance = nearest_[v];
+      farthest_ = v;
+    }
+    return distance;
+  }
+
+  const Grid& grid_;
+  const CornerGraph& graph_;
+  const StopCondition& stop_;
+  PreparedSearch search_;
+  std::vector<double> nearest_;  // distance to the nearest landmark
+  std::vector<double> lengths_;  // of the last flood
+  std::uint32_t farthest_ = 0;
+};
+
+// A look from one corner across from its block.
+class LookAcross {
+ public:
+  LookAcross(const Grid& grid, const CornerGraph& graph, const Placement& placed,
+             const StopCondition& stop)
+      : map_(view_of(grid)), graph_(graph), placed_(placed), poller_(stop) {}
+
+  // False if stopped.
+  bool from(std::uint32_t index, Landmarks::Distances& result) {
+    corner_ = graph_.corner(index);
+    result_ = &result;
+    const int down = -corner_.block_y();
+    if (corner_.block_x() < 0) {
+      view_quadrant<1>(map_, corner_.x(), corner_.y(), down, true, stack_, *this);
+    } else {
+      view_quadrant<-1>(map_, corner_.x(), corner_.y(), down, true, stack_, *this);
+    }
+    look_along_column();
+    look_at_landmarks();
+    return !poller_.stopped();
+  }
+
+  void corner(int x, int y) {
+    const Landmarks::Distances& known = placed_.distances[graph_.index(x, y)];
+    const double way = exact::distance(2 * corner_.x(), 2 * corner_.y(), 2 * x, 2 * y);
+    for (std::size_t i = 0; i < known.size(); ++i) shorten(i, known[i] + way);
+  }
+  bool go_on(std::int64_t words) { return !poller_.stop_after(words); }
+
+ private:
+  void shorten(std::size_t i, double length) {
+    float& known = (*result_)[i];
+    if (!(known <= length) && !std::isnan(length)) known = static_cast<float>(length);
+  }
+
+  // The quadrant's vertical side. Blocks on either side may touch it, which ends a cone, and from
+  // the far end no path bends at this corner: no edge of the graph comes along here.
+  void look_along_column() {
+    const int x = corner_.x(), down = -corner_.block_y();
+    bool left_behind = false, right_behind = false;
+    for (int y = corner_.y();; y += down) {
+      const int row = down > 0 ? y : y - 1;
+      const bool left = map_.blocked(x - 1, row), right = map_.blocked(x, row);
+      if ((left || left_behind) && (right || right_behind)) return;
+      if (left_behind != right_behind && !left && !right) corner(x, y);
+      left_behind = left;
+      right_behind = right;
+    }
+  }
+
+  void look_at_landmarks() {
+    const kernels::HalfPoint here{2 * corner_.x(), 2 * corner_.y()};
+    for (std::size_t i = 0; i < placed_.cells.size(); ++i) {
+      const kernels::HalfPoint at{2 * placed_.cells[i].x + 1, 2 * placed_.cells[i].y + 1};
+      const bool across =
+          (at.x - here.x) * corner_.block_x() < 0 && (at.y - here.y) * corner_.block_y() < 0;
+      const double straight = exact::distance(here.x, here.y, at.x, at.y);
+      if (across && !((*result_)[i] <= straight) && kernels::sees(map_, here, at)) {
+        shorten(i, straight);
+      }
+    }
+  }
+
+  const kernels::BitmapView map_;
+  const CornerGraph& graph_;
+  const Placement& placed_;
+  Poller poller_;
+  std::vector<kernels::Interval> stack_;
+  GraphCorner corner_;
+  Landmarks::Distances* result_ = nullptr;
+};
+
+}  // namespace
+
+Landmarks place_landmarks(const Grid& grid, const CornerGraph& graph, int threads,
+                          const StopCondition& stop) {
+  Placement placed(grid, graph, stop);
+  if (!placed.run()) return {};
+  // Looks read what the floods found, so that their order does not matter.
+  std::vector<Landmarks::Distances> distances = placed.distances;
+  std::exception_ptr fault;
+  std::mutex fault_mutex;
+#pragma omp parallel num_threads(threads)
+  {
+    LookAcross look(grid, graph, placed, stop);
+    bool going = true;
+#pragma omp for schedule(dynamic, 256)
+    for (std::uint32_t v = 0; v < graph.size(); ++v) {
+      try {
+        if (going) going = look.from(v, distances[v]);
+      } catch (...) {
+        const std::lock_guard lock(fault_mutex);
+        fault = std::current_exception();
+      }
+    }
+  }
+  if (fault) std::rethrow_exception(fault);
+  return {std::move(placed.cells), std::move(distances)};
+}
+
+}  // namespace lasius::exact

@@ -1,0 +1,248 @@
+#include "prepared_search.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "grid_view.h"
+#include "kernels/sight.h"
+#include "whole_view.h"
+
+namespace lasius::exact {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kBucketWidth = 0.03125;  // cells
+
+// Work between two looks at the stop condition, and of an expansion beside its edges, in words as
+// scans count them.
+constexpr std::int64_t kWordsPerPoll = 8192;
+constexpr std::int64_t kWordsPerExpansion = 4;
+
+kernels::HalfPoint half(Cell c) noexcept { return {2 * c.x + 1, 2 * c.y + 1}; }
+
+double distance(kernels::HalfPoint a, int x, int y) noexcept {
+  return exact::distance(a.x, a.y, 2 * x, 2 * y);
+}
+
+}  // namespace
+
+// What a scan of start or goal finds.
+template <class Found>
+struct PreparedSearch::Sink {
+  const Found& found;
+  Poller& poller;
+  void corner(int x, int y) { found(x, y); }
+  bool go_on(std::int64_t words) { return !poller.stop_after(words); }
+};
+
+void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Cell start, Poller& poller) {
+  map_ = view_of(grid);
+  graph_ = &graph;
+  poller_ = &poller;
+  start_ = half(start);
+  upper_ = kInfinity;
+  last_ = kStart;
+  expansions_ = 0;
+  goal_corners_.clear();
+  if (nodes_size_ < graph.size() || stamp_ == std::numeric_limits<std::uint32_t>::max()) {
+    nodes_size_ = std::max(nodes_size_, graph.size());
+    nodes_ = ZeroArray<Node>(nodes_size_);
+    stamp_ = 0;
+  }
+  ++stamp_;
+}
+
+// The corners that the goal sees get their true distance as an estimate: going on from them in any
+// other way is longer.
+void PreparedSearch::look_from_goal() {
+  const auto found = [this](int x, int y) {
+    const std::uint32_t index = graph_->index(x, y);
+    nodes_[index] = {kInfinity, distance(goal_, x, y), kStart, stamp_, kColumn, true, false};
+    goal_corners_.push_back(index);
+  };
+  Sink<decltype(found)> sink{found, *poller_};
+  view_from_centre(map_, goal_.x, goal_.y, stack_, sink);
+}
+
+void PreparedSearch::look_from_start() {
+  const auto found = [this](int x, int y) {
+    const std::uint32_t index = graph_->index(x, y);
+    const Side side = graph_->corner(index).side_from(start_.x, start_.y);
+    reach(kStart, distance(start_, x, y), index, x, y, side);
+  };
+  Sink<decltype(found)> sink{found, *poller_};
+  view_from_centre(map_, start_.x, start_.y, stack_, sink);
+}
+
+// How far the goal is from the landmarks: straight, or over a corner that it sees.
+void PreparedSearch::measure_landmarks() {
+  const Landmarks& landmarks = graph_->landmarks();
+  goal_distances_ = {};
+  std::array<double, Landmarks::kCount> least;
+  least.fill(kInfinity);
+  for (const std::uint32_t index : goal_corners_) {
+    const Landmarks::Distances& here = landmarks.distances(index);
+    for (std::size_t i = 0; i < least.size(); ++i) {
+      const double length = here[i] + nodes_[index].to_goal;
+      if (length < least[i]) least[i] = length;
+    }
+  }
+  for (std::size_t i = 0; i < landmarks.cells().size(); ++i) {
+    const kernels::HalfPoint at = half(landmarks.cells()[i]);
+    if (kernels::sees(map_, at, goal_)) {
+      least[i] = exact::distance(at.x, at.y, goal_.x, goal_.y);
+    }
+    if (least[i] < kInfinity) goal_distances_.set(i, least[i]);
+  }
+}
+
+double PreparedSearch::estimate(std::uint32_t index, int x, int y) const noexcept {
+  if (flooding_) return 0;
+  const double straight = distance(goal_, x, y);
+  if (!with_landmarks_) return straight;
+  return std::max(straight, graph_->landmarks().bound(index, goal_distances_));
+}
+
+// A corner at lattice point (x, y), by a way of this length.
+void PreparedSearch::reach(std::uint32_t parent, double length, std::uint32_t index, int x, int y,
+                           Side side) {
+  Node& node = nodes_[index];
+  if (node.stamp == stamp_) {
+    if (length >= node.length) return;
+  } else {
+    node.stamp = stamp_;
+    node.to_goal = estimate(index, x, y);
+    node.sees_goal = false;
+  }
+  node.length = length;
+  node.parent = parent;
+  node.side = side;
+  node.expanded = false;
+  const double bound = length + node.to_goal;
+  if (bound >= upper_) return;
+  if (node.sees_goal) {
+    upper_ = bound;
+    last_ = index;
+  } else {
+    frontier_.push(index, bound);
+  }
+}
+
+void PreparedSearch::follow(std::uint32_t index, const GraphCorner& corner, const GraphEdge& edge) {
+  const double length = exact::distance(2 * corner.x(), 2 * corner.y(), 2 * edge.x, 2 * edge.y);
+  reach(index, nodes_[index].length + length, edge.to(), edge.x, edge.y, edge.side());
+}
+
+// Returns the work done.
+std::int64_t PreparedSearch::expand(std::uint32_t index) {
+  ++expansions_;
+  Node& node = nodes_[index];
+  node.expanded = true;
+  const GraphCorner& corner = graph_->corner(index);
+  const kernels::HalfPoint parent = place(node.parent);
+  const std::int64_t onward_x = 2 * corner.x() - parent.x, onward_y = 2 * corner.y() - parent.y;
+  const int bend = corner.bend(node.side);
+  std::int64_t work = kWordsPerExpansion;
+  for (const GraphEdge& edge : graph_->edges(index, node.side)) {
+    const std::int64_t turn = onward_x * (edge.y - corner.y()) - onward_y * (edge.x - corner.x());
+    if (turn * bend < 0) break;
+    follow(index, corner, edge);
+    ++work;
+  }
+  return work;
+}
+
+std::int64_t PreparedSearch::expand_all(std::uint32_t index) {
+  nodes_[index].expanded = true;
+  std::int64_t work = kWordsPerExpansion;
+  for (const Side side : {kColumn, kLine}) {
+    for (const GraphEdge& edge : graph_->edges(index, side)) {
+      follow(index, graph_->corner(index), edge);
+      ++work;
+    }
+  }
+  return work;
+}
+
+// Takes the best corner of the frontier; false when none can lead to a shorter path.
+bool PreparedSearch::next_corner(std::uint32_t& index) {
+  while (frontier_.advance()) {
+    lower_ = std::max(lower_, std::min(frontier_.floor(), upper_));
+    if (lower_ >= upper_) return false;
+    index = frontier_.pop();
+    const Node& node = nodes_[index];
+    if (!node.expanded && node.length + node.to_goal < upper_) return true;
+  }
+  lower_ = upper_;
+  return false;
+}
+
+void PreparedSearch::run(double target_gap) {
+  std::uint32_t index = 0;
+  while (!poller_->stopped() && next_corner(index)) {
+    if (upper_ - lower_ <= target_gap * lower_) break;
+    poller_->stop_after(flooding_ ? expand_all(index) : expand(index));
+  }
+}
+
+void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Cell start, Cell goal,
+                            const ExactOptions& options, const StopCondition& stop,
+                            ExactAnswer& answer) {
+  Poller poller(stop, kWordsPerPoll);
+  begin(grid, graph, start, poller);
+  flooding_ = false;
+  goal_ = half(goal);
+  lower_ = exact::distance(start_.x, start_.y, goal_.x, goal_.y);
+  if (kernels::sees(map_, start_, goal_)) {
+    upper_ = lower_;
+  } else {
+    frontier_.reset(lower_, kBucketWidth);
+    look_from_goal();
+    with_landmarks_ = !graph.landmarks().empty() && !poller.stopped();
+    if (with_landmarks_) measure_landmarks();
+    look_from_start();
+    run(options.target_gap);
+  }
+  answer.path.clear();
+  if (upper_ < kInfinity) trace(answer.path);
+  conclude(lower_, upper_, poller.cause(), options.target_gap, answer);
+}
+
+bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell start,
+                           const StopCondition& stop, std::vector<double>& lengths) {
+  Poller poller(stop);
+  begin(grid, graph, start, poller);
+  flooding_ = true;
+  lower_ = 0;
+  frontier_.reset(0, kBucketWidth);
+  look_from_start();
+  run(0);
+  lengths.assign(graph.size(), kInfinity);
+  for (std::uint32_t i = 0; i < graph.size(); ++i) {
+    if (nodes_[i].stamp == stamp_) lengths[i] = nodes_[i].length;
+  }
+  return poller.stopped();
+}
+
+kernels::HalfPoint PreparedSearch::place(std::uint32_t index) const noexcept {
+  if (index == kStart) return start_;
+  const GraphCorner& corner = graph_->corner(index);
+  return {2 * corner.x(), 2 * corner.y()};
+}
+
+void PreparedSearch::trace(std::vector<Point>& path) const {
+  BackwardPath back(goal_, path);
+  for (std::uint32_t i = last_; i != kStart; i = nodes_[i].parent) {
+    back.corner(place(i), place(nodes_[i].parent));
+  }
+  back.start(start_);
+}
+
+std::int64_t PreparedSearch::bytes() const noexcept {
+  return nodes_size_ * static_cast<std::int64_t>(sizeof(Node)) + frontier_.bytes() +
+         static_cast<std::int64_t>(stack_.capacity() * sizeof(kernels::Interval) +
+                                   goal_corners_.capacity() * sizeof(std::uint32_t));
+}
+
+}  // namespace lasius::exact
