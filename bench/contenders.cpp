@@ -1,8 +1,10 @@
 #include "bench/contenders.h"
 
 #include "bench/peers/bucket_astar.h"
+#include "corner_graph.h"
 #include "exact.h"
 #include "lasius/path.h"
+#include "prepared_search.h"
 
 namespace lasius::bench {
 namespace {
@@ -24,6 +26,27 @@ class Exact final : public peers::QueryPlanner {
  private:
   const Grid* grid_;
   ExactSearch search_;
+  ExactAnswer answer_;
+};
+
+// The same on a map that was prepared for it.
+class Prepared final : public peers::QueryPlanner {
+ public:
+  explicit Prepared(const Grid& grid) : grid_(&grid) {
+    Preparation report;
+    graph_ = exact::CornerGraph::make(grid, {.threads = 1}, report);
+    if (graph_ == nullptr) throw std::runtime_error("the map is too large to be prepared");
+  }
+  double plan(Cell start, Cell goal, std::vector<Point>& path) override {
+    search_.search(*grid_, *graph_, start, goal, {}, {}, answer_);
+    path.assign(answer_.path.begin(), answer_.path.end());
+    return answer_.path.empty() ? peers::kNoPath : answer_.length;
+  }
+
+ private:
+  const Grid* grid_;
+  std::shared_ptr<const exact::CornerGraph> graph_;
+  exact::PreparedSearch search_;
   ExactAnswer answer_;
 };
 
@@ -56,6 +79,7 @@ std::unique_ptr<peers::QueryPlanner> make(const Grid& grid) {
 std::vector<peers::Peer> all_contenders() {
   std::vector<peers::Peer> all = {
       {"exact", "lasius: exact any-angle search", Optimality::any_angle, make<Exact<0>>},
+      {"exact-prepared", "the same, on a prepared map", Optimality::any_angle, make<Prepared>},
       {"exact-gap3", "the same, to a certified gap of 3%", Optimality::none, make<Exact<3>>},
       {"exact-gap10", "the same, to a certified gap of 10%", Optimality::none, make<Exact<10>>},
       {"astar-straight", "bucketed A*, straightened", Optimality::none, make<PulledAStar<false>>},
