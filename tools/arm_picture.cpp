@@ -10,6 +10,7 @@
 
 #include "canvas.h"
 #include "chart.h"
+#include "colours.h"
 #include "study/line_chart.h"
 
 namespace lasius::tool {
@@ -17,13 +18,10 @@ namespace {
 
 using arm::Vec3;
 
-constexpr Colour kInk{0.15, 0.17, 0.2};
-constexpr Colour kGrid{0.9, 0.91, 0.93};
+constexpr Colour kPaleGrid{0.9, 0.91, 0.93};
 constexpr Colour kObstacle{0.45, 0.48, 0.53};
 constexpr Colour kBase{0.3, 0.33, 0.38};
 constexpr Colour kGhost{0.45, 0.6, 0.78};
-constexpr Colour kStart{0.1, 0.6, 0.25};
-constexpr Colour kGoal{0.9, 0.45, 0.05};
 constexpr Colour kTip{0.8, 0.12, 0.12};
 constexpr Colour kLattice{0.35, 0.2, 0.5};
 constexpr double kMargin = 24, kTitle = 40, kView = 480, kBetween = 24, kCaption = 34;
@@ -146,12 +144,12 @@ void draw_grid(Canvas& canvas, const Box& box, const Frame& frame) {
   const Point zero = frame.at({});
   for (const double x : ticks(low.x, high.x, 6)) {
     const double at = zero.x + (x * frame.scale());
-    canvas.line({at, box.y}, {at, box.y + box.height}, kGrid, 1);
+    canvas.line({at, box.y}, {at, box.y + box.height}, kPaleGrid, 1);
     canvas.text({at + 3, box.y + box.height - 5}, short_text(x), 12, Align::left, kInk);
   }
   for (const double y : ticks(low.y, high.y, 6)) {
     const double at = zero.y - (y * frame.scale());
-    canvas.line({box.x, at}, {box.x + box.width, at}, kGrid, 1);
+    canvas.line({box.x, at}, {box.x + box.width, at}, kPaleGrid, 1);
     canvas.text({box.x + 4, at - 3}, short_text(y), 12, Align::left, kInk);
   }
 }

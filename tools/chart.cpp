@@ -1,40 +1,20 @@
 #include "chart.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <limits>
 #include <string>
+
+#include "colours.h"
+#include "study/text.h"
 
 namespace lasius::tool {
 namespace {
 
-constexpr Colour kInk{0.15, 0.17, 0.2};
-constexpr Colour kGrid{0.88, 0.89, 0.91};
 constexpr Colour kBest{0.8, 0.15, 0.15};
 constexpr Colour kMean{0.25, 0.45, 0.7};
 constexpr Colour kOptimum{0.35, 0.35, 0.35};
 constexpr double kLabel = 14;
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  void add(double value) {
-    if (!std::isfinite(value)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  bool empty() const { return !(low <= high); }
-};
-
-std::string label(double value, double step) {
-  const int digits = step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
-  std::array<char, 40> text;
-  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-  return text.data();
-}
 
 /// Values on a logarithmic axis: lengths of early tours are many times the best.
 class Axis {
@@ -105,7 +85,7 @@ void draw_lengths(Canvas& canvas, const Plot& plot, const Range& range, const Ax
   for (const double mark : marks) {
     const double at = y.at(mark), left = plot.box.x;
     canvas.line({left, at}, {left + plot.box.width, at}, kGrid, 1);
-    canvas.text({left - 8, at + 5}, label(mark, step), kLabel, Align::right, kInk);
+    canvas.text({left - 8, at + 5}, tick_label(mark, step), kLabel, Align::right, kInk);
   }
 }
 
@@ -115,7 +95,7 @@ void draw_iterations(Canvas& canvas, const Plot& plot, const Axis& x, double las
     if (mark < 1 || mark != std::floor(mark)) continue;
     canvas.line({x.at(mark), bottom}, {x.at(mark), bottom - 5}, kInk, 1);
     if (plot.labelled)
-      canvas.text({x.at(mark), bottom + 20}, label(mark, 1), kLabel, Align::centre, kInk);
+      canvas.text({x.at(mark), bottom + 20}, tick_label(mark, 1), kLabel, Align::centre, kInk);
   }
   if (plot.labelled)
     canvas.text({plot.box.x + plot.box.width / 2, bottom + 42}, "iteration", kLabel + 1,
@@ -152,6 +132,12 @@ void draw_plot(Canvas& canvas, const Plot& plot) {
 
 }  // namespace
 
+void Range::add(double value) {
+  if (!std::isfinite(value)) return;
+  low = std::min(low, value);
+  high = std::max(high, value);
+}
+
 std::vector<double> ticks(double low, double high, int count) {
   const double raw = (high - low) / std::max(count, 1);
   const double decade = std::pow(10, std::floor(std::log10(raw)));
@@ -162,6 +148,10 @@ std::vector<double> ticks(double low, double high, int count) {
   const auto last = static_cast<std::int64_t>(std::floor(high / step + 1e-9));
   for (auto i = first; i <= last; ++i) marks.push_back(static_cast<double>(i) * step);
   return marks;
+}
+
+std::string tick_label(double value, double step) {
+  return study::fixed(value, step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
 }
 
 void draw_convergence(Canvas& canvas, const Box& box, const Convergence& data) {

@@ -7,22 +7,17 @@
 
 #include "canvas.h"
 #include "chart.h"
+#include "colours.h"
 #include "study/text.h"
 
 namespace lasius::tool {
 namespace {
 
-constexpr Colour kInk{0.15, 0.17, 0.2};
-constexpr Colour kFree{1, 1, 1};
-constexpr Colour kWall{0.2, 0.23, 0.27};         // map
-constexpr Colour kPaleWall{0.72, 0.74, 0.77};    // under tracks
+constexpr Colour kWall{0.2, 0.23, 0.27};
 constexpr Colour kTintedWall{0.98, 0.87, 0.68};  // under grey pheromone
 constexpr Colour kTrackFew{0.8, 0.88, 0.96};
 constexpr Colour kTrackSome{0.26, 0.57, 0.78};
 constexpr Colour kTrackMany{0.03, 0.19, 0.42};
-constexpr Colour kPath{0.85, 0.12, 0.12};
-constexpr Colour kStart{0.1, 0.6, 0.25};
-constexpr Colour kGoal{0.9, 0.45, 0.05};
 
 constexpr double kMargin = 24;
 constexpr double kGap = 20;

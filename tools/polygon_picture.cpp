@@ -6,21 +6,16 @@
 
 #include "canvas.h"
 #include "chart.h"
+#include "colours.h"
 #include "study/text.h"
 
 namespace lasius::tool {
 namespace {
 
-constexpr Colour kInk{0.15, 0.17, 0.2};
-constexpr Colour kFree{1, 1, 1};
-constexpr Colour kGrown{0.72, 0.74, 0.77};
 constexpr Colour kWall{0.36, 0.39, 0.44};
 constexpr Colour kLine{0.26, 0.57, 0.78};
 constexpr Colour kMidpoint{0.03, 0.19, 0.42};
 constexpr Colour kDijkstra{0.55, 0.3, 0.65};
-constexpr Colour kPath{0.85, 0.12, 0.12};
-constexpr Colour kStart{0.1, 0.6, 0.25};
-constexpr Colour kGoal{0.9, 0.45, 0.05};
 constexpr double kMargin = 24, kGap = 24, kCaption = 34, kTitle = 44, kLongSide = 620;
 
 /// The world's place on the page, y up.
@@ -56,13 +51,13 @@ double area(const polygon::Ring& ring) {
 
 /// Free space in white on the grown obstacles' grey, the obstacles as drawn in a darker one.
 void draw_world(Canvas& canvas, const View& view, const PreparedWorld& world, const Box& box) {
-  canvas.fill(box, kGrown);
+  canvas.fill(box, kPaleWall);
   auto pieces = world.planner.maklink().free_space;
   std::ranges::stable_sort(
       pieces, [](const auto& a, const auto& b) { return area(a.outer) > area(b.outer); });
   for (const auto& piece : pieces) {
     canvas.area(view.at(piece.outer), kFree, 1);
-    for (const auto& hole : piece.holes) canvas.area(view.at(hole), kGrown, 1);
+    for (const auto& hole : piece.holes) canvas.area(view.at(hole), kPaleWall, 1);
   }
   canvas.clip(box);
   for (const auto& obstacle : world.planner.world().obstacles)

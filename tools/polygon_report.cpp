@@ -64,13 +64,7 @@ Json polygon_json(const PreparedWorld& world, const PolygonCommand& command,
   json["error"] = result.error.empty() ? Json(nullptr) : Json(result.error);
   json["length"] = number(result.length);
   json["path"] = points(result.path);
-  json["iterations"] = result.iterations;
-  json["best"] = numbers(result.best);
-  json["mean"] = numbers(result.mean);
-  json["arrived"] = result.arrived;
-  json["lower_bound"] = optional_number(result.lower_bound);
-  json["gap"] = optional_number(result.gap());
-  json["optimal"] = result.optimal;
+  add_search(json, result);
   if (command.with_optimum) {
     json["optimum"] = optional_number(answer.optimum);
     json["optimum_gap"] = gap_to(answer.optimum, result.length);

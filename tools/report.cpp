@@ -24,6 +24,16 @@ Json settings_json(const PreparedMap& map, const RunOptions& run) {
 
 }  // namespace
 
+void add_search(Json& json, const Result& result) {
+  json["iterations"] = result.iterations;
+  json["best"] = numbers(result.best);
+  json["mean"] = numbers(result.mean);
+  json["arrived"] = result.arrived;
+  json["lower_bound"] = optional_number(result.lower_bound);
+  json["gap"] = optional_number(result.gap());
+  json["optimal"] = result.optimal;
+}
+
 Json result_json(const PreparedMap& map, const RunOptions& run, const Answer& answer) {
   const Result& result = answer.result;
   Json json = Json::object();
@@ -49,13 +59,7 @@ Json result_json(const PreparedMap& map, const RunOptions& run, const Answer& an
     json["length_m"] = number(map.metres(result.length));
     json["path_world"] = points(map.to_world(result.path));
   }
-  json["iterations"] = result.iterations;
-  json["best"] = numbers(result.best);
-  json["mean"] = numbers(result.mean);
-  json["arrived"] = result.arrived;
-  json["lower_bound"] = optional_number(result.lower_bound);
-  json["gap"] = optional_number(result.gap());
-  json["optimal"] = result.optimal;
+  add_search(json, result);
   if (run.with_optimum) {
     json["optimum"] = optional_number(answer.optimum);
     json["optimum_gap"] = gap_to(answer.optimum, result.length);

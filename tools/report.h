@@ -12,6 +12,9 @@ namespace lasius::tool {
 
 inline constexpr const char* kFormat = "lasius-plan/1";
 
+/// How the search went: iterations, curves, bound and gap.
+void add_search(Json& json, const Result& result);
+
 /// One result, keys in the order of the contract, on one line where dumped.
 Json result_json(const PreparedMap& map, const RunOptions& run, const Answer& answer);
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "chart.h"
-#include "study/text.h"
+#include "colours.h"
 
 namespace lasius::study {
 namespace {
@@ -14,22 +14,14 @@ using tool::Align;
 using tool::Box;
 using tool::Canvas;
 using tool::Colour;
+using tool::kGrid;
+using tool::kInk;
+using tool::Range;
+using tool::tick_label;
 
-constexpr Colour kInk{0.15, 0.17, 0.2};
-constexpr Colour kGrid{0.88, 0.89, 0.91};
 constexpr double kText = 14;
 constexpr double kLeft = 84, kTop = 40, kBelowAxis = 54, kLegendLine = 22;
 constexpr int kLegendColumns = 2;
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  void add(double value) {
-    if (!std::isfinite(value)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
 
 /// From what matters: the lowest value up to the highest that a curve has after its first tenth.
 Range lengths_shown(const LineChart& chart) {
@@ -47,7 +39,7 @@ Range lengths_shown(const LineChart& chart) {
     const double room = std::max(0.06 * (range.high - range.low), 1e-3);
     return {range.low - room, range.high + room};
   }
-  if (!(range.low <= range.high)) range = {0, 1};
+  if (range.empty()) range = {0, 1};
   const double spread = std::max(range.high - range.low, 0.01 * std::max(1.0, range.high));
   return {std::max(0.0, range.low - 0.06 * spread), range.high + 0.1 * spread};
 }
@@ -69,11 +61,6 @@ struct Frame {
             box.y + box.height - (py - y.low) / (y.high - y.low) * box.height};
   }
 };
-
-std::string tick_label(double value, double step) {
-  if (value == 0) value = 0;  // no "-0"
-  return fixed(value, step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
-}
 
 void draw_axes(Canvas& canvas, const Frame& frame, const LineChart& chart) {
   const Box& box = frame.box;

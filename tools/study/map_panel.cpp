@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "raster.h"
+#include "colours.h"
 
 namespace lasius::study {
 
@@ -18,7 +18,7 @@ void paint_walls(Canvas& canvas, const tool::Box& box, const Grid& grid) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) pixels.at(x, y) = tool::blend({1, 1, 1}, kWall, share.at(x, y));
   canvas.image(pixels, box);
-  canvas.frame(box, kInk, 1);
+  canvas.frame(box, tool::kInk, 1);
 }
 
 void mark_ends(Canvas& canvas, const tool::Box& box, double scale, Cell start, Cell goal) {
@@ -26,7 +26,7 @@ void mark_ends(Canvas& canvas, const tool::Box& box, double scale, Cell start, C
   const auto page = [&](Cell c) {
     return Point{box.x + (c.x + 0.5) * scale, box.y + (c.y + 0.5) * scale};
   };
-  canvas.disc(page(start), radius, {0.1, 0.6, 0.25});
+  canvas.disc(page(start), radius, tool::kStart);
   canvas.diamond(page(goal), radius + 2, {0.55, 0.1, 0.5});
 }
 

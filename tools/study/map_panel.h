@@ -8,8 +8,6 @@
 
 namespace lasius::study {
 
-inline constexpr tool::Colour kInk{0.15, 0.17, 0.2};
-
 /// The walls of a map, framed, over the whole box.
 void paint_walls(tool::Canvas& canvas, const tool::Box& box, const Grid& grid);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "colours.h"
 #include "study/line_chart.h"
 #include "study/map_panel.h"
 #include "study/map_source.h"
@@ -17,6 +18,7 @@ using tool::Align;
 using tool::Box;
 using tool::Canvas;
 using tool::Colour;
+using tool::kInk;
 
 constexpr double kMargin = 20, kTitle = 34, kLegendLine = 22;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "answer.h"
+#include "colours.h"
 #include "lasius/error.h"
 #include "picture.h"
 #include "picture_recorder.h"
@@ -18,6 +19,7 @@ namespace fs = std::filesystem;
 using tool::Align;
 using tool::Box;
 using tool::Canvas;
+using tool::kInk;
 
 /// Where a run is drawn.
 struct Place {

@@ -5,17 +5,10 @@
 #include "core/arm/spline.h"
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
-#include "tests/core/arm/arms.h"
+#include "tests/core/arm/questions.h"
 
 namespace lasius::arm {
 namespace {
-
-class Nothing final : public Sensor {
- public:
-  bool position_free(std::span<const double>) const override { return true; }
-  bool motion_free(std::span<const double>, std::span<const double>) const override { return true; }
-  double clearance() const override { return 0.001; }
-};
 
 /// Refuses every motion that was not allowed beforehand.
 class OnlyThese final : public Sensor {
