@@ -10,6 +10,7 @@
 #include "signals.h"
 #include "streams.h"
 #include "study/goritov2020.h"
+#include "study/goritov2020_measures.h"
 #include "study/line_chart.h"
 
 namespace lasius::tool {

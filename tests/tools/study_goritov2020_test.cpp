@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "study/goritov2020.h"
+#include "study/goritov2020_measures.h"
 
 namespace lasius::study {
 namespace {

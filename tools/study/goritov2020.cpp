@@ -1,19 +1,16 @@
 #include "study/goritov2020.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <fstream>
-#include <limits>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "lasius/arm_generate.h"
 #include "lasius/arm_plan.h"
 #include "lasius/output.h"
 #include "lasius/version.h"
+#include "study/team.h"
 
 namespace lasius::study {
 namespace {
@@ -120,6 +117,28 @@ std::string key_of(const ArmQuestion& question, const arm::Parameters& parameter
   return key;
 }
 
+/// One for every reading, setting and question, their files in `folder`.
+std::vector<Batch> all_batches(const fs::path& folder, const ArmFindings& findings,
+                               const std::vector<Case>& cases) {
+  std::vector<Batch> list;
+  for (std::size_t r = 0; r < kReadings.size(); ++r) {
+    for (std::size_t s = 0; s < findings.settings.size(); ++s) {
+      for (std::size_t q = 0; q < findings.questions.size(); ++q) {
+        const ArmSetting& setting = findings.settings[s];
+        Batch batch{r, s, q, {}, {}, cases[q].parameters};
+        for (const auto& [name, value] : setting.settings)
+          arm::set_parameter(batch.parameters, name, value);
+        arm::set_parameter(batch.parameters, "pheromone", kReadings[r]);
+        batch.file = folder / (std::string(kReadings[r]) + "-" + setting.name() + "-" +
+                               std::to_string(q + 1) + ".json");
+        batch.key = key_of(findings.questions[q], batch.parameters);
+        list.push_back(std::move(batch));
+      }
+    }
+  }
+  return list;
+}
+
 /// Nothing when it was stopped.
 std::optional<std::vector<ArmRun>> run_batch(const arm::Robot& robot, const Case& c,
                                              const ArmGround& ground, const Batch& batch,
@@ -195,80 +214,35 @@ std::optional<ArmFindings> run_arm_study(const ArmStudyOptions& options) {
   std::vector<Case> cases;
   for (const ArmQuestion& question : findings.questions)
     cases.push_back(make_case(robot, question));
+  for (auto& reading : findings.runs)
+    reading.assign(findings.settings.size(),
+                   std::vector<std::vector<ArmRun>>(findings.questions.size()));
   fs::create_directories(options.folder / "runs");
 
   std::vector<Batch> todo;
-  std::int64_t total = 0;
-  for (std::size_t r = 0; r < kReadings.size(); ++r) {
-    findings.runs[r].resize(findings.settings.size());
-    for (std::size_t s = 0; s < findings.settings.size(); ++s) {
-      findings.runs[r][s].resize(findings.questions.size());
-      for (std::size_t q = 0; q < findings.questions.size(); ++q) {
-        Batch batch{r, s, q, {}, {}, cases[q].parameters};
-        for (const auto& [name, value] : findings.settings[s].settings)
-          arm::set_parameter(batch.parameters, name, value);
-        arm::set_parameter(batch.parameters, "pheromone", kReadings[r]);
-        batch.file = options.folder / "runs" /
-                     (std::string(kReadings[r]) + "-" + findings.settings[s].name() + "-" +
-                      std::to_string(q + 1) + ".json");
-        batch.key = key_of(findings.questions[q], batch.parameters);
-        ++total;
-        if (auto kept = read_batch(batch, options.seeds))
-          findings.runs[r][s][q] = std::move(*kept);
-        else
-          todo.push_back(std::move(batch));
-      }
-    }
+  auto batches = all_batches(options.folder / "runs", findings, cases);
+  for (Batch& batch : batches) {
+    if (auto kept = read_batch(batch, options.seeds))
+      findings.runs[batch.reading][batch.setting][batch.question] = std::move(*kept);
+    else
+      todo.push_back(std::move(batch));
   }
-
-  std::atomic<std::size_t> next{0};
-  std::mutex telling;
-  std::exception_ptr fault;
+  const auto total = static_cast<std::int64_t>(batches.size());
   std::int64_t done = total - static_cast<std::int64_t>(todo.size());
-  {
-    std::vector<std::jthread> team;
-    for (int t = 0; t < options.threads; ++t)
-      team.emplace_back([&] {
-        try {
-          for (std::size_t i = next++; i < todo.size(); i = next++) {
-            const Batch& b = todo[i];
-            auto runs =
-                run_batch(robot, cases[b.question], findings.grounds[b.question], b, options);
-            if (!runs) return;
-            write_batch(b, *runs);
-            findings.runs[b.reading][b.setting][b.question] = std::move(*runs);
-            const std::scoped_lock lock(telling);
-            if (options.progress) options.progress(++done, total, b.file.stem().string());
-          }
-        } catch (...) {
-          const std::scoped_lock lock(telling);
-          fault = std::current_exception();
-          next = todo.size();
-        }
-      });
-  }
-  if (fault) std::rethrow_exception(fault);
+  std::mutex telling;
+  share_out(todo.size(), options.threads, [&] {
+    return [&](std::size_t i) {
+      const Batch& b = todo[i];
+      auto runs = run_batch(robot, cases[b.question], findings.grounds[b.question], b, options);
+      if (!runs) return;
+      write_batch(b, *runs);
+      findings.runs[b.reading][b.setting][b.question] = std::move(*runs);
+      const std::scoped_lock lock(telling);
+      if (options.progress) options.progress(++done, total, b.file.stem().string());
+    };
+  });
   if (options.stop.stop_requested()) return std::nullopt;
   return findings;
-}
-
-std::vector<double> mean_curve(const std::vector<std::vector<ArmRun>>& runs,
-                               std::vector<double> ArmRun::*curve) {
-  std::vector<double> sum, count;
-  for (const auto& question : runs) {
-    for (const ArmRun& run : question) {
-      const auto& values = run.*curve;
-      sum.resize(std::max(sum.size(), values.size()), 0);
-      count.resize(sum.size(), 0);
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!std::isfinite(values[i])) continue;
-        sum[i] += values[i];
-        ++count[i];
-      }
-    }
-  }
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = count[i] > 0 ? sum[i] / count[i] : kUnknown;
-  return sum;
 }
 
 }  // namespace lasius::study

@@ -88,8 +88,4 @@ std::vector<ArmTrend> arm_trends(const ArmFindings& findings);
 /// The report; `pictures` are file names beside it.
 std::string arm_report(const ArmFindings& findings, const std::vector<std::string>& pictures);
 
-/// Mean over all runs of a setting, by iteration, of the best length so far or of the mean tour.
-std::vector<double> mean_curve(const std::vector<std::vector<ArmRun>>& runs,
-                               std::vector<double> ArmRun::*curve);
-
 }  // namespace lasius::study

@@ -1,106 +1,10 @@
-// The trends that the source reports, judged on the runs, and the report.
-#include <algorithm>
-#include <cmath>
-
-#include "lasius/version.h"
+// The trends that the source reports, judged on the runs.
 #include "study/goritov2020.h"
-#include "study/statistics.h"
-#include "study/table.h"
+#include "study/goritov2020_measures.h"
 #include "study/text.h"
 
 namespace lasius::study {
 namespace {
-
-using Runs = std::vector<std::vector<ArmRun>>;
-
-double final_best(const ArmRun& run) { return run.best.empty() ? kUnknown : run.best.back(); }
-
-/// Final best lengths of `b` minus those of `a`, paired by question and seed, in shares of the
-/// optimum: positive where `a` is shorter.
-std::vector<double> differences(const Runs& a, const Runs& b) {
-  std::vector<double> list;
-  for (std::size_t q = 0; q < a.size(); ++q) {
-    for (std::size_t s = 0; s < a[q].size(); ++s) {
-      const double d = final_best(b[q][s]) - final_best(a[q][s]);
-      if (std::isfinite(d)) list.push_back(d);
-    }
-  }
-  return list;
-}
-
-std::string percent(double share) { return fixed(100 * share, 1); }
-
-struct Contrast {
-  double mean = 0;
-  Interval interval;
-
-  Contrast(const Runs& a, const Runs& b) {
-    const auto list = differences(a, b);
-    mean = summarise(list).mean;
-    interval = mean_interval(list);
-  }
-  bool first_shorter() const { return interval.low > 0; }
-  bool second_shorter() const { return interval.high < 0; }
-  /// How much longer the second one is, in percent of the optimum.
-  std::string text() const {
-    std::string text(mean >= 0 ? "+" : "");
-    text.append(percent(mean)).append("% [").append(percent(interval.low)).append(", ");
-    return text.append(percent(interval.high)).append("]");
-  }
-};
-
-/// The iteration from which a run's mean tour never changes again; 0 where it changes in the last
-/// tenth.
-int frozen_from(const ArmRun& run) {
-  const auto& mean = run.mean;
-  std::size_t from = mean.size();
-  while (from > 0 && std::abs(mean[from - 1] - mean.back()) <= 1e-12 * mean.back()) --from;
-  return from + mean.size() / 10 < mean.size() ? static_cast<int>(from) + 1 : 0;
-}
-
-struct Freezing {
-  int frozen = 0, all = 0;
-  double median = kUnknown;
-
-  explicit Freezing(const Runs& runs) {
-    std::vector<double> when;
-    for (const auto& question : runs) {
-      for (const ArmRun& run : question) {
-        ++all;
-        if (const int from = frozen_from(run); from > 0) when.push_back(from);
-      }
-    }
-    frozen = static_cast<int>(when.size());
-    if (!when.empty()) median = quantile(when, 0.5);
-  }
-  double share() const { return all > 0 ? static_cast<double>(frozen) / all : 0; }
-  std::string text() const {
-    return percent(share()) + "% frozen" + (frozen > 0 ? ", median " + fixed(median, 0) : "");
-  }
-};
-
-double mean_steps(const Runs& runs) {
-  double sum = 0, count = 0;
-  for (const auto& question : runs) {
-    for (const ArmRun& run : question) {
-      sum += static_cast<double>(run.steps);
-      ++count;
-    }
-  }
-  return sum / count;
-}
-
-double mean_reached(const Runs& runs) {
-  double sum = 0, count = 0;
-  for (const auto& question : runs) {
-    for (const ArmRun& run : question) {
-      const auto first = std::find(run.best.begin(), run.best.end(), run.best.back());
-      sum += static_cast<double>(first - run.best.begin()) + 1;
-      ++count;
-    }
-  }
-  return sum / count;
-}
 
 /// One trend under one reading.
 class Judge {
@@ -111,14 +15,7 @@ class Judge {
   /// `best` is shorter than each of `others`.
   Claim::Answer shortest(const std::string& best, const std::vector<std::string>& others) const {
     Claim::Answer answer{Verdict::confirmed, ""};
-    for (const auto& other : others) {
-      const Contrast c(of(best), of(other));
-      add(answer.figures, other + " " + c.text());
-      if (c.second_shorter())
-        answer.verdict = Verdict::refuted;
-      else if (!c.first_shorter() && answer.verdict == Verdict::confirmed)
-        answer.verdict = Verdict::open;
-    }
+    for (const auto& other : others) weigh(answer, other, {of(best), of(other)});
     return answer;
   }
 
@@ -126,12 +23,7 @@ class Judge {
   Claim::Answer ordered(const std::vector<std::string>& names) const {
     Claim::Answer answer{Verdict::confirmed, ""};
     for (std::size_t i = 0; i + 1 < names.size(); ++i) {
-      const Contrast c(of(names[i + 1]), of(names[i]));
-      add(answer.figures, names[i] + " over " + names[i + 1] + " " + c.text());
-      if (c.second_shorter())
-        answer.verdict = Verdict::refuted;
-      else if (!c.first_shorter() && answer.verdict == Verdict::confirmed)
-        answer.verdict = Verdict::open;
+      weigh(answer, names[i] + " over " + names[i + 1], {of(names[i + 1]), of(names[i])});
     }
     return answer;
   }
@@ -208,6 +100,15 @@ class Judge {
   }
 
  private:
+  /// Adds the contrast's figures: the first one should be shorter.
+  static void weigh(Claim::Answer& answer, const std::string& what, const Contrast& contrast) {
+    add(answer.figures, what + " " + contrast.text());
+    if (contrast.second_shorter())
+      answer.verdict = Verdict::refuted;
+    else if (!contrast.first_shorter() && answer.verdict == Verdict::confirmed)
+      answer.verdict = Verdict::open;
+  }
+
   const Runs& of(const std::string& name) const { return findings_.of(reading_, name); }
   static void add(std::string& text, const std::string& more) {
     if (!text.empty()) text += "; ";
@@ -217,60 +118,6 @@ class Judge {
   const ArmFindings& findings_;
   std::size_t reading_;
 };
-
-std::string verdict_text(const Claim::Answer& answer) {
-  const char* name = answer.verdict == Verdict::confirmed ? "confirmed"
-                     : answer.verdict == Verdict::refuted ? "**does not reproduce**"
-                                                          : "open";
-  return std::string(name) + ": " + answer.figures;
-}
-
-Table question_table(const ArmFindings& findings) {
-  Table table{{"question", "lattice", "optimum, m", "optimum / Manhattan", "straight way"}, {}};
-  for (std::size_t q = 0; q < findings.questions.size(); ++q) {
-    const ArmGround& ground = findings.grounds[q];
-    const auto& [x, y, z] = ground.points;
-    table.rows.push_back({"seed " + std::to_string(findings.questions[q].seed) + ", wall " +
-                              fixed(findings.questions[q].wall, 1),
-                          std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z),
-                          fixed(ground.optimum, 3), fixed(ground.detour, 2),
-                          ground.straight ? "open" : "closed"});
-  }
-  return table;
-}
-
-Table setting_table(const ArmFindings& findings, std::size_t reading) {
-  Table table{{"setting", "best length / optimum, mean [95%]", "runs at the optimum",
-               "mean tour at last / optimum", "iteration of the best", "mean tour frozen",
-               "questions", "steps"},
-              {}};
-  for (const ArmSetting& setting : findings.settings) {
-    const Runs& runs = findings.of(reading, setting.name());
-    std::vector<double> lengths, tours;
-    double questions = 0;
-    int optimal = 0, all = 0;
-    for (const auto& question : runs) {
-      for (const ArmRun& run : question) {
-        ++all;
-        questions += static_cast<double>(run.questions);
-        if (!std::isfinite(final_best(run))) continue;
-        lengths.push_back(final_best(run));
-        tours.push_back(run.mean.back());
-        optimal += final_best(run) <= 1 + 1e-9;
-      }
-    }
-    if (lengths.empty()) continue;
-    const Interval interval = mean_interval(lengths);
-    table.rows.push_back({setting.name(),
-                          fixed(summarise(lengths).mean, 3) + " [" + fixed(interval.low, 3) + ", " +
-                              fixed(interval.high, 3) + "]",
-                          percent(static_cast<double>(optimal) / all) + "%",
-                          fixed(summarise(tours).mean, 2), fixed(mean_reached(runs), 1),
-                          Freezing(runs).text(), fixed(questions / all, 0),
-                          fixed(mean_steps(runs), 0)});
-  }
-  return table;
-}
 
 }  // namespace
 
@@ -310,38 +157,6 @@ std::vector<ArmTrend> arm_trends(const ArmFindings& findings) {
   add("e = 256 (e > m) freezes in a local optimum",
       [](const Judge& j) { return j.strong_elite_freezes(); });
   return trends;
-}
-
-std::string arm_report(const ArmFindings& findings, const std::vector<std::string>& pictures) {
-  std::string text =
-      "# goritov2020\n\nGoritov, Goncharov: Motion trajectory planning for a multi-link "
-      "manipulator "
-      "in an unknown environment based on ant colony optimization. Proceedings of TUSUR University "
-      "23 (2), 2020, 55-64. Repeated with lasius " LASIUS_VERSION ", seeds 1 to " +
-      std::to_string(findings.seeds) +
-      ".\n\nThe source's arm and scenes are lost. Here: the arm maps/arms/industrial6.json among "
-      "12 "
-      "random obstacles, with a wall between start and goal in half of the questions. Lengths are "
-      "shares of the optimum of the fully known lattice, found by A*. Its words speak of pheromone "
-      "on edges, its set of edges of ordered pairs: both readings are run, `arcs` being this "
-      "program's default.\n\n";
-  text += question_table(findings).markdown() + "\n## Trends\n\n";
-  Table trends{{"reported", "found, arcs", "found, edges"}, {}};
-  for (const ArmTrend& trend : arm_trends(findings))
-    trends.rows.push_back({trend.text, verdict_text(trend.found[0]), verdict_text(trend.found[1])});
-  text += trends.markdown();
-  text +=
-      "\nFigures say how much longer the best path is, in percent of the optimum, mean over all "
-      "questions and seeds and 95% interval of the paired differences (10 000 resampled means). A "
-      "trend is confirmed where every interval says so, and does not reproduce where one says the "
-      "opposite. A run's mean tour is frozen where it does not change in the last tenth.\n";
-  for (std::size_t r = 0; r < kReadings.size(); ++r) {
-    text += "\n## All settings, pheromone on " + std::string(kReadings[r]) + "\n\n" +
-            setting_table(findings, r).markdown();
-  }
-  text += "\n## Curves\n\n";
-  for (const auto& picture : pictures) text += "![" + picture + "](" + picture + ")\n";
-  return text;
 }
 
 }  // namespace lasius::study

@@ -3,17 +3,15 @@
 #include <time.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <map>
 #include <mutex>
-#include <thread>
 
 #include "lasius/error.h"
 #include "study/map_source.h"
 #include "study/optimum.h"
 #include "study/run_file.h"
+#include "study/team.h"
 
 namespace lasius::study {
 namespace {
@@ -125,39 +123,22 @@ bool work(std::vector<Job>& jobs, const RunnerOptions& options) {
                    [](const Job& a, const Job& b) { return a.work > b.work; });
   std::int64_t total = 0, done = 0;
   for (const Job& job : jobs) total += job.work;
-  std::atomic<std::size_t> next{0};
   std::mutex mutex;
-  std::exception_ptr error;
-  const auto worker = [&] {
-    Workspace workspace;
-    for (;;) {
-      const std::size_t i = next++;
-      if (i >= jobs.size() || options.stop.stop_requested()) return;
+  share_out(jobs.size(), options.threads, [&] {
+    return [&, workspace = Workspace()](std::size_t i) mutable {
+      if (options.stop.stop_requested()) return;
       const Job& job = jobs[i];
-      try {
-        Run run = plan_once(job, workspace, options.stop);
-        if (options.stop.stop_requested()) return;
-        write_run(job.file, job.key, run);
-        const std::scoped_lock lock(mutex);
-        job.sample->runs[job.run] = std::move(run);
-        done += job.work;
-        if (options.progress)
-          options.progress(done, total,
-                           job.sample->contender->label + " on " + job.sample->question->name);
-      } catch (...) {
-        const std::scoped_lock lock(mutex);
-        if (!error) error = std::current_exception();
-        next = jobs.size();
-        return;
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> team;
-    for (int t = 1; t < options.threads; ++t) team.emplace_back(worker);
-    worker();
-  }
-  if (error) std::rethrow_exception(error);
+      Run run = plan_once(job, workspace, options.stop);
+      if (options.stop.stop_requested()) return;
+      write_run(job.file, job.key, run);
+      const std::scoped_lock lock(mutex);
+      job.sample->runs[job.run] = std::move(run);
+      done += job.work;
+      if (options.progress)
+        options.progress(done, total,
+                         job.sample->contender->label + " on " + job.sample->question->name);
+    };
+  });
   return !options.stop.stop_requested();
 }
 

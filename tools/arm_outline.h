@@ -1,0 +1,17 @@
+// Outlines of obstacles, as pictures show them from any side.
+#pragma once
+
+#include <vector>
+
+#include "lasius/arm_sensor.h"
+#include "lasius/geometry.h"
+
+namespace lasius::tool {
+
+/// Points of an obstacle's surface whose convex hull is its outline in every view along an axis.
+std::vector<arm::Vec3> outline(const arm::Obstacle& obstacle);
+
+/// The convex hull (Andrew's monotone chain), its corners in order.
+std::vector<Point> hull(std::vector<Point> points);
+
+}  // namespace lasius::tool
