@@ -97,7 +97,7 @@ class CornerGraph {
   std::int64_t bytes() const noexcept;
 
  private:
-  static constexpr int kChunkBits = 10;
+  static constexpr int kChunkBits = 8;
   static constexpr std::uint32_t kChunk = std::uint32_t{1} << kChunkBits;  // corners
   class Builder;
 

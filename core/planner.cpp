@@ -36,6 +36,20 @@ std::string_view to_string(Status status) noexcept {
   return "";
 }
 
+std::string_view to_string(Preparation::State state) noexcept {
+  switch (state) {
+    case Preparation::State::none:
+      return "none";
+    case Preparation::State::ready:
+      return "ready";
+    case Preparation::State::too_large:
+      return "too_large";
+    case Preparation::State::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
 Result::Result() : length(std::numeric_limits<double>::quiet_NaN()) {}
 
 std::optional<double> Result::gap() const {
@@ -54,7 +68,9 @@ class Planner::Impl {
  public:
   explicit Impl(Grid g) : grid(std::move(g)), four(grid, Components::Connectivity::four) {}
   Impl(Grid g, const PrepareOptions& options) : Impl(std::move(g)) {
+    const auto begin = Clock::now();
     graph = exact::CornerGraph::make(grid, options, preparation);
+    preparation.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   }
   Impl(Grid g, Components c, std::vector<Direction> e, std::vector<Cell> shut)
       : grid(std::move(g)), four(std::move(c)), excluded(std::move(e)), closed(std::move(shut)) {}

@@ -96,7 +96,7 @@ int run_batch(const BatchCommand& command) {
   const RunOptions& run = command.run;
   for (const auto& file : run.outputs) check_writable(file);
   SignalWatcher signals;
-  const PreparedMap map = prepare_map(run.map, run.frame);
+  const PreparedMap map = prepare_map(run.map, run.frame, signals.token());
   const QueryFile file =
       read_queries(command.queries, map.width, map.height, run.frame == Frame::cell);
   announce(map, run);

@@ -28,6 +28,10 @@ constexpr const char* kBatchExits =
     "be\n"
     "written; 130 interrupted, whole lines only. A scenario's coordinates are cells in any frame.";
 
+constexpr const char* kPrepare =
+    "Prepare more of the map for exact (at most 1 GB): worth it for many queries. Answers are as\n"
+    "short as without; lasius info MAP --prepare shows what it costs";
+
 constexpr const char* kMapHelp =
     "Map: .map, PBM, PGM, PNG or ROS YAML; polygon world: .geojson, .json or .wkt";
 
@@ -80,6 +84,7 @@ void add_run_options(CLI::App& app, RunText& text) {
   option("--radius", text.radius,
          "Grow obstacles by this radius, in cells (metres with --frame world)", "R");
   add_switch(app, "--unknown-free", text.unknown_free, "Unknown cells of a ROS map count as free");
+  add_switch(app, "--prepare", text.prepare, kPrepare);
   add_switch(app, "--gap", text.gap,
              "Add the exact optimum, the true gap, and the optimum of the algorithm's own moves");
   add_switch(app, "--json", text.json, "Print one JSON object (batch always does, one a query)");
@@ -154,7 +159,7 @@ Subcommand add_info(CLI::App& app) {
   struct Raw {
     std::string map, corners, radius;
     WorldText world;
-    bool unknown_free = false, json = false;
+    bool unknown_free = false, prepare = false, json = false;
   };
   auto raw = std::make_shared<Raw>();
   auto* info = app.add_subcommand("info", "Describe a map or a polygon world");
@@ -165,13 +170,20 @@ Subcommand add_info(CLI::App& app) {
       ->type_name("R");
   add_switch(*info, "--unknown-free", raw->unknown_free,
              "Unknown cells of a ROS map count as free");
+  add_switch(*info, "--prepare", raw->prepare,
+             "Show what plan --prepare prepares for exact, and its cost");
   add_world_options(*info, raw->world);
   add_switch(*info, "--json", raw->json, "Print one JSON object");
   return {info, [raw]() -> Command {
-            if (is_world(raw->map))
+            if (is_world(raw->map)) {
+              if (raw->prepare) throw UsageError("--prepare is for bitmaps");
               return WorldInfoCommand{make_world_options(raw->map, raw->world), raw->json};
+            }
             refuse_world_options(raw->world);
-            InfoCommand options{.map = {.file = raw->map, .unknown_is_free = raw->unknown_free},
+            InfoCommand options{.map = {.file = raw->map,
+                                        .unknown_is_free = raw->unknown_free,
+                                        .prepare = raw->prepare,
+                                        .threads = thread_count("")},
                                 .json = raw->json};
             static constexpr std::string_view kRules[] = {"forbid", "one-side", "allow"};
             if (!raw->corners.empty())

@@ -21,6 +21,16 @@ Json frame_json(const std::optional<WorldFrame>& frame) {
           {"origin", {number(frame->origin_x), number(frame->origin_y), number(frame->yaw)}}};
 }
 
+Json preparation_json(const PreparedMap& map) {
+  if (!map.prepare) return nullptr;
+  const Preparation& prepared = map.planner.preparation();
+  return {{"state", to_string(prepared.state)},
+          {"corners", prepared.corners},
+          {"edges", prepared.edges},
+          {"bytes", prepared.bytes},
+          {"ms", number(1000 * prepared.seconds)}};
+}
+
 Json info_json(const PreparedMap& map, Corners corners) {
   const Grid& grid = map.planner.grid();
   const bool eight = corners == Corners::allow;
@@ -45,6 +55,7 @@ Json info_json(const PreparedMap& map, Corners corners) {
   json["frame"] = frame_json(map.frame);
   json["read_ms"] = number(map.read_ms);
   json["prepare_ms"] = number(map.prepare_ms);
+  json["preparation"] = preparation_json(map);
   json["memory"] = {{"bitmap", footprint.bitmap},
                     {"components", footprint.components},
                     {"corners", footprint.corners},
@@ -77,6 +88,14 @@ std::string info_text(const Json& json) {
   }
   row("read", real(json["read_ms"], "%.2f ms"));
   row("prepared", real(json["prepare_ms"], "%.2f ms"));
+  if (const Json& more = json["preparation"]; !more.is_null()) {
+    const bool ready = more["state"] == to_string(Preparation::State::ready);
+    row("--prepare", more["corners"].dump() + " corners, " +
+                         (ready ? more["edges"].dump() + " edges, " + more["bytes"].dump() +
+                                      " bytes, " + real(more["ms"], "%.2f ms")
+                                : "given up: it would take more than " +
+                                      std::to_string(PrepareOptions{}.max_bytes) + " bytes"));
+  }
   row("memory", memory["total"].dump() + " bytes, " + real(memory["bits_per_cell"], "%.3f") +
                     " bits a cell (bitmap " + memory["bitmap"].dump() + ", components " +
                     memory["components"].dump() + ", corners " + memory["corners"].dump() + ")");

@@ -18,7 +18,7 @@ int clamped(double coordinate) {
 
 }  // namespace
 
-PreparedMap prepare_map(const MapOptions& options, Frame frame) {
+PreparedMap prepare_map(const MapOptions& options, Frame frame, const std::stop_token& token) {
   const auto start = Clock::now();
   Map map = read_any_map(options.file, {.unknown_is_free = options.unknown_is_free});
   if (frame == Frame::world && !map.frame)
@@ -31,7 +31,9 @@ PreparedMap prepare_map(const MapOptions& options, Frame frame) {
   if (radius > 0) map.grid = grow_obstacles(map.grid, radius);
   const double read_ms = ms_since(start);
   const auto prepare_start = Clock::now();
-  Planner planner(std::move(map.grid));
+  const PrepareOptions more{.threads = options.threads, .stop = {.token = token}};
+  Planner planner =
+      options.prepare ? Planner(std::move(map.grid), more) : Planner(std::move(map.grid));
   return {.file = options.file,
           .hash = hash,
           .width = width,
@@ -39,6 +41,7 @@ PreparedMap prepare_map(const MapOptions& options, Frame frame) {
           .frame = map.frame,
           .unknown_is_free = options.unknown_is_free,
           .radius = radius,
+          .prepare = options.prepare,
           .planner = std::move(planner),
           .read_ms = read_ms,
           .prepare_ms = ms_since(prepare_start)};

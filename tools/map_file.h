@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct PreparedMap {
   int height = 0;
   std::optional<WorldFrame> frame;
   bool unknown_is_free = false;
-  double radius = 0;  ///< cells
+  double radius = 0;     ///< cells
+  bool prepare = false;  ///< more was asked for: see Planner::preparation
   Planner planner;
   double read_ms = 0;     ///< reading, and growing obstacles
   double prepare_ms = 0;  ///< making the planner
@@ -30,8 +32,10 @@ struct PreparedMap {
   double metres(double cells) const { return cells * frame->resolution; }
 };
 
+/// `token` ends the heavier preparation, if that was asked for.
 /// @throws Error; UsageError where metres are asked for and the file gives no frame.
-PreparedMap prepare_map(const MapOptions& options, Frame frame = Frame::cell);
+PreparedMap prepare_map(const MapOptions& options, Frame frame = Frame::cell,
+                        const std::stop_token& token = {});
 
 /// The cell under a point of the command line or a query file, in `frame`. Points far outside stay
 /// outside.

@@ -25,6 +25,8 @@ struct MapOptions {
   bool unknown_is_free = false;
   double radius = 0;           ///< obstacles grow by it
   bool radius_metres = false;  ///< else cells
+  bool prepare = false;        ///< more than is needed, for `exact`
+  int threads = 1;             ///< that do so
 };
 
 /// How much is said on stderr.

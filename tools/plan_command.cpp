@@ -51,7 +51,7 @@ int run_plan(const PlanCommand& command) {
   const RunOptions& run = command.run;
   for (const auto& file : run.outputs) check_writable(file);
   SignalWatcher signals;
-  const PreparedMap map = prepare_map(run.map, run.frame);
+  const PreparedMap map = prepare_map(run.map, run.frame, signals.token());
   announce(map, run);
   const Cell start = to_cell(map, command.start, run.frame);
   const Cell goal = to_cell(map, command.goal, run.frame);

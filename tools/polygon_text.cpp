@@ -60,6 +60,7 @@ PolygonCommand make_polygon(const RunText& run, const PolygonText& text) {
     throw UsageError("--radius: obstacles of a polygon world grow by --margin");
   if (run.unknown_free)
     command.notes.emplace_back("--unknown-free has no effect: a polygon world has no unknown part");
+  if (run.prepare) command.notes.emplace_back("--prepare has no effect on a polygon world");
   if (!run.tracks.empty()) {
     list_value("--tracks", run.tracks);
     command.notes.emplace_back("--tracks has no effect on a polygon world");

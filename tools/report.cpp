@@ -18,6 +18,7 @@ Json settings_json(const PreparedMap& map, const RunOptions& run) {
   object["time_limit"] = optional_number(run.time_limit);
   object["radius"] = number(map.radius);
   object["unknown"] = map.unknown_is_free ? "free" : "blocked";
+  if (map.prepare) object["prepare"] = true;
   object["frame"] = run.frame == Frame::world ? "world" : "cell";
   return object;
 }

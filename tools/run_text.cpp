@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "answer.h"
 #include "exit_code.h"
 #include "parameters.h"
 #include "threads.h"
@@ -66,6 +67,10 @@ RunOptions make_run(const RunText& text) {
   run.map.radius_metres = run.frame == Frame::world;
   run.map.unknown_is_free = text.unknown_free;
   run.with_optimum = text.gap;
+  run.map.prepare = text.prepare && (run.with_optimum || !moves_on_cells(run));
+  run.map.threads = run.params.threads;
+  if (text.prepare && !run.map.prepare)
+    run.notes.push_back("--prepare has no effect: it is for exact, and for --gap");
   run.json = text.json;
   check_endings(text.outputs, kEndings);
   run.outputs = text.outputs;

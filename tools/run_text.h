@@ -19,7 +19,8 @@ struct RunText {
   /// Parameters with an option of their own: name as in `algorithms`, and value.
   std::vector<std::pair<std::string, std::string>> named{
       {"ants", ""}, {"iterations", ""}, {"neighbours", ""}, {"corners", ""}, {"polish", ""}};
-  bool unknown_free = false, gap = false, json = false, quiet = false, verbose = false;
+  bool unknown_free = false, prepare = false, gap = false, json = false, quiet = false,
+       verbose = false;
 
   /// Precondition: one of them.
   std::string& value_of(std::string_view name);

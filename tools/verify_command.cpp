@@ -84,6 +84,7 @@ Recorded recorded_inputs(const Json& json) {
     run.time_limit = parameters.at("time_limit").get<double>();
   run.map.radius = parameters.at("radius").get<double>();
   run.map.unknown_is_free = parameters.at("unknown").get<std::string>() == "free";
+  if (parameters.contains("prepare")) run.map.prepare = parameters.at("prepare").get<bool>();
   if (parameters.at("frame").get<std::string>() == "world") run.frame = Frame::world;
   return inputs;
 }
@@ -120,8 +121,10 @@ class Maps {
   const PreparedMap& find(const Recorded& inputs) {
     MapOptions options = inputs.run.map;
     options.file = located(command_, options.file);
+    options.threads = command_.threads;
     const bool same = map_ && map_->file == options.file && map_->radius == options.radius &&
-                      map_->unknown_is_free == options.unknown_is_free;
+                      map_->unknown_is_free == options.unknown_is_free &&
+                      map_->prepare == options.prepare;
     if (!same) map_.emplace(prepare_map(options, inputs.run.frame));
     if (hash_text(map_->hash) != inputs.hash)
       throw Error(ErrorCode::file_broken, {.file = options.file},

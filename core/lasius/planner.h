@@ -107,7 +107,9 @@ struct Preparation {
   std::int64_t corners = 0;  ///< corners of the map at which a path may bend
   std::int64_t edges = 0;    ///< from corner to corner in sight, if ready
   std::int64_t bytes = 0;    ///< held, if ready
+  double seconds = 0;        ///< spent
 };
+LASIUS_EXPORT std::string_view to_string(Preparation::State) noexcept;
 
 /// A map made ready for planning. Immutable: use one from many threads, a Workspace each.
 class LASIUS_EXPORT Planner {

@@ -211,6 +211,12 @@ class PolygonTest(ProgramTest):
         self.assertEqual(run.code, 3)
         self.assertIn("hash", run.err)
 
+    def test_a_bitmaps_preparation_has_no_effect(self):
+        run = self.plan_world("--prepare")
+        self.assertEqual(run.code, 0)
+        self.assertIn("--prepare has no effect", run.err)
+        self.refused(self.run_program("info", "world.geojson", "--prepare"), 2, "--prepare")
+
     def test_info_and_algorithms(self):
         run = self.run_program("info", "world.geojson", "--json")
         self.assertEqual(run.code, 0)
