@@ -10,6 +10,8 @@
 namespace lasius::tool {
 namespace {
 
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
 Json point(arm::Vec3 p) { return {number(p.x), number(p.y), number(p.z)}; }
 
 Json settings_json(const ArmCommand& command, const ArmAnswer& answer) {
@@ -66,10 +68,12 @@ std::vector<double> sample_times(const arm::Trajectory& trajectory, double rate)
 Json arm_json(const ArmCommand& command, const ArmAnswer& answer) {
   const arm::Result& plan = answer.plan;
   Json json = Json::object();
-  json["format"] = "lasius-arm-plan/1";
+  json["format"] = kArmFormat;
   json["version"] = LASIUS_VERSION;
   json["robot"] = {{"file", command.robot},
                    {"hash", hash_text(answer.robot_hash)},
+                   {"base_link", text_or_null(command.base_link)},
+                   {"tip_link", text_or_null(command.tip_link)},
                    {"name", answer.robot.name},
                    {"joints", answer.robot.size()}};
   json["scene"] = {{"file", command.scene},
@@ -83,7 +87,7 @@ Json arm_json(const ArmCommand& command, const ArmAnswer& answer) {
   json["threads"] = command.threads;
   json["parameters"] = settings_json(command, answer);
   json["status"] = to_string(plan.status);
-  json["error"] = plan.error.empty() ? Json(nullptr) : Json(plan.error);
+  json["error"] = text_or_null(plan.error);
   json["length"] = number(plan.length);
   json["path"] = nullptr;
   json["joints"] = nullptr;

@@ -246,7 +246,7 @@ Subcommand add_verify(CLI::App& app) {
       "verify",
       "Replay saved results from their recorded inputs and compare all but threads, elapsed_ms and "
       "version");
-  verify->add_option("RESULT", raw->result, "A result of plan, or the lines of batch")
+  verify->add_option("RESULT", raw->result, "A result of plan or arm, or the lines of batch")
       ->type_name("FILE")
       ->required();
   verify->add_option("--map", raw->map, "The map, where it is no longer where it was")
@@ -257,7 +257,7 @@ Subcommand add_verify(CLI::App& app) {
       "Exit codes: 0 every result was replayed and is equal, bit for bit; 1 one differs; 2 usage, "
       "or\n"
       "a result that cannot be replayed, because a time limit or a signal ended it; 3 a result or\n"
-      "its map is missing, broken, or not the one recorded.");
+      "its map, robot or scene is missing, broken, or not the one recorded.");
   return {verify, [raw]() -> Command {
             return VerifyCommand{raw->result, raw->map, thread_count(raw->threads), raw->quiet};
           }};

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "commands.h"
 #include "exit_code.h"
 #include "polygon_verify.h"

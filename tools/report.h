@@ -11,6 +11,7 @@
 namespace lasius::tool {
 
 inline constexpr const char* kFormat = "lasius-plan/1";
+inline constexpr const char* kArmFormat = "lasius-arm-plan/1";
 
 /// How the search went: iterations, curves, bound and gap.
 void add_search(Json& json, const Result& result);

@@ -6,6 +6,7 @@
 #include <stop_token>
 
 #include "answer.h"
+#include "arm_verify.h"
 #include "commands.h"
 #include "exit_code.h"
 #include "lasius/error.h"
@@ -23,8 +24,9 @@ namespace lasius::tool {
 namespace {
 
 Error broken(const std::string& file, const std::string& problem) {
-  return Error(ErrorCode::file_broken, {.file = file}, problem,
-               "give a result that `lasius plan --json` or `lasius batch` printed");
+  return Error(
+      ErrorCode::file_broken, {.file = file}, problem,
+      "give a result that `lasius plan --json`, `lasius batch` or `lasius arm --json` printed");
 }
 
 /// The objects of a file: one result, or one a line.
@@ -95,8 +97,10 @@ std::string difference(Json recorded, Json replay) {
     recorded.erase(free);
     replay.erase(free);
   }
-  recorded["map"].erase("file");
-  replay["map"].erase("file");
+  for (const char* input : {"map", "robot", "scene"}) {
+    if (recorded.contains(input)) recorded[input].erase("file");
+    if (replay.contains(input)) replay[input].erase("file");
+  }
   for (const auto& [key, value] : replay.items())
     if (!recorded.contains(key) || recorded[key] != value) return key;
   for (const auto& [key, value] : recorded.items())
@@ -104,13 +108,17 @@ std::string difference(Json recorded, Json replay) {
   return {};
 }
 
-/// Where --map says, where the result says, or there seen from the result's folder.
-std::string located(const VerifyCommand& command, const std::string& file) {
+/// Where the result says, or there seen from the result's folder.
+std::string found(const VerifyCommand& command, const std::string& file) {
   namespace fs = std::filesystem;
   std::error_code ignored;
-  if (!command.map.empty()) return command.map;
   const fs::path beside = fs::path(command.result).parent_path() / file;
   return !fs::exists(file, ignored) && fs::exists(beside, ignored) ? beside.string() : file;
+}
+
+/// The same, unless --map says otherwise.
+std::string found_map(const VerifyCommand& command, const std::string& file) {
+  return command.map.empty() ? found(command, file) : command.map;
 }
 
 /// Keeps the map of the last result: the lines of a batch share one.
@@ -120,7 +128,7 @@ class Maps {
 
   const PreparedMap& find(const Recorded& inputs) {
     MapOptions options = inputs.run.map;
-    options.file = located(command_, options.file);
+    options.file = found_map(command_, options.file);
     options.threads = command_.threads;
     const bool same = map_ && map_->file == options.file && map_->radius == options.radius &&
                       map_->unknown_is_free == options.unknown_is_free &&
@@ -169,11 +177,31 @@ Json grid_replay(const VerifyCommand& command, const Json& recorded, const std::
   return result_json(map, inputs.run, replay);
 }
 
+Json replay_of(const VerifyCommand& command, const Json& recorded, const std::string& name,
+               Maps& maps, const std::stop_token& token) {
+  if (text_of(recorded, "format") == kArmFormat) {
+    if (!command.map.empty()) throw UsageError("--map: " + name + " is of an arm, it has no map");
+    return checked_inputs(name, [&] {
+      const auto robot = recorded.at("robot").at("file").get<std::string>();
+      const auto scene = recorded.at("scene").at("file").get<std::string>();
+      return arm_replay(recorded, found(command, robot), found(command, scene), command.threads,
+                        token);
+    });
+  }
+  const std::string file =
+      recorded.contains("map") ? text_of(recorded["map"], "file") : std::string();
+  if (!is_world(file)) return grid_replay(command, recorded, name, maps, token);
+  return checked_inputs(name, [&] {
+    return polygon_replay(recorded, found_map(command, file), command.threads, token);
+  });
+}
+
 /// Replays one result and says what is wrong. Its exit code.
 int verify(const VerifyCommand& command, const Json& recorded, const std::string& name, Maps& maps,
            const std::stop_token& token) {
-  if (text_of(recorded, "format") != kFormat)
-    throw broken(name, std::string("is not of format ") + kFormat);
+  const std::string format = text_of(recorded, "format");
+  if (format != kFormat && format != kArmFormat)
+    throw broken(name, std::string("is not of format ") + kFormat + " or " + kArmFormat);
   const std::string status = text_of(recorded, "status");
   if (status == "limit" || status == "interrupted") {
     message(name + ": cannot be replayed: " + (status == "limit" ? "a time limit" : "a signal") +
@@ -183,15 +211,7 @@ int verify(const VerifyCommand& command, const Json& recorded, const std::string
   const std::string version = text_of(recorded, "version");
   if (version != LASIUS_VERSION && !command.quiet)
     message(name + ": made by version " + version + ", replayed by " + LASIUS_VERSION);
-  const std::string file =
-      recorded.contains("map") ? text_of(recorded["map"], "file") : std::string();
-  const Json replay = is_world(file)
-                          ? checked_inputs(name,
-                                           [&] {
-                                             return polygon_replay(recorded, located(command, file),
-                                                                   command.threads, token);
-                                           })
-                          : grid_replay(command, recorded, name, maps, token);
+  const Json replay = replay_of(command, recorded, name, maps, token);
   if (token.stop_requested()) return kInterrupted;
   const std::string key = difference(recorded, replay);
   if (key.empty()) return kFound;

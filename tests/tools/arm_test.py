@@ -4,6 +4,7 @@ import io
 import json
 import math
 import os
+import shutil
 import signal
 import unittest
 
@@ -118,7 +119,6 @@ class Arm(ProgramTest):
             return run
         status(4, "invalid", goal="5,0,0")
         status(4, "invalid", goal="0.4,0.5,0.3")
-        status(4, "invalid", start="0,0")
         status(4, "invalid", start="4,0,0")
         run = status(4, "invalid", start="0.3,0,0")
         self.assertIn("obstacle 1 (post)", run.json["error"])
@@ -153,8 +153,39 @@ class Arm(ProgramTest):
         for goal in ("1,2", "1,2,3,4", "a,b,c", "1,,2", "nan,0,0", ""):
             with self.subTest(goal=goal):
                 self.refused(self.arm(goal=goal), 2, "--goal")
+        for start in ("0,0", "0,0,0,0"):
+            with self.subTest(start=start):
+                self.refused(self.arm(start=start), 2, "--start", "3 joints")
         self.refused(self.run_program("plan", "small.map", "--start", "0,0", "--goal", "9,5",
                                       "--algorithm", "goritov2020"), 2, "lasius arm")
+
+    def test_verify(self):
+        shutil.copy(FLAT, self.path("flat.json"))
+        self.write("two.urdf", TWO_JOINTS)
+        self.write("empty.json", EMPTY)
+        runs = {"planar.json": {"scene": "flat.json"},
+                "urdf.json": {"robot": "two.urdf", "scene": "empty.json", "start": "0,1",
+                              "goal": "0,0.7,0"}}
+        for name, question in runs.items():
+            more = ["--tip", "tool"] if name == "urdf.json" else ["--recheck", "50"]
+            run = self.arm("-q", "--iterations", "5", "--seed", "3", "--target-gap", "1", "-o",
+                           name, *more, **question)
+            self.assertEqual(run.code, 0, run.err)
+            for threads in ("1", "3"):
+                verified = self.run_program("verify", name, "--threads", threads)
+                self.assertEqual((verified.code, verified.out),
+                                 (0, "1 of 1 result is equal to the replay\n"), verified.err)
+        result = json.loads(self.read("planar.json"))
+        for key, value in (("seed", 4), ("joints", result["joints"][:-1]), ("length", 0)):
+            with self.subTest(key=key):
+                self.write("bad.json", json.dumps({**result, key: value}))
+                self.assertEqual(self.run_program("verify", "bad.json").code, 1)
+        self.write("bad.json", json.dumps({**result, "parameters": {}}))
+        self.refused(self.run_program("verify", "bad.json"), 3, "lacks an input")
+        self.refused(self.run_program("verify", "planar.json", "--map", "small.map"), 2, "--map")
+        self.write("flat.json", EMPTY)
+        self.refused(self.run_program("verify", "planar.json"), 3, "flat.json",
+                     result["scene"]["hash"])
 
     def test_broken_files(self):
         robots = {
