@@ -14,6 +14,7 @@
 #include "lasius/path.h"
 #include "move_rule.h"
 #include "polish.h"
+#include "run_status.h"
 #include "schedule.h"
 #include "update.h"
 #include "workspace.h"
@@ -260,17 +261,7 @@ class GridColony final : public ColonyWorld {
     result.mean = std::move(run.mean);
     result.arrived = std::move(run.arrived);
     const bool found = best_length_ < kInfinity;
-    switch (cause) {
-      case StopCondition::Cause::none:
-        result.status = found ? Status::solved : Status::no_path;
-        break;
-      case StopCondition::Cause::deadline:
-        result.status = Status::limit;
-        break;
-      case StopCondition::Cause::token:
-        result.status = Status::interrupted;
-        break;
-    }
+    result.status = status_after(cause, found ? Status::solved : Status::no_path);
     if (found) {
       result.path = std::move(best_path_);
       result.length = path_length(result.path);

@@ -12,6 +12,7 @@
 #include "kernels/random_stream.h"
 #include "lasius/path.h"
 #include "loop_cutter.h"
+#include "run_status.h"
 #include "straighten.h"
 #include "tauten.h"
 
@@ -257,10 +258,7 @@ class GridGa final : public Progress {
 
   Result answer(StopCondition::Cause cause) {
     const bool found = best_length_ < kInfinity;
-    result_.status = cause == StopCondition::Cause::deadline ? Status::limit
-                     : cause == StopCondition::Cause::token  ? Status::interrupted
-                     : found                                 ? Status::solved
-                                                             : Status::no_path;
+    result_.status = status_after(cause, found ? Status::solved : Status::no_path);
     if (found) {
       result_.path = std::move(best_path_);
       result_.length = path_length(result_.path);

@@ -7,6 +7,7 @@
 #include "lattice_ants.h"
 #include "lattice_trail.h"
 #include "lattice_way.h"
+#include "run_status.h"
 #include "trail_rules.h"
 
 namespace lasius::arm {
@@ -162,9 +163,7 @@ class ArmColony final : public ColonyWorld {
 
   void finish(Cause cause) {
     const bool found = !best_.empty();
-    result_.status = found ? Status::solved : Status::no_path;
-    if (cause == Cause::deadline) result_.status = Status::limit;
-    if (cause == Cause::token) result_.status = Status::interrupted;
+    result_.status = status_after(cause, found ? Status::solved : Status::no_path);
     if (!found && unreachable_) {
       result_.status = Status::unreachable;
       result_.error = "every way from start to goal in this lattice is closed";

@@ -8,6 +8,7 @@
 #include "lasius/arm_plan.h"
 #include "lasius/error.h"
 #include "lattice_way.h"
+#include "run_status.h"
 
 namespace lasius::arm {
 namespace {
@@ -183,10 +184,7 @@ Result shortest_lattice_way(const Robot& robot, const Sensor& sensor, const Requ
   const auto search = [&](const Lattice& lattice, const Parameters&) {
     const KnownWay way = shortest_known_way(lattice, Unknown::is_asked, request.stop);
     Result result;
-    result.status = way.cause == StopCondition::Cause::token      ? Status::interrupted
-                    : way.cause == StopCondition::Cause::deadline ? Status::limit
-                    : way.moves                                   ? Status::solved
-                                                                  : Status::unreachable;
+    result.status = status_after(way.cause, way.moves ? Status::solved : Status::unreachable);
     if (!way.moves) return result;
     result.length = static_cast<double>(*way.moves) * lattice.pitch();
     result.lower_bound = result.length;

@@ -10,6 +10,7 @@
 #include "regions.h"
 #include "rings.h"
 #include "route.h"
+#include "run_status.h"
 #include "shortest_path.h"
 
 namespace lasius::polygon {
@@ -55,12 +56,6 @@ Point nearest_on(Point a, Point b, Point p) {
   const double share = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
   if (!(share > 0)) return a;
   return share >= 1 ? b : Point{a.x + share * dx, a.y + share * dy};
-}
-
-void set_status(Result& result, StopCondition::Cause cause) {
-  result.status = cause == StopCondition::Cause::deadline ? Status::limit
-                  : cause == StopCondition::Cause::token  ? Status::interrupted
-                                                          : Status::solved;
 }
 
 }  // namespace
@@ -221,7 +216,7 @@ class RoutePlan {
       }
       if (cause != StopCondition::Cause::none || result.crossing.length <= enough) break;
     }
-    set_status(result, cause);
+    result.status = status_after(cause, Status::solved);
     result.path = result.crossing.path;
     result.length = result.crossing.length;
   }
@@ -278,7 +273,7 @@ Result Planner::plan(const Request& request, const Parameters& parameters,
   const ShortestPath shortest = shortest_path(regions, start, goal, request.stop);
   result.lower_bound = shortest.lower_bound;
   if (parameters.algorithm == "exact") {
-    set_status(result, shortest.cause);
+    result.status = status_after(shortest.cause, Status::solved);
     result.path = shortest.path;
     result.length = shortest.path.empty() ? kNaN : shortest.length;
     result.optimal = !shortest.path.empty();
