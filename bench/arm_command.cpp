@@ -1,15 +1,13 @@
 // lasius_bench arm: speed, threads, validity and optima of arms among unknown obstacles.
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iostream>
 #include <memory>
 #include <mutex>
 #include <vector>
 
 #include "bench/clocks.h"
-#include "bench/colony_figures.h"
 #include "bench/commands.h"
+#include "bench/figure_table.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
 #include "lasius/arm_generate.h"
@@ -184,20 +182,13 @@ std::vector<Figure> measure_optimum(int seeds, int side, double elite_weight) {
 }
 
 void run(const Options& options) {
-  std::ofstream file(options.markdown);
-  const auto write = [&](const std::string& line) {
-    std::cout << line << std::endl;
-    file << line << std::endl;
-  };
-  write(machine_line() + ". maps/arms/industrial6.json, base set unless said otherwise.\n");
-  write("| what | figure | aim |\n|---|--:|--:|");
-  const auto add = [&](const std::vector<Figure>& figures) {
-    for (const Figure& f : figures) write("| " + f.what + " | " + f.value + " | " + f.aim + " |");
-  };
-  add(measure_speed(options.rounds));
-  add(measure_validity(options.scenes));
-  for (const double elite : {16.0, 0.0}) add(measure_optimum(options.seeds, 12, elite));
-  for (const int side : {20, 30}) add(measure_optimum(std::max(options.seeds / 4, 1), side, 16));
+  FigureTable table("maps/arms/industrial6.json, base set unless said otherwise.",
+                    options.markdown);
+  table.add(measure_speed(options.rounds));
+  table.add(measure_validity(options.scenes));
+  for (const double elite : {16.0, 0.0}) table.add(measure_optimum(options.seeds, 12, elite));
+  for (const int side : {20, 30})
+    table.add(measure_optimum(std::max(options.seeds / 4, 1), side, 16));
 }
 
 }  // namespace

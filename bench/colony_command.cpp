@@ -1,11 +1,9 @@
 // lasius_bench colony: speed, threads, area, latency of the colony.
-#include <fstream>
-#include <iostream>
 #include <memory>
 
 #include "bench/colony_figures.h"
 #include "bench/commands.h"
-#include "bench/report.h"
+#include "bench/figure_table.h"
 
 namespace lasius::bench {
 namespace {
@@ -18,23 +16,15 @@ struct Options {
 };
 
 void run(const Options& options) {
-  std::ofstream file(options.markdown);
-  const auto write = [&](const std::string& line) {
-    std::cout << line << std::endl;
-    file << line << std::endl;
-  };
-  write(machine_line() + ". maps/fan400x200.map; medians of " + std::to_string(options.rounds) +
-        " rounds in turns; steps in processor time, one thread.\n");
-  write("| what | figure | aim |\n|---|--:|--:|");
-  const auto add = [&](const std::vector<Figure>& figures) {
-    for (const Figure& f : figures) write("| " + f.what + " | " + f.value + " | " + f.aim + " |");
-  };
-  add(measure_steps(options.rounds));
-  add(measure_variants(options.rounds));
-  add(measure_threads(options.rounds));
-  add(measure_area(options.rounds, options.side));
-  add(measure_unreachable(options.plans, options.side / 4));
-  add(measure_overshoot(options.plans));
+  FigureTable table("maps/fan400x200.map; medians of " + std::to_string(options.rounds) +
+                        " rounds in turns; steps in processor time, one thread.",
+                    options.markdown);
+  table.add(measure_steps(options.rounds));
+  table.add(measure_variants(options.rounds));
+  table.add(measure_threads(options.rounds));
+  table.add(measure_area(options.rounds, options.side));
+  table.add(measure_unreachable(options.plans, options.side / 4));
+  table.add(measure_overshoot(options.plans));
 }
 
 }  // namespace

@@ -4,15 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "bench/figure_table.h"
 #include "lasius/grid.h"
 #include "lasius/planner.h"
 
 namespace lasius::bench {
-
-/// One line of the table: what, how much, and what it should be.
-struct Figure {
-  std::string what, value, aim;
-};
 
 /// A map with one query.
 struct Course {

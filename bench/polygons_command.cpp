@@ -1,11 +1,10 @@
 // lasius_bench polygons: the source's run against a textbook's, preparation of large worlds, and
 // paths checked over many random worlds.
 #include <cmath>
-#include <iostream>
 
 #include "bench/clocks.h"
-#include "bench/colony_figures.h"
 #include "bench/commands.h"
+#include "bench/figure_table.h"
 #include "bench/peers/textbook_crossings.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
@@ -130,16 +129,11 @@ std::vector<Figure> check_paths(int worlds, int& faults) {
 }
 
 void run(const Options& options) {
-  std::cout << machine_line() << "\n\n| what | measured | aim |\n|---|--:|--:|\n";
-  const auto print = [](const std::vector<Figure>& figures) {
-    for (const Figure& f : figures) {
-      std::cout << "| " << f.what << " | " << f.value << " | " << f.aim << " |\n" << std::flush;
-    }
-  };
+  FigureTable table("Worlds of maps/ and random ones.", "");
   int faults = 0;
-  print(measure_source_run(options.rounds));
-  print(measure_preparation(std::max(1, options.rounds / 10)));
-  print(check_paths(options.worlds, faults));
+  table.add(measure_source_run(options.rounds));
+  table.add(measure_preparation(std::max(1, options.rounds / 10)));
+  table.add(check_paths(options.worlds, faults));
   if (faults > 0) throw CLI::RuntimeError(1);
 }
 
