@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "lasius/error.h"
 #include "values.h"
 
 namespace lasius::tool {
@@ -76,6 +77,13 @@ std::string hash_text(std::uint64_t hash) {
   std::array<char, 17> digits;
   std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
   return digits.data();
+}
+
+void check_hash(const std::string& file, std::uint64_t hash, const std::string& recorded,
+                const char* remedy) {
+  if (hash_text(hash) == recorded) return;
+  throw Error(ErrorCode::file_broken, {.file = file},
+              "has hash " + hash_text(hash) + ", the result was made on " + recorded, remedy);
 }
 
 std::string line(const Json& value) {

@@ -42,6 +42,11 @@ Json range_json(const Parameter& parameter);
 /// The hash as results give it: 16 hexadecimal digits.
 std::string hash_text(std::uint64_t hash);
 
+/// @throws Error(file_broken) with this remedy where a file's hash is not the one that a result
+/// records.
+void check_hash(const std::string& file, std::uint64_t hash, const std::string& recorded,
+                const char* remedy);
+
 /// A value on one line; text that is not UTF-8 has its bad bytes replaced.
 std::string line(const Json& value);
 

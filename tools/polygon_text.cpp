@@ -32,7 +32,6 @@ WorldOptions make_world_options(const std::string& file, const WorldText& text) 
 
 PolygonCommand make_polygon(const RunText& run, const PolygonText& text) {
   static constexpr std::string_view kFrames[] = {"cell", "world"};
-  static constexpr std::string_view kEndings[] = {".json", ".csv", ".svg", ".png"};
   PolygonCommand command{.world = make_world_options(run.map, text.world),
                          .start = point("--start", text.start),
                          .goal = point("--goal", text.goal),
@@ -48,13 +47,9 @@ PolygonCommand make_polygon(const RunText& run, const PolygonText& text) {
                          .notes = {}};
   for (const auto& [name, value] : run.named)
     if (!value.empty()) command.named.emplace_back(name, value);
-  if (!run.seed.empty())
-    command.seed =
-        static_cast<std::uint64_t>(integer_value("--seed", run.seed, 0, kMaxExactInteger));
-  if (!run.time_limit.empty())
-    command.time_limit = real_value("--time-limit", run.time_limit, 0, kNoLimit);
-  if (!run.target_gap.empty())
-    command.target_gap = real_value("--target-gap", run.target_gap, 0, kNoLimit) / 100;
+  command.seed = seed_value(run.seed);
+  command.time_limit = time_limit_value(run.time_limit);
+  command.target_gap = target_gap_value(run.target_gap);
   if (!run.frame.empty()) choice_value("--frame", run.frame, kFrames);
   if (!run.radius.empty())
     throw UsageError("--radius: obstacles of a polygon world grow by --margin");
@@ -65,7 +60,7 @@ PolygonCommand make_polygon(const RunText& run, const PolygonText& text) {
     list_value("--tracks", run.tracks);
     command.notes.emplace_back("--tracks has no effect on a polygon world");
   }
-  check_endings(run.outputs, kEndings);
+  check_endings(run.outputs, kOutputEndings);
   return command;
 }
 

@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lasius/error.h"
 #include "parameters.h"
 #include "polygon_report.h"
 #include "values.h"
@@ -42,11 +41,8 @@ Json polygon_replay(const Json& recorded, const std::string& file, int threads,
   std::vector<std::string> notes;
   const auto parameters = polygon_parameters(command, notes);
   const PreparedWorld world = prepare_world(command.world);
-  const auto hash = recorded.at("map").at("hash").get<std::string>();
-  if (hash_text(world.hash) != hash)
-    throw Error(ErrorCode::file_broken, {.file = file},
-                "has hash " + hash_text(world.hash) + ", the result was made on " + hash,
-                "name the world of that time with --map");
+  check_hash(file, world.hash, recorded.at("map").at("hash").get<std::string>(),
+             "name the world of that time with --map");
   return polygon_json(world, command, polygon_answer(world, command, parameters, {.token = token}));
 }
 

@@ -32,6 +32,20 @@ std::string& RunText::value_of(std::string_view name) {
   throw std::logic_error("no option of this name");
 }
 
+std::uint64_t seed_value(const std::string& text) {
+  if (text.empty()) return 1;
+  return static_cast<std::uint64_t>(integer_value("--seed", text, 0, kMaxExactInteger));
+}
+
+std::optional<double> time_limit_value(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  return real_value("--time-limit", text, 0, kNoLimit);
+}
+
+double target_gap_value(const std::string& text) {
+  return text.empty() ? 0 : real_value("--target-gap", text, 0, kNoLimit) / 100;
+}
+
 void check_endings(const std::vector<std::string>& files,
                    std::span<const std::string_view> endings) {
   for (const auto& file : files) {
@@ -43,7 +57,6 @@ void check_endings(const std::vector<std::string>& files,
 
 RunOptions make_run(const RunText& text) {
   static constexpr std::string_view kFrames[] = {"cell", "world"};
-  static constexpr std::string_view kEndings[] = {".json", ".csv", ".svg", ".png"};
   RunOptions run;
   run.map.file = text.map;
   run.params = default_params(text.algorithm);
@@ -53,14 +66,10 @@ RunOptions make_run(const RunText& text) {
                           " has no such parameter");
   for (const auto& setting : text.set) set_named(run.params, setting);
   validate(run.params);
-  if (!text.seed.empty())
-    run.params.seed =
-        static_cast<std::uint64_t>(integer_value("--seed", text.seed, 0, kMaxExactInteger));
+  run.params.seed = seed_value(text.seed);
   run.params.threads = thread_count(text.threads);
-  if (!text.time_limit.empty())
-    run.time_limit = real_value("--time-limit", text.time_limit, 0, kNoLimit);
-  if (!text.target_gap.empty())
-    run.target_gap = real_value("--target-gap", text.target_gap, 0, kNoLimit) / 100;
+  run.time_limit = time_limit_value(text.time_limit);
+  run.target_gap = target_gap_value(text.target_gap);
   if (!text.frame.empty())
     run.frame = static_cast<Frame>(choice_value("--frame", text.frame, kFrames));
   if (!text.radius.empty()) run.map.radius = real_value("--radius", text.radius, 0, kNoLimit);
@@ -72,7 +81,7 @@ RunOptions make_run(const RunText& text) {
   if (text.prepare && !run.map.prepare)
     run.notes.push_back("--prepare has no effect: it is for exact, and for --gap");
   run.json = text.json;
-  check_endings(text.outputs, kEndings);
+  check_endings(text.outputs, kOutputEndings);
   run.outputs = text.outputs;
   run.track_iterations = list_value("--tracks", text.tracks.empty() ? "10,50,120" : text.tracks);
   run.messages = messages_of(text);
@@ -80,7 +89,6 @@ RunOptions make_run(const RunText& text) {
 }
 
 ArmCommand make_arm(const ArmText& text) {
-  static constexpr std::string_view kEndings[] = {".json", ".csv", ".svg", ".png"};
   static constexpr std::string_view kAlgorithms[] = {"goritov2020"};
   ArmCommand arm{.robot = text.robot,
                  .base_link = text.base,
@@ -103,17 +111,14 @@ ArmCommand make_arm(const ArmText& text) {
       throw UsageError("--set: \"" + setting + "\" is not NAME=VALUE");
     arm.settings.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
   }
-  if (!text.seed.empty())
-    arm.seed = static_cast<std::uint64_t>(integer_value("--seed", text.seed, 0, kMaxExactInteger));
-  if (!text.time_limit.empty())
-    arm.time_limit = real_value("--time-limit", text.time_limit, 0, kNoLimit);
-  if (!text.target_gap.empty())
-    arm.target_gap = real_value("--target-gap", text.target_gap, 0, kNoLimit) / 100;
+  arm.seed = seed_value(text.seed);
+  arm.time_limit = time_limit_value(text.time_limit);
+  arm.target_gap = target_gap_value(text.target_gap);
   if (!text.clearance.empty()) arm.clearance = real_value("--clearance", text.clearance, 1e-6, 1);
   if (!text.rate.empty()) arm.rate = real_value("--rate", text.rate, 1e-3, 1e5);
   if (!text.recheck.empty())
     arm.recheck = static_cast<int>(integer_value("--recheck", text.recheck, 1, 1000000));
-  check_endings(text.outputs, kEndings);
+  check_endings(text.outputs, kOutputEndings);
   return arm;
 }
 

@@ -1,6 +1,9 @@
 // The options of plan and batch: as typed, and read.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,6 +44,15 @@ struct ArmText {
 
 /// @throws UsageError. Values of parameters are looked at when the command runs.
 ArmCommand make_arm(const ArmText& text);
+
+/// Values of options that several commands have; what they are where `text` is empty: seed 1, no
+/// time limit in seconds, no gap as a fraction (typed in percent). @throws UsageError.
+std::uint64_t seed_value(const std::string& text);
+std::optional<double> time_limit_value(const std::string& text);
+double target_gap_value(const std::string& text);
+
+/// The endings of what `-o` of a planning command takes.
+inline constexpr std::array<std::string_view, 4> kOutputEndings{".json", ".csv", ".svg", ".png"};
 
 /// How much is said. @throws UsageError.
 Messages make_messages(const RunText& text);

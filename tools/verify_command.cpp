@@ -134,10 +134,7 @@ class Maps {
                       map_->unknown_is_free == options.unknown_is_free &&
                       map_->prepare == options.prepare;
     if (!same) map_.emplace(prepare_map(options, inputs.run.frame));
-    if (hash_text(map_->hash) != inputs.hash)
-      throw Error(ErrorCode::file_broken, {.file = options.file},
-                  "has hash " + hash_text(map_->hash) + ", the result was made on " + inputs.hash,
-                  "name the map of that time with --map");
+    check_hash(options.file, map_->hash, inputs.hash, "name the map of that time with --map");
     return *map_;
   }
 
