@@ -17,6 +17,13 @@ inline void require(bool holds) {
   if (!holds) std::abort();
 }
 
+/// Ends the fuzzer unless the error names the file, no offset behind its `size` bytes, and a
+/// remedy.
+inline void require_named(const Error& error, std::size_t size) {
+  require(error.place().file == "fuzz" && !error.problem().empty() && !error.remedy().empty());
+  require(error.place().offset <= static_cast<std::int64_t>(size));
+}
+
 /// What `read(ByteReader&)` returns, or nothing where it refuses the bytes as it should: with an
 /// Error that names the file, a line or offset within it, and a remedy.
 template <typename Read>
@@ -27,9 +34,8 @@ auto read_bytes(const std::string& bytes, bool size_known, Read read)
   try {
     return read(in);
   } catch (const Error& error) {
-    require(error.place().file == "fuzz" && !error.problem().empty() && !error.remedy().empty());
+    require_named(error, bytes.size());
     require((error.place().line >= 0) != (error.place().offset >= 0));
-    require(error.place().offset <= static_cast<std::int64_t>(bytes.size()));
     return std::nullopt;
   }
 }

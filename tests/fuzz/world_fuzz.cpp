@@ -11,8 +11,7 @@ std::optional<polygon::World> read(const std::string& text, bool json, bool repa
     return json ? polygon::parse_geojson(text, "fuzz", {.repair = repair})
                 : polygon::parse_wkt(text, "fuzz", {.repair = repair});
   } catch (const Error& error) {
-    require(error.place().file == "fuzz" && !error.problem().empty() && !error.remedy().empty());
-    require(error.place().offset <= static_cast<std::int64_t>(text.size()));
+    require_named(error, text.size());
     return std::nullopt;
   }
 }
