@@ -89,58 +89,101 @@ std::string path_caption(const PolygonAnswer& answer) {
   return text;
 }
 
+/// Panels in a row, each with its letter and caption below; those of the world keep its shape.
+class Page {
+ public:
+  Page(const PreparedWorld& world, int panels, const std::string& title)
+      : world_(world),
+        size_(world),
+        panels_(panels),
+        width_(2 * kMargin + panels * size_.place_width + (panels - 1) * kGap),
+        canvas_(static_cast<int>(width_),
+                static_cast<int>(2 * kMargin + kTitle + size_.place_height + kCaption)) {
+    canvas_.text({width_ / 2, kMargin + 20}, title, 19, Align::centre, kInk, true);
+  }
+
+  /// A panel with the world as its ground.
+  template <class Draw>
+  void world_panel(const std::string& caption, const Draw& draw) {
+    const Box place = next_place();
+    const Box box{place.x + (place.width - size_.width) / 2,
+                  place.y + (place.height - size_.height) / 2, size_.width, size_.height};
+    const View view(world_, box);
+    draw_world(canvas_, view, world_, box);
+    draw(canvas_, view);
+    canvas_.frame(box, kInk, 1);
+    write_caption(place, caption);
+  }
+
+  void convergence_panel(const Convergence& data) {
+    const Box place = next_place();
+    draw_convergence(canvas_, place, data);
+    write_caption(place, "convergence");
+  }
+
+  void save(const std::string& file) const { canvas_.save(file); }
+
+ private:
+  /// Of the world on the page, and of a panel's place.
+  struct Sizes {
+    double width, height, place_width, place_height;
+
+    explicit Sizes(const PreparedWorld& world) {
+      const Point low = world.low(), high = world.high();
+      const double scale = kLongSide / std::max(high.x - low.x, high.y - low.y);
+      width = std::max(40.0, scale * (high.x - low.x));
+      height = std::max(40.0, scale * (high.y - low.y));
+      place_width = std::max(width, 420.0);
+      place_height = std::max(height, 320.0);
+    }
+  };
+
+  Box next_place() {
+    return {kMargin + next_++ * (size_.place_width + kGap), kMargin + kTitle, size_.place_width,
+            size_.place_height};
+  }
+  /// Below the panel that was placed last.
+  void write_caption(const Box& place, const std::string& caption) {
+    std::string text;
+    if (panels_ > 1) text.append("(").append(1, static_cast<char>('a' + next_ - 1)).append(") ");
+    canvas_.text({place.x + place.width / 2, place.y + place.height + 24}, text + caption, 15,
+                 Align::centre, kInk);
+  }
+
+  const PreparedWorld& world_;
+  Sizes size_;
+  int panels_;
+  int next_ = 0;
+  double width_;
+  Canvas canvas_;
+};
+
 }  // namespace
 
 void write_polygon_picture(const std::string& file, const PreparedWorld& world,
                            const PolygonAnswer& answer) {
-  const Point low = world.low(), high = world.high();
-  const double scale = kLongSide / std::max(high.x - low.x, high.y - low.y);
-  const double width = std::max(40.0, scale * (high.x - low.x));
-  const double height = std::max(40.0, scale * (high.y - low.y));
   const auto& result = answer.result;
   const bool graph = result.dijkstra.has_value(), chart = !result.best.empty();
-  const int panels = 1 + (graph ? 1 : 0) + (chart ? 1 : 0);
-  const double place = std::max(width, 420.0), tall = std::max(height, 320.0);
-  const double page = 2 * kMargin + panels * place + (panels - 1) * kGap;
-  Canvas canvas(static_cast<int>(page), static_cast<int>(2 * kMargin + kTitle + tall + kCaption));
-  canvas.text({page / 2, kMargin + 20},
-              answer.parameters.algorithm + " on " +
-                  std::filesystem::path(world.file).filename().string() + ", seed " +
-                  std::to_string(answer.parameters.seed),
-              19, Align::centre, kInk, true);
-  int next = 0;
-  const auto panel = [&](const std::string& caption, bool whole, const auto& draw) {
-    const double x = kMargin + next * (place + kGap), y = kMargin + kTitle;
-    const std::string letter =
-        panels > 1 ? std::string("(").append(1, static_cast<char>('a' + next)).append(") ") : "";
-    ++next;
-    draw(whole ? Box{x, y, place, tall}
-               : Box{x + (place - width) / 2, y + (tall - height) / 2, width, height});
-    canvas.text({x + place / 2, y + tall + 24}, letter + caption, 15, Align::centre, kInk);
-  };
-  if (graph)
-    panel("MAKLINK lines, midpoints, Dijkstra's path, length " +
-              study::fixed(result.dijkstra->length, 3),
-          false, [&](const Box& box) {
-            const View view(world, box);
-            draw_world(canvas, view, world, box);
-            draw_graph(canvas, view, world, answer);
-            draw_ends(canvas, view, answer);
-            canvas.frame(box, kInk, 1);
-          });
-  panel(path_caption(answer), false, [&](const Box& box) {
-    const View view(world, box);
-    draw_world(canvas, view, world, box);
+  Page page(world, 1 + (graph ? 1 : 0) + (chart ? 1 : 0),
+            answer.parameters.algorithm + " on " +
+                std::filesystem::path(world.file).filename().string() + ", seed " +
+                std::to_string(answer.parameters.seed));
+  if (graph) {
+    page.world_panel("MAKLINK lines, midpoints, Dijkstra's path, length " +
+                         study::fixed(result.dijkstra->length, 3),
+                     [&](Canvas& canvas, const View& view) {
+                       draw_graph(canvas, view, world, answer);
+                       draw_ends(canvas, view, answer);
+                     });
+  }
+  page.world_panel(path_caption(answer), [&](Canvas& canvas, const View& view) {
     canvas.polyline(view.at(result.path), kPath, 3);
     draw_ends(canvas, view, answer);
-    canvas.frame(box, kInk, 1);
   });
-  if (chart)
-    panel("convergence", true, [&](const Box& box) {
-      draw_convergence(canvas, box,
-                       {result.best, result.mean, result.lower_bound, "the world's units"});
-    });
-  canvas.save(file);
+  if (chart) {
+    page.convergence_panel({result.best, result.mean, result.lower_bound, "the world's units"});
+  }
+  page.save(file);
 }
 
 }  // namespace lasius::tool
