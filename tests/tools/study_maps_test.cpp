@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <set>
+#include <string>
 
 #include "lasius/error.h"
 #include "lasius/planner.h"
@@ -39,17 +40,17 @@ double steps(const Grid& grid, Cell start, Cell goal) {
   return shortest_walk(grid, start, goal, Neighbours::four).value_or(INFINITY);
 }
 
-class Mazes : public testing::TestWithParam<std::pair<const char*, int>> {};
+using Maze = std::pair<std::string, int>;  // name and side
+class Mazes : public testing::TestWithParam<Maze> {};
 INSTANTIATE_TEST_SUITE_P(Study, Mazes,
-                         testing::Values(std::pair{"maze1-10x10", 10}, std::pair{"maze2-10x10", 10},
-                                         std::pair{"maze3-12x12", 12}, std::pair{"maze4-16x16", 16},
-                                         std::pair{"maze5-16x16", 16}, std::pair{"maze6-20x20", 20},
-                                         std::pair{"maze7-24x24", 24},
-                                         std::pair{"maze8-32x32", 32}));
+                         testing::Values(Maze{"maze1-10x10", 10}, Maze{"maze2-10x10", 10},
+                                         Maze{"maze3-12x12", 12}, Maze{"maze4-16x16", 16},
+                                         Maze{"maze5-16x16", 16}, Maze{"maze6-20x20", 20},
+                                         Maze{"maze7-24x24", 24}, Maze{"maze8-32x32", 32}));
 
 TEST_P(Mazes, HaveLoopsAndASecondRoute) {
-  const auto [name, side] = GetParam();
-  Grid grid = load_map(std::string(name) + ".map", kMaps);
+  const auto& [name, side] = GetParam();
+  Grid grid = load_map(name + ".map", kMaps);
   ASSERT_EQ(grid.width(), side);
   ASSERT_EQ(grid.height(), side);
   const Cell start{0, side - 1}, goal{side - 1, 0};
