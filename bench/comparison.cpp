@@ -118,6 +118,7 @@ MapComparison compare(const QuerySet& set, std::span<const peers::Peer> planners
     const Stopwatch watch;
     contenders[p].planner = planners[p].make(set.grid);
     result.planners[p].preparation_ms = 1000 * watch.seconds();
+    result.planners[p].prepared_bytes = contenders[p].planner->prepared_bytes();
     result.planners[p].queries.resize(set.queries.size());
     contenders[p].times.resize(set.queries.size());
   }

@@ -29,6 +29,7 @@ struct Measurement {
 /// One planner on one map.
 struct PlannerRun {
   double preparation_ms = 0;
+  double prepared_bytes = 0;  ///< not a number where the planner does not count
   std::vector<Measurement> queries;
   double mean_microseconds() const;
   double median_microseconds() const;

@@ -1,6 +1,7 @@
 #include "bench/contenders.h"
 
 #include "bench/peers/bucket_astar.h"
+#include "bench/query_set.h"
 #include "corner_graph.h"
 #include "exact.h"
 #include "lasius/path.h"
@@ -29,24 +30,31 @@ class Exact final : public peers::QueryPlanner {
   ExactAnswer answer_;
 };
 
-// The same on a map that was prepared for it.
+// The same on a map that was prepared for it, if that is not too large.
 class Prepared final : public peers::QueryPlanner {
  public:
   explicit Prepared(const Grid& grid) : grid_(&grid) {
     Preparation report;
     graph_ = exact::CornerGraph::make(grid, {.threads = 1}, report);
-    if (graph_ == nullptr) throw std::runtime_error("the map is too large to be prepared");
   }
   double plan(Cell start, Cell goal, std::vector<Point>& path) override {
-    search_.search(*grid_, *graph_, start, goal, {}, {}, answer_);
+    if (graph_ != nullptr) {
+      search_.search(*grid_, *graph_, start, goal, {}, {}, answer_);
+    } else {
+      unprepared_.search(*grid_, start, goal, {}, {}, answer_);
+    }
     path.assign(answer_.path.begin(), answer_.path.end());
     return answer_.path.empty() ? peers::kNoPath : answer_.length;
+  }
+  double prepared_bytes() const override {
+    return graph_ != nullptr ? static_cast<double>(graph_->bytes()) : kUnknown;
   }
 
  private:
   const Grid* grid_;
   std::shared_ptr<const exact::CornerGraph> graph_;
   exact::PreparedSearch search_;
+  ExactSearch unprepared_;
   ExactAnswer answer_;
 };
 

@@ -136,6 +136,19 @@ void write_markdown(std::ostream& out, std::span<const MapComparison> maps,
   write_table(
       out, "map", maps, planners,
       [](const MapComparison& m, std::size_t p) { return m.planners[p].preparation_ms; }, false);
+  const auto megabytes = [](const MapComparison& m, std::size_t p) {
+    return 1e-6 * m.planners[p].prepared_bytes;
+  };
+  const bool counted = std::any_of(maps.begin(), maps.end(), [&](const MapComparison& m) {
+    for (std::size_t p = 0; p < planners.size(); ++p) {
+      if (std::isfinite(megabytes(m, p))) return true;
+    }
+    return false;
+  });
+  if (counted) {
+    out << "Held by the preparation, megabytes, where it is counted:\n\n";
+    write_table(out, "map", maps, planners, megabytes, false);
+  }
   write_faults(out, maps, planners);
 }
 

@@ -46,6 +46,9 @@ class Landmarks {
   const std::vector<Cell>& cells() const noexcept { return cells_; }
   const Distances& distances(std::uint32_t corner) const noexcept { return distances_[corner]; }
 
+  void prefetch(std::uint32_t corner) const noexcept {
+    __builtin_prefetch(distances_.data() + corner);
+  }
   /// A lower bound of the way from a corner to a goal; 0 if there is none.
   double bound(std::uint32_t corner, const Goal& goal) const noexcept {
     const Distances& here = distances_[corner];

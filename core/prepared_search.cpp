@@ -1,6 +1,7 @@
 #include "prepared_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "grid_view.h"
@@ -129,9 +130,9 @@ void PreparedSearch::reach(std::uint32_t parent, double length, std::uint32_t in
   }
 }
 
-void PreparedSearch::follow(std::uint32_t index, const GraphCorner& corner, const GraphEdge& edge) {
-  const double length = exact::distance(2 * corner.x(), 2 * corner.y(), 2 * edge.x, 2 * edge.y);
-  reach(index, nodes_[index].length + length, edge.to(), edge.x, edge.y, edge.side());
+void PreparedSearch::follow(std::uint32_t index, const Root& root, const GraphEdge& edge) {
+  const double x = edge.x - root.x, y = edge.y - root.y;
+  reach(index, root.length + std::sqrt(x * x + y * y), edge.to(), edge.x, edge.y, edge.side());
 }
 
 // Returns the work done.
@@ -140,25 +141,32 @@ std::int64_t PreparedSearch::expand(std::uint32_t index) {
   Node& node = nodes_[index];
   node.expanded = true;
   const GraphCorner& corner = graph_->corner(index);
+  const Root root{corner.x(), corner.y(), node.length};
   const kernels::HalfPoint parent = place(node.parent);
-  const std::int64_t onward_x = 2 * corner.x() - parent.x, onward_y = 2 * corner.y() - parent.y;
+  const std::int64_t onward_x = 2 * root.x - parent.x, onward_y = 2 * root.y - parent.y;
   const int bend = corner.bend(node.side);
-  std::int64_t work = kWordsPerExpansion;
-  for (const GraphEdge& edge : graph_->edges(index, node.side)) {
-    const std::int64_t turn = onward_x * (edge.y - corner.y()) - onward_y * (edge.x - corner.x());
+  // What is followed is known before the nodes are: their loads go side by side.
+  const auto edges = graph_->edges(index, node.side);
+  std::size_t taut = 0;
+  for (; taut < edges.size(); ++taut) {
+    const GraphEdge& edge = edges[taut];
+    const std::int64_t turn = onward_x * (edge.y - root.y) - onward_y * (edge.x - root.x);
     if (turn * bend < 0) break;
-    follow(index, corner, edge);
-    ++work;
+    __builtin_prefetch(nodes_.at(edge.to()));
+    graph_->landmarks().prefetch(edge.to());
   }
-  return work;
+  for (const GraphEdge& edge : edges.first(taut)) follow(index, root, edge);
+  return kWordsPerExpansion + static_cast<std::int64_t>(taut);
 }
 
 std::int64_t PreparedSearch::expand_all(std::uint32_t index) {
   nodes_[index].expanded = true;
+  const GraphCorner& corner = graph_->corner(index);
+  const Root root{corner.x(), corner.y(), nodes_[index].length};
   std::int64_t work = kWordsPerExpansion;
   for (const Side side : {kColumn, kLine}) {
     for (const GraphEdge& edge : graph_->edges(index, side)) {
-      follow(index, graph_->corner(index), edge);
+      follow(index, root, edge);
       ++work;
     }
   }

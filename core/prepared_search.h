@@ -56,6 +56,11 @@ class PreparedSearch {
   };
   static_assert(sizeof(Node) == 32);
   static constexpr std::uint32_t kStart = ~std::uint32_t{0};  // as a parent
+  // The corner in hand: a lattice point, and the length of the path to it.
+  struct Root {
+    int x, y;
+    double length;
+  };
 
   template <class Found>
   struct Sink;
@@ -66,7 +71,7 @@ class PreparedSearch {
   void run(double target_gap);
   std::int64_t expand(std::uint32_t index);
   std::int64_t expand_all(std::uint32_t index);
-  void follow(std::uint32_t index, const GraphCorner& corner, const GraphEdge& edge);
+  void follow(std::uint32_t index, const Root& root, const GraphEdge& edge);
   bool next_corner(std::uint32_t& index);
   double estimate(std::uint32_t index, int x, int y) const noexcept;
   void reach(std::uint32_t parent, double length, std::uint32_t index, int x, int y, Side side);

@@ -18,6 +18,8 @@ class QueryPlanner {
   /// Plans between the centres of two free cells. Returns the length in cells, kNoPath where there
   /// is none; `path` becomes the polyline from start to goal (empty without a path).
   virtual double plan(Cell start, Cell goal, std::vector<Point>& path) = 0;
+  /// What the preparation keeps for the map, in bytes; not a number where nobody counts.
+  virtual double prepared_bytes() const { return std::numeric_limits<double>::quiet_NaN(); }
 
  protected:
   QueryPlanner() = default;

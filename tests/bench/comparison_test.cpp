@@ -154,8 +154,8 @@ TEST(Comparison, HoldsLengthsAgainstTheTable) {
 
 TEST(Report, ShowsMeansRatiosAndFaults) {
   MapComparison map{"m", 4, 4, {1.0, 2.0}, {}};
-  map.planners = {{1.5, {{10, 1.0, 3, ""}, {30, 2.0, 3, ""}}},
-                  {2.5, {{40, 1.1, 3, ""}, {80, 2.0, 3, "bad"}}}};
+  map.planners = {{1.5, 3e6, {{10, 1.0, 3, ""}, {30, 2.0, 3, ""}}},
+                  {2.5, kUnknown, {{40, 1.1, 3, ""}, {80, 2.0, 3, "bad"}}}};
   const std::vector<peers::Peer> planners = {{"ours", "", Optimality::any_angle, straight<100>},
                                              {"theirs", "", Optimality::none, straight<100>}};
   EXPECT_EQ(map.planners[0].mean_microseconds(), 20);
@@ -165,6 +165,8 @@ TEST(Report, ShowsMeansRatiosAndFaults) {
   EXPECT_NE(out.str().find("| m | 20.0 | 60.0 |"), std::string::npos) << out.str();
   EXPECT_NE(out.str().find("| m | 1.00 | 3.00 |"), std::string::npos);
   EXPECT_NE(out.str().find("| m | 0 | 5.00 |"), std::string::npos);
+  EXPECT_NE(out.str().find("| m | 1.50 | 2.50 |"), std::string::npos);
+  EXPECT_NE(out.str().find("| m | 3.00 | - |"), std::string::npos);
   EXPECT_NE(out.str().find("1 faults."), std::string::npos);
   EXPECT_NE(out.str().find("query 1, theirs: bad"), std::string::npos);
   std::ostringstream raw;

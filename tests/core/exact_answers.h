@@ -64,6 +64,12 @@ inline Grid random_small_grid(int number, std::mt19937& random) {
   return random_grid(random_in(2, 12, random), random_in(2, 12, random), percent, random);
 }
 
+/// 64 x 64: half of them nearly empty, half on the edge of falling apart.
+inline Grid random_large_grid(int number, std::mt19937& random) {
+  const int percent = number % 2 == 0 ? random_in(0, 5, random) : random_in(30, 45, random);
+  return random_grid(64, 64, percent, random);
+}
+
 /// A few blocks of up to 4 x 4 cells on a grid of 400 x 40 or 40 x 400: long views.
 inline Grid random_sparse_grid(bool wide, std::mt19937& random) {
   Grid grid(wide ? 400 : 40, wide ? 40 : 400);
@@ -76,6 +82,28 @@ inline Grid random_sparse_grid(bool wide, std::mt19937& random) {
     }
   }
   return grid;
+}
+
+/// A question on a map.
+struct Puzzle {
+  Grid grid;
+  Cell start, goal;
+};
+
+/// As long or as tall as maps get, with walls that have a gap at one end, on either side in turn:
+/// the path winds round every one.
+inline Puzzle widest_puzzle(bool tall) {
+  constexpr int kLength = Grid::kMaxSide;
+  const auto cell = [tall](int along, int across) {
+    return tall ? Cell{across, along} : Cell{along, across};
+  };
+  Puzzle puzzle{Grid(tall ? 5 : kLength, tall ? kLength : 5), cell(0, 2), cell(kLength - 1, 1)};
+  for (int wall = 0; wall < 12; ++wall) {
+    for (int k = 0; k < 4; ++k) {
+      puzzle.grid.set_blocked(cell(1500 + 2500 * wall, wall % 2 == 0 ? k : 4 - k));
+    }
+  }
+  return puzzle;
 }
 
 }  // namespace lasius

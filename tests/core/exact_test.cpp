@@ -90,8 +90,7 @@ TEST(Exact, EqualsBruteForceOnLargerGrids) {
   ExactSearch search;
   int reachable = 0;
   for (int i = 0; i < scaled(400) && !testing::Test::HasFailure(); ++i) {
-    const int percent = i % 2 == 0 ? random_in(0, 5, random) : random_in(30, 45, random);
-    const Grid grid = random_grid(64, 64, percent, random);
+    const Grid grid = random_large_grid(i, random);
     const auto start = random_free(grid, random);
     const auto goal = random_free(grid, random);
     if (!start || !goal) continue;
@@ -117,23 +116,13 @@ TEST(Exact, EqualsBruteForceInWideSparseGrids) {
 }
 
 TEST(Exact, EqualsBruteForceOnTheWidestMaps) {
-  // Walls with a gap at one end, on the lower side in turn: the path winds round every one.
-  constexpr int kWidth = Grid::kMaxSide;
   for (const bool tall : {false, true}) {
-    Grid grid(tall ? 5 : kWidth, tall ? kWidth : 5);
-    const auto cell = [tall](int along, int across) {
-      return tall ? Cell{across, along} : Cell{along, across};
-    };
-    for (int wall = 0; wall < 12; ++wall) {
-      for (int k = 0; k < 4; ++k) {
-        grid.set_blocked(cell(1500 + 2500 * wall, wall % 2 == 0 ? k : 4 - k));
-      }
-    }
+    const auto [grid, start, goal] = widest_puzzle(tall);
     ExactSearch search;
-    expect_exact(grid, cell(0, 2), cell(kWidth - 1, 1), search);
+    expect_exact(grid, start, goal, search);
     ExactAnswer near;
-    search.search(grid, cell(0, 2), cell(kWidth - 1, 1), {0.05}, {}, near);
-    expect_path(grid, cell(0, 2), cell(kWidth - 1, 1), near);
+    search.search(grid, start, goal, {0.05}, {}, near);
+    expect_path(grid, start, goal, near);
   }
 }
 

@@ -45,28 +45,20 @@ int expect_exact(const Grid& grid, int queries, PreparedSearch& search, std::mt1
   return reachable;
 }
 
-TEST(PreparedSearch, EqualsBruteForceOnSmallGrids) {
+TEST(PreparedSearch, EqualsBruteForceOnRandomGrids) {
   std::mt19937 random(20260111);
   PreparedSearch search;
-  int reachable = 0;
+  int small = 0, large = 0, sparse = 0;
   for (int i = 0; i < scaled(1500) && !testing::Test::HasFailure(); ++i) {
     SCOPED_TRACE("grid " + std::to_string(i));
-    reachable += expect_exact(random_small_grid(i, random), 4, search, random);
+    small += expect_exact(random_small_grid(i, random), 4, search, random);
+    if (i % 25 != 0) continue;
+    large += expect_exact(random_large_grid(i / 25, random), 5, search, random);
+    sparse += expect_exact(random_sparse_grid(i % 2 == 0, random), 1, search, random);
   }
-  EXPECT_GT(reachable, 2000);
-}
-
-TEST(PreparedSearch, EqualsBruteForceOnLargerGrids) {
-  std::mt19937 random(20260112);
-  PreparedSearch search;
-  int reachable = 0;
-  for (int i = 0; i < scaled(60) && !testing::Test::HasFailure(); ++i) {
-    SCOPED_TRACE("grid " + std::to_string(i));
-    const int percent = i % 2 == 0 ? random_in(0, 5, random) : random_in(30, 45, random);
-    reachable += expect_exact(random_grid(64, 64, percent, random), 5, search, random);
-    reachable += expect_exact(random_sparse_grid(i % 4 == 0, random), 1, search, random);
-  }
-  EXPECT_GT(reachable, 150);
+  EXPECT_GT(small, 2000);
+  EXPECT_GT(large, 100);
+  EXPECT_GT(sparse, 40);
 }
 
 TEST(PreparedSearch, EqualsTheUnpreparedOneOnGeneratedMaps) {
@@ -124,19 +116,9 @@ TEST(PreparedSearch, KnowsWhatHasNoCornersOrNoWay) {
 }
 
 TEST(PreparedSearch, EqualsBruteForceOnTheWidestMaps) {
-  constexpr int kWidth = Grid::kMaxSide;
   PreparedSearch search;
   for (const bool tall : {false, true}) {
-    Grid grid(tall ? 5 : kWidth, tall ? kWidth : 5);
-    const auto cell = [tall](int along, int across) {
-      return tall ? Cell{across, along} : Cell{along, across};
-    };
-    for (int wall = 0; wall < 12; ++wall) {
-      for (int k = 0; k < 4; ++k) {
-        grid.set_blocked(cell(1500 + 2500 * wall, wall % 2 == 0 ? k : 4 - k));
-      }
-    }
-    const Cell start = cell(0, 2), goal = cell(kWidth - 1, 1);
+    const auto [grid, start, goal] = widest_puzzle(tall);
     expect_optimum(grid, start, goal, solve(search, grid, graph_of(grid), start, goal));
   }
 }
