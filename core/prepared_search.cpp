@@ -20,6 +20,11 @@ constexpr double kBucketWidth = 0.03125;  // cells
 constexpr std::int64_t kWordsPerPoll = 8192;
 constexpr std::int64_t kWordsPerExpansion = 4;
 
+// Expansions before a search takes a look from the goal: many short ones end earlier.
+constexpr std::int64_t kGlance = 4;
+constexpr std::int64_t kNoBudget = std::numeric_limits<std::int64_t>::max();
+constexpr std::uint32_t kLastStamp = std::numeric_limits<std::uint32_t>::max() - 2;
+
 kernels::HalfPoint half(Cell c) noexcept { return {2 * c.x + 1, 2 * c.y + 1}; }
 
 double distance(kernels::HalfPoint a, int x, int y) noexcept {
@@ -42,21 +47,18 @@ void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Cell star
   graph_ = &graph;
   poller_ = &poller;
   start_ = half(start);
-  upper_ = kInfinity;
-  last_ = kStart;
   expansions_ = 0;
-  goal_corners_.clear();
-  if (nodes_size_ < graph.size() || stamp_ == std::numeric_limits<std::uint32_t>::max()) {
+  if (nodes_size_ < graph.size() || stamp_ > kLastStamp) {
     nodes_size_ = std::max(nodes_size_, graph.size());
     nodes_ = ZeroArray<Node>(nodes_size_);
     stamp_ = 0;
   }
-  ++stamp_;
 }
 
 // The corners that the goal sees get their true distance as an estimate: going on from them in any
 // other way is longer.
 void PreparedSearch::look_from_goal() {
+  goal_corners_.clear();
   const auto found = [this](int x, int y) {
     const std::uint32_t index = graph_->index(x, y);
     nodes_[index] = {kInfinity, distance(goal_, x, y), kStart, stamp_, kColumn, true, false};
@@ -67,13 +69,25 @@ void PreparedSearch::look_from_goal() {
 }
 
 void PreparedSearch::look_from_start() {
-  const auto found = [this](int x, int y) {
-    const std::uint32_t index = graph_->index(x, y);
-    const Side side = graph_->corner(index).side_from(start_.x, start_.y);
-    reach(kStart, distance(start_, x, y), index, x, y, side);
-  };
+  start_corners_.clear();
+  const auto found = [this](int x, int y) { start_corners_.push_back(graph_->index(x, y)); };
   Sink<decltype(found)> sink{found, *poller_};
   view_from_centre(map_, start_.x, start_.y, stack_, sink);
+}
+
+// Forgets what was reached.
+void PreparedSearch::set_out() {
+  ++stamp_;
+  upper_ = kInfinity;
+  frontier_.reset(straight_, kBucketWidth);
+}
+
+void PreparedSearch::leave_start() {
+  for (const std::uint32_t index : start_corners_) {
+    const GraphCorner& corner = graph_->corner(index);
+    const int x = corner.x(), y = corner.y();
+    reach(kStart, distance(start_, x, y), index, x, y, corner.side_from(start_.x, start_.y));
+  }
 }
 
 // How far the goal is from the landmarks: straight, or over a corner that it sees.
@@ -99,9 +113,9 @@ void PreparedSearch::measure_landmarks() {
 }
 
 double PreparedSearch::estimate(std::uint32_t index, int x, int y) const noexcept {
-  if (flooding_) return 0;
+  if (mode_ == Mode::flood) return 0;
   const double straight = distance(goal_, x, y);
-  if (!with_landmarks_) return straight;
+  if (mode_ == Mode::glance || graph_->landmarks().empty()) return straight;
   return std::max(straight, graph_->landmarks().bound(index, goal_distances_));
 }
 
@@ -186,12 +200,24 @@ bool PreparedSearch::next_corner(std::uint32_t& index) {
   return false;
 }
 
-void PreparedSearch::run(double target_gap) {
-  std::uint32_t index = 0;
-  while (!poller_->stopped() && next_corner(index)) {
-    if (upper_ - lower_ <= target_gap * lower_) break;
-    poller_->stop_after(flooding_ ? expand_all(index) : expand(index));
+// False if the budget of expansions was spent before the search ended.
+bool PreparedSearch::run(double target_gap, std::int64_t budget) {
+  for (; !poller_->stopped(); --budget) {
+    if (budget == 0) return false;
+    std::uint32_t index = 0;
+    if (!next_corner(index) || upper_ - lower_ <= target_gap * lower_) break;
+    if (mode_ == Mode::glance && meets_goal(index)) continue;
+    poller_->stop_after(mode_ == Mode::flood ? expand_all(index) : expand(index));
   }
+  return true;
+}
+
+bool PreparedSearch::meets_goal(std::uint32_t index) {
+  if (!kernels::sees(map_, place(index), goal_)) return false;
+  const Node& node = nodes_[index];
+  upper_ = node.length + node.to_goal;
+  last_ = index;
+  return true;
 }
 
 void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Cell start, Cell goal,
@@ -199,18 +225,27 @@ void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Cell sta
                             ExactAnswer& answer) {
   Poller poller(stop, kWordsPerPoll);
   begin(grid, graph, start, poller);
-  flooding_ = false;
   goal_ = half(goal);
-  lower_ = exact::distance(start_.x, start_.y, goal_.x, goal_.y);
+  straight_ = exact::distance(start_.x, start_.y, goal_.x, goal_.y);
+  lower_ = straight_;
   if (kernels::sees(map_, start_, goal_)) {
     upper_ = lower_;
+    last_ = kStart;
   } else {
-    frontier_.reset(lower_, kBucketWidth);
-    look_from_goal();
-    with_landmarks_ = !graph.landmarks().empty() && !poller.stopped();
-    if (with_landmarks_) measure_landmarks();
     look_from_start();
-    run(options.target_gap);
+    mode_ = Mode::glance;
+    set_out();
+    leave_start();
+    if (!run(options.target_gap, kGlance)) {
+      if (upper_ == kInfinity) {
+        mode_ = Mode::whole;
+        set_out();
+        look_from_goal();
+        if (!poller.stopped()) measure_landmarks();
+        leave_start();
+      }
+      run(options.target_gap, kNoBudget);
+    }
   }
   answer.path.clear();
   if (upper_ < kInfinity) trace(answer.path);
@@ -221,11 +256,13 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
                            const StopCondition& stop, std::vector<double>& lengths) {
   Poller poller(stop);
   begin(grid, graph, start, poller);
-  flooding_ = true;
+  mode_ = Mode::flood;
+  straight_ = 0;
   lower_ = 0;
-  frontier_.reset(0, kBucketWidth);
   look_from_start();
-  run(0);
+  set_out();
+  leave_start();
+  run(0, kNoBudget);
   lengths.assign(graph.size(), kInfinity);
   for (std::uint32_t i = 0; i < graph.size(); ++i) {
     if (nodes_[i].stamp == stamp_) lengths[i] = nodes_[i].length;
@@ -250,7 +287,8 @@ void PreparedSearch::trace(std::vector<Point>& path) const {
 std::int64_t PreparedSearch::bytes() const noexcept {
   return nodes_size_ * static_cast<std::int64_t>(sizeof(Node)) + frontier_.bytes() +
          static_cast<std::int64_t>(stack_.capacity() * sizeof(kernels::Interval) +
-                                   goal_corners_.capacity() * sizeof(std::uint32_t));
+                                   (start_corners_.capacity() + goal_corners_.capacity()) *
+                                       sizeof(std::uint32_t));
 }
 
 }  // namespace lasius::exact

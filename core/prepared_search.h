@@ -13,7 +13,8 @@
 
 namespace lasius::exact {
 
-/// A* over the stored edges of a CornerGraph. Only what start and goal see is scanned. Keeps its
+/// A* over the stored edges of a CornerGraph. Only what start and goal see is scanned, the goal's
+/// view if the first few corners do not lead to it. Keeps its
 /// memory from search to search: 32 bytes for each corner of the graph, mapped where searches go.
 /// One thread at a time.
 ///
@@ -56,6 +57,11 @@ class PreparedSearch {
   };
   static_assert(sizeof(Node) == 32);
   static constexpr std::uint32_t kStart = ~std::uint32_t{0};  // as a parent
+  enum class Mode {
+    glance,  // corners are asked whether they see the goal; straight estimates
+    whole,   // the goal has told which corners see it
+    flood,   // there is no goal
+  };
   // The corner in hand: a lattice point, and the length of the path to it.
   struct Root {
     int x, y;
@@ -67,8 +73,11 @@ class PreparedSearch {
   void begin(const Grid& grid, const CornerGraph& graph, Cell start, Poller& poller);
   void look_from_goal();
   void look_from_start();
+  void set_out();
+  void leave_start();
   void measure_landmarks();
-  void run(double target_gap);
+  bool run(double target_gap, std::int64_t budget);
+  bool meets_goal(std::uint32_t index);
   std::int64_t expand(std::uint32_t index);
   std::int64_t expand_all(std::uint32_t index);
   void follow(std::uint32_t index, const Root& root, const GraphEdge& edge);
@@ -82,8 +91,8 @@ class PreparedSearch {
   const CornerGraph* graph_ = nullptr;
   Poller* poller_ = nullptr;
   kernels::HalfPoint start_{}, goal_{};
-  bool flooding_ = false;  // there is no goal
-  bool with_landmarks_ = false;
+  Mode mode_ = Mode::glance;
+  double straight_ = 0;  // distance from start to goal
   double lower_ = 0;
   double upper_ = 0;        // length of the best path
   std::uint32_t last_ = 0;  // its last corner
@@ -92,7 +101,7 @@ class PreparedSearch {
   ZeroArray<Node> nodes_;
   std::uint32_t nodes_size_ = 0;
   std::uint32_t stamp_ = 0;
-  std::vector<std::uint32_t> goal_corners_;  // in sight of the goal
+  std::vector<std::uint32_t> start_corners_, goal_corners_;  // in their sight
   Frontier frontier_;
   std::vector<kernels::Interval> stack_;
   std::int64_t expansions_ = 0;

@@ -222,7 +222,7 @@ TEST(CornerGraph, IsTheSameForAnyThreads) {
 
 TEST(CornerGraph, IsGivenUpWhereItWouldTakeTooMuch) {
   std::mt19937 random(7);
-  const Grid grid = random_grid(200, 200, 20, random);
+  const Grid grid = random_grid(120, 120, 20, random);
   Preparation whole;
   const Graph graph = CornerGraph::make(grid, {.threads = 2}, whole);
   ASSERT_NE(graph, nullptr);
@@ -246,7 +246,7 @@ TEST(CornerGraph, IsGivenUpWhereItWouldTakeTooMuch) {
 
 TEST(CornerGraph, IsGivenUpWhenStopped) {
   std::mt19937 random(8);
-  const Grid grid = random_grid(300, 300, 20, random);
+  const Grid grid = random_grid(160, 160, 20, random);
   const CountingTime counted(1 << 30);
   ASSERT_NE(graph_of(grid, {.threads = 1, .stop = counted.is_up()}), nullptr);
   ASSERT_GT(counted.polls(), 10);
