@@ -12,6 +12,7 @@
 
 namespace lasius::tool {
 
+/// All that a plan on a map was asked and found.
 struct Answer {
   Cell start{};
   Cell goal{};

@@ -12,7 +12,9 @@ namespace lasius::tool {
 /// Times at which a trajectory is told: every 1 / rate seconds, and its end.
 std::vector<double> sample_times(const arm::Trajectory& trajectory, double rate);
 
+/// Format lasius-arm-plan/1, keys in the order of the contract.
 Json arm_json(const ArmCommand& command, const ArmAnswer& answer);
+/// Status, length and the tip's path in metres, one lattice point a line.
 std::string arm_text(const ArmAnswer& answer);
 /// Header, and a row a sample: t, q1.., dq1.., ddq1.., x, y, z.
 std::string arm_csv(const ArmCommand& command, const ArmAnswer& answer);

@@ -7,6 +7,7 @@
 
 namespace lasius::tool {
 
+/// What is common to the results of all kinds of world.
 struct Outcome {
   Status status;
   int iterations;  ///< done

@@ -28,6 +28,7 @@ struct PreparedWorld {
 /// @throws Error for a file that is missing or broken, or leaves no free space.
 PreparedWorld prepare_world(const WorldOptions& options);
 
+/// All that a plan on a polygon world was asked and found.
 struct PolygonAnswer {
   polygon::Parameters parameters;
   Point start, goal;

@@ -13,6 +13,7 @@ namespace lasius::tool {
 Json polygon_json(const PreparedWorld& world, const PolygonCommand& command,
                   const PolygonAnswer& answer);
 
+/// Status, length and path, one vertex a line.
 std::string polygon_text(const PolygonAnswer& answer);
 
 }  // namespace lasius::tool
