@@ -6,6 +6,7 @@
 
 #include "field.h"
 #include "field_tile.h"
+#include "parallel.h"
 
 namespace lasius {
 namespace {
@@ -130,12 +131,10 @@ void Field::refresh(const StepWeights& weights, int threads) {
       least_ > 0 || weights.alpha != weights_.alpha || (weights.beta != weights_.beta && learned_);
   weights_ = weights;
   const int tiles = static_cast<int>(used_.size());
-#pragma omp parallel for schedule(dynamic) \
-    num_threads(threads) if (threads > 1 && tiles > kManyTiles)
-  for (int i = 0; i < tiles; ++i) {
+  parallel_for(tiles, tiles > kManyTiles ? threads : 1, [&](int i, int) {
     if (heuristic) fill_heuristic(*used_[i]);
     refresh_tile(*used_[i], touched, heuristic || all_stale_);
-  }
+  });
   all_stale_ = false;
   for (Tile* tile : used_) {
     if (!tile->any_changed) continue;

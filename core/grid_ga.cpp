@@ -1,9 +1,6 @@
 #include "grid_ga.h"
 
-#include <omp.h>
-
 #include <algorithm>
-#include <exception>
 #include <limits>
 #include <memory>
 
@@ -12,6 +9,7 @@
 #include "kernels/random_stream.h"
 #include "lasius/path.h"
 #include "loop_cutter.h"
+#include "parallel.h"
 #include "run_status.h"
 #include "straighten.h"
 #include "tauten.h"
@@ -100,21 +98,13 @@ class GridGa final : public Progress {
   /// stopped.
   template <class Draft>
   StopCondition::Cause make(std::vector<Individual>& group, const Draft& draft) {
-    std::exception_ptr error;
-#pragma omp parallel for schedule(dynamic) num_threads(threads_) if (threads_ > 1)
-    for (int i = 0; i < static_cast<int>(group.size()); ++i) {
-      try {
-        Scratch& scratch = *scratch_[omp_get_thread_num()];
-        Poller poller(request_.stop, Poller::kSteps);
-        scratch.draft.clear();
-        if (request_.stop.poll() == StopCondition::Cause::none) draft(scratch, i, poller);
-        finish(scratch, group[i]);
-      } catch (...) {  // none may leave the parallel region
-#pragma omp critical
-        error = std::current_exception();
-      }
-    }
-    if (error) std::rethrow_exception(error);
+    parallel_for(static_cast<int>(group.size()), threads_, [&](int i, int thread) {
+      Scratch& scratch = *scratch_[thread];
+      Poller poller(request_.stop, Poller::kSteps);
+      scratch.draft.clear();
+      if (request_.stop.poll() == StopCondition::Cause::none) draft(scratch, i, poller);
+      finish(scratch, group[i]);
+    });
     return request_.stop.poll();
   }
 

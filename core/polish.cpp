@@ -1,12 +1,10 @@
 #include "polish.h"
 
-#include <omp.h>
-
 #include <algorithm>
-#include <exception>
 #include <limits>
 
 #include "lasius/path.h"
+#include "parallel.h"
 
 namespace lasius {
 
@@ -20,28 +18,19 @@ void Polisher::reset(const Params& params, int threads) {
 
 void Polisher::polish(const Grid& grid, Cell start, const kernels::Moves& moves,
                       std::span<const Ant> ants, const StopCondition& stop) {
-  std::exception_ptr error;
-  const int threads = std::clamp(static_cast<int>(ants.size()) / 2, 1, threads_);
-#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1)
-  for (int a = 0; a < static_cast<int>(ants.size()); ++a) {
-    try {
-      polish_one(grid, start, moves, ants[a], stop, paths_[a]);
-    } catch (...) {  // none may leave the parallel region
-#pragma omp critical
-      error = std::current_exception();
-    }
-  }
-  if (error) std::rethrow_exception(error);
+  const auto count = static_cast<int>(ants.size());
+  parallel_for(count, std::clamp(count / 2, 1, threads_), [&](int a, int thread) {
+    polish_one(grid, start, moves, ants[a], stop, scratch_[thread], paths_[a]);
+  });
 }
 
 void Polisher::polish_one(const Grid& grid, Cell start, const kernels::Moves& moves, const Ant& ant,
-                          const StopCondition& stop, PolishedPath& path) {
+                          const StopCondition& stop, Scratch& scratch, PolishedPath& path) {
   path.points.clear();
   path.raster.clear();
   path.length = std::numeric_limits<double>::quiet_NaN();
   if (!ant.arrived) return;
 
-  Scratch& scratch = scratch_[omp_get_thread_num()];
   const bool straight = polish_ != Polish::none && stop.poll() == StopCondition::Cause::none;
   tour_cells(ant.tour(), moves, start, straight, scratch.tour);
   std::span<const Cell> vertices = scratch.tour;

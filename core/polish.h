@@ -16,8 +16,8 @@
 
 namespace lasius {
 
-/// One ant's path after polishing.
-struct PolishedPath {
+/// One ant's path after polishing. A cache line of its own: threads polish neighbours.
+struct alignas(64) PolishedPath {
   double length = 0;          // NaN where the ant did not arrive: never less than any other
   std::vector<Point> points;  // the polyline
   std::vector<Cell> raster;   // the cells under it; empty without polish
@@ -36,14 +36,14 @@ class Polisher {
   std::span<const PolishedPath> paths() const noexcept { return paths_; }
 
  private:
-  struct Scratch {  // of one thread
+  struct alignas(64) Scratch {  // of one thread
     std::vector<Cell> tour;
     LoopCutter cutter;
     Straightener straightener;
     Tautener tautener;
   };
   void polish_one(const Grid& grid, Cell start, const kernels::Moves& moves, const Ant& ant,
-                  const StopCondition& stop, PolishedPath& path);
+                  const StopCondition& stop, Scratch& scratch, PolishedPath& path);
 
   Polish polish_ = Polish::none;
   Corners corners_ = Corners::forbid;

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <exception>
 #include <new>
+
+#include "parallel.h"
 
 namespace lasius {
 
@@ -50,17 +51,8 @@ StopCondition::Cause Walkers::walk(const WalkWorld& world, kernels::WalkFn kerne
                                    std::span<Ant> ants, int first, const StopCondition& stop) {
   std::atomic<int> next{0};
   std::atomic<StopCondition::Cause> cause{StopCondition::Cause::none};
-  std::exception_ptr error;
-#pragma omp parallel for schedule(static, 1) num_threads(threads_) if (threads_ > 1)
-  for (int thread = 0; thread < threads_; ++thread) {
-    try {
-      work(teams_[thread], world, kernel, ants, first, next, cause, stop);
-    } catch (...) {  // none may leave the parallel region
-#pragma omp critical
-      error = std::current_exception();
-    }
-  }
-  if (error) std::rethrow_exception(error);
+  parallel_for(threads_, threads_,
+               [&](int i, int) { work(teams_[i], world, kernel, ants, first, next, cause, stop); });
   return cause;
 }
 
@@ -94,10 +86,7 @@ void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, s
     occupied[i] = ant < static_cast<int>(ants.size());
     if (!occupied[i]) return;
     WalkSlot& slot = slots[i];
-    slot = WalkSlot{};
-    slot.at = world.start;
-    slot.state = WalkState::walking;
-    slot.ant = static_cast<std::uint32_t>(first + ant);
+    slot.send(world.start, static_cast<std::uint32_t>(first + ant));
     numbers[i] = ant;
     slot.visited = VisitedPlane::over(team.slots[i].plane.get(), height_);
     slot.visited.mark(slot.at);

@@ -133,6 +133,17 @@ struct WalkSlot {
   /// Words to come; for a race (Draw::discard) their times at weight 1, as the bits of floats.
   alignas(32) std::array<std::uint32_t, kRandomWords> random;
 
+  /// A new ant sets out; the words left of the one before stay unread.
+  void send(PackedCell start, std::uint32_t number) noexcept {
+    at = start;
+    previous = kMaxMoves;
+    state = WalkState::walking;
+    ant = number;
+    move_count = dead_count = 0;
+    random_used = kRandomWords;
+    random_block = 0;
+  }
+
   /// Random words used: one a step (Draw::discard: one a move of the row), those taken back
   /// included.
   std::int64_t words_used() const noexcept {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
 
 #include "kernels/proportional.h"
 #include "kernels/random_stream.h"
+#include "parallel.h"
 
 namespace lasius::arm {
 
@@ -26,28 +26,16 @@ LatticeAnts::LatticeAnts(const Lattice& lattice, const LatticeTrail& trail,
 
 StopCondition::Cause LatticeAnts::walk(int iteration, std::span<LatticeAnt> ants,
                                        const StopCondition& stop) {
-  std::atomic<int> next{0};
   std::atomic<StopCondition::Cause> cause{StopCondition::Cause::none};
-  std::exception_ptr error;
-  const int threads = static_cast<int>(teams_.size());
-#pragma omp parallel for schedule(static, 1) num_threads(threads) if (threads > 1)
-  for (int thread = 0; thread < threads; ++thread) {
-    try {
-      for (int a = next++; a < static_cast<int>(ants.size()); a = next++) {
-        ants[a].arrived = false;
-        ants[a].moves.clear();
-        ants[a].steps = 0;
-        if (cause != StopCondition::Cause::none) continue;
-        const auto seen = walk_one(teams_[thread], iteration, a, ants[a], stop);
-        if (seen != StopCondition::Cause::none) cause = seen;
-      }
-    } catch (...) {  // none may leave the parallel region
-#pragma omp critical
-      error = std::current_exception();
-      next = static_cast<int>(ants.size());
-    }
-  }
-  if (error) std::rethrow_exception(error);
+  const auto count = static_cast<int>(ants.size());
+  parallel_for(count, static_cast<int>(teams_.size()), [&](int a, int thread) {
+    ants[a].arrived = false;
+    ants[a].moves.clear();
+    ants[a].steps = 0;
+    if (cause != StopCondition::Cause::none) return;
+    const auto seen = walk_one(teams_[thread], iteration, a, ants[a], stop);
+    if (seen != StopCondition::Cause::none) cause = seen;
+  });
   return cause;
 }
 

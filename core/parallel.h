@@ -1,0 +1,36 @@
+// Work over threads.
+#pragma once
+
+#include <omp.h>
+
+#include <atomic>
+#include <exception>
+
+namespace lasius {
+
+/// Calls body(i, thread) once for every i below `count`, on up to `threads` threads; `thread`, from
+/// 0, is the number of the one that calls. After a call that throws no other begins, and its
+/// exception is thrown on.
+template <class Body>
+void parallel_for(int count, int threads, const Body& body) {
+  if (threads <= 1 || count <= 1) {  // a team of one would cost more than a short walk
+    for (int i = 0; i < count; ++i) body(i, 0);
+    return;
+  }
+  std::exception_ptr error;
+  std::atomic<bool> failed{false};
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+  for (int i = 0; i < count; ++i) {
+    if (failed) continue;
+    try {
+      body(i, omp_get_thread_num());
+    } catch (...) {  // none may leave the parallel region
+#pragma omp critical
+      error = std::current_exception();
+      failed = true;
+    }
+  }
+  if (error) std::rethrow_exception(error);
+}
+
+}  // namespace lasius
