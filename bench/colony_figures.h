@@ -23,8 +23,8 @@ const Course& fan_course();
 /// neighbours and `fan2004`, in turns; medians over the rounds.
 std::vector<Figure> measure_steps(int rounds);
 
-/// Ant steps a second in unpolished plans of every colony, as a ratio to fan2004's in the same
-/// round.
+/// Ant steps a second of every colony, in walks alone and in unpolished plans, as a ratio to
+/// fan2004's in the same round.
 std::vector<Figure> measure_variants(int rounds);
 
 /// fan2004 with 64 ants on one thread and on two, in turns, and whether they answer alike.

@@ -8,7 +8,9 @@
 #include "bench/statistics.h"
 #include "kernel_choice.h"
 #include "lasius/map_io.h"
+#include "move_rule.h"
 #include "schedule.h"
+#include "walk_setup.h"
 #include "workspace.h"
 
 namespace lasius::bench {
@@ -35,21 +37,23 @@ double ceiling_rate(peers::RowCeiling::Path path, int walkers) {
   return sum == 0 ? 0 : rate;  // the sum keeps the walk from being optimised away
 }
 
-// The walks of `as` alone, tabu and tracks included, on its first rows of weights.
+// The walks of a colony alone, tabu and tracks included, on its first rows of weights.
 class WalkOnly {
  public:
-  WalkOnly() {
+  explicit WalkOnly(std::string_view algorithm, int ants = kAnts) : ants_(ants) {
     const Course& c = fan_course();
-    params_.ants = kAnts;
-    const kernels::Moves moves = kernels::moves_of(kernels::Neighbourhood::eight);
-    field_.reset(c.grid, moves, c.goal, params_, 1, {});
-    field_.refresh(schedule(params_, 0), 1);
+    Params params = defaults(algorithm);
+    params.ants = ants;
+    const kernels::Moves moves = moves_of(params.neighbours);
+    const StepWeights weights = schedule(params, 0);
+    field_.reset(c.grid, moves, c.goal, params, kFirstPheromone, {});
+    field_.refresh(weights, 1);
+    const kernels::WalkShape shape = walk_shape(params, moves, field_.mixture());
+    world_ = walk_world(params, moves, c.start, c.goal);
+    set_iteration(world_, params, moves, shape, weights, 0);
     field_.fill(world_);
-    for (int k = 0; k < moves.count; ++k) world_.set_move(k, moves[k].to);
-    world_.start = kernels::pack(c.start.x, c.start.y);
-    world_.goal = kernels::pack(c.goal.x, c.goal.y);
-    walkers_.reset(c.grid.width(), c.grid.height(), 1, kAnts);
-    kernel_ = kernels::walk_table(chosen_isa()).walk[kernels::WalkShape{.lanes = 8}.index()];
+    walkers_.reset(c.grid.width(), c.grid.height(), 1, ants);
+    kernel_ = kernels::walk_table(chosen_isa()).walk[shape.index()];
   }
 
   double rate(int round) {
@@ -64,12 +68,13 @@ class WalkOnly {
   }
 
  private:
-  Params params_ = defaults("as");
+  static constexpr double kFirstPheromone = 1;
+
   Field field_;
   kernels::WalkWorld world_;
   Walkers walkers_;
   kernels::WalkFn kernel_ = nullptr;
-  std::vector<Ant> ants_ = std::vector<Ant>(kAnts);
+  std::vector<Ant> ants_;
 };
 
 // Whole plans on one thread: walks, updates, straightening. Colonies of one ant send as many ants,
@@ -112,7 +117,7 @@ const Course& fan_course() {
 std::vector<Figure> measure_steps(int rounds) {
   using Path = peers::RowCeiling::Path;
   const Planner planner(fan_course().grid);
-  WalkOnly walk;
+  WalkOnly walk("as");
   struct Subject {
     std::string name;
     std::function<double(int)> rate;
@@ -150,21 +155,32 @@ std::vector<Figure> measure_steps(int rounds) {
 
 std::vector<Figure> measure_variants(int rounds) {
   const Planner planner(fan_course().grid);
+  WalkOnly flagship("fan2004"), lone_flagship("fan2004", 1);
   std::vector<Figure> figures;
   for (const Algorithm& algorithm : algorithms()) {
     if (algorithm.name == "exact" || algorithm.name == "grid-ga") continue;
     // Ants that go one at a time are set against the flagship's ants, one at a time.
     const Params usual = defaults(algorithm.name);
-    const int batch = usual.batch == 1 || usual.ants == 1 ? 1 : 0;
-    std::vector<double> rates, ratios;
+    const bool alone = usual.batch == 1 || usual.ants == 1;
+    WalkOnly walk(algorithm.name, alone ? 1 : kAnts);
+    std::vector<double> walks, walk_ratios, plans, plan_ratios;
     for (int round = 1; round <= rounds; ++round) {
-      const double flagship = variant_rate(planner, "fan2004", batch, round);
-      rates.push_back(variant_rate(planner, algorithm.name, batch, round));
-      ratios.push_back(flagship / rates.back());
+      const double best_walk = (alone ? lone_flagship : flagship).rate(round);
+      walks.push_back(walk.rate(round));
+      walk_ratios.push_back(best_walk / walks.back());
+      const int batch = alone ? 1 : 0;
+      const double best_plan = variant_rate(planner, "fan2004", batch, round);
+      plans.push_back(variant_rate(planner, algorithm.name, batch, round));
+      plan_ratios.push_back(best_plan / plans.back());
     }
-    figures.push_back({"fan2004 / `" + std::string(algorithm.name) + "`, steps/s of plans (" +
-                           short_number(median(rates) / 1e6) + " M)",
-                       short_number(median(ratios)), "<= 2"});
+    const auto add = [&](const std::string& what, const std::vector<double>& rates,
+                         const std::vector<double>& ratios) {
+      figures.push_back({"fan2004 / `" + std::string(algorithm.name) + "`, steps/s of " + what +
+                             " (" + short_number(median(rates) / 1e6) + " M)",
+                         short_number(median(ratios)), "<= 2"});
+    };
+    add("walks", walks, walk_ratios);
+    add("plans", plans, plan_ratios);
   }
   return figures;
 }

@@ -4,25 +4,22 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <span>
 #include <utility>
 
 #include "colony_loop.h"
 #include "kernel_choice.h"
-#include "kernels/power.h"
 #include "lasius/path.h"
 #include "move_rule.h"
 #include "polish.h"
 #include "run_status.h"
 #include "schedule.h"
 #include "update.h"
+#include "walk_setup.h"
 #include "workspace.h"
 
 namespace lasius {
 namespace {
-
-using kernels::WalkWorld;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -67,14 +64,9 @@ class GridColony final : public ColonyWorld {
     ws_.polisher.reset(params, threads_);
     ws_.ants.resize(params.ants);
     ws_.tours.resize(params.ants);
-    shape_ = {.lanes = moves_.count,
-              .mixture = ws_.field.mixture(),
-              .factor = params.visibility != Visibility::none && moves_.count > 4,
-              .draw = params.selection == Selection::roulette ? kernels::Draw::roulette
-                                                              : kernels::Draw::discard};
-    if (params.visibility == Visibility::heading_change) shape_.factor = true;
+    shape_ = walk_shape(params, moves_, ws_.field.mixture());
     kernel_ = kernels::walk_table(chosen_isa()).walk[shape_.index()];
-    world_ = make_world();
+    world_ = walk_world(params, moves_, request.start, request.goal);
   }
 
   Result run() {
@@ -88,7 +80,7 @@ class GridColony final : public ColonyWorld {
   /// Sends all ants, batch by batch, and measures their tours.
   StopCondition::Cause send_ants(int q) override {
     const StepWeights weights = schedule(params_, q);
-    spin_wheel(weights, q);
+    set_iteration(world_, params_, moves_, shape_, weights, q);
     for (Ant& ant : ws_.ants) ant.arrived = false;
     const int batch = params_.batch > 0 ? params_.batch : params_.ants;
     for (int first = 0; first < params_.ants; first += batch) {
@@ -158,16 +150,6 @@ class GridColony final : public ColonyWorld {
     return params_.unknown_index * std::max(grid_.width(), grid_.height()) / 20;
   }
 
-  WalkWorld make_world() const {
-    WalkWorld world;
-    for (int k = 0; k < moves_.count; ++k) world.set_move(k, moves_[k].to);
-    world.start = kernels::pack(request_.start.x, request_.start.y);
-    world.goal = kernels::pack(request_.goal.x, request_.goal.y);
-    world.backtrack = params_.dead_end == DeadEnd::backtrack;
-    world.seed = params_.seed;
-    return world;
-  }
-
   void measure(int ant) {
     const auto tour = ws_.ants[ant].tour();
     ws_.tours[ant] = {tour, ws_.ants[ant].arrived ? raw_length(tour, moves_) : kNaN};
@@ -185,40 +167,6 @@ class GridColony final : public ColonyWorld {
             .iteration = q,
             .rows = grid_.height(),
             .ranking = ws_.ranking};
-  }
-
-  /// Hands an iteration's shares of the rules and factors of the moves to the walk.
-  void spin_wheel(const StepWeights& weights, int q) {
-    world_.iteration = static_cast<std::uint32_t>(q);
-    double drawn = 0;  // shares of the rules that draw
-    for (int r = kernels::kPheromoneRule; r < kernels::kRules; ++r) drawn += weights.rule_shares[r];
-    double before = 0;
-    for (int r = 0; r < kernels::kRules; ++r) {
-      const double share = r == kernels::kGreedyRule
-                               ? params_.greedy
-                               : weights.rule_shares[r] / drawn * (1 - params_.greedy);
-      world_.rule_start[r] = static_cast<std::uint64_t>(std::ceil(before * 0x1p32));
-      world_.rule_scale[r] = share > 0 ? static_cast<float>(1 / (share * 0x1p32)) : 0.0f;
-      before += share;
-    }
-    if (!shape_.factor) return;
-    for (int previous = 0; previous <= kernels::kMaxMoves; ++previous) {
-      for (int k = 0; k < moves_.count; ++k) {
-        world_.factor[previous][k] = move_factor(previous, k, weights.beta);
-      }
-    }
-  }
-
-  float move_factor(int previous, int k, double beta) const {
-    if (params_.visibility == Visibility::inverse_step) {
-      return static_cast<float>(kernels::power(moves_[k].length, -beta));
-    }
-    if (previous >= moves_.count) return 1;
-    const auto from = moves_[previous].to, to = moves_[k].to;
-    const int cross = from.dx * to.dy - from.dy * to.dx, dot = from.dx * to.dx + from.dy * to.dy;
-    if (cross == 0 && dot < 0) return 0;  // straight back
-    const double turn = kernels::angle_between(from.dx, from.dy, to.dx, to.dy);
-    return static_cast<float>(kernels::power(1 + turn / (std::numbers::pi / 4), -beta));
   }
 
   /// The generation's answer as one more ant.
@@ -281,7 +229,7 @@ class GridColony final : public ColonyWorld {
   double tau0_;
   kernels::WalkShape shape_;
   kernels::WalkFn kernel_ = nullptr;
-  WalkWorld world_;
+  kernels::WalkWorld world_;
 
   std::vector<std::uint8_t> best_moves_;  // the best tour so far, as it was walked
   double best_tour_length_ = 0;
