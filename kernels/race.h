@@ -1,7 +1,6 @@
-// The discard roulette as a race of exponential times.
+// Exponential times for the discard roulette, which is a race.
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -24,24 +23,6 @@ namespace lasius::kernels {
   p = p * z + 1.0f / 3;
   p = p * z + 1.0f;
   return (25.0f - exponent) - p * s * 2.885390082f;  // 2 / ln 2
-}
-
-/// The times of the moves of a row: a move of weight w that runs takes its time at weight 1,
-/// minus_log2 of its random word, divided by w; the others get -1. `factor` is read with kFactor
-/// only.
-template <int kLanes, bool kFactor>
-[[gnu::always_inline]] inline void race_times(const float* row, const float* factor,
-                                              std::uint32_t open, const float* at_weight_one,
-                                              float* time) noexcept {
-  for (int k = 0; k < kLanes; ++k) {
-    const float weight = kFactor ? row[k] * factor[k] : row[k];
-    const float finish = at_weight_one[k] / weight;
-    // A choice by bits: one by `?:` would keep the division from being vectorised.
-    const std::uint32_t runs = -static_cast<std::uint32_t>(weight > 0) & -(open >> k & 1);
-    const auto bits = (std::bit_cast<std::uint32_t>(finish) & runs) |
-                      (std::bit_cast<std::uint32_t>(-1.0f) & ~runs);
-    time[k] = std::bit_cast<float>(bits);
-  }
 }
 
 }  // namespace lasius::kernels

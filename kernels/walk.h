@@ -114,7 +114,7 @@ enum class WalkState : std::uint32_t { walking, arrived, lost };
 /// One ant under way. Random word n of ant a in iteration q is word n % 4 of Philox4x32-10 with
 /// key = seed and counter (n / 4, a, q, 0).
 struct WalkSlot {
-  static constexpr int kRandomWords = 32;
+  static constexpr int kRandomWords = 64;
 
   PackedCell at = 0;
   std::uint32_t previous = kMaxMoves;  ///< with factors, the last move; kMaxMoves at the start
@@ -131,7 +131,7 @@ struct WalkSlot {
   std::uint32_t random_used = kRandomWords;
   std::uint32_t random_block = 0;  ///< next Philox counter
   /// Words to come; for a race (Draw::discard) their times at weight 1, as the bits of floats.
-  alignas(32) std::array<std::uint32_t, kRandomWords> random;
+  alignas(64) std::array<std::uint32_t, kRandomWords> random;
 
   /// A new ant sets out; the words left of the one before stay unread.
   void send(PackedCell start, std::uint32_t number) noexcept {

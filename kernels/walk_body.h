@@ -1,8 +1,7 @@
 // The walk, written once and compiled for each instruction set. The including file defines
 //   LASIUS_TARGET  the function attribute of its instruction set (may be empty)
-//   LASIUS_OPS     a struct with `roulette<lanes, mixture, factor>`, `largest`, `without_centre`
-//   and
-//                  `bits_at`
+//   LASIUS_OPS     a struct with `roulette<lanes, mixture, factor>`, `race<lanes, factor>`,
+//                  `without_centre` and `bits_at`
 // and gets the table of its kernels as `kTable` in an unnamed namespace.
 
 #include <Random123/philox.h>
@@ -54,19 +53,10 @@ struct Walk {
     if constexpr (kDraw == Draw::discard) {
       float at_weight_one[kLanes];
       for (int k = 0; k < kLanes; ++k) at_weight_one[k] = minus_log2(random[k]);
-      return race(world, row, open, previous, at_weight_one);
+      return LASIUS_OPS::race<kLanes, kFactor>(world, row, open, previous, at_weight_one);
     } else {
       return LASIUS_OPS::roulette<kLanes, kMixture, kFactor>(world, row, open, previous, *random);
     }
-  }
-
-  LASIUS_TARGET [[gnu::always_inline]] static int race(const WalkWorld& world, const float* row,
-                                                       std::uint32_t open, std::uint32_t previous,
-                                                       const float* at_weight_one) noexcept {
-    const float* factor = kFactor ? world.factor[previous].data() : nullptr;
-    alignas(32) float time[kLanes];
-    race_times<kLanes, kFactor>(row, factor, open, at_weight_one, time);
-    return LASIUS_OPS::largest<kLanes>(time);
   }
 
   /// Bit k set where move k leads to a cell that the ant has not entered.
@@ -154,7 +144,7 @@ struct Walk {
         std::memcpy(at_weight_one + k, slot.random.data() + slot.random_used, kRun * sizeof(float));
         slot.random_used += kRun;
       }
-      move = race(world, row, open, slot.previous, at_weight_one);
+      move = LASIUS_OPS::race<kLanes, kFactor>(world, row, open, slot.previous, at_weight_one);
     } else {
       if (slot.random_used == WalkSlot::kRandomWords) refill<kDraw>(world, slot);
       const std::uint32_t random = slot.random[slot.random_used++];

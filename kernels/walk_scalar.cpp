@@ -64,14 +64,21 @@ struct ScalarOps {
     return last;
   }
 
-  /// The largest of some numbers, the first of equals; -1 when none is at least 0.
-  template <int kLanes>
-  static int largest(const float* values) noexcept {
-    int best = -1;
+  /// The move that runs longest, the first of equals: a time at weight 1 divided by the weight.
+  template <int kLanes, bool kFactor>
+  static int race(const WalkWorld& world, const float* row, std::uint32_t open,
+                  std::uint32_t previous, const float* at_weight_one) noexcept {
+    int last = -1;
+    float longest = 0;
     for (int k = 0; k < kLanes; ++k) {
-      if (values[k] >= 0 && (best < 0 || values[k] > values[best])) best = k;
+      const float weight = kFactor ? row[k] * world.factor[previous][k] : row[k];
+      if ((open >> k & 1) == 0 || !(weight > 0)) continue;
+      const float time = at_weight_one[k] / weight;
+      if (last >= 0 && !(time > longest)) continue;
+      last = k;
+      longest = time;
     }
-    return best;
+    return last;
   }
 
   /// The nine bits of 3 x 3 cells without the middle one.

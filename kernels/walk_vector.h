@@ -4,6 +4,8 @@
 
 #include <immintrin.h>
 
+#include <limits>
+
 #include "kernels/walk.h"
 
 namespace lasius::kernels {
@@ -23,13 +25,23 @@ struct Row<4> {
 #if LASIUS_MASKS
     return _mm_maskz_mov_ps(static_cast<__mmask8>(open), v);
 #else
-    const __m128i bit = _mm_setr_epi32(1, 2, 4, 8);
-    const __m128i on = _mm_and_si128(_mm_set1_epi32(static_cast<int>(open)), bit);
-    return _mm_and_ps(v, _mm_castsi128_ps(_mm_cmpeq_epi32(on, bit)));
+    return _mm_and_ps(v, spread(open));
 #endif
   }
   LASIUS_TARGET [[gnu::always_inline]] static V times(V a, V b) noexcept {
     return _mm_mul_ps(a, b);
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V over(V a, V b) noexcept { return _mm_div_ps(a, b); }
+  LASIUS_TARGET [[gnu::always_inline]] static V load_any(const float* p) noexcept {
+    return _mm_loadu_ps(p);
+  }
+  /// v where the bits are set, else `other`.
+  LASIUS_TARGET [[gnu::always_inline]] static V choose(V v, std::uint32_t bits, V other) noexcept {
+#if LASIUS_MASKS
+    return _mm_mask_mov_ps(other, static_cast<__mmask8>(bits), v);
+#else
+    return _mm_blendv_ps(other, v, spread(bits));
+#endif
   }
   /// b where the mask's bits are set, else a.
   LASIUS_TARGET [[gnu::always_inline]] static V blend(V a, V b, int mask) noexcept {
@@ -60,6 +72,14 @@ struct Row<4> {
   }
 
  private:
+#if !LASIUS_MASKS
+  /// All bits of lane k set where bit k is.
+  LASIUS_TARGET [[gnu::always_inline]] static V spread(std::uint32_t bits) noexcept {
+    const __m128i bit = _mm_setr_epi32(1, 2, 4, 8);
+    const __m128i on = _mm_and_si128(_mm_set1_epi32(static_cast<int>(bits)), bit);
+    return _mm_castsi128_ps(_mm_cmpeq_epi32(on, bit));
+  }
+#endif
   template <int kBytes>
   LASIUS_TARGET [[gnu::always_inline]] static V shifted(V v) noexcept {
     return _mm_castsi128_ps(_mm_slli_si128(_mm_castps_si128(v), kBytes));
@@ -76,13 +96,25 @@ struct Row<8> {
 #if LASIUS_MASKS
     return _mm256_maskz_mov_ps(static_cast<__mmask8>(open), v);
 #else
-    const __m256i bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
-    const __m256i on = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(open)), bit);
-    return _mm256_and_ps(v, _mm256_castsi256_ps(_mm256_cmpeq_epi32(on, bit)));
+    return _mm256_and_ps(v, spread(open));
 #endif
   }
   LASIUS_TARGET [[gnu::always_inline]] static V times(V a, V b) noexcept {
     return _mm256_mul_ps(a, b);
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V over(V a, V b) noexcept {
+    return _mm256_div_ps(a, b);
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static V load_any(const float* p) noexcept {
+    return _mm256_loadu_ps(p);
+  }
+  /// v where the bits are set, else `other`.
+  LASIUS_TARGET [[gnu::always_inline]] static V choose(V v, std::uint32_t bits, V other) noexcept {
+#if LASIUS_MASKS
+    return _mm256_mask_mov_ps(other, static_cast<__mmask8>(bits), v);
+#else
+    return _mm256_blendv_ps(other, v, spread(bits));
+#endif
   }
   LASIUS_TARGET [[gnu::always_inline]] static V blend(V a, V b, int mask) noexcept {
     return _mm256_blendv_ps(a, b, _mm256_castsi256_ps(_mm256_set1_epi32(mask)));
@@ -117,6 +149,14 @@ struct Row<8> {
   }
 
  private:
+#if !LASIUS_MASKS
+  /// All bits of lane k set where bit k is.
+  LASIUS_TARGET [[gnu::always_inline]] static V spread(std::uint32_t bits) noexcept {
+    const __m256i bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+    const __m256i on = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(bits)), bit);
+    return _mm256_castsi256_ps(_mm256_cmpeq_epi32(on, bit));
+  }
+#endif
   template <int kBytes>
   LASIUS_TARGET [[gnu::always_inline]] static V shifted(V v) noexcept {
     return _mm256_castsi256_ps(_mm256_slli_si256(_mm256_castps_si256(v), kBytes));
@@ -184,18 +224,35 @@ struct VectorOps {
     return __builtin_ctz(hit);
   }
 
-  template <int kLanes>
-  LASIUS_TARGET [[gnu::always_inline]] static int largest(const float* values) noexcept {
+  /// As ScalarOps::race.
+  template <int kLanes, bool kFactor>
+  LASIUS_TARGET [[gnu::always_inline]] static int race(const WalkWorld& world, const float* row,
+                                                       std::uint32_t open, std::uint32_t previous,
+                                                       const float* at_weight_one) noexcept {
     constexpr int kWidth = kLanes == 4 ? 4 : 8;
+    constexpr int kParts = kLanes / kWidth;
     using R = Row<kWidth>;
-    auto most = R::load(values);
-    for (int k = kWidth; k < kLanes; k += kWidth) most = R::larger(most, R::load(values + k));
-    most = R::largest(most);
-    if (R::less(most, R::all(0)) != 0) [[unlikely]]
+    typename R::V time[kParts];
+    std::uint32_t running = 0;
+    const auto stopped = R::all(-std::numeric_limits<float>::infinity());
+    auto longest = stopped;
+    for (int part = 0; part < kParts; ++part) {
+      const int k = part * kWidth;
+      auto weight = R::load(row + k);
+      if constexpr (kFactor) weight = R::times(weight, R::load(world.factor[previous].data() + k));
+      const std::uint32_t runs = R::less(R::all(0), weight) & open >> k;
+      time[part] = R::choose(R::over(R::load_any(at_weight_one + k), weight), runs, stopped);
+      longest = R::larger(longest, time[part]);
+      running |= runs << k;
+    }
+    if (running == 0) [[unlikely]]
       return -1;
+    longest = R::largest(longest);
     std::uint32_t below = 0;
-    for (int k = 0; k < kLanes; k += kWidth) below |= R::less(R::load(values + k), most) << k;
-    return __builtin_ctz(~below);
+    for (int part = 0; part < kParts; ++part) {
+      below |= R::less(time[part], longest) << (part * kWidth);
+    }
+    return __builtin_ctz(running & ~below);
   }
 
   LASIUS_TARGET [[gnu::always_inline]] static std::uint32_t without_centre(
