@@ -8,10 +8,10 @@
 #include <exception>
 #include <mutex>
 
+#include "corner_view.h"
 #include "grid_view.h"
 #include "kernels/sight.h"
 #include "place_landmarks.h"
-#include "whole_view.h"
 
 namespace lasius::exact {
 namespace {
@@ -81,6 +81,7 @@ class CornerGraph::Builder {
     if (too_large_ || stopped_) return nullptr;
     graph_->landmarks_ = place_landmarks(grid, *graph_, threads_, options_.stop);
     if (options_.stop.poll() != StopCondition::Cause::none) return nullptr;
+    graph_->detour_ = measure_detour(*graph_);
     report.state = Preparation::State::ready;
     report.edges = edges_;
     report.bytes = graph_->bytes();

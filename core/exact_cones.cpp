@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ellipse_limits.h"
 #include "exact.h"
 #include "kernels/scan_line.h"
 #include "kernels/sight.h"
@@ -98,35 +99,11 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
   return -1;
 }
 
-// The part of the map where a path over the root in hand can be shorter than the horizon: the box
-// and the strip around the ellipse of points p with length + |root p| + |p goal| < horizon.
+// Where a path over the root in hand can be shorter than the horizon.
 template <int S>
 ConeLimits ExactSearch::limits(int down, int line0) const noexcept {
-  constexpr double kOne = static_cast<double>(kernels::kOne);
-  ConeLimits limits = kernels::whole_map<S>(map_, down > 0 ? map_.height - line0 : line0);
-  if (horizon_ == kInfinity) return limits;
-  const double dx = 0.25 * (goal_x_ - root_.x);  // from the root to the middle of the ellipse
-  const double dy = 0.25 * (goal_y_ - root_.y);
-  const double sum = 0.5 * (horizon_ - root_.length);  // long half axis
-  const double minor = std::max(0.0, sum * sum - dx * dx - dy * dy);
-  const double right = S * (0.5 * root_.x + dx) + std::sqrt(minor + dx * dx);
-  const double depth = down * dy + std::sqrt(minor + dy * dy);
-  constexpr int kSpare = 2;  // rounding, and the column that a scan may leave out
-  limits.last_column =
-      std::min(limits.last_column, static_cast<int>(std::floor(right)) + 1 + kSpare);
-  limits.last_line = std::min(limits.last_line, static_cast<int>(depth) + kSpare);
-  // The strip along the long axis, where it fits the fixed point: its edges touch the ellipse at
-  // the ends of the short axis.
-  const double slope = S * dx / (down * dy);
-  const double half = std::sqrt(minor * (1 + slope * slope)) + kSpare;
-  if (std::abs(slope) * (limits.last_line + 1) + half < 0.5 * kernels::kAllColumns) {
-    const double middle = slope * 0.5 * (root_.y & 1);
-    const Fixed root = Fixed{S} * root_.x * (kernels::kOne / 2);
-    limits.slope = static_cast<Fixed>(slope * kOne);
-    limits.left0 = root + static_cast<Fixed>((middle - half) * kOne);
-    limits.right0 = root + static_cast<Fixed>((middle + half) * kOne);
-  }
-  return limits;
+  const exact::Ellipse ellipse{{root_.x, root_.y}, {goal_x_, goal_y_}, horizon_ - root_.length};
+  return exact::limits_around<S>(map_, ellipse, down, line0);
 }
 
 // Is the goal where a taut path over this corner may go straight to it?

@@ -6,10 +6,10 @@
 #include <mutex>
 
 #include "corner_graph.h"
+#include "corner_view.h"
 #include "grid_view.h"
 #include "kernels/sight.h"
 #include "prepared_search.h"
-#include "whole_view.h"
 
 namespace lasius::exact {
 namespace {
@@ -159,6 +159,27 @@ class LookAcross {
 };
 
 }  // namespace
+
+double measure_detour(const CornerGraph& graph) {
+  constexpr std::uint32_t kCorners = 8192;  // looked at
+  constexpr double kNear = 16;              // cells: too near to tell
+  const std::uint32_t step = std::max<std::uint32_t>(1, graph.size() / kCorners);
+  std::vector<double> ratios;
+  for (std::uint32_t v = 0; v < graph.size(); v += step) {
+    const GraphCorner& corner = graph.corner(v);
+    const Landmarks::Distances& distances = graph.landmarks().distances(v);
+    for (std::size_t i = 0; i < graph.landmarks().cells().size(); ++i) {
+      const Cell at = graph.landmarks().cells()[i];
+      const double straight =
+          exact::distance(2 * corner.x(), 2 * corner.y(), 2 * at.x + 1, 2 * at.y + 1);
+      if (straight >= kNear && !std::isnan(distances[i])) ratios.push_back(distances[i] / straight);
+    }
+  }
+  if (ratios.empty()) return std::numeric_limits<double>::infinity();
+  const auto most = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() * 9 / 10);
+  std::nth_element(ratios.begin(), most, ratios.end());
+  return *most;
+}
 
 Landmarks place_landmarks(const Grid& grid, const CornerGraph& graph, int threads,
                           const StopCondition& stop) {

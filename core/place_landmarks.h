@@ -20,4 +20,7 @@ class CornerGraph;
 Landmarks place_landmarks(const Grid& grid, const CornerGraph& graph, int threads,
                           const StopCondition& stop);
 
+/// See CornerGraph::detour.
+double measure_detour(const CornerGraph& graph);
+
 }  // namespace lasius::exact

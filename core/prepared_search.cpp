@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "corner_view.h"
 #include "grid_view.h"
 #include "kernels/sight.h"
-#include "whole_view.h"
 
 namespace lasius::exact {
 
@@ -23,7 +23,10 @@ constexpr std::int64_t kWordsPerExpansion = 4;
 // Expansions before a search takes a look from the goal: many short ones end earlier.
 constexpr std::int64_t kGlance = 4;
 constexpr std::int64_t kNoBudget = std::numeric_limits<std::int64_t>::max();
-constexpr std::uint32_t kLastStamp = std::numeric_limits<std::uint32_t>::max() - 2;
+// How much longer than straight a path may be for a search to keep near the straight line at first.
+constexpr double kMostDetour = 1.01;
+constexpr double kNearby = 2;  // cells; short queries leave the line by more
+constexpr std::uint32_t kLastStamp = std::numeric_limits<std::uint32_t>::max() - 3;
 
 kernels::HalfPoint half(Cell c) noexcept { return {2 * c.x + 1, 2 * c.y + 1}; }
 
@@ -47,6 +50,7 @@ void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Cell star
   graph_ = &graph;
   poller_ = &poller;
   start_ = half(start);
+  mode_ = Mode::glance;
   expansions_ = 0;
   if (nodes_size_ < graph.size() || stamp_ > kLastStamp) {
     nodes_size_ = std::max(nodes_size_, graph.size());
@@ -60,19 +64,21 @@ void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Cell star
 void PreparedSearch::look_from_goal() {
   goal_corners_.clear();
   const auto found = [this](int x, int y) {
+    const double to_goal = distance(goal_, x, y);
+    if (distance(start_, x, y) + to_goal > horizon_) return;
     const std::uint32_t index = graph_->index(x, y);
-    nodes_[index] = {kInfinity, distance(goal_, x, y), kStart, stamp_, kColumn, true, false};
+    nodes_[index] = {kInfinity, to_goal, kStart, stamp_, kColumn, true, false};
     goal_corners_.push_back(index);
   };
   Sink<decltype(found)> sink{found, *poller_};
-  view_from_centre(map_, goal_.x, goal_.y, stack_, sink);
+  view_from_centre(map_, {goal_, start_, horizon_}, stack_, sink);
 }
 
 void PreparedSearch::look_from_start() {
   start_corners_.clear();
   const auto found = [this](int x, int y) { start_corners_.push_back(graph_->index(x, y)); };
   Sink<decltype(found)> sink{found, *poller_};
-  view_from_centre(map_, start_.x, start_.y, stack_, sink);
+  view_from_centre(map_, {start_, goal_, horizon_}, stack_, sink);
 }
 
 // Forgets what was reached.
@@ -86,7 +92,9 @@ void PreparedSearch::leave_start() {
   for (const std::uint32_t index : start_corners_) {
     const GraphCorner& corner = graph_->corner(index);
     const int x = corner.x(), y = corner.y();
-    reach(kStart, distance(start_, x, y), index, x, y, corner.side_from(start_.x, start_.y));
+    const double length = distance(start_, x, y);
+    if (too_long(length, x, y)) continue;
+    reach(kStart, length, index, x, y, corner.side_from(start_.x, start_.y));
   }
 }
 
@@ -115,8 +123,13 @@ void PreparedSearch::measure_landmarks() {
 double PreparedSearch::estimate(std::uint32_t index, int x, int y) const noexcept {
   if (mode_ == Mode::flood) return 0;
   const double straight = distance(goal_, x, y);
-  if (mode_ == Mode::glance || graph_->landmarks().empty()) return straight;
+  if (mode_ != Mode::whole || graph_->landmarks().empty()) return straight;
   return std::max(straight, graph_->landmarks().bound(index, goal_distances_));
+}
+
+// Is every path behind the horizon that comes to lattice point (x, y) with this length?
+bool PreparedSearch::too_long(double length, int x, int y) const noexcept {
+  return mode_ == Mode::near && length + distance(goal_, x, y) > horizon_;
 }
 
 // A corner at lattice point (x, y), by a way of this length.
@@ -146,7 +159,9 @@ void PreparedSearch::reach(std::uint32_t parent, double length, std::uint32_t in
 
 void PreparedSearch::follow(std::uint32_t index, const Root& root, const GraphEdge& edge) {
   const double x = edge.x - root.x, y = edge.y - root.y;
-  reach(index, root.length + std::sqrt(x * x + y * y), edge.to(), edge.x, edge.y, edge.side());
+  const double length = root.length + std::sqrt(x * x + y * y);
+  if (too_long(length, edge.x, edge.y)) return;
+  reach(index, length, edge.to(), edge.x, edge.y, edge.side());
 }
 
 // Returns the work done.
@@ -159,13 +174,16 @@ std::int64_t PreparedSearch::expand(std::uint32_t index) {
   const kernels::HalfPoint parent = place(node.parent);
   const std::int64_t onward_x = 2 * root.x - parent.x, onward_y = 2 * root.y - parent.y;
   const int bend = corner.bend(node.side);
-  // What is followed is known before the nodes are: their loads go side by side.
   const auto edges = graph_->edges(index, node.side);
+  // What is followed is known before the nodes are: their loads go side by side. Near the straight
+  // line few edges lead to a node.
+  const bool fetch = mode_ != Mode::near;
   std::size_t taut = 0;
   for (; taut < edges.size(); ++taut) {
     const GraphEdge& edge = edges[taut];
     const std::int64_t turn = onward_x * (edge.y - root.y) - onward_y * (edge.x - root.x);
     if (turn * bend < 0) break;
+    if (!fetch) continue;
     __builtin_prefetch(nodes_.at(edge.to()));
     graph_->landmarks().prefetch(edge.to());
   }
@@ -196,7 +214,7 @@ bool PreparedSearch::next_corner(std::uint32_t& index) {
     const Node& node = nodes_[index];
     if (!node.expanded && node.length + node.to_goal < upper_) return true;
   }
-  lower_ = upper_;
+  lower_ = std::max(lower_, std::min(upper_, horizon_));
   return false;
 }
 
@@ -220,6 +238,38 @@ bool PreparedSearch::meets_goal(std::uint32_t index) {
   return true;
 }
 
+// The next three: true if the search has ended.
+bool PreparedSearch::search_near(double target_gap) {
+  mode_ = Mode::near;
+  horizon_ = straight_ * graph_->detour() + kNearby;
+  set_out();
+  look_from_goal();
+  look_from_start();
+  leave_start();
+  run(target_gap, kNoBudget);
+  return upper_ < kInfinity || poller_->stopped();
+}
+
+bool PreparedSearch::glance(double target_gap) {
+  mode_ = Mode::glance;
+  horizon_ = kInfinity;
+  set_out();
+  look_from_start();
+  leave_start();
+  return run(target_gap, kGlance) || (upper_ < kInfinity && run(target_gap, kNoBudget));
+}
+
+bool PreparedSearch::search_all(double target_gap) {
+  horizon_ = kInfinity;
+  if (mode_ == Mode::near) look_from_start();
+  mode_ = Mode::whole;
+  set_out();
+  look_from_goal();
+  if (!poller_->stopped()) measure_landmarks();
+  leave_start();
+  return run(target_gap, kNoBudget);
+}
+
 void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Cell start, Cell goal,
                             const ExactOptions& options, const StopCondition& stop,
                             ExactAnswer& answer) {
@@ -232,20 +282,9 @@ void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Cell sta
     upper_ = lower_;
     last_ = kStart;
   } else {
-    look_from_start();
-    mode_ = Mode::glance;
-    set_out();
-    leave_start();
-    if (!run(options.target_gap, kGlance)) {
-      if (upper_ == kInfinity) {
-        mode_ = Mode::whole;
-        set_out();
-        look_from_goal();
-        if (!poller.stopped()) measure_landmarks();
-        leave_start();
-      }
-      run(options.target_gap, kNoBudget);
-    }
+    const double gap = options.target_gap;
+    const bool ended = graph.detour() <= kMostDetour ? search_near(gap) : glance(gap);
+    if (!ended) search_all(gap);
   }
   answer.path.clear();
   if (upper_ < kInfinity) trace(answer.path);
@@ -257,6 +296,7 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
   Poller poller(stop);
   begin(grid, graph, start, poller);
   mode_ = Mode::flood;
+  horizon_ = kInfinity;
   straight_ = 0;
   lower_ = 0;
   look_from_start();
@@ -285,10 +325,10 @@ void PreparedSearch::trace(std::vector<Point>& path) const {
 }
 
 std::int64_t PreparedSearch::bytes() const noexcept {
+  const auto corners = start_corners_.capacity() + goal_corners_.capacity();
   return nodes_size_ * static_cast<std::int64_t>(sizeof(Node)) + frontier_.bytes() +
          static_cast<std::int64_t>(stack_.capacity() * sizeof(kernels::Interval) +
-                                   (start_corners_.capacity() + goal_corners_.capacity()) *
-                                       sizeof(std::uint32_t));
+                                   corners * sizeof(std::uint32_t));
 }
 
 }  // namespace lasius::exact

@@ -13,8 +13,7 @@
 
 namespace lasius::exact {
 
-/// A* over the stored edges of a CornerGraph. Only what start and goal see is scanned, the goal's
-/// view if the first few corners do not lead to it. Keeps its
+/// A* over the stored edges of a CornerGraph. Only what start and goal see is scanned. Keeps its
 /// memory from search to search: 32 bytes for each corner of the graph, mapped where searches go.
 /// One thread at a time.
 ///
@@ -29,6 +28,11 @@ namespace lasius::exact {
 /// is more. Neither exceeds the true distance, so that while no path is proven shortest, a corner
 /// of a shortest path waits in the frontier at its least length with a key of at most the optimum:
 /// the least key is a lower bound. A corner that is reached by a shorter way later waits again.
+///
+/// Where paths of the map seldom leave the straight line, a search keeps to a horizon first: a path
+/// over p is no longer than it only if |start p| + |p goal| is not, so all such paths lie in that
+/// ellipse. Elsewhere the first few corners are asked whether they see the goal, before the goal's
+/// view is scanned. Where that does not end it, the search sets out again.
 class PreparedSearch {
  public:
   /// Plans from the centre of one free cell to that of another, both inside `grid`, whose graph
@@ -59,7 +63,8 @@ class PreparedSearch {
   static constexpr std::uint32_t kStart = ~std::uint32_t{0};  // as a parent
   enum class Mode {
     glance,  // corners are asked whether they see the goal; straight estimates
-    whole,   // the goal has told which corners see it
+    near,    // the goal has told which corners see it; nothing behind the horizon; likewise
+    whole,   // the same, all of the map, and landmarks
     flood,   // there is no goal
   };
   // The corner in hand: a lattice point, and the length of the path to it.
@@ -71,6 +76,9 @@ class PreparedSearch {
   template <class Found>
   struct Sink;
   void begin(const Grid& grid, const CornerGraph& graph, Cell start, Poller& poller);
+  bool search_near(double target_gap);
+  bool glance(double target_gap);
+  bool search_all(double target_gap);
   void look_from_goal();
   void look_from_start();
   void set_out();
@@ -81,6 +89,7 @@ class PreparedSearch {
   std::int64_t expand(std::uint32_t index);
   std::int64_t expand_all(std::uint32_t index);
   void follow(std::uint32_t index, const Root& root, const GraphEdge& edge);
+  bool too_long(double length, int x, int y) const noexcept;
   bool next_corner(std::uint32_t& index);
   double estimate(std::uint32_t index, int x, int y) const noexcept;
   void reach(std::uint32_t parent, double length, std::uint32_t index, int x, int y, Side side);
@@ -93,6 +102,7 @@ class PreparedSearch {
   kernels::HalfPoint start_{}, goal_{};
   Mode mode_ = Mode::glance;
   double straight_ = 0;  // distance from start to goal
+  double horizon_ = 0;   // paths that are longer do not matter yet
   double lower_ = 0;
   double upper_ = 0;        // length of the best path
   std::uint32_t last_ = 0;  // its last corner

@@ -145,9 +145,36 @@ TEST(PreparedSearch, TheTargetGapIsCertified) {
   EXPECT_GT(early, 10);
 }
 
-TEST(PreparedSearch, BoundsHoldAtEveryStop) {
+// On a map where paths seldom leave the straight line, searches keep near it at first.
+TEST(PreparedSearch, LooksFurtherWhereNothingNearIsShort) {
+  std::mt19937 random(19);
+  Grid grid = random_grid(240, 200, 2, random);
+  for (int k = 0; k < 12; ++k) {  // a trap, open to the left
+    grid.set_blocked({82, 70 + k});
+    grid.set_blocked({71 + k, 70});
+    grid.set_blocked({71 + k, 81});
+  }
+  const Graph graph = graph_of(grid);
+  ASSERT_LT(graph->detour(), 1.01);
+  PreparedSearch search;
+  int far = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Cell start{76 + i % 6, 72 + i % 9}, goal{84 + i % 20, 75};
+    if (grid.blocked(start) || grid.blocked(goal)) continue;
+    const ExactAnswer answer = solve(search, grid, graph, start, goal);
+    if (expect_optimum(grid, start, goal, answer)) far += answer.length > goal.x - start.x + 3;
+    const ExactAnswer back = solve(search, grid, graph, goal, start);
+    EXPECT_NEAR(back.length, answer.length, 1e-9 * answer.length);
+  }
+  EXPECT_GT(far, 20);
+}
+
+class PreparedSearchStop : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Densities, PreparedSearchStop, testing::Values(5, 33));
+
+TEST_P(PreparedSearchStop, BoundsHoldWheneverItComes) {
   std::mt19937 random(16);
-  Grid grid = random_grid(400, 400, 33, random);
+  Grid grid = random_grid(400, 400, GetParam(), random);
   const Cell start{2, 2}, goal{397, 397};
   for (int k = 0; k < 36; ++k) {
     grid.set_blocked({k % 6, k / 6}, false);
@@ -173,7 +200,7 @@ TEST(PreparedSearch, BoundsHoldAtEveryStop) {
     last_bound = cut.lower_bound;
     if (!cut.path.empty()) expect_path(grid, start, goal, cut);
   }
-  EXPECT_GT(stopped, 3);
+  EXPECT_GT(stopped, 0);
 }
 
 TEST(PreparedSearch, EqualRunsGiveEqualAnswersWhateverCameBefore) {
