@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
-#include <exception>
-#include <mutex>
 
 #include "corner_view.h"
 #include "grid_view.h"
 #include "kernels/sight.h"
+#include "parallel.h"
 #include "place_landmarks.h"
 
 namespace lasius::exact {
@@ -21,7 +20,7 @@ constexpr std::int64_t kWordsPerCorner = 64;  // of work, beside the rows scanne
 // The corners that one corner sees on one side, put in order.
 class Sight {
  public:
-  explicit Sight(Poller& poller) : poller_(poller) {}
+  explicit Sight(const StopCondition& stop) : poller_(stop) {}
 
   void corner(int x, int y) { seen_.push_back({x, y}); }
   bool go_on(std::int64_t words) { return !poller_.stop_after(words); }
@@ -50,7 +49,7 @@ class Sight {
   }
 
  private:
-  Poller& poller_;
+  Poller poller_;
   std::vector<kernels::Interval> stack_;
   std::vector<kernels::HalfPoint> seen_;
 };
@@ -92,7 +91,7 @@ class CornerGraph::Builder {
   void number_corners();
   void list_corners();
   void scan();
-  void scan_chunk(std::size_t chunk, Sight& sight, Poller& poller, std::vector<GraphEdge>& edges);
+  void scan_chunk(std::size_t chunk, Sight& sight);
 
   std::int64_t fixed_bytes() const noexcept {
     const auto chunks = (corner_count_ + kChunk - 1) >> kChunkBits;
@@ -160,10 +159,9 @@ void CornerGraph::Builder::list_corners() {
   g.chunks_.resize((g.corners_.size() + kChunk - 1) >> kChunkBits);
 }
 
-void CornerGraph::Builder::scan_chunk(std::size_t chunk, Sight& sight, Poller& poller,
-                                      std::vector<GraphEdge>& edges) {
+void CornerGraph::Builder::scan_chunk(std::size_t chunk, Sight& sight) {
   CornerGraph& g = *graph_;
-  edges.clear();
+  std::vector<GraphEdge> edges;
   const std::size_t begin = chunk << kChunkBits;
   const std::size_t end = std::min(begin + kChunk, g.corners_.size());
   const auto count = [&] { return static_cast<std::uint32_t>(edges.size()); };
@@ -180,7 +178,7 @@ void CornerGraph::Builder::scan_chunk(std::size_t chunk, Sight& sight, Poller& p
       }
     }
     corner.last = count();
-    if (poller.stop_after(kWordsPerCorner)) stopped_ = true;
+    if (!sight.go_on(kWordsPerCorner)) stopped_ = true;
     if (stopped_ || too_large_) return;
   }
   const auto total = edges_ += count();
@@ -194,27 +192,11 @@ void CornerGraph::Builder::scan_chunk(std::size_t chunk, Sight& sight, Poller& p
 
 // Each chunk is a function of the map alone, so it does not matter who scans it.
 void CornerGraph::Builder::scan() {
-  const auto chunks = static_cast<std::int64_t>(graph_->chunks_.size());
-  std::exception_ptr fault;
-  std::mutex fault_mutex;
-#pragma omp parallel num_threads(threads_)
-  {
-    Poller poller(options_.stop);
-    Sight sight(poller);
-    std::vector<GraphEdge> edges;
-#pragma omp for schedule(dynamic, 1)
-    for (std::int64_t chunk = 0; chunk < chunks; ++chunk) {
-      if (stopped_ || too_large_) continue;
-      try {
-        scan_chunk(static_cast<std::size_t>(chunk), sight, poller, edges);
-      } catch (...) {
-        const std::lock_guard lock(fault_mutex);
-        fault = std::current_exception();
-        stopped_ = true;
-      }
-    }
-  }
-  if (fault) std::rethrow_exception(fault);
+  std::vector<Sight> team(static_cast<std::size_t>(threads_), Sight(options_.stop));
+  parallel_for(static_cast<int>(graph_->chunks_.size()), threads_, [&](int chunk, int thread) {
+    if (stopped_ || too_large_) return;
+    scan_chunk(static_cast<std::size_t>(chunk), team[static_cast<std::size_t>(thread)]);
+  });
 }
 
 std::shared_ptr<const CornerGraph> CornerGraph::make(const Grid& grid,

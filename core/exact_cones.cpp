@@ -20,12 +20,6 @@ using kernels::Fixed;
 using kernels::frame_at;
 using kernels::Turn;
 
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 // What a scan finds, put into the corners and the frontier. Columns u = S * x.
 template <int S>
 struct ExactSearch::Visitor {

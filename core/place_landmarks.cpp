@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <mutex>
 
 #include "corner_graph.h"
 #include "corner_view.h"
 #include "grid_view.h"
 #include "kernels/sight.h"
+#include "parallel.h"
 #include "prepared_search.h"
 
 namespace lasius::exact {
 namespace {
 
-constexpr std::uint32_t kTries = 8;  // places to start from, until one is in the largest region
+constexpr std::uint32_t kBlock = 256;  // corners that one thread looks from in turn
+constexpr std::uint32_t kTries = 8;    // places to start from, until one is in the largest region
 
 // The cell at a corner that lies across from its block: always free.
 Cell cell_across(const GraphCorner& c) {
@@ -187,23 +187,17 @@ Landmarks place_landmarks(const Grid& grid, const CornerGraph& graph, int thread
   if (!placed.run()) return {};
   // Looks read what the floods found, so that their order does not matter.
   std::vector<Landmarks::Distances> distances = placed.distances;
-  std::exception_ptr fault;
-  std::mutex fault_mutex;
-#pragma omp parallel num_threads(threads)
-  {
-    LookAcross look(grid, graph, placed, stop);
-    bool going = true;
-#pragma omp for schedule(dynamic, 256)
-    for (std::uint32_t v = 0; v < graph.size(); ++v) {
-      try {
-        if (going) going = look.from(v, distances[v]);
-      } catch (...) {
-        const std::lock_guard lock(fault_mutex);
-        fault = std::current_exception();
-      }
+  std::vector<LookAcross> team(static_cast<std::size_t>(threads),
+                               LookAcross(grid, graph, placed, stop));
+  const auto blocks = static_cast<int>((graph.size() + kBlock - 1) / kBlock);
+  parallel_for(blocks, threads, [&](int block, int thread) {
+    LookAcross& look = team[static_cast<std::size_t>(thread)];
+    const std::uint32_t begin = static_cast<std::uint32_t>(block) * kBlock;
+    const std::uint32_t end = std::min(begin + kBlock, graph.size());
+    for (std::uint32_t v = begin; v < end; ++v) {
+      if (!look.from(v, distances[v])) return;
     }
-  }
-  if (fault) std::rethrow_exception(fault);
+  });
   return {std::move(placed.cells), std::move(distances)};
 }
 
