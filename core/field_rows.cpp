@@ -81,8 +81,8 @@ void Field::weigh_trail(const Tile& tile, int x, int y, const float* heuristic,
 /// Stored tau of each move out of a cell; what the cells that they lead to have taught, if ants
 /// learn.
 void Field::read_trail(const Tile& tile, int x, int y, float* tau, float* eta) const {
-  const int cell = y * kTileSide + x;
   if (params_.trail == Trail::arcs) {
+    const std::ptrdiff_t cell = y * kTileSide + x;
     std::copy_n(tile.tau + cell * moves_.count, moves_.count, tau);
     if (!learned_) return;
   }
