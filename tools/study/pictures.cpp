@@ -20,7 +20,7 @@ using tool::Canvas;
 using tool::Colour;
 using tool::kInk;
 
-constexpr double kMargin = 20, kTitle = 34, kLegendLine = 22;
+constexpr double kMargin = 20, kTitle = 34, kLegendLine = 22, kLegendText = 34;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The samples of a question with the equal budget: what is drawn.
@@ -75,13 +75,28 @@ const Run* best_run(const Sample& sample) {
   return best;
 }
 
+/// A contender's name and its best length.
+std::string legend_of(const Sample& sample, const std::optional<double>& optimum) {
+  const Run* const run = best_run(sample);
+  if (run == nullptr) return sample.contender->label + ": no path";
+  const std::string text = sample.contender->label + ": " + fixed(run->length, 3);
+  if (!optimum) return text;
+  return text + ", " + fixed(100 * (run->length / *optimum - 1), 2) + "% above the optimum";
+}
+
 /// The map with the best path of each contender, the first one on top; lengths below.
 void draw_paths(const Findings& findings, const Experiment& experiment, const Question& question,
                 const Grid& grid, const fs::path& file) {
   const auto samples = drawn(findings, experiment, question);
+  std::vector<std::string> legends;
+  double widest = 0;
+  for (const Sample* sample : samples) {
+    legends.push_back(legend_of(*sample, findings.optimum(experiment, question)));
+    widest = std::max(widest, Canvas(1, 1).text_width(legends.back(), 14));
+  }
   double scale = std::min(1100.0 / grid.width(), 800.0 / grid.height());
   if (scale > 1) scale = std::floor(scale);
-  const double wide = std::max(420.0, grid.width() * scale);
+  const double wide = std::max({420.0, grid.width() * scale, kLegendText + widest});
   const double legend = static_cast<double>(samples.size()) * kLegendLine;
   const Box box{kMargin + (wide - grid.width() * scale) / 2, kMargin + kTitle, grid.width() * scale,
                 grid.height() * scale};
@@ -91,22 +106,16 @@ void draw_paths(const Findings& findings, const Experiment& experiment, const Qu
               Align::centre, kInk, true);
   paint_walls(canvas, box, grid);
   const auto page = [&](Point p) { return Point{box.x + p.x * scale, box.y + p.y * scale}; };
-  const auto optimum = findings.optimum(experiment, question);
   for (std::size_t i = samples.size(); i-- > 0;) {
-    const Run* const run = best_run(*samples[i]);
-    std::string text = samples[i]->contender->label + ": no path";
-    if (run != nullptr) {
+    if (const Run* const run = best_run(*samples[i])) {
       std::vector<Point> points;
       for (const Point p : run->path) points.push_back(page(p));
       // Wider below: equal paths stay visible as bands.
       canvas.polyline(points, palette(i), 3 + 2.5 * static_cast<double>(i));
-      text = samples[i]->contender->label + ": " + fixed(run->length, 3);
-      if (optimum)
-        text += ", " + fixed(100 * (run->length / *optimum - 1), 2) + "% above the optimum";
     }
     const double y = box.y + box.height + 26 + static_cast<double>(i) * kLegendLine;
     canvas.line({kMargin, y}, {kMargin + 26, y}, palette(i), 3);
-    canvas.text({kMargin + 34, y + 5}, text, 14, Align::left, kInk);
+    canvas.text({kMargin + kLegendText, y + 5}, legends[i], 14, Align::left, kInk);
   }
   mark_ends(canvas, box, scale, question.start, question.goal);
   save(canvas, file);
