@@ -51,7 +51,7 @@ struct Walk {
   LASIUS_TARGET static int draw(const WalkWorld& world, const float* row, std::uint32_t open,
                                 std::uint32_t previous, const std::uint32_t* random) noexcept {
     if constexpr (kDraw == Draw::discard) {
-      float at_weight_one[kLanes];
+      alignas(32) float at_weight_one[kLanes];
       for (int k = 0; k < kLanes; ++k) at_weight_one[k] = minus_log2(random[k]);
       return LASIUS_OPS::race<kLanes, kFactor>(world, row, open, previous, at_weight_one);
     } else {
@@ -138,7 +138,7 @@ struct Walk {
     if constexpr (kDraw == Draw::discard) {
       // The most that the buffer surely holds together.
       constexpr std::uint32_t kRun = std::gcd(kLanes, WalkSlot::kRandomWords);
-      float at_weight_one[kLanes];
+      alignas(32) float at_weight_one[kLanes];
       for (std::uint32_t k = 0; k < kLanes; k += kRun) {
         if (slot.random_used == WalkSlot::kRandomWords) refill<kDraw>(world, slot);
         std::memcpy(at_weight_one + k, slot.random.data() + slot.random_used, kRun * sizeof(float));

@@ -32,9 +32,6 @@ struct Row<4> {
     return _mm_mul_ps(a, b);
   }
   LASIUS_TARGET [[gnu::always_inline]] static V over(V a, V b) noexcept { return _mm_div_ps(a, b); }
-  LASIUS_TARGET [[gnu::always_inline]] static V load_any(const float* p) noexcept {
-    return _mm_loadu_ps(p);
-  }
   /// v where the bits are set, else `other`.
   LASIUS_TARGET [[gnu::always_inline]] static V choose(V v, std::uint32_t bits, V other) noexcept {
 #if LASIUS_MASKS
@@ -104,9 +101,6 @@ struct Row<8> {
   }
   LASIUS_TARGET [[gnu::always_inline]] static V over(V a, V b) noexcept {
     return _mm256_div_ps(a, b);
-  }
-  LASIUS_TARGET [[gnu::always_inline]] static V load_any(const float* p) noexcept {
-    return _mm256_loadu_ps(p);
   }
   /// v where the bits are set, else `other`.
   LASIUS_TARGET [[gnu::always_inline]] static V choose(V v, std::uint32_t bits, V other) noexcept {
@@ -241,7 +235,7 @@ struct VectorOps {
       auto weight = R::load(row + k);
       if constexpr (kFactor) weight = R::times(weight, R::load(world.factor[previous].data() + k));
       const std::uint32_t runs = R::less(R::all(0), weight) & open >> k;
-      time[part] = R::choose(R::over(R::load_any(at_weight_one + k), weight), runs, stopped);
+      time[part] = R::choose(R::over(R::load(at_weight_one + k), weight), runs, stopped);
       longest = R::larger(longest, time[part]);
       running |= runs << k;
     }

@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
-#include <future>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -19,6 +17,7 @@
 #include "report.h"
 #include "signals.h"
 #include "streams.h"
+#include "team.h"
 
 namespace lasius::tool {
 namespace {
@@ -73,16 +72,11 @@ Optima optima(const PreparedMap& map, const RunOptions& run, std::span<const Que
   });
   found.by_moves = found.any_angle;
   if (!moves_on_cells(run)) return found;
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < queries.size(); i = next++)
-      found.by_moves[i] =
-          shortest_by_own_moves(map, run, queries[i], options.token).value_or(std::nan(""));
+  const auto ask = [&](std::size_t i) {
+    found.by_moves[i] =
+        shortest_by_own_moves(map, run, queries[i], options.token).value_or(std::nan(""));
   };
-  std::vector<std::future<void>> others;
-  for (int i = 1; i < options.threads; ++i) others.push_back(std::async(std::launch::async, work));
-  work();
-  for (auto& other : others) other.get();
+  share_out(queries.size(), options.threads, [&] { return ask; });
   return found;
 }
 

@@ -10,7 +10,7 @@
 #include "lasius/arm_plan.h"
 #include "lasius/output.h"
 #include "lasius/version.h"
-#include "study/team.h"
+#include "team.h"
 
 namespace lasius::study {
 namespace {
@@ -230,7 +230,7 @@ std::optional<ArmFindings> run_arm_study(const ArmStudyOptions& options) {
   const auto total = static_cast<std::int64_t>(batches.size());
   std::int64_t done = total - static_cast<std::int64_t>(todo.size());
   std::mutex telling;
-  share_out(todo.size(), options.threads, [&] {
+  tool::share_out(todo.size(), options.threads, [&] {
     return [&](std::size_t i) {
       const Batch& b = todo[i];
       auto runs = run_batch(robot, cases[b.question], findings.grounds[b.question], b, options);

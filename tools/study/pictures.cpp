@@ -20,7 +20,7 @@ using tool::Canvas;
 using tool::Colour;
 using tool::kInk;
 
-constexpr double kMargin = 20, kTitle = 34, kLegendLine = 22, kLegendText = 34;
+constexpr double kMargin = 20, kTitle = 34, kLegendLine = 22, kLegendText = 34, kLegendSize = 14;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The samples of a question with the equal budget: what is drawn.
@@ -88,11 +88,13 @@ std::string legend_of(const Sample& sample, const std::optional<double>& optimum
 void draw_paths(const Findings& findings, const Experiment& experiment, const Question& question,
                 const Grid& grid, const fs::path& file) {
   const auto samples = drawn(findings, experiment, question);
+  const auto optimum = findings.optimum(experiment, question);
   std::vector<std::string> legends;
+  Canvas measure(1, 1);
   double widest = 0;
   for (const Sample* sample : samples) {
-    legends.push_back(legend_of(*sample, findings.optimum(experiment, question)));
-    widest = std::max(widest, Canvas(1, 1).text_width(legends.back(), 14));
+    legends.push_back(legend_of(*sample, optimum));
+    widest = std::max(widest, measure.text_width(legends.back(), kLegendSize));
   }
   double scale = std::min(1100.0 / grid.width(), 800.0 / grid.height());
   if (scale > 1) scale = std::floor(scale);
@@ -115,7 +117,7 @@ void draw_paths(const Findings& findings, const Experiment& experiment, const Qu
     }
     const double y = box.y + box.height + 26 + static_cast<double>(i) * kLegendLine;
     canvas.line({kMargin, y}, {kMargin + 26, y}, palette(i), 3);
-    canvas.text({kMargin + kLegendText, y + 5}, legends[i], 14, Align::left, kInk);
+    canvas.text({kMargin + kLegendText, y + 5}, legends[i], kLegendSize, Align::left, kInk);
   }
   mark_ends(canvas, box, scale, question.start, question.goal);
   save(canvas, file);

@@ -11,7 +11,7 @@
 #include "study/map_source.h"
 #include "study/optimum.h"
 #include "study/run_file.h"
-#include "study/team.h"
+#include "team.h"
 
 namespace lasius::study {
 namespace {
@@ -124,7 +124,7 @@ bool work(std::vector<Job>& jobs, const RunnerOptions& options) {
   std::int64_t total = 0, done = 0;
   for (const Job& job : jobs) total += job.work;
   std::mutex mutex;
-  share_out(jobs.size(), options.threads, [&] {
+  tool::share_out(jobs.size(), options.threads, [&] {
     return [&, workspace = Workspace()](std::size_t i) mutable {
       if (options.stop.stop_requested()) return;
       const Job& job = jobs[i];

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace lasius::study {
+namespace lasius::tool {
 
 /// Calls `worker(i)` once for every i below `count`, in rising order, on the calling thread and
 /// `threads` - 1 others. Each thread has the worker that `make_worker()` gives it there. What one
@@ -36,4 +36,4 @@ void share_out(std::size_t count, int threads, const MakeWorker& make_worker) {
   if (fault) std::rethrow_exception(fault);
 }
 
-}  // namespace lasius::study
+}  // namespace lasius::tool

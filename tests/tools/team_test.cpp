@@ -1,12 +1,12 @@
+#include "tools/team.h"
+
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <stdexcept>
 #include <vector>
 
-#include "tools/study/team.h"
-
-namespace lasius::study {
+namespace lasius::tool {
 namespace {
 
 TEST(Team, EveryNumberOnceForAnyNumberOfThreads) {
@@ -39,4 +39,4 @@ TEST(Team, WhatAWorkerThrowsComesOut) {
 }
 
 }  // namespace
-}  // namespace lasius::study
+}  // namespace lasius::tool
