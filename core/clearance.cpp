@@ -10,8 +10,9 @@ namespace {
 // down, a centre is 2k - 1 half cells from the edge of the blocked cell k rows away.
 std::int32_t edge_distance(std::int32_t rows) noexcept { return std::max(0, 2 * rows - 1); }
 
-// Half cells from every centre straight up or down to a blocked cell or the outside.
-void measure_columns(const Grid& grid, std::vector<std::int32_t>& field) {
+// Half cells from every centre straight up or down to a blocked cell or the outside, row by row;
+// false when stopped. `field` is empty before, with room for all of them.
+bool measure_columns(const Grid& grid, std::vector<std::int32_t>& field, Poller& poller) {
   const int width = grid.width();
   std::vector<std::int32_t> rows(width, 0);  // to the nearest blocked cell met so far
   const auto sweep = [&](int y, auto&& put) {
@@ -23,12 +24,16 @@ void measure_columns(const Grid& grid, std::vector<std::int32_t>& field) {
     }
   };
   for (int y = 0; y < grid.height(); ++y) {
+    field.resize(field.size() + static_cast<std::size_t>(width));
     sweep(y, [](std::int32_t& to, std::int32_t from) { to = from; });
+    if (poller.stop_after(width)) return false;
   }
   std::fill(rows.begin(), rows.end(), 0);
   for (int y = grid.height() - 1; y >= 0; --y) {
     sweep(y, [](std::int32_t& to, std::int32_t from) { to = std::min(to, from); });
+    if (poller.stop_after(width)) return false;
   }
+  return true;
 }
 
 // Turns one row of column distances into squared distances. The nearest point outside a centre's
@@ -91,13 +96,18 @@ double ClearanceField::at(Cell c) const noexcept {
   return std::sqrt(static_cast<double>(squared)) / 2;
 }
 
-ClearanceField clearance(const Grid& grid) {
-  ClearanceField field{grid.width(), grid.height(), {}};
-  field.squared_half_cells.resize(static_cast<std::size_t>(field.width) * field.height);
-  measure_columns(grid, field.squared_half_cells);
-  RowTransform transform(field.width);
-  for (int y = 0; y < field.height; ++y) {
-    transform.apply(field.squared_half_cells.data() + std::ptrdiff_t{y} * field.width);
+ClearanceField clearance(const Grid& grid) { return *clearance(grid, {}); }
+
+std::optional<ClearanceField> clearance(const Grid& grid, const StopCondition& stop) {
+  std::optional field = ClearanceField{grid.width(), grid.height(), {}};
+  auto& values = field->squared_half_cells;
+  values.reserve(static_cast<std::size_t>(grid.width()) * grid.height());
+  Poller poller(stop, Poller::kWords - grid.width());  // one row more is not too much
+  if (!measure_columns(grid, values, poller)) return std::nullopt;
+  RowTransform transform(grid.width());
+  for (int y = 0; y < grid.height(); ++y) {
+    transform.apply(values.data() + std::ptrdiff_t{y} * grid.width());
+    if (poller.stop_after(grid.width())) return std::nullopt;
   }
   return field;
 }

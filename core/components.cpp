@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <numeric>
+#include <iterator>
+#include <utility>
 
 #include "components_tile.h"
 
@@ -13,8 +14,10 @@ namespace {
 // Union-find over the border components of all tiles; the smallest index of a set is its root.
 class Sets {
  public:
-  explicit Sets(std::size_t size) : parents_(size) {
-    std::iota(parents_.begin(), parents_.end(), 0u);
+  explicit Sets(std::size_t most) { parents_.reserve(most); }
+  /// Adds sets of one, up to index `size` - 1.
+  void grow(std::uint32_t size) {
+    for (auto i = static_cast<std::uint32_t>(parents_.size()); i < size; ++i) parents_.push_back(i);
   }
   std::uint32_t find(std::uint32_t i) noexcept {
     while (parents_[i] != i) {
@@ -37,6 +40,11 @@ constexpr std::uint32_t kNone = 0xffffffff;
 constexpr int kSide = Components::kTile;
 using Side = std::array<std::uint32_t, kSide>;
 
+// What a tile counts as, read whole or along its border: four times its words, since in noise the
+// runs of a word cost more than the word. One more never is too much between two polls.
+constexpr std::int64_t kTileWork = std::int64_t{4} * kSide * TileBox::kWords;
+constexpr std::int64_t kInterval = Poller::kWords - kTileWork;
+
 // Joins the components of cells that face each other along a line; cells past `length` are kNone.
 void join_lines(Sets& sets, const std::uint32_t* one, const std::uint32_t* two, int length) {
   for (int i = 0; i < length; ++i) {
@@ -53,26 +61,36 @@ std::uint32_t Components::id(std::uint32_t index) const noexcept {
 }
 
 Components::Components(const Grid& grid, Connectivity connectivity)
-    : connectivity_(connectivity),
-      tiles_x_((grid.width() + kTile - 1) / kTile),
-      tiles_y_((grid.height() + kTile - 1) / kTile) {
+    : Components(*make(grid, connectivity, {})) {}
+
+std::optional<Components> Components::make(const Grid& grid, Connectivity connectivity,
+                                           const StopCondition& stop) {
+  std::optional<Components> made(Components{});
+  made->connectivity_ = connectivity;
+  made->tiles_x_ = (grid.width() + kTile - 1) / kTile;
+  made->tiles_y_ = (grid.height() + kTile - 1) / kTile;
+  auto& tiles = made->tiles_;
+  auto& marks = made->marks_;
+  Poller poller(stop, kInterval);
   TileLabels labels;
   std::uint32_t ids = 0;
-  for (int y = 0; y < tiles_y_; ++y) {
-    for (int x = 0; x < tiles_x_; ++x) {
+  for (int y = 0; y < made->tiles_y_; ++y) {
+    for (int x = 0; x < made->tiles_x_; ++x) {
       labels.label(grid, TileBox::at(grid, x, y), connectivity == Connectivity::eight);
-      tiles_.push_back({ids, static_cast<std::uint32_t>(marks_.size()),
-                        static_cast<std::uint32_t>(labels.inside_components()), 0});
-      marks_.insert(marks_.end(), labels.marks().begin(), labels.marks().end());
+      tiles.push_back({ids, static_cast<std::uint32_t>(marks.size()),
+                       static_cast<std::uint32_t>(labels.inside_components()), 0});
+      marks.insert(marks.end(), labels.marks().begin(), labels.marks().end());
       ids += static_cast<std::uint32_t>(labels.border_components());
+      if (poller.stop_after(kTileWork)) return std::nullopt;
     }
   }
-  tiles_.push_back({ids, static_cast<std::uint32_t>(marks_.size()), 0, 0});
-  join(grid);
+  tiles.push_back({ids, static_cast<std::uint32_t>(marks.size()), 0, 0});
+  if (!made->join(grid, poller)) made.reset();
+  return made;
 }
 
-// Finds the ids, all tiles' border components being known.
-void Components::join(const Grid& grid) {
+// Finds the ids, all tiles' border components being known; false when stopped.
+bool Components::join(const Grid& grid, Poller& poller) {
   const std::uint32_t size = tiles_.back().first_id;
   Sets sets(size);
   // Components along the bottom of the tiles above, and right of the tile before; both with a
@@ -87,6 +105,7 @@ void Components::join(const Grid& grid) {
     for (int tx = 0; tx < tiles_x_; ++tx) {
       const TileBox box = TileBox::at(grid, tx, ty);
       const Tile& tile = tiles_[ty * tiles_x_ + tx];
+      sets.grow(tiles_[ty * tiles_x_ + tx + 1].first_id);
       around.fill(kNone);
       for_each_run(border_of(grid, box), marks_.data() + tile.first_mark,
                    [&](int first, int last, int component) {
@@ -107,27 +126,28 @@ void Components::join(const Grid& grid) {
       for (int x = 0; x < box.width; ++x) {
         bottom[1 + box.x + x] = around[box.border_position(x, box.height - 1)];
       }
+      if (poller.stop_after(kTileWork)) return false;
     }
     above.swap(bottom);
   }
   ids_.clear();
   ids_.reserve(std::size_t{3} * size);
   count_ = 0;
-  for (std::uint32_t i = 0; i < size; ++i) {
-    const std::uint32_t root = sets.find(i);
-    count_ += root == i;
-    for (int byte = 0; byte < 3; ++byte) ids_.push_back((root >> (8 * byte)) & 0xff);
-  }
   for (std::size_t i = 0; i + 1 < tiles_.size(); ++i) {
     Tile& tile = tiles_[i];
     count_ += tile.inside;
     tile.alike = 1;
     for (std::uint32_t j = tile.first_id; j < tiles_[i + 1].first_id; ++j) {
+      const std::uint32_t root = sets.find(j);
+      count_ += root == j;
+      for (int byte = 0; byte < 3; ++byte) ids_.push_back((root >> (8 * byte)) & 0xff);
       if (id(j) != id(tile.first_id)) tile.alike = 0;
     }
+    if (poller.stop_after(kTileWork)) return false;
   }
   marks_.shrink_to_fit();
   tiles_.shrink_to_fit();
+  return true;
 }
 
 struct Components::Home {
@@ -164,6 +184,11 @@ bool Components::connected(const Grid& grid, Cell a, Cell b) const noexcept {
 }
 
 Components Components::updated(const Grid& edited, std::span<const Cell> changed) const {
+  return *updated(edited, changed, {});
+}
+
+std::optional<Components> Components::updated(const Grid& edited, std::span<const Cell> changed,
+                                              const StopCondition& stop) const {
   std::vector<char> dirty(tiles_.size(), 0);
   bool same_borders = true;
   for (const Cell c : changed) {
@@ -180,6 +205,7 @@ Components Components::updated(const Grid& edited, std::span<const Cell> changed
   result.tiles_y_ = tiles_y_;
   result.count_ = count_;
   result.tiles_ = tiles_;
+  Poller poller(stop, kInterval);
   TileLabels labels;
   std::uint32_t ids = 0;
   for (int i = 0; i < tiles_x_ * tiles_y_; ++i) {
@@ -201,13 +227,14 @@ Components Components::updated(const Grid& edited, std::span<const Cell> changed
     }
     result.marks_.insert(result.marks_.end(), marks.begin(), marks.end());
     ids += count;
+    if (poller.stop_after(dirty[i] != 0 ? kTileWork : std::ssize(marks))) return std::nullopt;
   }
   result.tiles_.back() = {ids, static_cast<std::uint32_t>(result.marks_.size()), 0, 0};
   if (same_borders) {
     result.ids_ = ids_;
     result.marks_.shrink_to_fit();
-  } else {
-    result.join(edited);
+  } else if (!result.join(edited, poller)) {
+    return std::nullopt;
   }
   return result;
 }

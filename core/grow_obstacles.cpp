@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "lasius/clearance.h"
@@ -30,11 +32,17 @@ std::vector<int> spans_by_row(const Grid& grid, double radius) {
 // within `reach` rows. Rows -1 and `height` are blocked.
 class NearestRows {
  public:
-  NearestRows(const Grid& grid, int reach)
-      : grid_(grid), reach_(reach), above_(grid.width(), -1), below_(grid.width(), -1) {}
+  NearestRows(const Grid& grid, int reach, const StopCondition& stop)
+      : grid_(grid),
+        reach_(reach),
+        above_(grid.width(), -1),
+        below_(grid.width(), -1),
+        poller_(stop, kQuarter) {}
 
-  void advance(int y) {
+  /// False when stopped.
+  bool advance(int y) {
     y_ = y;
+    int looked = 0;  // cells, not yet told to the poller
     const std::int64_t newest = std::int64_t{y} + reach_;
     for (int x = 0; x < grid_.width(); ++x) {
       if (below_[x] == kNone) {
@@ -43,10 +51,14 @@ class NearestRows {
         }
       } else if (below_[x] < y) {
         // All rows are looked at once only: after a free run was searched in vain, only the newest.
-        below_[x] = search(x, y, static_cast<int>(std::min<std::int64_t>(newest, grid_.height())));
+        const int last = static_cast<int>(std::min<std::int64_t>(newest, grid_.height()));
+        below_[x] = search(x, y, last);
+        looked += std::min(below_[x], last) - y + 1;
+        if (looked >= kQuarter && poller_.stop_after(std::exchange(looked, 0))) return false;
       }
       if (below_[x] == y) above_[x] = y;
     }
+    return !poller_.stop_after(looked + grid_.width());
   }
   /// Rows to the nearest blocked cell of the column, more than `reach` where there is none so near.
   int distance(int x) const noexcept {
@@ -56,6 +68,9 @@ class NearestRows {
 
  private:
   static constexpr int kNone = std::numeric_limits<int>::max();
+  // Of what may be looked at between two polls. The widest row or highest column is two quarters:
+  // with a quarter not yet told and one that the poller waits for, never more than the whole.
+  static constexpr int kQuarter = Poller::kWords / 4;
 
   bool blocked(int x, int y) const noexcept { return (grid_.row(y)[x >> 6] >> (x & 63) & 1) != 0; }
   int search(int x, int from, int to) const noexcept {
@@ -70,11 +85,14 @@ class NearestRows {
   int y_ = -1;
   std::vector<int> above_;
   std::vector<int> below_;
+  Poller poller_;
 };
 
 }  // namespace
 
-Grid grow_obstacles(const Grid& grid, double radius) {
+Grid grow_obstacles(const Grid& grid, double radius) { return *grow_obstacles(grid, radius, {}); }
+
+std::optional<Grid> grow_obstacles(const Grid& grid, double radius, const StopCondition& stop) {
   if (!(radius >= 0 && std::isfinite(radius))) {
     throw Error(ErrorCode::invalid_parameter, "radius is " + std::to_string(radius),
                 "it must be 0 or more cells");
@@ -82,12 +100,12 @@ Grid grow_obstacles(const Grid& grid, double radius) {
   const std::vector<int> spans = spans_by_row(grid, radius);
   const int reach = static_cast<int>(spans.size()) - 1;
   const int width = grid.width();
-  NearestRows nearest(grid, reach);
+  NearestRows nearest(grid, reach, stop);
   std::vector<int> span(width);
   std::vector<std::uint64_t> words(grid.words());
-  Grid grown(width, grid.height());
+  std::optional<Grid> grown(std::in_place, width, grid.height());
   for (int y = 0; y < grid.height(); ++y) {
-    nearest.advance(y);
+    if (!nearest.advance(y)) return std::nullopt;
     std::fill(words.begin(), words.end(), 0);
     int covered_to = -1 + spans[0];  // by the outside, and by the columns passed
     for (int x = 0; x < width; ++x) {
@@ -101,7 +119,7 @@ Grid grow_obstacles(const Grid& grid, double radius) {
       covered_from = std::min(covered_from, x - span[x]);
       words[x >> 6] |= std::uint64_t{x >= covered_from} << (x & 63);
     }
-    grown.set_row(y, words.data());
+    grown->set_row(y, words.data());
   }
   return grown;
 }

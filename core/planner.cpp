@@ -5,15 +5,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <mutex>
 #include <stdexcept>
 
 #include "colony.h"
-#include "corner_graph.h"
 #include "grid_ga.h"
-#include "lasius/components.h"
-#include "lasius/error.h"
 #include "lasius/path.h"
+#include "planner_impl.h"
+#include "run_status.h"
 #include "workspace.h"
 
 namespace lasius {
@@ -64,42 +62,18 @@ Workspace::~Workspace() = default;
 Workspace::Workspace(Workspace&&) noexcept = default;
 Workspace& Workspace::operator=(Workspace&&) noexcept = default;
 
-class Planner::Impl {
- public:
-  explicit Impl(Grid g) : grid(std::move(g)), four(grid, Components::Connectivity::four) {}
-  Impl(Grid g, const PrepareOptions& options) : Impl(std::move(g)) {
-    const auto begin = Clock::now();
-    graph = exact::CornerGraph::make(grid, options, preparation);
-    preparation.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  }
-  Impl(Grid g, Components c, std::vector<Direction> e, std::vector<Cell> shut)
-      : grid(std::move(g)), four(std::move(c)), excluded(std::move(e)), closed(std::move(shut)) {}
-
-  /// The next version: the map with some edits, and these directions excluded.
-  std::shared_ptr<const Impl> next(std::span<const Edit> edits,
-                                   std::vector<Direction> directions) const;
-
-  /// Made when first asked for: only Corners::allow needs it.
-  const Components& eight() const {
-    std::call_once(eight_made_, [this] { eight_.emplace(grid, Components::Connectivity::eight); });
-    return *eight_;
-  }
-
-  const Grid grid;
-  const Components four;
-  const std::vector<Direction> excluded;
-  const std::vector<Cell> closed;  ///< blocked in `grid` by `excluded`, not by the map
-  std::shared_ptr<const exact::CornerGraph> graph;  ///< of `grid`; null if not prepared
-  Preparation preparation;
-
- private:
-  mutable std::once_flag eight_made_;
-  mutable std::optional<Components> eight_;
-};
-
-Planner::Planner(Grid grid) : impl_(std::make_shared<const Impl>(std::move(grid))) {}
+Planner::Planner(Grid grid) : impl_(Impl::make(std::move(grid), {})) {}
 Planner::Planner(Grid grid, const PrepareOptions& options)
-    : impl_(std::make_shared<const Impl>(std::move(grid), options)) {}
+    : impl_(Impl::make(std::move(grid), {}, options)) {}
+std::optional<Planner> Planner::prepare(Grid&& grid, const StopCondition& stop) {
+  return if_made(Impl::make(std::move(grid), stop));
+}
+std::optional<Planner> Planner::prepare(Grid&& grid, const PrepareOptions& options) {
+  return if_made(Impl::make(std::move(grid), options.stop, options));
+}
+std::optional<Planner> Planner::if_made(std::shared_ptr<const Impl> impl) {
+  return impl == nullptr ? std::nullopt : std::optional(Planner(std::move(impl)));
+}
 Planner::Planner(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 Planner::~Planner() = default;
 Planner::Planner(Planner&&) noexcept = default;
@@ -107,9 +81,12 @@ Planner& Planner::operator=(Planner&&) noexcept = default;
 
 const Grid& Planner::grid() const noexcept { return impl_->grid; }
 
+bool Planner::label(Corners corners, const StopCondition& stop) const {
+  return impl_->components(corners, stop) != nullptr;
+}
+
 bool Planner::connected(Cell a, Cell b, Corners corners) const {
-  const auto& components = corners == Corners::allow ? impl_->eight() : impl_->four;
-  return components.connected(impl_->grid, a, b);
+  return impl_->components(corners, {})->connected(impl_->grid, a, b);
 }
 
 namespace {
@@ -130,12 +107,6 @@ std::optional<int> nearest_free_in_row(const Grid& grid, int x, int y) {
   }
   if (!left || !right) return left ? left : right;
   return std::abs(*right - x) < std::abs(x - *left) ? right : left;
-}
-
-std::string name(Cell c) {
-  std::string text = "(";
-  text += std::to_string(c.x) + ", " + std::to_string(c.y);
-  return text += ')';
 }
 
 }  // namespace
@@ -207,10 +178,10 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
   for (const auto& [what, cell] : {std::pair{"start", request.start}, {"goal", request.goal}}) {
     if (grid.free(cell)) continue;
     result.status = Status::invalid;
-    result.error = std::string(what) + " " + name(cell) +
+    result.error = std::string(what) + " " + cell_name(cell) +
                    (grid.contains(cell) ? " is blocked" : " is outside the map");
     if (const auto near = nearest_free(cell)) {
-      result.error += "; the nearest free cell is " + name(*near);
+      result.error += "; the nearest free cell is " + cell_name(*near);
     } else {
       result.error += "; the map has no free cell";
     }
@@ -227,9 +198,14 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
   // Any-angle paths never squeeze, and with 4 neighbours no corner is ever passed.
   const bool squeezes = params.algorithm != "exact" && params.neighbours != Neighbours::four;
   const Corners corners = squeezes ? params.corners : Corners::forbid;
-  if (!connected(request.start, request.goal, corners)) {
+  const Components* components = impl_->components(corners, request.stop);
+  if (components == nullptr) {
+    result.status = status_after(request.stop.poll(), Status::limit);
+    return result;
+  }
+  if (!components->connected(grid, request.start, request.goal)) {
     result.status = Status::unreachable;
-    result.error = "start " + name(request.start) + " and goal " + name(request.goal) +
+    result.error = "start " + cell_name(request.start) + " and goal " + cell_name(request.goal) +
                    " lie in different regions of free cells";
     return result;
   }
@@ -239,7 +215,7 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
   if (params.algorithm == "exact") {
     result = run_exact(grid, impl_->graph.get(), request, workspace->impl());
   } else if (params.algorithm == "grid-ga") {
-    const auto joined = [&](Cell c) { return connected(request.start, c, corners); };
+    const auto joined = [&](Cell c) { return components->connected(grid, request.start, c); };
     result = run_grid_ga(grid, request, params, joined, observer);
   } else {
     result = run_colony(grid, request, params, workspace->impl(), observer);
@@ -249,71 +225,6 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
   }
   return result;
 }
-
-std::shared_ptr<const Planner::Impl> Planner::Impl::next(std::span<const Edit> edits,
-                                                         std::vector<Direction> directions) const {
-  Grid now = grid;
-  for (const Cell c : closed) now.set_blocked(c, false);  // the map as it is
-  for (const Edit& edit : edits) {
-    if (!now.contains(edit.cell)) {
-      throw Error(ErrorCode::invalid_parameter, "edited cell " + name(edit.cell) + " is outside",
-                  "the map is " + std::to_string(now.width()) + " x " +
-                      std::to_string(now.height()) + " cells");
-    }
-    now.set_blocked(edit.cell, edit.blocked);
-  }
-  std::vector<Cell> shut;
-  for (const Direction& d : directions) {
-    const Cell c{d.from.x + d.dx, d.from.y + d.dy};
-    if (now.blocked(c)) continue;  // by the map, by another direction, or outside
-    now.set_blocked(c, true);
-    shut.push_back(c);
-  }
-  std::vector<Cell> changed;
-  const auto note = [&](Cell c) {
-    if (now.blocked(c) != grid.blocked(c)) changed.push_back(c);
-  };
-  for (const Edit& edit : edits) note(edit.cell);
-  for (const Cell c : closed) note(c);
-  for (const Cell c : shut) note(c);
-  Components components = four.updated(now, changed);
-  return std::make_shared<const Impl>(std::move(now), std::move(components), std::move(directions),
-                                      std::move(shut));
-}
-
-Planner Planner::edited(std::span<const Edit> edits) const {
-  return Planner(impl_->next(edits, impl_->excluded));
-}
-
-Planner Planner::exclude(std::span<const Direction> reported) const {
-  std::vector<Direction> directions = impl_->excluded;
-  for (const Direction& d : reported) {
-    if (!impl_->grid.contains(d.from)) {
-      throw Error(ErrorCode::invalid_parameter,
-                  "excluded direction starts outside the map, at " + name(d.from),
-                  "give a cell of the map");
-    }
-    if (std::max(std::abs(d.dx), std::abs(d.dy)) != 1) {
-      throw Error(ErrorCode::invalid_parameter,
-                  "(" + std::to_string(d.dx) + ", " + std::to_string(d.dy) + ") is no direction",
-                  "give one of the eight steps to a neighbour");
-    }
-    if (std::find(directions.begin(), directions.end(), d) == directions.end()) {
-      directions.push_back(d);
-    }
-  }
-  return Planner(impl_->next({}, std::move(directions)));
-}
-
-Planner Planner::allow(std::span<const Direction> gone) const {
-  std::vector<Direction> directions;
-  for (const Direction& d : impl_->excluded) {
-    if (std::find(gone.begin(), gone.end(), d) == gone.end()) directions.push_back(d);
-  }
-  return Planner(impl_->next({}, std::move(directions)));
-}
-
-std::span<const Planner::Direction> Planner::excluded() const noexcept { return impl_->excluded; }
 
 const Preparation& Planner::preparation() const noexcept { return impl_->preparation; }
 

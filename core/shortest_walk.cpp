@@ -68,8 +68,7 @@ class WalkSearch {
   }
 
   /// Fills in lengths until the goal's is known to be the least; false when stopped.
-  bool run(Cell start, const StopCondition& stop) {
-    Poller poller(stop);
+  bool run(Cell start, Poller& poller) {
     open_.reset(to_goal(start), kBucketWidth);
     reach(start, 0);
     while (open_.advance()) {
@@ -84,14 +83,16 @@ class WalkSearch {
     return true;
   }
 
-  /// The goal's length, summed move by move on the way back; nothing if it was not reached.
-  std::optional<double> length(Cell start) {
+  /// The goal's length, summed move by move on the way back; nothing if it was not reached, or when
+  /// stopped.
+  std::optional<double> length(Cell start, Poller& poller) {
     if (known_[goal_].length() == kFar) return std::nullopt;
     std::array<std::int64_t, kernels::kMaxMoves> made{};
     for (Cell c = goal_; c != start;) {
       const int k = last_move(c);
       ++made[k];
       c = c + moves_[k].to;  // moves can be walked both ways
+      if (poller.stop_after(moves_.count)) return std::nullopt;
     }
     double sum = 0;
     for (int k = 0; k < moves_.count; ++k) sum += static_cast<double>(made[k]) * moves_[k].length;
@@ -168,8 +169,9 @@ std::optional<double> shortest_walk(const Grid& grid, Cell start, Cell goal, Nei
                                     Corners corners, const StopCondition& stop) {
   if (grid.blocked(start) || grid.blocked(goal)) return std::nullopt;
   const auto search = std::make_unique<WalkSearch>(grid, goal, neighbours, corners);
-  if (!search->run(start, stop)) return std::nullopt;
-  return search->length(start);
+  Poller poller(stop, Poller::kWords - kernels::kMaxMoves);  // one cell more is not too much
+  if (!search->run(start, poller)) return std::nullopt;
+  return search->length(start, poller);
 }
 
 }  // namespace lasius

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "lasius/export.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
+#include "lasius/stop.h"
 
 namespace lasius {
 
@@ -23,11 +25,17 @@ struct ClearanceField {
 /// The clearance of every cell, by lower envelopes of parabolas (Felzenszwalb & Huttenlocher 2012)
 /// in integers: O(1) a cell, 4 bytes a cell.
 [[nodiscard]] LASIUS_EXPORT ClearanceField clearance(const Grid& grid);
+/// The same, or nothing when stopped. The measure of work is a cell read, as wide as a word here.
+[[nodiscard]] LASIUS_EXPORT std::optional<ClearanceField> clearance(const Grid& grid,
+                                                                    const StopCondition& stop);
 
 /// Blocks every cell whose centre lies at most `radius` cells from a blocked cell's square or from
 /// the outside, that is, where squared_half_cells <= 4 radius^2. Exact; radius 0 changes nothing.
 /// O(1) a cell; beside the grids some rows of memory, whatever the radius.
 /// @throws Error(invalid_parameter) for a negative or not finite radius.
 [[nodiscard]] LASIUS_EXPORT Grid grow_obstacles(const Grid& grid, double radius);
+/// The same, or nothing when stopped. The measure of work is a cell looked at.
+[[nodiscard]] LASIUS_EXPORT std::optional<Grid> grow_obstacles(const Grid& grid, double radius,
+                                                               const StopCondition& stop);
 
 }  // namespace lasius

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "lasius/export.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
+#include "lasius/stop.h"
 
 namespace lasius {
 
@@ -24,6 +26,9 @@ class LASIUS_EXPORT Components {
   static constexpr int kTile = 256;
 
   Components(const Grid& grid, Connectivity connectivity);
+  /// The same, or nothing when stopped. A tile counts as 4096 words.
+  [[nodiscard]] static std::optional<Components> make(const Grid& grid, Connectivity connectivity,
+                                                      const StopCondition& stop);
 
   /// True when both cells are free and joined. `grid` must be the one of the constructor. Does not
   /// allocate.
@@ -33,6 +38,9 @@ class LASIUS_EXPORT Components {
   /// Only tiles that hold one are flooded again. Tiles are joined anew, by their borders alone,
   /// unless no border component changed.
   Components updated(const Grid& edited, std::span<const Cell> changed) const;
+  /// The same, or nothing when stopped.
+  [[nodiscard]] std::optional<Components> updated(const Grid& edited, std::span<const Cell> changed,
+                                                  const StopCondition& stop) const;
 
   std::int64_t bytes() const noexcept;  ///< memory held
   /// Number of components; those inside one tile counted too.
@@ -52,7 +60,7 @@ class LASIUS_EXPORT Components {
   struct Home;
 
   Components() = default;
-  void join(const Grid& grid);
+  bool join(const Grid& grid, Poller& poller);
   Home home(const Grid& grid, Cell c, Cell other) const noexcept;
   std::uint32_t id(std::uint32_t index) const noexcept;
 

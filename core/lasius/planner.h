@@ -117,17 +117,25 @@ class LASIUS_EXPORT Planner {
   explicit Planner(Grid grid);
   /// Prepares more for `exact`: every corner learns which corners it sees, so that queries scan
   /// from start and goal only. Answers are as short and as certain as without, where several paths
-  /// are shortest perhaps another one. Given up, it plans as without. Planners made from this one
-  /// by edited, exclude and allow are not prepared.
+  /// are shortest perhaps another one. Given up, it plans as without; the stop condition is asked
+  /// about this alone. Planners made from this one by edited, exclude and allow are not prepared.
   Planner(Grid grid, const PrepareOptions& options);
+  /// As the constructors, for those who may have to stop: nothing when the condition said so while
+  /// components were labelled. `grid` is moved from only where a planner comes of it.
+  [[nodiscard]] static std::optional<Planner> prepare(Grid&& grid, const StopCondition& stop);
+  [[nodiscard]] static std::optional<Planner> prepare(Grid&& grid, const PrepareOptions& options);
   ~Planner();
   Planner(Planner&&) noexcept;
   Planner& operator=(Planner&&) noexcept;
 
   const Grid& grid() const noexcept;
 
+  /// Labels the components under a rule, if that is still to do; else the first plan that asks for
+  /// them does, on its own time. False when stopped.
+  bool label(Corners corners, const StopCondition& stop = {}) const;
+
   /// True when the cells are joined under the rule (4-connected for forbid and one_side,
-  /// 8-connected for allow). No work that grows with the map.
+  /// 8-connected for allow). No work that grows with the map once the rule is labelled.
   bool connected(Cell a, Cell b, Corners corners = Corners::forbid) const;
 
   /// The free cell nearest to `c` (Euclidean, ties to the smaller row, then column), if there is
@@ -150,6 +158,10 @@ class LASIUS_EXPORT Planner {
     bool blocked = true;
   };
   Planner edited(std::span<const Edit> edits) const;
+  /// The same, or nothing when the condition said so while tiles were prepared; the bitmap's copy
+  /// is not cut short. So with a condition below.
+  [[nodiscard]] std::optional<Planner> edited(std::span<const Edit> edits,
+                                              const StopCondition& stop) const;
 
   /// A direction out of a cell, towards one of its eight neighbours.
   struct Direction {
@@ -166,9 +178,13 @@ class LASIUS_EXPORT Planner {
   /// so plans under way end in the world that they began in.
   /// @throws Error(invalid_parameter) for a cell outside the map or a step that is no direction.
   Planner exclude(std::span<const Direction> reported) const;
+  [[nodiscard]] std::optional<Planner> exclude(std::span<const Direction> reported,
+                                               const StopCondition& stop) const;
   /// The same without these directions: the sensor has stopped reporting them. Those that were not
   /// excluded are ignored.
   Planner allow(std::span<const Direction> gone) const;
+  [[nodiscard]] std::optional<Planner> allow(std::span<const Direction> gone,
+                                             const StopCondition& stop) const;
   /// What is excluded now, in the order in which it was reported.
   std::span<const Direction> excluded() const noexcept;
 
@@ -187,6 +203,7 @@ class LASIUS_EXPORT Planner {
 
  private:
   explicit Planner(std::shared_ptr<const Impl> impl);
+  static std::optional<Planner> if_made(std::shared_ptr<const Impl> impl);
   std::shared_ptr<const Impl> impl_;
 };
 

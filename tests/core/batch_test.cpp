@@ -61,6 +61,32 @@ TEST(Batch, AnswersInOrderWhatPlanAnswers) {
   }
 }
 
+// Components of 8 neighbours are made by whoever asks first, perhaps by several at a time.
+TEST(Batch, ThreadsThatMeetARuleFirstFindTheSame) {
+  const Grid grid = generate(MapKind::random, {300, 300, 0.6, 6});
+  const Planner labelled(grid);
+  ASSERT_TRUE(labelled.label(Corners::allow));
+  Params params = defaults("as");
+  params.corners = Corners::allow;
+  params.iterations = params.ants = 1;
+  std::vector<Query> queries;
+  for (int i = 0; i < 40; ++i)
+    queries.push_back({labelled.nearest_free({7 * i, 5 * i}).value(),
+                       labelled.nearest_free({7 * i + i % 5, 5 * i + 3}).value()});
+  int unreachable = 0;
+  for (int round = 0; round < 5; ++round) {
+    const Planner planner(grid);
+    plan_batch(planner, queries, params, {.threads = 4}, [&](const BatchAnswer& answer) {
+      const auto& [start, goal] = queries[answer.index];
+      const bool joined = labelled.connected(start, goal, Corners::allow);
+      EXPECT_EQ(answer.result.status == Status::unreachable, !joined) << answer.index;
+      unreachable += !joined;
+    });
+  }
+  EXPECT_GT(unreachable, 5);
+  EXPECT_LT(unreachable, 195);
+}
+
 TEST(Batch, NoQueriesNoCalls) {
   const Scene scene;
   const auto count = plan_batch(scene.planner, {}, quick(), {.threads = 2},

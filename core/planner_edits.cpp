@@ -1,0 +1,91 @@
+// Planners made from planners: a map that changes.
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <utility>
+
+#include "lasius/error.h"
+#include "planner_impl.h"
+
+namespace lasius {
+
+std::shared_ptr<const Planner::Impl> Planner::Impl::next(std::span<const Edit> edits,
+                                                         std::vector<Direction> directions,
+                                                         const StopCondition& stop) const {
+  Grid now = grid;
+  for (const Cell c : closed) now.set_blocked(c, false);  // the map as it is
+  for (const Edit& edit : edits) {
+    if (!now.contains(edit.cell)) {
+      throw Error(ErrorCode::invalid_parameter,
+                  "edited cell " + cell_name(edit.cell) + " is outside",
+                  "the map is " + std::to_string(now.width()) + " x " +
+                      std::to_string(now.height()) + " cells");
+    }
+    now.set_blocked(edit.cell, edit.blocked);
+  }
+  std::vector<Cell> shut;
+  for (const Direction& d : directions) {
+    const Cell c{d.from.x + d.dx, d.from.y + d.dy};
+    if (now.blocked(c)) continue;  // by the map, by another direction, or outside
+    now.set_blocked(c, true);
+    shut.push_back(c);
+  }
+  std::vector<Cell> changed;
+  const auto note = [&](Cell c) {
+    if (now.blocked(c) != grid.blocked(c)) changed.push_back(c);
+  };
+  for (const Edit& edit : edits) note(edit.cell);
+  for (const Cell c : closed) note(c);
+  for (const Cell c : shut) note(c);
+  auto components = four.updated(now, changed, stop);
+  if (!components) return nullptr;
+  return std::make_shared<const Impl>(std::move(now), std::move(*components), std::move(directions),
+                                      std::move(shut));
+}
+
+Planner Planner::edited(std::span<const Edit> edits) const { return *edited(edits, {}); }
+
+std::optional<Planner> Planner::edited(std::span<const Edit> edits,
+                                       const StopCondition& stop) const {
+  return if_made(impl_->next(edits, impl_->excluded, stop));
+}
+
+Planner Planner::exclude(std::span<const Direction> reported) const {
+  return *exclude(reported, {});
+}
+
+std::optional<Planner> Planner::exclude(std::span<const Direction> reported,
+                                        const StopCondition& stop) const {
+  std::vector<Direction> directions = impl_->excluded;
+  for (const Direction& d : reported) {
+    if (!impl_->grid.contains(d.from)) {
+      throw Error(ErrorCode::invalid_parameter,
+                  "excluded direction starts outside the map, at " + cell_name(d.from),
+                  "give a cell of the map");
+    }
+    if (std::max(std::abs(d.dx), std::abs(d.dy)) != 1) {
+      throw Error(ErrorCode::invalid_parameter,
+                  "(" + std::to_string(d.dx) + ", " + std::to_string(d.dy) + ") is no direction",
+                  "give one of the eight steps to a neighbour");
+    }
+    if (std::find(directions.begin(), directions.end(), d) == directions.end()) {
+      directions.push_back(d);
+    }
+  }
+  return if_made(impl_->next({}, std::move(directions), stop));
+}
+
+Planner Planner::allow(std::span<const Direction> gone) const { return *allow(gone, {}); }
+
+std::optional<Planner> Planner::allow(std::span<const Direction> gone,
+                                      const StopCondition& stop) const {
+  std::vector<Direction> directions;
+  for (const Direction& d : impl_->excluded) {
+    if (std::find(gone.begin(), gone.end(), d) == gone.end()) directions.push_back(d);
+  }
+  return if_made(impl_->next({}, std::move(directions), stop));
+}
+
+std::span<const Planner::Direction> Planner::excluded() const noexcept { return impl_->excluded; }
+
+}  // namespace lasius
