@@ -14,15 +14,17 @@ void announce(const PreparedMap& map, const RunOptions& run) {
   for (const auto& note : run.notes) message(note);
   if (run.with_optimum && !knows_optimum())
     message("--gap has no effect: this build has no exact planner");
-  const Preparation& prepared = map.planner.preparation();
+  const Preparation prepared = map.planner ? map.planner->preparation() : Preparation{};
   if (prepared.state == Preparation::State::too_large)
     message("--prepare has no effect: it would take more than " +
             std::to_string(PrepareOptions{}.max_bytes >> 20) + " MB for this map");
   if (!run.messages.verbose) return;
   std::array<char, 160> text;
   std::snprintf(text.data(), text.size(),
-                ": %d x %d cells, hash %s, read in %.1f ms, prepared in %.1f ms", map.width,
-                map.height, hash_text(map.hash).c_str(), map.read_ms, map.prepare_ms);
+                map.planner
+                    ? ": %d x %d cells, hash %s, read in %.1f ms, prepared in %.1f ms"
+                    : ": %d x %d cells, hash %s, read in %.1f ms, interrupted after %.1f ms",
+                map.width, map.height, hash_text(map.hash).c_str(), map.read_ms, map.prepare_ms);
   message(map.file + text.data());
   if (prepared.state == Preparation::State::ready) {
     std::snprintf(text.data(), text.size(), "--prepare: %lld corners, %lld edges, %.1f MB, %.1f ms",

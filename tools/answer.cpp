@@ -17,8 +17,8 @@ constexpr std::string_view kExact = "exact";
 
 /// Where the free cell lies that the library named, for those who think in metres.
 std::string in_metres(const PreparedMap& map, const Answer& answer) {
-  const Cell bad = map.planner.grid().free(answer.start) ? answer.goal : answer.start;
-  const auto free = map.planner.nearest_free(bad);
+  const Cell bad = map.grid().free(answer.start) ? answer.goal : answer.start;
+  const auto free = map.planner->nearest_free(bad);
   if (!free) return {};
   const Point metres = map.to_world(centre(*free));
   std::array<char, 96> text;
@@ -42,14 +42,18 @@ Clock::time_point deadline_after(const std::optional<double>& seconds) {
 
 Answer answer(const PreparedMap& map, const RunOptions& run, Cell start, Cell goal,
               const StopCondition& stop, const Observer& observer) {
+  Answer answer{.start = start, .goal = goal};
+  if (!map.planner) {
+    answer.result.status = Status::interrupted;
+    return answer;
+  }
   const Request request{.start = start, .goal = goal, .stop = stop, .target_gap = run.target_gap};
   const auto begin = Clock::now();
-  Answer answer{.start = start, .goal = goal};
-  answer.result = map.planner.plan(request, run.params, nullptr, observer);
+  answer.result = map.planner->plan(request, run.params, nullptr, observer);
   answer.elapsed_ms = ms_since(begin);
   if (run.with_optimum && knows_optimum()) {
     const Request exact{.start = start, .goal = goal, .stop = {.token = stop.token}};
-    const Result best = map.planner.plan(exact, optimum_params(run));
+    const Result best = map.planner->plan(exact, optimum_params(run));
     if (best.optimal) answer.optimum = best.length;
     answer.grid_optimum = moves_on_cells(run)
                               ? shortest_by_own_moves(map, run, {start, goal}, stop.token)
@@ -62,9 +66,9 @@ bool moves_on_cells(const RunOptions& run) { return run.params.algorithm != kExa
 
 std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOptions& run,
                                             const Query& query, const std::stop_token& token) {
-  const Grid& grid = map.planner.grid();
+  const Grid& grid = map.grid();
   const bool joined = grid.free(query.start) && grid.free(query.goal) &&
-                      map.planner.connected(query.start, query.goal, run.params.corners);
+                      map.planner->connected(query.start, query.goal, run.params.corners);
   if (!joined) return std::nullopt;
   return shortest_walk(grid, query.start, query.goal, run.params.neighbours, run.params.corners,
                        {.token = token});

@@ -67,7 +67,7 @@ Optima optima(const PreparedMap& map, const RunOptions& run, std::span<const Que
   Optima found;
   found.any_angle.assign(queries.size(), std::nan(""));
   BatchOptions exact{.threads = options.threads, .token = options.token};
-  plan_batch(map.planner, queries, optimum_params(run), exact, [&](const BatchAnswer& answer) {
+  plan_batch(*map.planner, queries, optimum_params(run), exact, [&](const BatchAnswer& answer) {
     if (answer.result.optimal) found.any_angle[answer.index] = answer.result.length;
   });
   found.by_moves = found.any_angle;
@@ -90,7 +90,7 @@ int run_batch(const BatchCommand& command) {
   const RunOptions& run = command.run;
   for (const auto& file : run.outputs) check_writable(file);
   SignalWatcher signals;
-  const PreparedMap map = prepare_map(run.map, run.frame, signals.token());
+  const PreparedMap map = prepare_map(run.map, run.frame, run.params.corners, signals.token());
   const QueryFile file =
       read_queries(command.queries, map.width, map.height, run.frame == Frame::cell);
   announce(map, run);
@@ -111,7 +111,7 @@ int run_batch(const BatchCommand& command) {
     const auto part = std::span(queries).subspan(from, std::min(chunk, queries.size() - from));
     Optima best;
     if (with_optimum) best = optima(map, run, part, options);
-    plan_batch(map.planner, part, run.params, options, [&](const BatchAnswer& found) {
+    plan_batch(*map.planner, part, run.params, options, [&](const BatchAnswer& found) {
       Answer answer{.start = part[found.index].start,
                     .goal = part[found.index].goal,
                     .result = found.result,

@@ -23,7 +23,7 @@ Json frame_json(const std::optional<WorldFrame>& frame) {
 
 Json preparation_json(const PreparedMap& map) {
   if (!map.prepare) return nullptr;
-  const Preparation& prepared = map.planner.preparation();
+  const Preparation& prepared = map.planner->preparation();
   return {{"state", to_string(prepared.state)},
           {"corners", prepared.corners},
           {"edges", prepared.edges},
@@ -32,11 +32,11 @@ Json preparation_json(const PreparedMap& map) {
 }
 
 Json info_json(const PreparedMap& map, Corners corners) {
-  const Grid& grid = map.planner.grid();
+  const Grid& grid = map.grid();
   const bool eight = corners == Corners::allow;
   const Components components(
       grid, eight ? Components::Connectivity::eight : Components::Connectivity::four);
-  const auto footprint = map.planner.footprint();
+  const auto footprint = map.planner->footprint();
   const double cells = static_cast<double>(map.width) * map.height;
   const auto free = grid.count_free();
   const auto bytes = footprint.bitmap + footprint.components + footprint.corners;

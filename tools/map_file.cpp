@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "elapsed.h"
 #include "exit_code.h"
@@ -16,35 +17,51 @@ int clamped(double coordinate) {
   return static_cast<int>(std::floor(std::clamp(coordinate, -kFar, kFar)));
 }
 
+/// False, and the grid as it was, when stopped.
+bool grow(Grid& grid, double radius, const StopCondition& stop) {
+  if (radius == 0) return true;
+  auto grown = grow_obstacles(grid, radius, stop);
+  if (grown) grid = std::move(*grown);
+  return grown.has_value();
+}
+
+/// Nothing, and the grid as it was, when stopped.
+std::optional<Planner> make_planner(Grid& grid, const MapOptions& options, Corners corners,
+                                    const StopCondition& stop) {
+  const PrepareOptions more{.threads = options.threads, .stop = stop};
+  auto planner = options.prepare ? Planner::prepare(std::move(grid), more)
+                                 : Planner::prepare(std::move(grid), stop);
+  // Should this be stopped, the plan is at once.
+  if (planner) planner->label(corners, stop);
+  return planner;
+}
+
 }  // namespace
 
-PreparedMap prepare_map(const MapOptions& options, Frame frame, const std::stop_token& token) {
+PreparedMap prepare_map(const MapOptions& options, Frame frame, Corners corners,
+                        const std::stop_token& token) {
   const auto start = Clock::now();
-  Map map = read_any_map(options.file, {.unknown_is_free = options.unknown_is_free});
-  if (frame == Frame::world && !map.frame)
+  Map read = read_any_map(options.file, {.unknown_is_free = options.unknown_is_free});
+  if (frame == Frame::world && !read.frame)
     throw UsageError("--frame world: " + options.file +
                      " gives no frame; name the .yaml file of a ROS map, or use --frame cell");
-  const auto hash = map.grid.hash();
-  const int width = map.grid.width(), height = map.grid.height();
-  const double radius =
-      options.radius_metres ? options.radius / map.frame->resolution : options.radius;
-  if (radius > 0) map.grid = grow_obstacles(map.grid, radius);
-  const double read_ms = ms_since(start);
+  PreparedMap map{
+      .file = options.file,
+      .hash = read.grid.hash(),
+      .width = read.grid.width(),
+      .height = read.grid.height(),
+      .frame = read.frame,
+      .unknown_is_free = options.unknown_is_free,
+      .radius = options.radius_metres ? options.radius / read.frame->resolution : options.radius,
+      .prepare = options.prepare};
+  const StopCondition stop{.token = token};
+  const bool whole = grow(read.grid, map.radius, stop);
+  map.read_ms = ms_since(start);
   const auto prepare_start = Clock::now();
-  const PrepareOptions more{.threads = options.threads, .stop = {.token = token}};
-  Planner planner =
-      options.prepare ? Planner(std::move(map.grid), more) : Planner(std::move(map.grid));
-  return {.file = options.file,
-          .hash = hash,
-          .width = width,
-          .height = height,
-          .frame = map.frame,
-          .unknown_is_free = options.unknown_is_free,
-          .radius = radius,
-          .prepare = options.prepare,
-          .planner = std::move(planner),
-          .read_ms = read_ms,
-          .prepare_ms = ms_since(prepare_start)};
+  if (whole) map.planner = make_planner(read.grid, options, corners, stop);
+  if (!map.planner) map.unprepared = std::move(read.grid);
+  map.prepare_ms = ms_since(prepare_start);
+  return map;
 }
 
 std::vector<Point> PreparedMap::to_world(const std::vector<Point>& path) const {

@@ -20,11 +20,14 @@ struct PreparedMap {
   int height = 0;
   std::optional<WorldFrame> frame;
   bool unknown_is_free = false;
-  double radius = 0;     ///< cells
-  bool prepare = false;  ///< more was asked for: see Planner::preparation
-  Planner planner;
-  double read_ms = 0;     ///< reading, and growing obstacles
-  double prepare_ms = 0;  ///< making the planner
+  double radius = 0;                 ///< cells
+  bool prepare = false;              ///< more was asked for: see Planner::preparation
+  std::optional<Planner> planner{};  ///< nothing: the token fired before it was made
+  std::optional<Grid> unprepared{};  ///< without a planner: the grid as far as it came
+  double read_ms = 0;                ///< reading, and growing obstacles
+  double prepare_ms = 0;             ///< making the planner
+
+  const Grid& grid() const { return planner ? planner->grid() : *unprepared; }
 
   // Precondition of these: the map has a frame.
   Point to_world(Point cells) const { return frame->to_world(cells, height); }
@@ -32,10 +35,11 @@ struct PreparedMap {
   double metres(double cells) const { return cells * frame->resolution; }
 };
 
-/// `token` ends the heavier preparation, if that was asked for.
+/// Reads a map and prepares it for plans under a rule of corners. `token` ends the preparation, not
+/// the reading.
 /// @throws Error; UsageError where metres are asked for and the file gives no frame.
 PreparedMap prepare_map(const MapOptions& options, Frame frame = Frame::cell,
-                        const std::stop_token& token = {});
+                        Corners corners = Corners::forbid, const std::stop_token& token = {});
 
 /// The cell under a point of the command line or a query file, in `frame`. Points far outside stay
 /// outside.

@@ -214,7 +214,7 @@ bool is_picture(const std::string& file) {
 
 void write_plan_picture(const std::string& file, const PreparedMap& map, const RunOptions& run,
                         const Answer& answer, const PictureRecorder* recorder) {
-  const Grid& grid = map.planner.grid();
+  const Grid& grid = map.grid();
   const auto tracks =
       recorder != nullptr ? recorder->tracks() : std::vector<PictureRecorder::Tracks>{};
   std::vector<Panel> panels;
@@ -251,7 +251,7 @@ void write_plan_picture(const std::string& file, const PreparedMap& map, const R
 
 void write_batch_picture(const std::string& file, const PreparedMap& map, const RunOptions& run,
                          const std::vector<std::vector<Point>>& paths) {
-  const Grid& grid = map.planner.grid();
+  const Grid& grid = map.grid();
   const Panel panel{std::to_string(paths.size()) + " paths", [&](Canvas& canvas, const Box& box) {
                       const MapView view(grid, box);
                       paint_map(canvas, box, grid, kWall, free_ground);

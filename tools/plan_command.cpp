@@ -51,14 +51,14 @@ int run_plan(const PlanCommand& command) {
   const RunOptions& run = command.run;
   for (const auto& file : run.outputs) check_writable(file);
   SignalWatcher signals;
-  const PreparedMap map = prepare_map(run.map, run.frame, signals.token());
+  const PreparedMap map = prepare_map(run.map, run.frame, run.params.corners, signals.token());
   announce(map, run);
   const Cell start = to_cell(map, command.start, run.frame);
   const Cell goal = to_cell(map, command.goal, run.frame);
 
   std::optional<PictureRecorder> recorder;
   if (std::any_of(run.outputs.begin(), run.outputs.end(), is_picture))
-    recorder.emplace(map.planner.grid(), run.track_iterations, run.params.iterations);
+    recorder.emplace(map.grid(), run.track_iterations, run.params.iterations);
   const Answer found = watched_answer(map, run, {start, goal}, signals.token(), recorder);
 
   const Outcome ended = outcome(map, run, found);

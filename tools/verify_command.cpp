@@ -126,14 +126,14 @@ class Maps {
  public:
   explicit Maps(const VerifyCommand& command) : command_(command) {}
 
-  const PreparedMap& find(const Recorded& inputs) {
+  const PreparedMap& find(const Recorded& inputs, const std::stop_token& token) {
     MapOptions options = inputs.run.map;
     options.file = found_map(command_, options.file);
     options.threads = command_.threads;
     const bool same = map_ && map_->file == options.file && map_->radius == options.radius &&
                       map_->unknown_is_free == options.unknown_is_free &&
                       map_->prepare == options.prepare;
-    if (!same) map_.emplace(prepare_map(options, inputs.run.frame));
+    if (!same) map_ = prepare_map(options, inputs.run.frame, inputs.run.params.corners, token);
     check_hash(options.file, map_->hash, inputs.hash, "name the map of that time with --map");
     return *map_;
   }
@@ -168,7 +168,7 @@ Json grid_replay(const VerifyCommand& command, const Json& recorded, const std::
                  Maps& maps, const std::stop_token& token) {
   Recorded inputs = checked_inputs(name, [&] { return recorded_inputs(recorded); });
   inputs.run.params.threads = command.threads;
-  const PreparedMap& map = maps.find(inputs);
+  const PreparedMap& map = maps.find(inputs, token);
   Answer replay = answer(map, inputs.run, inputs.start, inputs.goal, {.token = token});
   replay.index = inputs.index;
   return result_json(map, inputs.run, replay);

@@ -1,8 +1,10 @@
 """Closed and full outputs, signals."""
+import errno
 import json
 import os
 import signal
 import subprocess
+import time
 import unittest
 
 from program import MAPS, PROGRAM, ProgramTest, Run, environment, refuse_constant
@@ -91,6 +93,71 @@ class Signals(ProgramTest):
         self.assertEqual([line["index"] for line in lines], list(range(len(lines))))
         self.assertLess(len(lines), 100001)
         self.assertEqual(lines[0]["status"], "solved")
+
+    # Of 64 tiles, more than are labelled between two polls.
+    SIDE = 2048
+
+    def big_map(self, name):
+        head = f"type octile\nheight {self.SIDE}\nwidth {self.SIDE}\nmap\n"
+        self.write(name, head + ("." * self.SIDE + "\n") * self.SIDE)
+        return name
+
+    def interrupt_while_read(self, *arguments):
+        """The map comes through a pipe, its last byte when the signal has been seen."""
+        whole = self.read(self.big_map("big.map"))
+        os.mkfifo(self.path("pipe.map"))
+        process = self.start_program(*arguments)
+        deadline = time.monotonic() + 60
+        pipe = None
+        while pipe is None:  # until the program reads it
+            self.assertIsNone(process.poll())
+            self.assertLess(time.monotonic(), deadline)
+            try:
+                pipe = os.open(self.path("pipe.map"), os.O_WRONLY | os.O_NONBLOCK)
+            except OSError as fault:
+                self.assertEqual(fault.errno, errno.ENXIO)
+        os.set_blocking(pipe, True)
+        with open(pipe, "wb", buffering=0) as stream:
+            body = memoryview(whole)
+            while len(body) > 1:
+                body = body[stream.write(body[:-1]):]
+            tasks = f"/proc/{process.pid}/task"
+            before = len(os.listdir(tasks))
+            process.send_signal(signal.SIGINT)
+            while len(os.listdir(tasks)) == before:  # the thread that waits for signals ends
+                self.assertLess(time.monotonic(), deadline)
+            stream.write(body)
+        out, err = process.communicate(timeout=60)
+        os.unlink(self.path("pipe.map"))
+        return Run(subprocess.CompletedProcess(arguments, process.returncode, out.decode(),
+                                               err.decode()))
+
+    def test_a_map_half_prepared_is_no_map(self):
+        corner = f"{self.SIDE - 1},{self.SIDE - 1}"
+        for more in ([], ["--radius", "1"], ["--algorithm", "exact", "--prepare"]):
+            with self.subTest(more=more):
+                run = self.interrupt_while_read(
+                    "plan", "pipe.map", "--start", "1,1", "--goal", corner, "--json", "-v", "-o",
+                    "r.json", "-o", "r.png", *more)
+                self.assertEqual(run.code, 130, run.err)
+                self.assertIn("interrupted", run.err)
+                self.assertNotIn("prepared in", run.err)
+                self.assertEqual((run.json["status"], run.json["path"], run.json["length"]),
+                                 ("interrupted", None, None))
+                self.assertEqual((run.json["best"], run.json["error"]), ([], None))
+                self.assertEqual(self.read("r.json").decode(), run.out)
+                self.assertGreater(min(self.png_size("r.png")), 100)
+
+    def test_batch_and_verify_on_a_map_half_prepared(self):
+        self.write("q.tsv", "sx\tsy\tgx\tgy\n1\t1\t9\t5\n")
+        run = self.interrupt_while_read("batch", "pipe.map", "q.tsv", "-o", "r.csv")
+        self.assertEqual((run.code, run.out, run.err), (130, "", ""))
+        self.assertEqual(len(self.read("r.csv").splitlines()), 1)
+
+        solved = self.plan("--algorithm", "exact", "-o", "r.json", map_file="big.map")
+        self.assertEqual(solved.code, 0)
+        run = self.interrupt_while_read("verify", "r.json", "--map", "pipe.map")
+        self.assertEqual((run.code, run.out, run.err), (130, "", ""))
 
 
 if __name__ == "__main__":

@@ -37,7 +37,7 @@ Figure draw_run(const Place& place, const StopCondition& stop) {
   run.params = place.params;
   run.track_iterations = {10, 50, 120};
   const tool::PreparedMap map = tool::prepare_map(run.map);
-  tool::PictureRecorder recorder(map.planner.grid(), run.track_iterations, run.params.iterations);
+  tool::PictureRecorder recorder(map.grid(), run.track_iterations, run.params.iterations);
   const tool::Answer found =
       tool::answer(map, run, place.question.start, place.question.goal, stop,
                    [&](const Progress& progress) { recorder.observe(progress); });
