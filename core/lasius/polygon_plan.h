@@ -105,9 +105,10 @@ struct Crossing {
 /// One answer: what all planners answer, and what the graph adds. `lower_bound` is the exact
 /// optimum of the whole world, so every path has its true gap.
 struct Result : lasius::Result {
-  Crossing crossing;                         ///< of the ants' or the genetic algorithm's best path
-  std::optional<Crossing> dijkstra;          ///< through midpoints; none for `exact`
-  std::optional<Crossing> discrete_optimum;  ///< of the same lines and values (programming)
+  Crossing crossing;                 ///< of the ants' or the genetic algorithm's best path
+  std::optional<Crossing> dijkstra;  ///< through midpoints; none for `exact`
+  /// Of the same lines and values, by dynamic programming; none where the run was stopped first.
+  std::optional<Crossing> discrete_optimum;
   std::optional<Crossing> sequence_optimum;  ///< of the same lines, any crossing points (funnel)
 };
 

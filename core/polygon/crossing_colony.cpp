@@ -115,18 +115,20 @@ class CrossingColony final : public ColonyWorld {
       streams_.emplace_back(parameters_.seed, static_cast<std::uint32_t>(a),
                             static_cast<std::uint32_t>(q));
     }
-    Poller poller(control_.stop, Poller::kSteps);
+    Poller poller(control_.stop);  // counts weights
     for (int g = 0; g < gates_; ++g) {
       for (int a = 0; a < parameters_.ants; ++a) {
         const int k =
             kernels::proportional_choice(trail_.weights(g), parameters_.greedy, streams_[a].next());
         choice(a, g) = std::max(k, 0);  // below 0 once all weights have underflowed
         trail_rules::pass(trail_, rules_, tau0_, Node{g, choice(a, g)});
+        if (poller.stop_after(parameters_.values)) return poller.cause();
       }
-      if (poller.stop_after(parameters_.ants)) return poller.cause();
     }
-    for (int a = 0; a < parameters_.ants; ++a) lengths_[a] = measured(a);
-    return StopCondition::Cause::none;
+    for (int a = 0; a < parameters_.ants && !poller.stop_after(gates_); ++a) {
+      lengths_[a] = measured(a);
+    }
+    return poller.cause();
   }
 
   void offer() override {

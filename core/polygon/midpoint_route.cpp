@@ -165,8 +165,8 @@ std::optional<Way> spur_way(MidpointSearch& search, const Place& start,
 
 }  // namespace
 
-std::vector<Route> midpoint_routes(const Regions& regions, const Place& start, const Place& goal,
-                                   int count) {
+void midpoint_routes(const Regions& regions, const Place& start, const Place& goal, int count,
+                     Poller& poller, const std::function<bool(const Route&)>& visit) {
   MidpointSearch search(regions, goal);
   std::vector<Way> found, candidates;
   std::set<std::vector<int>> known;  // links of both
@@ -174,13 +174,17 @@ std::vector<Route> midpoint_routes(const Regions& regions, const Place& start, c
     known.insert(first->links);
     found.push_back(std::move(*first));
   }
-  while (!found.empty() && static_cast<int>(found.size()) < count) {
+  const auto lines = static_cast<std::int64_t>(regions.links().size());
+  while (!found.empty()) {
     const Way base = found.back();
+    if (!visit(make_route(regions, start, goal, base))) return;
+    if (static_cast<int>(found.size()) == count) return;
     for (std::size_t spur = 0; spur <= base.links.size(); ++spur) {
+      if (poller.stop_after(1 + lines)) return;
       auto way = spur_way(search, start, found, base, spur);
       if (way && known.insert(way->links).second) candidates.push_back(std::move(*way));
     }
-    if (candidates.empty()) break;
+    if (candidates.empty()) return;
     const auto best =
         std::min_element(candidates.begin(), candidates.end(), [](const Way& a, const Way& b) {
           return a.length != b.length ? a.length < b.length : a.links < b.links;
@@ -188,10 +192,6 @@ std::vector<Route> midpoint_routes(const Regions& regions, const Place& start, c
     found.push_back(std::move(*best));
     candidates.erase(best);
   }
-  std::vector<Route> routes;
-  routes.reserve(found.size());
-  for (const Way& way : found) routes.push_back(make_route(regions, start, goal, way));
-  return routes;
 }
 
 }  // namespace lasius::polygon

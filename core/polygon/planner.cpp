@@ -189,39 +189,47 @@ class RoutePlan {
  public:
   RoutePlan(const Regions& regions, const Parameters& parameters, const Request& request,
             const Observer& observer)
-      : regions_(regions), parameters_(parameters), request_(request), observer_(observer) {}
+      : regions_(regions),
+        parameters_(parameters),
+        request_(request),
+        observer_(observer),
+        poller_(request.stop) {}
 
   void run(const Place& start, const Place& goal, double optimum, Result& result) {
-    const auto routes = midpoint_routes(regions_, start, goal, parameters_.routes);
+    const double enough = request_.target_gap > 0 ? optimum * (1 + request_.target_gap) : 0;
     StopCondition::Cause cause = StopCondition::Cause::none;
-    for (const Route& route : routes) {
-      const Crossing dijkstra = cross_at(route, std::vector<double>(route.gates.size(), 0.5));
-      Crossing found = dijkstra;
-      const double enough = request_.target_gap > 0 ? optimum * (1 + request_.target_gap) : 0;
-      if (!route.gates.empty()) {
-        const RunControl control{request_.stop, enough,
-                                 [&](const Convergence& run) { observe(run, result); }};
-        CrossingRun run = parameters_.algorithm == "real-ga"
-                              ? run_crossing_ga(route, dijkstra, parameters_, control)
-                              : run_crossing_colony(route, dijkstra, parameters_, control);
-        append(run.curves, result);
-        cause = run.cause;
-        found = std::move(run.best);
-      }
-      if (!result.dijkstra || found.length < result.crossing.length) {
-        result.dijkstra = dijkstra;
-        result.crossing = std::move(found);
-        result.discrete_optimum = discrete_optimum(route, parameters_.values);
-        result.sequence_optimum = sequence_optimum(route, regions_.space());
-      }
-      if (cause != StopCondition::Cause::none || result.crossing.length <= enough) break;
-    }
+    midpoint_routes(regions_, start, goal, parameters_.routes, poller_, [&](const Route& route) {
+      cause = search(route, enough, result);
+      return cause == StopCondition::Cause::none && result.crossing.length > enough;
+    });
+    if (cause == StopCondition::Cause::none) cause = poller_.cause();
     result.status = status_after(cause, Status::solved);
     result.path = result.crossing.path;
     result.length = result.crossing.length;
   }
 
  private:
+  /// Says why the run on the route was cut short, or that it was not.
+  StopCondition::Cause search(const Route& route, double enough, Result& result) {
+    const Crossing dijkstra = cross_at(route, std::vector<double>(route.gates.size(), 0.5));
+    CrossingRun run{.best = dijkstra, .curves = {}};
+    if (!route.gates.empty()) {
+      const RunControl control{request_.stop, enough,
+                               [&](const Convergence& now) { observe(now, result); }};
+      run = parameters_.algorithm == "real-ga"
+                ? run_crossing_ga(route, dijkstra, parameters_, control)
+                : run_crossing_colony(route, dijkstra, parameters_, control);
+      append(run.curves, result);
+    }
+    if (!result.dijkstra || run.best.length < result.crossing.length) {
+      result.dijkstra = dijkstra;
+      result.crossing = std::move(run.best);
+      result.discrete_optimum = discrete_optimum(route, parameters_.values, poller_);
+      result.sequence_optimum = sequence_optimum(route, regions_.space());
+    }
+    return run.cause;
+  }
+
   double so_far(const Result& result, double best) const {
     return result.dijkstra ? std::min(best, result.crossing.length) : best;
   }
@@ -243,6 +251,7 @@ class RoutePlan {
   const Parameters& parameters_;
   const Request& request_;
   const Observer& observer_;
+  Poller poller_;  // of what is not left to the runs
 };
 
 }  // namespace

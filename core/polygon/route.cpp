@@ -27,7 +27,7 @@ Crossing cross_at(const Route& route, std::vector<double> values) {
   return crossing;
 }
 
-Crossing discrete_optimum(const Route& route, int values) {
+std::optional<Crossing> discrete_optimum(const Route& route, int values, Poller& poller) {
   const auto h = [values](int k) { return static_cast<double>(k) / (values - 1); };
   const int gates = static_cast<int>(route.gates.size());
   // Backwards: the shortest way to the goal from each value of a gate, and the next value on it.
@@ -40,6 +40,7 @@ Crossing discrete_optimum(const Route& route, int values) {
         here[k] = distance(p, route.goal.given);
         continue;
       }
+      if (poller.stop_after(values)) return std::nullopt;
       here[k] = std::numeric_limits<double>::infinity();
       for (int j = 0; j < values; ++j) {
         const double length = distance(p, route.gates[g + 1].at(h(j))) + ahead[j];

@@ -1,9 +1,12 @@
 // Line sequences: Dijkstra's through midpoints, and the best crossing points of one sequence.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "lasius/polygon_plan.h"
+#include "lasius/stop.h"
 #include "regions.h"
 
 namespace lasius::polygon {
@@ -31,17 +34,18 @@ struct Route {
   std::vector<Gate> gates;
 };
 
-/// The `count` shortest ways through midpoints of lines, or as many as there are, the shortest
-/// first: Dijkstra's, then Yen's way of asking for the next (1971). Ties to fewer lines, then to
-/// lower numbers.
-std::vector<Route> midpoint_routes(const Regions& regions, const Place& start, const Place& goal,
-                                   int count);
+/// Shows `visit` the `count` shortest ways through midpoints of lines, or as many as there are, the
+/// shortest first: Dijkstra's, then Yen's way of asking for the next (1971). Ties to fewer lines,
+/// then to lower numbers. Ends where `visit` says false or, after the first, the poller says stop.
+void midpoint_routes(const Regions& regions, const Place& start, const Place& goal, int count,
+                     Poller& poller, const std::function<bool(const Route&)>& visit);
 
 /// The path through given points of the gates.
 Crossing cross_at(const Route& route, std::vector<double> values);
 
-/// Shortest path over `values` evenly spaced points of each gate, by dynamic programming.
-Crossing discrete_optimum(const Route& route, int values);
+/// Shortest path over `values` evenly spaced points of each gate, by dynamic programming; nothing
+/// where it was stopped.
+std::optional<Crossing> discrete_optimum(const Route& route, int values, Poller& poller);
 
 /// Shortest path over any points of the gates: the funnel (Lee & Preparata 1984), sides decided
 /// without rounding.

@@ -4,6 +4,7 @@
 #include <stop_token>
 
 #include "lasius/error.h"
+#include "tests/core/counting_time.h"
 #include "tests/core/polygon/known_world.h"
 #include "tests/random_world.h"
 
@@ -50,6 +51,47 @@ TEST(Stops, TokenAndDeadlineKeepTheBestPath) {
     EXPECT_EQ(late.status, Status::limit);
     EXPECT_EQ(late.path, late.dijkstra->path);
   }
+}
+
+TEST(Stops, TheDiscreteOptimumIsCutShort) {
+  const Planner planner(known_world());
+  Parameters parameters = defaults("maklink-acs");
+  parameters.iterations = 0;
+  EXPECT_TRUE(planner.plan({}, parameters).discrete_optimum);
+  parameters.values = 10001;
+  const CountingTime time(3);
+  const Result cut = planner.plan({.start = {}, .goal = {}, .stop = time.is_up()}, parameters);
+  EXPECT_EQ(cut.status, Status::limit);
+  EXPECT_FALSE(cut.discrete_optimum);
+  EXPECT_TRUE(cut.sequence_optimum);
+  EXPECT_EQ(cut.path, cut.dijkstra->path);
+}
+
+TEST(Stops, PolledWhileFurtherRoutesAreSought) {
+  const Planner planner(random_world(7, 100));
+  Dice dice(1);
+  Parameters parameters = defaults("maklink-acs");
+  parameters.iterations = 0;
+  parameters.routes = 200;
+  const CountingTime time(1000000);
+  const Result result = planner.plan(
+      {.start = free_point(planner, dice), .goal = free_point(planner, dice), .stop = time.is_up()},
+      parameters);
+  EXPECT_EQ(result.status, Status::solved);
+  const int before_each = parameters.routes + 1;  // and before the exact search
+  EXPECT_GT(time.polls(), before_each + 10);
+}
+
+TEST(Stops, AnIterationIsCutShort) {
+  const Planner planner(known_world());
+  Parameters parameters = defaults("maklink-acs");
+  parameters.values = 10001;
+  parameters.iterations = 1;
+  const CountingTime time(4);
+  const Result cut = planner.plan({.start = {}, .goal = {}, .stop = time.is_up()}, parameters);
+  EXPECT_EQ(cut.status, Status::limit);
+  EXPECT_EQ(cut.iterations, 0);
+  EXPECT_EQ(cut.path, cut.dijkstra->path);
 }
 
 TEST(InitialPheromone, OfTheFamilyDoesNotDependOnTheUnit) {
