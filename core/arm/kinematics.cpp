@@ -1,6 +1,9 @@
 #include "kinematics.h"
 
 #include <limits>
+#include <string>
+
+#include "lasius/error.h"
 
 namespace lasius::arm {
 namespace {
@@ -28,6 +31,18 @@ struct Symmetric {
 };
 
 }  // namespace
+
+void check_values(const Robot& robot, std::span<const double> q) {
+  if (q.size() != robot.joints.size()) {
+    throw Error(
+        ErrorCode::invalid_parameter, "a position has " + std::to_string(q.size()) + " values",
+        "it must have one for each of the " + std::to_string(robot.joints.size()) + " joints");
+  }
+  if (!std::ranges::all_of(q, [](double value) { return std::isfinite(value); })) {
+    throw Error(ErrorCode::invalid_parameter, "a position has a joint value that is no number",
+                "give finite numbers");
+  }
+}
 
 Kinematics::Kinematics(const Robot& robot) : robot_(&robot) {
   const int last = robot.size() - 1;

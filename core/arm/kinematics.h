@@ -12,6 +12,9 @@ namespace lasius::arm {
 /// Values of up to kMaxJoints joints.
 using JointArray = std::array<double, Robot::kMaxJoints>;
 
+/// @throws Error(invalid_parameter) unless `q` holds a number for each joint.
+void check_values(const Robot& robot, std::span<const double> q);
+
 class Kinematics {
  public:
   /// `robot` must outlive it.

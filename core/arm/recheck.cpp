@@ -13,9 +13,12 @@
 #include <kdl/frames.hpp>
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "kinematics.h"
 #include "lasius/arm_trajectory.h"
+#include "lasius/error.h"
 #include "vec3.h"
 
 namespace lasius::arm {
@@ -132,9 +135,26 @@ bool breaks_limit(const Robot& robot, const Trajectory::State& state) {
   return false;
 }
 
+void check(const Robot& robot, const Scene& scene, const Trajectory& trajectory, int samples) {
+  validate(robot);
+  validate(scene);
+  if (trajectory.empty()) {
+    throw Error(ErrorCode::invalid_parameter, "the trajectory is empty", "give it a knot");
+  }
+  for (const Trajectory::Knot& knot : trajectory.knots()) {
+    check_values(robot, knot.q);
+    check_values(robot, knot.ddq);
+  }
+  if (samples < 1) {
+    throw Error(ErrorCode::invalid_parameter, "samples is " + std::to_string(samples),
+                "it must be at least 1");
+  }
+}
+
 }  // namespace
 
 Recheck recheck(const Robot& robot, const Scene& scene, const Trajectory& trajectory, int samples) {
+  check(robot, scene, trajectory, samples);
   const KDL::Chain chain = make_chain(robot);
   std::vector<Placed> obstacles;
   for (const Obstacle& o : scene.obstacles) obstacles.push_back(place(o));

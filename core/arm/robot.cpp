@@ -164,6 +164,8 @@ void validate(const Scene& scene) {
 }
 
 Vec3 tip_position(const Robot& robot, std::span<const double> q) {
+  validate(robot);
+  check_values(robot, q);
   const Kinematics arm(robot);
   Kinematics::Poses poses;
   arm.place(q, poses);
@@ -171,6 +173,8 @@ Vec3 tip_position(const Robot& robot, std::span<const double> q) {
 }
 
 std::vector<Capsule> place_capsules(const Robot& robot, std::span<const double> q) {
+  validate(robot);
+  check_values(robot, q);
   const Kinematics arm(robot);
   Kinematics::Poses poses;
   arm.place(q, poses);

@@ -108,6 +108,8 @@ class SceneSensor::Impl {
   /// says there what is in the way.
   bool is_free(std::span<const double> from, std::span<const double> to,
                std::string* told = nullptr) const {
+    check_values(robot_, from);
+    check_values(robot_, to);
     Frame frame;
     const bool moves = set_speeds(from, to, frame.speed);
     JointArray q;
@@ -249,7 +251,7 @@ Sensor::~Sensor() = default;
 SceneSensor::SceneSensor(const Robot& robot, const Scene& scene, double clearance) {
   validate(robot);
   validate(scene);
-  if (!(clearance >= 1e-6 && clearance <= 1)) {
+  if (!(clearance >= kLeastClearance && clearance <= 1)) {
     throw Error(ErrorCode::invalid_parameter, "clearance is " + std::to_string(clearance),
                 "it must be 0.000001 .. 1 metres");
   }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "kinematics.h"
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
 #include "spline.h"
@@ -15,7 +16,13 @@ using Waypoints = std::vector<std::vector<double>>;
 /// Asks the sensor, counts, and polls.
 class Asker {
  public:
-  Asker(const Sensor& sensor, const StopCondition& stop) : sensor_(sensor), poller_(stop, 16) {}
+  Asker(const Sensor& sensor, const StopCondition& stop)
+      : sensor_(sensor), clearance_(sensor.clearance()), poller_(stop, 16) {
+    if (clearance_ >= Sensor::kLeastClearance) return;
+    throw Error(ErrorCode::invalid_parameter,
+                "the sensor's clearance is " + std::to_string(clearance_),
+                "it must be at least 0.000001 metres");
+  }
 
   bool motion_free(std::span<const double> from, std::span<const double> to) {
     if (poller_.stop_after(1)) return false;
@@ -24,10 +31,11 @@ class Asker {
   }
   bool stopped() const noexcept { return poller_.stopped(); }
   std::int64_t asked() const noexcept { return asked_; }
-  double clearance() const { return std::max(sensor_.clearance(), 1e-4); }
+  double clearance() const noexcept { return clearance_; }
 
  private:
   const Sensor& sensor_;
+  double clearance_;
   Poller poller_;
   std::int64_t asked_ = 0;
 };
@@ -178,15 +186,6 @@ std::vector<bool> faulty_spans(const Robot& robot, const Course& course,
   return faulty;
 }
 
-void check(const Robot& robot, std::span<const std::vector<double>> waypoints) {
-  for (const auto& q : waypoints) {
-    if (q.size() == robot.joints.size()) continue;
-    throw Error(
-        ErrorCode::invalid_parameter, "a waypoint has " + std::to_string(q.size()) + " values",
-        "it must have one for each of the " + std::to_string(robot.joints.size()) + " joints");
-  }
-}
-
 }  // namespace
 
 Trajectory::Trajectory(std::vector<Knot> knots) : knots_(std::move(knots)) {}
@@ -219,7 +218,7 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
                                  const TrajectoryOptions& options) {
   constexpr int kRounds = 6;
   validate(robot);
-  check(robot, waypoints);
+  for (const auto& q : waypoints) check_values(robot, q);
   TrajectoryResult result;
   if (waypoints.empty()) return result;
   Waypoints way;

@@ -84,10 +84,12 @@ LASIUS_ARM_EXPORT Robot parse_robot(std::string_view text, const std::string& fi
 /// @throws Error(invalid_parameter) for the first field out of its range.
 LASIUS_ARM_EXPORT void validate(const Robot& robot);
 
-/// Where the tip is. `q` has a value for each joint.
+/// Where the tip is at joint values `q`.
+/// @throws Error(invalid_parameter) as `validate`, and where `q` has not a number for each joint.
 LASIUS_ARM_EXPORT Vec3 tip_position(const Robot& robot, std::span<const double> q);
 
 /// The capsules of all bodies in the world, the base's first, then joint by joint.
+/// @throws as tip_position.
 LASIUS_ARM_EXPORT std::vector<Capsule> place_capsules(const Robot& robot,
                                                       std::span<const double> q);
 

@@ -11,7 +11,7 @@ namespace lasius::arm {
 
 /// Answers whether positions and motions are free. A search asks only about a position that an ant
 /// tries and about the motion to it, each once. Both questions may come from several threads at a
-/// time; the answers must not change while a plan is made.
+/// time; the answers must not change while a plan is made. Spans hold a value for each joint.
 class LASIUS_ARM_EXPORT Sensor {
  public:
   virtual ~Sensor();
@@ -22,19 +22,24 @@ class LASIUS_ARM_EXPORT Sensor {
   /// True when nothing is touched while every joint goes straight from `from` to `to`.
   virtual bool motion_free(std::span<const double> from, std::span<const double> to) const = 0;
 
-  /// What is called free keeps at least this distance from everything, in metres.
+  /// What is called free keeps at least this distance from everything, in metres; at least
+  /// kLeastClearance.
   virtual double clearance() const = 0;
+
+  static constexpr double kLeastClearance = 1e-6;
 };
 
 /// A sensor that knows a scene.
 ///
-/// Distances are computed in closed form from the links' capsules. A motion is followed by
-/// conservative advancement (Mirtich 1996): as far as no point of a link can have used up its
-/// distance, then measured again, so that what is called free is free all along.
+/// Distances are computed from the links' capsules: in closed form, to cylinders by bisection. A
+/// motion is followed by conservative advancement (Mirtich 1996): as far as no point of a link can
+/// have used up its distance, then measured again, so that what is called free is free all along.
 class LASIUS_ARM_EXPORT SceneSensor final : public Sensor {
  public:
   /// What comes nearer than twice `clearance` counts as touched, and nothing that counts as free is
-  /// nearer than `clearance`. Copies both. @throws Error(invalid_parameter)
+  /// nearer than `clearance`. Copies both.
+  /// @throws Error(invalid_parameter) for a robot or scene that `validate` refuses and a clearance
+  ///         that is not kLeastClearance .. 1; its questions, where a span does not fit the robot.
   SceneSensor(const Robot& robot, const Scene& scene, double clearance = kClearance);
   ~SceneSensor() override;
 

@@ -46,9 +46,9 @@ struct TrajectoryOptions {
 };
 
 struct TrajectoryResult {
-  Trajectory trajectory;  ///< empty where the waypoints are, or it was stopped
-  int waypoints = 0;      ///< left after shortcutting
-  bool stops = false;     ///< it rests at every waypoint: no faster motion between them was free
+  Trajectory trajectory;       ///< empty where the waypoints are
+  int waypoints = 0;           ///< left after shortcutting
+  bool stops = false;          ///< it rests at every waypoint: nothing faster was found free
   std::int64_t questions = 0;  ///< motions that the sensor was asked about
 };
 
@@ -60,14 +60,16 @@ struct TrajectoryResult {
 /// at last, so that both hold everywhere and one is just met. The spline is checked between its
 /// knots: pieces short enough to stay within the sensor's clearance of their chords are asked about
 /// as straight motions. Where it is not free, or leaves the joint limits, knots are added on the
-/// straight motion there, and in the end it rests at each waypoint, which is always free.
-/// @throws Error(invalid_parameter) where sizes do not fit the robot; what the sensor throws.
+/// straight motion there, and in the end, or when it is told to stop, it rests at each waypoint,
+/// which is always free.
+/// @throws Error(invalid_parameter) for a robot that `validate` refuses, a waypoint that has not a
+///         number for each joint, and a sensor's clearance below its least; what the sensor throws.
 LASIUS_ARM_EXPORT TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
                                                    std::span<const std::vector<double>> waypoints,
                                                    const TrajectoryOptions& options = {});
 
 /// What an independent check of a trajectory found: kinematics by KDL, collision by FCL, at
-/// `samples` times evenly spread. Shares no code with the planner but the reading of files.
+/// `samples` times evenly spread. No kinematics or distance of the planner's takes part.
 struct Recheck {
   int samples = 0;
   int contacts = 0;      ///< samples at which a link touches an obstacle or another link
@@ -75,6 +77,8 @@ struct Recheck {
   double nearest = 0;    ///< least distance to an obstacle or another link, metres
   double tip_error = 0;  ///< largest distance between KDL's tip and ours
 };
+/// @throws Error(invalid_parameter) for a robot or scene that `validate` refuses, a trajectory that
+///         is empty or not of this robot's joints, and less than one sample.
 LASIUS_ARM_EXPORT Recheck recheck(const Robot& robot, const Scene& scene,
                                   const Trajectory& trajectory, int samples = 1000);
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/arm/vec3.h"
+#include "lasius/error.h"
 #include "tests/core/arm/arms.h"
 
 namespace lasius::arm {
@@ -45,6 +46,21 @@ TEST(Kinematics, CapsulesMoveWithTheirJoints) {
   EXPECT_LT(distance(placed[0].to, {0, 0.5, 0}), 1e-15);
   EXPECT_LT(distance(placed[1].from, {0, 0.5, 0}), 1e-15);
   EXPECT_LT(distance(placed[1].to, {0.4, 0.5, 0}), 1e-15);
+}
+
+TEST(Kinematics, RefusesValuesThatAreNotTheJoints) {
+  const Robot robot = two_links();
+  for (const std::vector<double>& q :
+       {std::vector<double>{}, {0.0}, {0.0, 0.0, 0.0}, {0.0, std::nan("")}}) {
+    EXPECT_THROW(tip_position(robot, q), Error);
+    EXPECT_THROW(place_capsules(robot, q), Error);
+  }
+  Robot centipede = robot;
+  centipede.joints.resize(Robot::kMaxJoints + 1, robot.joints[1]);
+  const std::vector<double> zeros(centipede.joints.size(), 0);
+  EXPECT_THROW(tip_position(centipede, zeros), Error);
+  EXPECT_THROW(place_capsules(centipede, zeros), Error);
+  EXPECT_THROW(tip_position(Robot(), {}), Error);
 }
 
 TEST(Kinematics, ReachesWhatIsInReachWithinItsLimits) {

@@ -112,6 +112,8 @@ TEST(SceneSensor, MeshesLikeTheBoxTheyMake) {
 TEST(SceneSensor, RefusesBadScenesAndRobots) {
   const Robot robot = two_links();
   EXPECT_THROW(SceneSensor(robot, {}, 0), Error);
+  EXPECT_THROW(SceneSensor(robot, {}, 0.9e-6), Error);
+  EXPECT_EQ(SceneSensor(robot, {}, Sensor::kLeastClearance).clearance(), 1e-6);
   EXPECT_THROW(SceneSensor(robot, {"", {ball({}, -1)}}), Error);
   Scene tilted{"", {ball({}, 1)}};
   tilted.obstacles[0].rotation[0] = 2;
@@ -124,6 +126,15 @@ TEST(SceneSensor, RefusesBadScenesAndRobots) {
   EXPECT_THROW(SceneSensor(bad, {}), Error);
   bad.joints.clear();
   EXPECT_THROW(SceneSensor(bad, {}), Error);
+}
+
+TEST(SceneSensor, RefusesValuesThatAreNotTheJoints) {
+  const SceneSensor sensor(two_links(), {});
+  const std::vector<double> two{0, 0}, one{0}, three{0, 0, 0};
+  EXPECT_THROW(sensor.position_free(one), Error);
+  EXPECT_THROW(sensor.contact(three), Error);
+  EXPECT_THROW(sensor.motion_free(two, one), Error);
+  EXPECT_THROW(sensor.motion_free(three, two), Error);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "core/arm/spline.h"
 #include "lasius/arm_trajectory.h"
@@ -28,6 +29,24 @@ class OnlyThese final : public Sensor {
 
  private:
   std::vector<std::vector<double>> way_;
+};
+
+/// Notes every motion that it is asked about, and refuses none.
+class Notes final : public Sensor {
+ public:
+  explicit Notes(double clearance) : clearance_(clearance) {}
+  bool position_free(std::span<const double>) const override { return true; }
+  bool motion_free(std::span<const double> a, std::span<const double> b) const override {
+    asked.push_back({Values(a.begin(), a.end()), Values(b.begin(), b.end())});
+    return true;
+  }
+  double clearance() const override { return clearance_; }
+
+  using Values = std::vector<double>;
+  mutable std::vector<std::pair<Values, Values>> asked;
+
+ private:
+  double clearance_;
 };
 
 /// Continuity and rest, to rounding, at all knots and both ends.
@@ -176,6 +195,38 @@ TEST(Trajectory, KeepsWithinJointLimitsThatASplineWouldOvershoot) {
   }
 }
 
+TEST(Trajectory, StaysWithinTheClearanceOfTheMotionsThatItAskedAbout) {
+  const Robot robot = two_links();
+  const std::vector<std::vector<double>> way{{0, 0}, {0.2, 0.3}, {0.2, 0.5}};
+  for (const double clearance : {1e-3, 1e-5, 1e-6}) {
+    const Notes notes(clearance);
+    const auto made = make_trajectory(robot, notes, way, {.shortcut = false});
+    ASSERT_FALSE(made.stops);
+    constexpr int kTimes = 4000;
+    for (int i = 0; i <= kTimes; ++i) {
+      const auto q = made.trajectory.at(made.trajectory.duration() * i / kTimes).q;
+      double off = 1e300;
+      for (const auto& [a, b] : notes.asked) {
+        const double dx = b[0] - a[0], dy = b[1] - a[1];
+        const double share =
+            std::clamp(((q[0] - a[0]) * dx + (q[1] - a[1]) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+        // No point of the arm is further than this from where it is on the straight motion.
+        off = std::min(off, 0.91 * std::abs(q[0] - a[0] - share * dx) +
+                                0.41 * std::abs(q[1] - a[1] - share * dy));
+      }
+      ASSERT_LE(off, clearance) << "at " << i;
+    }
+  }
+}
+
+TEST(Trajectory, RefusesASensorWithoutClearance) {
+  const Robot robot = two_links();
+  const std::vector<std::vector<double>> way{{0, 0}, {0.2, 0.3}};
+  for (const double clearance : {0.0, -1.0, 1e-7, std::nan("")}) {
+    EXPECT_THROW(make_trajectory(robot, Notes(clearance), way), Error) << clearance;
+  }
+}
+
 TEST(Trajectory, SmallCases) {
   const Robot robot = two_links();
   EXPECT_TRUE(make_trajectory(robot, Nothing(), {}).trajectory.empty());
@@ -185,6 +236,8 @@ TEST(Trajectory, SmallCases) {
   EXPECT_EQ(still.trajectory.at(5).q, one[0]);
   const std::vector<std::vector<double>> wrong{{1, 2, 3}};
   EXPECT_THROW(make_trajectory(robot, Nothing(), wrong), Error);
+  const std::vector<std::vector<double>> endless{{1, 2}, {1, HUGE_VAL}};
+  EXPECT_THROW(make_trajectory(robot, Nothing(), endless), Error);
 }
 
 TEST(Trajectory, FclFindsNoContactOnRandomScenes) {
@@ -223,6 +276,17 @@ TEST(Recheck, SeesContactsAndBrokenLimits) {
   EXPECT_EQ(recheck(robot, {}, still, 10).contacts, 0);
   const Trajectory hasty({{0, {0, 0}, {0, 0}}, {0.01, {1, 0}, {0, 0}}});
   EXPECT_GT(recheck(robot, {}, hasty, 10).limits, 0);
+}
+
+TEST(Recheck, RefusesWhatDoesNotFit) {
+  const Robot robot = two_links();
+  const Trajectory still({{0, {0, 0}, {0, 0}}});
+  EXPECT_THROW(recheck(robot, {}, Trajectory(), 10), Error);
+  EXPECT_THROW(recheck(robot, {}, Trajectory({{0, {0}, {0}}}), 10), Error);
+  EXPECT_THROW(recheck(robot, {}, Trajectory({{0, {0, 0}, {0}}}), 10), Error);
+  EXPECT_THROW(recheck(robot, {}, still, 0), Error);
+  EXPECT_THROW(recheck(Robot(), {}, still, 10), Error);
+  EXPECT_THROW(recheck(robot, {"", {Obstacle()}}, still, 10), Error) << "a box without a size";
 }
 
 }  // namespace
