@@ -71,8 +71,13 @@ void write_faults(std::ostream& out, std::span<const MapComparison> maps,
 }  // namespace
 
 std::string machine_line() {
+#ifdef __clang__  // which names itself
+  constexpr std::string_view kCompiler = __VERSION__;
+#else
+  constexpr std::string_view kCompiler = "GCC " __VERSION__;
+#endif
   std::ostringstream line;
-  line << cpu_name() << "; " << __VERSION__ << "; lasius " << LASIUS_VERSION;
+  line << cpu_name() << "; " << kCompiler << "; lasius " << LASIUS_VERSION;
   return line.str();
 }
 

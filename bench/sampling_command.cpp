@@ -44,11 +44,19 @@ std::string cell(const std::vector<SamplingTrial>& trials, std::size_t gap) {
          std::to_string(times.size()) + ")";
 }
 
-void write(std::ostream& out, const std::vector<Row>& rows, const Options& options) {
-  out << machine_line() << "; " << peers::ompl_version() << ". " << options.count
-      << " queries a map, " << options.seeds << " seeds, at most " << options.cap
-      << " s each; median milliseconds to within a gap of the optimum (trials that got there).\n\n";
-  out << "| map | planner | any path | 5% | 1% | 0.1% |\n|---|---|--:|--:|--:|--:|\n";
+// A row for each planner with its trials on every map.
+std::vector<Row> over_all_maps(const std::vector<Row>& rows) {
+  std::vector<Row> all;
+  for (const Row& row : rows) {
+    auto same = std::find_if(all.begin(), all.end(),
+                             [&](const Row& sum) { return sum.planner == row.planner; });
+    if (same == all.end()) same = all.insert(all.end(), {"**all**", row.planner, {}});
+    same->trials.insert(same->trials.end(), row.trials.begin(), row.trials.end());
+  }
+  return all;
+}
+
+void write_rows(std::ostream& out, const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     std::vector<double> first;
     for (const SamplingTrial& t : row.trials) first.push_back(1000 * t.first_seconds);
@@ -56,6 +64,15 @@ void write(std::ostream& out, const std::vector<Row>& rows, const Options& optio
     for (std::size_t g = 0; g < kGaps.size(); ++g) out << " | " << cell(row.trials, g);
     out << " |\n";
   }
+}
+
+void write(std::ostream& out, const std::vector<Row>& rows, const Options& options) {
+  out << machine_line() << "; " << peers::ompl_version() << ". " << options.count
+      << " queries a map, " << options.seeds << " seeds, at most " << options.cap
+      << " s each; median milliseconds to within a gap of the optimum (trials that got there).\n\n";
+  out << "| map | planner | any path | 5% | 1% | 0.1% |\n|---|---|--:|--:|--:|--:|\n";
+  write_rows(out, rows);
+  write_rows(out, over_all_maps(rows));
 }
 
 void write_raw(std::ostream& out, const std::vector<Row>& rows) {
