@@ -31,9 +31,6 @@ constexpr std::int64_t kHurriedShare = 4;
 // What the weight of hurried ants takes of the target gap; the width of buckets has the rest.
 constexpr double kShareOfGap = 0.95;
 constexpr double kTrailBuckets = 1024;  // from the least key to the greatest that is wanted
-// Without a hurry, a search that is soon over is not held up by ants for longer than this.
-constexpr std::int64_t kAntsPatience = 256;
-constexpr int kPatientSide = 2048;  // of maps where no search is that short
 
 // How far ahead of a corner's bound its cone is scanned at first: a share of the straight distance
 // from start to goal (a larger one where any path in reach will do), and of what the lower bound
@@ -112,27 +109,22 @@ void ExactSearch::send_ants(std::int64_t steps, Poller& poller) {
 void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   Poller poller(stop, kWordsPerPoll);
   poller_ = &poller;
-  hurry_ = options.target_gap > 0;
-  const bool patient = hurry_ || std::max(map_.width, map_.height) > kPatientSide ||
-                       stop.deadline != Clock::time_point::max();
+  const double gap = std::min(options.target_gap, exact::kWidestGap);
+  hurry_ = gap > 0;
   ants_out_ = true;
-  ant_weight_ = hurry_ ? 1 + kShareOfGap * options.target_gap : kAntWeight;
-  trail_.reset(lower_, std::max(kBucketWidth, lower_ * options.target_gap / kTrailBuckets));
+  ant_weight_ = hurry_ ? 1 + kShareOfGap * gap : kAntWeight;
+  trail_.reset(lower_, std::max(kBucketWidth, lower_ * gap / kTrailBuckets));
   expand(CornerTable::kStart);
   std::int64_t next_ants = kFirstAnts;
   if (hurry_) send_ants(std::llround(kHurriedAnts * straight_), poller);
   std::uint32_t index = 0;
   while (!poller.stopped() && next_corner(index)) {
-    if (upper_ - lower_ <= options.target_gap * lower_) break;
+    if (upper_ - lower_ <= gap * lower_) break;
     expand(index);
     poller.stop_after(kWordsPerExpansion);
     if (!ants_out_ || counters_.expansions < next_ants) continue;
-    if (counters_.expansions > kAntsPatience && !patient) {
-      ants_out_ = false;
-    } else {
-      send_ants(counters_.expansions / (hurry_ ? kHurriedShare : kAntShare), poller);
-      next_ants = counters_.expansions * 2;
-    }
+    send_ants(counters_.expansions / (hurry_ ? kHurriedShare : kAntShare), poller);
+    next_ants = counters_.expansions * 2;
   }
   cause_ = poller.cause();
 }
@@ -173,7 +165,7 @@ void ExactSearch::trace(std::vector<Point>& path) const {
 }
 
 std::int64_t ExactSearch::bytes() const noexcept {
-  return corners_.bytes() + frontier_.bytes() +
+  return corners_.bytes() + frontier_.bytes() + trail_.bytes() +
          static_cast<std::int64_t>(stack_.capacity() * sizeof(kernels::Interval));
 }
 

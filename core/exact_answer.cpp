@@ -9,9 +9,12 @@ void conclude(double lower, double upper, StopCondition::Cause cause, double tar
   const bool found = std::isfinite(upper);
   answer.cause = cause;
   answer.length = found ? path_length(answer.path) : std::numeric_limits<double>::quiet_NaN();
-  answer.optimal = found && lower >= upper;
-  answer.lower_bound = answer.optimal ? answer.length : lower * (1 - kRounding);
-  if (answer.optimal) {
+  const bool proven = found && lower >= upper;
+  answer.optimal = proven && rounding(upper) <= kRounding;
+  answer.lower_bound = answer.optimal         ? answer.length
+                       : std::isfinite(lower) ? lower * (1 - rounding(lower))
+                                              : lower;
+  if (proven) {
     answer.end = ExactEnd::proven;
   } else if (found && upper - lower <= target_gap * lower) {
     answer.end = ExactEnd::target_gap;

@@ -14,7 +14,7 @@
 namespace lasius {
 
 struct ExactOptions {
-  /// Stop once (length - lower_bound) / lower_bound is at most this.
+  /// Stop once (length - lower_bound) / lower_bound is at most this, which is not negative.
   double target_gap = 0;
 };
 
@@ -32,16 +32,23 @@ struct ExactAnswer {
   std::vector<Point> path;  ///< start to goal; empty without one
   double length = std::numeric_limits<double>::quiet_NaN();
   /// No path is shorter; infinite where none exists. The length itself when that is proven to be
-  /// the optimum, up to exact::kRounding of it; else less by that allowance.
+  /// the optimum, up to exact::kRounding of it; else less by exact::rounding.
   double lower_bound = 0;
   bool optimal = false;
 };
 
 namespace exact {
 
-/// Lengths are sums of at most 2^20 square roots, each operation rounded to 2^-53: they are off by
-/// less than this fraction of themselves.
+/// A target gap above this asks for any path; what the search computes with it stays finite.
+constexpr double kWidestGap = 1e6;
+
+/// Lengths are sums of square roots, one for each bend and one more, every operation rounded to
+/// 2^-53. Bends are at least a cell apart, so a length below 2^22 cells is off by less than this
+/// fraction of itself.
 constexpr double kRounding = 1e-9;
+
+/// The same for any length, which on the largest maps may be a hundred times that.
+constexpr double rounding(double length) noexcept { return std::max(kRounding, length * 0x1p-52); }
 
 /// In cells, between places in half cells: exact but for the square root.
 inline double distance(int x0, int y0, int x1, int y1) noexcept {

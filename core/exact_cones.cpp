@@ -49,7 +49,7 @@ struct ExactSearch::Visitor {
     const double from_rival_x = x - S * rival.u;
     const double from_rival_y = y - (line0 + down * rival.line);
     // With room for the rounding of any length, so that no way ever beats itself.
-    return rival.length * (1 + exact::kRounding) +
+    return rival.length * (1 + exact::rounding(rival.length)) +
                std::sqrt(from_rival_x * from_rival_x + from_rival_y * from_rival_y) <
            search.root_.length + std::sqrt(from_root_x * from_root_x + from_root_y * from_root_y);
   }

@@ -1,6 +1,7 @@
 #include "field.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdlib>
 #include <limits>
 #include <tuple>
@@ -175,6 +176,7 @@ void Field::evaporate(double persistence) {
 }
 
 void Field::keep_scale_in_range() {
+  assert(scale_ > 0);
   // A power of two keeps every ratio exact; values too small to matter in any draw stay positive.
   while (scale_ < kRescaleBelow) {
     set_scale(scale_ / kRescaleBelow);

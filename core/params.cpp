@@ -106,8 +106,9 @@ constexpr std::array kColony{
           Table::choice<&Params::straight_deposit>(kStraightDeposit)},
     Entry{{"elite_weight", "number", "0 .. 1e6", "weight of the best tour so far (elitist), e"},
           Number{&Params::elite_weight, 0, 1e6}},
-    Entry{{"ranks", "integer", "1 .. 1000000", "ranks that deposit (rank), w"},
-          Integer{&Params::ranks, 1, 1000000}},
+    Entry{{"ranks", "integer", "2 .. 1000000",
+           "weight of the best tour so far, w; w - 1 ranked ants deposit too (rank)"},
+          Integer{&Params::ranks, 2, 1000000}},
     Entry{{"elite_ants", "integer", "1 .. 1000000", "ants that deposit (best-share)"},
           Integer{&Params::elite_ants, 1, 1000000}},
     Entry{{"best_so_far_every", "integer", "0 .. 1000000000",
@@ -177,6 +178,9 @@ std::string get_parameter(const Params& params, std::string_view name) {
   return kTable.get(params, name);
 }
 
+// Values that a colony could lose among its smallest numbers.
+constexpr double kLeastPheromone = 1e-12;
+
 void validate(const Params& params) {
   find_algorithm(params.algorithm);
   kTable.check(params);
@@ -186,6 +190,12 @@ void validate(const Params& params) {
   if (!(last > 0) || (params.critical_time > 0 && !(first > 0))) {
     throw invalid_parameter("the shares of the pheromone, distance and combined rules are all 0",
                             "give one of them a share above 0");
+  }
+  for (const auto& [name, value] : {std::pair{"initial_pheromone", params.initial_pheromone},
+                                    std::pair{"deposit", params.deposit}}) {
+    if (value == 0 || value >= kLeastPheromone) continue;
+    throw invalid_parameter(std::string(name) + " is positive, but below 1e-12",
+                            "give both pheromones larger values: only their ratio counts");
   }
   const bool mixture = params.pheromone_rule_first > 0 || params.pheromone_rule > 0 ||
                        params.distance_rule_first > 0 || params.distance_rule > 0;

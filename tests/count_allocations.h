@@ -8,11 +8,13 @@
 
 namespace lasius {
 inline std::atomic<std::int64_t> allocations{0};
+inline std::atomic<std::int64_t> allocated_bytes{0};
 }  // namespace lasius
 
 // Not inlined: compilers that see through one of a pair warn of a mismatch.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++lasius::allocations;
+  lasius::allocated_bytes += static_cast<std::int64_t>(size);
   if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
   throw std::bad_alloc();
 }

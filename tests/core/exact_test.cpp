@@ -178,6 +178,36 @@ TEST(Exact, TheTargetGapIsCertified) {
   EXPECT_GT(early, 100);
 }
 
+TEST(Exact, AnyPathWillDoWithAnUnboundedGap) {
+  std::mt19937 random(8);
+  ExactSearch search;
+  for (const double gap : {1e300, std::numeric_limits<double>::infinity()}) {
+    const Grid grid = generate(MapKind::maze, {300, 300, -1, 2});
+    const Cell start = *random_free(grid, random), goal = *random_free(grid, random);
+    ExactAnswer answer;
+    search.search(grid, start, goal, {gap}, {}, answer);
+    EXPECT_EQ(answer.end, ExactEnd::target_gap);
+    EXPECT_LE(answer.lower_bound, answer.length);
+    expect_path(grid, start, goal, answer);
+  }
+}
+
+TEST(Exact, PathsTooLongForTheRoundingAreNotCalledOptimal) {
+  const auto concluded = [](double length) {
+    ExactAnswer answer;
+    answer.path = {{0, 0}, {length, 0}};
+    exact::conclude(length, length, StopCondition::Cause::none, 0, answer);
+    EXPECT_EQ(answer.end, ExactEnd::proven);
+    return answer;
+  };
+  const ExactAnswer shorter = concluded(0x1p22);
+  EXPECT_TRUE(shorter.optimal);
+  EXPECT_EQ(shorter.lower_bound, 0x1p22);
+  const ExactAnswer longer = concluded(0x1p26);
+  EXPECT_FALSE(longer.optimal);
+  EXPECT_EQ(longer.lower_bound, 0x1p26 - 1);  // 2^26 additions, each off by up to 2^-27
+}
+
 TEST(Exact, EqualRunsGiveEqualAnswersWhateverCameBefore) {
   std::mt19937 random(6);
   ExactSearch used;

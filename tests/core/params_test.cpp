@@ -93,6 +93,7 @@ TEST(Params, ValidateNamesTheField) {
             std::string::npos);
   EXPECT_NE(message([](Params& p) { p.polish = static_cast<Polish>(7); }).find("polish"),
             std::string::npos);
+  EXPECT_EQ(message([](Params& p) { p.deposit = 1e-320; }).find("deposit is positive, but"), 0u);
 }
 
 }  // namespace

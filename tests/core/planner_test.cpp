@@ -12,6 +12,7 @@
 #include "lasius/generate.h"
 #include "lasius/map_io.h"
 #include "lasius/path.h"
+#include "tests/core/counting_time.h"
 #include "tests/core/planning.h"
 
 namespace lasius {
@@ -197,31 +198,19 @@ TEST(Planner, UnreachableNeedsNoTimeAtAll) {
   EXPECT_EQ(time.polls, 0);
 }
 
-/// Says that time is up from a given reading on, and counts the readings.
-struct CountingTime : TimeSource {
-  explicit CountingTime(int readings) : left(readings) {}
-  Clock::time_point now() const noexcept override {
-    ++polls;
-    return left-- > 0 ? Clock::time_point::min() : Clock::time_point::max();
-  }
-  mutable std::atomic<int> left;
-  mutable std::atomic<int> polls{0};
-};
-
 TEST_P(EveryColony, AnExpiredDeadlineEndsTheCallWithTheBestPathSoFar) {
   const Planner planner(blobs());
   Request request = far_apart(planner);
-  request.stop.deadline = Clock::time_point{};
   Params params = quick(GetParam());
   params.threads = 1;
   bool with = false, without = false;
   for (int readings = 0;; readings = readings * 3 / 2 + 1) {
     const CountingTime time(readings);
-    request.stop.time = &time;
+    request.stop = time.is_up();
     const Result result = planner.plan(request, params);
     if (result.status == Status::solved) break;
     ASSERT_EQ(result.status, Status::limit) << readings;
-    EXPECT_LE(time.polls - readings, params.ants + 40);
+    EXPECT_LE(time.polls() - readings, params.ants + 40);
     EXPECT_EQ(result.best.size(), static_cast<std::size_t>(result.iterations));
     (result.path.empty() ? without : with) = true;
     if (!result.path.empty()) {
@@ -229,21 +218,6 @@ TEST_P(EveryColony, AnExpiredDeadlineEndsTheCallWithTheBestPathSoFar) {
     }
   }
   EXPECT_TRUE(with && without);
-}
-
-TEST(Planner, WalksPollAtLeastEvery4096Steps) {
-  // One ant on a map without guidance to speak of: steps are many, polls must be, too.
-  const Planner planner(blobs(300, 300));
-  Request request = far_apart(planner);
-  const CountingTime time(1 << 30);
-  request.stop = {.deadline = Clock::time_point{}, .time = &time};
-  Params params = quick("fan2004");
-  params.heuristic = Heuristic::uniform;
-  params.ants = 1;
-  params.iterations = 1;
-  const Result result = planner.plan(request, params);
-  EXPECT_EQ(result.status, Status::solved);
-  EXPECT_GE(time.polls, result.mean[0] / 4096);
 }
 
 TEST(Planner, ATokenInterrupts) {
