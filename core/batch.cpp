@@ -6,10 +6,25 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <string>
 #include <vector>
+
+#include "parameter_table.h"
 
 namespace lasius {
 namespace {
+
+void check(const BatchOptions& options) {
+  check_target_gap(options.target_gap);
+  if (options.threads < 0 || options.threads > 1024) {
+    throw invalid_parameter("threads is " + std::to_string(options.threads),
+                            "it must be 0 (all cores) to 1024");
+  }
+  if (options.time_limit && !(options.time_limit->count() >= 0)) {
+    throw invalid_parameter("time_limit is " + std::to_string(options.time_limit->count()) + " s",
+                            "it must be 0 or more, or none");
+  }
+}
 
 Clock::time_point deadline(const std::optional<std::chrono::duration<double>>& limit) {
   const auto now = Clock::now();
@@ -104,6 +119,7 @@ class Sequencer {
 std::size_t plan_batch(const Planner& planner, std::span<const Query> queries, const Params& params,
                        const BatchOptions& options, const BatchReceiver& receive) {
   validate(params);
+  check(options);
   Params single = params;
   single.threads = 1;
   const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();

@@ -8,8 +8,8 @@
 namespace lasius {
 namespace {
 
-void check_side(const char* name, int side) {
-  if (side >= 1 && side <= Grid::kMaxSide) return;
+int checked_side(const char* name, int side) {
+  if (side >= 1 && side <= Grid::kMaxSide) return side;
   throw Error(ErrorCode::invalid_parameter, std::string(name) + " is " + std::to_string(side),
               "it must be 1 to " + std::to_string(Grid::kMaxSide));
 }
@@ -22,9 +22,10 @@ std::uint64_t past_width(int width) noexcept {
 
 }  // namespace
 
-Grid::Grid(int width, int height) : width_(width), height_(height), words_((width + 63) / 64) {
-  check_side("width", width);
-  check_side("height", height);
+Grid::Grid(int width, int height)
+    : width_(checked_side("width", width)),
+      height_(checked_side("height", height)),
+      words_((width + 63) / 64) {
   // One guard word before each row serves as the one after the row above it, too.
   bits_.assign((static_cast<std::size_t>(height) + 2) * stride() + 1, ~std::uint64_t{0});
   const std::vector<std::uint64_t> free_row(words_, 0);

@@ -23,6 +23,14 @@ inline Error invalid_parameter(std::string problem, std::string remedy) {
   return {ErrorCode::invalid_parameter, std::move(problem), std::move(remedy)};
 }
 
+/// @throws Error(invalid_parameter) unless a request's target gap is a number from 0 up, or
+/// infinite.
+inline void check_target_gap(double gap) {
+  if (gap >= 0) return;
+  throw invalid_parameter("target_gap is " + std::to_string(gap),
+                          "it is a fraction: 0 or more, 0.01 for 1%");
+}
+
 /// For a name that is none of `known`, the names of the things that `kind` says.
 inline Error unknown_name(std::string_view kind, std::string_view name,
                           std::span<const std::string_view> known) {

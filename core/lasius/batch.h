@@ -20,8 +20,8 @@ struct Query {
 };
 
 struct BatchOptions {
-  int threads = 0;  ///< 0: as many as OpenMP gives; never changes an answer
-  /// Time for each query, counted from when it is begun.
+  int threads = 0;  ///< to 1024; 0: as many as OpenMP gives; never changes an answer
+  /// Time for each query, counted from when it is begun; not negative.
   std::optional<std::chrono::duration<double>> time_limit{};
   double target_gap = 0;    ///< as in Request
   std::stop_token token{};  ///< ends the batch: see plan_batch
@@ -43,7 +43,7 @@ using BatchReceiver = std::function<void(const BatchAnswer&)>;
 /// Once the token asks to stop, no further query is begun; those in flight end as `interrupted`
 /// and are received. What `receive` throws ends the batch likewise and is thrown again.
 /// Returns the number of answers received: all of them unless stopped.
-/// @throws Error(invalid_parameter) for parameters out of range, before any query.
+/// @throws Error(invalid_parameter) for parameters or options out of range, before any query.
 LASIUS_EXPORT std::size_t plan_batch(const Planner& planner, std::span<const Query> queries,
                                      const Params& params, const BatchOptions& options,
                                      const BatchReceiver& receive);

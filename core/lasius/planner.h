@@ -33,7 +33,8 @@ struct Request {
   Cell start;
   Cell goal;
   StopCondition stop = {};
-  double target_gap = 0;  ///< stop at this certified gap, as a fraction; for certifying algorithms
+  /// Stop at this certified gap, as a fraction, 0 or more; for certifying algorithms.
+  double target_gap = 0;
 };
 
 /// One answer. Without a path `path` is empty and `length` is not a number.
@@ -72,8 +73,8 @@ class LASIUS_EXPORT Progress {
 };
 using Observer = std::function<void(const Progress&)>;
 
-/// Scratch memory of one call in flight. Keep one per thread: a second call of the same size does
-/// not allocate.
+/// Scratch memory of one call in flight. Keep one per thread: with it, `exact` and every colony
+/// allocate nothing but the result in a second call of the same size.
 class LASIUS_EXPORT Workspace {
  public:
   Workspace();
@@ -145,8 +146,8 @@ class LASIUS_EXPORT Planner {
   /// Answers one question.
   /// Deterministic in (grid, request, params); threads and CPU never change the answer, a deadline
   /// or token may. An unreachable goal is proven before any search.
-  /// @throws Error(invalid_parameter) for parameters out of range. Start or goal outside or blocked
-  /// is an answer, not an exception: Status::invalid.
+  /// @throws Error(invalid_parameter) for parameters or a target gap out of range. Start or goal
+  /// outside or blocked is an answer, not an exception: Status::invalid.
   Result plan(const Request& request, const Params& params = {}, Workspace* workspace = nullptr,
               const Observer& observer = {}) const;
 

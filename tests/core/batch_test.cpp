@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -96,11 +97,21 @@ TEST(Batch, NoQueriesNoCalls) {
 
 TEST(Batch, RefusesBadParametersBeforeAnyQuery) {
   const Scene scene;
+  const auto refused = [&](const Params& params, const BatchOptions& options) {
+    EXPECT_THROW(plan_batch(scene.planner, scene.queries, params, options,
+                            [](const BatchAnswer&) { FAIL() << "called"; }),
+                 Error);
+  };
   Params params = quick();
   params.ants = 0;
-  EXPECT_THROW(plan_batch(scene.planner, scene.queries, params, {},
-                          [](const BatchAnswer&) { FAIL() << "called"; }),
-               Error);
+  refused(params, {});
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  refused(quick(), {.threads = -1});
+  refused(quick(), {.threads = 1025});
+  refused(quick(), {.target_gap = kNaN});
+  for (const double seconds : {-1.0, kNaN}) {
+    refused(quick(), {.time_limit = std::chrono::duration<double>(seconds)});
+  }
 }
 
 TEST(Batch, AStopEndsItAfterWhatWasBegun) {

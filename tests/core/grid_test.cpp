@@ -50,7 +50,8 @@ TEST(Grid, HashTellsBitsAndShapesApart) {
 }
 
 TEST(Grid, RefusesSizesOutOfRange) {
-  for (const auto& [w, h] : {std::pair{0, 5}, {5, 0}, {-1, 5}, {32769, 5}, {5, 32769}}) {
+  for (const auto& [w, h] :
+       {std::pair{0, 5}, {5, 0}, {-1, 5}, {32769, 5}, {5, 32769}, {2147483647, 1}}) {
     EXPECT_THROW(Grid(w, h), Error) << w << 'x' << h;
   }
   try {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <thread>
 
 #include "kernels/cpu.h"
@@ -147,13 +148,23 @@ TEST(Planner, StartAndGoalOutsideOrBlockedAreAnAnswer) {
   EXPECT_EQ(error({4, 4}, {0, 0}), "start (4, 4) is blocked; the nearest free cell is (4, 3)");
   EXPECT_EQ(error({0, 0}, {10, 3}),
             "goal (10, 3) is outside the map; the nearest free cell is (9, 3)");
-  EXPECT_EQ(error({-2000000000, 5}, {0, 0}),
-            "start (-2000000000, 5) is outside the map; the nearest free cell is (0, 5)");
+  constexpr int kLeast = std::numeric_limits<int>::min(), kMost = std::numeric_limits<int>::max();
+  EXPECT_EQ(error({kLeast, 5}, {0, 0}),
+            "start (-2147483648, 5) is outside the map; the nearest free cell is (0, 5)");
+  EXPECT_EQ(error({kMost, kLeast}, {0, 0}),
+            "start (2147483647, -2147483648) is outside the map; the nearest free cell is (9, 0)");
   Grid full(2, 1);
   full.set_blocked({0, 0});
   full.set_blocked({1, 0});
   EXPECT_EQ(Planner(full).plan({.start = {0, 0}, .goal = {1, 0}}).error,
             "start (0, 0) is blocked; the map has no free cell");
+}
+
+TEST(Planner, ATargetGapIsNotNegative) {
+  const Planner planner(Grid(5, 5));
+  for (const double gap : {-0.1, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(planner.plan({.start = {0, 0}, .goal = {4, 4}, .target_gap = gap}), Error);
+  }
 }
 
 TEST(Planner, StartEqualToGoalIsAPathOfLengthZero) {
