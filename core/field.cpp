@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cstdlib>
 #include <limits>
-#include <tuple>
 
 #include "field_tile.h"
 #include "kernel_choice.h"
@@ -29,8 +28,6 @@ Field::~Field() = default;
 
 void Field::reset(const Grid& grid, const kernels::Moves& moves, Cell goal, const Params& params,
                   double untouched, const StopCondition& stop) {
-  const auto shape = [this] { return std::tuple(mixture_, learned_, moves_.count, taus()); };
-  const auto shape_before = shape();
   grid_ = &grid;
   moves_ = moves;
   raise_ = kernels::raise_row(chosen_isa());
@@ -50,12 +47,14 @@ void Field::reset(const Grid& grid, const kernels::Moves& moves, Cell goal, cons
   for (Tile* tile : used_) {
     rows_[tile->index] = nullptr;
     directory_[tile->index] = nullptr;
-    unused_.push_back(tile);
   }
+  unused_.insert(unused_.end(), used_.begin(), used_.end());
   used_.clear();
-  if (shape() != shape_before) {
+  const std::tuple shape(mixture_, learned_, moves_.count, taus());
+  if (shape != pool_shape_) {
     unused_.clear();
     pool_.clear();
+    pool_shape_ = shape;
   }
   tiles_x_ = (grid.width() + kTileSide - 1) / kTileSide;
   const auto tiles =
@@ -87,8 +86,8 @@ Field::Tile& Field::obtain(int index) {
     made->heuristic = made->rows + kCells * row;
     made->tau = made->heuristic + kCells * moves_.count;
     made->eta = made->tau + kCells * taus();
-    unused_.push_back(made.get());
     pool_.push_back(std::move(made));
+    unused_.push_back(pool_.back().get());
   }
   Tile& tile = *unused_.back();
   unused_.pop_back();
@@ -100,8 +99,8 @@ Field::Tile& Field::obtain(int index) {
   tile.any_changed = tile.any_touched = false;
   std::fill_n(tile.tau, kTileCells * taus(), untouched_);
   if (learned_) std::fill_n(tile.eta, kTileCells, 1.0f);
-  directory_[index] = &tile;
   used_.push_back(&tile);
+  directory_[index] = &tile;
   fill_heuristic(tile);
   for (int y = 0; y < kTileSide; ++y) {
     for (int x = 0; x < kTileSide; ++x) fill_row(tile, x, y);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <tuple>
 #include <vector>
 
 #include "heuristic.h"
@@ -107,7 +108,8 @@ class Field {
   int tiles_x_ = 0;
   std::vector<float*> rows_;                 // by tile, what walks read; null where there is none
   std::vector<Tile*> directory_;             // by tile
-  std::vector<std::unique_ptr<Tile>> pool_;  // every tile ever made
+  std::vector<std::unique_ptr<Tile>> pool_;  // every tile ever made, all of one shape:
+  std::tuple<bool, bool, int, int> pool_shape_;
   std::vector<Tile*> unused_;
   std::vector<Tile*> used_;
   std::mutex making_;

@@ -1,8 +1,6 @@
 #include "walkers.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <new>
 
 #include "parallel.h"
 
@@ -28,21 +26,16 @@ void tour_cells(std::span<const std::uint8_t> tour, const kernels::Moves& moves,
   }
 }
 
-void Walkers::Free::operator()(std::uint64_t* p) const noexcept { std::free(p); }
-
 void Walkers::reset(int width, int height, int threads, int ants) {
   if (width != width_ || height != height_) teams_.clear();
   width_ = width;
   height_ = height;
   threads_ = std::clamp(ants / 2, 1, threads);  // more would idle
   if (static_cast<int>(teams_.size()) < threads_) teams_.resize(threads_);
-  const auto words = static_cast<std::size_t>(VisitedPlane::words_for(width, height));
   for (Team& team : teams_) {
     for (int i = 0; i < std::min(kSlots, ants); ++i) {
-      auto& plane = team.slots[i].plane;
-      if (plane != nullptr) continue;
-      plane.reset(static_cast<std::uint64_t*>(std::calloc(words, sizeof(std::uint64_t))));
-      if (plane == nullptr) throw std::bad_alloc();
+      ZeroArray<std::uint64_t>& plane = team.slots[i].plane;
+      if (!plane) plane = ZeroArray<std::uint64_t>(VisitedPlane::words_for(width, height));
     }
   }
 }
@@ -51,8 +44,14 @@ StopCondition::Cause Walkers::walk(const WalkWorld& world, kernels::WalkFn kerne
                                    std::span<Ant> ants, int first, const StopCondition& stop) {
   std::atomic<int> next{0};
   std::atomic<StopCondition::Cause> cause{StopCondition::Cause::none};
-  parallel_for(threads_, threads_,
-               [&](int i, int) { work(teams_[i], world, kernel, ants, first, next, cause, stop); });
+  try {
+    parallel_for(threads_, threads_, [&](int i, int) {
+      work(teams_[i], world, kernel, ants, first, next, cause, stop);
+    });
+  } catch (...) {
+    teams_.clear();  // cells entered are still marked in their planes
+    throw;
+  }
   return cause;
 }
 
@@ -88,7 +87,7 @@ void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, s
     WalkSlot& slot = slots[i];
     slot.send(world.start, static_cast<std::uint32_t>(first + ant));
     numbers[i] = ant;
-    slot.visited = VisitedPlane::over(team.slots[i].plane.get(), height_);
+    slot.visited = VisitedPlane::over(team.slots[i].plane.at(0), height_);
     slot.visited.mark(slot.at);
     ++under_way;
   };
@@ -112,7 +111,7 @@ void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, s
     ant.arrived = slot.state == WalkState::arrived;
     ant.move_count = slot.move_count;
     ant.steps = slot.move_count + 2 * slot.dead_count;
-    forget(slot, team.slots[i].plane.get(), world);
+    forget(slot, team.slots[i].plane.at(0), world);
     ant.dead.assign(slot.dead, slot.dead + slot.dead_count);
     slot.state = WalkState::lost;
     --under_way;

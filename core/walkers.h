@@ -4,18 +4,19 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "kernels/walk.h"
 #include "lasius/geometry.h"
 #include "lasius/stop.h"
+#include "zero_array.h"
 
 namespace lasius {
 
-/// One ant's walk. Buffers keep their size between iterations and plans.
-struct Ant {
+/// One ant's walk. Buffers keep their size between iterations and plans. Cache lines of its own:
+/// threads walk neighbours.
+struct alignas(64) Ant {
   bool arrived = false;
   std::int64_t move_count = 0;            // moves of the tour
   std::vector<std::uint8_t> moves;        // at least move_count
@@ -41,8 +42,8 @@ class Walkers {
 
   /// Walks every ant until it has arrived or is lost, or `stop` says so; then ants still under way
   /// are lost, and those not yet sent stay as they were given (not arrived). `first` is the number
-  /// of the first ant, which picks its random stream. Which thread walks
-  /// which ant changes nothing.
+  /// of the first ant, which picks its random stream. Which thread walks which ant changes nothing.
+  /// Throws what the world's make_tile throws, or std::bad_alloc; then call `reset` first.
   StopCondition::Cause walk(const kernels::WalkWorld& world, kernels::WalkFn kernel,
                             std::span<Ant> ants, int first, const StopCondition& stop);
 
@@ -52,15 +53,11 @@ class Walkers {
   static constexpr int kRounds = 128;
   static_assert(kSlots <= kernels::kMaxSlots && std::int64_t{kSlots} * kRounds <= Poller::kSteps);
 
-  // calloc: pages that no ant touches stay unmapped.
-  struct Free {
-    void operator()(std::uint64_t* p) const noexcept;
-  };
   struct Slot {
-    std::unique_ptr<std::uint64_t[], Free> plane;
+    ZeroArray<std::uint64_t> plane;  // pages that no ant touches stay unmapped
     std::vector<kernels::PackedCell> dead;
   };
-  struct Team {  // of one thread
+  struct alignas(64) Team {  // of one thread
     std::array<Slot, kSlots> slots;
   };
 

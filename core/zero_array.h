@@ -17,6 +17,8 @@ class ZeroArray {
       : data_(static_cast<T*>(std::calloc(static_cast<std::size_t>(size), sizeof(T)))) {
     if (data_ == nullptr) throw std::bad_alloc();
   }
+  /// Is there any? Not before a size was given.
+  explicit operator bool() const noexcept { return data_ != nullptr; }
   T& operator[](std::int64_t i) const noexcept { return data_.get()[i]; }
   T* at(std::int64_t i) const noexcept { return data_.get() + i; }
 

@@ -1,4 +1,4 @@
-// What this CPU can do, and which kernel table the environment asks for.
+// What this CPU can do.
 #pragma once
 
 namespace lasius::kernels {

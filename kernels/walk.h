@@ -78,7 +78,7 @@ struct WalkWorld {
   /// A weight of 0 is a move that does not exist, every other one is at least 2^-120.
   float* const* tiles = nullptr;
   int tiles_x = 0;
-  /// Called for a null entry, from any thread: makes the tile and returns its rows.
+  /// Called for a null entry, from any thread: makes the tile and returns its rows. May throw.
   float* (*make_tile)(void* context, int tile) = nullptr;
   void* context = nullptr;
 
@@ -155,8 +155,8 @@ inline constexpr int kMaxSlots = 16;  ///< slots of one call
 
 /// Advances each slot that is walking by at most `rounds` steps. A step moves the ant, or takes
 /// back its last move when every move on is closed (lost if it may not, or stands at
-/// the start).
-using WalkFn = void (*)(const WalkWorld& world, std::span<WalkSlot> slots, int rounds) noexcept;
+/// the start). Throws only what `make_tile` throws; then no slot means anything.
+using WalkFn = void (*)(const WalkWorld& world, std::span<WalkSlot> slots, int rounds);
 
 /// How one move is drawn from a row.
 enum class Draw {

@@ -1,10 +1,10 @@
 // The walk with AVX2.
 
-#include "kernels/walk.h"
+#include "kernels/walk_tables.h"
 
 #if defined(__x86_64__)
 
-#define LASIUS_TARGET [[gnu::target("avx2,bmi,bmi2,lzcnt")]]
+#define LASIUS_TARGET [[gnu::target("avx2,bmi,bmi2")]]
 #define LASIUS_MASKS 0
 #include "kernels/walk_vector.h"
 #define LASIUS_OPS VectorOps

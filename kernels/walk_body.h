@@ -87,7 +87,7 @@ struct Walk {
   }
 
   /// Finds what belongs to the ant's cell.
-  static void find(const WalkWorld& world, WalkSlot& slot) noexcept {
+  static void find(const WalkWorld& world, WalkSlot& slot) {
     const int x = packed_x(slot.at), y = packed_y(slot.at);
     const int tile = (y >> kTileShift) * world.tiles_x + (x >> kTileShift);
     const float* rows = __atomic_load_n(world.tiles + tile, __ATOMIC_ACQUIRE);
@@ -101,7 +101,7 @@ struct Walk {
   /// Moves the ant along a move (kSign 1) or back over it (-1). Inside a tile, what belongs to its
   /// cell is found by adding.
   template <int kSign>
-  [[gnu::always_inline]] static void go(const WalkWorld& world, WalkSlot& slot, int move) noexcept {
+  [[gnu::always_inline]] static void go(const WalkWorld& world, WalkSlot& slot, int move) {
     constexpr PackedCell kOtherTile = ~pack(kTileSide - 1, kTileSide - 1);
     const PackedCell from = slot.at;
     slot.at = from + static_cast<PackedCell>(kSign * world.delta[move]);
@@ -115,7 +115,7 @@ struct Walk {
   }
 
   /// False when the ant is lost.
-  [[gnu::always_inline]] static bool take_back(const WalkWorld& world, WalkSlot& slot) noexcept {
+  [[gnu::always_inline]] static bool take_back(const WalkWorld& world, WalkSlot& slot) {
     if (!world.backtrack || slot.move_count == 0) {
       slot.state = WalkState::lost;
       return false;
@@ -130,8 +130,7 @@ struct Walk {
   }
 
   /// False when the ant's walk has ended.
-  LASIUS_TARGET [[gnu::always_inline]] static bool step(const WalkWorld& world,
-                                                        WalkSlot& slot) noexcept {
+  LASIUS_TARGET [[gnu::always_inline]] static bool step(const WalkWorld& world, WalkSlot& slot) {
     const float* row = slot.row;
     const std::uint32_t open = open_moves(world, slot.word, slot.at);
     int move;
@@ -163,8 +162,7 @@ struct Walk {
     return false;
   }
 
-  LASIUS_TARGET static void walk(const WalkWorld& world, std::span<WalkSlot> slots,
-                                 int rounds) noexcept {
+  LASIUS_TARGET static void walk(const WalkWorld& world, std::span<WalkSlot> slots, int rounds) {
     std::array<WalkSlot*, kMaxSlots> walking;
     int count = 0;
     for (WalkSlot& slot : slots) {

@@ -1,6 +1,6 @@
 // The walk in plain C++: the specification that the others must match bit for bit.
 
-#include "kernels/walk.h"
+#include "kernels/walk_tables.h"
 
 namespace lasius::kernels {
 namespace {

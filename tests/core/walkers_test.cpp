@@ -4,9 +4,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <vector>
 
 #include "field.h"
 #include "kernel_choice.h"
+#include "kernels/cpu.h"
 #include "move_rule.h"
 #include "schedule.h"
 #include "tests/core/planning.h"
@@ -67,6 +72,95 @@ TEST(Walkers, PollAtLeastEvery4096Steps) {
   EXPECT_EQ(steps_allowed, 0);  // it looks after the last steps, too
   EXPECT_GT(most_allowed, 0);
   EXPECT_LE(most_allowed, 4096);
+}
+
+using kernels::kTileCells;
+using kernels::kTileSide;
+
+constexpr int kSide = 5 * kTileSide;
+constexpr int kTiles = 5 * 5;
+constexpr int kAnts = 20;
+
+/// A square without obstacles, every move of weight 1, whose tiles can run out.
+class Square {
+ public:
+  explicit Square(int tiles) : left_(tiles) {
+    const Params params = defaults("as");
+    const kernels::Moves moves = kernels::moves_of(kernels::Neighbourhood::eight);
+    shape = walk_shape(params, moves, false);
+    world = walk_world(params, moves, {1, 1}, {kSide - 2, kSide - 2});
+    set_iteration(world, params, moves, shape, schedule(params, 0), 0);
+    world.tiles = rows_.data();
+    world.tiles_x = kSide / kTileSide;
+    world.context = this;
+    world.make_tile = [](void* square, int tile) {
+      return static_cast<Square*>(square)->make(tile);
+    };
+    moves_ = moves;
+  }
+
+  kernels::WalkWorld world;
+  kernels::WalkShape shape;
+
+ private:
+  struct alignas(64) Rows {
+    float weights[kTileCells * 8];
+  };
+
+  float* make(int tile) {
+    const std::scoped_lock lock(making_);
+    if (rows_[tile] != nullptr) return rows_[tile];
+    if (left_-- == 0) throw std::bad_alloc();
+    tiles_.push_back(std::make_unique<Rows>());
+    float* weight = tiles_.back()->weights;
+    const int x0 = tile % world.tiles_x * kTileSide, y0 = tile / world.tiles_x * kTileSide;
+    for (int cell = 0; cell < kTileCells; ++cell) {
+      for (int k = 0; k < 8; ++k) {
+        const int x = x0 + cell % kTileSide + moves_[k].to.dx;
+        const int y = y0 + cell / kTileSide + moves_[k].to.dy;
+        *weight++ = x >= 0 && y >= 0 && x < kSide && y < kSide ? 1.0f : 0.0f;
+      }
+    }
+    float* rows = tiles_.back()->weights;
+    __atomic_store_n(&rows_[tile], rows, __ATOMIC_RELEASE);
+    return rows;
+  }
+
+  kernels::Moves moves_;
+  int left_;
+  std::mutex making_;
+  std::vector<std::unique_ptr<Rows>> tiles_;
+  std::vector<float*> rows_ = std::vector<float*>(kTiles, nullptr);
+};
+
+using Tours = std::vector<std::vector<std::uint8_t>>;
+
+Tours tours(Walkers& walkers, kernels::Isa isa, int threads, int tiles = kTiles) {
+  Square square(tiles);
+  std::vector<Ant> ants(kAnts);
+  walkers.reset(kSide, kSide, threads, kAnts);
+  walkers.walk(square.world, kernels::walk_table(isa).walk[square.shape.index()], ants, 0, {});
+  Tours result;
+  for (const Ant& ant : ants) {
+    EXPECT_TRUE(ant.arrived);
+    result.emplace_back(ant.tour().begin(), ant.tour().end());
+  }
+  return result;
+}
+
+TEST(Walkers, PassOnThatATileCannotBeMadeAndForgetTheAntsUnderWay) {
+  for (const auto isa : {kernels::Isa::scalar, kernels::Isa::avx2, kernels::Isa::avx512}) {
+    if (isa > kernels::supported_isa()) continue;
+    Walkers fresh;
+    const Tours expected = tours(fresh, isa, 1);
+    for (const int threads : {1, 3}) {
+      Walkers walkers;
+      for (const int tiles : {0, 1, 5, 20}) {
+        EXPECT_THROW(tours(walkers, isa, threads, tiles), std::bad_alloc);
+        EXPECT_EQ(tours(walkers, isa, threads), expected);
+      }
+    }
+  }
 }
 
 }  // namespace
