@@ -9,8 +9,8 @@
 
 #include "colony_loop.h"
 #include "kernel_choice.h"
-#include "lasius/path.h"
 #include "move_rule.h"
+#include "parallel.h"
 #include "polish.h"
 #include "run_status.h"
 #include "schedule.h"
@@ -56,7 +56,7 @@ class GridColony final : public ColonyWorld {
         params_(params),
         ws_(workspace),
         observer_(observer),
-        threads_(thread_count(params)),
+        threads_(thread_count(params.threads)),
         moves_(moves_of(params.neighbours)),
         tau0_(initial_pheromone(params, straight_distance(request))) {
     ws_.field.reset(grid, moves_, request.goal, params, untouched(), request.stop);
@@ -72,7 +72,7 @@ class GridColony final : public ColonyWorld {
   Result run() {
     Convergence run;
     const auto cause = run_colony_loop(*this, params_.iterations, request_.stop, run);
-    return result(cause, std::move(run));
+    return result_after(cause, std::move(run), std::move(best_path_));
   }
 
   // What the loop asks for.
@@ -120,14 +120,9 @@ class GridColony final : public ColonyWorld {
 
  private:
   /// What an observer sees.
-  class View final : public Progress {
+  class View final : public RunProgress {
    public:
-    View(const GridColony& colony, const Convergence& run) : colony_(colony) {
-      iteration = run.iterations - 1;
-      best_length = run.best.back();
-      mean_length = run.mean.back();
-      arrived = run.arrived.back();
-    }
+    View(const GridColony& colony, const Convergence& run) : RunProgress(run), colony_(colony) {}
     int ants() const override { return colony_.ants(); }
     std::vector<Cell> tour(int ant) const override {
       return colony_.ws_.ants.at(ant).arrived ? walk(ant) : std::vector<Cell>{};
@@ -200,21 +195,6 @@ class GridColony final : public ColonyWorld {
       const PolishedPath& path = ws_.polisher.paths()[a];
       for (const Cell c : path.raster) ws_.field.deposit(c, 0, params_.deposit / path.length);
     }
-  }
-
-  Result result(StopCondition::Cause cause, Convergence run) {
-    Result result;
-    result.iterations = run.iterations;
-    result.best = std::move(run.best);
-    result.mean = std::move(run.mean);
-    result.arrived = std::move(run.arrived);
-    const bool found = best_length_ < kInfinity;
-    result.status = status_after(cause, found ? Status::solved : Status::no_path);
-    if (found) {
-      result.path = std::move(best_path_);
-      result.length = path_length(result.path);
-    }
-    return result;
   }
 
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
+#include <numeric>
+#include <utility>
 
-#include "grid_ga_route.h"
-#include "kernel_choice.h"
+#include "colony_loop.h"
+#include "grid_ga_memory.h"
 #include "kernels/random_stream.h"
 #include "lasius/path.h"
-#include "loop_cutter.h"
 #include "parallel.h"
 #include "run_status.h"
-#include "straighten.h"
-#include "tauten.h"
+#include "workspace.h"
 
 namespace lasius {
 namespace {
@@ -31,79 +30,100 @@ class Draws : public kernels::RandomStream {
                      static_cast<std::uint32_t>(generation), static_cast<std::uint32_t>(use)) {}
 };
 
-/// A chromosome with its path after polish.
-struct Individual {
-  std::vector<Cell> cells;    // the path, start and goal included; empty when stopped
-  double tour = kNaN;         // its length
-  double length = kInfinity;  // after polish: the fitness, less is fitter
-  std::vector<Point> points;
-};
-
-/// What one thread works with.
-struct Scratch {
-  explicit Scratch(const Grid& grid, const RouteMoves& moves) : routes(grid, moves) {}
-  RouteMaker routes;
-  LoopCutter cutter;
-  Straightener straightener;
-  Tautener tautener;
-  std::vector<Cell> draft;
-  std::vector<std::pair<std::uint32_t, int>> places;  // cell and its index in a path
-  std::vector<std::pair<int, int>> common;            // indices of a cell in both paths
-};
-
 std::uint32_t packed(Cell c) {
   return static_cast<std::uint32_t>(c.y) << 16 | static_cast<std::uint32_t>(c.x);
 }
 
-class GridGa final : public Progress {
+class GridGa final : public ColonyWorld {
  public:
   GridGa(const Grid& grid, const Request& request, const Params& params,
-         const std::function<bool(Cell)>& joined)
+         const std::function<bool(Cell)>& joined, GridGaMemory& memory, const Observer& observer)
       : grid_(grid),
         request_(request),
         params_(params),
         joined_(joined),
+        memory_(memory),
+        observer_(observer),
         moves_{params.neighbours == Neighbours::four ? 4 : 8, params.corners},
-        threads_(std::clamp(thread_count(params), 1, params.population)) {
-    for (int t = 0; t < threads_; ++t) scratch_.push_back(std::make_unique<Scratch>(grid, moves_));
-    population_.resize(static_cast<std::size_t>(params.population));
-    children_.resize(population_.size());
+        threads_(std::clamp(thread_count(params.threads), 1, params.population)) {
+    const auto threads = static_cast<std::size_t>(threads_);
+    if (memory.scratch.size() < threads) memory.scratch.resize(threads);
+    for (int t = 0; t < threads_; ++t) memory.scratch[t].routes.reset(grid, moves_);
+    memory.population.resize(static_cast<std::size_t>(params.population));
+    memory.children.resize(memory.population.size());
   }
 
-  Result run(const Observer& observer) {
-    auto cause = request_.stop.poll();
-    for (int g = 0; g < params_.iterations && cause == StopCondition::Cause::none; ++g) {
-      if (g == 0) {
-        cause = make(population_, [&](Scratch& s, int i, Poller& p) { newcomer(s, i, p); });
-      } else {
-        hold_tournaments(g);
-        cause = make(children_, [&](Scratch& s, int i, Poller& p) { child(s, g, i, p); });
-        if (cause == StopCondition::Cause::none) succeed();
-      }
-      offer(g == 0 || cause == StopCondition::Cause::none ? population_ : children_);
-      if (cause != StopCondition::Cause::none) break;
-      record(g);
-      if (observer) observer(*this);
+  Result run() {
+    Convergence run;
+    const auto cause = run_colony_loop(*this, params_.iterations, request_.stop, run);
+    return result_after(cause, std::move(run), std::move(best_path_));
+  }
+
+  // What the loop asks for.
+
+  StopCondition::Cause send_ants(int q) override {
+    if (q == 0) return make_children([this](Scratch& s, int i, Poller& p) { newcomer(s, i, p); });
+    hold_tournaments(q);
+    return make_children([=, this](Scratch& s, int i, Poller& p) { child(s, q, i, p); });
+  }
+
+  void offer() override {
+    for (const Individual& one : memory_.children) {
+      if (!(one.length < best_length_)) continue;
+      best_length_ = one.length;
+      best_path_ = one.points;
     }
-    return answer(cause);
   }
 
-  // What an observer sees.
+  /// The children take over; the best one of their parents lives on.
+  void update(int q) override {
+    if (q > 0) {
+      const auto best = fittest(memory_.population), heir = fittest(memory_.children);
+      if (heir->length > best->length) {
+        std::swap(*std::max_element(memory_.children.begin(), memory_.children.end(), fitter),
+                  *best);
+      }
+    }
+    memory_.population.swap(memory_.children);
+  }
+
   int ants() const override { return params_.population; }
-  std::vector<Cell> tour(int ant) const override { return population_.at(ant).cells; }
-  double pheromone(Cell) const override { return 0; }
+  double tour_length(int ant) const override { return memory_.population[ant].tour; }
+  double best_length() const override { return best_length_ < kInfinity ? best_length_ : kNaN; }
+
+  void observe(const Convergence& run) override {
+    if (observer_) observer_(View(memory_, run));
+  }
 
  private:
-  /// Fills `group` over threads; `draft` leaves an individual's cells in the scratch, none when
-  /// stopped.
+  using Scratch = GridGaMemory::Scratch;
+
+  /// What an observer sees.
+  class View final : public RunProgress {
+   public:
+    View(const GridGaMemory& memory, const Convergence& run) : RunProgress(run), memory_(memory) {}
+    int ants() const override { return static_cast<int>(memory_.population.size()); }
+    std::vector<Cell> tour(int ant) const override { return memory_.population.at(ant).cells; }
+    double pheromone(Cell) const override { return 0; }
+
+   private:
+    const GridGaMemory& memory_;
+  };
+
+  static bool fitter(const Individual& a, const Individual& b) { return a.length < b.length; }
+  static std::vector<Individual>::iterator fittest(std::vector<Individual>& group) {
+    return std::min_element(group.begin(), group.end(), fitter);
+  }
+
+  /// Makes all children over threads; `draft` leaves one's cells in the scratch, none when stopped.
   template <class Draft>
-  StopCondition::Cause make(std::vector<Individual>& group, const Draft& draft) {
-    parallel_for(static_cast<int>(group.size()), threads_, [&](int i, int thread) {
-      Scratch& scratch = *scratch_[thread];
+  StopCondition::Cause make_children(const Draft& draft) {
+    parallel_for(params_.population, threads_, [&](int i, int thread) {
+      Scratch& scratch = memory_.scratch[thread];
       Poller poller(request_.stop, Poller::kSteps);
       scratch.draft.clear();
       if (request_.stop.poll() == StopCondition::Cause::none) draft(scratch, i, poller);
-      finish(scratch, group[i]);
+      finish(scratch, memory_.children[i]);
     });
     return request_.stop.poll();
   }
@@ -160,14 +180,16 @@ class GridGa final : public Progress {
   void hold_tournaments(int generation) {
     const int count = params_.population;
     Draws draws(params_.seed, Use::tournament, generation, 0);
-    parents_.clear();
-    std::vector<int> order(static_cast<std::size_t>(count));
-    while (static_cast<int>(parents_.size()) < count) {
-      for (int i = 0; i < count; ++i) order[i] = i;
+    std::vector<int>& parents = memory_.parents;
+    std::vector<int>& order = memory_.order;
+    parents.clear();
+    order.resize(memory_.population.size());
+    while (static_cast<int>(parents.size()) < count) {
+      std::iota(order.begin(), order.end(), 0);
       for (int i = count - 1; i > 0; --i) std::swap(order[i], order[draws.below(i + 1)]);
-      for (int i = 0; i < count && static_cast<int>(parents_.size()) < count; i += 2) {
+      for (int i = 0; i < count && static_cast<int>(parents.size()) < count; i += 2) {
         const int a = order[i], b = order[i + 1 < count ? i + 1 : 0];
-        parents_.push_back(population_[b].length < population_[a].length ? b : a);
+        parents.push_back(fitter(memory_.population[b], memory_.population[a]) ? b : a);
       }
     }
   }
@@ -201,7 +223,7 @@ class GridGa final : public Progress {
 
   void child(Scratch& scratch, int generation, int i, Poller& poller) {
     const auto parent = [&](int p) -> const Individual& {
-      return population_[parents_[p < params_.population ? p : 0]];
+      return memory_.population[memory_.parents[p < params_.population ? p : 0]];
     };
     const int pair = i / 2;
     cross(scratch, parent(2 * pair), parent(2 * pair + 1), i % 2 == 1,
@@ -213,69 +235,25 @@ class GridGa final : public Progress {
     go_on(scratch, draws, poller);
   }
 
-  /// The children take over; the best one lives on.
-  void succeed() {
-    const auto fitter = [](const Individual& a, const Individual& b) {
-      return a.length < b.length;
-    };
-    const auto best = std::min_element(population_.begin(), population_.end(), fitter);
-    const auto heir = std::min_element(children_.begin(), children_.end(), fitter);
-    if (heir->length > best->length)
-      *std::max_element(children_.begin(), children_.end(), fitter) = std::move(*best);
-    population_.swap(children_);
-  }
-
-  void offer(const std::vector<Individual>& group) {
-    for (const Individual& one : group) {
-      if (!(one.length < best_length_)) continue;
-      best_length_ = one.length;
-      best_path_ = one.points;
-    }
-  }
-
-  void record(int generation) {
-    double sum = 0;
-    for (const Individual& one : population_) sum += one.tour;
-    iteration = generation;
-    arrived = params_.population;
-    mean_length = sum / arrived;
-    best_length = best_length_;
-    result_.best.push_back(best_length);
-    result_.mean.push_back(mean_length);
-    result_.arrived.push_back(arrived);
-    result_.iterations = generation + 1;
-  }
-
-  Result answer(StopCondition::Cause cause) {
-    const bool found = best_length_ < kInfinity;
-    result_.status = status_after(cause, found ? Status::solved : Status::no_path);
-    if (found) {
-      result_.path = std::move(best_path_);
-      result_.length = path_length(result_.path);
-    }
-    return std::move(result_);
-  }
-
   const Grid& grid_;
   const Request& request_;
   const Params& params_;
   const std::function<bool(Cell)>& joined_;
+  GridGaMemory& memory_;
+  const Observer& observer_;
   RouteMoves moves_;
   int threads_;
-  std::vector<std::unique_ptr<Scratch>> scratch_;
-  std::vector<Individual> population_, children_;
-  std::vector<int> parents_;
 
   double best_length_ = kInfinity;
   std::vector<Point> best_path_;
-  Result result_;
 };
 
 }  // namespace
 
 Result run_grid_ga(const Grid& grid, const Request& request, const Params& params,
-                   const std::function<bool(Cell)>& joined, const Observer& observer) {
-  return GridGa(grid, request, params, joined).run(observer);
+                   const std::function<bool(Cell)>& joined, Workspace::Impl& workspace,
+                   const Observer& observer) {
+  return GridGa(grid, request, params, joined, workspace.grid_ga, observer).run();
 }
 
 }  // namespace lasius

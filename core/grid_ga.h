@@ -25,6 +25,7 @@ namespace lasius {
 ///   joined  true where a cell can be reached from the start
 /// One generation is one entry of the result's curves; `mean` is over the unpolished paths.
 Result run_grid_ga(const Grid& grid, const Request& request, const Params& params,
-                   const std::function<bool(Cell)>& joined, const Observer& observer);
+                   const std::function<bool(Cell)>& joined, Workspace::Impl& workspace,
+                   const Observer& observer);
 
 }  // namespace lasius

@@ -1,36 +1,36 @@
 #include "grid_ga_route.h"
 
-#include <cstdlib>
-#include <new>
+#include <algorithm>
+
+#include "move_rule.h"
 
 namespace lasius {
 
-void RouteMaker::Free::operator()(std::uint64_t* p) const noexcept { std::free(p); }
-
-RouteMaker::RouteMaker(const Grid& grid, const RouteMoves& moves) : grid_(grid), moves_(moves) {
-  const auto words = static_cast<std::size_t>(grid.words()) * grid.height();
-  entered_.reset(static_cast<std::uint64_t*>(std::calloc(words, sizeof(std::uint64_t))));
-  if (entered_ == nullptr) throw std::bad_alloc();
-}
-
-bool RouteMaker::entered(Cell c) const noexcept {
-  return (entered_[static_cast<std::size_t>(c.y) * grid_.words() + (c.x >> 6)] >> (c.x & 63) & 1) !=
-         0;
+void RouteMaker::reset(const Grid& grid, const RouteMoves& moves) {
+  forget();
+  grid_ = &grid;
+  moves_ = moves;
+  words_ = grid.words();
+  const std::int64_t room = std::int64_t{words_} * grid.height();
+  if (room > room_) entered_ = ZeroArray<std::uint64_t>(room);
+  room_ = std::max(room, room_);
 }
 
 void RouteMaker::mark(Cell c) {
-  entered_[static_cast<std::size_t>(c.y) * grid_.words() + (c.x >> 6)] |= std::uint64_t{1}
-                                                                          << (c.x & 63);
   marked_.push_back(c);
+  word_of(c) |= std::uint64_t{1} << (c.x & 63);
+}
+
+void RouteMaker::forget() noexcept {
+  for (const Cell c : marked_) word_of(c) = 0;
+  marked_.clear();
 }
 
 bool RouteMaker::legal(Cell at, int dx, int dy) const noexcept {
-  if (grid_.blocked({at.x + dx, at.y + dy})) return false;
+  if (grid_->blocked({at.x + dx, at.y + dy})) return false;
   if (dx == 0 || dy == 0) return true;
-  if (moves_.neighbours == 4) return false;
-  const int free_sides = grid_.free({at.x + dx, at.y}) + grid_.free({at.x, at.y + dy});
-  return free_sides >=
-         (moves_.corners == Corners::forbid ? 2 : moves_.corners == Corners::one_side);
+  return moves_.neighbours > 4 &&
+         diagonal_allowed(*grid_, moves_.corners, {at.x + dx, at.y}, {at.x, at.y + dy});
 }
 
 Cell RouteMaker::nearest_open(Cell at, Cell to) const noexcept {
@@ -64,9 +64,7 @@ bool RouteMaker::extend(std::vector<Cell>& route, Cell to, Poller& poller) {
     mark(next);
     route.push_back(next);
   }
-  for (const Cell c : marked_)
-    entered_[static_cast<std::size_t>(c.y) * grid_.words() + (c.x >> 6)] = 0;
-  marked_.clear();
+  forget();
   if (route.back() == to) return true;
   route.resize(first);
   return false;

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/stop.h"
+#include "zero_array.h"
 
 namespace lasius {
 
@@ -17,11 +17,12 @@ struct RouteMoves {
   Corners corners = Corners::forbid;
 };
 
-/// Makes walks on one grid. Address space is reserved by area, memory touched only where walks go.
+/// Makes walks on a grid. Address space is reserved by area, memory touched only where walks go.
 /// One per thread.
 class RouteMaker {
  public:
-  RouteMaker(const Grid& grid, const RouteMoves& moves);
+  /// Gets ready for a grid, which must outlive the walks on it.
+  void reset(const Grid& grid, const RouteMoves& moves);
 
   /// Appends to `route` the walk from its last cell to `to`: always to the open neighbour nearest
   /// to it in a straight line, ties in scan order; no cell is entered twice, and where none is open
@@ -29,20 +30,22 @@ class RouteMaker {
   bool extend(std::vector<Cell>& route, Cell to, Poller& poller);
 
  private:
-  struct Free {
-    void operator()(std::uint64_t* p) const noexcept;
-  };
-
   bool legal(Cell at, int dx, int dy) const noexcept;
   /// The open neighbour nearest to `to`, or `at` where none is open.
   Cell nearest_open(Cell at, Cell to) const noexcept;
-  bool entered(Cell c) const noexcept;
+  std::uint64_t& word_of(Cell c) const noexcept {
+    return entered_[std::int64_t{c.y} * words_ + (c.x >> 6)];
+  }
+  bool entered(Cell c) const noexcept { return (word_of(c) >> (c.x & 63) & 1) != 0; }
   void mark(Cell c);
+  void forget() noexcept;
 
-  const Grid& grid_;
+  const Grid* grid_ = nullptr;
   RouteMoves moves_;
-  std::unique_ptr<std::uint64_t[], Free> entered_;  // a bit a cell
-  std::vector<Cell> marked_;
+  int words_ = 0;                     // a row of `entered_`
+  std::int64_t room_ = 0;             // words of `entered_`
+  ZeroArray<std::uint64_t> entered_;  // a bit a cell
+  std::vector<Cell> marked_;          // those whose bit may be set
 };
 
 }  // namespace lasius

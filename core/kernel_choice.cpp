@@ -1,7 +1,5 @@
 #include "kernel_choice.h"
 
-#include <omp.h>
-
 #include <array>
 #include <cstdlib>
 #include <string>
@@ -27,10 +25,6 @@ kernels::Isa chosen_isa() {
   throw Error(ErrorCode::invalid_parameter,
               "LASIUS_KERNELS is \"" + std::string(wanted) + "\", which names no kernels",
               "set it to scalar, avx2 or avx512, or unset it");
-}
-
-int thread_count(const Params& params) noexcept {
-  return params.threads > 0 ? params.threads : omp_get_max_threads();
 }
 
 }  // namespace lasius

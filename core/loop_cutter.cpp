@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 
+#include "move_rule.h"
+
 namespace lasius {
 namespace {
 
@@ -99,11 +101,10 @@ Cell LoopCutter::cell_of(Entry e) const noexcept {
 }
 
 bool LoopCutter::allowed(const Grid& grid, Corners corners, Entry e, int move) const noexcept {
-  if (move < 4 || corners == Corners::allow) return true;
+  if (move < 4) return true;
   const Cell c = cell_of(e);
-  const bool side_x = grid.free({c.x + kMoves[move].dx, c.y});
-  const bool side_y = grid.free({c.x, c.y + kMoves[move].dy});
-  return corners == Corners::forbid ? side_x && side_y : side_x || side_y;
+  const auto [dx, dy] = kMoves[move];
+  return diagonal_allowed(grid, corners, {c.x + dx, c.y}, {c.x, c.y + dy});
 }
 
 std::span<const Cell> LoopCutter::cut(const Grid& grid, std::span<const Cell> walk, bool diagonal,

@@ -28,19 +28,23 @@ inline kernels::Moves moves_of(Neighbours neighbours) noexcept {
   return kernels::moves_of(Neighbourhood::eight);
 }
 
+/// May a move pass between two cells that touch at a lattice point?
+inline bool diagonal_allowed(const Grid& grid, Corners corners, Cell a, Cell b) noexcept {
+  if (corners == Corners::allow) return true;
+  return grid.free(a) + grid.free(b) >= (corners == Corners::forbid ? 2 : 1);
+}
+
 /// Can a move be made from a free cell? Where it leads and all that it sweeps must be free, and the
-/// cells beside each lattice point that it crosses as the rule of corners has it.
+/// cells beside each lattice point that it crosses as `corners` has it.
 inline bool move_exists(const Grid& grid, Corners corners, Cell from,
                         const kernels::Move& move) noexcept {
   if (grid.blocked(from + move.to)) return false;
   for (int i = 0; i < move.swept_count; ++i) {
     if (grid.blocked(from + move.swept[i])) return false;
   }
-  if (corners == Corners::allow) return true;
-  const int needed = corners == Corners::forbid ? 2 : 1;
   for (int i = 0; i < move.corner_count; ++i) {
     const auto& [a, b] = move.corners[i];
-    if (grid.free(from + a) + grid.free(from + b) < needed) return false;
+    if (!diagonal_allowed(grid, corners, from + a, from + b)) return false;
   }
   return true;
 }

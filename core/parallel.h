@@ -8,6 +8,9 @@
 
 namespace lasius {
 
+/// The threads asked for, or where that is 0 as many as OpenMP gives.
+inline int thread_count(int wanted) noexcept { return wanted > 0 ? wanted : omp_get_max_threads(); }
+
 /// Calls body(i, thread) once for every i below `count`, on up to `threads` threads; `thread`, from
 /// 0, is the number of the one that calls. After a call that throws no other begins, and its
 /// exception is thrown on.

@@ -168,7 +168,7 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
     result = run_exact(grid, impl_->graph.get(), request, workspace->impl());
   } else if (params.algorithm == "grid-ga") {
     const auto joined = [&](Cell c) { return components->connected(grid, request.start, c); };
-    result = run_grid_ga(grid, request, params, joined, observer);
+    result = run_grid_ga(grid, request, params, joined, workspace->impl(), observer);
   } else {
     result = run_colony(grid, request, params, workspace->impl(), observer);
   }

@@ -5,6 +5,7 @@
 
 #include "exact.h"
 #include "field.h"
+#include "grid_ga_memory.h"
 #include "lasius/planner.h"
 #include "polish.h"
 #include "prepared_search.h"
@@ -22,6 +23,7 @@ class Workspace::Impl {
   std::vector<int> ranking;  // of the ants
   Ant answer;                // of a colony whose ants only teach it
   Polisher polisher;
+  GridGaMemory grid_ga;
   ExactSearch exact;
   exact::PreparedSearch prepared;
   ExactAnswer exact_answer;

@@ -1,4 +1,5 @@
-// Counts what a test program allocates. Include it in one source of the program only.
+// Counts what a test program allocates, and lets an allocation fail. Include it in one source of
+// the program only.
 #pragma once
 
 #include <atomic>
@@ -9,11 +10,13 @@
 namespace lasius {
 inline std::atomic<std::int64_t> allocations{0};
 inline std::atomic<std::int64_t> allocated_bytes{0};
+/// Of these, the number of the one that fails; none by default.
+inline std::atomic<std::int64_t> failing_allocation{-1};
 }  // namespace lasius
 
 // Not inlined: compilers that see through one of a pair warn of a mismatch.
 [[gnu::noinline]] void* operator new(std::size_t size) {
-  ++lasius::allocations;
+  if (lasius::allocations++ == lasius::failing_allocation) throw std::bad_alloc();
   lasius::allocated_bytes += static_cast<std::int64_t>(size);
   if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
   throw std::bad_alloc();

@@ -44,7 +44,8 @@ TEST(RouteMaker, StepsBackOutOfADeadEnd) {
                            ".##.",  //
                            "..#.",  //
                            "...."});
-  RouteMaker maker(grid, {.neighbours = 4, .corners = Corners::forbid});
+  RouteMaker maker;
+  maker.reset(grid, {.neighbours = 4, .corners = Corners::forbid});
   StopCondition never;
   Poller poller(never, 1000);
   Cells route{{0, 2}};
@@ -54,16 +55,17 @@ TEST(RouteMaker, StepsBackOutOfADeadEnd) {
   // With row 3 closed, (1, 2) is a dead end, and the walk goes round the top.
   Grid closed = grid;
   for (int x = 1; x < 4; ++x) closed.set_blocked({x, 3});
-  RouteMaker round(closed, {.neighbours = 4, .corners = Corners::forbid});
+  maker.reset(closed, {.neighbours = 4, .corners = Corners::forbid});
   route = {{0, 2}};
-  ASSERT_TRUE(round.extend(route, {3, 2}, poller));
+  ASSERT_TRUE(maker.extend(route, {3, 2}, poller));
   EXPECT_EQ(route, (Cells{{0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {3, 2}}));
 }
 
 TEST(RouteMaker, LeavesTheRouteWhereThereIsNoWay) {
   const Grid grid = drawn({"..#.",  //
                            "..#."});
-  RouteMaker maker(grid, {});
+  RouteMaker maker;
+  maker.reset(grid, {});
   StopCondition never;
   Poller poller(never, 1000);
   Cells route{{0, 0}, {1, 0}};
@@ -81,7 +83,9 @@ TEST(RouteMaker, ObeysTheRuleOfCorners) {
   Poller poller(never, 1000);
   const auto walk = [&](Corners corners) {
     Cells route{{0, 0}};
-    EXPECT_TRUE(RouteMaker(grid, {8, corners}).extend(route, {1, 1}, poller));
+    RouteMaker maker;
+    maker.reset(grid, {8, corners});
+    EXPECT_TRUE(maker.extend(route, {1, 1}, poller));
     return route.size();
   };
   EXPECT_EQ(walk(Corners::forbid), 3u);

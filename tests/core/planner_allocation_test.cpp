@@ -30,6 +30,21 @@ TEST_P(EveryColony, ASecondCallOfTheSameSizeAllocatesOnlyItsResult) {
   EXPECT_LT(count() - three, 12);  // the curves grow, nothing else
 }
 
+TEST(PlannerAllocation, TheGeneticAlgorithmKeepsItsMemory) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  const Params params = quick("grid-ga");
+  Workspace workspace;
+  const auto count = [&] {
+    const auto before = allocations.load();
+    (void)planner.plan(request, params, &workspace);
+    return allocations - before;
+  };
+  const auto first = count();
+  EXPECT_GT(first, 1000);
+  EXPECT_LT(count(), first / 10);
+}
+
 TEST(PlannerAllocation, ProvingUnreachableTakesNoMapSizedMemory) {
   Grid grid(4096, 4096);
   for (int y = 0; y < 4096; ++y) grid.set_blocked({2000, y});
@@ -38,6 +53,41 @@ TEST(PlannerAllocation, ProvingUnreachableTakesNoMapSizedMemory) {
   const Result result = planner.plan({.start = {1, 1}, .goal = {4000, 4000}}, defaults("fan2004"));
   EXPECT_EQ(result.status, Status::unreachable);
   EXPECT_LT(allocated_bytes - before, 64 << 10);
+}
+
+// Whichever allocation fails, of this thread or of a team's: the call throws, and what it left in
+// its workspace spoils no later plan.
+TEST(PlannerAllocation, AWorkspaceOutlivesACallThatRanOutOfMemory) {
+  const Planner planner(blobs(70, 50));
+  const Request request = far_apart(planner);
+  for (const char* algorithm : {"fan2004", "acs", "terminal-index", "grid-ga", "exact"}) {
+    Params params = quick(algorithm);
+    params.iterations = 2;
+    params.ants = params.population = 10;
+    const Result expected = planner.plan(request, params);
+    Params before = quick("cong2009");  // with four neighbours, and tiles of another shape
+    before.iterations = 2;
+    for (const int threads : {1, 2}) {
+      params.threads = threads;
+      bool failed = true;
+      std::int64_t n = 0;
+      for (; failed; n += 1 + n / 4) {
+        Workspace workspace;
+        if (n % 2 == 1) (void)planner.plan(request, before, &workspace);
+        failing_allocation = allocations + n;
+        try {
+          (void)planner.plan(request, params, &workspace);
+          failed = false;
+        } catch (const std::bad_alloc&) {
+        }
+        failing_allocation = -1;
+        const Result again = planner.plan(request, params, &workspace);
+        EXPECT_EQ(again.path, expected.path) << algorithm << " " << n;
+        EXPECT_EQ(again.mean, expected.mean) << algorithm << " " << n;
+      }
+      EXPECT_GT(n, 20) << algorithm;
+    }
+  }
 }
 
 }  // namespace
