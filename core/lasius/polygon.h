@@ -54,8 +54,8 @@ struct ReadOptions {
 ///
 /// Geometry is checked: every ring has at least three distinct corners, is closed, does not cross
 /// itself or another ring of its polygon. Zero-length edges are dropped.
-/// @throws Error(file_missing, file_broken), naming the file, the line and byte or the feature,
-///         ring and point, and the remedy.
+/// @throws Error(file_missing, file_broken, file_unsupported above 256 MiB), naming the file, the
+///         line and byte or the feature, ring and point, and the remedy.
 LASIUS_POLYGON_EXPORT World read_world(const std::string& path, const ReadOptions& options = {});
 
 /// The same from text; `name` stands for the file in errors.
@@ -65,13 +65,17 @@ LASIUS_POLYGON_EXPORT World parse_wkt(std::string_view text, const std::string& 
                                       const ReadOptions& options = {});
 
 LASIUS_POLYGON_EXPORT std::string to_geojson(const World& world);
-LASIUS_POLYGON_EXPORT std::string to_wkt(const World& world);  ///< the margin is a comment
+/// The margin is a comment.
+/// @throws Error(invalid_parameter) for a world that `check` refuses, and a goal without a start,
+///         which would be read as one.
+LASIUS_POLYGON_EXPORT std::string to_wkt(const World& world);
 
 /// Writes GeoJSON or, to names that end in .wkt, WKT; whole or not at all.
-/// @throws Error(output_failed)
+/// @throws Error(output_failed); to WKT as to_wkt.
 LASIUS_POLYGON_EXPORT void write_world(const World& world, const std::string& path);
 
-/// Checks a world that a program made. @throws Error(invalid_parameter) as `read_world`.
+/// Checks a world that a program made. @throws Error(invalid_parameter) for what `read_world`
+/// refuses.
 LASIUS_POLYGON_EXPORT void check(const World& world);
 
 /// The blocked cells of a bitmap as obstacles of `resolution` a cell, the map's lower left corner

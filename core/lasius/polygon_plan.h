@@ -130,7 +130,7 @@ using Observer = std::function<void(const IterationView&)>;
 class LASIUS_POLYGON_EXPORT Planner {
  public:
   /// @throws Error(invalid_parameter) for a world that `check` refuses, a margin that is not a
-  ///         number of at least 0, or where no free space is left.
+  ///         number of at least 0, where no free space is left, or GEOS cannot work with it.
   explicit Planner(const World& world, const Preparation& preparation = {});
   ~Planner();
   Planner(Planner&&) noexcept;

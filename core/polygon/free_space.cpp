@@ -33,19 +33,19 @@ Polygon scaled(const Lattice& lattice, const Polygon& polygon) {
   return result;
 }
 
+using BufferParams = Geos::Owned<GEOSBufferParams, GEOSBufferParams_destroy_r>;
+
 Geos::Geometry grown(const Geos& geos, Geos::Geometry obstacles, double margin, Join join) {
   if (!(margin > 0)) return obstacles;
   const auto context = geos.context();
-  GEOSBufferParams* how = GEOSBufferParams_create_r(context);
-  GEOSBufferParams_setJoinStyle_r(context, how,
+  const auto how = geos.own<BufferParams>(GEOSBufferParams_create_r(context));
+  GEOSBufferParams_setJoinStyle_r(context, how.get(),
                                   join == Join::round   ? GEOSBUF_JOIN_ROUND
                                   : join == Join::bevel ? GEOSBUF_JOIN_BEVEL
                                                         : GEOSBUF_JOIN_MITRE);
-  GEOSBufferParams_setMitreLimit_r(context, how, kMitreLimit);
-  GEOSBufferParams_setQuadrantSegments_r(context, how, kQuadrantSegments);
-  GEOSGeometry* result = GEOSBufferWithParams_r(context, obstacles.get(), how, margin);
-  GEOSBufferParams_destroy_r(context, how);
-  return geos.own(result);
+  GEOSBufferParams_setMitreLimit_r(context, how.get(), kMitreLimit);
+  GEOSBufferParams_setQuadrantSegments_r(context, how.get(), kQuadrantSegments);
+  return geos.own(GEOSBufferWithParams_r(context, obstacles.get(), how.get(), margin));
 }
 
 /// Adds a ring with free space on its left.

@@ -1,15 +1,32 @@
 #include "geos.h"
 
-#include <stdexcept>
+#include <new>
+
+#include "lasius/error.h"
 
 namespace lasius::polygon {
 namespace {
 
+using Sequence = Geos::Owned<GEOSCoordSequence, GEOSCoordSeq_destroy_r>;
+using Reader = Geos::Owned<GEOSWKTReader, GEOSWKTReader_destroy_r>;
+using Writer = Geos::Owned<GEOSWKTWriter, GEOSWKTWriter_destroy_r>;
+
+void free_text(GEOSContextHandle_t context, char* text) { GEOSFree_r(context, text); }
+using Text = Geos::Owned<char, free_text>;
+
 void keep(const char* text, void* said) { *static_cast<std::string*>(said) = text; }
+
+std::vector<GEOSGeometry*> released(std::vector<Geos::Geometry>& parts) {
+  std::vector<GEOSGeometry*> raw;
+  raw.reserve(parts.size());
+  for (Geos::Geometry& part : parts) raw.push_back(part.release());
+  return raw;
+}
 
 }  // namespace
 
 Geos::Geos() : context_(GEOS_init_r()) {
+  if (context_ == nullptr) throw std::bad_alloc();
   GEOSContext_setErrorMessageHandler_r(context_, keep, &said_);
   GEOSContext_setNoticeMessageHandler_r(
       context_, [](const char*, void*) {}, nullptr);
@@ -17,34 +34,35 @@ Geos::Geos() : context_(GEOS_init_r()) {
 
 Geos::~Geos() { GEOS_finish_r(context_); }
 
-Geos::Geometry Geos::own(GEOSGeometry* g) const {
-  if (g == nullptr) throw std::runtime_error("GEOS: " + said_);
-  return {g, Destroy{context_}};
+void Geos::fail() const {
+  throw Error(ErrorCode::invalid_parameter, "GEOS cannot work with this geometry: " + said_,
+              "simplify it");
 }
 
-GEOSGeometry* Geos::ring(const Ring& points) const {
+// What makes a geometry of parts takes them over, also where it fails.
+
+Geos::Geometry Geos::ring(const Ring& points) const {
   const auto count = static_cast<unsigned>(points.size());
-  GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(context_, count + 1, 2);
+  auto sequence = own<Sequence>(GEOSCoordSeq_create_r(context_, count + 1, 2));
   for (unsigned i = 0; i <= count; ++i) {
     const Point p = points[i < count ? i : 0];
-    GEOSCoordSeq_setXY_r(context_, sequence, i, p.x, p.y);
+    GEOSCoordSeq_setXY_r(context_, sequence.get(), i, p.x, p.y);
   }
-  return own(GEOSGeom_createLinearRing_r(context_, sequence)).release();
+  return own(GEOSGeom_createLinearRing_r(context_, sequence.release()));
 }
 
 Geos::Geometry Geos::polygon(const Polygon& p) const {
-  GEOSGeometry* shell = ring(p.outer);
-  std::vector<GEOSGeometry*> holes;
+  Geometry shell = ring(p.outer);
+  std::vector<Geometry> holes;
   holes.reserve(p.holes.size());
   for (const Ring& hole : p.holes) holes.push_back(ring(hole));
-  return own(
-      GEOSGeom_createPolygon_r(context_, shell, holes.data(), static_cast<unsigned>(holes.size())));
+  std::vector<GEOSGeometry*> raw = released(holes);
+  return own(GEOSGeom_createPolygon_r(context_, shell.release(), raw.data(),
+                                      static_cast<unsigned>(raw.size())));
 }
 
 Geos::Geometry Geos::collection(std::vector<Geometry> parts, int type) const {
-  std::vector<GEOSGeometry*> raw;
-  raw.reserve(parts.size());
-  for (Geometry& part : parts) raw.push_back(part.release());
+  std::vector<GEOSGeometry*> raw = released(parts);
   return own(
       GEOSGeom_createCollection_r(context_, type, raw.data(), static_cast<unsigned>(raw.size())));
 }
@@ -87,21 +105,15 @@ std::vector<Polygon> Geos::polygons(const GEOSGeometry* g) const {
 }
 
 Geos::Geometry Geos::read_wkt(const std::string& text) const {
-  GEOSWKTReader* reader = GEOSWKTReader_create_r(context_);
-  GEOSGeometry* g = GEOSWKTReader_read_r(context_, reader, text.c_str());
-  GEOSWKTReader_destroy_r(context_, reader);
-  return own(g);
+  const auto reader = own<Reader>(GEOSWKTReader_create_r(context_));
+  return {GEOSWKTReader_read_r(context_, reader.get(), text.c_str()), {context_}};
 }
 
 std::string Geos::write_wkt(const GEOSGeometry* g) const {
-  GEOSWKTWriter* writer = GEOSWKTWriter_create_r(context_);
-  GEOSWKTWriter_setTrim_r(context_, writer, 1);
-  GEOSWKTWriter_setRoundingPrecision_r(context_, writer, 17);
-  char* text = GEOSWKTWriter_write_r(context_, writer, g);
-  std::string result = text != nullptr ? text : "";
-  GEOSFree_r(context_, text);
-  GEOSWKTWriter_destroy_r(context_, writer);
-  return result;
+  const auto writer = own<Writer>(GEOSWKTWriter_create_r(context_));
+  GEOSWKTWriter_setTrim_r(context_, writer.get(), 1);
+  GEOSWKTWriter_setRoundingPrecision_r(context_, writer.get(), 17);
+  return own<Text>(GEOSWKTWriter_write_r(context_, writer.get(), g)).get();
 }
 
 }  // namespace lasius::polygon

@@ -19,22 +19,30 @@ class Geos {
   Geos(const Geos&) = delete;
   Geos& operator=(const Geos&) = delete;
 
+  template <class T, void (*kDestroy)(GEOSContextHandle_t, T*)>
   struct Destroy {
     GEOSContextHandle_t context = nullptr;
-    void operator()(GEOSGeometry* g) const noexcept { GEOSGeom_destroy_r(context, g); }
+    void operator()(T* handle) const noexcept { kDestroy(context, handle); }
   };
-  using Geometry = std::unique_ptr<GEOSGeometry, Destroy>;
+  template <class T, void (*kDestroy)(GEOSContextHandle_t, T*)>
+  using Owned = std::unique_ptr<T, Destroy<T, kDestroy>>;
+  using Geometry = Owned<GEOSGeometry, GEOSGeom_destroy_r>;
 
   GEOSContextHandle_t context() const noexcept { return context_; }
 
-  /// Takes over what GEOS returned. @throws std::runtime_error with what GEOS said, for null.
-  Geometry own(GEOSGeometry* g) const;
+  /// Takes over what GEOS returned. @throws Error(invalid_parameter) with what it said, for null.
+  template <class Handle = Geometry>
+  Handle own(typename Handle::pointer made) const {
+    if (made == nullptr) fail();
+    return Handle(made, {context_});
+  }
 
   Geometry polygon(const Polygon& p) const;
   Geometry collection(std::vector<Geometry> parts, int type = GEOS_MULTIPOLYGON) const;
   Geometry empty() const;
   /// All polygons of a geometry; other parts are left out.
   std::vector<Polygon> polygons(const GEOSGeometry* g) const;
+  /// Null where the text is no geometry.
   Geometry read_wkt(const std::string& text) const;
   std::string write_wkt(const GEOSGeometry* g) const;
 
@@ -42,7 +50,8 @@ class Geos {
   const std::string& said() const noexcept { return said_; }
 
  private:
-  GEOSGeometry* ring(const Ring& points) const;
+  [[noreturn]] void fail() const;
+  Geometry ring(const Ring& points) const;
   Ring ring(const GEOSGeometry* g) const;
 
   GEOSContextHandle_t context_;

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <exception>
 
 #include "rings.h"
 #include "world_maker.h"
@@ -25,14 +24,12 @@ class WktReader {
       begin_ = at_;
       const std::string geometry = next_geometry();
       ++number_;
-      try {
-        add(maker_.geos().read_wkt(geometry).get());
-      } catch (const Error&) {
-        throw;
-      } catch (const std::exception& e) {
-        fail(std::string("is no geometry (") + e.what() + ")",
+      const auto read = maker_.geos().read_wkt(geometry);
+      if (!read) {
+        fail("is no geometry (GEOS: " + maker_.geos().said() + ")",
              "write it as POLYGON ((0 0, 1 0, 1 1, 0 0)) or POINT (0 0)");
       }
+      add(read.get());
     }
     return maker_.finish();
   }
@@ -134,13 +131,17 @@ World parse_wkt(std::string_view text, const std::string& name, const ReadOption
 }
 
 std::string to_wkt(const World& world) {
+  check(world);
+  if (world.goal && !world.start) {
+    throw Error(ErrorCode::invalid_parameter, "the world has a goal but no start",
+                "give it a start, or write GeoJSON: WKT reads its first point as the start");
+  }
   const Geos geos;
   std::string lines = "# margin " + text(world.margin) + "\n";
   const auto add = [&](const GEOSGeometry* g) { lines += geos.write_wkt(g) + "\n"; };
   add(geos.polygon(world.boundary).get());
   for (const Polygon& p : world.obstacles) add(geos.polygon(p).get());
-  // A goal without a start would be read as one.
-  for (const auto& p : {world.start, world.start ? world.goal : std::nullopt}) {
+  for (const auto& p : {world.start, world.goal}) {
     if (!p) continue;
     add(geos.own(GEOSGeom_createPointFromXY_r(geos.context(), p->x, p->y)).get());
   }

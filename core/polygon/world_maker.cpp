@@ -34,7 +34,12 @@ std::vector<Polygon> WorldMaker::checked(Polygon polygon, const std::string& pla
   const auto wrong = fault(geos_, polygon);
   if (!wrong) return {std::move(polygon)};
   if (!options_.repair || !numbers) fail_(place, *wrong, kRepair);
-  return repaired(geos_, std::move(polygon));
+  try {
+    return repaired(geos_, std::move(polygon));
+  } catch (const Error& error) {
+    fail_(place, error.problem(), error.remedy());
+    throw;
+  }
 }
 
 void WorldMaker::add_boundary(Polygon polygon, const std::string& place) {
