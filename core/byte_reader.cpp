@@ -114,8 +114,28 @@ void ByteReader::fail_at_offset(std::int64_t offset, std::string problem, std::s
 InputFile::InputFile(const std::string& path)
     : stream_(open(path)), reader_(stream_, path, size_of(path)) {
   if (reader_.peek() == ByteReader::kEnd) {
-    reader_.fail_at_offset(0, "is empty", "write the map again");
+    reader_.fail_at_offset(0, "is empty", "write it again");
   }
+}
+
+std::string read_text(const std::string& path, std::int64_t most) {
+  InputFile file(path);
+  ByteReader& in = file.reader();
+  const auto check = [&](std::int64_t size) {
+    if (size <= most) return;
+    throw Error(ErrorCode::file_unsupported, Error::Place{path},
+                "is larger than " + std::to_string(most) + " bytes",
+                "this is no file of this kind");
+  };
+  check(in.left());
+  std::string text;
+  while (in.peek() != ByteReader::kEnd) {
+    const std::size_t before = text.size();
+    text.resize(before + ByteReader::kBuffer);
+    text.resize(before + in.read(text.data() + before, ByteReader::kBuffer));
+    check(static_cast<std::int64_t>(text.size()));
+  }
+  return text;
 }
 
 }  // namespace lasius

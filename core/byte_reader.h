@@ -13,7 +13,7 @@
 
 namespace lasius {
 
-// Exported for lasius::io only; not part of the public API.
+// Exported for the components only; not part of the public API.
 class LASIUS_EXPORT ByteReader {
  public:
   static constexpr int kEnd = -1;
@@ -73,5 +73,8 @@ class LASIUS_EXPORT InputFile {
   std::ifstream stream_;
   ByteReader reader_;
 };
+
+/// A file read whole. @throws Error as InputFile, Error(file_unsupported) above `most` bytes.
+LASIUS_EXPORT std::string read_text(const std::string& path, std::int64_t most);
 
 }  // namespace lasius

@@ -2,12 +2,12 @@
 #include <cmath>
 #include <string>
 
+#include "byte_reader.h"
 #include "json_fields.h"
 #include "kinematics.h"
 #include "lasius/arm.h"
 #include "lasius/error.h"
 #include "nlohmann/json.hpp"
-#include "text_file.h"
 #include "urdf.h"
 #include "vec3.h"
 

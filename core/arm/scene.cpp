@@ -2,11 +2,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "byte_reader.h"
 #include "json_fields.h"
 #include "lasius/arm.h"
 #include "lasius/error.h"
+#include "mesh_file.h"
 #include "nearest_name.h"
-#include "text_file.h"
 #include "vec3.h"
 
 namespace lasius::arm {
@@ -61,7 +62,7 @@ Obstacle read_obstacle(const JsonFields& fields) {
     case Obstacle::Shape::mesh: {
       refuse_foreign(fields, "mesh", {"size", "radius", "length"});
       const double scale = fields.number_or("scale", kThin, kFar, 1);
-      o.triangles = read_stl(beside(fields.file(), fields.text("file")));
+      o.triangles = read_mesh(fields.file(), fields.text("file"));
       for (auto& triangle : o.triangles) {
         for (Vec3& corner : triangle) {
           corner = scale * corner;

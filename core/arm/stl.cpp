@@ -1,10 +1,12 @@
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <sstream>
 
+#include "byte_reader.h"
 #include "lasius/arm.h"
 #include "lasius/error.h"
-#include "text_file.h"
+#include "mesh_file.h"
 
 namespace lasius::arm {
 namespace {
@@ -92,6 +94,10 @@ Triangles read_stl(const std::string& path) {
   }
   if (triangles.empty()) broken({.file = path}, "the mesh has no triangles", "save it again");
   return triangles;
+}
+
+Triangles read_mesh(const std::string& file, const std::string& name) {
+  return read_stl((std::filesystem::path(file).parent_path() / name).string());
 }
 
 }  // namespace lasius::arm

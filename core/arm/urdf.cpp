@@ -13,8 +13,8 @@
 #include "kinematics.h"
 #include "lasius/arm_sensor.h"
 #include "lasius/error.h"
+#include "mesh_file.h"
 #include "nearest_name.h"
-#include "text_file.h"
 #include "vec3.h"
 
 namespace lasius::arm {
@@ -119,7 +119,7 @@ std::vector<Capsule> enclose(const urdf::Geometry& shape, const Pose& at, const 
                     "the mesh \"" + mesh.filename + "\" cannot be found or read",
                     "name an .stl file by its path beside the URDF file");
       }
-      const Triangles triangles = read_stl(beside(file, mesh.filename));
+      const Triangles triangles = read_mesh(file, mesh.filename);
       Vec3 low = triangles[0][0], high = low;
       for (const auto& triangle : triangles) {
         for (const Vec3 c : triangle) {

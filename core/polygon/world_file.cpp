@@ -1,8 +1,7 @@
 #include <cctype>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <ostream>
 
+#include "byte_reader.h"
 #include "lasius/error.h"
 #include "lasius/output.h"
 #include "lasius/polygon.h"
@@ -10,16 +9,8 @@
 namespace lasius::polygon {
 
 World read_world(const std::string& path, const ReadOptions& options) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw Error(ErrorCode::file_broken, {.file = path}, "is a folder", "name a world file");
-  }
-  std::ifstream in(path, std::ios::binary);
-  if (!in) {
-    throw Error(ErrorCode::file_missing, {.file = path}, "cannot be opened",
-                "name a GeoJSON or WKT file that exists and may be read");
-  }
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  constexpr std::int64_t kMostBytes = 256 << 20;
+  const std::string text = read_text(path, kMostBytes);
   std::size_t first = 0;
   while (first < text.size() && std::isspace(static_cast<unsigned char>(text[first])) != 0) ++first;
   if (first == text.size()) {

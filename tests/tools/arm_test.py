@@ -189,7 +189,7 @@ class Arm(ProgramTest):
 
     def test_broken_files(self):
         robots = {
-            "": "this is not JSON", "{": "this is not JSON", "[1, 2]": 'no "format"',
+            "": "is empty", "{": "this is not JSON", "[1, 2]": 'no "format"',
             '{"format": "lasius-arm/2"}': "lasius-arm/1",
             '{"format": "lasius-arm/1"}': "joints is missing",
             '{"format": "lasius-arm/1", "joints": []}': "1 .. 16",

@@ -213,6 +213,34 @@ TEST_F(StlFile, BadOnes) {
   EXPECT_THROW(read_stl(folder_.string()), Error);
 }
 
+using AnyFile = Folder;
+
+TEST_F(AnyFile, SaysWhatIsWrongWithIt) {
+  const auto expect = [](const std::string& file, ErrorCode code, const std::string& words) {
+    for (const auto& read : {+[](const std::string& name) { read_robot(name); },
+                             +[](const std::string& name) { read_scene(name); },
+                             +[](const std::string& name) { read_stl(name); }}) {
+      try {
+        read(file);
+        ADD_FAILURE() << file << " was read";
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), code) << error.what();
+        EXPECT_EQ(error.place().file, file);
+        EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+      }
+    }
+  };
+  expect((folder_ / "none").string(), ErrorCode::file_missing, "cannot be opened");
+  expect(folder_.string(), ErrorCode::file_broken, "is a folder");
+  expect(write("empty", ""), ErrorCode::file_broken, "is empty");
+  const std::string large = write("large", "{");
+  std::filesystem::resize_file(large, (256 << 20) + 1);
+  expect(large, ErrorCode::file_unsupported, "is larger than");
+  const std::string unreadable = "/proc/self/mem";  // its first byte is on no page
+  if (!std::filesystem::exists(unreadable)) GTEST_SKIP() << "no " << unreadable;
+  expect(unreadable, ErrorCode::file_broken, "reading failed");
+}
+
 using SceneFile = Folder;
 
 TEST_F(SceneFile, AllShapes) {
