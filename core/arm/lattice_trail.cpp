@@ -1,6 +1,7 @@
 #include "lattice_trail.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "kernels/power.h"
 
@@ -29,6 +30,7 @@ double LatticeTrail::power(double stored) const noexcept {
 }
 
 void LatticeTrail::evaporate(double persistence) {
+  assert(scale_ > 0);
   scale_ *= std::max(persistence, kFloor);
   while (scale_ < kRescaleBelow) {
     scale_ /= kRescaleBelow;

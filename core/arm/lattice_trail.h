@@ -14,6 +14,7 @@ namespace lasius::arm {
 /// without a deposit costs nothing; only places with a new deposit get a new power.
 class LatticeTrail {
  public:
+  /// Precondition: `initial`, the pheromone everywhere, is a normal number above 0.
   LatticeTrail(const Lattice& lattice, Pheromone kind, double initial, double alpha);
 
   /// What carries the pheromone of a move.

@@ -83,6 +83,13 @@ std::string get_parameter(const Parameters& parameters, std::string_view name) {
   return kTable.get(parameters, name);
 }
 
-void validate(const Parameters& parameters) { kTable.check(parameters); }
+void validate(const Parameters& parameters) {
+  constexpr double kLeastPheromone = 1e-12;
+  kTable.check(parameters);
+  if (parameters.initial_pheromone > 0 && parameters.initial_pheromone < kLeastPheromone) {
+    throw invalid_parameter("initial_pheromone is positive, but below 1e-12",
+                            "give a larger one, or 0 for ants / Manhattan distance");
+  }
+}
 
 }  // namespace lasius::arm

@@ -7,6 +7,7 @@
 
 #include "lasius/error.h"
 #include "tests/core/arm/questions.h"
+#include "tests/core/parameter_ends.h"
 
 // How runs end before their time: refused, proven hopeless, stopped.
 namespace lasius::arm {
@@ -73,6 +74,7 @@ TEST(ArmPlan, BadParametersAreRefused) {
   refused([](Parameters& p) { p.seed = std::uint64_t{1} << 53; });
   refused([](Parameters& p) { p.threads = -1; });
   refused([](Parameters& p) { p.threads = 1025; });
+  refused([](Parameters& p) { p.initial_pheromone = 1e-310; });
   refused([](Parameters& p) { p.pitch = 1e-5; });  // too many points
   refused([](Parameters& p) { p.pitch = 1e-300; });
   Parameters p;
@@ -81,6 +83,34 @@ TEST(ArmPlan, BadParametersAreRefused) {
   set_parameter(p, "pheromone", "edges");
   EXPECT_EQ(get_parameter(p, "pheromone"), "edges");
   EXPECT_EQ(p.pheromone, Pheromone::edges);
+}
+
+TEST(ArmPlan, ParametersAtTheEndsOfTheirRanges) {
+  const Robot robot = two_links();
+  Request request = across(robot);
+  const auto plan_with = [&](std::string_view name, const std::string& value,
+                             const StopCondition& stop) {
+    Parameters p;
+    p.pitch = 0.05;
+    p.side = 11;
+    p.iterations = 2;
+    set_parameter(p, name, value);
+    request.stop = stop;
+    const Result r = plan(robot, Nothing(), request, p);
+    EXPECT_EQ(r.joints.empty(), std::isnan(r.length)) << name << " " << value;
+  };
+  plan_at_both_ends(algorithms()[0], plan_with);
+}
+
+TEST(ArmPlan, TheLeastPheromoneUnderTheStrongestEvaporation) {
+  const Robot robot = two_links();
+  Parameters p;
+  p.pitch = 0.05;
+  p.side = 11;
+  p.initial_pheromone = 1e-12;
+  p.evaporation = 1;
+  p.alpha = 8;
+  EXPECT_EQ(plan(robot, Nothing(), across(robot), p).iterations, p.iterations);
 }
 
 TEST(ArmPlan, StopsEarlyWhenAsked) {

@@ -5,6 +5,7 @@
 
 #include "lasius/error.h"
 #include "tests/core/counting_time.h"
+#include "tests/core/parameter_ends.h"
 #include "tests/core/polygon/known_world.h"
 #include "tests/random_world.h"
 
@@ -142,6 +143,21 @@ TEST(Routes, MoreLineSequencesAreNeverWorse) {
     EXPECT_LE(many.length, one.length);
     EXPECT_GE(many.iterations, one.iterations);
     EXPECT_TRUE(std::is_sorted(many.best.rbegin(), many.best.rend()));
+  }
+}
+
+TEST(Parameters, AtTheEndsOfTheirRanges) {
+  const Planner planner(known_world());
+  for (const Algorithm& algorithm : algorithms()) {
+    const auto plan_with = [&](std::string_view name, const std::string& value,
+                               const StopCondition& stop) {
+      Parameters parameters = defaults(algorithm.name);
+      parameters.iterations = 2;
+      set_parameter(parameters, name, value);
+      const Result result = planner.plan({.start = {}, .goal = {}, .stop = stop}, parameters);
+      EXPECT_LE(result.length, result.dijkstra->length) << name << " " << value;
+    };
+    plan_at_both_ends(algorithm, plan_with);
   }
 }
 
