@@ -30,6 +30,49 @@ struct Symmetric {
   }
 };
 
+/// A step of the solver.
+struct Step {
+  int joints;
+  Vec3 error;                                       // what is left for the joints that are not held
+  std::array<Vec3, Robot::kMaxJoints> column = {};  // how the tip moves with each joint
+  JointArray pull = {};                             // towards the posture at rest
+  std::array<bool, Robot::kMaxJoints> held = {};
+
+  /// The joint goes no further than by this, to its limit.
+  void hold(int joint, double change) noexcept {
+    held[joint] = true;
+    error = error - change * column[joint];
+  }
+
+  /// Changes of the joints that are not held.
+  JointArray solve() const noexcept {
+    constexpr double kDamping = 0.02;     // of the squared error
+    constexpr double kLongestStep = 0.5;  // radians or metres
+    const double damping = kDamping * dot(error, error) + 1e-12;
+    // dq = J^T A^-1 e + (z - J^T A^-1 J z) with z the pull: one solve for both.
+    Symmetric normal;
+    Vec3 wanted = error;
+    for (int j = 0; j < joints; ++j) {
+      if (held[j]) continue;
+      normal.add(column[j]);
+      wanted = wanted - pull[j] * column[j];
+    }
+    normal.xx += damping;
+    normal.yy += damping;
+    normal.zz += damping;
+    const Vec3 force = normal.solve(wanted);
+    JointArray change{};
+    double longest = 0;
+    for (int j = 0; j < joints; ++j) {
+      if (!held[j]) change[j] = pull[j] + dot(column[j], force);
+      longest = std::max(longest, std::abs(change[j]));
+    }
+    const double shrink = longest > kLongestStep ? kLongestStep / longest : 1;
+    for (double& value : change) value *= shrink;
+    return change;
+  }
+};
+
 }  // namespace
 
 void check_values(const Robot& robot, std::span<const double> q) {
@@ -72,21 +115,6 @@ void Kinematics::place(std::span<const double> q, Poses& poses) const noexcept {
   }
 }
 
-/// One step of the solver: the tip's error, and each joint's effect on the tip.
-struct Kinematics::Step {
-  std::array<Vec3, Robot::kMaxJoints> column;
-
-  void fill(const Kinematics& arm, const Poses& poses, Vec3 tip) noexcept {
-    for (int j = 0; j < arm.size(); ++j) {
-      const Joint& joint = arm.robot_->joints[j];
-      // The joint's own turn leaves its axis where it is.
-      const Vec3 axis = poses[j].rotation * joint.axis;
-      column[j] =
-          joint.kind == Joint::Kind::prismatic ? axis : cross(axis, tip - poses[j].position);
-    }
-  }
-};
-
 void Kinematics::bend(std::span<double> q, double amount) const noexcept {
   for (std::size_t j = 0; j < q.size(); ++j) {
     const Joint& joint = robot_->joints[j];
@@ -94,68 +122,52 @@ void Kinematics::bend(std::span<double> q, double amount) const noexcept {
   }
 }
 
+double Kinematics::step_towards(Vec3 target, const Poses& poses, std::span<const double> rest,
+                                std::span<double> q) const noexcept {
+  constexpr double kPull = 0.5;  // share of the way to `rest` a step
+  const Vec3 at = tip(poses);
+  Step step{.joints = size(), .error = target - at};
+  for (int j = 0; j < size(); ++j) {
+    const Joint& joint = robot_->joints[j];
+    // The joint's own turn leaves its axis where it is.
+    const Vec3 axis = poses[j].rotation * joint.axis;
+    step.column[j] =
+        joint.kind == Joint::Kind::prismatic ? axis : cross(axis, at - poses[j].position);
+    step.pull[j] = kPull * (rest[j] - q[j]);
+  }
+  double moved = 0;
+  JointArray change{};
+  for (bool pushed = true; pushed;) {
+    change = step.solve();
+    pushed = false;
+    for (int j = 0; j < size(); ++j) {
+      const Joint& joint = robot_->joints[j];
+      const double next = q[j] + change[j];
+      if (step.held[j] || (next >= joint.low && next <= joint.high)) continue;
+      const double limit = std::clamp(next, joint.low, joint.high);
+      moved = std::max(moved, std::abs(limit - q[j]));
+      step.hold(j, limit - q[j]);
+      q[j] = limit;
+      pushed = true;
+    }
+  }
+  for (int j = 0; j < size(); ++j) {
+    moved = std::max(moved, std::abs(change[j]));
+    q[j] += change[j];
+  }
+  return moved;
+}
+
 bool Kinematics::reach_for(Vec3 target, std::span<const double> rest,
                            std::span<double> q) const noexcept {
   constexpr int kMostSteps = 60;
-  constexpr double kDamping = 0.02;     // of the squared error
-  constexpr double kPull = 0.5;         // share of the way to `rest` a step
-  constexpr double kStill = 1e-6;       // radians or metres: the pull has come to rest
-  constexpr double kLongestStep = 0.5;  // radians or metres
+  constexpr double kStill = 1e-6;  // radians or metres: the pull has come to rest
   if (distance(target, shoulder()) > reach_ + kTolerance) return false;
 
-  const int n = size();
   Poses poses;
-  Step step;
   for (int count = 0; count < kMostSteps; ++count) {
     place(q, poses);
-    Vec3 error = target - tip(poses);
-    step.fill(*this, poses, tip(poses));
-    double moved = 0;
-
-    std::array<bool, Robot::kMaxJoints> held{};
-    JointArray change{};
-    // A joint that a step would push past its limit is held, and the step taken anew.
-    for (int round = 0; round <= n; ++round) {
-      Symmetric normal;
-      for (int j = 0; j < n; ++j) {
-        if (!held[j]) normal.add(step.column[j]);
-      }
-      const double damping = kDamping * dot(error, error) + 1e-12;
-      normal.xx += damping;
-      normal.yy += damping;
-      normal.zz += damping;
-      // dq = J^T A^-1 e + (z - J^T A^-1 J z) with z the pull: one solve for both.
-      Vec3 wanted = error;
-      for (int j = 0; j < n; ++j) {
-        if (!held[j]) wanted = wanted - (kPull * (rest[j] - q[j])) * step.column[j];
-      }
-      const Vec3 force = normal.solve(wanted);
-      bool pushed = false;
-      double longest = 0;
-      for (int j = 0; j < n; ++j) {
-        change[j] = held[j] ? 0 : kPull * (rest[j] - q[j]) + dot(step.column[j], force);
-        longest = std::max(longest, std::abs(change[j]));
-      }
-      const double shrink = longest > kLongestStep ? kLongestStep / longest : 1;
-      for (int j = 0; j < n; ++j) {
-        change[j] *= shrink;
-        const Joint& joint = robot_->joints[j];
-        const double next = q[j] + change[j];
-        if (held[j] || (next >= joint.low && next <= joint.high)) continue;
-        held[j] = true;
-        pushed = true;
-        const double limit = std::clamp(next, joint.low, joint.high);
-        moved = std::max(moved, std::abs(limit - q[j]));
-        error = error - (limit - q[j]) * step.column[j];
-        q[j] = limit;
-      }
-      if (!pushed) break;
-      if (round == n) return false;
-    }
-    for (int j = 0; j < n; ++j) {
-      moved = std::max(moved, std::abs(change[j]));
-      q[j] += change[j];
-    }
+    const double moved = step_towards(target, poses, rest, q);
     if (moved < kStill || count + 1 == kMostSteps) {
       place(q, poses);
       if (distance(target, tip(poses)) <= kTolerance) return true;

@@ -49,7 +49,11 @@ class Kinematics {
   static constexpr double kTolerance = 1e-7;
 
  private:
-  struct Step;
+  /// One step of `reach_for`; the furthest that a joint moved. `poses` are those of `q` before it.
+  /// A joint that the step would push past its limit is held there, and the step taken anew.
+  double step_towards(Vec3 target, const Poses& poses, std::span<const double> rest,
+                      std::span<double> q) const noexcept;
+
   const Robot* robot_;
   double reach_ = 0;
   std::array<bool, Robot::kMaxJoints> turned_{};  // the joint's frame is

@@ -18,6 +18,10 @@ struct Ball {
   double radius = 0;
 };
 
+double gap_between(const Ball& a, const Ball& b) noexcept {
+  return distance(a.centre, b.centre) - a.radius - b.radius;
+}
+
 /// Two bodies of the robot that must not touch; 0 is the base.
 struct BodyPair {
   int first, second;
@@ -177,25 +181,34 @@ class SceneSensor::Impl {
     }
   }
 
-  /// Shortens `step` to what all distances allow; false on contact. Every measured distance is at
-  /// least twice the clearance, so steps have a least length and the motion ends.
+  /// Shortens `step` to what the distance between two things allows that near each other at
+  /// `speed`; false on contact. `apart` is a lower bound of it, `measure(enough)` the distance, as
+  /// far as it is below `enough`: every one that is kept is at least twice the clearance, so steps
+  /// have a least length and the motion ends.
+  template <class Measure>
+  bool shorten(double apart, double speed, const Measure& measure, double& step) const {
+    // Nothing nearer than this matters: neither contact nor a shorter step.
+    const double enough = std::max(2 * clearance_, clearance_ + step * speed);
+    if (apart >= enough) return true;
+    const double gap = measure(enough);
+    if (gap >= enough) return true;
+    if (gap < 2 * clearance_) return false;
+    step = std::min(step, (gap - clearance_) / speed);
+    return true;
+  }
+
+  /// Shortens `step` to what all distances allow; false on contact.
   bool advance(const Frame& frame, double& step, std::string* told) const {
     for (int b = 1; b <= robot_.size(); ++b) {
       for (const PlacedObstacle& o : obstacles_) {
         for (int i = first_[b]; i < first_[b + 1]; ++i) {
           const PlacedCapsule& c = frame.capsules[i];
-          // Nothing nearer than this matters: neither contact nor a shorter step.
-          const double enough = std::max(2 * clearance_, clearance_ + step * frame.speed[b]);
-          if (distance(c.ball.centre, o.ball.centre) - c.ball.radius - o.ball.radius >= enough) {
-            continue;
-          }
-          const double gap = o.distance(c.axis, enough + c.radius) - c.radius;
-          if (gap >= enough) continue;
-          if (gap < 2 * clearance_) {
-            if (told != nullptr) *told = name(b) + " and " + name(o);
-            return false;
-          }
-          step = std::min(step, (gap - clearance_) / frame.speed[b]);
+          const auto measure = [&](double enough) {
+            return o.distance(c.axis, enough + c.radius) - c.radius;
+          };
+          if (shorten(gap_between(c.ball, o.ball), frame.speed[b], measure, step)) continue;
+          if (told != nullptr) *told = name(b) + " and " + name(o);
+          return false;
         }
       }
     }
@@ -204,17 +217,12 @@ class SceneSensor::Impl {
       for (int i = first_[pair.first]; i < first_[pair.first + 1]; ++i) {
         for (int k = first_[pair.second]; k < first_[pair.second + 1]; ++k) {
           const PlacedCapsule &a = frame.capsules[i], &c = frame.capsules[k];
-          const double enough = std::max(2 * clearance_, clearance_ + step * speed);
-          if (distance(a.ball.centre, c.ball.centre) - a.ball.radius - c.ball.radius >= enough) {
-            continue;
-          }
-          const double gap = distance_to_segment(a.axis, c.axis) - a.radius - c.radius;
-          if (gap >= enough) continue;
-          if (gap < 2 * clearance_) {
-            if (told != nullptr) *told = name(pair.first) + " and " + name(pair.second);
-            return false;
-          }
-          step = std::min(step, (gap - clearance_) / speed);
+          const auto measure = [&](double) {
+            return distance_to_segment(a.axis, c.axis) - a.radius - c.radius;
+          };
+          if (shorten(gap_between(a.ball, c.ball), speed, measure, step)) continue;
+          if (told != nullptr) *told = name(pair.first) + " and " + name(pair.second);
+          return false;
         }
       }
     }
