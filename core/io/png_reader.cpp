@@ -2,11 +2,11 @@
 
 #include <png.h>
 
-#include <csetjmp>
-#include <cstdio>
 #include <exception>
+#include <new>
 #include <vector>
 
+#include "io/png_errors.h"
 #include "map_size.h"
 
 namespace lasius {
@@ -15,12 +15,11 @@ namespace {
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::int64_t kMostDeflate = 1032;  // bytes that one byte of deflate data can stand for
 
-// libpng reports errors by longjmp. So each call into it is made through guarded(), from frames
-// without destructors, and its callbacks let no exception out.
 class PngReader {
  public:
   PngReader(ByteReader& in, const PixelRule& rule) : in_(in), rule_(rule) {
-    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning);
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &errors_, PngErrors::on_error,
+                                  PngErrors::on_warning);
     if (png_ != nullptr) info_ = png_create_info_struct(png_);
   }
   PngReader(const PngReader&) = delete;
@@ -34,12 +33,6 @@ class PngReader {
     int columns, rows, x, y, step_x, step_y;
   };
 
-  [[noreturn]] static void on_error(png_structp png, png_const_charp message) {
-    auto* self = static_cast<PngReader*>(png_get_error_ptr(png));
-    std::snprintf(self->message_, sizeof self->message_, "%s", message);
-    png_longjmp(png, 1);
-  }
-  static void on_warning(png_structp, png_const_charp) {}
   static void on_read(png_structp png, png_bytep target, size_t count) {
     auto* self = static_cast<PngReader*>(png_get_io_ptr(png));
     std::size_t done = 0;
@@ -53,15 +46,11 @@ class PngReader {
 
   template <typename Call>
   void guarded(Call call) {
-    if (setjmp(png_jmpbuf(png_)) == 0) {
-      call();
-    } else {
-      fail();
-    }
+    if (!errors_.succeeds(png_, call)) fail();
   }
   [[noreturn]] void fail() const {
     if (failure_) std::rethrow_exception(failure_);
-    in_.fail_at_offset(in_.offset(), std::string("broken PNG: ") + message_,
+    in_.fail_at_offset(in_.offset(), std::string("broken PNG: ") + errors_.message(),
                        "get the whole file, or save the image again");
   }
 
@@ -73,7 +62,7 @@ class PngReader {
   const PixelRule& rule_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
-  char message_[200] = {};
+  PngErrors errors_;
   std::exception_ptr failure_;
 
   int width_ = 0;

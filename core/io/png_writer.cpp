@@ -1,12 +1,11 @@
 #include <png.h>
 
-#include <csetjmp>
-#include <cstdio>
 #include <new>
 #include <ostream>
 #include <string>
 #include <vector>
 
+#include "io/png_errors.h"
 #include "lasius/error.h"
 #include "lasius/io.h"
 #include "lasius/output.h"
@@ -14,11 +13,11 @@
 namespace lasius {
 namespace {
 
-// As in reading: libpng is called through guarded() only, from frames without destructors.
 class PngWriter {
  public:
   PngWriter(std::ostream& out, const std::string& path) : out_(out), path_(path) {
-    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning);
+    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, &errors_, PngErrors::on_error,
+                                   PngErrors::on_warning);
     if (png_ != nullptr) info_ = png_create_info_struct(png_);
     if (info_ == nullptr) {
       png_destroy_write_struct(&png_, nullptr);
@@ -46,12 +45,6 @@ class PngWriter {
   }
 
  private:
-  [[noreturn]] static void on_error(png_structp png, png_const_charp message) {
-    auto* self = static_cast<PngWriter*>(png_get_error_ptr(png));
-    std::snprintf(self->message_, sizeof self->message_, "%s", message);
-    png_longjmp(png, 1);
-  }
-  static void on_warning(png_structp, png_const_charp) {}
   static void on_write(png_structp png, png_bytep bytes, size_t count) {
     auto* self = static_cast<PngWriter*>(png_get_io_ptr(png));
     self->out_.write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(count));
@@ -61,22 +54,19 @@ class PngWriter {
 
   template <typename Call>
   void guarded(Call call) {
-    if (setjmp(png_jmpbuf(png_)) == 0) {
-      call();
-    } else {
-      fail();
-    }
+    if (!errors_.succeeds(png_, call)) fail();
   }
   [[noreturn]] void fail() const {
     throw Error(ErrorCode::output_failed, Error::Place{path_},
-                std::string("could not be written (") + message_ + ")", "check the free space");
+                std::string("could not be written (") + errors_.message() + ")",
+                "check the free space");
   }
 
   std::ostream& out_;
   const std::string& path_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
-  char message_[200] = {};
+  PngErrors errors_;
 };
 
 // The eight cells from x on, leftmost in the highest bit, free = 1 = white.
