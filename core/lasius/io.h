@@ -19,12 +19,13 @@ namespace lasius {
 ///
 /// ROS: the image (PNG, PGM or PBM; its path relative to the YAML file) by the rules of map_server
 /// in nav2, with p = darkness, or lightness where `negate` is set:
-///   trinary  p >= occupied_thresh is blocked, p <= free_thresh free, between and not opaque
-///   unknown scale    as trinary, but between them free where (p - free_thresh) / (occupied_thresh
-///   -
-///            free_thresh) < free_below
-///   raw      the stored grey v in 0 .. 255 is the occupancy: up to 100 free where
-///            v / 100 < free_below, above 100 unknown; `negate` and opacity do not count
+/// - trinary: p >= occupied_thresh is blocked, p <= free_thresh is free; between them, and where
+///   the image is not opaque, it is unknown.
+/// - scale: as trinary, but between them s = (p - free_thresh) / (occupied_thresh - free_thresh)
+///   is free where s < free_below.
+/// - raw: the stored grey v in 0 .. 255 is the occupancy. Up to 100 it is free where
+///   v / 100 < free_below, above it is unknown; `negate` and opacity do not count.
+///
 /// Unknown is blocked unless ReadOptions::unknown_is_free. `frame` holds resolution and origin.
 /// @throws Error(file_missing, file_broken, file_unsupported), naming the file, the line of a text
 ///         format or the byte offset of a binary one, and the remedy.
