@@ -60,6 +60,8 @@ StopCondition::Cause LatticeAnts::walk_one(Team& team, int iteration, int number
                                            const StopCondition& stop) const {
   constexpr int kSteps = 256;  // between two polls: a step may ask the sensor several times
   static_assert(kSteps <= Poller::kSteps);
+  // Many ants of few steps each would never spend the poller's budget.
+  if (const auto cause = stop.poll(); cause != StopCondition::Cause::none) return cause;
   Dice dice(parameters_.seed, static_cast<std::uint32_t>(number),
             static_cast<std::uint32_t>(iteration));
   Poller poller(stop, kSteps);

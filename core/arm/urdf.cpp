@@ -60,7 +60,7 @@ urdf::ModelInterfaceSharedPtr parse_model(std::string_view text, const std::stri
   return model;
 }
 
-/// urdfdom computes rotations by the C library. Rounded, they are seldom another on another machine.
+/// urdfdom computes rotations by the C library: rounded, seldom others on another machine.
 double settle(double v) { return std::round(v * 0x1p40) * 0x1p-40; }
 
 Vec3 vec(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }

@@ -35,8 +35,8 @@ struct Parameters {
   double alpha = 1;
   double beta = 1;  ///< without effect: all edges that exist weigh the same
   double gamma = 0.25;
-  double evaporation = 0.25;     ///< rho: share of pheromone lost in an iteration
-  double elite_weight = 0;       ///< e: weight of the iteration's best tour
+  double evaporation = 0.25;  ///< rho: share of pheromone lost in an iteration
+  double elite_weight = 0;    ///< e: weight of the iteration's best tour
   /// tau0, at least 1e-12; 0: ants / Manhattan distance from start to goal.
   double initial_pheromone = 0;
   Pheromone pheromone = Pheromone::arcs;
