@@ -23,10 +23,15 @@ constexpr double kBucketWidth = 0.03125;  // cells
 constexpr double kAntWeight = 1.2;
 constexpr std::int64_t kFirstAnts = 16;
 constexpr std::int64_t kAntShare = 8;
-// With a target gap: the expansions by the ants that are sent first, for each cell of the straight
-// distance, and their share later. Where they do not arrive soon (mazes, warehouses, dense noise)
-// they would mostly find again, by shorter ways, what they found before.
-constexpr double kHurriedAnts = 4;
+// In between they rest, for these many expansions: most searches are over before.
+constexpr std::int64_t kAntsRest = 256;
+constexpr std::int64_t kAntsReturn = 4096;
+// The expansions by ants that are sent first, for each cell of the straight distance: with a target
+// gap, and on ways so long that the proof takes its time, so that a path is soon there.
+constexpr double kVanguard = 4;
+constexpr double kLongWay = 2048;  // cells
+// Their share later, with a target gap. Where they do not arrive soon (mazes, warehouses, dense
+// noise) they would mostly find again, by shorter ways, what they found before.
 constexpr std::int64_t kHurriedShare = 4;
 // What the weight of hurried ants takes of the target gap; the width of buckets has the rest.
 constexpr double kShareOfGap = 0.95;
@@ -71,7 +76,7 @@ void ExactSearch::expand(std::uint32_t index) {
   again.walked = false;
   ++again.scans;
   frontier_.push(index, horizon);
-  if (ants_out_) trail_.push(index, horizon + (ant_weight_ - 1) * again.to_goal);
+  if (ants_out_) ant_frontier_.push(index, horizon + (ant_weight_ - 1) * again.to_goal);
 }
 
 // Takes the best corner of the frontier; false when none can lead to a shorter path.
@@ -90,8 +95,9 @@ bool ExactSearch::next_corner(std::uint32_t& index) {
 // Ants follow their own frontier, which weighs the distance to the goal more: each goes from the
 // best corner that no ant has been to. They explore for all: what they find enters both frontiers.
 void ExactSearch::send_ants(std::int64_t steps, Poller& poller) {
-  for (; steps > 0 && upper_ == kInfinity && !poller.stopped() && trail_.advance(); --steps) {
-    const std::uint32_t index = trail_.pop();
+  for (; steps > 0 && upper_ == kInfinity && !poller.stopped() && ant_frontier_.advance();
+       --steps) {
+    const std::uint32_t index = ant_frontier_.pop();
     Corner& corner = corners_[index];
     if (corner.walked || corner.expanded) continue;
     corner.walked = true;
@@ -102,7 +108,7 @@ void ExactSearch::send_ants(std::int64_t steps, Poller& poller) {
   ants_out_ = upper_ == kInfinity;
   // A scan that was stopped may have left out what would come first.
   if (!hurry_ || poller.stopped()) return;
-  const double least = trail_.advance() ? trail_.floor() / ant_weight_ : kInfinity;
+  const double least = ant_frontier_.advance() ? ant_frontier_.floor() / ant_weight_ : kInfinity;
   lower_ = std::max(lower_, std::min(least, upper_));
 }
 
@@ -113,10 +119,10 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   hurry_ = gap > 0;
   ants_out_ = true;
   ant_weight_ = hurry_ ? 1 + kShareOfGap * gap : kAntWeight;
-  trail_.reset(lower_, std::max(kBucketWidth, lower_ * gap / kTrailBuckets));
+  ant_frontier_.reset(lower_, std::max(kBucketWidth, lower_ * gap / kTrailBuckets));
   expand(CornerTable::kStart);
   std::int64_t next_ants = kFirstAnts;
-  if (hurry_) send_ants(std::llround(kHurriedAnts * straight_), poller);
+  if (hurry_ || straight_ > kLongWay) send_ants(std::llround(kVanguard * straight_), poller);
   std::uint32_t index = 0;
   while (!poller.stopped() && next_corner(index)) {
     if (upper_ - lower_ <= gap * lower_) break;
@@ -125,6 +131,7 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
     if (!ants_out_ || counters_.expansions < next_ants) continue;
     send_ants(counters_.expansions / (hurry_ ? kHurriedShare : kAntShare), poller);
     next_ants = counters_.expansions * 2;
+    if (!hurry_ && next_ants > kAntsRest) next_ants = std::max(next_ants, kAntsReturn);
   }
   cause_ = poller.cause();
 }
@@ -165,7 +172,7 @@ void ExactSearch::trace(std::vector<Point>& path) const {
 }
 
 std::int64_t ExactSearch::bytes() const noexcept {
-  return corners_.bytes() + frontier_.bytes() + trail_.bytes() +
+  return corners_.bytes() + frontier_.bytes() + ant_frontier_.bytes() +
          static_cast<std::int64_t>(stack_.capacity() * sizeof(kernels::Interval));
 }
 

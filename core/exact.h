@@ -33,14 +33,16 @@ struct Counters {
 /// corners by g + h, h the straight distance to the goal. No path is shorter than its least key
 /// (lower bound), and ants give a path (upper bound); where the two meet, it is proven shortest.
 ///
-/// Ants expand corners, too, but in the order of g + W h, best first. They leave from the trail, a
-/// second queue of the corners that were not expanded yet, some now and then until one of them sees
-/// the goal; all corners that they see enter both queues. With a target gap W is almost 1 plus that
-/// gap, they go first, and they take up again what is reached by a shorter way. Then the least key
-/// of the trail is at most W times the optimum: of a shortest path, the first corner w that was not
-/// expanded at its least length waits in the trail with g + W h <= W (g + h) <= W optimum. (Behind
-/// a horizon H <= optimum it waits as its parent v, with key H + (W - 1) h(v).) So that key divided
-/// by W is a lower bound, and the first path is within the gap.
+/// Ants expand corners, too, but in the order of g + W h, best first. They leave from a frontier of
+/// their own, of the corners that were not expanded yet, some now and then until one of them sees
+/// the goal; all corners that they see enter both queues. Nothing about them is random, and they
+/// lay no pheromone: they are weighted A* (Pohl 1970) beside A*, as in anytime weighted A* (Hansen
+/// & Zhou 2007). With a target gap W is almost 1 plus that gap, they go first, and they take up
+/// again what is reached by a shorter way. Then their least key is at most W times the optimum: of
+/// a shortest path, the first corner w that was not expanded at its least length waits with
+/// g + W h <= W (g + h) <= W optimum. (Behind a horizon H <= optimum it waits as its parent v, with
+/// key H + (W - 1) h(v).) So that key divided by W is a lower bound, and the first path is within
+/// the gap.
 ///
 /// Why no shortest path is missed. Let v, w follow each other on one, v reached at its least
 /// length. The scan of v's cone leaves w out only where
@@ -104,7 +106,7 @@ class ExactSearch {
 
   exact::CornerTable corners_;
   exact::Frontier frontier_;
-  exact::Frontier trail_;  // of the ants
+  exact::Frontier ant_frontier_;
   bool ants_out_ = false;
   bool hurry_ = false;
   double ant_weight_ = 1;

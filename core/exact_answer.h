@@ -47,8 +47,9 @@ constexpr double kWidestGap = 1e6;
 /// fraction of itself.
 constexpr double kRounding = 1e-9;
 
-/// The same for any length, which on the largest maps may be a hundred times that.
+/// The same for any length, and for the longest that there can be, of 2^30 cells.
 constexpr double rounding(double length) noexcept { return std::max(kRounding, length * 0x1p-52); }
+constexpr double kWorstRounding = 0x1p-22;
 
 /// In cells, between places in half cells: exact but for the square root.
 inline double distance(int x0, int y0, int x1, int y1) noexcept {

@@ -49,7 +49,7 @@ struct ExactSearch::Visitor {
     const double from_rival_x = x - S * rival.u;
     const double from_rival_y = y - (line0 + down * rival.line);
     // With room for the rounding of any length, so that no way ever beats itself.
-    return rival.length * (1 + exact::rounding(rival.length)) +
+    return rival.length * (1 + exact::kWorstRounding) +
                std::sqrt(from_rival_x * from_rival_x + from_rival_y * from_rival_y) <
            search.root_.length + std::sqrt(from_root_x * from_root_x + from_root_y * from_root_y);
   }
@@ -88,7 +88,7 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
     ++counters_.pushes;
     frontier_.push(index, length + to_goal);
     if (hurry_) corner.walked = false;
-    if (ants_out_ && !corner.walked) trail_.push(index, length + ant_weight_ * to_goal);
+    if (ants_out_ && !corner.walked) ant_frontier_.push(index, length + ant_weight_ * to_goal);
   }
   return -1;
 }
