@@ -7,6 +7,7 @@
 #include "exact.h"
 #include "lasius/generate.h"
 #include "lasius/path.h"
+#include "lasius/planner.h"
 #include "tests/core/counting_time.h"
 #include "tests/random_grid.h"
 
@@ -146,6 +147,24 @@ TEST(ExactStop, ADeadlineThatIsNotReachedChangesNothing) {
     search.search(grid, start, goal, {}, CountingTime(1 << 30).is_up(), with);
     EXPECT_EQ(with.path, without.path);
   }
+}
+
+// A way of 5000 cells takes milliseconds to prove; a path is there after a tenth of that.
+TEST(ExactStop, OnALongWayAPathIsSoonThere) {
+  const Planner planner(generate(MapKind::blobs, {4096, 4096, -1, 5}));
+  const Grid& grid = planner.grid();
+  const Cell start = planner.nearest_free({100, 100}).value();
+  const Cell goal = planner.nearest_free({3990, 3990}).value();
+  ExactSearch search;
+  ExactAnswer whole, cut;
+  const CountingTime counted(1 << 30);
+  search.search(grid, start, goal, {}, counted.is_up(), whole);
+  ASSERT_TRUE(whole.optimal);
+  const CountingTime time(counted.polls() / 10);
+  search.search(grid, start, goal, {}, time.is_up(), cut);
+  EXPECT_EQ(cut.end, ExactEnd::stopped);
+  ASSERT_FALSE(cut.path.empty());
+  EXPECT_LT(cut.length, 1.25 * cut.lower_bound);
 }
 
 TEST(ExactStop, ATokenInterrupts) {
