@@ -33,7 +33,7 @@ struct Case {
   arm::Robot robot;
   arm::Scene scene;
   arm::Request request;
-  arm::Parameters parameters;
+  arm::Params parameters;
 };
 
 double widest(arm::Vec3 a, arm::Vec3 b) {

@@ -36,7 +36,7 @@ std::vector<Group> groups() {
 #ifdef LASIUS_WITH_ARM
   all.push_back({"arm_algorithms", "Arms, see `lasius arm --help`", arm::algorithms(),
                  [](const Algorithm&, std::string_view parameter) {
-                   return arm::get_parameter(arm::Parameters{}, parameter);
+                   return arm::get_parameter(arm::Params{}, parameter);
                  }});
 #endif
 #ifdef LASIUS_WITH_POLYGON

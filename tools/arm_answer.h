@@ -16,7 +16,7 @@ struct ArmAnswer {
   arm::Scene scene;
   std::uint64_t robot_hash = 0;  ///< of the files' bytes (FNV-1a)
   std::uint64_t scene_hash = 0;
-  arm::Parameters parameters;
+  arm::Params parameters;
   double clearance = 0;
   arm::Result plan;
   arm::TrajectoryResult motion;

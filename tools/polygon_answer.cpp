@@ -44,8 +44,7 @@ PreparedWorld prepare_world(const WorldOptions& options) {
           .prepare_ms = ms_since(prepare_start)};
 }
 
-polygon::Parameters polygon_parameters(const PolygonCommand& command,
-                                       std::vector<std::string>& notes) {
+polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<std::string>& notes) {
   const auto all = polygon::algorithms();
   const auto known = names_of(all);
   const std::string name(command.algorithm.empty()
@@ -75,7 +74,7 @@ polygon::Parameters polygon_parameters(const PolygonCommand& command,
 }
 
 PolygonAnswer polygon_answer(const PreparedWorld& world, const PolygonCommand& command,
-                             const polygon::Parameters& parameters, const StopCondition& stop,
+                             const polygon::Params& parameters, const StopCondition& stop,
                              const polygon::Observer& observer) {
   const auto begin = Clock::now();
   PolygonAnswer answer{.parameters = parameters,

@@ -30,7 +30,7 @@ PreparedWorld prepare_world(const WorldOptions& options);
 
 /// All that a plan on a polygon world was asked and found.
 struct PolygonAnswer {
-  polygon::Parameters parameters;
+  polygon::Params parameters;
   Point start, goal;
   polygon::Result result;
   double elapsed_ms = 0;
@@ -38,12 +38,11 @@ struct PolygonAnswer {
 };
 
 /// @throws UsageError for unknown names; Error(invalid_parameter) for values.
-polygon::Parameters polygon_parameters(const PolygonCommand& command,
-                                       std::vector<std::string>& notes);
+polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<std::string>& notes);
 
 /// Plans. Precondition: start and goal are given by the command or the world.
 PolygonAnswer polygon_answer(const PreparedWorld& world, const PolygonCommand& command,
-                             const polygon::Parameters& parameters, const StopCondition& stop,
+                             const polygon::Params& parameters, const StopCondition& stop,
                              const polygon::Observer& observer = {});
 
 }  // namespace lasius::tool

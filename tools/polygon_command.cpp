@@ -16,7 +16,7 @@ namespace lasius::tool {
 namespace {
 
 void announce(const PreparedWorld& world, const PolygonCommand& command,
-              const polygon::Parameters& parameters, const std::vector<std::string>& notes) {
+              const polygon::Params& parameters, const std::vector<std::string>& notes) {
   if (command.messages.quiet) return;
   for (const auto& note : command.notes) message(note);
   for (const auto& note : notes) message(note);
@@ -33,7 +33,7 @@ void announce(const PreparedWorld& world, const PolygonCommand& command,
 }
 
 PolygonAnswer watched_answer(const PreparedWorld& world, const PolygonCommand& command,
-                             const polygon::Parameters& parameters, const std::stop_token& token) {
+                             const polygon::Params& parameters, const std::stop_token& token) {
   const bool iterates = parameters.algorithm != polygon::algorithms().front().name;
   const bool shown = wants_progress(command.messages);
   ProgressLine bar(shown, iterates ? std::int64_t{parameters.iterations} * parameters.routes : 0,

@@ -11,7 +11,7 @@ namespace lasius::tool {
 namespace {
 
 Json settings_json(const PreparedWorld& world, const PolygonCommand& command,
-                   const polygon::Parameters& parameters) {
+                   const polygon::Params& parameters) {
   Json object =
       parameters_json(find_algorithm(polygon::algorithms(), parameters.algorithm),
                       [&](std::string_view name) { return get_parameter(parameters, name); });

@@ -37,7 +37,7 @@ struct Tours {
   }
 };
 
-lasius::Params rule_params(const Parameters& p) {
+lasius::Params rule_params(const Params& p) {
   lasius::Params params;
   params.persistence = 1 - p.evaporation;
   params.deposit = 1;
@@ -47,7 +47,7 @@ lasius::Params rule_params(const Parameters& p) {
 
 class ArmColony final : public ColonyWorld {
  public:
-  ArmColony(const Lattice& lattice, const Request& request, const Parameters& parameters,
+  ArmColony(const Lattice& lattice, const Request& request, const Params& parameters,
             const Observer& observer)
       : lattice_(lattice),
         request_(request),
@@ -189,7 +189,7 @@ class ArmColony final : public ColonyWorld {
 
   const Lattice& lattice_;
   const Request& request_;
-  const Parameters& parameters_;
+  const Params& parameters_;
   const Observer& observer_;
   lasius::Params rules_;
   LatticeTrail trail_;
@@ -210,7 +210,7 @@ class ArmColony final : public ColonyWorld {
 
 }  // namespace
 
-Result run_arm_colony(const Lattice& lattice, const Request& request, const Parameters& parameters,
+Result run_arm_colony(const Lattice& lattice, const Request& request, const Params& parameters,
                       const Observer& observer) {
   return ArmColony(lattice, request, parameters, observer).run();
 }

@@ -24,7 +24,7 @@ Node count_nodes(const std::array<int, 3>& low, const std::array<int, 3>& high) 
 
 Lattice::Lattice(const Kinematics& kinematics, const Sensor& sensor, std::span<const double> start,
                  double pitch, std::array<int, 3> low, std::array<int, 3> high,
-                 std::array<int, 3> goal, Vec3 goal_position, const Parameters& parameters)
+                 std::array<int, 3> goal, Vec3 goal_position, const Params& parameters)
     : kinematics_(kinematics),
       sensor_(sensor),
       joints_(kinematics.size()),

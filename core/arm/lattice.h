@@ -28,7 +28,7 @@ class Lattice {
   /// moved onto `goal_position`.
   Lattice(const Kinematics& kinematics, const Sensor& sensor, std::span<const double> start,
           double pitch, std::array<int, 3> low, std::array<int, 3> high, std::array<int, 3> goal,
-          Vec3 goal_position, const Parameters& parameters);
+          Vec3 goal_position, const Params& parameters);
 
   static constexpr Node kMostNodes = Node{1} << 24;
 

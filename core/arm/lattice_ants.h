@@ -20,7 +20,7 @@ struct alignas(64) LatticeAnt {
 
 class LatticeAnts {
  public:
-  LatticeAnts(const Lattice& lattice, const LatticeTrail& trail, const Parameters& parameters);
+  LatticeAnts(const Lattice& lattice, const LatticeTrail& trail, const Params& parameters);
 
   /// Walks every ant until it has arrived, is lost, or `stop` says so; then ants under way are
   /// lost. Which thread walks which ant changes nothing.
@@ -40,7 +40,7 @@ class LatticeAnts {
 
   const Lattice& lattice_;
   const LatticeTrail& trail_;
-  const Parameters& parameters_;
+  const Params& parameters_;
   std::vector<Team> teams_;
 };
 

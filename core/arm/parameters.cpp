@@ -6,7 +6,7 @@
 namespace lasius::arm {
 namespace {
 
-using Table = ParameterTable<Parameters>;
+using Table = ParameterTable<Params>;
 using Entry = Table::Entry;
 using Integer = Table::Integer;
 using Number = Table::Number;
@@ -17,44 +17,44 @@ constexpr std::string_view kSwitch[]{"off", "on"};
 
 constexpr std::array kEntries{
     Entry{{"ants", "integer", "1 .. 1000000", "ants an iteration, m"},
-          Integer{&Parameters::ants, 1, 1000000}},
+          Integer{&Params::ants, 1, 1000000}},
     Entry{{"iterations", "integer", "0 .. 1000000000", "iterations, T"},
-          Integer{&Parameters::iterations, 0, 1000000000}},
-    Entry{{"alpha", "number", "0 .. 8", "exponent of pheromone"}, Number{&Parameters::alpha, 0, 8}},
+          Integer{&Params::iterations, 0, 1000000000}},
+    Entry{{"alpha", "number", "0 .. 8", "exponent of pheromone"}, Number{&Params::alpha, 0, 8}},
     Entry{{"beta", "number", "0 .. 20",
            "exponent of 1 / weight of an edge; all that exist weigh the same: without effect"},
-          Number{&Parameters::beta, 0, 20}},
+          Number{&Params::beta, 0, 20}},
     Entry{{"gamma", "number", "0 .. 20",
            "exponent of u = 1 / (1 + theta), theta between a move and the way to the goal"},
-          Number{&Parameters::gamma, 0, 20}},
+          Number{&Params::gamma, 0, 20}},
     Entry{{"evaporation", "number", "0 .. 1", "share of pheromone lost in an iteration, rho"},
-          Number{&Parameters::evaporation, 0, 1}},
+          Number{&Params::evaporation, 0, 1}},
     Entry{{"elite_weight", "number", "0 .. 1e6", "weight of the iteration's best tour, e"},
-          Number{&Parameters::elite_weight, 0, 1e6}},
+          Number{&Params::elite_weight, 0, 1e6}},
     Entry{{"initial_pheromone", "number", "0 .. 1e9",
            "pheromone everywhere at first, tau0; 0: ants / Manhattan distance"},
-          Number{&Parameters::initial_pheromone, 0, 1e9}},
+          Number{&Params::initial_pheromone, 0, 1e9}},
     Entry{{"pheromone", "choice", "arcs|edges", "what carries pheromone"},
-          Table::choice<&Parameters::pheromone>(kPheromone)},
+          Table::choice<&Params::pheromone>(kPheromone)},
     Entry{{"dead_end", "choice", "backtrack|kill", "what an ant does when every move is closed"},
-          Table::choice<&Parameters::dead_end>(kDeadEnd)},
+          Table::choice<&Params::dead_end>(kDeadEnd)},
     Entry{{"pitch", "number", "0 .. 1000",
            "distance of lattice points, metres; 0: a twentieth of the arm's reach"},
-          Number{&Parameters::pitch, 0, 1000}},
+          Number{&Params::pitch, 0, 1000}},
     Entry{{"side", "integer", "0 .. 254",
            "lattice points a side, about the middle of start and goal; 0: all in reach"},
-          Integer{&Parameters::side, 0, 254}},
+          Integer{&Params::side, 0, 254}},
     Entry{{"joint_step", "number", "0.000001 .. 100",
            "an edge is closed where a joint moves further, radians or metres"},
-          Number{&Parameters::joint_step, 1e-6, 100}},
+          Number{&Params::joint_step, 1e-6, 100}},
     Entry{{"patience", "integer", "0 .. 1000000000",
            "stop after so many iterations without a shorter path; 0: never"},
-          Integer{&Parameters::patience, 0, 1000000000}},
+          Integer{&Params::patience, 0, 1000000000}},
     Entry{{"line_ants", "number", "0 .. 1e6",
            "ants whose deposits lie on the straight way before the first iteration"},
-          Number{&Parameters::line_ants, 0, 1e6}},
+          Number{&Params::line_ants, 0, 1e6}},
     Entry{{"shortcut", "choice", "off|on", "cut the lattice staircase before the trajectory"},
-          Table::choice<&Parameters::shortcut>(kSwitch)},
+          Table::choice<&Params::shortcut>(kSwitch)},
 };
 
 constexpr auto kInfos = Table::infos(kEntries);
@@ -75,15 +75,15 @@ constexpr Table kTable(kLists);
 
 std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
 
-void set_parameter(Parameters& parameters, std::string_view name, std::string_view value) {
+void set_parameter(Params& parameters, std::string_view name, std::string_view value) {
   kTable.set(parameters, name, value);
 }
 
-std::string get_parameter(const Parameters& parameters, std::string_view name) {
+std::string get_parameter(const Params& parameters, std::string_view name) {
   return kTable.get(parameters, name);
 }
 
-void validate(const Parameters& parameters) {
+void validate(const Params& parameters) {
   constexpr double kLeastPheromone = 1e-12;
   kTable.check(parameters);
   if (parameters.initial_pheromone > 0 && parameters.initial_pheromone < kLeastPheromone) {

@@ -116,11 +116,11 @@ Result stay(const std::vector<double>& start, Vec3 tip) {
 
 /// Checks a question, lays out its lattice, and has it answered by `search(lattice, parameters)`.
 template <class Search>
-Result answer(const Robot& robot, const Sensor& sensor, const Request& request,
-              const Parameters& given, const Search& search) {
+Result answer(const Robot& robot, const Sensor& sensor, const Request& request, const Params& given,
+              const Search& search) {
   validate(robot);
   validate(given);
-  Parameters parameters = given;
+  Params parameters = given;
   if (parameters.threads == 0) parameters.threads = omp_get_max_threads();
   std::string fault = start_fault(robot, request.start);
   if (!fault.empty()) return invalid(std::move(fault));
@@ -172,16 +172,15 @@ std::optional<double> Result::gap() const {
 }
 
 Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
-            const Parameters& parameters, const Observer& observer) {
-  return answer(robot, sensor, request, parameters,
-                [&](const Lattice& lattice, const Parameters& p) {
-                  return run_arm_colony(lattice, request, p, observer);
-                });
+            const Params& parameters, const Observer& observer) {
+  return answer(robot, sensor, request, parameters, [&](const Lattice& lattice, const Params& p) {
+    return run_arm_colony(lattice, request, p, observer);
+  });
 }
 
 Result shortest_lattice_way(const Robot& robot, const Sensor& sensor, const Request& request,
-                            const Parameters& parameters) {
-  const auto search = [&](const Lattice& lattice, const Parameters&) {
+                            const Params& parameters) {
+  const auto search = [&](const Lattice& lattice, const Params&) {
     const KnownWay way = shortest_known_way(lattice, Unknown::is_asked, request.stop);
     Result result;
     result.status = status_after(way.cause, way.moves ? Status::solved : Status::unreachable);
@@ -195,8 +194,8 @@ Result shortest_lattice_way(const Robot& robot, const Sensor& sensor, const Requ
 }
 
 Result straight_lattice_way(const Robot& robot, const Sensor& sensor, const Request& request,
-                            const Parameters& parameters) {
-  const auto search = [](const Lattice& lattice, const Parameters&) {
+                            const Params& parameters) {
+  const auto search = [](const Lattice& lattice, const Params&) {
     Result result;
     Node at = lattice.start();
     const auto moves = straight_moves(lattice);

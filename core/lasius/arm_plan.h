@@ -24,7 +24,7 @@ enum class Pheromone {
 };
 
 /// Parameters of `goritov2020`, as given here those of its base set (Goritov & Goncharov 2020).
-struct Parameters {
+struct Params {
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
   int threads = 0;         ///< at most 1024; 0: as many as OpenMP gives; never changes the answer
 
@@ -54,11 +54,11 @@ struct Parameters {
 /// All parameters by name, with ranges, as `lasius algorithms` lists them.
 LASIUS_ARM_EXPORT std::span<const Algorithm> algorithms() noexcept;
 /// @throws Error(invalid_parameter) for an unknown name (with the nearest), value or range.
-LASIUS_ARM_EXPORT void set_parameter(Parameters& parameters, std::string_view name,
+LASIUS_ARM_EXPORT void set_parameter(Params& parameters, std::string_view name,
                                      std::string_view value);
-LASIUS_ARM_EXPORT std::string get_parameter(const Parameters& parameters, std::string_view name);
+LASIUS_ARM_EXPORT std::string get_parameter(const Params& parameters, std::string_view name);
 /// @throws Error(invalid_parameter) for the first field out of range.
-LASIUS_ARM_EXPORT void validate(const Parameters& parameters);
+LASIUS_ARM_EXPORT void validate(const Params& parameters);
 
 /// One question.
 struct Request {
@@ -126,20 +126,20 @@ using Observer = std::function<void(const IterationView&)>;
 /// @throws Error(invalid_parameter) for parameters out of range or a lattice that is too large;
 ///         what the sensor throws. A bad start or goal is an answer: Status::invalid.
 LASIUS_ARM_EXPORT Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
-                              const Parameters& parameters = {}, const Observer& observer = {});
+                              const Params& parameters = {}, const Observer& observer = {});
 
 /// The shortest way in the same lattice when everything is known: A*, which asks the sensor about
 /// whatever it needs. A measure for `plan`, not a planner for unknown worlds. Status::solved with
 /// `length`, `lower_bound` and `questions`, Status::unreachable, or as `plan`; no joints, no tips.
 LASIUS_ARM_EXPORT Result shortest_lattice_way(const Robot& robot, const Sensor& sensor,
                                               const Request& request,
-                                              const Parameters& parameters = {});
+                                              const Params& parameters = {});
 
 /// The way of the tip that keeps nearest to the straight line: Status::solved with its `length`
 /// where it is open, Status::no_path where something is in the way, or as `plan`. Likewise a
 /// measure: of how hard a question is.
 LASIUS_ARM_EXPORT Result straight_lattice_way(const Robot& robot, const Sensor& sensor,
                                               const Request& request,
-                                              const Parameters& parameters = {});
+                                              const Params& parameters = {});
 
 }  // namespace lasius::arm

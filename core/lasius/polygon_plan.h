@@ -21,7 +21,7 @@ namespace lasius::polygon {
 enum class Join { mitre, round, bevel };
 
 /// How a world is made ready.
-struct Preparation {
+struct PrepareOptions {
   std::optional<double> margin;  ///< in place of the world's own
   Join join = Join::mitre;       ///< mitres of more than 5 margins are cut off
 };
@@ -31,7 +31,7 @@ enum class GlobalBest { so_far, iteration };
 
 /// Parameters of one plan: as given here those of `exact`, which needs none, and the lecture's of
 /// `maklink-acs`. What `real-ga` sets otherwise is in `defaults()`.
-struct Parameters {
+struct Params {
   std::string algorithm = "exact";
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
   int threads = 0;         ///< at most 1024; for the record: planning takes one
@@ -62,14 +62,13 @@ struct Parameters {
 /// All algorithms among polygons, the default first.
 LASIUS_POLYGON_EXPORT std::span<const Algorithm> algorithms() noexcept;
 /// The published defaults. @throws Error(invalid_parameter) for an unknown name, with the nearest.
-LASIUS_POLYGON_EXPORT Parameters defaults(std::string_view algorithm);
+LASIUS_POLYGON_EXPORT Params defaults(std::string_view algorithm);
 /// @throws Error(invalid_parameter) for an unknown name (with the nearest), value or range.
-LASIUS_POLYGON_EXPORT void set_parameter(Parameters& parameters, std::string_view name,
+LASIUS_POLYGON_EXPORT void set_parameter(Params& parameters, std::string_view name,
                                          std::string_view value);
-LASIUS_POLYGON_EXPORT std::string get_parameter(const Parameters& parameters,
-                                                std::string_view name);
+LASIUS_POLYGON_EXPORT std::string get_parameter(const Params& parameters, std::string_view name);
 /// @throws Error(invalid_parameter) for the first field out of range.
-LASIUS_POLYGON_EXPORT void validate(const Parameters& parameters);
+LASIUS_POLYGON_EXPORT void validate(const Params& parameters);
 
 /// A free MAKLINK line, and the two convex regions of free space that it parts.
 struct Line {
@@ -131,7 +130,7 @@ class LASIUS_POLYGON_EXPORT Planner {
  public:
   /// @throws Error(invalid_parameter) for a world that `check` refuses, a margin that is not a
   ///         number of at least 0, where no free space is left, or GEOS cannot work with it.
-  explicit Planner(const World& world, const Preparation& preparation = {});
+  explicit Planner(const World& world, const PrepareOptions& options = {});
   ~Planner();
   Planner(Planner&&) noexcept;
   Planner& operator=(Planner&&) noexcept;
@@ -153,7 +152,7 @@ class LASIUS_POLYGON_EXPORT Planner {
   /// a deadline or token may change the answer. An unreachable goal is proven first.
   /// @throws Error(invalid_parameter) for parameters out of range, or without start or goal. Start
   /// or goal outside or blocked is an answer: Status::invalid.
-  Result plan(const Request& request = {}, const Parameters& parameters = {},
+  Result plan(const Request& request = {}, const Params& parameters = {},
               const Observer& observer = {}) const;
 
   class Impl;

@@ -71,7 +71,7 @@ struct Tours {
 
 class CrossingColony final : public ColonyWorld {
  public:
-  CrossingColony(const Route& route, const Crossing& start, const Parameters& parameters,
+  CrossingColony(const Route& route, const Crossing& start, const Params& parameters,
                  const RunControl& control)
       : route_(route),
         start_(start),
@@ -231,9 +231,9 @@ class CrossingColony final : public ColonyWorld {
 
   const Route& route_;
   const Crossing& start_;
-  const Parameters& parameters_;
+  const Params& parameters_;
   const RunControl& control_;
-  Params rules_;
+  lasius::Params rules_;
   int gates_;
   double tau0_;
   std::vector<Point> points_;  // of every value of every gate
@@ -252,8 +252,8 @@ class CrossingColony final : public ColonyWorld {
 
 }  // namespace
 
-CrossingRun run_crossing_colony(const Route& route, const Crossing& start,
-                                const Parameters& parameters, const RunControl& control) {
+CrossingRun run_crossing_colony(const Route& route, const Crossing& start, const Params& parameters,
+                                const RunControl& control) {
   return CrossingColony(route, start, parameters, control).run();
 }
 

@@ -26,7 +26,7 @@ class Draws : public kernels::RandomStream {
 
 class CrossingGa final : public ColonyWorld {
  public:
-  CrossingGa(const Route& route, const Crossing& start, const Parameters& parameters,
+  CrossingGa(const Route& route, const Crossing& start, const Params& parameters,
              const RunControl& control)
       : route_(route),
         start_(start),
@@ -127,7 +127,7 @@ class CrossingGa final : public ColonyWorld {
 
   const Route& route_;
   const Crossing& start_;
-  const Parameters& parameters_;
+  const Params& parameters_;
   const RunControl& control_;
   std::vector<Chromosome> population_, children_;
   Chromosome best_{{}, std::numeric_limits<double>::infinity()};
@@ -136,7 +136,7 @@ class CrossingGa final : public ColonyWorld {
 
 }  // namespace
 
-CrossingRun run_crossing_ga(const Route& route, const Crossing& start, const Parameters& parameters,
+CrossingRun run_crossing_ga(const Route& route, const Crossing& start, const Params& parameters,
                             const RunControl& control) {
   return CrossingGa(route, start, parameters, control).run();
 }

@@ -8,7 +8,7 @@
 namespace lasius::polygon {
 namespace {
 
-using Table = ParameterTable<Parameters>;
+using Table = ParameterTable<Params>;
 using Entry = Table::Entry;
 using Integer = Table::Integer;
 using Number = Table::Number;
@@ -16,46 +16,45 @@ using Number = Table::Number;
 constexpr std::string_view kGlobalBest[]{"so-far", "iteration"};
 
 constexpr Entry kIterations{{"iterations", "integer", "0 .. 1000000000", "iterations, NC"},
-                            Integer{&Parameters::iterations, 0, 1000000000}};
+                            Integer{&Params::iterations, 0, 1000000000}};
 constexpr Entry kRoutes{{"routes", "integer", "1 .. 1000",
                          "line sequences that are searched, the shortest through midpoints first"},
-                        Integer{&Parameters::routes, 1, 1000}};
+                        Integer{&Params::routes, 1, 1000}};
 
 constexpr std::array kColony{
     Entry{{"ants", "integer", "1 .. 1000000", "ants an iteration, m"},
-          Integer{&Parameters::ants, 1, 1000000}},
+          Integer{&Params::ants, 1, 1000000}},
     kIterations,
     Entry{{"values", "integer", "2 .. 10001", "crossing points of a line, evenly spaced"},
-          Integer{&Parameters::values, 2, 10001}},
-    Entry{{"beta", "number", "0 .. 20", "exponent of visibility"},
-          Number{&Parameters::beta, 0, 20}},
+          Integer{&Params::values, 2, 10001}},
+    Entry{{"beta", "number", "0 .. 20", "exponent of visibility"}, Number{&Params::beta, 0, 20}},
     Entry{{"greedy", "number", "0 .. 1", "share of choices that take the largest weight, q0"},
-          Number{&Parameters::greedy, 0, 1}},
+          Number{&Params::greedy, 0, 1}},
     Entry{{"evaporation", "number", "0 .. 1", "share of pheromone lost by either update, rho"},
-          Number{&Parameters::evaporation, 0, 1}},
+          Number{&Params::evaporation, 0, 1}},
     Entry{{"initial_pheromone", "number", "0 .. 1e9",
            "pheromone everywhere at first, tau0; 0: 1 / (lines x Dijkstra's length)"},
-          Number{&Parameters::initial_pheromone, 0, 1e9}},
+          Number{&Params::initial_pheromone, 0, 1e9}},
     Entry{{"global_best", "choice", "so-far|iteration",
            "which best path the global update deposits on"},
-          Table::choice<&Parameters::global_best>(kGlobalBest)},
+          Table::choice<&Params::global_best>(kGlobalBest)},
     Entry{
         {"agreement", "integer", "0 .. 1000000000",
          "iterations in a row with all ants on one way that end the run; the source: 1; 0: never"},
-        Integer{&Parameters::agreement, 0, 1000000000}},
+        Integer{&Params::agreement, 0, 1000000000}},
     kRoutes,
 };
 
 constexpr std::array kGenetic{
     kIterations,
     Entry{{"population", "integer", "2 .. 1000000", "chromosomes"},
-          Integer{&Parameters::population, 2, 1000000}},
+          Integer{&Params::population, 2, 1000000}},
     Entry{{"crossover", "number", "0 .. 1", "probability that two parents cross"},
-          Number{&Parameters::crossover, 0, 1}},
+          Number{&Params::crossover, 0, 1}},
     Entry{{"mutation", "number", "0 .. 1", "probability that a gene is drawn anew"},
-          Number{&Parameters::mutation, 0, 1}},
+          Number{&Params::mutation, 0, 1}},
     Entry{{"blend", "number", "0 .. 1", "share of the other parent in a child that was crossed"},
-          Number{&Parameters::blend, 0, 1}},
+          Number{&Params::blend, 0, 1}},
     kRoutes,
 };
 
@@ -87,29 +86,29 @@ constexpr Table kTable(kEntries);
 
 std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
 
-Parameters defaults(std::string_view algorithm) {
+Params defaults(std::string_view algorithm) {
   std::vector<std::string_view> names;
   names.reserve(kAlgorithms.size());
   for (const Algorithm& known : kAlgorithms) names.push_back(known.name);
   if (std::find(names.begin(), names.end(), algorithm) == names.end()) {
     throw unknown_name("algorithm", algorithm, names);
   }
-  Parameters p;
+  Params p;
   p.algorithm = algorithm;
   // The source's genetic algorithm takes 912 generations on average, its ants 175 iterations.
   if (algorithm == "real-ga") p.iterations = 1000;
   return p;
 }
 
-void set_parameter(Parameters& parameters, std::string_view name, std::string_view value) {
+void set_parameter(Params& parameters, std::string_view name, std::string_view value) {
   kTable.set(parameters, name, value);
 }
 
-std::string get_parameter(const Parameters& parameters, std::string_view name) {
+std::string get_parameter(const Params& parameters, std::string_view name) {
   return kTable.get(parameters, name);
 }
 
-void validate(const Parameters& parameters) {
+void validate(const Params& parameters) {
   defaults(parameters.algorithm);
   kTable.check(parameters);
 }

@@ -62,10 +62,10 @@ Point nearest_on(Point a, Point b, Point p) {
 
 class Planner::Impl {
  public:
-  Impl(const World& w, const Preparation& preparation)
+  Impl(const World& w, const PrepareOptions& options)
       : world(checked(w)),
-        margin(checked_margin(preparation.margin.value_or(w.margin))),
-        join(preparation.join),
+        margin(checked_margin(options.margin.value_or(w.margin))),
+        join(options.join),
         regions(make_free_space(w, margin, join)),
         maklink(maklink_of(regions)) {}
 
@@ -119,8 +119,8 @@ class Planner::Impl {
   const Maklink maklink;
 };
 
-Planner::Planner(const World& world, const Preparation& preparation)
-    : impl_(std::make_unique<const Impl>(world, preparation)) {}
+Planner::Planner(const World& world, const PrepareOptions& options)
+    : impl_(std::make_unique<const Impl>(world, options)) {}
 Planner::~Planner() = default;
 Planner::Planner(Planner&&) noexcept = default;
 Planner& Planner::operator=(Planner&&) noexcept = default;
@@ -187,7 +187,7 @@ Result apart(Point start, Point goal) {
 /// Dijkstra's route and what runs over it, route by route; the best one is kept.
 class RoutePlan {
  public:
-  RoutePlan(const Regions& regions, const Parameters& parameters, const Request& request,
+  RoutePlan(const Regions& regions, const Params& parameters, const Request& request,
             const Observer& observer)
       : regions_(regions),
         parameters_(parameters),
@@ -248,7 +248,7 @@ class RoutePlan {
   }
 
   const Regions& regions_;
-  const Parameters& parameters_;
+  const Params& parameters_;
   const Request& request_;
   const Observer& observer_;
   Poller poller_;  // of what is not left to the runs
@@ -256,7 +256,7 @@ class RoutePlan {
 
 }  // namespace
 
-Result Planner::plan(const Request& request, const Parameters& parameters,
+Result Planner::plan(const Request& request, const Params& parameters,
                      const Observer& observer) const {
   validate(parameters);
   Result result;

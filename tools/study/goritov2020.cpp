@@ -24,7 +24,7 @@ constexpr int kObstacles = 12;
 struct Case {
   arm::Scene scene;
   arm::Request request;
-  arm::Parameters parameters;
+  arm::Params parameters;
 };
 
 Case make_case(const arm::Robot& robot, const ArmQuestion& question) {
@@ -78,7 +78,7 @@ struct Batch {
   std::size_t reading, setting, question;
   fs::path file;
   std::string key;
-  arm::Parameters parameters;
+  arm::Params parameters;
 };
 
 std::optional<std::vector<ArmRun>> read_batch(const Batch& batch, int seeds) {
@@ -109,7 +109,7 @@ void write_batch(const Batch& batch, const std::vector<ArmRun>& runs) {
   write_file(batch.file.string(), [&](std::ostream& out) { out << json.dump() << '\n'; });
 }
 
-std::string key_of(const ArmQuestion& question, const arm::Parameters& parameters) {
+std::string key_of(const ArmQuestion& question, const arm::Params& parameters) {
   std::string key = "lasius " LASIUS_VERSION " question " + std::to_string(question.seed) + " " +
                     std::to_string(question.wall);
   for (const Parameter& p : arm::algorithms().front().parameters)
@@ -148,7 +148,7 @@ std::optional<std::vector<ArmRun>> run_batch(const arm::Robot& robot, const Case
   request.stop.token = options.stop;
   std::vector<ArmRun> runs;
   for (int seed = 1; seed <= options.seeds; ++seed) {
-    arm::Parameters parameters = batch.parameters;
+    arm::Params parameters = batch.parameters;
     parameters.seed = static_cast<std::uint64_t>(seed);
     arm::Result result = arm::plan(robot, sensor, request, parameters);
     if (result.status == Status::interrupted) return std::nullopt;

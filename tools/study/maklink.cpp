@@ -24,7 +24,7 @@ std::vector<CrossingContender> contenders() {
           {"ga-1000", "real-ga, 1000 generations", "real-ga", {{"iterations", "1000"}}, 50}};
 }
 
-polygon::Parameters parameters_of(const CrossingContender& contender, std::uint64_t seed) {
+polygon::Params parameters_of(const CrossingContender& contender, std::uint64_t seed) {
   auto parameters = polygon::defaults(contender.algorithm);
   for (const auto& [name, value] : contender.settings)
     polygon::set_parameter(parameters, name, value);

@@ -31,10 +31,10 @@ inline Robot two_links() {
 }
 
 /// A question with a lattice of `side` points, most of them between start and goal.
-inline Parameters lattice_of(const Robot& robot, const Request& request, int side) {
+inline Params lattice_of(const Robot& robot, const Request& request, int side) {
   const Vec3 from = tip_position(robot, request.start);
   const auto span = [](double a, double b) { return a < b ? b - a : a - b; };
-  Parameters parameters;
+  Params parameters;
   parameters.side = side;
   parameters.pitch = std::max({span(from.x, request.goal.x), span(from.y, request.goal.y),
                                span(from.z, request.goal.z)}) /

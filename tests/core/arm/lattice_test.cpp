@@ -20,7 +20,7 @@ struct Plane {
   Nothing sensor;
   Kinematics arm{robot};
   std::vector<double> start{0.6, 1.2};
-  Parameters parameters;
+  Params parameters;
   std::array<int, 3> goal{2, 0, 0};
 
   Lattice lattice(std::array<int, 3> to) {

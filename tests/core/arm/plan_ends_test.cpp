@@ -17,7 +17,7 @@ TEST(ArmPlan, ProvesThatThereIsNoWay) {
   const Robot robot = two_links();
   const Request request = across(robot);
   const double from = tip_position(robot, request.start).x;
-  Parameters parameters;
+  Params parameters;
   parameters.pitch = 0.05;
   parameters.side = 11;
   const Wall wall(robot, from - 0.12);
@@ -62,22 +62,22 @@ TEST(ArmPlan, BadParametersAreRefused) {
   const Robot robot = two_links();
   const Nothing sensor;
   const auto refused = [&](auto change) {
-    Parameters p;
+    Params p;
     change(p);
     EXPECT_THROW(plan(robot, sensor, across(robot), p), Error);
   };
-  refused([](Parameters& p) { p.ants = 0; });
-  refused([](Parameters& p) { p.iterations = -1; });
-  refused([](Parameters& p) { p.alpha = 9; });
-  refused([](Parameters& p) { p.evaporation = 1.1; });
-  refused([](Parameters& p) { p.evaporation = std::nan(""); });
-  refused([](Parameters& p) { p.seed = std::uint64_t{1} << 53; });
-  refused([](Parameters& p) { p.threads = -1; });
-  refused([](Parameters& p) { p.threads = 1025; });
-  refused([](Parameters& p) { p.initial_pheromone = 1e-310; });
-  refused([](Parameters& p) { p.pitch = 1e-5; });  // too many points
-  refused([](Parameters& p) { p.pitch = 1e-300; });
-  Parameters p;
+  refused([](Params& p) { p.ants = 0; });
+  refused([](Params& p) { p.iterations = -1; });
+  refused([](Params& p) { p.alpha = 9; });
+  refused([](Params& p) { p.evaporation = 1.1; });
+  refused([](Params& p) { p.evaporation = std::nan(""); });
+  refused([](Params& p) { p.seed = std::uint64_t{1} << 53; });
+  refused([](Params& p) { p.threads = -1; });
+  refused([](Params& p) { p.threads = 1025; });
+  refused([](Params& p) { p.initial_pheromone = 1e-310; });
+  refused([](Params& p) { p.pitch = 1e-5; });  // too many points
+  refused([](Params& p) { p.pitch = 1e-300; });
+  Params p;
   EXPECT_THROW(set_parameter(p, "elite_wait", "1"), Error);
   EXPECT_THROW(set_parameter(p, "ants", "many"), Error);
   set_parameter(p, "pheromone", "edges");
@@ -90,7 +90,7 @@ TEST(ArmPlan, ParametersAtTheEndsOfTheirRanges) {
   Request request = across(robot);
   const auto plan_with = [&](std::string_view name, const std::string& value,
                              const StopCondition& stop) {
-    Parameters p;
+    Params p;
     p.pitch = 0.05;
     p.side = 11;
     p.iterations = 2;
@@ -104,7 +104,7 @@ TEST(ArmPlan, ParametersAtTheEndsOfTheirRanges) {
 
 TEST(ArmPlan, TheLeastPheromoneUnderTheStrongestEvaporation) {
   const Robot robot = two_links();
-  Parameters p;
+  Params p;
   p.pitch = 0.05;
   p.side = 11;
   p.initial_pheromone = 1e-12;
@@ -164,7 +164,7 @@ class Broken final : public Sensor {
 TEST(ArmPlan, WhatASensorThrowsArrives) {
   const Case c = make_case("industrial6", 2, 0, 0, 12);
   for (const int threads : {1, 4}) {
-    Parameters p = c.parameters;
+    Params p = c.parameters;
     p.threads = threads;
     EXPECT_THROW(plan(c.robot, Broken(), c.request, p), std::runtime_error);
   }

@@ -45,7 +45,7 @@ struct Case {
   Robot robot;
   Scene scene;
   Request request;
-  Parameters parameters;
+  Params parameters;
 };
 
 /// A generated question to a robot that is shipped, answered by one thread.

@@ -249,7 +249,7 @@ TEST(Trajectory, FclFindsNoContactOnRandomScenes) {
           generate_query(robot, {.seed = seed, .obstacles = 10, .wall = seed % 2 == 0 ? 0.8 : 0});
       const SceneSensor sensor(robot, query.scene);
       const Request request{.start = query.start, .goal = query.goal};
-      Parameters parameters = lattice_of(robot, request, 10);
+      Params parameters = lattice_of(robot, request, 10);
       parameters.iterations = 20;
       const Result found = plan(robot, sensor, request, parameters);
       const auto made = make_trajectory(robot, sensor, found.joints, {.shortcut = seed % 3 != 0});

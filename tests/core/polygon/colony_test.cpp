@@ -22,7 +22,7 @@ TEST(Determinism, SeedAloneDecides) {
   Dice dice(1);
   const Request request{.start = free_point(planner, dice), .goal = free_point(planner, dice)};
   for (const char* algorithm : {"maklink-acs", "real-ga"}) {
-    Parameters parameters = defaults(algorithm);
+    Params parameters = defaults(algorithm);
     parameters.iterations = 60;
     const Result one = planner.plan(request, parameters);
     parameters.threads = 3;
@@ -56,7 +56,7 @@ TEST(Stops, TokenAndDeadlineKeepTheBestPath) {
 
 TEST(Stops, TheDiscreteOptimumIsCutShort) {
   const Planner planner(known_world());
-  Parameters parameters = defaults("maklink-acs");
+  Params parameters = defaults("maklink-acs");
   parameters.iterations = 0;
   EXPECT_TRUE(planner.plan({}, parameters).discrete_optimum);
   parameters.values = 10001;
@@ -71,7 +71,7 @@ TEST(Stops, TheDiscreteOptimumIsCutShort) {
 TEST(Stops, PolledWhileFurtherRoutesAreSought) {
   const Planner planner(random_world(7, 100));
   Dice dice(1);
-  Parameters parameters = defaults("maklink-acs");
+  Params parameters = defaults("maklink-acs");
   parameters.iterations = 0;
   parameters.routes = 200;
   const CountingTime time(1000000);
@@ -85,7 +85,7 @@ TEST(Stops, PolledWhileFurtherRoutesAreSought) {
 
 TEST(Stops, AnIterationIsCutShort) {
   const Planner planner(known_world());
-  Parameters parameters = defaults("maklink-acs");
+  Params parameters = defaults("maklink-acs");
   parameters.values = 10001;
   parameters.iterations = 1;
   const CountingTime time(4);
@@ -108,7 +108,7 @@ TEST(InitialPheromone, OfTheFamilyDoesNotDependOnTheUnit) {
     grow(*other.goal);
     return other;
   };
-  Parameters parameters = defaults("maklink-acs");
+  Params parameters = defaults("maklink-acs");
   parameters.initial_pheromone = 0;
   const Result metres = Planner(world).plan({}, parameters);
   const Result other = Planner(scaled(1024)).plan({}, parameters);
@@ -135,7 +135,7 @@ TEST(Routes, MoreLineSequencesAreNeverWorse) {
     const Planner planner(random_world(static_cast<std::uint64_t>(300 + i), 30));
     Dice dice(static_cast<std::uint64_t>(i));
     const Request request{.start = free_point(planner, dice), .goal = free_point(planner, dice)};
-    Parameters parameters = defaults("maklink-acs");
+    Params parameters = defaults("maklink-acs");
     const Result one = planner.plan(request, parameters);
     if (one.path.empty()) continue;
     parameters.routes = 5;
@@ -151,7 +151,7 @@ TEST(Parameters, AtTheEndsOfTheirRanges) {
   for (const Algorithm& algorithm : algorithms()) {
     const auto plan_with = [&](std::string_view name, const std::string& value,
                                const StopCondition& stop) {
-      Parameters parameters = defaults(algorithm.name);
+      Params parameters = defaults(algorithm.name);
       parameters.iterations = 2;
       set_parameter(parameters, name, value);
       const Result result = planner.plan({.start = {}, .goal = {}, .stop = stop}, parameters);
@@ -164,7 +164,7 @@ TEST(Parameters, AtTheEndsOfTheirRanges) {
 TEST(Parameters, NamesRangesAndDefaults) {
   EXPECT_EQ(algorithms().front().name, "exact");
   for (const Algorithm& algorithm : algorithms()) {
-    Parameters parameters = defaults(algorithm.name);
+    Params parameters = defaults(algorithm.name);
     EXPECT_NO_THROW(validate(parameters));
     for (const Parameter& parameter : algorithm.parameters) {
       const std::string value = get_parameter(parameters, parameter.name);
@@ -173,7 +173,7 @@ TEST(Parameters, NamesRangesAndDefaults) {
     }
   }
   EXPECT_THROW(defaults("maklink"), Error);
-  Parameters bad = defaults("maklink-acs");
+  Params bad = defaults("maklink-acs");
   bad.values = 1;
   EXPECT_THROW(Planner(known_world()).plan({}, bad), Error);
   for (const int threads : {-1, 1025}) {

@@ -99,7 +99,7 @@ TEST(KnownWorld, ShortestPathOfTheWorld) {
 TEST(KnownWorld, AntsReachTheOptimumOfTheirLinesWithEverySeed) {
   const Planner planner(known_world());
   expect_maklink(planner, "known world");
-  Parameters parameters = defaults("maklink-acs");
+  Params parameters = defaults("maklink-acs");
   for (int seed = 1; seed <= 100; ++seed) {
     parameters.seed = static_cast<std::uint64_t>(seed);
     const Result result = planner.plan({}, parameters);
@@ -110,7 +110,7 @@ TEST(KnownWorld, AntsReachTheOptimumOfTheirLinesWithEverySeed) {
 
 TEST(KnownWorld, DiscreteOptimumByTrial) {
   const Planner planner(known_world());
-  Parameters parameters = defaults("maklink-acs");
+  Params parameters = defaults("maklink-acs");
   parameters.values = 3;
   const Result result = planner.plan({}, parameters);
   const auto& lines = result.crossing.lines;
@@ -156,7 +156,7 @@ TEST(RandomWorlds, MaklinkAndPathsAreValid) {
     const Referee referee(planner.grown_obstacles());
     EXPECT_TRUE(referee.clear(exact.path, 200 * 1e-9)) << which;
     for (const char* algorithm : {"maklink-acs", "real-ga"}) {
-      Parameters parameters = defaults(algorithm);
+      Params parameters = defaults(algorithm);
       parameters.iterations = 50;
       const Result result = planner.plan(request, parameters);
       expect_order(result, which);
