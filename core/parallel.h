@@ -12,8 +12,8 @@ namespace lasius {
 inline int thread_count(int wanted) noexcept { return wanted > 0 ? wanted : omp_get_max_threads(); }
 
 /// Calls body(i, thread) once for every i below `count`, on up to `threads` threads; `thread`, from
-/// 0, is the number of the one that calls. After a call that throws no other begins, and its
-/// exception is thrown on.
+/// 0, is the number of the one that calls. Where a call throws, no other begins once the exception
+/// is noted, and one such exception is thrown on when those under way have ended.
 template <class Body>
 void parallel_for(int count, int threads, const Body& body) {
   if (threads <= 1 || count <= 1) {  // a team of one would cost more than a short walk

@@ -15,7 +15,7 @@
 namespace lasius {
 namespace {
 
-// Lengths in 2^-32 of a cell: a walk over every cell of the largest map stays below 2^62.
+// Lengths in 2^-32 of a cell: a walk over every cell of the largest map stays below 2^63.
 using Length = std::int64_t;
 constexpr double kUnit = 0x1p32;
 constexpr double kBucketWidth = 0.25;  // cells

@@ -7,9 +7,10 @@
 
 namespace lasius::kernels {
 
-/// x^a for normal x > 0, in double; relative error below 1e-11 while |a log2 x| < 1000.
-/// log2 by the series of artanh on [sqrt(1/2), sqrt(2)), exp2 by Taylor's on [-1/2, 1/2]; without a
-/// branch, so that loops over it vectorise.
+/// x^a for normal x > 0, in double, while |a log2 x| < 1000; relative error below 1e-12 for
+/// |a| <= 64, below 3e-11 for any a: the series leaves 1.7e-14 of log2, times a. log2 by the series
+/// of artanh on [sqrt(1/2), sqrt(2)), exp2 by Taylor's on [-1/2, 1/2]; without a branch, so that
+/// loops over it vectorise.
 [[gnu::always_inline]] inline double power(double x, double a) noexcept {
   constexpr std::uint64_t kMantissa = (std::uint64_t{1} << 52) - 1;
   constexpr double kShift = 0x1.8p52;  // adding it rounds to an integer in the low mantissa bits

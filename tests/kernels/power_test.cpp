@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lasius::kernels {
@@ -14,11 +15,30 @@ TEST(Power, IsExactWhereTheResultIsAPowerOfTwo) {
   EXPECT_EQ(power(7, 0), 1);
 }
 
-TEST(Power, AgreesWithLibmToElevenDigits) {
+double relative_error(double x, double a) {
+  const long double expected = std::pow(static_cast<long double>(x), static_cast<long double>(a));
+  return static_cast<double>(std::abs(power(x, a) / expected - 1));
+}
+
+TEST(Power, AgreesWithLibmToTwelveDigits) {
   for (double x = 1e-30; x < 1e30; x *= 1.0731) {
-    for (double a = -9; a <= 9; a += 0.31) {
-      const double expected = std::pow(x, a);
-      EXPECT_NEAR(power(x, a) / expected, 1, 1e-11) << x << "^" << a;
+    for (double a = -9; a <= 9; a += 0.31) EXPECT_LT(relative_error(x, a), 1e-12) << x << "^" << a;
+  }
+}
+
+// The error is largest where the mantissa is, next to the square roots of 2 and 1/2, and grows with
+// the exponent.
+TEST(Power, KeepsItsErrorNextToTheSquareRootOfTwo) {
+  for (const double root : {std::sqrt(2.0), std::sqrt(0.5)}) {
+    for (const int e : {0, -1, 3, 14}) {
+      for (double off = -1e-3; off <= 1e-3; off += 1.7e-5) {
+        const double x = std::ldexp(root * (1 + off), e);
+        const double most = 999.9 / std::abs(std::log2(x));
+        for (const double share : {1.0, -1.0, 0.7, -0.1}) {
+          EXPECT_LT(relative_error(x, share * std::min(most, 64.0)), 1e-12) << x;
+          EXPECT_LT(relative_error(x, share * most), 3e-11) << x << "^" << share * most;
+        }
+      }
     }
   }
 }
