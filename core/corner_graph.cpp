@@ -1,7 +1,5 @@
 #include "corner_graph.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
@@ -18,7 +16,7 @@ namespace {
 constexpr std::int64_t kWordsPerCorner = 64;  // of work, beside the rows scanned
 
 // The corners that one corner sees on one side, put in order.
-class Sight {
+class alignas(64) Sight {
  public:
   explicit Sight(const StopCondition& stop) : poller_(stop) {}
 
@@ -61,20 +59,21 @@ class CornerGraph::Builder {
   Builder(const Grid& grid, const PrepareOptions& options)
       : map_(view_of(grid)),
         options_(options),
-        threads_(options.threads > 0 ? options.threads : omp_get_max_threads()),
+        threads_(thread_count(options.threads)),
+        poller_(options.stop),
         graph_(std::make_shared<CornerGraph>()) {}
 
   std::shared_ptr<const CornerGraph> run(const Grid& grid, Preparation& report) {
-    number_corners();
-    report.corners = corner_count_;
+    count_corners();
+    report.corners = stopped_ ? 0 : corner_count_;
     report.edges = report.bytes = 0;
     fixed_bytes_ = fixed_bytes();
-    if (fixed_bytes_ <= options_.max_bytes) {
+    too_large_ = fixed_bytes_ > options_.max_bytes;
+    if (!too_large_) {
+      mark_corners();
       list_corners();
       scan();
       graph_->edge_count_ = edges_;
-    } else {
-      too_large_ = true;
     }
     report.state = too_large_ ? Preparation::State::too_large : Preparation::State::stopped;
     if (too_large_ || stopped_) return nullptr;
@@ -88,14 +87,26 @@ class CornerGraph::Builder {
   }
 
  private:
-  void number_corners();
+  std::uint64_t corners_at(int y, int word) const noexcept;
+  void count_corners();
+  void mark_corners();
   void list_corners();
   void scan();
   void scan_chunk(std::size_t chunk, Sight& sight);
 
+  // False if stopped; `words` is what was done since the last call.
+  bool go_on(std::int64_t words) {
+    if (poller_.stop_after(words)) stopped_ = true;
+    return !stopped_;
+  }
+
+  std::int64_t tiles_across() const noexcept { return (map_.width >> 3) + 1; }
+  std::int64_t tiles() const noexcept { return tiles_across() * ((map_.height >> 3) + 1); }
+  int words_across() const noexcept { return (map_.width >> 6) + 1; }
+
   std::int64_t fixed_bytes() const noexcept {
     const auto chunks = (corner_count_ + kChunk - 1) >> kChunkBits;
-    return static_cast<std::int64_t>(graph_->tiles_.size()) * 12 +
+    return tiles() * 12 +
            corner_count_ *
                static_cast<std::int64_t>(sizeof(GraphCorner) + sizeof(Landmarks::Distances)) +
            chunks * 8;
@@ -104,6 +115,7 @@ class CornerGraph::Builder {
   const kernels::BitmapView map_;
   const PrepareOptions& options_;
   const int threads_;
+  Poller poller_;
   std::shared_ptr<CornerGraph> graph_;
   std::int64_t corner_count_ = 0;
   std::int64_t fixed_bytes_ = 0;
@@ -112,43 +124,49 @@ class CornerGraph::Builder {
   std::atomic<bool> stopped_ = false;
 };
 
-// Corners are found 64 at a time, from the rows above and below a line, and their bits dealt out to
-// the tiles.
-void CornerGraph::Builder::number_corners() {
+// Of the 64 lattice points of a word's columns on line y, a bit for each that is a corner.
+std::uint64_t CornerGraph::Builder::corners_at(int y, int word) const noexcept {
+  const std::uint64_t* above = map_.row(y - 1) + word;
+  const std::uint64_t* below = map_.row(y) + word;
+  const std::uint64_t a = above[0], a1 = a << 1 | above[-1] >> 63;
+  const std::uint64_t b = below[0], b1 = b << 1 | below[-1] >> 63;
+  return ((a ^ b) & ~(a1 | b1)) | ((a1 ^ b1) & ~(a | b));
+}
+
+// Counted first: what it takes is known before memory is.
+void CornerGraph::Builder::count_corners() {
+  for (int y = 1; y < map_.height && go_on(words_across()); ++y) {
+    for (int w = 0; w < words_across(); ++w) corner_count_ += std::popcount(corners_at(y, w));
+  }
+}
+
+// Deals the bits of a line out to the tiles.
+void CornerGraph::Builder::mark_corners() {
   CornerGraph& g = *graph_;
-  g.tiles_across_ = static_cast<std::size_t>(map_.width >> 3) + 1;
-  const auto tiles_down = static_cast<std::size_t>(map_.height >> 3) + 1;
-  g.tiles_.assign(g.tiles_across_ * tiles_down, 0);
-  const int words = (map_.width >> 6) + 1;
-  for (int y = 1; y < map_.height; ++y) {
-    const std::uint64_t* above = map_.row(y - 1);
-    const std::uint64_t* below = map_.row(y);
-    const std::size_t row = g.tile_of(0, y);
-    for (int w = 0; w < words; ++w) {
-      const std::uint64_t a = above[w], a1 = a << 1 | above[w - 1] >> 63;
-      const std::uint64_t b = below[w], b1 = b << 1 | below[w - 1] >> 63;
-      const std::uint64_t one = ((a ^ b) & ~(a1 | b1)) | ((a1 ^ b1) & ~(a | b));
-      for (std::size_t i = 0; i < 8 && one != 0; ++i) {
-        const std::size_t across = static_cast<std::size_t>(w) * 8 + i;
-        if (across >= g.tiles_across_) break;
-        g.tiles_[row + across] |= (one >> (8 * i) & 0xff) << ((y & 7) << 3);
+  g.tiles_across_ = static_cast<std::size_t>(tiles_across());
+  g.tiles_ = ZeroArray<std::uint64_t>(tiles());
+  for (int y = 1; y < map_.height && go_on(words_across()); ++y) {
+    std::uint64_t* row = g.tiles_.at(static_cast<std::int64_t>(g.tile_of(0, y)));
+    for (int w = 0; w < words_across(); ++w) {
+      std::uint64_t* tile = row + std::ptrdiff_t{w} * 8;
+      for (std::uint64_t left = corners_at(y, w); left != 0; left >>= 8, ++tile) {
+        if ((left & 0xff) != 0) *tile |= (left & 0xff) << ((y & 7) << 3);
       }
     }
-  }
-  g.ranks_.resize(g.tiles_.size());
-  for (std::size_t t = 0; t < g.tiles_.size(); ++t) {
-    g.ranks_[t] = static_cast<std::uint32_t>(corner_count_);
-    corner_count_ += std::popcount(g.tiles_[t]);
   }
 }
 
 void CornerGraph::Builder::list_corners() {
   CornerGraph& g = *graph_;
+  g.ranks_.reserve(static_cast<std::size_t>(tiles()));
   g.corners_.reserve(static_cast<std::size_t>(corner_count_));
-  for (std::size_t t = 0; t < g.tiles_.size(); ++t) {
-    const int x0 = static_cast<int>(t % g.tiles_across_) * 8;
-    const int y0 = static_cast<int>(t / g.tiles_across_) * 8;
-    for (std::uint64_t bits = g.tiles_[t]; bits != 0; bits &= bits - 1) {
+  for (std::int64_t t = 0; t < tiles(); ++t) {
+    const std::uint64_t all = g.tiles_[t];
+    if (!go_on(1 + 2 * std::popcount(all))) return;
+    g.ranks_.push_back(g.size());
+    const int x0 = static_cast<int>(t % tiles_across()) * 8;
+    const int y0 = static_cast<int>(t / tiles_across()) * 8;
+    for (std::uint64_t bits = all; bits != 0; bits &= bits - 1) {
       const int i = std::countr_zero(bits);
       const int x = x0 + (i & 7), y = y0 + (i >> 3);
       const bool below = map_.blocked(x - 1, y) || map_.blocked(x, y);
@@ -206,9 +224,9 @@ std::shared_ptr<const CornerGraph> CornerGraph::make(const Grid& grid,
 }
 
 std::int64_t CornerGraph::bytes() const noexcept {
-  return static_cast<std::int64_t>(
-             tiles_.size() * sizeof(std::uint64_t) + ranks_.size() * sizeof(std::uint32_t) +
-             corners_.size() * sizeof(GraphCorner) + chunks_.size() * sizeof(chunks_[0])) +
+  return static_cast<std::int64_t>(ranks_.size() * (sizeof(std::uint64_t) + sizeof(std::uint32_t)) +
+                                   corners_.size() * sizeof(GraphCorner) +
+                                   chunks_.size() * sizeof(chunks_[0])) +
          edge_count_ * static_cast<std::int64_t>(sizeof(GraphEdge)) + landmarks_.bytes();
 }
 

@@ -11,6 +11,7 @@
 #include "corner_landmarks.h"
 #include "lasius/grid.h"
 #include "lasius/planner.h"
+#include "zero_array.h"
 
 namespace lasius::exact {
 
@@ -83,7 +84,8 @@ class CornerGraph {
   std::uint32_t index(int x, int y) const noexcept {
     const std::size_t tile = tile_of(x, y);
     const std::uint64_t before = (std::uint64_t{1} << ((y & 7) << 3 | (x & 7))) - 1;
-    return ranks_[tile] + static_cast<std::uint32_t>(std::popcount(tiles_[tile] & before));
+    const std::uint64_t here = tiles_[static_cast<std::int64_t>(tile)];
+    return ranks_[tile] + static_cast<std::uint32_t>(std::popcount(here & before));
   }
   /// What a corner sees on one side, from the block's edge on.
   std::span<const GraphEdge> edges(std::uint32_t i, Side side) const noexcept {
@@ -111,7 +113,7 @@ class CornerGraph {
   }
 
   std::size_t tiles_across_ = 0;
-  std::vector<std::uint64_t> tiles_;  // a bit for each corner
+  ZeroArray<std::uint64_t> tiles_;    // a bit for each corner
   std::vector<std::uint32_t> ranks_;  // corners before a tile
   std::vector<GraphCorner> corners_;
   std::vector<std::unique_ptr<GraphEdge[]>> chunks_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "corner_graph.h"
 #include "corner_view.h"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr std::uint32_t kBlock = 256;  // corners that one thread looks from in turn
 constexpr std::uint32_t kTries = 8;    // places to start from, until one is in the largest region
+constexpr std::int64_t kWords = sizeof(Landmarks::Distances) / 8;  // of a corner
 
 // The cell at a corner that lies across from its block: always free.
 Cell cell_across(const GraphCorner& c) {
@@ -25,19 +27,18 @@ Cell cell_across(const GraphCorner& c) {
 class Placement {
  public:
   Placement(const Grid& grid, const CornerGraph& graph, const StopCondition& stop)
-      : grid_(grid), graph_(graph), stop_(stop) {
-    Landmarks::Distances unknown;
-    unknown.fill(Landmarks::kUnknown);
-    distances.assign(graph.size(), unknown);
-  }
+      : grid_(grid), graph_(graph), stop_(stop), poller_(stop) {}
 
   // False if stopped.
   bool run() {
-    if (!flood_largest_region()) return false;
-    for (std::size_t i = 0; i < Landmarks::kCount && farthest() > 0; ++i) {
+    if (!forget_distances() || !flood_largest_region()) return false;
+    for (std::size_t i = 0; i < Landmarks::kCount; ++i) {
+      if (!find_farthest()) return false;
+      if (farthest_ == kNone) break;
       cells.push_back(cell_across(graph_.corner(farthest_)));
       if (!flood(cells.back())) return false;
       for (std::uint32_t v = 0; v < graph_.size(); ++v) {
+        if (poller_.stop_after(kWords)) return false;
         if (std::isfinite(lengths_[v])) distances[v][i] = static_cast<float>(lengths_[v]);
         // What the first was far from counts no longer.
         nearest_[v] = i == 0 ? lengths_[v] : std::min(nearest_[v], lengths_[v]);
@@ -51,43 +52,63 @@ class Placement {
   std::vector<Landmarks::Distances> distances;
 
  private:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
   bool flood(Cell from) { return !search_.flood(grid_, graph_, from, stop_, lengths_); }
 
-  bool flood_largest_region() {
-    std::ptrdiff_t most = 0;
-    for (std::uint32_t i = 0; i < kTries && most * 2 < graph_.size(); ++i) {
-      const auto from = static_cast<std::uint32_t>(std::uint64_t{graph_.size()} * i / kTries);
-      if (!flood(cell_across(graph_.corner(from)))) return false;
-      const auto reached = std::count_if(lengths_.begin(), lengths_.end(),
-                                         [](double length) { return std::isfinite(length); });
-      if (reached > most) nearest_.swap(lengths_);
-      most = std::max<std::ptrdiff_t>(most, reached);
+  // This and the next two: false if stopped.
+  bool forget_distances() {
+    Landmarks::Distances unknown;
+    unknown.fill(Landmarks::kUnknown);
+    distances.reserve(graph_.size());
+    while (distances.size() < graph_.size()) {
+      if (poller_.stop_after(kWords)) return false;
+      distances.push_back(unknown);
     }
     return true;
   }
 
-  // The corner farthest from all landmarks, and how far it is; 0 if there is none.
-  double farthest() {
+  bool flood_largest_region() {
+    std::int64_t most = 0;
+    for (std::uint32_t i = 0; i < kTries && most * 2 < graph_.size(); ++i) {
+      const auto from = static_cast<std::uint32_t>(std::uint64_t{graph_.size()} * i / kTries);
+      if (!flood(cell_across(graph_.corner(from)))) return false;
+      std::int64_t reached = 0;
+      for (const double length : lengths_) {
+        if (poller_.stop_after(1)) return false;
+        reached += std::isfinite(length);
+      }
+      if (reached > most) nearest_.swap(lengths_);
+      most = std::max(most, reached);
+    }
+    return true;
+  }
+
+  // The corner farthest from all landmarks, kNone if there is none left.
+  bool find_farthest() {
+    farthest_ = kNone;
     double distance = 0;
     for (std::uint32_t v = 0; v < nearest_.size(); ++v) {
+      if (poller_.stop_after(1)) return false;
       if (!std::isfinite(nearest_[v]) || nearest_[v] <= distance) continue;
       distance = nearest_[v];
       farthest_ = v;
     }
-    return distance;
+    return true;
   }
 
   const Grid& grid_;
   const CornerGraph& graph_;
   const StopCondition& stop_;
+  Poller poller_;
   PreparedSearch search_;
   std::vector<double> nearest_;  // distance to the nearest landmark
   std::vector<double> lengths_;  // of the last flood
-  std::uint32_t farthest_ = 0;
+  std::uint32_t farthest_ = kNone;
 };
 
 // A look from one corner across from its block.
-class LookAcross {
+class alignas(64) LookAcross {
  public:
   LookAcross(const Grid& grid, const CornerGraph& graph, const Placement& placed,
              const StopCondition& stop)
@@ -129,7 +150,7 @@ class LookAcross {
     for (int y = corner_.y();; y += down) {
       const int row = down > 0 ? y : y - 1;
       const bool left = map_.blocked(x - 1, row), right = map_.blocked(x, row);
-      if ((left || left_behind) && (right || right_behind)) return;
+      if (poller_.stop_after(1) || ((left || left_behind) && (right || right_behind))) return;
       if (left_behind != right_behind && !left && !right) corner(x, y);
       left_behind = left;
       right_behind = right;
@@ -143,9 +164,9 @@ class LookAcross {
       const bool across =
           (at.x - here.x) * corner_.block_x() < 0 && (at.y - here.y) * corner_.block_y() < 0;
       const double straight = exact::distance(here.x, here.y, at.x, at.y);
-      if (across && !((*result_)[i] <= straight) && kernels::sees(map_, here, at)) {
-        shorten(i, straight);
-      }
+      if (!across || (*result_)[i] <= straight) continue;
+      if (poller_.stop_after(std::abs(at.y - here.y) / 2)) return;
+      if (kernels::sees(map_, here, at)) shorten(i, straight);
     }
   }
 
@@ -186,7 +207,13 @@ Landmarks place_landmarks(const Grid& grid, const CornerGraph& graph, int thread
   Placement placed(grid, graph, stop);
   if (!placed.run()) return {};
   // Looks read what the floods found, so that their order does not matter.
-  std::vector<Landmarks::Distances> distances = placed.distances;
+  std::vector<Landmarks::Distances> distances;
+  distances.reserve(placed.distances.size());
+  Poller poller(stop);
+  for (const Landmarks::Distances& known : placed.distances) {
+    if (poller.stop_after(kWords)) return {};
+    distances.push_back(known);
+  }
   std::vector<LookAcross> team(static_cast<std::size_t>(threads),
                                LookAcross(grid, graph, placed, stop));
   const auto blocks = static_cast<int>((graph.size() + kBlock - 1) / kBlock);

@@ -303,9 +303,10 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
   set_out();
   leave_start();
   run(0, kNoBudget);
-  lengths.assign(graph.size(), kInfinity);
-  for (std::uint32_t i = 0; i < graph.size(); ++i) {
-    if (nodes_[i].stamp == stamp_) lengths[i] = nodes_[i].length;
+  lengths.clear();
+  lengths.reserve(graph.size());
+  for (std::uint32_t i = 0; i < graph.size() && !poller.stop_after(sizeof(Node) / 8); ++i) {
+    lengths.push_back(nodes_[i].stamp == stamp_ ? nodes_[i].length : kInfinity);
   }
   return poller.stopped();
 }

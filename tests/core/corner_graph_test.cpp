@@ -11,6 +11,7 @@
 #include "grid_view.h"
 #include "kernels/sight.h"
 #include "lasius/generate.h"
+#include "place_landmarks.h"
 #include "tests/core/counting_time.h"
 #include "tests/random_grid.h"
 
@@ -242,6 +243,39 @@ TEST(CornerGraph, IsGivenUpWhereItWouldTakeTooMuch) {
       EXPECT_EQ(report.bytes, 0);
     }
   }
+}
+
+int polls_of_making(const Grid& grid) {
+  const CountingTime counted(1 << 30);
+  EXPECT_NE(graph_of(grid, {.threads = 1, .stop = counted.is_up()}), nullptr);
+  return counted.polls();
+}
+
+TEST(CornerGraph, PollsWhileItLooksForCornersWhereThereAreNone) {
+  // Counted, marked, and tile by tile listed: 2048 x 2048 / 64 words each.
+  EXPECT_GE(polls_of_making(Grid(2048, 2048)), 3);
+  EXPECT_GE(polls_of_making(Grid(4096, 4096)), 3 * 4);
+}
+
+TEST(CornerGraph, PollsAfterEachFloodHoweverLittleItReached) {
+  // Closed rooms of 4 x 4 cells around a block: 4 corners each, all that a flood from there
+  // reaches.
+  const auto polls_of_rooms = [](int rooms) {
+    Grid grid(6 * rooms, 6 * rooms);
+    for (int y = 0; y < grid.height(); ++y) {
+      for (int x = 0; x < grid.width(); ++x) {
+        const int i = x % 6, j = y % 6;
+        if (i == 5 || j == 5 || (i == 2 && j == 2)) grid.set_blocked({x, y});
+      }
+    }
+    const Graph graph = graph_of(grid);
+    EXPECT_EQ(graph->size(), static_cast<std::uint32_t>(4 * rooms * rooms));
+    const CountingTime counted(1 << 30);
+    EXPECT_FALSE(place_landmarks(grid, *graph, 1, counted.is_up()).empty());
+    return counted.polls();
+  };
+  // Twelve floods and more, each followed by a loop over 40000 corners.
+  EXPECT_GE(polls_of_rooms(100), 12 * 40000 / 65536);
 }
 
 TEST(CornerGraph, IsGivenUpWhenStopped) {
