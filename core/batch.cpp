@@ -1,7 +1,5 @@
 #include "lasius/batch.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <condition_variable>
 #include <exception>
@@ -9,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "parallel.h"
 #include "parameter_table.h"
 
 namespace lasius {
@@ -122,7 +121,7 @@ std::size_t plan_batch(const Planner& planner, std::span<const Query> queries, c
   check(options);
   Params single = params;
   single.threads = 1;
-  const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
+  const int threads = thread_count(options.threads);
   Sequencer sequencer(queries.size(), 64 + 8 * static_cast<std::size_t>(threads), options.token,
                       receive);
 

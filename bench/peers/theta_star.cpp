@@ -39,7 +39,7 @@ double ThetaStar::plan(Cell start, Cell goal, std::vector<Point>& path) {
     reached = item.index == goal_index;
     node.state = mark_ + 1;
     if (reached) break;
-    kind_ == Kind::lazy ? expand_lazy(item, goal) : expand_basic(item, goal);
+    kind_ == Kind::lazy ? expand<Kind::lazy>(item, goal) : expand<Kind::basic>(item, goal);
   }
   if (!reached) return kNoPath;
   for (std::uint32_t i = goal_index; i != start_index; i = nodes_[i].parent) {
@@ -57,7 +57,10 @@ void ThetaStar::offer(std::uint32_t index, Cell c, double cost, std::uint32_t pa
   std::push_heap(heap_.begin(), heap_.end());
 }
 
-void ThetaStar::expand_basic(const Item& item, Cell goal) {
+// Offers the open neighbours the way over the cell's parent. Theta* looks whether the parent sees
+// them, and where not offers the way over the cell; Lazy Theta* takes it that it does.
+template <ThetaStar::Kind kKind>
+void ThetaStar::expand(const Item& item, Cell goal) {
   const std::uint32_t parent = nodes_[item.index].parent;
   const Cell parent_cell = moves_.cell(parent);
   const double parent_cost = nodes_[parent].cost;
@@ -71,27 +74,12 @@ void ThetaStar::expand_basic(const Item& item, Cell goal) {
     // By the triangle inequality the way over the parent is the shorter one.
     const double over_parent = parent_cost + distance(parent_cell, c);
     if (over_parent >= known) continue;
-    if (clear_line(*grid_, parent_cell, c)) {
+    if (kKind == Kind::lazy || clear_line(*grid_, parent_cell, c)) {
       offer(index, c, over_parent, parent, goal);
       continue;
     }
     const double over_cell = item.cost + (k < 4 ? 1.0 : std::numbers::sqrt2);
     if (over_cell < known) offer(index, c, over_cell, item.index, goal);
-  }
-}
-
-void ThetaStar::expand_lazy(const Item& item, Cell goal) {
-  const std::uint32_t parent = nodes_[item.index].parent;
-  const Cell parent_cell = moves_.cell(parent);
-  const double parent_cost = nodes_[parent].cost;
-  for (unsigned mask = moves_.moves(item.index); mask != 0; mask &= mask - 1) {
-    const auto k = static_cast<unsigned>(std::countr_zero(mask));
-    const auto index = item.index + static_cast<std::uint32_t>(moves_.offsets()[k]);
-    const Node& next = nodes_[index];
-    if (next.state == mark_ + 1) continue;
-    const Cell c{item.x + kMoveX[k], item.y + kMoveY[k]};
-    const double cost = parent_cost + distance(parent_cell, c);
-    if (next.state != mark_ || cost < next.cost) offer(index, c, cost, parent, goal);
   }
 }
 

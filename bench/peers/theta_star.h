@@ -34,8 +34,8 @@ class ThetaStar final : public QueryPlanner {
     }
   };
 
-  void expand_basic(const Item& item, Cell goal);
-  void expand_lazy(const Item& item, Cell goal);
+  template <Kind kKind>
+  void expand(const Item& item, Cell goal);
   void find_parent(const Item& item);
   void offer(std::uint32_t index, Cell c, double cost, std::uint32_t parent, Cell goal);
 

@@ -1,5 +1,3 @@
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 #include "lasius/arm_plan.h"
 #include "lasius/error.h"
 #include "lattice_way.h"
+#include "parallel.h"
 #include "run_status.h"
 
 namespace lasius::arm {
@@ -121,7 +120,7 @@ Result answer(const Robot& robot, const Sensor& sensor, const Request& request, 
   validate(robot);
   validate(given);
   Params parameters = given;
-  if (parameters.threads == 0) parameters.threads = omp_get_max_threads();
+  parameters.threads = thread_count(parameters.threads);
   std::string fault = start_fault(robot, request.start);
   if (!fault.empty()) return invalid(std::move(fault));
   const Kinematics arm(robot);
