@@ -181,10 +181,10 @@ class SceneSensor::Impl {
     }
   }
 
-  /// Shortens `step` to what the distance between two things allows that near each other at
-  /// `speed`; false on contact. `apart` is a lower bound of it, `measure(enough)` the distance, as
-  /// far as it is below `enough`: every one that is kept is at least twice the clearance, so steps
-  /// have a least length and the motion ends.
+  /// Shortens `step` so that two things that near each other at `speed` do not touch in it; false
+  /// where they do now. Their distance is at least `apart`, and `measure(enough)` wherever it is
+  /// below `enough`. Those that pass are twice the clearance apart: steps have a least length, and
+  /// the motion ends.
   template <class Measure>
   bool shorten(double apart, double speed, const Measure& measure, double& step) const {
     // Nothing nearer than this matters: neither contact nor a shorter step.

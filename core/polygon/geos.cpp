@@ -39,7 +39,7 @@ void Geos::fail() const {
               "simplify it");
 }
 
-// What makes a geometry of parts takes them over, also where it fails.
+// GEOS takes over the parts of what it makes, also where that fails.
 
 Geos::Geometry Geos::ring(const Ring& points) const {
   const auto count = static_cast<unsigned>(points.size());

@@ -13,7 +13,7 @@
 namespace lasius {
 
 /// Calls plan(name, value, stop) for both ends of each numeric range of `algorithm`, and expects it
-/// back soon after a deadline, with an answer or a refusal.
+/// back after a deadline, with an answer or a refusal.
 template <class Plan>
 void plan_at_both_ends(const Algorithm& algorithm, const Plan& plan) {
   using namespace std::chrono_literals;
@@ -28,7 +28,7 @@ void plan_at_both_ends(const Algorithm& algorithm, const Plan& plan) {
       } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::invalid_parameter) << parameter.name << " " << value;
       }
-      EXPECT_LT(Clock::now(), deadline + 3s) << parameter.name << " " << value;
+      EXPECT_LT(Clock::now(), deadline + 10s) << parameter.name << " " << value;
     }
   }
 }

@@ -7,6 +7,7 @@
 
 #include "lasius/error.h"
 #include "tests/core/arm/questions.h"
+#include "tests/core/counting_time.h"
 #include "tests/core/parameter_ends.h"
 
 // How runs end before their time: refused, proven hopeless, stopped.
@@ -145,6 +146,20 @@ TEST(ArmPlan, TokenAndDeadlineKeepTheBest) {
   const Result late = plan(c.robot, sensor, c.request, c.parameters);
   EXPECT_EQ(late.status, Status::limit);
   EXPECT_EQ(late.iterations, 0);
+}
+
+TEST(ArmPlan, PolledAmongAntsOfFewSteps) {
+  const Robot robot = two_links();
+  Request request = across(robot);
+  Params p;
+  p.pitch = 0.05;
+  p.side = 11;
+  p.ants = 1000;
+  const CountingTime time(50);
+  request.stop = time.is_up();
+  const Result r = plan(robot, Nothing(), request, p);
+  EXPECT_EQ(r.status, Status::limit);
+  EXPECT_EQ(r.iterations, 0);
 }
 
 /// Breaks down after some questions.
