@@ -15,15 +15,27 @@ namespace {
 
 constexpr std::string_view kExact = "exact";
 
-/// Where the free cell lies that the library named, for those who think in metres.
-std::string in_metres(const PreparedMap& map, const Answer& answer) {
-  const Cell bad = map.grid().free(answer.start) ? answer.goal : answer.start;
-  const auto free = map.planner->nearest_free(bad);
-  if (!free) return {};
+/// The library's words on a start or goal that is invalid, with its place as it was given, and in
+/// metres too the free cell that they name.
+std::string invalid_text(const PreparedMap& map, const RunOptions& run, const Answer& answer) {
+  const bool at_start = !map.grid().free(answer.start.cell);
+  const Place& place = at_start ? answer.start : answer.goal;
+  const std::string& words = answer.result.error;
+  const std::string why = words.substr(std::min(words.find(" is "), words.size()));
+  const auto [x, y] = cell_numbers(place, run.frame);
+  std::string named = "(";
+  named.append(whole_text(x)).append(", ").append(whole_text(y)).append(")");
+  std::string text = at_start ? "start " : "goal ";
+  if (run.frame == Frame::cell) return text.append(named).append(why);
+  text.append(to_text(place.asked.x)).append(",").append(to_text(place.asked.y));
+  text.append(" m, in cell ").append(named).append(",").append(why);
+  const auto free = map.planner->nearest_free(place.cell);
+  if (!free) return text;
   const Point metres = map.to_world(centre(*free));
-  std::array<char, 96> text;
-  std::snprintf(text.data(), text.size(), ", its centre at %.3f,%.3f m", metres.x, metres.y);
-  return text.data();
+  std::array<char, 96> centre_text;
+  std::snprintf(centre_text.data(), centre_text.size(), ", its centre at %.3f,%.3f m", metres.x,
+                metres.y);
+  return text + centre_text.data();
 }
 
 /// Says why a cell that looks free is not.
@@ -40,24 +52,25 @@ Clock::time_point deadline_after(const std::optional<double>& seconds) {
   return now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*seconds));
 }
 
-Answer answer(const PreparedMap& map, const RunOptions& run, Cell start, Cell goal,
+Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start, const Place& goal,
               const StopCondition& stop, const Observer& observer) {
   Answer answer{.start = start, .goal = goal};
   if (!map.planner) {
     answer.result.status = Status::interrupted;
     return answer;
   }
-  const Request request{.start = start, .goal = goal, .stop = stop, .target_gap = run.target_gap};
+  const Query query{start.cell, goal.cell};
+  const Request request{
+      .start = query.start, .goal = query.goal, .stop = stop, .target_gap = run.target_gap};
   const auto begin = Clock::now();
   answer.result = map.planner->plan(request, run.params, nullptr, observer);
   answer.elapsed_ms = ms_since(begin);
   if (run.with_optimum && knows_optimum()) {
-    const Request exact{.start = start, .goal = goal, .stop = {.token = stop.token}};
+    const Request exact{.start = query.start, .goal = query.goal, .stop = {.token = stop.token}};
     const Result best = map.planner->plan(exact, optimum_params(run));
     if (best.optimal) answer.optimum = best.length;
-    answer.grid_optimum = moves_on_cells(run)
-                              ? shortest_by_own_moves(map, run, {start, goal}, stop.token)
-                              : answer.optimum;
+    answer.grid_optimum =
+        moves_on_cells(run) ? shortest_by_own_moves(map, run, query, stop.token) : answer.optimum;
   }
   return answer;
 }
@@ -89,9 +102,8 @@ Params optimum_params(const RunOptions& run) {
 
 Outcome outcome(const PreparedMap& map, const RunOptions& run, const Answer& answer) {
   const Result& result = answer.result;
-  std::string error = result.error;
-  if (result.status == Status::invalid && run.frame == Frame::world)
-    error += in_metres(map, answer);
+  std::string error =
+      result.status == Status::invalid ? invalid_text(map, run, answer) : result.error;
   if (result.status == Status::invalid || result.status == Status::unreachable) error += grown(map);
   return {.status = result.status,
           .iterations = result.iterations,

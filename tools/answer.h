@@ -14,8 +14,8 @@ namespace lasius::tool {
 
 /// All that a plan on a map was asked and found.
 struct Answer {
-  Cell start{};
-  Cell goal{};
+  Place start{};
+  Place goal{};
   Result result{};
   double elapsed_ms = 0;            ///< of the plan; the map's preparation is not in it
   std::optional<double> optimum{};  ///< with --gap: exact shortest length, where one exists
@@ -28,7 +28,7 @@ struct Answer {
 Clock::time_point deadline_after(const std::optional<double>& seconds);
 
 /// Plans from `start` to `goal`. The deadline bounds the plan; --gap's optima only the token.
-Answer answer(const PreparedMap& map, const RunOptions& run, Cell start, Cell goal,
+Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start, const Place& goal,
               const StopCondition& stop, const Observer& observer = {});
 
 /// True where the library has the exact planner that --gap asks.

@@ -36,7 +36,7 @@ class Collected {
 
   void add(const Answer& answer, const std::string& json_line) {
     if (json_) lines_ += json_line;
-    if (csv_) rows_ += batch_csv_row(answer);
+    if (csv_) rows_ += batch_csv_row(answer, run_.frame);
     if (paths_ && !answer.result.path.empty()) kept_.push_back(answer.result.path);
   }
 
@@ -94,10 +94,12 @@ int run_batch(const BatchCommand& command) {
   const QueryFile file =
       read_queries(command.queries, map.width, map.height, run.frame == Frame::cell);
   announce(map, run);
-  const Frame frame = file.scenario ? Frame::cell : run.frame;
+  const auto place = [&](Point point) {
+    return file.scenario ? place_of(map, point, run.frame) : to_place(map, point, run.frame);
+  };
   std::vector<Query> queries;
   for (const auto& line : file.queries)
-    queries.push_back({to_cell(map, line.start, frame), to_cell(map, line.goal, frame)});
+    queries.push_back({place(line.start).cell, place(line.goal).cell});
 
   BatchOptions options{
       .threads = run.params.threads, .target_gap = run.target_gap, .token = signals.token()};
@@ -112,11 +114,12 @@ int run_batch(const BatchCommand& command) {
     Optima best;
     if (with_optimum) best = optima(map, run, part, options);
     plan_batch(*map.planner, part, run.params, options, [&](const BatchAnswer& found) {
-      Answer answer{.start = part[found.index].start,
-                    .goal = part[found.index].goal,
+      const std::size_t index = from + found.index;
+      Answer answer{.start = place(file.queries[index].start),
+                    .goal = place(file.queries[index].goal),
                     .result = found.result,
                     .elapsed_ms = std::chrono::duration<double, std::milli>(found.elapsed).count(),
-                    .index = from + found.index};
+                    .index = index};
       if (with_optimum) {
         answer.optimum = known(best.any_angle[found.index]);
         answer.grid_optimum = known(best.by_moves[found.index]);
@@ -124,7 +127,7 @@ int run_batch(const BatchCommand& command) {
       const std::string text = line(result_json(map, run, answer));
       collected.add(answer, text);
       print(text);
-      bar.update(static_cast<std::int64_t>(*answer.index) + 1, "queries");
+      bar.update(static_cast<std::int64_t>(index) + 1, "queries");
     });
   }
   collected.write(map);

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "exit_code.h"
 #include "lasius/error.h"
+#include "signals.h"
 #include "streams.h"
 
 namespace lasius::tool {
@@ -40,6 +41,7 @@ int exit_code(ErrorCode code) {
 }
 
 int guarded_main(int argc, char** argv) {
+  end_on_signals();
   guard_standard_streams();
   try {
     return std::visit([](const auto& command) { return run(command); },

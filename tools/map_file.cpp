@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "elapsed.h"
@@ -12,9 +13,9 @@
 namespace lasius::tool {
 namespace {
 
-int clamped(double coordinate) {
-  constexpr double kFar = 1e9;
-  return static_cast<int>(std::floor(std::clamp(coordinate, -kFar, kFar)));
+int clamped(double whole) {
+  using Limits = std::numeric_limits<int>;
+  return static_cast<int>(std::clamp<double>(whole, Limits::min(), Limits::max()));
 }
 
 /// False, and the grid as it was, when stopped.
@@ -64,6 +65,15 @@ PreparedMap prepare_map(const MapOptions& options, Frame frame, Corners corners,
   return map;
 }
 
+void prepare_more(PreparedMap& map, const MapOptions& options, Corners corners,
+                  const std::stop_token& token) {
+  const auto start = Clock::now();
+  Grid grid = map.grid();
+  map.planner = make_planner(grid, options, corners, {.token = token});
+  if (!map.planner) map.unprepared = std::move(grid);
+  map.prepare_ms += ms_since(start);
+}
+
 std::vector<Point> PreparedMap::to_world(const std::vector<Point>& path) const {
   std::vector<Point> metres;
   metres.reserve(path.size());
@@ -71,9 +81,22 @@ std::vector<Point> PreparedMap::to_world(const std::vector<Point>& path) const {
   return metres;
 }
 
-Cell to_cell(const PreparedMap& map, Point point, Frame frame) {
-  const Point cells = frame == Frame::world ? map.frame->to_cells(point, map.height) : point;
-  return {clamped(cells.x), clamped(cells.y)};
+Place to_place(const PreparedMap& map, Point point, Frame frame) {
+  if (frame == Frame::cell) return {{clamped(point.x), clamped(point.y)}, point};
+  const Point cells = map.frame->to_cells(point, map.height);
+  // Rows are counted from the top, but hold their lower edge.
+  return {{clamped(std::floor(cells.x)), clamped(std::ceil(cells.y) - 1)}, point};
+}
+
+Point cell_numbers(const Place& place, Frame frame) {
+  if (frame == Frame::cell) return place.asked;
+  return {static_cast<double>(place.cell.x), static_cast<double>(place.cell.y)};
+}
+
+Place place_of(const PreparedMap& map, Point cell, Frame frame) {
+  Place place = to_place(map, cell, Frame::cell);
+  if (frame == Frame::world) place.asked = map.to_world(centre(place.cell));
+  return place;
 }
 
 }  // namespace lasius::tool

@@ -41,8 +41,26 @@ struct PreparedMap {
 PreparedMap prepare_map(const MapOptions& options, Frame frame = Frame::cell,
                         Corners corners = Corners::forbid, const std::stop_token& token = {});
 
-/// The cell under a point of the command line or a query file, in `frame`. Points far outside stay
-/// outside.
-Cell to_cell(const PreparedMap& map, Point point, Frame frame);
+/// Makes the planner of a map again, prepared as `options` ask.
+void prepare_more(PreparedMap& map, const MapOptions& options, Corners corners,
+                  const std::stop_token& token);
+
+/// A start or a goal.
+struct Place {
+  Cell cell{};    ///< one far outside stays outside
+  Point asked{};  ///< as it was given: the cell's numbers, or metres in the world frame
+};
+
+/// The place of a point of the command line or a query file, given in `frame`. A cell of a map
+/// holds its left and its lower edge, in the map's own axes: so the world frame's origin is in the
+/// first.
+Place to_place(const PreparedMap& map, Point point, Frame frame);
+
+/// Column and row of a place, whole numbers: where cells are given as given, so that those no map
+/// holds are told too.
+Point cell_numbers(const Place& place, Frame frame);
+
+/// The place of a cell, as if it had been given in `frame`.
+Place place_of(const PreparedMap& map, Point cell, Frame frame);
 
 }  // namespace lasius::tool

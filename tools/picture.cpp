@@ -143,8 +143,8 @@ void draw_path(Canvas& canvas, const MapView& view, const std::vector<Point>& pa
 }
 
 void draw_marks(Canvas& canvas, const MapView& view, const Grid& grid, const Answer& answer) {
-  if (grid.contains(answer.start)) canvas.disc(view.at(centre(answer.start)), 7, kStart);
-  if (grid.contains(answer.goal)) canvas.diamond(view.at(centre(answer.goal)), 9, kGoal);
+  if (grid.contains(answer.start.cell)) canvas.disc(view.at(centre(answer.start.cell)), 7, kStart);
+  if (grid.contains(answer.goal.cell)) canvas.diamond(view.at(centre(answer.goal.cell)), 9, kGoal);
 }
 
 /// The text, its middle left out where it is wider than `width`.

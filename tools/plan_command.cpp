@@ -30,8 +30,9 @@ std::string note(const Progress& progress) {
 }
 
 /// Plans, with a progress line and the recorder looking on where there are any.
-Answer watched_answer(const PreparedMap& map, const RunOptions& run, const Query& query,
-                      const std::stop_token& token, std::optional<PictureRecorder>& recorder) {
+Answer watched_answer(const PreparedMap& map, const RunOptions& run, const Place& start,
+                      const Place& goal, const std::stop_token& token,
+                      std::optional<PictureRecorder>& recorder) {
   const bool counted = has_parameter(find_algorithm(run.params.algorithm), "iterations");
   const bool shown = wants_progress(run.messages);
   ProgressLine bar(shown, counted ? run.params.iterations : 0, run.time_limit.value_or(0));
@@ -42,7 +43,16 @@ Answer watched_answer(const PreparedMap& map, const RunOptions& run, const Query
       if (recorder) recorder->observe(progress);
     };
   const StopCondition stop{.token = token, .deadline = deadline_after(run.time_limit)};
-  return answer(map, run, query.start, query.goal, stop, observer);
+  return answer(map, run, start, goal, stop, observer);
+}
+
+/// False where the answer is known before any search, and preparing more a waste.
+bool is_search(const PreparedMap& map, Corners corners, const Query& query,
+               const std::stop_token& token) {
+  const auto& [start, goal] = query;
+  return map.planner && map.grid().free(start) && map.grid().free(goal) && start != goal &&
+         map.planner->label(corners, {.token = token}) &&
+         map.planner->connected(start, goal, corners);
 }
 
 }  // namespace
@@ -51,15 +61,20 @@ int run_plan(const PlanCommand& command) {
   const RunOptions& run = command.run;
   for (const auto& file : run.outputs) check_writable(file);
   SignalWatcher signals;
-  const PreparedMap map = prepare_map(run.map, run.frame, run.params.corners, signals.token());
+  MapOptions first = run.map;
+  first.prepare = false;
+  PreparedMap map = prepare_map(first, run.frame, run.params.corners, signals.token());
+  const Place start = to_place(map, command.start, run.frame);
+  const Place goal = to_place(map, command.goal, run.frame);
+  map.prepare = run.map.prepare;
+  if (map.prepare && is_search(map, run.params.corners, {start.cell, goal.cell}, signals.token()))
+    prepare_more(map, run.map, run.params.corners, signals.token());
   announce(map, run);
-  const Cell start = to_cell(map, command.start, run.frame);
-  const Cell goal = to_cell(map, command.goal, run.frame);
 
   std::optional<PictureRecorder> recorder;
   if (std::any_of(run.outputs.begin(), run.outputs.end(), is_picture))
     recorder.emplace(map.grid(), run.track_iterations, run.params.iterations);
-  const Answer found = watched_answer(map, run, {start, goal}, signals.token(), recorder);
+  const Answer found = watched_answer(map, run, start, goal, signals.token(), recorder);
 
   const Outcome ended = outcome(map, run, found);
   report(ended, run.messages);

@@ -11,7 +11,7 @@ namespace lasius::tool {
 
 /// @throws Error, UsageError or Json::exception where the inputs are not usable, or the world in
 /// `file` is not the one recorded.
-Json polygon_replay(const Json& recorded, const std::string& file, int threads,
+Json polygon_replay(const Json& result, const std::string& file, int threads,
                     const std::stop_token& token);
 
 }  // namespace lasius::tool

@@ -69,7 +69,7 @@ class Lines {
 
   double coordinate(std::string_view name, std::string_view field, bool whole) const {
     if (whole) {
-      if (const auto value = parse_integer(field)) return static_cast<double>(*value);
+      if (const auto value = parse_whole(field)) return *value;
     } else if (const auto value = parse_real(field)) {
       return *value;
     }

@@ -5,6 +5,7 @@
 #include "lasius/params.h"
 #include "lasius/version.h"
 #include "parameters.h"
+#include "values.h"
 
 namespace lasius::tool {
 namespace {
@@ -21,6 +22,11 @@ Json settings_json(const PreparedMap& map, const RunOptions& run) {
   if (map.prepare) object["prepare"] = true;
   object["frame"] = run.frame == Frame::world ? "world" : "cell";
   return object;
+}
+
+Json cell_json(const Place& place, Frame frame) {
+  const auto [x, y] = cell_numbers(place, frame);
+  return Json::array({parameter_json(whole_text(x)), parameter_json(whole_text(y))});
 }
 
 }  // namespace
@@ -46,8 +52,8 @@ Json result_json(const PreparedMap& map, const RunOptions& run, const Answer& an
                  {"width", map.width},
                  {"height", map.height}};
   json["algorithm"] = run.params.algorithm;
-  json["start"] = {answer.start.x, answer.start.y};
-  json["goal"] = {answer.goal.x, answer.goal.y};
+  json["start"] = cell_json(answer.start, run.frame);
+  json["goal"] = cell_json(answer.goal, run.frame);
   json["seed"] = run.params.seed;
   json["threads"] = run.params.threads;
   json["parameters"] = settings_json(map, run);
@@ -57,6 +63,8 @@ Json result_json(const PreparedMap& map, const RunOptions& run, const Answer& an
   json["length"] = number(result.length);
   json["path"] = points(result.path);
   if (run.frame == Frame::world) {
+    json["start_world"] = point(answer.start.asked);
+    json["goal_world"] = point(answer.goal.asked);
     json["length_m"] = number(map.metres(result.length));
     json["path_world"] = points(map.to_world(result.path));
   }

@@ -27,7 +27,7 @@ std::string gap_text(const Answer& answer);
 
 /// A batch as a table: header, and a line a query.
 std::string batch_csv_header();
-std::string batch_csv_row(const Answer& answer);
+std::string batch_csv_row(const Answer& answer, Frame frame);
 
 /// The convergence by iteration, or the path for algorithms without iterations.
 std::string result_csv(const Result& result);

@@ -66,11 +66,12 @@ std::string batch_csv_header() {
   return "index,sx,sy,gx,gy,status,length,lower_bound,gap,iterations,elapsed_ms\n";
 }
 
-std::string batch_csv_row(const Answer& answer) {
+std::string batch_csv_row(const Answer& answer, Frame frame) {
   const Result& result = answer.result;
+  const Point start = cell_numbers(answer.start, frame), goal = cell_numbers(answer.goal, frame);
   std::ostringstream out;
-  out << answer.index.value_or(0) << "," << answer.start.x << "," << answer.start.y << ","
-      << answer.goal.x << "," << answer.goal.y << "," << to_string(result.status) << ","
+  out << answer.index.value_or(0) << "," << whole_text(start.x) << "," << whole_text(start.y) << ","
+      << whole_text(goal.x) << "," << whole_text(goal.y) << "," << to_string(result.status) << ","
       << finite_text(result.length) << "," << finite_text(result.lower_bound) << ","
       << finite_text(result.gap()) << "," << result.iterations << "," << to_text(answer.elapsed_ms)
       << "\n";

@@ -1,10 +1,12 @@
 #include "run_text.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "answer.h"
 #include "exit_code.h"
 #include "parameters.h"
+#include "picture.h"
 #include "threads.h"
 #include "values.h"
 
@@ -75,6 +77,12 @@ RunOptions make_run(const RunText& text) {
   if (!text.radius.empty()) run.map.radius = real_value("--radius", text.radius, 0, kNoLimit);
   run.map.radius_metres = run.frame == Frame::world;
   run.map.unknown_is_free = text.unknown_free;
+  const auto& file = run.map.file;
+  if (text.unknown_free && !file.ends_with(".yaml") && !file.ends_with(".yml"))
+    run.notes.push_back("--unknown-free has no effect: only ROS maps (.yaml) have unknown cells");
+  if (run.target_gap > 0 && moves_on_cells(run))
+    run.notes.push_back("--target-gap has no effect: " + run.params.algorithm +
+                        " certifies no gap");
   run.with_optimum = text.gap;
   run.map.prepare = text.prepare && (run.with_optimum || !moves_on_cells(run));
   run.map.threads = run.params.threads;
@@ -83,6 +91,8 @@ RunOptions make_run(const RunText& text) {
   run.json = text.json;
   check_endings(text.outputs, kOutputEndings);
   run.outputs = text.outputs;
+  if (!text.tracks.empty() && std::none_of(run.outputs.begin(), run.outputs.end(), is_picture))
+    run.notes.push_back("--tracks has no effect without -o of a picture, .svg or .png");
   run.track_iterations = list_value("--tracks", text.tracks.empty() ? "10,50,120" : text.tracks);
   run.messages = messages_of(text);
   return run;

@@ -1,15 +1,18 @@
-// SIGINT and SIGTERM as a stop token.
+// SIGINT and SIGTERM: the end of the program, or a stop token.
 #pragma once
 
-#include <csignal>
 #include <stop_token>
 #include <thread>
 
 namespace lasius::tool {
 
-/// While it lives, the first SIGINT or SIGTERM asks the token to stop and a second one ends the
-/// program at once. The handler itself only writes one byte to a pipe; a thread does the rest.
-/// One at a time.
+/// From here on SIGINT and SIGTERM end the program at once with exit code 130: right where nothing
+/// is being written.
+void end_on_signals();
+
+/// While it lives, the first SIGINT or SIGTERM asks the token to stop instead, and only a second
+/// one ends the program at once. The handler itself only writes one byte to a pipe; a thread does
+/// the rest. One at a time. Precondition: end_on_signals was called.
 class SignalWatcher {
  public:
   SignalWatcher();
@@ -18,12 +21,10 @@ class SignalWatcher {
   SignalWatcher& operator=(const SignalWatcher&) = delete;
 
   std::stop_token token() const noexcept { return source_.get_token(); }
-  bool interrupted() const noexcept { return source_.stop_requested(); }
+  bool interrupted() const noexcept;  ///< from the signal on, perhaps just before the token
 
  private:
   int pipe_[2];
-  struct sigaction old_interrupt_ {};
-  struct sigaction old_terminate_ {};
   std::stop_source source_;
   std::thread waiter_;
 };

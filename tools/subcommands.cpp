@@ -30,6 +30,7 @@ constexpr const char* kPrepare =
     "Prepare more of the map for exact (at most 1 GB): worth it for many queries. Answers are as\n"
     "short as without; lasius info MAP --prepare shows what it costs";
 
+constexpr const char* kBitmapHelp = "Map: .map, PBM, PGM, PNG or ROS YAML";
 constexpr const char* kMapHelp =
     "Map: .map, PBM, PGM, PNG or ROS YAML; polygon world: .geojson, .json or .wkt";
 
@@ -53,12 +54,12 @@ void add_switch(CLI::App& app, const std::string& names, bool& to, const std::st
   app.add_flag(names, to, help)->disable_flag_override();
 }
 
-void add_run_options(CLI::App& app, RunText& text) {
+void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
   const auto option = [&app](const char* names, std::string& to, const char* help,
                              const char* type) {
     app.add_option(names, to, help)->type_name(type);
   };
-  app.add_option("MAP", text.map, kMapHelp)->type_name("FILE")->required();
+  app.add_option("MAP", text.map, map_help)->type_name("FILE")->required();
   option("--algorithm", text.algorithm, "Algorithm, as listed by `lasius algorithms`", "NAME");
   add_repeatable(app, "--set", text.set,
                  "Set any parameter of the algorithm (repeatable; wins over its own option)",
@@ -77,7 +78,9 @@ void add_run_options(CLI::App& app, RunText& text) {
          "Stop after this time, counted once the map is prepared; for batch by query", "SECONDS");
   option("--target-gap", text.target_gap,
          "Stop at this certified gap, for algorithms that certify one (1 means 1%)", "PCT");
-  option("--frame", text.frame, "Coordinates in cells, or in metres of a ROS map's frame",
+  option("--frame", text.frame,
+         "Coordinates in cells, or in metres of a ROS map's frame; a cell holds its left and lower "
+         "edge there",
          "cell|world");
   option("--radius", text.radius,
          "Grow obstacles by this radius, in cells (metres with --frame world)", "R");
@@ -112,7 +115,7 @@ Subcommand add_plan(CLI::App& app) {
   plan->add_option("--start", raw->polygon.start, "Where the path starts; a polygon world may say")
       ->type_name("X,Y");
   plan->add_option("--goal", raw->polygon.goal, "Where it ends; likewise")->type_name("X,Y");
-  add_run_options(*plan, raw->run);
+  add_run_options(*plan, raw->run, kMapHelp);
   add_world_options(*plan, raw->polygon.world);
   plan->footer(kPlanExits);
   return {plan, [raw]() -> Command {
@@ -136,12 +139,15 @@ Subcommand add_batch(CLI::App& app) {
   };
   auto raw = std::make_shared<Raw>();
   auto* batch = app.add_subcommand("batch", "Plan many paths on one map: JSON, one object a line");
-  add_run_options(*batch, raw->run);
+  add_run_options(*batch, raw->run, kBitmapHelp);
   batch->footer(kBatchExits);
   batch->add_option("QUERIES", raw->queries, "A MovingAI .scen, or a TSV with columns sx sy gx gy")
       ->type_name("FILE")
       ->required();
   return {batch, [raw]() -> Command {
+            if (is_world(raw->run.map))
+              throw UsageError("batch plans on bitmaps; " + raw->run.map +
+                               " is a polygon world, ask `lasius plan`");
             auto run = make_run(raw->run);
             return BatchCommand{std::move(run), raw->queries};
           }};

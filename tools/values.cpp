@@ -63,6 +63,15 @@ std::optional<double> parse_real(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
+std::optional<double> parse_whole(std::string_view text) {
+  if (const auto integer = parse_integer(text)) return static_cast<double>(*integer);
+  const bool negative = text.starts_with('-');
+  const auto digits = text.substr(negative ? 1 : 0);
+  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos)
+    return std::nullopt;
+  return parse_real(text).value_or(negative ? -kNoLimit : kNoLimit);
+}
+
 std::int64_t integer_value(std::string_view option, std::string_view text, std::int64_t low,
                            std::int64_t high) {
   const auto value = parse_integer(text);
@@ -94,8 +103,8 @@ Point pair_value(std::string_view option, std::string_view text, bool whole) {
   if (comma != std::string_view::npos) {
     const auto x_text = text.substr(0, comma), y_text = text.substr(comma + 1);
     if (whole) {
-      const auto x = parse_integer(x_text), y = parse_integer(y_text);
-      if (x && y) return {static_cast<double>(*x), static_cast<double>(*y)};
+      const auto x = parse_whole(x_text), y = parse_whole(y_text);
+      if (x && y) return {*x, *y};
     } else {
       const auto x = parse_real(x_text), y = parse_real(y_text);
       if (x && y) return {*x, *y};
@@ -157,6 +166,12 @@ std::string to_text(double value) {
   std::array<char, 32> buffer;
   const auto [end, fault] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   return fault == std::errc{} ? std::string(buffer.data(), end) : std::string("nan");
+}
+
+std::string whole_text(double value) {
+  return std::abs(value) <= static_cast<double>(kMaxExactInteger)
+             ? std::to_string(static_cast<std::int64_t>(value))
+             : to_text(value);
 }
 
 }  // namespace lasius::tool

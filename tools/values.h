@@ -32,6 +32,9 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
 std::optional<std::int64_t> parse_integer(std::string_view text);
 std::optional<double> parse_real(std::string_view text);
 
+/// A whole number of any number of digits, as near as a double comes.
+std::optional<double> parse_whole(std::string_view text);
+
 /// The same for an option's value. @throws UsageError naming option, value and range.
 std::int64_t integer_value(std::string_view option, std::string_view text, std::int64_t low,
                            std::int64_t high);
@@ -57,5 +60,8 @@ std::vector<double> reals_value(std::string_view option, std::string_view text, 
 
 /// The shortest text that reads back as the same number.
 std::string to_text(double value);
+
+/// The same of a whole number, in digits where they are exact.
+std::string whole_text(double value);
 
 }  // namespace lasius::tool

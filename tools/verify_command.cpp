@@ -1,9 +1,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <stop_token>
+#include <tuple>
 
 #include "answer.h"
 #include "arm_verify.h"
@@ -15,10 +15,10 @@
 #include "parameters.h"
 #include "polygon_text.h"
 #include "polygon_verify.h"
+#include "recorded.h"
 #include "report.h"
 #include "signals.h"
 #include "streams.h"
-#include "values.h"
 
 namespace lasius::tool {
 namespace {
@@ -42,7 +42,7 @@ std::vector<Json> read_results(const std::string& file) {
       in >> results.emplace_back();
   } catch (const Json::exception& fault) {
     throw broken(file,
-                 "result " + std::to_string(results.size() - 1) + " is not JSON: " + fault.what());
+                 "result " + std::to_string(results.size()) + " is not JSON: " + fault.what());
   }
   if (results.empty()) throw broken(file, "holds no result");
   return results;
@@ -52,42 +52,43 @@ std::vector<Json> read_results(const std::string& file) {
 struct Recorded {
   RunOptions run;
   std::string hash;
-  Cell start, goal;
+  Point start, goal;                              ///< cells
+  std::optional<std::pair<Point, Point>> metres;  ///< the same in the world frame
   std::optional<std::size_t> index;
 };
 
-int coordinate(const Json& json) {
-  const auto value = json.get<double>();
-  if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
-    throw UsageError(json.dump() + " is no coordinate of a cell");
-  return static_cast<int>(value);
+Point cell_of(const Json& result, const std::string& key) {
+  const Point cell = recorded_point(result, key);
+  if (cell.x != std::floor(cell.x) || cell.y != std::floor(cell.y))
+    throw UsageError("\"" + key + "\" is no cell");
+  return cell;
 }
 
-Cell cell(const Json& json) { return {coordinate(json.at(0)), coordinate(json.at(1))}; }
-
-Recorded recorded_inputs(const Json& json) {
+Recorded recorded_inputs(const Json& result) {
   Recorded inputs;
   RunOptions& run = inputs.run;
-  run.map.file = json.at("map").at("file").get<std::string>();
-  inputs.hash = json.at("map").at("hash").get<std::string>();
-  inputs.start = cell(json.at("start"));
-  inputs.goal = cell(json.at("goal"));
-  if (json.contains("index")) inputs.index = json.at("index").get<std::size_t>();
-  run.with_optimum = json.contains("optimum");
+  run.map.file = recorded<std::string>(result, "map/file");
+  inputs.hash = recorded<std::string>(result, "map/hash");
+  if (result.contains("index")) inputs.index = recorded<std::size_t>(result, "index");
+  run.with_optimum = result.contains("optimum");
 
-  run.params = default_params(json.at("algorithm").get<std::string>());
-  run.params.seed = json.at("seed").get<std::uint64_t>();
-  const Json& parameters = json.at("parameters");
-  for (const auto& parameter : find_algorithm(run.params.algorithm).parameters)
-    set_parameter(run.params, parameter.name,
-                  parameter_text(parameters.at(std::string(parameter.name))));
-  run.target_gap = parameters.at("target_gap").get<double>();
-  if (!parameters.at("time_limit").is_null())
-    run.time_limit = parameters.at("time_limit").get<double>();
-  run.map.radius = parameters.at("radius").get<double>();
-  run.map.unknown_is_free = parameters.at("unknown").get<std::string>() == "free";
-  if (parameters.contains("prepare")) run.map.prepare = parameters.at("prepare").get<bool>();
-  if (parameters.at("frame").get<std::string>() == "world") run.frame = Frame::world;
+  run.params = default_params(recorded<std::string>(result, "algorithm"));
+  run.params.seed = recorded_seed(result);
+  for (const auto& [name, value] :
+       recorded_parameters(result, find_algorithm(run.params.algorithm)))
+    set_parameter(run.params, name, value);
+  validate(run.params);
+  run.target_gap = recorded<double>(result, "parameters/target_gap");
+  run.time_limit = recorded_optional<double>(result, "parameters/time_limit");
+  run.map.radius = recorded<double>(result, "parameters/radius");
+  run.map.unknown_is_free = recorded<std::string>(result, "parameters/unknown") == "free";
+  if (result["parameters"].contains("prepare"))
+    run.map.prepare = recorded<bool>(result, "parameters/prepare");
+  if (recorded<std::string>(result, "parameters/frame") == "world") run.frame = Frame::world;
+  inputs.start = cell_of(result, "start");
+  inputs.goal = cell_of(result, "goal");
+  if (run.frame == Frame::world)
+    inputs.metres = {recorded_point(result, "start_world"), recorded_point(result, "goal_world")};
   return inputs;
 }
 
@@ -143,18 +144,16 @@ class Maps {
   std::optional<PreparedMap> map_;
 };
 
-/// Reads inputs of one result, whatever is wrong with them named by file.
-template <class Read>
-auto checked_inputs(const std::string& name, const Read& read) {
+/// Calls `replay`; whatever is wrong with the recorded inputs is named by file.
+template <class Replay>
+Json checked(const std::string& name, const Replay& replay) {
   try {
-    return read();
-  } catch (const Json::exception& fault) {
-    throw broken(name, std::string("lacks an input of its run: ") + fault.what());
+    return replay();
   } catch (const UsageError& fault) {
-    throw broken(name, std::string("holds a bad input: ") + fault.what());
+    throw broken(name, std::string("cannot be replayed: ") + fault.what());
   } catch (const Error& fault) {
     if (fault.code() != ErrorCode::invalid_parameter) throw;
-    throw broken(name, std::string("holds a bad input: ") + fault.what());
+    throw broken(name, std::string("cannot be replayed: ") + fault.what());
   }
 }
 
@@ -164,53 +163,51 @@ std::string text_of(const Json& recorded, const char* key) {
   return there ? recorded[key].get<std::string>() : std::string();
 }
 
-Json grid_replay(const VerifyCommand& command, const Json& recorded, const std::string& name,
-                 Maps& maps, const std::stop_token& token) {
-  Recorded inputs = checked_inputs(name, [&] { return recorded_inputs(recorded); });
+Json grid_replay(const VerifyCommand& command, const Json& result, Maps& maps,
+                 const std::stop_token& token) {
+  Recorded inputs = recorded_inputs(result);
   inputs.run.params.threads = command.threads;
   const PreparedMap& map = maps.find(inputs, token);
-  Answer replay = answer(map, inputs.run, inputs.start, inputs.goal, {.token = token});
+  Place start = to_place(map, inputs.start, Frame::cell);
+  Place goal = to_place(map, inputs.goal, Frame::cell);
+  if (inputs.metres) std::tie(start.asked, goal.asked) = *inputs.metres;
+  Answer replay = answer(map, inputs.run, start, goal, {.token = token});
   replay.index = inputs.index;
   return result_json(map, inputs.run, replay);
 }
 
-Json replay_of(const VerifyCommand& command, const Json& recorded, const std::string& name,
-               Maps& maps, const std::stop_token& token) {
-  if (text_of(recorded, "format") == kArmFormat) {
-    if (!command.map.empty()) throw UsageError("--map: " + name + " is of an arm, it has no map");
-    return checked_inputs(name, [&] {
-      const auto robot = recorded.at("robot").at("file").get<std::string>();
-      const auto scene = recorded.at("scene").at("file").get<std::string>();
-      return arm_replay(recorded, found(command, robot), found(command, scene), command.threads,
-                        token);
-    });
+Json replay_of(const VerifyCommand& command, const Json& result, Maps& maps,
+               const std::stop_token& token) {
+  if (text_of(result, "format") == kArmFormat) {
+    const auto robot = recorded<std::string>(result, "robot/file");
+    const auto scene = recorded<std::string>(result, "scene/file");
+    return arm_replay(result, found(command, robot), found(command, scene), command.threads, token);
   }
-  const std::string file =
-      recorded.contains("map") ? text_of(recorded["map"], "file") : std::string();
-  if (!is_world(file)) return grid_replay(command, recorded, name, maps, token);
-  return checked_inputs(name, [&] {
-    return polygon_replay(recorded, found_map(command, file), command.threads, token);
-  });
+  const auto file = recorded<std::string>(result, "map/file");
+  if (!is_world(file)) return grid_replay(command, result, maps, token);
+  return polygon_replay(result, found_map(command, file), command.threads, token);
 }
 
 /// Replays one result and says what is wrong. Its exit code.
-int verify(const VerifyCommand& command, const Json& recorded, const std::string& name, Maps& maps,
+int verify(const VerifyCommand& command, const Json& result, const std::string& name, Maps& maps,
            const std::stop_token& token) {
-  const std::string format = text_of(recorded, "format");
+  const std::string format = text_of(result, "format");
   if (format != kFormat && format != kArmFormat)
     throw broken(name, std::string("is not of format ") + kFormat + " or " + kArmFormat);
-  const std::string status = text_of(recorded, "status");
+  const std::string status = text_of(result, "status");
   if (status == "limit" || status == "interrupted") {
     message(name + ": cannot be replayed: " + (status == "limit" ? "a time limit" : "a signal") +
             " ended it, and no clock runs twice the same");
     return kUsage;
   }
-  const std::string version = text_of(recorded, "version");
-  if (version != LASIUS_VERSION && !command.quiet)
+  const std::string version = text_of(result, "version");
+  if (!version.empty() && version != LASIUS_VERSION && !command.quiet)
     message(name + ": made by version " + version + ", replayed by " + LASIUS_VERSION);
-  const Json replay = replay_of(command, recorded, name, maps, token);
+  if (format == kArmFormat && !command.map.empty())
+    throw UsageError("--map: " + name + " is of an arm, it has no map");
+  const Json replay = checked(name, [&] { return replay_of(command, result, maps, token); });
   if (token.stop_requested()) return kInterrupted;
-  const std::string key = difference(recorded, replay);
+  const std::string key = difference(result, replay);
   if (key.empty()) return kFound;
   message(std::string(name).append(": differs from its replay in '").append(key).append("'"));
   return kInternal;
@@ -226,7 +223,7 @@ int run_verify(const VerifyCommand& command) {
   const auto results = read_results(command.result);
   for (std::size_t i = 0; i < results.size(); ++i) {
     const std::string name =
-        results.size() > 1 ? command.result + ", result " + std::to_string(i) : command.result;
+        results.size() > 1 ? command.result + ", result " + std::to_string(i + 1) : command.result;
     const int one = verify(command, results[i], name, maps, signals.token());
     if (one == kInterrupted) return one;
     if (one == kFound) ++equal;

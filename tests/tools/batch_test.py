@@ -77,6 +77,22 @@ class Formats(ProgramTest):
             self.assertEqual(query["error"] is None, query["status"] == "solved")
         self.assertIn("nearest free cell", run.lines[0]["error"])
 
+    def test_a_whole_number_of_any_size_is_a_cell(self):
+        numbers = ("2147483648", "-2147483649", "4294967297", "99999999999999999999999")
+        rows = [f"0\tm\t10\t6\t0\t0\t{number}\t5\t1\n" for number in numbers]
+        run = self.batch("version 1\n" + "".join(rows), "-o", "all.csv", name="q.scen")
+        self.assertEqual((run.code, run.err), (0, ""))
+        for number, line in zip(numbers, run.lines):
+            self.assertEqual((line["status"], line["goal"]), ("invalid", [float(number), 5]))
+            self.assertIn(number[:-1] if len(number) < 20 else "e+", line["error"])
+        csv = [row.split(",")[3] for row in self.read("all.csv").decode().splitlines()[1:]]
+        self.assertEqual(csv[:3], list(numbers[:3]))
+
+    def test_a_polygon_world_is_refused(self):
+        world = self.write("world.geojson", "{}")
+        self.refused(self.batch(HEADER, map_file=world), 2, "bitmaps", world)
+        self.assertNotIn(".geojson", self.run_program("batch", "--help").out)
+
 
 class Answers(ProgramTest):
     QUERIES = [((14, 14), (380, 179)), ((14, 14), (60, 40)), ((380, 179), (14, 14)),

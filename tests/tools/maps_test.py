@@ -150,6 +150,26 @@ class WorldFrame(ProgramTest):
         self.assertEqual(run.code, 4)
         self.assertIn("(7, 0)", run.err)
         self.assertIn("%.3f" % self.metres(7.5, 0.5)[0], run.err)
+        self.assertIn("goal %.12f,%.12f m, in cell (9, 0), is outside" % self.metres(9.5, 0.5),
+                      run.err)
+
+    def test_a_map_holds_its_left_and_lower_edge(self):
+        self.write("flat.yaml", "image: world.pgm\nresolution: 0.5\norigin: [-3, 4, 0]\nnegate: 0\n"
+                   "occupied_thresh: 0.65\nfree_thresh: 0.196\n")
+
+        def flat(start):
+            return self.plan("--frame", "world", "--json", map_file="flat.yaml", start=start,
+                             goal="-2.75,4.25")
+
+        for start, cell in (("-3,4", [0, 3]), ("-3,4.5", [0, 2]), ("-2.5,4", [1, 3]),
+                            ("0.999,5.999", [7, 0])):
+            with self.subTest(start=start):
+                result = flat(start).json
+                self.assertEqual((result["status"], result["start"]), ("solved", cell))
+                self.assertEqual(result["start_world"], [float(n) for n in start.split(",")])
+        for start in ("-3,6", "1,4", "-3.001,4", "-3,3.999", "1e300,4"):
+            with self.subTest(start=start):
+                self.assertEqual(flat(start).code, 4)
 
     def test_unknown_cells(self):
         self.assertEqual(self.world(goal=(6.5, 2.5)).code, 4)
@@ -172,6 +192,8 @@ class WorldFrame(ProgramTest):
 
     def test_verify_replays_it(self):
         self.world("-o", "r.json", "--unknown-free", goal=(6.5, 2.5))
+        self.assertEqual(self.run_program("verify", "r.json").code, 0)
+        self.world("-o", "r.json", goal=(9.123, 0.5))
         self.assertEqual(self.run_program("verify", "r.json").code, 0)
 
 

@@ -41,6 +41,13 @@ class ExitCodes(ProgramTest):
                 self.assertIn(which, run.err)
                 self.assertIn(f"nearest free cell is ({free})", run.err)
 
+    def test_a_whole_number_of_any_size_is_a_cell(self):
+        for number in (2147483647, 2147483648, -4294967297, 1 << 53):
+            run = self.plan("--json", start=f"{number},3")
+            self.assertEqual((run.code, run.json["start"]), (4, [number, 3]))
+            self.assertIn(f"start ({number}, 3) is outside", run.json["error"])
+        self.assertEqual(self.plan(start="3," + "9" * 400).code, 4)
+
     def test_unreachable_says_so_and_invalid_beats_it(self):
         run = self.plan(goal="4,2")
         self.assertEqual((run.code, run.out), (5, "unreachable\n"))

@@ -31,6 +31,11 @@ class Prepare(ProgramTest):
         for goal, code, status in outcomes:
             run = self.fan("--json", "--prepare", goal=goal)
             self.assertEqual((run.code, run.json["status"]), (code, status))
+            self.assertIs(run.json["parameters"]["prepare"], True)
+
+    def test_a_question_without_a_search_prepares_nothing(self):
+        for goal in ("399,0", "1000,0", "14,14"):
+            self.assertNotIn("corners", self.fan("--prepare", "-v", goal=goal).err)
 
     def test_a_batch_gives_what_plan_gives_and_is_replayed(self):
         self.write("q.tsv", QUERIES)

@@ -94,6 +94,42 @@ class Signals(ProgramTest):
         self.assertLess(len(lines), 100001)
         self.assertEqual(lines[0]["status"], "solved")
 
+    def caught(self, process):
+        """True once the program catches SIGTERM."""
+        with open(f"/proc/{process.pid}/status", encoding="ascii") as status:
+            sets = [line.split()[1] for line in status if line.startswith("SigCgt")]
+        return bool(sets) and bool(int(sets[0], 16) >> (signal.SIGTERM - 1) & 1)
+
+    def test_generate_leaves_nothing_behind(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with self.subTest(number=number):
+                process = self.start_program("generate", "blobs", "--size", "32768x32768", "-o",
+                                             "big.pbm")
+                while not self.caught(process):
+                    self.assertIsNone(process.poll())
+                process.send_signal(number)
+                out, err = process.communicate(timeout=60)
+                self.assertEqual((process.returncode, out, err), (130, b"", b""))
+                self.assertEqual(os.listdir(self.folder), ["small.map"])
+
+    def test_generate_writes_whole_what_it_began(self):
+        os.mkfifo(self.path("pipe.pbm"))
+        process = self.start_program("generate", "open", "--size", "2048x2048", "-o", "pipe.pbm")
+        with open(self.path("pipe.pbm"), "rb") as pipe:
+            head = pipe.read(13)
+            process.send_signal(signal.SIGTERM)
+            self.assertEqual(len(head + pipe.read()), len(b"P4\n2048 2048\n") + 2048 * 2048 // 8)
+        self.assertEqual(process.wait(timeout=60), 130)
+        process.communicate()
+
+    def test_info_ends_at_once(self):
+        os.mkfifo(self.path("pipe.map"))
+        process = self.start_program("info", "pipe.map", "--prepare")
+        with open(self.path("pipe.map"), "wb"):  # when it reads
+            process.send_signal(signal.SIGTERM)
+            out, err = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, out, err), (130, b"", b""))
+
     # Of 64 tiles, more than are labelled between two polls.
     SIDE = 2048
 

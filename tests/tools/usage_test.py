@@ -97,6 +97,15 @@ class Usage(ProgramTest):
         self.assertGreaterEqual(threads(OMP_NUM_THREADS="nonsense"), 1)
         self.refused(self.plan(env={"LASIUS_THREADS": "some"}), 2, "LASIUS_THREADS")
 
+    def test_what_has_no_effect_is_said(self):
+        cases = [("--target-gap", "3"), ("--unknown-free",), ("--tracks", "1,2"), ("--prepare",)]
+        for arguments in cases:
+            with self.subTest(arguments=arguments):
+                self.assertIn(f"{arguments[0]} has no effect", self.plan(*arguments).err)
+                self.assertEqual(self.plan("-q", *arguments).err, "")
+        self.assertEqual(self.plan("--algorithm", "exact", "--target-gap", "3").err, "")
+        self.assertEqual(self.plan("--tracks", "1", "-o", "p.svg").err, "")
+
     def test_usage_comes_before_files(self):
         self.refused(self.plan("--seed", "x", map_file="missing.map"), 2, "--seed")
 

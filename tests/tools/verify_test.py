@@ -98,7 +98,7 @@ class Verify(ProgramTest):
         self.write("lines.json", "".join(json.dumps(line) + "\n" for line in lines))
         verified = self.run_program("verify", "lines.json")
         self.assertEqual(verified.code, 1)
-        self.assertIn("result 2", verified.err)
+        self.assertIn("result 3", verified.err)
 
     def test_a_result_that_is_laid_out_for_people(self):
         self.write("r.json", json.dumps(self.save(), indent=2))
@@ -109,7 +109,8 @@ class Verify(ProgramTest):
         cases = {"missing.json": None, "empty.json": "", "text.json": "hello", "array.json": "[1]",
                  "cut.json": json.dumps(result)[:200], "other.json": '{"format": "other/1"}',
                  "number.json": '{"format": 3}', "null.json": "null",
-                 "wide.json": json.dumps({**result, "start": [1e99, 0]}),
+                 "half.json": json.dumps({**result, "start": [1.5, 0]}),
+                 "point.json": json.dumps({**result, "goal": [1]}),
                  "bare.json": json.dumps({"format": "lasius-plan/1", "status": "solved"}),
                  "typed.json": json.dumps({**result, "seed": "one"})}
         for name, content in cases.items():
@@ -117,6 +118,28 @@ class Verify(ProgramTest):
                 if content is not None:
                     self.write(name, content)
                 self.refused(self.run_program("verify", name), 3, name)
+
+    def test_a_broken_input_is_named(self):
+        result = self.save()
+        cases = [({"seed": -1}, '"seed"'), ({"seed": 1 << 60}, '"seed"'), ({"seed": 1.5}, '"seed"'),
+                 ({"map": {"file": "fan.map"}}, '"map/hash"'), ({"start": "a"}, '"start"'),
+                 ({"parameters": {**result["parameters"], "target_gap": -1}}, "target_gap"),
+                 ({"parameters": {**result["parameters"], "ants": 0}}, "ants")]
+        for change, word in cases:
+            with self.subTest(change=change):
+                self.write("bad.json", json.dumps({**result, **change}))
+                run = self.run_program("verify", "bad.json")
+                self.refused(run, 3, "bad.json", word)
+                self.assertNotIn("exception", run.err)
+        del result["map"]
+        self.write("bad.json", json.dumps(result))
+        self.refused(self.run_program("verify", "bad.json"), 3, "bad.json", 'lacks', '"map"')
+
+    def test_cells_that_no_map_holds(self):
+        for goal in ("4294967297,3", "-99999999999999999999,0", "0," + "9" * 400):
+            result = self.save(goal=goal)
+            self.assertEqual(result["status"], "invalid")
+            self.assertEqual(self.run_program("verify", "r.json").code, 0)
 
 
 if __name__ == "__main__":

@@ -38,8 +38,9 @@ Figure draw_run(const Place& place, const StopCondition& stop) {
   run.track_iterations = {10, 50, 120};
   const tool::PreparedMap map = tool::prepare_map(run.map);
   tool::PictureRecorder recorder(map.grid(), run.track_iterations, run.params.iterations);
+  const auto at = [&](Cell c) { return tool::to_place(map, {1.0 * c.x, 1.0 * c.y}, run.frame); };
   const tool::Answer found =
-      tool::answer(map, run, place.question.start, place.question.goal, stop,
+      tool::answer(map, run, at(place.question.start), at(place.question.goal), stop,
                    [&](const Progress& progress) { recorder.observe(progress); });
   for (const char* ending : {".svg", ".png"})
     tool::write_plan_picture((place.folder / (place.stem() + ending)).string(), map, run, found,
