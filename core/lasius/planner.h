@@ -74,7 +74,8 @@ class LASIUS_EXPORT Progress {
 using Observer = std::function<void(const Progress&)>;
 
 /// Scratch memory of one call in flight. Keep one per thread: with it, `exact` and every colony
-/// allocate nothing but the result in a second call of the same size.
+/// allocate nothing but the result in a second call of the same size. A call that threw leaves
+/// nothing in it that a later one sees.
 class LASIUS_EXPORT Workspace {
  public:
   Workspace();
@@ -105,7 +106,7 @@ struct Preparation {
     stopped,    ///< given up: the stop condition said so
   };
   State state = State::none;
-  std::int64_t corners = 0;  ///< corners of the map at which a path may bend
+  std::int64_t corners = 0;  ///< at which a path may bend; 0 if stopped before they were counted
   std::int64_t edges = 0;    ///< from corner to corner in sight, if ready
   std::int64_t bytes = 0;    ///< held, if ready
   double seconds = 0;        ///< spent

@@ -278,17 +278,29 @@ TEST(CornerGraph, PollsAfterEachFloodHoweverLittleItReached) {
   EXPECT_GE(polls_of_rooms(100), 12 * 40000 / 65536);
 }
 
+TEST(CornerGraph, StoppedWhileItCountsTellsOfNoCorners) {
+  Grid grid(2048, 2048);
+  grid.set_blocked({100, 100});
+  const CountingTime time(0);
+  Preparation report;
+  EXPECT_EQ(CornerGraph::make(grid, {.threads = 1, .stop = time.is_up()}, report), nullptr);
+  EXPECT_EQ(report.state, Preparation::State::stopped);
+  EXPECT_EQ(report.corners, 0);
+}
+
 TEST(CornerGraph, IsGivenUpWhenStopped) {
   std::mt19937 random(8);
   const Grid grid = random_grid(160, 160, 20, random);
   const CountingTime counted(1 << 30);
-  ASSERT_NE(graph_of(grid, {.threads = 1, .stop = counted.is_up()}), nullptr);
+  const Graph whole = graph_of(grid, {.threads = 1, .stop = counted.is_up()});
+  ASSERT_NE(whole, nullptr);
   ASSERT_GT(counted.polls(), 10);
   for (int polls = 0; polls < counted.polls(); polls += std::max(1, counted.polls() / 8)) {
     const CountingTime time(polls);
     Preparation report;
     EXPECT_EQ(CornerGraph::make(grid, {.threads = 1, .stop = time.is_up()}, report), nullptr);
     EXPECT_EQ(report.state, Preparation::State::stopped);
+    EXPECT_EQ(report.corners, whole->size());
     EXPECT_EQ(report.bytes, 0);
   }
 }
