@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <new>
+#include <string>
 #include <vector>
 
 #include "io/png_errors.h"
@@ -55,7 +56,9 @@ class PngReader {
   }
 
   void read_header();
+  void read_palette();
   void read_pass(const Pass& pass, Grid& grid);
+  const png_byte* pixel(int column) const;
   bool pixel_blocked(const png_byte* pixel) const noexcept;
 
   ByteReader& in_;
@@ -68,10 +71,12 @@ class PngReader {
   int width_ = 0;
   int height_ = 0;
   bool interlaced_ = false;
+  bool indexed_ = false;
   int depth_ = 0;     // bytes a sample
   int channels_ = 0;  // grey, grey + alpha, RGB, RGB + alpha
   int white_ = 255;
   std::vector<std::uint8_t> blocked_;  // by level
+  std::vector<png_byte> palette_;      // RGBA, where pixels are its indices
   std::vector<png_byte> row_;
 };
 
@@ -89,18 +94,50 @@ void PngReader::read_header() {
   const auto stored_row = static_cast<std::int64_t>(png_get_rowbytes(png_, info_));
   check_bytes_left(in_, place, width, height, stored_row * height / kMostDeflate);
 
+  indexed_ = png_get_color_type(png_, info_) == PNG_COLOR_TYPE_PALETTE;
   guarded([this] {
-    png_set_expand(png_);
+    if (indexed_) {
+      png_set_packing(png_);
+    } else {
+      png_set_expand(png_);
+    }
     png_read_update_info(png_, info_);
   });
+  if (indexed_) read_palette();
   width_ = static_cast<int>(width);
   height_ = static_cast<int>(height);
   interlaced_ = png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE;
   depth_ = png_get_bit_depth(png_, info_) / 8;
-  channels_ = png_get_channels(png_, info_);
+  channels_ = indexed_ ? 4 : png_get_channels(png_, info_);
   white_ = depth_ == 1 ? 255 : 65535;
   blocked_ = rule_.table(white_);
   row_.resize(png_get_rowbytes(png_, info_));
+}
+
+// libpng's own expansion takes an index beyond the palette for black.
+void PngReader::read_palette() {
+  png_colorp colours = nullptr;
+  png_bytep alphas = nullptr;
+  int count = 0;
+  int alpha_count = 0;
+  png_get_PLTE(png_, info_, &colours, &count);
+  png_get_tRNS(png_, info_, &alphas, &alpha_count, nullptr);
+  for (int i = 0; i < count; ++i) {
+    const png_byte alpha = i < alpha_count ? alphas[i] : 255;
+    palette_.insert(palette_.end(), {colours[i].red, colours[i].green, colours[i].blue, alpha});
+  }
+}
+
+const png_byte* PngReader::pixel(int column) const {
+  if (!indexed_) return row_.data() + std::ptrdiff_t{column} * channels_ * depth_;
+  const std::size_t index = row_[column];
+  if (4 * index >= palette_.size()) {
+    in_.fail_at_offset(in_.offset(),
+                       "broken PNG: a pixel has colour " + std::to_string(index) +
+                           " of a palette that has " + std::to_string(palette_.size() / 4),
+                       "save the image again");
+  }
+  return palette_.data() + 4 * index;
 }
 
 bool PngReader::pixel_blocked(const png_byte* pixel) const noexcept {
@@ -127,12 +164,11 @@ bool PngReader::pixel_blocked(const png_byte* pixel) const noexcept {
 }
 
 void PngReader::read_pass(const Pass& pass, Grid& grid) {
-  const int pixel_bytes = channels_ * depth_;
   for (int j = 0; j < pass.rows; ++j) {
     guarded([this] { png_read_row(png_, row_.data(), nullptr); });
     const int y = pass.y + j * pass.step_y;
     for (int i = 0; i < pass.columns; ++i) {
-      if (pixel_blocked(row_.data() + std::ptrdiff_t{i} * pixel_bytes)) {
+      if (pixel_blocked(pixel(i))) {
         grid.set_blocked({pass.x + i * pass.step_x, y});
       }
     }

@@ -34,6 +34,7 @@ inline std::string png_of(const TestImage& image) {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   png_infop info = png_create_info_struct(png);
   png_set_write_fn(png, &content, on_bytes, nullptr);
+  png_set_check_for_invalid_index(png, -1);  // tests have some
   png_set_IHDR(png, info, static_cast<png_uint_32>(image.width),
                static_cast<png_uint_32>(image.height), image.depth, image.colour,
                image.interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE,

@@ -60,6 +60,24 @@ TEST_F(Io, ReadsColoursByTheirLuma) {
   }
 }
 
+TEST_F(Io, RefusesColoursBeyondThePalette) {
+  TestImage image{3, 1, 2, PNG_COLOR_TYPE_PALETTE, {{0b00011000}}};
+  image.palette = {{255, 255, 255}, {0, 0, 0}};
+  for (const bool interlaced : {false, true}) {
+    image.interlaced = interlaced;
+    image.rows = {{0b00010000}};
+    EXPECT_EQ(read_image(image), grid_of({".#."}));
+    image.rows = {{0b00011000}};
+    try {
+      (void)read_image(image);
+      ADD_FAILURE() << "colour 2 of 2 was read";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::file_broken);
+      EXPECT_NE(error.problem().find("colour 2 of a palette that has 2"), std::string::npos);
+    }
+  }
+}
+
 TEST_F(Io, SeesTransparencyOnAWhitePage) {
   const Bytes grey_alpha = {0, 255, 0, 0, 0, 127, 0, 128, 255, 128};
   EXPECT_EQ(read_image({5, 1, 8, PNG_COLOR_TYPE_GRAY_ALPHA, {grey_alpha}}), grid_of({"#..#."}));
