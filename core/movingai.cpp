@@ -126,10 +126,9 @@ void read_row(ByteReader& in, std::string& text, int width, int y, int height,
   }
   if (length != width) {
     in.fail_at_line(line,
-                    "the row has " +
-                        (length > width ? "more than " + std::to_string(width)
-                                        : "only " + std::to_string(length)) +
-                        " characters",
+                    length > width ? "the row goes on after the width"
+                                   : "the row ends after " + std::to_string(length) + " of " +
+                                         std::to_string(width) + " characters",
                     "every row must have the width, " + std::to_string(width));
   }
 }

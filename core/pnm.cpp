@@ -54,7 +54,7 @@ class PnmReader {
 
   void skip_comment();
   void skip_space();
-  int read_number(const char* what);
+  std::int64_t read_number(const char* what);
   void read_header();
   void start_binary_raster();
   [[noreturn]] void fail_at_end(int y);
@@ -91,7 +91,7 @@ void PnmReader::skip_space() {
   }
 }
 
-int PnmReader::read_number(const char* what) {
+std::int64_t PnmReader::read_number(const char* what) {
   skip_space();
   const Mark at = mark();
   const int first = in_.peek();
@@ -99,8 +99,9 @@ int PnmReader::read_number(const char* what) {
     fail(at, std::string("the file ends before its ") + what, "get the whole file");
   }
   if (!is_digit(first)) fail(at, std::string(what) + " is not a number", "write it in digits");
-  int number = 0;
-  while (is_digit(in_.peek())) number = std::min(number * 10 + (in_.get() - '0'), 99999999);
+  constexpr std::int64_t kMost = 100'000'000'000'000'000;  // more is told as this
+  std::int64_t number = 0;
+  while (is_digit(in_.peek())) number = std::min(number * 10 + (in_.get() - '0'), kMost);
   const int next = in_.peek();
   if (next != ByteReader::kEnd && next != '#' && !is_space(next)) {
     fail(mark(), std::string(what) + " is not a number", "write it in digits");
@@ -115,16 +116,19 @@ void PnmReader::read_header() {
   bitmap_ = kind == '1' || kind == '4';
   skip_space();
   const Mark at = mark();
-  width_ = read_number("width");
-  height_ = read_number("height");
-  check_map_size(in_, place(at), width_, height_);
+  const std::int64_t width = read_number("width");
+  const std::int64_t height = read_number("height");
+  check_map_size(in_, place(at), width, height);
+  width_ = static_cast<int>(width);
+  height_ = static_cast<int>(height);
   if (!bitmap_) {
     skip_space();
     const Mark at_level = mark();
-    white_ = read_number("maxval");
-    if (white_ < 1 || white_ > kMaxLevel) {
-      fail(at_level, "maxval is " + std::to_string(white_), "it must be 1 to 65535");
+    const std::int64_t white = read_number("maxval");
+    if (white < 1 || white > kMaxLevel) {
+      fail(at_level, "maxval is " + std::to_string(white), "it must be 1 to 65535");
     }
+    white_ = static_cast<int>(white);
   }
   if (!plain_) start_binary_raster();
   // The last ASCII level needs no blank after it.
@@ -153,7 +157,7 @@ void PnmReader::read_plain_row(int y, std::vector<std::uint64_t>& words) {
   for (int x = 0; x < width_; ++x) {
     skip_space();
     const Mark at = mark();
-    int level = 0;
+    std::int64_t level = 0;
     if (in_.peek() == ByteReader::kEnd) fail_at_end(y);
     if (bitmap_) {
       const int c = in_.get();

@@ -6,6 +6,7 @@
 #include "answer.h"
 #include "report.h"
 #include "streams.h"
+#include "values.h"
 
 namespace lasius::tool {
 
@@ -33,7 +34,7 @@ void announce(const PreparedMap& map, const RunOptions& run) {
     message(text.data());
   }
   message(run.params.algorithm + ", seed " + std::to_string(run.params.seed) + ", " +
-          std::to_string(run.params.threads) + " threads");
+          counted(run.params.threads, "thread"));
 }
 
 }  // namespace lasius::tool

@@ -8,6 +8,7 @@
 
 #include "elapsed.h"
 #include "lasius/shortest_walk.h"
+#include "parameters.h"
 #include "values.h"
 
 namespace lasius::tool {
@@ -105,8 +106,9 @@ Outcome outcome(const PreparedMap& map, const RunOptions& run, const Answer& ans
   std::string error =
       result.status == Status::invalid ? invalid_text(map, run, answer) : result.error;
   if (result.status == Status::invalid || result.status == Status::unreachable) error += grown(map);
+  const bool iterates = has_parameter(find_algorithm(run.params.algorithm), "iterations");
   return {.status = result.status,
-          .iterations = result.iterations,
+          .iterations = iterates ? std::optional(result.iterations) : std::nullopt,
           .has_path = !result.path.empty(),
           .error = std::move(error)};
 }

@@ -5,6 +5,7 @@
 #include "elapsed.h"
 #include "exit_code.h"
 #include "lasius/arm_sensor.h"
+#include "values.h"
 
 namespace lasius::tool {
 namespace {
@@ -36,8 +37,9 @@ ArmAnswer prepare_arm(const ArmCommand& command) {
       arm::read_robot(command.robot, {.base = command.base_link, .tip = command.tip_link});
   answer.robot_hash = file_hash(command.robot);
   if (static_cast<int>(command.start.size()) != answer.robot.size())
-    throw UsageError("--start gives " + std::to_string(command.start.size()) + " joint values, " +
-                     command.robot + " has " + std::to_string(answer.robot.size()) + " joints");
+    throw UsageError("--start gives " +
+                     counted(static_cast<std::int64_t>(command.start.size()), "joint value") +
+                     ", " + command.robot + " has " + counted(answer.robot.size(), "joint"));
   answer.scene = arm::read_scene(command.scene);
   answer.scene_hash = file_hash(command.scene);
   answer.clearance = command.clearance > 0 ? command.clearance : arm::SceneSensor::kClearance;

@@ -12,6 +12,7 @@
 #include "progress.h"
 #include "signals.h"
 #include "streams.h"
+#include "values.h"
 
 namespace lasius::tool {
 namespace {
@@ -40,10 +41,11 @@ void solve(const ArmCommand& command, const std::stop_token& token, ArmAnswer& a
 
 void announce(const ArmCommand& command, const ArmAnswer& answer) {
   if (!command.messages.verbose) return;
-  message(command.robot + ": " + std::to_string(answer.robot.size()) + " joints");
-  message(command.scene + ": " + std::to_string(answer.scene.obstacles.size()) + " obstacles");
+  message(command.robot + ": " + counted(answer.robot.size(), "joint"));
+  message(command.scene + ": " +
+          counted(static_cast<std::int64_t>(answer.scene.obstacles.size()), "obstacle"));
   message("goritov2020, seed " + std::to_string(command.seed) + ", " +
-          std::to_string(command.threads) + " threads");
+          counted(command.threads, "thread"));
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ void refuse_unknown_command(std::string_view word, const std::vector<Subcommand>
   for (const auto& command : commands) names.push_back(command.app->get_name());
   const std::vector<std::string_view> known(names.begin(), names.end());
   if (std::find(known.begin(), known.end(), word) != known.end()) return;
+  if (word == "help") throw UsageError("there is no command \"help\"; see --help");
   throw UsageError("unknown command \"" + std::string(word) + "\"; " + did_you_mean(word, known));
 }
 
@@ -40,6 +41,22 @@ void refuse_extras(const CLI::App& app, const std::vector<Subcommand>& commands)
   refuse_extras(app);
   for (const auto& command : commands)
     if (command.app->parsed()) refuse_extras(*command.app);
+}
+
+/// What CLI11 says, in plain words where its own are not.
+std::string plain_words(const std::string& text) {
+  constexpr std::string_view kFlag = " was given a disallowed flag override";
+  if (text.ends_with(kFlag))
+    return "--" + text.substr(0, text.size() - kFlag.size()) + " takes no value";
+  const auto colon = text.find(": ");
+  if (colon == std::string::npos) return text;
+  const std::string option = text.substr(0, colon), problem = text.substr(colon + 2);
+  constexpr std::string_view kNeeded = "1 required ", kMissing = " missing";
+  if (problem.starts_with(kNeeded) && problem.ends_with(kMissing))
+    return option + " needs a value, " +
+           problem.substr(kNeeded.size(), problem.size() - kNeeded.size() - kMissing.size());
+  if (problem.starts_with("At Most 1 required")) return option + " is given more than once";
+  return text;
 }
 
 }  // namespace
@@ -61,7 +78,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     return Text{std::string("lasius ") + LASIUS_VERSION + "\n"};
   } catch (const CLI::ParseError& fault) {
     refuse_extras(app, commands);
-    throw UsageError(std::string(fault.what()) + "; see --help");
+    throw UsageError(plain_words(fault.what()) + "; see --help");
   }
   refuse_extras(app, commands);
   for (const auto& command : commands)

@@ -1,6 +1,7 @@
 #include "outcome.h"
 
 #include "exit_code.h"
+#include "values.h"
 
 namespace lasius::tool {
 
@@ -21,7 +22,8 @@ int exit_code(const Outcome& outcome) {
 }
 
 std::string explain(const Outcome& outcome) {
-  const std::string after = " after " + std::to_string(outcome.iterations) + " iterations";
+  const std::string after =
+      outcome.iterations ? " after " + counted(*outcome.iterations, "iteration") : "";
   const std::string held = outcome.has_path ? ", the best path so far is kept" : ", no path yet";
   switch (outcome.status) {
     case Status::solved:

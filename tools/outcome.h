@@ -1,6 +1,7 @@
 // How a run ended, whatever the world: the program's exit code, and what people are told.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "lasius/planner.h"
@@ -10,7 +11,7 @@ namespace lasius::tool {
 /// What is common to the results of all kinds of world.
 struct Outcome {
   Status status;
-  int iterations;  ///< done
+  std::optional<int> iterations;  ///< done, of an algorithm that has any
   bool has_path;
   std::string error;  ///< why it is invalid or unreachable
 };

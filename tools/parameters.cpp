@@ -1,9 +1,13 @@
 #include "parameters.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "exit_code.h"
+#ifdef LASIUS_WITH_POLYGON
+#include "lasius/polygon_plan.h"
+#endif
 #include "values.h"
 
 namespace lasius::tool {
@@ -13,10 +17,33 @@ bool has_parameter(const Algorithm& algorithm, std::string_view name) {
                      [name](const Parameter& parameter) { return parameter.name == name; });
 }
 
+void refuse_elsewhere(std::string_view name, [[maybe_unused]] bool on_bitmap) {
+  const std::string option = "--algorithm: " + std::string(name);
+  if (name == "goritov2020")
+    throw UsageError(option + " plans for arms, not on maps; use `lasius arm`");
+#ifdef LASIUS_WITH_POLYGON
+  const auto among = [name](std::span<const Algorithm> all) {
+    const auto names = names_of(all);
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  if (on_bitmap && !among(algorithms()) && among(polygon::algorithms()))
+    throw UsageError(option + " plans among polygons (.geojson, .json, .wkt), not on bitmaps");
+  if (!on_bitmap && !among(polygon::algorithms()) && among(algorithms()))
+    throw UsageError(option + " plans on bitmaps, not among polygons");
+#endif
+}
+
+void refuse_option(std::string_view setting) {
+  constexpr std::array<std::string_view, 4> kOptions{"seed", "threads", "time-limit", "target-gap"};
+  std::string name(setting_parts(setting).first);
+  std::replace(name.begin(), name.end(), '_', '-');
+  if (std::find(kOptions.begin(), kOptions.end(), name) != kOptions.end())
+    throw UsageError("--set " + std::string(setting) + ": this is an option, --" + name);
+}
+
 Params default_params(std::string_view name) {
   if (name.empty()) return defaults(algorithms().front().name);
-  if (name == "goritov2020")
-    throw UsageError("--algorithm: goritov2020 plans for arms, not on maps; use `lasius arm`");
+  refuse_elsewhere(name, true);
   const auto known = names_of(algorithms());
   return defaults(known[choice_value("--algorithm", name, known)]);
 }
@@ -44,6 +71,7 @@ std::pair<std::string_view, std::string_view> setting_parts(std::string_view set
 
 void set_named(Params& params, std::string_view setting) {
   const auto [name, value] = setting_parts(setting);
+  refuse_option(setting);
   const auto& algorithm = find_algorithm(params.algorithm);
   if (!has_parameter(algorithm, name)) {
     const auto unknown = "--set " + std::string(setting) + ": " + params.algorithm +

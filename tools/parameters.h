@@ -14,6 +14,13 @@ namespace lasius::tool {
 /// @throws UsageError for an unknown one, with the nearest.
 Params default_params(std::string_view name);
 
+/// @throws UsageError for an algorithm that plans elsewhere: for arms, or among polygons where
+/// `on_bitmap`, else on bitmaps.
+void refuse_elsewhere(std::string_view name, bool on_bitmap);
+
+/// @throws UsageError for a parameter of --set that is an option of its own.
+void refuse_option(std::string_view setting);
+
 /// The entry of this name. Precondition: it is one of `all`, by default those on bitmaps.
 const Algorithm& find_algorithm(std::span<const Algorithm> all, std::string_view name);
 const Algorithm& find_algorithm(std::string_view name);

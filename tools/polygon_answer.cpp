@@ -47,6 +47,7 @@ PreparedWorld prepare_world(const WorldOptions& options) {
 polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<std::string>& notes) {
   const auto all = polygon::algorithms();
   const auto known = names_of(all);
+  refuse_elsewhere(command.algorithm, false);
   const std::string name(command.algorithm.empty()
                              ? known.front()
                              : known[choice_value("--algorithm", command.algorithm, known)]);
@@ -59,6 +60,7 @@ polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<st
       notes.push_back("--" + key + " has no effect: " + name + " has no such parameter");
   }
   for (const std::string& setting : command.settings) {
+    refuse_option(setting);
     const auto [key, value] = setting_parts(setting);
     if (!has_parameter(algorithm, key))
       throw UsageError(

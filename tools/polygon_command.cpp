@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "exit_code.h"
 #include "outputs.h"
+#include "parameters.h"
 #include "polygon_picture.h"
 #include "polygon_report.h"
 #include "progress.h"
@@ -32,12 +33,17 @@ void announce(const PreparedWorld& world, const PolygonCommand& command,
   message(parameters.algorithm + ", seed " + std::to_string(parameters.seed));
 }
 
+bool iterates(std::string_view algorithm) {
+  return has_parameter(find_algorithm(polygon::algorithms(), algorithm), "iterations");
+}
+
 PolygonAnswer watched_answer(const PreparedWorld& world, const PolygonCommand& command,
                              const polygon::Params& parameters, const std::stop_token& token) {
-  const bool iterates = parameters.algorithm != polygon::algorithms().front().name;
   const bool shown = wants_progress(command.messages);
-  ProgressLine bar(shown, iterates ? std::int64_t{parameters.iterations} * parameters.routes : 0,
-                   command.time_limit.value_or(0));
+  ProgressLine bar(
+      shown,
+      iterates(parameters.algorithm) ? std::int64_t{parameters.iterations} * parameters.routes : 0,
+      command.time_limit.value_or(0));
   polygon::Observer observer;
   if (shown)
     observer = [&](const polygon::IterationView& view) {
@@ -65,8 +71,9 @@ int run_polygon(const PolygonCommand& command) {
   const PolygonAnswer answer = watched_answer(world, command, parameters, signals.token());
 
   const polygon::Result& result = answer.result;
+  const bool counts = iterates(answer.parameters.algorithm);
   const Outcome ended{.status = result.status,
-                      .iterations = result.iterations,
+                      .iterations = counts ? std::optional(result.iterations) : std::nullopt,
                       .has_path = !result.path.empty(),
                       .error = result.error};
   report(ended, command.messages);

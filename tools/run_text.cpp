@@ -119,6 +119,7 @@ ArmCommand make_arm(const ArmText& text) {
     const auto equals = setting.find('=');
     if (equals == 0 || equals == std::string::npos || equals + 1 == setting.size())
       throw UsageError("--set: \"" + setting + "\" is not NAME=VALUE");
+    refuse_option(setting);
     arm.settings.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
   }
   arm.seed = seed_value(text.seed);

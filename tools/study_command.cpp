@@ -46,6 +46,7 @@ study::Study make_study(const std::string& name) {
   names.push_back(kMaklink);
 #endif
   names.push_back(kArmStudy);
+  names.push_back("list");
   throw UsageError("unknown study \"" + name + "\"; " + did_you_mean(name, names));
 }
 

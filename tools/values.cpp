@@ -174,4 +174,10 @@ std::string whole_text(double value) {
              : to_text(value);
 }
 
+std::string counted(std::int64_t count, std::string_view thing) {
+  std::string text = std::to_string(count);
+  text.append(" ").append(thing);
+  return count == 1 ? text : text.append("s");
+}
+
 }  // namespace lasius::tool

@@ -64,4 +64,7 @@ std::string to_text(double value);
 /// The same of a whole number, in digits where they are exact.
 std::string whole_text(double value);
 
+/// "1 joint", "2 joints".
+std::string counted(std::int64_t count, std::string_view thing);
+
 }  // namespace lasius::tool

@@ -58,6 +58,9 @@ std::string info_text(const Json& json) {
     std::snprintf(digits.data(), digits.size(), "%.2f ms", value.get<double>());
     return std::string(digits.data());
   };
+  const auto count = [&json](const char* key, const char* thing) {
+    return counted(json[key].get<std::int64_t>(), thing);
+  };
   const auto place = [](const Json& p) {
     return p.is_null() ? std::string("none") : p[0].dump() + "," + p[1].dump();
   };
@@ -65,11 +68,10 @@ std::string info_text(const Json& json) {
       json["width"].dump() + " x " + json["height"].dump() + " from " + place(json["origin"]));
   row("hash", json["hash"].get<std::string>());
   row("margin", json["margin"].dump());
-  row("obstacles", json["obstacles"].dump() + " with " + json["corners"].dump() + " corners, " +
+  row("obstacles", json["obstacles"].dump() + " with " + count("corners", "corner") + ", " +
                        json["grown_obstacles"].dump() + " grown and merged");
-  row("free space",
-      json["components"].dump() + " components, " + json["free_corners"].dump() + " corners");
-  row("maklink", json["lines"].dump() + " lines, " + json["regions"].dump() + " convex regions");
+  row("free space", count("components", "component") + ", " + count("free_corners", "corner"));
+  row("maklink", count("lines", "line") + ", " + count("regions", "convex region"));
   row("start", place(json["start"]));
   row("goal", place(json["goal"]));
   row("read", ms(json["read_ms"]));

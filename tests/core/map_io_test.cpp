@@ -157,10 +157,10 @@ const Broken kBrokenMaps[] = {
     {"far_too_short", "type octile\nheight 32768\nwidth 32768\nmap\n..\n", kBroken, 3, -1,
      "only 3 follow"},
     {"long_header_line", "type octile" + std::string(1000, ' ') + "\n", kBroken, 1, -1, ""},
-    {"truncated", kHead + "...\n\n\n\n", kBroken, 6, -1, "only 0 characters"},
+    {"truncated", kHead + "...\n\n\n\n", kBroken, 6, -1, "after 0 of 3 characters"},
     {"rows_missing", kHead + "...\n", kBroken, 3, -1, "only 4 follow"},
-    {"short_row", kHead + "..\n....\n", kBroken, 5, -1, "only 2 characters"},
-    {"long_row", kHead + "...\n....\n", kBroken, 6, -1, "more than 3"},
+    {"short_row", kHead + "..\n....\n", kBroken, 5, -1, "after 2 of 3 characters"},
+    {"long_row", kHead + "...\n....\n", kBroken, 6, -1, "goes on after the width"},
     {"unknown", kHead + "...\n.x.\n", kBroken, 6, -1, "'x' in column 1"},
     {"control", kHead + "...\n.\x01.\n", kBroken, 6, -1, "code 1"},
     {"null", kHead + "..\0\n...\n"s, kBroken, 5, -1, "code 0"},
@@ -189,7 +189,7 @@ const Broken kBrokenMaps[] = {
     {"p5_above", "P5\n2 1\n10\n\x05\x0b", kBroken, -1, 11, "grey level 11"},
     {"p5_above_16_bit", "P5\n2 1\n300\n\x01\x00\x01\x2d"s, kBroken, -1, 13, "grey level 301"},
     {"p5_more", "P5\n1 1\n255\naP5\n1 1\n255\na", kBroken, -1, 12, "one image a file"},
-    {"p5_large", "P5\n99999999999 1\n255\n", kUnsupported, -1, 3, "99999999"},
+    {"p5_large", "P5\n99999999999 1\n255\n", kUnsupported, -1, 3, "99999999999 x 1"},
     {"p5_far_too_short", "P5\n32768 32768\n65535\nab", kBroken, -1, 3, "only 2 follow"},
 };
 

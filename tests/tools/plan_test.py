@@ -68,6 +68,9 @@ class ExitCodes(ProgramTest):
     def test_a_time_limit(self):
         spent = self.plan("--time-limit", "0", **FAN)
         self.assertEqual((spent.code, spent.out), (6, "limit\n"))
+        self.assertIn("after 0 iterations", spent.err)
+        exact = self.plan("--time-limit", "0", "--algorithm", "exact", **FAN)
+        self.assertRegex(exact.err, "the time limit ended the run, (no path yet|the best)")
         kept = self.plan("--iterations", "1000000000", "--time-limit", "1", "--json")
         self.assertEqual(kept.code, 0)
         self.assertEqual(kept.json["status"], "limit")

@@ -104,7 +104,9 @@ class PolygonTest(ProgramTest):
         self.write("open.geojson", collection(start=None))
         cases = [
             (["--algorithm", "maklink-asc"], "did you mean \"maklink-acs\"?"),
-            (["--algorithm", "fan2004"], "--algorithm"),
+            (["--algorithm", "fan2004"], "fan2004 plans on bitmaps, not among polygons"),
+            (["--algorithm", "goritov2020"], "lasius arm"),
+            (["--set", "seed=2"], "an option, --seed"),
             (["--set", "beta=1"], "exact has no parameter"),
             (["--algorithm", "real-ga", "--set", "population"], "NAME=VALUE"),
             (["--algorithm", "real-ga", "--set", "populatoin=3"], "did you mean \"population\"?"),
@@ -123,6 +125,8 @@ class PolygonTest(ProgramTest):
         run = self.plan_world(world="open.geojson")
         self.assertEqual(run.code, 2)
         self.assertIn("--start is required", run.err)
+        run = self.plan("--algorithm", "maklink-acs")
+        self.refused(run, 2, "maklink-acs plans among polygons")
         run = self.plan(map_file="small.map", start="0,0", goal="1,1")
         self.assertEqual(run.code, 0)
         for option in (["--margin", "1"], ["--join", "round"], ["--repair"]):

@@ -36,12 +36,32 @@ class Usage(ProgramTest):
             ([*plan, "--frame", "wrld"], '"world"'),
             ([*plan, "--progress", "nevr"], '"never"'),
             ([*plan, "-o", "picture.pngg"], '".png"'),
+            (["study", "lst"], '"list"'),
             (["generate", "mazes", "--size", "8x8", "-o", "m.map"], '"maze"'),
             (["generate", "maze", "--size", "8x8", "-o", "m.pdm"], '".pbm"'),
         ]
         for arguments, nearest in cases:
             with self.subTest(arguments=arguments):
                 self.refused(self.run_program(*arguments), 2, "did you mean " + nearest)
+
+    def test_what_belongs_elsewhere_is_sent_there(self):
+        plan = ["plan", "small.map", "--start", "0,0", "--goal", "9,5"]
+        self.refused(self.run_program(*plan, "--algorithm", "goritov2020"), 2, "lasius arm")
+        for setting in ("time_limit=1", "time-limit=1", "seed=2", "threads=1", "target_gap=1"):
+            option = "--" + setting.split("=")[0].replace("_", "-")
+            self.refused(self.run_program(*plan, "--set", setting), 2, "an option, " + option)
+        self.refused(self.run_program("help"), 2, "--help")
+
+    def test_plain_words(self):
+        plan = ["plan", "small.map", "--start", "0,0", "--goal", "9,5"]
+        cases = [(["--seed", "1", "--seed", "2"], "--seed is given more than once"),
+                 (["--time-limit"], "--time-limit needs a value, SECONDS"),
+                 (["--set"], "--set needs a value, NAME=VALUE"),
+                 (["--json=yes"], "--json takes no value")]
+        for arguments, words in cases:
+            with self.subTest(arguments=arguments):
+                self.assertEqual(self.run_program(*plan, *arguments).err,
+                                 f"lasius: {words}; see --help\n")
 
     def test_bad_values(self):
         cases = [
