@@ -18,21 +18,19 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kBucketWidth = 0.03125;  // cells
 
-// The ants of a search without a target gap: how they weigh the distance to the goal, the number
-// of expansions before the first are sent, and their share of the expansions since.
+// How ants weigh the distance to the goal, but for the hurried ones; the number of expansions
+// before the first are sent, and their share of the expansions since.
 constexpr double kAntWeight = 1.2;
 constexpr std::int64_t kFirstAnts = 16;
 constexpr std::int64_t kAntShare = 8;
 // In between they rest, for these many expansions: most searches are over before.
 constexpr std::int64_t kAntsRest = 256;
 constexpr std::int64_t kAntsReturn = 4096;
-// The expansions by ants that are sent first, for each cell of the straight distance: with a target
-// gap, and on ways so long that the proof takes its time, so that a path is soon there.
+// The expansions by ants that are sent first, for each cell of the straight distance: hurried ones
+// where there is a target gap, and others where these do not arrive soon (mazes, warehouses, dense
+// noise, small gaps), or where the way is so long that the proof takes its time.
 constexpr double kVanguard = 4;
 constexpr double kLongWay = 2048;  // cells
-// Their share later, with a target gap. Where they do not arrive soon (mazes, warehouses, dense
-// noise) they would mostly find again, by shorter ways, what they found before.
-constexpr std::int64_t kHurriedShare = 4;
 // What the weight of hurried ants takes of the target gap; the width of buckets has the rest.
 constexpr double kShareOfGap = 0.95;
 constexpr double kTrailBuckets = 1024;  // from the least key to the greatest that is wanted
@@ -112,6 +110,17 @@ void ExactSearch::send_ants(std::int64_t steps, Poller& poller) {
   lower_ = std::max(lower_, std::min(least, upper_));
 }
 
+// Hurried ants have not arrived: from here on the lower bound is the frontier's.
+void ExactSearch::calm_down() {
+  hurry_ = false;
+  ant_weight_ = kAntWeight;
+  ant_frontier_.reset(lower_, kBucketWidth);
+  for (std::uint32_t i = 0; i < corners_.size(); ++i) {
+    const Corner& corner = corners_[i];
+    if (!corner.expanded) ant_frontier_.push(i, corner.length + ant_weight_ * corner.to_goal);
+  }
+}
+
 void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   Poller poller(stop, kWordsPerPoll);
   poller_ = &poller;
@@ -121,17 +130,24 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   ant_weight_ = hurry_ ? 1 + kShareOfGap * gap : kAntWeight;
   ant_frontier_.reset(lower_, std::max(kBucketWidth, lower_ * gap / kTrailBuckets));
   expand(CornerTable::kStart);
+  const std::int64_t vanguard = std::llround(kVanguard * straight_);
+  bool first = straight_ > kLongWay;
+  if (hurry_) {
+    send_ants(vanguard, poller);
+    first = ants_out_;
+    if (ants_out_) calm_down();
+  }
+  if (first) send_ants(vanguard, poller);
   std::int64_t next_ants = kFirstAnts;
-  if (hurry_ || straight_ > kLongWay) send_ants(std::llround(kVanguard * straight_), poller);
   std::uint32_t index = 0;
   while (!poller.stopped() && next_corner(index)) {
     if (upper_ - lower_ <= gap * lower_) break;
     expand(index);
     poller.stop_after(kWordsPerExpansion);
     if (!ants_out_ || counters_.expansions < next_ants) continue;
-    send_ants(counters_.expansions / (hurry_ ? kHurriedShare : kAntShare), poller);
+    send_ants(counters_.expansions / kAntShare, poller);
     next_ants = counters_.expansions * 2;
-    if (!hurry_ && next_ants > kAntsRest) next_ants = std::max(next_ants, kAntsReturn);
+    if (next_ants > kAntsRest) next_ants = std::max(next_ants, kAntsReturn);
   }
   cause_ = poller.cause();
 }

@@ -37,12 +37,12 @@ struct Counters {
 /// their own, of the corners that were not expanded yet, some now and then until one of them sees
 /// the goal; all corners that they see enter both queues. Nothing about them is random, and they
 /// lay no pheromone: they are weighted A* (Pohl 1970) beside A*, as in anytime weighted A* (Hansen
-/// & Zhou 2007). With a target gap W is almost 1 plus that gap, they go first, and they take up
-/// again what is reached by a shorter way. Then their least key is at most W times the optimum: of
-/// a shortest path, the first corner w that was not expanded at its least length waits with
-/// g + W h <= W (g + h) <= W optimum. (Behind a horizon H <= optimum it waits as its parent v, with
-/// key H + (W - 1) h(v).) So that key divided by W is a lower bound, and the first path is within
-/// the gap.
+/// & Zhou 2007). With a target gap the first ants hurry: their W is almost 1 plus that gap,
+/// and they take up again what is reached by a shorter way. Then their least key is at most W times
+/// the optimum: of a shortest path, the first corner w that was not expanded at its least length
+/// waits with g + W h <= W (g + h) <= W optimum. (Behind a horizon H <= optimum it waits as its
+/// parent v, with key H + (W - 1) h(v).) So that key divided by W is a lower bound, and the first
+/// path is within the gap. Where they do not arrive soon, others follow, of the usual W.
 ///
 /// Why no shortest path is missed. Let v, w follow each other on one, v reached at its least
 /// length. The scan of v's cone leaves w out only where
@@ -76,6 +76,7 @@ class ExactSearch {
   };
 
   void send_ants(std::int64_t steps, Poller& poller);
+  void calm_down();
   void run(const ExactOptions& options, const StopCondition& stop);
   bool next_corner(std::uint32_t& index);
   void expand(std::uint32_t index);
