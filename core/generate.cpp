@@ -12,15 +12,16 @@ namespace {
 struct Kind {
   std::string_view name;
   double density;  // by default
+  double most;
   void (*make)(Grid&, BlockedShare, const MapRandom&);
 };
 
-constexpr std::array<Kind, 6> kKinds = {{{"blobs", 0.33, make_blobs},
-                                         {"maze", 0.25, make_maze},
-                                         {"rooms", 0.1, make_rooms},
-                                         {"city", 0.4, make_city},
-                                         {"random", 0.2, make_random},
-                                         {"open", 0.12, make_open}}};
+constexpr std::array<Kind, 6> kKinds = {{{"blobs", 0.33, 0.999, make_blobs},
+                                         {"maze", 0.25, 0.8, make_maze},
+                                         {"rooms", 0.1, 0.35, make_rooms},
+                                         {"city", 0.4, 0.5, make_city},
+                                         {"random", 0.2, 0.999, make_random},
+                                         {"open", 0.12, 0.999, make_open}}};
 
 constexpr auto kNames = [] {
   std::array<std::string_view, kKinds.size()> names;
@@ -32,12 +33,16 @@ constexpr auto kNames = [] {
 
 std::span<const std::string_view> map_kind_names() noexcept { return kNames; }
 
+double max_density(MapKind kind) noexcept { return kKinds[static_cast<std::size_t>(kind)].most; }
+
 Grid generate(MapKind kind, const GenerateOptions& options) {
-  if (!(options.density < 1)) {
-    throw Error(ErrorCode::invalid_parameter, "density is " + std::to_string(options.density),
-                "it must lie in [0, 1), or be negative for the kind's own");
-  }
   const Kind& entry = kKinds[static_cast<std::size_t>(kind)];
+  if (!(options.density <= entry.most)) {
+    throw Error(
+        ErrorCode::invalid_parameter,
+        "the density of " + std::string(entry.name) + " is " + std::to_string(options.density),
+        "it is at most " + std::to_string(entry.most) + "; negative: the kind's own");
+  }
   const double density = options.density < 0 ? entry.density : options.density;
   Grid grid(options.width, options.height);
   entry.make(grid, static_cast<BlockedShare>(density * 4294967296.0), MapRandom(options.seed));

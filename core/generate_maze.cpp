@@ -16,11 +16,12 @@ struct Widths {
   int wall;
 };
 
-Widths widths_for(BlockedShare share) {
+Widths widths_for(BlockedShare share, int side) {
+  const int widest = std::max(12, side / 12);  // of few squares the outer ones, unwalled, are many
   Widths best{6, 0};
   std::int64_t best_miss = share;
   for (const int corridor : {6, 5, 7, 4, 8, 3, 9, 2, 10, 12, 14, 17, 20, 24}) {
-    for (int wall = 1; wall <= 24; ++wall) {
+    for (int wall = 1; wall <= 24 && corridor + wall <= widest; ++wall) {
       const std::int64_t miss =
           std::abs((std::int64_t{wall} << 32) / (corridor + wall) - std::int64_t{share});
       if (miss < best_miss) {
@@ -125,7 +126,7 @@ class RowBits {
 }  // namespace
 
 void make_maze(Grid& grid, BlockedShare share, const MapRandom& random) {
-  const Widths widths = widths_for(share);
+  const Widths widths = widths_for(share, std::min(grid.width(), grid.height()));
   const Axis across(widths, grid.width());
   const Axis down(widths, grid.height());
   Maze maze(across.count, down.count);

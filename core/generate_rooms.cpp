@@ -18,7 +18,9 @@ Sizes sizes_for(BlockedShare share, int width, int height) {
   const int side_blocked = std::max(1, 65536 - static_cast<int>(side_free));
   constexpr int kLeastRoom = 10;
   const int usual = std::min(width, height) < 200 ? 1 : 2;
-  const int wall = std::max(usual, kLeastRoom * side_blocked / static_cast<int>(side_free));
+  const int free = static_cast<int>(side_free);
+  // Rounded up, for walls that are thick enough between the smallest rooms.
+  const int wall = std::max(usual, (kLeastRoom * side_blocked + free - 1) / free);
   const std::int64_t pitch = std::int64_t{wall} * 65536 / side_blocked;
   return {wall, static_cast<int>(std::clamp<std::int64_t>(pitch - wall, kLeastRoom, 65536))};
 }

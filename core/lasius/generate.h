@@ -10,27 +10,31 @@
 
 namespace lasius {
 
-/// The kinds of generated maps; in brackets the density by default.
+/// The kinds of generated maps; in brackets the density by default, and at most.
 enum class MapKind {
-  blobs,   ///< many irregular obstacles, cut from smooth noise (0.33)
-  maze,    ///< corridors some cells wide, a tree with a few loops (0.25)
-  rooms,   ///< rectangular rooms of many sizes with doors (0.1)
-  city,    ///< blocks, streets and a few avenues at odd angles; buildings of many outlines (0.4)
-  random,  ///< every cell by itself (0.2)
-  open,    ///< a few large obstacles (0.12)
+  blobs,   ///< many irregular obstacles, cut from smooth noise (0.33, 0.999)
+  maze,    ///< corridors some cells wide, a tree with a few loops (0.25, 0.8)
+  rooms,   ///< rectangular rooms of many sizes with doors (0.1, 0.35)
+  city,    ///< blocks, streets, avenues at odd angles; buildings of many outlines (0.4, 0.5)
+  random,  ///< every cell by itself (0.2, 0.999)
+  open,    ///< a few large obstacles (0.12, 0.999)
 };
 
 struct GenerateOptions {
   int width = 512;
   int height = 512;
-  /// Share of blocked cells in [0, 1) that is aimed at; negative: the kind's own default. Noise
-  /// (blobs, random, open) meets it; maze, rooms and city come as near as their shapes allow.
+  /// Share of blocked cells that is aimed at, from 0 to max_density; negative: the kind's own
+  /// default. Noise (blobs, random, open) meets it. From 0.1 and 200 x 200 cells on, maze and
+  /// rooms stay up to a quarter below it; city scatters about it, the less the larger the map.
   double density = -1;
   std::uint64_t seed = 1;
 };
 
 /// The names of the kinds, in the order of MapKind.
 LASIUS_EXPORT std::span<const std::string_view> map_kind_names() noexcept;
+
+/// The largest density that a kind can be asked for.
+LASIUS_EXPORT double max_density(MapKind kind) noexcept;
 
 /// Makes a map. Integer arithmetic and Philox only, so equal on every machine.
 /// @throws Error(invalid_parameter) for a size or density out of range.

@@ -109,14 +109,27 @@ TEST(Generate, MostFreeCellsHangTogether) {
 }
 
 TEST(Generate, ComesNearTheDensity) {
-  for (const double density : {0.1, 0.2, 0.3, 0.5}) {
-    for (const MapKind kind : kKinds) {
+  for (const MapKind kind : kKinds) {
+    const bool by_threshold =
+        kind == MapKind::blobs || kind == MapKind::open || kind == MapKind::random;
+    for (const double density : {0.1, 0.2, 0.3, 0.35, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9}) {
+      if (density > max_density(kind)) continue;
       const double share = blocked_share(generate(kind, {800, 800, density, 3}));
-      const bool by_threshold =
-          kind == MapKind::blobs || kind == MapKind::open || kind == MapKind::random;
-      if (kind == MapKind::rooms && density > 0.3) continue;  // doors take too much of the walls
       EXPECT_NEAR(share, density, by_threshold ? 0.005 : 0.2 * density)
           << name_of(kind) << ' ' << density;
+    }
+  }
+}
+
+TEST(Generate, MoreDensityBlocksMore) {
+  for (const auto& [width, height] : {std::pair{64, 48}, {200, 150}, {512, 512}}) {
+    for (const MapKind kind : kKinds) {
+      double before = -1;
+      for (int tenth = 0; tenth <= 10 * max_density(kind); ++tenth) {
+        const double share = blocked_share(generate(kind, {width, height, 0.1 * tenth, 1}));
+        EXPECT_GE(share, before) << name_of(kind) << ' ' << width << " at 0." << tenth;
+        before = share;
+      }
     }
   }
 }
@@ -132,7 +145,7 @@ TEST(Generate, MakesMapsOfEverySize) {
                                        {9, 200}, {32768, 3}, {2, 32768}};
   for (const MapKind kind : kKinds) {
     for (const auto& [width, height] : sizes) {
-      for (const double density : {-1.0, 0.02, 0.6, 0.99}) {
+      for (const double density : {-1.0, 0.02, 0.3, max_density(kind)}) {
         const Grid grid = generate(kind, {width, height, density, 5});
         EXPECT_EQ(grid.width(), width) << name_of(kind);
         EXPECT_EQ(grid.height(), height) << name_of(kind);
@@ -144,6 +157,9 @@ TEST(Generate, MakesMapsOfEverySize) {
 TEST(Generate, RefusesBadSizesAndDensities) {
   for (const double density : {1.0, 2.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_THROW((void)generate(MapKind::blobs, {10, 10, density}), Error) << density;
+  }
+  for (const MapKind kind : kKinds) {
+    EXPECT_THROW((void)generate(kind, {10, 10, max_density(kind) + 1e-9}), Error) << name_of(kind);
   }
   EXPECT_THROW((void)generate(MapKind::blobs, {0, 10}), Error);
   EXPECT_THROW((void)generate(MapKind::blobs, {10, 32769}), Error);
