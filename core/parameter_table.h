@@ -16,6 +16,7 @@
 #include "lasius/error.h"
 #include "lasius/params.h"
 #include "nearest_name.h"
+#include "number_text.h"
 
 namespace lasius {
 
@@ -50,11 +51,7 @@ class ParameterTable {
     Value least, most;
 
     bool in_range(const Fields& fields) const { return holds(fields.*member); }
-    std::string text(const Fields& fields) const {
-      std::array<char, 32> digits;
-      return {digits.data(),
-              std::to_chars(digits.data(), digits.data() + digits.size(), fields.*member).ptr};
-    }
+    std::string text(const Fields& fields) const { return number_text(fields.*member); }
     void set(Fields& fields, const Parameter& info, std::string_view text) const {
       Value value{};
       const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

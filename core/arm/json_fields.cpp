@@ -76,7 +76,7 @@ std::vector<double> JsonFields::numbers(std::string_view name, std::size_t count
                                         double most) const {
   const Json& value = at(name);
   const std::string remedy =
-      "it must be " + std::to_string(count) + " numbers of at most " + range_text(-most, most);
+      "it must be " + std::to_string(count) + " numbers from " + range_text(-most, most);
   if (!value.is_array() || value.size() != count) {
     fail(name, "is not a list of " + std::to_string(count), remedy);
   }

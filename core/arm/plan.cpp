@@ -6,6 +6,7 @@
 #include "lasius/arm_plan.h"
 #include "lasius/error.h"
 #include "lattice_way.h"
+#include "number_text.h"
 #include "parallel.h"
 #include "run_status.h"
 
@@ -27,20 +28,20 @@ std::string joint_name(const Robot& robot, std::size_t j) {
 }
 
 std::string text(Vec3 p) {
-  return std::to_string(p.x) + "," + std::to_string(p.y) + "," + std::to_string(p.z);
+  return number_text(p.x) + "," + number_text(p.y) + "," + number_text(p.z);
 }
 
 /// Why the arm cannot stand at `start`; empty where it can, as far as kinematics tells.
 std::string start_fault(const Robot& robot, const std::vector<double>& start) {
   if (start.size() != robot.joints.size()) {
-    return "start has " + std::to_string(start.size()) + " joint values, the robot has " +
-           std::to_string(robot.joints.size()) + " joints";
+    return "start has " + std::to_string(start.size()) + " joint values, the robot needs " +
+           std::to_string(robot.joints.size());
   }
   for (std::size_t j = 0; j < start.size(); ++j) {
     const Joint& joint = robot.joints[j];
     if (start[j] >= joint.low && start[j] <= joint.high) continue;
-    return "start: " + joint_name(robot, j) + " is " + std::to_string(start[j]) +
-           ", its limits are " + std::to_string(joint.low) + " .. " + std::to_string(joint.high);
+    return "start: " + joint_name(robot, j) + " is " + number_text(start[j]) + ", its limits are " +
+           number_text(joint.low) + " .. " + number_text(joint.high);
   }
   return {};
 }
@@ -83,10 +84,9 @@ Box box_of(const Kinematics& arm, Vec3 from, double pitch, int side,
 
 /// Why the tip cannot get to `goal`, wherever it starts; empty where the arm is long enough.
 std::string goal_fault(const Kinematics& arm, Vec3 goal) {
-  const double away = distance(goal, arm.shoulder());
-  if (away <= arm.reach() + Kinematics::kTolerance) return {};
-  return "goal " + text(goal) + " is outside: " + std::to_string(away) +
-         " m from the first joint, the arm reaches " + std::to_string(arm.reach()) + " m";
+  if (distance(goal, arm.shoulder()) <= arm.reach() + Kinematics::kTolerance) return {};
+  return "goal " + text(goal) + " is outside: the arm reaches " + std::to_string(arm.reach()) +
+         " m from its first joint";
 }
 
 /// The lattice point next to the goal; the tip starts at the point 0.

@@ -1,8 +1,8 @@
 #include "rings.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
+
+#include "number_text.h"
 
 namespace lasius::polygon {
 
@@ -24,10 +24,7 @@ Bounds bounds_of(const Ring& ring) noexcept {
   return box;
 }
 
-std::string text(double value) {
-  std::array<char, 32> digits;
-  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
-}
+std::string text(double value) { return number_text(value); }
 
 std::string text(Point p) { return '(' + text(p.x) + ", " + text(p.y) + ')'; }
 

@@ -118,6 +118,8 @@ class Arm(ProgramTest):
             self.assertEqual((run.code, run.json["status"]), (code, name), run.err)
             return run
         status(4, "invalid", goal="5,0,0")
+        self.assertIn("goal 1e+300,0,0 is outside", status(4, "invalid", goal="1e300,0,0").err)
+        self.assertIn("is -1e+300, its limits", status(4, "invalid", start="0,-1e300,0").err)
         status(4, "invalid", goal="0.4,0.5,0.3")
         status(4, "invalid", start="4,0,0")
         run = status(4, "invalid", start="0.3,0,0")
