@@ -100,7 +100,7 @@ QueryFile read_scenario(Lines& lines, int width, int height) {
     if (fields.size() != 9)
       lines.fail(std::to_string(fields.size()) + " fields instead of 9",
                  "write: bucket map width height sx sy gx gy optimal");
-    if (!parse_integer(fields[0]) || !parse_real(fields[8]))
+    if (!parse_whole(fields[0]) || !parse_real(fields[8]))
       lines.fail("bucket or optimal length is not a number", "write numbers there");
     const double w = lines.coordinate("width", fields[2], true);
     const double h = lines.coordinate("height", fields[3], true);

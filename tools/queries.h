@@ -22,7 +22,7 @@ struct QueryFile {
 ///          split at any blanks; the map's name is not looked at, its size must be width x height
 ///   TSV    a header that names sx, sy, gx and gy among others, split at tabs; at any blanks where
 ///          the header has no tab
-/// Coordinates are whole numbers; in a TSV any finite ones unless `whole`.
+/// Coordinates are whole numbers of any size; in a TSV any finite ones unless `whole`.
 /// @throws Error(file_missing, file_broken) naming file and line.
 QueryFile read_queries(const std::string& file, int width, int height, bool whole);
 
