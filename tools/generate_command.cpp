@@ -1,15 +1,24 @@
+#include <string>
+
 #include "commands.h"
 #include "exit_code.h"
 #include "lasius/generate.h"
 #include "lasius/io.h"
 #include "signals.h"
 #include "streams.h"
+#include "values.h"
 
 namespace lasius::tool {
 
 int run_generate(const GenerateCommand& command) {
   check_writable(command.output);
-  const Grid map = generate(command.kind, command.options);
+  GenerateOptions options = command.options;
+  const double most = max_density(command.kind);
+  if (options.density > most) {
+    options.density = most;
+    message("--density is " + to_text(most) + ": this kind of map gets no denser");
+  }
+  const Grid map = generate(command.kind, options);
   const SignalWatcher signals;  // what is begun is written whole
   write_any_map(map, command.output);
   return signals.interrupted() ? kInterrupted : kFound;
