@@ -27,9 +27,11 @@ constexpr std::int64_t kAntShare = 8;
 constexpr std::int64_t kAntsRest = 256;
 constexpr std::int64_t kAntsReturn = 4096;
 // The expansions by ants that are sent first, for each cell of the straight distance: hurried ones
-// where there is a target gap, and others where these do not arrive soon (mazes, warehouses, dense
-// noise, small gaps), or where the way is so long that the proof takes its time.
-constexpr double kVanguard = 4;
+// where there is a target gap, and more of them on ways so long that the proof takes its time; and
+// others where those do not arrive (mazes, warehouses, dense noise, small gaps).
+constexpr double kVanguard = 1;
+constexpr double kLongVanguard = 4;
+constexpr double kFollowers = 2;
 constexpr double kLongWay = 2048;  // cells
 // What the weight of hurried ants takes of the target gap; the width of buckets has the rest.
 constexpr double kShareOfGap = 0.95;
@@ -130,14 +132,13 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   ant_weight_ = hurry_ ? 1 + kShareOfGap * gap : kAntWeight;
   ant_frontier_.reset(lower_, std::max(kBucketWidth, lower_ * gap / kTrailBuckets));
   expand(CornerTable::kStart);
-  const std::int64_t vanguard = std::llround(kVanguard * straight_);
-  bool first = straight_ > kLongWay;
-  if (hurry_) {
-    send_ants(vanguard, poller);
-    first = ants_out_;
-    if (ants_out_) calm_down();
+  const auto first = [&](double a_cell) { send_ants(std::llround(a_cell * straight_), poller); };
+  const bool long_way = straight_ > kLongWay;
+  if (hurry_ || long_way) first(long_way ? kLongVanguard : kVanguard);
+  if (hurry_ && ants_out_) {
+    calm_down();
+    first(kFollowers);
   }
-  if (first) send_ants(vanguard, poller);
   std::int64_t next_ants = kFirstAnts;
   std::uint32_t index = 0;
   while (!poller.stopped() && next_corner(index)) {
