@@ -15,10 +15,7 @@ namespace {
 
 void check(const BatchOptions& options) {
   check_target_gap(options.target_gap);
-  if (options.threads < 0 || options.threads > 1024) {
-    throw invalid_parameter("threads is " + std::to_string(options.threads),
-                            "it must be 0 (all cores) to 1024");
-  }
+  check_threads(options.threads);
   if (options.time_limit && !(options.time_limit->count() >= 0)) {
     throw invalid_parameter("time_limit is " + std::to_string(options.time_limit->count()) + " s",
                             "it must be 0 or more, or none");

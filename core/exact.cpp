@@ -33,6 +33,8 @@ constexpr double kVanguard = 1;
 constexpr double kLongVanguard = 4;
 constexpr double kFollowers = 2;
 constexpr double kLongWay = 2048;  // cells
+// A target gap above this asks for any path; what is computed with it stays finite.
+constexpr double kWidestGap = 1e6;
 // What the weight of hurried ants takes of the target gap; the width of buckets has the rest.
 constexpr double kShareOfGap = 0.95;
 constexpr double kTrailBuckets = 1024;  // from the least key to the greatest that is wanted
@@ -126,7 +128,7 @@ void ExactSearch::calm_down() {
 void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   Poller poller(stop, kWordsPerPoll);
   poller_ = &poller;
-  const double gap = std::min(options.target_gap, exact::kWidestGap);
+  const double gap = std::min(options.target_gap, kWidestGap);
   hurry_ = gap > 0;
   ants_out_ = true;
   ant_weight_ = hurry_ ? 1 + kShareOfGap * gap : kAntWeight;

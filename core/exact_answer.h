@@ -39,9 +39,6 @@ struct ExactAnswer {
 
 namespace exact {
 
-/// A target gap above this asks for any path; what the search computes with it stays finite.
-constexpr double kWidestGap = 1e6;
-
 /// Lengths are sums of square roots, one for each bend and one more, every operation rounded to
 /// 2^-53. Bends are at least a cell apart, so a length below 2^22 cells is off by less than this
 /// fraction of itself.

@@ -32,6 +32,13 @@ inline void check_target_gap(double gap) {
                           "it is a fraction: 0 or more, 0.01 for 1%");
 }
 
+/// @throws Error(invalid_parameter) unless it is a number of threads that may be asked for.
+inline void check_threads(int threads) {
+  if (threads >= 0 && threads <= 1024) return;
+  throw invalid_parameter("threads is " + std::to_string(threads),
+                          "it must be 0 (all cores) to 1024");
+}
+
 /// For a name that is none of `known`, the names of the things that `kind` says.
 inline Error unknown_name(std::string_view kind, std::string_view name,
                           std::span<const std::string_view> known) {
@@ -139,10 +146,7 @@ class ParameterTable {
       throw invalid_parameter("seed is " + std::to_string(fields.seed),
                               "it must be at most 2^53 - 1");
     }
-    if (fields.threads < 0 || fields.threads > 1024) {
-      throw invalid_parameter("threads is " + std::to_string(fields.threads),
-                              "it must be 0 (all cores) to 1024");
-    }
+    check_threads(fields.threads);
   }
 
  private:

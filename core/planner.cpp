@@ -68,6 +68,11 @@ std::optional<Planner> Planner::prepare(Grid&& grid, const StopCondition& stop) 
 std::optional<Planner> Planner::prepare(Grid&& grid, const PrepareOptions& options) {
   return if_made(Impl::make(std::move(grid), options.stop, options));
 }
+Planner Planner::prepared(const PrepareOptions& options) const {
+  auto more = std::make_shared<Impl>(impl_->grid, impl_->four, impl_->excluded, impl_->closed);
+  more->prepare_more(options);
+  return Planner(std::move(more));
+}
 std::optional<Planner> Planner::if_made(std::shared_ptr<const Impl> impl) {
   return impl == nullptr ? std::nullopt : std::optional(Planner(std::move(impl)));
 }

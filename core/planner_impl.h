@@ -29,11 +29,14 @@ class Planner::Impl {
   static std::shared_ptr<Impl> make(Grid&& grid, const StopCondition& stop,
                                     const PrepareOptions& options) {
     auto impl = make(std::move(grid), stop);
-    if (impl == nullptr) return impl;
-    const auto begin = Clock::now();
-    impl->graph = exact::CornerGraph::make(impl->grid, options, impl->preparation);
-    impl->preparation.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    if (impl != nullptr) impl->prepare_more(options);
     return impl;
+  }
+
+  void prepare_more(const PrepareOptions& options) {
+    const auto begin = Clock::now();
+    graph = exact::CornerGraph::make(grid, options, preparation);
+    preparation.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   }
 
   /// The next version: the map with some edits, and these directions excluded. Null when stopped.

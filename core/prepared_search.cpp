@@ -282,7 +282,7 @@ void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Cell sta
     upper_ = lower_;
     last_ = kStart;
   } else {
-    const double gap = std::min(options.target_gap, kWidestGap);
+    const double gap = options.target_gap;
     const bool ended = graph.detour() <= kMostDetour ? search_near(gap) : glance(gap);
     if (!ended) search_all(gap);
   }

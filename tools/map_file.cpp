@@ -65,12 +65,9 @@ PreparedMap prepare_map(const MapOptions& options, Frame frame, Corners corners,
   return map;
 }
 
-void prepare_more(PreparedMap& map, const MapOptions& options, Corners corners,
-                  const std::stop_token& token) {
+void prepare_more(PreparedMap& map, int threads, const std::stop_token& token) {
   const auto start = Clock::now();
-  Grid grid = map.grid();
-  map.planner = make_planner(grid, options, corners, {.token = token});
-  if (!map.planner) map.unprepared = std::move(grid);
+  map.planner = map.planner->prepared({.threads = threads, .stop = {.token = token}});
   map.prepare_ms += ms_since(start);
 }
 

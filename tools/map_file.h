@@ -41,9 +41,8 @@ struct PreparedMap {
 PreparedMap prepare_map(const MapOptions& options, Frame frame = Frame::cell,
                         Corners corners = Corners::forbid, const std::stop_token& token = {});
 
-/// Makes the planner of a map again, prepared as `options` ask.
-void prepare_more(PreparedMap& map, const MapOptions& options, Corners corners,
-                  const std::stop_token& token);
+/// Does what --prepare asks for, for a map with a planner.
+void prepare_more(PreparedMap& map, int threads, const std::stop_token& token);
 
 /// A start or a goal.
 struct Place {

@@ -68,7 +68,7 @@ int run_plan(const PlanCommand& command) {
   const Place goal = to_place(map, command.goal, run.frame);
   map.prepare = run.map.prepare;
   if (map.prepare && is_search(map, run.params.corners, {start.cell, goal.cell}, signals.token()))
-    prepare_more(map, run.map, run.params.corners, signals.token());
+    prepare_more(map, run.map.threads, signals.token());
   announce(map, run);
 
   std::optional<PictureRecorder> recorder;

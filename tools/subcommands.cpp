@@ -210,10 +210,10 @@ Subcommand add_generate(CLI::App& app) {
       ->type_name("blobs|maze|rooms|city|random|open")
       ->required();
   make->add_option("--size", raw->size, "Width and height in cells")->type_name("WxH")->required();
-  make->add_option(
-          "--density", raw->density,
-          "Share of blocked cells that is aimed at, from 0 to 1; not above 0.8 in a maze, 0.5 "
-          "in a city, 0.35 in rooms, 0.999 elsewhere; default: the kind's own")
+  make->add_option("--density", raw->density,
+                   "Share of blocked cells that is aimed at, from 0 to 1, or the most that the "
+                   "kind reaches; "
+                   "default: the kind's own")
       ->type_name("D");
   make->add_option("--seed", raw->seed, "Seed, from 0 to 2^53-1 (default 1)")->type_name("N");
   make->add_option("-o,--output", raw->output, "Map to write: .map, .pbm or .png")

@@ -126,6 +126,9 @@ class LASIUS_EXPORT Planner {
   /// components were labelled. `grid` is moved from only where a planner comes of it.
   [[nodiscard]] static std::optional<Planner> prepare(Grid&& grid, const StopCondition& stop);
   [[nodiscard]] static std::optional<Planner> prepare(Grid&& grid, const PrepareOptions& options);
+  /// A planner for the same map with more prepared for `exact`, as by the constructor. Copies the
+  /// bitmap and its components; this one stays as it is.
+  Planner prepared(const PrepareOptions& options) const;
   ~Planner();
   Planner(Planner&&) noexcept;
   Planner& operator=(Planner&&) noexcept;

@@ -8,6 +8,12 @@
 namespace lasius {
 namespace {
 
+std::int64_t allocations_of(const auto& action) {
+  const auto before = allocations.load();
+  action();
+  return allocations - before;
+}
+
 class EveryColony : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(PlannerAllocation, EveryColony, testing::ValuesIn(kColonies));
 
@@ -19,15 +25,11 @@ TEST_P(EveryColony, ASecondCallOfTheSameSizeAllocatesOnlyItsResult) {
   Workspace workspace;
   (void)planner.plan(request, params, &workspace);
   params.iterations = 3;
-  const auto count = [&] {
-    const auto before = allocations.load();
-    (void)planner.plan(request, params, &workspace);
-    return allocations - before;
-  };
-  const auto three = count();
+  const auto plan = [&] { (void)planner.plan(request, params, &workspace); };
+  const auto three = allocations_of(plan);
   EXPECT_LT(three, 40);
   params.iterations = 6;
-  EXPECT_LT(count() - three, 12);  // the curves grow, nothing else
+  EXPECT_LT(allocations_of(plan) - three, 12);  // the curves grow, nothing else
 }
 
 TEST(PlannerAllocation, TheGeneticAlgorithmKeepsItsMemory) {
@@ -35,14 +37,10 @@ TEST(PlannerAllocation, TheGeneticAlgorithmKeepsItsMemory) {
   const Request request = far_apart(planner);
   const Params params = quick("grid-ga");
   Workspace workspace;
-  const auto count = [&] {
-    const auto before = allocations.load();
-    (void)planner.plan(request, params, &workspace);
-    return allocations - before;
-  };
-  const auto first = count();
+  const auto plan = [&] { (void)planner.plan(request, params, &workspace); };
+  const auto first = allocations_of(plan);
   EXPECT_GT(first, 1000);
-  EXPECT_LT(count(), first / 10);
+  EXPECT_LT(allocations_of(plan), first / 10);
 }
 
 TEST(PlannerAllocation, ProvingUnreachableTakesNoMapSizedMemory) {

@@ -38,6 +38,26 @@ void expect_as_good(const Result& prepared, const Result& plain) {
   EXPECT_NEAR(prepared.length, plain.length, 1e-9 * plain.length);
 }
 
+TEST(PreparedPlanner, IsMadeFromAPlannerToo) {
+  const Planner plain = Planner(map()).edited(std::vector<Planner::Edit>{{{3, 3}, true}});
+  const Planner at_once(plain.grid(), PrepareOptions{.threads = 1});
+  const Planner later = plain.prepared({.threads = 2});
+  EXPECT_EQ(plain.preparation().state, Preparation::State::none);
+  ASSERT_EQ(later.preparation().state, Preparation::State::ready);
+  EXPECT_EQ(later.preparation().edges, at_once.preparation().edges);
+  EXPECT_EQ(later.grid(), plain.grid());
+  for (const Query& q : some_queries(50)) {
+    const Request request{.start = q.start, .goal = q.goal};
+    EXPECT_EQ(later.plan(request).path, at_once.plan(request).path);
+  }
+  std::stop_source source;
+  source.request_stop();
+  const Planner stopped = plain.prepared({.stop = {.token = source.get_token()}});
+  EXPECT_EQ(stopped.preparation().state, Preparation::State::stopped);
+  EXPECT_EQ(stopped.plan({.start = {0, 0}, .goal = {0, 0}}).status,
+            plain.plan({.start = {0, 0}, .goal = {0, 0}}).status);
+}
+
 TEST(PreparedPlanner, AnswersAsTheUnpreparedOne) {
   const Planner plain(map());
   const Planner prepared(map(), PrepareOptions{.threads = 2});

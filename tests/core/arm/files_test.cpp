@@ -237,7 +237,6 @@ TEST_F(AnyFile, SaysWhatIsWrongWithIt) {
   std::filesystem::resize_file(large, (256 << 20) + 1);
   expect(large, ErrorCode::file_unsupported, "is larger than");
   const std::string unreadable = "/proc/self/mem";  // its first byte is on no page
-  if (!std::filesystem::exists(unreadable)) GTEST_SKIP() << "no " << unreadable;
   expect(unreadable, ErrorCode::file_broken, "reading failed");
 }
 
