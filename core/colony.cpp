@@ -89,7 +89,7 @@ class GridColony final : public ColonyWorld {
       ws_.field.refresh(weights, threads_);
       ws_.field.fill(world_);
       const auto cause = ws_.walkers.walk(world_, kernel_, ants, first, request_.stop);
-      for (int a = first; a < first + count; ++a) measure(a);
+      measure(first, count);
       if (cause != StopCondition::Cause::none) return cause;
       update_locally(ws_.field, params_, tau0_, tours(q, first, count));
     }
@@ -145,13 +145,18 @@ class GridColony final : public ColonyWorld {
     return params_.unknown_index * std::max(grid_.width(), grid_.height()) / 20;
   }
 
-  void measure(int ant) {
-    const auto tour = ws_.ants[ant].tour();
-    ws_.tours[ant] = {tour, ws_.ants[ant].arrived ? raw_length(tour, moves_) : kNaN};
-    if (!ws_.ants[ant].arrived) return;
-    if (!best_moves_.empty() && !(ws_.tours[ant].length < best_tour_length_)) return;
-    best_moves_.assign(tour.begin(), tour.end());
-    best_tour_length_ = ws_.tours[ant].length;
+  void measure(int first, int count) {
+    parallel_for(count, std::clamp(count / 2, 1, threads_), [&](int i, int) {
+      const Ant& ant = ws_.ants[first + i];
+      ws_.tours[first + i] = {ant.tour(), ant.arrived ? raw_length(ant.tour(), moves_) : kNaN};
+    });
+    const Tour* best = nullptr;
+    for (const Tour& tour : std::span(ws_.tours).subspan(first, count)) {
+      if (!(tour.length < best_tour_length_)) continue;
+      best = &tour;
+      best_tour_length_ = tour.length;
+    }
+    if (best != nullptr) best_moves_.assign(best->moves.begin(), best->moves.end());
   }
 
   Tours tours(int q, int first, int count) const {
@@ -212,7 +217,7 @@ class GridColony final : public ColonyWorld {
   kernels::WalkWorld world_;
 
   std::vector<std::uint8_t> best_moves_;  // the best tour so far, as it was walked
-  double best_tour_length_ = 0;
+  double best_tour_length_ = kInfinity;
   double best_length_ = kInfinity;  // the best path so far, polished
   std::vector<Point> best_path_;
   int improving_ant_ = -1;  // who found it, if in this iteration

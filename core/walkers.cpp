@@ -33,7 +33,7 @@ void Walkers::reset(int width, int height, int threads, int ants) {
   threads_ = std::clamp(ants / 2, 1, threads);  // more would idle
   if (static_cast<int>(teams_.size()) < threads_) teams_.resize(threads_);
   for (Team& team : teams_) {
-    for (int i = 0; i < std::min(kSlots, ants); ++i) {
+    for (int i = 0; i < slots_for(ants); ++i) {
       ZeroArray<std::uint64_t>& plane = team.slots[i].plane;
       if (!plane) plane = ZeroArray<std::uint64_t>(VisitedPlane::words_for(width, height));
     }
@@ -74,7 +74,7 @@ void Walkers::forget(const WalkSlot& slot, std::uint64_t* plane, const WalkWorld
 void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, std::span<Ant> ants,
                    int first, std::atomic<int>& next, std::atomic<StopCondition::Cause>& cause,
                    const StopCondition& stop) const {
-  const int slot_count = std::min(kSlots, static_cast<int>(ants.size()));
+  const int slot_count = slots_for(static_cast<int>(ants.size()));
   std::array<WalkSlot, kSlots> slots;
   std::array<bool, kSlots> occupied{};
   std::array<int, kSlots> numbers{};  // in `ants`

@@ -1,6 +1,7 @@
 // Sends the ants of one iteration through the walk kernel, over threads.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -48,8 +49,8 @@ class Walkers {
                             std::span<Ant> ants, int first, const StopCondition& stop);
 
  private:
-  // Ants that one thread advances in turn: enough to hide the latency of their loads.
-  static constexpr int kSlots = 8;
+  // Ants that one thread advances together: two groups abreast.
+  static constexpr int kSlots = 16;
   static constexpr int kRounds = 128;
   static_assert(kSlots <= kernels::kMaxSlots && std::int64_t{kSlots} * kRounds <= Poller::kSteps);
 
@@ -61,6 +62,10 @@ class Walkers {
     std::array<Slot, kSlots> slots;
   };
 
+  // Of so many ants, those that a thread has under way: no more than its share.
+  int slots_for(int ants) const noexcept {
+    return std::min(kSlots, (ants + threads_ - 1) / threads_);
+  }
   /// Clears the plane of the cells that an ant entered.
   void forget(const kernels::WalkSlot& slot, std::uint64_t* plane,
               const kernels::WalkWorld& world) const;

@@ -1,13 +1,36 @@
-// The walk with the masks of AVX-512, on registers of AVX2's width.
+// The walk with AVX-512: eight ants abreast where a row is eight weights; else one by one with its
+// masks, on registers of AVX2's width.
 
 #include "kernels/walk_tables.h"
 
 #if defined(__x86_64__)
 
+#if !defined(__clang__)
+// GCC bug 105593: its own intrinsics start from a register that they leave undefined.
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#endif
+
 #define LASIUS_TARGET [[gnu::target("avx512f,avx512vl,avx512dq,avx512bw,bmi,bmi2")]]
 #define LASIUS_MASKS 1
+#include "kernels/walk_abreast.h"
 #include "kernels/walk_vector.h"
-#define LASIUS_OPS VectorOps
+
+namespace lasius::kernels {
+namespace {
+
+struct AbreastOps : VectorOps {
+  template <int kLanes, bool kMixture, bool kFactor, Draw kDraw>
+  LASIUS_TARGET static int abreast(const WalkWorld& world, std::span<WalkSlot* const> slots,
+                                   int rounds) {
+    return walk_abreast<kLanes, kMixture, kFactor, kDraw>(world, slots, rounds);
+  }
+};
+
+}  // namespace
+}  // namespace lasius::kernels
+
+#define LASIUS_OPS AbreastOps
 #include "kernels/walk_body.h"
 
 namespace lasius::kernels {

@@ -1,7 +1,7 @@
 // The walk, written once and compiled for each instruction set. The including file defines
 //   LASIUS_TARGET  the function attribute of its instruction set (may be empty)
 //   LASIUS_OPS     a struct with `roulette<lanes, mixture, factor>`, `race<lanes, factor>`,
-//                  `without_centre` and `bits_at`
+//                  `without_centre`, `bits_at` and `abreast<lanes, mixture, factor, draw>`
 // and gets the table of its kernels as `kTable` in an unnamed namespace.
 
 #include <Random123/philox.h>
@@ -170,6 +170,11 @@ struct Walk {
       find(world, slot);
       walking[count++] = &slot;
     }
+    rounds -= LASIUS_OPS::template abreast<kLanes, kMixture, kFactor, kDraw>(
+        world, {walking.data(), static_cast<std::size_t>(count)}, rounds);
+    const auto ended = [](const WalkSlot* slot) { return slot->state != WalkState::walking; };
+    count = static_cast<int>(std::remove_if(walking.begin(), walking.begin() + count, ended) -
+                             walking.begin());
     for (; rounds > 0 && count > 0; --rounds) {
       for (int i = 0; i < count;) {
         if (step(world, *walking[i])) {

@@ -81,6 +81,12 @@ struct ScalarOps {
     return last;
   }
 
+  /// Steps of several ants at once: none.
+  template <int kLanes, bool kMixture, bool kFactor, Draw kDraw>
+  static int abreast(const WalkWorld&, std::span<WalkSlot* const>, int) noexcept {
+    return 0;
+  }
+
   /// The nine bits of 3 x 3 cells without the middle one.
   static std::uint32_t without_centre(std::uint32_t window) noexcept {
     return (window & 15) | (window >> 5 & 15) << 4;

@@ -249,6 +249,12 @@ struct VectorOps {
     return __builtin_ctz(running & ~below);
   }
 
+  /// Steps of several ants at once: none.
+  template <int kLanes, bool kMixture, bool kFactor, Draw kDraw>
+  static int abreast(const WalkWorld&, std::span<WalkSlot* const>, int) noexcept {
+    return 0;
+  }
+
   LASIUS_TARGET [[gnu::always_inline]] static std::uint32_t without_centre(
       std::uint32_t window) noexcept {
 #if LASIUS_MASKS  // pext is quick on every CPU with these, not on the first ones with AVX2

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lasius::kernels {
@@ -250,6 +251,41 @@ TEST_P(EveryIsa, WalksAsTheScalarReferenceHoweverManyTogether) {
     EXPECT_EQ(world.walk(GetParam(), 20, 1, 1), reference) << name(shape);
     EXPECT_EQ(world.walk(GetParam(), 20, 7, 13), reference) << name(shape);
     EXPECT_EQ(world.walk(GetParam(), 20, kMaxSlots, 128), reference) << name(shape);
+  }
+}
+
+TEST_P(EveryIsa, WalksAbreastAsOneByOne) {
+  using Change = void (*)(WalkWorld&);
+  const std::array<std::pair<const char*, Change>, 5> changes = {{
+      {"as it is", [](WalkWorld&) {}},
+      {"dead ends kill", [](WalkWorld& w) { w.backtrack = false; }},
+      {"always greedy",
+       [](WalkWorld& w) {
+         w.rule_start = {0, 1ull << 32, 1ull << 32, 1ull << 32};
+       }},
+      {"by pheromone alone",
+       [](WalkWorld& w) {
+         w.rule_start = {0, 0, 1ull << 32, 1ull << 32};
+       }},
+      // Half of the words point past the last weight, as rounding may.
+      {"past the wheel",
+       [](WalkWorld& w) {
+         w.rule_scale = {0, 0x1p-28f, 0x1p-29f, 0x1p-30f};
+       }},
+  }};
+  for (const WalkShape shape : all_shapes()) {
+    if (shape.lanes > 8) continue;
+    for (const auto& [what, change] : changes) {
+      World world(shape, 70, 50, 4);
+      change(world.view);
+      const auto reference = world.walk(Isa::scalar, kMaxSlots, 1, 1000000);
+      for (int together = 1; together <= kMaxSlots; ++together) {
+        for (const int rounds : {4, 10, 128}) {
+          EXPECT_EQ(world.walk(GetParam(), kMaxSlots, together, rounds), reference)
+              << name(shape) << ", " << what << ", " << together << " together, " << rounds;
+        }
+      }
+    }
   }
 }
 
