@@ -95,9 +95,8 @@ void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, s
   const auto make_room = [&](int i) {
     WalkSlot& slot = slots[i];
     const auto room = [](auto& buffer, std::int64_t used) {
-      if (static_cast<std::int64_t>(buffer.size()) < used + kRounds) {
-        buffer.resize(2 * static_cast<std::size_t>(used + kRounds));
-      }
+      const auto needed = static_cast<std::size_t>(used + kRounds + WalkSlot::kMovesBeyond);
+      if (buffer.size() < needed) buffer.resize(2 * needed);
       return buffer.data();
     };
     slot.moves = room(ants[numbers[i]].moves, slot.move_count);

@@ -87,15 +87,16 @@ class AbreastDraw {
                                                            __m512 (&weight)[4]) noexcept {
     __mmask16 open[4];
     keep_open(closed, weight, open);
-    alignas(64) std::uint32_t word[64];
-    alignas(64) float at_weight_one[64];
-    for (int j = 0; j < 4; ++j) _mm512_store_si512(word + 16 * j, words[j]);
-    for (int i = 0; i < 64; ++i) at_weight_one[i] = minus_log2(word[i]);
+    alignas(64) std::uint32_t word[4][16];
+    alignas(64) float at_weight_one[4][16];
+    for (int j = 0; j < 4; ++j) {
+      _mm512_store_si512(word[j], words[j]);
+      for (int i = 0; i < 16; ++i) at_weight_one[j][i] = minus_log2(word[j][i]);
+    }
     const __m512 stopped = _mm512_set1_ps(-std::numeric_limits<float>::infinity());
     __m512 time[4];
     for (int j = 0; j < 4; ++j) {
-      time[j] =
-          _mm512_mask_div_ps(stopped, open[j], _mm512_load_ps(at_weight_one + 16 * j), weight[j]);
+      time[j] = _mm512_mask_div_ps(stopped, open[j], _mm512_load_ps(at_weight_one[j]), weight[j]);
     }
     const __m512 longest = largest(time);
     __mmask16 last[4];

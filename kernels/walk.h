@@ -115,14 +115,16 @@ enum class WalkState : std::uint32_t { walking, arrived, lost };
 /// key = seed and counter (n / 4, a, q, 0).
 struct WalkSlot {
   static constexpr int kRandomWords = 64;
+  static constexpr int kMovesBeyond = 3;  ///< that a kernel may write behind a tour
 
   PackedCell at = 0;
   std::uint32_t previous = kMaxMoves;  ///< with factors, the last move; kMaxMoves at the start
   WalkState state = WalkState::lost;
   std::uint32_t ant = 0;
-  std::uint8_t* moves = nullptr;  ///< the tour so far, room for every step of the call
+  /// The tour so far. Room for every step of the call, and for kMovesBeyond more.
+  std::uint8_t* moves = nullptr;
   std::int64_t move_count = 0;
-  PackedCell* dead = nullptr;  ///< cells entered and left again, room likewise
+  PackedCell* dead = nullptr;  ///< cells entered and left again, room for every step of the call
   std::int64_t dead_count = 0;
 
   const float* row = nullptr;  ///< of the cell it is at; the kernel's own, as is `word`

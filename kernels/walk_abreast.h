@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 #include "kernels/abreast_draw.h"
@@ -181,27 +182,26 @@ class Abreast {
     alignas(64) PerAnt<const std::uint8_t*> before;
     store(before, _mm512_mask_mov_epi64(_mm512_add_epi64(place, all(-1)), no_move,
                                         all(std::bit_cast<std::int64_t>(&kNoMove))));
-    __m128i last = _mm_setzero_si128();
-    last = _mm_insert_epi8(last, *before[0], 0);
-    last = _mm_insert_epi8(last, *before[1], 1);
-    last = _mm_insert_epi8(last, *before[2], 2);
-    last = _mm_insert_epi8(last, *before[3], 3);
-    last = _mm_insert_epi8(last, *before[4], 4);
-    last = _mm_insert_epi8(last, *before[5], 5);
-    last = _mm_insert_epi8(last, *before[6], 6);
-    last = _mm_insert_epi8(last, *before[7], 7);
+    const __m128i last = _mm_unpacklo_epi32(four_bytes(&before[0]), four_bytes(&before[4]));
     store(last_, _mm512_mask_and_epi64(_mm512_cvtepu8_epi64(last), on, step.move, all(7)));
 
-    // Every ant writes a move and a dead cell: what does not count is written over later.
-    alignas(64) PerAnt<std::uint8_t*> places;
-    store(places, place);
-    alignas(16) std::array<std::uint8_t, 16> moves;
-    _mm_store_si128(reinterpret_cast<__m128i*>(moves.data()), _mm512_cvtepi64_epi8(step.move));
-    for (int i = 0; i < kAnts; ++i) *places[i] = moves[i];
-    for (int i = 0; i < kAnts; ++i) *dead_[i] = static_cast<PackedCell>(at_[i]);
+    // Who goes on writes its move, and three bytes that do not count yet; who goes back the cell it
+    // leaves.
+    alignas(64) PerAnt<void*> places;
+    alignas(64) PerAnt<std::uint64_t> written;
+    store(places, _mm512_mask_mov_epi64(top, step.back, load(dead_)));
+    store(written, _mm512_mask_mov_epi64(step.move, step.back, step.from));
+    for (int i = 0; i < kAnts; ++i) std::memcpy(places[i], &written[i], sizeof(PackedCell));
     store(dead_, _mm512_mask_add_epi64(load(dead_), step.back, load(dead_), all(4)));
     store(top_, new_top);
     store(at_, step.to);
+  }
+
+  LASIUS_TARGET [[gnu::always_inline]] static __m128i four_bytes(
+      const std::uint8_t* const* at) noexcept {
+    const __m128i one = _mm_cvtsi32_si128(*at[0]);
+    const __m128i two = _mm_insert_epi8(one, *at[1], 1);
+    return _mm_insert_epi8(_mm_insert_epi8(two, *at[2], 2), *at[3], 3);
   }
 
   /// Finds what belongs to the cells. Without a branch on whether an ant leaves its tile: of eight,
@@ -243,7 +243,7 @@ class Abreast {
   /// Sees what is closed around the new cells and marks them as entered; ends who has arrived.
   LASIUS_TARGET [[gnu::always_inline]] void enter(const WalkWorld& world, const Step& step,
                                                   int round) noexcept {
-    const __m512i words = planes_.words();
+    const auto words = planes_.words();
     // Before it is marked, so that no load waits for the stores; a cell is not its own neighbour.
     store(closed_, planes_.template closed<kMoves>(step.to, words));
     planes_.mark(walking_, step.to, words);
@@ -294,9 +294,9 @@ class Abreast {
     planes_.rest(i);
     at_[i] = 0;
     row_[i] = kNoRow.data();
-    base_[i] = top_[i] = &spare_move_;
+    base_[i] = top_[i] = reinterpret_cast<std::uint8_t*>(&spare_);
     last_[i] = kMaxMoves;
-    dead_[i] = &spare_cell_;
+    dead_[i] = &spare_;
     block_[i] = ant_[i] = 0;
   }
 
@@ -314,8 +314,7 @@ class Abreast {
   alignas(64) std::array<std::int64_t, 2 * kBack> delta_{};  ///< by move, then back over it
   PerAnt<WalkSlot*> slots_{};
   AbreastPlanes planes_;
-  std::uint8_t spare_move_ = 0;
-  PackedCell spare_cell_ = 0;
+  PackedCell spare_ = 0;
   __mmask8 walking_ = 0;
   __mmask8 no_return_ = 0;
 };

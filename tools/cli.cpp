@@ -1,6 +1,7 @@
 #include "cli.h"
 
 #include <CLI/CLI.hpp>
+#include <span>
 #include <string_view>
 
 #include "exit_code.h"
@@ -68,6 +69,9 @@ Command parse_command_line(int argc, const char* const* argv) {
   const auto commands = add_subcommands(app);
   if (argc < 2) throw UsageError("no command\n\n" + app.help());
   if (argv[1][0] != '-') refuse_unknown_command(argv[1], commands);
+  for (const std::string_view word : std::span(argv, argc))  // CLI11 would take the next word
+    if (word.starts_with("--") && word.ends_with('='))
+      throw UsageError(std::string(word.substr(0, word.size() - 1)) + " needs a value; see --help");
   app.allow_extras();
   try {
     app.parse(argc, argv);

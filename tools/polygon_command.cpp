@@ -61,8 +61,8 @@ int run_polygon(const PolygonCommand& command) {
   std::vector<std::string> notes;
   const auto parameters = polygon_parameters(command, notes);
   for (const auto& file : command.outputs) check_writable(file);
+  const PreparedWorld world = prepare_world(command.world);  // a signal ends it at once
   SignalWatcher signals;
-  const PreparedWorld world = prepare_world(command.world);
   if (!command.start && !world.planner.world().start)
     throw UsageError("--start is required: " + world.file + " has no feature with the role start");
   if (!command.goal && !world.planner.world().goal)

@@ -8,6 +8,7 @@
 #include "lattice_way.h"
 #include "number_text.h"
 #include "parallel.h"
+#include "parameter_table.h"
 #include "run_status.h"
 
 namespace lasius::arm {
@@ -119,6 +120,7 @@ Result answer(const Robot& robot, const Sensor& sensor, const Request& request, 
               const Search& search) {
   validate(robot);
   validate(given);
+  check_target_gap(request.target_gap);
   Params parameters = given;
   parameters.threads = thread_count(parameters.threads);
   std::string fault = start_fault(robot, request.start);

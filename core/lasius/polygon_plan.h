@@ -150,8 +150,8 @@ class LASIUS_POLYGON_EXPORT Planner {
 
   /// Answers one question. Deterministic in (world, request, parameters) and the version of GEOS;
   /// a deadline or token may change the answer. An unreachable goal is proven first.
-  /// @throws Error(invalid_parameter) for parameters out of range, or without start or goal. Start
-  /// or goal outside or blocked is an answer: Status::invalid.
+  /// @throws Error(invalid_parameter) for parameters or a target gap out of range, or without start
+  /// or goal. Start or goal outside or blocked is an answer: Status::invalid.
   Result plan(const Request& request = {}, const Params& parameters = {},
               const Observer& observer = {}) const;
 

@@ -7,6 +7,7 @@
 #include "free_space.h"
 #include "lasius/error.h"
 #include "lasius/polygon_plan.h"
+#include "parameter_table.h"
 #include "regions.h"
 #include "rings.h"
 #include "route.h"
@@ -259,6 +260,7 @@ class RoutePlan {
 Result Planner::plan(const Request& request, const Params& parameters,
                      const Observer& observer) const {
   validate(parameters);
+  check_target_gap(request.target_gap);
   Result result;
   const auto find = [&](const char* what, const std::optional<Point>& asked,
                         const std::optional<Point>& written) {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/arm/vec3.h"
+#include "lasius/error.h"
 #include "tests/core/arm/questions.h"
 
 namespace lasius::arm {
@@ -194,6 +195,15 @@ TEST(ArmPlan, TheStraightLineAsSeedLeadsTheFirstAnts) {
   c.parameters.line_ants = 1e5;
   const Result seeded = plan(c.robot, sensor, c.request, c.parameters);
   EXPECT_LT(seeded.mean[0], 0.5 * plain.mean[0]);
+}
+
+TEST(ArmPlan, ATargetGapIsNotNegative) {
+  Case c = make_case("planar3", 4, 0, 0, 12);
+  const Nothing sensor;
+  for (const double gap : {-0.1, std::nan("")}) {
+    c.request.target_gap = gap;
+    EXPECT_THROW(plan(c.robot, sensor, c.request, c.parameters), Error);
+  }
 }
 
 TEST(ArmPlan, KilledAntsLeaveNoTour) {

@@ -287,6 +287,9 @@ TEST(Ends, BlockedAndOutsideNameTheNearestFreePoint) {
       << outside.error;
   EXPECT_EQ(planner.plan({.start = Point{1e300, 0}, .goal = {}}).status, Status::invalid);
   EXPECT_THROW(planner.plan({.start = Point{std::nan(""), 0}, .goal = {}}), Error);
+  for (const double gap : {-0.1, std::nan("")}) {
+    EXPECT_THROW(planner.plan({.start = {}, .goal = {}, .target_gap = gap}), Error);
+  }
   World open = known_world();
   open.start.reset();
   EXPECT_THROW(Planner(open).plan(), Error);
