@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <span>
 #include <utility>
@@ -79,6 +80,8 @@ class GridColony final : public ColonyWorld {
 
   /// Sends all ants, batch by batch, and measures their tours.
   StopCondition::Cause send_ants(int q) override {
+    iteration_ = q;
+    all_walked_ = false;
     const StepWeights weights = schedule(params_, q);
     set_iteration(world_, params_, moves_, shape_, weights, q);
     for (Ant& ant : ws_.ants) ant.arrived = false;
@@ -91,26 +94,31 @@ class GridColony final : public ColonyWorld {
       const auto cause = ws_.walkers.walk(world_, kernel_, ants, first, request_.stop);
       measure(first, count);
       if (cause != StopCondition::Cause::none) return cause;
-      update_locally(ws_.field, params_, tau0_, tours(q, first, count));
+      update_locally(ws_.field, params_, tau0_, tours(first, count));
     }
+    all_walked_ = true;
     return StopCondition::Cause::none;
   }
 
+  /// One thread lays the walks' trails meanwhile: they have nothing to do with the polish.
   void offer() override {
-    if (params_.update != Update::terminal_index) offer(ws_.ants);
+    if (ants_only_teach()) return;
+    offer(ws_.ants, [this] {
+      if (all_walked_) lay_trails();
+    });
   }
 
-  /// The ants of the terminal index only teach it: its answer is read from what they taught.
-  void update(int q) override {
-    update_trail(ws_.field, params_, tours(q, 0, params_.ants));
-    if (params_.update == Update::terminal_index) {
-      offer({&answer(), 1});
+  void update(int) override {
+    if (ants_only_teach()) {
+      lay_trails();
+      offer({&answer(), 1}, {});
     } else {
       lay_straight_trails();
     }
   }
 
   int ants() const override { return params_.ants; }
+  int threads() const override { return threads_; }
   double tour_length(int ant) const override { return ws_.tours[ant].length; }
   double best_length() const override { return best_length_ < kInfinity ? best_length_ : kNaN; }
 
@@ -159,15 +167,20 @@ class GridColony final : public ColonyWorld {
     if (best != nullptr) best_moves_.assign(best->moves.begin(), best->moves.end());
   }
 
-  Tours tours(int q, int first, int count) const {
+  Tours tours(int first, int count) const {
     return {.start = request_.start,
             .moves = moves_,
             .ants = std::span(ws_.tours).subspan(first, count),
             .best_so_far = {best_moves_, best_moves_.empty() ? kNaN : best_tour_length_},
-            .iteration = q,
+            .iteration = iteration_,
             .rows = grid_.height(),
             .ranking = ws_.ranking};
   }
+
+  void lay_trails() { update_trail(ws_.field, params_, tours(0, params_.ants)); }
+
+  /// The answer of the terminal index is read from what its ants taught it.
+  bool ants_only_teach() const { return params_.update == Update::terminal_index; }
 
   /// The generation's answer as one more ant.
   const Ant& answer() {
@@ -179,8 +192,8 @@ class GridColony final : public ColonyWorld {
   }
 
   /// Polishes the tours and offers every path as the best one, ties to the lower index.
-  void offer(std::span<const Ant> ants) {
-    ws_.polisher.polish(grid_, request_.start, moves_, ants, request_.stop);
+  void offer(std::span<const Ant> ants, const std::function<void()>& meanwhile) {
+    ws_.polisher.polish(grid_, request_.start, moves_, ants, request_.stop, meanwhile);
     const auto paths = ws_.polisher.paths();
     improving_ant_ = -1;
     for (int a = 0; a < static_cast<int>(ants.size()); ++a) {
@@ -216,6 +229,8 @@ class GridColony final : public ColonyWorld {
   kernels::WalkFn kernel_ = nullptr;
   kernels::WalkWorld world_;
 
+  int iteration_ = 0;
+  bool all_walked_ = false;
   std::vector<std::uint8_t> best_moves_;  // the best tour so far, as it was walked
   double best_tour_length_ = kInfinity;
   double best_length_ = kInfinity;  // the best path so far, polished

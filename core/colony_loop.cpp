@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "crew.h"
+
 namespace lasius {
 namespace {
 
@@ -20,10 +22,9 @@ void record(const ColonyWorld& world, Convergence& run) {
   ++run.iterations;
 }
 
-}  // namespace
-
-StopCondition::Cause run_colony_loop(ColonyWorld& world, int iterations, const StopCondition& stop,
-                                     Convergence& run) {
+/// The main loop.
+StopCondition::Cause loop(ColonyWorld& world, int iterations, const StopCondition& stop,
+                          Convergence& run) {
   auto cause = stop.poll();
   for (int q = 0; q < iterations && cause == StopCondition::Cause::none; ++q) {
     cause = world.send_ants(q);
@@ -35,6 +36,15 @@ StopCondition::Cause run_colony_loop(ColonyWorld& world, int iterations, const S
     world.observe(run);
     if (world.settled()) break;
   }
+  return cause;
+}
+
+}  // namespace
+
+StopCondition::Cause run_colony_loop(ColonyWorld& world, int iterations, const StopCondition& stop,
+                                     Convergence& run) {
+  auto cause = StopCondition::Cause::none;
+  Crew::lead(world.threads(), [&] { cause = loop(world, iterations, stop, run); });
   return cause;
 }
 

@@ -30,6 +30,8 @@ class ColonyWorld {
   virtual void update(int q) = 0;
 
   virtual int ants() const = 0;
+  /// Threads that stand by for its parallel loops.
+  virtual int threads() const { return 1; }
   /// Length of an ant's raw tour, NaN unless it arrived.
   virtual double tour_length(int ant) const = 0;
   /// Length of the best path so far, NaN without one.
@@ -42,9 +44,8 @@ class ColonyWorld {
 };
 
 /// The main loop: send the ants, offer, update, record, up to `iterations` times. Returns why it
-/// was cut short, or `none`. An iteration that was cut short is not recorded and leaves the trail
-/// alone, but what its ants found is offered.
-/// Exported for the components; not a public header.
+/// was cut short, or `none`. An iteration that was cut short is not recorded and does not update,
+/// but what its ants found is offered. Exported for the components; not a public header.
 LASIUS_EXPORT StopCondition::Cause run_colony_loop(ColonyWorld& world, int iterations,
                                                    const StopCondition& stop, Convergence& run);
 

@@ -88,6 +88,7 @@ class GridGa final : public ColonyWorld {
   }
 
   int ants() const override { return params_.population; }
+  int threads() const override { return threads_; }
   double tour_length(int ant) const override { return memory_.population[ant].tour; }
   double best_length() const override { return best_length_ < kInfinity ? best_length_ : kNaN; }
 

@@ -17,10 +17,16 @@ void Polisher::reset(const Params& params, int threads) {
 }
 
 void Polisher::polish(const Grid& grid, Cell start, const kernels::Moves& moves,
-                      std::span<const Ant> ants, const StopCondition& stop) {
+                      std::span<const Ant> ants, const StopCondition& stop,
+                      const std::function<void()>& meanwhile) {
   const auto count = static_cast<int>(ants.size());
-  parallel_for(count, std::clamp(count / 2, 1, threads_), [&](int a, int thread) {
-    polish_one(grid, start, moves, ants[a], stop, scratch_[thread], paths_[a]);
+  parallel_for(count + 1, std::clamp(count / 2, 1, threads_), [&](int i, int thread) {
+    if (i > 0) {
+      const int a = i - 1;
+      polish_one(grid, start, moves, ants[a], stop, scratch_[thread], paths_[a]);
+    } else if (meanwhile) {
+      meanwhile();
+    }
   });
 }
 

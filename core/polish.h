@@ -1,6 +1,7 @@
 // From ants' tours to paths: straightened, taut, or as they are.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,9 +29,10 @@ class Polisher {
  public:
   void reset(const Params& params, int threads);
 
-  /// Makes the path of every ant that arrived. When stopped, rougher but valid paths.
+  /// Makes the path of every ant that arrived. When stopped, rougher but valid paths. One of the
+  /// threads does what is to be done `meanwhile`, if anything.
   void polish(const Grid& grid, Cell start, const kernels::Moves& moves, std::span<const Ant> ants,
-              const StopCondition& stop);
+              const StopCondition& stop, const std::function<void()>& meanwhile);
 
   /// By ant.
   std::span<const PolishedPath> paths() const noexcept { return paths_; }

@@ -110,6 +110,7 @@ class ArmColony final : public ColonyWorld {
   }
 
   int ants() const override { return parameters_.ants; }
+  int threads() const override { return parameters_.threads; }
   double tour_length(int ant) const override { return tours_[ant].length; }
   double best_length() const override { return best_.empty() ? kNaN : best_length_; }
 

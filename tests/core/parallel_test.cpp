@@ -7,6 +7,7 @@
 #include <atomic>
 #include <mutex>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace lasius {
@@ -55,6 +56,70 @@ TEST(ParallelFor, ThrowsOnAndBeginsNoMore) {
     EXPECT_THROW(parallel_for(1 << 20, threads, body), std::runtime_error);
     EXPECT_LE(after, threads - 1);
   }
+}
+
+TEST(Crew, SharesManyLoops) {
+  for (const int threads : {2, 5}) {
+    std::int64_t sum = 0;
+    std::atomic<bool> in_range{true};
+    Crew::lead(threads, [&] {
+      for (int round = 0; round < 20000; ++round) {
+        const int count = round % 7, members = 1 + round % 4;
+        std::array<int, 7> calls{};
+        parallel_for(count, members, [&](int i, int thread) {
+          ++calls[static_cast<std::size_t>(i)];  // of one thread each
+          if (thread < 0 || thread >= std::min(members, threads)) in_range = false;
+        });
+        for (int i = 0; i < count; ++i) sum += calls[static_cast<std::size_t>(i)] == 1;
+      }
+    });
+    EXPECT_TRUE(in_range);
+    std::int64_t calls = 0;
+    for (int round = 0; round < 20000; ++round) calls += round % 7;
+    EXPECT_EQ(sum, calls) << threads;
+  }
+}
+
+TEST(Crew, AllOfItWorks) {
+  // Each call waits for the other: one thread alone would never end.
+  std::atomic<int> inside{0};
+  Crew::lead(2, [&] {
+    parallel_for(2, 2, [&](int, int) {
+      ++inside;
+      while (inside < 2) std::this_thread::yield();
+    });
+  });
+  EXPECT_EQ(inside, 2);
+}
+
+TEST(Crew, ThrowsOnAndGoesOn) {
+  int done = 0;
+  Crew::lead(3, [&] {
+    for (int round = 0; round < 100; ++round) {
+      const auto body = [](int i, int) {
+        if (i == 3) throw std::runtime_error("three");
+      };
+      EXPECT_THROW(parallel_for(100, 3, body), std::runtime_error);
+      ++done;
+    }
+  });
+  EXPECT_EQ(done, 100);
+  EXPECT_THROW(Crew::lead(3, [] { throw std::runtime_error("leader"); }), std::runtime_error);
+  EXPECT_EQ(Crew::led_here(), nullptr);
+}
+
+TEST(Crew, OneInsideAnother) {
+  std::atomic<int> calls{0};
+  Crew::lead(2, [&] {
+    Crew* const outer = Crew::led_here();
+    Crew::lead(2, [&] {
+      EXPECT_NE(Crew::led_here(), outer);
+      parallel_for(10, 2, [&](int, int) { ++calls; });
+    });
+    EXPECT_EQ(Crew::led_here(), outer);
+    parallel_for(10, 2, [&](int, int) { ++calls; });
+  });
+  EXPECT_EQ(calls, 20);
 }
 
 }  // namespace
