@@ -3,12 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "grid_view.h"
+#include "kernels/sight.h"
 #include "lasius/path.h"
 
 namespace lasius {
 namespace {
+
+// Gains must beat rounding.
+constexpr double kShorter = 1 - 1e-12;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double length_of(std::span<const Cell> polyline) noexcept {
   double length = 0;
@@ -83,30 +89,152 @@ bool pull(const kernels::BitmapView& map, std::span<const Cell> walk, kernels::S
   return true;
 }
 
+bool sees(const kernels::BitmapView& map, Cell a, Cell b) noexcept {
+  return kernels::sees_cell(map, a.x, a.y, b.x, b.y);
+}
+
+double between(Cell a, Cell b) noexcept {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+// Leaves out vertices and moves them to neighbouring cells as long as that makes the polyline
+// shorter. False when told to stop.
+bool settle(const kernels::BitmapView& map, Poller& poller, std::vector<Cell>& polyline) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 1; i + 1 < polyline.size();) {
+      const Cell a = polyline[i - 1], b = polyline[i], c = polyline[i + 1];
+      if (poller.stop_after(std::abs(c.y - a.y) + 64)) return false;
+      if (a == b || b == c || sees(map, a, c)) {
+        polyline.erase(polyline.begin() + static_cast<std::ptrdiff_t>(i));
+        changed = true;
+        continue;
+      }
+      double least = (between(a, b) + between(b, c)) * kShorter;
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          const Cell to{b.x + dx, b.y + dy};
+          const double length = between(a, to) + between(to, c);
+          if (length >= least || map.blocked(to.x, to.y)) continue;
+          if (!sees(map, a, to) || !sees(map, to, c)) continue;
+          least = length;
+          polyline[i] = to;
+          changed = true;
+        }
+      }
+      ++i;
+    }
+  }
+  return true;
+}
+
 }  // namespace
+
+/// Puts the taut string of the polyline's class back on cells: the shortest polyline over two of
+/// the free cells around each of its corners, into `pulled_`. False when there is none.
+bool Straightener::string_on_cells(const Grid& grid, Poller& poller) {
+  const kernels::BitmapView map = view_of(grid);
+  const auto string = tautener_.path();
+  layers_.clear();
+  for (std::size_t i = 0; i < string.size(); ++i) {
+    Layer& layer = layers_.emplace_back();
+    const int x = static_cast<int>(string[i].x), y = static_cast<int>(string[i].y);
+    const bool end = i == 0 || i + 1 == string.size();
+    const int reach = end ? 0 : kReach;
+    for (int dy = -reach; dy < std::max(reach, 1); ++dy) {
+      for (int dx = -reach; dx < std::max(reach, 1); ++dx) {
+        const Cell c{x + dx, y + dy};
+        if (grid.contains(c) && grid.free(c)) layer.cell[layer.count++] = c;
+      }
+    }
+    if (!end) layers_.push_back(Layer(layer));
+  }
+  layers_[0].length[0] = 0;
+  for (std::size_t i = 1; i < layers_.size(); ++i) {
+    if (!connect(map, poller, layers_[i - 1], layers_[i])) return false;
+  }
+  pulled_.clear();
+  for (std::size_t i = layers_.size(), k = 0; i-- > 0; k = layers_[i].from[k]) {
+    pulled_.push_back(layers_[i].cell[k]);
+  }
+  std::reverse(pulled_.begin(), pulled_.end());
+  return true;
+}
+
+/// The shortest way to every cell of a layer over those of the one before; cells without one are
+/// dropped. False when none is left.
+bool Straightener::connect(const kernels::BitmapView& map, Poller& poller, const Layer& before,
+                           Layer& layer) {
+  int reached = 0;
+  for (int k = 0; k < layer.count; ++k) {
+    const Cell to = layer.cell[k];
+    std::array<double, kCells> length;
+    for (int j = 0; j < before.count; ++j) {
+      length[j] = before.length[j] + between(before.cell[j], to);
+    }
+    for (int left = before.count; left > 0; --left) {
+      const auto least = std::min_element(length.begin(), length.begin() + before.count);
+      if (*least == kInfinity) break;
+      const auto j = static_cast<int>(least - length.begin());
+      if (poller.stop_after(std::abs(to.y - before.cell[j].y) + 2)) return false;
+      if (sees(map, before.cell[j], to)) {
+        layer.cell[reached] = to;
+        layer.length[reached] = *least;
+        layer.from[reached++] = j;
+        break;
+      }
+      *least = kInfinity;
+    }
+  }
+  layer.count = reached;
+  return reached > 0;
+}
+
+/// Pieces of a greedy polyline end where sight ends, which costs 0.3%; these where they must.
+void Straightener::tighten(const Grid& grid, Poller& poller, const StopCondition& stop) {
+  const kernels::BitmapView map = view_of(grid);
+  for (std::size_t i = 1; i < best_.size(); ++i) {
+    if (!sees(map, best_[i - 1], best_[i])) return;  // a squeeze that is kept
+  }
+  tautener_.run(grid, best_, Corners::forbid, stop);
+  if (string_on_cells(grid, poller) && settle(map, poller, pulled_)) keep_if_shorter();
+  pulled_.assign(best_.begin(), best_.end());
+  if (settle(map, poller, pulled_)) keep_if_shorter();
+}
+
+/// Greedy passes from either end until neither shortens the polyline. False when told to stop.
+bool Straightener::pull_from_both_ends(const kernels::BitmapView& map, Poller& poller) {
+  bool forth = true;
+  for (int in_vain = 0; in_vain < 2; forth = !forth) {
+    rasterise(map, best_, raster_);
+    if (!forth) std::reverse(raster_.begin(), raster_.end());
+    if (!pull(map, raster_, cone_, poller, pulled_)) return false;
+    if (!forth) std::reverse(pulled_.begin(), pulled_.end());
+    in_vain = keep_if_shorter() ? 0 : in_vain + 1;
+  }
+  return true;
+}
+
+bool Straightener::keep_if_shorter() {
+  const double length = length_of(pulled_);
+  if (!(length < length_ * kShorter)) return false;
+  length_ = length;
+  best_.assign(pulled_.begin(), pulled_.end());
+  return true;
+}
 
 void Straightener::run(const Grid& grid, std::span<const Cell> walk, const StopCondition& stop) {
   const kernels::BitmapView map = view_of(grid);
   Poller poller(stop);
   best_.assign(walk.begin(), walk.end());
-  raster_.assign(walk.begin(), walk.end());
+  // The first pass only cuts short, whatever rounding says.
+  if (pull(map, walk, cone_, poller, pulled_)) best_.assign(pulled_.begin(), pulled_.end());
   length_ = length_of(best_);
-  // The first pass only cuts short, whatever rounding says; later gains must beat rounding.
-  constexpr double kShorter = 1 - 1e-12;
-  bool forth = true;
-  for (int pass = 0, in_vain = 0; in_vain < 2; ++pass, forth = !forth) {
-    if (pass > 0) rasterise(map, best_, raster_);
-    if (!forth) std::reverse(raster_.begin(), raster_.end());
-    if (!pull(map, raster_, cone_, poller, pulled_)) break;
-    if (!forth) std::reverse(pulled_.begin(), pulled_.end());
-    const double length = length_of(pulled_);
-    if (pass == 0 || length < length_ * kShorter) {
-      length_ = length;
-      best_.assign(pulled_.begin(), pulled_.end());
-      in_vain = 0;
-    } else {
-      ++in_vain;
-    }
+  for (double before = kInfinity; length_ < before && !poller.stopped();) {
+    if (!pull_from_both_ends(map, poller)) break;
+    before = length_;
+    tighten(grid, poller, stop);
   }
   rasterise(map, best_, raster_);
 }

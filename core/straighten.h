@@ -1,6 +1,7 @@
 // Straightening without allocation: the workspace behind straighten().
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/stop.h"
+#include "tauten.h"
 
 namespace lasius {
 
@@ -29,6 +31,28 @@ class Straightener {
   double length() const noexcept { return length_; }
 
  private:
+  /// Cells on every side of a corner of the taut string. 2 are half as much slower again, and
+  /// better by 0.04% of the length.
+  static constexpr int kReach = 1;
+  static constexpr int kCells = 4 * kReach * kReach;
+
+  /// Cells around a corner, and the shortest polyline to each.
+  struct Layer {
+    std::array<Cell, kCells> cell;
+    std::array<double, kCells> length;
+    std::array<int, kCells> from;  ///< in the layer before
+    int count = 0;
+  };
+
+  bool pull_from_both_ends(const kernels::BitmapView& map, Poller& poller);
+  void tighten(const Grid& grid, Poller& poller, const StopCondition& stop);
+  bool keep_if_shorter();
+  bool string_on_cells(const Grid& grid, Poller& poller);
+  static bool connect(const kernels::BitmapView& map, Poller& poller, const Layer& before,
+                      Layer& layer);
+
+  Tautener tautener_;
+  std::vector<Layer> layers_;
   std::vector<Cell> best_;    // shortest polyline so far, from the walk's first cell
   std::vector<Cell> pulled_;  // the polyline of one pass, in the pass's direction
   std::vector<Cell> raster_;  // the walk that a pass pulls, at the end the result's cells

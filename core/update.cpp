@@ -101,8 +101,13 @@ void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell 
   way.clear();
   const double unknown = field.untouched();
   if (field.tau(start, 0) >= unknown) return;
-  // K falls by at least the step at each move: the way ends at the goal.
+  // K falls at each move, by at least the step: the way ends at the goal. Not so beyond 2^24, where
+  // a step is lost in rounding: no way then.
+  double before = std::numeric_limits<double>::infinity();
   for (Cell c = start; c != goal;) {
+    const double here = field.tau(c, 0);
+    if (!(here < before)) return way.clear();
+    before = here;
     int best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (int k = 0; k < moves.count; ++k) {

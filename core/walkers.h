@@ -49,7 +49,7 @@ class Walkers {
                             std::span<Ant> ants, int first, const StopCondition& stop);
 
  private:
-  // Ants that one thread advances together: two groups abreast.
+  // Ants that one thread advances together: two groups of eight, where they go abreast.
   static constexpr int kSlots = 16;
   static constexpr int kRounds = 128;
   static_assert(kSlots <= kernels::kMaxSlots && std::int64_t{kSlots} * kRounds <= Poller::kSteps);

@@ -114,9 +114,9 @@ class AbreastDraw {
   LASIUS_TARGET [[gnu::always_inline]] static void keep_open(__m512i closed, __m512 (&weight)[4],
                                                              __mmask16 (&open)[4]) noexcept {
     for (int j = 0; j < 4; ++j) {
-      const __m512i bits = _mm512_castps_si512(weight[j]);
-      const __mmask16 entered = _mm512_testn_epi32_mask(closed, by_half<kMixture>(1 << j, 16 << j));
-      open[j] = _mm512_mask_test_epi32_mask(entered, bits, bits);
+      const __mmask16 untouched =
+          _mm512_testn_epi32_mask(closed, by_half<kMixture>(1 << j, 16 << j));
+      open[j] = _mm512_mask_cmp_ps_mask(untouched, weight[j], _mm512_setzero_ps(), _CMP_GT_OQ);
       weight[j] = _mm512_maskz_mov_ps(open[j], weight[j]);
     }
   }

@@ -1,7 +1,7 @@
 // The walk kernel: ants step from cell to cell, each drawing its moves from rows of weights.
 //
-// Several ants advance in turn within one call, so that the processor overlaps their chains of
-// dependent loads. An ant's walk depends on the weights and on its own random stream only: not on
+// Several ants advance within one call, in turn or abreast, so that their chains of dependent loads
+// overlap. An ant's walk depends on the weights and on its own random stream only: not on
 // the other ants, the thread, the order of the calls or the instruction set.
 #pragma once
 
@@ -78,7 +78,8 @@ struct WalkWorld {
   /// A weight of 0 is a move that does not exist, every other one is at least 2^-120.
   float* const* tiles = nullptr;
   int tiles_x = 0;
-  /// Called for a null entry, from any thread: makes the tile and returns its rows. May throw.
+  /// Called for a null entry, from any thread: makes the tile, enters it in `tiles` (release) and
+  /// returns its rows. May throw.
   float* (*make_tile)(void* context, int tile) = nullptr;
   void* context = nullptr;
 
@@ -155,9 +156,10 @@ struct WalkSlot {
 
 inline constexpr int kMaxSlots = 16;  ///< slots of one call
 
-/// Advances each slot that is walking by at most `rounds` steps. A step moves the ant, or takes
-/// back its last move when every move on is closed (lost if it may not, or stands at
-/// the start). Throws only what `make_tile` throws; then no slot means anything.
+/// Advances each slot that is walking by at most `rounds` steps; the slots' planes are of one
+/// height. A step moves the ant, or takes back its last move when every move on is closed (lost if
+/// it may not, or stands at the start). Throws only what `make_tile` throws; then no slot means
+/// anything.
 using WalkFn = void (*)(const WalkWorld& world, std::span<WalkSlot> slots, int rounds);
 
 /// How one move is drawn from a row.

@@ -1,6 +1,6 @@
 // Ants abreast: one step of eight ants at once, an ant a lane. What one ant waits for in a step
 // (its row, the sums, the draw, the next row) eight wait for together, and turning back costs no
-// branch, which no processor can predict. Two such groups take turns, so that one works while the
+// branch. Two such groups take turns, so that one works while the
 // other waits. Layouts as in abreast_lanes.h. The including file defines LASIUS_TARGET.
 #pragma once
 

@@ -1,7 +1,7 @@
 #include "cli.h"
 
 #include <CLI/CLI.hpp>
-#include <span>
+#include <algorithm>
 #include <string_view>
 
 #include "exit_code.h"
@@ -38,6 +38,18 @@ void refuse_unknown_command(std::string_view word, const std::vector<Subcommand>
   throw UsageError("unknown command \"" + std::string(word) + "\"; " + did_you_mean(word, known));
 }
 
+/// "--option=", for which CLI11 would take the next word.
+void refuse_empty_values(const CLI::App& app, const std::vector<std::string_view>& words) {
+  for (const auto word : words) {
+    if (word == "--") return;
+    if (!word.starts_with("--") || !word.ends_with('=')) continue;
+    const std::string name(word.substr(0, word.size() - 1));
+    const CLI::Option* option = app.get_option_no_throw(name);
+    if (option == nullptr || option->get_type_name().empty()) continue;  // told about elsewhere
+    throw UsageError(name + " needs a value, " + option->get_type_name() + "; see --help");
+  }
+}
+
 void refuse_extras(const CLI::App& app, const std::vector<Subcommand>& commands) {
   refuse_extras(app);
   for (const auto& command : commands)
@@ -69,9 +81,8 @@ Command parse_command_line(int argc, const char* const* argv) {
   const auto commands = add_subcommands(app);
   if (argc < 2) throw UsageError("no command\n\n" + app.help());
   if (argv[1][0] != '-') refuse_unknown_command(argv[1], commands);
-  for (const std::string_view word : std::span(argv, argc))  // CLI11 would take the next word
-    if (word.starts_with("--") && word.ends_with('='))
-      throw UsageError(std::string(word.substr(0, word.size() - 1)) + " needs a value; see --help");
+  for (const auto& command : commands)
+    if (command.app->get_name() == argv[1]) refuse_empty_values(*command.app, {argv, argv + argc});
   app.allow_extras();
   try {
     app.parse(argc, argv);

@@ -83,7 +83,9 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
          "edge there",
          "cell|world");
   option("--radius", text.radius,
-         "Grow obstacles by this radius, in cells (metres with --frame world)", "R");
+         "Grow obstacles: block cells whose centre is within R of one or of the map's edge; R in "
+         "cells (metres with --frame world). Paths keep R, but for up to 0.71 cells",
+         "R");
   add_switch(app, "--unknown-free", text.unknown_free, "Unknown cells of a ROS map count as free");
   add_switch(app, "--prepare", text.prepare, kPrepare);
   add_switch(app, "--gap", text.gap,
@@ -164,7 +166,7 @@ Subcommand add_info(CLI::App& app) {
   info->add_option("MAP", raw->map, kMapHelp)->type_name("FILE")->required();
   info->add_option("--corners", raw->corners, "Rule by which components are joined")
       ->type_name("forbid|one-side|allow");
-  info->add_option("--radius", raw->radius, "Grow obstacles by this radius, in cells")
+  info->add_option("--radius", raw->radius, "Grow obstacles as plan --radius does, in cells")
       ->type_name("R");
   add_switch(*info, "--unknown-free", raw->unknown_free,
              "Unknown cells of a ROS map count as free");

@@ -33,6 +33,7 @@ class Complaints final : public console_bridge::OutputHandler {
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
     if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first_.empty()) first_ = text;
   }
+  bool any() const { return !first_.empty(); }
   std::string first() const { return first_.empty() ? "urdfdom does not say why" : first_; }
 
  private:
@@ -55,6 +56,11 @@ urdf::ModelInterfaceSharedPtr parse_model(std::string_view text, const std::stri
   console_bridge::useOutputHandler(before);
   if (model == nullptr) {
     broken(file, "this is no URDF (" + (fault.empty() ? complaints.first() : fault) + ")",
+           "check it with check_urdf");
+  }
+  // What the parser cannot read it leaves out: a link would pass through obstacles.
+  if (complaints.any()) {
+    broken(file, "a part of it cannot be read (" + complaints.first() + ")",
            "check it with check_urdf");
   }
   return model;
@@ -99,19 +105,37 @@ LinkPtr only_leaf(const urdf::ModelInterface& model) {
               "choose one of them as the tip");
 }
 
-std::vector<Capsule> enclose(const urdf::Geometry& shape, const Pose& at, const std::string& file) {
+/// Geometry that is less than it should be would not collide.
+[[noreturn]] void refuse_geometry(const std::string& link, const std::string& file) {
+  throw Error(ErrorCode::file_broken, {.file = file},
+              "the collision geometry of link \"" + link + "\" cannot be read",
+              "give a box, sphere, cylinder or mesh whose sizes are numbers above 0");
+}
+
+std::vector<Capsule> enclose(const urdf::Geometry& shape, const Pose& at, const std::string& link,
+                             const std::string& file) {
+  const auto check_sizes = [&](std::initializer_list<double> sizes) {
+    for (const double size : sizes) {
+      if (!(size > 0 && std::isfinite(size))) refuse_geometry(link, file);
+    }
+  };
   switch (shape.type) {
     case urdf::Geometry::SPHERE: {
       const auto& sphere = static_cast<const urdf::Sphere&>(shape);
+      check_sizes({sphere.radius});
       return {{at.position, at.position, sphere.radius}};
     }
     case urdf::Geometry::CYLINDER: {
       const auto& cylinder = static_cast<const urdf::Cylinder&>(shape);
+      check_sizes({cylinder.radius, cylinder.length});
       const Vec3 half{0, 0, 0.5 * cylinder.length};
       return {{at * (-1.0 * half), at * half, cylinder.radius}};
     }
-    case urdf::Geometry::BOX:
-      return enclose_box(at, vec(static_cast<const urdf::Box&>(shape).dim));
+    case urdf::Geometry::BOX: {
+      const auto& box = static_cast<const urdf::Box&>(shape);
+      check_sizes({box.dim.x, box.dim.y, box.dim.z});
+      return enclose_box(at, vec(box.dim));
+    }
     default: {
       const auto& mesh = static_cast<const urdf::Mesh&>(shape);
       if (mesh.filename.find("://") != std::string::npos || !mesh.filename.ends_with(".stl")) {
@@ -143,8 +167,9 @@ std::vector<Capsule> enclose(const urdf::Geometry& shape, const Pose& at, const 
 void add_geometry(const urdf::Link& link, const Pose& at, const std::string& file,
                   std::vector<Capsule>& to) {
   for (const auto& collision : link.collision_array) {
-    if (collision == nullptr || collision->geometry == nullptr) continue;
-    for (const Capsule& c : enclose(*collision->geometry, at * pose(collision->origin), file)) {
+    if (collision == nullptr || collision->geometry == nullptr) refuse_geometry(link.name, file);
+    for (const Capsule& c :
+         enclose(*collision->geometry, at * pose(collision->origin), link.name, file)) {
       to.push_back(c);
     }
   }

@@ -82,6 +82,30 @@ TEST_P(EveryColony, GivesTheSamePlanWithScalarAndVectorKernels) {
   expect_equal(planner.plan(request, params), scalar);
 }
 
+// Weights beyond what a double holds must not set kernels apart.
+TEST(Planner, GivesTheSamePlanWithEveryKernelAtTheEndsOfItsExponents) {
+  using Settings = std::vector<std::pair<const char*, const char*>>;
+  const std::vector<std::pair<const char*, Settings>> cases = {
+      {"as", {{"alpha", "11"}}},
+      {"as", {{"alpha", "20"}}},
+      {"terminal-index", {{"index_spread", "1"}, {"alpha", "5.119"}, {"alpha_first", "5.119"}}},
+      {"terminal-index", {{"index_spread", "1"}, {"alpha", "20"}, {"alpha_first", "20"}}}};
+  for (const Grid& grid : {Grid(40, 40), blobs(100, 60)}) {
+    const Planner planner(grid);
+    const Request request = far_apart(planner);
+    for (const auto& [algorithm, settings] : cases) {
+      Params params = defaults(algorithm);
+      for (const auto& [name, value] : settings) set_parameter(params, name, value);
+      params.ants = 20;
+      params.iterations = 100;
+      ASSERT_EQ(setenv("LASIUS_KERNELS", "scalar", 1), 0);
+      const Result scalar = planner.plan(request, params);
+      ASSERT_EQ(unsetenv("LASIUS_KERNELS"), 0);
+      expect_equal(planner.plan(request, params), scalar);
+    }
+  }
+}
+
 TEST_P(EveryColony, SeedsGiveDifferentRunsAndWorkspacesDoNot) {
   const Planner planner(blobs());
   const Request request = far_apart(planner);

@@ -74,7 +74,7 @@ TEST(Straighten, GoesRoundABlock) {
   // Forth: (1, 0) is hidden from (0, 2), and (4, 1) from (0, 0). Back: (2, 0) is hidden from
   // (4, 1), and (0, 1) from (3, 0).
   EXPECT_EQ(straighten(grid, Walk{{0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {4, 1}}),
-            (Walk{{0, 2}, {0, 0}, {3, 0}, {4, 1}}));
+            (Walk{{0, 2}, {0, 1}, {1, 0}, {3, 0}, {4, 1}}));
 }
 
 TEST(Straighten, KeepsASqueezeOfTheWalk) {

@@ -43,6 +43,16 @@ TEST(Power, KeepsItsErrorNextToTheSquareRootOfTwo) {
   }
 }
 
+TEST(Power, StaysAtItsEndsBeyondThem) {
+  const double least = std::ldexp(1.0, -1000), most = std::ldexp(1.0, 1000);
+  for (const double a : {5.0, 5.119, 5.12, 15.4, 16.0, 20.0, 64.0}) {
+    EXPECT_EQ(power(0x1p-200, a), least) << a;
+    EXPECT_EQ(power(0x1p-200, -a), most) << a;
+    EXPECT_EQ(power(0x1p200, a), most) << a;
+    EXPECT_EQ(power(0x1p200, -a), least) << a;
+  }
+}
+
 TEST(Power, GrowsWithItsBase) {
   double before = 0;
   for (double x = 0.5; x < 2.5; x += 1e-4) {

@@ -57,7 +57,7 @@ class Usage(ProgramTest):
         cases = [(["--seed", "1", "--seed", "2"], "--seed is given more than once"),
                  (["--time-limit"], "--time-limit needs a value, SECONDS"),
                  (["--set"], "--set needs a value, NAME=VALUE"),
-                 (["--set="], "--set needs a value"),
+                 (["--set="], "--set needs a value, NAME=VALUE"),
                  (["--json=yes"], "--json takes no value")]
         for arguments, words in cases:
             with self.subTest(arguments=arguments):

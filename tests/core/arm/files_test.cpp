@@ -77,6 +77,11 @@ TEST(Urdf, BadFiles) {
   std::string huge = kUrdf;
   huge.replace(huge.find("radius=\"0.1\""), 12, "radius=\"1e9\"");
   expect_error(huge, ErrorCode::file_broken, "out of range");
+  for (const char* radius : {"x", "nan", "0", "-1"}) {
+    std::string no_size = kUrdf;
+    no_size.replace(no_size.find("radius=\"0.1\""), 12, "radius=\"" + std::string(radius) + "\"");
+    expect_error(no_size, ErrorCode::file_broken, "cannot be read");
+  }
   std::string floating = kUrdf;
   floating.replace(floating.find("prismatic"), 9, "floating");
   expect_error(floating, ErrorCode::file_unsupported, "j2");
