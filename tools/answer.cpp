@@ -69,7 +69,9 @@ Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start,
   if (run.with_optimum && knows_optimum()) {
     const Request exact{.start = query.start, .goal = query.goal, .stop = {.token = stop.token}};
     const Result best = map.planner->plan(exact, optimum_params(run));
-    if (best.optimal) answer.optimum = best.length;
+    // Cell by cell, Corners::allow squeezes through where no path of the plane may.
+    const bool comparable = run.params.corners != Corners::allow || !moves_on_cells(run);
+    if (best.optimal && comparable) answer.optimum = best.length;
     answer.grid_optimum =
         moves_on_cells(run) ? shortest_by_own_moves(map, run, query, stop.token) : answer.optimum;
   }

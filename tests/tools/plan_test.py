@@ -187,6 +187,11 @@ class Json(ProgramTest):
         self.assertLess(fan["optimum"], eight)
         self.assertLess(eight, four)
 
+    def test_no_gap_where_cells_allow_more_than_the_plane(self):
+        result = self.plan("--json", "--gap", "--iterations", "2", "--corners", "allow", **FAN).json
+        self.assertEqual((result["optimum"], result["optimum_gap"]), (None, None))
+        self.assertGreater(result["grid_optimum"], 0)
+
     def test_gap_is_told_beside_the_text(self):
         run = self.plan("--gap", "--iterations", "2", **FAN)
         self.assertEqual(run.out.splitlines()[0], "solved")
