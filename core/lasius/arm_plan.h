@@ -123,7 +123,8 @@ using Observer = std::function<void(const IterationView&)>;
 /// closed it draws again among the rest. That is the source's rule, and makes a walk depend on the
 /// world alone, not on what others have learned: so the answer is the same for any number of
 /// threads. At a dead end an ant steps back, the point stays visited.
-/// @throws Error(invalid_parameter) for parameters or a target gap out of range, or a lattice that is
+/// @throws Error(invalid_parameter) for parameters or a target gap out of range, or a lattice that
+/// is
 ///         too large; what the sensor throws. A bad start or goal is an answer: Status::invalid.
 LASIUS_ARM_EXPORT Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
                               const Params& parameters = {}, const Observer& observer = {});
