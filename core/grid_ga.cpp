@@ -145,6 +145,7 @@ class GridGa final : public ColonyWorld {
     made.tour = path_length(made.points);
     if (params_.polish != Polish::none) {
       scratch.straightener.run(grid_, made.cells, request_.stop);
+      if (params_.polish == Polish::straight) scratch.straightener.tighten(grid_, request_.stop);
       vertices = scratch.straightener.vertices();
       made.points.clear();
       for (const Cell c : vertices) made.points.push_back(centre(c));

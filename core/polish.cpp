@@ -51,6 +51,7 @@ void Polisher::polish_one(const Grid& grid, Cell start, const kernels::Moves& mo
     scratch.tour.resize(tour_size);
     if (walk.empty()) walk = scratch.tour;  // stopped
     scratch.straightener.run(grid, walk, stop);
+    if (polish_ == Polish::straight) scratch.straightener.tighten(grid, stop);
     vertices = scratch.straightener.vertices();
     const auto cells = scratch.straightener.cells();
     path.raster.assign(cells.begin(), cells.end());

@@ -191,21 +191,9 @@ bool Straightener::connect(const kernels::BitmapView& map, Poller& poller, const
   return reached > 0;
 }
 
-/// Pieces of a greedy polyline end where sight ends, which costs 0.3%; these where they must.
-void Straightener::tighten(const Grid& grid, Poller& poller, const StopCondition& stop) {
-  const kernels::BitmapView map = view_of(grid);
-  for (std::size_t i = 1; i < best_.size(); ++i) {
-    if (!sees(map, best_[i - 1], best_[i])) return;  // a squeeze that is kept
-  }
-  tautener_.run(grid, best_, Corners::forbid, stop);
-  if (string_on_cells(grid, poller) && settle(map, poller, pulled_)) keep_if_shorter();
-  pulled_.assign(best_.begin(), best_.end());
-  if (settle(map, poller, pulled_)) keep_if_shorter();
-}
-
 /// Greedy passes from either end until neither shortens the polyline. False when told to stop.
 bool Straightener::pull_from_both_ends(const kernels::BitmapView& map, Poller& poller) {
-  bool forth = true;
+  bool forth = false;
   for (int in_vain = 0; in_vain < 2; forth = !forth) {
     rasterise(map, best_, raster_);
     if (!forth) std::reverse(raster_.begin(), raster_.end());
@@ -231,11 +219,24 @@ void Straightener::run(const Grid& grid, std::span<const Cell> walk, const StopC
   // The first pass only cuts short, whatever rounding says.
   if (pull(map, walk, cone_, poller, pulled_)) best_.assign(pulled_.begin(), pulled_.end());
   length_ = length_of(best_);
-  for (double before = kInfinity; length_ < before && !poller.stopped();) {
-    if (!pull_from_both_ends(map, poller)) break;
-    before = length_;
-    tighten(grid, poller, stop);
+  if (!poller.stopped()) pull_from_both_ends(map, poller);
+  rasterise(map, best_, raster_);
+}
+
+void Straightener::tighten(const Grid& grid, const StopCondition& stop) {
+  const kernels::BitmapView map = view_of(grid);
+  for (std::size_t i = 1; i < best_.size(); ++i) {
+    if (!sees(map, best_[i - 1], best_[i])) return;  // a squeeze that is kept
   }
+  Poller poller(stop);
+  double before = kInfinity;
+  do {
+    before = length_;
+    tautener_.run(grid, best_, Corners::forbid, stop);
+    if (string_on_cells(grid, poller) && settle(map, poller, pulled_)) keep_if_shorter();
+    pulled_.assign(best_.begin(), best_.end());
+    if (settle(map, poller, pulled_)) keep_if_shorter();
+  } while (length_ < before && !poller.stopped() && pull_from_both_ends(map, poller));
   rasterise(map, best_, raster_);
 }
 
@@ -244,6 +245,16 @@ std::vector<Cell> straighten(const Grid& grid, std::span<const Cell> cells,
   if (cells.empty()) return {};
   Straightener straightener;
   straightener.run(grid, cells, stop);
+  const auto vertices = straightener.vertices();
+  return {vertices.begin(), vertices.end()};
+}
+
+std::vector<Cell> tighten(const Grid& grid, std::span<const Cell> cells,
+                          const StopCondition& stop) {
+  if (cells.empty()) return {};
+  Straightener straightener;
+  straightener.run(grid, cells, stop);
+  straightener.tighten(grid, stop);
   const auto vertices = straightener.vertices();
   return {vertices.begin(), vertices.end()};
 }

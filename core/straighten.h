@@ -1,4 +1,4 @@
-// Straightening without allocation: the workspace behind straighten().
+// Straightening without allocation: the workspace behind straighten() and tighten().
 #pragma once
 
 #include <array>
@@ -19,6 +19,9 @@ class Straightener {
  public:
   /// Straightens a walk of at least one cell; see `straighten()` for what a walk is.
   void run(const Grid& grid, std::span<const Cell> walk, const StopCondition& stop = {});
+
+  /// Pulls the polyline of `run` tight, as `tighten()` states.
+  void tighten(const Grid& grid, const StopCondition& stop = {});
 
   /// Cells at the vertices of the polyline, first and last cell included (one cell if equal).
   std::span<const Cell> vertices() const noexcept { return best_; }
@@ -45,7 +48,6 @@ class Straightener {
   };
 
   bool pull_from_both_ends(const kernels::BitmapView& map, Poller& poller);
-  void tighten(const Grid& grid, Poller& poller, const StopCondition& stop);
   bool keep_if_shorter();
   bool string_on_cells(const Grid& grid, Poller& poller);
   static bool connect(const kernels::BitmapView& map, Poller& poller, const Layer& before,

@@ -14,7 +14,7 @@ namespace lasius {
 /// What is done with a path before it is offered as the answer.
 enum class Polish {
   none,      ///< the walk as it is
-  straight,  ///< straighten()
+  straight,  ///< tighten()
   taut,      ///< straighten(), then tauten()
 };
 

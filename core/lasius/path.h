@@ -26,16 +26,20 @@ LASIUS_EXPORT bool visible(const Grid& grid, Cell a, Cell b) noexcept;
 
 /// Pulls a walk of cells straight, piece by piece: greedy line of sight from the first cell that
 /// stops at the first hidden one, the result rasterised, reversed, and the whole repeated until
-/// nothing gets shorter (Fan et al. 2004, note 3, as restored). Then pulled tight: around each
-/// corner of the taut string (see `tauten`) the polyline bends in at most two of the four cells
-/// there, the shortest way of all, and vertices are left out or moved by a cell while that shortens
-/// it.
+/// nothing gets shorter (Fan et al. 2004, note 3, as restored).
 ///   cells  a walk: consecutive cells differ by one king's move or are equal; all free. Where the
 ///          walk itself squeezes between two diagonal blocks (Corners::allow) that step is kept.
 /// Returns the cells at the vertices of the polyline, first and last included. When stopped, the
 /// shortest valid polyline so far.
 LASIUS_EXPORT std::vector<Cell> straighten(const Grid& grid, std::span<const Cell> cells,
                                            const StopCondition& stop = {});
+
+/// The same, then pulled tight: pieces of sight end where sight ends, not where the path has to
+/// bend. Around each corner of the taut string (see `tauten`) the polyline bends in at most two of
+/// the four cells there, the shortest way of all; vertices are left out or moved by a cell, and
+/// pieces pulled again, as long as that shortens it. Where the walk squeezes, as `straighten`.
+LASIUS_EXPORT std::vector<Cell> tighten(const Grid& grid, std::span<const Cell> cells,
+                                        const StopCondition& stop = {});
 
 /// Shortest path of the homotopy class of a valid polyline: every inner vertex of the result is a
 /// corner of a blocked cell that the path bends around. First and last vertex are kept. Exact:

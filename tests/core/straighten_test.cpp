@@ -74,7 +74,20 @@ TEST(Straighten, GoesRoundABlock) {
   // Forth: (1, 0) is hidden from (0, 2), and (4, 1) from (0, 0). Back: (2, 0) is hidden from
   // (4, 1), and (0, 1) from (3, 0).
   EXPECT_EQ(straighten(grid, Walk{{0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {4, 1}}),
+            (Walk{{0, 2}, {0, 0}, {3, 0}, {4, 1}}));
+}
+
+TEST(Tighten, BendsInTwoCellsAroundACorner) {
+  // Greedy sight goes by the corner cells (0, 0) and (4, 0); between two cells on either side of a
+  // corner the way is shorter: sqrt 2 for 2.
+  const Grid grid = drawn({".....", ".###.", "....."});
+  EXPECT_EQ(tighten(grid, Walk{{0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {4, 1}}),
             (Walk{{0, 2}, {0, 1}, {1, 0}, {3, 0}, {4, 1}}));
+  EXPECT_EQ(tighten(grid, Walk{}), Walk{});
+  EXPECT_EQ(tighten(grid, Walk{{0, 0}, {1, 0}, {2, 0}}), (Walk{{0, 0}, {2, 0}}));
+  const Grid squeeze = drawn({"..#", ".#.", "..."});
+  const Walk through{{0, 0}, {1, 0}, {2, 1}, {2, 2}};
+  EXPECT_EQ(tighten(squeeze, through), through);
 }
 
 TEST(Straighten, KeepsASqueezeOfTheWalk) {
@@ -89,7 +102,7 @@ TEST(Straighten, KeepsASqueezeOfTheWalk) {
 TEST(Straighten, FirstPassEqualsGreedySightAndTheResultIsValid) {
   std::mt19937 random(4);
   Straightener straightener;
-  int bends = 0;
+  int bends = 0, shortened = 0;
   for (int round = 0; round < 3000; ++round) {
     const Grid grid =
         random_grid(random_in(2, 100, random), random_in(2, 40, random), (round % 6) * 7, random);
@@ -97,25 +110,31 @@ TEST(Straighten, FirstPassEqualsGreedySightAndTheResultIsValid) {
     const Corners corners = diagonal ? Corners(round % 3) : Corners::forbid;
     const Walk walk = random_walk(grid, random_in(0, 400, random), diagonal, corners, random);
     if (walk.empty()) continue;
-    straightener.run(grid, walk);
-    const auto vertices = straightener.vertices();
-    const auto cells = straightener.cells();
-    ASSERT_EQ(vertices.front(), walk.front());
-    ASSERT_EQ(vertices.back(), walk.back());
-    ASSERT_EQ(cells.front(), walk.front());
-    ASSERT_EQ(cells.back(), walk.back());
-    ASSERT_LE(straightener.length(), length_of(pulled(grid, walk)) * (1 + 1e-12));
-    ASSERT_EQ(straightener.length(), length_of(vertices));
-    ASSERT_TRUE(one_piece(grid, cells, corners == Corners::allow && diagonal));
-    ASSERT_TRUE(passes(cells, vertices));
-    if (corners != Corners::allow) {
-      std::vector<Point> path;
-      for (const Cell c : vertices) path.push_back(centre(c));
-      ASSERT_TRUE(rule::Checker(grid).obeys(path));
+    double most = length_of(pulled(grid, walk)) * (1 + 1e-12);
+    for (const bool tight : {false, true}) {
+      tight ? straightener.tighten(grid) : straightener.run(grid, walk);
+      const auto vertices = straightener.vertices();
+      const auto cells = straightener.cells();
+      ASSERT_EQ(vertices.front(), walk.front());
+      ASSERT_EQ(vertices.back(), walk.back());
+      ASSERT_EQ(cells.front(), walk.front());
+      ASSERT_EQ(cells.back(), walk.back());
+      ASSERT_LE(straightener.length(), most);
+      ASSERT_EQ(straightener.length(), length_of(vertices));
+      ASSERT_TRUE(one_piece(grid, cells, corners == Corners::allow && diagonal));
+      ASSERT_TRUE(passes(cells, vertices));
+      if (corners != Corners::allow) {
+        std::vector<Point> path;
+        for (const Cell c : vertices) path.push_back(centre(c));
+        ASSERT_TRUE(rule::Checker(grid).obeys(path));
+      }
+      shortened += tight && straightener.length() < most;
+      most = straightener.length();
+      bends += tight ? 0 : static_cast<int>(vertices.size()) - 2;
     }
-    bends += static_cast<int>(vertices.size()) - 2;
   }
   EXPECT_GT(bends, 5000);
+  EXPECT_GT(shortened, 500);
 }
 
 TEST(Straighten, EndsWhereNeitherDirectionShortens) {
@@ -125,12 +144,14 @@ TEST(Straighten, EndsWhereNeitherDirectionShortens) {
     const Grid grid = random_grid(80, 50, (round % 5) * 6, random);
     const Walk walk = random_walk(grid, 600, false, Corners::forbid, random);
     if (walk.empty()) continue;
-    straightener.run(grid, walk);
-    const double length = straightener.length();
-    Walk cells(straightener.cells().begin(), straightener.cells().end());
-    for (int way = 0; way < 2; ++way) {
-      ASSERT_GE(length_of(pulled(grid, cells)), length * (1 - 1e-11));
-      std::reverse(cells.begin(), cells.end());
+    for (const bool tight : {false, true}) {
+      tight ? straightener.tighten(grid) : straightener.run(grid, walk);
+      const double length = straightener.length();
+      Walk cells(straightener.cells().begin(), straightener.cells().end());
+      for (int way = 0; way < 2; ++way) {
+        ASSERT_GE(length_of(pulled(grid, cells)), length * (1 - 1e-11));
+        std::reverse(cells.begin(), cells.end());
+      }
     }
   }
 }
@@ -146,6 +167,7 @@ TEST(Straighten, AllocatesNothingTheSecondTime) {
   for (int i = 0; i < 2; ++i) {
     before = allocations;
     straightener.run(grid, cutter.cut(grid, walk));
+    straightener.tighten(grid);
   }
   EXPECT_EQ(allocations, before);
 }
