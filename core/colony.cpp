@@ -154,7 +154,7 @@ class GridColony final : public ColonyWorld {
   }
 
   void measure(int first, int count) {
-    parallel_for(count, std::clamp(count / 2, 1, threads_), [&](int i, int) {
+    parallel_for(count, threads_, [&](int i, int) {
       const Ant& ant = ws_.ants[first + i];
       ws_.tours[first + i] = {ant.tour(), ant.arrived ? raw_length(ant.tour(), moves_) : kNaN};
     });

@@ -16,13 +16,14 @@ namespace {
 constexpr double kShorter = 1 - 1e-12;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+double between(Cell a, Cell b) noexcept {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
 double length_of(std::span<const Cell> polyline) noexcept {
   double length = 0;
-  for (std::size_t i = 1; i < polyline.size(); ++i) {
-    const double dx = polyline[i].x - polyline[i - 1].x;
-    const double dy = polyline[i].y - polyline[i - 1].y;
-    length += std::sqrt(dx * dx + dy * dy);
-  }
+  for (std::size_t i = 1; i < polyline.size(); ++i) length += between(polyline[i - 1], polyline[i]);
   return length;
 }
 
@@ -93,11 +94,6 @@ bool sees(const kernels::BitmapView& map, Cell a, Cell b) noexcept {
   return kernels::sees_cell(map, a.x, a.y, b.x, b.y);
 }
 
-double between(Cell a, Cell b) noexcept {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
 // Leaves out vertices and moves them to neighbouring cells as long as that makes the polyline
 // shorter. False when told to stop.
 bool settle(const kernels::BitmapView& map, Poller& poller, std::vector<Cell>& polyline) {
@@ -136,21 +132,20 @@ bool settle(const kernels::BitmapView& map, Poller& poller, std::vector<Cell>& p
 bool Straightener::string_on_cells(const Grid& grid, Poller& poller) {
   const kernels::BitmapView map = view_of(grid);
   const auto string = tautener_.path();
-  layers_.clear();
-  for (std::size_t i = 0; i < string.size(); ++i) {
-    Layer& layer = layers_.emplace_back();
-    const int x = static_cast<int>(string[i].x), y = static_cast<int>(string[i].y);
-    const bool end = i == 0 || i + 1 == string.size();
-    const int reach = end ? 0 : kReach;
-    for (int dy = -reach; dy < std::max(reach, 1); ++dy) {
-      for (int dx = -reach; dx < std::max(reach, 1); ++dx) {
+  if (string.size() < 2) return false;
+  layers_.assign(1, {.cell = {best_.front()}, .count = 1});
+  for (const Point corner : string.subspan(1, string.size() - 2)) {
+    const int x = static_cast<int>(corner.x), y = static_cast<int>(corner.y);
+    Layer around;
+    for (int dy = -kReach; dy < kReach; ++dy) {
+      for (int dx = -kReach; dx < kReach; ++dx) {
         const Cell c{x + dx, y + dy};
-        if (grid.contains(c) && grid.free(c)) layer.cell[layer.count++] = c;
+        if (grid.contains(c) && grid.free(c)) around.cell[around.count++] = c;
       }
     }
-    if (!end) layers_.push_back(Layer(layer));
+    layers_.insert(layers_.end(), 2, around);
   }
-  layers_[0].length[0] = 0;
+  layers_.push_back({.cell = {best_.back()}, .count = 1});
   for (std::size_t i = 1; i < layers_.size(); ++i) {
     if (!connect(map, poller, layers_[i - 1], layers_[i])) return false;
   }
@@ -224,19 +219,24 @@ void Straightener::run(const Grid& grid, std::span<const Cell> walk, const StopC
 }
 
 void Straightener::tighten(const Grid& grid, const StopCondition& stop) {
+  if (best_.size() < 3) return;
   const kernels::BitmapView map = view_of(grid);
   for (std::size_t i = 1; i < best_.size(); ++i) {
     if (!sees(map, best_[i - 1], best_[i])) return;  // a squeeze that is kept
   }
   Poller poller(stop);
-  double before = kInfinity;
-  do {
-    before = length_;
+  const auto settle_and_keep = [&] { return settle(map, poller, pulled_) && keep_if_shorter(); };
+  // A vertex less, or pieces pulled again, may pass an obstacle on its other side: then the string
+  // is another one.
+  for (bool shorter = true; shorter;) {
     tautener_.run(grid, best_, Corners::forbid, stop);
-    if (string_on_cells(grid, poller) && settle(map, poller, pulled_)) keep_if_shorter();
-    pulled_.assign(best_.begin(), best_.end());
-    if (settle(map, poller, pulled_)) keep_if_shorter();
-  } while (length_ < before && !poller.stopped() && pull_from_both_ends(map, poller));
+    shorter = string_on_cells(grid, poller) && settle_and_keep();
+    if (!shorter) {
+      pulled_.assign(best_.begin(), best_.end());
+      shorter = settle_and_keep();
+    }
+    shorter = shorter && pull_from_both_ends(map, poller);
+  }
   rasterise(map, best_, raster_);
 }
 
@@ -245,8 +245,7 @@ std::vector<Cell> straighten(const Grid& grid, std::span<const Cell> cells,
   if (cells.empty()) return {};
   Straightener straightener;
   straightener.run(grid, cells, stop);
-  const auto vertices = straightener.vertices();
-  return {vertices.begin(), vertices.end()};
+  return {straightener.vertices().begin(), straightener.vertices().end()};
 }
 
 std::vector<Cell> tighten(const Grid& grid, std::span<const Cell> cells,
@@ -255,8 +254,7 @@ std::vector<Cell> tighten(const Grid& grid, std::span<const Cell> cells,
   Straightener straightener;
   straightener.run(grid, cells, stop);
   straightener.tighten(grid, stop);
-  const auto vertices = straightener.vertices();
-  return {vertices.begin(), vertices.end()};
+  return {straightener.vertices().begin(), straightener.vertices().end()};
 }
 
 }  // namespace lasius

@@ -41,9 +41,9 @@ class Straightener {
 
   /// Cells around a corner, and the shortest polyline to each.
   struct Layer {
-    std::array<Cell, kCells> cell;
-    std::array<double, kCells> length;
-    std::array<int, kCells> from;  ///< in the layer before
+    std::array<Cell, kCells> cell{};
+    std::array<double, kCells> length{};
+    std::array<int, kCells> from{};  ///< in the layer before
     int count = 0;
   };
 

@@ -5,7 +5,7 @@
 namespace lasius::kernels {
 namespace {
 
-struct ScalarOps {
+struct ScalarOps : InTurnOps {
   /// One draw from a row: choose a rule, mask closed moves, spin the roulette wheel.
   /// Prefix sums follow the tree of the vector code: by pairs, by fours, the lower four's total
   /// onto the upper four, the total of eight onto the next eight.
@@ -79,12 +79,6 @@ struct ScalarOps {
       longest = time;
     }
     return last;
-  }
-
-  /// Steps of several ants at once: none.
-  template <int kLanes, bool kMixture, bool kFactor, Draw kDraw>
-  static int abreast(const WalkWorld&, std::span<WalkSlot* const>, int) noexcept {
-    return 0;
   }
 
   /// The nine bits of 3 x 3 cells without the middle one.

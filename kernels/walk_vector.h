@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "kernels/walk.h"
+#include "kernels/walk_tables.h"
 
 namespace lasius::kernels {
 namespace {
@@ -157,7 +157,7 @@ struct Row<8> {
   }
 };
 
-struct VectorOps {
+struct VectorOps : InTurnOps {
   /// As ScalarOps::roulette; rows of more than eight moves take several registers.
   template <int kLanes, bool kMixture, bool kFactor>
   LASIUS_TARGET [[gnu::always_inline]] static int roulette(const WalkWorld& world, const float* row,
@@ -247,12 +247,6 @@ struct VectorOps {
       below |= R::less(time[part], longest) << (part * kWidth);
     }
     return __builtin_ctz(running & ~below);
-  }
-
-  /// Steps of several ants at once: none.
-  template <int kLanes, bool kMixture, bool kFactor, Draw kDraw>
-  static int abreast(const WalkWorld&, std::span<WalkSlot* const>, int) noexcept {
-    return 0;
   }
 
   LASIUS_TARGET [[gnu::always_inline]] static std::uint32_t without_centre(

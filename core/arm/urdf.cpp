@@ -107,9 +107,8 @@ LinkPtr only_leaf(const urdf::ModelInterface& model) {
 
 /// Geometry that is less than it should be would not collide.
 [[noreturn]] void refuse_geometry(const std::string& link, const std::string& file) {
-  throw Error(ErrorCode::file_broken, {.file = file},
-              "the collision geometry of link \"" + link + "\" cannot be read",
-              "give a box, sphere, cylinder or mesh whose sizes are numbers above 0");
+  broken(file, "the collision geometry of link \"" + link + "\" cannot be read",
+         "give a box, sphere, cylinder or mesh whose sizes are numbers above 0");
 }
 
 std::vector<Capsule> enclose(const urdf::Geometry& shape, const Pose& at, const std::string& link,
