@@ -34,8 +34,8 @@ class Straightener {
   double length() const noexcept { return length_; }
 
  private:
-  /// Cells on every side of a corner of the taut string. 2 are half as much slower again, and
-  /// better by 0.04% of the length.
+  /// Cells on every side of a corner of the taut string. With 2 a whole plan takes a third longer
+  /// and its path is 0.04% shorter (fan2004 on maps/fan400x200.map).
   static constexpr int kReach = 1;
   static constexpr int kCells = 4 * kReach * kReach;
 
