@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/plane_rule.h"
+#include "tests/oracle/plane_rule.h"
 #include "tests/random_grid.h"
 
 namespace lasius {
@@ -76,7 +76,7 @@ Path random_path(const Grid& grid, std::mt19937& random) {
   return path;
 }
 
-TEST(PathFault, AgreesWithTheCheckerOnRandomPaths) {
+TEST(PathFault, AgreesWithTheRuleOnRandomPaths) {
   std::mt19937 random(1);
   int valid = 0;
   int faulty = 0;
@@ -86,11 +86,12 @@ TEST(PathFault, AgreesWithTheCheckerOnRandomPaths) {
     const rule::Checker checker(grid);
     for (int i = 0; i < 100; ++i) {
       const Path path = random_path(grid, random);
-      // The checker wants the cell right below a lone vertex to be free.
+      // The rule wants the cell right below a lone vertex to be free.
       bool lone = true;
       for (const Point p : path) lone = lone && p == path[0];
       if (lone) continue;
       const auto got = path_fault(grid, path);
+      ASSERT_EQ(!got.has_value(), rule::path_obeys(grid, path)) << got.value_or("no fault");
       ASSERT_EQ(!got.has_value(), checker.obeys(path)) << got.value_or("no fault");
       (got ? faulty : valid) += 1;
       ASSERT_TRUE(got || !path_fault(grid, path, Corners::allow));

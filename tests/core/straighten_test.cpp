@@ -12,7 +12,7 @@
 #include "lasius/path.h"
 #include "loop_cutter.h"
 #include "tests/count_allocations.h"
-#include "tests/plane_rule.h"
+#include "tests/oracle/plane_rule.h"
 #include "tests/random_grid.h"
 
 namespace lasius {

@@ -10,8 +10,8 @@
 #include "loop_cutter.h"
 #include "straighten.h"
 #include "tests/count_allocations.h"
+#include "tests/oracle/plane_rule.h"
 #include "tests/oracle/visibility_graph.h"
-#include "tests/plane_rule.h"
 #include "tests/random_grid.h"
 
 namespace lasius {

@@ -5,7 +5,7 @@
 #include "grid_view.h"
 #include "kernels/sight_cone.h"
 #include "lasius/path.h"
-#include "tests/plane_rule.h"
+#include "tests/oracle/plane_rule.h"
 #include "tests/random_grid.h"
 
 namespace lasius {

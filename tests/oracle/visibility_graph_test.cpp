@@ -10,7 +10,7 @@
 
 #include "lasius/map_io.h"
 #include "lasius/path.h"
-#include "tests/plane_rule.h"
+#include "tests/oracle/plane_rule.h"
 #include "tests/random_grid.h"
 
 namespace lasius::oracle {

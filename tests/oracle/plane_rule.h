@@ -1,5 +1,5 @@
-// The rule of the plane, written twice for tests, with nothing in common with the library's code:
-// exactly, by cutting a segment at every grid line, and as the project's path checker does it.
+// The rule of the plane, written twice, with nothing in common with the library's code: exactly, by
+// cutting a segment at every grid line, and in floating point with a tolerance.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ inline bool squeezes(const Grid& grid, int x, int y, double ax, double ay, doubl
   return !(free[0] && free[1] && free[2] && free[3]);
 }
 
-/// Half-cell coordinates; sides up to a hundred cells or so.
+/// Half-cell coordinates.
 struct HalfSegment {
   std::int64_t ax, ay, bx, by;
 };
@@ -98,7 +98,36 @@ inline bool segment_obeys(const Grid& grid, HalfSegment s) {
   return true;
 }
 
-/// The checker's way: floating point with a tolerance, the path as a whole.
+/// True when a path obeys the rule, its vertices being centres and corners of cells; exact.
+inline bool path_obeys(const Grid& grid, std::span<const Point> path) {
+  std::vector<HalfSegment> segments;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Point a = path[i - 1], b = path[i];
+    for (const double v : {a.x, a.y, b.x, b.y}) {
+      if (2 * v != std::floor(2 * v)) return false;
+    }
+    const auto half = [](double v) { return static_cast<std::int64_t>(2 * v); };
+    if (a != b) segments.push_back({half(a.x), half(a.y), half(b.x), half(b.y)});
+  }
+  if (segments.empty()) {
+    return !path.empty() && grid.free({static_cast<int>(std::floor(path[0].x)),
+                                       static_cast<int>(std::floor(path[0].y))});
+  }
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const HalfSegment& s = segments[i];
+    if (!segment_obeys(grid, s)) return false;
+    if (i == 0 || s.ax % 2 != 0 || s.ay % 2 != 0) continue;
+    const HalfSegment& before = segments[i - 1];
+    if (squeezes(grid, static_cast<int>(s.ax / 2), static_cast<int>(s.ay / 2),
+                 static_cast<double>(before.ax - s.ax), static_cast<double>(before.ay - s.ay),
+                 static_cast<double>(s.bx - s.ax), static_cast<double>(s.by - s.ay))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// In floating point with a tolerance, the path as a whole.
 class Checker {
  public:
   explicit Checker(const Grid& grid) : grid_(grid) {}
