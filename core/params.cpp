@@ -155,7 +155,10 @@ constexpr auto kGeneticParameters = [] {
   std::array<Parameter, kShared.size() + kGenetic.size()> list;
   auto next = list.begin();
   for (const Entry& e : kColony) {
-    if (std::find(kShared.begin(), kShared.end(), e.info.name) != kShared.end()) *next++ = e.info;
+    if (std::find(kShared.begin(), kShared.end(), e.info.name) == kShared.end()) continue;
+    *next = e.info;
+    if (e.info.name == "neighbours") next->range = "4|8";  // see validate()
+    ++next;
   }
   for (const Entry& e : kGenetic) *next++ = e.info;
   return list;

@@ -55,6 +55,17 @@ class Algorithms(ProgramTest):
             result = self.plan("--json", "--algorithm", entry["name"], *settings).json
             self.assertEqual({name: result["parameters"][name] for name in defaults}, defaults)
 
+    def test_every_listed_neighbourhood_is_taken(self):
+        for entry in self.run_program("algorithms", "--json").json["algorithms"]:
+            for parameter in entry["parameters"]:
+                if parameter["name"] != "neighbours":
+                    continue
+                for value in parameter["values"]:
+                    with self.subTest(algorithm=entry["name"], value=value):
+                        run = self.plan("--algorithm", entry["name"], "--neighbours", value,
+                                        "--iterations", "1")
+                        self.assertNotEqual(run.code, 2, run.err)
+
     def test_bounds_are_the_ones_that_hold(self):
         for entry in self.run_program("algorithms", "--json").json["algorithms"]:
             for parameter in entry["parameters"]:
