@@ -25,25 +25,25 @@ namespace {
 /// What files need of a batch, kept only for the kinds that are asked for.
 class Collected {
  public:
-  explicit Collected(const RunOptions& run) : run_(run) {
+  Collected(const PreparedMap& map, const RunOptions& run) : map_(map), run_(run) {
     for (const auto& file : run.outputs) {
       json_ |= file.ends_with(".json");
       csv_ |= file.ends_with(".csv");
       paths_ |= is_picture(file);
     }
-    if (csv_) rows_ = batch_csv_header();
+    if (csv_) rows_ = batch_csv_header(run.frame);
   }
 
   void add(const Answer& answer, const std::string& json_line) {
     if (json_) lines_ += json_line;
-    if (csv_) rows_ += batch_csv_row(answer, run_.frame);
+    if (csv_) rows_ += batch_csv_row(map_, run_.frame, answer);
     if (paths_ && !answer.result.path.empty()) kept_.push_back(answer.result.path);
   }
 
-  void write(const PreparedMap& map) const {
+  void write() const {
     for (const auto& file : run_.outputs) {
       if (is_picture(file))
-        write_batch_picture(file, map, run_, kept_);
+        write_batch_picture(file, map_, run_, kept_);
       else
         write_file(file,
                    [&](std::ostream& out) { out << (file.ends_with(".csv") ? rows_ : lines_); });
@@ -51,6 +51,7 @@ class Collected {
   }
 
  private:
+  const PreparedMap& map_;
   const RunOptions& run_;
   bool json_ = false, csv_ = false, paths_ = false;
   std::string lines_, rows_;
@@ -104,7 +105,7 @@ int run_batch(const BatchCommand& command) {
   BatchOptions options{
       .threads = run.params.threads, .target_gap = run.target_gap, .token = signals.token()};
   if (run.time_limit) options.time_limit = std::chrono::duration<double>(*run.time_limit);
-  Collected collected(run);
+  Collected collected(map, run);
   ProgressLine bar(wants_progress(run.messages), static_cast<std::int64_t>(queries.size()));
   const bool with_optimum = run.with_optimum && knows_optimum();
   // The optimum is asked beside each chunk, so that answers still stream.
@@ -130,7 +131,7 @@ int run_batch(const BatchCommand& command) {
       bar.update(static_cast<std::int64_t>(index) + 1, "queries");
     });
   }
-  collected.write(map);
+  collected.write();
   return signals.interrupted() ? kInterrupted : kFound;
 }
 

@@ -8,6 +8,7 @@
 #include "canvas.h"
 #include "chart.h"
 #include "colours.h"
+#include "report.h"
 #include "study/text.h"
 
 namespace lasius::tool {
@@ -195,10 +196,12 @@ std::string plan_title(const PreparedMap& map, const RunOptions& run) {
          std::to_string(run.params.seed);
 }
 
-std::string path_caption(const Answer& answer) {
+std::string path_caption(const PreparedMap& map, Frame frame, const Answer& answer) {
   const Result& result = answer.result;
   if (result.path.empty()) return std::string(to_string(result.status)) + ": no path";
-  std::string text = "path, length " + study::fixed(result.length, 2);
+  std::string text = "path, length ";
+  text += frame == Frame::world ? study::fixed(map.metres(result.length), 2) + " m"
+                                : study::fixed(result.length, 2);
   if (result.optimal) return text + ", proven shortest";
   if (answer.optimum && *answer.optimum > 0)
     text +=
@@ -233,19 +236,24 @@ void write_plan_picture(const std::string& file, const PreparedMap& map, const R
                           recorder->cells_a_pixel());
            draw_marks(canvas, MapView(grid, box), grid, answer);
          }});
-  panels.push_back({path_caption(answer), [&](Canvas& canvas, const Box& box) {
+  panels.push_back({path_caption(map, run.frame, answer), [&](Canvas& canvas, const Box& box) {
                       const MapView view(grid, box);
                       paint_map(canvas, box, grid, kWall, free_ground);
                       draw_path(canvas, view, answer.result.path, 3, 1);
                       draw_marks(canvas, view, grid, answer);
                     }});
   if (!answer.result.best.empty())
-    panels.push_back(
-        {"convergence",
-         [&](Canvas& canvas, const Box& box) {
-           draw_convergence(canvas, box, {answer.result.best, answer.result.mean, answer.optimum});
-         },
-         true});
+    panels.push_back({"convergence",
+                      [&](Canvas& canvas, const Box& box) {
+                        const Result shown = in_frame(map, run.frame, answer.result);
+                        Convergence curves{shown.best, shown.mean, answer.optimum};
+                        if (run.frame == Frame::world) {
+                          curves.unit = "metres";
+                          if (curves.optimum) curves.optimum = map.metres(*curves.optimum);
+                        }
+                        draw_convergence(canvas, box, curves);
+                      },
+                      true});
   write_page(file, grid, plan_title(map, run), panels);
 }
 

@@ -22,10 +22,13 @@
 namespace lasius::tool {
 namespace {
 
-std::string note(const Progress& progress) {
-  if (!std::isfinite(progress.best_length)) return "no path yet";
+std::string note(const PreparedMap& map, Frame frame, const Progress& progress) {
+  const double cells = progress.best_length;
+  if (!std::isfinite(cells)) return "no path yet";
+  const bool world = frame == Frame::world;
   std::array<char, 48> text;
-  std::snprintf(text.data(), text.size(), "best %.3f", progress.best_length);
+  std::snprintf(text.data(), text.size(), "best %.3f%s", world ? map.metres(cells) : cells,
+                world ? " m" : "");
   return text.data();
 }
 
@@ -39,7 +42,7 @@ Answer watched_answer(const PreparedMap& map, const RunOptions& run, const Place
   Observer observer;
   if (shown || recorder)
     observer = [&](const Progress& progress) {
-      bar.update(progress.iteration + 1, note(progress));
+      bar.update(progress.iteration + 1, note(map, run.frame, progress));
       if (recorder) recorder->observe(progress);
     };
   const StopCondition stop{.token = token, .deadline = deadline_after(run.time_limit)};
@@ -79,16 +82,16 @@ int run_plan(const PlanCommand& command) {
   const Outcome ended = outcome(map, run, found);
   report(ended, run.messages);
   if (run.with_optimum && !run.json && !run.messages.quiet) {
-    if (const std::string gap = gap_text(found); !gap.empty()) message(gap);
+    if (const std::string gap = gap_text(map, run, found); !gap.empty()) message(gap);
   }
-  const Forms forms{.text = [&] { return result_text(map, run, found); },
-                    .json = [&] { return line(result_json(map, run, found)); },
-                    .csv = [&] { return result_csv(found.result); },
-                    .write_picture =
-                        [&](const std::string& file) {
-                          write_plan_picture(file, map, run, found,
-                                             recorder ? &*recorder : nullptr);
-                        }};
+  const Forms forms{
+      .text = [&] { return result_text(map, run, found); },
+      .json = [&] { return line(result_json(map, run, found)); },
+      .csv = [&] { return result_csv(in_frame(map, run.frame, found.result), run.frame); },
+      .write_picture =
+          [&](const std::string& file) {
+            write_plan_picture(file, map, run, found, recorder ? &*recorder : nullptr);
+          }};
   deliver(forms, run.json, run.outputs, run.messages);
   return exit_code(ended);
 }

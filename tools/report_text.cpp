@@ -19,24 +19,39 @@ void write_points(std::ostream& out, const std::vector<Point>& path, const char*
   for (const Point p : path) out << to_text(p.x) << between << to_text(p.y) << "\n";
 }
 
+/// What a column of lengths or coordinates adds to its name.
+const char* unit(Frame frame) { return frame == Frame::world ? "_m" : ""; }
+
 }  // namespace
 
+Result in_frame(const PreparedMap& map, Frame frame, const Result& result) {
+  Result shown = result;
+  if (frame == Frame::cell) return shown;
+  shown.length = map.metres(shown.length);
+  shown.path = map.to_world(shown.path);
+  if (shown.lower_bound) shown.lower_bound = map.metres(*shown.lower_bound);
+  for (double& length : shown.best) length = map.metres(length);
+  for (double& length : shown.mean) length = map.metres(length);
+  return shown;
+}
+
 std::string result_text(const PreparedMap& map, const RunOptions& run, const Answer& answer) {
-  const Result& result = answer.result;
+  const Result result = in_frame(map, run.frame, answer.result);
   std::ostringstream out;
   out << to_string(result.status) << "\n";
   if (result.path.empty()) return out.str();
-  const bool world = run.frame == Frame::world;
-  out << to_text(world ? map.metres(result.length) : result.length) << "\n";
-  write_points(out, world ? map.to_world(result.path) : result.path, " ");
+  out << to_text(result.length) << "\n";
+  write_points(out, result.path, " ");
   return out.str();
 }
 
-std::string gap_text(const Answer& answer) {
+std::string gap_text(const PreparedMap& map, const RunOptions& run, const Answer& answer) {
   if (!answer.optimum) return {};
+  const bool world = run.frame == Frame::world;
   const auto against = [&](const char* name, double optimum) {
     std::array<char, 96> text;
-    std::snprintf(text.data(), text.size(), "%s %.6f", name, optimum);
+    std::snprintf(text.data(), text.size(), "%s %.6f%s", name,
+                  world ? map.metres(optimum) : optimum, world ? " m" : "");
     std::string part = text.data();
     if (answer.result.path.empty() || !(optimum > 0)) return part;
     const double gap = 100 * (answer.result.length / optimum - 1);
@@ -48,33 +63,40 @@ std::string gap_text(const Answer& answer) {
   return text;
 }
 
-std::string result_csv(const Result& result) {
+std::string result_csv(const Result& result, Frame frame) {
+  const char* const m = unit(frame);
   std::ostringstream out;
   if (result.best.empty()) {
-    out << "x,y\n";
+    out << "x" << m << ",y" << m << "\n";
     write_points(out, result.path, ",");
     return out.str();
   }
-  out << "iteration,best,mean,arrived\n";
+  out << "iteration,best" << m << ",mean" << m << ",arrived\n";
   for (std::size_t i = 0; i < result.best.size(); ++i)
     out << i + 1 << "," << finite_text(result.best[i]) << "," << finite_text(result.mean[i]) << ","
         << result.arrived[i] << "\n";
   return out.str();
 }
 
-std::string batch_csv_header() {
-  return "index,sx,sy,gx,gy,status,length,lower_bound,gap,iterations,elapsed_ms\n";
+std::string batch_csv_header(Frame frame) {
+  const char* const m = unit(frame);
+  std::ostringstream out;
+  out << "index";
+  for (const char* column : {"sx", "sy", "gx", "gy"}) out << "," << column << m;
+  out << ",status,length" << m << ",lower_bound" << m << ",gap,iterations,elapsed_ms\n";
+  return out.str();
 }
 
-std::string batch_csv_row(const Answer& answer, Frame frame) {
-  const Result& result = answer.result;
-  const Point start = cell_numbers(answer.start, frame), goal = cell_numbers(answer.goal, frame);
+std::string batch_csv_row(const PreparedMap& map, Frame frame, const Answer& answer) {
+  const Result result = in_frame(map, frame, answer.result);
+  const auto coordinate = frame == Frame::world ? to_text : whole_text;
   std::ostringstream out;
-  out << answer.index.value_or(0) << "," << whole_text(start.x) << "," << whole_text(start.y) << ","
-      << whole_text(goal.x) << "," << whole_text(goal.y) << "," << to_string(result.status) << ","
-      << finite_text(result.length) << "," << finite_text(result.lower_bound) << ","
-      << finite_text(result.gap()) << "," << result.iterations << "," << to_text(answer.elapsed_ms)
-      << "\n";
+  out << answer.index.value_or(0);
+  for (const Point p : {answer.start.asked, answer.goal.asked})
+    out << "," << coordinate(p.x) << "," << coordinate(p.y);
+  out << "," << to_string(result.status) << "," << finite_text(result.length) << ","
+      << finite_text(result.lower_bound) << "," << finite_text(answer.result.gap()) << ","
+      << result.iterations << "," << to_text(answer.elapsed_ms) << "\n";
   return out.str();
 }
 

@@ -38,7 +38,7 @@ constexpr const char* kOutputs =
     "Write a file, by its ending (repeatable):\n"
     ".json  what --json prints\n"
     ".csv   iteration,best,mean,arrived by iteration; x,y of the path for algorithms without\n"
-    "       iterations; for batch a line a query\n"
+    "       iterations; for batch a line a query; with --frame world in metres: best_m, x_m, ...\n"
     ".svg, .png  map, tracks, pheromone, path and convergence; for batch all paths; for polygon\n"
     "       worlds MAKLINK lines, midpoints, Dijkstra's path, path and convergence";
 

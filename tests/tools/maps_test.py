@@ -151,6 +151,37 @@ class WorldFrame(ProgramTest):
         self.assertEqual([[float(n) for n in line.split()] for line in lines[2:]],
                          result["path_world"])
 
+    def test_tables_are_in_metres(self):
+        self.algorithm = "exact"
+        result = self.world("--json", "--gap", "-o", "path.csv", goal=(7.7, 3.6)).json
+        rows = [row.split(",") for row in self.read("path.csv").decode().splitlines()]
+        self.assertEqual(rows[0], ["x_m", "y_m"])
+        self.assertEqual([[float(n) for n in row] for row in rows[1:]], result["path_world"])
+        self.assertIn("optimum %.6f m" % result["length_m"],
+                      self.world("--gap", goal=(7.7, 3.6)).err)
+        self.algorithm = "as"
+        run = self.world("--json", "-o", "run.csv", "--iterations", "2", "--progress", "always")
+        rows = [row.split(",") for row in self.read("run.csv").decode().splitlines()]
+        self.assertEqual(rows[0], ["iteration", "best_m", "mean_m", "arrived"])
+        self.assertEqual([float(row[1]) for row in rows[1:]], [n / 2 for n in run.json["best"]])
+        self.assertEqual([float(row[2]) for row in rows[1:]], [n / 2 for n in run.json["mean"]])
+        self.assertIn("best %.3f m" % run.json["length_m"], run.err)
+        self.world("-o", "metres.svg", "--iterations", "2")
+        self.plan("-o", "cells.svg", "--iterations", "2", map_file="world.yaml", goal="7,0")
+        self.assertNotEqual(self.read("metres.svg"), self.read("cells.svg"))  # "length in ..."
+
+    def test_tables_of_a_batch_are_in_metres(self):
+        start, goal = self.metres(0.5, 0.5), self.metres(7.5, 0.5)
+        self.write("q.tsv", "sx\tsy\tgx\tgy\n%r\t%r\t%r\t%r\n" % (*start, *goal))
+        self.algorithm = "exact"
+        run = self.run_program("batch", "world.yaml", "q.tsv", "--frame", "world", "-o", "all.csv")
+        head, row = [row.split(",") for row in self.read("all.csv").decode().splitlines()]
+        self.assertEqual(head, ["index", "sx_m", "sy_m", "gx_m", "gy_m", "status", "length_m",
+                                "lower_bound_m", "gap", "iterations", "elapsed_ms"])
+        self.assertEqual([float(n) for n in row[1:5]], [*start, *goal])
+        self.assertEqual([float(n) for n in row[6:9]], [3.5, 3.5, 0])
+        self.assertEqual(len(run.lines[0]["path_world"]), len(run.lines[0]["path"]))
+
     def test_the_cell_frame_has_no_metres(self):
         result = self.plan("--json", map_file="world.yaml", start="0,0", goal="7,0").json
         self.assertNotIn("path_world", result)
