@@ -39,6 +39,21 @@ std::string invalid_text(const PreparedMap& map, const RunOptions& run, const An
   return text + centre_text.data();
 }
 
+/// Adds what --gap asks for. Each search has the time that the plan had, from its own start.
+void add_optima(const PreparedMap& map, const RunOptions& run, const StopCondition& stop,
+                Answer& answer) {
+  const Query query{answer.start.cell, answer.goal.cell};
+  const Request exact{
+      .start = query.start, .goal = query.goal, .stop = again(stop, run.time_limit)};
+  const Result best = map.planner->plan(exact, optimum_params(run));
+  // Cell by cell, Corners::allow squeezes through where no path of the plane may.
+  const bool comparable = run.params.corners != Corners::allow || !moves_on_cells(run);
+  if (best.optimal && comparable) answer.optimum = best.length;
+  answer.grid_optimum = moves_on_cells(run)
+                            ? shortest_by_own_moves(map, run, query, again(stop, run.time_limit))
+                            : answer.optimum;
+}
+
 /// Says why a cell that looks free is not.
 std::string grown(const PreparedMap& map) {
   return map.radius > 0 ? " (obstacles grown by " + to_text(map.radius) + " cells)" : "";
@@ -51,6 +66,11 @@ Clock::time_point deadline_after(const std::optional<double>& seconds) {
   const auto left = std::chrono::duration<double>(Clock::time_point::max() - now).count();
   if (!seconds || *seconds >= left) return Clock::time_point::max();
   return now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*seconds));
+}
+
+StopCondition again(const StopCondition& stop, const std::optional<double>& seconds) {
+  const bool limited = stop.deadline != Clock::time_point::max();
+  return {.token = stop.token, .deadline = deadline_after(limited ? seconds : std::nullopt)};
 }
 
 Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start, const Place& goal,
@@ -66,28 +86,20 @@ Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start,
   const auto begin = Clock::now();
   answer.result = map.planner->plan(request, run.params, nullptr, observer);
   answer.elapsed_ms = ms_since(begin);
-  if (run.with_optimum && knows_optimum()) {
-    const Request exact{.start = query.start, .goal = query.goal, .stop = {.token = stop.token}};
-    const Result best = map.planner->plan(exact, optimum_params(run));
-    // Cell by cell, Corners::allow squeezes through where no path of the plane may.
-    const bool comparable = run.params.corners != Corners::allow || !moves_on_cells(run);
-    if (best.optimal && comparable) answer.optimum = best.length;
-    answer.grid_optimum =
-        moves_on_cells(run) ? shortest_by_own_moves(map, run, query, stop.token) : answer.optimum;
-  }
+  if (run.with_optimum && knows_optimum()) add_optima(map, run, stop, answer);
   return answer;
 }
 
 bool moves_on_cells(const RunOptions& run) { return run.params.algorithm != kExact; }
 
 std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOptions& run,
-                                            const Query& query, const std::stop_token& token) {
+                                            const Query& query, const StopCondition& stop) {
   const Grid& grid = map.grid();
   const bool joined = grid.free(query.start) && grid.free(query.goal) &&
                       map.planner->connected(query.start, query.goal, run.params.corners);
   if (!joined) return std::nullopt;
   return shortest_walk(grid, query.start, query.goal, run.params.neighbours, run.params.corners,
-                       {.token = token});
+                       stop);
 }
 
 bool knows_optimum() {

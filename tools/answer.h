@@ -17,8 +17,9 @@ struct Answer {
   Place start{};
   Place goal{};
   Result result{};
-  double elapsed_ms = 0;            ///< of the plan; the map's preparation is not in it
-  std::optional<double> optimum{};  ///< with --gap: exact shortest length, where one exists
+  double elapsed_ms = 0;  ///< of the plan; the map's preparation is not in it
+  /// With --gap: exact shortest length, where one exists and was found in time.
+  std::optional<double> optimum{};
   /// With --gap: the shortest by the algorithm's own moves, any angle for `exact`.
   std::optional<double> grid_optimum{};
   std::optional<std::size_t> index{};  ///< of a batch's query
@@ -27,17 +28,22 @@ struct Answer {
 /// The deadline that `seconds` from now sets.
 Clock::time_point deadline_after(const std::optional<double>& seconds);
 
-/// Plans from `start` to `goal`. The deadline bounds the plan; --gap's optima only the token.
+/// What a search that comes after one under `stop` may take: `seconds` from now, where that one had
+/// a deadline.
+StopCondition again(const StopCondition& stop, const std::optional<double>& seconds);
+
+/// Plans from `start` to `goal` under `stop`, then looks for --gap's optima under the token and,
+/// each, as long a limit again.
 Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start, const Place& goal,
               const StopCondition& stop, const Observer& observer = {});
 
 /// True where the library has the exact planner that --gap asks.
 bool knows_optimum();
 
-/// Length of the shortest walk by the moves of the run's algorithm, if there is one. Precondition:
-/// the algorithm is not `exact`.
+/// Length of the shortest walk by the moves of the run's algorithm, if there is one and it is found
+/// in time. Precondition: the algorithm is not `exact`.
 std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOptions& run,
-                                            const Query& query, const std::stop_token& token);
+                                            const Query& query, const StopCondition& stop);
 
 /// True where the algorithm moves from cell to cell.
 bool moves_on_cells(const RunOptions& run);

@@ -67,15 +67,16 @@ Optima optima(const PreparedMap& map, const RunOptions& run, std::span<const Que
               const BatchOptions& options) {
   Optima found;
   found.any_angle.assign(queries.size(), std::nan(""));
-  BatchOptions exact{.threads = options.threads, .token = options.token};
+  BatchOptions exact = options;
+  exact.target_gap = 0;
   plan_batch(*map.planner, queries, optimum_params(run), exact, [&](const BatchAnswer& answer) {
     if (answer.result.optimal) found.any_angle[answer.index] = answer.result.length;
   });
   found.by_moves = found.any_angle;
   if (!moves_on_cells(run)) return found;
   const auto ask = [&](std::size_t i) {
-    found.by_moves[i] =
-        shortest_by_own_moves(map, run, queries[i], options.token).value_or(std::nan(""));
+    const StopCondition stop{.token = options.token, .deadline = deadline_after(run.time_limit)};
+    found.by_moves[i] = shortest_by_own_moves(map, run, queries[i], stop).value_or(std::nan(""));
   };
   share_out(queries.size(), options.threads, [&] { return ask; });
   return found;

@@ -8,6 +8,7 @@
 #include "announce.h"
 #include "answer.h"
 #include "commands.h"
+#include "exit_code.h"
 #include "lasius/batch.h"
 #include "map_file.h"
 #include "outputs.h"
@@ -93,7 +94,7 @@ int run_plan(const PlanCommand& command) {
             write_plan_picture(file, map, run, found, recorder ? &*recorder : nullptr);
           }};
   deliver(forms, run.json, run.outputs, run.messages);
-  return exit_code(ended);
+  return signals.interrupted() ? kInterrupted : exit_code(ended);  // --gap may be what was cut off
 }
 
 }  // namespace lasius::tool

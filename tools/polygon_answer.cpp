@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "answer.h"
 #include "elapsed.h"
 #include "exit_code.h"
 #include "lasius/error.h"
@@ -90,7 +91,7 @@ PolygonAnswer polygon_answer(const PreparedWorld& world, const PolygonCommand& c
   answer.elapsed_ms = ms_since(begin);
   if (command.with_optimum) {
     const auto best = world.planner.plan(
-        {.start = answer.start, .goal = answer.goal, .stop = {.token = stop.token}},
+        {.start = answer.start, .goal = answer.goal, .stop = again(stop, command.time_limit)},
         polygon::defaults("exact"));
     if (best.optimal) answer.optimum = best.length;
   }

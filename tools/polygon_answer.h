@@ -34,7 +34,7 @@ struct PolygonAnswer {
   Point start, goal;
   polygon::Result result;
   double elapsed_ms = 0;
-  std::optional<double> optimum;  ///< with --gap
+  std::optional<double> optimum;  ///< with --gap, where it was found in time
 };
 
 /// @throws UsageError for unknown names; Error(invalid_parameter) for values.

@@ -84,7 +84,7 @@ int run_polygon(const PolygonCommand& command) {
       .write_picture =
           [&](const std::string& file) { write_polygon_picture(file, world, answer); }};
   deliver(forms, command.json, command.outputs, command.messages);
-  return exit_code(ended);
+  return signals.interrupted() ? kInterrupted : exit_code(ended);  // --gap may be what was cut off
 }
 
 }  // namespace lasius::tool

@@ -75,7 +75,9 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
          "Threads (default LASIUS_THREADS, OMP_NUM_THREADS, all cores); never changes a result",
          "N");
   option("--time-limit", text.time_limit,
-         "Stop after this time, counted once the map is prepared; for batch by query", "SECONDS");
+         "Stop after this time, counted once the map is prepared; for batch by query. Each optimum "
+         "of --gap may take as long again",
+         "SECONDS");
   option("--target-gap", text.target_gap,
          "Stop at this certified gap, for algorithms that certify one (1 means 1%)", "PCT");
   option("--frame", text.frame,
@@ -89,7 +91,8 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
   add_switch(app, "--unknown-free", text.unknown_free, "Unknown cells of a ROS map count as free");
   add_switch(app, "--prepare", text.prepare, kPrepare);
   add_switch(app, "--gap", text.gap,
-             "Add the exact optimum, the true gap, and the optimum of the algorithm's own moves");
+             "Add the exact optimum, the true gap, and the optimum of the algorithm's own moves; "
+             "null where a time limit or a signal ended the search for it");
   add_switch(app, "--json", text.json, "Print one JSON object (batch always does, one a query)");
   add_repeatable(app, "-o,--output", text.outputs, kOutputs, "FILE");
   option("--tracks", text.tracks,
@@ -245,8 +248,8 @@ Subcommand add_verify(CLI::App& app) {
   auto raw = std::make_shared<Raw>();
   auto* verify = app.add_subcommand(
       "verify",
-      "Replay saved results from their recorded inputs and compare all but threads, elapsed_ms and "
-      "version");
+      "Replay saved results from their recorded inputs and compare all but threads, elapsed_ms, "
+      "version and optima of --gap that were not found in time");
   verify->add_option("RESULT", raw->result, "A result of plan or arm, or the lines of batch")
       ->type_name("FILE")
       ->required();

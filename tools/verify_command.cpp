@@ -102,6 +102,15 @@ std::string difference(Json recorded, Json replay) {
     if (recorded.contains(input)) recorded[input].erase("file");
     if (replay.contains(input)) replay[input].erase("file");
   }
+  // A limit or a signal may have cut off the search for an optimum.
+  for (const auto& [optimum, gap] :
+       {std::pair{"optimum", "optimum_gap"}, {"grid_optimum", "grid_optimum"}}) {
+    if (!recorded.contains(optimum) || !recorded[optimum].is_null()) continue;
+    for (const char* key : {optimum, gap}) {
+      recorded.erase(key);
+      replay.erase(key);
+    }
+  }
   for (const auto& [key, value] : replay.items())
     if (!recorded.contains(key) || recorded[key] != value) return key;
   for (const auto& [key, value] : recorded.items())

@@ -134,6 +134,11 @@ class Answers(ProgramTest):
                          [line["status"] for line in run.lines])
         self.assertLessEqual(max(self.png_size("all.png")), 2000)
 
+    def test_a_time_limit_holds_for_each_optimum(self):
+        line = self.batch("--time-limit", "0", "--gap").lines[0]
+        self.assertEqual((line["status"], line["optimum"], line["grid_optimum"]),
+                         ("limit", None, None))
+
     def test_a_time_limit_holds_for_each_query(self):
         lines = self.batch("--time-limit", "0").lines
         self.assertEqual(len(lines), len(self.QUERIES))

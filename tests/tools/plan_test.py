@@ -187,6 +187,14 @@ class Json(ProgramTest):
         self.assertLess(fan["optimum"], eight)
         self.assertLess(eight, four)
 
+    def test_gap_has_a_time_limit_too(self):
+        result = self.plan("--json", "--gap", "--time-limit", "0", **FAN).json
+        self.assertEqual((result["status"], result["optimum"], result["optimum_gap"],
+                          result["grid_optimum"]), ("limit", None, None, None))
+        result = self.plan("--json", "--gap", "--time-limit", "1000", "--iterations", "2",
+                           **FAN).json
+        self.assertGreater(result["optimum_gap"], 0)
+
     def test_no_gap_where_cells_allow_more_than_the_plane(self):
         result = self.plan("--json", "--gap", "--iterations", "2", "--corners", "allow", **FAN).json
         self.assertEqual((result["optimum"], result["optimum_gap"]), (None, None))

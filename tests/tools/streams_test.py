@@ -55,14 +55,18 @@ class Outputs(ProgramTest):
 
 
 class Signals(ProgramTest):
-    def interrupt(self, number, *arguments):
-        """Sends a signal once the run says that it is on its way."""
-        process = self.start_program(*LONG, *arguments)
+    def wait_for_best(self, process):
+        """Until the run says that it has a path."""
         seen = b""
         while b"best" not in seen:
             byte = process.stderr.read(1)
             self.assertNotEqual(byte, b"", seen)
             seen += byte
+
+    def interrupt(self, number, *arguments):
+        """Sends a signal once the run says that it is on its way."""
+        process = self.start_program(*LONG, *arguments)
+        self.wait_for_best(process)
         process.send_signal(number)
         out, err = process.communicate(timeout=60)
         return process.returncode, out.decode(), err.decode()
@@ -93,6 +97,23 @@ class Signals(ProgramTest):
         self.assertEqual([line["index"] for line in lines], list(range(len(lines))))
         self.assertLess(len(lines), 100001)
         self.assertEqual(lines[0]["status"], "solved")
+
+    def test_the_search_for_the_optimum_ends_too(self):
+        made = self.run_program("generate", "random", "--size", "4096x4096", "--density", "0.2",
+                                "-o", "big.pbm")
+        self.assertEqual(made.code, 0)
+        # One ant that always takes the best move: the plan takes no time, its optimum a second.
+        process = self.start_program("plan", "big.pbm", "--start", "0,0", "--goal", "4095,4095",
+                                     "--algorithm", "as", "--set", "greedy=1", "--neighbours", "8",
+                                     "--ants", "1", "--iterations", "1", "--polish", "none",
+                                     "--gap", "--json", "--progress", "always")
+        self.wait_for_best(process)
+        process.send_signal(signal.SIGINT)
+        out, _ = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        result = json.loads(out, parse_constant=refuse_constant)
+        self.assertEqual((result["status"], result["iterations"]), ("solved", 1))
+        self.assertEqual((result["optimum"], result["optimum_gap"]), (None, None))
 
     def caught(self, process):
         """True once the program catches SIGTERM."""

@@ -33,6 +33,16 @@ class Verify(ProgramTest):
                 self.assertEqual(self.save(*arguments)["status"], "solved")
                 self.assertEqual(self.run_program("verify", "r.json").code, 0)
 
+    def test_an_optimum_that_was_cut_off_is_no_difference(self):
+        result = self.save("--gap")
+        self.write("r.json", json.dumps({**result, "optimum": None, "optimum_gap": None,
+                                         "grid_optimum": None}))
+        self.assertEqual(self.run_program("verify", "r.json").code, 0)
+        self.write("r.json", json.dumps({**result, "optimum": result["optimum"] - 1}))
+        run = self.run_program("verify", "r.json")
+        self.assertEqual(run.code, 1)
+        self.assertIn("'optimum'", run.err)
+
     def test_a_radius_is_replayed(self):
         rows = [("." * 12 + "@@" + "." * 12) if 8 <= y < 18 else "." * 26 for y in range(26)]
         self.write("block.map", "type octile\nheight 26\nwidth 26\nmap\n" + "\n".join(rows))
