@@ -87,6 +87,7 @@ Field::Tile& Field::obtain(int index) {
     made->tau = made->heuristic + kCells * moves_.count;
     made->eta = made->tau + kCells * taus();
     pool_.push_back(std::move(made));
+    unused_.reserve(pool_.capacity());  // for all of them, when the next plan starts
     unused_.push_back(pool_.back().get());
   }
   Tile& tile = *unused_.back();

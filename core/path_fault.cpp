@@ -2,8 +2,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <sstream>
-#include <vector>
+#include <utility>
 
 #include "grid_view.h"
 #include "kernels/sight.h"
@@ -109,6 +110,10 @@ std::string segment_fault(const BitmapView& map, HalfPoint a, HalfPoint b, bool 
 
 bool half_integer(double v) noexcept { return 2 * v == std::floor(2 * v); }
 
+HalfPoint half_point(Point p) noexcept {
+  return {static_cast<int>(2 * p.x), static_cast<int>(2 * p.y)};
+}
+
 }  // namespace
 
 std::optional<std::string> path_fault(const Grid& grid, std::span<const Point> path,
@@ -116,7 +121,6 @@ std::optional<std::string> path_fault(const Grid& grid, std::span<const Point> p
   const BitmapView map = view_of(grid);
   const bool squeezes = corners != Corners::allow;
   if (path.empty()) return "the path is empty";
-  std::vector<HalfPoint> points;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Point p = path[i];
     const auto vertex = [&] {
@@ -128,21 +132,22 @@ std::optional<std::string> path_fault(const Grid& grid, std::span<const Point> p
       return vertex() + "outside the map";
     }
     if (!half_integer(p.x) || !half_integer(p.y)) return vertex() + "not at multiples of 0.5";
-    const HalfPoint h{static_cast<int>(2 * p.x), static_cast<int>(2 * p.y)};
-    if (points.empty() || points.back() != h) points.push_back(h);
   }
-  if (points.size() == 1 && !kernels::sees(map, points[0], points[0])) {
-    return "the only vertex " + text(points[0]) + " touches no free cell";
-  }
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const HalfPoint a = points[i - 1];
-    const HalfPoint b = points[i];
+  HalfPoint a = half_point(path[0]);
+  std::optional<HalfPoint> before;  // the vertex before a; repeated ones count once
+  for (const Point p : path) {
+    const HalfPoint b = half_point(p);
+    if (b == a) continue;
     const std::string fault = segment_fault(map, a, b, squeezes);
     if (!fault.empty()) return "segment " + text(a) + " - " + text(b) + ' ' + fault;
-    if (squeezes && i > 1 && a.x % 2 == 0 && a.y % 2 == 0 &&
-        kernels::squeezes(map, points[i - 2], a, b)) {
+    if (squeezes && before && a.x % 2 == 0 && a.y % 2 == 0 &&
+        kernels::squeezes(map, *before, a, b)) {
       return "the path squeezes between blocked cells at " + text(a);
     }
+    before = std::exchange(a, b);
+  }
+  if (!before && !kernels::sees(map, a, a)) {
+    return "the only vertex " + text(a) + " touches no free cell";
   }
   return std::nullopt;
 }

@@ -2,6 +2,8 @@
 // of its own.
 #include <gtest/gtest.h>
 
+#include <bit>
+
 #include "tests/core/planning.h"
 #include "tests/count_allocations.h"
 
@@ -17,19 +19,44 @@ std::int64_t allocations_of(const auto& action) {
 class EveryColony : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(PlannerAllocation, EveryColony, testing::ValuesIn(kColonies));
 
+struct Bounds {
+  int least, most;
+};
+/// How often a plan allocates: the result's three curves, an entry an iteration, as they double;
+/// its path and the colony's best tour once each, and perhaps again with each better one.
+Bounds allocations_for(const Result& result) {
+  const auto entries = static_cast<unsigned>(result.iterations);
+  const int once = 3 * (1 + std::bit_width(entries - 1)) + 2;
+  int better = 0;
+  for (std::size_t q = 1; q < entries; ++q) better += result.best[q] < result.best[q - 1];
+  return {once, once + better};
+}
+
 TEST_P(EveryColony, ASecondCallOfTheSameSizeAllocatesOnlyItsResult) {
   const Planner planner(blobs());
   const Request request = far_apart(planner);
-  Params params = quick(GetParam());
-  params.threads = 1;
-  Workspace workspace;
-  (void)planner.plan(request, params, &workspace);
-  params.iterations = 3;
-  const auto plan = [&] { (void)planner.plan(request, params, &workspace); };
-  const auto three = allocations_of(plan);
-  EXPECT_LT(three, 40);
-  params.iterations = 6;
-  EXPECT_LT(allocations_of(plan) - three, 12);  // the curves grow, nothing else
+  for (const Polish polish : {Polish::none, Polish::straight}) {
+    for (const int threads : {1, 2}) {
+      for (const int iterations : {1, 6}) {
+        Params params = quick(GetParam());
+        params.polish = polish;
+        params.threads = threads;
+        params.iterations = iterations;
+        Workspace workspace;
+        const Bounds expected = allocations_for(planner.plan(request, params, &workspace));
+        // Two threads take ants as they come, so each may meet the longest walk in a later call.
+        std::int64_t count = 0;
+        for (int call = 0; call < (threads == 1 ? 1 : 100); ++call) {
+          count = allocations_of([&] { (void)planner.plan(request, params, &workspace); });
+          if (count <= expected.most) break;
+        }
+        const auto what = testing::Message() << iterations << " iterations, " << threads
+                                             << " threads, polish " << static_cast<int>(polish);
+        EXPECT_GE(count, expected.least) << what;
+        EXPECT_LE(count, expected.most) << what;
+      }
+    }
+  }
 }
 
 TEST(PlannerAllocation, TheGeneticAlgorithmKeepsItsMemory) {
