@@ -62,7 +62,7 @@ class GridColony final : public ColonyWorld {
         tau0_(initial_pheromone(params, straight_distance(request))) {
     ws_.field.reset(grid, moves_, request.goal, params, untouched(), request.stop);
     ws_.walkers.reset(grid.width(), grid.height(), threads_, params.ants);
-    ws_.polisher.reset(params, threads_);
+    ws_.polisher.reset(grid_, request_, moves_, params_, threads_);
     ws_.ants.resize(params.ants);
     ws_.tours.resize(params.ants);
     shape_ = walk_shape(params, moves_, ws_.field.mixture());
@@ -91,7 +91,8 @@ class GridColony final : public ColonyWorld {
       const auto ants = std::span(ws_.ants).subspan(first, count);
       ws_.field.refresh(weights, threads_);
       ws_.field.fill(world_);
-      const auto cause = ws_.walkers.walk(world_, kernel_, ants, first, request_.stop);
+      const auto cause =
+          ws_.walkers.walk(world_, kernel_, ants, first, request_.stop, polish_ahead_of(first));
       measure(first, count);
       if (cause != StopCondition::Cause::none) return cause;
       update_locally(ws_.field, params_, tau0_, tours(first, count));
@@ -153,6 +154,14 @@ class GridColony final : public ColonyWorld {
     return params_.unknown_index * std::max(grid_.width(), grid_.height()) / 20;
   }
 
+  /// Tours are polished while others are still walked. A thread that has no ant left takes them.
+  Walkers::WhileOthersWalk polish_ahead_of(int first) {
+    if (ants_only_teach()) return {};
+    return [this, first](int ant, int thread) {
+      ws_.polisher.polish_ahead(ws_.ants, first + ant, thread);
+    };
+  }
+
   void measure(int first, int count) {
     parallel_for(count, threads_, [&](int i, int) {
       const Ant& ant = ws_.ants[first + i];
@@ -193,7 +202,7 @@ class GridColony final : public ColonyWorld {
 
   /// Polishes the tours and offers every path as the best one, ties to the lower index.
   void offer(std::span<const Ant> ants, const std::function<void()>& meanwhile) {
-    ws_.polisher.polish(grid_, request_.start, moves_, ants, request_.stop, meanwhile);
+    ws_.polisher.polish(ants, meanwhile);
     const auto paths = ws_.polisher.paths();
     improving_ant_ = -1;
     for (int a = 0; a < static_cast<int>(ants.size()); ++a) {

@@ -2,43 +2,51 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "lasius/path.h"
 #include "parallel.h"
 
 namespace lasius {
 
-void Polisher::reset(const Params& params, int threads) {
+void Polisher::reset(const Grid& grid, const Request& request, const kernels::Moves& moves,
+                     const Params& params, int threads) {
+  grid_ = &grid;
+  moves_ = &moves;
+  stop_ = &request.stop;
+  start_ = request.start;
   polish_ = params.polish;
   corners_ = params.corners;
   threads_ = threads;
   if (static_cast<int>(scratch_.size()) < threads) scratch_.resize(threads);
   paths_.resize(params.ants);
+  for (PolishedPath& path : paths_) path.made = false;
 }
 
-void Polisher::polish(const Grid& grid, Cell start, const kernels::Moves& moves,
-                      std::span<const Ant> ants, const StopCondition& stop,
-                      const std::function<void()>& meanwhile) {
+void Polisher::polish(std::span<const Ant> ants, const std::function<void()>& meanwhile) {
   const auto count = static_cast<int>(ants.size());
   parallel_for(count + 1, std::clamp(count / 2, 1, threads_), [&](int i, int thread) {
-    if (i > 0) {
-      const int a = i - 1;
-      polish_one(grid, start, moves, ants[a], stop, scratch_[thread], paths_[a]);
-    } else if (meanwhile) {
-      meanwhile();
+    if (i == 0) {
+      if (meanwhile) meanwhile();
+    } else if (PolishedPath& path = paths_[i - 1]; !std::exchange(path.made, false)) {
+      make(ants[i - 1], scratch_[thread], path);
     }
   });
 }
 
-void Polisher::polish_one(const Grid& grid, Cell start, const kernels::Moves& moves, const Ant& ant,
-                          const StopCondition& stop, Scratch& scratch, PolishedPath& path) {
+void Polisher::polish_ahead(std::span<const Ant> ants, int ant, int thread) {
+  make(ants[ant], scratch_[thread], paths_[ant]);
+  paths_[ant].made = true;
+}
+
+void Polisher::make(const Ant& ant, Scratch& scratch, PolishedPath& path) const {
   path.points.clear();
   path.raster.clear();
   path.length = std::numeric_limits<double>::quiet_NaN();
   if (!ant.arrived) return;
 
-  const bool straight = polish_ != Polish::none && stop.poll() == StopCondition::Cause::none;
-  tour_cells(ant.tour(), moves, start, straight, scratch.tour);
+  const bool straight = polish_ != Polish::none && stop_->poll() == StopCondition::Cause::none;
+  tour_cells(ant.tour(), *moves_, start_, straight, scratch.tour);
   std::span<const Cell> vertices = scratch.tour;
   if (straight) {
     // Cells that the ant left again may shorten its way, too.
@@ -47,17 +55,17 @@ void Polisher::polish_one(const Grid& grid, Cell start, const kernels::Moves& mo
     for (const auto c : ant.dead)
       scratch.tour.push_back({kernels::packed_x(c), kernels::packed_y(c)});
     scratch.tour.push_back(goal);
-    auto walk = scratch.cutter.cut(grid, scratch.tour, moves.count > 4, corners_, stop);
+    auto walk = scratch.cutter.cut(*grid_, scratch.tour, moves_->count > 4, corners_, *stop_);
     scratch.tour.resize(tour_size);
     if (walk.empty()) walk = scratch.tour;  // stopped
-    scratch.straightener.run(grid, walk, stop);
-    if (polish_ == Polish::straight) scratch.straightener.tighten(grid, stop);
+    scratch.straightener.run(*grid_, walk, *stop_);
+    if (polish_ == Polish::straight) scratch.straightener.tighten(*grid_, *stop_);
     vertices = scratch.straightener.vertices();
     const auto cells = scratch.straightener.cells();
     path.raster.assign(cells.begin(), cells.end());
   }
   if (polish_ == Polish::taut) {
-    scratch.tautener.run(grid, vertices, corners_, stop);
+    scratch.tautener.run(*grid_, vertices, corners_, *stop_);
     const auto points = scratch.tautener.path();
     path.points.assign(points.begin(), points.end());
   } else {

@@ -9,6 +9,7 @@
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/params.h"
+#include "lasius/planner.h"
 #include "lasius/stop.h"
 #include "loop_cutter.h"
 #include "straighten.h"
@@ -22,17 +23,22 @@ struct alignas(64) PolishedPath {
   double length = 0;          // NaN where the ant did not arrive: never less than any other
   std::vector<Point> points;  // the polyline
   std::vector<Cell> raster;   // the cells under it; empty without polish
+  bool made = false;          // ahead of the others
 };
 
 /// Polishes the tours of one iteration, over threads.
 class Polisher {
  public:
-  void reset(const Params& params, int threads);
+  /// Gets ready for a run. Grid, request and moves must outlive it.
+  void reset(const Grid& grid, const Request& request, const kernels::Moves& moves,
+             const Params& params, int threads);
 
   /// Makes the path of every ant that arrived. When stopped, rougher but valid paths. One of the
   /// threads does what is to be done `meanwhile`, if anything.
-  void polish(const Grid& grid, Cell start, const kernels::Moves& moves, std::span<const Ant> ants,
-              const StopCondition& stop, const std::function<void()>& meanwhile);
+  void polish(std::span<const Ant> ants, const std::function<void()>& meanwhile);
+
+  /// Makes the path of one ant ahead of the call that makes the others, on thread `thread`.
+  void polish_ahead(std::span<const Ant> ants, int ant, int thread);
 
   /// By ant.
   std::span<const PolishedPath> paths() const noexcept { return paths_; }
@@ -44,9 +50,12 @@ class Polisher {
     Straightener straightener;
     Tautener tautener;
   };
-  void polish_one(const Grid& grid, Cell start, const kernels::Moves& moves, const Ant& ant,
-                  const StopCondition& stop, Scratch& scratch, PolishedPath& path);
+  void make(const Ant& ant, Scratch& scratch, PolishedPath& path) const;
 
+  const Grid* grid_ = nullptr;
+  const kernels::Moves* moves_ = nullptr;
+  const StopCondition* stop_ = nullptr;
+  Cell start_;
   Polish polish_ = Polish::none;
   Corners corners_ = Corners::forbid;
   int threads_ = 1;

@@ -33,6 +33,7 @@ void Walkers::reset(int width, int height, int threads, int ants) {
   threads_ = std::clamp(ants / 2, 1, threads);  // more would idle
   if (static_cast<int>(teams_.size()) < threads_) teams_.resize(threads_);
   for (Team& team : teams_) {
+    team.done.reserve(ants);
     for (int i = 0; i < slots_for(ants); ++i) {
       ZeroArray<std::uint64_t>& plane = team.slots[i].plane;
       if (!plane) plane = ZeroArray<std::uint64_t>(VisitedPlane::words_for(width, height));
@@ -41,12 +42,20 @@ void Walkers::reset(int width, int height, int threads, int ants) {
 }
 
 StopCondition::Cause Walkers::walk(const WalkWorld& world, kernels::WalkFn kernel,
-                                   std::span<Ant> ants, int first, const StopCondition& stop) {
+                                   std::span<Ant> ants, int first, const StopCondition& stop,
+                                   const WhileOthersWalk& spare) {
   std::atomic<int> next{0};
+  std::atomic<int> still_walking{threads_};
   std::atomic<StopCondition::Cause> cause{StopCondition::Cause::none};
   try {
-    parallel_for(threads_, threads_, [&](int i, int) {
+    parallel_for(threads_, threads_, [&](int i, int thread) {
       work(teams_[i], world, kernel, ants, first, next, cause, stop);
+      --still_walking;
+      if (!spare) return;
+      for (const int ant : teams_[i].done) {
+        if (still_walking == 0) break;
+        spare(ant, thread);
+      }
     });
   } catch (...) {
     teams_.clear();  // cells entered are still marked in their planes
@@ -113,9 +122,11 @@ void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, s
     forget(slot, team.slots[i].plane.at(0), world);
     ant.dead.assign(slot.dead, slot.dead + slot.dead_count);
     slot.state = WalkState::lost;
+    team.done.push_back(numbers[i]);
     --under_way;
   };
 
+  team.done.clear();
   for (int i = 0; i < slot_count; ++i) send(i);
   while (under_way > 0) {
     for (int i = 0; i < slot_count; ++i) {

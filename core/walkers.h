@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -41,12 +42,17 @@ class Walkers {
   /// where ants go.
   void reset(int width, int height, int threads, int ants);
 
+  /// What a thread does that has no ant left to walk while others have: called with the index of an
+  /// ant that has arrived or is lost, and the thread's number.
+  using WhileOthersWalk = std::function<void(int ant, int thread)>;
+
   /// Walks every ant until it has arrived or is lost, or `stop` says so; then ants still under way
   /// are lost, and those not yet sent stay as they were given (not arrived). `first` is the number
   /// of the first ant, which picks its random stream. Which thread walks which ant changes nothing.
   /// Throws what the world's make_tile throws, or std::bad_alloc; then call `reset` first.
   StopCondition::Cause walk(const kernels::WalkWorld& world, kernels::WalkFn kernel,
-                            std::span<Ant> ants, int first, const StopCondition& stop);
+                            std::span<Ant> ants, int first, const StopCondition& stop,
+                            const WhileOthersWalk& spare = {});
 
  private:
   // Ants that one thread advances together: two groups of eight, where they go abreast.
@@ -60,6 +66,7 @@ class Walkers {
   };
   struct alignas(64) Team {  // of one thread
     std::array<Slot, kSlots> slots;
+    std::vector<int> done;  // ants, by index
   };
 
   // Of so many ants, those that a thread has under way: no more than its share.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <mutex>
@@ -161,6 +162,48 @@ TEST(Walkers, PassOnThatATileCannotBeMadeAndForgetTheAntsUnderWay) {
       }
     }
   }
+}
+
+std::atomic<bool> all_sent = false;
+std::atomic<int> spared = 0;  // ants given to a thread without others to walk
+
+// Ants arrive once both threads have theirs; the first one waits for an ant to be given away.
+void waiting_kernel(const kernels::WalkWorld&, std::span<kernels::WalkSlot> slots, int) noexcept {
+  for (kernels::WalkSlot& slot : slots) {
+    if (slot.ant + 1 == kAnts) all_sent = true;
+    if (all_sent && (slot.ant > 0 || spared > 0)) slot.state = kernels::WalkState::arrived;
+  }
+}
+
+TEST(Walkers, GiveAThreadThatHasNoAntLeftThoseItHasWalked) {
+  Square square(kTiles);
+  std::vector<Ant> ants(kAnts);
+  Walkers walkers;
+  walkers.reset(kSide, kSide, 2, kAnts);
+  std::vector<int> given(kAnts, 0);
+  const auto cause =
+      walkers.walk(square.world, waiting_kernel, ants, 0,
+                   {.deadline = Clock::now() + std::chrono::minutes(1)}, [&](int ant, int thread) {
+                     EXPECT_TRUE(ants[ant].arrived);
+                     EXPECT_TRUE(thread == 0 || thread == 1);
+                     ++given[ant];
+                     ++spared;
+                   });
+  EXPECT_EQ(cause, StopCondition::Cause::none);
+  EXPECT_GT(spared, 0);
+  EXPECT_EQ(given[0], 0);  // it was the last one under way
+  EXPECT_LE(*std::max_element(given.begin(), given.end()), 1);
+  for (const Ant& ant : ants) EXPECT_TRUE(ant.arrived);
+}
+
+TEST(Walkers, GiveOneThreadAloneNothing) {
+  Square square(kTiles);
+  std::vector<Ant> ants(kAnts);
+  Walkers walkers;
+  walkers.reset(kSide, kSide, 1, kAnts);
+  walkers.walk(square.world, kernels::walk_table(kernels::Isa::scalar).walk[square.shape.index()],
+               ants, 0, {}, [](int, int) { FAIL(); });
+  for (const Ant& ant : ants) EXPECT_TRUE(ant.arrived);
 }
 
 }  // namespace
