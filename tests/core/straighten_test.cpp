@@ -11,6 +11,7 @@
 #include "kernels/sight.h"
 #include "lasius/path.h"
 #include "loop_cutter.h"
+#include "tests/core/counting_time.h"
 #include "tests/count_allocations.h"
 #include "tests/oracle/plane_rule.h"
 #include "tests/random_grid.h"
@@ -172,16 +173,6 @@ TEST(Straighten, AllocatesNothingTheSecondTime) {
   EXPECT_EQ(allocations, before);
 }
 
-class CountingTime : public TimeSource {
- public:
-  Clock::time_point now() const noexcept override {
-    ++polls;
-    return Clock::time_point(std::chrono::seconds(polls >= stop_at ? 10 : 0));
-  }
-  mutable std::int64_t polls = 0;
-  std::int64_t stop_at = 1 << 30;
-};
-
 TEST(Straighten, PollsAndReturnsAValidPathWhenStopped) {
   // A wide empty map: each row costs a scan of its words.
   const Grid grid(32768, 2048);
@@ -189,17 +180,14 @@ TEST(Straighten, PollsAndReturnsAValidPathWhenStopped) {
   for (int y = 0; y < 2048; ++y) {
     for (int i = 0; i < 16; ++i) walk.push_back({y % 2 == 0 ? y * 16 + i : y * 16 + i, y});
   }
-  CountingTime time;
-  StopCondition stop;
-  stop.time = &time;
-  stop.deadline = Clock::time_point(std::chrono::seconds(5));
+  const CountingTime counted(1 << 30);
   Straightener straightener;
-  straightener.run(grid, walk, stop);
+  straightener.run(grid, walk, counted.is_up());
   EXPECT_EQ(straightener.vertices().size(), 2u);
-  EXPECT_GE(time.polls, 8);  // at least 2048 rows of up to 512 words in two passes
-  time.stop_at = time.polls = 0;
-  straightener.run(grid, walk, stop);
-  EXPECT_EQ(time.polls, 1);
+  EXPECT_GE(counted.polls(), 8);  // at least 2048 rows of up to 512 words in two passes
+  const CountingTime up(0);
+  straightener.run(grid, walk, up.is_up());
+  EXPECT_EQ(up.polls(), 1);
   EXPECT_TRUE(std::ranges::equal(straightener.vertices(), walk));
   EXPECT_TRUE(one_piece(grid, straightener.cells(), false));
 }
@@ -272,15 +260,12 @@ TEST(LoopCutter, PollsAndFindsNothingWhenStopped) {
     snake.push_back({y % 2 == 0 ? i % 300 : 299 - i % 300, y});
   }
   std::swap(snake.front(), snake.back());  // of a set of cells, only the ends matter
-  CountingTime time;
-  StopCondition stop;
-  stop.time = &time;
-  stop.deadline = Clock::time_point(std::chrono::seconds(5));
+  const CountingTime counted(1 << 30);
   LoopCutter cutter;
-  EXPECT_EQ(cutter.cut(grid, snake, false, Corners::forbid, stop).size(), 200u);
-  EXPECT_EQ(time.polls, 199 * 200 / 2 / 4096);  // the cells nearer to the end
-  time.stop_at = time.polls = 0;
-  EXPECT_TRUE(cutter.cut(grid, snake, false, Corners::forbid, stop).empty());
+  EXPECT_EQ(cutter.cut(grid, snake, false, Corners::forbid, counted.is_up()).size(), 200u);
+  EXPECT_EQ(counted.polls(), 199 * 200 / 2 / 4096);  // the cells nearer to the end
+  const CountingTime up(0);
+  EXPECT_TRUE(cutter.cut(grid, snake, false, Corners::forbid, up.is_up()).empty());
 }
 
 }  // namespace

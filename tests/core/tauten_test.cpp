@@ -9,6 +9,7 @@
 #include "lasius/path.h"
 #include "loop_cutter.h"
 #include "straighten.h"
+#include "tests/core/counting_time.h"
 #include "tests/count_allocations.h"
 #include "tests/oracle/plane_rule.h"
 #include "tests/oracle/visibility_graph.h"
@@ -244,35 +245,21 @@ TEST(Tautener, AllocatesNothingTheSecondTime) {
   EXPECT_LT(tautener.length(), path_length(centres(walk)));
 }
 
-class CountingTime : public TimeSource {
- public:
-  Clock::time_point now() const noexcept override {
-    ++polls;
-    return Clock::time_point(std::chrono::seconds(polls >= stop_at ? 10 : 0));
-  }
-  mutable std::int64_t polls = 0;
-  std::int64_t stop_at = 1 << 30;
-};
-
 TEST(Tautener, PollsInsideATriangleAndReturnsAValidPathWhenStopped) {
   // One triangle of 32768 rows of up to 512 words, empty but for its far corners.
   constexpr int kSide = Grid::kMaxSide;
   Grid grid(kSide, kSide);
   grid.set_blocked({kSide - 2, 1});
   const Walk corner{{0, 0}, {kSide - 1, 0}, {kSide - 1, kSide - 1}};
-  CountingTime time;
-  StopCondition stop;
-  stop.time = &time;
-  stop.deadline = Clock::time_point(std::chrono::seconds(5));
+  const CountingTime counted(1 << 30);
   Tautener tautener;
-  tautener.run(grid, corner, Corners::forbid, stop);
+  tautener.run(grid, corner, Corners::forbid, counted.is_up());
   EXPECT_EQ(tautener.path().size(), 3u);
   EXPECT_EQ(tautener.path()[1], (Point{kSide - 1.0, 1.0}));
-  EXPECT_GE(time.polls, 100);  // half of 32768 x 512 words, 65536 between two polls: 128
-  time.polls = 0;
-  time.stop_at = 3;
-  tautener.run(grid, corner, Corners::forbid, stop);
-  EXPECT_EQ(time.polls, 3);
+  EXPECT_GE(counted.polls(), 100);  // half of 32768 x 512 words, 65536 between two polls: 128
+  const CountingTime third(2);
+  tautener.run(grid, corner, Corners::forbid, third.is_up());
+  EXPECT_EQ(third.polls(), 3);
   EXPECT_EQ(tautener.length(), 2 * (kSide - 1));
 }
 

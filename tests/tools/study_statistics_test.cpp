@@ -126,16 +126,6 @@ TEST(MeanInterval, IsTheSameEveryTime) {
   EXPECT_EQ(one.high, 3);
 }
 
-// Newcombe (1998), table I: 81 of 263 gives 0.2553 to 0.3662; 0 of 20 gives 0 to 0.1611.
-TEST(ShareInterval, NewcombesExamples) {
-  const Interval some = share_interval(81, 263);
-  EXPECT_NEAR(some.low, 0.2553, 5e-5);
-  EXPECT_NEAR(some.high, 0.3662, 5e-5);
-  const Interval none = share_interval(0, 20);
-  EXPECT_EQ(none.low, 0);
-  EXPECT_NEAR(none.high, 0.1611, 5e-5);
-}
-
 TEST(Holm, StepsDown) {
   const auto p = holm(std::vector<double>{0.01, 0.04, 0.03, 0.5});
   EXPECT_DOUBLE_EQ(p[0], 0.04);

@@ -9,8 +9,6 @@
 namespace lasius::study {
 namespace {
 
-constexpr double kNormal975 = 1.959963984540054;  // the 97.5% quantile of the normal law
-
 /// Ranks from 1 of the absolute values, doubled so that mean ranks of ties are integers.
 std::vector<int> doubled_ranks(std::span<const double> values) {
   std::vector<std::size_t> order(values.size());
@@ -98,14 +96,6 @@ Interval mean_interval(std::span<const double> values) {
     means[r] = sum / count;
   }
   return {quantile(means, 0.025), quantile(means, 0.975)};
-}
-
-Interval share_interval(int successes, int trials) {
-  const double n = trials, share = successes / n, z2 = kNormal975 * kNormal975;
-  const double centre = (share + z2 / (2 * n)) / (1 + z2 / n);
-  const double half =
-      kNormal975 / (1 + z2 / n) * std::sqrt(share * (1 - share) / n + z2 / (4 * n * n));
-  return {std::max(0.0, centre - half), std::min(1.0, centre + half)};
 }
 
 SignedRank signed_rank(std::span<const double> differences) {

@@ -31,9 +31,6 @@ struct Interval {
 /// equal samples give equal intervals. Precondition: not empty; one value gives no width.
 Interval mean_interval(std::span<const double> values);
 
-/// 95% interval of a share of successes (Wilson 1927). Precondition: trials > 0.
-Interval share_interval(int successes, int trials);
-
 /// Wilcoxon's signed-rank test of paired differences against a median of 0, two-sided.
 struct SignedRank {
   int pairs = 0;      ///< differences that are not 0; zeros are dropped (Wilcoxon 1945)
