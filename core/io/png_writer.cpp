@@ -29,10 +29,11 @@ class PngWriter {
   PngWriter& operator=(const PngWriter&) = delete;
   ~PngWriter() { png_destroy_write_struct(&png_, &info_); }
 
-  void start(int width, int height, int depth, int colour) {
+  /// 1 bit a pixel, grey.
+  void start(int width, int height) {
     guarded([&] {
       png_set_IHDR(png_, info_, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height),
-                   depth, colour, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                   1, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                    PNG_FILTER_TYPE_DEFAULT);
       png_write_info(png_, info_);
     });
@@ -82,32 +83,13 @@ png_byte eight_cells(const std::uint64_t* words, int x) noexcept {
 void write_png(const Grid& grid, const std::string& path) {
   write_file(path, [&](std::ostream& out) {
     PngWriter png(out, path);
-    png.start(grid.width(), grid.height(), 1, PNG_COLOR_TYPE_GRAY);
+    png.start(grid.width(), grid.height());
     std::vector<png_byte> bytes((static_cast<std::size_t>(grid.width()) + 7) / 8);
     for (int y = 0; y < grid.height(); ++y) {
       for (std::size_t i = 0; i < bytes.size(); ++i) {
         bytes[i] = eight_cells(grid.row(y), static_cast<int>(8 * i));
       }
       png.row(bytes.data());
-    }
-    png.finish();
-  });
-}
-
-void write_png_rgb(const std::string& path, int width, int height,
-                   std::span<const std::uint8_t> rgb) {
-  const std::size_t row_bytes = 3 * static_cast<std::size_t>(width < 0 ? 0 : width);
-  if (width < 1 || height < 1 || rgb.size() != row_bytes * static_cast<std::size_t>(height)) {
-    throw Error(ErrorCode::invalid_parameter,
-                "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                    " with " + std::to_string(rgb.size()) + " bytes",
-                "give a size of at least 1 x 1 and 3 bytes a pixel");
-  }
-  write_file(path, [&](std::ostream& out) {
-    PngWriter png(out, path);
-    png.start(width, height, 8, PNG_COLOR_TYPE_RGB);
-    for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
-      png.row(rgb.data() + y * row_bytes);
     }
     png.finish();
   });

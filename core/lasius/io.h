@@ -1,8 +1,6 @@
 // Component lasius::io: PNG and ROS map_server YAML, and every other map format through one door.
 #pragma once
 
-#include <cstdint>
-#include <span>
 #include <string>
 
 #include "lasius/grid.h"
@@ -37,10 +35,5 @@ LASIUS_IO_EXPORT void write_any_map(const Grid& grid, const std::string& path);
 
 /// Writes a PNG of 1 bit a pixel: blocked black, free white. @throws Error(output_failed)
 LASIUS_IO_EXPORT void write_png(const Grid& grid, const std::string& path);
-
-/// Writes a picture: `rgb` holds 3 bytes a pixel, row by row from the top.
-/// @throws Error(output_failed), or Error(invalid_parameter) where the sizes do not fit.
-LASIUS_IO_EXPORT void write_png_rgb(const std::string& path, int width, int height,
-                                    std::span<const std::uint8_t> rgb);
 
 }  // namespace lasius
