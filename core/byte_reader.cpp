@@ -1,6 +1,7 @@
 #include "byte_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -113,6 +114,9 @@ void ByteReader::fail_at_offset(std::int64_t offset, std::string problem, std::s
 
 InputFile::InputFile(const std::string& path)
     : stream_(open(path)), reader_(stream_, path, size_of(path)) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";  // UTF-8, as some editors begin a text with
+  std::array<char, kMark.size()> mark;
+  if (reader_.ahead(mark.size()) == kMark) reader_.read(mark.data(), mark.size());
   if (reader_.peek() == ByteReader::kEnd) {
     reader_.fail_at_offset(0, "is empty", "write it again");
   }

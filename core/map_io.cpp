@@ -50,8 +50,8 @@ Map read_map(const std::string& path, const ReadOptions& options) {
 
 void write_map(const Grid& grid, const std::string& path) {
   const auto write = [&]() -> void (*)(const Grid&, std::ostream&) {
-    if (path.ends_with(".map")) return write_movingai;
-    if (path.ends_with(".pbm")) return write_pbm;
+    if (has_ending(path, ".map")) return write_movingai;
+    if (has_ending(path, ".pbm")) return write_pbm;
     throw Error(ErrorCode::invalid_parameter, "cannot tell the format of '" + path + "'",
                 "end its name in .map or .pbm");
   }();

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <filesystem>
@@ -84,6 +85,14 @@ void write_file(const std::string& path, const std::function<void(std::ostream&)
     fail(path, "cannot be replaced (" + error.message() + ")",
          "check that its folder may be written");
   }
+}
+
+bool has_ending(std::string_view path, std::string_view ending) noexcept {
+  if (path.size() < ending.size()) return false;
+  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  const auto last = path.substr(path.size() - ending.size());
+  return std::equal(last.begin(), last.end(), ending.begin(),
+                    [&](char a, char b) { return small(a) == b; });
 }
 
 }  // namespace lasius

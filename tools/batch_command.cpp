@@ -27,8 +27,8 @@ class Collected {
  public:
   Collected(const PreparedMap& map, const RunOptions& run) : map_(map), run_(run) {
     for (const auto& file : run.outputs) {
-      json_ |= file.ends_with(".json");
-      csv_ |= file.ends_with(".csv");
+      json_ |= has_ending(file, ".json");
+      csv_ |= has_ending(file, ".csv");
       paths_ |= is_picture(file);
     }
     if (csv_) rows_ = batch_csv_header(run.frame);
@@ -46,7 +46,7 @@ class Collected {
         write_batch_picture(file, map_, run_, kept_);
       else
         write_file(file,
-                   [&](std::ostream& out) { out << (file.ends_with(".csv") ? rows_ : lines_); });
+                   [&](std::ostream& out) { out << (has_ending(file, ".csv") ? rows_ : lines_); });
     }
   }
 

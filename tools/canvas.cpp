@@ -195,7 +195,7 @@ void Canvas::text(Point at, const std::string& text, double size, Align align, C
 void Canvas::save(const std::string& file) const {
   check(cairo_status(context_.get()));
   write_file(file, [&](std::ostream& out) {
-    const bool svg = file.ends_with(".svg");
+    const bool svg = has_ending(file, ".svg");
     const Surface surface(
         svg ? cairo_svg_surface_create_for_stream(to_stream, &out, width_, height_)
             : cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_, height_));

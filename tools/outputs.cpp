@@ -13,7 +13,7 @@ namespace {
 
 void write(const Forms& forms, const std::string& file) {
   if (is_picture(file)) return forms.write_picture(file);
-  const auto& form = file.ends_with(".csv") ? forms.csv : forms.json;
+  const auto& form = has_ending(file, ".csv") ? forms.csv : forms.json;
   write_file(file, [&](std::ostream& out) { out << form(); });
 }
 

@@ -8,6 +8,7 @@
 #include "canvas.h"
 #include "chart.h"
 #include "colours.h"
+#include "lasius/output.h"
 #include "report.h"
 #include "study/text.h"
 
@@ -212,7 +213,7 @@ std::string path_caption(const PreparedMap& map, Frame frame, const Answer& answ
 }  // namespace
 
 bool is_picture(const std::string& file) {
-  return file.ends_with(".svg") || file.ends_with(".png");
+  return has_ending(file, ".svg") || has_ending(file, ".png");
 }
 
 void write_plan_picture(const std::string& file, const PreparedMap& map, const RunOptions& run,

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "exit_code.h"
+#include "lasius/output.h"
 #include "threads.h"
 #include "values.h"
 
@@ -19,7 +20,7 @@ std::optional<Point> point(std::string_view option, const std::string& text) {
 
 bool is_world(std::string_view file) {
   return std::ranges::any_of(std::array{".geojson", ".json", ".wkt"},
-                             [&](std::string_view ending) { return file.ends_with(ending); });
+                             [&](std::string_view ending) { return has_ending(file, ending); });
 }
 
 WorldOptions make_world_options(const std::string& file, const WorldText& text) {

@@ -51,7 +51,9 @@ class Lines {
 
   bool next() {
     while (std::getline(in_, text_)) {
-      ++number_;
+      constexpr std::string_view kMark =
+          "\xef\xbb\xbf";  // UTF-8, as some editors begin a text with
+      if (number_++ == 0 && text_.starts_with(kMark)) text_.erase(0, kMark.size());
       if (!trimmed(text_).empty()) return true;
     }
     if (in_.bad())

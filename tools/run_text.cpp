@@ -5,6 +5,7 @@
 
 #include "answer.h"
 #include "exit_code.h"
+#include "lasius/output.h"
 #include "parameters.h"
 #include "picture.h"
 #include "threads.h"
@@ -51,9 +52,11 @@ double target_gap_value(const std::string& text) {
 void check_endings(const std::vector<std::string>& files,
                    std::span<const std::string_view> endings) {
   for (const auto& file : files) {
+    if (std::ranges::any_of(endings, [&](auto ending) { return has_ending(file, ending); }))
+      continue;
     const auto dot = file.find_last_of("./");
-    const bool has_ending = dot != std::string::npos && file[dot] == '.';
-    choice_value("-o " + file, has_ending ? file.substr(dot) : "", endings);
+    const bool dotted = dot != std::string::npos && file[dot] == '.';
+    choice_value("-o " + file, dotted ? file.substr(dot) : "", endings);
   }
 }
 
@@ -78,7 +81,7 @@ RunOptions make_run(const RunText& text) {
   run.map.radius_metres = run.frame == Frame::world;
   run.map.unknown_is_free = text.unknown_free;
   const auto& file = run.map.file;
-  if (text.unknown_free && !file.ends_with(".yaml") && !file.ends_with(".yml"))
+  if (text.unknown_free && !has_ending(file, ".yaml") && !has_ending(file, ".yml"))
     run.notes.push_back("--unknown-free has no effect: only ROS maps (.yaml) have unknown cells");
   if (run.target_gap > 0 && moves_on_cells(run))
     run.notes.push_back("--target-gap has no effect: " + run.params.algorithm +

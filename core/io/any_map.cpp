@@ -6,6 +6,7 @@
 #include "io/ros_map.h"
 #include "lasius/error.h"
 #include "lasius/io.h"
+#include "lasius/output.h"
 #include "movingai.h"
 #include "pixel_rule.h"
 #include "pnm.h"
@@ -16,7 +17,7 @@ namespace {
 constexpr std::size_t kHead = 8;
 
 bool is_yaml_name(const std::string& path) {
-  return path.ends_with(".yaml") || path.ends_with(".yml");
+  return has_ending(path, ".yaml") || has_ending(path, ".yml");
 }
 
 Grid read_image(ByteReader& in, const PixelRule& rule) {
@@ -56,7 +57,7 @@ Map read_any_map(const std::string& path, const ReadOptions& options) {
 }
 
 void write_any_map(const Grid& grid, const std::string& path) {
-  if (path.ends_with(".png")) return write_png(grid, path);
+  if (has_ending(path, ".png")) return write_png(grid, path);
   try {
     write_map(grid, path);
   } catch (const Error& error) {

@@ -3,6 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
+#include <set>
 
 namespace lasius {
 namespace {
@@ -15,6 +16,12 @@ class Fields {
   Fields(const ByteReader& in, const YAML::Node& root) : in_(in), root_(root) {
     if (!root.IsMap()) {
       in_.fail_at_line(1, "this is no list of keys and values", "start with 'image: map.pgm'");
+    }
+    std::set<std::string> keys;
+    for (const auto& entry : root_) {
+      if (!entry.first.IsScalar() || keys.insert(entry.first.Scalar()).second) continue;
+      in_.fail_at_line(entry.first.Mark().line + 1, "'" + entry.first.Scalar() + "' is given again",
+                       "leave one of the two lines out");
     }
   }
 

@@ -10,7 +10,7 @@
 namespace lasius {
 
 /// Reads a map of any kind: .map, PBM, PGM and PNG, told apart by content, and ROS map_server YAML,
-/// known by its name (.yaml, .yml). PNG is read row by row, interlaced or not.
+/// known by its name (.yaml, .yml, small or capital). PNG is read row by row, interlaced or not.
 ///
 /// PNG: colours count by their luma (Rec. 709 weights of the stored values, gamma is ignored), what
 /// is transparent is seen on a white page, and the pixel then counts as in ReadOptions::free_below.

@@ -38,8 +38,8 @@ struct ReadOptions {
 };
 
 /// Reads .map, .pbm or .pgm, told apart by content; row by row, without a buffer of the whole file.
-/// A .map's '.', 'G' and 'S' are free, '@', 'O', 'T' and 'W' blocked. The map is returned whole or
-/// not at all.
+/// A .map's '.', 'G' and 'S' are free, '@', 'O', 'T' and 'W' blocked. A UTF-8 byte order mark is
+/// stepped over. The map is returned whole or not at all.
 /// @throws Error(file_missing, file_broken, file_unsupported), naming the file, the line of a text
 ///         format or the byte offset of a binary one, and the remedy.
 LASIUS_EXPORT Map read_map(const std::string& path, const ReadOptions& options = {});

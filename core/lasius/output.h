@@ -1,9 +1,10 @@
-// Files that are either written whole or not at all.
+// Files that are either written whole or not at all, and the endings of their names.
 #pragma once
 
 #include <functional>
 #include <ostream>
 #include <string>
+#include <string_view>
 
 #include "lasius/export.h"
 
@@ -16,5 +17,9 @@ namespace lasius {
 ///         `write` throws; the temporary file is removed in either case.
 LASIUS_EXPORT void write_file(const std::string& path,
                               const std::function<void(std::ostream&)>& write);
+
+/// True where a file's name ends in `ending`, which is in small letters, as in ".png"; capitals
+/// count as small ones.
+LASIUS_EXPORT bool has_ending(std::string_view path, std::string_view ending) noexcept;
 
 }  // namespace lasius

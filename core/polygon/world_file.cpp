@@ -23,7 +23,7 @@ World read_world(const std::string& path, const ReadOptions& options) {
 
 void write_world(const World& world, const std::string& path) {
   write_file(path, [&](std::ostream& out) {
-    out << (path.ends_with(".wkt") ? to_wkt(world) : to_geojson(world));
+    out << (has_ending(path, ".wkt") ? to_wkt(world) : to_geojson(world));
   });
 }
 

@@ -40,6 +40,8 @@ TEST_F(MapIo, ReadsMovingAi) {
       << "CR LF";
   EXPECT_EQ(read("type octile\nwidth 5\nheight 2\nmap\n.GSOT\n@W..."), expected)
       << "width first, last line without its end";
+  EXPECT_EQ(read("\xef\xbb\xbftype octile\nwidth 5\nheight 2\nmap\n.GSOT\n@W..."), expected)
+      << "a byte order mark";
   EXPECT_EQ(read("type  octile \nheight\t2\nwidth 5\nmap\n.GSOT\n@W...\n\n \r\n"), expected)
       << "blanks, empty lines at the end";
 }
@@ -104,6 +106,8 @@ TEST_F(MapIo, WritesTheFormatsByTheLetter) {
   EXPECT_EQ(content(path("a.map")), "type octile\nheight 2\nwidth 3\nmap\n@..\n.@@\n");
   write_map(grid, path("a.pbm"));
   EXPECT_EQ(content(path("a.pbm")), "P4\n3 2\n\x80\x60");
+  write_map(grid, path("A.PBM"));
+  EXPECT_EQ(content(path("A.PBM")), content(path("a.pbm")));
 }
 
 struct Broken {

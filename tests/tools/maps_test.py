@@ -30,6 +30,54 @@ class Info(ProgramTest):
         self.refused(self.run_program("info", "missing.map"), 3, "missing.map")
 
 
+class Editors(ProgramTest):
+    """What editors and other systems make of files that people write."""
+    MARK = b"\xef\xbb\xbf"
+    WORLD = ('{"type": "FeatureCollection", "features": [{"properties": {"role": "boundary"}, '
+             '"geometry": {"type": "Polygon", "coordinates": '
+             '[[[0, 0], [9, 0], [9, 9], [0, 9], [0, 0]]]}}]}')
+
+    def test_a_byte_order_mark_is_stepped_over(self):
+        self.write("marked.map", self.MARK + self.read("small.map"))
+        self.write("marked.pgm", self.MARK + b"P2\n2 1\n255\n255 255\n")
+        self.write("marked.yaml", self.MARK + b"image: marked.pgm\nresolution: 1\n"
+                   b"origin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")
+        self.write("marked.geojson", self.MARK + self.WORLD.encode())
+        self.write("marked.wkt", self.MARK + b"POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0))")
+        for name in ("marked.map", "marked.pgm", "marked.yaml", "marked.geojson", "marked.wkt"):
+            with self.subTest(name=name):
+                run = self.run_program("info", name)
+                self.assertEqual(run.code, 0, run.err)
+        for name, queries in (("q.scen", b"version 1\n0 m 10 6 0 0 9 5 1\n"),
+                              ("q.tsv", b"sx\tsy\tgx\tgy\n0\t0\t9\t5\n")):
+            with self.subTest(name=name):
+                self.write(name, self.MARK + queries)
+                run = self.run_program("batch", "marked.map", name, "--iterations", "2")
+                self.assertEqual(run.code, 0, run.err)
+                self.assertEqual(run.lines[0]["goal"], [9, 5])
+        self.write("bare.map", self.MARK)
+        self.refused(self.run_program("info", "bare.map"), 3, "is empty")
+
+    def test_endings_may_be_in_capitals(self):
+        self.write("MAP.PGM", b"P2\n2 1\n255\n255 255\n")
+        self.write("MAP.YML", "image: MAP.PGM\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\n"
+                   "occupied_thresh: 0.65\nfree_thresh: 0.196\n")
+        self.write("WORLD.GeoJSON", self.WORLD)
+        for name in ("MAP.YML", "WORLD.GeoJSON"):
+            with self.subTest(name=name):
+                run = self.run_program("info", name)
+                self.assertEqual(run.code, 0, run.err)
+        run = self.plan("-o", "A.JSON", "-o", "A.CSV", "-o", "A.SVG", "-o", "A.Png", "--json")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertEqual(self.read("A.JSON").decode(), run.out)
+        self.assertTrue(self.read("A.CSV").startswith(b"iteration,"))
+        self.assertTrue(self.read("A.SVG").startswith(b"<?xml"))
+        self.png_size("A.Png")
+        run = self.run_program("generate", "open", "--size", "4x4", "-o", "OPEN.MAP")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertTrue(self.read("OPEN.MAP").startswith(b"type octile"))
+
+
 class Algorithms(ProgramTest):
     def test_machine_readable(self):
         listing = self.run_program("algorithms", "--json").json

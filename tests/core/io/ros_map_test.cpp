@@ -138,6 +138,8 @@ const BrokenRos kBrokenRosMaps[] = {
      "finite number"},
     {"origin_nan", "image: image\nresolution: 1\norigin: [1, .nan, 0]\n", kBroken, 3,
      "finite number"},
+    {"twice", kTop + "negate: 0\nresolution: 0.1\n" + kTrinary, kBroken, 5,
+     "'resolution' is given again"},
     {"no_negate", kTop + "occupied_thresh: 0.65\nfree_thresh: 0.2\n", kBroken, 1, "'negate'"},
     {"negate_text", kTop + "negate: perhaps\n", kBroken, 4, "neither 0 nor 1"},
     {"no_occupied", kTop + "negate: 0\nfree_thresh: 0.2\n", kBroken, 1, "'occupied_thresh'"},
