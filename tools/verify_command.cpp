@@ -23,28 +23,39 @@
 namespace lasius::tool {
 namespace {
 
-Error broken(const std::string& file, const std::string& problem) {
+/// A result, and the byte of its file at which it begins.
+struct Saved {
+  Json json;
+  std::int64_t offset;
+};
+
+Error broken(Error::Place place, const std::string& problem) {
   return Error(
-      ErrorCode::file_broken, {.file = file}, problem,
+      ErrorCode::file_broken, std::move(place), problem,
       "give a result that `lasius plan --json`, `lasius batch` or `lasius arm --json` printed");
 }
 
 /// The objects of a file: one result, or one a line.
-std::vector<Json> read_results(const std::string& file) {
+std::vector<Saved> read_results(const std::string& file) {
   std::error_code ignored;
   std::ifstream in;
   if (!std::filesystem::is_directory(file, ignored)) in.open(file, std::ios::binary);
   if (!in.is_open())
     throw Error(ErrorCode::file_missing, {.file = file}, "cannot be opened", "name a saved result");
-  std::vector<Json> results;
+  std::vector<Saved> results;
   try {
-    while (in >> std::ws && in.peek() != std::ifstream::traits_type::eof())
-      in >> results.emplace_back();
+    while (in >> std::ws && in.peek() != std::ifstream::traits_type::eof()) {
+      results.push_back({{}, in.tellg()});
+      in >> results.back().json;
+    }
   } catch (const Json::exception& fault) {
-    throw broken(file,
-                 "result " + std::to_string(results.size()) + " is not JSON: " + fault.what());
+    in.clear();
+    const bool syntax = dynamic_cast<const Json::parse_error*>(&fault) != nullptr;
+    throw broken({.file = file, .offset = in.tellg()},
+                 "result " + std::to_string(results.size()) +
+                     (syntax ? " is not JSON up to here" : " holds a number that is too large"));
   }
-  if (results.empty()) throw broken(file, "holds no result");
+  if (results.empty()) throw broken({.file = file, .offset = 0}, "holds no result");
   return results;
 }
 
@@ -153,16 +164,16 @@ class Maps {
   std::optional<PreparedMap> map_;
 };
 
-/// Calls `replay`; whatever is wrong with the recorded inputs is named by file.
+/// Calls `replay`; whatever is wrong with the recorded inputs is named by the result's place.
 template <class Replay>
-Json checked(const std::string& name, const Replay& replay) {
+Json checked(const Error::Place& place, const Replay& replay) {
   try {
     return replay();
   } catch (const UsageError& fault) {
-    throw broken(name, std::string("cannot be replayed: ") + fault.what());
+    throw broken(place, std::string("cannot be replayed: ") + fault.what());
   } catch (const Error& fault) {
     if (fault.code() != ErrorCode::invalid_parameter) throw;
-    throw broken(name, std::string("cannot be replayed: ") + fault.what());
+    throw broken(place, std::string("cannot be replayed: ") + fault.what());
   }
 }
 
@@ -198,11 +209,13 @@ Json replay_of(const VerifyCommand& command, const Json& result, Maps& maps,
 }
 
 /// Replays one result and says what is wrong. Its exit code.
-int verify(const VerifyCommand& command, const Json& result, const std::string& name, Maps& maps,
+int verify(const VerifyCommand& command, const Saved& saved, const std::string& name, Maps& maps,
            const std::stop_token& token) {
+  const Json& result = saved.json;
+  const Error::Place place{.file = name, .offset = saved.offset};
   const std::string format = text_of(result, "format");
   if (format != kFormat && format != kArmFormat)
-    throw broken(name, std::string("is not of format ") + kFormat + " or " + kArmFormat);
+    throw broken(place, std::string("is not of format ") + kFormat + " or " + kArmFormat);
   const std::string status = text_of(result, "status");
   if (status == "limit" || status == "interrupted") {
     message(name + ": cannot be replayed: " + (status == "limit" ? "a time limit" : "a signal") +
@@ -214,7 +227,7 @@ int verify(const VerifyCommand& command, const Json& result, const std::string& 
     message(name + ": made by version " + version + ", replayed by " + LASIUS_VERSION);
   if (format == kArmFormat && !command.map.empty())
     throw UsageError("--map: " + name + " is of an arm, it has no map");
-  const Json replay = checked(name, [&] { return replay_of(command, result, maps, token); });
+  const Json replay = checked(place, [&] { return replay_of(command, result, maps, token); });
   if (token.stop_requested()) return kInterrupted;
   const std::string key = difference(result, replay);
   if (key.empty()) return kFound;

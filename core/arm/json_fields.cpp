@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "json_place.h"
 #include "lasius/error.h"
 #include "nearest_name.h"
 
@@ -20,9 +21,9 @@ std::string range_text(double least, double most) {
 
 }  // namespace
 
-JsonFields::JsonFields(const Json& object, std::string file, std::string path,
-                       std::initializer_list<std::string_view> known)
-    : object_(&object), file_(std::move(file)), path_(std::move(path)) {
+JsonFields::JsonFields(const Json& object, std::string_view text, std::string file,
+                       std::string path, std::initializer_list<std::string_view> known)
+    : object_(&object), text_(text), file_(std::move(file)), path_(std::move(path)) {
   if (!object.is_object()) fail("", "is not an object", "write it as {...}");
   for (const auto& [name, value] : object.items()) {
     bool is_known = false;
@@ -37,8 +38,9 @@ void JsonFields::fail(std::string_view name, const std::string& problem,
                       const std::string& remedy) const {
   std::string place = path_;
   if (!name.empty()) place += (place.empty() ? "" : ".") + std::string(name);
+  const auto line = JsonPlace::line(text_, place);
   if (place.empty()) place = "the document";
-  throw Error(ErrorCode::file_broken, {.file = file_}, place + " " + problem, remedy);
+  throw Error(ErrorCode::file_broken, {.file = file_, .line = line}, place + " " + problem, remedy);
 }
 
 bool JsonFields::has(std::string_view name) const { return object_->contains(name); }
@@ -115,7 +117,7 @@ std::vector<JsonFields> JsonFields::list(std::string_view name, std::size_t leas
   std::vector<JsonFields> entries;
   const std::string path = (path_.empty() ? "" : path_ + ".") + std::string(name);
   for (std::size_t i = 0; i < value.size(); ++i) {
-    entries.emplace_back(value[i], file_, path + "[" + std::to_string(i) + "]", known);
+    entries.emplace_back(value[i], text_, file_, path + "[" + std::to_string(i) + "]", known);
   }
   return entries;
 }
@@ -161,12 +163,12 @@ nlohmann::json parse_json(std::string_view text, const std::string& file, std::s
                 {.file = file, .offset = static_cast<std::int64_t>(fault.byte)}, "this is not JSON",
                 "look at what stands before this byte");
   } catch (const nlohmann::json::exception&) {
-    throw Error(ErrorCode::file_broken, {.file = file}, "a number in it is too large",
-                "numbers lie within 1e308");
+    throw Error(ErrorCode::file_broken, {.file = file, .offset = JsonPlace::fault(text)},
+                "a number is too large", "numbers lie within 1e308");
   }
   const bool named = document.is_object() && document.contains("format");
   if (!named || document["format"] != format) {
-    throw Error(ErrorCode::file_broken, {.file = file},
+    throw Error(ErrorCode::file_broken, {.file = file, .line = JsonPlace::line(text, "format")},
                 named ? "format is " + document["format"].dump() : "the document has no \"format\"",
                 "it must be \"" + std::string(format) + "\"");
   }

@@ -12,13 +12,14 @@
 
 namespace lasius::arm {
 
-/// An object within a document, with the path to it for messages: "obstacles[3]".
+/// An object within a document, with the path to it for messages: "obstacles[3]". The document's
+/// text and tree must outlive it.
 class JsonFields {
  public:
   using Json = nlohmann::json;
 
   /// @throws Error(file_broken) where it is no object or has a field that is not in `known`.
-  JsonFields(const Json& object, std::string file, std::string path,
+  JsonFields(const Json& object, std::string_view text, std::string file, std::string path,
              std::initializer_list<std::string_view> known);
 
   bool has(std::string_view name) const;
@@ -38,7 +39,7 @@ class JsonFields {
   /// Pairs of whole numbers from 0 to `most`.
   std::vector<std::pair<int, int>> pairs(std::string_view name, int most) const;
 
-  /// Throws Error(file_broken): "FILE: PATH.name PROBLEM; REMEDY".
+  /// Throws Error(file_broken): "FILE, line N: PATH.name PROBLEM; REMEDY".
   [[noreturn]] void fail(std::string_view name, const std::string& problem,
                          const std::string& remedy) const;
   const std::string& file() const noexcept { return file_; }
@@ -48,6 +49,7 @@ class JsonFields {
   std::vector<double> numbers(std::string_view name, std::size_t count, double most) const;
 
   const Json* object_;
+  std::string_view text_;
   std::string file_;
   std::string path_;
 };

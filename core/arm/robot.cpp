@@ -19,7 +19,7 @@ constexpr double kMostTurn = 1000;  // radians
 
 Robot parse_short(std::string_view text, const std::string& file) {
   const nlohmann::json document = parse_json(text, file, "lasius-arm/1");
-  const JsonFields top(document, file, "",
+  const JsonFields top(document, text, file, "",
                        {"format", "name", "base", "base_radius", "joints", "may_touch"});
   Robot robot;
   robot.name = top.text_or("name", "");

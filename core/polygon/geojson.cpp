@@ -2,6 +2,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "json_place.h"
 #include "nearest_name.h"
 #include "world_maker.h"
 
@@ -16,14 +17,15 @@ constexpr std::array<std::string_view, 4> kRoles{"boundary", "obstacle", "start"
 
 class GeoJsonReader {
  public:
-  GeoJsonReader(const std::string& name, const ReadOptions& options)
-      : name_(name),
+  GeoJsonReader(std::string_view text, const std::string& name, const ReadOptions& options)
+      : text_(text),
+        name_(name),
         maker_(options, [this](const auto& place, const auto& problem,
                                const auto& remedy) { fail(place, problem, remedy); }),
         repair_(options.repair) {}
 
-  World read(std::string_view text) {
-    const Json json = parse(text);
+  World read() {
+    const Json json = parse();
     if (!json.is_object() || text_of(json, "type") != "FeatureCollection") {
       fail("", "is no FeatureCollection", kShape);
     }
@@ -33,28 +35,31 @@ class GeoJsonReader {
     }
     read_margin(json);
     if (const auto more = json.find("properties"); more != json.end()) read_margin(*more);
-    for (std::size_t i = 0; i < features->size(); ++i) read_feature((*features)[i], i);
+    for (std::size_t i = 0; i < features->size(); ++i) {
+      path_ = "features[" + std::to_string(i) + "]";
+      read_feature((*features)[i], i);
+    }
+    path_.clear();
     return maker_.finish();
   }
 
  private:
   [[noreturn]] void fail(const std::string& place, const std::string& problem,
                          const std::string& remedy) const {
-    throw Error(ErrorCode::file_broken, {.file = name_},
+    throw Error(ErrorCode::file_broken, {.file = name_, .line = JsonPlace::line(text_, path_)},
                 place.empty() ? problem : place + ": " + problem, remedy);
   }
 
-  Json parse(std::string_view text) const {
+  Json parse() const {
     try {
-      return Json::parse(text);
-    } catch (const Json::parse_error& e) {
-      const auto byte = std::min(e.byte > 0 ? e.byte - 1 : 0, text.size());
-      const auto line = 1 + std::count(text.begin(), text.begin() + byte, '\n');
-      throw Error(ErrorCode::file_broken,
-                  {.file = name_, .line = line, .offset = static_cast<std::int64_t>(byte)},
-                  "is not JSON here", "correct the text, or save the world again");
+      return Json::parse(text_);
     } catch (const Json::exception& e) {
-      fail("", std::string("is not JSON that can be read: ") + e.what(), kShape);
+      const auto byte = JsonPlace::fault(text_);
+      const auto line = 1 + std::count(text_.begin(), text_.begin() + byte, '\n');
+      const bool syntax = dynamic_cast<const Json::parse_error*>(&e) != nullptr;
+      throw Error(ErrorCode::file_broken, {.file = name_, .line = line, .offset = byte},
+                  syntax ? "is not JSON here" : "holds a number that is too large",
+                  "correct the text, or save the world again");
     }
   }
 
@@ -149,7 +154,9 @@ class GeoJsonReader {
     return points;
   }
 
+  std::string_view text_;
   const std::string& name_;
+  std::string path_;  // of the feature that is read
   WorldMaker maker_;
   bool repair_;
 };
@@ -176,7 +183,7 @@ Json rings(const Polygon& polygon) {
 }  // namespace
 
 World parse_geojson(std::string_view text, const std::string& name, const ReadOptions& options) {
-  return GeoJsonReader(name, options).read(text);
+  return GeoJsonReader(text, name, options).read();
 }
 
 std::string to_geojson(const World& world) {

@@ -129,6 +129,21 @@ class Verify(ProgramTest):
                     self.write(name, content)
                 self.refused(self.run_program("verify", name), 3, name)
 
+    def test_a_broken_result_is_named_by_its_byte(self):
+        good = json.dumps(self.save()) + "\n"
+        seed = good.index('"seed": 1') + len('"seed": ')
+        cases = [(good + good[:100], f"byte {len(good) + 100}", "result 2 is not JSON"),
+                 (good + good.replace('"seed": 1', '"seed": 1e999'),
+                  f"byte {len(good) + seed + len('1e999,')}",
+                  "result 2 holds a number"),
+                 ("\n\n" + good.replace('"seed": 1', '"sed": 1'), "byte 2", "seed"),
+                 (good + "[]", f"result 2, byte {len(good)}", "format")]
+        for content, place, word in cases:
+            with self.subTest(place=place):
+                self.write("bad.json", content)
+                self.refused(self.run_program("verify", "bad.json", "-q"), 3, "bad.json", place,
+                             word)
+
     def test_a_broken_input_is_named(self):
         result = self.save()
         cases = [({"seed": -1}, '"seed"'), ({"seed": 1 << 60}, '"seed"'), ({"seed": 1.5}, '"seed"'),
