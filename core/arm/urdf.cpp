@@ -13,8 +13,10 @@
 #include "kinematics.h"
 #include "lasius/arm_sensor.h"
 #include "lasius/error.h"
+#include "lasius/output.h"
 #include "mesh_file.h"
 #include "nearest_name.h"
+#include "number_text.h"
 #include "vec3.h"
 
 namespace lasius::arm {
@@ -22,9 +24,38 @@ namespace {
 
 using LinkPtr = urdf::LinkConstSharedPtr;
 
-[[noreturn]] void broken(const std::string& file, const std::string& problem,
+/// A URDF file. The parser keeps no lines, but links and joints have names.
+struct Source {
+  std::string_view text;
+  const std::string& file;
+
+  Error::Place whole() const { return {.file = file}; }
+  Error::Place link(std::string_view name) const { return place("<link", name); }
+  Error::Place joint(std::string_view name) const { return place("<joint", name); }
+
+ private:
+  /// The line of the first `opening` tag of this name, if it is found.
+  Error::Place place(std::string_view opening, std::string_view name) const {
+    for (auto at = text.find(opening); at != text.npos; at = text.find(opening, at + 1)) {
+      const auto tag = text.substr(at, text.find('>', at) - at);
+      for (const char quote : {'"', '\''}) {
+        if (tag.find(std::string("name=") + quote + std::string(name) + quote) == tag.npos)
+          continue;
+        return {.file = file, .line = 1 + std::count(text.begin(), text.begin() + at, '\n')};
+      }
+    }
+    return whole();
+  }
+};
+
+[[noreturn]] void broken(Error::Place place, const std::string& problem,
                          const std::string& remedy) {
-  throw Error(ErrorCode::file_broken, {.file = file}, problem, remedy);
+  throw Error(ErrorCode::file_broken, std::move(place), problem, remedy);
+}
+
+[[noreturn]] void unsupported(Error::Place place, const std::string& problem,
+                              const std::string& remedy) {
+  throw Error(ErrorCode::file_unsupported, std::move(place), problem, remedy);
 }
 
 /// What urdfdom would print, kept: its first complaint is our reason.
@@ -40,7 +71,7 @@ class Complaints final : public console_bridge::OutputHandler {
   std::string first_;
 };
 
-urdf::ModelInterfaceSharedPtr parse_model(std::string_view text, const std::string& file) {
+urdf::ModelInterfaceSharedPtr parse_model(const Source& source) {
   static std::mutex one_at_a_time;  // the handler is the program's
   const std::scoped_lock lock(one_at_a_time);
   Complaints complaints;
@@ -49,18 +80,18 @@ urdf::ModelInterfaceSharedPtr parse_model(std::string_view text, const std::stri
   urdf::ModelInterfaceSharedPtr model;
   std::string fault;
   try {
-    model = urdf::parseURDF(std::string(text));
+    model = urdf::parseURDF(std::string(source.text));
   } catch (const std::exception& e) {
     fault = e.what();
   }
   console_bridge::useOutputHandler(before);
   if (model == nullptr) {
-    broken(file, "this is no URDF (" + (fault.empty() ? complaints.first() : fault) + ")",
+    broken(source.whole(), "this is no URDF (" + (fault.empty() ? complaints.first() : fault) + ")",
            "check it with check_urdf");
   }
   // What the parser cannot read it leaves out: a link would pass through obstacles.
   if (complaints.any()) {
-    broken(file, "a part of it cannot be read (" + complaints.first() + ")",
+    broken(source.whole(), "a part of it cannot be read (" + complaints.first() + ")",
            "check it with check_urdf");
   }
   return model;
@@ -106,16 +137,16 @@ LinkPtr only_leaf(const urdf::ModelInterface& model) {
 }
 
 /// Geometry that is less than it should be would not collide.
-[[noreturn]] void refuse_geometry(const std::string& link, const std::string& file) {
-  broken(file, "the collision geometry of link \"" + link + "\" cannot be read",
+[[noreturn]] void refuse_geometry(const std::string& link, const Source& source) {
+  broken(source.link(link), "the collision geometry of link \"" + link + "\" cannot be read",
          "give a box, sphere, cylinder or mesh whose sizes are numbers above 0");
 }
 
 std::vector<Capsule> enclose(const urdf::Geometry& shape, const Pose& at, const std::string& link,
-                             const std::string& file) {
+                             const Source& source) {
   const auto check_sizes = [&](std::initializer_list<double> sizes) {
     for (const double size : sizes) {
-      if (!(size > 0 && std::isfinite(size))) refuse_geometry(link, file);
+      if (!(size > 0 && std::isfinite(size))) refuse_geometry(link, source);
     }
   };
   switch (shape.type) {
@@ -137,12 +168,17 @@ std::vector<Capsule> enclose(const urdf::Geometry& shape, const Pose& at, const 
     }
     default: {
       const auto& mesh = static_cast<const urdf::Mesh&>(shape);
-      if (mesh.filename.find("://") != std::string::npos || !mesh.filename.ends_with(".stl")) {
-        throw Error(ErrorCode::file_unsupported, {.file = file},
-                    "the mesh \"" + mesh.filename + "\" cannot be found or read",
+      if (mesh.filename.find("://") != std::string::npos || !has_ending(mesh.filename, ".stl")) {
+        unsupported(source.link(link), "the mesh \"" + mesh.filename + "\" cannot be found or read",
                     "name an .stl file by its path beside the URDF file");
       }
-      const Triangles triangles = read_mesh(file, mesh.filename);
+      for (const double s : {mesh.scale.x, mesh.scale.y, mesh.scale.z}) {
+        if (s != 0 && std::isfinite(s)) continue;
+        broken(source.link(link),
+               "the mesh \"" + mesh.filename + "\" is scaled by " + number_text(s),
+               "scale it by other numbers than 0; negative ones mirror it");
+      }
+      const Triangles triangles = read_mesh(source.file, mesh.filename);
       Vec3 low = triangles[0][0], high = low;
       for (const auto& triangle : triangles) {
         for (const Vec3 c : triangle) {
@@ -163,25 +199,26 @@ std::vector<Capsule> enclose(const urdf::Geometry& shape, const Pose& at, const 
 }
 
 /// Adds a link's collision geometry to the body that it moves with, `at` its pose there.
-void add_geometry(const urdf::Link& link, const Pose& at, const std::string& file,
+void add_geometry(const urdf::Link& link, const Pose& at, const Source& source,
                   std::vector<Capsule>& to) {
   for (const auto& collision : link.collision_array) {
-    if (collision == nullptr || collision->geometry == nullptr) refuse_geometry(link.name, file);
+    if (collision == nullptr || collision->geometry == nullptr) refuse_geometry(link.name, source);
     for (const Capsule& c :
-         enclose(*collision->geometry, at * pose(collision->origin), link.name, file)) {
+         enclose(*collision->geometry, at * pose(collision->origin), link.name, source)) {
       to.push_back(c);
     }
   }
 }
 
-Joint moving_joint(const urdf::Joint& joint, const Pose& at, const std::string& file) {
+Joint moving_joint(const urdf::Joint& joint, const Pose& at, const Source& source) {
   Joint made;
   made.name = joint.name;
   made.origin = at.position;
   made.rotation = at.rotation;
   const Vec3 axis = vec(joint.axis);
   if (!(length(axis) > 1e-9)) {
-    broken(file, "joint \"" + joint.name + "\" has an axis of no length", "as in xyz=\"0 0 1\"");
+    broken(source.joint(joint.name), "joint \"" + joint.name + "\" has an axis of no length",
+           "as in xyz=\"0 0 1\"");
   }
   made.axis = (1 / length(axis)) * axis;
   made.kind = joint.type == urdf::Joint::PRISMATIC ? Joint::Kind::prismatic : Joint::Kind::revolute;
@@ -194,11 +231,17 @@ Joint moving_joint(const urdf::Joint& joint, const Pose& at, const std::string& 
     made.high = joint.limits->upper;
   }
   if (!(made.low < made.high)) {
-    broken(file, "joint \"" + joint.name + "\" has limits that leave it no room",
+    broken(source.joint(joint.name),
+           "joint \"" + joint.name + "\" has limits that leave it no room",
            "give it a <limit> with lower below upper");
   }
   const double velocity = joint.limits != nullptr ? joint.limits->velocity : 0;
-  made.velocity = velocity > 0 ? velocity : 1;
+  if (!(velocity >= 0)) {
+    broken(source.joint(joint.name),
+           "joint \"" + joint.name + "\" has the velocity limit " + number_text(velocity),
+           "give it one above 0, or 0 for 1 a second");
+  }
+  made.velocity = velocity > 0 ? velocity : 1;  // files that know none say 0
   made.acceleration = 4 * made.velocity;
   return made;
 }
@@ -224,7 +267,8 @@ void let_touch_what_touches(Robot& robot) {
 }  // namespace
 
 Robot parse_urdf(std::string_view text, const std::string& file, const Chain& chain) {
-  const urdf::ModelInterfaceSharedPtr model = parse_model(text, file);
+  const Source source{text, file};
+  const urdf::ModelInterfaceSharedPtr model = parse_model(source);
   const LinkPtr base =
       chain.base.empty() ? model->getRoot() : find_link(*model, chain.base, "base");
   const LinkPtr tip = chain.tip.empty() ? only_leaf(*model) : find_link(*model, chain.tip, "tip");
@@ -244,13 +288,12 @@ Robot parse_urdf(std::string_view text, const std::string& file, const Chain& ch
   Robot robot;
   robot.name = model->getName();
   Pose at;  // of the link in the body that it moves with
-  add_geometry(*base, at, file, robot.base);
+  add_geometry(*base, at, source, robot.base);
   for (const LinkPtr& link : links) {
     const urdf::Joint& joint = *link->parent_joint;
     at = at * pose(joint.parent_to_joint_origin_transform);
     if (joint.mimic != nullptr) {
-      throw Error(ErrorCode::file_unsupported, {.file = file},
-                  "joint \"" + joint.name + "\" follows another one",
+      unsupported(source.joint(joint.name), "joint \"" + joint.name + "\" follows another one",
                   "joints that mimic are not supported");
     }
     switch (joint.type) {
@@ -259,19 +302,20 @@ Robot parse_urdf(std::string_view text, const std::string& file, const Chain& ch
       case urdf::Joint::REVOLUTE:
       case urdf::Joint::CONTINUOUS:
       case urdf::Joint::PRISMATIC:
-        robot.joints.push_back(moving_joint(joint, at, file));
+        robot.joints.push_back(moving_joint(joint, at, source));
         at = {};
         break;
       default:
-        throw Error(ErrorCode::file_unsupported, {.file = file},
+        unsupported(source.joint(joint.name),
                     "joint \"" + joint.name + "\" is neither fixed nor turns or slides",
                     "planar and floating joints are not supported");
     }
     if (robot.size() > Robot::kMaxJoints) {
-      throw Error(ErrorCode::file_unsupported, {.file = file}, "the chain has too many joints",
+      unsupported(source.joint(joint.name), "the chain has too many joints",
                   "at most " + std::to_string(Robot::kMaxJoints) + " are supported");
     }
-    add_geometry(*link, at, file, robot.joints.empty() ? robot.base : robot.joints.back().capsules);
+    add_geometry(*link, at, source,
+                 robot.joints.empty() ? robot.base : robot.joints.back().capsules);
   }
   if (robot.joints.empty()) {
     throw Error(ErrorCode::invalid_parameter,
@@ -282,7 +326,7 @@ Robot parse_urdf(std::string_view text, const std::string& file, const Chain& ch
   try {
     validate(robot);
   } catch (const Error& error) {
-    broken(file, error.problem(), error.remedy());
+    broken(source.whole(), error.problem(), error.remedy());
   }
   let_touch_what_touches(robot);
   return robot;

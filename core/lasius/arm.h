@@ -71,8 +71,9 @@ struct Chain {
 /// Reads a robot: a URDF file, or the short description in JSON (format "lasius-arm/1", see
 /// maps/README.md), told apart by content. Of a URDF's chain every joint counts, and the collision
 /// geometry inside capsules that enclose it (a box or a mesh's bounding box inside up to four);
-/// `acceleration`, which URDF does not have, is four times the velocity. Pairs of bodies that touch
-/// with all joints at 0 (or the limit nearest to it) may touch.
+/// `velocity` is 1 where the file says 0 or nothing, as files do that know none; `acceleration`,
+/// which URDF does not have, is four times the velocity. Pairs of bodies that touch with all joints
+/// at 0 (or the limit nearest to it) may touch.
 /// @throws Error(file_missing, file_broken, file_unsupported) naming the file, the place in it and
 ///         the remedy; Error(invalid_parameter) for a chain that the file does not have.
 LASIUS_ARM_EXPORT Robot read_robot(const std::string& path, const Chain& chain = {});

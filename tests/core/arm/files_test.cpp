@@ -90,6 +90,36 @@ TEST(Urdf, BadFiles) {
   expect_error(mesh, ErrorCode::file_unsupported, "y.dae");
 }
 
+TEST(Urdf, FaultsAreNamedByLine) {
+  const std::tuple<std::string, std::string, std::int64_t> cases[] = {
+      {"radius=\"0.1\"", "radius=\"0\"", 2},
+      {"radius=\"0.2\"", "radius=\"0\"", 4},
+      {"0 0 2", "0 0 0", 6},
+      {"\"0.3\"", "\"-0.3\"", 8},
+      {"prismatic", "planar", 8},
+      {"velocity=\"0.5\"", "velocity=\"-2.5\"", 8},
+  };
+  for (const auto& [from, to, line] : cases) {
+    std::string broken = kUrdf;
+    broken.replace(broken.find(from), from.size(), to);
+    try {
+      parse_robot(broken, "r.urdf");
+      ADD_FAILURE() << broken;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.place().line, line) << error.what();
+    }
+  }
+}
+
+TEST(Urdf, AVelocityLimitOf0IsNone) {
+  std::string text = kUrdf;
+  text.replace(text.find("velocity=\"0.5\""), 14, "velocity=\"0\"");
+  EXPECT_EQ(parse_robot(text, "r.urdf").joints[1].velocity, 1);
+  std::string negative = kUrdf;
+  negative.replace(negative.find("0.5\" effort"), 3, "-2.5");
+  expect_error(negative, ErrorCode::file_broken, "joint \"j2\" has the velocity limit -2.5");
+}
+
 TEST(ShortRobot, WhatItsFieldsMean) {
   const Robot robot = parse_robot(R"({"format": "lasius-arm/1", "base": [0, 0, 1],
       "base_radius": 0.2, "may_touch": [[0, 2]], "joints": [
@@ -218,6 +248,27 @@ TEST_F(StlFile, BadOnes) {
   EXPECT_THROW(read_stl(folder_.string()), Error);
 }
 
+TEST_F(StlFile, AMeshOfARobotMayBeMirroredButNotFlattened) {
+  write("M.STL", "solid s\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 1\n");
+  const auto scaled = [&](const std::string& scale) {
+    std::string text = kUrdf;
+    text.replace(text.find("<sphere radius=\"0.2\"/>"), 22,
+                 "<mesh filename=\"M.STL\" scale=\"" + scale + "\"/>");
+    return parse_robot(text, (folder_ / "r.urdf").string());
+  };
+  EXPECT_EQ(scaled("2 2 2").size(), 2);
+  EXPECT_EQ(scaled("1 -1 1").size(), 2);
+  for (const char* scale : {"1 0 1", "1 1 nan"}) {
+    EXPECT_THROW(scaled(scale), Error) << scale;
+  }
+  try {
+    scaled("1 1 0");
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place().line, 4) << error.what();
+    EXPECT_NE(std::string(error.what()).find("is scaled by 0"), std::string::npos);
+  }
+}
+
 using AnyFile = Folder;
 
 TEST_F(AnyFile, SaysWhatIsWrongWithIt) {
@@ -246,6 +297,44 @@ TEST_F(AnyFile, SaysWhatIsWrongWithIt) {
 }
 
 using SceneFile = Folder;
+
+// In texts of one number a line, so that lines tell which.
+TEST_F(SceneFile, FaultsAreNamedByLine) {
+  const std::string text = R"({
+    "format": "lasius-scene/1",
+    "obstacles": [
+      {"shape": "box", "size": [1, 2, 3]},
+      {"shape": "cylinder",
+       "radius": 0.1,
+       "length": 2,
+       "position": [1,
+                    2, 3]}]})";
+  EXPECT_EQ(parse_scene(text, "s.json").obstacles.size(), 2u);
+  const std::tuple<std::string, std::string, std::int64_t> cases[] = {
+      {"scene/1", "scene/7", 2}, {"\"size\"", "\"siez\"", 4},   {"cylinder", "cilinder", 5},
+      {"0.1", "-0.1", 6},        {"\"length\"", "\"long\"", 7}, {"2, 3]}]", "\"2\", 3]}]", 8},
+      {"\"length\": 2,", "", 5},
+  };
+  for (const auto& [from, to, line] : cases) {
+    std::string broken = text;
+    broken.replace(broken.find(from), from.size(), to);
+    try {
+      parse_scene(broken, "s.json");
+      ADD_FAILURE() << broken;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.place().line, line) << error.what();
+    }
+  }
+  std::string large = text;
+  const auto at = large.find("0.1");
+  large.replace(at, 3, "1e999");
+  try {
+    parse_scene(large, "s.json");
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place().offset, static_cast<std::int64_t>(at) + 4) << error.what();
+  }
+}
 
 TEST_F(SceneFile, AllShapes) {
   write("m.stl", "solid s\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n");
