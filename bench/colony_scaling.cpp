@@ -1,4 +1,5 @@
 #include <array>
+#include <atomic>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -77,6 +78,28 @@ double apart(const Planner& planner, const Request& request, const Params& param
   return watch.seconds();
 }
 
+// Nanoseconds for a word to another thread and back: how far apart the machine put the cores.
+double round_trip() {
+  constexpr int kTrips = 20000;
+  std::atomic<int> ball{0};
+  std::thread other([&] {
+    for (int i = 1; i < 2 * kTrips; i += 2) {
+      while (ball.load() != i) {
+      }
+      ball.store(i + 1);
+    }
+  });
+  const Stopwatch watch;
+  for (int i = 0; i < 2 * kTrips; i += 2) {
+    ball.store(i + 1);
+    while (ball.load() != i + 2) {
+    }
+  }
+  const double seconds = watch.seconds();
+  other.join();
+  return 1e9 * seconds / kTrips;
+}
+
 }  // namespace
 
 std::vector<Figure> measure_threads(int rounds) {
@@ -86,7 +109,7 @@ std::vector<Figure> measure_threads(int rounds) {
   Params params = defaults("fan2004");
   params.ants = 64;
   params.iterations = 40;
-  std::vector<double> ratios, ceilings;
+  std::vector<double> ratios, ceilings, trips;
   bool identical = true;
   std::array<Workspace, 2> workspaces;
   for (int round = 0; round < rounds; ++round) {
@@ -96,6 +119,7 @@ std::vector<Figure> measure_threads(int rounds) {
     const Result a = planner.plan(request, params, &workspaces[0]);
     const double single = first.seconds();
     ceilings.push_back(2 * single / apart(planner, request, params, workspaces));
+    trips.push_back(round_trip());
     params.threads = 2;
     const Stopwatch second;
     const Result b = planner.plan(request, params, &workspaces[1]);
@@ -104,6 +128,7 @@ std::vector<Figure> measure_threads(int rounds) {
   }
   return {{"1 thread / 2 threads, 64 ants", short_number(median(ratios)), ">= 1.8"},
           {"the same, two plans apart: the machine's", short_number(median(ceilings)), ""},
+          {"a word to the other thread and back, ns", short_number(median(trips)), ""},
           {"identical with 1 and 2 threads", identical ? "yes" : "NO", "yes"}};
 }
 
