@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <optional>
 
 #include "arm_colony.h"
 #include "lasius/arm_plan.h"
@@ -30,6 +33,12 @@ std::string joint_name(const Robot& robot, std::size_t j) {
 
 std::string text(Vec3 p) {
   return number_text(p.x) + "," + number_text(p.y) + "," + number_text(p.z);
+}
+
+std::string metres(double length) {
+  std::array<char, 32> digits;
+  std::snprintf(digits.data(), digits.size(), "%.4g", length);
+  return digits.data();
 }
 
 /// Why the arm cannot stand at `start`; empty where it can, as far as kinematics tells.
@@ -86,8 +95,53 @@ Box box_of(const Kinematics& arm, Vec3 from, double pitch, int side,
 /// Why the tip cannot get to `goal`, wherever it starts; empty where the arm is long enough.
 std::string goal_fault(const Kinematics& arm, Vec3 goal) {
   if (distance(goal, arm.shoulder()) <= arm.reach() + Kinematics::kTolerance) return {};
-  return "goal " + text(goal) + " is outside: the arm reaches " + std::to_string(arm.reach()) +
-         " m from its first joint";
+  return "goal " + text(goal) + " is outside: it is " + metres(distance(goal, arm.shoulder())) +
+         " m from the arm's first joint, the arm reaches " + metres(arm.reach()) + " m";
+}
+
+/// The normal of the plane in which the tip moves, whatever the joints do; nothing where it moves
+/// in all of space, or along a line. A joint's own turn leaves its axis where it is.
+std::optional<Vec3> plane_of(const Kinematics& arm, const Kinematics::Poses& poses) {
+  constexpr double kParallel = 1e-9;
+  const auto axis = [&](int j) { return poses[j].rotation * arm.robot().joints[j].axis; };
+  const auto turns = [&](int j) { return arm.robot().joints[j].kind == Joint::Kind::revolute; };
+  int first = 0;
+  while (first < arm.size() && !turns(first)) ++first;
+  if (first == arm.size()) return std::nullopt;
+  const Vec3 normal = axis(first);
+  for (int j = 0; j < arm.size(); ++j) {
+    const double off = turns(j) ? length(cross(normal, axis(j))) : std::abs(dot(normal, axis(j)));
+    if (off > kParallel) return std::nullopt;
+  }
+  return normal;
+}
+
+/// Why the tip does not get from `start` to `goal`, which the arm is long enough for.
+std::string way_fault(const Kinematics& arm, const std::vector<double>& start, Vec3 goal) {
+  const std::string name = "goal " + text(goal);
+  Kinematics::Poses poses;
+  arm.place(start, poses);
+  if (const auto normal = plane_of(arm, poses)) {
+    const double off = std::abs(dot(*normal, goal - arm.tip(poses)));
+    if (off > Kinematics::kTolerance) {
+      return name + " is out of reach: the joints move the tip in one plane, the goal is " +
+             metres(off) + " m off it";
+    }
+  }
+  std::vector<double> q = start;
+  const bool straight = arm.reach_for(goal, start, q);
+  arm.place(q, poses);
+  std::string fault =
+      straight
+          ? name + " is out of reach in steps of the lattice; take a smaller pitch"
+          : name + " is out of reach: within the joint limits the tip gets from the start to " +
+                metres(distance(goal, arm.tip(poses))) + " m from it";
+  if (arm.size() < 3) {
+    fault += "; " + std::to_string(arm.size()) +
+             (arm.size() == 1 ? " joint moves a tip along a curve only"
+                              : " joints move a tip on a surface only");
+  }
+  return fault;
 }
 
 /// The lattice point next to the goal; the tip starts at the point 0.
@@ -148,9 +202,7 @@ Result answer(const Robot& robot, const Sensor& sensor, const Request& request, 
     }
     if (at_start) return stay(request.start, from);
     if (lattice.configuration(lattice.goal()) == nullptr) {
-      return invalid("goal " + text(request.goal) +
-                     " is outside: the arm does not get there from the start within its joint "
-                     "limits");
+      return invalid(way_fault(arm, request.start, request.goal));
     }
     return search(lattice, parameters);
   };

@@ -50,13 +50,42 @@ TEST(ArmPlan, BadQuestionsAreAnswers) {
   expect_invalid({.start = {0, std::nan("")}, .goal = {0.9, 0, 0}}, "joint 2");
   expect_invalid({.start = {0, 1}, .goal = {2, 0, 0}}, "outside");
   expect_invalid({.start = {0, 1}, .goal = {std::nan(""), 0, 0}}, "outside");
-  expect_invalid({.start = {0, 1}, .goal = {0.5, 0, 0.3}}, "does not get there");
+  expect_invalid({.start = {0, 1}, .goal = {2, 0, 0}}, "it is 2 m from the arm's first joint");
+  expect_invalid({.start = {0, 1}, .goal = {0.5, 0, 0.3}},
+                 "in one plane, the goal is 0.3 m off it");
+  // Folded up, links of 0.5 and 0.4 leave 0.1 between tip and shoulder, at the limit of 3 rad more.
+  expect_invalid({.start = {0, 1}, .goal = {0.05, 0, 0}}, "2 joints move a tip on a surface only");
   Request near = across(robot);
   near.goal = tip_position(robot, near.start);
   near.goal.y += 0.001;
   expect_invalid(near, "half a pitch");
   const Wall everywhere(robot, 10);
   EXPECT_EQ(plan(robot, everywhere, across(robot)).error, "the arm touches something at the start");
+}
+
+TEST(ArmPlan, AGoalOutOfReachIsToldByHowFar) {
+  const auto error = [](const Robot& robot, std::vector<double> start, Vec3 goal) {
+    const Result r = plan(robot, Nothing(), {.start = std::move(start), .goal = goal});
+    EXPECT_EQ(r.status, Status::invalid);
+    return r.error;
+  };
+  // A turn about z and one about y reach a sphere with two links in line, and a torus otherwise.
+  Robot robot = two_links();
+  robot.joints[1].axis = {0, 1, 0};
+  EXPECT_EQ(error(robot, {0, 0.5}, {0.5, 0, 0}),
+            "goal 0.5,0,0 is out of reach: within the joint limits the tip gets from the start to "
+            "0.4 m from it; 2 joints move a tip on a surface only");
+  // Tilted as a whole, and with a slide in it, the arm is still a planar one.
+  robot = two_links();
+  for (Joint& joint : robot.joints) joint.axis = {0, 0.6, 0.8};
+  robot.joints[1].kind = Joint::Kind::prismatic;
+  robot.joints[1].axis = {1, 0, 0};
+  EXPECT_EQ(error(robot, {0, 0}, {0.5, 0.1, 0}),
+            "goal 0.5,0.1,0 is out of reach: the joints move the tip in one plane, the goal is "
+            "0.06 m off it");
+  robot.joints.pop_back();
+  EXPECT_NE(error(robot, {0}, {0, 0.3 * 0.8, -0.3 * 0.6}).find("along a curve only"),
+            std::string::npos);
 }
 
 TEST(ArmPlan, BadParametersAreRefused) {
