@@ -23,7 +23,7 @@ std::string invalid_text(const PreparedMap& map, const RunOptions& run, const An
   const Place& place = at_start ? answer.start : answer.goal;
   const std::string& words = answer.result.error;
   const std::string why = words.substr(std::min(words.find(" is "), words.size()));
-  const auto [x, y] = cell_numbers(place, run.frame);
+  const auto [x, y] = place.number;
   std::string named = "(";
   named.append(whole_text(x)).append(", ").append(whole_text(y)).append(")");
   std::string text = at_start ? "start " : "goal ";

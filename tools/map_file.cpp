@@ -9,6 +9,7 @@
 #include "exit_code.h"
 #include "lasius/clearance.h"
 #include "lasius/io.h"
+#include "values.h"
 
 namespace lasius::tool {
 namespace {
@@ -16,6 +17,11 @@ namespace {
 int clamped(double whole) {
   using Limits = std::numeric_limits<int>;
   return static_cast<int>(std::clamp<double>(whole, Limits::min(), Limits::max()));
+}
+
+/// A number of metres too large to be told in cells, as a number that can be told.
+double finite(double number) {
+  return std::isnan(number) ? kNoLimit : std::clamp(number, -kNoLimit, kNoLimit);
 }
 
 /// False, and the grid as it was, when stopped.
@@ -79,20 +85,18 @@ std::vector<Point> PreparedMap::to_world(const std::vector<Point>& path) const {
 }
 
 Place to_place(const PreparedMap& map, Point point, Frame frame) {
-  if (frame == Frame::cell) return {{clamped(point.x), clamped(point.y)}, point};
-  const Point cells = map.frame->to_cells(point, map.height);
-  // Rows are counted from the top, but hold their lower edge.
-  return {{clamped(std::floor(cells.x)), clamped(std::ceil(cells.y) - 1)}, point};
-}
-
-Point cell_numbers(const Place& place, Frame frame) {
-  if (frame == Frame::cell) return place.asked;
-  return {static_cast<double>(place.cell.x), static_cast<double>(place.cell.y)};
+  Point number = point;
+  if (frame == Frame::world) {
+    const Point cells = map.frame->to_cells(point, map.height);
+    // Rows are counted from the top, but hold their lower edge.
+    number = {finite(std::floor(cells.x)), finite(std::ceil(cells.y) - 1)};
+  }
+  return {{clamped(number.x), clamped(number.y)}, number, point};
 }
 
 Place place_of(const PreparedMap& map, Point cell, Frame frame) {
   Place place = to_place(map, cell, Frame::cell);
-  if (frame == Frame::world) place.asked = map.to_world(centre(place.cell));
+  if (frame == Frame::world) place.asked = map.to_world({cell.x + 0.5, cell.y + 0.5});
   return place;
 }
 

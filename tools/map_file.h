@@ -46,18 +46,15 @@ void prepare_more(PreparedMap& map, int threads, const std::stop_token& token);
 
 /// A start or a goal.
 struct Place {
-  Cell cell{};    ///< one far outside stays outside
-  Point asked{};  ///< as it was given: the cell's numbers, or metres in the world frame
+  Cell cell{};     ///< one far outside stays outside
+  Point number{};  ///< its column and row, whole: told as they are, even where no map holds them
+  Point asked{};   ///< as it was given: the cell's numbers, or metres in the world frame
 };
 
 /// The place of a point of the command line or a query file, given in `frame`. A cell of a map
 /// holds its left and its lower edge, in the map's own axes: so the world frame's origin is in the
 /// first.
 Place to_place(const PreparedMap& map, Point point, Frame frame);
-
-/// Column and row of a place, whole numbers: where cells are given as given, so that those no map
-/// holds are told too.
-Point cell_numbers(const Place& place, Frame frame);
 
 /// The place of a cell, as if it had been given in `frame`.
 Place place_of(const PreparedMap& map, Point cell, Frame frame);

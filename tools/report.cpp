@@ -24,8 +24,8 @@ Json settings_json(const PreparedMap& map, const RunOptions& run) {
   return object;
 }
 
-Json cell_json(const Place& place, Frame frame) {
-  const auto [x, y] = cell_numbers(place, frame);
+Json cell_json(const Place& place) {
+  const auto [x, y] = place.number;
   return Json::array({parameter_json(whole_text(x)), parameter_json(whole_text(y))});
 }
 
@@ -52,8 +52,8 @@ Json result_json(const PreparedMap& map, const RunOptions& run, const Answer& an
                  {"width", map.width},
                  {"height", map.height}};
   json["algorithm"] = run.params.algorithm;
-  json["start"] = cell_json(answer.start, run.frame);
-  json["goal"] = cell_json(answer.goal, run.frame);
+  json["start"] = cell_json(answer.start);
+  json["goal"] = cell_json(answer.goal);
   json["seed"] = run.params.seed;
   json["threads"] = run.params.threads;
   json["parameters"] = settings_json(map, run);

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "crossing_colony.h"
 #include "free_space.h"
@@ -57,6 +58,16 @@ Point nearest_on(Point a, Point b, Point p) {
   const double share = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
   if (!(share > 0)) return a;
   return share >= 1 ? b : Point{a.x + share * dx, a.y + share * dy};
+}
+
+/// Lower left and upper right corner of a ring's bounding box.
+std::pair<Point, Point> bounds(const Ring& ring) {
+  Point low = ring.front(), high = low;
+  for (const Point p : ring) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return {low, high};
 }
 
 }  // namespace
@@ -139,13 +150,21 @@ bool Planner::free(Point p) const { return !impl_->place(p).regions.empty(); }
 
 Point Planner::nearest_free(Point p) const {
   if (free(p)) return p;
-  Point best{};
+  // Squared distances from p, but for that of p from q, the nearest point of the box around the
+  // world: else all points would be as near to a p that is far away, by rounding.
+  const auto [low, high] = bounds(impl_->world.boundary.outer);
+  const Point q{std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y)};
+  const auto compared = [&](Point near) {
+    const double dx = near.x - q.x, dy = near.y - q.y;
+    return dx * (dx - 2 * (p.x - q.x)) + dy * (dy - 2 * (p.y - q.y));
+  };
+  Point best = impl_->maklink.free_space.front().outer.front();
   double least = std::numeric_limits<double>::infinity();
   const auto look = [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point near = nearest_on(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], p);
-      if (!(distance(near, p) < least)) continue;
-      least = distance(near, p);
+      if (!(compared(near) < least)) continue;
+      least = compared(near);
       best = near;
     }
   };

@@ -243,6 +243,19 @@ class WorldFrame(ProgramTest):
         self.assertIn("goal %.12f,%.12f m, in cell (9, 0), is outside" % self.metres(9.5, 0.5),
                       run.err)
 
+    def test_cells_far_outside_are_told_as_they_are(self):
+        self.write("flat.yaml", "image: world.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\n"
+                   "occupied_thresh: 0.65\nfree_thresh: 0.196\n")
+        for goal, cell in (("99999999999,1", (199999999998, 1)), ("1,-3e9", (2, 6000000003)),
+                           ("1e308,1", (1.7976931348623157e308, 1))):
+            run = self.plan("--frame", "world", "--json", map_file="flat.yaml", start="0,0",
+                            goal=goal)
+            self.assertEqual((run.code, tuple(run.json["goal"])), (4, cell))
+            self.assertIn("in cell (", run.json["error"])
+            self.assertNotIn("2147483647", run.json["error"])
+            self.write("far.json", run.out)
+            self.assertEqual(self.run_program("verify", "far.json").code, 0)
+
     def test_a_map_holds_its_left_and_lower_edge(self):
         self.write("flat.yaml", "image: world.pgm\nresolution: 0.5\norigin: [-3, 4, 0]\nnegate: 0\n"
                    "occupied_thresh: 0.65\nfree_thresh: 0.196\n")

@@ -165,6 +165,18 @@ class PolygonTest(ProgramTest):
                     self.assertIn(part, run.err)
         self.assertEqual(self.plan_world("--repair", world="c.geojson").code, 0)
 
+    def test_points_far_away(self):
+        for far, near in (("1e12,100", "200, 100"), ("-1e12,5", "0, 5"), ("1e12,1e12", "200, 200"),
+                          ("100,1e15", "100, 200"), ("100,-1e300", "100, 0"),
+                          ("1e300,-1e300", "200, 0")):
+            with self.subTest(far=far):
+                run = self.plan_world("--start", "1,1", f"--goal={far}", world=self.empty())
+                self.assertEqual(run.code, 4)
+                self.assertIn(f"the nearest free point is ({near})", run.err)
+
+    def empty(self):
+        return self.write("empty.wkt", "POLYGON ((0 0, 200 0, 200 200, 0 200, 0 0))")
+
     def test_blocked_outside_unreachable(self):
         run = self.plan_world("--start", "60,140", "--json")
         self.assertEqual(run.code, 4)
