@@ -31,7 +31,12 @@ std::optional<int> nearest_free_in_row(const Grid& grid, int x, int y) {
 }  // namespace
 
 std::optional<Cell> Planner::nearest_free(Cell c) const {
-  const Grid& grid = impl_->grid;
+  const StopCondition never;
+  Poller poller(never);
+  return impl_->nearest_free(c, poller);
+}
+
+std::optional<Cell> Planner::Impl::nearest_free(Cell c, Poller& poller) const {
   std::optional<Cell> best;
   std::uint64_t best_squared = std::numeric_limits<std::uint64_t>::max();
   // Rows outwards from the cell's own, the upper one first.
@@ -43,6 +48,7 @@ std::optional<Cell> Planner::nearest_free(Cell c) const {
     for (const std::int64_t y : {c.y - d, c.y + d}) {
       if (y < 0 || y >= grid.height()) continue;
       const auto x = nearest_free_in_row(grid, c.x, static_cast<int>(y));
+      if (poller.stop_after(grid.words())) return std::nullopt;
       if (!x) continue;
       const auto dx = static_cast<std::uint64_t>(std::abs(static_cast<std::int64_t>(*x) - c.x));
       const std::uint64_t squared = dx * dx + dy * dy;

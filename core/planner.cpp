@@ -137,9 +137,12 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
     result.status = Status::invalid;
     result.error = std::string(what) + " " + cell_name(cell) +
                    (grid.contains(cell) ? " is blocked" : " is outside the map");
-    if (const auto near = nearest_free(cell)) {
+    // It is named whatever the deadline.
+    const StopCondition no_deadline{.token = request.stop.token};
+    Poller poller(no_deadline);
+    if (const auto near = impl_->nearest_free(cell, poller)) {
       result.error += "; the nearest free cell is " + cell_name(*near);
-    } else {
+    } else if (!poller.stopped()) {
       result.error += "; the map has no free cell";
     }
     return result;
@@ -177,7 +180,8 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
   } else {
     result = run_colony(grid, request, params, workspace->impl(), observer);
   }
-  if (const auto fault = path_fault(grid, result.path, corners); fault && !result.path.empty()) {
+  if (result.path.empty()) return result;
+  if (const auto fault = path_fault(grid, result.path, corners, request.stop)) {
     throw std::logic_error("a planned path is not valid: " + *fault);
   }
   return result;

@@ -58,6 +58,9 @@ class Planner::Impl {
     return &*made_eight_;
   }
 
+  /// The free cell nearest to `c`, as Planner::nearest_free; nothing when stopped.
+  std::optional<Cell> nearest_free(Cell c, Poller& poller) const;
+
   const Grid grid;
   const Components four;
   const std::vector<Direction> excluded;

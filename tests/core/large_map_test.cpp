@@ -95,5 +95,23 @@ TEST_F(LargeMap, OfTwiceTheSideToo) {
   EXPECT_NEAR(round.length, std::hypot(across, above) + 1 + std::hypot(across, below), 1e-6);
 }
 
+TEST(LargeBlockedMap, IsSearchedForTheNearestFreeCellUntilASignal) {
+  Grid grid(4096, 4096);
+  const std::vector<std::uint64_t> blocked(grid.words(), ~std::uint64_t{0});
+  for (int y = 0; y < grid.height(); ++y) grid.set_row(y, blocked.data());
+  grid.set_blocked({0, 0}, false);
+  const Planner planner(std::move(grid));
+  EXPECT_EQ(planner.nearest_free({2000, 2000}), (Cell{0, 0}));
+  std::stop_source source;
+  Request request{.start = {2000, 2000}, .goal = {0, 0}};
+  request.stop = {.token = source.get_token(), .deadline = Clock::time_point{}};
+  EXPECT_EQ(planner.plan(request).error,
+            "start (2000, 2000) is blocked; the nearest free cell is (0, 0)");
+  source.request_stop();
+  const Result stopped = planner.plan(request);
+  EXPECT_EQ(stopped.status, Status::invalid);
+  EXPECT_EQ(stopped.error, "start (2000, 2000) is blocked");
+}
+
 }  // namespace
 }  // namespace lasius
