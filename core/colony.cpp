@@ -65,6 +65,7 @@ class GridColony final : public ColonyWorld {
     ws_.polisher.reset(grid_, request_, moves_, params_, threads_);
     ws_.ants.resize(params.ants);
     ws_.tours.resize(params.ants);
+    ws_.best_moves.clear();
     shape_ = walk_shape(params, moves_, ws_.field.mixture());
     kernel_ = kernels::walk_table(chosen_isa()).walk[shape_.index()];
     world_ = walk_world(params, moves_, request.start, request.goal);
@@ -173,14 +174,14 @@ class GridColony final : public ColonyWorld {
       best = &tour;
       best_tour_length_ = tour.length;
     }
-    if (best != nullptr) best_moves_.assign(best->moves.begin(), best->moves.end());
+    if (best != nullptr) ws_.best_moves.assign(best->moves.begin(), best->moves.end());
   }
 
   Tours tours(int first, int count) const {
     return {.start = request_.start,
             .moves = moves_,
             .ants = std::span(ws_.tours).subspan(first, count),
-            .best_so_far = {best_moves_, best_moves_.empty() ? kNaN : best_tour_length_},
+            .best_so_far = {ws_.best_moves, ws_.best_moves.empty() ? kNaN : best_tour_length_},
             .iteration = iteration_,
             .rows = grid_.height(),
             .ranking = ws_.ranking};
@@ -240,7 +241,6 @@ class GridColony final : public ColonyWorld {
 
   int iteration_ = 0;
   bool all_walked_ = false;
-  std::vector<std::uint8_t> best_moves_;  // the best tour so far, as it was walked
   double best_tour_length_ = kInfinity;
   double best_length_ = kInfinity;  // the best path so far, polished
   std::vector<Point> best_path_;

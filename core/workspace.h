@@ -19,9 +19,10 @@ class Workspace::Impl {
   Field field;
   Walkers walkers;
   std::vector<Ant> ants;
-  std::vector<Tour> tours;   // of the ants
-  std::vector<int> ranking;  // of the ants
-  Ant answer;                // of a colony whose ants only teach it
+  std::vector<Tour> tours;               // of the ants
+  std::vector<int> ranking;              // of the ants
+  std::vector<std::uint8_t> best_moves;  // of the best tour so far
+  Ant answer;                            // of a colony whose ants only teach it
   Polisher polisher;
   GridGaMemory grid_ga;
   ExactSearch exact;

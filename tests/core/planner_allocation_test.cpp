@@ -23,10 +23,10 @@ struct Bounds {
   int least, most;
 };
 /// How often a plan allocates: the result's three curves, an entry an iteration, as they double;
-/// its path and the colony's best tour once each, and perhaps again with each better one.
+/// its path once, and perhaps again with each better one.
 Bounds allocations_for(const Result& result) {
   const auto entries = static_cast<unsigned>(result.iterations);
-  const int once = 3 * (1 + std::bit_width(entries - 1)) + 2;
+  const int once = 3 * (1 + std::bit_width(entries - 1)) + 1;
   int better = 0;
   for (std::size_t q = 1; q < entries; ++q) better += result.best[q] < result.best[q - 1];
   return {once, once + better};
