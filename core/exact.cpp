@@ -81,7 +81,7 @@ void ExactSearch::expand(std::uint32_t index) {
   if (ants_out_) ant_frontier_.push(index, horizon + (ant_weight_ - 1) * again.to_goal);
 }
 
-// Takes the best corner of the frontier; false when none can lead to a shorter path.
+// Takes the best corner of the frontier; false when none can lead to a shorter path, or stopped.
 bool ExactSearch::next_corner(std::uint32_t& index) {
   while (frontier_.advance()) {
     lower_ = std::max(lower_, frontier_.floor());
@@ -89,6 +89,7 @@ bool ExactSearch::next_corner(std::uint32_t& index) {
     index = frontier_.pop();
     const Corner& corner = corners_[index];
     if (!corner.expanded && corner.length + corner.to_goal < upper_) return true;
+    if (poller_->stop_after(1 + frontier_.take_dealt())) return false;
   }
   lower_ = upper_;
   return false;

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace lasius::exact {
@@ -28,6 +29,7 @@ class Frontier {
     per_width_ = 1 / width;
     current_ = 0;
     least_ = std::numeric_limits<double>::infinity();
+    dealt_ = 0;
     items_.clear();
     spare_ = kNone;
     overflow_ = kNone;
@@ -73,6 +75,9 @@ class Frontier {
     return taken.index;
   }
 
+  /// Items dealt out since the last call: work that a stop condition has to know of.
+  std::int64_t take_dealt() noexcept { return std::exchange(dealt_, 0); }
+
   std::int64_t bytes() const noexcept {
     return static_cast<std::int64_t>(sizeof *this + items_.capacity() * sizeof(Item));
   }
@@ -115,6 +120,7 @@ class Frontier {
     origin_ = least;
     current_ = 0;
     while (waiting != kNone) {
+      ++dealt_;
       const std::uint32_t next = items_[waiting].next;
       place(waiting);
       waiting = next;
@@ -128,6 +134,7 @@ class Frontier {
   double least_ = 0;  // of the keys below the first bucket, which holds them
   std::uint32_t spare_ = kNone;
   std::uint32_t overflow_ = kNone;
+  std::int64_t dealt_ = 0;
   std::vector<Item> items_;
   std::array<std::uint64_t, kWords> full_{};  // a bit for each bucket that holds something
   std::array<std::uint32_t, kBuckets> heads_{};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "exact.h"
+#include "exact_frontier.h"
 #include "lasius/generate.h"
 #include "lasius/path.h"
 #include "lasius/planner.h"
@@ -129,6 +130,22 @@ TEST(ExactStop, PollsAtLeastEach65536Words) {
   ASSERT_GT(search.counters().words, 65536);
   EXPECT_GT(time.most(), 0);
   EXPECT_LE(time.most(), 65536);
+}
+
+// On very long ways most corners wait beyond the buckets, and are looked at again each time these
+// start anew.
+TEST(ExactStop, TheFrontierTellsHowManyItemsItDealtOut) {
+  exact::Frontier frontier;
+  frontier.reset(0, 1);
+  constexpr int kItems = 5;
+  for (std::uint32_t i = 0; i < kItems; ++i) frontier.push(i, 1e5 * (i + 1));
+  EXPECT_EQ(frontier.take_dealt(), 0);
+  for (std::uint32_t i = 0; i < kItems; ++i) {
+    ASSERT_TRUE(frontier.advance());
+    EXPECT_EQ(frontier.take_dealt(), kItems - i);  // all that still wait
+    EXPECT_EQ(frontier.pop(), i);
+  }
+  EXPECT_FALSE(frontier.advance());
 }
 
 // Where every path has a mirror image, a deadline must not decide which of the two is returned.
