@@ -62,8 +62,8 @@ class LASIUS_EXPORT ByteReader {
   std::int64_t line_ = 1;
 };
 
-/// A file opened for reading, past its byte order mark if it has one. @throws Error(file_missing), Error(file_broken) for a folder or an
-/// empty file.
+/// A file opened for reading, past its byte order mark if it has one. @throws Error(file_missing),
+/// Error(file_broken) for a folder or an empty file.
 class LASIUS_EXPORT InputFile {
  public:
   explicit InputFile(const std::string& path);
