@@ -117,7 +117,7 @@ HalfPoint half_point(Point p) noexcept {
 }  // namespace
 
 std::optional<std::string> path_fault(const Grid& grid, std::span<const Point> path,
-                                      Corners corners, const StopCondition& stop) {
+                                      Corners corners) {
   const BitmapView map = view_of(grid);
   const bool squeezes = corners != Corners::allow;
   if (path.empty()) return "the path is empty";
@@ -135,14 +135,9 @@ std::optional<std::string> path_fault(const Grid& grid, std::span<const Point> p
   }
   HalfPoint a = half_point(path[0]);
   std::optional<HalfPoint> before;  // the vertex before a; repeated ones count once
-  // One segment more than is counted is not too much: at most a word a row and a row of words.
-  Poller poller(stop, Poller::kWords / 4);
   for (const Point p : path) {
     const HalfPoint b = half_point(p);
     if (b == a) continue;
-    if (poller.stop_after(1 + std::abs(b.y - a.y) / 2 + std::abs(b.x - a.x) / 128)) {
-      return std::nullopt;
-    }
     const std::string fault = segment_fault(map, a, b, squeezes);
     if (!fault.empty()) return "segment " + text(a) + " - " + text(b) + ' ' + fault;
     if (squeezes && before && a.x % 2 == 0 && a.y % 2 == 0 &&

@@ -181,7 +181,8 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
     result = run_colony(grid, request, params, workspace->impl(), observer);
   }
   if (result.path.empty()) return result;
-  if (const auto fault = path_fault(grid, result.path, corners, request.stop)) {
+  // Not to be cut short: a glance at the words along the path.
+  if (const auto fault = path_fault(grid, result.path, corners)) {
     throw std::logic_error("a planned path is not valid: " + *fault);
   }
   return result;

@@ -89,7 +89,7 @@ void Tautener::pull(const Grid& grid, Corners corners, const StopCondition& stop
 
 std::vector<Point> tauten(const Grid& grid, std::span<const Point> path, Corners corners,
                           const StopCondition& stop) {
-  if (const auto fault = path_fault(grid, path, corners, stop)) {
+  if (const auto fault = path_fault(grid, path, corners)) {
     throw Error(ErrorCode::invalid_parameter, "the path cannot be pulled taut: " + *fault,
                 "give a path that path_fault() accepts");
   }

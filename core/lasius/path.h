@@ -58,9 +58,7 @@ LASIUS_EXPORT std::vector<Point> tauten(const Grid& grid, std::span<const Point>
 /// Exact. Vertices must be multiples of 0.5 (cell centres, lattice points) inside the map: any
 /// other one is a fault.
 /// With Corners::allow squeezes between diagonal blocks are no fault; the other two rules agree.
-/// When stopped, nothing: no fault was found so far.
 LASIUS_EXPORT std::optional<std::string> path_fault(const Grid& grid, std::span<const Point> path,
-                                                    Corners corners = Corners::forbid,
-                                                    const StopCondition& stop = {});
+                                                    Corners corners = Corners::forbid);
 
 }  // namespace lasius

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/core/counting_time.h"
 #include "tests/oracle/plane_rule.h"
 #include "tests/random_grid.h"
 
@@ -100,22 +99,6 @@ TEST(PathFault, AgreesWithTheRuleOnRandomPaths) {
   }
   EXPECT_GT(valid, 20000);
   EXPECT_GT(faulty, 20000);
-}
-
-TEST(PathFault, StopsBetweenSegments) {
-  Grid grid(64, 1024);
-  grid.set_blocked({1, 500}, true);
-  Path path;
-  for (int i = 0; i < 100; ++i) path.push_back({0.5, i % 2 == 0 ? 0.5 : 1023.5});
-  for (const double y : {0.5, 1023.5}) path.push_back({1.5, y});
-  EXPECT_TRUE(path_fault(grid, path).has_value());
-  const CountingTime none(0);
-  EXPECT_FALSE(path_fault(grid, path, Corners::forbid, none.is_up()).has_value());
-  EXPECT_EQ(none.polls(), 1);
-  // 100 columns of 1023 rows: at least one look at the clock every 65536 words.
-  const CountingTime enough(1000);
-  EXPECT_TRUE(path_fault(grid, path, Corners::forbid, enough.is_up()).has_value());
-  EXPECT_GE(enough.polls(), 2);
 }
 
 TEST(PathFault, AllowedSqueezesAreTheOnlyDifference) {
