@@ -79,7 +79,8 @@ class Signals(ProgramTest):
                 self.assertIn("interrupted", err)
                 result = json.loads(out, parse_constant=refuse_constant)
                 self.assertEqual(result["status"], "interrupted")
-                self.assertEqual(result["length"], result["best"][-1])
+                # Ants of the iteration that was cut short may have found a better one.
+                self.assertLessEqual(result["length"], result["best"][-1])
                 self.assertEqual(len(result["best"]), result["iterations"])
                 self.assertEqual(result["path"][-1], [380.5, 179.5])
                 self.assertEqual(self.read("r.json").decode(), out)
