@@ -33,6 +33,11 @@ struct PreparedMap {
   Point to_world(Point cells) const { return frame->to_world(cells, height); }
   std::vector<Point> to_world(const std::vector<Point>& path) const;
   double metres(double cells) const { return cells * frame->resolution; }
+
+  /// A length in cells as `wanted` gives it: in metres in the world frame.
+  double length_in(Frame wanted, double cells) const {
+    return wanted == Frame::world ? metres(cells) : cells;
+  }
 };
 
 /// Reads a map and prepares it for plans under a rule of corners. `token` ends the preparation, not

@@ -201,8 +201,8 @@ std::string path_caption(const PreparedMap& map, Frame frame, const Answer& answ
   const Result& result = answer.result;
   if (result.path.empty()) return std::string(to_string(result.status)) + ": no path";
   std::string text = "path, length ";
-  text += frame == Frame::world ? study::fixed(map.metres(result.length), 2) + " m"
-                                : study::fixed(result.length, 2);
+  text += study::fixed(map.length_in(frame, result.length), 2);
+  if (frame == Frame::world) text += " m";
   if (result.optimal) return text + ", proven shortest";
   if (answer.optimum && *answer.optimum > 0)
     text +=
@@ -248,10 +248,9 @@ void write_plan_picture(const std::string& file, const PreparedMap& map, const R
                       [&](Canvas& canvas, const Box& box) {
                         const Result shown = in_frame(map, run.frame, answer.result);
                         Convergence curves{shown.best, shown.mean, answer.optimum};
-                        if (run.frame == Frame::world) {
-                          curves.unit = "metres";
-                          if (curves.optimum) curves.optimum = map.metres(*curves.optimum);
-                        }
+                        if (run.frame == Frame::world) curves.unit = "metres";
+                        if (curves.optimum)
+                          curves.optimum = map.length_in(run.frame, *curves.optimum);
                         draw_convergence(canvas, box, curves);
                       },
                       true});

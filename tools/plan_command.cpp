@@ -26,10 +26,9 @@ namespace {
 std::string note(const PreparedMap& map, Frame frame, const Progress& progress) {
   const double cells = progress.best_length;
   if (!std::isfinite(cells)) return "no path yet";
-  const bool world = frame == Frame::world;
   std::array<char, 48> text;
-  std::snprintf(text.data(), text.size(), "best %.3f%s", world ? map.metres(cells) : cells,
-                world ? " m" : "");
+  std::snprintf(text.data(), text.size(), "best %.3f%s", map.length_in(frame, cells),
+                frame == Frame::world ? " m" : "");
   return text.data();
 }
 

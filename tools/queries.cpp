@@ -44,6 +44,8 @@ std::vector<std::string_view> split_tabs(std::string_view line) {
   return fields;
 }
 
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // some editors begin a text with it
+
 /// The lines of a file that are not blank, with their numbers.
 class Lines {
  public:
@@ -51,9 +53,8 @@ class Lines {
 
   bool next() {
     while (std::getline(in_, text_)) {
-      constexpr std::string_view kMark =
-          "\xef\xbb\xbf";  // UTF-8, as some editors begin a text with
-      if (number_++ == 0 && text_.starts_with(kMark)) text_.erase(0, kMark.size());
+      if (number_++ == 0 && text_.starts_with(kByteOrderMark))
+        text_.erase(0, kByteOrderMark.size());
       if (!trimmed(text_).empty()) return true;
     }
     if (in_.bad())

@@ -36,22 +36,21 @@ Result in_frame(const PreparedMap& map, Frame frame, const Result& result) {
 }
 
 std::string result_text(const PreparedMap& map, const RunOptions& run, const Answer& answer) {
-  const Result result = in_frame(map, run.frame, answer.result);
+  const Result& result = answer.result;
   std::ostringstream out;
   out << to_string(result.status) << "\n";
   if (result.path.empty()) return out.str();
-  out << to_text(result.length) << "\n";
-  write_points(out, result.path, " ");
+  out << to_text(map.length_in(run.frame, result.length)) << "\n";
+  write_points(out, run.frame == Frame::world ? map.to_world(result.path) : result.path, " ");
   return out.str();
 }
 
 std::string gap_text(const PreparedMap& map, const RunOptions& run, const Answer& answer) {
   if (!answer.optimum) return {};
-  const bool world = run.frame == Frame::world;
   const auto against = [&](const char* name, double optimum) {
     std::array<char, 96> text;
-    std::snprintf(text.data(), text.size(), "%s %.6f%s", name,
-                  world ? map.metres(optimum) : optimum, world ? " m" : "");
+    std::snprintf(text.data(), text.size(), "%s %.6f%s", name, map.length_in(run.frame, optimum),
+                  run.frame == Frame::world ? " m" : "");
     std::string part = text.data();
     if (answer.result.path.empty() || !(optimum > 0)) return part;
     const double gap = 100 * (answer.result.length / optimum - 1);
@@ -88,15 +87,16 @@ std::string batch_csv_header(Frame frame) {
 }
 
 std::string batch_csv_row(const PreparedMap& map, Frame frame, const Answer& answer) {
-  const Result result = in_frame(map, frame, answer.result);
+  const Result& result = answer.result;
+  const auto length = [&](double cells) { return finite_text(map.length_in(frame, cells)); };
   const auto coordinate = frame == Frame::world ? to_text : whole_text;
   std::ostringstream out;
   out << answer.index.value_or(0);
   for (const Point p : {answer.start.asked, answer.goal.asked})
     out << "," << coordinate(p.x) << "," << coordinate(p.y);
-  out << "," << to_string(result.status) << "," << finite_text(result.length) << ","
-      << finite_text(result.lower_bound) << "," << finite_text(answer.result.gap()) << ","
-      << result.iterations << "," << to_text(answer.elapsed_ms) << "\n";
+  out << "," << to_string(result.status) << "," << length(result.length) << ","
+      << (result.lower_bound ? length(*result.lower_bound) : "") << "," << finite_text(result.gap())
+      << "," << result.iterations << "," << to_text(answer.elapsed_ms) << "\n";
   return out.str();
 }
 

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <span>
+#include <string>
 
 #include "core/arm/enclose.h"
 #include "core/arm/proximity.h"
@@ -26,6 +28,26 @@ constexpr const char* kUrdf = R"(<robot name="r">
     <origin xyz="0 0 0.5" rpy="0 1.5707963267948966 0"/><axis xyz="0 0 1"/>
     <limit lower="-0.2" upper="0.3" velocity="0.5" effort="1"/></joint>
 </robot>)";
+
+/// What stands in a text, what is put in its place, and the line that is then at fault.
+struct Spoilt {
+  std::string from, to;
+  std::int64_t line;
+};
+
+template <class Read>
+void expect_lines(std::span<const Spoilt> cases, const std::string& text, const Read& read) {
+  for (const auto& [from, to, line] : cases) {
+    std::string broken = text;
+    broken.replace(broken.find(from), from.size(), to);
+    try {
+      read(broken);
+      ADD_FAILURE() << broken;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.place().line, line) << error.what();
+    }
+  }
+}
 
 void expect_error(const std::string& text, ErrorCode code, const std::string& words) {
   try {
@@ -91,7 +113,7 @@ TEST(Urdf, BadFiles) {
 }
 
 TEST(Urdf, FaultsAreNamedByLine) {
-  const std::tuple<std::string, std::string, std::int64_t> cases[] = {
+  const Spoilt cases[] = {
       {"radius=\"0.1\"", "radius=\"0\"", 2},
       {"radius=\"0.2\"", "radius=\"0\"", 4},
       {"0 0 2", "0 0 0", 6},
@@ -99,16 +121,7 @@ TEST(Urdf, FaultsAreNamedByLine) {
       {"prismatic", "planar", 8},
       {"velocity=\"0.5\"", "velocity=\"-2.5\"", 8},
   };
-  for (const auto& [from, to, line] : cases) {
-    std::string broken = kUrdf;
-    broken.replace(broken.find(from), from.size(), to);
-    try {
-      parse_robot(broken, "r.urdf");
-      ADD_FAILURE() << broken;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.place().line, line) << error.what();
-    }
-  }
+  expect_lines(cases, kUrdf, [](const std::string& text) { parse_robot(text, "r.urdf"); });
 }
 
 TEST(Urdf, AVelocityLimitOf0IsNone) {
@@ -310,21 +323,12 @@ TEST_F(SceneFile, FaultsAreNamedByLine) {
        "position": [1,
                     2, 3]}]})";
   EXPECT_EQ(parse_scene(text, "s.json").obstacles.size(), 2u);
-  const std::tuple<std::string, std::string, std::int64_t> cases[] = {
+  const Spoilt cases[] = {
       {"scene/1", "scene/7", 2}, {"\"size\"", "\"siez\"", 4},   {"cylinder", "cilinder", 5},
       {"0.1", "-0.1", 6},        {"\"length\"", "\"long\"", 7}, {"2, 3]}]", "\"2\", 3]}]", 8},
       {"\"length\": 2,", "", 5},
   };
-  for (const auto& [from, to, line] : cases) {
-    std::string broken = text;
-    broken.replace(broken.find(from), from.size(), to);
-    try {
-      parse_scene(broken, "s.json");
-      ADD_FAILURE() << broken;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.place().line, line) << error.what();
-    }
-  }
+  expect_lines(cases, text, [](const std::string& scene) { parse_scene(scene, "s.json"); });
   std::string large = text;
   const auto at = large.find("0.1");
   large.replace(at, 3, "1e999");
