@@ -1,9 +1,15 @@
-// Ant steps a second: the textbook, the bare ceiling and lasius, on 400 x 200 cells.
+// Ant steps a second: the textbook, the bare ceiling and lasius, on 400 x 200 cells. Powers a
+// second, of which rows of weights are made.
 #include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <vector>
 
 #include "bench/colony_figures.h"
 #include "bench/peers/row_ceiling.h"
 #include "bench/peers/textbook_ants.h"
+#include "kernel_choice.h"
+#include "kernels/raise.h"
 #include "lasius/planner.h"
 #include "workspace.h"
 
@@ -66,6 +72,24 @@ void plan_steps(benchmark::State& state, const char* algorithm, Neighbours neigh
 }
 BENCHMARK_CAPTURE(plan_steps, as, "as", Neighbours::eight)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(plan_steps, fan2004, "fan2004", Neighbours::four)->Unit(benchmark::kMillisecond);
+
+void raise_with_libm(double* values, int count, double exponent) noexcept {
+  for (int i = 0; i < count; ++i) values[i] = std::pow(values[i], exponent);
+}
+
+void powers(benchmark::State& state, kernels::RaiseFn raise) {
+  std::vector<double> values(256);
+  double share = 1;
+  for (auto _ : state) {
+    for (double& value : values) value = share *= share < 1e-30 ? 1e30 : 0.83;
+    raise(values.data(), static_cast<int>(values.size()), 1.8);
+    benchmark::DoNotOptimize(values.data());
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(values.size()));
+}
+BENCHMARK_CAPTURE(powers, libm, raise_with_libm);
+BENCHMARK_CAPTURE(powers, reference, kernels::raise_row(kernels::Isa::scalar));
+BENCHMARK_CAPTURE(powers, lasius, kernels::raise_row(chosen_isa()));
 
 }  // namespace
 }  // namespace lasius::bench

@@ -103,9 +103,7 @@ Field::Tile& Field::obtain(int index) {
   used_.push_back(&tile);
   directory_[index] = &tile;
   fill_heuristic(tile);
-  for (int y = 0; y < kTileSide; ++y) {
-    for (int x = 0; x < kTileSide; ++x) fill_row(tile, x, y);
-  }
+  fill_every_row(tile);
   __atomic_store_n(&rows_[index], tile.rows, __ATOMIC_RELEASE);
   return tile;
 }

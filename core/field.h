@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -81,11 +82,13 @@ class Field {
   static float* make_tile(void* field, int index);
   int taus() const noexcept { return params_.trail == Trail::arcs ? moves_.count : 1; }
   void fill_heuristic(Tile& tile) const;
-  void fill_row(Tile& tile, int x, int y) const;
-  void weigh_trail(const Tile& tile, int x, int y, const float* heuristic, float* weights) const;
-  void read_trail(const Tile& tile, int x, int y, float* tau, float* eta) const;
-  void weigh_index(const Tile& tile, int x, int y, const float* heuristic, float* weights) const;
-  void refresh_tile(Tile& tile, bool touched, bool all) const;
+  void fill_every_row(Tile& tile) const;
+  void fill_rows(Tile& tile, std::span<const std::uint16_t> cells) const;
+  void read_trail(const Tile& tile, int cell, double* trail, double* taught) const;
+  void weigh_trail(Tile& tile, int cell, const double* trail) const;
+  void read_index(const Tile& tile, int cell, double* index) const;
+  void weigh_index(Tile& tile, int cell, double* index) const;
+  void refresh_tile(Tile& tile, bool touched) const;
   void keep_scale_in_range();
   void set_scale(double scale) noexcept {
     scale_ = scale;

@@ -1,11 +1,13 @@
 // How a field's rows of weights are made, and which of them a change makes stale.
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <limits>
 
 #include "field.h"
 #include "field_tile.h"
+#include "move_rule.h"
 #include "parallel.h"
 
 namespace lasius {
@@ -14,6 +16,16 @@ namespace {
 using kernels::kTileSide;
 
 constexpr int kManyTiles = 64;  // fewer are not worth waking threads for
+
+// Powers are raised in batches: each is a long chain of operations, and many overlap.
+constexpr int kBatch = 256;
+static_assert(kBatch >= kernels::kMaxMoves);
+
+constexpr auto kEveryCell = [] {
+  std::array<std::uint16_t, kernels::kTileCells> cells{};
+  for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = static_cast<std::uint16_t>(i);
+  return cells;
+}();
 
 /// Shares of the largest among the moves that exist; of the others, something up to 1.
 void divide_by_largest(const float* values, const float* heuristic, int count,
@@ -39,13 +51,74 @@ void Field::fill_heuristic(Tile& tile) const {
   }
 }
 
-void Field::fill_row(Tile& tile, int x, int y) const {
-  const std::ptrdiff_t cell = y * kTileSide + x;
-  const float* heuristic = tile.heuristic + cell * moves_.count;
-  float* row = tile.rows + cell * (mixture_ ? 2 * moves_.count : moves_.count);
-  if (params_.update == Update::terminal_index) return weigh_index(tile, x, y, heuristic, row);
-  weigh_trail(tile, x, y, heuristic, row);
+void Field::fill_every_row(Tile& tile) const { fill_rows(tile, kEveryCell); }
+
+/// (tau / largest)^alpha, with learned visibility times (eta / largest)^beta; or K'^alpha.
+void Field::fill_rows(Tile& tile, std::span<const std::uint16_t> cells) const {
+  const bool index = params_.update == Update::terminal_index;
+  const int moves = moves_.count;
+  std::array<double, kBatch> trail, taught;
+  while (!cells.empty()) {
+    const auto batch = cells.first(std::min<std::size_t>(cells.size(), kBatch / moves));
+    cells = cells.subspan(batch.size());
+    const int values = static_cast<int>(batch.size()) * moves;
+    for (int at = 0; const int cell : batch) {
+      if (index) {
+        read_index(tile, cell, &trail[at]);
+      } else {
+        read_trail(tile, cell, &trail[at], &taught[at]);
+      }
+      at += moves;
+    }
+    raise_(trail.data(), values, weights_.alpha);
+    if (learned_) {
+      raise_(taught.data(), values, weights_.beta);
+      for (int at = 0; at < values; ++at) trail[at] *= taught[at];
+    }
+    for (int at = 0; const int cell : batch) {
+      if (index) {
+        weigh_index(tile, cell, &trail[at]);
+      } else {
+        weigh_trail(tile, cell, &trail[at]);
+      }
+      at += moves;
+    }
+  }
+}
+
+/// tau of each move out of a cell as a share of the largest; if ants learn, the same of what the
+/// cells that they lead to have taught.
+void Field::read_trail(const Tile& tile, int cell, double* trail, double* taught) const {
+  const int x = cell % kTileSide, y = cell / kTileSide;
+  const float* heuristic = tile.heuristic + std::ptrdiff_t{cell} * moves_.count;
+  std::array<float, kernels::kMaxMoves> tau, eta;
+  if (params_.trail == Trail::arcs) {
+    std::copy_n(tile.tau + std::ptrdiff_t{cell} * moves_.count, moves_.count, tau.data());
+  }
+  if (params_.trail == Trail::cells || learned_) {
+    const bool inside = std::min(x, y) >= reach_ && std::max(x, y) < kTileSide - reach_;
+    for (int k = 0; k < moves_.count; ++k) {
+      const auto [dx, dy] = moves_[k].to;
+      const Tile* to = inside ? &tile : find({tile.x0 + x + dx, tile.y0 + y + dy});
+      const int at = ((y + dy) & (kTileSide - 1)) * kTileSide + ((x + dx) & (kTileSide - 1));
+      if (params_.trail == Trail::cells) tau[k] = to == nullptr ? untouched_ : to->tau[at];
+      if (learned_) eta[k] = to == nullptr ? 1 : to->eta[at];
+    }
+  }
+  const auto least = static_cast<float>(least_ * per_scale_);
+  const auto most = static_cast<float>(std::min(most_ * per_scale_, 3e38));
+  for (int k = 0; k < moves_.count; ++k) tau[k] = std::clamp(tau[k], least, most);
+  divide_by_largest(tau.data(), heuristic, moves_.count, trail);
+  if (learned_) divide_by_largest(eta.data(), heuristic, moves_.count, taught);
+}
+
+/// The row of a cell: pheromone and heuristic side by side, or their product.
+void Field::weigh_trail(Tile& tile, int cell, const double* trail) const {
+  const float* heuristic = tile.heuristic + std::ptrdiff_t{cell} * moves_.count;
+  float* row = tile.rows + std::ptrdiff_t{cell} * (mixture_ ? 2 * moves_.count : moves_.count);
   for (int k = 0; k < moves_.count; ++k) {
+    const double weight = std::max(trail[k], HeuristicRows::kSmallest);
+    row[k] = heuristic[k] == 0 ? 0.0f : static_cast<float>(weight);
     if (mixture_) {
       row[moves_.count + k] = heuristic[k];
     } else {
@@ -54,73 +127,36 @@ void Field::fill_row(Tile& tile, int x, int y) const {
   }
 }
 
-/// (tau / largest)^alpha, with learned visibility times (eta / largest)^beta.
-void Field::weigh_trail(const Tile& tile, int x, int y, const float* heuristic,
-                        float* weights) const {
-  std::array<float, kernels::kMaxMoves> tau, eta;
-  read_trail(tile, x, y, tau.data(), eta.data());
-  const auto least = static_cast<float>(least_ * per_scale_);
-  const auto most = static_cast<float>(std::min(most_ * per_scale_, 3e38));
-  for (int k = 0; k < moves_.count; ++k) tau[k] = std::clamp(tau[k], least, most);
-
-  std::array<double, kernels::kMaxMoves> share;
-  divide_by_largest(tau.data(), heuristic, moves_.count, share.data());
-  raise_(share.data(), moves_.count, weights_.alpha);
-  if (learned_) {
-    std::array<double, kernels::kMaxMoves> taught;
-    divide_by_largest(eta.data(), heuristic, moves_.count, taught.data());
-    raise_(taught.data(), moves_.count, weights_.beta);
-    for (int k = 0; k < moves_.count; ++k) share[k] *= taught[k];
-  }
-  for (int k = 0; k < moves_.count; ++k) {
-    const double weight = std::max(share[k], HeuristicRows::kSmallest);
-    weights[k] = heuristic[k] == 0 ? 0.0f : static_cast<float>(weight);
-  }
-}
-
-/// Stored tau of each move out of a cell; what the cells that they lead to have taught, if ants
-/// learn.
-void Field::read_trail(const Tile& tile, int x, int y, float* tau, float* eta) const {
-  if (params_.trail == Trail::arcs) {
-    const std::ptrdiff_t cell = y * kTileSide + x;
-    std::copy_n(tile.tau + cell * moves_.count, moves_.count, tau);
-    if (!learned_) return;
-  }
-  const bool inside = std::min(x, y) >= reach_ && std::max(x, y) < kTileSide - reach_;
-  for (int k = 0; k < moves_.count; ++k) {
-    const auto [dx, dy] = moves_[k].to;
-    const Tile* to = inside ? &tile : find({tile.x0 + x + dx, tile.y0 + y + dy});
-    const int at = ((y + dy) & (kTileSide - 1)) * kTileSide + ((x + dx) & (kTileSide - 1));
-    if (params_.trail == Trail::cells) tau[k] = to == nullptr ? untouched_ : to->tau[at];
-    if (learned_) eta[k] = to == nullptr ? 1 : to->eta[at];
-  }
-}
-
-/// K'(j)^alpha * d(j, E)^beta, K'(j) = K(j) - q Kmin, Kmin over all free cells around (Li, Wang &
-/// Ma, eq. 8, 9); tau holds K. Scaled to a largest value of 1.
-void Field::weigh_index(const Tile& tile, int x, int y, const float* heuristic,
-                        float* weights) const {
-  std::array<double, kernels::kMaxMoves> index{}, weight;
+/// K'(j) = K(j) - q Kmin of each move, Kmin over all free cells around (Li, Wang & Ma, eq. 8); tau
+/// holds K.
+void Field::read_index(const Tile& tile, int cell, double* index) const {
+  const Cell from{tile.x0 + cell % kTileSide, tile.y0 + cell / kTileSide};
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < moves_.count; ++k) {
-    const auto [dx, dy] = moves_[k].to;
-    const Cell to{tile.x0 + x + dx, tile.y0 + y + dy};
+    const Cell to = from + moves_[k].to;
+    index[k] = 0;
     if (grid_->blocked(to)) continue;
     index[k] = tau(to, 0);
     least = std::min(least, index[k]);
   }
   for (int k = 0; k < moves_.count; ++k) {
-    weight[k] = std::max(index[k] - params_.index_spread * least, 0x1p-200);
+    index[k] = std::max(index[k] - params_.index_spread * least, 0x1p-200);
   }
-  raise_(weight.data(), moves_.count, weights_.alpha);
+}
+
+/// The row of a cell: K'(j)^alpha * d(j, E)^beta (Li, Wang & Ma, eq. 9), scaled to a largest value
+/// of 1.
+void Field::weigh_index(Tile& tile, int cell, double* index) const {
+  const float* heuristic = tile.heuristic + std::ptrdiff_t{cell} * moves_.count;
+  float* row = tile.rows + std::ptrdiff_t{cell} * moves_.count;
   double largest = 0;
   for (int k = 0; k < moves_.count; ++k) {
-    weight[k] *= heuristic[k];
-    largest = std::max(largest, weight[k]);
+    index[k] *= heuristic[k];
+    largest = std::max(largest, index[k]);
   }
   for (int k = 0; k < moves_.count; ++k) {
-    const double share = std::max(weight[k] / largest, HeuristicRows::kSmallest);
-    weights[k] = heuristic[k] == 0 ? 0.0f : static_cast<float>(share);
+    const double share = std::max(index[k] / largest, HeuristicRows::kSmallest);
+    row[k] = heuristic[k] == 0 ? 0.0f : static_cast<float>(share);
   }
 }
 
@@ -132,8 +168,13 @@ void Field::refresh(const StepWeights& weights, int threads) {
   weights_ = weights;
   const int tiles = static_cast<int>(used_.size());
   parallel_for(tiles, tiles > kManyTiles ? threads : 1, [&](int i, int) {
-    if (heuristic) fill_heuristic(*used_[i]);
-    refresh_tile(*used_[i], touched, heuristic || all_stale_);
+    Tile& tile = *used_[i];
+    if (heuristic) fill_heuristic(tile);
+    if (heuristic || all_stale_) {
+      fill_every_row(tile);
+    } else {
+      refresh_tile(tile, touched);
+    }
   });
   all_stale_ = false;
   for (Tile* tile : used_) {
@@ -143,15 +184,15 @@ void Field::refresh(const StepWeights& weights, int threads) {
   }
 }
 
-void Field::refresh_tile(Tile& tile, bool touched, bool all) const {
+void Field::refresh_tile(Tile& tile, bool touched) const {
   // A row reads its cell's neighbours (with arcs, its own cell): bits of cells beyond the tile
   // count too, up to the longest move.
-  const int reach = params_.trail == Trail::arcs ? 0 : reach_;
-  const int around = reach > 0 ? 1 : 0;
+  const bool arcs = params_.trail == Trail::arcs;
+  const int around = arcs ? 0 : 1;
   constexpr int kPad = kernels::kMaxReach;
   // Bit x + kPad of entry y + kPad is cell (x, y).
   std::array<std::uint64_t, kTileSide + 2 * kPad> bits{};
-  bool any = all;
+  bool any = false;
   for (int ty = -around; ty <= around; ++ty) {
     for (int tx = -around; tx <= around; ++tx) {
       const Tile* from = find({tile.x0 + tx * kTileSide, tile.y0 + ty * kTileSide});
@@ -168,13 +209,20 @@ void Field::refresh_tile(Tile& tile, bool touched, bool all) const {
     }
   }
   if (!any) return;
+  std::array<std::uint16_t, kernels::kTileCells> stale;
+  int count = 0;
   for (int y = 0; y < kTileSide; ++y) {
-    std::uint64_t stale = 0;
-    for (int dy = -reach; dy <= reach; ++dy) stale |= bits[y + kPad + dy];
-    for (int dx = reach; dx > 0; --dx) stale |= stale << 1 | stale >> 1;
-    auto rows = all ? ~std::uint32_t{0} : static_cast<std::uint32_t>(stale >> kPad);
-    for (; rows != 0; rows &= rows - 1) fill_row(tile, std::countr_zero(rows), y);
+    std::uint64_t row = arcs ? bits[y + kPad] : 0;
+    for (int k = 0; !arcs && k < moves_.count; ++k) {
+      const auto [dx, dy] = moves_[k].to;
+      const std::uint64_t word = bits[y + dy + kPad];
+      row |= dx > 0 ? word >> dx : word << -dx;
+    }
+    for (auto left = static_cast<std::uint32_t>(row >> kPad); left != 0; left &= left - 1) {
+      stale[count++] = static_cast<std::uint16_t>(y * kTileSide + std::countr_zero(left));
+    }
   }
+  fill_rows(tile, std::span(stale).first(count));
 }
 
 }  // namespace lasius

@@ -32,10 +32,14 @@ namespace lasius::kernels {
   p = p * z + 1.0;
   const double log2_x = exponent + (p * s) * 2.8853900817779268147;  // 2 / ln 2
 
-  constexpr double kMost = 1000;  // beyond 1023 the exponent would wrap round
-  const double unbounded = a * log2_x;
-  const double bounded = unbounded < -kMost ? -kMost : unbounded;
-  const double y = bounded > kMost ? kMost : bounded;
+  // Beyond 1023 the exponent would wrap round. Magnitudes compare as integers: compilers keep a
+  // choice between doubles as a branch, since comparing them may trap.
+  constexpr auto kMost = std::bit_cast<std::int64_t>(1000.0);
+  constexpr std::int64_t kMagnitude = std::int64_t{-1} ^ std::int64_t{1} << 63;
+  const auto unbounded = std::bit_cast<std::int64_t>(a * log2_x);
+  const std::int64_t magnitude = unbounded & kMagnitude;
+  const double y =
+      std::bit_cast<double>((magnitude < kMost ? magnitude : kMost) | (unbounded & ~kMagnitude));
   const double rounded = y + kShift;
   const double f = (y - (rounded - kShift)) * 0.69314718055994530942;
   double e = 1.0 / 479001600;

@@ -27,12 +27,17 @@ void raise_scalar(double* values, int count, double exponent) noexcept {
 [[gnu::target("avx2")]] void raise_avx2(double* values, int count, double exponent) noexcept {
   raise_body(values, count, exponent);
 }
+[[gnu::target("avx512f,avx512dq,prefer-vector-width=512")]] void raise_avx512(
+    double* values, int count, double exponent) noexcept {
+  raise_body(values, count, exponent);
+}
 #endif
 
 }  // namespace
 
 RaiseFn raise_row([[maybe_unused]] Isa isa) noexcept {
 #if defined(__x86_64__)
+  if (isa >= Isa::avx512) return raise_avx512;
   if (isa >= Isa::avx2) return raise_avx2;
 #endif
   return raise_scalar;
