@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <limits>
+#include <type_traits>
 
 #include "field.h"
 #include "field_tile.h"
@@ -27,14 +28,28 @@ constexpr auto kEveryCell = [] {
   return cells;
 }();
 
+/// Calls `action` with a number of moves: a common one as a constant, for which loops unroll.
+template <class Action>
+void with_count(int moves, const Action& action) {
+  switch (moves) {
+    case 4:
+      return action(std::integral_constant<int, 4>());
+    case 8:
+      return action(std::integral_constant<int, 8>());
+    default:
+      return action(moves);
+  }
+}
+
 /// Shares of the largest among the moves that exist; of the others, something up to 1.
-void divide_by_largest(const float* values, const float* heuristic, int count,
+template <class Count>
+void divide_by_largest(const float* values, const float* heuristic, Count moves,
                        double* shares) noexcept {
   float largest = std::numeric_limits<float>::min();
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < moves; ++k) {
     largest = std::max(largest, heuristic[k] > 0 ? values[k] : 0.0f);
   }
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < moves; ++k) {
     shares[k] = static_cast<double>(std::min(values[k], largest)) / largest;
   }
 }
@@ -53,10 +68,14 @@ void Field::fill_heuristic(Tile& tile) const {
 
 void Field::fill_every_row(Tile& tile) const { fill_rows(tile, kEveryCell); }
 
-/// (tau / largest)^alpha, with learned visibility times (eta / largest)^beta; or K'^alpha.
 void Field::fill_rows(Tile& tile, std::span<const std::uint16_t> cells) const {
+  with_count(moves_.count, [&](auto moves) { fill_rows_of(tile, cells, moves); });
+}
+
+/// (tau / largest)^alpha, with learned visibility times (eta / largest)^beta; or K'^alpha.
+template <class Count>
+void Field::fill_rows_of(Tile& tile, std::span<const std::uint16_t> cells, Count moves) const {
   const bool index = params_.update == Update::terminal_index;
-  const int moves = moves_.count;
   std::array<double, kBatch> trail, taught;
   while (!cells.empty()) {
     const auto batch = cells.first(std::min<std::size_t>(cells.size(), kBatch / moves));
@@ -64,9 +83,9 @@ void Field::fill_rows(Tile& tile, std::span<const std::uint16_t> cells) const {
     const int values = static_cast<int>(batch.size()) * moves;
     for (int at = 0; const int cell : batch) {
       if (index) {
-        read_index(tile, cell, &trail[at]);
+        read_index(tile, cell, moves, &trail[at]);
       } else {
-        read_trail(tile, cell, &trail[at], &taught[at]);
+        read_trail(tile, cell, moves, &trail[at], &taught[at]);
       }
       at += moves;
     }
@@ -77,9 +96,9 @@ void Field::fill_rows(Tile& tile, std::span<const std::uint16_t> cells) const {
     }
     for (int at = 0; const int cell : batch) {
       if (index) {
-        weigh_index(tile, cell, &trail[at]);
+        weigh_index(tile, cell, moves, &trail[at]);
       } else {
-        weigh_trail(tile, cell, &trail[at]);
+        weigh_trail(tile, cell, moves, &trail[at]);
       }
       at += moves;
     }
@@ -88,39 +107,42 @@ void Field::fill_rows(Tile& tile, std::span<const std::uint16_t> cells) const {
 
 /// tau of each move out of a cell as a share of the largest; if ants learn, the same of what the
 /// cells that they lead to have taught.
-void Field::read_trail(const Tile& tile, int cell, double* trail, double* taught) const {
+template <class Count>
+void Field::read_trail(const Tile& tile, int cell, Count moves, double* trail,
+                       double* taught) const {
   const int x = cell % kTileSide, y = cell / kTileSide;
-  const float* heuristic = tile.heuristic + std::ptrdiff_t{cell} * moves_.count;
+  const float* heuristic = tile.heuristic + std::ptrdiff_t{cell} * moves;
+  const bool arcs = params_.trail == Trail::arcs;
   std::array<float, kernels::kMaxMoves> tau, eta;
-  if (params_.trail == Trail::arcs) {
-    std::copy_n(tile.tau + std::ptrdiff_t{cell} * moves_.count, moves_.count, tau.data());
-  }
-  if (params_.trail == Trail::cells || learned_) {
+  if (arcs)
+    std::copy_n(tile.tau + std::ptrdiff_t{cell} * moves, static_cast<int>(moves), tau.data());
+  if (!arcs || learned_) {
     const bool inside = std::min(x, y) >= reach_ && std::max(x, y) < kTileSide - reach_;
-    for (int k = 0; k < moves_.count; ++k) {
+    for (int k = 0; k < moves; ++k) {
       const auto [dx, dy] = moves_[k].to;
       const Tile* to = inside ? &tile : find({tile.x0 + x + dx, tile.y0 + y + dy});
       const int at = ((y + dy) & (kTileSide - 1)) * kTileSide + ((x + dx) & (kTileSide - 1));
-      if (params_.trail == Trail::cells) tau[k] = to == nullptr ? untouched_ : to->tau[at];
+      if (!arcs) tau[k] = to == nullptr ? untouched_ : to->tau[at];
       if (learned_) eta[k] = to == nullptr ? 1 : to->eta[at];
     }
   }
   const auto least = static_cast<float>(least_ * per_scale_);
   const auto most = static_cast<float>(std::min(most_ * per_scale_, 3e38));
-  for (int k = 0; k < moves_.count; ++k) tau[k] = std::clamp(tau[k], least, most);
-  divide_by_largest(tau.data(), heuristic, moves_.count, trail);
-  if (learned_) divide_by_largest(eta.data(), heuristic, moves_.count, taught);
+  for (int k = 0; k < moves; ++k) tau[k] = std::clamp(tau[k], least, most);
+  divide_by_largest(tau.data(), heuristic, moves, trail);
+  if (learned_) divide_by_largest(eta.data(), heuristic, moves, taught);
 }
 
 /// The row of a cell: pheromone and heuristic side by side, or their product.
-void Field::weigh_trail(Tile& tile, int cell, const double* trail) const {
-  const float* heuristic = tile.heuristic + std::ptrdiff_t{cell} * moves_.count;
-  float* row = tile.rows + std::ptrdiff_t{cell} * (mixture_ ? 2 * moves_.count : moves_.count);
-  for (int k = 0; k < moves_.count; ++k) {
+template <class Count>
+void Field::weigh_trail(Tile& tile, int cell, Count moves, const double* trail) const {
+  const float* heuristic = tile.heuristic + std::ptrdiff_t{cell} * moves;
+  float* row = tile.rows + std::ptrdiff_t{cell} * (mixture_ ? 2 * moves : moves);
+  for (int k = 0; k < moves; ++k) {
     const double weight = std::max(trail[k], HeuristicRows::kSmallest);
     row[k] = heuristic[k] == 0 ? 0.0f : static_cast<float>(weight);
     if (mixture_) {
-      row[moves_.count + k] = heuristic[k];
+      row[moves + k] = heuristic[k];
     } else {
       row[k] *= heuristic[k];
     }
@@ -129,32 +151,34 @@ void Field::weigh_trail(Tile& tile, int cell, const double* trail) const {
 
 /// K'(j) = K(j) - q Kmin of each move, Kmin over all free cells around (Li, Wang & Ma, eq. 8); tau
 /// holds K.
-void Field::read_index(const Tile& tile, int cell, double* index) const {
+template <class Count>
+void Field::read_index(const Tile& tile, int cell, Count moves, double* index) const {
   const Cell from{tile.x0 + cell % kTileSide, tile.y0 + cell / kTileSide};
   double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < moves_.count; ++k) {
+  for (int k = 0; k < moves; ++k) {
     const Cell to = from + moves_[k].to;
     index[k] = 0;
     if (grid_->blocked(to)) continue;
     index[k] = tau(to, 0);
     least = std::min(least, index[k]);
   }
-  for (int k = 0; k < moves_.count; ++k) {
+  for (int k = 0; k < moves; ++k) {
     index[k] = std::max(index[k] - params_.index_spread * least, 0x1p-200);
   }
 }
 
 /// The row of a cell: K'(j)^alpha * d(j, E)^beta (Li, Wang & Ma, eq. 9), scaled to a largest value
 /// of 1.
-void Field::weigh_index(Tile& tile, int cell, double* index) const {
-  const float* heuristic = tile.heuristic + std::ptrdiff_t{cell} * moves_.count;
-  float* row = tile.rows + std::ptrdiff_t{cell} * moves_.count;
+template <class Count>
+void Field::weigh_index(Tile& tile, int cell, Count moves, double* index) const {
+  const float* heuristic = tile.heuristic + std::ptrdiff_t{cell} * moves;
+  float* row = tile.rows + std::ptrdiff_t{cell} * moves;
   double largest = 0;
-  for (int k = 0; k < moves_.count; ++k) {
+  for (int k = 0; k < moves; ++k) {
     index[k] *= heuristic[k];
     largest = std::max(largest, index[k]);
   }
-  for (int k = 0; k < moves_.count; ++k) {
+  for (int k = 0; k < moves; ++k) {
     const double share = std::max(index[k] / largest, HeuristicRows::kSmallest);
     row[k] = heuristic[k] == 0 ? 0.0f : static_cast<float>(share);
   }

@@ -27,8 +27,8 @@ void raise_scalar(double* values, int count, double exponent) noexcept {
 [[gnu::target("avx2")]] void raise_avx2(double* values, int count, double exponent) noexcept {
   raise_body(values, count, exponent);
 }
-[[gnu::target("avx512f,avx512dq,prefer-vector-width=512")]] void raise_avx512(
-    double* values, int count, double exponent) noexcept {
+[[gnu::target("avx512f,avx512dq,avx512vl")]] void raise_avx512(double* values, int count,
+                                                               double exponent) noexcept {
   raise_body(values, count, exponent);
 }
 #endif
