@@ -52,7 +52,7 @@ class WalkOnly {
     world_ = walk_world(params, moves, c.start, c.goal);
     set_iteration(world_, params, moves, shape, weights, 0);
     field_.fill(world_);
-    walkers_.reset(c.grid.width(), c.grid.height(), 1, ants);
+    walkers_.reset(c.grid.width(), c.grid.height(), 1, ants, params.polish != Polish::none);
     kernel_ = kernels::walk_table(chosen_isa()).walk[shape.index()];
   }
 

@@ -91,11 +91,12 @@ Params without_pheromone(Params params) {
   return params;
 }
 
-std::vector<Course> blobs_courses(int count, std::uint64_t seed) {
+std::vector<Course> blobs_courses(int count, std::uint64_t seed, int width, int height) {
   std::vector<Course> courses;
   for (std::uint64_t s = seed; static_cast<int>(courses.size()) < count; ++s) {
-    Grid grid = generate(MapKind::blobs, {400, 200, -1, s});
-    const Cell start = first_free(grid, {10, 10}, 1), goal = first_free(grid, {389, 189}, -1);
+    Grid grid = generate(MapKind::blobs, {width, height, -1, s});
+    const Cell start = first_free(grid, {10, 10}, 1);
+    const Cell goal = first_free(grid, {width - 11, height - 11}, -1);
     if (!Planner(grid).connected(start, goal)) continue;
     courses.push_back({"blobs, seed " + std::to_string(s), std::move(grid), start, goal});
   }

@@ -36,7 +36,7 @@ Quality measure_quality(const Course& course, const Params& params, int seeds);
 /// first iteration. What is left is random walks that know the way, and straightening.
 Params without_pheromone(Params params);
 
-/// `count` generated blobs maps of 400 x 200 with a query from corner to corner, seeds from `seed`.
-std::vector<Course> blobs_courses(int count, std::uint64_t seed);
+/// `count` generated blobs maps with a query from corner to corner, seeds from `seed`.
+std::vector<Course> blobs_courses(int count, std::uint64_t seed, int width = 400, int height = 200);
 
 }  // namespace lasius::bench

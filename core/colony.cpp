@@ -61,7 +61,8 @@ class GridColony final : public ColonyWorld {
         moves_(moves_of(params.neighbours)),
         tau0_(initial_pheromone(params, straight_distance(request))) {
     ws_.field.reset(grid, moves_, request.goal, params, untouched(), request.stop);
-    ws_.walkers.reset(grid.width(), grid.height(), threads_, params.ants);
+    ws_.walkers.reset(grid.width(), grid.height(), threads_, params.ants,
+                      params.polish != Polish::none);
     ws_.polisher.reset(grid_, request_, moves_, params_, threads_);
     ws_.ants.resize(params.ants);
     ws_.tours.resize(params.ants);
@@ -86,6 +87,7 @@ class GridColony final : public ColonyWorld {
     const StepWeights weights = schedule(params_, q);
     set_iteration(world_, params_, moves_, shape_, weights, q);
     for (Ant& ant : ws_.ants) ant.arrived = false;
+    for (Tour& tour : ws_.tours) tour = {{}, kNaN};
     const int batch = params_.batch > 0 ? params_.batch : params_.ants;
     for (int first = 0; first < params_.ants; first += batch) {
       const int count = std::min(batch, params_.ants - first);
@@ -93,10 +95,10 @@ class GridColony final : public ColonyWorld {
       ws_.field.refresh(weights, threads_);
       ws_.field.fill(world_);
       const auto cause =
-          ws_.walkers.walk(world_, kernel_, ants, first, request_.stop, polish_ahead_of(first));
-      measure(first, count);
+          ws_.walkers.walk(world_, kernel_, ants, first, request_.stop, after_walk(first));
       if (cause != StopCondition::Cause::none) return cause;
-      update_locally(ws_.field, params_, tau0_, tours(first, count));
+      note_best(first, count);
+      update_locally(ws_.field, params_, tau0_, tours(first, count), request_.stop);
     }
     all_walked_ = true;
     return StopCondition::Cause::none;
@@ -105,7 +107,7 @@ class GridColony final : public ColonyWorld {
   /// One thread lays the walks' trails meanwhile: they have nothing to do with the polish.
   void offer() override {
     if (ants_only_teach()) return;
-    offer(ws_.ants, [this] {
+    offer(ws_.ants, ws_.tours, [this] {
       if (all_walked_) lay_trails();
     });
   }
@@ -113,7 +115,9 @@ class GridColony final : public ColonyWorld {
   void update(int) override {
     if (ants_only_teach()) {
       lay_trails();
-      offer({&answer(), 1}, {});
+      const Ant& ant = answer();
+      const Tour tour = tour_of(ant);
+      offer({&ant, 1}, {&tour, 1}, {});
     } else {
       lay_straight_trails();
     }
@@ -155,19 +159,26 @@ class GridColony final : public ColonyWorld {
     return params_.unknown_index * std::max(grid_.width(), grid_.height()) / 20;
   }
 
-  /// Tours are polished while others are still walked. A thread that has no ant left takes them.
-  Walkers::WhileOthersWalk polish_ahead_of(int first) {
-    if (ants_only_teach()) return {};
-    return [this, first](int ant, int thread) {
-      ws_.polisher.polish_ahead(ws_.ants, first + ant, thread);
-    };
+  Tour tour_of(const Ant& ant) const {
+    return {ant.tour(), ant.arrived ? raw_length(ant.tour(), moves_) : kNaN};
   }
 
-  void measure(int first, int count) {
-    parallel_for(count, threads_, [&](int i, int) {
-      const Ant& ant = ws_.ants[first + i];
-      ws_.tours[first + i] = {ant.tour(), ant.arrived ? raw_length(ant.tour(), moves_) : kNaN};
-    });
+  /// Tours are measured as ants end, and polished while others still walk: by a thread that has no
+  /// ant left.
+  AfterWalk after_walk(int first) {
+    AfterWalk work;
+    work.ended = [this, first](int ant) {
+      ws_.tours[first + ant] = tour_of(ws_.ants[first + ant]);
+    };
+    if (!ants_only_teach()) {
+      work.spare = [this, first](int ant, int thread) {
+        ws_.polisher.polish_ahead(ws_.ants, first + ant, thread);
+      };
+    }
+    return work;
+  }
+
+  void note_best(int first, int count) {
     const Tour* best = nullptr;
     for (const Tour& tour : std::span(ws_.tours).subspan(first, count)) {
       if (!(tour.length < best_tour_length_)) continue;
@@ -187,7 +198,7 @@ class GridColony final : public ColonyWorld {
             .ranking = ws_.ranking};
   }
 
-  void lay_trails() { update_trail(ws_.field, params_, tours(0, params_.ants)); }
+  void lay_trails() { update_trail(ws_.field, params_, tours(0, params_.ants), request_.stop); }
 
   /// The answer of the terminal index is read from what its ants taught it.
   bool ants_only_teach() const { return params_.update == Update::terminal_index; }
@@ -195,33 +206,66 @@ class GridColony final : public ColonyWorld {
   /// The generation's answer as one more ant.
   const Ant& answer() {
     Ant& ant = ws_.answer;
-    best_known_way(ws_.field, moves_, request_.start, request_.goal, ant.moves);
-    ant.move_count = static_cast<std::int64_t>(ant.moves.size());
-    ant.arrived = !ant.moves.empty();
+    best_known_way(ws_.field, moves_, request_.start, request_.goal, ws_.way);
+    ant.moves.grow(ws_.way.size());
+    std::copy(ws_.way.begin(), ws_.way.end(), ant.moves.data());
+    ant.move_count = static_cast<std::int64_t>(ws_.way.size());
+    ant.arrived = !ws_.way.empty();
     return ant;
   }
 
-  /// Polishes the tours and offers every path as the best one, ties to the lower index.
-  void offer(std::span<const Ant> ants, const std::function<void()>& meanwhile) {
+  /// Polishes the tours and offers every path as the best one, ties to the lower index. Of tours
+  /// that are not polished, by choice or for lack of time, the shortest is offered.
+  void offer(std::span<const Ant> ants, std::span<const Tour> tours,
+             const std::function<void()>& meanwhile) {
     ws_.polisher.polish(ants, meanwhile);
     const auto paths = ws_.polisher.paths();
     improving_ant_ = -1;
+    int left = -1;
+    double shortest = best_length_;
     for (int a = 0; a < static_cast<int>(ants.size()); ++a) {
-      if (!(paths[a].length < best_length_)) continue;
-      improving_ant_ = a;
-      best_length_ = paths[a].length;
+      if (paths[a].length < best_length_) {
+        improving_ant_ = a;
+        best_length_ = paths[a].length;
+      } else if (std::isnan(paths[a].length) && tours[a].length < shortest) {
+        left = a;
+        shortest = tours[a].length;
+      }
     }
     if (improving_ant_ >= 0) best_path_ = paths[improving_ant_].points;
+    if (!(shortest < best_length_)) return;
+    auto path = as_walked(ants[left]);
+    const double length = path_length(path);
+    if (!(length < best_length_)) return;  // by rounding it was
+    improving_ant_ = left;
+    best_length_ = length;
+    best_path_ = std::move(path);
+  }
+
+  std::vector<Point> as_walked(const Ant& ant) const {
+    std::vector<Point> path;
+    path.reserve(ant.tour().size() + 1);
+    Cell c = request_.start;
+    path.push_back(centre(c));
+    for (const int k : ant.tour()) {
+      c = c + moves_[k].to;
+      path.push_back(centre(c));
+    }
+    return path;
   }
 
   /// Q / L on the cells under straightened paths (Fan et al. 2004, step 3).
   void lay_straight_trails() {
     if (params_.straight_deposit == StraightDeposit::none) return;
+    Poller poller(request_.stop, Poller::kSteps);
     for (int a = 0; a < params_.ants; ++a) {
       if (!ws_.ants[a].arrived) continue;
       if (params_.straight_deposit == StraightDeposit::improving && a != improving_ant_) continue;
       const PolishedPath& path = ws_.polisher.paths()[a];
-      for (const Cell c : path.raster) ws_.field.deposit(c, 0, params_.deposit / path.length);
+      for (const Cell c : path.raster) {
+        if (poller.stop_after(1)) return;
+        ws_.field.deposit(c, 0, params_.deposit / path.length);
+      }
     }
   }
 

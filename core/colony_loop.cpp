@@ -32,6 +32,8 @@ StopCondition::Cause loop(ColonyWorld& world, int iterations, const StopConditio
     if (cause == StopCondition::Cause::none) cause = stop.poll();
     if (cause != StopCondition::Cause::none) break;
     world.update(q);
+    cause = stop.poll();
+    if (cause != StopCondition::Cause::none) break;
     record(world, run);
     world.observe(run);
     if (world.settled()) break;

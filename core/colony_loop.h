@@ -26,7 +26,7 @@ class ColonyWorld {
   virtual StopCondition::Cause send_ants(int q) = 0;
   /// Offers what the ants found as the best path so far.
   virtual void offer() = 0;
-  /// Changes the trail by what the ants found.
+  /// Changes the trail by what the ants found. May be cut short, too.
   virtual void update(int q) = 0;
 
   virtual int ants() const = 0;

@@ -29,6 +29,7 @@ Field::~Field() = default;
 void Field::reset(const Grid& grid, const kernels::Moves& moves, Cell goal, const Params& params,
                   double untouched, const StopCondition& stop) {
   grid_ = &grid;
+  stop_ = stop;
   moves_ = moves;
   raise_ = kernels::raise_row(chosen_isa());
   params_ = params;
@@ -137,12 +138,12 @@ void Field::deposit(Cell c, int move, double amount) {
 
 void Field::raise_untouched(double value) {
   untouched_ = static_cast<float>(value * per_scale_);
-  for (Tile* tile : used_) {
+  for_all_tiles(1, [&](Tile& tile) {
     for (std::ptrdiff_t cell = 0; cell < kTileCells; ++cell) {
-      const bool touched = (tile->touched[cell / kTileSide] >> cell % kTileSide & 1) != 0;
-      if (!touched) std::fill_n(tile->tau + cell * taus(), taus(), untouched_);
+      const bool touched = (tile.touched[cell / kTileSide] >> cell % kTileSide & 1) != 0;
+      if (!touched) std::fill_n(tile.tau + cell * taus(), taus(), untouched_);
     }
-  }
+  });
   all_stale_ = true;
 }
 
@@ -182,7 +183,7 @@ void Field::keep_scale_in_range() {
       v = std::max(v * static_cast<float>(kRescaleBelow), kTiny);
     };
     shrink(untouched_);
-    for (Tile* tile : used_) std::for_each_n(tile->tau, kTileCells * taus(), shrink);
+    for_all_tiles(1, [&](Tile& tile) { std::for_each_n(tile.tau, kTileCells * taus(), shrink); });
   }
 }
 

@@ -32,7 +32,8 @@ class Field {
   ~Field();
 
   /// Forgets everything and gets ready for one plan; tau is `untouched` everywhere, eta 1. Tiles
-  /// are kept for reuse. `grid` must outlive the field's use.
+  /// are kept for reuse. `grid` must outlive the field's use. What goes over all tiles is cut
+  /// short by `stop`; then only another reset makes the field whole again.
   void reset(const Grid& grid, const kernels::Moves& moves, Cell goal, const Params& params,
              double untouched, const StopCondition& stop);
 
@@ -104,7 +105,12 @@ class Field {
     return (c.y >> kernels::kTileShift) * tiles_x_ + (c.x >> kernels::kTileShift);
   }
 
+  /// Calls action(tile) for all tiles, on up to `threads` threads; for fewer when stopped.
+  template <class Action>
+  void for_all_tiles(int threads, const Action& action);
+
   const Grid* grid_ = nullptr;
+  StopCondition stop_;
   kernels::Moves moves_;
   Params params_;
   HeuristicRows heuristic_;

@@ -9,14 +9,11 @@
 #include "field.h"
 #include "field_tile.h"
 #include "move_rule.h"
-#include "parallel.h"
 
 namespace lasius {
 namespace {
 
 using kernels::kTileSide;
-
-constexpr int kManyTiles = 64;  // fewer are not worth waking threads for
 
 // Powers are raised in batches: each is a long chain of operations, and many overlap.
 constexpr int kBatch = 256;
@@ -190,9 +187,7 @@ void Field::refresh(const StepWeights& weights, int threads) {
   const bool touched =
       least_ > 0 || weights.alpha != weights_.alpha || (weights.beta != weights_.beta && learned_);
   weights_ = weights;
-  const int tiles = static_cast<int>(used_.size());
-  parallel_for(tiles, tiles > kManyTiles ? threads : 1, [&](int i, int) {
-    Tile& tile = *used_[i];
+  for_all_tiles(threads, [&](Tile& tile) {
     if (heuristic) fill_heuristic(tile);
     if (heuristic || all_stale_) {
       fill_every_row(tile);

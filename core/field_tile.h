@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
 #include "field.h"
 #include "kernels/walk.h"
+#include "parallel.h"
 
 namespace lasius {
 
@@ -25,5 +27,17 @@ struct Field::Tile {
   float* tau = nullptr;        // stored tau, one a cell or one a move
   float* eta = nullptr;        // with Heuristic::learned
 };
+
+template <class Action>
+void Field::for_all_tiles(int threads, const Action& action) {
+  constexpr int kManyTiles = 64;  // fewer are not worth waking threads for
+  constexpr int kTilesAPoll = 16;
+  const int tiles = static_cast<int>(used_.size());
+  std::atomic<bool> stopped{false};
+  parallel_for(tiles, tiles > kManyTiles ? threads : 1, [&](int i, int) {
+    if (i % kTilesAPoll == 0 && stop_.poll() != StopCondition::Cause::none) stopped = true;
+    if (!stopped) action(*used_[i]);
+  });
+}
 
 }  // namespace lasius

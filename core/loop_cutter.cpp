@@ -61,29 +61,46 @@ std::size_t LoopCutter::slot_of(std::uint32_t key) const noexcept {
 }
 
 std::int32_t LoopCutter::tile_of(std::uint32_t key) {
-  std::int32_t& slot = slots_[slot_of(key)];
-  if (slot == kNone) {
-    slot = static_cast<std::int32_t>(tiles_.size());
-    Tile& tile = tiles_.emplace_back();
-    tile.key = key;
-    std::fill(std::begin(tile.around), std::end(tile.around), kNone);
+  const std::int32_t known = slots_[slot_of(key)];
+  if (known != kNone) return known;
+  Tile& tile = tiles_.emplace_back();
+  tile.key = key;
+  std::fill(std::begin(tile.around), std::end(tile.around), kNone);
+  if (2 * tiles_.size() > slots_.size()) {
+    slots_.assign(2 * slots_.size(), kNone);
+    for (std::size_t i = 0; i + 1 < tiles_.size(); ++i) {
+      slots_[slot_of(tiles_[i].key)] = static_cast<std::int32_t>(i);
+    }
   }
-  return slot;
+  return slots_[slot_of(key)] = static_cast<std::int32_t>(tiles_.size()) - 1;
 }
 
-// The walk's cells as tiles that know the tiles around them.
-void LoopCutter::collect(std::span<const Cell> walk, int moves) {
-  // A walk of n cells crosses fewer than n / 2 + 4 tiles: about half of the slots stay free.
-  slots_.assign(std::bit_ceil(walk.size() + 16), kNone);
+/// The cells as tiles that know the tiles around them. False when told to stop.
+bool LoopCutter::collect(std::span<const Cell> walk, std::span<const kernels::PackedCell> further,
+                         int moves, const StopCondition& stop) {
+  const std::size_t cells = walk.size() + further.size();
+  slots_.assign(std::bit_ceil(cells / 8 + 16), kNone);
+  // Room now: to copy millions while it grows would take long between two polls.
   tiles_.clear();
+  tiles_.reserve(slots_.size() / 2 + 1);
+  queue_.clear();
+  queue_.reserve(cells);
   std::uint32_t key = ~key_of(walk[0]);
   std::int32_t tile = kNone;
-  for (const Cell c : walk) {
+  Poller poller(stop, Poller::kSteps);
+  const auto add = [&](Cell c) {
     if (key_of(c) != key) {
       key = key_of(c);
       tile = tile_of(key);
     }
     tiles_[tile].unseen |= std::uint64_t{1} << bit_of(c);
+    return !poller.stop_after(1);
+  };
+  for (const Cell c : walk) {
+    if (!add(c)) return false;
+  }
+  for (const kernels::PackedCell c : further) {
+    if (!add({kernels::packed_x(c), kernels::packed_y(c)})) return false;
   }
   for (Tile& t : tiles_) {
     for (int i = 0; i < moves; ++i) {
@@ -91,7 +108,9 @@ void LoopCutter::collect(std::span<const Cell> walk, int moves) {
       const int y = static_cast<int>(t.key >> 16) + kMoves[i].dy;
       if (x >= 0 && y >= 0) t.around[i] = slots_[slot_of(key_of({8 * x, 8 * y}))];
     }
+    if (poller.stop_after(moves)) return false;
   }
+  return true;
 }
 
 Cell LoopCutter::cell_of(Entry e) const noexcept {
@@ -108,15 +127,16 @@ bool LoopCutter::allowed(const Grid& grid, Corners corners, Entry e, int move) c
 }
 
 std::span<const Cell> LoopCutter::cut(const Grid& grid, std::span<const Cell> walk, bool diagonal,
-                                      Corners corners, const StopCondition& stop) {
+                                      Corners corners, const StopCondition& stop,
+                                      std::span<const kernels::PackedCell> further) {
   const int moves = diagonal ? 8 : 4;
-  collect(walk, moves);
+  if (!collect(walk, further, moves, stop)) return {};
   // Breadth first from the walk's end, so that the moves lead on from its start.
   const auto entry = [this](Cell c) { return Entry{slots_[slot_of(key_of(c))], bit_of(c)}; };
   const Entry start = entry(walk.front());
   const Entry end = entry(walk.back());
   Poller poller(stop, Poller::kSteps);
-  queue_.assign(1, end);
+  queue_.push_back(end);
   tiles_[end.tile].unseen &= ~(std::uint64_t{1} << end.bit);
   const std::uint64_t start_bit = std::uint64_t{1} << start.bit;
   for (std::size_t head = 0; (tiles_[start.tile].unseen & start_bit) != 0; ++head) {

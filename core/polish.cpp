@@ -25,7 +25,8 @@ void Polisher::reset(const Grid& grid, const Request& request, const kernels::Mo
 
 void Polisher::polish(std::span<const Ant> ants, const std::function<void()>& meanwhile) {
   const auto count = static_cast<int>(ants.size());
-  parallel_for(count + 1, std::clamp(count / 2, 1, threads_), [&](int i, int thread) {
+  const int threads = polish_ == Polish::none ? 1 : std::clamp(count / 2, 1, threads_);
+  parallel_for(count + 1, threads, [&](int i, int thread) {
     if (i == 0) {
       if (meanwhile) meanwhile();
     } else if (PolishedPath& path = paths_[i - 1]; !std::exchange(path.made, false)) {
@@ -43,33 +44,24 @@ void Polisher::make(const Ant& ant, Scratch& scratch, PolishedPath& path) const 
   path.points.clear();
   path.raster.clear();
   path.length = std::numeric_limits<double>::quiet_NaN();
-  if (!ant.arrived) return;
+  if (polish_ == Polish::none || !ant.arrived) return;
+  if (stop_->poll() != StopCondition::Cause::none) return;
 
-  const bool straight = polish_ != Polish::none && stop_->poll() == StopCondition::Cause::none;
-  tour_cells(ant.tour(), *moves_, start_, straight, scratch.tour);
-  std::span<const Cell> vertices = scratch.tour;
-  if (straight) {
-    // Cells that the ant left again may shorten its way, too.
-    const std::size_t tour_size = scratch.tour.size();
-    const Cell goal = scratch.tour.back();
-    for (const auto c : ant.dead)
-      scratch.tour.push_back({kernels::packed_x(c), kernels::packed_y(c)});
-    scratch.tour.push_back(goal);
-    auto walk = scratch.cutter.cut(*grid_, scratch.tour, moves_->count > 4, corners_, *stop_);
-    scratch.tour.resize(tour_size);
-    if (walk.empty()) walk = scratch.tour;  // stopped
-    scratch.straightener.run(*grid_, walk, *stop_);
-    if (polish_ == Polish::straight) scratch.straightener.tighten(*grid_, *stop_);
-    vertices = scratch.straightener.vertices();
-    const auto cells = scratch.straightener.cells();
-    path.raster.assign(cells.begin(), cells.end());
-  }
+  tour_cells(ant.tour(), *moves_, start_, true, scratch.tour);
+  // Cells that the ant left again may shorten its way, too.
+  auto walk = scratch.cutter.cut(*grid_, scratch.tour, moves_->count > 4, corners_, *stop_,
+                                 ant.dead_ends());
+  if (walk.empty()) walk = scratch.tour;  // stopped
+  scratch.straightener.run(*grid_, walk, *stop_);
+  if (polish_ == Polish::straight) scratch.straightener.tighten(*grid_, *stop_);
+  const auto cells = scratch.straightener.cells();
+  path.raster.assign(cells.begin(), cells.end());
   if (polish_ == Polish::taut) {
-    scratch.tautener.run(*grid_, vertices, corners_, *stop_);
+    scratch.tautener.run(*grid_, scratch.straightener.vertices(), corners_, *stop_);
     const auto points = scratch.tautener.path();
     path.points.assign(points.begin(), points.end());
   } else {
-    for (const Cell c : vertices) path.points.push_back(centre(c));
+    for (const Cell c : scratch.straightener.vertices()) path.points.push_back(centre(c));
   }
   path.length = path_length(path.points);
 }

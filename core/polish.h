@@ -20,9 +20,9 @@ namespace lasius {
 
 /// One ant's path after polishing. A cache line of its own: threads polish neighbours.
 struct alignas(64) PolishedPath {
-  double length = 0;          // NaN where the ant did not arrive: never less than any other
+  double length = 0;          // NaN where there is none: never less than any other
   std::vector<Point> points;  // the polyline
-  std::vector<Cell> raster;   // the cells under it; empty without polish
+  std::vector<Cell> raster;   // the cells under it
   bool made = false;          // ahead of the others
 };
 
@@ -33,8 +33,9 @@ class Polisher {
   void reset(const Grid& grid, const Request& request, const kernels::Moves& moves,
              const Params& params, int threads);
 
-  /// Makes the path of every ant that arrived. When stopped, rougher but valid paths. One of the
-  /// threads does what is to be done `meanwhile`, if anything.
+  /// Makes the path of every ant that arrived, unless tours are not to be polished. When stopped,
+  /// those under way get rougher but valid paths, the others none. One of the threads does what is
+  /// to be done `meanwhile`, if anything.
   void polish(std::span<const Ant> ants, const std::function<void()>& meanwhile);
 
   /// Makes the path of one ant ahead of the call that makes the others, on thread `thread`.

@@ -30,12 +30,14 @@ struct FieldTrail {
 /// Tours of a grid as the rules of a trail see them.
 struct GridTours : Tours {
   Trail trail;
+  Poller& poller;
 
-  /// With arcs, visits the cells that moves leave, with cells all of them.
+  /// With arcs, visits the cells that moves leave, with cells all of them; fewer when stopped.
   template <class Visit>
   void along(const Tour& tour, const Visit& visit) const {
     Cell c = start;
     for (const int k : tour.moves) {
+      if (poller.stop_after(1)) return;
       visit(Place{c, trail == Trail::arcs ? k : 0});
       c = {c.x + moves[k].to.dx, c.y + moves[k].to.dy};
     }
@@ -47,7 +49,7 @@ struct GridTours : Tours {
 
 /// Terminal index (Li, Wang & Ma, section 2.2): backwards along every successful path
 /// K(c) <- min(K(c), K(next) + step), the smaller value carried on.
-void terminal_index(Field& field, const Tours& tours) {
+void terminal_index(Field& field, const GridTours& tours) {
   double longest = 0;
   for (const Tour& tour : tours.ants) {
     if (arrived(tour)) longest = std::max(longest, tour.length);
@@ -60,6 +62,7 @@ void terminal_index(Field& field, const Tours& tours) {
     field.set_tau(c, 0, 0);
     double least = field.tau(c, 0);
     for (std::size_t i = tour.moves.size(); i-- > 0;) {
+      if (tours.poller.stop_after(1)) return;
       const kernels::Move& move = tours.moves[tour.moves[i]];
       const double through = least + move.length;
       c = {c.x - move.to.dx, c.y - move.to.dy};
@@ -143,18 +146,21 @@ double initial_pheromone(const Params& params, double straight_distance) noexcep
   }
 }
 
-void update_locally(Field& field, const Params& params, double tau0, const Tours& batch) {
+void update_locally(Field& field, const Params& params, double tau0, const Tours& batch,
+                    const StopCondition& stop) {
   if (params.update != Update::colony_system || params.local_evaporation == 0) return;
   FieldTrail trail{field};
-  const GridTours tours{batch, params.trail};
+  Poller poller(stop, Poller::kSteps);
+  const GridTours tours{batch, params.trail, poller};
   for (const Tour& tour : tours.ants) {
     tours.along(tour, [&](Place place) { trail_rules::pass(trail, params, tau0, place); });
   }
 }
 
-void update_trail(Field& field, const Params& params, const Tours& all) {
+void update_trail(Field& field, const Params& params, const Tours& all, const StopCondition& stop) {
   FieldTrail trail{field};
-  const GridTours tours{all, params.trail};
+  Poller poller(stop, Poller::kSteps);
+  const GridTours tours{all, params.trail, poller};
   switch (params.update) {
     case Update::ant_system:
       return trail_rules::ant_system(trail, params, tours);

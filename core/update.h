@@ -7,6 +7,7 @@
 #include "field.h"
 #include "kernels/moves.h"
 #include "lasius/params.h"
+#include "lasius/stop.h"
 #include "walkers.h"
 
 namespace lasius {
@@ -32,11 +33,13 @@ struct Tours {
 /// straight distance from start to goal in place of a first tour's length.
 double initial_pheromone(const Params& params, double straight_distance) noexcept;
 
-/// After every batch of ants: the local update (ACS), if there is one.
-void update_locally(Field& field, const Params& params, double tau0, const Tours& batch);
+/// After every batch of ants: the local update (ACS), if there is one. Cut short by `stop`.
+void update_locally(Field& field, const Params& params, double tau0, const Tours& batch,
+                    const StopCondition& stop);
 
-/// After every iteration.
-void update_trail(Field& field, const Params& params, const Tours& tours);
+/// After every iteration. Cut short by `stop`.
+void update_trail(Field& field, const Params& params, const Tours& tours,
+                  const StopCondition& stop);
 
 /// The generation's answer of the terminal index: from the start always to the cell of least
 /// K + step, ties to the first move (Li, Wang & Ma, section 2.2). Empty while the start has none.

@@ -26,8 +26,9 @@ void tour_cells(std::span<const std::uint8_t> tour, const kernels::Moves& moves,
   }
 }
 
-void Walkers::reset(int width, int height, int threads, int ants) {
+void Walkers::reset(int width, int height, int threads, int ants, bool dead_wanted) {
   if (width != width_ || height != height_) teams_.clear();
+  dead_wanted_ = dead_wanted;
   width_ = width;
   height_ = height;
   threads_ = std::clamp(ants / 2, 1, threads);  // more would idle
@@ -35,26 +36,28 @@ void Walkers::reset(int width, int height, int threads, int ants) {
   for (Team& team : teams_) {
     team.done.reserve(ants);
     for (int i = 0; i < slots_for(ants); ++i) {
-      ZeroArray<std::uint64_t>& plane = team.slots[i].plane;
-      if (!plane) plane = ZeroArray<std::uint64_t>(VisitedPlane::words_for(width, height));
+      Slot& slot = team.slots[i];
+      if (slot.plane && !slot.marked) continue;
+      slot.plane = ZeroArray<std::uint64_t>(VisitedPlane::words_for(width, height));
+      slot.marked = false;
     }
   }
 }
 
 StopCondition::Cause Walkers::walk(const WalkWorld& world, kernels::WalkFn kernel,
                                    std::span<Ant> ants, int first, const StopCondition& stop,
-                                   const WhileOthersWalk& spare) {
+                                   const AfterWalk& after) {
   std::atomic<int> next{0};
   std::atomic<int> still_walking{threads_};
   std::atomic<StopCondition::Cause> cause{StopCondition::Cause::none};
   try {
     parallel_for(threads_, threads_, [&](int i, int thread) {
-      work(teams_[i], world, kernel, ants, first, next, cause, stop);
+      work(teams_[i], world, kernel, ants, first, next, cause, stop, after);
       --still_walking;
-      if (!spare) return;
+      if (!after.spare) return;
       for (const int ant : teams_[i].done) {
         if (still_walking == 0) break;
-        spare(ant, thread);
+        after.spare(ant, thread);
       }
     });
   } catch (...) {
@@ -82,7 +85,7 @@ void Walkers::forget(const WalkSlot& slot, std::uint64_t* plane, const WalkWorld
 
 void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, std::span<Ant> ants,
                    int first, std::atomic<int>& next, std::atomic<StopCondition::Cause>& cause,
-                   const StopCondition& stop) const {
+                   const StopCondition& stop, const AfterWalk& after) const {
   const int slot_count = slots_for(static_cast<int>(ants.size()));
   std::array<WalkSlot, kSlots> slots;
   std::array<bool, kSlots> occupied{};
@@ -103,13 +106,24 @@ void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, s
 
   const auto make_room = [&](int i) {
     WalkSlot& slot = slots[i];
+    Ant& ant = ants[numbers[i]];
     const auto room = [](auto& buffer, std::int64_t used) {
       const auto needed = static_cast<std::size_t>(used + kRounds + WalkSlot::kMovesBeyond);
-      if (buffer.size() < needed) buffer.resize(2 * needed);
+      if (buffer.size() < needed) buffer.grow(2 * needed);
       return buffer.data();
     };
-    slot.moves = room(ants[numbers[i]].moves, slot.move_count);
-    slot.dead = room(team.slots[i].dead, slot.dead_count);
+    slot.moves = room(ant.moves, slot.move_count);
+    slot.dead = room(dead_wanted_ ? ant.dead : team.slots[i].dead, slot.dead_count);
+  };
+
+  // Returns what it went over. Only another walk needs that: not where this one is cut short.
+  const auto clear = [&](int i, bool cut_short) {
+    const WalkSlot& slot = slots[i];
+    --under_way;
+    team.slots[i].marked = cut_short;
+    if (cut_short) return std::int64_t{0};
+    forget(slot, team.slots[i].plane.at(0), world);
+    return slot.move_count + slot.dead_count;
   };
 
   // Records the ant's tour.
@@ -118,12 +132,19 @@ void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, s
     Ant& ant = ants[numbers[i]];
     ant.arrived = slot.state == WalkState::arrived;
     ant.move_count = slot.move_count;
+    ant.dead_count = dead_wanted_ ? slot.dead_count : 0;
     ant.steps = slot.move_count + 2 * slot.dead_count;
-    forget(slot, team.slots[i].plane.at(0), world);
-    ant.dead.assign(slot.dead, slot.dead + slot.dead_count);
     slot.state = WalkState::lost;
     team.done.push_back(numbers[i]);
-    --under_way;
+    if (after.ended) after.ended(numbers[i]);
+  };
+
+  // True once a thread has seen that the walk is to be cut short.
+  const auto stopped = [&] {
+    if (const auto seen = stop.poll(); seen != StopCondition::Cause::none) cause = seen;
+    if (cause == StopCondition::Cause::none) return false;
+    next = static_cast<int>(ants.size());  // nobody sends another
+    return true;
   };
 
   team.done.clear();
@@ -133,12 +154,12 @@ void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, s
       if (occupied[i]) make_room(i);
     }
     kernel(world, {slots.data(), static_cast<std::size_t>(slot_count)}, kRounds);
-    if (const auto seen = stop.poll(); seen != StopCondition::Cause::none) cause = seen;
-    const bool stopped = cause != StopCondition::Cause::none;
-    if (stopped) next = static_cast<int>(ants.size());  // nobody sends another
+    bool cut_short = stopped();
     for (int i = 0; i < slot_count; ++i) {
-      if (!occupied[i] || (slots[i].state == WalkState::walking && !stopped)) continue;
-      retire(i);
+      const bool walking = slots[i].state == WalkState::walking;
+      if (!occupied[i] || (walking && !cut_short)) continue;
+      if (!walking) retire(i);
+      if (clear(i, cut_short) > Poller::kWords) cut_short = stopped();
       send(i);
     }
   }

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "growing_array.h"
 #include "kernels/walk.h"
 #include "lasius/geometry.h"
 #include "lasius/stop.h"
@@ -20,13 +21,17 @@ namespace lasius {
 /// threads walk neighbours.
 struct alignas(64) Ant {
   bool arrived = false;
-  std::int64_t move_count = 0;            // moves of the tour
-  std::vector<std::uint8_t> moves;        // at least move_count
-  std::vector<kernels::PackedCell> dead;  // cells entered and left again
-  std::int64_t steps = 0;                 // steps done, those taken back included
+  GrowingArray<std::uint8_t> moves;  // of the tour
+  std::int64_t move_count = 0;
+  GrowingArray<kernels::PackedCell> dead;  // cells entered and left again, where they are wanted
+  std::int64_t dead_count = 0;
+  std::int64_t steps = 0;  // steps done, those taken back included
 
   std::span<const std::uint8_t> tour() const noexcept {
     return {moves.data(), static_cast<std::size_t>(move_count)};
+  }
+  std::span<const kernels::PackedCell> dead_ends() const noexcept {
+    return {dead.data(), static_cast<std::size_t>(dead_count)};
   }
 };
 
@@ -35,24 +40,28 @@ struct alignas(64) Ant {
 void tour_cells(std::span<const std::uint8_t> tour, const kernels::Moves& moves, Cell start,
                 bool swept, std::vector<Cell>& cells);
 
+/// What is done with an ant, by index, that has arrived or is lost.
+struct AfterWalk {
+  std::function<void(int ant)> ended = {};  ///< at once, by the thread that walked it
+  std::function<void(int ant, int thread)> spare =
+      {};  ///< by that thread once it has no ant to walk
+};
+
 /// Ants under way, a few a thread, with the cells that each has entered.
 class Walkers {
  public:
   /// Gets ready for a grid of this size. Address space is reserved by area, memory touched only
-  /// where ants go.
-  void reset(int width, int height, int threads, int ants);
-
-  /// What a thread does that has no ant left to walk while others have: called with the index of an
-  /// ant that has arrived or is lost, and the thread's number.
-  using WhileOthersWalk = std::function<void(int ant, int thread)>;
+  /// where ants go. Ants tell what cells they left again only if these are `dead_wanted`.
+  void reset(int width, int height, int threads, int ants, bool dead_wanted);
 
   /// Walks every ant until it has arrived or is lost, or `stop` says so; then ants still under way
-  /// are lost, and those not yet sent stay as they were given (not arrived). `first` is the number
-  /// of the first ant, which picks its random stream. Which thread walks which ant changes nothing.
-  /// Throws what the world's make_tile throws, or std::bad_alloc; then call `reset` first.
+  /// and those not yet sent have neither arrived nor ended, and `reset` is to be called before the
+  /// next walk. `first` is the number of the first ant, which picks its random stream. Which thread
+  /// walks which ant changes nothing. Throws what the world's make_tile throws, or std::bad_alloc;
+  /// then call `reset`, too.
   StopCondition::Cause walk(const kernels::WalkWorld& world, kernels::WalkFn kernel,
                             std::span<Ant> ants, int first, const StopCondition& stop,
-                            const WhileOthersWalk& spare = {});
+                            const AfterWalk& after = {});
 
  private:
   // Ants that one thread advances together: two groups of eight, where they go abreast.
@@ -61,8 +70,9 @@ class Walkers {
   static_assert(kSlots <= kernels::kMaxSlots && std::int64_t{kSlots} * kRounds <= Poller::kSteps);
 
   struct Slot {
-    ZeroArray<std::uint64_t> plane;  // pages that no ant touches stay unmapped
-    std::vector<kernels::PackedCell> dead;
+    ZeroArray<std::uint64_t> plane;          // pages that no ant touches stay unmapped
+    GrowingArray<kernels::PackedCell> dead;  // of the ant, where they are not wanted
+    bool marked = false;                     // a walk was cut short, whose cells are still marked
   };
   struct alignas(64) Team {  // of one thread
     std::array<Slot, kSlots> slots;
@@ -78,10 +88,12 @@ class Walkers {
               const kernels::WalkWorld& world) const;
   void work(Team& team, const kernels::WalkWorld& world, kernels::WalkFn kernel,
             std::span<Ant> ants, int first, std::atomic<int>& next,
-            std::atomic<StopCondition::Cause>& cause, const StopCondition& stop) const;
+            std::atomic<StopCondition::Cause>& cause, const StopCondition& stop,
+            const AfterWalk& after) const;
 
   std::vector<Team> teams_;
   int threads_ = 1;
+  bool dead_wanted_ = false;
   int width_ = 0;
   int height_ = 0;
 };

@@ -23,6 +23,7 @@ class Workspace::Impl {
   std::vector<int> ranking;              // of the ants
   std::vector<std::uint8_t> best_moves;  // of the best tour so far
   Ant answer;                            // of a colony whose ants only teach it
+  std::vector<std::uint8_t> way;         // its moves, as they are found
   Polisher polisher;
   GridGaMemory grid_ga;
   ExactSearch exact;

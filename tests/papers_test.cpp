@@ -185,7 +185,8 @@ struct Trail20 {
                   .best_so_far = best_so_far < 0 ? none : ants[best_so_far],
                   .iteration = iteration,
                   .rows = 20,
-                  .ranking = ranking});
+                  .ranking = ranking},
+                 {});
   }
   double tau(int x, int y, int move = 0) const { return rows.field.tau({x, y}, move); }
 
@@ -254,7 +255,8 @@ TEST(AntColonySystem, CrossedArcsReturnTowardTau0) {
                   .moves = trail.rows.moves,
                   .ants = {&tour, 1},
                   .best_so_far = tour,
-                  .ranking = ranking});
+                  .ranking = ranking},
+                 {});
   EXPECT_NEAR(trail.tau(2, 2, kEast), 0.92, 1e-6);
   EXPECT_NEAR(trail.tau(3, 2, kEast), 1, 1e-6);
 }

@@ -263,9 +263,14 @@ TEST(LoopCutter, PollsAndFindsNothingWhenStopped) {
   const CountingTime counted(1 << 30);
   LoopCutter cutter;
   EXPECT_EQ(cutter.cut(grid, snake, false, Corners::forbid, counted.is_up()).size(), 200u);
-  EXPECT_EQ(counted.polls(), 199 * 200 / 2 / 4096);  // the cells nearer to the end
-  const CountingTime up(0);
-  EXPECT_TRUE(cutter.cut(grid, snake, false, Corners::forbid, up.is_up()).empty());
+  // Cells and the tiles' neighbours, then the cells nearer to the end.
+  const int polls = (300 * 200 + 38 * 25 * 4) / 4096 + 199 * 200 / 2 / 4096;
+  EXPECT_EQ(counted.polls(), polls);
+  for (int looks = 0; looks < polls; ++looks) {
+    const CountingTime up(looks);
+    EXPECT_TRUE(cutter.cut(grid, snake, false, Corners::forbid, up.is_up()).empty()) << looks;
+    EXPECT_EQ(up.polls(), looks + 1);
+  }
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "kernels/cpu.h"
 #include "move_rule.h"
 #include "schedule.h"
+#include "tests/core/counting_time.h"
 #include "tests/core/planning.h"
 #include "walk_setup.h"
 
@@ -59,7 +60,7 @@ TEST(Walkers, PollAtLeastEvery4096Steps) {
   set_iteration(world, params, moves, shape, weights, 0);
   field.fill(world);
   Walkers walkers;
-  walkers.reset(grid.width(), grid.height(), 1, params.ants);
+  walkers.reset(grid.width(), grid.height(), 1, params.ants, false);
   real_kernel = kernels::walk_table(chosen_isa()).walk[shape.index()];
   std::vector<Ant> ants(static_cast<std::size_t>(params.ants));
   const StepsBetweenLooks time;
@@ -139,7 +140,7 @@ using Tours = std::vector<std::vector<std::uint8_t>>;
 Tours tours(Walkers& walkers, kernels::Isa isa, int threads, int tiles = kTiles) {
   Square square(tiles);
   std::vector<Ant> ants(kAnts);
-  walkers.reset(kSide, kSide, threads, kAnts);
+  walkers.reset(kSide, kSide, threads, kAnts, false);
   walkers.walk(square.world, kernels::walk_table(isa).walk[square.shape.index()], ants, 0, {});
   Tours result;
   for (const Ant& ant : ants) {
@@ -164,6 +165,32 @@ TEST(Walkers, PassOnThatATileCannotBeMadeAndForgetTheAntsUnderWay) {
   }
 }
 
+TEST(Walkers, LeaveAntsThatAreCutShortAndWalkAsBeforeAfterAReset) {
+  Walkers fresh;
+  const Tours expected = tours(fresh, chosen_isa(), 1);
+  for (const int threads : {1, 3}) {
+    Walkers walkers;
+    for (const int looks : {0, 1, 2, 3, 5}) {
+      Square square(kTiles);
+      std::vector<Ant> ants(kAnts);
+      walkers.reset(kSide, kSide, threads, kAnts, false);
+      std::vector<int> ended(kAnts, 0);
+      const CountingTime time(looks);
+      const auto cause =
+          walkers.walk(square.world, kernels::walk_table(chosen_isa()).walk[square.shape.index()],
+                       ants, 0, time.is_up(), {.ended = [&](int ant) { ++ended[ant]; }});
+      EXPECT_EQ(cause, StopCondition::Cause::deadline) << looks;
+      int arrived = 0;
+      for (int a = 0; a < kAnts; ++a) {
+        EXPECT_EQ(ended[a], ants[a].arrived) << looks << " " << a;
+        arrived += ants[a].arrived;
+      }
+      EXPECT_LT(arrived, kAnts) << looks;
+      EXPECT_EQ(tours(walkers, chosen_isa(), threads), expected) << looks;
+    }
+  }
+}
+
 std::atomic<bool> all_sent = false;
 std::atomic<int> spared = 0;  // ants given to a thread without others to walk
 
@@ -179,17 +206,23 @@ TEST(Walkers, GiveAThreadThatHasNoAntLeftThoseItHasWalked) {
   Square square(kTiles);
   std::vector<Ant> ants(kAnts);
   Walkers walkers;
-  walkers.reset(kSide, kSide, 2, kAnts);
-  std::vector<int> given(kAnts, 0);
-  const auto cause =
-      walkers.walk(square.world, waiting_kernel, ants, 0,
-                   {.deadline = Clock::now() + std::chrono::minutes(1)}, [&](int ant, int thread) {
-                     EXPECT_TRUE(ants[ant].arrived);
-                     EXPECT_TRUE(thread == 0 || thread == 1);
-                     ++given[ant];
-                     ++spared;
-                   });
+  walkers.reset(kSide, kSide, 2, kAnts, false);
+  std::vector<int> ended(kAnts, 0), given(kAnts, 0);
+  AfterWalk after;
+  after.ended = [&](int ant) {
+    EXPECT_TRUE(ants[ant].arrived);
+    ++ended[ant];
+  };
+  after.spare = [&](int ant, int thread) {
+    EXPECT_EQ(ended[ant], 1);
+    EXPECT_TRUE(thread == 0 || thread == 1);
+    ++given[ant];
+    ++spared;
+  };
+  const auto cause = walkers.walk(square.world, waiting_kernel, ants, 0,
+                                  {.deadline = Clock::now() + std::chrono::minutes(1)}, after);
   EXPECT_EQ(cause, StopCondition::Cause::none);
+  EXPECT_EQ(ended, std::vector<int>(kAnts, 1));
   EXPECT_GT(spared, 0);
   EXPECT_EQ(given[0], 0);  // it was the last one under way
   EXPECT_LE(*std::max_element(given.begin(), given.end()), 1);
@@ -200,9 +233,9 @@ TEST(Walkers, GiveOneThreadAloneNothing) {
   Square square(kTiles);
   std::vector<Ant> ants(kAnts);
   Walkers walkers;
-  walkers.reset(kSide, kSide, 1, kAnts);
+  walkers.reset(kSide, kSide, 1, kAnts, false);
   walkers.walk(square.world, kernels::walk_table(kernels::Isa::scalar).walk[square.shape.index()],
-               ants, 0, {}, [](int, int) { FAIL(); });
+               ants, 0, {}, {.spare = [](int, int) { FAIL(); }});
   for (const Ant& ant : ants) EXPECT_TRUE(ant.arrived);
 }
 
