@@ -1,5 +1,5 @@
 // Counts what a test program allocates, and lets an allocation fail. Include it in one source of
-// the program only.
+// the program only. Arrays that grow by realloc count, too, where no sanitizer has its own.
 #pragma once
 
 #include <atomic>
@@ -21,5 +21,13 @@ inline std::atomic<std::int64_t> failing_allocation{-1};
   if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
   throw std::bad_alloc();
 }
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)
+extern "C" void* __libc_realloc(void* p, std::size_t size);  // NOLINT(bugprone-reserved-identifier)
+extern "C" void* realloc(void* p, std::size_t size) noexcept {
+  if (lasius::allocations++ == lasius::failing_allocation) return nullptr;
+  lasius::allocated_bytes += static_cast<std::int64_t>(size);
+  return __libc_realloc(p, size);
+}
+#endif
 [[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
 [[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }

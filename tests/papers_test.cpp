@@ -9,6 +9,7 @@
 #include "field.h"
 #include "lasius/planner.h"
 #include "schedule.h"
+#include "tests/core/counting_time.h"
 #include "update.h"
 
 namespace lasius {
@@ -173,7 +174,7 @@ struct Trail20 {
     for (const int k : walked.back()) length += rows.moves[k].length;
     lengths.push_back(arrived ? length : std::nan(""));
   }
-  void update(int best_so_far = -1, int iteration = 0) {
+  void update(int best_so_far = -1, int iteration = 0, const StopCondition& stop = {}) {
     std::vector<Tour> ants;
     for (std::size_t a = 0; a < walked.size(); ++a) ants.push_back({walked[a], lengths[a]});
     std::vector<int> ranking;
@@ -186,7 +187,7 @@ struct Trail20 {
                   .iteration = iteration,
                   .rows = 20,
                   .ranking = ranking},
-                 {});
+                 stop);
   }
   double tau(int x, int y, int move = 0) const { return rows.field.tau({x, y}, move); }
 
@@ -196,6 +197,24 @@ struct Trail20 {
   std::vector<std::vector<std::uint8_t>> walked;
   std::vector<double> lengths;
 };
+
+TEST(AntSystem, AnUpdateIsCutShort) {
+  // To and fro 10000 times, Q / L = 1/4096; time is up at the second look, before move 8192: half of
+  // 8191 moves, rounded up, leave (2, 2).
+  constexpr std::uint8_t kWest = 3;
+  Params params = defaults("as");
+  params.persistence = 1;
+  params.deposit = 10000.0 / 4096;
+  Trail20 trail(params);
+  std::vector<std::uint8_t> moves;
+  for (int i = 0; i < 5000; ++i) moves.insert(moves.end(), {kEast, kWest});
+  trail.walk(moves);
+  const CountingTime time(1);
+  trail.update(-1, 0, time.is_up());
+  EXPECT_EQ(time.polls(), 2);
+  EXPECT_DOUBLE_EQ(trail.tau(2, 2, kEast), 2);
+  EXPECT_DOUBLE_EQ(trail.tau(3, 2, kWest), 2 - 1.0 / 4096);
+}
 
 TEST(Elitist, TheBestTourSoFarDepositsAgain) {
   // Evaporation 0.5, e = 30, Q = 1: 0.5 + 1/2 on the tour of length 2, and 30/2 more as the best.

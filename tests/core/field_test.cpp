@@ -7,6 +7,7 @@
 #include <random>
 
 #include "lasius/planner.h"
+#include "tests/core/counting_time.h"
 
 namespace lasius {
 namespace {
@@ -175,6 +176,24 @@ TEST(Field, TilesExistOnlyWhereSomethingWasAskedOrLaid) {
   field.refresh(schedule(Params{}, 3), 1);
   EXPECT_EQ(field.tiles(), 2);
   EXPECT_LT(field.bytes(), 500000);
+}
+
+TEST(Field, WhatGoesOverAllTilesPollsAndIsCutShort) {
+  const Grid grid(512, 512);  // 256 tiles
+  const auto moves = kernels::moves_of(kernels::Neighbourhood::four);
+  const auto weight_of_pheromone = [&](const CountingTime& time) {
+    Field field;
+    field.reset(grid, moves, {500, 500}, Params{}, 1, time.is_up());
+    for (int y = 8; y < 512; y += 32) {
+      for (int x = 8; x < 512; x += 32) field.deposit({x, y}, 0, 1);
+    }
+    field.refresh(schedule(Params{}, 20), 1);
+    return row(field, {7, 8}, 8)[0];  // north of (7, 8); (8, 8) in the east has twice as much
+  };
+  const CountingTime enough(1000), none(0);
+  EXPECT_FLOAT_EQ(weight_of_pheromone(enough), 1.0f / 16);  // alpha 4
+  EXPECT_EQ(enough.polls(), 256 / 16);
+  EXPECT_EQ(weight_of_pheromone(none), 1);
 }
 
 TEST(Field, ManyIterationsNeitherOverflowNorForget) {
