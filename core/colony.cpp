@@ -164,11 +164,13 @@ class GridColony final : public ColonyWorld {
   }
 
   /// Tours are measured as ants end, and polished while others still walk: by a thread that has no
-  /// ant left.
+  /// ant left, or at once as long as there is no answer.
   AfterWalk after_walk(int first) {
     AfterWalk work;
-    work.ended = [this, first](int ant) {
+    const bool at_once = !(best_length_ < kInfinity) && !ants_only_teach();
+    work.ended = [this, first, at_once](int ant, int thread) {
       ws_.tours[first + ant] = tour_of(ws_.ants[first + ant]);
+      if (at_once) ws_.polisher.polish_ahead(ws_.ants, first + ant, thread);
     };
     if (!ants_only_teach()) {
       work.spare = [this, first](int ant, int thread) {

@@ -52,7 +52,7 @@ StopCondition::Cause Walkers::walk(const WalkWorld& world, kernels::WalkFn kerne
   std::atomic<StopCondition::Cause> cause{StopCondition::Cause::none};
   try {
     parallel_for(threads_, threads_, [&](int i, int thread) {
-      work(teams_[i], world, kernel, ants, first, next, cause, stop, after);
+      work(teams_[i], thread, world, kernel, ants, first, next, cause, stop, after);
       --still_walking;
       if (!after.spare) return;
       for (const int ant : teams_[i].done) {
@@ -83,9 +83,10 @@ void Walkers::forget(const WalkSlot& slot, std::uint64_t* plane, const WalkWorld
   for (std::int64_t d = 0; d < slot.dead_count; ++d) slot.visited.clear(slot.dead[d]);
 }
 
-void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, std::span<Ant> ants,
-                   int first, std::atomic<int>& next, std::atomic<StopCondition::Cause>& cause,
-                   const StopCondition& stop, const AfterWalk& after) const {
+void Walkers::work(Team& team, int thread, const WalkWorld& world, kernels::WalkFn kernel,
+                   std::span<Ant> ants, int first, std::atomic<int>& next,
+                   std::atomic<StopCondition::Cause>& cause, const StopCondition& stop,
+                   const AfterWalk& after) const {
   const int slot_count = slots_for(static_cast<int>(ants.size()));
   std::array<WalkSlot, kSlots> slots;
   std::array<bool, kSlots> occupied{};
@@ -136,7 +137,7 @@ void Walkers::work(Team& team, const WalkWorld& world, kernels::WalkFn kernel, s
     ant.steps = slot.move_count + 2 * slot.dead_count;
     slot.state = WalkState::lost;
     team.done.push_back(numbers[i]);
-    if (after.ended) after.ended(numbers[i]);
+    if (after.ended) after.ended(numbers[i], thread);
   };
 
   // True once a thread has seen that the walk is to be cut short.

@@ -40,11 +40,11 @@ struct alignas(64) Ant {
 void tour_cells(std::span<const std::uint8_t> tour, const kernels::Moves& moves, Cell start,
                 bool swept, std::vector<Cell>& cells);
 
-/// What is done with an ant, by index, that has arrived or is lost.
+/// What is done with an ant, by index, that has arrived or is lost. Threads have numbers from 0.
 struct AfterWalk {
-  std::function<void(int ant)> ended = {};  ///< at once, by the thread that walked it
-  std::function<void(int ant, int thread)> spare =
-      {};  ///< by that thread once it has no ant to walk
+  using Action = std::function<void(int ant, int thread)>;
+  Action ended = {};  ///< at once, by the thread that walked it
+  Action spare = {};  ///< by that thread once it has no ant to walk, while others have
 };
 
 /// Ants under way, a few a thread, with the cells that each has entered.
@@ -86,7 +86,7 @@ class Walkers {
   /// Clears the plane of the cells that an ant entered.
   void forget(const kernels::WalkSlot& slot, std::uint64_t* plane,
               const kernels::WalkWorld& world) const;
-  void work(Team& team, const kernels::WalkWorld& world, kernels::WalkFn kernel,
+  void work(Team& team, int thread, const kernels::WalkWorld& world, kernels::WalkFn kernel,
             std::span<Ant> ants, int first, std::atomic<int>& next,
             std::atomic<StopCondition::Cause>& cause, const StopCondition& stop,
             const AfterWalk& after) const;

@@ -74,8 +74,9 @@ class LASIUS_EXPORT Progress {
 using Observer = std::function<void(const Progress&)>;
 
 /// Scratch memory of one call in flight. Keep one per thread: with it, `exact` and every colony
-/// allocate nothing but the result in a second call of the same size. A call that threw leaves
-/// nothing in it that a later one sees.
+/// allocate nothing but the result in a second call of the same size. A call without one gives its
+/// memory back before it returns, past a deadline, too: a tenth of a second for each gigabyte that
+/// ants have touched. A call that threw leaves nothing in it that a later one sees.
 class LASIUS_EXPORT Workspace {
  public:
   Workspace();

@@ -178,7 +178,7 @@ TEST(Walkers, LeaveAntsThatAreCutShortAndWalkAsBeforeAfterAReset) {
       const CountingTime time(looks);
       const auto cause =
           walkers.walk(square.world, kernels::walk_table(chosen_isa()).walk[square.shape.index()],
-                       ants, 0, time.is_up(), {.ended = [&](int ant) { ++ended[ant]; }});
+                       ants, 0, time.is_up(), {.ended = [&](int ant, int) { ++ended[ant]; }});
       EXPECT_EQ(cause, StopCondition::Cause::deadline) << looks;
       int arrived = 0;
       for (int a = 0; a < kAnts; ++a) {
@@ -209,8 +209,9 @@ TEST(Walkers, GiveAThreadThatHasNoAntLeftThoseItHasWalked) {
   walkers.reset(kSide, kSide, 2, kAnts, false);
   std::vector<int> ended(kAnts, 0), given(kAnts, 0);
   AfterWalk after;
-  after.ended = [&](int ant) {
+  after.ended = [&](int ant, int thread) {
     EXPECT_TRUE(ants[ant].arrived);
+    EXPECT_TRUE(thread == 0 || thread == 1);
     ++ended[ant];
   };
   after.spare = [&](int ant, int thread) {
