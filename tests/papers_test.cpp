@@ -199,8 +199,8 @@ struct Trail20 {
 };
 
 TEST(AntSystem, AnUpdateIsCutShort) {
-  // To and fro 10000 times, Q / L = 1/4096; time is up at the second look, before move 8192: half of
-  // 8191 moves, rounded up, leave (2, 2).
+  // To and fro 10000 times, Q / L = 1/4096; time is up at the second look, before move 8192: half
+  // of 8191 moves, rounded up, leave (2, 2).
   constexpr std::uint8_t kWest = 3;
   Params params = defaults("as");
   params.persistence = 1;
