@@ -219,7 +219,7 @@ void Straightener::run(const Grid& grid, std::span<const Cell> walk, const StopC
 }
 
 void Straightener::tighten(const Grid& grid, const StopCondition& stop) {
-  if (best_.size() < 3) return;
+  if (best_.size() < 3 || stop.poll() != StopCondition::Cause::none) return;
   const kernels::BitmapView map = view_of(grid);
   for (std::size_t i = 1; i < best_.size(); ++i) {
     if (!sees(map, best_[i - 1], best_[i])) return;  // a squeeze that is kept
