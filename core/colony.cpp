@@ -143,8 +143,8 @@ class GridColony final : public ColonyWorld {
     }
     std::vector<Cell> walk(int ant) const override {
       std::vector<Cell> cells;
-      tour_cells(colony_.ws_.ants.at(ant).tour(), colony_.moves_, colony_.request_.start, false,
-                 cells);
+      along_tour(colony_.ws_.ants.at(ant).tour(), colony_.moves_, colony_.request_.start,
+                 [&](Cell c) { cells.push_back(c); });
       return cells;
     }
     double pheromone(Cell c) const override { return colony_.ws_.field.pheromone(c); }
@@ -167,7 +167,7 @@ class GridColony final : public ColonyWorld {
   /// ant left, or at once as long as there is no answer.
   AfterWalk after_walk(int first) {
     AfterWalk work;
-    const bool at_once = !(best_length_ < kInfinity) && !ants_only_teach();
+    const bool at_once = best_length_ == kInfinity && !ants_only_teach();
     work.ended = [this, first, at_once](int ant, int thread) {
       ws_.tours[first + ant] = tour_of(ws_.ants[first + ant]);
       if (at_once) ws_.polisher.polish_ahead(ws_.ants, first + ant, thread);
@@ -247,12 +247,7 @@ class GridColony final : public ColonyWorld {
   std::vector<Point> as_walked(const Ant& ant) const {
     std::vector<Point> path;
     path.reserve(ant.tour().size() + 1);
-    Cell c = request_.start;
-    path.push_back(centre(c));
-    for (const int k : ant.tour()) {
-      c = c + moves_[k].to;
-      path.push_back(centre(c));
-    }
+    along_tour(ant.tour(), moves_, request_.start, [&](Cell c) { path.push_back(centre(c)); });
     return path;
   }
 

@@ -8,6 +8,24 @@
 #include "parallel.h"
 
 namespace lasius {
+namespace {
+
+/// The cells of a tour, start first, and those that its moves cross.
+void swept_cells(std::span<const std::uint8_t> tour, const kernels::Moves& moves, Cell start,
+                 std::vector<Cell>& cells) {
+  cells.assign(1, start);
+  Cell c = start;
+  for (const int k : tour) {
+    const kernels::Move& move = moves[k];
+    for (int i = 0; i < move.swept_count; ++i) {
+      cells.push_back({c.x + move.swept[i].dx, c.y + move.swept[i].dy});
+    }
+    c = {c.x + move.to.dx, c.y + move.to.dy};
+    cells.push_back(c);
+  }
+}
+
+}  // namespace
 
 void Polisher::reset(const Grid& grid, const Request& request, const kernels::Moves& moves,
                      const Params& params, int threads) {
@@ -47,7 +65,7 @@ void Polisher::make(const Ant& ant, Scratch& scratch, PolishedPath& path) const 
   if (polish_ == Polish::none || !ant.arrived) return;
   if (stop_->poll() != StopCondition::Cause::none) return;
 
-  tour_cells(ant.tour(), *moves_, start_, true, scratch.tour);
+  swept_cells(ant.tour(), *moves_, start_, scratch.tour);
   // Cells that the ant left again may shorten its way, too.
   auto walk = scratch.cutter.cut(*grid_, scratch.tour, moves_->count > 4, corners_, *stop_,
                                  ant.dead_ends());

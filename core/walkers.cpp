@@ -12,20 +12,6 @@ using kernels::WalkSlot;
 using kernels::WalkState;
 using kernels::WalkWorld;
 
-void tour_cells(std::span<const std::uint8_t> tour, const kernels::Moves& moves, Cell start,
-                bool swept, std::vector<Cell>& cells) {
-  cells.assign(1, start);
-  Cell c = start;
-  for (const int k : tour) {
-    const kernels::Move& move = moves[k];
-    for (int i = 0; swept && i < move.swept_count; ++i) {
-      cells.push_back({c.x + move.swept[i].dx, c.y + move.swept[i].dy});
-    }
-    c = {c.x + move.to.dx, c.y + move.to.dy};
-    cells.push_back(c);
-  }
-}
-
 void Walkers::reset(int width, int height, int threads, int ants, bool dead_wanted) {
   if (width != width_ || height != height_) teams_.clear();
   dead_wanted_ = dead_wanted;
@@ -47,12 +33,11 @@ void Walkers::reset(int width, int height, int threads, int ants, bool dead_want
 StopCondition::Cause Walkers::walk(const WalkWorld& world, kernels::WalkFn kernel,
                                    std::span<Ant> ants, int first, const StopCondition& stop,
                                    const AfterWalk& after) {
-  std::atomic<int> next{0};
+  Sending sending{world, kernel, ants, first, stop, after};
   std::atomic<int> still_walking{threads_};
-  std::atomic<StopCondition::Cause> cause{StopCondition::Cause::none};
   try {
     parallel_for(threads_, threads_, [&](int i, int thread) {
-      work(teams_[i], thread, world, kernel, ants, first, next, cause, stop, after);
+      work(teams_[i], thread, sending);
       --still_walking;
       if (!after.spare) return;
       for (const int ant : teams_[i].done) {
@@ -64,7 +49,14 @@ StopCondition::Cause Walkers::walk(const WalkWorld& world, kernels::WalkFn kerne
     teams_.clear();  // cells entered are still marked in their planes
     throw;
   }
-  return cause;
+  return sending.cause;
+}
+
+bool Walkers::Sending::cut_short() noexcept {
+  if (const auto seen = stop.poll(); seen != StopCondition::Cause::none) cause = seen;
+  if (cause == StopCondition::Cause::none) return false;
+  next = static_cast<int>(ants.size());
+  return true;
 }
 
 void Walkers::forget(const WalkSlot& slot, std::uint64_t* plane, const WalkWorld& world) const {
@@ -83,10 +75,9 @@ void Walkers::forget(const WalkSlot& slot, std::uint64_t* plane, const WalkWorld
   for (std::int64_t d = 0; d < slot.dead_count; ++d) slot.visited.clear(slot.dead[d]);
 }
 
-void Walkers::work(Team& team, int thread, const WalkWorld& world, kernels::WalkFn kernel,
-                   std::span<Ant> ants, int first, std::atomic<int>& next,
-                   std::atomic<StopCondition::Cause>& cause, const StopCondition& stop,
-                   const AfterWalk& after) const {
+void Walkers::work(Team& team, int thread, Sending& sending) const {
+  const WalkWorld& world = sending.world;
+  const std::span<Ant> ants = sending.ants;
   const int slot_count = slots_for(static_cast<int>(ants.size()));
   std::array<WalkSlot, kSlots> slots;
   std::array<bool, kSlots> occupied{};
@@ -94,11 +85,11 @@ void Walkers::work(Team& team, int thread, const WalkWorld& world, kernels::Walk
   int under_way = 0;
 
   const auto send = [&](int i) {
-    const int ant = next.fetch_add(1, std::memory_order_relaxed);
+    const int ant = sending.next.fetch_add(1, std::memory_order_relaxed);
     occupied[i] = ant < static_cast<int>(ants.size());
     if (!occupied[i]) return;
     WalkSlot& slot = slots[i];
-    slot.send(world.start, static_cast<std::uint32_t>(first + ant));
+    slot.send(world.start, static_cast<std::uint32_t>(sending.first + ant));
     numbers[i] = ant;
     slot.visited = VisitedPlane::over(team.slots[i].plane.at(0), height_);
     slot.visited.mark(slot.at);
@@ -137,15 +128,7 @@ void Walkers::work(Team& team, int thread, const WalkWorld& world, kernels::Walk
     ant.steps = slot.move_count + 2 * slot.dead_count;
     slot.state = WalkState::lost;
     team.done.push_back(numbers[i]);
-    if (after.ended) after.ended(numbers[i], thread);
-  };
-
-  // True once a thread has seen that the walk is to be cut short.
-  const auto stopped = [&] {
-    if (const auto seen = stop.poll(); seen != StopCondition::Cause::none) cause = seen;
-    if (cause == StopCondition::Cause::none) return false;
-    next = static_cast<int>(ants.size());  // nobody sends another
-    return true;
+    if (sending.after.ended) sending.after.ended(numbers[i], thread);
   };
 
   team.done.clear();
@@ -154,13 +137,13 @@ void Walkers::work(Team& team, int thread, const WalkWorld& world, kernels::Walk
     for (int i = 0; i < slot_count; ++i) {
       if (occupied[i]) make_room(i);
     }
-    kernel(world, {slots.data(), static_cast<std::size_t>(slot_count)}, kRounds);
-    bool cut_short = stopped();
+    sending.kernel(world, {slots.data(), static_cast<std::size_t>(slot_count)}, kRounds);
+    bool cut_short = sending.cut_short();
     for (int i = 0; i < slot_count; ++i) {
       const bool walking = slots[i].state == WalkState::walking;
       if (!occupied[i] || (walking && !cut_short)) continue;
       if (!walking) retire(i);
-      if (clear(i, cut_short) > Poller::kWords) cut_short = stopped();
+      if (clear(i, cut_short) > Poller::kWords) cut_short = sending.cut_short();
       send(i);
     }
   }

@@ -35,10 +35,17 @@ struct alignas(64) Ant {
   }
 };
 
-/// The cells of a tour, start first, into `cells`; with `swept` also those that moves of more than
-/// one cell cross.
-void tour_cells(std::span<const std::uint8_t> tour, const kernels::Moves& moves, Cell start,
-                bool swept, std::vector<Cell>& cells);
+/// Calls visit(cell) for every cell of a tour, the start first.
+template <class Visit>
+void along_tour(std::span<const std::uint8_t> tour, const kernels::Moves& moves, Cell start,
+                const Visit& visit) {
+  Cell c = start;
+  visit(c);
+  for (const int k : tour) {
+    c = {c.x + moves[k].to.dx, c.y + moves[k].to.dy};
+    visit(c);
+  }
+}
 
 /// What is done with an ant, by index, that has arrived or is lost. Threads have numbers from 0.
 struct AfterWalk {
@@ -83,13 +90,24 @@ class Walkers {
   int slots_for(int ants) const noexcept {
     return std::min(kSlots, (ants + threads_ - 1) / threads_);
   }
+  /// One call of `walk`, as its threads share it.
+  struct Sending {
+    const kernels::WalkWorld& world;
+    kernels::WalkFn kernel;
+    std::span<Ant> ants;
+    int first;
+    const StopCondition& stop;
+    const AfterWalk& after;
+    std::atomic<int> next{0};  // ant to be sent
+    std::atomic<StopCondition::Cause> cause{StopCondition::Cause::none};
+
+    /// True once a thread has seen that the walk is to be cut short; then nobody sends another ant.
+    bool cut_short() noexcept;
+  };
   /// Clears the plane of the cells that an ant entered.
   void forget(const kernels::WalkSlot& slot, std::uint64_t* plane,
               const kernels::WalkWorld& world) const;
-  void work(Team& team, int thread, const kernels::WalkWorld& world, kernels::WalkFn kernel,
-            std::span<Ant> ants, int first, std::atomic<int>& next,
-            std::atomic<StopCondition::Cause>& cause, const StopCondition& stop,
-            const AfterWalk& after) const;
+  void work(Team& team, int thread, Sending& sending) const;
 
   std::vector<Team> teams_;
   int threads_ = 1;

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <limits>
 
 namespace lasius::kernels {
 
@@ -35,7 +36,7 @@ namespace lasius::kernels {
   // Beyond 1023 the exponent would wrap round. Magnitudes compare as integers: compilers keep a
   // choice between doubles as a branch, since comparing them may trap.
   constexpr auto kMost = std::bit_cast<std::int64_t>(1000.0);
-  constexpr std::int64_t kMagnitude = std::int64_t{-1} ^ std::int64_t{1} << 63;
+  constexpr auto kMagnitude = std::numeric_limits<std::int64_t>::max();
   const auto unbounded = std::bit_cast<std::int64_t>(a * log2_x);
   const std::int64_t magnitude = unbounded & kMagnitude;
   const double y =

@@ -12,11 +12,11 @@
 
 #include "field.h"
 #include "kernel_choice.h"
-#include "kernels/cpu.h"
 #include "move_rule.h"
 #include "schedule.h"
 #include "tests/core/counting_time.h"
 #include "tests/core/planning.h"
+#include "tests/kernels/instruction_sets.h"
 #include "walk_setup.h"
 
 namespace lasius {
@@ -151,8 +151,7 @@ Tours tours(Walkers& walkers, kernels::Isa isa, int threads, int tiles = kTiles)
 }
 
 TEST(Walkers, PassOnThatATileCannotBeMadeAndForgetTheAntsUnderWay) {
-  for (const auto isa : {kernels::Isa::scalar, kernels::Isa::avx2, kernels::Isa::avx512}) {
-    if (isa > kernels::supported_isa()) continue;
+  for (const auto isa : kernels::supported_isas()) {
     Walkers fresh;
     const Tours expected = tours(fresh, isa, 1);
     for (const int threads : {1, 3}) {
