@@ -47,7 +47,9 @@ void Crew::share(int count, int members, Task task, const void* context) noexcep
   next_.store(0, std::memory_order_relaxed);
   ++round_;
   round_.notify_all();
+  appoint(nullptr);
   take(0);
+  appoint(this);
   ++round_;
   for (int inside; (inside = inside_.load()) != 0;) await_change(inside_, inside);
 }

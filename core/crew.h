@@ -27,7 +27,8 @@ class Crew {
   LASIUS_EXPORT static Crew* led_here() noexcept;
 
   /// Calls task(context, i, member) for every i below `count` on up to `members` threads, the
-  /// leader's number being 0. The task must not throw.
+  /// leader's number being 0. The task must not throw. Meanwhile the leader leads nobody: a loop
+  /// within the task is not the crew's.
   using Task = void (*)(const void* context, int i, int member) noexcept;
   LASIUS_EXPORT void share(int count, int members, Task task, const void* context) noexcept;
 

@@ -30,6 +30,118 @@ void Walkers::reset(int width, int height, int threads, int ants, bool dead_want
   }
 }
 
+bool Walkers::Sending::cut_short() noexcept {
+  if (const auto seen = stop.poll(); seen != StopCondition::Cause::none) cause = seen;
+  if (cause == StopCondition::Cause::none) return false;
+  next = static_cast<int>(ants.size());
+  return true;
+}
+
+/// One thread's part of a walk.
+class Walkers::Worker {
+ public:
+  Worker(const Walkers& walkers, Team& team, int thread, Sending& sending) noexcept
+      : walkers_(walkers), team_(team), thread_(thread), sending_(sending) {}
+
+  /// Sends ants until there are no more, and advances those under way.
+  void work() {
+    team_.done.clear();
+    const auto slots =
+        std::span(slots_).first(walkers_.slots_for(static_cast<int>(sending_.ants.size())));
+    const int count = static_cast<int>(slots.size());
+    for (int i = 0; i < count; ++i) send(i);
+    while (under_way_ > 0) {
+      for (int i = 0; i < count; ++i) {
+        if (slots[i].state != WalkState::idle) make_room(i);
+      }
+      sending_.kernel(sending_.world, slots, kRounds);
+      bool cut_short = sending_.cut_short();
+      for (int i = 0; i < count; ++i) {
+        const WalkState state = slots[i].state;
+        if (state == WalkState::idle || (state == WalkState::walking && !cut_short)) continue;
+        if (state != WalkState::walking) retire(slots[i]);
+        if (clear(i, cut_short) > Poller::kWords) cut_short = sending_.cut_short();
+        send(i);
+      }
+    }
+  }
+
+ private:
+  int number(const WalkSlot& slot) const noexcept {
+    return static_cast<int>(slot.ant) - sending_.first;
+  }
+
+  void send(int i) {
+    const int ant = sending_.next.fetch_add(1, std::memory_order_relaxed);
+    if (ant >= static_cast<int>(sending_.ants.size())) return;
+    WalkSlot& slot = slots_[i];
+    slot.send(sending_.world.start, static_cast<std::uint32_t>(sending_.first + ant));
+    slot.visited = VisitedPlane::over(team_.slots[i].plane.at(0), walkers_.height_);
+    slot.visited.mark(slot.at);
+    ++under_way_;
+  }
+
+  void make_room(int i) {
+    WalkSlot& slot = slots_[i];
+    Ant& ant = sending_.ants[number(slot)];
+    const auto room = [](auto& buffer, std::int64_t used) {
+      const auto needed = static_cast<std::size_t>(used + kRounds + WalkSlot::kMovesBeyond);
+      if (buffer.size() < needed) buffer.grow(2 * needed);
+      return buffer.data();
+    };
+    slot.moves = room(ant.moves, slot.move_count);
+    slot.dead = room(walkers_.dead_wanted_ ? ant.dead : team_.slots[i].dead, slot.dead_count);
+  }
+
+  /// Records the tour of an ant that has arrived or is lost.
+  void retire(const WalkSlot& slot) {
+    const int ant = number(slot);
+    Ant& walked = sending_.ants[ant];
+    walked.arrived = slot.state == WalkState::arrived;
+    walked.move_count = slot.move_count;
+    walked.dead_count = walkers_.dead_wanted_ ? slot.dead_count : 0;
+    walked.steps = slot.move_count + 2 * slot.dead_count;
+    team_.done.push_back(ant);
+    if (sending_.after.ended) sending_.after.ended(ant, thread_);
+  }
+
+  /// Empties a slot and returns what it went over. Only another walk needs a clear plane: not where
+  /// this one is cut short.
+  std::int64_t clear(int i, bool cut_short) {
+    WalkSlot& slot = slots_[i];
+    slot.state = WalkState::idle;
+    --under_way_;
+    team_.slots[i].marked = cut_short;
+    if (cut_short) return 0;
+    forget(slot, team_.slots[i].plane.at(0));
+    return slot.move_count + slot.dead_count;
+  }
+
+  /// Clears the plane of the cells that an ant entered.
+  void forget(const WalkSlot& slot, std::uint64_t* plane) const {
+    // Clearing a cell costs about what sixteen words of a whole plane do.
+    const auto words = VisitedPlane::words_for(walkers_.width_, walkers_.height_);
+    if (words <= 16 * (slot.move_count + slot.dead_count)) {
+      std::fill_n(plane, words, 0);
+      return;
+    }
+    PackedCell c = slot.at;
+    slot.visited.clear(c);
+    for (std::int64_t m = slot.move_count - 1; m >= 0; --m) {
+      c -= static_cast<PackedCell>(sending_.world.delta[slot.moves[m]]);
+      slot.visited.clear(c);
+    }
+    for (std::int64_t d = 0; d < slot.dead_count; ++d) slot.visited.clear(slot.dead[d]);
+  }
+
+  const Walkers& walkers_;
+  Team& team_;
+  int thread_;
+  Sending& sending_;
+  std::array<WalkSlot, kSlots> slots_;
+  int under_way_ = 0;
+};
+
 StopCondition::Cause Walkers::walk(const WalkWorld& world, kernels::WalkFn kernel,
                                    std::span<Ant> ants, int first, const StopCondition& stop,
                                    const AfterWalk& after) {
@@ -37,7 +149,7 @@ StopCondition::Cause Walkers::walk(const WalkWorld& world, kernels::WalkFn kerne
   std::atomic<int> still_walking{threads_};
   try {
     parallel_for(threads_, threads_, [&](int i, int thread) {
-      work(teams_[i], thread, sending);
+      Worker(*this, teams_[i], thread, sending).work();
       --still_walking;
       if (!after.spare) return;
       for (const int ant : teams_[i].done) {
@@ -50,103 +162,6 @@ StopCondition::Cause Walkers::walk(const WalkWorld& world, kernels::WalkFn kerne
     throw;
   }
   return sending.cause;
-}
-
-bool Walkers::Sending::cut_short() noexcept {
-  if (const auto seen = stop.poll(); seen != StopCondition::Cause::none) cause = seen;
-  if (cause == StopCondition::Cause::none) return false;
-  next = static_cast<int>(ants.size());
-  return true;
-}
-
-void Walkers::forget(const WalkSlot& slot, std::uint64_t* plane, const WalkWorld& world) const {
-  // Clearing a cell costs about what sixteen words of a whole plane do.
-  const auto words = VisitedPlane::words_for(width_, height_);
-  if (words <= 16 * (slot.move_count + slot.dead_count)) {
-    std::fill_n(plane, words, 0);
-    return;
-  }
-  PackedCell c = slot.at;
-  slot.visited.clear(c);
-  for (std::int64_t m = slot.move_count - 1; m >= 0; --m) {
-    c -= static_cast<PackedCell>(world.delta[slot.moves[m]]);
-    slot.visited.clear(c);
-  }
-  for (std::int64_t d = 0; d < slot.dead_count; ++d) slot.visited.clear(slot.dead[d]);
-}
-
-void Walkers::work(Team& team, int thread, Sending& sending) const {
-  const WalkWorld& world = sending.world;
-  const std::span<Ant> ants = sending.ants;
-  const int slot_count = slots_for(static_cast<int>(ants.size()));
-  std::array<WalkSlot, kSlots> slots;
-  std::array<bool, kSlots> occupied{};
-  std::array<int, kSlots> numbers{};  // in `ants`
-  int under_way = 0;
-
-  const auto send = [&](int i) {
-    const int ant = sending.next.fetch_add(1, std::memory_order_relaxed);
-    occupied[i] = ant < static_cast<int>(ants.size());
-    if (!occupied[i]) return;
-    WalkSlot& slot = slots[i];
-    slot.send(world.start, static_cast<std::uint32_t>(sending.first + ant));
-    numbers[i] = ant;
-    slot.visited = VisitedPlane::over(team.slots[i].plane.at(0), height_);
-    slot.visited.mark(slot.at);
-    ++under_way;
-  };
-
-  const auto make_room = [&](int i) {
-    WalkSlot& slot = slots[i];
-    Ant& ant = ants[numbers[i]];
-    const auto room = [](auto& buffer, std::int64_t used) {
-      const auto needed = static_cast<std::size_t>(used + kRounds + WalkSlot::kMovesBeyond);
-      if (buffer.size() < needed) buffer.grow(2 * needed);
-      return buffer.data();
-    };
-    slot.moves = room(ant.moves, slot.move_count);
-    slot.dead = room(dead_wanted_ ? ant.dead : team.slots[i].dead, slot.dead_count);
-  };
-
-  // Returns what it went over. Only another walk needs that: not where this one is cut short.
-  const auto clear = [&](int i, bool cut_short) {
-    const WalkSlot& slot = slots[i];
-    --under_way;
-    team.slots[i].marked = cut_short;
-    if (cut_short) return std::int64_t{0};
-    forget(slot, team.slots[i].plane.at(0), world);
-    return slot.move_count + slot.dead_count;
-  };
-
-  // Records the ant's tour.
-  const auto retire = [&](int i) {
-    WalkSlot& slot = slots[i];
-    Ant& ant = ants[numbers[i]];
-    ant.arrived = slot.state == WalkState::arrived;
-    ant.move_count = slot.move_count;
-    ant.dead_count = dead_wanted_ ? slot.dead_count : 0;
-    ant.steps = slot.move_count + 2 * slot.dead_count;
-    slot.state = WalkState::lost;
-    team.done.push_back(numbers[i]);
-    if (sending.after.ended) sending.after.ended(numbers[i], thread);
-  };
-
-  team.done.clear();
-  for (int i = 0; i < slot_count; ++i) send(i);
-  while (under_way > 0) {
-    for (int i = 0; i < slot_count; ++i) {
-      if (occupied[i]) make_room(i);
-    }
-    sending.kernel(world, {slots.data(), static_cast<std::size_t>(slot_count)}, kRounds);
-    bool cut_short = sending.cut_short();
-    for (int i = 0; i < slot_count; ++i) {
-      const bool walking = slots[i].state == WalkState::walking;
-      if (!occupied[i] || (walking && !cut_short)) continue;
-      if (!walking) retire(i);
-      if (clear(i, cut_short) > Poller::kWords) cut_short = sending.cut_short();
-      send(i);
-    }
-  }
 }
 
 }  // namespace lasius

@@ -13,6 +13,7 @@
 #include "kernels/walk.h"
 #include "lasius/geometry.h"
 #include "lasius/stop.h"
+#include "move_rule.h"
 #include "zero_array.h"
 
 namespace lasius {
@@ -42,7 +43,7 @@ void along_tour(std::span<const std::uint8_t> tour, const kernels::Moves& moves,
   Cell c = start;
   visit(c);
   for (const int k : tour) {
-    c = {c.x + moves[k].to.dx, c.y + moves[k].to.dy};
+    c = c + moves[k].to;
     visit(c);
   }
 }
@@ -104,10 +105,7 @@ class Walkers {
     /// True once a thread has seen that the walk is to be cut short; then nobody sends another ant.
     bool cut_short() noexcept;
   };
-  /// Clears the plane of the cells that an ant entered.
-  void forget(const kernels::WalkSlot& slot, std::uint64_t* plane,
-              const kernels::WalkWorld& world) const;
-  void work(Team& team, int thread, Sending& sending) const;
+  class Worker;
 
   std::vector<Team> teams_;
   int threads_ = 1;

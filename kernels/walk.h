@@ -110,7 +110,12 @@ struct WalkWorld {
   std::uint32_t iteration = 0;
 };
 
-enum class WalkState : std::uint32_t { walking, arrived, lost };
+enum class WalkState : std::uint32_t {
+  idle,  ///< no ant in the slot
+  walking,
+  arrived,
+  lost
+};
 
 /// One ant under way. Random word n of ant a in iteration q is word n % 4 of Philox4x32-10 with
 /// key = seed and counter (n / 4, a, q, 0).
@@ -120,7 +125,7 @@ struct WalkSlot {
 
   PackedCell at = 0;
   std::uint32_t previous = kMaxMoves;  ///< with factors, the last move; kMaxMoves at the start
-  WalkState state = WalkState::lost;
+  WalkState state = WalkState::idle;
   std::uint32_t ant = 0;
   /// The tour so far. Room for every step of the call, and for kMovesBeyond more.
   std::uint8_t* moves = nullptr;

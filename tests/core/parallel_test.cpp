@@ -122,5 +122,23 @@ TEST(Crew, OneInsideAnother) {
   EXPECT_EQ(calls, 20);
 }
 
+TEST(Crew, ALoopWithinALoopLosesNothing) {
+  for (const int threads : {2, 5}) {
+    std::atomic<int> outer{0}, inner{0};
+    Crew::lead(threads, [&] {
+      Crew* const crew = Crew::led_here();
+      for (int round = 0; round < 100; ++round) {
+        parallel_for(8, threads, [&](int, int) {
+          ++outer;
+          parallel_for(3, threads, [&](int, int) { ++inner; });
+        });
+        EXPECT_EQ(Crew::led_here(), crew);
+      }
+    });
+    EXPECT_EQ(outer, 800) << threads;
+    EXPECT_EQ(inner, 2400) << threads;
+  }
+}
+
 }  // namespace
 }  // namespace lasius

@@ -190,12 +190,46 @@ TEST(Walkers, LeaveAntsThatAreCutShortAndWalkAsBeforeAfterAReset) {
   }
 }
 
+constexpr int kLongCalls = Poller::kWords / 128 + 1;  // of a kernel, until a tour is long
+int long_calls = 0;
+std::vector<std::uint32_t> long_walking;  // ants that were under way after these calls
+
+// Fills all the room that it is given; ant 1 arrives when its tour is long.
+void long_kernel(const kernels::WalkWorld&, std::span<kernels::WalkSlot> slots,
+                 int rounds) noexcept {
+  ++long_calls;
+  for (kernels::WalkSlot& slot : slots) {
+    if (slot.state != kernels::WalkState::walking) continue;
+    if (long_calls > kLongCalls) long_walking.push_back(slot.ant);
+    std::fill_n(slot.moves + slot.move_count, rounds, std::uint8_t{0});
+    slot.move_count += rounds;
+    if (slot.ant == 1 && long_calls == kLongCalls) slot.state = kernels::WalkState::arrived;
+  }
+}
+
+TEST(Walkers, LeaveAloneAntsThatWereCutShortWhileALongTourWasForgotten) {
+  Square square(kTiles);
+  std::vector<Ant> ants(kAnts);
+  Walkers walkers;
+  walkers.reset(kSide, kSide, 1, kAnts, false);
+  long_calls = 0;
+  long_walking.clear();
+  const CountingTime time(kLongCalls);  // a look a call, and the one after forgetting ant 1
+  const auto cause = walkers.walk(square.world, long_kernel, ants, 0, time.is_up());
+  EXPECT_EQ(cause, StopCondition::Cause::deadline);
+  EXPECT_GT(ants[1].move_count, Poller::kWords);
+  EXPECT_EQ(long_walking, (std::vector<std::uint32_t>{0}));  // its turn had passed
+  for (int a = 0; a < kAnts; ++a) EXPECT_EQ(ants[a].arrived, a == 1);
+  EXPECT_EQ(tours(walkers, chosen_isa(), 1).size(), kAnts);
+}
+
 std::atomic<bool> all_sent = false;
 std::atomic<int> spared = 0;  // ants given to a thread without others to walk
 
 // Ants arrive once both threads have theirs; the first one waits for an ant to be given away.
 void waiting_kernel(const kernels::WalkWorld&, std::span<kernels::WalkSlot> slots, int) noexcept {
   for (kernels::WalkSlot& slot : slots) {
+    if (slot.state != kernels::WalkState::walking) continue;
     if (slot.ant + 1 == kAnts) all_sent = true;
     if (all_sent && (slot.ant > 0 || spared > 0)) slot.state = kernels::WalkState::arrived;
   }

@@ -123,18 +123,17 @@ class World {
       slots[i].visited.mark(view.start);
     };
     for (std::size_t i = 0; i < slots.size(); ++i) send(i);
-    std::vector<char> under_way(slots.size(), 1);
     while (ended < ants) {
       walk_table(isa).walk[shape_.index()](view, slots, rounds);
       for (std::size_t i = 0; i < slots.size(); ++i) {
-        const WalkSlot& s = slots[i];
-        if (!under_way[i] || s.state == WalkState::walking) continue;
+        WalkSlot& s = slots[i];
+        if (s.state == WalkState::idle || s.state == WalkState::walking) continue;
         result[s.ant] = {s.state,
                          {moves[i].begin(), moves[i].begin() + s.move_count},
                          {dead[i].begin(), dead[i].begin() + s.dead_count},
                          s.words_used()};
         ++ended;
-        under_way[i] = sent < ants;
+        s.state = WalkState::idle;
         if (sent < ants) send(i);
       }
     }
