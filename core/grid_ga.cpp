@@ -136,24 +136,13 @@ class GridGa final : public ColonyWorld {
     made.tour = kNaN;
     made.length = kInfinity;
     if (scratch.draft.empty()) return;
-    auto way = scratch.cutter.cut(grid_, scratch.draft, moves_.neighbours > 4, moves_.corners,
-                                  request_.stop);
-    if (way.empty()) way = scratch.draft;  // stopped
+    const auto way = scratch.maker.cut(grid_, scratch.draft, moves_.neighbours > 4, moves_.corners,
+                                       request_.stop);
     made.cells.assign(way.begin(), way.end());
-    std::span<const Cell> vertices = made.cells;
-    for (const Cell c : vertices) made.points.push_back(centre(c));
+    for (const Cell c : way) made.points.push_back(centre(c));
     made.tour = path_length(made.points);
     if (params_.polish != Polish::none) {
-      scratch.straightener.run(grid_, made.cells, request_.stop);
-      if (params_.polish == Polish::straight) scratch.straightener.tighten(grid_, request_.stop);
-      vertices = scratch.straightener.vertices();
-      made.points.clear();
-      for (const Cell c : vertices) made.points.push_back(centre(c));
-    }
-    if (params_.polish == Polish::taut) {
-      scratch.tautener.run(grid_, vertices, moves_.corners, request_.stop);
-      const auto points = scratch.tautener.path();
-      made.points.assign(points.begin(), points.end());
+      scratch.maker.polish(grid_, way, params_.polish, moves_.corners, request_.stop, made.points);
     }
     made.length = path_length(made.points);
   }

@@ -8,9 +8,7 @@
 
 #include "grid_ga_route.h"
 #include "lasius/geometry.h"
-#include "loop_cutter.h"
-#include "straighten.h"
-#include "tauten.h"
+#include "path_maker.h"
 
 namespace lasius {
 
@@ -25,9 +23,7 @@ struct alignas(64) Individual {
 struct GridGaMemory {
   struct alignas(64) Scratch {  // of one thread
     RouteMaker routes;
-    LoopCutter cutter;
-    Straightener straightener;
-    Tautener tautener;
+    PathMaker maker;
     std::vector<Cell> draft;
     std::vector<std::pair<std::uint32_t, int>> places;  // cell and its index in a path
     std::vector<std::pair<int, int>> common;            // indices of a cell in both paths

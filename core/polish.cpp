@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lasius/path.h"
+#include "move_rule.h"
 #include "parallel.h"
 
 namespace lasius {
@@ -18,9 +19,9 @@ void swept_cells(std::span<const std::uint8_t> tour, const kernels::Moves& moves
   for (const int k : tour) {
     const kernels::Move& move = moves[k];
     for (int i = 0; i < move.swept_count; ++i) {
-      cells.push_back({c.x + move.swept[i].dx, c.y + move.swept[i].dy});
+      cells.push_back(c + move.swept[i]);
     }
-    c = {c.x + move.to.dx, c.y + move.to.dy};
+    c = c + move.to;
     cells.push_back(c);
   }
 }
@@ -54,8 +55,8 @@ void Polisher::polish(std::span<const Ant> ants, const std::function<void()>& me
 }
 
 void Polisher::polish_ahead(std::span<const Ant> ants, int ant, int thread) {
-  make(ants[ant], scratch_[thread], paths_[ant]);
-  paths_[ant].made = true;
+  PolishedPath& path = paths_[ant];
+  if (!std::exchange(path.made, true)) make(ants[ant], scratch_[thread], path);
 }
 
 void Polisher::make(const Ant& ant, Scratch& scratch, PolishedPath& path) const {
@@ -67,20 +68,11 @@ void Polisher::make(const Ant& ant, Scratch& scratch, PolishedPath& path) const 
 
   swept_cells(ant.tour(), *moves_, start_, scratch.tour);
   // Cells that the ant left again may shorten its way, too.
-  auto walk = scratch.cutter.cut(*grid_, scratch.tour, moves_->count > 4, corners_, *stop_,
-                                 ant.dead_ends());
-  if (walk.empty()) walk = scratch.tour;  // stopped
-  scratch.straightener.run(*grid_, walk, *stop_);
-  if (polish_ == Polish::straight) scratch.straightener.tighten(*grid_, *stop_);
-  const auto cells = scratch.straightener.cells();
+  const auto way =
+      scratch.maker.cut(*grid_, scratch.tour, moves_->count > 4, corners_, *stop_, ant.dead_ends());
+  scratch.maker.polish(*grid_, way, polish_, corners_, *stop_, path.points);
+  const auto cells = scratch.maker.raster();
   path.raster.assign(cells.begin(), cells.end());
-  if (polish_ == Polish::taut) {
-    scratch.tautener.run(*grid_, scratch.straightener.vertices(), corners_, *stop_);
-    const auto points = scratch.tautener.path();
-    path.points.assign(points.begin(), points.end());
-  } else {
-    for (const Cell c : scratch.straightener.vertices()) path.points.push_back(centre(c));
-  }
   path.length = path_length(path.points);
 }
 

@@ -11,9 +11,7 @@
 #include "lasius/params.h"
 #include "lasius/planner.h"
 #include "lasius/stop.h"
-#include "loop_cutter.h"
-#include "straighten.h"
-#include "tauten.h"
+#include "path_maker.h"
 #include "walkers.h"
 
 namespace lasius {
@@ -38,7 +36,8 @@ class Polisher {
   /// to be done `meanwhile`, if anything.
   void polish(std::span<const Ant> ants, const std::function<void()>& meanwhile);
 
-  /// Makes the path of one ant ahead of the call that makes the others, on thread `thread`.
+  /// Makes the path of one ant ahead of the call that makes the others, on thread `thread`; one
+  /// that is made stays as it is.
   void polish_ahead(std::span<const Ant> ants, int ant, int thread);
 
   /// By ant.
@@ -47,9 +46,7 @@ class Polisher {
  private:
   struct alignas(64) Scratch {  // of one thread
     std::vector<Cell> tour;
-    LoopCutter cutter;
-    Straightener straightener;
-    Tautener tautener;
+    PathMaker maker;
   };
   void make(const Ant& ant, Scratch& scratch, PolishedPath& path) const;
 

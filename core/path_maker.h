@@ -1,0 +1,41 @@
+// From the cells of a walk to a path: loops cut, pulled straight, taut.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "kernels/walk.h"
+#include "lasius/geometry.h"
+#include "lasius/grid.h"
+#include "lasius/params.h"
+#include "lasius/stop.h"
+#include "loop_cutter.h"
+#include "straighten.h"
+#include "tauten.h"
+
+namespace lasius {
+
+/// Buffers are reused from call to call; one object per thread.
+class PathMaker {
+ public:
+  /// The shortest way from a walk's first cell to its last within its cells and `more`, as
+  /// LoopCutter has it; the walk itself when stopped. Holds until the next call.
+  std::span<const Cell> cut(const Grid& grid, std::span<const Cell> walk, bool diagonal,
+                            Corners corners, const StopCondition& stop,
+                            std::span<const kernels::PackedCell> more = {});
+
+  /// The path along a walk, which may be the one that `cut` returned; rougher when stopped.
+  /// Precondition: `polish` is not none.
+  void polish(const Grid& grid, std::span<const Cell> walk, Polish polish, Corners corners,
+              const StopCondition& stop, std::vector<Point>& path);
+
+  /// Cells under the last path, pulled straight or tight.
+  std::span<const Cell> raster() const noexcept { return straightener_.cells(); }
+
+ private:
+  LoopCutter cutter_;
+  Straightener straightener_;
+  Tautener tautener_;
+};
+
+}  // namespace lasius
