@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lasius/error.h"
+
 namespace lasius {
 
 class JsonPlace final : public nlohmann::json_sax<nlohmann::json> {
@@ -23,10 +25,20 @@ class JsonPlace final : public nlohmann::json_sax<nlohmann::json> {
     return 1 + std::count(before.begin(), before.end(), '\n');
   }
 
-  /// The byte, from 0, at which the parser gives up, be it for a number that is too large. The
-  /// text's size where it does not.
-  static std::int64_t fault(std::string_view text) {
-    return static_cast<std::int64_t>(JsonPlace(text, {}, true).fault_);
+  /// The document. @throws Error(file_broken) naming line and byte of `file` where the text is not
+  /// JSON or a number is too large.
+  static nlohmann::json parse(std::string_view text, const std::string& file) {
+    try {
+      return nlohmann::json::parse(text);
+    } catch (const nlohmann::json::exception& fault) {
+      const bool syntax = dynamic_cast<const nlohmann::json::parse_error*>(&fault) != nullptr;
+      const auto byte = JsonPlace(text, {}, true).fault_;
+      const auto line = 1 + std::count(text.begin(), text.begin() + byte, '\n');
+      throw Error(ErrorCode::file_broken,
+                  {.file = file, .line = line, .offset = static_cast<std::int64_t>(byte)},
+                  syntax ? "this is not JSON" : "a number is too large",
+                  syntax ? "correct the text there or before it" : "numbers lie within 1e308");
+    }
   }
 
  private:
@@ -122,7 +134,7 @@ class JsonPlace final : public nlohmann::json_sax<nlohmann::json> {
   bool whole_;
   bool last_on_path_ = false;
   std::size_t found_ = 0;
-  std::size_t fault_;
+  std::size_t fault_;  ///< byte at which the parser gives up, be it for a number too large
 };
 
 }  // namespace lasius

@@ -24,6 +24,9 @@ inline Error invalid_parameter(std::string problem, std::string remedy) {
   return {ErrorCode::invalid_parameter, std::move(problem), std::move(remedy)};
 }
 
+/// Less than this a colony could lose among its smallest numbers.
+inline constexpr double kLeastPheromone = 1e-12;
+
 /// @throws Error(invalid_parameter) unless a request's target gap is a number from 0 up, or
 /// infinite.
 inline void check_target_gap(double gap) {

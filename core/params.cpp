@@ -5,6 +5,7 @@
 
 #include "parameter_table.h"
 #include "presets.h"
+#include "schedule.h"
 
 namespace lasius {
 namespace {
@@ -181,9 +182,6 @@ std::string get_parameter(const Params& params, std::string_view name) {
   return kTable.get(params, name);
 }
 
-// Values that a colony could lose among its smallest numbers.
-constexpr double kLeastPheromone = 1e-12;
-
 void validate(const Params& params) {
   find_algorithm(params.algorithm);
   kTable.check(params);
@@ -200,8 +198,7 @@ void validate(const Params& params) {
     throw invalid_parameter(std::string(name) + " is positive, but below 1e-12",
                             "give both pheromones larger values: only their ratio counts");
   }
-  const bool mixture = params.pheromone_rule_first > 0 || params.pheromone_rule > 0 ||
-                       params.distance_rule_first > 0 || params.distance_rule > 0;
+  const bool mixture = mixes_rules(params);
   const bool inverse = params.selection == Selection::inverse_roulette;
   const bool index = params.update == Update::terminal_index;
   const bool learning = params.update == Update::learning;

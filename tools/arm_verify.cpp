@@ -15,11 +15,15 @@ ArmCommand recorded_command(const Json& result) {
   command.goal = recorded<std::array<double, 3>>(result, "goal");
   command.seed = recorded_seed(result);
   command.settings = recorded_parameters(result, arm::algorithms().front());
-  command.clearance = recorded<double>(result, "parameters/clearance");
+  command.clearance = recorded_real(result, "parameters/clearance", ArmCommand::kLeastClearance,
+                                    ArmCommand::kMostClearance);
   command.target_gap = recorded<double>(result, "parameters/target_gap");
   command.time_limit = recorded_optional<double>(result, "parameters/time_limit");
-  command.rate = recorded<double>(result, "parameters/rate");
-  if (result.contains("recheck")) command.recheck = recorded<int>(result, "recheck/samples");
+  command.rate =
+      recorded_real(result, "parameters/rate", ArmCommand::kLeastRate, ArmCommand::kMostRate);
+  if (result.contains("recheck"))
+    command.recheck =
+        static_cast<int>(recorded_integer(result, "recheck/samples", 1, ArmCommand::kMostRecheck));
   return command;
 }
 

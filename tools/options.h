@@ -94,6 +94,10 @@ struct StudyCommand {
 };
 
 struct ArmCommand {
+  static constexpr double kLeastClearance = 1e-6, kMostClearance = 1;
+  static constexpr double kLeastRate = 1e-3, kMostRate = 1e5;
+  static constexpr int kMostRecheck = 1000000;
+
   std::string robot;
   std::string base_link, tip_link;  ///< of a URDF's chain; empty: the root, the only leaf
   std::string scene;

@@ -25,9 +25,17 @@ Point recorded_point(const Json& result, const std::string& keys) {
   return {x, y};
 }
 
+double recorded_real(const Json& result, const std::string& keys, double least, double most) {
+  return real_value("\"" + keys + "\"", value_at(result, keys).dump(), least, most);
+}
+
+std::int64_t recorded_integer(const Json& result, const std::string& keys, std::int64_t least,
+                              std::int64_t most) {
+  return integer_value("\"" + keys + "\"", value_at(result, keys).dump(), least, most);
+}
+
 std::uint64_t recorded_seed(const Json& result) {
-  const Json& seed = value_at(result, "seed");
-  return static_cast<std::uint64_t>(integer_value("\"seed\"", seed.dump(), 0, kMaxExactInteger));
+  return static_cast<std::uint64_t>(recorded_integer(result, "seed", 0, kMaxExactInteger));
 }
 
 std::vector<std::pair<std::string, std::string>> recorded_parameters(const Json& result,

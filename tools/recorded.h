@@ -36,6 +36,11 @@ std::optional<Value> recorded_optional(const Json& result, const std::string& ke
 /// [x, y]
 Point recorded_point(const Json& result, const std::string& keys);
 
+/// A number in its range. @throws UsageError
+double recorded_real(const Json& result, const std::string& keys, double least, double most);
+std::int64_t recorded_integer(const Json& result, const std::string& keys, std::int64_t least,
+                              std::int64_t most);
+
 /// The seed, a whole number in its range.
 std::uint64_t recorded_seed(const Json& result);
 

@@ -128,10 +128,14 @@ ArmCommand make_arm(const ArmText& text) {
   arm.seed = seed_value(text.seed);
   arm.time_limit = time_limit_value(text.time_limit);
   arm.target_gap = target_gap_value(text.target_gap);
-  if (!text.clearance.empty()) arm.clearance = real_value("--clearance", text.clearance, 1e-6, 1);
-  if (!text.rate.empty()) arm.rate = real_value("--rate", text.rate, 1e-3, 1e5);
+  if (!text.clearance.empty())
+    arm.clearance = real_value("--clearance", text.clearance, ArmCommand::kLeastClearance,
+                               ArmCommand::kMostClearance);
+  if (!text.rate.empty())
+    arm.rate = real_value("--rate", text.rate, ArmCommand::kLeastRate, ArmCommand::kMostRate);
   if (!text.recheck.empty())
-    arm.recheck = static_cast<int>(integer_value("--recheck", text.recheck, 1, 1000000));
+    arm.recheck =
+        static_cast<int>(integer_value("--recheck", text.recheck, 1, ArmCommand::kMostRecheck));
   check_endings(text.outputs, kOutputEndings);
   return arm;
 }

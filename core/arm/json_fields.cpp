@@ -155,17 +155,7 @@ nlohmann::json parse_json(std::string_view text, const std::string& file, std::s
                   "the document nests too deep", "no list or object here goes deeper than 16");
     }
   }
-  nlohmann::json document;
-  try {
-    document = nlohmann::json::parse(text);
-  } catch (const nlohmann::json::parse_error& fault) {
-    throw Error(ErrorCode::file_broken,
-                {.file = file, .offset = static_cast<std::int64_t>(fault.byte)}, "this is not JSON",
-                "look at what stands before this byte");
-  } catch (const nlohmann::json::exception&) {
-    throw Error(ErrorCode::file_broken, {.file = file, .offset = JsonPlace::fault(text)},
-                "a number is too large", "numbers lie within 1e308");
-  }
+  nlohmann::json document = JsonPlace::parse(text, file);
   const bool named = document.is_object() && document.contains("format");
   if (!named || document["format"] != format) {
     throw Error(ErrorCode::file_broken, {.file = file, .line = JsonPlace::line(text, "format")},

@@ -5,9 +5,11 @@
 #include <atomic>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "kinematics.h"
 #include "lasius/arm_plan.h"
+#include "lasius/stop.h"
 #include "zero_array.h"
 
 namespace lasius::arm {
@@ -64,6 +66,11 @@ class Lattice {
 
   bool position_free(Node v) const;
   Questions questions() const noexcept { return {positions_asked_, motions_asked_}; }
+  /// How many were asked so far, by any thread.
+  std::int64_t asked() const noexcept {
+    return positions_asked_.load(std::memory_order_relaxed) +
+           motions_asked_.load(std::memory_order_relaxed);
+  }
 
  private:
   enum Answer : std::uint8_t { kUnknown, kAsking, kYes, kNo };
@@ -96,6 +103,27 @@ class Lattice {
   ZeroArray<std::uint8_t> position_;  // Answer by point: it is free
   ZeroArray<std::uint8_t> edges_;     // Answer by edge: it is open
   mutable std::atomic<std::int64_t> positions_asked_{0}, motions_asked_{0};
+};
+
+/// Polls after so many steps, and after every question that was asked: a sensor may take its time.
+class LatticePoller {
+ public:
+  LatticePoller(const Lattice& lattice, const StopCondition& stop, std::int64_t interval) noexcept
+      : lattice_(lattice), poller_(stop, interval), interval_(interval), asked_(lattice.asked()) {}
+
+  /// As Poller::stop_after.
+  bool stop_after(std::int64_t steps) noexcept {
+    const auto asked = lattice_.asked();
+    return poller_.stop_after(asked != std::exchange(asked_, asked) ? interval_ : steps);
+  }
+  bool stopped() const noexcept { return poller_.stopped(); }
+  StopCondition::Cause cause() const noexcept { return poller_.cause(); }
+
+ private:
+  const Lattice& lattice_;
+  Poller poller_;
+  std::int64_t interval_;
+  std::int64_t asked_;
 };
 
 }  // namespace lasius::arm

@@ -41,8 +41,9 @@ StopCondition::Cause LatticeAnts::walk(int iteration, std::span<LatticeAnt> ants
 
 /// The random proportional rule (eq. 3, 9) over the points not yet visited that can be reached: a
 /// move that turns out closed is drawn again without it, which leaves the others in proportion. -1
-/// when there is none.
-int LatticeAnts::draw_open_move(const Team& team, Node at, Dice& dice) const {
+/// when there is none, or when stopped.
+int LatticeAnts::draw_open_move(const Team& team, Node at, Dice& dice,
+                                LatticePoller& poller) const {
   std::array<double, kMoves> weight;
   const float* guidance = lattice_.guidance(at);
   for (int k = 0; k < kMoves; ++k) {
@@ -52,19 +53,20 @@ int LatticeAnts::draw_open_move(const Team& team, Node at, Dice& dice) const {
   for (;;) {
     const int move = kernels::proportional_choice(weight, 0, dice.next());
     if (move < 0 || lattice_.open(at, move)) return move;
+    if (poller.stop_after(0)) return -1;
     weight[move] = 0;
   }
 }
 
 StopCondition::Cause LatticeAnts::walk_one(Team& team, int iteration, int number, LatticeAnt& ant,
                                            const StopCondition& stop) const {
-  constexpr int kSteps = 256;  // between two polls: a step may ask the sensor several times
+  constexpr int kSteps = 256;  // between two polls: kinematics takes its time
   static_assert(kSteps <= Poller::kSteps);
   // Many ants of few steps each would never spend the poller's budget.
   if (const auto cause = stop.poll(); cause != StopCondition::Cause::none) return cause;
   Dice dice(parameters_.seed, static_cast<std::uint32_t>(number),
             static_cast<std::uint32_t>(iteration));
-  Poller poller(stop, kSteps);
+  LatticePoller poller(lattice_, stop, kSteps);
   Node at = lattice_.start();
   team.visited[at] = 1;
   team.entered.assign(1, at);
@@ -78,7 +80,8 @@ StopCondition::Cause LatticeAnts::walk_one(Team& team, int iteration, int number
   while (at != lattice_.goal()) {
     if (poller.stop_after(1)) return poller.cause();
     ++ant.steps;
-    const int move = draw_open_move(team, at, dice);
+    const int move = draw_open_move(team, at, dice, poller);
+    if (poller.stopped()) return poller.cause();
     if (move >= 0) {
       at = lattice_.to(at, move);
       ant.moves.push_back(static_cast<std::uint8_t>(move));

@@ -36,7 +36,7 @@ class LatticeAnts {
 
   StopCondition::Cause walk_one(Team& team, int iteration, int number, LatticeAnt& ant,
                                 const StopCondition& stop) const;
-  int draw_open_move(const Team& team, Node at, class Dice& dice) const;
+  int draw_open_move(const Team& team, Node at, class Dice& dice, LatticePoller& poller) const;
 
   const Lattice& lattice_;
   const LatticeTrail& trail_;

@@ -15,7 +15,7 @@ KnownWay shortest_known_way(const Lattice& lattice, Unknown unknown, const StopC
   };
   std::vector<Entry> now, later;
   now.push_back({lattice.start(), 0});
-  Poller poller(stop, 1024);  // kinematics takes its time
+  LatticePoller poller(lattice, stop, 1024);  // kinematics takes its time
   while (!now.empty() || !later.empty()) {
     if (now.empty()) now.swap(later);
     const Entry entry = now.back();
@@ -30,6 +30,7 @@ KnownWay shortest_known_way(const Lattice& lattice, Unknown unknown, const StopC
       if (closed[next] != 0) continue;
       const bool open = unknown == Unknown::is_asked ? lattice.open(entry.at, k)
                                                      : lattice.maybe_open(entry.at, k);
+      if (poller.stop_after(0)) return {.cause = poller.cause(), .moves = {}};
       if (!open) continue;
       (lattice.manhattan(next) < left ? now : later).push_back({next, entry.moves + 1});
     }

@@ -84,7 +84,6 @@ std::string get_parameter(const Params& parameters, std::string_view name) {
 }
 
 void validate(const Params& parameters) {
-  constexpr double kLeastPheromone = 1e-12;
   kTable.check(parameters);
   if (parameters.initial_pheromone > 0 && parameters.initial_pheromone < kLeastPheromone) {
     throw invalid_parameter("initial_pheromone is positive, but below 1e-12",

@@ -248,12 +248,18 @@ Result shortest_lattice_way(const Robot& robot, const Sensor& sensor, const Requ
 
 Result straight_lattice_way(const Robot& robot, const Sensor& sensor, const Request& request,
                             const Params& parameters) {
-  const auto search = [](const Lattice& lattice, const Params&) {
+  const auto search = [&](const Lattice& lattice, const Params&) {
     Result result;
     Node at = lattice.start();
+    LatticePoller poller(lattice, request.stop, Poller::kSteps);
     const auto moves = straight_moves(lattice);
     for (const int move : moves) {
-      if (!lattice.open(at, move)) return result;
+      const bool open = lattice.open(at, move);
+      if (poller.stop_after(1)) {
+        result.status = status_after(poller.cause(), result.status);
+        return result;
+      }
+      if (!open) return result;
       at = lattice.to(at, move);
     }
     result.status = Status::solved;

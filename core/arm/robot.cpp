@@ -14,7 +14,6 @@
 namespace lasius::arm {
 namespace {
 
-constexpr double kFar = 1000;       // metres
 constexpr double kMostTurn = 1000;  // radians
 
 Robot parse_short(std::string_view text, const std::string& file) {

@@ -13,7 +13,6 @@
 namespace lasius::arm {
 namespace {
 
-constexpr double kFar = 1000;  // metres
 constexpr double kThin = 1e-6;
 
 Obstacle::Shape shape_of(const JsonFields& fields) {

@@ -7,13 +7,13 @@
 #include "lasius/arm.h"
 #include "lasius/error.h"
 #include "mesh_file.h"
+#include "vec3.h"
 
 namespace lasius::arm {
 namespace {
 
 constexpr std::size_t kHead = 84;   // bytes before the first triangle of a binary file
 constexpr std::size_t kFacet = 50;  // bytes of one
-constexpr double kFar = 1000;
 
 [[noreturn]] void broken(Error::Place place, const std::string& problem,
                          const std::string& remedy) {

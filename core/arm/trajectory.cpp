@@ -196,7 +196,7 @@ Trajectory::State Trajectory::at(double time) const {
     const std::vector<double> none(knot.q.size(), 0);
     return State{knot.q, none, none};
   };
-  if (time <= 0) return at_rest(knots_.front());
+  if (!(time > 0)) return at_rest(knots_.front());
   if (time >= duration()) return at_rest(knots_.back());
   const auto after = std::upper_bound(knots_.begin(), knots_.end(), time,
                                       [](double t, const Knot& knot) { return t < knot.time; });

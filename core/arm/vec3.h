@@ -10,6 +10,9 @@
 
 namespace lasius::arm {
 
+/// Coordinates read from files lie within this, metres.
+inline constexpr double kFar = 1000;
+
 inline Vec3 operator+(Vec3 a, Vec3 b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec3 operator-(Vec3 a, Vec3 b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Vec3 operator*(double s, Vec3 a) noexcept { return {s * a.x, s * a.y, s * a.z}; }

@@ -48,7 +48,8 @@ struct Params {
   double joint_step = 0.5;  ///< an edge is closed where a joint moves further, radians or metres
   int patience = 0;         ///< stop after so many iterations without a shorter path; 0: never
   double line_ants = 0;     ///< ants whose deposits lie on the straight way before the first
-  bool shortcut = true;     ///< cut the lattice staircase before the trajectory is made
+  bool shortcut = true;     ///< cut the lattice staircase: for TrajectoryOptions::shortcut, by the
+                            ///< caller; `plan` leaves it
 };
 
 /// All parameters by name, with ranges, as `lasius algorithms` lists them.
@@ -124,8 +125,7 @@ using Observer = std::function<void(const IterationView&)>;
 /// world alone, not on what others have learned: so the answer is the same for any number of
 /// threads. At a dead end an ant steps back, the point stays visited.
 /// @throws Error(invalid_parameter) for parameters or a target gap out of range, or a lattice that
-/// is
-///         too large; what the sensor throws. A bad start or goal is an answer: Status::invalid.
+///         is too large; what the sensor throws. A bad start or goal is an answer: Status::invalid.
 LASIUS_ARM_EXPORT Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
                               const Params& parameters = {}, const Observer& observer = {});
 

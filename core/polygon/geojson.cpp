@@ -25,7 +25,7 @@ class GeoJsonReader {
         repair_(options.repair) {}
 
   World read() {
-    const Json json = parse();
+    const Json json = JsonPlace::parse(text_, name_);
     if (!json.is_object() || text_of(json, "type") != "FeatureCollection") {
       fail("", "is no FeatureCollection", kShape);
     }
@@ -48,19 +48,6 @@ class GeoJsonReader {
                          const std::string& remedy) const {
     throw Error(ErrorCode::file_broken, {.file = name_, .line = JsonPlace::line(text_, path_)},
                 place.empty() ? problem : place + ": " + problem, remedy);
-  }
-
-  Json parse() const {
-    try {
-      return Json::parse(text_);
-    } catch (const Json::exception& e) {
-      const auto byte = JsonPlace::fault(text_);
-      const auto line = 1 + std::count(text_.begin(), text_.begin() + byte, '\n');
-      const bool syntax = dynamic_cast<const Json::parse_error*>(&e) != nullptr;
-      throw Error(ErrorCode::file_broken, {.file = name_, .line = line, .offset = byte},
-                  syntax ? "is not JSON here" : "holds a number that is too large",
-                  "correct the text, or save the world again");
-    }
   }
 
   static std::string text_of(const Json& json, const char* key) {

@@ -146,7 +146,7 @@ class PolygonTest(ProgramTest):
         cases = [
             ("missing.geojson", None, "cannot be opened"),
             ("a.geojson", "{\"type\":\n x", "line 2"),
-            ("large.geojson", "{\"type\":\n\n 1e999}", "line 3, byte 15: holds a number"),
+            ("large.geojson", "{\"type\":\n\n 1e999}", "line 3, byte 15: a number"),
             ("role.geojson", "{\"type\": \"FeatureCollection\", \"features\": [\n{},\n{}]}",
              "line 2: feature 0: has no role"),
             ("b.geojson", "{}", "FeatureCollection"),

@@ -169,8 +169,8 @@ TEST(ShortRobot, BadFields) {
       {R"({"format": "lasius-arm/1", "joints": [], "name": 3})", "name is not a text"},
       {R"({"format": 3})", "format is 3"},
       {"null", "no \"format\""},
-      {"{\"a\": \xff}", "not JSON"},
-      {"{\"a\": 1e999}", "too large"},
+      {"{\n\"a\": \xff}", "line 2, byte 7: this is not JSON"},
+      {"{\n\"a\": 1e999}", "line 2, byte 11: a number is too large"},
   };
   for (const auto& [text, words] : cases) expect_error(text, ErrorCode::file_broken, words);
   expect_error(

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
 #include <stop_token>
@@ -189,6 +190,51 @@ TEST(ArmPlan, PolledAmongAntsOfFewSteps) {
   const Result r = plan(robot, Nothing(), request, p);
   EXPECT_EQ(r.status, Status::limit);
   EXPECT_EQ(r.iterations, 0);
+}
+
+Result plan_quietly(const Robot& robot, const Sensor& sensor, const Request& request,
+                    const Params& parameters) {
+  return plan(robot, sensor, request, parameters);
+}
+
+/// Takes a second for every question, by the clock that it is.
+class Slow final : public Sensor, public TimeSource {
+ public:
+  bool position_free(std::span<const double>) const override { return asked(); }
+  bool motion_free(std::span<const double>, std::span<const double>) const override {
+    return asked();
+  }
+  double clearance() const override { return 0.001; }
+  Clock::time_point now() const noexcept override {
+    return Clock::time_point{} + std::chrono::seconds(seconds_);
+  }
+
+ private:
+  bool asked() const {
+    ++seconds_;
+    return true;
+  }
+
+  mutable std::atomic<int> seconds_{0};
+};
+
+TEST(ArmPlan, PolledAfterEveryMoveThatASensorIsAskedAbout) {
+  const Robot robot = two_links();
+  Request request = across(robot);
+  Params p;
+  p.pitch = 0.02;
+  constexpr int kSeconds = 20;
+  for (const auto& ask : {plan_quietly, shortest_lattice_way, straight_lattice_way}) {
+    for (const int threads : {1, 3}) {
+      p.threads = threads;
+      const Slow sensor;
+      request.stop = {.deadline = sensor.now() + std::chrono::seconds(kSeconds), .time = &sensor};
+      const Result r = ask(robot, sensor, request, p);
+      EXPECT_EQ(r.status, Status::limit);
+      EXPECT_GE(r.questions.positions + r.questions.motions, kSeconds);
+      EXPECT_LE(r.questions.positions + r.questions.motions, kSeconds + 2 * threads);
+    }
+  }
 }
 
 /// Breaks down after some questions.

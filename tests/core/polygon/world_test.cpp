@@ -82,7 +82,7 @@ TEST(GeoJson, NamesWhatIsWrong) {
   expect_refusal(collection({feature("boundary", "Polygon", "[[[0,0],[1e13,0],[1,1],[0,0]]]")}),
                  "point 1");
   expect_refusal(collection({feature("boundary", "Polygon", "[[[0,0],[1e999,0],[1,1],[0,0]]]")}),
-                 "byte 147: holds a number that is too large");
+                 "byte 147: a number is too large");
   expect_refusal(collection({boundary(), feature("start", "Point", "[1]")}), "two numbers");
   expect_refusal(collection({boundary()}, R"("margin":-1,)"), "margin");
   expect_refusal(collection({boundary()}, R"("margin":"wide",)"), "margin");
