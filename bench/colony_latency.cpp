@@ -55,6 +55,7 @@ std::vector<Figure> measure_overshoot(int plans) {
   add(fan_course(), Milliseconds(40));
   add(blobs_courses(1, 1, 1024, 1024)[0], Milliseconds(400));
   add(blobs_courses(1, 1, 4096, 4096)[0], Milliseconds(2000));
+  // The largest map least often: its deadlines take long.
   constexpr std::array<std::size_t, 10> kTurns{0, 1, 0, 1, 0, 1, 0, 1, 0, 2};
   constexpr int kLimits = 20;
 

@@ -208,7 +208,7 @@ class GridColony final : public ColonyWorld {
   /// The generation's answer as one more ant.
   const Ant& answer() {
     Ant& ant = ws_.answer;
-    best_known_way(ws_.field, moves_, request_.start, request_.goal, ws_.way);
+    best_known_way(ws_.field, moves_, request_.start, request_.goal, request_.stop, ws_.way);
     ant.moves.grow(ws_.way.size());
     std::copy(ws_.way.begin(), ws_.way.end(), ant.moves.data());
     ant.move_count = static_cast<std::int64_t>(ws_.way.size());

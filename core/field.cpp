@@ -33,8 +33,7 @@ void Field::reset(const Grid& grid, const kernels::Moves& moves, Cell goal, cons
   moves_ = moves;
   raise_ = kernels::raise_row(chosen_isa());
   params_ = params;
-  mixture_ = params.pheromone_rule_first > 0 || params.pheromone_rule > 0 ||
-             params.distance_rule_first > 0 || params.distance_rule > 0;
+  mixture_ = mixes_rules(params);
   learned_ = params.heuristic == Heuristic::learned;
   reach_ = 1;
   for (int k = 0; k < moves.count; ++k) reach_ = std::max<int>(reach_, std::abs(moves[k].to.dx));

@@ -109,25 +109,32 @@ void Field::read_trail(const Tile& tile, int cell, Count moves, double* trail,
                        double* taught) const {
   const int x = cell % kTileSide, y = cell / kTileSide;
   const float* heuristic = tile.heuristic + std::ptrdiff_t{cell} * moves;
-  const bool arcs = params_.trail == Trail::arcs;
-  std::array<float, kernels::kMaxMoves> tau, eta;
-  if (arcs)
+  const bool inside = std::min(x, y) >= reach_ && std::max(x, y) < kTileSide - reach_;
+  const auto led_to = [&](int k) {  // by a move: the tile, if there is one, and the cell in it
+    const auto [dx, dy] = moves_[k].to;
+    return std::pair{inside ? &tile : find({tile.x0 + x + dx, tile.y0 + y + dy}),
+                     ((y + dy) & (kTileSide - 1)) * kTileSide + ((x + dx) & (kTileSide - 1))};
+  };
+  std::array<float, kernels::kMaxMoves> tau;
+  if (params_.trail == Trail::arcs) {
     std::copy_n(tile.tau + std::ptrdiff_t{cell} * moves, static_cast<int>(moves), tau.data());
-  if (!arcs || learned_) {
-    const bool inside = std::min(x, y) >= reach_ && std::max(x, y) < kTileSide - reach_;
+  } else {
     for (int k = 0; k < moves; ++k) {
-      const auto [dx, dy] = moves_[k].to;
-      const Tile* to = inside ? &tile : find({tile.x0 + x + dx, tile.y0 + y + dy});
-      const int at = ((y + dy) & (kTileSide - 1)) * kTileSide + ((x + dx) & (kTileSide - 1));
-      if (!arcs) tau[k] = to == nullptr ? untouched_ : to->tau[at];
-      if (learned_) eta[k] = to == nullptr ? 1 : to->eta[at];
+      const auto [to, at] = led_to(k);
+      tau[k] = to == nullptr ? untouched_ : to->tau[at];
     }
   }
   const auto least = static_cast<float>(least_ * per_scale_);
   const auto most = static_cast<float>(std::min(most_ * per_scale_, 3e38));
   for (int k = 0; k < moves; ++k) tau[k] = std::clamp(tau[k], least, most);
   divide_by_largest(tau.data(), heuristic, moves, trail);
-  if (learned_) divide_by_largest(eta.data(), heuristic, moves, taught);
+  if (!learned_) return;
+  std::array<float, kernels::kMaxMoves> eta;
+  for (int k = 0; k < moves; ++k) {
+    const auto [to, at] = led_to(k);
+    eta[k] = to == nullptr ? 1 : to->eta[at];
+  }
+  divide_by_largest(eta.data(), heuristic, moves, taught);
 }
 
 /// The row of a cell: pheromone and heuristic side by side, or their product.

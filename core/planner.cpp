@@ -69,6 +69,7 @@ std::optional<Planner> Planner::prepare(Grid&& grid, const PrepareOptions& optio
   return if_made(Impl::make(std::move(grid), options.stop, options));
 }
 Planner Planner::prepared(const PrepareOptions& options) const {
+  check_threads(options.threads);
   auto more = std::make_shared<Impl>(impl_->grid, impl_->four, impl_->excluded, impl_->closed);
   more->prepare_more(options);
   return Planner(std::move(more));
@@ -78,6 +79,8 @@ std::optional<Planner> Planner::if_made(std::shared_ptr<const Impl> impl) {
 }
 Planner::Planner(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 Planner::~Planner() = default;
+Planner::Planner(const Planner&) noexcept = default;
+Planner& Planner::operator=(const Planner&) noexcept = default;
 Planner::Planner(Planner&&) noexcept = default;
 Planner& Planner::operator=(Planner&&) noexcept = default;
 
@@ -113,8 +116,7 @@ Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Reques
       result.status = Status::unreachable;
       return result;
     case ExactEnd::stopped:
-      result.status =
-          answer.cause == StopCondition::Cause::token ? Status::interrupted : Status::limit;
+      result.status = status_after(answer.cause, Status::limit);
       break;
   }
   result.path = answer.path;
@@ -194,7 +196,7 @@ Planner::Footprint Planner::footprint() const noexcept {
   const Grid& grid = impl_->grid;
   Footprint f;
   f.bitmap = static_cast<std::int64_t>(grid.stride()) * (grid.height() + 2) * 8;
-  f.components = impl_->four.bytes();
+  f.components = impl_->component_bytes();
   f.corners = impl_->preparation.bytes;
   return f;
 }

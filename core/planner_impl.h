@@ -13,6 +13,7 @@
 #include "corner_graph.h"
 #include "lasius/components.h"
 #include "lasius/planner.h"
+#include "parameter_table.h"
 
 namespace lasius {
 
@@ -28,6 +29,7 @@ class Planner::Impl {
   }
   static std::shared_ptr<Impl> make(Grid&& grid, const StopCondition& stop,
                                     const PrepareOptions& options) {
+    check_threads(options.threads);
     auto impl = make(std::move(grid), stop);
     if (impl != nullptr) impl->prepare_more(options);
     return impl;
@@ -56,6 +58,12 @@ class Planner::Impl {
       eight_.store(&*made_eight_, std::memory_order_release);
     });
     return &*made_eight_;
+  }
+
+  /// Memory that components hold.
+  std::int64_t component_bytes() const noexcept {
+    const Components* const eight = eight_.load(std::memory_order_acquire);
+    return four.bytes() + (eight != nullptr ? eight->bytes() : 0);
   }
 
   /// The free cell nearest to `c`, as Planner::nearest_free; nothing when stopped.

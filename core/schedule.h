@@ -16,6 +16,12 @@ struct StepWeights {
   std::array<double, kernels::kRules> rule_shares{};  ///< by kernels::Rule
 };
 
+/// True when ants choose between rules at some iteration, rather than always combine them.
+inline bool mixes_rules(const Params& p) noexcept {
+  return p.pheromone_rule_first > 0 || p.pheromone_rule > 0 || p.distance_rule_first > 0 ||
+         p.distance_rule > 0;
+}
+
 /// Linear from the first values at iteration 0 to the last ones at the critical time, constant from
 /// there (Fan et al. 2004, eq. 5 and 6: alpha = 4q/mc, beta = (3mc - 1.5q)/mc for q < mc).
 inline StepWeights schedule(const Params& p, int iteration) noexcept {

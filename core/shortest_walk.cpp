@@ -78,7 +78,7 @@ class WalkSearch {
         break;
       }
       expand(cell(open_.pop()));
-      if (poller.stop_after(moves_.count)) return false;
+      if (poller.stop_after(moves_.count + open_.take_dealt())) return false;
     }
     return true;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "move_rule.h"
 #include "trail_rules.h"
 
 namespace lasius {
@@ -39,7 +40,7 @@ struct GridTours : Tours {
     for (const int k : tour.moves) {
       if (poller.stop_after(1)) return;
       visit(Place{c, trail == Trail::arcs ? k : 0});
-      c = {c.x + moves[k].to.dx, c.y + moves[k].to.dy};
+      c = c + moves[k].to;
     }
     if (trail == Trail::cells) visit(Place{c});
   }
@@ -58,7 +59,7 @@ void terminal_index(Field& field, const GridTours& tours) {
   for (const Tour& tour : tours.ants) {
     if (!arrived(tour)) continue;
     Cell c = tours.start;
-    for (const int k : tour.moves) c = {c.x + tours.moves[k].to.dx, c.y + tours.moves[k].to.dy};
+    for (const int k : tour.moves) c = c + tours.moves[k].to;
     field.set_tau(c, 0, 0);
     double least = field.tau(c, 0);
     for (std::size_t i = tour.moves.size(); i-- > 0;) {
@@ -100,14 +101,16 @@ void learning(Field& field, const Params& params, const GridTours& tours) {
 }  // namespace
 
 void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell goal,
-                    std::vector<std::uint8_t>& way) {
+                    const StopCondition& stop, std::vector<std::uint8_t>& way) {
   way.clear();
   const double unknown = field.untouched();
   if (field.tau(start, 0) >= unknown) return;
   // K falls at each move, by at least the step: the way ends at the goal. Not so beyond 2^24, where
   // a step is lost in rounding: no way then.
   double before = std::numeric_limits<double>::infinity();
+  Poller poller(stop, Poller::kSteps);
   for (Cell c = start; c != goal;) {
+    if (poller.stop_after(1)) return way.clear();
     const double here = field.tau(c, 0);
     if (!(here < before)) return way.clear();
     before = here;
@@ -115,14 +118,13 @@ void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell 
     double least = std::numeric_limits<double>::infinity();
     for (int k = 0; k < moves.count; ++k) {
       if (!field.exists(c, k)) continue;
-      const double through =
-          field.tau({c.x + moves[k].to.dx, c.y + moves[k].to.dy}, 0) + moves[k].length;
+      const double through = field.tau(c + moves[k].to, 0) + moves[k].length;
       if (through >= least) continue;
       least = through;
       best = k;
     }
     way.push_back(static_cast<std::uint8_t>(best));
-    c = {c.x + moves[best].to.dx, c.y + moves[best].to.dy};
+    c = c + moves[best].to;
   }
 }
 

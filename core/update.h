@@ -42,8 +42,9 @@ void update_trail(Field& field, const Params& params, const Tours& tours,
                   const StopCondition& stop);
 
 /// The generation's answer of the terminal index: from the start always to the cell of least
-/// K + step, ties to the first move (Li, Wang & Ma, section 2.2). Empty while the start has none.
+/// K + step, ties to the first move (Li, Wang & Ma, section 2.2). Empty while the start has none,
+/// or when stopped.
 void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell goal,
-                    std::vector<std::uint8_t>& way);
+                    const StopCondition& stop, std::vector<std::uint8_t>& way);
 
 }  // namespace lasius

@@ -9,7 +9,7 @@ namespace lasius::kernels {
 /// -log2 of a random word read as a number in (0, 1], error below 1e-6 of its value + 1e-7. IEEE
 /// operations without a branch, so that loops over it vectorise and every machine agrees.
 [[gnu::always_inline]] inline float minus_log2(std::uint32_t word) noexcept {
-  // 24 bits, so that the conversion is exact and never 0.
+  // Odd, so never 0. From 2^24 on the conversion rounds, to 1 at most.
   const auto u = static_cast<float>(static_cast<std::int32_t>(word >> 8) * 2 + 1);  // of 2^25
   const auto bits = std::bit_cast<std::int32_t>(u);
   const std::int32_t centred = bits - 0x3f3504f3;  // sqrt(1/2): mantissas around 1

@@ -34,7 +34,8 @@ class LASIUS_EXPORT Components {
   /// allocate.
   bool connected(const Grid& grid, Cell a, Cell b) const noexcept;
 
-  /// The components of an edited grid of the same size; `changed` must hold all cells that differ.
+  /// The components of an edited grid of the same size; `changed` must hold all cells that differ,
+  /// and none outside the grid.
   /// Only tiles that hold one are flooded again. Tiles are joined anew, by their borders alone,
   /// unless no border component changed.
   Components updated(const Grid& edited, std::span<const Cell> changed) const;

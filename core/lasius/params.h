@@ -67,7 +67,7 @@ enum class Update {
   elitist,         ///< the same, and elite_weight Q / L on the best tour so far
   rank,            ///< the `ranks` - 1 best: (ranks - r) Q / L; the best so far: ranks Q / L
   max_min,         ///< one best tour: Q / L, tau kept in [tau_min, tau_max]
-  colony_system,   ///< on the best tour so far only: tau <- persistence tau + (1 - persistence) / L
+  colony_system,   ///< best tour so far only: tau <- persistence tau + (1 - persistence) Q / L
   best_share,      ///< the elite_ants best of the iteration: Q / ants on each cell (the lecture)
   terminal_index,  ///< no trail but the best known way from each cell (Li, Wang & Ma)
   learning,        ///< rewards and penalties, ant by ant (Cong & Ponnambalam 2009, eq. 3, 4)

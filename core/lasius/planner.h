@@ -92,7 +92,7 @@ class LASIUS_EXPORT Workspace {
 
 /// How much `exact` may prepare of a map before its first question.
 struct PrepareOptions {
-  int threads = 0;  ///< 0: as many as OpenMP gives; never changes what is prepared
+  int threads = 0;  ///< at most 1024; 0: as many as OpenMP gives; never changes what is prepared
   /// Preparation that would hold more is given up. A Workspace takes 32 bytes more for each corner.
   std::int64_t max_bytes = std::int64_t{1} << 30;
   StopCondition stop = {};
@@ -114,7 +114,8 @@ struct Preparation {
 };
 LASIUS_EXPORT std::string_view to_string(Preparation::State) noexcept;
 
-/// A map made ready for planning. Immutable: use one from many threads, a Workspace each.
+/// A map made ready for planning. Immutable: use one from many threads, a Workspace each. After a
+/// move only assignment and destruction are left.
 class LASIUS_EXPORT Planner {
  public:
   explicit Planner(Grid grid);
@@ -122,6 +123,7 @@ class LASIUS_EXPORT Planner {
   /// from start and goal only. Answers are as short and as certain as without, where several paths
   /// are shortest perhaps another one. Given up, it plans as without; the stop condition is asked
   /// about this alone. Planners made from this one by edited, exclude and allow are not prepared.
+  /// @throws Error(invalid_parameter) where the number of threads is out of range.
   Planner(Grid grid, const PrepareOptions& options);
   /// As the constructors, for those who may have to stop: nothing when the condition said so while
   /// components were labelled. `grid` is moved from only where a planner comes of it.
@@ -131,6 +133,8 @@ class LASIUS_EXPORT Planner {
   /// bitmap and its components; this one stays as it is.
   Planner prepared(const PrepareOptions& options) const;
   ~Planner();
+  Planner(const Planner&) noexcept;  ///< copies share the map
+  Planner& operator=(const Planner&) noexcept;
   Planner(Planner&&) noexcept;
   Planner& operator=(Planner&&) noexcept;
 

@@ -11,8 +11,6 @@
 namespace lasius::polygon {
 namespace {
 
-constexpr double kMostSide = 32768;
-
 void check_resolution(double resolution) {
   if (resolution > 0 && std::isfinite(resolution)) return;
   throw Error(ErrorCode::invalid_parameter, "resolution is " + std::to_string(resolution),
@@ -80,9 +78,10 @@ Map to_grid(const World& world, double resolution) {
   const Point low = box.low, high = box.high;
   const double wide = std::ceil((high.x - low.x) / resolution);
   const double tall = std::ceil((high.y - low.y) / resolution);
-  if (!(wide <= kMostSide && tall <= kMostSide)) {
+  if (!(wide <= Grid::kMaxSide && tall <= Grid::kMaxSide)) {
     throw Error(ErrorCode::invalid_parameter,
-                "resolution " + std::to_string(resolution) + " gives more than 32768 cells a side",
+                "resolution " + std::to_string(resolution) + " gives more than " +
+                    std::to_string(Grid::kMaxSide) + " cells a side",
                 "give a coarser one");
   }
   Map map{Grid(static_cast<int>(wide), static_cast<int>(tall)),

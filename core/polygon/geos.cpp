@@ -61,14 +61,10 @@ Geos::Geometry Geos::polygon(const Polygon& p) const {
                                       static_cast<unsigned>(raw.size())));
 }
 
-Geos::Geometry Geos::collection(std::vector<Geometry> parts, int type) const {
+Geos::Geometry Geos::collection(std::vector<Geometry> parts) const {
   std::vector<GEOSGeometry*> raw = released(parts);
-  return own(
-      GEOSGeom_createCollection_r(context_, type, raw.data(), static_cast<unsigned>(raw.size())));
-}
-
-Geos::Geometry Geos::empty() const {
-  return own(GEOSGeom_createEmptyCollection_r(context_, GEOS_MULTIPOLYGON));
+  return own(GEOSGeom_createCollection_r(context_, GEOS_MULTIPOLYGON, raw.data(),
+                                         static_cast<unsigned>(raw.size())));
 }
 
 Ring Geos::ring(const GEOSGeometry* g) const {

@@ -38,8 +38,7 @@ class Geos {
   }
 
   Geometry polygon(const Polygon& p) const;
-  Geometry collection(std::vector<Geometry> parts, int type = GEOS_MULTIPOLYGON) const;
-  Geometry empty() const;
+  Geometry collection(std::vector<Geometry> parts) const;
   /// All polygons of a geometry; other parts are left out.
   std::vector<Polygon> polygons(const GEOSGeometry* g) const;
   /// Null where the text is no geometry.

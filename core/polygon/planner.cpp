@@ -60,16 +60,6 @@ Point nearest_on(Point a, Point b, Point p) {
   return share >= 1 ? b : Point{a.x + share * dx, a.y + share * dy};
 }
 
-/// Lower left and upper right corner of a ring's bounding box.
-std::pair<Point, Point> bounds(const Ring& ring) {
-  Point low = ring.front(), high = low;
-  for (const Point p : ring) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return {low, high};
-}
-
 }  // namespace
 
 class Planner::Impl {
@@ -152,7 +142,7 @@ Point Planner::nearest_free(Point p) const {
   if (free(p)) return p;
   // Squared distances from p, but for that of p from q, the nearest point of the box around the
   // world: else all points would be as near to a p that is far away, by rounding.
-  const auto [low, high] = bounds(impl_->world.boundary.outer);
+  const auto [low, high] = bounds_of(impl_->world.boundary.outer);
   const Point q{std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y)};
   const auto compared = [&](Point near) {
     const double dx = near.x - q.x, dy = near.y - q.y;

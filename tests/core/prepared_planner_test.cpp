@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lasius/batch.h"
+#include "lasius/error.h"
 #include "lasius/generate.h"
 #include "lasius/planner.h"
 #include "tests/random_grid.h"
@@ -94,6 +95,18 @@ TEST(PreparedPlanner, GivenUpItPlansWithout) {
     const Request request{.start = q.start, .goal = q.goal};
     EXPECT_EQ(small.plan(request).path, plain.plan(request).path);
     EXPECT_EQ(cut.plan(request).path, plain.plan(request).path);
+  }
+}
+
+TEST(PreparedPlanner, RefusesThreadsOutOfRangeAndKeepsTheMap) {
+  const Planner plain(map());
+  for (const int threads : {-1, 1025}) {
+    const PrepareOptions options{.threads = threads};
+    EXPECT_THROW(Planner(map(), options), Error);
+    EXPECT_THROW((void)plain.prepared(options), Error);
+    Grid grid = map();
+    EXPECT_THROW((void)Planner::prepare(std::move(grid), options), Error);
+    EXPECT_EQ(grid, map());
   }
 }
 
