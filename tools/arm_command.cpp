@@ -64,6 +64,8 @@ int run_arm(const ArmCommand& command) {
   report(ended, command.messages);
   if (answer.motion.stops && !command.messages.quiet)
     message("the motion rests at each waypoint: no faster one between them was found free");
+  if (answer.recheck && !command.json && !command.messages.quiet)
+    message(recheck_text(*answer.recheck));
   const Forms forms{
       .text = [&] { return arm_text(answer); },
       .json = [&] { return line(arm_json(command, answer)); },

@@ -113,10 +113,17 @@ Json arm_json(const ArmCommand& command, const ArmAnswer& answer) {
     json["recheck"] = {{"samples", answer.recheck->samples},
                        {"contacts", answer.recheck->contacts},
                        {"limits", answer.recheck->limits},
-                       {"nearest", number(answer.recheck->nearest)}};
+                       {"nearest", number(answer.recheck->nearest)},
+                       {"tip_error", number(answer.recheck->tip_error)}};
   }
   json["elapsed_ms"] = number(answer.elapsed_ms);
   return json;
+}
+
+std::string recheck_text(const arm::Recheck& recheck) {
+  return "recheck: " + counted(recheck.samples, "sample") + ", " +
+         counted(recheck.contacts, "contact") + ", " + counted(recheck.limits, "broken limit") +
+         ", nearest " + to_text(recheck.nearest) + " m";
 }
 
 std::string arm_text(const ArmAnswer& answer) {

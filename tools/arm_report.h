@@ -9,6 +9,9 @@
 
 namespace lasius::tool {
 
+/// What the independent check found, in a line.
+std::string recheck_text(const arm::Recheck& recheck);
+
 /// Times at which a trajectory is told: every 1 / rate seconds, and its end.
 std::vector<double> sample_times(const arm::Trajectory& trajectory, double rate);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <ostream>
 #include <stdexcept>
@@ -30,6 +31,13 @@ std::uint32_t packed(Colour colour) {
     return static_cast<std::uint32_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
   };
   return byte(colour.red) << 16 | byte(colour.green) << 8 | byte(colour.blue);
+}
+
+/// File names may hold bytes that are no UTF-8, which cairo refuses: these become U+FFFD.
+std::string utf8(const std::string& text) {
+  using nlohmann::json;
+  const auto dumped = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+  return json::parse(dumped).get<std::string>();
 }
 
 }  // namespace
@@ -174,7 +182,7 @@ void Canvas::select_font(double size, bool bold) {
 double Canvas::text_width(const std::string& text, double size, bool bold) {
   select_font(size, bold);
   cairo_text_extents_t extents;
-  cairo_text_extents(context_.get(), text.c_str(), &extents);
+  cairo_text_extents(context_.get(), utf8(text).c_str(), &extents);
   return extents.x_advance;
 }
 
@@ -188,7 +196,7 @@ void Canvas::text(Point at, const std::string& text, double size, Align align, C
   if (turned) cairo_rotate(c, -std::numbers::pi / 2);
   ink(colour);
   cairo_move_to(c, shift, 0);
-  cairo_show_text(c, text.c_str());
+  cairo_show_text(c, utf8(text).c_str());
   cairo_restore(c);
 }
 

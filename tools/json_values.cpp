@@ -34,7 +34,10 @@ Json points(const std::vector<Point>& path) {
 
 Json gap_to(const std::optional<double>& optimum, double length) {
   if (!optimum || std::isnan(length)) return nullptr;
-  return number(*optimum > 0 ? (length - *optimum) / *optimum : 0.0);
+  // Lengths are sums of rounded roots: one may come out a hair below the other.
+  constexpr double kRounding = 1e-12;
+  const double gap = *optimum > 0 ? (length - *optimum) / *optimum : 0;
+  return number(std::abs(gap) < kRounding ? 0 : gap);
 }
 
 Json parameter_json(const std::string& text) {

@@ -98,7 +98,6 @@ int run_maklink_study(const StudyCommand& command, const std::string& maps) {
     message("interrupted");
     return kInterrupted;
   }
-  fs::create_directories(folder);
   save_plan(*study, folder / "plan.svg");
   save_chart(trial_chart(*study), folder / "trials.svg");
   save_chart(deviation_chart(*study), folder / "deviation.svg");

@@ -10,6 +10,20 @@
 #include "values.h"
 
 namespace lasius::tool {
+namespace {
+
+/// A value that has no effect is held against what another algorithm takes.
+void check_elsewhere(const std::string& key, const std::string& value) {
+  for (const Algorithm& algorithm : polygon::algorithms()) {
+    if (!has_parameter(algorithm, key)) continue;
+    auto scratch = polygon::defaults(algorithm.name);
+    return polygon::set_parameter(scratch, key, value);
+  }
+  Params scratch;
+  lasius::set_parameter(scratch, key, value);
+}
+
+}  // namespace
 
 Point PreparedWorld::low() const {
   Point p = planner.world().boundary.outer.front();
@@ -55,10 +69,12 @@ polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<st
   const Algorithm& algorithm = find_algorithm(all, name);
   auto parameters = polygon::defaults(name);
   for (const auto& [key, value] : command.named) {
-    if (has_parameter(algorithm, key))
+    if (has_parameter(algorithm, key)) {
       set_parameter(parameters, key, value);
-    else
-      notes.push_back("--" + key + " has no effect: " + name + " has no such parameter");
+      continue;
+    }
+    check_elsewhere(key, value);
+    notes.push_back("--" + key + " has no effect: " + name + " has no such parameter");
   }
   for (const std::string& setting : command.settings) {
     refuse_option(setting);

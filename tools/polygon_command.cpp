@@ -80,7 +80,7 @@ int run_polygon(const PolygonCommand& command) {
   const Forms forms{
       .text = [&] { return polygon_text(answer); },
       .json = [&] { return line(polygon_json(world, command, answer)); },
-      .csv = [&] { return result_csv(result, Frame::cell); },
+      .csv = [&] { return result_csv(result, counts, Frame::cell); },
       .write_picture =
           [&](const std::string& file) { write_polygon_picture(file, world, answer); }};
   deliver(forms, command.json, command.outputs, command.messages);

@@ -11,6 +11,8 @@
 namespace lasius::tool {
 namespace {
 
+constexpr double kMostMargin = 1e12;  // as far as coordinates go
+
 std::optional<Point> point(std::string_view option, const std::string& text) {
   if (text.empty()) return std::nullopt;
   return pair_value(option, text, false);
@@ -25,10 +27,14 @@ bool is_world(std::string_view file) {
 
 WorldOptions make_world_options(const std::string& file, const WorldText& text) {
   WorldOptions options{.file = file, .repair = text.repair, .margin = {}};
-  if (!text.margin.empty()) options.margin = real_value("--margin", text.margin, 0, kNoLimit);
+  if (!text.margin.empty()) options.margin = real_value("--margin", text.margin, 0, kMostMargin);
   if (!text.join.empty())
     options.join = static_cast<int>(choice_value("--join", text.join, kJoins));
   return options;
+}
+
+void refuse_radius(std::string_view radius) {
+  if (!radius.empty()) throw UsageError("--radius: obstacles of a polygon world grow by --margin");
 }
 
 PolygonCommand make_polygon(const RunText& run, const PolygonText& text) {
@@ -52,8 +58,7 @@ PolygonCommand make_polygon(const RunText& run, const PolygonText& text) {
   command.time_limit = time_limit_value(run.time_limit);
   command.target_gap = target_gap_value(run.target_gap);
   if (!run.frame.empty()) choice_value("--frame", run.frame, kFrames);
-  if (!run.radius.empty())
-    throw UsageError("--radius: obstacles of a polygon world grow by --margin");
+  refuse_radius(run.radius);
   if (run.unknown_free)
     command.notes.emplace_back("--unknown-free has no effect: a polygon world has no unknown part");
   if (run.prepare) command.notes.emplace_back("--prepare has no effect on a polygon world");

@@ -26,6 +26,9 @@ struct PolygonText {
 WorldOptions make_world_options(const std::string& file, const WorldText& text);
 PolygonCommand make_polygon(const RunText& run, const PolygonText& text);
 
+/// @throws UsageError where --radius is given for a polygon world.
+void refuse_radius(std::string_view radius);
+
 /// @throws UsageError where an option of polygon worlds is given with a bitmap.
 void refuse_world_options(const WorldText& text);
 

@@ -34,6 +34,6 @@ std::string batch_csv_row(const PreparedMap& map, Frame frame, const Answer& ans
 
 /// The convergence by iteration, or the path for algorithms without iterations, of a result that is
 /// in `frame`. Columns in metres end in _m.
-std::string result_csv(const Result& result, Frame frame);
+std::string result_csv(const Result& result, bool iterates, Frame frame);
 
 }  // namespace lasius::tool

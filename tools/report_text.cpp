@@ -46,7 +46,7 @@ std::string result_text(const PreparedMap& map, const RunOptions& run, const Ans
 }
 
 std::string gap_text(const PreparedMap& map, const RunOptions& run, const Answer& answer) {
-  if (!answer.optimum) return {};
+  if (!answer.optimum && !answer.grid_optimum) return {};
   const auto against = [&](const char* name, double optimum) {
     std::array<char, 96> text;
     std::snprintf(text.data(), text.size(), "%s %.6f%s", name, map.length_in(run.frame, optimum),
@@ -57,15 +57,15 @@ std::string gap_text(const PreparedMap& map, const RunOptions& run, const Answer
     std::snprintf(text.data(), text.size(), " (the path: %+.3f%%)", gap);
     return part + text.data();
   };
-  std::string text = against("optimum", *answer.optimum);
+  std::string text = answer.optimum ? against("optimum", *answer.optimum) : "optimum unknown";
   if (answer.grid_optimum) text += ", " + against("by its own moves", *answer.grid_optimum);
   return text;
 }
 
-std::string result_csv(const Result& result, Frame frame) {
+std::string result_csv(const Result& result, bool iterates, Frame frame) {
   const char* const m = unit(frame);
   std::ostringstream out;
-  if (result.best.empty()) {
+  if (!iterates) {
     out << "x" << m << ",y" << m << "\n";
     write_points(out, result.path, ",");
     return out.str();

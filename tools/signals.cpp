@@ -34,6 +34,7 @@ void end_on_signals() {
   action.sa_flags = SA_RESTART;
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error of writing
 }
 
 SignalWatcher::SignalWatcher() {

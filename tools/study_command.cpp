@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "exit_code.h"
+#include "lasius/error.h"
 #include "lasius/output.h"
 #include "progress.h"
 #include "signals.h"
@@ -60,6 +61,15 @@ fs::path find_maps(const std::string& option) {
   return fs::is_directory(installed, ignored) ? installed : fs::path(LASIUS_SOURCE_MAPS);
 }
 
+/// @throws Error(output_failed)
+void make_folder(const std::string& folder) {
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  if (!fault) return;
+  throw Error(ErrorCode::output_failed, {.file = folder}, "cannot be made: " + fault.message(),
+              "name another folder");
+}
+
 void write_text(const fs::path& file, const std::string& text) {
   write_file(file.string(), [&](std::ostream& out) { out << text; });
 }
@@ -90,10 +100,17 @@ int run_study(const StudyCommand& command) {
   }
   const fs::path maps = find_maps(command.maps);
 #ifdef LASIUS_WITH_POLYGON
-  if (command.name == kMaklink) return run_maklink_study(command, maps.string());
+  if (command.name == kMaklink) {
+    make_folder(command.folder);
+    return run_maklink_study(command, maps.string());
+  }
 #endif
-  if (command.name == kArmStudy) return run_arm_study(command, maps);
+  if (command.name == kArmStudy) {
+    make_folder(command.folder);
+    return run_arm_study(command, maps);
+  }
   const study::Study study = make_study(command.name);
+  make_folder(command.folder);
   SignalWatcher signals;
   const auto findings = [&] {
     constexpr std::int64_t kParts = 1000;

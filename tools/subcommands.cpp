@@ -92,7 +92,8 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
   add_switch(app, "--prepare", text.prepare, kPrepare);
   add_switch(app, "--gap", text.gap,
              "Add the exact optimum, the true gap, and the optimum of the algorithm's own moves; "
-             "null where a time limit or a signal ended the search for it");
+             "null where a time limit or a signal ended the search for it, or where --corners "
+             "allow lets moves squeeze through where no path of the plane may");
   add_switch(app, "--json", text.json, "Print one JSON object (batch always does, one a query)");
   add_repeatable(app, "-o,--output", text.outputs, kOutputs, "FILE");
   option("--tracks", text.tracks,
@@ -103,9 +104,13 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
 }
 
 void add_world_options(CLI::App& app, WorldText& text) {
-  app.add_option("--margin", text.margin, "Polygon worlds: the robot's margin, in place of theirs")
+  app.add_option("--margin", text.margin,
+                 "Polygon worlds: grow obstacles, not the boundary, by this in place of theirs")
       ->type_name("R");
-  app.add_option("--join", text.join, "Polygon worlds: corners of grown obstacles")
+  app.add_option(
+         "--join", text.join,
+         "Polygon worlds: corners of grown obstacles (default mitre; round keeps 99.5% of the\n"
+         "margin there, bevel less)")
       ->type_name("mitre|round|bevel");
   add_switch(app, "--repair", text.repair, "Polygon worlds: repair geometry that is not valid");
 }
@@ -180,6 +185,7 @@ Subcommand add_info(CLI::App& app) {
   return {info, [raw]() -> Command {
             if (is_world(raw->map)) {
               if (raw->prepare) throw UsageError("--prepare is for bitmaps");
+              refuse_radius(raw->radius);
               return WorldInfoCommand{make_world_options(raw->map, raw->world), raw->json};
             }
             refuse_world_options(raw->world);
@@ -276,7 +282,7 @@ Subcommand add_study(CLI::App& app) {
   auto* study = app.add_subcommand(
       "study",
       "Repeat a source's experiments and set ours beside its figures; goes on where an "
-      "earlier call stopped");
+      "earlier call stopped (maklink, of seconds, starts anew)");
   study->add_option("NAME", raw->name, "The study; list: what there is")->required();
   study->add_option("--seeds", raw->seeds, "Runs of each algorithm, seeds 1 to N (default 30)")
       ->type_name("N");
@@ -328,7 +334,8 @@ Subcommand add_arm(CLI::App& app) {
          "METRES");
   add_switch(*arm, "--no-shortcut", raw->plain, "Keep every lattice point of the path");
   option("--rate", raw->rate, "Samples of the trajectory a second (default 100)", "HZ");
-  option("--recheck", raw->recheck, "Check the trajectory at N times by KDL and FCL", "N");
+  option("--recheck", raw->recheck,
+         "Check the trajectory at N times by KDL and FCL and say what they find", "N");
   add_switch(*arm, "--json", raw->json, "Print one JSON object");
   add_repeatable(*arm, "-o,--output", raw->outputs,
                  "Write a file, by its ending (repeatable):\n"

@@ -3,7 +3,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stop_token>
-#include <tuple>
 
 #include "answer.h"
 #include "arm_verify.h"
@@ -63,8 +62,7 @@ std::vector<Saved> read_results(const std::string& file) {
 struct Recorded {
   RunOptions run;
   std::string hash;
-  Point start, goal;                              ///< cells
-  std::optional<std::pair<Point, Point>> metres;  ///< the same in the world frame
+  Point start, goal;  ///< cells, or metres in the world frame
   std::optional<std::size_t> index;
 };
 
@@ -96,10 +94,9 @@ Recorded recorded_inputs(const Json& result) {
   if (result["parameters"].contains("prepare"))
     run.map.prepare = recorded<bool>(result, "parameters/prepare");
   if (recorded<std::string>(result, "parameters/frame") == "world") run.frame = Frame::world;
-  inputs.start = cell_of(result, "start");
-  inputs.goal = cell_of(result, "goal");
-  if (run.frame == Frame::world)
-    inputs.metres = {recorded_point(result, "start_world"), recorded_point(result, "goal_world")};
+  const bool world = run.frame == Frame::world;  // the cells are compared with the replay's
+  inputs.start = world ? recorded_point(result, "start_world") : cell_of(result, "start");
+  inputs.goal = world ? recorded_point(result, "goal_world") : cell_of(result, "goal");
   return inputs;
 }
 
@@ -188,9 +185,8 @@ Json grid_replay(const VerifyCommand& command, const Json& result, Maps& maps,
   Recorded inputs = recorded_inputs(result);
   inputs.run.params.threads = command.threads;
   const PreparedMap& map = maps.find(inputs, token);
-  Place start = to_place(map, inputs.start, Frame::cell);
-  Place goal = to_place(map, inputs.goal, Frame::cell);
-  if (inputs.metres) std::tie(start.asked, goal.asked) = *inputs.metres;
+  const Place start = to_place(map, inputs.start, inputs.run.frame);
+  const Place goal = to_place(map, inputs.goal, inputs.run.frame);
   Answer replay = answer(map, inputs.run, start, goal, {.token = token});
   replay.index = inputs.index;
   return result_json(map, inputs.run, replay);

@@ -169,7 +169,9 @@ class ArmColony final : public ColonyWorld {
       result_.status = Status::unreachable;
       result_.error = "every way from start to goal in this lattice is closed";
     }
-    if (lattice_.known_blocked(lattice_.goal())) {
+    // Where every way to it is closed, no ant may have tried the goal itself.
+    if (lattice_.known_blocked(lattice_.goal()) ||
+        (result_.status == Status::unreachable && !lattice_.position_free(lattice_.goal()))) {
       result_.status = Status::invalid;
       result_.error = "the arm touches something at the goal";
     }

@@ -18,7 +18,11 @@
 namespace lasius::polygon {
 
 /// How obstacles grow at their corners.
-enum class Join { mitre, round, bevel };
+enum class Join {
+  mitre,  ///< the margin is kept everywhere
+  round,  ///< arcs are made of chords: at corners 99.5% of the margin is kept
+  bevel,  ///< corners are cut off: paths come nearer there
+};
 
 /// How a world is made ready.
 struct PrepareOptions {

@@ -302,6 +302,7 @@ Result Planner::plan(const Request& request, const Params& parameters,
   RoutePlan(regions, parameters, request, observer).run(start, goal, shortest.lower_bound, result);
   // Lengths are sums of rounded roots: a path may come out a hair below the bound.
   result.lower_bound = std::min(*result.lower_bound, result.length);
+  result.optimal = result.length <= *result.lower_bound;
   return result;
 }
 

@@ -112,6 +112,10 @@ class Arm(ProgramTest):
         self.assertLess(short["trajectory"]["duration"], plain["trajectory"]["duration"])
         self.assertEqual(plain["path"], short["path"])
 
+    def test_the_recheck_is_told(self):
+        self.assertIn("recheck: 50 samples, 0 contacts, 0 broken limits, nearest",
+                      self.arm("--iterations", "5", "--recheck", "50").err)
+
     def test_exit_codes(self):
         def status(code, name, *arguments, **options):
             run = self.arm("--json", "--iterations", "5", *arguments, **options)
@@ -124,7 +128,9 @@ class Arm(ProgramTest):
         status(4, "invalid", start="4,0,0")
         run = status(4, "invalid", start="0.3,0,0")
         self.assertIn("obstacle 1 (post)", run.json["error"])
-        status(5, "unreachable", goal="0.62,0.18,0")
+        run = status(4, "invalid", goal="0.62,0.18,0")  # within the post: no ant could try it
+        self.assertIn("at the goal", run.json["error"])
+        status(5, "unreachable", "--set", "joint_step=0.01")
         status(6, "no_path", "--set", "iterations=0")
         status(6, "limit", "--time-limit", "0")
         self.refused(self.arm("-o", "nowhere/m.json"), 7, "nowhere")
@@ -184,6 +190,13 @@ class Arm(ProgramTest):
                 self.assertEqual(self.run_program("verify", "bad.json").code, 1)
         self.write("bad.json", json.dumps({**result, "parameters": {}}))
         self.refused(self.run_program("verify", "bad.json"), 3, "lacks an input")
+        for name, value in (("rate", 0), ("rate", -1), ("rate", 1e300), ("clearance", 2)):
+            with self.subTest(name=name, value=value):
+                tampered = {**result["parameters"], name: value}
+                self.write("bad.json", json.dumps({**result, "parameters": tampered}))
+                self.refused(self.run_program("verify", "bad.json"), 3, "parameters/" + name)
+        self.write("bad.json", json.dumps({**result, "recheck": {"samples": 0}}))
+        self.refused(self.run_program("verify", "bad.json"), 3, "recheck/samples")
         self.refused(self.run_program("verify", "planar.json", "--map", "small.map"), 2, "--map")
         self.write("flat.json", EMPTY)
         self.refused(self.run_program("verify", "planar.json"), 3, "flat.json",

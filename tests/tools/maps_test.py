@@ -298,6 +298,11 @@ class WorldFrame(ProgramTest):
         self.assertEqual(self.run_program("verify", "r.json").code, 0)
         self.world("-o", "r.json", goal=(9.123, 0.5))
         self.assertEqual(self.run_program("verify", "r.json").code, 0)
+        result = json.loads(self.read("r.json"))
+        self.write("bad.json", json.dumps({**result, "start_world": self.metres(1.5, 0.5)}))
+        run = self.run_program("verify", "bad.json")
+        self.assertEqual(run.code, 1)
+        self.assertIn("'start'", run.err)
 
 
 if __name__ == "__main__":

@@ -196,9 +196,13 @@ class Json(ProgramTest):
         self.assertGreater(result["optimum_gap"], 0)
 
     def test_no_gap_where_cells_allow_more_than_the_plane(self):
-        result = self.plan("--json", "--gap", "--iterations", "2", "--corners", "allow", **FAN).json
+        squeezing = ("--gap", "--iterations", "2", "--corners", "allow", "--neighbours", "8")
+        result = self.plan("--json", *squeezing, **FAN).json
         self.assertEqual((result["optimum"], result["optimum_gap"]), (None, None))
         self.assertGreater(result["grid_optimum"], 0)
+        self.assertIn("optimum unknown, by its own moves", self.plan(*squeezing, **FAN).err)
+        upright = self.plan("--json", *squeezing[:-1], "4", **FAN).json  # passes no corner
+        self.assertGreater(upright["optimum_gap"], 0)
 
     def test_gap_is_told_beside_the_text(self):
         run = self.plan("--gap", "--iterations", "2", **FAN)
@@ -277,6 +281,15 @@ class Files(ProgramTest):
         self.assertEqual([float(row[1]) for row in rows[1:]], result["best"])
         self.assertEqual([float(row[2]) for row in rows[1:]], result["mean"])
         self.assertEqual([int(row[3]) for row in rows[1:]], result["arrived"])
+        self.plan("--iterations", "0", "-o", "run.csv")
+        self.assertEqual(self.read("run.csv").decode(), "iteration,best,mean,arrived\n")
+
+    def test_a_picture_of_a_map_whose_name_is_no_text(self):
+        name = os.fsdecode(b"\xff\xfe.map")
+        self.write(name, self.read("small.map"))
+        run = self.plan("-o", "a.png", "-o", "a.svg", map_file=name)
+        self.assertEqual(run.code, 0, run.err)
+        self.png_size("a.png")
 
     def test_a_failed_run_leaves_an_older_file_alone(self):
         self.write("a.json", "old")

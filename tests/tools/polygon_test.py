@@ -68,6 +68,8 @@ class PolygonTest(ProgramTest):
                 self.assertAlmostEqual(result["lower_bound"], OPTIMUM, places=8)
                 self.assertAlmostEqual(result["optimum"], OPTIMUM, places=8)
                 self.assertAlmostEqual(result["gap"], result["length"] / OPTIMUM - 1, places=8)
+                self.assertEqual(result["optimal"], result["gap"] == 0)
+                self.assertGreaterEqual(result["optimum_gap"], 0)
                 self.assertEqual(len(result["best"]), result["iterations"])
 
     def test_maklink_part(self):
@@ -115,6 +117,9 @@ class PolygonTest(ProgramTest):
             (["--margin", "-1"], "--margin"),
             (["--start", "1"], "--start"),
             (["--radius", "1"], "--margin"),
+            (["--margin", "1e308"], "--margin"),
+            (["--ants", "abc"], "ants is abc"),
+            (["--algorithm", "maklink-acs", "--polish", "strait"], "straight"),
             (["-o", "x.jpg"], "-o x.jpg"),
         ]
         for arguments, part in cases:
@@ -235,6 +240,7 @@ class PolygonTest(ProgramTest):
         self.assertEqual(run.code, 0)
         self.assertIn("--prepare has no effect", run.err)
         self.refused(self.run_program("info", "world.geojson", "--prepare"), 2, "--prepare")
+        self.refused(self.run_program("info", "world.geojson", "--radius", "1"), 2, "--margin")
 
     def test_info_and_algorithms(self):
         run = self.run_program("info", "world.geojson", "--json")

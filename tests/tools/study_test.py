@@ -31,6 +31,11 @@ class Study(ProgramTest):
         self.refused(self.run_program("study", "fan2004", "--seeds", "0"), 2, "--seeds")
         self.refused(self.run_program("study", "fan2004", "--maps", "nowhere"), 3, "fan400x200.map")
 
+    def test_a_folder_that_cannot_be_made(self):
+        self.write("file", "")
+        for name in ("terminal-index", "goritov2020"):
+            self.refused(self.run_program("study", name, "-o", "file/out"), 7, "file/out")
+
     def test_maklink(self):
         if "maklink" not in self.run_program("study", "list").out:
             self.skipTest("this lasius was built without polygon worlds")

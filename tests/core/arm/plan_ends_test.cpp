@@ -15,6 +15,21 @@
 namespace lasius::arm {
 namespace {
 
+/// Blocks every position with the tip near `x`.
+class Slab final : public Sensor {
+ public:
+  Slab(const Robot& robot, double x) : robot_(robot), x_(x) {}
+  bool position_free(std::span<const double> q) const override {
+    return std::abs(tip_position(robot_, q).x - x_) > 0.03;
+  }
+  bool motion_free(std::span<const double>, std::span<const double>) const override { return true; }
+  double clearance() const override { return 0.001; }
+
+ private:
+  const Robot& robot_;
+  double x_;
+};
+
 TEST(ArmPlan, ProvesThatThereIsNoWay) {
   const Robot robot = two_links();
   const Request request = across(robot);
@@ -22,7 +37,7 @@ TEST(ArmPlan, ProvesThatThereIsNoWay) {
   Params parameters;
   parameters.pitch = 0.05;
   parameters.side = 11;
-  const Wall wall(robot, from - 0.12);
+  const Slab wall(robot, from - 0.12);
   const Result r = plan(robot, wall, request, parameters);
   EXPECT_EQ(r.status, Status::unreachable);
   EXPECT_FALSE(r.error.empty());
@@ -31,11 +46,12 @@ TEST(ArmPlan, ProvesThatThereIsNoWay) {
   EXPECT_TRUE(std::isnan(r.length));
   EXPECT_EQ(shortest_lattice_way(robot, wall, request, parameters).status, Status::unreachable);
 
-  // The goal itself is blocked, which an ant beside it learns: that beats unreachable.
-  const Wall at_goal(robot, request.goal.x + 0.01);
-  const Result blocked = plan(robot, at_goal, request, parameters);
-  EXPECT_EQ(blocked.status, Status::invalid);
-  EXPECT_EQ(blocked.error, "the arm touches something at the goal");
+  // The goal itself is blocked, be it beside an ant or out of reach: that beats unreachable.
+  for (const double x : {request.goal.x + 0.01, from - 0.12}) {
+    const Result blocked = plan(robot, Wall(robot, x), request, parameters);
+    EXPECT_EQ(blocked.status, Status::invalid);
+    EXPECT_EQ(blocked.error, "the arm touches something at the goal");
+  }
 }
 
 TEST(ArmPlan, BadQuestionsAreAnswers) {
