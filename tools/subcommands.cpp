@@ -66,7 +66,8 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
                  "NAME=VALUE");
   option("--ants", text.value_of("ants"), "Ants an iteration", "N");
   option("--iterations", text.value_of("iterations"), "Iterations", "N");
-  option("--neighbours", text.value_of("neighbours"), "Moves from a cell", "N");
+  option("--neighbours", text.value_of("neighbours"), "Moves from a cell",
+         "4|8|16|16k|24|32");
   option("--corners", text.value_of("corners"), "Diagonal steps past blocked cells",
          "forbid|one-side|allow");
   option("--polish", text.value_of("polish"), "What is done with a path", "none|straight|taut");

@@ -64,8 +64,8 @@ struct Robot {
 
 /// Which part of a URDF file is the chain.
 struct Chain {
-  std::string base;  ///< link; empty: the root
-  std::string tip;   ///< link; empty: the only leaf
+  std::string base = {};  ///< link; empty: the root
+  std::string tip = {};   ///< link; empty: the only leaf
 };
 
 /// Reads a robot: a URDF file, or the short description in JSON (format "lasius-arm/1", see

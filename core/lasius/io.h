@@ -26,7 +26,8 @@ namespace lasius {
 ///
 /// Unknown is blocked unless ReadOptions::unknown_is_free. `frame` holds resolution and origin.
 /// @throws Error(file_missing, file_broken, file_unsupported), naming the file, the line of a text
-///         format or the byte offset of a binary one, and the remedy.
+///         format or the byte offset of a binary one, and the remedy; Error(invalid_parameter) for
+///         free_below out of range.
 LASIUS_IO_EXPORT Map read_any_map(const std::string& path, const ReadOptions& options = {});
 
 /// Writes .map, .pbm or .png by the name's ending, whole or not at all; blocked cells of a PNG are

@@ -18,7 +18,8 @@ struct LASIUS_EXPORT WorldFrame {
   double origin_y = 0;    ///< metres
   double yaw = 0;         ///< radians
 
-  /// Metres to continuous cell coordinates of a map `height` cells high, and back.
+  /// Metres to continuous cell coordinates of a map `height` cells high, and back. A cell holds its
+  /// left and its lower edge: the one of a point (x, y) is {floor(x), ceil(y) - 1}.
   Point to_cells(Point world, int height) const noexcept;
   Point to_world(Point cells, int height) const noexcept;
 };
@@ -41,7 +42,8 @@ struct ReadOptions {
 /// A .map's '.', 'G' and 'S' are free, '@', 'O', 'T' and 'W' blocked. A UTF-8 byte order mark is
 /// stepped over. The map is returned whole or not at all.
 /// @throws Error(file_missing, file_broken, file_unsupported), naming the file, the line of a text
-///         format or the byte offset of a binary one, and the remedy.
+///         format or the byte offset of a binary one, and the remedy; Error(invalid_parameter) for
+///         free_below out of range.
 LASIUS_EXPORT Map read_map(const std::string& path, const ReadOptions& options = {});
 
 /// Writes .map or .pbm by the name's ending, under a temporary name that is then renamed.

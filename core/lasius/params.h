@@ -89,6 +89,7 @@ enum class Reward {
 /// `fan2004`. Fields that an algorithm does not use are ignored by it; its own list, with ranges,
 /// is in `algorithms()`, its published values in `defaults()`.
 struct Params {
+  /// Which search; a name alone sets no other field: start from `defaults(name)`.
   std::string algorithm = "exact";
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
   int threads = 0;         ///< at most 1024; 0: as many as OpenMP gives; never changes the answer

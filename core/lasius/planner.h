@@ -41,7 +41,7 @@ struct Request {
 struct LASIUS_EXPORT Result {
   Status status = Status::no_path;
   std::string error;         ///< why the status is invalid or unreachable; else empty
-  std::vector<Point> path;   ///< final polyline, start and goal at cell centres
+  std::vector<Point> path;   ///< start and goal at cell centres; one point where they are the same
   double length;             ///< in cells
   int iterations = 0;        ///< iterations done
   std::vector<double> best;  ///< by iteration: shortest final path up to then; NaN if none
@@ -55,7 +55,9 @@ struct LASIUS_EXPORT Result {
   Result();
 };
 
-/// What an observer may look at, between two iterations, on the calling thread.
+/// What an observer may look at, between two iterations, on the calling thread. `exact` has none;
+/// to `grid-ga` ants are its individuals, and there is no pheromone (0). @throws std::out_of_range
+/// for an ant that is none.
 class LASIUS_EXPORT Progress {
  public:
   virtual ~Progress();
@@ -68,7 +70,7 @@ class LASIUS_EXPORT Progress {
   virtual std::vector<Cell> tour(int ant) const = 0;
   /// The way that one ant had taken when it ended, arrived or stuck.
   virtual std::vector<Cell> walk(int ant) const { return tour(ant); }
-  /// Pheromone on a cell.
+  /// Pheromone on a cell of the map.
   virtual double pheromone(Cell c) const = 0;
 };
 using Observer = std::function<void(const Progress&)>;
@@ -155,8 +157,10 @@ class LASIUS_EXPORT Planner {
   /// Answers one question.
   /// Deterministic in (grid, request, params); threads and CPU never change the answer, a deadline
   /// or token may. An unreachable goal is proven before any search.
-  /// @throws Error(invalid_parameter) for parameters or a target gap out of range. Start or goal
-  /// outside or blocked is an answer, not an exception: Status::invalid.
+  /// @throws Error(invalid_parameter) for parameters or a target gap out of range, and from a
+  /// colony where the environment's LASIUS_KERNELS names no kernels that this CPU has; what the
+  /// observer throws. Start or goal outside or blocked is an answer, not an exception:
+  /// Status::invalid.
   Result plan(const Request& request, const Params& params = {}, Workspace* workspace = nullptr,
               const Observer& observer = {}) const;
 

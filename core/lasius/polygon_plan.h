@@ -36,6 +36,7 @@ enum class GlobalBest { so_far, iteration };
 /// Parameters of one plan: as given here those of `exact`, which needs none, and the lecture's of
 /// `maklink-acs`. What `real-ga` sets otherwise is in `defaults()`.
 struct Params {
+  /// Which search; a name alone sets no other field: start from `defaults(name)`.
   std::string algorithm = "exact";
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
   int threads = 0;         ///< at most 1024; for the record: planning takes one
@@ -91,8 +92,8 @@ struct Maklink {
 };
 
 struct Request {
-  std::optional<Point> start;  ///< in place of the world's
-  std::optional<Point> goal;
+  std::optional<Point> start = {};  ///< in place of the world's
+  std::optional<Point> goal = {};
   StopCondition stop = {};
   double target_gap = 0;  ///< stop at this gap to the exact optimum, as a fraction; 0: never
 };
