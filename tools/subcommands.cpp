@@ -66,8 +66,7 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
                  "NAME=VALUE");
   option("--ants", text.value_of("ants"), "Ants an iteration", "N");
   option("--iterations", text.value_of("iterations"), "Iterations", "N");
-  option("--neighbours", text.value_of("neighbours"), "Moves from a cell",
-         "4|8|16|16k|24|32");
+  option("--neighbours", text.value_of("neighbours"), "Moves from a cell", "4|8|16|16k|24|32");
   option("--corners", text.value_of("corners"), "Diagonal steps past blocked cells",
          "forbid|one-side|allow");
   option("--polish", text.value_of("polish"), "What is done with a path", "none|straight|taut");
@@ -337,7 +336,8 @@ Subcommand add_arm(CLI::App& app) {
   option("--rate", raw->rate, "Samples of the trajectory a second (default 100)", "HZ");
   option("--recheck", raw->recheck,
          "Check the trajectory at N times by KDL and FCL and say what they find", "N");
-  add_switch(*arm, "--json", raw->json, "Print one JSON object");
+  add_switch(*arm, "--json", raw->json,
+             "Print one JSON object; its length is moves times pitch, as the source counts it");
   add_repeatable(*arm, "-o,--output", raw->outputs,
                  "Write a file, by its ending (repeatable):\n"
                  ".json  what --json prints\n"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <thread>
 
 #include "kernels/cpu.h"
@@ -253,6 +254,22 @@ TEST_P(EveryColony, AnExpiredDeadlineEndsTheCallWithTheBestPathSoFar) {
     }
   }
   EXPECT_TRUE(with && without);
+}
+
+TEST(Planner, CopiesShareWhatIsPrepared) {
+  std::optional<Planner> planner(blobs());
+  const Request request = far_apart(*planner);
+  const Result expected = planner->plan(request);
+  Planner copy = *planner;
+  EXPECT_EQ(&copy.grid(), &planner->grid());
+  const auto four = copy.footprint().components;
+  ASSERT_TRUE(copy.label(Corners::allow));
+  EXPECT_GT(planner->footprint().components, four);
+  planner.reset();
+  EXPECT_EQ(copy.plan(request).path, expected.path);
+  const Planner other(Grid(5, 5));
+  copy = other;
+  EXPECT_EQ(copy.grid().width(), 5);
 }
 
 TEST(Planner, ATokenInterrupts) {
