@@ -22,12 +22,6 @@ void check(const BatchOptions& options) {
   }
 }
 
-Clock::time_point deadline(const std::optional<std::chrono::duration<double>>& limit) {
-  const auto now = Clock::now();
-  if (!limit || *limit >= Clock::time_point::max() - now) return Clock::time_point::max();
-  return now + std::chrono::duration_cast<Clock::duration>(*limit);
-}
-
 /// Hands out queries in order, and gives their answers on in order.
 class Sequencer {
  public:
@@ -128,7 +122,7 @@ std::size_t plan_batch(const Planner& planner, std::span<const Query> queries, c
       const Query& query = queries[*index];
       Request request{.start = query.start, .goal = query.goal, .target_gap = options.target_gap};
       request.stop.token = sequencer.token();
-      request.stop.deadline = deadline(options.time_limit);
+      if (options.time_limit) request.stop.deadline = deadline_in(*options.time_limit);
       const auto begin = Clock::now();
       Result result = planner.plan(request, single, &workspace);
       sequencer.finish({*index, std::move(result), Clock::now() - begin});

@@ -64,10 +64,7 @@ std::string grown(const PreparedMap& map) {
 }  // namespace
 
 Clock::time_point deadline_after(const std::optional<double>& seconds) {
-  const auto now = Clock::now();
-  const auto left = std::chrono::duration<double>(Clock::time_point::max() - now).count();
-  if (!seconds || *seconds >= left) return Clock::time_point::max();
-  return now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*seconds));
+  return seconds ? deadline_in(std::chrono::duration<double>(*seconds)) : Clock::time_point::max();
 }
 
 StopCondition again(const StopCondition& stop, const std::optional<double>& seconds) {

@@ -11,6 +11,10 @@ namespace lasius {
 
 using Clock = std::chrono::steady_clock;
 
+/// The time that is so long from now, for a deadline: now where it is negative, never (the clock's
+/// last time) from a century on.
+LASIUS_EXPORT Clock::time_point deadline_in(std::chrono::duration<double> time) noexcept;
+
 /// A source of time, so that tests can inject one that counts its calls.
 class LASIUS_EXPORT TimeSource {
  public:
