@@ -47,10 +47,9 @@ void add_optima(const PreparedMap& map, const RunOptions& run, const StopConditi
       .start = query.start, .goal = query.goal, .stop = again(stop, run.time_limit)};
   const Result best = map.planner->plan(exact, optimum_params(run));
   // Cell by cell, Corners::allow squeezes through where no path of the plane may.
-  const bool squeezes =
-      run.params.corners == Corners::allow && run.params.neighbours != Neighbours::four;
-  const bool comparable = !squeezes || !moves_on_cells(run);
-  if (best.optimal && comparable) answer.optimum = best.length;
+  const bool squeezes = moves_on_cells(run) && run.params.corners == Corners::allow &&
+                        run.params.neighbours != Neighbours::four;
+  if (best.optimal && !squeezes) answer.optimum = best.length;
   answer.grid_optimum = moves_on_cells(run)
                             ? shortest_by_own_moves(map, run, query, again(stop, run.time_limit))
                             : answer.optimum;

@@ -1,14 +1,13 @@
 // lasius study goritov2020.
 #include <algorithm>
-#include <ostream>
 
 #include "canvas.h"
 #include "commands.h"
 #include "exit_code.h"
-#include "lasius/output.h"
 #include "progress.h"
 #include "signals.h"
 #include "streams.h"
+#include "study/files.h"
 #include "study/goritov2020.h"
 #include "study/goritov2020_measures.h"
 #include "study/line_chart.h"
@@ -84,8 +83,7 @@ int run_arm_study(const StudyCommand& command, const fs::path& maps) {
   }
   const auto pictures = draw_sweeps(*findings, folder);
   const fs::path report = folder / "report.md";
-  write_file(report.string(),
-             [&](std::ostream& out) { out << study::arm_report(*findings, pictures); });
+  study::write_text(report, study::arm_report(*findings, pictures));
   print(report.string() + "\n");
   return kFound;
 }

@@ -1,14 +1,13 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
-#include <ostream>
 
 #include "commands.h"
 #include "exit_code.h"
-#include "lasius/output.h"
 #include "polygon_picture.h"
 #include "progress.h"
 #include "signals.h"
 #include "streams.h"
+#include "study/files.h"
 #include "study/line_chart.h"
 #include "study/maklink.h"
 
@@ -16,10 +15,6 @@ namespace lasius::tool {
 namespace {
 
 namespace fs = std::filesystem;
-
-void write_text(const fs::path& file, const std::string& text) {
-  write_file(file.string(), [&](std::ostream& out) { out << text; });
-}
 
 study::Curve curve(const study::CrossingSample& sample, std::size_t colour) {
   return {.label = sample.contender.label, .colour = study::palette(colour)};
@@ -87,6 +82,7 @@ void save_plan(const study::MaklinkStudy& study, const fs::path& file) {
 
 int run_maklink_study(const StudyCommand& command, const std::string& maps) {
   const fs::path folder = command.folder;
+  study::make_folder(folder);
   SignalWatcher signals;
   const auto study = [&] {
     ProgressLine bar(wants_progress(command.messages), 1000);
@@ -101,12 +97,13 @@ int run_maklink_study(const StudyCommand& command, const std::string& maps) {
   save_plan(*study, folder / "plan.svg");
   save_chart(trial_chart(*study), folder / "trials.svg");
   save_chart(deviation_chart(*study), folder / "deviation.svg");
-  write_text(folder / "runs.csv", study::maklink_runs(*study).csv());
-  write_text(folder / "report.md",
-             study::maklink_page(
-                 *study, {{"plan.svg", "Lines, Dijkstra's path, the ants' path (seed 1)"},
-                          {"trials.svg", "Variation over the trials (the source's figure 8)"},
-                          {"deviation.svg", "Standard deviation (the source's figure 10)"}}));
+  study::write_text(folder / "runs.csv", study::maklink_runs(*study).csv());
+  study::write_text(
+      folder / "report.md",
+      study::maklink_page(*study,
+                          {{"plan.svg", "Lines, Dijkstra's path, the ants' path (seed 1)"},
+                           {"trials.svg", "Variation over the trials (the source's figure 8)"},
+                           {"deviation.svg", "Standard deviation (the source's figure 10)"}}));
   print((folder / "report.md").string() + "\n");
   return kFound;
 }

@@ -84,18 +84,15 @@ int run_plan(const PlanCommand& command) {
   if (run.with_optimum && !run.json && !run.messages.quiet) {
     if (const std::string gap = gap_text(map, run, found); !gap.empty()) message(gap);
   }
-  const Forms forms{.text = [&] { return result_text(map, run, found); },
-                    .json = [&] { return line(result_json(map, run, found)); },
-                    .csv =
-                        [&] {
-                          return result_csv(in_frame(map, run.frame, found.result),
-                                            ended.iterations.has_value(), run.frame);
-                        },
-                    .write_picture =
-                        [&](const std::string& file) {
-                          write_plan_picture(file, map, run, found,
-                                             recorder ? &*recorder : nullptr);
-                        }};
+  const bool counts = ended.iterations.has_value();
+  const Forms forms{
+      .text = [&] { return result_text(map, run, found); },
+      .json = [&] { return line(result_json(map, run, found)); },
+      .csv = [&] { return result_csv(in_frame(map, run.frame, found.result), counts, run.frame); },
+      .write_picture =
+          [&](const std::string& file) {
+            write_plan_picture(file, map, run, found, recorder ? &*recorder : nullptr);
+          }};
   deliver(forms, run.json, run.outputs, run.messages);
   return signals.interrupted() ? kInterrupted : exit_code(ended);  // --gap may be what was cut off
 }

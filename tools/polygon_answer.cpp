@@ -12,6 +12,8 @@
 namespace lasius::tool {
 namespace {
 
+static_assert(WorldOptions::kMostMargin == polygon::PrepareOptions::kMostMargin);
+
 /// A value that has no effect is held against what another algorithm takes.
 void check_elsewhere(const std::string& key, const std::string& value) {
   for (const Algorithm& algorithm : polygon::algorithms()) {

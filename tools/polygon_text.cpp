@@ -11,8 +11,6 @@
 namespace lasius::tool {
 namespace {
 
-constexpr double kMostMargin = 1e12;  // as far as coordinates go
-
 std::optional<Point> point(std::string_view option, const std::string& text) {
   if (text.empty()) return std::nullopt;
   return pair_value(option, text, false);
@@ -27,7 +25,8 @@ bool is_world(std::string_view file) {
 
 WorldOptions make_world_options(const std::string& file, const WorldText& text) {
   WorldOptions options{.file = file, .repair = text.repair, .margin = {}};
-  if (!text.margin.empty()) options.margin = real_value("--margin", text.margin, 0, kMostMargin);
+  if (!text.margin.empty())
+    options.margin = real_value("--margin", text.margin, 0, WorldOptions::kMostMargin);
   if (!text.join.empty())
     options.join = static_cast<int>(choice_value("--join", text.join, kJoins));
   return options;

@@ -1,14 +1,12 @@
 #include <algorithm>
 #include <filesystem>
-#include <ostream>
 
 #include "commands.h"
 #include "exit_code.h"
-#include "lasius/error.h"
-#include "lasius/output.h"
 #include "progress.h"
 #include "signals.h"
 #include "streams.h"
+#include "study/files.h"
 #include "study/markdown.h"
 #include "study/pictures.h"
 #include "study/portrait.h"
@@ -61,19 +59,6 @@ fs::path find_maps(const std::string& option) {
   return fs::is_directory(installed, ignored) ? installed : fs::path(LASIUS_SOURCE_MAPS);
 }
 
-/// @throws Error(output_failed)
-void make_folder(const std::string& folder) {
-  std::error_code fault;
-  fs::create_directories(folder, fault);
-  if (!fault) return;
-  throw Error(ErrorCode::output_failed, {.file = folder}, "cannot be made: " + fault.message(),
-              "name another folder");
-}
-
-void write_text(const fs::path& file, const std::string& text) {
-  write_file(file.string(), [&](std::ostream& out) { out << text; });
-}
-
 void write_report(const study::Study& study, const study::Findings& findings,
                   const StudyCommand& command, const fs::path& maps, const StopCondition& stop) {
   const fs::path folder = command.folder;
@@ -85,10 +70,10 @@ void write_report(const study::Study& study, const study::Findings& findings,
     results += experiment.name + "\n" + result_table(findings, experiment).csv() + "\n";
     tests += experiment.name + "\n" + test_table(findings, experiment).csv() + "\n";
   }
-  write_text(folder / "runs.csv", run_table(findings).csv());
-  write_text(folder / "results.csv", results);
-  write_text(folder / "tests.csv", tests);
-  write_text(folder / "report.md", report_page(study, findings, command.seeds, figures));
+  study::write_text(folder / "runs.csv", run_table(findings).csv());
+  study::write_text(folder / "results.csv", results);
+  study::write_text(folder / "tests.csv", tests);
+  study::write_text(folder / "report.md", report_page(study, findings, command.seeds, figures));
 }
 
 }  // namespace
@@ -100,17 +85,10 @@ int run_study(const StudyCommand& command) {
   }
   const fs::path maps = find_maps(command.maps);
 #ifdef LASIUS_WITH_POLYGON
-  if (command.name == kMaklink) {
-    make_folder(command.folder);
-    return run_maklink_study(command, maps.string());
-  }
+  if (command.name == kMaklink) return run_maklink_study(command, maps.string());
 #endif
-  if (command.name == kArmStudy) {
-    make_folder(command.folder);
-    return run_arm_study(command, maps);
-  }
+  if (command.name == kArmStudy) return run_arm_study(command, maps);
   const study::Study study = make_study(command.name);
-  make_folder(command.folder);
   SignalWatcher signals;
   const auto findings = [&] {
     constexpr std::int64_t kParts = 1000;

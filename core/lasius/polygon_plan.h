@@ -26,7 +26,8 @@ enum class Join {
 
 /// How a world is made ready.
 struct PrepareOptions {
-  std::optional<double> margin;  ///< in place of the world's own
+  static constexpr double kMostMargin = 1e12;
+  std::optional<double> margin;  ///< in place of the world's own, 0 to kMostMargin
   Join join = Join::mitre;       ///< mitres of more than 5 margins are cut off
 };
 

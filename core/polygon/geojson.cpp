@@ -60,7 +60,7 @@ class GeoJsonReader {
     if (!json.is_object()) return;
     const auto margin = json.find("margin");
     if (margin == json.end() || margin->is_null()) return;
-    if (!margin->is_number()) fail("", "margin is no number", "it must be a number of at least 0");
+    if (!margin->is_number()) fail("", "margin is no number", "it must be a number from 0 to 1e12");
     maker_.set_margin(margin->get<double>(), "");
   }
 

@@ -21,9 +21,9 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 double checked_margin(double margin) {
-  if (margin >= 0 && margin < std::numeric_limits<double>::infinity()) return margin;
+  if (margin >= 0 && margin <= PrepareOptions::kMostMargin) return margin;
   throw Error(ErrorCode::invalid_parameter, "margin is " + std::to_string(margin),
-              "it must be a number of at least 0");
+              "it must be a number from 0 to 1e12");
 }
 
 const World& checked(const World& world) {

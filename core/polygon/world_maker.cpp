@@ -67,7 +67,7 @@ void WorldMaker::add_point(std::optional<Point>& to, Point p, const std::string&
 
 void WorldMaker::set_margin(double margin, const std::string& place) {
   if (!(margin >= 0 && margin <= kMostCoordinate)) {
-    fail_(place, "margin is " + std::to_string(margin), "it must be a number of at least 0");
+    fail_(place, "margin is " + std::to_string(margin), "it must be a number from 0 to 1e12");
   }
   world_.margin = margin;
 }

@@ -10,6 +10,7 @@
 #include "lasius/arm_plan.h"
 #include "lasius/output.h"
 #include "lasius/version.h"
+#include "study/files.h"
 #include "team.h"
 
 namespace lasius::study {
@@ -217,7 +218,7 @@ std::optional<ArmFindings> run_arm_study(const ArmStudyOptions& options) {
   for (auto& reading : findings.runs)
     reading.assign(findings.settings.size(),
                    std::vector<std::vector<ArmRun>>(findings.questions.size()));
-  fs::create_directories(options.folder / "runs");
+  make_folder(options.folder / "runs");
 
   std::vector<Batch> todo;
   auto batches = all_batches(options.folder / "runs", findings, cases);

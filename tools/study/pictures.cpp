@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "colours.h"
+#include "study/files.h"
 #include "study/line_chart.h"
 #include "study/map_panel.h"
 #include "study/map_source.h"
@@ -127,7 +128,7 @@ void draw_paths(const Findings& findings, const Experiment& experiment, const Qu
 
 std::vector<Figure> draw_pictures(const Study& study, const Findings& findings,
                                   const fs::path& folder, const fs::path& maps) {
-  fs::create_directories(folder / "pictures");
+  make_folder(folder / "pictures");
   std::vector<Figure> figures;
   for (const Experiment& experiment : study.experiments) {
     for (const Question& question : experiment.questions) {

@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "lasius/error.h"
+#include "study/files.h"
 #include "study/map_source.h"
 #include "study/optimum.h"
 #include "study/run_file.h"
@@ -98,7 +99,7 @@ std::vector<Job> prepare(const Study& study, const RunnerOptions& options, const
         const std::string key = run_key(grid, question, params);
         const fs::path folder =
             options.folder / "runs" / experiment.name / question.name / contender.name;
-        fs::create_directories(folder);
+        make_folder(folder);
         for (std::size_t r = 0; r < sample.runs.size(); ++r) {
           params.seed = r + 1;
           const fs::path file = folder / (std::to_string(params.seed) + ".json");

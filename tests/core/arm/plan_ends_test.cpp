@@ -15,21 +15,6 @@
 namespace lasius::arm {
 namespace {
 
-/// Blocks every position with the tip near `x`.
-class Slab final : public Sensor {
- public:
-  Slab(const Robot& robot, double x) : robot_(robot), x_(x) {}
-  bool position_free(std::span<const double> q) const override {
-    return std::abs(tip_position(robot_, q).x - x_) > 0.03;
-  }
-  bool motion_free(std::span<const double>, std::span<const double>) const override { return true; }
-  double clearance() const override { return 0.001; }
-
- private:
-  const Robot& robot_;
-  double x_;
-};
-
 TEST(ArmPlan, ProvesThatThereIsNoWay) {
   const Robot robot = two_links();
   const Request request = across(robot);
@@ -37,7 +22,7 @@ TEST(ArmPlan, ProvesThatThereIsNoWay) {
   Params parameters;
   parameters.pitch = 0.05;
   parameters.side = 11;
-  const Slab wall(robot, from - 0.12);
+  const Wall wall(robot, from - 0.09, 0.06);
   const Result r = plan(robot, wall, request, parameters);
   EXPECT_EQ(r.status, Status::unreachable);
   EXPECT_FALSE(r.error.empty());

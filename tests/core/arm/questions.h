@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,19 +20,21 @@ class Nothing final : public Sensor {
   double clearance() const override { return 0.001; }
 };
 
-/// Blocks every position with the tip at `x` or beyond it, against x.
+/// Blocks every position with the tip at `x` or, against x, no further than `thickness` beyond it.
 class Wall final : public Sensor {
  public:
-  Wall(const Robot& robot, double x) : robot_(robot), x_(x) {}
+  Wall(const Robot& robot, double x, double thickness = std::numeric_limits<double>::infinity())
+      : robot_(robot), x_(x), end_(x - thickness) {}
   bool position_free(std::span<const double> q) const override {
-    return tip_position(robot_, q).x > x_;
+    const double x = tip_position(robot_, q).x;
+    return x > x_ || x < end_;
   }
   bool motion_free(std::span<const double>, std::span<const double>) const override { return true; }
   double clearance() const override { return 0.001; }
 
  private:
   const Robot& robot_;
-  double x_;
+  double x_, end_;
 };
 
 /// The two links, bent, move their tip by 0.2 against x.

@@ -207,6 +207,7 @@ TEST(Margin, GrowsClipsAndMerges) {
   EXPECT_EQ(at(4.5).components(), 2);  // nothing above or below the merged squares
   EXPECT_THROW(at(50), Error);         // no free space
   EXPECT_THROW(at(-1), Error);
+  EXPECT_THROW(at(1e308), Error);
 }
 
 TEST(Bitmap, BecomesAWorldAndBackAgain) {
