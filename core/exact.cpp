@@ -12,6 +12,7 @@ namespace lasius {
 using exact::Corner;
 using exact::CornerTable;
 using exact::distance;
+using exact::kWordsPerExpansion;
 
 namespace {
 
@@ -48,10 +49,8 @@ constexpr double kHurriedHorizon = 1.0 / 64;
 constexpr double kHorizonOfRise = 4;
 constexpr int kMostScans = 4;
 
-// Work between two looks at the stop condition, 20 to 100 microseconds; an expansion counts as so
-// many words, besides those that it scans.
+// Work between two looks at the stop condition, 20 to 100 microseconds.
 constexpr std::int64_t kWordsPerPoll = 8192;
-constexpr std::int64_t kWordsPerExpansion = 16;
 
 }  // namespace
 
@@ -129,6 +128,7 @@ void ExactSearch::calm_down() {
 void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   Poller poller(stop, kWordsPerPoll);
   poller_ = &poller;
+  frontier_.reset(lower_, kBucketWidth);
   const double gap = std::min(options.target_gap, kWidestGap);
   hurry_ = gap > 0;
   ants_out_ = true;
@@ -156,8 +156,7 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   cause_ = poller.cause();
 }
 
-void ExactSearch::search(const Grid& grid, Cell start, Cell goal, const ExactOptions& options,
-                         const StopCondition& stop, ExactAnswer& answer) {
+void ExactSearch::begin(const Grid& grid, Cell start, Cell goal) {
   map_ = view_of(grid);
   goal_x_ = 2 * goal.x + 1;
   goal_y_ = 2 * goal.y + 1;
@@ -169,16 +168,47 @@ void ExactSearch::search(const Grid& grid, Cell start, Cell goal, const ExactOpt
   upper_ = kInfinity;
   straight_ = lower_;
   last_ = CornerTable::kStart;
+  touched_ = nullptr;
   corners_.reset(grid.width(), {x, y, 0, lower_, CornerTable::kStart, {}, false, true, 0});
-  if (kernels::sees(map_, {x, y}, {goal_x_, goal_y_})) {
+}
+
+bool ExactSearch::goal_in_sight() const noexcept {
+  const Corner& start = corners_[CornerTable::kStart];
+  return kernels::sees(map_, {start.x, start.y}, {goal_x_, goal_y_});
+}
+
+void ExactSearch::search(const Grid& grid, Cell start, Cell goal, const ExactOptions& options,
+                         const StopCondition& stop, ExactAnswer& answer) {
+  begin(grid, start, goal);
+  if (goal_in_sight()) {
     upper_ = lower_;
   } else {
-    frontier_.reset(lower_, kBucketWidth);
     run(options, stop);
   }
   answer.path.clear();
   if (upper_ < kInfinity) trace(answer.path);
   exact::conclude(lower_, upper_, cause_, options.target_gap, answer);
+}
+
+void ExactSearch::shortcut(const Grid& grid, Cell start, Cell goal, double length,
+                           const CellSet& cells, std::int64_t work, const StopCondition& stop,
+                           std::vector<Point>& path) {
+  begin(grid, start, goal);
+  path.clear();
+  if (lower_ >= length) return;
+  if (goal_in_sight()) return trace(path);
+  upper_ = length;
+  touched_ = &cells;
+  hurry_ = ants_out_ = false;
+  Poller poller(stop, kWordsPerPoll);
+  poller_ = &poller;
+  frontier_.reset(lower_, kBucketWidth);
+  std::uint32_t index = CornerTable::kStart;
+  do {
+    expand(index);
+    work -= kWordsPerExpansion;
+  } while (!poller.stop_after(kWordsPerExpansion) && counters_.words < work && next_corner(index));
+  if (upper_ < length) trace(path);
 }
 
 void ExactSearch::trace(std::vector<Point>& path) const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cell_set.h"
 #include "exact_answer.h"
 #include "exact_corner_table.h"
 #include "exact_frontier.h"
@@ -14,6 +15,9 @@
 namespace lasius {
 
 namespace exact {
+/// What an expansion counts for, besides the words that it scans.
+constexpr std::int64_t kWordsPerExpansion = 16;
+
 /// What a search did, for benchmarks and tests.
 struct Counters {
   std::int64_t expansions = 0;
@@ -62,6 +66,15 @@ class ExactSearch {
   void search(const Grid& grid, Cell start, Cell goal, const ExactOptions& options,
               const StopCondition& stop, ExactAnswer& answer);
 
+  /// A taut path between the centres of two free cells that is shorter than `length`, which is
+  /// finite, and bends only at corners that one of `cells` touches; empty where none was found. A
+  /// shortest path of all is found if all corners that it meets are touched. Most others are, too;
+  /// but what leaves no shortest path out, see above, may leave out one of them. Ends early, with
+  /// the shortest one found so far or none, after about so much `work` (words scanned, and
+  /// exact::kWordsPerExpansion for each corner) and when stopped. Deterministic but for that.
+  void shortcut(const Grid& grid, Cell start, Cell goal, double length, const CellSet& cells,
+                std::int64_t work, const StopCondition& stop, std::vector<Point>& path);
+
   const exact::Counters& counters() const noexcept { return counters_; }
   std::int64_t bytes() const noexcept;
 
@@ -75,6 +88,8 @@ class ExactSearch {
     double length;
   };
 
+  void begin(const Grid& grid, Cell start, Cell goal);
+  bool goal_in_sight() const noexcept;
   void send_ants(std::int64_t steps, Poller& poller);
   void calm_down();
   void run(const ExactOptions& options, const StopCondition& stop);
@@ -101,7 +116,8 @@ class ExactSearch {
   double upper_ = 0;             // length of the best path
   std::uint32_t last_ = 0;       // its last corner
   double lower_ = 0;
-  double straight_ = 0;  // distance from start to goal
+  double straight_ = 0;               // distance from start to goal
+  const CellSet* touched_ = nullptr;  // where paths may bend; null: everywhere
   Poller* poller_ = nullptr;
   StopCondition::Cause cause_ = StopCondition::Cause::none;
 

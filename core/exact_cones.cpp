@@ -73,6 +73,7 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
     if (length >= known.length) return known.length;
     to_goal = known.to_goal;
   } else {
+    if (touched_ != nullptr && !touched_->touches(x, y)) return -1;
     to_goal = distance(2 * x, 2 * y, goal_x_, goal_y_);
     if (length + to_goal >= upper_) return -1;
     index = corners_.add(slot, x, y);

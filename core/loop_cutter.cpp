@@ -9,7 +9,7 @@
 namespace lasius {
 namespace {
 
-constexpr std::int32_t kNone = -1;
+constexpr std::int32_t kNone = CellSet::kNone;
 
 struct Move {
   int dx;
@@ -45,78 +45,37 @@ constexpr auto kSteps = [] {
   return steps;
 }();
 
-constexpr std::uint32_t key_of(Cell c) noexcept {
-  return static_cast<std::uint32_t>(c.x >> 3) | static_cast<std::uint32_t>(c.y >> 3) << 16;
-}
-constexpr int bit_of(Cell c) noexcept { return (c.y & 7) * 8 + (c.x & 7); }
-
 }  // namespace
-
-// The slot that holds a tile of this key, or the free one where it belongs.
-std::size_t LoopCutter::slot_of(std::uint32_t key) const noexcept {
-  const std::size_t mask = slots_.size() - 1;
-  std::size_t slot = (key * std::uint64_t{0x9e3779b97f4a7c15}) >> 32 & mask;
-  while (slots_[slot] != kNone && tiles_[slots_[slot]].key != key) slot = (slot + 1) & mask;
-  return slot;
-}
-
-std::int32_t LoopCutter::tile_of(std::uint32_t key) {
-  const std::int32_t known = slots_[slot_of(key)];
-  if (known != kNone) return known;
-  Tile& tile = tiles_.emplace_back();
-  tile.key = key;
-  std::fill(std::begin(tile.around), std::end(tile.around), kNone);
-  if (2 * tiles_.size() > slots_.size()) {
-    slots_.assign(2 * slots_.size(), kNone);
-    for (std::size_t i = 0; i + 1 < tiles_.size(); ++i) {
-      slots_[slot_of(tiles_[i].key)] = static_cast<std::int32_t>(i);
-    }
-  }
-  return slots_[slot_of(key)] = static_cast<std::int32_t>(tiles_.size()) - 1;
-}
 
 /// The cells as tiles that know the tiles around them. False when told to stop.
 bool LoopCutter::collect(std::span<const Cell> walk, std::span<const kernels::PackedCell> further,
                          int moves, const StopCondition& stop) {
   const std::size_t cells = walk.size() + further.size();
-  slots_.assign(std::bit_ceil(cells / 8 + 16), kNone);
-  // Room now: to copy millions while it grows would take long between two polls.
-  tiles_.clear();
-  tiles_.reserve(slots_.size() / 2 + 1);
+  entered_.reset(cells);
   queue_.clear();
   queue_.reserve(cells);
-  std::uint32_t key = ~key_of(walk[0]);
-  std::int32_t tile = kNone;
   Poller poller(stop, Poller::kSteps);
-  const auto add = [&](Cell c) {
-    if (key_of(c) != key) {
-      key = key_of(c);
-      tile = tile_of(key);
-    }
-    tiles_[tile].unseen |= std::uint64_t{1} << bit_of(c);
-    return !poller.stop_after(1);
-  };
   for (const Cell c : walk) {
-    if (!add(c)) return false;
+    entered_.add(c);
+    if (poller.stop_after(1)) return false;
   }
   for (const kernels::PackedCell c : further) {
-    if (!add({kernels::packed_x(c), kernels::packed_y(c)})) return false;
+    entered_.add({kernels::packed_x(c), kernels::packed_y(c)});
+    if (poller.stop_after(1)) return false;
   }
-  for (Tile& t : tiles_) {
+  tiles_.clear();
+  tiles_.reserve(std::bit_ceil(entered_.tiles().size()));
+  for (const CellSet::Tile& from : entered_.tiles()) {
+    Tile& tile = tiles_.emplace_back();
+    tile.unseen = from.cells;
+    const Cell corner = from.cell(0);
     for (int i = 0; i < moves; ++i) {
-      const int x = static_cast<int>(t.key & 0xffff) + kMoves[i].dx;
-      const int y = static_cast<int>(t.key >> 16) + kMoves[i].dy;
-      if (x >= 0 && y >= 0) t.around[i] = slots_[slot_of(key_of({8 * x, 8 * y}))];
+      const Cell to{corner.x + 8 * kMoves[i].dx, corner.y + 8 * kMoves[i].dy};
+      tile.around[i] = entered_.find(CellSet::key_of(to));
     }
     if (poller.stop_after(moves)) return false;
   }
   return true;
-}
-
-Cell LoopCutter::cell_of(Entry e) const noexcept {
-  const std::uint32_t key = tiles_[e.tile].key;
-  return {static_cast<int>(key & 0xffff) * 8 + (e.bit & 7),
-          static_cast<int>(key >> 16) * 8 + (e.bit >> 3)};
 }
 
 bool LoopCutter::allowed(const Grid& grid, Corners corners, Entry e, int move) const noexcept {
@@ -132,7 +91,9 @@ std::span<const Cell> LoopCutter::cut(const Grid& grid, std::span<const Cell> wa
   const int moves = diagonal ? 8 : 4;
   if (!collect(walk, further, moves, stop)) return {};
   // Breadth first from the walk's end, so that the moves lead on from its start.
-  const auto entry = [this](Cell c) { return Entry{slots_[slot_of(key_of(c))], bit_of(c)}; };
+  const auto entry = [this](Cell c) {
+    return Entry{entered_.find(CellSet::key_of(c)), CellSet::bit_of(c)};
+  };
   const Entry start = entry(walk.front());
   const Entry end = entry(walk.back());
   Poller poller(stop, Poller::kSteps);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "cell_set.h"
 #include "kernels/walk.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
@@ -15,8 +16,8 @@ namespace lasius {
 /// The way with the fewest moves from a walk's first to its last cell inside the walk's own cells
 /// and further ones that the ant entered.
 ///
-/// Cells are kept in tiles of 8 x 8, found through a small hash table: time and memory follow the
-/// walk's cells, not the map. Buffers are reused from call to call; one object per thread.
+/// Time and memory follow these cells, not the map. Buffers are reused from call to call; one
+/// object per thread.
 class LoopCutter {
  public:
   /// Cuts a walk of at least one cell. Moves are the 4 neighbours, with `diagonal` also the 4
@@ -27,13 +28,15 @@ class LoopCutter {
                             Corners corners = Corners::forbid, const StopCondition& stop = {},
                             std::span<const kernels::PackedCell> further = {});
 
+  /// The walk's cells and the further ones; some of them only, where `cut` was stopped.
+  CellSet& entered() noexcept { return entered_; }
+
  private:
-  /// Cell (x, y) of a tile is bit 8 (y % 8) + x % 8 of its words.
+  /// What the search knows of a tile of the set.
   struct Tile {
-    std::uint64_t unseen;    // cells of the walk that the search has not reached
+    std::uint64_t unseen;    // cells that the search has not reached
     std::uint64_t moves[3];  // the move that reached a cell, a bit plane each
     std::int32_t around[8];  // the tiles next to it, by move
-    std::uint32_t key;       // its column | row << 16
   };
   /// A cell on the search's queue.
   struct Entry {
@@ -41,15 +44,13 @@ class LoopCutter {
     std::int32_t bit;
   };
 
-  std::size_t slot_of(std::uint32_t key) const noexcept;
-  std::int32_t tile_of(std::uint32_t key);
   bool collect(std::span<const Cell> walk, std::span<const kernels::PackedCell> further, int moves,
                const StopCondition& stop);
   bool allowed(const Grid& grid, Corners corners, Entry e, int move) const noexcept;
-  Cell cell_of(Entry e) const noexcept;
+  Cell cell_of(Entry e) const noexcept { return entered_.tiles()[e.tile].cell(e.bit); }
 
-  std::vector<std::int32_t> slots_;  // open addressing, a power of two, at least half of them free
-  std::vector<Tile> tiles_;
+  CellSet entered_;
+  std::vector<Tile> tiles_;  // by index in the set
   std::vector<Entry> queue_;
   std::vector<Cell> way_;
 };

@@ -1,6 +1,16 @@
 #include "path_maker.h"
 
 namespace lasius {
+namespace {
+
+// A shortcut must beat rounding.
+constexpr double kShorter = 1 - exact::kRounding;
+
+// Work that looking for a shortcut may take: so much, and more for each tile that was entered.
+constexpr std::int64_t kLeastWords = 16384;
+constexpr std::int64_t kWordsPerTile = 128;
+
+}  // namespace
 
 std::span<const Cell> PathMaker::cut(const Grid& grid, std::span<const Cell> walk, bool diagonal,
                                      Corners corners, const StopCondition& stop,
@@ -9,18 +19,38 @@ std::span<const Cell> PathMaker::cut(const Grid& grid, std::span<const Cell> wal
   return way.empty() ? walk : way;
 }
 
-void PathMaker::polish(const Grid& grid, std::span<const Cell> walk, Polish polish, Corners corners,
+void PathMaker::polish(const Grid& grid, std::span<const Cell> way, Polish polish, Corners corners,
                        const StopCondition& stop, std::vector<Point>& path) {
+  const bool straight = polish == Polish::straight;
+  straightener_.run(grid, way, stop);
+  if (straight) straightener_.tighten(grid, stop);
+  tautener_.run(grid, straightener_.vertices(), corners, stop);
+  const bool shorter = find_shortcut(grid, way.front(), way.back(), stop);
+  if (shorter) straightener_.take(grid, shortcut_, stop);
   path.clear();
-  straightener_.run(grid, walk, stop);
-  if (polish == Polish::taut) {
-    tautener_.run(grid, straightener_.vertices(), corners, stop);
-    const auto points = tautener_.path();
-    path.assign(points.begin(), points.end());
-    return;
+  if (straight) {
+    for (const Cell c : straightener_.vertices()) path.push_back(centre(c));
+  } else {
+    const std::span<const Point> taut = shorter ? shortcut_ : tautener_.path();
+    path.assign(taut.begin(), taut.end());
   }
-  straightener_.tighten(grid, stop);
-  for (const Cell c : straightener_.vertices()) path.push_back(centre(c));
+}
+
+/// Finds a string that is shorter than the taut one and bends only at corners of cells that the
+/// walk entered, or that the path goes over.
+bool PathMaker::find_shortcut(const Grid& grid, Cell start, Cell goal, const StopCondition& stop) {
+  shortcut_.clear();
+  if (tautener_.path().size() < 3) return false;
+  Poller poller(stop, Poller::kSteps);
+  for (const Cell c : straightener_.cells()) {
+    cutter_.entered().add(c);
+    if (poller.stop_after(1)) return false;
+  }
+  const CellSet& entered = cutter_.entered();
+  const auto tiles = static_cast<std::int64_t>(entered.tiles().size());
+  search_.shortcut(grid, start, goal, tautener_.length() * kShorter, entered,
+                   kLeastWords + kWordsPerTile * tiles, stop, shortcut_);
+  return !shortcut_.empty();
 }
 
 }  // namespace lasius

@@ -1,9 +1,10 @@
-// From the cells of a walk to a path: loops cut, pulled straight, taut.
+// From the cells of a walk to a path: loops cut, pulled straight or taut, shortcuts taken.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "exact.h"
 #include "kernels/walk.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
@@ -24,18 +25,22 @@ class PathMaker {
                             Corners corners, const StopCondition& stop,
                             std::span<const kernels::PackedCell> more = {});
 
-  /// The path along a walk, which may be the one that `cut` returned; rougher when stopped.
+  /// The path along `way`, which `cut` returned, as Polish states; rougher when stopped.
   /// Precondition: `polish` is not none.
-  void polish(const Grid& grid, std::span<const Cell> walk, Polish polish, Corners corners,
+  void polish(const Grid& grid, std::span<const Cell> way, Polish polish, Corners corners,
               const StopCondition& stop, std::vector<Point>& path);
 
-  /// Cells under the last path, pulled straight or tight.
+  /// Cells under the last path, or under one of its class.
   std::span<const Cell> raster() const noexcept { return straightener_.cells(); }
 
  private:
+  bool find_shortcut(const Grid& grid, Cell start, Cell goal, const StopCondition& stop);
+
   LoopCutter cutter_;
   Straightener straightener_;
   Tautener tautener_;
+  ExactSearch search_;
+  std::vector<Point> shortcut_;
 };
 
 }  // namespace lasius

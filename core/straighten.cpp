@@ -127,11 +127,11 @@ bool settle(const kernels::BitmapView& map, Poller& poller, std::vector<Cell>& p
 
 }  // namespace
 
-/// Puts the taut string of the polyline's class back on cells: the shortest polyline over two of
-/// the free cells around each of its corners, into `pulled_`. False when there is none.
-bool Straightener::string_on_cells(const Grid& grid, Poller& poller) {
+/// Puts a taut string back on cells: the shortest polyline over two of the free cells around each
+/// of its corners, into `pulled_`. False when there is none.
+bool Straightener::string_on_cells(const Grid& grid, std::span<const Point> string,
+                                   Poller& poller) {
   const kernels::BitmapView map = view_of(grid);
-  const auto string = tautener_.path();
   if (string.size() < 2) return false;
   layers_.assign(1, {.cell = {best_.front()}, .count = 1});
   for (const Point corner : string.subspan(1, string.size() - 2)) {
@@ -151,7 +151,8 @@ bool Straightener::string_on_cells(const Grid& grid, Poller& poller) {
   }
   pulled_.clear();
   for (std::size_t i = layers_.size(), k = 0; i-- > 0; k = layers_[i].from[k]) {
-    pulled_.push_back(layers_[i].cell[k]);
+    const Cell c = layers_[i].cell[k];
+    if (pulled_.empty() || pulled_.back() != c) pulled_.push_back(c);
   }
   std::reverse(pulled_.begin(), pulled_.end());
   return true;
@@ -230,7 +231,7 @@ void Straightener::tighten(const Grid& grid, const StopCondition& stop) {
   // is another one.
   for (bool shorter = true; shorter;) {
     tautener_.run(grid, best_, Corners::forbid, stop);
-    shorter = string_on_cells(grid, poller) && settle_and_keep();
+    shorter = string_on_cells(grid, tautener_.path(), poller) && settle_and_keep();
     if (!shorter) {
       pulled_.assign(best_.begin(), best_.end());
       shorter = settle_and_keep();
@@ -238,6 +239,14 @@ void Straightener::tighten(const Grid& grid, const StopCondition& stop) {
     shorter = shorter && pull_from_both_ends(map, poller);
   }
   rasterise(map, best_, raster_);
+}
+
+void Straightener::take(const Grid& grid, std::span<const Point> string,
+                        const StopCondition& stop) {
+  Poller poller(stop);
+  if (!string_on_cells(grid, string, poller) || !keep_if_shorter()) return;
+  rasterise(view_of(grid), best_, raster_);
+  tighten(grid, stop);
 }
 
 std::vector<Cell> straighten(const Grid& grid, std::span<const Cell> cells,

@@ -23,6 +23,10 @@ class Straightener {
   /// Pulls the polyline of `run` tight, as `tighten()` states.
   void tighten(const Grid& grid, const StopCondition& stop = {});
 
+  /// A taut string between the same ends in place of the polyline, put on cells and pulled tight,
+  /// if it is shorter there.
+  void take(const Grid& grid, std::span<const Point> string, const StopCondition& stop = {});
+
   /// Cells at the vertices of the polyline, first and last cell included (one cell if equal).
   std::span<const Cell> vertices() const noexcept { return best_; }
 
@@ -49,7 +53,7 @@ class Straightener {
 
   bool pull_from_both_ends(const kernels::BitmapView& map, Poller& poller);
   bool keep_if_shorter();
-  bool string_on_cells(const Grid& grid, Poller& poller);
+  bool string_on_cells(const Grid& grid, std::span<const Point> string, Poller& poller);
   static bool connect(const kernels::BitmapView& map, Poller& poller, const Layer& before,
                       Layer& layer);
 

@@ -11,11 +11,14 @@
 
 namespace lasius {
 
-/// What is done with a path before it is offered as the answer.
+/// What is done with a walk before it is offered as the answer. Unless it is none, loops are cut
+/// inside the walk's cells first; and in the end a shortcut takes the path's place where one is
+/// found: a shorter path that bends only at corners of cells which the walk entered, those it left
+/// again included, or which the path goes over.
 enum class Polish {
   none,      ///< the walk as it is
-  straight,  ///< tighten()
-  taut,      ///< straighten(), then tauten()
+  straight,  ///< tighten(): vertices are centres of cells
+  taut,      ///< straighten(), then tauten(): vertices are corners
 };
 
 /// What an ant does when every way on is closed.
