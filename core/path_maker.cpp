@@ -24,8 +24,9 @@ void PathMaker::polish(const Grid& grid, std::span<const Cell> way, Polish polis
   const bool straight = polish == Polish::straight;
   straightener_.run(grid, way, stop);
   if (straight) straightener_.tighten(grid, stop);
-  tautener_.run(grid, straightener_.vertices(), corners, stop);
-  const bool shorter = find_shortcut(grid, way.front(), way.back(), stop);
+  const bool in_time = stop.poll() == StopCondition::Cause::none;
+  if (!straight || in_time) tautener_.run(grid, straightener_.vertices(), corners, stop);
+  const bool shorter = in_time && find_shortcut(grid, way.front(), way.back(), stop);
   if (shorter) straightener_.take(grid, shortcut_, stop);
   path.clear();
   if (straight) {
