@@ -1,5 +1,7 @@
 #include "path_maker.h"
 
+#include "lasius/path.h"
+
 namespace lasius {
 namespace {
 
@@ -23,25 +25,29 @@ void PathMaker::polish(const Grid& grid, std::span<const Cell> way, Polish polis
                        const StopCondition& stop, std::vector<Point>& path) {
   const bool straight = polish == Polish::straight;
   straightener_.run(grid, way, stop);
-  if (straight) straightener_.tighten(grid, stop);
-  const bool in_time = stop.poll() == StopCondition::Cause::none;
-  if (!straight || in_time) tautener_.run(grid, straightener_.vertices(), corners, stop);
-  const bool shorter = in_time && find_shortcut(grid, way.front(), way.back(), stop);
+  if (straight) {
+    straightener_.tighten(grid, stop);
+  } else {
+    tautener_.run(grid, straightener_.vertices(), corners, stop);
+  }
+  const auto string = straight ? straightener_.string() : tautener_.path();
+  const bool shorter = straightener_.vertices().size() > 2 &&
+                       stop.poll() == StopCondition::Cause::none &&
+                       find_shortcut(grid, way, path_length(string), stop);
   if (shorter) straightener_.take(grid, shortcut_, stop);
   path.clear();
   if (straight) {
     for (const Cell c : straightener_.vertices()) path.push_back(centre(c));
   } else {
-    const std::span<const Point> taut = shorter ? shortcut_ : tautener_.path();
+    const std::span<const Point> taut = shorter ? shortcut_ : string;
     path.assign(taut.begin(), taut.end());
   }
 }
 
-/// Finds a string that is shorter than the taut one and bends only at corners of cells that the
-/// walk entered, or that the path goes over.
-bool PathMaker::find_shortcut(const Grid& grid, Cell start, Cell goal, const StopCondition& stop) {
-  shortcut_.clear();
-  if (tautener_.path().size() < 3) return false;
+/// Finds a string that is shorter than `length` and bends only at corners of cells that the walk
+/// entered, or that the path goes over.
+bool PathMaker::find_shortcut(const Grid& grid, std::span<const Cell> way, double length,
+                              const StopCondition& stop) {
   Poller poller(stop, Poller::kSteps);
   for (const Cell c : straightener_.cells()) {
     cutter_.entered().add(c);
@@ -49,7 +55,7 @@ bool PathMaker::find_shortcut(const Grid& grid, Cell start, Cell goal, const Sto
   }
   const CellSet& entered = cutter_.entered();
   const auto tiles = static_cast<std::int64_t>(entered.tiles().size());
-  search_.shortcut(grid, start, goal, tautener_.length() * kShorter, entered,
+  search_.shortcut(grid, way.front(), way.back(), length * kShorter, entered,
                    kLeastWords + kWordsPerTile * tiles, stop, shortcut_);
   return !shortcut_.empty();
 }

@@ -34,7 +34,8 @@ class PathMaker {
   std::span<const Cell> raster() const noexcept { return straightener_.cells(); }
 
  private:
-  bool find_shortcut(const Grid& grid, Cell start, Cell goal, const StopCondition& stop);
+  bool find_shortcut(const Grid& grid, std::span<const Cell> way, double length,
+                     const StopCondition& stop);
 
   LoopCutter cutter_;
   Straightener straightener_;

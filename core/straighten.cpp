@@ -223,7 +223,9 @@ void Straightener::tighten(const Grid& grid, const StopCondition& stop) {
   if (best_.size() < 3 || stop.poll() != StopCondition::Cause::none) return;
   const kernels::BitmapView map = view_of(grid);
   for (std::size_t i = 1; i < best_.size(); ++i) {
-    if (!sees(map, best_[i - 1], best_[i])) return;  // a squeeze that is kept
+    if (sees(map, best_[i - 1], best_[i])) continue;
+    tautener_.run(grid, best_, Corners::allow, stop);  // a squeeze that is kept
+    return;
   }
   Poller poller(stop);
   const auto settle_and_keep = [&] { return settle(map, poller, pulled_) && keep_if_shorter(); };

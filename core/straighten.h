@@ -37,6 +37,9 @@ class Straightener {
   /// Euclidean length, summed from the first vertex.
   double length() const noexcept { return length_; }
 
+  /// The taut string of its class, once `tighten` was through with three vertices or more.
+  std::span<const Point> string() const noexcept { return tautener_.path(); }
+
  private:
   /// Cells on every side of a corner of the taut string. With 2 a whole plan takes a third longer
   /// and its path is 0.04% shorter (fan2004 on maps/fan400x200.map).

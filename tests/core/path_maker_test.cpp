@@ -3,14 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+#include <initializer_list>
 #include <random>
 #include <vector>
 
-#include "lasius/generate.h"
 #include "lasius/path.h"
+#include "tests/core/centres.h"
 #include "tests/core/counting_time.h"
-#include "tests/oracle/plane_rule.h"
 #include "tests/oracle/visibility_graph.h"
 #include "tests/random_grid.h"
 
@@ -51,10 +50,10 @@ class Wall : public testing::Test {
 TEST_F(Wall, TheWalkIsCutShort) {
   const std::vector<Point> over{{2.5, 2.5}, {2.5, 1.5}, {3.5, 0.5}, {4.5, 1.5}, {4.5, 2.5}};
   EXPECT_EQ(made(maker_, grid_, walk_, Polish::straight), over);
-  EXPECT_TRUE(std::ranges::count(maker_.raster(), Cell{3, 0}) == 1);
+  EXPECT_EQ(std::ranges::count(maker_.raster(), Cell{3, 0}), 1);
   const std::vector<Point> taut{{2.5, 2.5}, {3, 1}, {4, 1}, {4.5, 2.5}};
   EXPECT_EQ(made(maker_, grid_, walk_, Polish::taut), taut);
-  EXPECT_TRUE(std::ranges::count(maker_.raster(), Cell{3, 0}) == 1);
+  EXPECT_EQ(std::ranges::count(maker_.raster(), Cell{3, 0}), 1);
 }
 
 TEST_F(Wall, NotWhereTheWalkHasNotBeen) {
@@ -75,12 +74,6 @@ TEST_F(Wall, NotWhenStopped) {
     EXPECT_EQ(path.back(), centre(walk_.back()));
     EXPECT_FALSE(path_fault(grid_, path).has_value());
   }
-}
-
-std::vector<Point> centres(const Walk& cells) {
-  std::vector<Point> path;
-  for (const Cell c : cells) path.push_back(centre(c));
-  return path;
 }
 
 // Whatever the walk: a valid path, and no longer one than without shortcuts.

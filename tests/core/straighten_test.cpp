@@ -11,6 +11,7 @@
 #include "kernels/sight.h"
 #include "lasius/path.h"
 #include "loop_cutter.h"
+#include "tests/core/centres.h"
 #include "tests/core/counting_time.h"
 #include "tests/count_allocations.h"
 #include "tests/oracle/plane_rule.h"
@@ -19,11 +20,7 @@
 namespace lasius {
 namespace {
 
-double length_of(std::span<const Cell> cells) {
-  std::vector<Point> path;
-  for (const Cell c : cells) path.push_back(centre(c));
-  return path_length(path);
-}
+double length_of(std::span<const Cell> cells) { return path_length(centres(cells)); }
 
 // Greedy line of sight by the slow way.
 Walk pulled(const Grid& grid, const Walk& walk) {

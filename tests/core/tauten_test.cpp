@@ -9,6 +9,7 @@
 #include "lasius/path.h"
 #include "loop_cutter.h"
 #include "straighten.h"
+#include "tests/core/centres.h"
 #include "tests/core/counting_time.h"
 #include "tests/count_allocations.h"
 #include "tests/oracle/plane_rule.h"
@@ -47,12 +48,6 @@ std::vector<Gap> homotopy_class(const Grid& grid, const Path& path) {
     for (int c = from - 1; c >= to; --c) cross(c, y_at(c + 0.25));
   }
   return word;
-}
-
-Path centres(std::span<const Cell> cells) {
-  Path path;
-  for (const Cell c : cells) path.push_back(centre(c));
-  return path;
 }
 
 // True when some blocked cell touches v from inside the angle a, v, b, so that v cannot be cut.
