@@ -1,4 +1,4 @@
-// The walk with AVX2.
+// The walk with AVX2: eight ants abreast where a row is eight weights; else one by one.
 
 #include "kernels/walk_tables.h"
 
@@ -6,8 +6,11 @@
 
 #define LASIUS_TARGET [[gnu::target("avx2,bmi,bmi2")]]
 #define LASIUS_MASKS 0
+#include "kernels/abreast_avx2.h"
 #include "kernels/walk_vector.h"
-#define LASIUS_OPS VectorOps
+// After both.
+#include "kernels/walk_abreast.h"
+#define LASIUS_OPS AbreastOps
 #include "kernels/walk_body.h"
 
 namespace lasius::kernels {

@@ -13,23 +13,10 @@
 
 #define LASIUS_TARGET [[gnu::target("avx512f,avx512vl,avx512dq,avx512bw,bmi,bmi2")]]
 #define LASIUS_MASKS 1
-#include "kernels/walk_abreast.h"
+#include "kernels/abreast_avx512.h"
 #include "kernels/walk_vector.h"
-
-namespace lasius::kernels {
-namespace {
-
-struct AbreastOps : VectorOps {
-  template <int kLanes, bool kMixture, bool kFactor, Draw kDraw>
-  LASIUS_TARGET static int abreast(const WalkWorld& world, std::span<WalkSlot* const> slots,
-                                   int rounds) {
-    return walk_abreast<kLanes, kMixture, kFactor, kDraw>(world, slots, rounds);
-  }
-};
-
-}  // namespace
-}  // namespace lasius::kernels
-
+// After both.
+#include "kernels/walk_abreast.h"
 #define LASIUS_OPS AbreastOps
 #include "kernels/walk_body.h"
 

@@ -297,6 +297,19 @@ TEST_P(EveryIsa, WalksAbreastAsOneByOne) {
   }
 }
 
+TEST_P(EveryIsa, WalksAsTheScalarReferenceFarFromTheOrigin) {
+  const WalkShape shape{8};
+  constexpr int kMost = 32768, kFew = 40;
+  for (const auto& [width, height] : {std::pair{kMost, kFew}, std::pair{kFew, kMost}}) {
+    World world(shape, width, height, 6);
+    world.view.start = world.view.goal - pack(30, 30);
+    world.view.backtrack = false;  // so that walks stay there
+    const auto reference = world.walk(Isa::scalar, 64, 1, 1000000);
+    EXPECT_GT(std::ranges::count(reference, WalkState::arrived, &World::Walked::state), 0);
+    EXPECT_EQ(world.walk(GetParam(), 64, kMaxSlots, 128), reference) << width << " x " << height;
+  }
+}
+
 TEST_P(EveryIsa, NeverEntersACellTwiceAndEndsAtTheGoal) {
   for (const WalkShape shape : all_shapes()) {
     World world(shape, 90, 60, 2);

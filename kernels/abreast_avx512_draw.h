@@ -1,4 +1,4 @@
-// The draws of eight ants at once, as ScalarOps has them; layouts as in abreast_lanes.h. The
+// The draws of eight ants at once, as ScalarOps has them; layouts as in abreast_avx512_lanes.h. The
 // including file defines LASIUS_TARGET.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "kernels/abreast_lanes.h"
+#include "kernels/abreast_avx512_lanes.h"
 #include "kernels/race.h"
 #include "kernels/walk.h"
 

@@ -1,4 +1,4 @@
-// The cells that eight ants have entered: VisitedPlane, one a lane; layouts as in abreast_lanes.h.
+// The cells that eight ants have entered: VisitedPlane, one a lane; layouts as in abreast_avx512_lanes.h.
 // The including file defines LASIUS_TARGET.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-#include "kernels/abreast_lanes.h"
+#include "kernels/abreast_avx512_lanes.h"
 #include "kernels/walk.h"
 
 namespace lasius::kernels {

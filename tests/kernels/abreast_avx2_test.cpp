@@ -1,0 +1,216 @@
+// The draws and random words of eight ants at once, lane by lane against the scalar reference;
+// their walks are walk_test's.
+#include <Random123/philox.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <random>
+#include <string>
+
+#include "kernels/walk.h"
+
+#if defined(__x86_64__)
+
+#define LASIUS_TARGET [[gnu::target("avx2,bmi,bmi2")]]
+#include "kernels/abreast_avx2_draw.h"
+
+namespace lasius::kernels {
+namespace {
+
+constexpr int kAnts = 8;
+
+/// One draw of one ant.
+struct Spin {
+  alignas(32) std::array<float, 8> row{};
+  std::uint32_t open = 0xff;
+  std::array<std::uint32_t, 8> words{};  ///< a roulette reads the first
+};
+using Spins = std::array<Spin, kAnts>;
+
+/// The three bits around an ant, as the planes give them: others may be anything.
+template <int kMoves>
+AbreastPlanes::Entered entered(const Spins& spins, std::uint32_t others) {
+  alignas(32) PerAnt above, beside, below;
+  for (int i = 0; i < kAnts; ++i) {
+    const std::uint32_t closed = ~spins[i].open;
+    if constexpr (kMoves == 4) {
+      above[i] = (closed & 1) << 1 | (others & ~2u);
+      beside[i] = (closed >> 1 & 1) | (closed & 4) | (others & ~5u);
+      below[i] = (closed >> 3 & 1) << 1 | (others & ~2u);
+    } else {
+      above[i] = (closed & 7) | (others & ~7u);
+      beside[i] = (closed >> 3 & 1) | (closed >> 4 & 1) << 2 | (others & ~5u);
+      below[i] = (closed >> 5 & 7) | (others & ~7u);
+    }
+  }
+  AbreastPlanes::Entered result;
+  std::memcpy(&result.above, above.data(), sizeof(above));
+  std::memcpy(&result.beside, beside.data(), sizeof(beside));
+  std::memcpy(&result.below, below.data(), sizeof(below));
+  return result;
+}
+
+/// The moves drawn, -1 for none.
+template <bool kMixture, Draw kDraw>
+LASIUS_TARGET std::array<int, kAnts> draw(const WalkWorld& world, const Spins& spins,
+                                          std::uint32_t others) {
+  using DrawOf = AbreastDraw<kMixture>;
+  alignas(32) std::array<std::array<float, kAnts>, 8> weights;
+  alignas(32) std::array<PerAnt, 8> words;
+  for (int i = 0; i < kAnts; ++i) {
+    for (int k = 0; k < 8; ++k) {
+      weights[k][i] = spins[i].row[k];
+      words[k][i] = spins[i].words[k];
+    }
+  }
+  __m256 weight[8];
+  __m256i word[8];
+  for (int k = 0; k < 8; ++k) {
+    weight[k] = _mm256_load_ps(weights[k].data());
+    word[k] = load(words[k]);
+  }
+  const auto around = entered<DrawOf::kMoves>(spins, others);
+  typename DrawOf::Choice choice;
+  if constexpr (kDraw == Draw::discard) {
+    choice = DrawOf::race(word, around, weight);
+  } else {
+    choice = DrawOf::roulette(world, word[0], around, weight);
+  }
+  alignas(32) PerAnt move, stuck;
+  store(move, choice.move);
+  store(stuck, choice.stuck);
+  std::array<int, kAnts> result;
+  for (int i = 0; i < kAnts; ++i) result[i] = stuck[i] != 0 ? -1 : static_cast<int>(move[i]);
+  return result;
+}
+
+template <bool kMixture, Draw kDraw>
+void expect_reference(const WalkWorld& world, const Spins& spins, const std::string& what) {
+  const WalkShape shape{kMixture ? 4 : 8, kMixture, false, kDraw};
+  const auto reference = walk_table(Isa::scalar).draw[shape.index()];
+  for (const std::uint32_t others : {0u, ~0u}) {
+    const auto moves = draw<kMixture, kDraw>(world, spins, others);
+    for (int i = 0; i < kAnts; ++i) {
+      const Spin& s = spins[i];
+      ASSERT_EQ(moves[i], reference(world, s.row.data(), s.open, kMaxMoves, s.words.data()))
+          << what << ", ant " << i << ", open " << s.open << ", word " << s.words[0];
+    }
+  }
+}
+
+class AbreastAvx2 : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (supported_isa() < Isa::avx2) GTEST_SKIP() << "this CPU has no AVX2";
+  }
+
+  std::uint32_t word() { return static_cast<std::uint32_t>(random_()); }
+  Spins any_spins(int round) {
+    constexpr std::array<std::uint32_t, 6> kEdges{0, ~0u, 0x20000000, 0x3fffffff, 0x7fffffff, 255};
+    Spins spins;
+    for (Spin& spin : spins) {
+      spin.open = round % 8 == 0 ? word() & word() & 0xff : word() & 0xff;
+      for (int k = 0; k < 8; ++k) {
+        const auto kind = word() % 8;
+        spin.row[k] = kind == 0   ? 0.0f
+                      : kind == 1 ? 0x1p-60f
+                                  : static_cast<float>(word()) * 0x1p-32f + 1e-6f;
+        spin.words[k] = word() % 16 == 0 ? kEdges[word() % kEdges.size()] : word();
+      }
+      for (int k = 0; k < 4; ++k) {  // a move exists for both rules or for none
+        if (spin.row[k] == 0) spin.row[k + 4] = 0;
+        if (spin.row[k + 4] == 0) spin.row[k] = 0;
+      }
+    }
+    return spins;
+  }
+
+  std::mt19937 random_{7};
+};
+
+TEST_F(AbreastAvx2, EachLaneDrawsAsTheScalarReference) {
+  WalkWorld wheel;  // shares 1/8 greedy, 1/8 pheromone, 1/4 distance, 1/2 combined
+  wheel.rule_start = {0, 0x20000000, 0x40000000, 0x80000000};
+  wheel.rule_scale = {0x1p-29f, 0x1p-29f, 0x1p-30f, 0x1p-31f};
+  WalkWorld past = wheel;  // points past the last weight, as rounding may
+  past.rule_scale = {0, 0x1p-28f, 0x1p-29f, 0x1p-30f};
+  WalkWorld combined;
+  for (int round = 0; round < 20000; ++round) {
+    const Spins spins = any_spins(round);
+    for (const WalkWorld* world : std::array{&wheel, &past, &combined}) {
+      expect_reference<false, Draw::roulette>(*world, spins, "roulette");
+      expect_reference<true, Draw::roulette>(*world, spins, "mixture");
+    }
+    expect_reference<false, Draw::discard>(combined, spins, "race");
+  }
+}
+
+// a + b + c in the order of the sum at the third of four moves, and at the fourth, whose weight is
+// 0.
+float at_third(float a, float b, float c) { return (c + b) + a; }
+float at_fourth(float a, float b, float c) { return c + (b + a); }
+
+TEST_F(AbreastAvx2, RoundingNeverDrawsAMoveOfNoWeight) {
+  const WalkWorld world;
+  constexpr std::uint32_t kBelowOne = 0xffffff00;  // a share of 1 - 2^-24
+  int found = 0;
+  for (int round = 0; round < 20000 && found < 3 * kAnts; ++round) {
+    const float a = static_cast<float>(word()), b = static_cast<float>(word());
+    const float c = static_cast<float>(word()), fourth = at_fourth(a, b, c);
+    const float threshold = 0x1.fffffep-1f * fourth;
+    if (at_third(a, b, c) != threshold) continue;
+    const std::array<Spin, 3> gaps = {{
+        // The fourth sum passes, not the third; so do the next ones, but only the last has weight.
+        {{a, b, c, 0, 0, 0, 0, 0x1p-60f}, 0xff, {kBelowOne}},
+        {{a, b, c, 0, 0, 0, 0, 0}, 0xff, {kBelowOne}},
+        {{0, 0, 0, 0, a, b, c, 0}, 0xff, {kBelowOne}},
+    }};
+    Spins spins = any_spins(round);
+    spins[found % kAnts] = gaps[found / kAnts];
+    expect_reference<false, Draw::roulette>(world, spins, "gap");
+    const int expected = std::array{7, 2, 6}[found / kAnts];
+    EXPECT_EQ((draw<false, Draw::roulette>(world, spins, 0)[found % kAnts]), expected);
+    // By two rules, whose product is the same.
+    spins[found % kAnts].row = {a, b, c, 0, 1, 1, 1, 0};
+    expect_reference<true, Draw::roulette>(world, spins, "gap of a mixture");
+    ++found;
+  }
+  EXPECT_EQ(found, 3 * kAnts);
+}
+
+LASIUS_TARGET std::array<PerAnt, 4> blocks(const WalkWorld& world, const PerAnt& block,
+                                           const PerAnt& ant) {
+  __m256i words[4];
+  philox(world, load(block), load(ant), words);
+  alignas(32) std::array<PerAnt, 4> result;
+  for (int w = 0; w < 4; ++w) store(result[w], words[w]);
+  return result;
+}
+
+TEST_F(AbreastAvx2, RandomWordsAreThoseOfPhilox) {
+  for (int round = 0; round < 1000; ++round) {
+    WalkWorld world;
+    world.seed = std::uint64_t{word()} << 32 | word();
+    world.iteration = word();
+    alignas(32) PerAnt block, ant;
+    for (int i = 0; i < kAnts; ++i) {
+      block[i] = word();
+      ant[i] = word();
+    }
+    const auto words = blocks(world, block, ant);
+    const r123::Philox4x32::key_type key{
+        {static_cast<std::uint32_t>(world.seed), static_cast<std::uint32_t>(world.seed >> 32)}};
+    for (int i = 0; i < kAnts; ++i) {
+      const auto expected = r123::Philox4x32()(
+          r123::Philox4x32::ctr_type{{block[i], ant[i], world.iteration, 0}}, key);
+      for (int w = 0; w < 4; ++w) EXPECT_EQ(words[w][i], expected.v[w]) << "ant " << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lasius::kernels
+
+#endif
