@@ -49,6 +49,7 @@ class Abreast {
   template <int kGroups>
   LASIUS_TARGET static void advance(const WalkWorld& world, Abreast* const (&groups)[kGroups]) {
     __m256i words[kGroups][kWords];
+    for (Abreast* group : groups) group->prefetch_ends();
     for (int round = 0; round < kRounds; ++round) {
       if (kDraw == Draw::discard || round == 0) {
         for (int g = 0; g < kGroups; ++g) groups[g]->draw_words(world, words[g]);
@@ -85,6 +86,13 @@ class Abreast {
     __m256i walks;
     __m256i on;  ///< of those that walk: not back
   };
+
+  /// Asks for the lines behind those in which tours end: stores that miss hold up those after them.
+  [[gnu::always_inline]] void prefetch_ends() const noexcept {
+    constexpr int kLine = 64;
+    for (const std::uint8_t* top : top_) __builtin_prefetch(top + kLine, 1);
+    for (const PackedCell* dead : dead_) __builtin_prefetch(dead + kLine / sizeof(PackedCell), 1);
+  }
 
   // --- Random words
 
@@ -156,9 +164,9 @@ class Abreast {
   /// On by the move drawn, or back by the last one; the tours follow.
   LASIUS_TARGET [[gnu::always_inline]] void go(const WalkWorld& world, Step& step,
                                                int round) noexcept {
-    const Wide top = load_wide(top_), base = load_wide(base_);
+    const __m256i last = load(last_);
     const __m256i stuck = _mm256_and_si256(step.choice.stuck, load(walking_));
-    const __m256i at_start = narrow_mask(equal(top, base));
+    const __m256i at_start = _mm256_cmpeq_epi32(last, all(kMaxMoves));
     const __m256i lost = _mm256_and_si256(stuck, _mm256_or_si256(at_start, load(no_return_)));
     if (any(lost)) [[unlikely]]
       end(bits(lost), WalkState::lost, round);
@@ -166,19 +174,20 @@ class Abreast {
     const __m256i back = _mm256_and_si256(stuck, step.walks);
     step.on = _mm256_andnot_si256(stuck, step.walks);
 
-    const __m256i move = choose(step.choice.move, load(last_), back), from = load(at_);
+    const __m256i move = choose(step.choice.move, last, back), from = load(at_);
     const __m256i deltas = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(world.delta.data()));
     const __m256i ahead = _mm256_permutevar8x32_epi32(deltas, move);
     const __m256i by = _mm256_sub_epi32(_mm256_xor_si256(ahead, back), back);  // negative if back
     step.to = _mm256_add_epi32(from, _mm256_and_si256(by, step.walks));
     store(at_, step.to);
 
-    const Wide back_wide = widen_mask(back);  // as numbers: -1
-    const Wide kept = plus(top, back_wide);   // the ends of the tours, less what is taken back
+    const Wide top = load_wide(top_), back_wide = widen_mask(back);  // as numbers: -1
+    const Wide kept = plus(top, back_wide);  // the ends of the tours, less what is taken back
     static constexpr std::uint8_t kNoMove = kMaxMoves;
     alignas(32) PerAntWide<const std::uint8_t*> before;
-    store_wide(before, choose(minus(kept, all_wide(1)),
-                              all_wide(std::bit_cast<std::int64_t>(&kNoMove)), equal(kept, base)));
+    store_wide(before,
+               choose(minus(kept, all_wide(1)), all_wide(std::bit_cast<std::int64_t>(&kNoMove)),
+                      equal(kept, load_wide(base_))));
 
     // Who goes on writes its move, and three bytes that do not count yet; who goes back the cell it
     // leaves.
@@ -188,8 +197,8 @@ class Abreast {
     store_wide(places, choose(top, dead, back_wide));
     store(written, choose(move, from, back));
     // The last move of those that went back; before the stores, so that no load waits for them.
-    const __m128i last = _mm_unpacklo_epi8(four_bytes(&before[0]), four_bytes(&before[4]));
-    store(last_, choose(_mm256_cvtepu8_epi32(last), move, step.on));
+    const __m128i now_last = _mm_unpacklo_epi8(four_bytes(&before[0]), four_bytes(&before[4]));
+    store(last_, choose(_mm256_cvtepu8_epi32(now_last), move, step.on));
     for (int i = 0; i < kAnts; ++i) {
       std::memcpy(places[place(i)], &written[i], sizeof(PackedCell));
     }

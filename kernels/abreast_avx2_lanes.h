@@ -85,9 +85,6 @@ LASIUS_TARGET [[gnu::always_inline]] inline Wide widen_mask(__m256i v) noexcept 
 LASIUS_TARGET [[gnu::always_inline]] inline __m256i narrow(Wide v) noexcept {
   return _mm256_blend_epi32(v.even, _mm256_slli_epi64(v.odd, 32), 0xaa);
 }
-LASIUS_TARGET [[gnu::always_inline]] inline __m256i narrow_mask(Wide v) noexcept {
-  return _mm256_blend_epi32(v.even, v.odd, 0xaa);
-}
 LASIUS_TARGET [[gnu::always_inline]] inline Wide all_wide(std::int64_t x) noexcept {
   return {_mm256_set1_epi64x(x), _mm256_set1_epi64x(x)};
 }
