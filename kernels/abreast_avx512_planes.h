@@ -1,5 +1,5 @@
-// The cells that eight ants have entered: VisitedPlane, one a lane; layouts as in abreast_avx512_lanes.h.
-// The including file defines LASIUS_TARGET.
+// The cells that eight ants have entered: VisitedPlane, one a lane; layouts as in
+// abreast_avx512_lanes.h. The including file defines LASIUS_TARGET.
 #pragma once
 
 #include <immintrin.h>
