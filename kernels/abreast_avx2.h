@@ -18,8 +18,11 @@
 namespace lasius::kernels {
 namespace {
 
-/// Up to eight ants. A row is eight floats: of eight moves, or of four by two rules (kMixture).
-template <bool kMixture, bool kFactor, Draw kDraw>
+/// Is there one of this shape? Of four or eight moves.
+constexpr bool goes_abreast(WalkShape shape) noexcept { return shape.lanes <= 8; }
+
+/// Up to eight ants.
+template <int kMoves, bool kMixture, bool kFactor, Draw kDraw>
 class Abreast {
  public:
   static constexpr int kAnts = 8;
@@ -75,9 +78,10 @@ class Abreast {
   }
 
  private:
-  using DrawOf = AbreastDraw<kMixture>;
+  using DrawOf = AbreastDraw<kMoves, kMixture>;
+  static constexpr int kWeights = DrawOf::kWeights;
   static constexpr int kBlock = 4;  ///< words of a Philox block
-  static constexpr int kWords = kDraw == Draw::discard ? 2 * kBlock : kBlock;
+  static constexpr int kWords = kDraw == Draw::discard ? kMoves : kBlock;
   static constexpr std::uint32_t kSet = ~std::uint32_t{0};
 
   struct Step {
@@ -96,7 +100,7 @@ class Abreast {
 
   // --- Random words
 
-  /// The next word of every ant in each of four registers; for a race the words of its eight moves.
+  /// The next word of every ant in each of four registers; for a race the words of its moves.
   /// As `refill`.
   LASIUS_TARGET [[gnu::always_inline]] void draw_words(const WalkWorld& world,
                                                        __m256i (&words)[kWords]) noexcept {
@@ -114,7 +118,7 @@ class Abreast {
   LASIUS_TARGET [[gnu::always_inline]] void draw(const WalkWorld& world,
                                                  const __m256i (&words)[kWords], int round,
                                                  Step& step) const noexcept {
-    __m256 weight[8];
+    __m256 weight[kWeights];
     rows(world, weight);
     const AbreastPlanes::Entered entered{load(above_), load(beside_), load(below_)};
     if constexpr (kDraw == Draw::discard) {
@@ -125,34 +129,24 @@ class Abreast {
   }
   /// The ants' rows, times the factors: weight k of all.
   LASIUS_TARGET [[gnu::always_inline]] void rows(const WalkWorld& world,
-                                                 __m256 (&weight)[8]) const noexcept {
-    __m256 half[8];  // of ants i and i + 4: weights 0 to 3, then 4 to 7
-    for (int i = 0; i < 4; ++i) {
-      const float *low = row_[i], *high = row_[i + 4];
-      if constexpr (kFactor) {
-        const __m256 a = _mm256_mul_ps(_mm256_load_ps(low), factors(world, i));
-        const __m256 b = _mm256_mul_ps(_mm256_load_ps(high), factors(world, i + 4));
-        half[i] = _mm256_permute2f128_ps(a, b, 0x20);
-        half[i + 4] = _mm256_permute2f128_ps(a, b, 0x31);
-      } else {
-        half[i] = two_at(low, high);
-        half[i + 4] = two_at(low + 4, high + 4);
+                                                 __m256 (&weight)[kWeights]) const noexcept {
+    for (int k = 0; k < kWeights; k += 4) {
+      __m256 four[4];  // weights of ant i, and of ant i + 4
+      for (int i = 0; i < 4; ++i) {
+        four[i] = two_at(row_[i] + k, row_[i + 4] + k);
+        if (!kFactor || k >= kMoves) continue;
+        const auto &low = world.factor[last_[i]], &high = world.factor[last_[i + 4]];
+        four[i] = _mm256_mul_ps(four[i], two_at(low.data() + k, high.data() + k));
       }
-    }
-    for (int k = 0; k < 8; k += 4) {
-      const __m256 ab = _mm256_unpacklo_ps(half[k], half[k + 1]);
-      const __m256 cd = _mm256_unpacklo_ps(half[k + 2], half[k + 3]);
-      const __m256 ab2 = _mm256_unpackhi_ps(half[k], half[k + 1]);
-      const __m256 cd2 = _mm256_unpackhi_ps(half[k + 2], half[k + 3]);
+      const __m256 ab = _mm256_unpacklo_ps(four[0], four[1]);
+      const __m256 cd = _mm256_unpacklo_ps(four[2], four[3]);
+      const __m256 ab2 = _mm256_unpackhi_ps(four[0], four[1]);
+      const __m256 cd2 = _mm256_unpackhi_ps(four[2], four[3]);
       weight[k] = _mm256_shuffle_ps(ab, cd, 0x44);
       weight[k + 1] = _mm256_shuffle_ps(ab, cd, 0xee);
       weight[k + 2] = _mm256_shuffle_ps(ab2, cd2, 0x44);
       weight[k + 3] = _mm256_shuffle_ps(ab2, cd2, 0xee);
     }
-  }
-  LASIUS_TARGET [[gnu::always_inline]] __m256 factors(const WalkWorld& world,
-                                                      int i) const noexcept {
-    return _mm256_load_ps(world.factor[last_[i]].data());
   }
   LASIUS_TARGET [[gnu::always_inline]] static __m256 two_at(const float* low,
                                                             const float* high) noexcept {
@@ -221,7 +215,7 @@ class Abreast {
     alignas(32) PerAnt tile, row_byte;
     store(tile,
           _mm256_madd_epi16(_mm256_srli_epi16(step.to, kTileShift), all(pack(1, world.tiles_x))));
-    constexpr int kRowBytes = 32;
+    constexpr int kRowBytes = kWeights * sizeof(float);
     const __m256i in_tile = _mm256_and_si256(step.to, all(pack(kTileSide - 1, kTileSide - 1)));
     store(row_byte, _mm256_madd_epi16(in_tile, all(pack(kRowBytes, kTileSide * kRowBytes))));
     if (!find_rows(world, tile, row_byte)) [[unlikely]] {

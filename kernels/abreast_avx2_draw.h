@@ -15,11 +15,12 @@
 namespace lasius::kernels {
 namespace {
 
-/// Of rows of eight moves, or of four by two rules (kMixture): then weights 4 to 7 are by distance.
-template <bool kMixture>
+/// Of rows of four or eight moves. With kMixture rows are of two rules: by pheromone, then by
+/// distance.
+template <int kMoves, bool kMixture>
 class AbreastDraw {
  public:
-  static constexpr int kMoves = kMixture ? 4 : 8;
+  static constexpr int kWeights = kMixture ? 2 * kMoves : kMoves;  ///< of a row
 
   struct Choice {
     __m256i move;   ///< undefined where stuck
@@ -30,7 +31,7 @@ class AbreastDraw {
   LASIUS_TARGET [[gnu::always_inline]] static Choice roulette(const WalkWorld& world,
                                                               __m256i random,
                                                               const AbreastPlanes::Entered& entered,
-                                                              __m256 (&weight)[8]) noexcept {
+                                                              __m256 (&weight)[kWeights]) noexcept {
     const __m256i reached = reaches(world, kPheromoneRule, random);
     const __m256i greedy = _mm256_andnot_si256(reached, all(~0u));
     __m256i start = rule_start(world, kCombinedRule);
@@ -82,21 +83,21 @@ class AbreastDraw {
     return choice;
   }
 
-  /// As ScalarOps::race, of rows of eight moves. Consumes `weight`.
-  LASIUS_TARGET [[gnu::always_inline]] static Choice race(const __m256i (&words)[8],
+  /// As ScalarOps::race. Consumes `weight`.
+  LASIUS_TARGET [[gnu::always_inline]] static Choice race(const __m256i (&words)[kMoves],
                                                           const AbreastPlanes::Entered& entered,
-                                                          __m256 (&weight)[8]) noexcept {
+                                                          __m256 (&weight)[kMoves]) noexcept {
     keep_open(entered, weight);
-    alignas(32) PerAnt word[8];
-    alignas(32) float at_weight_one[8][8];
-    for (int k = 0; k < 8; ++k) {
+    alignas(32) PerAnt word[kMoves];
+    alignas(32) float at_weight_one[kMoves][8];
+    for (int k = 0; k < kMoves; ++k) {
       store(word[k], words[k]);
       for (int i = 0; i < 8; ++i) at_weight_one[k][i] = minus_log2(word[k][i]);
     }
     const __m256 stopped = _mm256_set1_ps(-std::numeric_limits<float>::infinity());
     __m256 longest = stopped;
     __m256i move = all(0);
-    for (int k = 0; k < 8; ++k) {
+    for (int k = 0; k < kMoves; ++k) {
       const __m256 ran = _mm256_div_ps(_mm256_load_ps(at_weight_one[k]), weight[k]);
       const __m256 time = choose(stopped, ran, less(_mm256_setzero_ps(), weight[k]));
       const __m256i longer = less(longest, time);
@@ -111,7 +112,7 @@ class AbreastDraw {
 
   /// Sets the weights of closed moves to 0.
   LASIUS_TARGET [[gnu::always_inline]] static void keep_open(const AbreastPlanes::Entered& entered,
-                                                             __m256 (&weight)[8]) noexcept {
+                                                             __m256 (&weight)[kWeights]) noexcept {
     const auto& [above, beside, below] = entered;
     if constexpr (kMoves == 4) {
       weight[0] = unless(above, 2, weight[0]);
@@ -136,7 +137,7 @@ class AbreastDraw {
 
   /// The wheel as the reference spins it: the first move of those open whose sum passes the
   /// threshold; behind its end, by rounding, the last one.
-  LASIUS_TARGET static __m256i spin(__m256 threshold, const __m256 (&weight)[8],
+  LASIUS_TARGET static __m256i spin(__m256 threshold, const __m256 (&weight)[kWeights],
                                     const __m256 (&sum)[kMoves]) noexcept {
     __m256i last = all(0), first = all(kUnclear);
     for (int k = 0; k < kMoves; ++k) {
@@ -148,7 +149,7 @@ class AbreastDraw {
     return choose(first, last, _mm256_cmpeq_epi32(first, all(kUnclear)));
   }
   LASIUS_TARGET [[gnu::always_inline]] static __m256i first_largest(
-      const __m256 (&weight)[8]) noexcept {
+      const __m256 (&weight)[kWeights]) noexcept {
     __m256 most = weight[0];
     for (int k = 1; k < kMoves; ++k) most = _mm256_max_ps(most, weight[k]);
     __m256i move = all(0);

@@ -18,8 +18,14 @@
 namespace lasius::kernels {
 namespace {
 
-/// Up to eight ants. A row is eight floats: of eight moves, or of four by two rules (kMixture).
-template <bool kMixture, bool kFactor, Draw kDraw>
+/// Is there one of this shape? Where a row is eight floats: of eight moves, or of four by two
+/// rules.
+constexpr bool goes_abreast(WalkShape shape) noexcept {
+  return shape.mixture ? shape.lanes == 4 && !shape.factor : shape.lanes == 8;
+}
+
+/// Up to eight ants.
+template <int kMoves, bool kMixture, bool kFactor, Draw kDraw>
 class Abreast {
  public:
   static constexpr int kAnts = 8;
@@ -88,7 +94,6 @@ class Abreast {
 
  private:
   using DrawOf = AbreastDraw<kMixture>;
-  static constexpr int kMoves = kMixture ? 4 : 8;
   static constexpr int kBlock = 4;  ///< words of a Philox block
   static constexpr int kBack = 8;   ///< added to a move that is taken back
 

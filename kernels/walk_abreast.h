@@ -1,7 +1,8 @@
 // Ants abreast: one step of eight ants at once, an ant a lane. What one ant waits for in a step
 // (its row, the sums, the draw, the next row) eight wait for together, and turning back costs no
 // branch. Two such groups take turns, so that one works while the other waits. The including file
-// defines LASIUS_TARGET and includes an `Abreast`, of AVX2 or of AVX-512, and walk_vector.h.
+// defines LASIUS_TARGET and includes walk_vector.h and, of AVX2 or of AVX-512, an `Abreast` with
+// its `goes_abreast`.
 #pragma once
 
 #include <cstddef>
@@ -19,10 +20,10 @@ struct AbreastOps : VectorOps {
   template <int kLanes, bool kMixture, bool kFactor, Draw kDraw>
   LASIUS_TARGET static int abreast(const WalkWorld& world, std::span<WalkSlot* const> slots,
                                    int rounds) {
-    if constexpr (kLanes * (kMixture ? 2 : 1) != 8 || (kMixture && kFactor)) {
+    if constexpr (!goes_abreast({kLanes, kMixture, kFactor, kDraw})) {
       return 0;
     } else {
-      using Group = Abreast<kMixture, kFactor, kDraw>;
+      using Group = Abreast<kLanes, kMixture, kFactor, kDraw>;
       const std::size_t half = slots.size() <= Group::kAnts ? slots.size() : (slots.size() + 1) / 2;
       if (slots.size() < Group::kWorthwhile || slots.size() > 2 * Group::kAnts) return 0;
       for (const WalkSlot* slot : slots) {

@@ -23,7 +23,7 @@ constexpr int kAnts = 8;
 
 /// One draw of one ant.
 struct Spin {
-  alignas(32) std::array<float, 8> row{};
+  alignas(32) std::array<float, 16> row{};
   std::uint32_t open = 0xff;
   std::array<std::uint32_t, 8> words{};  ///< a roulette reads the first
 };
@@ -53,25 +53,23 @@ AbreastPlanes::Entered entered(const Spins& spins, std::uint32_t others) {
 }
 
 /// The moves drawn, -1 for none.
-template <bool kMixture, Draw kDraw>
+template <int kMoves, bool kMixture, Draw kDraw>
 LASIUS_TARGET std::array<int, kAnts> draw(const WalkWorld& world, const Spins& spins,
                                           std::uint32_t others) {
-  using DrawOf = AbreastDraw<kMixture>;
-  alignas(32) std::array<std::array<float, kAnts>, 8> weights;
-  alignas(32) std::array<PerAnt, 8> words;
-  for (int i = 0; i < kAnts; ++i) {
-    for (int k = 0; k < 8; ++k) {
-      weights[k][i] = spins[i].row[k];
-      words[k][i] = spins[i].words[k];
-    }
+  using DrawOf = AbreastDraw<kMoves, kMixture>;
+  __m256 weight[DrawOf::kWeights];
+  for (int k = 0; k < DrawOf::kWeights; ++k) {
+    alignas(32) std::array<float, kAnts> weights;
+    for (int i = 0; i < kAnts; ++i) weights[i] = spins[i].row[k];
+    weight[k] = _mm256_load_ps(weights.data());
   }
-  __m256 weight[8];
-  __m256i word[8];
-  for (int k = 0; k < 8; ++k) {
-    weight[k] = _mm256_load_ps(weights[k].data());
-    word[k] = load(words[k]);
+  __m256i word[kMoves];
+  for (int k = 0; k < kMoves; ++k) {
+    alignas(32) PerAnt words;
+    for (int i = 0; i < kAnts; ++i) words[i] = spins[i].words[k];
+    word[k] = load(words);
   }
-  const auto around = entered<DrawOf::kMoves>(spins, others);
+  const auto around = entered<kMoves>(spins, others);
   typename DrawOf::Choice choice;
   if constexpr (kDraw == Draw::discard) {
     choice = DrawOf::race(word, around, weight);
@@ -86,12 +84,12 @@ LASIUS_TARGET std::array<int, kAnts> draw(const WalkWorld& world, const Spins& s
   return result;
 }
 
-template <bool kMixture, Draw kDraw>
+template <int kMoves, bool kMixture, Draw kDraw>
 void expect_reference(const WalkWorld& world, const Spins& spins, const std::string& what) {
-  const WalkShape shape{kMixture ? 4 : 8, kMixture, false, kDraw};
+  const WalkShape shape{kMoves, kMixture, false, kDraw};
   const auto reference = walk_table(Isa::scalar).draw[shape.index()];
   for (const std::uint32_t others : {0u, ~0u}) {
-    const auto moves = draw<kMixture, kDraw>(world, spins, others);
+    const auto moves = draw<kMoves, kMixture, kDraw>(world, spins, others);
     for (int i = 0; i < kAnts; ++i) {
       const Spin& s = spins[i];
       ASSERT_EQ(moves[i], reference(world, s.row.data(), s.open, kMaxMoves, s.words.data()))
@@ -107,48 +105,49 @@ class AbreastAvx2 : public testing::Test {
   }
 
   std::uint32_t word() { return static_cast<std::uint32_t>(random_()); }
-  Spins any_spins(int round) {
+  /// Of so many moves. A move exists for both rules or for none.
+  Spins any_spins(int moves) {
     constexpr std::array<std::uint32_t, 6> kEdges{0, ~0u, 0x20000000, 0x3fffffff, 0x7fffffff, 255};
     Spins spins;
     for (Spin& spin : spins) {
-      spin.open = round % 8 == 0 ? word() & word() & 0xff : word() & 0xff;
-      for (int k = 0; k < 8; ++k) {
-        const auto kind = word() % 8;
-        spin.row[k] = kind == 0   ? 0.0f
-                      : kind == 1 ? 0x1p-60f
-                                  : static_cast<float>(word()) * 0x1p-32f + 1e-6f;
+      spin.open = word() & (word() % 8 == 0 ? word() : ~0u) & ((1u << moves) - 1);
+      for (int k = 0; k < moves; ++k) {
         spin.words[k] = word() % 16 == 0 ? kEdges[word() % kEdges.size()] : word();
-      }
-      for (int k = 0; k < 4; ++k) {  // a move exists for both rules or for none
-        if (spin.row[k] == 0) spin.row[k + 4] = 0;
-        if (spin.row[k + 4] == 0) spin.row[k] = 0;
+        if (word() % 8 == 0) continue;
+        for (float* weight : {&spin.row[k], &spin.row[k + moves]}) {
+          *weight = word() % 8 == 0 ? 0x1p-60f : static_cast<float>(word()) * 0x1p-32f + 1e-6f;
+        }
       }
     }
     return spins;
+  }
+  template <int kMoves>
+  void expect_reference_of_all_draws() {
+    WalkWorld wheel;  // shares 1/8 greedy, 1/8 pheromone, 1/4 distance, 1/2 combined
+    wheel.rule_start = {0, 0x20000000, 0x40000000, 0x80000000};
+    wheel.rule_scale = {0x1p-29f, 0x1p-29f, 0x1p-30f, 0x1p-31f};
+    WalkWorld past = wheel;  // points past the last weight, as rounding may
+    past.rule_scale = {0, 0x1p-28f, 0x1p-29f, 0x1p-30f};
+    WalkWorld combined;
+    for (int round = 0; round < 20000; ++round) {
+      const Spins spins = any_spins(kMoves);
+      for (const WalkWorld* world : std::array{&wheel, &past, &combined}) {
+        expect_reference<kMoves, false, Draw::roulette>(*world, spins, "roulette");
+        expect_reference<kMoves, true, Draw::roulette>(*world, spins, "mixture");
+      }
+      expect_reference<kMoves, false, Draw::discard>(combined, spins, "race");
+    }
   }
 
   std::mt19937 random_{7};
 };
 
 TEST_F(AbreastAvx2, EachLaneDrawsAsTheScalarReference) {
-  WalkWorld wheel;  // shares 1/8 greedy, 1/8 pheromone, 1/4 distance, 1/2 combined
-  wheel.rule_start = {0, 0x20000000, 0x40000000, 0x80000000};
-  wheel.rule_scale = {0x1p-29f, 0x1p-29f, 0x1p-30f, 0x1p-31f};
-  WalkWorld past = wheel;  // points past the last weight, as rounding may
-  past.rule_scale = {0, 0x1p-28f, 0x1p-29f, 0x1p-30f};
-  WalkWorld combined;
-  for (int round = 0; round < 20000; ++round) {
-    const Spins spins = any_spins(round);
-    for (const WalkWorld* world : std::array{&wheel, &past, &combined}) {
-      expect_reference<false, Draw::roulette>(*world, spins, "roulette");
-      expect_reference<true, Draw::roulette>(*world, spins, "mixture");
-    }
-    expect_reference<false, Draw::discard>(combined, spins, "race");
-  }
+  expect_reference_of_all_draws<4>();
+  expect_reference_of_all_draws<8>();
 }
 
-// a + b + c in the order of the sum at the third of four moves, and at the fourth, whose weight is
-// 0.
+// The sum at the third of four moves, and at the fourth, whose weight is 0.
 float at_third(float a, float b, float c) { return (c + b) + a; }
 float at_fourth(float a, float b, float c) { return c + (b + a); }
 
@@ -167,14 +166,18 @@ TEST_F(AbreastAvx2, RoundingNeverDrawsAMoveOfNoWeight) {
         {{a, b, c, 0, 0, 0, 0, 0}, 0xff, {kBelowOne}},
         {{0, 0, 0, 0, a, b, c, 0}, 0xff, {kBelowOne}},
     }};
-    Spins spins = any_spins(round);
-    spins[found % kAnts] = gaps[found / kAnts];
-    expect_reference<false, Draw::roulette>(world, spins, "gap");
+    Spins spins = any_spins(8);
+    Spin& spin = spins[found % kAnts];
+    spin = gaps[found / kAnts];
+    expect_reference<8, false, Draw::roulette>(world, spins, "gap");
     const int expected = std::array{7, 2, 6}[found / kAnts];
-    EXPECT_EQ((draw<false, Draw::roulette>(world, spins, 0)[found % kAnts]), expected);
+    EXPECT_EQ((draw<8, false, Draw::roulette>(world, spins, 0)[found % kAnts]), expected);
     // By two rules, whose product is the same.
-    spins[found % kAnts].row = {a, b, c, 0, 1, 1, 1, 0};
-    expect_reference<true, Draw::roulette>(world, spins, "gap of a mixture");
+    for (int k = 0; k < 8; ++k) spin.row[k + 8] = spin.row[k] > 0 ? 1.0f : 0.0f;
+    expect_reference<8, true, Draw::roulette>(world, spins, "gap of a mixture");
+    spin.row = {a, b, c, 0, 1, 1, 1, 0};
+    expect_reference<4, false, Draw::roulette>(world, spins, "gap of four");
+    expect_reference<4, true, Draw::roulette>(world, spins, "gap of four and a mixture");
     ++found;
   }
   EXPECT_EQ(found, 3 * kAnts);
