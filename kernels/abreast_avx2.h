@@ -10,6 +10,7 @@
 #include <cstring>
 #include <span>
 
+#include "kernels/abreast_ants.h"
 #include "kernels/abreast_avx2_draw.h"
 #include "kernels/abreast_avx2_lanes.h"
 #include "kernels/abreast_avx2_planes.h"
@@ -21,69 +22,20 @@ namespace {
 /// Is there one of this shape? Of four or eight moves.
 constexpr bool goes_abreast(WalkShape shape) noexcept { return shape.lanes <= 8; }
 
-/// Up to eight ants.
+/// Up to eight ants. A step is made of the phases below, in their order.
 template <int kMoves, bool kMixture, bool kFactor, Draw kDraw>
 class Abreast {
- public:
-  static constexpr int kAnts = 8;
-  static constexpr int kWorthwhile = 4;  ///< fewer walk as fast one by one
-  /// Steps between two looks at how many still walk; a roulette reads a Philox block in them.
-  static constexpr int kRounds = 4;
-
-  /// Takes over ants under way, whose rows and words are found.
-  LASIUS_TARGET Abreast(const WalkWorld& world, std::span<WalkSlot* const> slots) noexcept
-      : planes_(slots.empty() ? 0 : slots[0]->visited.rows) {
-    if (slots.empty()) return;
-    no_return_.fill(world.backtrack ? 0 : kSet);
-    for (int i = 0; i < kAnts; ++i) {
-      if (i < static_cast<int>(slots.size())) {
-        take(i, *slots[i]);
-      } else {
-        rest(i, *slots[0]);
-      }
-    }
-    planes_.find(load(at_));
-    see();
-  }
-
-  LASIUS_TARGET int walking() const noexcept { return __builtin_popcount(bits(load(walking_))); }
-
-  /// kRounds steps of every ant of the groups.
-  template <int kGroups>
-  LASIUS_TARGET static void advance(const WalkWorld& world, Abreast* const (&groups)[kGroups]) {
-    __m256i words[kGroups][kWords];
-    for (Abreast* group : groups) group->prefetch_ends();
-    for (int round = 0; round < kRounds; ++round) {
-      if (kDraw == Draw::discard || round == 0) {
-        for (int g = 0; g < kGroups; ++g) groups[g]->draw_words(world, words[g]);
-      }
-      // Phase by phase, so that the groups' chains are in flight together.
-      Step steps[kGroups];
-#pragma GCC unroll 2
-      for (int g = 0; g < kGroups; ++g) groups[g]->draw(world, words[g], round, steps[g]);
-#pragma GCC unroll 2
-      for (int g = 0; g < kGroups; ++g) groups[g]->go(world, steps[g], round);
-#pragma GCC unroll 2
-      for (int g = 0; g < kGroups; ++g) groups[g]->find(world, steps[g]);
-#pragma GCC unroll 2
-      for (int g = 0; g < kGroups; ++g) groups[g]->enter(world, steps[g], round);
-    }
-  }
-
-  /// Hands back the ants that still walk; the others were when they ended.
-  void hand_back() noexcept {
-    for (int i = 0; i < kAnts; ++i) {
-      if (walking_[i] != 0) hand_back(i, std::uint64_t{block_[i]} * kBlock);
-    }
-  }
-
- private:
   using DrawOf = AbreastDraw<kMoves, kMixture>;
-  static constexpr int kWeights = DrawOf::kWeights;
-  static constexpr int kBlock = 4;  ///< words of a Philox block
-  static constexpr int kWords = kDraw == Draw::discard ? kMoves : kBlock;
   static constexpr std::uint32_t kSet = ~std::uint32_t{0};
 
+ public:
+  using Ants = AbreastAnts<Lanes, kFactor, kDraw>;
+  static constexpr int kWorthwhile = 4;  ///< fewer walk as fast one by one
+
+  static constexpr int kWords = kDraw == Draw::discard ? kMoves : Ants::kBlock;
+  using Words = __m256i[kWords];
+  static constexpr int kWeights = DrawOf::kWeights;
+  using Weights = __m256[kWeights];
   struct Step {
     typename DrawOf::Choice choice;
     __m256i to;
@@ -91,51 +43,50 @@ class Abreast {
     __m256i on;  ///< of those that walk: not back
   };
 
-  /// Asks for the lines behind those in which tours end: stores that miss hold up those after them.
-  [[gnu::always_inline]] void prefetch_ends() const noexcept {
-    constexpr int kLine = 64;
-    for (const std::uint8_t* top : top_) __builtin_prefetch(top + kLine, 1);
-    for (const PackedCell* dead : dead_) __builtin_prefetch(dead + kLine / sizeof(PackedCell), 1);
+  /// Takes over ants under way, whose rows and words are found.
+  LASIUS_TARGET Abreast(const WalkWorld& world, std::span<WalkSlot* const> slots) noexcept
+      : planes_(slots.empty() ? 0 : slots[0]->visited.rows) {
+    if (slots.empty()) return;
+    no_return_.fill(world.backtrack ? 0 : kSet);
+    for (int i = 0; i < Ants::kAnts; ++i) {
+      if (i < static_cast<int>(slots.size())) {
+        take(i, *slots[i]);
+      } else {
+        rest(i, *slots[0]);
+      }
+    }
+    planes_.find(load(ants_.at));
+    see();
   }
 
-  // --- Random words
+  /// Bit i: ant i walks.
+  LASIUS_TARGET unsigned walking() const noexcept { return bits(load(walking_)); }
+  /// An ant that walks; the others were handed back when they ended.
+  void hand_back(int i) const noexcept { ants_.hand_back(i, planes_.word(i)); }
 
   /// The next word of every ant in each of four registers; for a race the words of its moves.
   /// As `refill`.
   LASIUS_TARGET [[gnu::always_inline]] void draw_words(const WalkWorld& world,
-                                                       __m256i (&words)[kWords]) noexcept {
-    for (int w = 0; w < kWords; w += kBlock) {
-      const __m256i block = load(block_);
-      __m256i four[kBlock];
-      philox(world, block, load(ant_), four);
-      for (int j = 0; j < kBlock; ++j) words[w + j] = four[j];
-      store(block_, _mm256_add_epi32(block, all(1)));
+                                                       Words& words) noexcept {
+    prefetch_ends();
+    for (int w = 0; w < kWords; w += Ants::kBlock) {
+      const __m256i block = load(ants_.block);
+      __m256i four[Ants::kBlock];
+      philox(world, block, load(ants_.number), four);
+      for (int j = 0; j < Ants::kBlock; ++j) words[w + j] = four[j];
+      store(ants_.block, _mm256_add_epi32(block, all(1)));
     }
   }
 
-  // --- The draw
-
-  LASIUS_TARGET [[gnu::always_inline]] void draw(const WalkWorld& world,
-                                                 const __m256i (&words)[kWords], int round,
-                                                 Step& step) const noexcept {
-    __m256 weight[kWeights];
-    rows(world, weight);
-    const AbreastPlanes::Entered entered{load(above_), load(beside_), load(below_)};
-    if constexpr (kDraw == Draw::discard) {
-      step.choice = DrawOf::race(words, entered, weight);
-    } else {
-      step.choice = DrawOf::roulette(world, words[round], entered, weight);
-    }
-  }
   /// The ants' rows, times the factors: weight k of all.
   LASIUS_TARGET [[gnu::always_inline]] void rows(const WalkWorld& world,
-                                                 __m256 (&weight)[kWeights]) const noexcept {
+                                                 Weights& weight) const noexcept {
     for (int k = 0; k < kWeights; k += 4) {
       __m256 four[4];  // weights of ant i, and of ant i + 4
       for (int i = 0; i < 4; ++i) {
-        four[i] = two_at(row_[i] + k, row_[i + 4] + k);
+        four[i] = two_at(ants_.row[i] + k, ants_.row[i + 4] + k);
         if (!kFactor || k >= kMoves) continue;
-        const auto &low = world.factor[last_[i]], &high = world.factor[last_[i + 4]];
+        const auto &low = world.factor[ants_.last[i]], &high = world.factor[ants_.last[i + 4]];
         four[i] = _mm256_mul_ps(four[i], two_at(low.data() + k, high.data() + k));
       }
       const __m256 ab = _mm256_unpacklo_ps(four[0], four[1]);
@@ -148,17 +99,22 @@ class Abreast {
       weight[k + 3] = _mm256_shuffle_ps(ab2, cd2, 0xee);
     }
   }
-  LASIUS_TARGET [[gnu::always_inline]] static __m256 two_at(const float* low,
-                                                            const float* high) noexcept {
-    return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(low)), _mm_load_ps(high), 1);
-  }
 
-  // --- The step
+  LASIUS_TARGET [[gnu::always_inline]] void draw(const WalkWorld& world, const Words& words,
+                                                 int round, Weights& weight,
+                                                 Step& step) const noexcept {
+    const AbreastPlanes::Entered entered{load(above_), load(beside_), load(below_)};
+    if constexpr (kDraw == Draw::discard) {
+      step.choice = DrawOf::race(words, entered, weight);
+    } else {
+      step.choice = DrawOf::roulette(world, words[round], entered, weight);
+    }
+  }
 
   /// On by the move drawn, or back by the last one; the tours follow.
   LASIUS_TARGET [[gnu::always_inline]] void go(const WalkWorld& world, Step& step,
                                                int round) noexcept {
-    const __m256i last = load(last_);
+    const __m256i last = load(ants_.last);
     const __m256i stuck = _mm256_and_si256(step.choice.stuck, load(walking_));
     const __m256i at_start = _mm256_cmpeq_epi32(last, all(kMaxMoves));
     const __m256i lost = _mm256_and_si256(stuck, _mm256_or_si256(at_start, load(no_return_)));
@@ -168,44 +124,37 @@ class Abreast {
     const __m256i back = _mm256_and_si256(stuck, step.walks);
     step.on = _mm256_andnot_si256(stuck, step.walks);
 
-    const __m256i move = choose(step.choice.move, last, back), from = load(at_);
+    const __m256i move = choose(step.choice.move, last, back), from = load(ants_.at);
     const __m256i deltas = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(world.delta.data()));
     const __m256i ahead = _mm256_permutevar8x32_epi32(deltas, move);
     const __m256i by = _mm256_sub_epi32(_mm256_xor_si256(ahead, back), back);  // negative if back
     step.to = _mm256_add_epi32(from, _mm256_and_si256(by, step.walks));
-    store(at_, step.to);
+    store(ants_.at, step.to);
 
-    const Wide top = load_wide(top_), back_wide = widen_mask(back);  // as numbers: -1
+    const Wide top = load_wide(ants_.top), back_wide = widen_mask(back);  // as numbers: -1
     const Wide kept = plus(top, back_wide);  // the ends of the tours, less what is taken back
     static constexpr std::uint8_t kNoMove = kMaxMoves;
     alignas(32) PerAntWide<const std::uint8_t*> before;
     store_wide(before,
                choose(minus(kept, all_wide(1)), all_wide(std::bit_cast<std::int64_t>(&kNoMove)),
-                      equal(kept, load_wide(base_))));
+                      equal(kept, load_wide(ants_.base))));
 
     // Who goes on writes its move, and three bytes that do not count yet; who goes back the cell it
     // leaves.
-    const Wide dead = load_wide(dead_);
+    const Wide dead = load_wide(ants_.dead);
     alignas(32) PerAntWide<void*> places;
     alignas(32) PerAnt written;
     store_wide(places, choose(top, dead, back_wide));
     store(written, choose(move, from, back));
     // The last move of those that went back; before the stores, so that no load waits for them.
     const __m128i now_last = _mm_unpacklo_epi8(four_bytes(&before[0]), four_bytes(&before[4]));
-    store(last_, choose(_mm256_cvtepu8_epi32(now_last), move, step.on));
-    for (int i = 0; i < kAnts; ++i) {
-      std::memcpy(places[place(i)], &written[i], sizeof(PackedCell));
+    store(ants_.last, choose(_mm256_cvtepu8_epi32(now_last), move, step.on));
+    for (int i = 0; i < Ants::kAnts; ++i) {
+      std::memcpy(places[Lanes::place(i)], &written[i], sizeof(PackedCell));
     }
-    store_wide(top_, minus(kept, widen_mask(step.on)));
-    store_wide(dead_, minus(dead, {_mm256_slli_epi64(back_wide.even, 2),
-                                   _mm256_slli_epi64(back_wide.odd, 2)}));
-  }
-
-  LASIUS_TARGET [[gnu::always_inline]] static __m128i four_bytes(
-      const std::uint8_t* const* at) noexcept {
-    const __m128i one = _mm_cvtsi32_si128(*at[0]);
-    const __m128i two = _mm_insert_epi8(one, *at[1], 1);
-    return _mm_insert_epi8(_mm_insert_epi8(two, *at[2], 2), *at[3], 3);
+    store_wide(ants_.top, minus(kept, widen_mask(step.on)));
+    store_wide(ants_.dead, minus(dead, {_mm256_slli_epi64(back_wide.even, 2),
+                                        _mm256_slli_epi64(back_wide.odd, 2)}));
   }
 
   /// Finds what belongs to the cells. Without a branch on whether an ant leaves its tile: of eight,
@@ -227,20 +176,6 @@ class Abreast {
     }
     planes_.find(step.to);
   }
-  /// False where a tile is still to be made.
-  LASIUS_TARGET [[gnu::always_inline]] bool find_rows(const WalkWorld& world, const PerAnt& tile,
-                                                      const PerAnt& row_byte) noexcept {
-    std::uintptr_t missing = 0;
-#pragma GCC unroll 8
-    for (int i = 0; i < kAnts; ++i) {
-      float* const rows = __atomic_load_n(world.tiles + tile[i], __ATOMIC_ACQUIRE);
-      const auto address = std::bit_cast<std::uintptr_t>(rows);
-      missing |= address - 1;  // the upper bit is set of 0 - 1 alone
-      row_[i] = std::bit_cast<const float*>(address + row_byte[i]);
-      __builtin_prefetch(row_[i]);
-    }
-    return std::bit_cast<std::intptr_t>(missing) >= 0;
-  }
 
   /// Sees what is closed around the new cells and marks them as entered; ends who has arrived.
   LASIUS_TARGET [[gnu::always_inline]] void enter(const WalkWorld& world, const Step& step,
@@ -251,76 +186,70 @@ class Abreast {
     if (any(arrived)) [[unlikely]]
       end(bits(arrived), WalkState::arrived, round);
   }
+
+ private:
+  /// Asks for the lines behind those in which tours end: stores that miss hold up those after them.
+  [[gnu::always_inline]] void prefetch_ends() const noexcept {
+    constexpr int kLine = 64;
+    for (const std::uint8_t* top : ants_.top) __builtin_prefetch(top + kLine, 1);
+    for (const PackedCell* dead : ants_.dead)
+      __builtin_prefetch(dead + kLine / sizeof(PackedCell), 1);
+  }
+
+  LASIUS_TARGET [[gnu::always_inline]] static __m256 two_at(const float* low,
+                                                            const float* high) noexcept {
+    return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(low)), _mm_load_ps(high), 1);
+  }
+
+  /// False where a tile is still to be made.
+  LASIUS_TARGET [[gnu::always_inline]] bool find_rows(const WalkWorld& world, const PerAnt& tile,
+                                                      const PerAnt& row_byte) noexcept {
+    std::uintptr_t missing = 0;
+#pragma GCC unroll 8
+    for (int i = 0; i < Ants::kAnts; ++i) {
+      float* const rows = __atomic_load_n(world.tiles + tile[i], __ATOMIC_ACQUIRE);
+      const auto address = std::bit_cast<std::uintptr_t>(rows);
+      missing |= address - 1;  // the upper bit is set of 0 - 1 alone
+      ants_.row[i] = std::bit_cast<const float*>(address + row_byte[i]);
+      __builtin_prefetch(ants_.row[i]);
+    }
+    return std::bit_cast<std::intptr_t>(missing) >= 0;
+  }
+
   LASIUS_TARGET [[gnu::always_inline]] void see() noexcept {
-    const auto entered = planes_.around(load(at_));
+    const auto entered = planes_.around(load(ants_.at));
     store(above_, entered.above);
     store(beside_, entered.beside);
     store(below_, entered.below);
   }
 
-  // --- Coming and going
-
   void take(int i, WalkSlot& slot) noexcept {
-    slots_[i] = &slot;
-    walking_[i] = kSet;
     planes_.take(i, slot);
-    at_[i] = slot.at;
-    row_[i] = slot.row;
-    base_[place(i)] = slot.moves;
-    top_[place(i)] = slot.moves + slot.move_count;
-    last_[i] = slot.move_count > 0 ? slot.moves[slot.move_count - 1] : std::uint32_t{kMaxMoves};
-    dead_[place(i)] = slot.dead + slot.dead_count;
-    block_[i] = static_cast<std::uint32_t>(slot.words_used() / kBlock);
-    ant_[i] = slot.ant;
+    ants_.take(i, slot);
+    walking_[i] = kSet;
   }
   /// A lane without an ant stands where another one does, with a tour of its own. So does one whose
   /// ant has ended: it stays, and writes nothing that counts.
   void rest(int i, const WalkSlot& stand_in) noexcept {
     planes_.take(i, stand_in);
-    at_[i] = stand_in.at;
-    row_[i] = stand_in.row;
-    base_[place(i)] = top_[place(i)] = reinterpret_cast<std::uint8_t*>(&spare_);
-    last_[i] = kMaxMoves;
-    dead_[place(i)] = &spare_;
+    ants_.rest(i, stand_in.at, stand_in.row);
   }
   /// Who has ended, `round` counted from 0.
   void end(unsigned which, WalkState state, int round) noexcept {
-    const int unread = kDraw == Draw::discard ? 0 : kRounds - 1 - round;
     for (; which != 0; which &= which - 1) {
       const int i = __builtin_ctz(which);
-      hand_back(i, std::uint64_t{block_[i]} * kBlock - static_cast<unsigned>(unread));
-      slots_[i]->state = state;
+      ants_.end(i, planes_.word(i), state, round);
       walking_[i] = 0;
     }
   }
-  void hand_back(int i, std::uint64_t words) noexcept {
-    WalkSlot& slot = *slots_[i];
-    slot.at = at_[i];
-    slot.row = row_[i];
-    slot.word = planes_.word(i);
-    slot.move_count = top_[place(i)] - base_[place(i)];
-    slot.dead_count = dead_[place(i)] - slot.dead;
-    if (kFactor) slot.previous = last_[i];
-    slot.random_block = static_cast<std::uint32_t>((words + kBlock - 1) / kBlock);
-    slot.random_used = WalkSlot::kRandomWords - static_cast<std::uint32_t>(-words % kBlock);
-  }
 
-  alignas(32) PerAnt at_{};
+  Ants ants_;
+  AbreastPlanes planes_;
   alignas(32) PerAnt walking_{};    ///< a mask
   alignas(32) PerAnt no_return_{};  ///< a mask
   alignas(32) PerAnt above_{};      ///< AbreastPlanes::Entered
   alignas(32) PerAnt beside_{};
   alignas(32) PerAnt below_{};
-  alignas(32) PerAnt last_{};   ///< moves; kMaxMoves at the start
-  alignas(32) PerAnt block_{};  ///< next Philox counters
-  alignas(32) PerAnt ant_{};
-  alignas(32) PerAntWide<std::uint8_t*> base_{};  ///< of the tours
-  alignas(32) PerAntWide<std::uint8_t*> top_{};   ///< their ends
-  alignas(32) PerAntWide<PackedCell*> dead_{};
-  std::array<const float*, kAnts> row_{};
-  std::array<WalkSlot*, kAnts> slots_{};
-  AbreastPlanes planes_;
-  PackedCell spare_ = 0;
 };
 
 }  // namespace

@@ -62,8 +62,13 @@ struct Wide {
 /// As PerAnt, in the order of Wide.
 template <class T>
 using PerAntWide = std::array<T, 8>;
-/// Where ant i stands in it.
-constexpr int place(int i) noexcept { return i / 2 + i % 2 * 4; }
+
+/// For AbreastAnts.
+struct Lanes {
+  using Number = std::uint32_t;
+  /// Where ant i stands in the order of Wide.
+  static constexpr int place(int i) noexcept { return i / 2 + i % 2 * 4; }
+};
 
 template <class T>
 LASIUS_TARGET [[gnu::always_inline]] inline Wide load_wide(const PerAntWide<T>& a) noexcept {

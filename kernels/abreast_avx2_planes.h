@@ -21,8 +21,10 @@ class AbreastPlanes {
       : strip_bytes_(static_cast<std::int64_t>(sizeof(std::uint64_t)) * rows) {}
 
   /// A lane without an ant may share a plane in which it marks nothing.
-  void take(int i, const WalkSlot& slot) noexcept { origin_[place(i)] = slot.visited.origin; }
-  std::uint64_t* word(int i) const noexcept { return word_[place(i)]; }
+  void take(int i, const WalkSlot& slot) noexcept {
+    origin_[Lanes::place(i)] = slot.visited.origin;
+  }
+  std::uint64_t* word(int i) const noexcept { return word_[Lanes::place(i)]; }
 
   /// Finds the words of the cells. They lie less than 2^29 bytes from the origin.
   LASIUS_TARGET [[gnu::always_inline]] void find(__m256i at) noexcept {
@@ -60,7 +62,7 @@ class AbreastPlanes {
     store(bit, _mm256_and_si256(_mm256_sllv_epi32(all(1), in_half), walks));
     const std::int64_t to_upper = static_cast<std::int64_t>(sizeof(PackedCell)) - strip_bytes_;
     for (int i = 0; i < 8; ++i) {
-      char* lower = lower_[place(i)];
+      char* lower = lower_[Lanes::place(i)];
       add(lower, bit[i]);
       add(lower + to_upper, bit[i]);
     }

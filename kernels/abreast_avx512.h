@@ -10,6 +10,7 @@
 #include <cstring>
 #include <span>
 
+#include "kernels/abreast_ants.h"
 #include "kernels/abreast_avx512_draw.h"
 #include "kernels/abreast_avx512_lanes.h"
 #include "kernels/abreast_avx512_planes.h"
@@ -24,21 +25,32 @@ constexpr bool goes_abreast(WalkShape shape) noexcept {
   return shape.mixture ? shape.lanes == 4 && !shape.factor : shape.lanes == 8;
 }
 
-/// Up to eight ants.
+/// Up to eight ants. A step is made of the phases below, in their order.
 template <int kMoves, bool kMixture, bool kFactor, Draw kDraw>
 class Abreast {
+  using DrawOf = AbreastDraw<kMixture>;
+  static constexpr int kBack = 8;  ///< added to a move that is taken back
+
  public:
-  static constexpr int kAnts = 8;
+  using Ants = AbreastAnts<Lanes, kFactor, kDraw>;
   static constexpr int kWorthwhile = 6;  ///< fewer are as fast one by one
-  /// Steps between two looks at how many still walk; a roulette reads a Philox block in them.
-  static constexpr int kRounds = 4;
+
+  using Words = __m512i[4];
+  using Weights = __m512[4];
+  struct Step {
+    __m512i move;  ///< one an ant, as all; above 32 bits undefined. kBack added when taken back
+    __m512i from;
+    __m512i to;
+    __mmask8 walks;
+    __mmask8 back;
+  };
 
   /// Takes over ants under way, whose rows and words are found.
   LASIUS_TARGET Abreast(const WalkWorld& world, std::span<WalkSlot* const> slots) noexcept
       : planes_(slots.empty() ? 0 : slots[0]->visited.rows),
         walking_(static_cast<__mmask8>((1u << slots.size()) - 1)),
         no_return_(world.backtrack ? 0 : 0xff) {
-    for (int i = 0; i < kAnts; ++i) {
+    for (int i = 0; i < Ants::kAnts; ++i) {
       if (i < static_cast<int>(slots.size())) {
         take(i, *slots[i]);
       } else {
@@ -49,73 +61,23 @@ class Abreast {
       delta_[k] = world.delta[k];
       delta_[kBack + k] = -world.delta[k];
     }
-    store(closed_, planes_.template closed<kMoves>(load(at_), planes_.words()));
+    store(closed_, planes_.template closed<kMoves>(load(ants_.at), planes_.words()));
   }
 
-  int walking() const noexcept { return __builtin_popcount(walking_); }
-
-  /// kRounds steps of every ant of the groups.
-  template <int kGroups>
-  LASIUS_TARGET static void advance(const WalkWorld& world, Abreast* const (&groups)[kGroups]) {
-    __m512i words[kGroups][4];
-    for (int round = 0; round < kRounds; ++round) {
-      if (kDraw == Draw::discard || round == 0) {
-        for (int g = 0; g < kGroups; ++g) groups[g]->draw_words(world, words[g]);
-      }
-      // Phase by phase, so that the groups' chains are in flight together.
-      __m512 weights[kGroups][4];
-      Step steps[kGroups];
-#pragma GCC unroll 2
-      for (int g = 0; g < kGroups; ++g) groups[g]->rows(world, weights[g]);
-#pragma GCC unroll 2
-      for (int g = 0; g < kGroups; ++g) {
-        if constexpr (kDraw == Draw::discard) {
-          steps[g].move = DrawOf::race(words[g], in_halves(load(groups[g]->closed_)), weights[g]);
-        } else {
-          steps[g].move = DrawOf::roulette(world, words[g][round],
-                                           in_halves(load(groups[g]->closed_)), weights[g]);
-        }
-      }
-#pragma GCC unroll 2
-      for (int g = 0; g < kGroups; ++g) groups[g]->go(steps[g], round);
-#pragma GCC unroll 2
-      for (int g = 0; g < kGroups; ++g) groups[g]->find(world, steps[g]);
-#pragma GCC unroll 2
-      for (int g = 0; g < kGroups; ++g) groups[g]->enter(world, steps[g], round);
-    }
-  }
-
-  /// Hands back the ants that still walk; the others were when they ended.
-  void hand_back() noexcept {
-    for (int i = 0; i < kAnts; ++i) {
-      if ((walking_ >> i & 1) != 0) hand_back(i, block_[i] * kBlock);
-    }
-  }
-
- private:
-  using DrawOf = AbreastDraw<kMixture>;
-  static constexpr int kBlock = 4;  ///< words of a Philox block
-  static constexpr int kBack = 8;   ///< added to a move that is taken back
-
-  struct Step {
-    __m512i move;  ///< one an ant, as all; above 32 bits undefined. kBack added when taken back
-    __m512i from;
-    __m512i to;
-    __mmask8 walks;
-    __mmask8 back;
-  };
-
-  // --- Random words
+  /// Bit i: ant i walks.
+  unsigned walking() const noexcept { return walking_; }
+  /// An ant that walks; the others were handed back when they ended.
+  void hand_back(int i) const noexcept { ants_.hand_back(i, planes_.word(i)); }
 
   /// The next word of every ant in each of four registers, in halves; for a race the words of its
   /// eight moves. As `refill`.
   LASIUS_TARGET [[gnu::always_inline]] void draw_words(const WalkWorld& world,
-                                                       __m512i (&words)[4]) noexcept {
-    const __m512i block = load(block_);
-    philox(world, block, load(ant_), words);
+                                                       Words& words) noexcept {
+    const __m512i block = load(ants_.block);
+    philox(world, block, load(ants_.number), words);
     if constexpr (kDraw == Draw::discard) {
       __m512i more[4];
-      philox(world, _mm512_add_epi64(block, all(1)), load(ant_), more);
+      philox(world, _mm512_add_epi64(block, all(1)), load(ants_.number), more);
       const __m512i order =
           _mm512_setr_epi32(0, 2, 4, 6, 16, 18, 20, 22, 8, 10, 12, 14, 24, 26, 28, 30);
       for (int j = 0; j < 4; ++j) {
@@ -124,14 +86,12 @@ class Abreast {
     } else {
       for (__m512i& word : words) word = in_halves(word);
     }
-    store(block_, _mm512_add_epi64(block, all(kDraw == Draw::discard ? 2 : 1)));
+    store(ants_.block, _mm512_add_epi64(block, all(kDraw == Draw::discard ? 2 : 1)));
   }
-
-  // --- The draw
 
   /// The ants' rows, times the factors, in halves.
   LASIUS_TARGET [[gnu::always_inline]] void rows(const WalkWorld& world,
-                                                 __m512 (&weight)[4]) const noexcept {
+                                                 Weights& weight) const noexcept {
     const __m512 a = two_rows(world, 0), b = two_rows(world, 1);
     const __m512 c = two_rows(world, 2), d = two_rows(world, 3);
     const __m512d ab = _mm512_castps_pd(_mm512_unpacklo_ps(a, b));
@@ -143,69 +103,59 @@ class Abreast {
     weight[2] = _mm512_castpd_ps(_mm512_unpacklo_pd(ab2, cd2));
     weight[3] = _mm512_castpd_ps(_mm512_unpackhi_pd(ab2, cd2));
   }
-  /// Those of ants i and i + 4.
-  LASIUS_TARGET [[gnu::always_inline]] __m512 two_rows(const WalkWorld& world,
-                                                       int i) const noexcept {
-    const __m512 row = two_at(row_[i], row_[i + 4]);
-    if constexpr (!kFactor) return row;
-    return _mm512_mul_ps(row,
-                         two_at(world.factor[last_[i]].data(), world.factor[last_[i + 4]].data()));
-  }
-  LASIUS_TARGET [[gnu::always_inline]] static __m512 two_at(const float* low,
-                                                            const float* high) noexcept {
-    return _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_load_ps(low)), _mm256_load_ps(high), 1);
-  }
 
-  // --- The step
+  LASIUS_TARGET [[gnu::always_inline]] void draw(const WalkWorld& world, const Words& words,
+                                                 int round, Weights& weight,
+                                                 Step& step) const noexcept {
+    const __m512i closed = in_halves(load(closed_));
+    if constexpr (kDraw == Draw::discard) {
+      step.move = DrawOf::race(words, closed, weight);
+    } else {
+      step.move = DrawOf::roulette(world, words[round], closed, weight);
+    }
+  }
 
   /// On by the move drawn, or back by the last one; the tours follow.
-  LASIUS_TARGET [[gnu::always_inline]] void go(Step& step, int round) noexcept {
+  LASIUS_TARGET [[gnu::always_inline]] void go(const WalkWorld&, Step& step, int round) noexcept {
     const __mmask8 stuck = _mm512_test_epi64_mask(step.move, all(DrawOf::kStuck));
-    const __mmask8 at_start = _mm512_cmpeq_epi64_mask(load(top_), load(base_));
+    const __mmask8 at_start = _mm512_cmpeq_epi64_mask(load(ants_.top), load(ants_.base));
     const __mmask8 lost =
         _kand_mask8(_kand_mask8(walking_, stuck), _kor_mask8(at_start, no_return_));
     if (lost != 0) [[unlikely]]
       end(lost, WalkState::lost, round);
     step.walks = walking_;
     step.back = _kand_mask8(step.walks, stuck);
-    step.move = _mm512_mask_or_epi64(step.move, step.back, load(last_), all(kBack));
-    step.from = load(at_);
+    step.move = _mm512_mask_or_epi64(step.move, step.back, load(ants_.last), all(kBack));
+    step.from = load(ants_.at);
     step.to =
         _mm512_mask_add_epi64(step.from, step.walks, step.from,
                               _mm512_permutex2var_epi64(_mm512_load_si512(delta_.data()), step.move,
                                                         _mm512_load_si512(delta_.data() + kBack)));
 
     const __mmask8 on = _kandn_mask8(step.back, step.walks);
-    const __m512i top = load(top_), below = _mm512_add_epi64(top, all(-1));
+    const __m512i top = load(ants_.top), below = _mm512_add_epi64(top, all(-1));
     const __m512i place = _mm512_mask_mov_epi64(top, step.back, below);
     const __m512i new_top = _mm512_mask_add_epi64(place, on, place, all(1));
 
     // The last move of those that went back; before the stores, so that no load waits for them.
     static constexpr std::uint8_t kNoMove = kMaxMoves;
-    const __mmask8 no_move = _mm512_cmpeq_epi64_mask(place, load(base_));
+    const __mmask8 no_move = _mm512_cmpeq_epi64_mask(place, load(ants_.base));
     alignas(64) PerAnt<const std::uint8_t*> before;
     store(before, _mm512_mask_mov_epi64(_mm512_add_epi64(place, all(-1)), no_move,
                                         all(std::bit_cast<std::int64_t>(&kNoMove))));
     const __m128i last = _mm_unpacklo_epi32(four_bytes(&before[0]), four_bytes(&before[4]));
-    store(last_, _mm512_mask_and_epi64(_mm512_cvtepu8_epi64(last), on, step.move, all(7)));
+    store(ants_.last, _mm512_mask_and_epi64(_mm512_cvtepu8_epi64(last), on, step.move, all(7)));
 
     // Who goes on writes its move, and three bytes that do not count yet; who goes back the cell it
     // leaves.
     alignas(64) PerAnt<void*> places;
     alignas(64) PerAnt<std::uint64_t> written;
-    store(places, _mm512_mask_mov_epi64(top, step.back, load(dead_)));
+    store(places, _mm512_mask_mov_epi64(top, step.back, load(ants_.dead)));
     store(written, _mm512_mask_mov_epi64(step.move, step.back, step.from));
-    for (int i = 0; i < kAnts; ++i) std::memcpy(places[i], &written[i], sizeof(PackedCell));
-    store(dead_, _mm512_mask_add_epi64(load(dead_), step.back, load(dead_), all(4)));
-    store(top_, new_top);
-    store(at_, step.to);
-  }
-
-  LASIUS_TARGET [[gnu::always_inline]] static __m128i four_bytes(
-      const std::uint8_t* const* at) noexcept {
-    const __m128i one = _mm_cvtsi32_si128(*at[0]);
-    const __m128i two = _mm_insert_epi8(one, *at[1], 1);
-    return _mm_insert_epi8(_mm_insert_epi8(two, *at[2], 2), *at[3], 3);
+    for (int i = 0; i < Ants::kAnts; ++i) std::memcpy(places[i], &written[i], sizeof(PackedCell));
+    store(ants_.dead, _mm512_mask_add_epi64(load(ants_.dead), step.back, load(ants_.dead), all(4)));
+    store(ants_.top, new_top);
+    store(ants_.at, step.to);
   }
 
   /// Finds what belongs to the cells. Without a branch on whether an ant leaves its tile: of eight,
@@ -229,19 +179,10 @@ class Abreast {
     const __m512i cell = _mm512_or_epi64(
         _mm512_slli_epi64(_mm512_and_epi64(y, in_tile), kTileShift), _mm512_and_epi64(x, in_tile));
     constexpr int kRowShift = 5;  // 32 bytes
-    store(row_, _mm512_mask_add_epi64(load(row_), step.walks, tile_rows,
-                                      _mm512_slli_epi64(cell, kRowShift)));
-    for (const float* row : row_) __builtin_prefetch(row);
+    store(ants_.row, _mm512_mask_add_epi64(load(ants_.row), step.walks, tile_rows,
+                                           _mm512_slli_epi64(cell, kRowShift)));
+    for (const float* row : ants_.row) __builtin_prefetch(row);
     planes_.find(step.walks, x, y);
-  }
-  LASIUS_TARGET [[gnu::always_inline]] static __m512i tiles(
-      const WalkWorld& world, const PerAnt<std::int64_t>& number) noexcept {
-    PerAnt<const float*> rows;
-    for (int i = 0; i < kAnts; ++i) {
-      rows[i] = __atomic_load_n(world.tiles + number[i], __ATOMIC_ACQUIRE);
-    }
-    return eight(two(rows[0], rows[1]), two(rows[2], rows[3]), two(rows[4], rows[5]),
-                 two(rows[6], rows[7]));
   }
 
   /// Sees what is closed around the new cells and marks them as entered; ends who has arrived.
@@ -257,68 +198,55 @@ class Abreast {
       end(arrived, WalkState::arrived, round);
   }
 
-  // --- Coming and going
+ private:
+  /// Those of ants i and i + 4.
+  LASIUS_TARGET [[gnu::always_inline]] __m512 two_rows(const WalkWorld& world,
+                                                       int i) const noexcept {
+    const __m512 row = two_at(ants_.row[i], ants_.row[i + 4]);
+    if constexpr (!kFactor) return row;
+    return _mm512_mul_ps(
+        row, two_at(world.factor[ants_.last[i]].data(), world.factor[ants_.last[i + 4]].data()));
+  }
+  LASIUS_TARGET [[gnu::always_inline]] static __m512 two_at(const float* low,
+                                                            const float* high) noexcept {
+    return _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_load_ps(low)), _mm256_load_ps(high), 1);
+  }
+
+  LASIUS_TARGET [[gnu::always_inline]] static __m512i tiles(
+      const WalkWorld& world, const PerAnt<std::int64_t>& number) noexcept {
+    PerAnt<const float*> rows;
+    for (int i = 0; i < Ants::kAnts; ++i) {
+      rows[i] = __atomic_load_n(world.tiles + number[i], __ATOMIC_ACQUIRE);
+    }
+    return eight(two(rows[0], rows[1]), two(rows[2], rows[3]), two(rows[4], rows[5]),
+                 two(rows[6], rows[7]));
+  }
 
   void take(int i, WalkSlot& slot) noexcept {
-    slots_[i] = &slot;
     planes_.take(i, slot);
-    at_[i] = slot.at;
-    row_[i] = slot.row;
-    base_[i] = slot.moves;
-    top_[i] = slot.moves + slot.move_count;
-    last_[i] = slot.move_count > 0 ? slot.moves[slot.move_count - 1] : std::uint64_t{kMaxMoves};
-    dead_[i] = slot.dead + slot.dead_count;
-    block_[i] = static_cast<std::uint64_t>(slot.words_used()) / kBlock;
-    ant_[i] = slot.ant;
+    ants_.take(i, slot);
+  }
+  /// A lane without an ant steps on the spot, in memory of its own.
+  void rest(int i) noexcept {
+    planes_.rest(i);
+    ants_.rest(i, 0, kNoRow.data());
   }
   /// Who has ended, `round` counted from 0.
   void end(__mmask8 which, WalkState state, int round) noexcept {
     walking_ = static_cast<__mmask8>(walking_ & ~which);
     for (unsigned left = which; left != 0; left &= left - 1) {
       const int i = __builtin_ctz(left);
-      const int unread = kDraw == Draw::discard ? 0 : kRounds - 1 - round;
-      hand_back(i, block_[i] * kBlock - static_cast<unsigned>(unread));
-      slots_[i]->state = state;
+      ants_.end(i, planes_.word(i), state, round);
       rest(i);
     }
-  }
-  void hand_back(int i, std::uint64_t words) noexcept {
-    WalkSlot& slot = *slots_[i];
-    slot.at = static_cast<PackedCell>(at_[i]);
-    slot.row = row_[i];
-    slot.word = planes_.word(i);
-    slot.move_count = top_[i] - base_[i];
-    slot.dead_count = dead_[i] - slot.dead;
-    if (kFactor) slot.previous = static_cast<std::uint32_t>(last_[i]);
-    slot.random_block = static_cast<std::uint32_t>((words + kBlock - 1) / kBlock);
-    slot.random_used = WalkSlot::kRandomWords - static_cast<std::uint32_t>(-words % kBlock);
-  }
-  /// A lane without an ant steps on the spot, in memory of its own.
-  void rest(int i) noexcept {
-    planes_.rest(i);
-    at_[i] = 0;
-    row_[i] = kNoRow.data();
-    base_[i] = top_[i] = reinterpret_cast<std::uint8_t*>(&spare_);
-    last_[i] = kMaxMoves;
-    dead_[i] = &spare_;
-    block_[i] = ant_[i] = 0;
   }
 
   alignas(32) static constexpr std::array<float, 8> kNoRow{};
 
-  alignas(64) PerAnt<std::uint64_t> at_{};
-  alignas(64) PerAnt<const float*> row_{};
-  alignas(64) PerAnt<std::uint64_t> closed_{};  ///< bit k: move k is
-  alignas(64) PerAnt<std::uint8_t*> base_{};    ///< of the tours
-  alignas(64) PerAnt<std::uint8_t*> top_{};     ///< their ends
-  alignas(64) PerAnt<std::uint64_t> last_{};    ///< moves; kMaxMoves at the start
-  alignas(64) PerAnt<PackedCell*> dead_{};
-  alignas(64) PerAnt<std::uint64_t> block_{};  ///< next Philox counters
-  alignas(64) PerAnt<std::uint64_t> ant_{};
-  alignas(64) std::array<std::int64_t, 2 * kBack> delta_{};  ///< by move, then back over it
-  PerAnt<WalkSlot*> slots_{};
+  Ants ants_;
   AbreastPlanes planes_;
-  PackedCell spare_ = 0;
+  alignas(64) PerAnt<std::uint64_t> closed_{};               ///< bit k: move k is
+  alignas(64) std::array<std::int64_t, 2 * kBack> delta_{};  ///< by move, then back over it
   __mmask8 walking_ = 0;
   __mmask8 no_return_ = 0;
 };

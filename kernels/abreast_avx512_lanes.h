@@ -23,6 +23,12 @@ namespace {
 template <class T>
 using PerAnt = std::array<T, 8>;
 
+/// For AbreastAnts.
+struct Lanes {
+  using Number = std::uint64_t;
+  static constexpr int place(int i) noexcept { return i; }
+};
+
 template <class T>
 LASIUS_TARGET [[gnu::always_inline]] inline __m512i load(const PerAnt<T>& a) noexcept {
   return _mm512_load_si512(a.data());

@@ -5,6 +5,7 @@
 // its `goes_abreast`.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <span>
 
@@ -12,6 +13,32 @@
 
 namespace lasius::kernels {
 namespace {
+
+/// AbreastAnts::kRounds steps of every ant of the groups.
+template <class Group, int kGroups>
+LASIUS_TARGET void advance(const WalkWorld& world, Group* const (&groups)[kGroups]) {
+  typename Group::Words words[kGroups];
+  for (int round = 0; round < Group::Ants::kRounds; ++round) {
+    if (Group::Ants::kWordsEachRound || round == 0) {
+      for (int g = 0; g < kGroups; ++g) groups[g]->draw_words(world, words[g]);
+    }
+    // Phase by phase, so that the groups' chains are in flight together.
+    typename Group::Weights weights[kGroups];
+    typename Group::Step steps[kGroups];
+#pragma GCC unroll 2
+    for (int g = 0; g < kGroups; ++g) groups[g]->rows(world, weights[g]);
+#pragma GCC unroll 2
+    for (int g = 0; g < kGroups; ++g) {
+      groups[g]->draw(world, words[g], round, weights[g], steps[g]);
+    }
+#pragma GCC unroll 2
+    for (int g = 0; g < kGroups; ++g) groups[g]->go(world, steps[g], round);
+#pragma GCC unroll 2
+    for (int g = 0; g < kGroups; ++g) groups[g]->find(world, steps[g]);
+#pragma GCC unroll 2
+    for (int g = 0; g < kGroups; ++g) groups[g]->enter(world, steps[g], round);
+  }
+}
 
 /// As VectorOps, with the steps that are done abreast.
 struct AbreastOps : VectorOps {
@@ -24,24 +51,30 @@ struct AbreastOps : VectorOps {
       return 0;
     } else {
       using Group = Abreast<kLanes, kMixture, kFactor, kDraw>;
-      const std::size_t half = slots.size() <= Group::kAnts ? slots.size() : (slots.size() + 1) / 2;
-      if (slots.size() < Group::kWorthwhile || slots.size() > 2 * Group::kAnts) return 0;
+      using Ants = typename Group::Ants;
+      const std::size_t half = slots.size() <= Ants::kAnts ? slots.size() : (slots.size() + 1) / 2;
+      if (slots.size() < Group::kWorthwhile || slots.size() > 2 * Ants::kAnts) return 0;
       for (const WalkSlot* slot : slots) {
-        if (slot->words_used() % 4 != 0) return 0;  // within a Philox block
+        if (slot->words_used() % Ants::kBlock != 0) return 0;
       }
       Group one(world, slots.first(half)), other(world, slots.subspan(half));
+      const auto walking = [&] {
+        return std::popcount(one.walking()) + std::popcount(other.walking());
+      };
       int done = 0;
-      for (;
-           rounds - done >= Group::kRounds && one.walking() + other.walking() >= Group::kWorthwhile;
-           done += Group::kRounds) {
+      for (; rounds - done >= Ants::kRounds && walking() >= Group::kWorthwhile;
+           done += Ants::kRounds) {
         if (other.walking() == 0) {
-          Group::advance(world, {&one});
+          advance<Group>(world, {&one});
         } else {
-          Group::advance(world, {&one, &other});
+          advance<Group>(world, {&one, &other});
         }
       }
-      one.hand_back();
-      other.hand_back();
+      for (const Group* group : {&one, &other}) {
+        for (unsigned left = group->walking(); left != 0; left &= left - 1) {
+          group->hand_back(std::countr_zero(left));
+        }
+      }
       return done;
     }
   }

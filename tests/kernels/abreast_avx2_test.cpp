@@ -8,7 +8,9 @@
 #include <cstring>
 #include <random>
 #include <string>
+#include <vector>
 
+#include "kernels/cpu.h"
 #include "kernels/walk.h"
 
 #if defined(__x86_64__)
@@ -98,12 +100,9 @@ void expect_reference(const WalkWorld& world, const Spins& spins, const std::str
   }
 }
 
-class AbreastAvx2 : public testing::Test {
+/// Of a CPU with AVX2; of others there are no tests.
+class AbreastAvx2 : public testing::TestWithParam<Isa> {
  protected:
-  void SetUp() override {
-    if (supported_isa() < Isa::avx2) GTEST_SKIP() << "this CPU has no AVX2";
-  }
-
   std::uint32_t word() { return static_cast<std::uint32_t>(random_()); }
   /// Of so many moves. A move exists for both rules or for none.
   Spins any_spins(int moves) {
@@ -141,8 +140,12 @@ class AbreastAvx2 : public testing::Test {
 
   std::mt19937 random_{7};
 };
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(AbreastAvx2);
+INSTANTIATE_TEST_SUITE_P(Walk, AbreastAvx2,
+                         testing::ValuesIn(supported_isa() < Isa::avx2 ? std::vector<Isa>{}
+                                                                       : std::vector{Isa::avx2}));
 
-TEST_F(AbreastAvx2, EachLaneDrawsAsTheScalarReference) {
+TEST_P(AbreastAvx2, EachLaneDrawsAsTheScalarReference) {
   expect_reference_of_all_draws<4>();
   expect_reference_of_all_draws<8>();
 }
@@ -151,7 +154,7 @@ TEST_F(AbreastAvx2, EachLaneDrawsAsTheScalarReference) {
 float at_third(float a, float b, float c) { return (c + b) + a; }
 float at_fourth(float a, float b, float c) { return c + (b + a); }
 
-TEST_F(AbreastAvx2, RoundingNeverDrawsAMoveOfNoWeight) {
+TEST_P(AbreastAvx2, RoundingNeverDrawsAMoveOfNoWeight) {
   const WalkWorld world;
   constexpr std::uint32_t kBelowOne = 0xffffff00;  // a share of 1 - 2^-24
   int found = 0;
@@ -192,7 +195,7 @@ LASIUS_TARGET std::array<PerAnt, 4> blocks(const WalkWorld& world, const PerAnt&
   return result;
 }
 
-TEST_F(AbreastAvx2, RandomWordsAreThoseOfPhilox) {
+TEST_P(AbreastAvx2, RandomWordsAreThoseOfPhilox) {
   for (int round = 0; round < 1000; ++round) {
     WalkWorld world;
     world.seed = std::uint64_t{word()} << 32 | word();
