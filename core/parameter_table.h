@@ -13,9 +13,9 @@
 #include <variant>
 #include <vector>
 
+#include "did_you_mean.h"
 #include "lasius/error.h"
 #include "lasius/params.h"
-#include "nearest_name.h"
 #include "number_text.h"
 
 namespace lasius {
@@ -46,7 +46,7 @@ inline void check_threads(int threads) {
 inline Error unknown_name(std::string_view kind, std::string_view name,
                           std::span<const std::string_view> known) {
   return invalid_parameter("unknown " + std::string(kind) + " \"" + std::string(name) + "\"",
-                           "did you mean \"" + std::string(nearest_name(name, known)) + "\"?");
+                           did_you_mean(name, known));
 }
 
 /// How a table reads, writes and checks the fields of the struct `Fields`, which has a `seed` and
@@ -93,8 +93,7 @@ class ParameterTable {
         if (names[i] == text) return put(fields, static_cast<int>(i));
       }
       throw invalid_parameter(std::string(info.name) + " is \"" + std::string(text) + "\"",
-                              "did you mean \"" + std::string(nearest_name(text, names)) +
-                                  "\"? It must be " + std::string(info.range));
+                              did_you_mean(text, names) + " It must be " + std::string(info.range));
     }
   };
 

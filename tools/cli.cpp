@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "did_you_mean.h"
 #include "exit_code.h"
 #include "lasius/version.h"
 #include "subcommands.h"

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "did_you_mean.h"
 #include "exit_code.h"
 #ifdef LASIUS_WITH_POLYGON
 #include "lasius/polygon_plan.h"

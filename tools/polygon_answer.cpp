@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "answer.h"
+#include "did_you_mean.h"
 #include "elapsed.h"
 #include "exit_code.h"
 #include "lasius/error.h"

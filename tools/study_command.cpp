@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "commands.h"
+#include "did_you_mean.h"
 #include "exit_code.h"
 #include "progress.h"
 #include "signals.h"

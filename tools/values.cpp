@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "did_you_mean.h"
 #include "exit_code.h"
 
 namespace lasius::tool {
@@ -24,35 +25,6 @@ UsageError bad_value(std::string_view option, std::string_view text, const std::
 }
 
 }  // namespace
-
-int edit_distance(std::string_view a, std::string_view b) {
-  std::vector<int> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = static_cast<int>(j);
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    row[0] = static_cast<int>(i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const int replace = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      row[j] = std::min({replace, last[j] + 1, row[j - 1] + 1});
-      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
-    }
-    before.swap(last);
-    last.swap(row);
-  }
-  return last[b.size()];
-}
-
-std::string_view nearest(std::string_view word, std::span<const std::string_view> known) {
-  const auto closer = [word](std::string_view a, std::string_view b) {
-    return edit_distance(word, a) < edit_distance(word, b);
-  };
-  const auto found = std::min_element(known.begin(), known.end(), closer);
-  return found == known.end() ? std::string_view{} : *found;
-}
-
-std::string did_you_mean(std::string_view word, std::span<const std::string_view> known) {
-  return "did you mean \"" + std::string(nearest(word, known)) + "\"?";
-}
 
 std::optional<std::int64_t> parse_integer(std::string_view text) {
   return parse_all<std::int64_t>(text);

@@ -19,15 +19,6 @@ inline constexpr std::int64_t kMaxExactInteger = (std::int64_t{1} << 53) - 1;
 /// An upper bound for numbers that have none.
 inline constexpr double kNoLimit = std::numeric_limits<double>::max();
 
-/// Edit distance: insertions, deletions, replacements and swaps of neighbours, one each.
-int edit_distance(std::string_view a, std::string_view b);
-
-/// The known word nearest to `word`, the first of equals; empty if none is known.
-std::string_view nearest(std::string_view word, std::span<const std::string_view> known);
-
-/// The question that names it. Precondition: something is known.
-std::string did_you_mean(std::string_view word, std::span<const std::string_view> known);
-
 /// All of `text` as a number, or nothing. Reals are finite.
 std::optional<std::int64_t> parse_integer(std::string_view text);
 std::optional<double> parse_real(std::string_view text);

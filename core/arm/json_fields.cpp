@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "did_you_mean.h"
 #include "json_place.h"
 #include "lasius/error.h"
-#include "nearest_name.h"
 
 namespace lasius::arm {
 namespace {
@@ -29,8 +29,7 @@ JsonFields::JsonFields(const Json& object, std::string_view text, std::string fi
     bool is_known = false;
     for (const auto k : known) is_known |= k == name;
     if (is_known) continue;
-    const auto nearest = nearest_name(name, {known.begin(), known.size()});
-    fail(name, "is not a field of it", "did you mean \"" + std::string(nearest) + "\"?");
+    fail(name, "is not a field of it", did_you_mean(name, {known.begin(), known.size()}));
   }
 }
 

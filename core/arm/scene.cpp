@@ -3,11 +3,11 @@
 #include <nlohmann/json.hpp>
 
 #include "byte_reader.h"
+#include "did_you_mean.h"
 #include "json_fields.h"
 #include "lasius/arm.h"
 #include "lasius/error.h"
 #include "mesh_file.h"
-#include "nearest_name.h"
 #include "vec3.h"
 
 namespace lasius::arm {
@@ -22,8 +22,7 @@ Obstacle::Shape shape_of(const JsonFields& fields) {
     if (name == kShapes[i]) return static_cast<Obstacle::Shape>(i);
   }
   fields.fail("shape", "is \"" + name + "\"",
-              "did you mean \"" + std::string(nearest_name(name, kShapes)) +
-                  "\"? It must be box|sphere|cylinder|mesh");
+              did_you_mean(name, kShapes) + " It must be box|sphere|cylinder|mesh");
 }
 
 void refuse_foreign(const JsonFields& fields, std::string_view shape,

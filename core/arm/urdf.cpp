@@ -9,13 +9,13 @@
 #include <memory>
 #include <mutex>
 
+#include "did_you_mean.h"
 #include "enclose.h"
 #include "kinematics.h"
 #include "lasius/arm_sensor.h"
 #include "lasius/error.h"
 #include "lasius/output.h"
 #include "mesh_file.h"
-#include "nearest_name.h"
 #include "number_text.h"
 #include "vec3.h"
 
@@ -119,7 +119,7 @@ LinkPtr find_link(const urdf::ModelInterface& model, const std::string& name,
   std::vector<std::string_view> names;
   for (const auto& [known, link] : model.links_) names.push_back(known);
   throw Error(ErrorCode::invalid_parameter, "the robot has no " + what + " link \"" + name + "\"",
-              "did you mean \"" + std::string(nearest_name(name, names)) + "\"?");
+              did_you_mean(name, names));
 }
 
 LinkPtr only_leaf(const urdf::ModelInterface& model) {

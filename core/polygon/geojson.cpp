@@ -2,8 +2,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "did_you_mean.h"
 #include "json_place.h"
-#include "nearest_name.h"
 #include "world_maker.h"
 
 namespace lasius::polygon {
@@ -72,8 +72,7 @@ class GeoJsonReader {
         properties != feature.end() ? text_of(*properties, "role") : std::string();
     if (role.empty()) fail(place, "has no role", kShape);
     if (std::find(kRoles.begin(), kRoles.end(), role) == kRoles.end()) {
-      fail(place, "has the role \"" + role + "\"",
-           "did you mean \"" + std::string(nearest_name(role, kRoles)) + "\"?");
+      fail(place, "has the role \"" + role + "\"", did_you_mean(role, kRoles));
     }
     place += " (" + role + ")";
     const auto geometry = feature.find("geometry");
