@@ -1,6 +1,7 @@
 #include "urdf.h"
 
 #include <console_bridge/console.h>
+#include <tinyxml.h>
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
@@ -24,12 +25,13 @@ namespace {
 
 using LinkPtr = urdf::LinkConstSharedPtr;
 
-/// A URDF file. The parser keeps no lines, but links and joints have names.
+/// A URDF file. Its parser keeps no lines, but links and joints have names.
 struct Source {
   std::string_view text;
   const std::string& file;
 
   Error::Place whole() const { return {.file = file}; }
+  Error::Place line(std::int64_t number) const { return {.file = file, .line = number}; }
   Error::Place link(std::string_view name) const { return place("<link", name); }
   Error::Place joint(std::string_view name) const { return place("<joint", name); }
 
@@ -41,7 +43,7 @@ struct Source {
       for (const char quote : {'"', '\''}) {
         if (tag.find(std::string("name=") + quote + std::string(name) + quote) == tag.npos)
           continue;
-        return {.file = file, .line = 1 + std::count(text.begin(), text.begin() + at, '\n')};
+        return line(1 + std::count(text.begin(), text.begin() + at, '\n'));
       }
     }
     return whole();
@@ -71,7 +73,17 @@ class Complaints final : public console_bridge::OutputHandler {
   std::string first_;
 };
 
+/// The XML parser below urdfdom, which does not pass on where the XML is broken.
+void check_xml(const Source& source) {
+  TiXmlDocument document;
+  document.Parse(std::string(source.text).c_str());
+  if (!document.Error()) return;
+  broken(source.line(document.ErrorRow()),
+         "this is no URDF (" + std::string(document.ErrorDesc()) + ")", "check it with check_urdf");
+}
+
 urdf::ModelInterfaceSharedPtr parse_model(const Source& source) {
+  check_xml(source);
   static std::mutex one_at_a_time;  // the handler is the program's
   const std::scoped_lock lock(one_at_a_time);
   Complaints complaints;

@@ -120,6 +120,8 @@ TEST(Urdf, FaultsAreNamedByLine) {
       {"\"0.3\"", "\"-0.3\"", 8},
       {"prismatic", "planar", 8},
       {"velocity=\"0.5\"", "velocity=\"-2.5\"", 8},
+      {"type=\"prismatic\"", "type=\"prismatic", 8},
+      {"</joint>\n</robot>", "</robot>", 10},
   };
   expect_lines(cases, kUrdf, [](const std::string& text) { parse_robot(text, "r.urdf"); });
 }
