@@ -171,20 +171,20 @@ void Field::read_index(const Tile& tile, int cell, Count moves, double* index) c
   }
 }
 
-/// The row of a cell: K'(j)^alpha * d(j, E)^beta (Li, Wang & Ma, eq. 9), scaled to a largest value
-/// of 1.
+/// The row of a cell: one over K'(j)^alpha * d(j, E)^beta (Li, Wang & Ma, eq. 9) as a share of the
+/// largest, as a race wants it.
 template <class Count>
 void Field::weigh_index(Tile& tile, int cell, Count moves, double* index) const {
   const float* heuristic = tile.heuristic + std::ptrdiff_t{cell} * moves;
   float* row = tile.rows + std::ptrdiff_t{cell} * moves;
-  double largest = 0;
+  double largest = std::numeric_limits<double>::min();
   for (int k = 0; k < moves; ++k) {
     index[k] *= heuristic[k];
     largest = std::max(largest, index[k]);
   }
   for (int k = 0; k < moves; ++k) {
-    const double share = std::max(index[k] / largest, HeuristicRows::kSmallest);
-    row[k] = heuristic[k] == 0 ? 0.0f : static_cast<float>(share);
+    const double mean = std::min(largest / index[k], 1 / HeuristicRows::kSmallest);
+    row[k] = heuristic[k] == 0 ? 0.0f : static_cast<float>(mean);
   }
 }
 

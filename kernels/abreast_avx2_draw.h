@@ -5,7 +5,6 @@
 #include <immintrin.h>
 
 #include <cstdint>
-#include <limits>
 
 #include "kernels/abreast_avx2_lanes.h"
 #include "kernels/abreast_avx2_planes.h"
@@ -83,28 +82,25 @@ class AbreastDraw {
     return choice;
   }
 
-  /// As ScalarOps::race. Consumes `weight`.
+  /// As ScalarOps::race. Consumes `mean`.
   LASIUS_TARGET [[gnu::always_inline]] static Choice race(const __m256i (&words)[kMoves],
                                                           const AbreastPlanes::Entered& entered,
-                                                          __m256 (&weight)[kMoves]) noexcept {
-    keep_open(entered, weight);
+                                                          __m256 (&mean)[kMoves]) noexcept {
+    keep_open(entered, mean);
     alignas(32) PerAnt word[kMoves];
     alignas(32) float at_weight_one[kMoves][8];
     for (int k = 0; k < kMoves; ++k) {
       store(word[k], words[k]);
       for (int i = 0; i < 8; ++i) at_weight_one[k][i] = minus_log2(word[k][i]);
     }
-    const __m256 stopped = _mm256_set1_ps(-std::numeric_limits<float>::infinity());
-    __m256 longest = stopped;
+    __m256 longest = _mm256_setzero_ps();
     __m256i move = all(0);
     for (int k = 0; k < kMoves; ++k) {
-      const __m256 ran = _mm256_div_ps(_mm256_load_ps(at_weight_one[k]), weight[k]);
-      const __m256 time = choose(stopped, ran, less(_mm256_setzero_ps(), weight[k]));
-      const __m256i longer = less(longest, time);
-      longest = choose(longest, time, longer);
-      move = choose(move, all(k), longer);
+      const __m256 time = _mm256_mul_ps(_mm256_load_ps(at_weight_one[k]), mean[k]);
+      move = choose(move, all(k), less(longest, time));
+      longest = _mm256_max_ps(longest, time);
     }
-    return {move, equal(longest, stopped)};
+    return {move, equal(longest, _mm256_setzero_ps())};
   }
 
  private:

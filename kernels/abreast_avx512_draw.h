@@ -5,7 +5,6 @@
 #include <immintrin.h>
 
 #include <cstdint>
-#include <limits>
 
 #include "kernels/abreast_avx512_lanes.h"
 #include "kernels/race.h"
@@ -84,26 +83,23 @@ class AbreastDraw {
   /// As ScalarOps::race.
   LASIUS_TARGET [[gnu::always_inline]] static __m512i race(const __m512i (&words)[4],
                                                            __m512i closed,
-                                                           __m512 (&weight)[4]) noexcept {
+                                                           __m512 (&mean)[4]) noexcept {
     __mmask16 open[4];
-    keep_open(closed, weight, open);
+    keep_open(closed, mean, open);
     alignas(64) std::uint32_t word[4][16];
     alignas(64) float at_weight_one[4][16];
     for (int j = 0; j < 4; ++j) {
       _mm512_store_si512(word[j], words[j]);
       for (int i = 0; i < 16; ++i) at_weight_one[j][i] = minus_log2(word[j][i]);
     }
-    const __m512 stopped = _mm512_set1_ps(-std::numeric_limits<float>::infinity());
     __m512 time[4];
-    for (int j = 0; j < 4; ++j) {
-      time[j] = _mm512_mask_div_ps(stopped, open[j], _mm512_load_ps(at_weight_one[j]), weight[j]);
-    }
+    for (int j = 0; j < 4; ++j) time[j] = _mm512_mul_ps(_mm512_load_ps(at_weight_one[j]), mean[j]);
     const __m512 longest = largest(time);
     __mmask16 last[4];
     for (int j = 0; j < 4; ++j) {
       last[j] = _mm512_mask_cmp_ps_mask(open[j], time[j], longest, _CMP_EQ_OQ);
     }
-    const __mmask16 none = _mm512_cmp_ps_mask(longest, stopped, _CMP_EQ_OQ);
+    const __mmask16 none = _mm512_cmp_ps_mask(longest, _mm512_setzero_ps(), _CMP_EQ_OQ);
     return one_an_ant(_mm512_mask_mov_epi32(first_of(last), none, _mm512_set1_epi32(kStuck)));
   }
 

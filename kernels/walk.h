@@ -75,7 +75,8 @@ enum Rule { kGreedyRule, kPheromoneRule, kDistanceRule, kCombinedRule, kRules };
 struct WalkWorld {
   /// Rows of weights by tile, row-major `tiles_x` a row; null where no ant has been. Of a cell:
   /// with one rule, `lanes` floats; with a mixture, `lanes` of pheromone, then `lanes` of distance.
-  /// A weight of 0 is a move that does not exist, every other one is at least 2^-120.
+  /// A weight of 0 is a move that does not exist, every other one is at least 2^-120. For a race
+  /// (Draw::discard) rows hold one over the weight, at most 2^120, or 0.
   float* const* tiles = nullptr;
   int tiles_x = 0;
   /// Called for a null entry, from any thread: makes the tile, enters it in `tiles` (release) and
@@ -172,7 +173,8 @@ enum class Draw {
   roulette,  ///< with probability proportional to its weight
   /// Discard moves one by one, each with probability proportional to its weight, until one is left
   /// (Li, Wang & Ma, section 2.3). Run as a race: move k gets a time of density
-  /// weight * exp(-weight * t), and the last one stays, which is the same distribution.
+  /// weight * exp(-weight * t), and the last one stays, which is the same distribution. The row
+  /// holds the mean of that time: no division is left to do.
   discard,
 };
 

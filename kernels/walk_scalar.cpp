@@ -64,17 +64,16 @@ struct ScalarOps : InTurnOps {
     return last;
   }
 
-  /// The move that runs longest, the first of equals: a time at weight 1 divided by the weight.
+  /// The move that runs longest, the first of equals: a time at weight 1 times the mean.
   template <int kLanes, bool kFactor>
   static int race(const WalkWorld& world, const float* row, std::uint32_t open,
                   std::uint32_t previous, const float* at_weight_one) noexcept {
     int last = -1;
     float longest = 0;
     for (int k = 0; k < kLanes; ++k) {
-      const float weight = kFactor ? row[k] * world.factor[previous][k] : row[k];
-      if ((open >> k & 1) == 0 || !(weight > 0)) continue;
-      const float time = at_weight_one[k] / weight;
-      if (last >= 0 && !(time > longest)) continue;
+      const float mean = kFactor ? row[k] * world.factor[previous][k] : row[k];
+      const float time = at_weight_one[k] * mean;
+      if ((open >> k & 1) == 0 || !(time > longest)) continue;
       last = k;
       longest = time;
     }

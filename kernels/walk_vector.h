@@ -4,8 +4,6 @@
 
 #include <immintrin.h>
 
-#include <limits>
-
 #include "kernels/walk_tables.h"
 
 namespace lasius::kernels {
@@ -30,15 +28,6 @@ struct Row<4> {
   }
   LASIUS_TARGET [[gnu::always_inline]] static V times(V a, V b) noexcept {
     return _mm_mul_ps(a, b);
-  }
-  LASIUS_TARGET [[gnu::always_inline]] static V over(V a, V b) noexcept { return _mm_div_ps(a, b); }
-  /// v where the bits are set, else `other`.
-  LASIUS_TARGET [[gnu::always_inline]] static V choose(V v, std::uint32_t bits, V other) noexcept {
-#if LASIUS_MASKS
-    return _mm_mask_mov_ps(other, static_cast<__mmask8>(bits), v);
-#else
-    return _mm_blendv_ps(other, v, spread(bits));
-#endif
   }
   /// b where the mask's bits are set, else a.
   LASIUS_TARGET [[gnu::always_inline]] static V blend(V a, V b, int mask) noexcept {
@@ -98,17 +87,6 @@ struct Row<8> {
   }
   LASIUS_TARGET [[gnu::always_inline]] static V times(V a, V b) noexcept {
     return _mm256_mul_ps(a, b);
-  }
-  LASIUS_TARGET [[gnu::always_inline]] static V over(V a, V b) noexcept {
-    return _mm256_div_ps(a, b);
-  }
-  /// v where the bits are set, else `other`.
-  LASIUS_TARGET [[gnu::always_inline]] static V choose(V v, std::uint32_t bits, V other) noexcept {
-#if LASIUS_MASKS
-    return _mm256_mask_mov_ps(other, static_cast<__mmask8>(bits), v);
-#else
-    return _mm256_blendv_ps(other, v, spread(bits));
-#endif
   }
   LASIUS_TARGET [[gnu::always_inline]] static V blend(V a, V b, int mask) noexcept {
     return _mm256_blendv_ps(a, b, _mm256_castsi256_ps(_mm256_set1_epi32(mask)));
@@ -227,17 +205,15 @@ struct VectorOps : InTurnOps {
     constexpr int kParts = kLanes / kWidth;
     using R = Row<kWidth>;
     typename R::V time[kParts];
+    auto longest = R::all(0);
     std::uint32_t running = 0;
-    const auto stopped = R::all(-std::numeric_limits<float>::infinity());
-    auto longest = stopped;
     for (int part = 0; part < kParts; ++part) {
       const int k = part * kWidth;
-      auto weight = R::load(row + k);
-      if constexpr (kFactor) weight = R::times(weight, R::load(world.factor[previous].data() + k));
-      const std::uint32_t runs = R::less(R::all(0), weight) & open >> k;
-      time[part] = R::choose(R::over(R::load(at_weight_one + k), weight), runs, stopped);
+      auto mean = R::load(row + k);
+      if constexpr (kFactor) mean = R::times(mean, R::load(world.factor[previous].data() + k));
+      time[part] = R::only(R::times(R::load(at_weight_one + k), mean), open >> k);
       longest = R::larger(longest, time[part]);
-      running |= runs << k;
+      running |= R::less(R::all(0), time[part]) << k;
     }
     if (running == 0) [[unlikely]]
       return -1;

@@ -226,7 +226,7 @@ TEST_P(EveryIsa, DiscardLeavesAMoveAsOftenAsSuccessiveDiscardsWould) {
   // 3/6 * 2/3 + 2/6 * 3/4 = 7/12; move 1: 3/6 * 1/3 + 1/6 * 3/5 = 4/15; move 2: 3/20.
   const WalkShape shape{4, false, false, Draw::discard};
   World world(shape, 64, 64, 3);
-  alignas(32) const float row[4] = {1, 2, 3, 5};
+  alignas(32) const float row[4] = {1, 1.0f / 2, 1.0f / 3, 1.0f / 5};
   const auto draw = walk_table(GetParam()).draw[shape.index()];
   std::array<int, 4> left{};
   std::mt19937 random(1);
