@@ -21,13 +21,13 @@ LASIUS_TARGET [[gnu::always_inline]] inline __m128i four_bytes(
 
 /// Up to eight ants, taken apart into arrays. `Lanes` says how wide a Number a lane has, and at
 /// which place(i) of an array of pointers that of ant i stands.
-template <class Lanes, bool kFactor, Draw kDraw>
+template <class Lanes, int kMoves, bool kFactor, Draw kDraw>
 struct AbreastAnts {
   static constexpr int kAnts = 8;
-  /// Steps between two looks at how many still walk; a roulette reads a Philox block in them.
-  static constexpr int kRounds = 4;
-  static constexpr bool kWordsEachRound = kDraw == Draw::discard;
-  static constexpr int kBlock = 4;  ///< words of a Philox block
+  static constexpr int kRounds = 4;  ///< steps between two looks at how many still walk
+  static constexpr int kNumbersAStep = kDraw == Draw::discard ? kMoves : 1;
+  static constexpr int kStepsABlock = numbers_of_block(kDraw) / kNumbersAStep;
+  static_assert(kRounds % kStepsABlock == 0);
 
   using Number = typename Lanes::Number;
   alignas(64) std::array<Number, kAnts> at{};
@@ -45,7 +45,7 @@ struct AbreastAnts {
     slots[i] = &slot;
     at[i] = slot.at;
     last[i] = slot.move_count > 0 ? slot.moves[slot.move_count - 1] : Number{kMaxMoves};
-    block[i] = static_cast<Number>(slot.words_used() / kBlock);
+    block[i] = static_cast<Number>(slot.numbers_used(kDraw) / numbers_of_block(kDraw));
     number[i] = slot.ant;
     row[i] = slot.row;
     base[Lanes::place(i)] = slot.moves;
@@ -63,9 +63,9 @@ struct AbreastAnts {
   }
   /// An ant that still walks; `word` as in WalkSlot.
   void hand_back(int i, std::uint64_t* word) const noexcept { hand_back(i, word, 0); }
-  /// One that has ended in a round counted from 0, whose words of the later ones stay unread.
+  /// One that has ended in a round counted from 0; the numbers left of its block stay unread.
   void end(int i, std::uint64_t* word, WalkState state, int round) const noexcept {
-    hand_back(i, word, kWordsEachRound ? 0 : kRounds - 1 - round);
+    hand_back(i, word, (kStepsABlock - 1 - round % kStepsABlock) * kNumbersAStep);
     slots[i]->state = state;
   }
 
@@ -78,9 +78,8 @@ struct AbreastAnts {
     slot.move_count = top[Lanes::place(i)] - base[Lanes::place(i)];
     slot.dead_count = dead[Lanes::place(i)] - slot.dead;
     if (kFactor) slot.previous = static_cast<std::uint32_t>(last[i]);
-    const std::uint64_t words = std::uint64_t{block[i]} * kBlock - static_cast<unsigned>(unread);
-    slot.random_block = static_cast<std::uint32_t>((words + kBlock - 1) / kBlock);
-    slot.random_used = WalkSlot::kRandomWords - static_cast<std::uint32_t>(-words % kBlock);
+    slot.random_block = static_cast<std::uint32_t>(block[i]);
+    slot.random_used = static_cast<std::uint32_t>(WalkSlot::kNumbers - unread);
   }
 };
 

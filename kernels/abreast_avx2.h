@@ -29,11 +29,10 @@ class Abreast {
   static constexpr std::uint32_t kSet = ~std::uint32_t{0};
 
  public:
-  using Ants = AbreastAnts<Lanes, kFactor, kDraw>;
+  using Ants = AbreastAnts<Lanes, kMoves, kFactor, kDraw>;
   static constexpr int kWorthwhile = 4;  ///< fewer walk as fast one by one
 
-  static constexpr int kWords = kDraw == Draw::discard ? kMoves : Ants::kBlock;
-  using Words = __m256i[kWords];
+  using Words = __m256i[4];
   static constexpr int kWeights = DrawOf::kWeights;
   using Weights = __m256[kWeights];
   struct Step {
@@ -64,18 +63,13 @@ class Abreast {
   /// An ant that walks; the others were handed back when they ended.
   void hand_back(int i) const noexcept { ants_.hand_back(i, planes_.word(i)); }
 
-  /// The next word of every ant in each of four registers; for a race the words of its moves.
-  /// As `refill`.
+  /// The next block of every ant, a word in each register.
   LASIUS_TARGET [[gnu::always_inline]] void draw_words(const WalkWorld& world,
                                                        Words& words) noexcept {
     prefetch_ends();
-    for (int w = 0; w < kWords; w += Ants::kBlock) {
-      const __m256i block = load(ants_.block);
-      __m256i four[Ants::kBlock];
-      philox(world, block, load(ants_.number), four);
-      for (int j = 0; j < Ants::kBlock; ++j) words[w + j] = four[j];
-      store(ants_.block, _mm256_add_epi32(block, all(1)));
-    }
+    const __m256i block = load(ants_.block);
+    philox(world, block, load(ants_.number), words);
+    store(ants_.block, _mm256_add_epi32(block, all(1)));
   }
 
   /// The ants' rows, times the factors: weight k of all.
@@ -105,7 +99,12 @@ class Abreast {
                                                  Step& step) const noexcept {
     const AbreastPlanes::Entered entered{load(above_), load(beside_), load(below_)};
     if constexpr (kDraw == Draw::discard) {
-      step.choice = DrawOf::race(words, entered, weight);
+      __m256i number[kMoves];
+      for (int k = 0; k < kMoves; ++k) {
+        const int n = round % Ants::kStepsABlock * kMoves + k;
+        number[k] = n < 4 ? words[n] : turned(words[n - 4]);
+      }
+      step.choice = DrawOf::race(number, entered, weight);
     } else {
       step.choice = DrawOf::roulette(world, words[round], entered, weight);
     }

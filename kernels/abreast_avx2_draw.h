@@ -83,15 +83,15 @@ class AbreastDraw {
   }
 
   /// As ScalarOps::race. Consumes `mean`.
-  LASIUS_TARGET [[gnu::always_inline]] static Choice race(const __m256i (&words)[kMoves],
+  LASIUS_TARGET [[gnu::always_inline]] static Choice race(const __m256i (&numbers)[kMoves],
                                                           const AbreastPlanes::Entered& entered,
                                                           __m256 (&mean)[kMoves]) noexcept {
     keep_open(entered, mean);
-    alignas(32) PerAnt word[kMoves];
+    alignas(32) PerAnt number[kMoves];
     alignas(32) float at_weight_one[kMoves][8];
     for (int k = 0; k < kMoves; ++k) {
-      store(word[k], words[k]);
-      for (int i = 0; i < 8; ++i) at_weight_one[k][i] = minus_log2(word[k][i]);
+      store(number[k], numbers[k]);
+      for (int i = 0; i < 8; ++i) at_weight_one[k][i] = minus_log2(number[k][i]);
     }
     __m256 longest = _mm256_setzero_ps();
     __m256i move = all(0);

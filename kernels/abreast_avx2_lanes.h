@@ -107,8 +107,12 @@ LASIUS_TARGET [[gnu::always_inline]] inline Wide choose(Wide a, Wide b, Wide mas
           _mm256_blendv_epi8(a.odd, b.odd, mask.odd)};
 }
 
-// --- Random words
+// --- Random numbers
 
+/// As of one word.
+LASIUS_TARGET [[gnu::always_inline]] inline __m256i turned(__m256i words) noexcept {
+  return _mm256_or_si256(_mm256_slli_epi32(words, 16), _mm256_srli_epi32(words, 16));
+}
 /// The blocks of Philox4x32-10 with these counters. The products read the lower halves of 64 bits
 /// alone, so that what stands above them (the odd ants) does not matter.
 LASIUS_TARGET [[gnu::always_inline]] inline void philox(const WalkWorld& world, __m256i block,

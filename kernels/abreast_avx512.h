@@ -32,7 +32,7 @@ class Abreast {
   static constexpr int kBack = 8;  ///< added to a move that is taken back
 
  public:
-  using Ants = AbreastAnts<Lanes, kFactor, kDraw>;
+  using Ants = AbreastAnts<Lanes, kMoves, kFactor, kDraw>;
   static constexpr int kWorthwhile = 6;  ///< fewer are as fast one by one
 
   using Words = __m512i[4];
@@ -69,24 +69,17 @@ class Abreast {
   /// An ant that walks; the others were handed back when they ended.
   void hand_back(int i) const noexcept { ants_.hand_back(i, planes_.word(i)); }
 
-  /// The next word of every ant in each of four registers, in halves; for a race the words of its
-  /// eight moves. As `refill`.
+  /// The next block of every ant, a word in each register, in halves; for a race turned in the
+  /// second half.
   LASIUS_TARGET [[gnu::always_inline]] void draw_words(const WalkWorld& world,
                                                        Words& words) noexcept {
     const __m512i block = load(ants_.block);
     philox(world, block, load(ants_.number), words);
-    if constexpr (kDraw == Draw::discard) {
-      __m512i more[4];
-      philox(world, _mm512_add_epi64(block, all(1)), load(ants_.number), more);
-      const __m512i order =
-          _mm512_setr_epi32(0, 2, 4, 6, 16, 18, 20, 22, 8, 10, 12, 14, 24, 26, 28, 30);
-      for (int j = 0; j < 4; ++j) {
-        words[j] = _mm512_permutex2var_epi32(words[j], order, more[j]);
-      }
-    } else {
-      for (__m512i& word : words) word = in_halves(word);
+    for (__m512i& word : words) {
+      word = in_halves(word);
+      if constexpr (kDraw == Draw::discard) word = second_half_turned(word);
     }
-    store(ants_.block, _mm512_add_epi64(block, all(kDraw == Draw::discard ? 2 : 1)));
+    store(ants_.block, _mm512_add_epi64(block, all(1)));
   }
 
   /// The ants' rows, times the factors, in halves.

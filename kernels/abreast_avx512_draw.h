@@ -81,16 +81,16 @@ class AbreastDraw {
     return one_an_ant(move);
   }
   /// As ScalarOps::race.
-  LASIUS_TARGET [[gnu::always_inline]] static __m512i race(const __m512i (&words)[4],
+  LASIUS_TARGET [[gnu::always_inline]] static __m512i race(const __m512i (&numbers)[4],
                                                            __m512i closed,
                                                            __m512 (&mean)[4]) noexcept {
     __mmask16 open[4];
     keep_open(closed, mean, open);
-    alignas(64) std::uint32_t word[4][16];
+    alignas(64) std::uint32_t number[4][16];
     alignas(64) float at_weight_one[4][16];
     for (int j = 0; j < 4; ++j) {
-      _mm512_store_si512(word[j], words[j]);
-      for (int i = 0; i < 16; ++i) at_weight_one[j][i] = minus_log2(word[j][i]);
+      _mm512_store_si512(number[j], numbers[j]);
+      for (int i = 0; i < 16; ++i) at_weight_one[j][i] = minus_log2(number[j][i]);
     }
     __m512 time[4];
     for (int j = 0; j < 4; ++j) time[j] = _mm512_mul_ps(_mm512_load_ps(at_weight_one[j]), mean[j]);

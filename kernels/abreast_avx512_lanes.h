@@ -74,6 +74,11 @@ LASIUS_TARGET [[gnu::always_inline]] inline __m512 second_half(__m512 v) noexcep
   return _mm512_shuffle_f32x4(v, v, 0b11'11'01'01);
 }
 
+LASIUS_TARGET [[gnu::always_inline]] inline __m512i second_half_turned(__m512i halves) noexcept {
+  constexpr __mmask16 kSecond = 0xf0f0;
+  return _mm512_mask_rol_epi32(halves, kSecond, halves, 16);
+}
+
 /// The blocks of Philox4x32-10 with these counters, one an ant; the upper halves are undefined. (As
 /// are those of its products' factors, which the multiplication ignores.)
 LASIUS_TARGET [[gnu::always_inline]] inline void philox(const WalkWorld& world, __m512i block,

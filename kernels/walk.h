@@ -118,10 +118,25 @@ enum class WalkState : std::uint32_t {
   lost
 };
 
-/// One ant under way. Random word n of ant a in iteration q is word n % 4 of Philox4x32-10 with
-/// key = seed and counter (n / 4, a, q, 0).
+/// How one move is drawn from a row.
+enum class Draw {
+  roulette,  ///< with probability proportional to its weight
+  /// Discard moves one by one, each with probability proportional to its weight, until one is left
+  /// (Li, Wang & Ma, section 2.3). Run as a race: move k gets a time of density
+  /// weight * exp(-weight * t), and the last one stays, which is the same distribution. The row
+  /// holds the mean of that time: no division is left to do.
+  discard,
+};
+
+/// Random numbers that a Philox block gives, see WalkSlot.
+constexpr int numbers_of_block(Draw draw) noexcept { return draw == Draw::discard ? 8 : 4; }
+
+/// One ant under way. Block b of ant a in iteration q is Philox4x32-10 with key = seed and counter
+/// (b, a, q, 0). A roulette takes one of its four words a step. A race takes a number a move, eight
+/// of a block: the four words, then the same turned by 16 bits. (What two of them share stands
+/// behind the sixteenth binary place.)
 struct WalkSlot {
-  static constexpr int kRandomWords = 64;
+  static constexpr int kNumbers = 64;
   static constexpr int kMovesBeyond = 3;  ///< that a kernel may write behind a tour
 
   PackedCell at = 0;
@@ -137,10 +152,10 @@ struct WalkSlot {
   const float* row = nullptr;  ///< of the cell it is at; the kernel's own, as is `word`
   VisitedPlane visited;
   std::uint64_t* word = nullptr;  ///< of `visited` around that cell
-  std::uint32_t random_used = kRandomWords;
-  std::uint32_t random_block = 0;  ///< next Philox counter
-  /// Words to come; for a race (Draw::discard) their times at weight 1, as the bits of floats.
-  alignas(64) std::array<std::uint32_t, kRandomWords> random;
+  std::uint32_t random_used = kNumbers;
+  std::uint32_t random_block = 0;  ///< the next one
+  /// Numbers to come; for a race (Draw::discard) their times at weight 1, as the bits of floats.
+  alignas(64) std::array<std::uint32_t, kNumbers> random;
 
   /// A new ant sets out; the words left of the one before stay unread.
   void send(PackedCell start, std::uint32_t number) noexcept {
@@ -149,14 +164,15 @@ struct WalkSlot {
     state = WalkState::walking;
     ant = number;
     move_count = dead_count = 0;
-    random_used = kRandomWords;
+    random_used = kNumbers;
     random_block = 0;
   }
 
-  /// Random words used: one a step (Draw::discard: one a move of the row), those taken back
+  /// Random numbers used: one a step (Draw::discard: one a move of the row), those taken back
   /// included.
-  std::int64_t words_used() const noexcept {
-    return std::int64_t{random_block} * 4 - (kRandomWords - std::int64_t{random_used});
+  std::int64_t numbers_used(Draw draw) const noexcept {
+    return std::int64_t{random_block} * numbers_of_block(draw) -
+           (kNumbers - std::int64_t{random_used});
   }
 };
 
@@ -167,16 +183,6 @@ inline constexpr int kMaxSlots = 16;  ///< slots of one call
 /// it may not, or stands at the start). Throws only what `make_tile` throws; then no slot means
 /// anything.
 using WalkFn = void (*)(const WalkWorld& world, std::span<WalkSlot> slots, int rounds);
-
-/// How one move is drawn from a row.
-enum class Draw {
-  roulette,  ///< with probability proportional to its weight
-  /// Discard moves one by one, each with probability proportional to its weight, until one is left
-  /// (Li, Wang & Ma, section 2.3). Run as a race: move k gets a time of density
-  /// weight * exp(-weight * t), and the last one stays, which is the same distribution. The row
-  /// holds the mean of that time: no division is left to do.
-  discard,
-};
 
 /// What a walk kernel is compiled for.
 struct WalkShape {
@@ -195,7 +201,7 @@ inline constexpr int kWalkShapes = 30;
 /// Draws from one row as the kernel does, for tests and benchmarks.
 ///   row     as in WalkWorld::tiles, aligned to 16 bytes (4 lanes) or 32 bytes
 ///   open    bit k set where move k is not tabu
-///   random  random words, uniform: one (roulette), or `lanes` (discard)
+///   random  random numbers, uniform: one (roulette), or `lanes` (discard)
 /// Returns the move, -1 if there is none.
 using DrawFn = int (*)(const WalkWorld& world, const float* row, std::uint32_t open,
                        std::uint32_t previous, const std::uint32_t* random) noexcept;

@@ -19,7 +19,7 @@ template <class Group, int kGroups>
 LASIUS_TARGET void advance(const WalkWorld& world, Group* const (&groups)[kGroups]) {
   typename Group::Words words[kGroups];
   for (int round = 0; round < Group::Ants::kRounds; ++round) {
-    if (Group::Ants::kWordsEachRound || round == 0) {
+    if (round % Group::Ants::kStepsABlock == 0) {
       for (int g = 0; g < kGroups; ++g) groups[g]->draw_words(world, words[g]);
     }
     // Phase by phase, so that the groups' chains are in flight together.
@@ -55,7 +55,7 @@ struct AbreastOps : VectorOps {
       const std::size_t half = slots.size() <= Ants::kAnts ? slots.size() : (slots.size() + 1) / 2;
       if (slots.size() < Group::kWorthwhile || slots.size() > 2 * Ants::kAnts) return 0;
       for (const WalkSlot* slot : slots) {
-        if (slot->words_used() % Ants::kBlock != 0) return 0;
+        if (slot->numbers_used(kDraw) % numbers_of_block(kDraw) != 0) return 0;
       }
       Group one(world, slots.first(half)), other(world, slots.subspan(half));
       const auto walking = [&] {

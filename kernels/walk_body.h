@@ -19,11 +19,11 @@
 namespace lasius::kernels {
 namespace {
 
-/// Fills the slot's buffer with its next random words, block by block in the lanes of a vector; for
-/// a race, with the times of the words.
+/// Fills the slot's buffer with its next random numbers, block by block in the lanes of a vector;
+/// for a race, with their times.
 template <Draw kDraw>
 LASIUS_TARGET inline void refill(const WalkWorld& world, WalkSlot& slot) noexcept {
-  constexpr int kBlocks = WalkSlot::kRandomWords / 4;
+  constexpr int kEach = numbers_of_block(kDraw), kBlocks = WalkSlot::kNumbers / kEach;
   const r123::Philox4x32::key_type key{
       {static_cast<std::uint32_t>(world.seed), static_cast<std::uint32_t>(world.seed >> 32)}};
   std::uint32_t words[4][kBlocks];
@@ -34,10 +34,12 @@ LASIUS_TARGET inline void refill(const WalkWorld& world, WalkSlot& slot) noexcep
     for (int w = 0; w < 4; ++w) words[w][i] = drawn.v[w];
   }
   for (int i = 0; i < kBlocks; ++i) {
-    for (int w = 0; w < 4; ++w) slot.random[4 * i + w] = words[w][i];
+    for (int n = 0; n < kEach; ++n) {
+      slot.random[kEach * i + n] = n < 4 ? words[n][i] : kernels::turned(words[n - 4][i]);
+    }
   }
   if constexpr (kDraw == Draw::discard) {
-    for (std::uint32_t& word : slot.random) word = std::bit_cast<std::uint32_t>(minus_log2(word));
+    for (std::uint32_t& n : slot.random) n = std::bit_cast<std::uint32_t>(minus_log2(n));
   }
   slot.random_block += kBlocks;
   slot.random_used = 0;
@@ -136,16 +138,16 @@ struct Walk {
     int move;
     if constexpr (kDraw == Draw::discard) {
       // The most that the buffer surely holds together.
-      constexpr std::uint32_t kRun = std::gcd(kLanes, WalkSlot::kRandomWords);
+      constexpr std::uint32_t kRun = std::gcd(kLanes, WalkSlot::kNumbers);
       alignas(32) float at_weight_one[kLanes];
       for (std::uint32_t k = 0; k < kLanes; k += kRun) {
-        if (slot.random_used == WalkSlot::kRandomWords) refill<kDraw>(world, slot);
+        if (slot.random_used == WalkSlot::kNumbers) refill<kDraw>(world, slot);
         std::memcpy(at_weight_one + k, slot.random.data() + slot.random_used, kRun * sizeof(float));
         slot.random_used += kRun;
       }
       move = LASIUS_OPS::race<kLanes, kFactor>(world, row, open, slot.previous, at_weight_one);
     } else {
-      if (slot.random_used == WalkSlot::kRandomWords) refill<kDraw>(world, slot);
+      if (slot.random_used == WalkSlot::kNumbers) refill<kDraw>(world, slot);
       const std::uint32_t random = slot.random[slot.random_used++];
       move =
           LASIUS_OPS::roulette<kLanes, kMixture, kFactor>(world, row, open, slot.previous, random);

@@ -2,12 +2,15 @@
 // reference.
 #include "kernels/walk.h"
 
+#include <Random123/philox.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,18 +61,20 @@ class World {
     const Moves moves = moves_of(neighbourhood(shape.lanes));
     const int tiles_x = (width + kTileSide - 1) / kTileSide;
     const int tiles_y = (height + kTileSide - 1) / kTileSide;
-    const int row = shape.lanes * (shape.mixture ? 2 : 1);
     std::vector<char> open(static_cast<std::size_t>(width * height));
     for (auto& o : open) o = uniform() >= blocked;
     open.front() = open.back() = open[2 * width + 3] = 1;
-    storage_.resize(static_cast<std::size_t>(tiles_x * tiles_y * kTileCells * row) + 16, 0.0f);
+    storage_.resize(static_cast<std::size_t>(tiles_x * tiles_y * kTileCells * row_size()) + 16,
+                    0.0f);
     float* first = storage_.data();
     while (reinterpret_cast<std::uintptr_t>(first) % 64 != 0) ++first;
-    for (int t = 0; t < tiles_x * tiles_y; ++t) tiles_.push_back(first + t * kTileCells * row);
+    for (int t = 0; t < tiles_x * tiles_y; ++t)
+      tiles_.push_back(first + t * kTileCells * row_size());
+    view.tiles = tiles_.data();
+    view.tiles_x = tiles_x;
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
-        float* cell = tiles_[(y / kTileSide) * tiles_x + x / kTileSide] +
-                      ((y % kTileSide) * kTileSide + x % kTileSide) * row;
+        float* cell = row(pack(x, y));
         for (int k = 0; k < moves.count; ++k) {
           const int nx = x + moves[k].to.dx, ny = y + moves[k].to.dy;
           const bool inside = nx >= 0 && ny >= 0 && nx < width && ny < height;
@@ -79,8 +84,6 @@ class World {
         }
       }
     }
-    view.tiles = tiles_.data();
-    view.tiles_x = tiles_x;
     for (int k = 0; k < moves.count; ++k) view.set_move(k, moves[k].to);
     for (auto& factors : view.factor) {
       for (auto& f : factors) f = shape.factor ? static_cast<float>(uniform() + 0.1) : 1.0f;
@@ -97,7 +100,7 @@ class World {
     WalkState state;
     std::vector<std::uint8_t> moves;
     std::vector<PackedCell> dead;
-    std::int64_t steps;
+    std::int64_t numbers;  ///< that were drawn
     friend bool operator==(const Walked&, const Walked&) = default;
   };
 
@@ -131,7 +134,7 @@ class World {
         result[s.ant] = {s.state,
                          {moves[i].begin(), moves[i].begin() + s.move_count},
                          {dead[i].begin(), dead[i].begin() + s.dead_count},
-                         s.words_used()};
+                         s.numbers_used(shape_.draw)};
         ++ended;
         s.state = WalkState::idle;
         if (sent < ants) send(i);
@@ -140,9 +143,16 @@ class World {
     return result;
   }
 
+  float* row(PackedCell cell) const {
+    const int x = packed_x(cell), y = packed_y(cell);
+    return view.tiles[(y / kTileSide) * view.tiles_x + x / kTileSide] +
+           ((y % kTileSide) * kTileSide + x % kTileSide) * row_size();
+  }
+
   WalkWorld view;
 
  private:
+  int row_size() const { return shape_.lanes * (shape_.mixture ? 2 : 1); }
   double uniform() { return std::uniform_real_distribution<>(0, 1)(random_); }
 
   WalkShape shape_;
@@ -244,6 +254,48 @@ TEST_P(EveryIsa, DiscardLeavesAMoveAsOftenAsSuccessiveDiscardsWould) {
   EXPECT_EQ(left[3], 0);
 }
 
+// Number `index` of an ant in iteration 0, as WalkSlot says.
+std::uint32_t number_of(const WalkWorld& world, Draw draw, std::uint32_t ant, std::uint32_t index) {
+  const std::uint32_t each = draw == Draw::discard ? 8 : 4;
+  const auto block = r123::Philox4x32()(
+      {{index / each, ant, 0, 0}},
+      {{static_cast<std::uint32_t>(world.seed), static_cast<std::uint32_t>(world.seed >> 32)}});
+  return std::rotl(block[index % 4], index % each < 4 ? 0 : 16);
+}
+
+// Moves 1 and 5, or 0 to 7 but 3, whose numbers share words.
+TEST_P(EveryIsa, DiscardOfMovesThatShareWordsLeavesEachAsOftenAsItShould) {
+  const WalkShape shape{8, false, false, Draw::discard};
+  World world(shape, 64, 64, 3);
+  alignas(32) std::array<float, 8> row;
+  for (int k = 0; k < 8; ++k) row[k] = 1.0f / static_cast<float>(1 << k);
+  const auto draw = walk_table(GetParam()).draw[shape.index()];
+  std::array<std::uint32_t, 8> numbers;
+  constexpr int kDraws = 1 << 19;
+  std::array<int, 8> left_of_two{}, left_of_seven{};
+  for (std::uint32_t i = 0; i < kDraws; ++i) {
+    for (std::uint32_t k = 0; k < 8; ++k) numbers[k] = number_of(world.view, shape.draw, i, k);
+    ++left_of_two[draw(world.view, row.data(), 0b00100010, kMaxMoves, numbers.data())];
+    ++left_of_seven[draw(world.view, row.data(), 0b11110111, kMaxMoves, numbers.data())];
+  }
+  const auto expect = [&](int left, double share) {
+    EXPECT_NEAR(left, share * kDraws, 5 * std::sqrt(share * kDraws));
+  };
+  expect(left_of_two[5], 2.0 / (2 + 32));
+  // The last of all, by every subset of those that may outlast it.
+  for (int k = 0; k < 8; ++k) {
+    if (k == 3) continue;
+    double share = 0;
+    for (int others = 0; others < 256; ++others) {
+      if ((others >> 3 & 1) != 0 || (others >> k & 1) != 0) continue;
+      const double own = 1 << k;
+      share +=
+          (std::popcount(static_cast<unsigned>(others)) % 2 == 0 ? 1 : -1) * own / (own + others);
+    }
+    expect(left_of_seven[k], share);
+  }
+}
+
 TEST_P(EveryIsa, WalksAsTheScalarReferenceHoweverManyTogether) {
   for (const WalkShape shape : all_shapes()) {
     World world(shape, 100, 70, 11);
@@ -282,9 +334,10 @@ TEST_P(EveryIsa, WalksAbreastAsOneByOne) {
       // Twice as many ants as slots: some set out while others are anywhere on their way.
       constexpr int kAnts = 2 * kMaxSlots;
       const auto reference = world.walk(Isa::scalar, kAnts, 1, 1000000);
-      const auto [first, last] = std::ranges::minmax_element(reference, {}, &World::Walked::steps);
+      const auto [first, last] =
+          std::ranges::minmax_element(reference, {}, &World::Walked::numbers);
       if (world.view.goal == pack(3, 2)) {
-        EXPECT_GT(last->steps, 10 * first->steps) << name(shape);
+        EXPECT_GT(last->numbers, 10 * first->numbers) << name(shape);
       }
       // One by one, and in one group or two, even or not.
       for (const int together : {1, 5, 6, 8, 9, 11, 15, kMaxSlots}) {
@@ -310,6 +363,36 @@ TEST_P(EveryIsa, WalksAsTheScalarReferenceFarFromTheOrigin) {
   }
 }
 
+TEST_P(EveryIsa, EachStepDrawsByTheNextNumbersOfItsAnt) {
+  for (const WalkShape shape : all_shapes()) {
+    World world(shape, 64, 64, 3, 0);
+    world.view.start = pack(31, 31);  // where four tiles meet
+    world.view.backtrack = false;
+    const auto draw = walk_table(Isa::scalar).draw[shape.index()];
+    const auto walked = world.walk(GetParam(), 32, kMaxSlots, 128);
+    for (std::uint32_t ant = 0; ant < walked.size(); ++ant) {
+      PackedCell at = world.view.start;
+      std::uint32_t previous = kMaxMoves, index = 0;
+      std::set<PackedCell> entered{at};
+      for (const auto move : walked[ant].moves) {
+        std::uint32_t open = 0;
+        std::array<std::uint32_t, kMaxMoves> numbers;
+        for (int k = 0; k < shape.lanes; ++k) {
+          const auto to = at + static_cast<PackedCell>(world.view.delta[k]);
+          open |= std::uint32_t{!entered.contains(to)} << k;
+          if (k > 0 && shape.draw == Draw::roulette) continue;
+          numbers[k] = number_of(world.view, shape.draw, ant, index++);
+        }
+        ASSERT_EQ(draw(world.view, world.row(at), open, previous, numbers.data()), move)
+            << name(shape) << ", ant " << ant << ", step " << entered.size();
+        at += static_cast<PackedCell>(world.view.delta[move]);
+        entered.insert(at);
+        previous = move;
+      }
+    }
+  }
+}
+
 TEST_P(EveryIsa, NeverEntersACellTwiceAndEndsAtTheGoal) {
   for (const WalkShape shape : all_shapes()) {
     World world(shape, 90, 60, 2);
@@ -330,7 +413,7 @@ TEST_P(EveryIsa, NeverEntersACellTwiceAndEndsAtTheGoal) {
       EXPECT_EQ(at, ant.state == WalkState::arrived ? world.view.goal : world.view.start);
       const auto steps = static_cast<std::int64_t>(ant.moves.size() + 2 * ant.dead.size()) +
                          (ant.state == WalkState::lost);
-      EXPECT_EQ(ant.steps, steps * (shape.draw == Draw::discard ? shape.lanes : 1));
+      EXPECT_EQ(ant.numbers, steps * (shape.draw == Draw::discard ? shape.lanes : 1));
       arrived += ant.state == WalkState::arrived;
     }
     EXPECT_GT(arrived, 0) << name(shape);
