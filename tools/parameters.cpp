@@ -81,8 +81,8 @@ void set_named(Params& params, std::string_view setting) {
       throw UsageError(unknown + did_you_mean(name, names_of(algorithm.parameters)));
     // One that needs none was meant for another.
     const Algorithm& other = algorithms()[1];
-    throw UsageError(unknown + "it takes none. " + std::string(other.name) +
-                     " has: " + did_you_mean(name, names_of(other.parameters)));
+    throw UsageError(unknown + "it takes none. With --algorithm " + std::string(other.name) + ": " +
+                     did_you_mean(name, names_of(other.parameters)));
   }
   set_parameter(params, name, value);
 }
