@@ -88,13 +88,9 @@ class Field {
   template <class Count>
   void fill_rows_of(Tile& tile, std::span<const std::uint16_t> cells, Count moves) const;
   template <class Count>
-  void read_trail(const Tile& tile, int cell, Count moves, double* trail, double* taught) const;
-  template <class Count>
-  void weigh_trail(Tile& tile, int cell, Count moves, const double* trail) const;
+  void read_trail(const Tile& tile, int cell, Count moves, float* tau, float* eta) const;
   template <class Count>
   void read_index(const Tile& tile, int cell, Count moves, double* index) const;
-  template <class Count>
-  void weigh_index(Tile& tile, int cell, Count moves, double* index) const;
   void refresh_tile(Tile& tile, bool touched) const;
   void keep_scale_in_range();
   void set_scale(double scale) noexcept {

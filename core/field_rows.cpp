@@ -15,9 +15,12 @@ namespace {
 
 using kernels::kTileSide;
 
-// Powers are raised in batches: each is a long chain of operations, and many overlap.
+// Rows are made in batches, a loop over the values of them all for each operation: powers are long
+// chains, of which many overlap, and the rest goes by vectors.
 constexpr int kBatch = 256;
 static_assert(kBatch >= kernels::kMaxMoves);
+using Floats = std::array<float, kBatch>;
+using Doubles = std::array<double, kBatch>;
 
 constexpr auto kEveryCell = [] {
   std::array<std::uint16_t, kernels::kTileCells> cells{};
@@ -38,16 +41,63 @@ void with_count(int moves, const Action& action) {
   }
 }
 
-/// Shares of the largest among the moves that exist; of the others, something up to 1.
+// By value, so that loops over them vectorise, which they do not over std's.
+template <class T>
+T smaller(T a, T b) noexcept {
+  return b < a ? b : a;
+}
+template <class T>
+T larger(T a, T b) noexcept {
+  return a < b ? b : a;
+}
+
+/// Shares of the largest in the row among the moves that exist; of the others, something up to 1.
 template <class Count>
-void divide_by_largest(const float* values, const float* heuristic, Count moves,
-                       double* shares) noexcept {
-  float largest = std::numeric_limits<float>::min();
-  for (int k = 0; k < moves; ++k) {
-    largest = std::max(largest, heuristic[k] > 0 ? values[k] : 0.0f);
+void divide_by_largest(const Floats& values, const Floats& heuristic, int count, Count moves,
+                       Doubles& shares) noexcept {
+  Floats existing, largest;
+  for (int i = 0; i < count; ++i) {
+    const float value = values[i];  // read in any case: no branch
+    existing[i] = heuristic[i] > 0 ? value : 0.0f;
   }
-  for (int k = 0; k < moves; ++k) {
-    shares[k] = static_cast<double>(std::min(values[k], largest)) / largest;
+  for (int row = 0; row < count; row += moves) {
+    float most = std::numeric_limits<float>::min();
+    for (int k = 0; k < moves; ++k) most = larger(most, existing[row + k]);
+    std::fill_n(&largest[row], static_cast<int>(moves), most);
+  }
+  for (int i = 0; i < count; ++i) {
+    shares[i] = static_cast<double>(smaller(values[i], largest[i])) / largest[i];
+  }
+}
+
+/// Pheromone's weight of each move, or its product with the heuristic.
+void weigh_trail(const Doubles& trail, const Floats& heuristic, int count, bool mixture,
+                 Floats& weight) noexcept {
+  constexpr auto kSmallest = static_cast<float>(HeuristicRows::kSmallest);
+  for (int i = 0; i < count; ++i) {
+    const float value = larger(static_cast<float>(trail[i]), kSmallest);
+    weight[i] = heuristic[i] > 0 ? value : 0.0f;
+  }
+  if (mixture) return;
+  for (int i = 0; i < count; ++i) weight[i] *= heuristic[i];
+}
+
+/// One over K'(j)^alpha * d(j, E)^beta (Li, Wang & Ma, eq. 9) as a share of the row's largest, as a
+/// race wants it.
+template <class Count>
+void weigh_index(Doubles& index, const Floats& heuristic, int count, Count moves,
+                 Floats& weight) noexcept {
+  for (int i = 0; i < count; ++i) index[i] *= heuristic[i];
+  Doubles largest;
+  for (int row = 0; row < count; row += moves) {
+    double most = std::numeric_limits<double>::min();
+    for (int k = 0; k < moves; ++k) most = larger(most, index[row + k]);
+    std::fill_n(&largest[row], static_cast<int>(moves), most);
+  }
+  for (int i = 0; i < count; ++i) {
+    const auto mean =
+        static_cast<float>(smaller(largest[i] / index[i], 1 / HeuristicRows::kSmallest));
+    weight[i] = heuristic[i] > 0 ? mean : 0.0f;
   }
 }
 
@@ -69,87 +119,77 @@ void Field::fill_rows(Tile& tile, std::span<const std::uint16_t> cells) const {
   with_count(moves_.count, [&](auto moves) { fill_rows_of(tile, cells, moves); });
 }
 
-/// (tau / largest)^alpha, with learned visibility times (eta / largest)^beta; or K'^alpha.
+/// Of pheromone the weight is (tau / largest)^alpha, times (eta / largest)^beta if ants learn,
+/// times the heuristic unless that stands beside it; of the terminal index see weigh_index.
 template <class Count>
 void Field::fill_rows_of(Tile& tile, std::span<const std::uint16_t> cells, Count moves) const {
   const bool index = params_.update == Update::terminal_index;
-  std::array<double, kBatch> trail, taught;
+  const int row = mixture_ ? 2 * moves : moves;
+  const auto least = static_cast<float>(least_ * per_scale_);
+  const auto most = static_cast<float>(std::min(most_ * per_scale_, 3e38));
+  Floats heuristic, tau, eta, weight;
+  Doubles share, taught;
   while (!cells.empty()) {
     const auto batch = cells.first(std::min<std::size_t>(cells.size(), kBatch / moves));
     cells = cells.subspan(batch.size());
-    const int values = static_cast<int>(batch.size()) * moves;
+    const int count = static_cast<int>(batch.size()) * moves;
     for (int at = 0; const int cell : batch) {
+      std::copy_n(tile.heuristic + std::ptrdiff_t{cell} * moves, static_cast<int>(moves),
+                  &heuristic[at]);
       if (index) {
-        read_index(tile, cell, moves, &trail[at]);
+        read_index(tile, cell, moves, &share[at]);
       } else {
-        read_trail(tile, cell, moves, &trail[at], &taught[at]);
+        read_trail(tile, cell, moves, &tau[at], &eta[at]);
       }
       at += moves;
     }
-    raise_(trail.data(), values, weights_.alpha);
+    if (!index) {
+      for (int i = 0; i < count; ++i) tau[i] = smaller(larger(tau[i], least), most);
+      divide_by_largest(tau, heuristic, count, moves, share);
+    }
+    raise_(share.data(), count, weights_.alpha);
     if (learned_) {
-      raise_(taught.data(), values, weights_.beta);
-      for (int at = 0; at < values; ++at) trail[at] *= taught[at];
+      divide_by_largest(eta, heuristic, count, moves, taught);
+      raise_(taught.data(), count, weights_.beta);
+      for (int i = 0; i < count; ++i) share[i] *= taught[i];
+    }
+    if (index) {
+      weigh_index(share, heuristic, count, moves, weight);
+    } else {
+      weigh_trail(share, heuristic, count, mixture_, weight);
     }
     for (int at = 0; const int cell : batch) {
-      if (index) {
-        weigh_index(tile, cell, moves, &trail[at]);
-      } else {
-        weigh_trail(tile, cell, moves, &trail[at]);
-      }
+      float* const to = tile.rows + std::ptrdiff_t{cell} * row;
+      std::copy_n(&weight[at], static_cast<int>(moves), to);
+      if (mixture_) std::copy_n(&heuristic[at], static_cast<int>(moves), to + moves);
       at += moves;
     }
   }
 }
 
-/// tau of each move out of a cell as a share of the largest; if ants learn, the same of what the
-/// cells that they lead to have taught.
+/// Stored tau of each move out of a cell; if ants learn, what the cells that
+/// they lead to have taught.
 template <class Count>
-void Field::read_trail(const Tile& tile, int cell, Count moves, double* trail,
-                       double* taught) const {
+void Field::read_trail(const Tile& tile, int cell, Count moves, float* tau, float* eta) const {
   const int x = cell % kTileSide, y = cell / kTileSide;
-  const float* heuristic = tile.heuristic + std::ptrdiff_t{cell} * moves;
   const bool inside = std::min(x, y) >= reach_ && std::max(x, y) < kTileSide - reach_;
   const auto led_to = [&](int k) {  // by a move: the tile, if there is one, and the cell in it
     const auto [dx, dy] = moves_[k].to;
     return std::pair{inside ? &tile : find({tile.x0 + x + dx, tile.y0 + y + dy}),
                      ((y + dy) & (kTileSide - 1)) * kTileSide + ((x + dx) & (kTileSide - 1))};
   };
-  std::array<float, kernels::kMaxMoves> tau;
   if (params_.trail == Trail::arcs) {
-    std::copy_n(tile.tau + std::ptrdiff_t{cell} * moves, static_cast<int>(moves), tau.data());
+    std::copy_n(tile.tau + std::ptrdiff_t{cell} * moves, static_cast<int>(moves), tau);
   } else {
     for (int k = 0; k < moves; ++k) {
       const auto [to, at] = led_to(k);
       tau[k] = to == nullptr ? untouched_ : to->tau[at];
     }
   }
-  const auto least = static_cast<float>(least_ * per_scale_);
-  const auto most = static_cast<float>(std::min(most_ * per_scale_, 3e38));
-  for (int k = 0; k < moves; ++k) tau[k] = std::clamp(tau[k], least, most);
-  divide_by_largest(tau.data(), heuristic, moves, trail);
   if (!learned_) return;
-  std::array<float, kernels::kMaxMoves> eta;
   for (int k = 0; k < moves; ++k) {
     const auto [to, at] = led_to(k);
     eta[k] = to == nullptr ? 1 : to->eta[at];
-  }
-  divide_by_largest(eta.data(), heuristic, moves, taught);
-}
-
-/// The row of a cell: pheromone and heuristic side by side, or their product.
-template <class Count>
-void Field::weigh_trail(Tile& tile, int cell, Count moves, const double* trail) const {
-  const float* heuristic = tile.heuristic + std::ptrdiff_t{cell} * moves;
-  float* row = tile.rows + std::ptrdiff_t{cell} * (mixture_ ? 2 * moves : moves);
-  for (int k = 0; k < moves; ++k) {
-    const double weight = std::max(trail[k], HeuristicRows::kSmallest);
-    row[k] = heuristic[k] == 0 ? 0.0f : static_cast<float>(weight);
-    if (mixture_) {
-      row[moves + k] = heuristic[k];
-    } else {
-      row[k] *= heuristic[k];
-    }
   }
 }
 
@@ -168,23 +208,6 @@ void Field::read_index(const Tile& tile, int cell, Count moves, double* index) c
   }
   for (int k = 0; k < moves; ++k) {
     index[k] = std::max(index[k] - params_.index_spread * least, 0x1p-200);
-  }
-}
-
-/// The row of a cell: one over K'(j)^alpha * d(j, E)^beta (Li, Wang & Ma, eq. 9) as a share of the
-/// largest, as a race wants it.
-template <class Count>
-void Field::weigh_index(Tile& tile, int cell, Count moves, double* index) const {
-  const float* heuristic = tile.heuristic + std::ptrdiff_t{cell} * moves;
-  float* row = tile.rows + std::ptrdiff_t{cell} * moves;
-  double largest = std::numeric_limits<double>::min();
-  for (int k = 0; k < moves; ++k) {
-    index[k] *= heuristic[k];
-    largest = std::max(largest, index[k]);
-  }
-  for (int k = 0; k < moves; ++k) {
-    const double mean = std::min(largest / index[k], 1 / HeuristicRows::kSmallest);
-    row[k] = heuristic[k] == 0 ? 0.0f : static_cast<float>(mean);
   }
 }
 
