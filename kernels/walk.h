@@ -88,7 +88,8 @@ struct WalkWorld {
   std::array<std::int32_t, kMaxMoves> tile_step{};  ///< the same in cells of a tile, row-major
   std::array<std::int32_t, kMaxMoves> row_step{};   ///< rows that a move goes down
   std::uint64_t window = 0;  ///< more than 8 moves: their bits in 7 x 7 cells, row by row
-  /// Factor on pheromone weights by previous move (kMaxMoves: none yet) and move; 0 closes a move.
+  /// Factor on the row's weights (of pheromone; for a race on their inverses: the larger, the
+  /// likelier) by previous move (kMaxMoves: none yet) and move; 0 closes a move.
   alignas(64) std::array<std::array<float, kMaxMoves>, kMaxMoves + 1> factor{};
   /// The wheel: rule r is chosen by random words from rule_start[r] to below the next rule's.
   std::array<std::uint64_t, kRules> rule_start{};

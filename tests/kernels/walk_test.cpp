@@ -254,6 +254,28 @@ TEST_P(EveryIsa, DiscardLeavesAMoveAsOftenAsSuccessiveDiscardsWould) {
   EXPECT_EQ(left[3], 0);
 }
 
+// Of two like moves the one with half the factor is drawn once in three.
+TEST_P(EveryIsa, AFactorMakesAMoveLikelierInEitherDraw) {
+  for (const Draw kind : {Draw::roulette, Draw::discard}) {
+    const WalkShape shape{4, false, true, kind};
+    World world(shape, 64, 64, 3);
+    world.view.factor[kMaxMoves] = {1, 0.5f, 1, 1};
+    world.view.rule_start = WalkWorld().rule_start;  // the product alone
+    world.view.rule_scale = WalkWorld().rule_scale;
+    alignas(32) const float row[4] = {1, 1, 0, 0};
+    const auto draw = walk_table(GetParam()).draw[shape.index()];
+    std::mt19937 random(1);
+    constexpr int kDraws = 1 << 17;
+    int second = 0;
+    for (int i = 0; i < kDraws; ++i) {
+      std::array<std::uint32_t, 4> numbers;
+      for (auto& n : numbers) n = static_cast<std::uint32_t>(random());
+      second += draw(world.view, row, 0xf, kMaxMoves, numbers.data()) == 1;
+    }
+    EXPECT_NEAR(second, kDraws / 3.0, 5 * std::sqrt(kDraws / 3.0)) << name(shape);
+  }
+}
+
 // Number `index` of an ant in iteration 0, as WalkSlot says.
 std::uint32_t number_of(const WalkWorld& world, Draw draw, std::uint32_t ant, std::uint32_t index) {
   const std::uint32_t each = draw == Draw::discard ? 8 : 4;
