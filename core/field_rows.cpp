@@ -51,6 +51,16 @@ T larger(T a, T b) noexcept {
   return a < b ? b : a;
 }
 
+/// The largest value of its row beside each.
+template <class Values, class Count>
+void spread_largest(const Values& values, int count, Count moves, Values& largest) noexcept {
+  for (int row = 0; row < count; row += moves) {
+    auto most = std::numeric_limits<typename Values::value_type>::min();
+    for (int k = 0; k < moves; ++k) most = larger(most, values[row + k]);
+    std::fill_n(&largest[row], static_cast<int>(moves), most);
+  }
+}
+
 /// Shares of the largest in the row among the moves that exist; of the others, something up to 1.
 template <class Count>
 void divide_by_largest(const Floats& values, const Floats& heuristic, int count, Count moves,
@@ -60,11 +70,7 @@ void divide_by_largest(const Floats& values, const Floats& heuristic, int count,
     const float value = values[i];  // read in any case: no branch
     existing[i] = heuristic[i] > 0 ? value : 0.0f;
   }
-  for (int row = 0; row < count; row += moves) {
-    float most = std::numeric_limits<float>::min();
-    for (int k = 0; k < moves; ++k) most = larger(most, existing[row + k]);
-    std::fill_n(&largest[row], static_cast<int>(moves), most);
-  }
+  spread_largest(existing, count, moves, largest);
   for (int i = 0; i < count; ++i) {
     shares[i] = static_cast<double>(smaller(values[i], largest[i])) / largest[i];
   }
@@ -89,11 +95,7 @@ void weigh_index(Doubles& index, const Floats& heuristic, int count, Count moves
                  Floats& weight) noexcept {
   for (int i = 0; i < count; ++i) index[i] *= heuristic[i];
   Doubles largest;
-  for (int row = 0; row < count; row += moves) {
-    double most = std::numeric_limits<double>::min();
-    for (int k = 0; k < moves; ++k) most = larger(most, index[row + k]);
-    std::fill_n(&largest[row], static_cast<int>(moves), most);
-  }
+  spread_largest(index, count, moves, largest);
   for (int i = 0; i < count; ++i) {
     const auto mean =
         static_cast<float>(smaller(largest[i] / index[i], 1 / HeuristicRows::kSmallest));

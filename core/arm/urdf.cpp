@@ -73,17 +73,14 @@ class Complaints final : public console_bridge::OutputHandler {
   std::string first_;
 };
 
-/// The XML parser below urdfdom, which does not pass on where the XML is broken.
-void check_xml(const Source& source) {
+/// Where the XML is broken, if it is: urdfdom does not pass on what its XML parser knows.
+Error::Place broken_xml(const Source& source) {
   TiXmlDocument document;
   document.Parse(std::string(source.text).c_str());
-  if (!document.Error()) return;
-  broken(source.line(document.ErrorRow()),
-         "this is no URDF (" + std::string(document.ErrorDesc()) + ")", "check it with check_urdf");
+  return document.Error() ? source.line(document.ErrorRow()) : source.whole();
 }
 
 urdf::ModelInterfaceSharedPtr parse_model(const Source& source) {
-  check_xml(source);
   static std::mutex one_at_a_time;  // the handler is the program's
   const std::scoped_lock lock(one_at_a_time);
   Complaints complaints;
@@ -98,7 +95,8 @@ urdf::ModelInterfaceSharedPtr parse_model(const Source& source) {
   }
   console_bridge::useOutputHandler(before);
   if (model == nullptr) {
-    broken(source.whole(), "this is no URDF (" + (fault.empty() ? complaints.first() : fault) + ")",
+    broken(broken_xml(source),
+           "this is no URDF (" + (fault.empty() ? complaints.first() : fault) + ")",
            "check it with check_urdf");
   }
   // What the parser cannot read it leaves out: a link would pass through obstacles.

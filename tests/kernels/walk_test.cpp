@@ -1,14 +1,11 @@
-// The walk kernels against the rule that they state, and every instruction set against the scalar
-// reference.
+// The walks of the kernels against the rule that they state, and every instruction set against the
+// scalar reference.
 #include "kernels/walk.h"
 
-#include <Random123/philox.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <random>
 #include <set>
 #include <string>
@@ -16,22 +13,10 @@
 #include <vector>
 
 #include "tests/kernels/instruction_sets.h"
+#include "tests/kernels/walk_cases.h"
 
 namespace lasius::kernels {
 namespace {
-
-/// Every shape that a kernel is compiled for.
-std::vector<WalkShape> all_shapes() {
-  std::vector<WalkShape> shapes;
-  for (const int lanes : {4, 8, 16, 24, 32}) {
-    for (const bool factor : {false, true}) {
-      shapes.push_back({lanes, false, factor, Draw::roulette});
-      shapes.push_back({lanes, true, factor, Draw::roulette});
-      shapes.push_back({lanes, false, factor, Draw::discard});
-    }
-  }
-  return shapes;
-}
 
 Neighbourhood neighbourhood(int lanes) {
   switch (lanes) {
@@ -46,11 +31,6 @@ Neighbourhood neighbourhood(int lanes) {
     default:
       return Neighbourhood::thirty_two;
   }
-}
-
-std::string name(WalkShape s) {
-  return std::to_string(s.lanes) + (s.mixture ? "mixture" : "single") + (s.factor ? "factor" : "") +
-         (s.draw == Draw::discard ? "discard" : "");
 }
 
 /// A world whose rows are random and which is bounded by moves of weight 0.
@@ -164,159 +144,6 @@ class World {
 
 class EveryIsa : public testing::TestWithParam<Isa> {};
 INSTANTIATE_TEST_SUITE_P(Walk, EveryIsa, testing::ValuesIn(supported_isas()));
-
-TEST_P(EveryIsa, DrawsAsTheScalarReferenceOnEveryMask) {
-  std::mt19937 random(5);
-  for (const WalkShape shape : all_shapes()) {
-    World world(shape, 64, 64, 3);
-    const auto reference = walk_table(Isa::scalar).draw[shape.index()];
-    const auto draw = walk_table(GetParam()).draw[shape.index()];
-    const std::uint32_t all = ~std::uint32_t{0} >> (32 - shape.lanes);
-    for (std::uint32_t i = 0; i < 20000; ++i) {  // masks of up to 8 moves are all among them
-      const std::uint32_t open =
-          (shape.lanes <= 8 ? i : static_cast<std::uint32_t>(random())) & all;
-      alignas(32) float row[64];
-      for (float& w : row) {
-        const auto r = random() % 8;
-        w = r == 0 ? 0.0f : r == 1 ? 0x1p-60f : static_cast<float>(random()) * 0x1p-32f + 1e-6f;
-      }
-      for (int k = 0; k < shape.lanes; ++k) {  // a move exists for both rules or for none
-        if (row[k] == 0) row[shape.lanes + k] = 0;
-        if (row[shape.lanes + k] == 0) row[k] = 0;
-      }
-      std::array<std::uint32_t, kMaxMoves> words;
-      for (auto& word : words) {
-        word = i % 40 == 0 ? 0u : i % 40 == 1 ? ~0u : static_cast<std::uint32_t>(random());
-      }
-      const auto previous = static_cast<std::uint32_t>(random() % (shape.lanes + 1u));
-      ASSERT_EQ(draw(world.view, row, open, previous, words.data()),
-                reference(world.view, row, open, previous, words.data()))
-          << name(shape) << " mask " << open << " word " << words[0];
-    }
-  }
-}
-
-TEST_P(EveryIsa, RouletteDrawsEachMoveInProportionToItsWeight) {
-  const WalkShape shape{8, false, false, Draw::roulette};
-  World world(shape, 64, 64, 3);
-  world.view.rule_start = {0, 0, 0, 0};
-  world.view.rule_scale = {0, 0, 0, 0x1p-32f};
-  alignas(32) const float row[8] = {1, 0, 2, 4, 0.5f, 0, 1, 3};
-  const std::uint32_t open = 0b11011111;  // move 5 is tabu, move 1 does not exist
-  const auto draw = walk_table(GetParam()).draw[shape.index()];
-  std::array<int, 8> drawn{};
-  constexpr std::uint32_t kDraws = 1 << 16;
-  for (std::uint32_t i = 0; i < kDraws; ++i) {
-    const std::uint32_t word = i << 16;
-    ++drawn[draw(world.view, row, open, kMaxMoves, &word)];
-  }
-  // Words on a regular lattice: each count is exact but for the ends of its interval.
-  const double total = 11.5;
-  for (int k = 0; k < 8; ++k) EXPECT_NEAR(drawn[k], row[k] / total * kDraws, 2) << k;
-}
-
-TEST_P(EveryIsa, MixesTheRulesAsTheirShares) {
-  // Pheromone allows move 0 or 1 alike, distance prefers move 0 by 3 to 1; the greedy rule and the
-  // product, too.
-  const WalkShape shape{4, true, false, Draw::roulette};
-  World world(shape, 64, 64, 3);
-  alignas(32) const float row[8] = {1, 1, 0, 0, 0.75f, 0.25f, 0, 0};
-  const auto draw = walk_table(GetParam()).draw[shape.index()];
-  int first = 0;
-  constexpr std::uint32_t kDraws = 1 << 16;
-  for (std::uint32_t i = 0; i < kDraws; ++i) {
-    const std::uint32_t word = i << 16;
-    first += draw(world.view, row, 0xf, kMaxMoves, &word) == 0;
-  }
-  EXPECT_NEAR(first, (0.125 * 1 + 0.125 * 0.5 + 0.25 * 0.75 + 0.5 * 0.75) * kDraws, 4);
-}
-
-TEST_P(EveryIsa, DiscardLeavesAMoveAsOftenAsSuccessiveDiscardsWould) {
-  // Weights 1, 2, 3: move 0 is left with probability P(discard 2 then 1) + P(discard 1 then 2) =
-  // 3/6 * 2/3 + 2/6 * 3/4 = 7/12; move 1: 3/6 * 1/3 + 1/6 * 3/5 = 4/15; move 2: 3/20.
-  const WalkShape shape{4, false, false, Draw::discard};
-  World world(shape, 64, 64, 3);
-  alignas(32) const float row[4] = {1, 1.0f / 2, 1.0f / 3, 1.0f / 5};
-  const auto draw = walk_table(GetParam()).draw[shape.index()];
-  std::array<int, 4> left{};
-  std::mt19937 random(1);
-  constexpr int kDraws = 400000;
-  for (int i = 0; i < kDraws; ++i) {
-    std::array<std::uint32_t, 4> words;
-    for (auto& word : words) word = static_cast<std::uint32_t>(random());
-    ++left[draw(world.view, row, 0b0111, kMaxMoves, words.data())];
-  }
-  // Five standard errors of a share near a half.
-  const double tolerance = 5 * std::sqrt(0.25 / kDraws);
-  EXPECT_NEAR(left[0] / double{kDraws}, 7.0 / 12, tolerance);
-  EXPECT_NEAR(left[1] / double{kDraws}, 4.0 / 15, tolerance);
-  EXPECT_NEAR(left[2] / double{kDraws}, 3.0 / 20, tolerance);
-  EXPECT_EQ(left[3], 0);
-}
-
-// Of two like moves the one with half the factor is drawn once in three.
-TEST_P(EveryIsa, AFactorMakesAMoveLikelierInEitherDraw) {
-  for (const Draw kind : {Draw::roulette, Draw::discard}) {
-    const WalkShape shape{4, false, true, kind};
-    World world(shape, 64, 64, 3);
-    world.view.factor[kMaxMoves] = {1, 0.5f, 1, 1};
-    world.view.rule_start = WalkWorld().rule_start;  // the product alone
-    world.view.rule_scale = WalkWorld().rule_scale;
-    alignas(32) const float row[4] = {1, 1, 0, 0};
-    const auto draw = walk_table(GetParam()).draw[shape.index()];
-    std::mt19937 random(1);
-    constexpr int kDraws = 1 << 17;
-    int second = 0;
-    for (int i = 0; i < kDraws; ++i) {
-      std::array<std::uint32_t, 4> numbers;
-      for (auto& n : numbers) n = static_cast<std::uint32_t>(random());
-      second += draw(world.view, row, 0xf, kMaxMoves, numbers.data()) == 1;
-    }
-    EXPECT_NEAR(second, kDraws / 3.0, 5 * std::sqrt(kDraws / 3.0)) << name(shape);
-  }
-}
-
-// Number `index` of an ant in iteration 0, as WalkSlot says.
-std::uint32_t number_of(const WalkWorld& world, Draw draw, std::uint32_t ant, std::uint32_t index) {
-  const std::uint32_t each = draw == Draw::discard ? 8 : 4;
-  const auto block = r123::Philox4x32()(
-      {{index / each, ant, 0, 0}},
-      {{static_cast<std::uint32_t>(world.seed), static_cast<std::uint32_t>(world.seed >> 32)}});
-  return std::rotl(block[index % 4], index % each < 4 ? 0 : 16);
-}
-
-// Moves 1 and 5, or 0 to 7 but 3, whose numbers share words.
-TEST_P(EveryIsa, DiscardOfMovesThatShareWordsLeavesEachAsOftenAsItShould) {
-  const WalkShape shape{8, false, false, Draw::discard};
-  World world(shape, 64, 64, 3);
-  alignas(32) std::array<float, 8> row;
-  for (int k = 0; k < 8; ++k) row[k] = 1.0f / static_cast<float>(1 << k);
-  const auto draw = walk_table(GetParam()).draw[shape.index()];
-  std::array<std::uint32_t, 8> numbers;
-  constexpr int kDraws = 1 << 19;
-  std::array<int, 8> left_of_two{}, left_of_seven{};
-  for (std::uint32_t i = 0; i < kDraws; ++i) {
-    for (std::uint32_t k = 0; k < 8; ++k) numbers[k] = number_of(world.view, shape.draw, i, k);
-    ++left_of_two[draw(world.view, row.data(), 0b00100010, kMaxMoves, numbers.data())];
-    ++left_of_seven[draw(world.view, row.data(), 0b11110111, kMaxMoves, numbers.data())];
-  }
-  const auto expect = [&](int left, double share) {
-    EXPECT_NEAR(left, share * kDraws, 5 * std::sqrt(share * kDraws));
-  };
-  expect(left_of_two[5], 2.0 / (2 + 32));
-  // The last of all, by every subset of those that may outlast it.
-  for (int k = 0; k < 8; ++k) {
-    if (k == 3) continue;
-    double share = 0;
-    for (int others = 0; others < 256; ++others) {
-      if ((others >> 3 & 1) != 0 || (others >> k & 1) != 0) continue;
-      const double own = 1 << k;
-      share +=
-          (std::popcount(static_cast<unsigned>(others)) % 2 == 0 ? 1 : -1) * own / (own + others);
-    }
-    expect(left_of_seven[k], share);
-  }
-}
 
 TEST_P(EveryIsa, WalksAsTheScalarReferenceHoweverManyTogether) {
   for (const WalkShape shape : all_shapes()) {
