@@ -26,22 +26,46 @@ class JsonPlace final : public nlohmann::json_sax<nlohmann::json> {
   }
 
   /// The document. @throws Error(file_broken) naming line and byte of `file` where the text is not
-  /// JSON or a number is too large.
+  /// JSON, a number is too large, or lists and objects nest deeper than any of ours.
   static nlohmann::json parse(std::string_view text, const std::string& file) {
+    check_depth(text, file);
     try {
       return nlohmann::json::parse(text);
     } catch (const nlohmann::json::exception& fault) {
       const bool syntax = dynamic_cast<const nlohmann::json::parse_error*>(&fault) != nullptr;
-      const auto byte = JsonPlace(text, {}, true).fault_;
-      const auto line = 1 + std::count(text.begin(), text.begin() + byte, '\n');
-      throw Error(ErrorCode::file_broken,
-                  {.file = file, .line = line, .offset = static_cast<std::int64_t>(byte)},
-                  syntax ? "this is not JSON" : "a number is too large",
-                  syntax ? "correct the text there or before it" : "numbers lie within 1e308");
+      refuse(text, JsonPlace(text, {}, true).fault_, file,
+             syntax ? "this is not JSON" : "a number is too large",
+             syntax ? "correct the text there or before it" : "numbers lie within 1e308");
     }
   }
 
  private:
+  [[noreturn]] static void refuse(std::string_view text, std::size_t byte, const std::string& file,
+                                  const std::string& problem, const std::string& remedy) {
+    const auto line = 1 + std::count(text.begin(), text.begin() + byte, '\n');
+    throw Error(ErrorCode::file_broken,
+                {.file = file, .line = line, .offset = static_cast<std::int64_t>(byte)}, problem,
+                remedy);
+  }
+
+  /// The parser does not recurse, but what is done with a document does.
+  static void check_depth(std::string_view text, const std::string& file) {
+    constexpr int kDeepest = 64;
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const char c = text[i];
+      if (quoted && c == '\\') ++i;
+      if (c == '"') quoted = !quoted;
+      if (quoted) continue;
+      depth += (c == '[' || c == '{') - (c == ']' || c == '}');
+      if (depth > kDeepest) {
+        refuse(text, i, file, "the document nests too deep",
+               "no list or object here goes deeper than " + std::to_string(kDeepest));
+      }
+    }
+  }
+
   /// Reads the text and tells how far it came.
   struct Cursor {
     using iterator_category = std::input_iterator_tag;

@@ -140,20 +140,6 @@ std::vector<std::pair<int, int>> JsonFields::pairs(std::string_view name, int mo
 }
 
 nlohmann::json parse_json(std::string_view text, const std::string& file, std::string_view format) {
-  // Refuses what would nest deeper than any of our documents, before the parser recurses.
-  int depth = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted && c == '\\') ++i;
-    if (c == '"') quoted = !quoted;
-    if (quoted) continue;
-    depth += (c == '[' || c == '{') - (c == ']' || c == '}');
-    if (depth > 16) {
-      throw Error(ErrorCode::file_broken, {.file = file, .offset = static_cast<std::int64_t>(i)},
-                  "the document nests too deep", "no list or object here goes deeper than 16");
-    }
-  }
   nlohmann::json document = JsonPlace::parse(text, file);
   const bool named = document.is_object() && document.contains("format");
   if (!named || document["format"] != format) {

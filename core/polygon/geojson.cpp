@@ -9,7 +9,7 @@
 namespace lasius::polygon {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 constexpr const char* kShape =
     "give a FeatureCollection whose features have a \"role\": boundary, obstacle, start or goal";
@@ -147,21 +147,24 @@ class GeoJsonReader {
   bool repair_;
 };
 
-Json positions(const Ring& ring) {
-  Json list = Json::array();
+/// Keeps its members in the order in which they are added.
+using Written = nlohmann::ordered_json;
+
+Written positions(const Ring& ring) {
+  Written list = Written::array();
   for (const Point p : ring) list.push_back({p.x, p.y});
   if (!ring.empty()) list.push_back({ring[0].x, ring[0].y});
   return list;
 }
 
-Json feature(const char* role, const char* type, Json coordinates) {
+Written feature(const char* role, const char* type, Written coordinates) {
   return {{"type", "Feature"},
           {"properties", {{"role", role}}},
           {"geometry", {{"type", type}, {"coordinates", std::move(coordinates)}}}};
 }
 
-Json rings(const Polygon& polygon) {
-  Json list = Json::array({positions(polygon.outer)});
+Written rings(const Polygon& polygon) {
+  Written list = Written::array({positions(polygon.outer)});
   for (const Ring& hole : polygon.holes) list.push_back(positions(hole));
   return list;
 }
@@ -173,15 +176,16 @@ World parse_geojson(std::string_view text, const std::string& name, const ReadOp
 }
 
 std::string to_geojson(const World& world) {
-  std::vector<Json> features{feature("boundary", "Polygon", rings(world.boundary))};
+  std::vector<Written> features{feature("boundary", "Polygon", rings(world.boundary))};
   for (const Polygon& p : world.obstacles) {
     features.push_back(feature("obstacle", "Polygon", rings(p)));
   }
   if (world.start) features.push_back(feature("start", "Point", {world.start->x, world.start->y}));
   if (world.goal) features.push_back(feature("goal", "Point", {world.goal->x, world.goal->y}));
   // A line a feature, for people and for diffs.
-  std::string text = "{\"type\": \"FeatureCollection\", \"margin\": " + Json(world.margin).dump() +
-                     ", \"features\": [\n";
+  std::string text =
+      "{\"type\": \"FeatureCollection\", \"margin\": " + Written(world.margin).dump() +
+      ", \"features\": [\n";
   for (std::size_t i = 0; i < features.size(); ++i) {
     text += features[i].dump() + (i + 1 < features.size() ? ",\n" : "\n");
   }
