@@ -16,7 +16,9 @@ using kernels::kTileShift;
 using kernels::kTileSide;
 
 constexpr double kRescaleBelow = 0x1p-40;  // of the evaporation scale
-constexpr float kTiny = 0x1p-100f;         // stored values stay above: ratios stay defined
+constexpr double kRescaleAbove = 0x1p80;   // of stored values
+constexpr double kMostScale = 0x1p800;
+constexpr float kTiny = 0x1p-100f;  // stored values stay above: ratios stay defined
 constexpr int kInTile = kTileSide - 1;
 
 int in_tile(Cell c) noexcept { return (c.y & kInTile) * kTileSide + (c.x & kInTile); }
@@ -126,13 +128,22 @@ double Field::tau(Cell c, int move) const {
 }
 
 void Field::set_tau(Cell c, int move, double value) {
-  const int at = in_tile(c) * taus() + (taus() > 1 ? move : 0);
-  touch(c).tau[at] = std::max(static_cast<float>(value * per_scale_), kTiny);
+  store(touch(c).tau[in_tile(c) * taus() + (taus() > 1 ? move : 0)], value);
 }
 
 void Field::deposit(Cell c, int move, double amount) {
   float& stored = touch(c).tau[in_tile(c) * taus() + (taus() > 1 ? move : 0)];
-  stored = static_cast<float>((std::clamp(stored * scale_, least_, most_) + amount) * per_scale_);
+  store(stored, std::clamp(stored * scale_, least_, most_) + amount);
+}
+
+void Field::store(float& stored, double value) {
+  double scaled = value * per_scale_;
+  while (scaled > kRescaleAbove) {
+    scaled *= kRescaleBelow;
+    shrink_stored();
+    if (scale_ < kMostScale) set_scale(scale_ / kRescaleBelow);
+  }
+  stored = std::max(static_cast<float>(scaled), kTiny);
 }
 
 void Field::raise_untouched(double value) {
@@ -175,15 +186,17 @@ void Field::evaporate(double persistence) {
 
 void Field::keep_scale_in_range() {
   assert(scale_ > 0);
-  // A power of two keeps every ratio exact; values too small to matter in any draw stay positive.
   while (scale_ < kRescaleBelow) {
     set_scale(scale_ / kRescaleBelow);
-    const auto shrink = [](float& v) {
-      v = std::max(v * static_cast<float>(kRescaleBelow), kTiny);
-    };
-    shrink(untouched_);
-    for_all_tiles(1, [&](Tile& tile) { std::for_each_n(tile.tau, kTileCells * taus(), shrink); });
+    shrink_stored();
   }
+}
+
+void Field::shrink_stored() {
+  // A power of two keeps every ratio exact; values too small to matter in any draw stay positive.
+  const auto shrink = [](float& v) { v = std::max(v * static_cast<float>(kRescaleBelow), kTiny); };
+  shrink(untouched_);
+  for_all_tiles(1, [&](Tile& tile) { std::for_each_n(tile.tau, kTileCells * taus(), shrink); });
 }
 
 void Field::bound(double least, double most) noexcept {

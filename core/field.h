@@ -25,7 +25,9 @@ namespace lasius {
 ///
 /// Evaporation multiplies one number, `scale_`: stored values are tau / scale. It cancels in every
 /// row, so only rows next to a change are computed again, and a cell that no ant touched costs
-/// nothing. Where alpha or beta change, so are the rows next to any change there ever was.
+/// nothing. Where rewards make a stored value too large, `scale_` takes a power of two from all of
+/// them; beyond a scale of 2^800 it is dropped, since draws see only ratios. Where alpha or beta
+/// change, so are the rows next to any change there ever was.
 class Field {
  public:
   Field();
@@ -92,7 +94,9 @@ class Field {
   template <class Count>
   void read_index(const Tile& tile, int cell, Count moves, double* index) const;
   void refresh_tile(Tile& tile, bool touched) const;
+  void store(float& stored, double value);
   void keep_scale_in_range();
+  void shrink_stored();
   void set_scale(double scale) noexcept {
     scale_ = scale;
     per_scale_ = 1 / scale;
