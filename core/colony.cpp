@@ -106,7 +106,7 @@ class GridColony final : public ColonyWorld {
 
   /// One thread lays the walks' trails meanwhile: they have nothing to do with the polish.
   void offer() override {
-    if (ants_only_teach()) return;
+    if (ants_only_teach() && all_walked_) return;
     offer(ws_.ants, ws_.tours, [this] {
       if (all_walked_) lay_trails();
     });
@@ -116,6 +116,7 @@ class GridColony final : public ColonyWorld {
     if (ants_only_teach()) {
       lay_trails();
       const Ant& ant = answer();
+      if (!ant.arrived) return offer(ws_.ants, ws_.tours, {});  // no way is known, or no time left
       const Tour tour = tour_of(ant);
       offer({&ant, 1}, {&tour, 1}, {});
     } else {
@@ -202,7 +203,7 @@ class GridColony final : public ColonyWorld {
 
   void lay_trails() { update_trail(ws_.field, params_, tours(0, params_.ants), request_.stop); }
 
-  /// The answer of the terminal index is read from what its ants taught it.
+  /// The answer of the terminal index is read from what its ants taught it, where there is time.
   bool ants_only_teach() const { return params_.update == Update::terminal_index; }
 
   /// The generation's answer as one more ant.
