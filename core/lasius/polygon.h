@@ -50,7 +50,8 @@ struct ReadOptions {
 ///
 /// WKT: one or more geometries, one after another or in GEOMETRYCOLLECTIONs. The first POLYGON is
 /// the boundary; all further POLYGONs and MULTIPOLYGONs are obstacles; the first POINT is the
-/// start, the second the goal. Lines that begin with # are comments.
+/// start, the second the goal. What follows a # is a comment, but for "margin NUMBER" alone: the
+/// robot's.
 ///
 /// Geometry is checked: every ring has at least three distinct corners, is closed, does not cross
 /// itself or another ring of its polygon. Zero-length edges are dropped.

@@ -108,4 +108,9 @@ std::vector<Polygon> repaired(const Geos& geos, Polygon polygon) {
   return geos.polygons(valid.get());
 }
 
+std::optional<std::string> margin_fault(double margin) {
+  if (margin >= 0 && margin <= kMostCoordinate) return std::nullopt;
+  return "margin is " + text(margin);
+}
+
 }  // namespace lasius::polygon

@@ -1,4 +1,4 @@
-// What is wrong with the rings of a polygon, by ring and point; and its repair.
+// What is wrong with the rings of a polygon, by ring and point, and its repair; with a margin.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@ namespace lasius::polygon {
 /// Coordinates must not be larger.
 inline constexpr double kMostCoordinate = 1e12;
 
-/// The first fault of a polygon ("ring 0 crosses itself near (3, 4), between its points 2 and 3"),
-/// or nothing. Ring 0 is the outer one, points count from 0.
+/// The first fault of a polygon ("Self-intersection near (3, 3), on ring 0 between its points 0 and
+/// 1"), or nothing. Ring 0 is the outer one, points count from 0.
 std::optional<std::string> fault(const Geos& geos, const Polygon& polygon);
 
 /// Takes out points that repeat the one before.
@@ -21,5 +21,9 @@ void drop_repeats(Ring& ring);
 
 /// The same area as valid polygons; none where nothing is left. Precondition: finite coordinates.
 std::vector<Polygon> repaired(const Geos& geos, Polygon polygon);
+
+/// What is wrong with a margin, or nothing; and the remedy.
+std::optional<std::string> margin_fault(double margin);
+inline constexpr const char* kMarginRemedy = "it must be a number from 0 to 1e12";
 
 }  // namespace lasius::polygon

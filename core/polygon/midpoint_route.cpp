@@ -2,6 +2,7 @@
 #include <limits>
 #include <queue>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "route.h"
@@ -187,7 +188,8 @@ void midpoint_routes(const Regions& regions, const Place& start, const Place& go
     if (candidates.empty()) return;
     const auto best =
         std::min_element(candidates.begin(), candidates.end(), [](const Way& a, const Way& b) {
-          return a.length != b.length ? a.length < b.length : a.links < b.links;
+          const auto rank = [](const Way& w) { return std::tuple(w.length, w.links.size()); };
+          return rank(a) != rank(b) ? rank(a) < rank(b) : a.links < b.links;
         });
     found.push_back(std::move(*best));
     candidates.erase(best);

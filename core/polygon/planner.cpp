@@ -6,6 +6,7 @@
 
 #include "crossing_colony.h"
 #include "free_space.h"
+#include "geometry_check.h"
 #include "lasius/error.h"
 #include "lasius/polygon_plan.h"
 #include "parameter_table.h"
@@ -21,9 +22,10 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 double checked_margin(double margin) {
-  if (margin >= 0 && margin <= PrepareOptions::kMostMargin) return margin;
-  throw Error(ErrorCode::invalid_parameter, "margin is " + std::to_string(margin),
-              "it must be a number from 0 to 1e12");
+  if (const auto wrong = margin_fault(margin)) {
+    throw Error(ErrorCode::invalid_parameter, *wrong, kMarginRemedy);
+  }
+  return margin;
 }
 
 const World& checked(const World& world) {

@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
+#include <system_error>
+#include <vector>
 
 #include "rings.h"
 #include "world_maker.h"
@@ -59,14 +62,27 @@ class WktReader {
     return false;
   }
 
+  /// "margin NUMBER" and nothing else is the robot's margin.
   void read_comment(std::string_view comment) {
-    constexpr std::string_view kMargin = " margin ";
-    if (!comment.starts_with(kMargin)) return;
-    comment.remove_prefix(kMargin.size());
-    double margin = -1;
-    std::from_chars(comment.data(), comment.data() + comment.size(), margin);
+    const auto words = words_of(comment);
+    if (words.size() != 2 || words[0] != "margin") return;
+    const std::string_view number = words[1];
+    double margin = 0;
+    const auto read = std::from_chars(number.data(), number.data() + number.size(), margin);
+    if (read.ec == std::errc::invalid_argument || read.ptr != number.data() + number.size()) return;
     begin_ = at_;
-    maker_.set_margin(margin, "");
+    maker_.set_margin(read.ec == std::errc() ? margin : HUGE_VAL, "");
+  }
+
+  static std::vector<std::string_view> words_of(std::string_view line) {
+    constexpr std::string_view kBlank = " \t\r";
+    std::vector<std::string_view> words;
+    for (;;) {
+      line.remove_prefix(std::min(line.find_first_not_of(kBlank), line.size()));
+      if (line.empty()) return words;
+      words.push_back(line.substr(0, line.find_first_of(kBlank)));
+      line.remove_prefix(words.back().size());
+    }
   }
 
   /// The text of one geometry: a word and what is in its parentheses.
@@ -101,6 +117,9 @@ class WktReader {
       }
       case GEOS_POLYGON:
       case GEOS_MULTIPOLYGON:
+        if (!maker_.has_boundary() && GEOSGetNumGeometries_r(context, g) > 1) {
+          fail(place + " is in several parts", "give the boundary first, as one polygon");
+        }
         for (Polygon& p : geos.polygons(g)) {
           maker_.has_boundary() ? maker_.add_obstacle(std::move(p), place)
                                 : maker_.add_boundary(std::move(p), place);

@@ -21,6 +21,7 @@ bool all_numbers(const Polygon& polygon) {
   return numbers(polygon.outer) && std::ranges::all_of(polygon.holes, numbers);
 }
 
+constexpr const char* kPointProblem = "has a coordinate that is no number within 1e12";
 constexpr const char* kRepair = "correct the ring, or read the world with --repair";
 
 }  // namespace
@@ -61,14 +62,12 @@ void WorldMaker::add_obstacle(Polygon polygon, const std::string& place) {
 void WorldMaker::add_point(std::optional<Point>& to, Point p, const std::string& what,
                            const std::string& place) {
   if (to) fail_(place, "is a second " + what, "give one " + what);
-  if (!is_number(p)) fail_(place, "has a coordinate that is no number within 1e12", "correct it");
+  if (!is_number(p)) fail_(place, kPointProblem, "correct it");
   to = p;
 }
 
 void WorldMaker::set_margin(double margin, const std::string& place) {
-  if (!(margin >= 0 && margin <= kMostCoordinate)) {
-    fail_(place, "margin is " + std::to_string(margin), "it must be a number from 0 to 1e12");
-  }
+  if (const auto wrong = margin_fault(margin)) fail_(place, *wrong, kMarginRemedy);
   world_.margin = margin;
 }
 
@@ -80,11 +79,18 @@ World WorldMaker::finish() {
 }
 
 void check(const World& world) {
+  const auto refuse = [](const std::string& problem, const std::string& remedy) {
+    throw Error(ErrorCode::invalid_parameter, problem, remedy);
+  };
+  if (const auto wrong = margin_fault(world.margin)) refuse(*wrong, kMarginRemedy);
+  const auto look_at = [&](const std::optional<Point>& p, const std::string& what) {
+    if (p && !is_number(*p)) refuse(what + " " + kPointProblem, "correct it");
+  };
+  look_at(world.start, "start");
+  look_at(world.goal, "goal");
   const Geos geos;
   const auto look = [&](const Polygon& polygon, const std::string& what) {
-    if (const auto wrong = fault(geos, polygon)) {
-      throw Error(ErrorCode::invalid_parameter, what + ": " + *wrong, "correct the ring");
-    }
+    if (const auto wrong = fault(geos, polygon)) refuse(what + ": " + *wrong, "correct the ring");
   };
   look(world.boundary, "boundary");
   for (std::size_t i = 0; i < world.obstacles.size(); ++i) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -65,6 +66,8 @@ TEST(GeoJson, ReadsEveryRole) {
 
 TEST(GeoJson, NamesWhatIsWrong) {
   expect_refusal("{\n\"type\": oops}", "line 2, byte 10");
+  expect_refusal("{\"x\":\n" + std::string(500'000, '[') + std::string(500'000, ']') + "}",
+                 "line 2, byte 69: the document nests too deep");
   expect_refusal("[]", "FeatureCollection");
   expect_refusal(R"({"type":"FeatureCollection"})", "list of features");
   expect_refusal(collection({}), "no boundary");
@@ -131,6 +134,25 @@ TEST(Wkt, RefusesToWriteWhatItCouldNotRead) {
   EXPECT_THROW(to_wkt(world), Error) << "an obstacle of two corners";
 }
 
+TEST(World, IsRefusedWhereItsNumbersAreNone) {
+  World good;
+  good.boundary.outer = {{0, 0}, {4, 0}, {4, 4}};
+  EXPECT_NO_THROW(check(good));
+  const double nan = std::nan("");
+  for (const double margin : {-1.0, nan, 1e13}) {
+    World world = good;
+    world.margin = margin;
+    EXPECT_THROW(check(world), Error) << margin;
+    EXPECT_THROW(to_grid(world, 1), Error) << "free space without the margin, " << margin;
+  }
+  World world = good;
+  world.start = Point{nan, 1};
+  EXPECT_THROW(check(world), Error);
+  world.start = Point{3, 1};
+  world.goal = Point{3, 1e13};
+  EXPECT_THROW(check(world), Error);
+}
+
 TEST(Wkt, CollectionsAndComments) {
   const World world = parse_wkt(
       "# drawn by hand\nGEOMETRYCOLLECTION (POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0)),\n POINT (1 1),"
@@ -141,7 +163,24 @@ TEST(Wkt, CollectionsAndComments) {
   EXPECT_EQ(world.goal, (Point{8, 8}));
 }
 
+TEST(Wkt, OnlyACommentThatIsAMarginIsOne) {
+  const auto margin = [](const std::string& comment) {
+    return parse_wkt(comment + "\nPOLYGON ((0 0, 9 0, 9 9, 0 0))", "w").margin;
+  };
+  for (const char* is : {"# margin 5", "#margin 5\r", "# margin  5 ", "#\tmargin\t5"}) {
+    EXPECT_EQ(margin(is), 5) << is;
+  }
+  for (const char* no : {"# margin of the robot: 5", "# margin 5abc", "# margin", "# margins 5"}) {
+    EXPECT_EQ(margin(no), 0) << no;
+  }
+  EXPECT_THROW(margin("# margin -1"), Error);
+  EXPECT_THROW(margin("# margin 1e999"), Error);
+  EXPECT_THROW(margin("# margin nan"), Error);
+}
+
 TEST(Wkt, NamesWhatIsWrong) {
+  expect_refusal("MULTIPOLYGON (((0 0, 9 0, 9 9, 0 0)), ((20 0, 29 0, 29 9, 20 0)))",
+                 "geometry 0 is in several parts", true);
   expect_refusal("POLYGON ((0 0, 1 0, 1 1, 0 0))\nPOLYGON ((0 0, 1 0", "line 2, byte 31", true);
   expect_refusal("POLYGON ((0 0, 1 0, 1 1))", "line 1", true);
   expect_refusal("LINESTRING (0 0, 1 1)", "neither polygon nor point", true);
