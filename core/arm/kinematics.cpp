@@ -87,6 +87,27 @@ void check_values(const Robot& robot, std::span<const double> q) {
   }
 }
 
+double extent(std::span<const Capsule> shapes) noexcept {
+  double far = 0;
+  for (const Capsule& c : shapes) {
+    far = std::max(far, std::max(length(c.from), length(c.to)) + c.radius);
+  }
+  return far;
+}
+
+JointArray levers_of(const Robot& robot, int body, double far) noexcept {
+  JointArray lever{};
+  for (int j = body - 1; j >= 0; --j) {
+    const Joint& joint = robot.joints[j];
+    lever[j] = joint.kind == Joint::Kind::prismatic ? 1 : far;
+    if (joint.kind == Joint::Kind::prismatic) {
+      far += std::max(std::abs(joint.low), std::abs(joint.high));
+    }
+    far += length(joint.origin);
+  }
+  return lever;
+}
+
 Kinematics::Kinematics(const Robot& robot) : robot_(&robot) {
   const int last = robot.size() - 1;
   for (int j = 0; j <= last; ++j) {

@@ -15,6 +15,14 @@ using JointArray = std::array<double, Robot::kMaxJoints>;
 /// @throws Error(invalid_parameter) unless `q` holds a number for each joint.
 void check_values(const Robot& robot, std::span<const double> q);
 
+/// No point of the shapes is further than this from the origin of their body.
+double extent(std::span<const Capsule> shapes) noexcept;
+
+/// By joint j below `body` (that of joint i is i + 1): no point that is within `far` of the body's
+/// origin is further from the axis of j, whatever the joints do; 1 where j is prismatic, for a
+/// point moves as far as it does.
+JointArray levers_of(const Robot& robot, int body, double far) noexcept;
+
 class Kinematics {
  public:
   /// `robot` must outlive it.
@@ -28,7 +36,7 @@ class Kinematics {
   void place(std::span<const double> q, Poses& poses) const noexcept;
   Vec3 tip(const Poses& poses) const noexcept { return poses[size() - 1] * robot_->tip; }
 
-  /// No point is further from the first joint's origin than this, whatever the joints do.
+  /// The tip is not further from the first joint's origin than this, whatever the joints do.
   double reach() const noexcept { return reach_; }
   Vec3 shoulder() const noexcept { return robot_->joints.front().origin; }
 

@@ -144,18 +144,8 @@ class SceneSensor::Impl {
   /// lever_[j][b]: no point of body b is further from the axis of joint j.
   void set_levers() {
     for (int b = 1; b <= robot_.size(); ++b) {
-      double far = 0;
-      for (const Capsule& c : shapes(b)) {
-        far = std::max(far, std::max(length(c.from), length(c.to)) + c.radius);
-      }
-      for (int j = b - 1; j >= 0; --j) {
-        const Joint& joint = robot_.joints[j];
-        lever_[j][b] = joint.kind == Joint::Kind::prismatic ? 1 : far;
-        if (joint.kind == Joint::Kind::prismatic) {
-          far += std::max(std::abs(joint.low), std::abs(joint.high));
-        }
-        far += length(joint.origin);
-      }
+      const auto lever = levers_of(robot_, b, extent(shapes(b)));
+      for (int j = 0; j < b; ++j) lever_[j][b] = lever[j];
     }
   }
 

@@ -41,7 +41,7 @@ class Asker {
 };
 
 /// From each waypoint on to one as far ahead as a straight motion goes, found by doubling and
-/// halving; again until nothing is left out.
+/// halving; again until nothing is left out. A way that returns to a waypoint stays there.
 Waypoints shortened(Waypoints way, Asker& asker) {
   for (bool shorter = true; shorter && !asker.stopped();) {
     Waypoints kept{way.front()};
@@ -55,7 +55,7 @@ Waypoints shortened(Waypoints way, Asker& asker) {
         (asker.motion_free(way[i], way[i + middle]) ? good : bad) = middle;
       }
       i += good;
-      kept.push_back(way[i]);
+      if (way[i] != kept.back()) kept.push_back(way[i]);
     }
     shorter = kept.size() < way.size();
     way = std::move(kept);
@@ -105,20 +105,14 @@ Trajectory within_limits(const Robot& robot, Course& course, const Make& make) {
 
 /// A bound for how far any point of the arm moves when joint j turns by one radian.
 std::vector<double> levers(const Robot& robot) {
-  std::vector<double> lever(robot.joints.size());
-  double far = length(robot.tip);
-  for (std::size_t j = robot.joints.size(); j-- > 0;) {
-    const Joint& joint = robot.joints[j];
-    for (const Capsule& c : joint.capsules) {
-      far = std::max(far, std::max(length(c.from), length(c.to)) + c.radius);
-    }
-    lever[j] = joint.kind == Joint::Kind::prismatic ? 1 : far;
-    if (joint.kind == Joint::Kind::prismatic) {
-      far += std::max(std::abs(joint.low), std::abs(joint.high));
-    }
-    far += length(joint.origin);
+  std::vector<double> most(robot.joints.size(), 0);
+  for (int body = 1; body <= robot.size(); ++body) {
+    double far = body == robot.size() ? length(robot.tip) : 0;
+    far = std::max(far, extent(robot.joints[body - 1].capsules));
+    const auto lever = levers_of(robot, body, far);
+    for (int j = 0; j < body; ++j) most[j] = std::max(most[j], lever[j]);
   }
-  return lever;
+  return most;
 }
 
 bool within_values(const Robot& robot, const Trajectory& trajectory, std::size_t i) {
@@ -225,15 +219,14 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
   for (const auto& q : waypoints) {
     if (way.empty() || q != way.back()) way.push_back(q);
   }
-  if (way.size() == 1) {
-    result.waypoints = 1;
-    result.trajectory = Trajectory({{0, way[0], std::vector<double>(robot.joints.size(), 0)}});
-    return result;
-  }
-
   Asker asker(sensor, options.stop);
   if (options.shortcut) way = shortened(std::move(way), asker);
   result.waypoints = static_cast<int>(way.size());
+  if (way.size() == 1) {
+    result.questions = asker.asked();
+    result.trajectory = Trajectory({{0, way[0], std::vector<double>(robot.joints.size(), 0)}});
+    return result;
+  }
   Course course{way, {}};
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
     course.spans.push_back(fastest(robot, way[i], way[i + 1]));

@@ -227,6 +227,23 @@ TEST(Trajectory, RefusesASensorWithoutClearance) {
   }
 }
 
+TEST(Trajectory, AWayBackToAWaypointStaysThere) {
+  const Robot robot = two_links();
+  const Notes sensor(0.001);
+  const std::vector<double> a{0.1, 0.2}, b{0.7, -0.4}, c{1.1, 0.3};
+  const auto shortcut = [&](const std::vector<std::vector<double>>& way) {
+    return make_trajectory(robot, sensor, way, {.shortcut = true});
+  };
+  const auto stay = shortcut({a, b, a});
+  EXPECT_EQ(stay.waypoints, 1);
+  ASSERT_EQ(stay.trajectory.knots().size(), 1u);
+  EXPECT_EQ(stay.trajectory.knots()[0].q, a);
+  EXPECT_EQ(stay.trajectory.duration(), 0);
+  const auto on = shortcut({a, b, a, c});
+  EXPECT_EQ(on.waypoints, 2);
+  expect_smooth(robot, on.trajectory);
+}
+
 TEST(Trajectory, SmallCases) {
   const Robot robot = two_links();
   EXPECT_TRUE(make_trajectory(robot, Nothing(), {}).trajectory.empty());
