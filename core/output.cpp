@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <locale>
 #include <system_error>
 
 #include "lasius/error.h"
@@ -26,7 +27,9 @@ std::string reason() { return std::generic_category().message(errno); }
 void write_to(const std::string& file, const std::string& path,
               const std::function<void(std::ostream&)>& write) {
   errno = 0;
-  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  std::ofstream out;
+  out.imbue(std::locale::classic());  // no "4,096" where the program's own has it so
+  out.open(file, std::ios::binary | std::ios::trunc);
   if (!out) {
     fail(path, "cannot be written (" + reason() + ")",
          "check that its folder exists and may be written");
@@ -65,6 +68,21 @@ std::string temporary_name(const std::string& target) {
   return target + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
 }
 
+/// What `path` stands for at the end of its links, which need not exist.
+fs::path followed(const std::string& path) {
+  constexpr int kMostLinks = 40;  // Linux's
+  fs::path target = path;
+  std::error_code error;
+  for (int links = 0; fs::is_symlink(fs::symlink_status(target, error)); ++links) {
+    const fs::path next = fs::read_symlink(target, error);
+    if (error || links == kMostLinks) {
+      fail(path, "is a link that leads nowhere", "correct the link, or name another file");
+    }
+    target = target.parent_path() / next;
+  }
+  return target;
+}
+
 }  // namespace
 
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write) {
@@ -73,11 +91,7 @@ void write_file(const std::string& path, const std::function<void(std::ostream&)
   if (fs::is_directory(status)) fail(path, "is a folder", "name a file");
   if (fs::exists(status) && !fs::is_regular_file(status)) return write_to(path, path, write);
 
-  std::string target = path;
-  if (fs::exists(status) && fs::is_symlink(fs::symlink_status(path, error))) {
-    const auto real = fs::canonical(path, error);
-    if (!error) target = real.string();
-  }
+  const std::string target = followed(path).string();
   Temporary temporary(temporary_name(target));
   write_to(temporary.name(), path, write);
   error = temporary.rename_to(target);

@@ -2,12 +2,12 @@
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "grid_view.h"
 #include "kernels/sight.h"
 #include "lasius/path.h"
+#include "number_text.h"
 
 namespace lasius {
 namespace {
@@ -15,12 +15,12 @@ namespace {
 using kernels::BitmapView;
 using kernels::HalfPoint;
 
-std::string text(HalfPoint p) {
-  std::ostringstream out;
-  out << '(' << p.x / 2.0 << ", " << p.y / 2.0 << ')';
-  return out.str();
+template <class Number>
+std::string pair_text(Number x, Number y) {
+  return '(' + number_text(x) + ", " + number_text(y) + ')';
 }
-std::string text(Cell c) { return '(' + std::to_string(c.x) + ", " + std::to_string(c.y) + ')'; }
+std::string text(HalfPoint p) { return pair_text(p.x / 2.0, p.y / 2.0); }
+std::string text(Cell c) { return pair_text(c.x, c.y); }
 
 std::int64_t floor_div(std::int64_t a, std::int64_t b) noexcept {
   return a / b - (a % b != 0 && a < 0);
@@ -124,9 +124,7 @@ std::optional<std::string> path_fault(const Grid& grid, std::span<const Point> p
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Point p = path[i];
     const auto vertex = [&] {
-      std::ostringstream out;
-      out << "vertex " << i << " (" << p.x << ", " << p.y << ") is ";
-      return out.str();
+      return "vertex " + std::to_string(i) + ' ' + pair_text(p.x, p.y) + " is ";
     };
     if (!(p.x >= 0 && p.x <= grid.width() && p.y >= 0 && p.y <= grid.height())) {
       return vertex() + "outside the map";

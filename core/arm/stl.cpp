@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <locale>
 #include <sstream>
 
 #include "byte_reader.h"
@@ -54,6 +55,7 @@ Triangles parse_ascii(const std::string& text, const std::string& file) {
   std::size_t corner = 0;
   for (std::int64_t number = 1; std::getline(lines, line); ++number) {
     std::istringstream words(line);
+    words.imbue(std::locale::classic());
     std::string word;
     words >> word;
     if (word == "facet" && corner != 0) {

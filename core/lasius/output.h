@@ -12,7 +12,8 @@ namespace lasius {
 
 /// Calls `write` with a binary stream to a temporary file beside `path`, then renames that file to
 /// `path`: a reader never sees half a file, and a failure leaves an older file as it was. A
-/// symbolic link is followed; a device or pipe (/dev/stdout) is written directly.
+/// symbolic link is followed, to a file that need not exist; a device or pipe (/dev/stdout) is
+/// written directly. Numbers are written as in the C locale.
 /// @throws Error(output_failed) where the file cannot be made, written or renamed, and whatever
 ///         `write` throws; the temporary file is removed in either case.
 LASIUS_EXPORT void write_file(const std::string& path,

@@ -11,7 +11,9 @@
 
 #include "lasius/error.h"
 #include "lasius/output.h"
+#include "lasius/path.h"
 #include "tests/core/map_files.h"
+#include "tests/core/other_locale.h"
 
 namespace lasius {
 namespace {
@@ -108,6 +110,17 @@ TEST_F(MapIo, WritesTheFormatsByTheLetter) {
   EXPECT_EQ(content(path("a.pbm")), "P4\n3 2\n\x80\x60");
   write_map(grid, path("A.PBM"));
   EXPECT_EQ(content(path("A.PBM")), content(path("a.pbm")));
+}
+
+TEST_F(MapIo, FilesDoNotDependOnTheLocale) {
+  const Grid grid = scattered(1234, 2);
+  const OtherLocale other;
+  for (const char* name : {"a.map", "a.pbm"}) {
+    write_map(grid, path(name));
+    EXPECT_EQ(read_map(path(name)).grid, grid) << name;
+  }
+  EXPECT_EQ(path_fault(Grid(2000, 1), std::vector<Point>{{1500.25, 0.5}}),
+            "vertex 0 (1500.25, 0.5) is not at multiples of 0.5");
 }
 
 struct Broken {
@@ -238,6 +251,14 @@ TEST_F(MapIo, OutputFollowsLinksAndDevices) {
   write_file(path("link"), [](std::ostream& out) { out << "new"; });
   EXPECT_TRUE(fs::is_symlink(path("link")));
   EXPECT_EQ(fs::file_size(path("target")), 3U);
+  fs::create_directory(path("folder"));
+  fs::create_symlink("folder/later", path("to_nothing"));
+  fs::create_symlink(path("to_nothing"), path("by_two"));
+  write_file(path("by_two"), [](std::ostream& out) { out << "there"; });
+  EXPECT_TRUE(fs::is_symlink(path("by_two")) && fs::is_symlink(path("to_nothing")));
+  EXPECT_EQ(fs::file_size(path("folder/later")), 5U);
+  fs::create_symlink("round", path("round"));
+  EXPECT_THROW(write_file(path("round"), [](std::ostream&) {}), Error);
   write_file("/dev/null", [](std::ostream& out) { out << "nothing"; });
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }

@@ -13,6 +13,7 @@
 #include "core/arm/vec3.h"
 #include "lasius/error.h"
 #include "tests/core/arm/arms.h"
+#include "tests/core/other_locale.h"
 
 namespace lasius::arm {
 namespace {
@@ -242,6 +243,8 @@ endsolid s
   ASSERT_EQ(text.size(), 1u);
   EXPECT_EQ(text, binary);
   EXPECT_EQ(text[0][2], (Vec3{0, 2.5, 0}));
+  const OtherLocale other;
+  EXPECT_EQ(read_stl((folder_ / "a.stl").string()), text);
 }
 
 TEST_F(StlFile, BadOnes) {
