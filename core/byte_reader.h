@@ -67,6 +67,8 @@ class LASIUS_EXPORT ByteReader {
 class LASIUS_EXPORT InputFile {
  public:
   explicit InputFile(const std::string& path);
+  InputFile(const InputFile&) = delete;  // the reader points into it
+  InputFile& operator=(const InputFile&) = delete;
   ByteReader& reader() noexcept { return reader_; }
 
  private:

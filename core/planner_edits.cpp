@@ -1,13 +1,33 @@
 // Planners made from planners: a map that changes.
-#include <algorithm>
-#include <cstdlib>
+#include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "lasius/error.h"
 #include "planner_impl.h"
 
 namespace lasius {
+namespace {
+
+/// Directions, each once.
+class Known {
+ public:
+  explicit Known(std::span<const Planner::Direction> directions) {
+    for (const auto& d : directions) add(d);
+  }
+  /// False where it was there.
+  bool add(const Planner::Direction& d) { return keys_.insert(key(d)).second; }
+  bool contains(const Planner::Direction& d) const { return keys_.contains(key(d)); }
+
+ private:
+  using Key = std::tuple<int, int, int, int>;
+  static Key key(const Planner::Direction& d) { return {d.from.x, d.from.y, d.dx, d.dy}; }
+
+  std::set<Key> keys_;
+};
+
+}  // namespace
 
 std::shared_ptr<const Planner::Impl> Planner::Impl::next(std::span<const Edit> edits,
                                                          std::vector<Direction> directions,
@@ -57,20 +77,20 @@ Planner Planner::exclude(std::span<const Direction> reported) const {
 std::optional<Planner> Planner::exclude(std::span<const Direction> reported,
                                         const StopCondition& stop) const {
   std::vector<Direction> directions = impl_->excluded;
+  Known known(directions);
   for (const Direction& d : reported) {
     if (!impl_->grid.contains(d.from)) {
       throw Error(ErrorCode::invalid_parameter,
                   "excluded direction starts outside the map, at " + cell_name(d.from),
                   "give a cell of the map");
     }
-    if (std::max(std::abs(d.dx), std::abs(d.dy)) != 1) {
+    const auto one = [](int step) { return step >= -1 && step <= 1; };
+    if (!one(d.dx) || !one(d.dy) || (d.dx == 0 && d.dy == 0)) {
       throw Error(ErrorCode::invalid_parameter,
                   "(" + std::to_string(d.dx) + ", " + std::to_string(d.dy) + ") is no direction",
                   "give one of the eight steps to a neighbour");
     }
-    if (std::find(directions.begin(), directions.end(), d) == directions.end()) {
-      directions.push_back(d);
-    }
+    if (known.add(d)) directions.push_back(d);
   }
   return if_made(impl_->next({}, std::move(directions), stop));
 }
@@ -79,9 +99,10 @@ Planner Planner::allow(std::span<const Direction> gone) const { return *allow(go
 
 std::optional<Planner> Planner::allow(std::span<const Direction> gone,
                                       const StopCondition& stop) const {
+  const Known allowed(gone);
   std::vector<Direction> directions;
   for (const Direction& d : impl_->excluded) {
-    if (std::find(gone.begin(), gone.end(), d) == gone.end()) directions.push_back(d);
+    if (!allowed.contains(d)) directions.push_back(d);
   }
   return if_made(impl_->next({}, std::move(directions), stop));
 }

@@ -127,6 +127,8 @@ TEST(LocalPlanning, NamesWhatIsNoDirection) {
   EXPECT_THROW((void)planner.exclude(std::vector<Direction>{{{4, 0}, 1, 0}}), Error);
   EXPECT_THROW((void)planner.exclude(std::vector<Direction>{{{1, 1}, 0, 0}}), Error);
   EXPECT_THROW((void)planner.exclude(std::vector<Direction>{{{1, 1}, 2, 0}}), Error);
+  constexpr int kLeast = std::numeric_limits<int>::min();
+  EXPECT_THROW((void)planner.exclude(std::vector<Direction>{{{1, 1}, kLeast, 1}}), Error);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ double mean_reached(const Runs& runs) {
   double sum = 0, count = 0;
   for (const auto& question : runs) {
     for (const ArmRun& run : question) {
-      const auto first = std::find(run.best.begin(), run.best.end(), run.best.back());
+      const auto first = std::find(run.best.begin(), run.best.end(), final_best(run));
       sum += static_cast<double>(first - run.best.begin()) + 1;
       ++count;
     }

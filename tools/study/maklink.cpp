@@ -225,12 +225,13 @@ std::optional<MaklinkStudy> run_maklink(const std::filesystem::path& maps, int t
   study.sequence_optimum = first.sequence_optimum->length;
   for (auto& contender : contenders()) study.samples.push_back({std::move(contender), {}});
   const int all = trials * static_cast<int>(study.samples.size());
+  int done = 0;
   for (int i = 0; i < trials; ++i) {
     for (auto& sample : study.samples) {
       sample.trials.push_back(
           run_trial(planner, sample.contender, static_cast<std::uint64_t>(i) + 1, stop));
       if (stop.stop_requested()) return std::nullopt;
-      progress(i * static_cast<int>(study.samples.size()) + 1, all);
+      progress(++done, all);
     }
   }
   return study;
