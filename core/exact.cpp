@@ -103,9 +103,8 @@ void ExactSearch::send_ants(std::int64_t steps, Poller& poller) {
     Corner& corner = corners_[index];
     if (corner.walked || corner.expanded) continue;
     corner.walked = true;
-    ++counters_.ant_steps;
     expand(index);
-    poller.stop_after(kWordsPerExpansion);
+    poller.stop_after(kWordsPerExpansion + ant_frontier_.take_dealt());
   }
   ants_out_ = upper_ == kInfinity;
   // A scan that was stopped may have left out what would come first.
@@ -119,7 +118,7 @@ void ExactSearch::calm_down() {
   hurry_ = false;
   ant_weight_ = kAntWeight;
   ant_frontier_.reset(lower_, kBucketWidth);
-  for (std::uint32_t i = 0; i < corners_.size(); ++i) {
+  for (std::uint32_t i = 0; i < corners_.size() && !poller_->stop_after(1); ++i) {
     const Corner& corner = corners_[i];
     if (!corner.expanded) ant_frontier_.push(i, corner.length + ant_weight_ * corner.to_goal);
   }

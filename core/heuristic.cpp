@@ -32,7 +32,7 @@ void HeuristicRows::reset(const Grid& grid, const kernels::Moves& moves, Cell go
   goal_ = goal;
   params_ = params;
   raise_ = kernels::raise_row(chosen_isa());
-  distances_.clear();
+  distances_ = {};
   if (params.heuristic == Heuristic::distance_field) measure_distances(stop);
 }
 
@@ -81,7 +81,7 @@ double HeuristicRows::base(Cell c, Cell to, double farthest) const noexcept {
       return 1 / (1 + h / (std::numbers::pi / 4));
     }
     case Heuristic::distance_field: {
-      const double d = distances_[static_cast<std::size_t>(to.y) * grid_->width() + to.x];
+      const double d = distances_[static_cast<std::int64_t>(to.y) * grid_->width() + to.x];
       return 1 / std::max(d, kNearest);
     }
   }
@@ -93,12 +93,10 @@ void HeuristicRows::measure_distances(const StopCondition& stop) {
   // ways: what closes a corner lies beside it.
   const auto steps = kernels::moves_of(moves_.count == 4 ? kernels::Neighbourhood::four
                                                          : kernels::Neighbourhood::eight);
-  const auto index = [&](Cell c) { return static_cast<std::size_t>(c.y) * grid_->width() + c.x; };
-  constexpr float kFar = std::numeric_limits<float>::infinity();
-  distances_.assign(static_cast<std::size_t>(grid_->width()) * grid_->height(), kFar);
+  const auto index = [&](Cell c) { return static_cast<std::int64_t>(c.y) * grid_->width() + c.x; };
+  distances_ = ZeroArray<float>(static_cast<std::int64_t>(grid_->width()) * grid_->height());
   using Item = std::tuple<float, int, int>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> open;
-  distances_[index(goal_)] = 0;
   open.emplace(0.0f, goal_.y, goal_.x);
   Poller poller(stop);
   while (!open.empty() && !poller.stop_after(steps.count)) {
@@ -109,13 +107,14 @@ void HeuristicRows::measure_distances(const StopCondition& stop) {
     for (int k = 0; k < steps.count; ++k) {
       if (!move_exists(*grid_, params_.corners, c, steps[k])) continue;
       const Cell to = c + steps[k].to;
+      if (to == goal_) continue;
       const float through = length + static_cast<float>(steps[k].length);
-      if (through >= distances_[index(to)]) continue;
-      distances_[index(to)] = through;
+      float& known = distances_[index(to)];
+      if (known != 0 && through >= known) continue;
+      known = through;
       open.emplace(through, to.y, to.x);
     }
   }
-  std::replace(distances_.begin(), distances_.end(), kFar, 0.0f);
 }
 
 }  // namespace lasius

@@ -1,14 +1,13 @@
 // The part of a move's weight that the pheromone has no say in.
 #pragma once
 
-#include <vector>
-
 #include "kernels/moves.h"
 #include "kernels/raise.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/params.h"
 #include "lasius/stop.h"
+#include "zero_array.h"
 
 namespace lasius {
 
@@ -44,7 +43,7 @@ class HeuristicRows {
   Cell goal_;
   Params params_;
   kernels::RaiseFn raise_ = nullptr;
-  std::vector<float> distances_;  // Heuristic::distance_field: of each cell, row-major
+  ZeroArray<float> distances_;  // Heuristic::distance_field: of each cell, row-major; 0: not known
 };
 
 }  // namespace lasius

@@ -97,16 +97,24 @@ bool sees(const kernels::BitmapView& map, Cell a, Cell b) noexcept {
 // Leaves out vertices and moves them to neighbouring cells as long as that makes the polyline
 // shorter. False when told to stop.
 bool settle(const kernels::BitmapView& map, Poller& poller, std::vector<Cell>& polyline) {
-  for (bool changed = true; changed;) {
+  for (bool changed = true; changed && polyline.size() > 2;) {
     changed = false;
-    for (std::size_t i = 1; i + 1 < polyline.size();) {
-      const Cell a = polyline[i - 1], b = polyline[i], c = polyline[i + 1];
-      if (poller.stop_after(std::abs(c.y - a.y) + 64)) return false;
+    std::size_t kept = 1, i = 1;  // vertices between the two are left out
+    const auto close_up = [&] {
+      polyline.erase(polyline.begin() + static_cast<std::ptrdiff_t>(kept),
+                     polyline.begin() + static_cast<std::ptrdiff_t>(i));
+    };
+    for (; i + 1 < polyline.size(); ++i) {
+      const Cell a = polyline[kept - 1], b = polyline[i], c = polyline[i + 1];
+      if (poller.stop_after(std::abs(c.y - a.y) + 64)) {
+        close_up();
+        return false;
+      }
       if (a == b || b == c || sees(map, a, c)) {
-        polyline.erase(polyline.begin() + static_cast<std::ptrdiff_t>(i));
         changed = true;
         continue;
       }
+      Cell best = b;
       double least = (between(a, b) + between(b, c)) * kShorter;
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
@@ -115,12 +123,13 @@ bool settle(const kernels::BitmapView& map, Poller& poller, std::vector<Cell>& p
           if (length >= least || map.blocked(to.x, to.y)) continue;
           if (!sees(map, a, to) || !sees(map, to, c)) continue;
           least = length;
-          polyline[i] = to;
+          best = to;
           changed = true;
         }
       }
-      ++i;
+      polyline[kept++] = best;
     }
+    close_up();
   }
   return true;
 }

@@ -59,7 +59,10 @@ void terminal_index(Field& field, const GridTours& tours) {
   for (const Tour& tour : tours.ants) {
     if (!arrived(tour)) continue;
     Cell c = tours.start;
-    for (const int k : tour.moves) c = c + tours.moves[k].to;
+    for (const int k : tour.moves) {
+      if (tours.poller.stop_after(1)) return;
+      c = c + tours.moves[k].to;
+    }
     field.set_tau(c, 0, 0);
     double least = field.tau(c, 0);
     for (std::size_t i = tour.moves.size(); i-- > 0;) {

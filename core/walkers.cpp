@@ -60,7 +60,7 @@ class Walkers::Worker {
         const WalkState state = slots[i].state;
         if (state == WalkState::idle || (state == WalkState::walking && !cut_short)) continue;
         if (state != WalkState::walking) retire(slots[i]);
-        if (clear(i, cut_short) > Poller::kWords) cut_short = sending_.cut_short();
+        if (!clear(i, cut_short) && !cut_short) cut_short = sending_.cut_short();
         send(i);
       }
     }
@@ -105,33 +105,43 @@ class Walkers::Worker {
     if (sending_.after.ended) sending_.after.ended(ant, thread_);
   }
 
-  /// Empties a slot and returns what it went over. Only another walk needs a clear plane: not where
-  /// this one is cut short.
-  std::int64_t clear(int i, bool cut_short) {
+  /// Empties a slot; false where its plane stays marked. Only another walk needs a clear one: not
+  /// where this one is cut short.
+  bool clear(int i, bool cut_short) {
     WalkSlot& slot = slots_[i];
     slot.state = WalkState::idle;
     --under_way_;
-    team_.slots[i].marked = cut_short;
-    if (cut_short) return 0;
-    forget(slot, team_.slots[i].plane.at(0));
-    return slot.move_count + slot.dead_count;
+    const bool cleared = !cut_short && forget(slot, team_.slots[i].plane.at(0));
+    team_.slots[i].marked = !cleared;
+    return cleared;
   }
 
-  /// Clears the plane of the cells that an ant entered.
-  void forget(const WalkSlot& slot, std::uint64_t* plane) const {
+  /// Clears the plane of the cells that an ant entered; false when stopped.
+  bool forget(const WalkSlot& slot, std::uint64_t* plane) const {
+    Poller poller(sending_.stop);
     // Clearing a cell costs about what sixteen words of a whole plane do.
+    constexpr std::int64_t kWordsACell = 16;
     const auto words = VisitedPlane::words_for(walkers_.width_, walkers_.height_);
-    if (words <= 16 * (slot.move_count + slot.dead_count)) {
-      std::fill_n(plane, words, 0);
-      return;
+    if (words <= kWordsACell * (slot.move_count + slot.dead_count)) {
+      for (std::int64_t from = 0; from < words; from += Poller::kWords) {
+        const auto part = std::min(Poller::kWords, words - from);
+        std::fill_n(plane + from, part, 0);
+        if (poller.stop_after(part)) return false;
+      }
+      return true;
     }
     PackedCell c = slot.at;
     slot.visited.clear(c);
     for (std::int64_t m = slot.move_count - 1; m >= 0; --m) {
       c -= static_cast<PackedCell>(sending_.world.delta[slot.moves[m]]);
       slot.visited.clear(c);
+      if (poller.stop_after(kWordsACell)) return false;
     }
-    for (std::int64_t d = 0; d < slot.dead_count; ++d) slot.visited.clear(slot.dead[d]);
+    for (std::int64_t d = 0; d < slot.dead_count; ++d) {
+      slot.visited.clear(slot.dead[d]);
+      if (poller.stop_after(kWordsACell)) return false;
+    }
+    return true;
   }
 
   const Walkers& walkers_;

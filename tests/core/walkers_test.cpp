@@ -211,10 +211,10 @@ TEST(Walkers, LeaveAloneAntsThatWereCutShortWhileALongTourWasForgotten) {
   Square square(kTiles);
   std::vector<Ant> ants(kAnts);
   Walkers walkers;
-  walkers.reset(kSide, kSide, 1, kAnts, false);
+  walkers.reset(4096, 4096, 1, kAnts, false);  // to be cleared with eight looks at the clock
   long_calls = 0;
   long_walking.clear();
-  const CountingTime time(kLongCalls);  // a look a call, and the one after forgetting ant 1
+  const CountingTime time(kLongCalls);  // a look a call, and the first of those
   const auto cause = walkers.walk(square.world, long_kernel, ants, 0, time.is_up());
   EXPECT_EQ(cause, StopCondition::Cause::deadline);
   EXPECT_GT(ants[1].move_count, Poller::kWords);
