@@ -21,10 +21,7 @@ constexpr std::int64_t kWordsPerExpansion = 16;
 /// What a search did, for benchmarks and tests.
 struct Counters {
   std::int64_t expansions = 0;
-  std::int64_t words = 0;    ///< rows of intervals, and windows of wide ones
-  std::int64_t reports = 0;  ///< corners seen
-  std::int64_t pushes = 0;
-  std::int64_t ant_steps = 0;  ///< expansions by ants
+  std::int64_t words = 0;  ///< rows of intervals, and windows of wide ones
 };
 }  // namespace exact
 

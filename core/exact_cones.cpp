@@ -63,7 +63,6 @@ struct ExactSearch::Visitor {
 // A corner of a blocked cell at lattice point (x, y), seen from the root in hand. Returns the
 // length of a shorter way there, or a negative number.
 double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
-  ++counters_.reports;
   const double length = root_.length + distance(root_.x, root_.y, 2 * x, 2 * y);
   const std::size_t slot = corners_.slot(x, y);
   std::uint32_t index = corners_.at(slot);
@@ -86,7 +85,6 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
   corner.expanded = false;
   corner.scans = 0;
   if (length + to_goal < upper_) {
-    ++counters_.pushes;
     frontier_.push(index, length + to_goal);
     if (hurry_) corner.walked = false;
     if (ants_out_ && !corner.walked) ant_frontier_.push(index, length + ant_weight_ * to_goal);

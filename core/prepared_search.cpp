@@ -51,7 +51,6 @@ void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Cell star
   poller_ = &poller;
   start_ = half(start);
   mode_ = Mode::glance;
-  expansions_ = 0;
   if (nodes_size_ < graph.size() || stamp_ > kLastStamp) {
     nodes_size_ = std::max(nodes_size_, graph.size());
     nodes_ = ZeroArray<Node>(nodes_size_);
@@ -166,7 +165,6 @@ void PreparedSearch::follow(std::uint32_t index, const Root& root, const GraphEd
 
 // Returns the work done.
 std::int64_t PreparedSearch::expand(std::uint32_t index) {
-  ++expansions_;
   Node& node = nodes_[index];
   node.expanded = true;
   const GraphCorner& corner = graph_->corner(index);
@@ -324,13 +322,6 @@ void PreparedSearch::trace(std::vector<Point>& path) const {
     back.corner(place(i), place(nodes_[i].parent));
   }
   back.start(start_);
-}
-
-std::int64_t PreparedSearch::bytes() const noexcept {
-  const auto corners = start_corners_.capacity() + goal_corners_.capacity();
-  return nodes_size_ * static_cast<std::int64_t>(sizeof(Node)) + frontier_.bytes() +
-         static_cast<std::int64_t>(stack_.capacity() * sizeof(kernels::Interval) +
-                                   corners * sizeof(std::uint32_t));
 }
 
 }  // namespace lasius::exact

@@ -45,9 +45,6 @@ class PreparedSearch {
   bool flood(const Grid& grid, const CornerGraph& graph, Cell start, const StopCondition& stop,
              std::vector<double>& lengths);
 
-  std::int64_t expansions() const noexcept { return expansions_; }
-  std::int64_t bytes() const noexcept;
-
  private:
   // Of a corner. Only those with the search's own stamp mean anything.
   struct Node {
@@ -114,7 +111,6 @@ class PreparedSearch {
   std::vector<std::uint32_t> start_corners_, goal_corners_;  // in their sight
   Frontier frontier_;
   std::vector<kernels::Interval> stack_;
-  std::int64_t expansions_ = 0;
 };
 
 }  // namespace lasius::exact

@@ -34,9 +34,6 @@ class Straightener {
   /// are 4-neighbours, except across a kept squeeze between two diagonal blocks.
   std::span<const Cell> cells() const noexcept { return raster_; }
 
-  /// Euclidean length, summed from the first vertex.
-  double length() const noexcept { return length_; }
-
   /// The taut string of its class, once `tighten` was through with three vertices or more.
   std::span<const Point> string() const noexcept { return tautener_.path(); }
 

@@ -84,7 +84,6 @@ void Tautener::pull(const Grid& grid, Corners corners, const StopCondition& stop
   }
   points_.clear();
   for (const Vertex& v : done_) points_.push_back({v.at.x / 2.0, v.at.y / 2.0});
-  length_ = path_length(points_);
 }
 
 std::vector<Point> tauten(const Grid& grid, std::span<const Point> path, Corners corners,

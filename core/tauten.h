@@ -23,8 +23,6 @@ class Tautener {
            const StopCondition& stop = {});
 
   std::span<const Point> path() const noexcept { return points_; }
-  /// Euclidean length, summed from the first vertex.
-  double length() const noexcept { return length_; }
 
  private:
   /// A vertex; fixed where the path squeezes between diagonal blocks, as Corners::allow lets it.
@@ -43,7 +41,6 @@ class Tautener {
   std::vector<kernels::HalfPoint> chain_;  // what takes the place of a vertex
   std::vector<kernels::HalfPoint> corners_;
   std::vector<Point> points_;
-  double length_ = 0;
 };
 
 }  // namespace lasius

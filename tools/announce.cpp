@@ -13,8 +13,6 @@ namespace lasius::tool {
 void announce(const PreparedMap& map, const RunOptions& run) {
   if (run.messages.quiet) return;
   for (const auto& note : run.notes) message(note);
-  if (run.with_optimum && !knows_optimum())
-    message("--gap has no effect: this build has no exact planner");
   const Preparation prepared = map.planner ? map.planner->preparation() : Preparation{};
   if (prepared.state == Preparation::State::too_large)
     message("--prepare has no effect: it would take more than " +

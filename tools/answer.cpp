@@ -85,7 +85,7 @@ Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start,
   const auto begin = Clock::now();
   answer.result = map.planner->plan(request, run.params, &workspace, observer);
   answer.elapsed_ms = ms_since(begin);
-  if (run.with_optimum && knows_optimum()) add_optima(map, run, stop, answer);
+  if (run.with_optimum) add_optima(map, run, stop, answer);
   return answer;
 }
 
@@ -99,12 +99,6 @@ std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOpt
   if (!joined) return std::nullopt;
   return shortest_walk(grid, query.start, query.goal, run.params.neighbours, run.params.corners,
                        stop);
-}
-
-bool knows_optimum() {
-  const auto all = algorithms();
-  return std::any_of(all.begin(), all.end(),
-                     [](const Algorithm& algorithm) { return algorithm.name == kExact; });
 }
 
 Params optimum_params(const RunOptions& run) {

@@ -37,9 +37,6 @@ StopCondition again(const StopCondition& stop, const std::optional<double>& seco
 Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start, const Place& goal,
               const StopCondition& stop, const Observer& observer = {});
 
-/// True where the library has the exact planner that --gap asks.
-bool knows_optimum();
-
 /// Length of the shortest walk by the moves of the run's algorithm, if there is one and it is found
 /// in time. Precondition: the algorithm is not `exact`.
 std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOptions& run,
@@ -48,7 +45,7 @@ std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOpt
 /// True where the algorithm moves from cell to cell.
 bool moves_on_cells(const RunOptions& run);
 
-/// Params of the exact planner for a run. Precondition: knows_optimum().
+/// Params of the exact planner for a run.
 Params optimum_params(const RunOptions& run);
 
 /// How the run ended, with what its map and frame add to the library's words.

@@ -108,13 +108,12 @@ int run_batch(const BatchCommand& command) {
   if (run.time_limit) options.time_limit = std::chrono::duration<double>(*run.time_limit);
   Collected collected(map, run);
   ProgressLine bar(wants_progress(run.messages), static_cast<std::int64_t>(queries.size()));
-  const bool with_optimum = run.with_optimum && knows_optimum();
   // The optimum is asked beside each chunk, so that answers still stream.
-  const std::size_t chunk = with_optimum ? 256 : queries.size();
+  const std::size_t chunk = run.with_optimum ? 256 : queries.size();
   for (std::size_t from = 0; from < queries.size() && !signals.interrupted(); from += chunk) {
     const auto part = std::span(queries).subspan(from, std::min(chunk, queries.size() - from));
     Optima best;
-    if (with_optimum) best = optima(map, run, part, options);
+    if (run.with_optimum) best = optima(map, run, part, options);
     plan_batch(*map.planner, part, run.params, options, [&](const BatchAnswer& found) {
       const std::size_t index = from + found.index;
       Answer answer{.start = place(file.queries[index].start),
@@ -122,7 +121,7 @@ int run_batch(const BatchCommand& command) {
                     .result = found.result,
                     .elapsed_ms = std::chrono::duration<double, std::milli>(found.elapsed).count(),
                     .index = index};
-      if (with_optimum) {
+      if (run.with_optimum) {
         answer.optimum = known(best.any_angle[found.index]);
         answer.grid_optimum = known(best.by_moves[found.index]);
       }

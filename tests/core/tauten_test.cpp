@@ -237,7 +237,7 @@ TEST(Tautener, AllocatesNothingTheSecondTime) {
     tautener.run(grid, walk);
   }
   EXPECT_EQ(allocations, before);
-  EXPECT_LT(tautener.length(), path_length(centres(walk)));
+  EXPECT_LT(path_length(tautener.path()), path_length(centres(walk)));
 }
 
 TEST(Tautener, PollsInsideATriangleAndReturnsAValidPathWhenStopped) {
@@ -255,7 +255,7 @@ TEST(Tautener, PollsInsideATriangleAndReturnsAValidPathWhenStopped) {
   const CountingTime third(2);
   tautener.run(grid, corner, Corners::forbid, third.is_up());
   EXPECT_EQ(third.polls(), 3);
-  EXPECT_EQ(tautener.length(), 2 * (kSide - 1));
+  EXPECT_EQ(path_length(tautener.path()), 2 * (kSide - 1));
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "study/optimum.h"
 
-#include <algorithm>
-
 #include "lasius/shortest_walk.h"
 
 namespace lasius::study {
@@ -16,9 +14,6 @@ std::optional<double> true_optimum(const Planner& planner, const Question& quest
   if (truth.kind == Truth::Kind::moves)
     return shortest_walk(planner.grid(), question.start, question.goal, truth.neighbours,
                          truth.corners, stop);
-  const auto all = algorithms();
-  if (std::none_of(all.begin(), all.end(), [](const Algorithm& a) { return a.name == kExact; }))
-    return std::nullopt;
   const Result result = planner.plan({question.start, question.goal, stop}, defaults(kExact));
   if (!result.optimal) return std::nullopt;
   return result.length;
