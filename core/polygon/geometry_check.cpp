@@ -57,7 +57,11 @@ std::optional<std::string> ring_fault(const Ring& ring, std::size_t number) {
   std::sort(distinct.begin(), distinct.end(),
             [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-  if (distinct.size() >= 3) return std::nullopt;
+  if (distinct.size() >= 3) {
+    const auto [low, high] = bounds_of(ring);
+    if (std::max(high.x - low.x, high.y - low.y) >= kLeastExtent) return std::nullopt;
+    return which += ", at " + text(ring[0]) + ", is less than 1e-100 wide";
+  }
   which += " has only " + std::to_string(distinct.size()) + " distinct points";
   if (!distinct.empty()) which += ", the first " + text(ring[0]);
   return which;

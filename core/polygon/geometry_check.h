@@ -11,6 +11,8 @@ namespace lasius::polygon {
 
 /// Coordinates must not be larger.
 inline constexpr double kMostCoordinate = 1e12;
+/// Rings must not be smaller: squares of lengths would underflow.
+inline constexpr double kLeastExtent = 1e-100;
 
 /// The first fault of a polygon ("Self-intersection near (3, 3), on ring 0 between its points 0 and
 /// 1"), or nothing. Ring 0 is the outer one, points count from 0.

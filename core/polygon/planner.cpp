@@ -104,12 +104,16 @@ class Planner::Impl {
     return result;
   }
 
-  /// Even-odd rule, on the input: only for the words of a message.
+  /// Even-odd rule, on the input; the boundary itself is inside. Only for the words of a message.
   bool inside_boundary(Point p) const {
     bool inside = false;
     const Ring& ring = world.boundary.outer;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
+      const bool between = std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
+                           std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
+      const double turn = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+      if (between && turn == 0) return true;
       if ((a.y > p.y) == (b.y > p.y)) continue;
       if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
     }

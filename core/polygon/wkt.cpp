@@ -96,9 +96,15 @@ class WktReader {
         ++at_;
         break;
       }
-      if (depth == 0 && (c == ';' || c == '\n')) break;
+      if (depth == 0 && (c == ';' || (c == '\n' && !goes_on(at_)))) break;
     }
     return std::string(text_.substr(from, at_ - from));
+  }
+
+  /// White space may stand anywhere: before the parentheses of a geometry, or its EMPTY.
+  bool goes_on(std::size_t at) const {
+    const auto next = text_.find_first_not_of(" \t\r\n", at);
+    return next != text_.npos && (text_[next] == '(' || text_.substr(next).starts_with("EMPTY"));
   }
 
   void add(const GEOSGeometry* g) {

@@ -295,6 +295,18 @@ TEST(Ends, BlockedAndOutsideNameTheNearestFreePoint) {
   EXPECT_THROW(Planner(open).plan(), Error);
 }
 
+TEST(Ends, AnEdgeOfTheBoundaryIsNotOutside) {
+  World world;
+  world.boundary.outer = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  world.obstacles = {{{{1, 3}, {3, 3}, {3, 5}, {1, 5}}, {}},
+                     {{{3, 1}, {5, 1}, {5, 2}, {3, 2}}, {}}};
+  world.start = Point{0.5, 0.5};
+  for (const Point goal : {Point{2, 4}, Point{4, 1.5}}) {
+    const Result result = Planner(world).plan({.start = {}, .goal = goal});
+    EXPECT_NE(result.error.find("is blocked"), std::string::npos) << result.error;
+  }
+}
+
 TEST(Bitmap, ExactPathsOfBothWorldsAreOfOneLength) {
   for (const MapKind kind : {MapKind::rooms, MapKind::blobs, MapKind::random}) {
     const Grid grid = generate(kind, {.width = 48, .height = 40, .seed = 2});

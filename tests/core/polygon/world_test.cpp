@@ -86,6 +86,9 @@ TEST(GeoJson, NamesWhatIsWrong) {
                  "point 1");
   expect_refusal(collection({feature("boundary", "Polygon", "[[[0,0],[1e999,0],[1,1],[0,0]]]")}),
                  "byte 147: a number is too large");
+  expect_refusal(
+      collection({feature("boundary", "Polygon", "[[[0,0],[1e-200,0],[0,1e-200],[0,0]]]")}),
+      "ring 0, at (0, 0), is less than 1e-100 wide");
   expect_refusal(collection({boundary(), feature("start", "Point", "[1]")}), "two numbers");
   expect_refusal(collection({boundary()}, R"("margin":-1,)"), "margin");
   expect_refusal(collection({boundary()}, R"("margin":"wide",)"), "margin");
@@ -161,6 +164,9 @@ TEST(Wkt, CollectionsAndComments) {
   EXPECT_EQ(world.obstacles.size(), 2u);
   EXPECT_EQ(world.start, (Point{1, 1}));
   EXPECT_EQ(world.goal, (Point{8, 8}));
+  const World folded = parse_wkt("POLYGON\n ((0 0, 9 0, 9 9, 0 9,\n 0 0))\nPOINT\r\n(1 1)", "w");
+  EXPECT_EQ(folded.boundary.outer.size(), 4u);
+  EXPECT_EQ(folded.start, world.start);
 }
 
 TEST(Wkt, OnlyACommentThatIsAMarginIsOne) {
