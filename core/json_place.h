@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "json_depth.h"
 #include "lasius/error.h"
 
 namespace lasius {
@@ -28,7 +29,10 @@ class JsonPlace final : public nlohmann::json_sax<nlohmann::json> {
   /// The document. @throws Error(file_broken) naming line and byte of `file` where the text is not
   /// JSON, a number is too large, or lists and objects nest deeper than any of ours.
   static nlohmann::json parse(std::string_view text, const std::string& file) {
-    check_depth(text, file);
+    if (const auto byte = too_deep(text)) {
+      refuse(text, *byte, file, "the document nests too deep",
+             "no list or object here goes deeper than " + std::to_string(kDeepestJson));
+    }
     try {
       return nlohmann::json::parse(text);
     } catch (const nlohmann::json::exception& fault) {
@@ -46,24 +50,6 @@ class JsonPlace final : public nlohmann::json_sax<nlohmann::json> {
     throw Error(ErrorCode::file_broken,
                 {.file = file, .line = line, .offset = static_cast<std::int64_t>(byte)}, problem,
                 remedy);
-  }
-
-  /// The parser does not recurse, but what is done with a document does.
-  static void check_depth(std::string_view text, const std::string& file) {
-    constexpr int kDeepest = 64;
-    int depth = 0;
-    bool quoted = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-      const char c = text[i];
-      if (quoted && c == '\\') ++i;
-      if (c == '"') quoted = !quoted;
-      if (quoted) continue;
-      depth += (c == '[' || c == '{') - (c == ']' || c == '}');
-      if (depth > kDeepest) {
-        refuse(text, i, file, "the document nests too deep",
-               "no list or object here goes deeper than " + std::to_string(kDeepest));
-      }
-    }
   }
 
   /// Reads the text and tells how far it came.

@@ -39,6 +39,20 @@ void solve(const ArmCommand& command, const std::stop_token& token, ArmAnswer& a
   solve_arm(command, stop, observer, answer);
 }
 
+/// Says what of an answer is not as one may expect.
+void remark(const ArmCommand& command, const ArmAnswer& answer) {
+  if (command.messages.quiet) return;
+  const auto& motion = answer.motion;
+  if (motion.stops)
+    message(motion.cause == StopCondition::Cause::none
+                ? "the motion rests at each waypoint: no faster one between them was found free"
+                : "the motion rests at each waypoint: there was no time to look for a faster one");
+  if (sample_rate(motion.trajectory, command.rate) < command.rate)
+    message("the motion takes " + whole_text(motion.trajectory.duration()) + " s: it is sampled " +
+            whole_text(kMostSamples) + " times in all, not " + whole_text(command.rate) +
+            " times a second");
+}
+
 void announce(const ArmCommand& command, const ArmAnswer& answer) {
   if (!command.messages.verbose) return;
   message(command.robot + ": " + counted(answer.robot.size(), "joint"));
@@ -62,8 +76,7 @@ int run_arm(const ArmCommand& command) {
                       .has_path = !answer.plan.joints.empty(),
                       .error = answer.plan.error};
   report(ended, command.messages);
-  if (answer.motion.stops && !command.messages.quiet)
-    message("the motion rests at each waypoint: no faster one between them was found free");
+  remark(command, answer);
   if (answer.recheck && !command.json && !command.messages.quiet)
     message(recheck_text(*answer.recheck));
   const Forms forms{

@@ -56,9 +56,14 @@ Json trajectory_json(const ArmCommand& command, const ArmAnswer& answer) {
 
 }  // namespace
 
-std::vector<double> sample_times(const arm::Trajectory& trajectory, double rate) {
-  constexpr double kMost = 1e6;
-  const double count = std::min(std::floor(trajectory.duration() * rate), kMost);
+double sample_rate(const arm::Trajectory& trajectory, double wanted) {
+  return trajectory.duration() * wanted <= kMostSamples ? wanted
+                                                        : kMostSamples / trajectory.duration();
+}
+
+std::vector<double> sample_times(const arm::Trajectory& trajectory, double wanted) {
+  const double rate = sample_rate(trajectory, wanted);
+  const double count = std::floor(trajectory.duration() * rate);
   std::vector<double> times;
   for (double i = 0; i <= count; ++i) times.push_back(std::min(i / rate, trajectory.duration()));
   if (times.back() < trajectory.duration()) times.push_back(trajectory.duration());

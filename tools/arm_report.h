@@ -12,8 +12,13 @@ namespace lasius::tool {
 /// What the independent check found, in a line.
 std::string recheck_text(const arm::Recheck& recheck);
 
-/// Times at which a trajectory is told: every 1 / rate seconds, and its end.
-std::vector<double> sample_times(const arm::Trajectory& trajectory, double rate);
+constexpr double kMostSamples = 1e6;
+
+/// Samples a second of a trajectory: as many as wanted, kMostSamples in all at most.
+double sample_rate(const arm::Trajectory& trajectory, double wanted);
+
+/// Times at which a trajectory is told: so many a second, and its end.
+std::vector<double> sample_times(const arm::Trajectory& trajectory, double wanted);
 
 /// Format lasius-arm-plan/1, keys in the order of the contract.
 Json arm_json(const ArmCommand& command, const ArmAnswer& answer);

@@ -53,11 +53,13 @@ Triangles parse_ascii(const std::string& text, const std::string& file) {
   std::istringstream lines(text);
   std::string line;
   std::size_t corner = 0;
+  bool solid = false;
   for (std::int64_t number = 1; std::getline(lines, line); ++number) {
     std::istringstream words(line);
     words.imbue(std::locale::classic());
     std::string word;
     words >> word;
+    if (word == "solid" || word == "endsolid") solid = word == "solid";
     if (word == "facet" && corner != 0) {
       broken({.file = file, .line = number}, "a facet begins before the last one has 3 vertices",
              "a facet has exactly 3");
@@ -75,6 +77,7 @@ Triangles parse_ascii(const std::string& text, const std::string& file) {
   if (corner != 0) {
     broken({.file = file}, "the last facet has fewer than 3 vertices", "a facet has exactly 3");
   }
+  if (solid) broken({.file = file}, "the file ends before its endsolid", "save the mesh again");
   return triangles;
 }
 

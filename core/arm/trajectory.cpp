@@ -30,6 +30,7 @@ class Asker {
     return sensor_.motion_free(from, to);
   }
   bool stopped() const noexcept { return poller_.stopped(); }
+  StopCondition::Cause cause() const noexcept { return poller_.cause(); }
   std::int64_t asked() const noexcept { return asked_; }
   double clearance() const noexcept { return clearance_; }
 
@@ -224,6 +225,7 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
   result.waypoints = static_cast<int>(way.size());
   if (way.size() == 1) {
     result.questions = asker.asked();
+    result.cause = asker.cause();
     result.trajectory = Trajectory({{0, way[0], std::vector<double>(robot.joints.size(), 0)}});
     return result;
   }
@@ -247,6 +249,7 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
     result.stops = true;
   }
   result.questions = asker.asked();
+  result.cause = asker.cause();
   return result;
 }
 

@@ -80,7 +80,33 @@ Error::Place broken_xml(const Source& source) {
   return document.Error() ? source.line(document.ErrorRow()) : source.whole();
 }
 
+/// The parser recurses, as deep as elements nest.
+void check_depth(const Source& source) {
+  constexpr int kDeepest = 256;
+  const std::string_view text = source.text;
+  int depth = 0;
+  for (auto at = text.find('<'); at < text.size(); at = text.find('<', at + 1)) {
+    const auto tag = text.substr(at);
+    if (tag.starts_with("<!--")) {
+      at = text.find("-->", at);
+    } else if (tag.starts_with("<![CDATA[")) {
+      at = text.find("]]>", at);
+    } else if (tag.starts_with("</")) {
+      --depth;
+    } else if (!tag.starts_with("<?") && !tag.starts_with("<!")) {
+      const auto end = tag.find('>');
+      if (end == tag.npos || tag[end - 1] != '/') ++depth;
+    }
+    if (at == text.npos) return;
+    if (depth > kDeepest) {
+      broken(source.line(1 + std::count(text.begin(), text.begin() + at, '\n')),
+             "elements nest too deep", "none goes deeper than " + std::to_string(kDeepest));
+    }
+  }
+}
+
 urdf::ModelInterfaceSharedPtr parse_model(const Source& source) {
+  check_depth(source);
   static std::mutex one_at_a_time;  // the handler is the program's
   const std::scoped_lock lock(one_at_a_time);
   Complaints complaints;

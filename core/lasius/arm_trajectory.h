@@ -50,6 +50,7 @@ struct TrajectoryResult {
   int waypoints = 0;           ///< left after shortcutting
   bool stops = false;          ///< it rests at every waypoint: nothing faster was found free
   std::int64_t questions = 0;  ///< motions that the sensor was asked about
+  StopCondition::Cause cause = StopCondition::Cause::none;  ///< why no more was looked for
 };
 
 /// A motion along `waypoints`, between whose neighbours straight joint motions are free.

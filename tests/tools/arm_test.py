@@ -202,6 +202,16 @@ class Arm(ProgramTest):
         self.refused(self.run_program("verify", "planar.json"), 3, "flat.json",
                      result["scene"]["hash"])
 
+    def test_a_long_motion_says_that_it_is_sampled_less_often(self):
+        with open(PLANAR, encoding="utf-8") as file:
+            robot = json.load(file)
+        for joint in robot["joints"]:
+            joint["velocity"] = 1e-3
+        self.write("slow.json", json.dumps(robot))
+        run = self.arm("--rate", "100000", robot="slow.json")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertIn("1000000 times in all, not 100000 times a second", run.err)
+
     def test_broken_files(self):
         robots = {
             "": "is empty", "{": "this is not JSON", "[1, 2]": 'no "format"',
@@ -210,6 +220,7 @@ class Arm(ProgramTest):
             '{"format": "lasius-arm/1", "joints": []}': "1 .. 16",
             '{"format": "lasius-arm/1", "joints": [{"axiss": [0, 0, 1]}]}': 'did you mean "axis"?',
             "<robot/>": "URDF", "<html></html>": "URDF", "[" * 100000: "nests too deep",
+            '<robot name="a">\n' + "<a>" * 40000 + "</a>" * 40000 + "</robot>": "nest too deep",
         }
         for text, words in robots.items():
             with self.subTest(robot=text[:60]):
@@ -224,7 +235,10 @@ class Arm(ProgramTest):
             '{"shape": "box", "size": [1, 1, 1e9]}': "1000",
             '{"shape": "mesh", "file": "no.stl"}': "no.stl",
             '{"shape": "mesh", "file": "bad.stl"}': "no STL file",
+            '{"shape": "mesh", "file": "cut.stl"}': "endsolid",
         }
+        facet = "facet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\n"
+        self.write("cut.stl", "solid s\n" + facet)
         self.write("bad.stl", "this is no mesh")
         for text, words in scenes.items():
             with self.subTest(scene=text):

@@ -267,7 +267,7 @@ TEST_F(StlFile, BadOnes) {
 }
 
 TEST_F(StlFile, AMeshOfARobotMayBeMirroredButNotFlattened) {
-  write("M.STL", "solid s\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 1\n");
+  write("M.STL", "solid s\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 1\nendsolid\n");
   const auto scaled = [&](const std::string& scale) {
     std::string text = kUrdf;
     text.replace(text.find("<sphere radius=\"0.2\"/>"), 22,
@@ -346,7 +346,7 @@ TEST_F(SceneFile, FaultsAreNamedByLine) {
 }
 
 TEST_F(SceneFile, AllShapes) {
-  write("m.stl", "solid s\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n");
+  write("m.stl", "solid s\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendsolid s\n");
   const Scene scene = read_scene(write("s.json", R"({"format": "lasius-scene/1", "obstacles": [
       {"shape": "box", "size": [1, 2, 3], "position": [1, 0, 0], "rpy": [0, 0, 1.5707963267948966]},
       {"shape": "sphere", "radius": 0.5, "name": "ball"},

@@ -7,6 +7,7 @@
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
 #include "tests/core/arm/questions.h"
+#include "tests/core/counting_time.h"
 
 namespace lasius::arm {
 namespace {
@@ -225,6 +226,20 @@ TEST(Trajectory, RefusesASensorWithoutClearance) {
   for (const double clearance : {0.0, -1.0, 1e-7, std::nan("")}) {
     EXPECT_THROW(make_trajectory(robot, Notes(clearance), way), Error) << clearance;
   }
+}
+
+TEST(Trajectory, SaysThatTimeRanOut) {
+  const Robot robot = two_links();
+  const Notes sensor(0.001);
+  const std::vector<std::vector<double>> way{{0.1, 0.2}, {0.7, -0.4}, {1.1, 0.3}};
+  const auto whole = make_trajectory(robot, sensor, way, {.shortcut = false});
+  EXPECT_EQ(whole.cause, StopCondition::Cause::none);
+  EXPECT_FALSE(whole.stops);
+  const CountingTime none(0);
+  const auto cut = make_trajectory(robot, sensor, way, {.shortcut = false, .stop = none.is_up()});
+  EXPECT_EQ(cut.cause, StopCondition::Cause::deadline);
+  EXPECT_TRUE(cut.stops);
+  expect_smooth(robot, cut.trajectory);
 }
 
 TEST(Trajectory, AWayBackToAWaypointStaysThere) {
