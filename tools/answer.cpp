@@ -46,13 +46,11 @@ void add_optima(const PreparedMap& map, const RunOptions& run, const StopConditi
   const Request exact{
       .start = query.start, .goal = query.goal, .stop = again(stop, run.time_limit)};
   const Result best = map.planner->plan(exact, optimum_params(run));
-  // Cell by cell, Corners::allow squeezes through where no path of the plane may.
-  const bool squeezes = moves_on_cells(run) && run.params.corners == Corners::allow &&
-                        run.params.neighbours != Neighbours::four;
-  if (best.optimal && !squeezes) answer.optimum = best.length;
-  answer.grid_optimum = moves_on_cells(run)
-                            ? shortest_by_own_moves(map, run, query, again(stop, run.time_limit))
-                            : answer.optimum;
+  set_optima(run, best.optimal ? std::optional(best.length) : std::nullopt,
+             moves_on_cells(run)
+                 ? shortest_by_own_moves(map, run, query, again(stop, run.time_limit))
+                 : std::nullopt,
+             answer);
 }
 
 /// Says why a cell that looks free is not.
@@ -90,6 +88,15 @@ Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start,
 }
 
 bool moves_on_cells(const RunOptions& run) { return run.params.algorithm != kExact; }
+
+void set_optima(const RunOptions& run, std::optional<double> any_angle,
+                std::optional<double> by_moves, Answer& answer) {
+  // Cell by cell, Corners::allow squeezes through where no path of the plane may.
+  const bool squeezes = moves_on_cells(run) && run.params.corners == Corners::allow &&
+                        run.params.neighbours != Neighbours::four;
+  if (!squeezes) answer.optimum = any_angle;
+  answer.grid_optimum = moves_on_cells(run) ? by_moves : answer.optimum;
+}
 
 std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOptions& run,
                                             const Query& query, const StopCondition& stop) {

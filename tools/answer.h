@@ -45,6 +45,11 @@ std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOpt
 /// True where the algorithm moves from cell to cell.
 bool moves_on_cells(const RunOptions& run);
 
+/// Fills in what --gap asks for, from the shortest path of all and, of an algorithm that moves on
+/// cells, the shortest walk by its own moves, as far as they are known.
+void set_optima(const RunOptions& run, std::optional<double> any_angle,
+                std::optional<double> by_moves, Answer& answer);
+
 /// Params of the exact planner for a run.
 Params optimum_params(const RunOptions& run);
 

@@ -11,6 +11,7 @@
 #include "lasius/batch.h"
 #include "lasius/output.h"
 #include "map_file.h"
+#include "outputs.h"
 #include "picture.h"
 #include "progress.h"
 #include "queries.h"
@@ -40,14 +41,10 @@ class Collected {
     if (paths_ && !answer.result.path.empty()) kept_.push_back(answer.result.path);
   }
 
-  void write() const {
-    for (const auto& file : run_.outputs) {
-      if (is_picture(file))
-        write_batch_picture(file, map_, run_, kept_);
-      else
-        write_file(file,
-                   [&](std::ostream& out) { out << (has_ending(file, ".csv") ? rows_ : lines_); });
-    }
+  void write(const std::string& file) const {
+    if (is_picture(file)) return write_batch_picture(file, map_, run_, kept_);
+    write_file(file,
+               [&](std::ostream& out) { out << (has_ending(file, ".csv") ? rows_ : lines_); });
   }
 
  private:
@@ -72,7 +69,7 @@ Optima optima(const PreparedMap& map, const RunOptions& run, std::span<const Que
   plan_batch(*map.planner, queries, optimum_params(run), exact, [&](const BatchAnswer& answer) {
     if (answer.result.optimal) found.any_angle[answer.index] = answer.result.length;
   });
-  found.by_moves = found.any_angle;
+  found.by_moves.assign(queries.size(), std::nan(""));
   if (!moves_on_cells(run)) return found;
   const auto ask = [&](std::size_t i) {
     const StopCondition stop{.token = options.token, .deadline = deadline_after(run.time_limit)};
@@ -107,6 +104,7 @@ int run_batch(const BatchCommand& command) {
       .threads = run.params.threads, .target_gap = run.target_gap, .token = signals.token()};
   if (run.time_limit) options.time_limit = std::chrono::duration<double>(*run.time_limit);
   Collected collected(map, run);
+  Delivery delivery(run.outputs);
   ProgressLine bar(wants_progress(run.messages), static_cast<std::int64_t>(queries.size()));
   // The optimum is asked beside each chunk, so that answers still stream.
   const std::size_t chunk = run.with_optimum ? 256 : queries.size();
@@ -122,16 +120,16 @@ int run_batch(const BatchCommand& command) {
                     .elapsed_ms = std::chrono::duration<double, std::milli>(found.elapsed).count(),
                     .index = index};
       if (run.with_optimum) {
-        answer.optimum = known(best.any_angle[found.index]);
-        answer.grid_optimum = known(best.by_moves[found.index]);
+        set_optima(run, known(best.any_angle[found.index]), known(best.by_moves[found.index]),
+                   answer);
       }
       const std::string text = line(result_json(map, run, answer));
       collected.add(answer, text);
-      print(text);
+      delivery.print(text);
       bar.update(static_cast<std::int64_t>(index) + 1, "queries");
     });
   }
-  collected.write();
+  delivery.write([&](const std::string& output) { collected.write(output); });
   return signals.interrupted() ? kInterrupted : kFound;
 }
 

@@ -16,8 +16,9 @@ namespace {
 /// The first thing on the command line that nothing takes, with the nearest known word.
 void refuse_extras(const CLI::App& app) {
   const auto extras = app.remaining();
-  if (extras.empty()) return;
-  const std::string word = extras.front().substr(0, extras.front().find('='));
+  const auto extra = std::ranges::find_if(extras, [](const auto& word) { return word != "--"; });
+  if (extra == extras.end()) return;
+  const std::string word = extra->substr(0, extra->find('='));
   if (word.size() < 2 || word[0] != '-')
     throw UsageError("\"" + word + "\" is one argument too many; see --help");
   std::vector<std::string> names;

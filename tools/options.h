@@ -17,6 +17,7 @@
 namespace lasius::tool {
 
 enum class Frame { cell, world };
+inline constexpr std::string_view kFrames[] = {"cell", "world"};  ///< their names
 enum class ProgressMode { automatic, always, never };
 
 /// How the map file becomes the grid that is planned on.

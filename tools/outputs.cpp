@@ -1,6 +1,5 @@
 #include "outputs.h"
 
-#include <exception>
 #include <ostream>
 
 #include "lasius/error.h"
@@ -26,18 +25,44 @@ void report(const Outcome& outcome, const Messages& messages) {
 
 void deliver(const Forms& forms, bool json, const std::vector<std::string>& files,
              const Messages& messages) {
-  std::exception_ptr fault;
+  Delivery delivery(files);
   try {
-    print(json ? forms.json() : forms.text());
+    delivery.print(json ? forms.json() : forms.text());
   } catch (const ClosedOutput&) {
-  } catch (const Error&) {
-    fault = std::current_exception();
+    return;  // the exit code still says how the run ended
   }
-  for (const auto& file : files) {
+  delivery.write([&](const std::string& file) {
     write(forms, file);
     if (messages.verbose) message("wrote " + file);
+  });
+}
+
+void Delivery::print(const std::string& text) {
+  if (closed_) return;
+  try {
+    tool::print(text);
+  } catch (const ClosedOutput&) {
+    if (files_.empty()) throw;
+    closed_ = true;
+  } catch (const Error&) {
+    if (files_.empty()) throw;
+    closed_ = true;
+    fault_ = std::current_exception();
   }
-  if (fault) std::rethrow_exception(fault);
+}
+
+void Delivery::write(const std::function<void(const std::string& file)>& write) {
+  for (const auto& file : files_) {
+    try {
+      write(file);
+    } catch (const Error& error) {
+      if (fault_)
+        message(error.what());
+      else
+        fault_ = std::current_exception();
+    }
+  }
+  if (fault_) std::rethrow_exception(fault_);
 }
 
 }  // namespace lasius::tool

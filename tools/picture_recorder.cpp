@@ -23,7 +23,7 @@ PictureRecorder::PictureRecorder(const Grid& grid, std::vector<int> chosen, int 
 void PictureRecorder::observe(const Progress& progress) {
   done_ = progress.iteration + 1;
   for (int ant = 0; ant < progress.ants(); ++ant)
-    for (const Cell c : progress.tour(ant))
+    for (const Cell c : progress.walk(ant))
       ++visits_.at(c.x / cells_a_pixel_, c.y / cells_a_pixel_);
   if (std::find(chosen_.begin(), chosen_.end(), done_) != chosen_.end())
     kept_.push_back({done_, visits_});

@@ -37,7 +37,6 @@ void refuse_radius(std::string_view radius) {
 }
 
 PolygonCommand make_polygon(const RunText& run, const PolygonText& text) {
-  static constexpr std::string_view kFrames[] = {"cell", "world"};
   PolygonCommand command{.world = make_world_options(run.map, text.world),
                          .start = point("--start", text.start),
                          .goal = point("--goal", text.goal),

@@ -156,7 +156,9 @@ QueryFile read_queries(std::istream& in, const std::string& file, int width, int
   if (!lines.next())
     lines.fail("is empty", "name a MovingAI .scen, or a TSV with columns sx sy gx gy");
   const auto first = split_blanks(lines.text());
-  if (first.front() == "version") return read_scenario(lines, width, height);
+  constexpr std::size_t kLeastColumns = 4;  // of a table, one of which may be its version
+  if (first.front() == "version" && first.size() < kLeastColumns)
+    return read_scenario(lines, width, height);
   return read_table(lines, whole);
 }
 

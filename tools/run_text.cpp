@@ -61,7 +61,6 @@ void check_endings(const std::vector<std::string>& files,
 }
 
 RunOptions make_run(const RunText& text) {
-  static constexpr std::string_view kFrames[] = {"cell", "world"};
   RunOptions run;
   run.map.file = text.map;
   run.params = default_params(text.algorithm);
@@ -119,11 +118,8 @@ ArmCommand make_arm(const ArmText& text) {
     if (!value.empty()) arm.settings.emplace_back(name, value);
   if (text.plain) arm.settings.emplace_back("shortcut", "off");
   for (const auto& setting : text.set) {
-    const auto equals = setting.find('=');
-    if (equals == 0 || equals == std::string::npos || equals + 1 == setting.size())
-      throw UsageError("--set: \"" + setting + "\" is not NAME=VALUE");
     refuse_option(setting);
-    arm.settings.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+    arm.settings.emplace_back(setting_parts(setting));
   }
   arm.seed = seed_value(text.seed);
   arm.time_limit = time_limit_value(text.time_limit);

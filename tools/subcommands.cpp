@@ -183,6 +183,10 @@ Subcommand add_info(CLI::App& app) {
   add_world_options(*info, raw->world);
   add_switch(*info, "--json", raw->json, "Print one JSON object");
   return {info, [raw]() -> Command {
+            static constexpr std::string_view kRules[] = {"forbid", "one-side", "allow"};
+            auto corners = Corners::forbid;
+            if (!raw->corners.empty())
+              corners = static_cast<Corners>(choice_value("--corners", raw->corners, kRules));
             if (is_world(raw->map)) {
               if (raw->prepare) throw UsageError("--prepare is for bitmaps");
               refuse_radius(raw->radius);
@@ -193,11 +197,8 @@ Subcommand add_info(CLI::App& app) {
                                         .unknown_is_free = raw->unknown_free,
                                         .prepare = raw->prepare,
                                         .threads = thread_count("")},
+                                .corners = corners,
                                 .json = raw->json};
-            static constexpr std::string_view kRules[] = {"forbid", "one-side", "allow"};
-            if (!raw->corners.empty())
-              options.corners =
-                  static_cast<Corners>(choice_value("--corners", raw->corners, kRules));
             if (!raw->radius.empty())
               options.map.radius = real_value("--radius", raw->radius, 0, kNoLimit);
             return options;

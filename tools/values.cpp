@@ -7,6 +7,7 @@
 
 #include "did_you_mean.h"
 #include "exit_code.h"
+#include "number_text.h"
 
 namespace lasius::tool {
 namespace {
@@ -134,11 +135,7 @@ std::vector<double> reals_value(std::string_view option, std::string_view text, 
   throw bad_value(option, text, "a list of " + count + " numbers, as in 0.5,-1.2,0 (no blanks)");
 }
 
-std::string to_text(double value) {
-  std::array<char, 32> buffer;
-  const auto [end, fault] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return fault == std::errc{} ? std::string(buffer.data(), end) : std::string("nan");
-}
+std::string to_text(double value) { return number_text(value); }
 
 std::string whole_text(double value) {
   return std::abs(value) <= static_cast<double>(kMaxExactInteger)

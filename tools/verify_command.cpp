@@ -1,13 +1,18 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stop_token>
+#include <string>
+#include <utility>
 
 #include "answer.h"
 #include "arm_verify.h"
 #include "commands.h"
 #include "exit_code.h"
+#include "json_depth.h"
 #include "lasius/error.h"
 #include "lasius/version.h"
 #include "map_file.h"
@@ -37,10 +42,14 @@ Error broken(Error::Place place, const std::string& problem) {
 /// The objects of a file: one result, or one a line.
 std::vector<Saved> read_results(const std::string& file) {
   std::error_code ignored;
-  std::ifstream in;
-  if (!std::filesystem::is_directory(file, ignored)) in.open(file, std::ios::binary);
-  if (!in.is_open())
+  std::ifstream stream;
+  if (!std::filesystem::is_directory(file, ignored)) stream.open(file, std::ios::binary);
+  if (!stream.is_open())
     throw Error(ErrorCode::file_missing, {.file = file}, "cannot be opened", "name a saved result");
+  std::string text(std::istreambuf_iterator<char>(stream), {});
+  if (const auto byte = too_deep(text))
+    throw broken({.file = file, .offset = static_cast<std::int64_t>(*byte)}, "nests too deep");
+  std::istringstream in(std::move(text));
   std::vector<Saved> results;
   try {
     while (in >> std::ws && in.peek() != std::ifstream::traits_type::eof()) {

@@ -38,6 +38,10 @@ class Formats(ProgramTest):
                     self.assertEqual(run.code, 0, run.err)
                     self.assertEqual([q["goal"] for q in run.lines], [[9, 5]])
 
+    def test_a_table_whose_first_column_is_a_version(self):
+        run = self.batch("version\tsx\tsy\tgx\tgy\n1\t0\t0\t9\t5\n")
+        self.assertEqual([(q["start"], q["goal"]) for q in run.lines], [([0, 0], [9, 5])])
+
     def test_no_queries_is_no_error(self):
         for queries in ("version 1\n", HEADER):
             run = self.batch(queries)
@@ -115,6 +119,21 @@ class Answers(ProgramTest):
                                start=f"{sx},{sy}", goal=f"{gx},{gy}").json
             self.assertEqual(without(line, "index", "threads", "elapsed_ms"),
                              without(single, "threads", "elapsed_ms"))
+
+    def test_a_squeeze_has_no_optimum_as_plan_has_none(self):
+        self.write("diagonal.map", "type octile\nheight 3\nwidth 3\nmap\n..@\n.@.\n...\n")
+        self.write("one.tsv", "sx sy gx gy\n1 0 2 1\n")
+        for neighbours in ("4", "8"):
+            with self.subTest(neighbours=neighbours):
+                options = ["--algorithm", "as", "--corners", "allow", "--gap", "--neighbours",
+                           neighbours, "--iterations", "2"]
+                line = self.run_program("batch", "diagonal.map", "one.tsv", *options, "-o",
+                                        "one.json").lines[0]
+                single = self.plan("--json", *options, map_file="diagonal.map", start="1,0",
+                                   goal="2,1").json
+                self.assertEqual(without(line, "index", "threads", "elapsed_ms"),
+                                 without(single, "threads", "elapsed_ms"))
+                self.assertEqual(self.run_program("verify", "one.json").code, 0)
 
     def test_any_number_of_threads_prints_the_same(self):
         runs = [[without(line, "threads", "elapsed_ms") for line in self.batch("--threads", n).lines]

@@ -241,6 +241,7 @@ class PolygonTest(ProgramTest):
         self.assertIn("--prepare has no effect", run.err)
         self.refused(self.run_program("info", "world.geojson", "--prepare"), 2, "--prepare")
         self.refused(self.run_program("info", "world.geojson", "--radius", "1"), 2, "--margin")
+        self.refused(self.run_program("info", "world.geojson", "--corners", "alow"), 2, "allow")
 
     def test_info_and_algorithms(self):
         run = self.run_program("info", "world.geojson", "--json")

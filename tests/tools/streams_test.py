@@ -54,6 +54,32 @@ class Outputs(ProgramTest):
         self.assertEqual(json.loads(self.read("r.json"))["status"], "solved")
 
 
+    def test_what_one_output_refuses_the_others_get(self):
+        self.write("q.tsv", "sx sy gx gy\n0 0 9 5\n")
+        os.symlink("/dev/full", self.path("full.json"))
+        for arguments in (["plan", "small.map", "--start", "0,0", "--goal", "9,5"],
+                          ["batch", "small.map", "q.tsv"]):
+            with self.subTest(arguments=arguments):
+                run = self.run_program(*arguments, "-o", "full.json", "-o", "ok.json", "-o",
+                                       "ok.png")
+                self.assertEqual(run.code, 7)
+                self.assertIn("full.json", run.err)
+                self.assertEqual(json.loads(self.read("ok.json"))["status"], "solved")
+                self.assertTrue(self.read("ok.png"))
+                os.remove(self.path("ok.json"))
+
+    def test_a_batch_writes_files_though_nobody_reads_it(self):
+        self.write("q.tsv", "sx sy gx gy\n" + "0 0 9 5\n" * 20)
+        for stdout, code in ((">&-", 0), (">/dev/full", 7)):
+            with self.subTest(stdout=stdout):
+                command = f'"$0" batch small.map q.tsv -o all.json {stdout}'
+                run = Run(subprocess.run(["sh", "-c", command, PROGRAM], cwd=self.folder,
+                                         capture_output=True, text=True, timeout=120, check=False))
+                self.assertEqual(run.code, code)
+                self.assertEqual(len(self.read("all.json").decode().splitlines()), 20)
+                os.remove(self.path("all.json"))
+
+
 class Signals(ProgramTest):
     def wait_for_best(self, process):
         """Until the run says that it has a path."""

@@ -19,6 +19,12 @@ class Usage(ProgramTest):
     def test_no_command(self):
         self.refused(self.run_program(), 2, "no command", "plan", "verify")
 
+    def test_two_dashes_end_the_options(self):
+        self.assertEqual(self.run_program("info", "--", "small.map").code, 0)
+        self.write("-odd.map", self.read("small.map"))
+        self.assertEqual(self.run_program("info", "--", "-odd.map").code, 0)
+        self.refused(self.run_program("info", "small.map", "--", "more"), 2, "one argument too many")
+
     def test_the_nearest_known_word_is_named(self):
         plan = ["plan", "small.map", "--start", "0,0", "--goal", "9,5"]
         cases = [

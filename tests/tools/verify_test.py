@@ -56,6 +56,13 @@ class Verify(ProgramTest):
             self.assertIn(self.save(goal=goal)["status"], ("invalid", "unreachable"))
             self.assertEqual(self.run_program("verify", "r.json").code, 0)
 
+    def test_a_result_that_nests_too_deep_is_broken(self):
+        result = json.dumps(self.save())
+        for text in (result[:-1] + ', "more": ' + "[" * 200000 + "]" * 200000 + "}",
+                     result.replace('"start": [', '"start": [' + "[" * 200000)):
+            self.write("r.json", text)
+            self.refused(self.run_program("verify", "r.json"), 3, "nests too deep")
+
     def test_tampering_is_found_and_named(self):
         result = self.save()
         changes = {
