@@ -106,7 +106,8 @@ void draw_plot(Canvas& canvas, const Plot& plot) {
   Range range;
   for (const double value : plot.values) range.add(value);
   if (plot.optimum) range.add(*plot.optimum);
-  if (range.empty()) range.add(1);
+  const bool none = range.empty();
+  if (none) range.add(1);
   const bool logarithmic = range.low > 0 && range.high > 3 * range.low;
   range = padded(range, logarithmic);
   const Box& box = plot.box;
@@ -114,7 +115,11 @@ void draw_plot(Canvas& canvas, const Plot& plot) {
   const Axis x(1, last, box.x, box.x + box.width, false);
   const Axis y(range.low, range.high, box.y + box.height, box.y, logarithmic);
 
-  draw_lengths(canvas, plot, range, y, logarithmic);
+  if (none)
+    canvas.text({box.x + box.width / 2, box.y + box.height / 2}, "no ant has arrived", kLabel,
+                Align::centre, kInk);
+  else
+    draw_lengths(canvas, plot, range, y, logarithmic);
   draw_iterations(canvas, plot, x, last);
   std::string name = plot.name + (logarithmic ? ", logarithmic" : "");
   if (plot.optimum) {
