@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "cell_distance.h"
 #include "colony_loop.h"
 #include "kernel_choice.h"
 #include "move_rule.h"
@@ -42,11 +43,6 @@ double raw_length(std::span<const std::uint8_t> tour, const kernels::Moves& move
   return length;
 }
 
-double straight_distance(const Request& request) {
-  const double dx = request.goal.x - request.start.x, dy = request.goal.y - request.start.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
 /// A colony on a bitmap.
 class GridColony final : public ColonyWorld {
  public:
@@ -59,7 +55,7 @@ class GridColony final : public ColonyWorld {
         observer_(observer),
         threads_(thread_count(params.threads)),
         moves_(moves_of(params.neighbours)),
-        tau0_(initial_pheromone(params, straight_distance(request))) {
+        tau0_(initial_pheromone(params, distance(request.start, request.goal))) {
     ws_.field.reset(grid, moves_, request.goal, params, untouched(), request.stop);
     ws_.walkers.reset(grid.width(), grid.height(), threads_, params.ants,
                       params.polish != Polish::none);

@@ -48,7 +48,7 @@ class Field {
   /// Rows hold a part for pheromone and one for distance, for a mixture of rules.
   bool mixture() const noexcept { return mixture_; }
 
-  /// tau <- persistence * tau everywhere.
+  /// tau <- persistence * tau everywhere, 2^-60 tau at least.
   void evaporate(double persistence);
 
   /// tau is read as at least `least` and at most `most` from now on.

@@ -30,9 +30,7 @@ class Draws : public kernels::RandomStream {
                      static_cast<std::uint32_t>(generation), static_cast<std::uint32_t>(use)) {}
 };
 
-std::uint32_t packed(Cell c) {
-  return static_cast<std::uint32_t>(c.y) << 16 | static_cast<std::uint32_t>(c.x);
-}
+std::uint32_t pack(Cell c) { return kernels::pack(c.x, c.y); }
 
 class GridGa final : public ColonyWorld {
  public:
@@ -192,11 +190,11 @@ class GridGa final : public ColonyWorld {
     scratch.places.clear();
     scratch.common.clear();
     const int fathers = static_cast<int>(father.cells.size());
-    for (int i = 1; i + 1 < fathers; ++i) scratch.places.emplace_back(packed(father.cells[i]), i);
+    for (int i = 1; i + 1 < fathers; ++i) scratch.places.emplace_back(pack(father.cells[i]), i);
     std::sort(scratch.places.begin(), scratch.places.end());
     const int mothers = static_cast<int>(mother.cells.size());
     for (int i = 1; i + 1 < mothers; ++i) {
-      const std::uint32_t cell = packed(mother.cells[i]);
+      const std::uint32_t cell = pack(mother.cells[i]);
       const auto at =
           std::lower_bound(scratch.places.begin(), scratch.places.end(), std::pair{cell, 0});
       if (at != scratch.places.end() && at->first == cell)

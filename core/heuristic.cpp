@@ -8,6 +8,7 @@
 #include <queue>
 #include <tuple>
 
+#include "cell_distance.h"
 #include "kernel_choice.h"
 #include "kernels/power.h"
 #include "move_rule.h"
@@ -17,11 +18,6 @@ namespace {
 
 constexpr double kNearest = 0.5;  // cells: the goal itself is not at distance 0 from its weight
 constexpr double kLeastBase = 0x1p-100;  // a move that exists has a value, however low
-
-double distance(Cell a, Cell b) noexcept {
-  const double dx = a.x - b.x, dy = a.y - b.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
 
 }  // namespace
 

@@ -192,6 +192,10 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
 
 const Preparation& Planner::preparation() const noexcept { return impl_->preparation; }
 
+std::int64_t Planner::components(Corners corners) const {
+  return impl_->components(corners, {})->count();
+}
+
 Planner::Footprint Planner::footprint() const noexcept {
   const Grid& grid = impl_->grid;
   Footprint f;

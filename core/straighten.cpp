@@ -1,10 +1,10 @@
 #include "straighten.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <limits>
 
+#include "cell_distance.h"
 #include "grid_view.h"
 #include "kernels/sight.h"
 #include "lasius/path.h"
@@ -16,14 +16,10 @@ namespace {
 constexpr double kShorter = 1 - 1e-12;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double between(Cell a, Cell b) noexcept {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
 double length_of(std::span<const Cell> polyline) noexcept {
   double length = 0;
-  for (std::size_t i = 1; i < polyline.size(); ++i) length += between(polyline[i - 1], polyline[i]);
+  for (std::size_t i = 1; i < polyline.size(); ++i)
+    length += distance(polyline[i - 1], polyline[i]);
   return length;
 }
 
@@ -115,11 +111,11 @@ bool settle(const kernels::BitmapView& map, Poller& poller, std::vector<Cell>& p
         continue;
       }
       Cell best = b;
-      double least = (between(a, b) + between(b, c)) * kShorter;
+      double least = (distance(a, b) + distance(b, c)) * kShorter;
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
           const Cell to{b.x + dx, b.y + dy};
-          const double length = between(a, to) + between(to, c);
+          const double length = distance(a, to) + distance(to, c);
           if (length >= least || map.blocked(to.x, to.y)) continue;
           if (!sees(map, a, to) || !sees(map, to, c)) continue;
           least = length;
@@ -176,7 +172,7 @@ bool Straightener::connect(const kernels::BitmapView& map, Poller& poller, const
     const Cell to = layer.cell[k];
     std::array<double, kCells> length;
     for (int j = 0; j < before.count; ++j) {
-      length[j] = before.length[j] + between(before.cell[j], to);
+      length[j] = before.length[j] + distance(before.cell[j], to);
     }
     for (int left = before.count; left > 0; --left) {
       const auto least = std::min_element(length.begin(), length.begin() + before.count);

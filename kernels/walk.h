@@ -199,7 +199,7 @@ struct WalkShape {
 };
 inline constexpr int kWalkShapes = 30;
 
-/// Draws from one row as the kernel does, for tests and benchmarks.
+/// Draws from one row as the kernel does: for tests, which ask for a given row and numbers.
 ///   row     as in WalkWorld::tiles, aligned to 16 bytes (4 lanes) or 32 bytes
 ///   open    bit k set where move k is not tabu
 ///   random  random numbers, uniform: one (roulette), or `lanes` (discard)

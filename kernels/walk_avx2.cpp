@@ -1,4 +1,4 @@
-// The walk with AVX2: eight ants abreast where a row is eight weights; else one by one.
+// The walk with AVX2: eight ants abreast where there are at most eight moves; else one by one.
 
 #include "kernels/walk_tables.h"
 

@@ -6,7 +6,6 @@
 
 #include "commands.h"
 #include "exit_code.h"
-#include "lasius/components.h"
 #include "map_file.h"
 #include "report.h"
 #include "streams.h"
@@ -34,8 +33,6 @@ Json preparation_json(const PreparedMap& map) {
 Json info_json(const PreparedMap& map, Corners corners) {
   const Grid& grid = map.grid();
   const bool eight = corners == Corners::allow;
-  const Components components(
-      grid, eight ? Components::Connectivity::eight : Components::Connectivity::four);
   const auto footprint = map.planner->footprint();
   const double cells = static_cast<double>(map.width) * map.height;
   const auto free = grid.count_free();
@@ -51,7 +48,7 @@ Json info_json(const PreparedMap& map, Corners corners) {
   json["free_cells"] = free;
   json["free_share"] = number(static_cast<double>(free) / cells);
   json["connectivity"] = eight ? 8 : 4;
-  json["components"] = components.count();
+  json["components"] = map.planner->components(corners);
   json["frame"] = frame_json(map.frame);
   json["read_ms"] = number(map.read_ms);
   json["prepare_ms"] = number(map.prepare_ms);

@@ -109,6 +109,7 @@ struct Obstacle {
   Triangles triangles;  ///< of a mesh, in its own frame; a surface: what is inside is free
 };
 
+/// What stands around a robot, in metres; the robot's base is at the origin.
 struct Scene {
   std::string name;
   std::vector<Obstacle> obstacles;
@@ -117,6 +118,7 @@ struct Scene {
 /// Reads a scene in JSON (format "lasius-scene/1", see maps/README.md); meshes are STL files, their
 /// paths relative to the scene's. @throws as read_robot.
 LASIUS_ARM_EXPORT Scene read_scene(const std::string& path);
+/// The same from text; `file` names it in errors and is where meshes are looked for.
 LASIUS_ARM_EXPORT Scene parse_scene(std::string_view text, const std::string& file);
 
 /// @throws Error(invalid_parameter) for the first field out of its range.

@@ -89,8 +89,9 @@ enum class Reward {
 };
 
 /// Parameters of one plan: as given here those of `exact`, which needs none, and the colony's of
-/// `fan2004`. Fields that an algorithm does not use are ignored by it; its own list, with ranges,
-/// is in `algorithms()`, its published values in `defaults()`.
+/// `fan2004`. Fields that an algorithm does not use have no effect, but must be such that another
+/// one could; its own list, with ranges, is in `algorithms()`, its published values in
+/// `defaults()`.
 struct Params {
   /// Which search; a name alone sets no other field: start from `defaults(name)`.
   std::string algorithm = "exact";
@@ -131,7 +132,7 @@ struct Params {
 
   // Update: tau <- persistence * tau, then deposits.
   Update update = Update::ant_system;
-  double persistence = 0.7;      ///< share of pheromone that remains after an iteration
+  double persistence = 0.7;      ///< share of pheromone that remains, at least 2^-60 of it
   double initial_pheromone = 1;  ///< tau0; 0: the family's own formula, see `defaults()`
   double deposit = 100;          ///< Q
   StraightDeposit straight_deposit = StraightDeposit::all;

@@ -205,6 +205,10 @@ class LASIUS_EXPORT Planner {
   /// What the heavier preparation came to.
   const Preparation& preparation() const noexcept;
 
+  /// Pieces of free space, as paths under a rule can go: 4-connected, with Corners::allow
+  /// 8-connected, which are made when first asked for.
+  std::int64_t components(Corners corners = Corners::forbid) const;
+
   /// Memory held, in bytes, by part.
   struct Footprint {
     std::int64_t bitmap = 0;

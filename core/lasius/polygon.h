@@ -65,6 +65,7 @@ LASIUS_POLYGON_EXPORT World parse_geojson(std::string_view text, const std::stri
 LASIUS_POLYGON_EXPORT World parse_wkt(std::string_view text, const std::string& name,
                                       const ReadOptions& options = {});
 
+/// A feature a line, readable by `parse_geojson`, of any world: it is not checked.
 LASIUS_POLYGON_EXPORT std::string to_geojson(const World& world);
 /// The margin is a comment.
 /// @throws Error(invalid_parameter) for a world that `check` refuses, and a goal without a start,

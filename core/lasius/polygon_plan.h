@@ -40,7 +40,7 @@ struct Params {
   /// Which search; a name alone sets no other field: start from `defaults(name)`.
   std::string algorithm = "exact";
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
-  int threads = 0;         ///< at most 1024; for the record: planning takes one
+  int threads = 0;         ///< at most 1024; no effect, planning takes one: for the record alone
 
   int ants = 10;             ///< m
   int iterations = 200;      ///< NC; generations of the genetic algorithm
@@ -141,15 +141,19 @@ class LASIUS_POLYGON_EXPORT Planner {
   Planner(Planner&&) noexcept;
   Planner& operator=(Planner&&) noexcept;
 
+  /// What it was made of, the margin in force (in the world's unit) and how obstacles were grown;
+  /// references hold as long as the planner.
   const World& world() const noexcept;
   double margin() const noexcept;
   Join join() const noexcept;
+  /// The graph; without obstacles one region and no lines.
   const Maklink& maklink() const noexcept;
   /// Pieces of free space that are not joined.
   int components() const noexcept;
   /// Obstacles as grown and merged, clipped to the boundary.
   const std::vector<Polygon>& grown_obstacles() const noexcept;
 
+  /// Is it in free space, its edges included? False of what is no number.
   bool free(Point p) const;
   /// The point of free space nearest to `p`.
   Point nearest_free(Point p) const;
