@@ -5,6 +5,7 @@
 
 #include "generate_kinds.h"
 #include "lasius/error.h"
+#include "number_text.h"
 
 namespace lasius {
 namespace {
@@ -38,10 +39,9 @@ double max_density(MapKind kind) noexcept { return kKinds[static_cast<std::size_
 Grid generate(MapKind kind, const GenerateOptions& options) {
   const Kind& entry = kKinds[static_cast<std::size_t>(kind)];
   if (!(options.density <= entry.most)) {
-    throw Error(
-        ErrorCode::invalid_parameter,
-        "the density of " + std::string(entry.name) + " is " + std::to_string(options.density),
-        "it is at most " + std::to_string(entry.most) + "; negative: the kind's own");
+    throw Error(ErrorCode::invalid_parameter,
+                "the density of " + std::string(entry.name) + " is " + number_text(options.density),
+                "it is at most " + number_text(entry.most) + "; negative: the kind's own");
   }
   const double density = options.density < 0 ? entry.density : options.density;
   Grid grid(options.width, options.height);

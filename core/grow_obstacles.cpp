@@ -7,6 +7,7 @@
 
 #include "lasius/clearance.h"
 #include "lasius/error.h"
+#include "number_text.h"
 
 namespace lasius {
 namespace {
@@ -94,7 +95,7 @@ Grid grow_obstacles(const Grid& grid, double radius) { return *grow_obstacles(gr
 
 std::optional<Grid> grow_obstacles(const Grid& grid, double radius, const StopCondition& stop) {
   if (!(radius >= 0 && std::isfinite(radius))) {
-    throw Error(ErrorCode::invalid_parameter, "radius is " + std::to_string(radius),
+    throw Error(ErrorCode::invalid_parameter, "radius is " + number_text(radius),
                 "it must be 0 or more cells");
   }
   const std::vector<int> spans = spans_by_row(grid, radius);

@@ -7,6 +7,7 @@
 #include "lasius/error.h"
 #include "lasius/output.h"
 #include "movingai.h"
+#include "number_text.h"
 #include "pixel_rule.h"
 #include "pnm.h"
 
@@ -30,7 +31,7 @@ Point WorldFrame::to_world(Point cells, int height) const noexcept {
 
 PixelRule plain_rule(double free_below) {
   if (!(free_below > 0 && free_below <= 1)) {
-    throw Error(ErrorCode::invalid_parameter, "free_below is " + std::to_string(free_below),
+    throw Error(ErrorCode::invalid_parameter, "free_below is " + number_text(free_below),
                 "it must lie above 0 and be at most 1");
   }
   return {[free_below](int level, int white) { return white - level >= free_below * white; }};

@@ -50,7 +50,7 @@ class Temporary {
     if (!renamed_) fs::remove(name_, ignored);
   }
   const std::string& name() const noexcept { return name_; }
-  std::error_code rename_to(const std::string& target) {
+  std::error_code rename_to(const fs::path& target) {
     std::error_code error;
     fs::rename(name_, target, error);
     renamed_ = !error;
@@ -62,10 +62,13 @@ class Temporary {
   bool renamed_ = false;
 };
 
-// Unique among the threads of this process and among processes.
-std::string temporary_name(const std::string& target) {
+// Beside the target, whose own name may be as long as names can be; unique among the threads of
+// this process and among processes.
+std::string temporary_name(const fs::path& target) {
   static std::atomic<unsigned> counter{0};
-  return target + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
+  const std::string name =
+      ".lasius-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".part";
+  return (target.parent_path() / name).string();
 }
 
 /// What `path` stands for at the end of its links, which need not exist.
@@ -91,7 +94,7 @@ void write_file(const std::string& path, const std::function<void(std::ostream&)
   if (fs::is_directory(status)) fail(path, "is a folder", "name a file");
   if (fs::exists(status) && !fs::is_regular_file(status)) return write_to(path, path, write);
 
-  const std::string target = followed(path).string();
+  const fs::path target = followed(path);
   Temporary temporary(temporary_name(target));
   write_to(temporary.name(), path, write);
   error = temporary.rename_to(target);

@@ -31,7 +31,7 @@ inline constexpr double kLeastPheromone = 1e-12;
 /// infinite.
 inline void check_target_gap(double gap) {
   if (gap >= 0) return;
-  throw invalid_parameter("target_gap is " + std::to_string(gap),
+  throw invalid_parameter("target_gap is " + number_text(gap),
                           "it is a fraction: 0 or more, 0.01 for 1%");
 }
 

@@ -52,15 +52,18 @@ PreparedMap prepare_map(const MapOptions& options, Frame frame, Corners corners,
   if (frame == Frame::world && !read.frame)
     throw UsageError("--frame world: " + options.file +
                      " gives no frame; name the .yaml file of a ROS map, or use --frame cell");
-  PreparedMap map{
-      .file = options.file,
-      .hash = read.grid.hash(),
-      .width = read.grid.width(),
-      .height = read.grid.height(),
-      .frame = read.frame,
-      .unknown_is_free = options.unknown_is_free,
-      .radius = options.radius_metres ? options.radius / read.frame->resolution : options.radius,
-      .prepare = options.prepare};
+  const double radius =
+      options.radius_metres ? options.radius / read.frame->resolution : options.radius;
+  if (!std::isfinite(radius))
+    throw UsageError("--radius " + to_text(options.radius) + " is too many cells");
+  PreparedMap map{.file = options.file,
+                  .hash = read.grid.hash(),
+                  .width = read.grid.width(),
+                  .height = read.grid.height(),
+                  .frame = read.frame,
+                  .unknown_is_free = options.unknown_is_free,
+                  .radius = radius,
+                  .prepare = options.prepare};
   const StopCondition stop{.token = token};
   const bool whole = grow(read.grid, map.radius, stop);
   map.read_ms = ms_since(start);

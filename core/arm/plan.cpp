@@ -84,8 +84,8 @@ Box box_of(const Kinematics& arm, Vec3 from, double pitch, int side,
   }
   if (points > static_cast<double>(Lattice::kMostNodes)) {
     throw Error(ErrorCode::invalid_parameter,
-                "pitch is " + std::to_string(pitch) + ", which makes a lattice of " +
-                    std::to_string(points) + " points",
+                "pitch is " + number_text(pitch) + ", which makes a lattice of " +
+                    number_text(points) + " points",
                 "take a larger pitch or a smaller side: at most " +
                     std::to_string(Lattice::kMostNodes) + " points fit");
   }
@@ -149,7 +149,7 @@ std::array<int, 3> goal_point(Vec3 from, Vec3 goal, double pitch) {
   const Vec3 way = (1 / pitch) * (goal - from);
   if (!(length(way) < 1e6)) {
     throw Error(ErrorCode::invalid_parameter,
-                "pitch is " + std::to_string(pitch) + ", too small for this goal",
+                "pitch is " + number_text(pitch) + ", too small for this goal",
                 "take a larger one");
   }
   return {static_cast<int>(std::lround(way.x)), static_cast<int>(std::lround(way.y)),

@@ -7,6 +7,7 @@
 #include "lasius/arm_sensor.h"
 #include "lasius/error.h"
 #include "mesh_tree.h"
+#include "number_text.h"
 #include "proximity.h"
 
 namespace lasius::arm {
@@ -250,7 +251,7 @@ SceneSensor::SceneSensor(const Robot& robot, const Scene& scene, double clearanc
   validate(robot);
   validate(scene);
   if (!(clearance >= kLeastClearance && clearance <= 1)) {
-    throw Error(ErrorCode::invalid_parameter, "clearance is " + std::to_string(clearance),
+    throw Error(ErrorCode::invalid_parameter, "clearance is " + number_text(clearance),
                 "it must be 0.000001 .. 1 metres");
   }
   impl_ = std::make_unique<const Impl>(robot, scene, clearance);

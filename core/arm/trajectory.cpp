@@ -5,6 +5,7 @@
 #include "kinematics.h"
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
+#include "number_text.h"
 #include "spline.h"
 #include "vec3.h"
 
@@ -20,7 +21,7 @@ class Asker {
       : sensor_(sensor), clearance_(sensor.clearance()), poller_(stop, 16) {
     if (clearance_ >= Sensor::kLeastClearance) return;
     throw Error(ErrorCode::invalid_parameter,
-                "the sensor's clearance is " + std::to_string(clearance_),
+                "the sensor's clearance is " + number_text(clearance_),
                 "it must be at least 0.000001 metres");
   }
 

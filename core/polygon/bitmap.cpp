@@ -6,6 +6,7 @@
 #include "geos.h"
 #include "lasius/error.h"
 #include "lasius/polygon.h"
+#include "number_text.h"
 #include "rings.h"
 
 namespace lasius::polygon {
@@ -13,7 +14,7 @@ namespace {
 
 void check_resolution(double resolution) {
   if (resolution > 0 && std::isfinite(resolution)) return;
-  throw Error(ErrorCode::invalid_parameter, "resolution is " + std::to_string(resolution),
+  throw Error(ErrorCode::invalid_parameter, "resolution is " + number_text(resolution),
               "it must be above 0");
 }
 
@@ -40,8 +41,7 @@ std::vector<double> crossings(const std::vector<Polygon>& pieces, double y) {
 World from_grid(const Grid& grid, const WorldFrame& frame) {
   check_resolution(frame.resolution);
   if (frame.yaw != 0) {
-    throw Error(ErrorCode::invalid_parameter,
-                "the map is turned by yaw " + std::to_string(frame.yaw),
+    throw Error(ErrorCode::invalid_parameter, "the map is turned by yaw " + number_text(frame.yaw),
                 "turn the map upright, or set yaw to 0");
   }
   const auto corner = [&](int x, int y) {
@@ -80,7 +80,7 @@ Map to_grid(const World& world, double resolution) {
   const double tall = std::ceil((high.y - low.y) / resolution);
   if (!(wide <= Grid::kMaxSide && tall <= Grid::kMaxSide)) {
     throw Error(ErrorCode::invalid_parameter,
-                "resolution " + std::to_string(resolution) + " gives more than " +
+                "resolution " + number_text(resolution) + " gives more than " +
                     std::to_string(Grid::kMaxSide) + " cells a side",
                 "give a coarser one");
   }

@@ -245,6 +245,12 @@ TEST_F(MapIo, OutputIsWholeOrNotThere) {
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "old");
 }
 
+TEST_F(MapIo, OutputMayHaveTheLongestName) {
+  const std::string name = path(std::string(251, 'a') + ".map");  // 255 bytes, Linux's most
+  write_map(Grid(3, 3), name);
+  EXPECT_EQ(read_map(name).grid, Grid(3, 3));
+}
+
 TEST_F(MapIo, OutputFollowsLinksAndDevices) {
   file("old", "target");
   fs::create_symlink("target", path("link"));
