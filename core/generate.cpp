@@ -14,7 +14,7 @@ struct Kind {
   std::string_view name;
   double density;  // by default
   double most;
-  void (*make)(Grid&, BlockedShare, const MapRandom&);
+  void (*make)(Grid&, BlockedShare, const MapRandom&, Poller&);
 };
 
 constexpr std::array<Kind, 6> kKinds = {{{"blobs", 0.33, 0.999, make_blobs},
@@ -36,7 +36,10 @@ std::span<const std::string_view> map_kind_names() noexcept { return kNames; }
 
 double max_density(MapKind kind) noexcept { return kKinds[static_cast<std::size_t>(kind)].most; }
 
-Grid generate(MapKind kind, const GenerateOptions& options) {
+Grid generate(MapKind kind, const GenerateOptions& options) { return *generate(kind, options, {}); }
+
+std::optional<Grid> generate(MapKind kind, const GenerateOptions& options,
+                             const StopCondition& stop) {
   const Kind& entry = kKinds[static_cast<std::size_t>(kind)];
   if (!(options.density <= entry.most)) {
     throw Error(ErrorCode::invalid_parameter,
@@ -45,7 +48,10 @@ Grid generate(MapKind kind, const GenerateOptions& options) {
   }
   const double density = options.density < 0 ? entry.density : options.density;
   Grid grid(options.width, options.height);
-  entry.make(grid, static_cast<BlockedShare>(density * 4294967296.0), MapRandom(options.seed));
+  Poller poller(stop);
+  entry.make(grid, static_cast<BlockedShare>(density * 4294967296.0), MapRandom(options.seed),
+             poller);
+  if (poller.stopped()) return std::nullopt;
   return grid;
 }
 

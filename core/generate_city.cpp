@@ -109,13 +109,15 @@ class City {
         random_(random) {}
 
   /// Calls `visit(lot, number)` for every lot.
-  void for_each_lot(const std::function<void(const Plot&, std::uint32_t)>& visit) const {
+  void for_each_lot(Poller& poller,
+                    const std::function<void(const Plot&, std::uint32_t)>& visit) const {
     MapDraws draws(random_, MapStream::city);
     std::uint32_t number = 0;
     std::vector<Plot> blocks = {{0, 0, width_, height_}};
     while (!blocks.empty()) {
       const Plot block = blocks.back();
       blocks.pop_back();
+      if (poller.stop_after(std::max(block.width(), block.height()))) return;
       if (std::max(block.width(), block.height()) > 7 * unit_) {
         cut(block, street_width(block), 2 * unit_, draws, blocks);
       } else {
@@ -133,10 +135,10 @@ class City {
   }
 
   /// Straight streets across everything, at any angle.
-  void clear_avenues(Grid& grid) const {
+  void clear_avenues(Grid& grid, Poller& poller) const {
     MapDraws draws(random_, MapStream::city, 1);
     const int count = (width_ + height_) / (50 * unit_);
-    for (int k = 0; k < count; ++k) {
+    for (int k = 0; k < count && !poller.stop_after(grid.height()); ++k) {
       const Direction way = random_direction(draws);
       const Cell through{draws.below(width_), draws.below(height_)};
       clear_avenue(grid, way, through, std::max(2, unit_ / 2));
@@ -210,17 +212,18 @@ std::int64_t count_covered(const Building& building) {
 
 // The rank below which lots are built on, so that buildings take about `share` of the map. Of very
 // many lots one in 16 is looked at.
-std::uint64_t rank_limit(const City& city, const Grid& grid, BlockedShare share) {
+std::uint64_t rank_limit(const City& city, const Grid& grid, BlockedShare share, Poller& poller) {
   constexpr std::int64_t kManyCells = 1 << 22;
   const std::int64_t cells = std::int64_t{grid.width()} * grid.height();
   const std::uint32_t step = cells > kManyCells ? 16 : 1;
   std::int64_t covered = 0;
   std::int64_t looked_at = 0;
   std::int64_t lots = 0;
-  city.for_each_lot([&](const Plot& lot, std::uint32_t number) {
+  city.for_each_lot(poller, [&](const Plot& lot, std::uint32_t number) {
     ++lots;
     if (number % step != 0) return;
     ++looked_at;
+    poller.stop_after(lot.area());
     covered += count_covered(city.building(lot, number));
   });
   if (covered == 0) return 0;
@@ -234,11 +237,12 @@ std::uint64_t rank_limit(const City& city, const Grid& grid, BlockedShare share)
 
 }  // namespace
 
-void make_city(Grid& grid, BlockedShare share, const MapRandom& random) {
+void make_city(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller) {
   const City city(grid.width(), grid.height(), random);
-  const std::uint64_t limit = rank_limit(city, grid, share);
-  city.for_each_lot([&](const Plot& lot, std::uint32_t number) {
+  const std::uint64_t limit = rank_limit(city, grid, share, poller);
+  city.for_each_lot(poller, [&](const Plot& lot, std::uint32_t number) {
     if (city.rank(number) >= limit) return;
+    poller.stop_after(lot.area());
     const Building building = city.building(lot, number);
     const Plot& plot = building.plot();
     for (int y = plot.y0; y < plot.y1; ++y) {
@@ -247,7 +251,7 @@ void make_city(Grid& grid, BlockedShare share, const MapRandom& random) {
       }
     }
   });
-  city.clear_avenues(grid);
+  city.clear_avenues(grid, poller);
 }
 
 }  // namespace lasius

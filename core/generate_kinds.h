@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "lasius/grid.h"
+#include "lasius/stop.h"
 #include "map_random.h"
 
 namespace lasius {
@@ -11,13 +12,14 @@ namespace lasius {
 /// A share of blocked cells, in 2^-32.
 using BlockedShare = std::uint32_t;
 
-/// Each makes `grid` (given all free) into a map with about the share of blocked cells.
-void make_blobs(Grid& grid, BlockedShare share, const MapRandom& random);
-void make_open(Grid& grid, BlockedShare share, const MapRandom& random);
-void make_random(Grid& grid, BlockedShare share, const MapRandom& random);
-void make_maze(Grid& grid, BlockedShare share, const MapRandom& random);
-void make_rooms(Grid& grid, BlockedShare share, const MapRandom& random);
-void make_city(Grid& grid, BlockedShare share, const MapRandom& random);
+/// Each makes `grid` (given all free) into a map with about the share of blocked cells; into a part
+/// of one where the poller, which is told of cells, says stop.
+void make_blobs(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller);
+void make_open(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller);
+void make_random(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller);
+void make_maze(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller);
+void make_rooms(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller);
+void make_city(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller);
 
 /// Sets or clears the cells of [x0, x1) x [y0, y1), which lies inside the grid.
 void fill_rectangle(Grid& grid, int x0, int y0, int x1, int y1, bool blocked);

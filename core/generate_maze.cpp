@@ -56,11 +56,11 @@ class Maze {
       : columns_(columns), rows_(rows), squares_(static_cast<std::size_t>(columns) * rows) {}
 
   // Depth first; the way back is kept in the squares, so memory is a byte a square.
-  void grow(MapDraws draws) {
+  void grow(MapDraws draws, Poller& poller) {
     int x = 0;
     int y = 0;
     at(x, y) |= kSeen;
-    for (;;) {
+    while (!poller.stop_after(4)) {
       int ways[4];
       int count = 0;
       for (int k = 0; k < 4; ++k) {
@@ -84,8 +84,8 @@ class Maze {
     }
   }
 
-  void add_loops(MapDraws draws) {
-    for (int y = 0; y < rows_; ++y) {
+  void add_loops(MapDraws draws, Poller& poller) {
+    for (int y = 0; y < rows_ && !poller.stop_after(columns_); ++y) {
       for (int x = 0; x < columns_; ++x) {
         if (x + 1 < columns_ && draws.chance(kLoopShare)) open(x, y, 0);
         if (y + 1 < rows_ && draws.chance(kLoopShare)) open(x, y, 1);
@@ -125,16 +125,16 @@ class RowBits {
 
 }  // namespace
 
-void make_maze(Grid& grid, BlockedShare share, const MapRandom& random) {
+void make_maze(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller) {
   const Widths widths = widths_for(share, std::min(grid.width(), grid.height()));
   const Axis across(widths, grid.width());
   const Axis down(widths, grid.height());
   Maze maze(across.count, down.count);
-  maze.grow(MapDraws(random, MapStream::maze));
-  maze.add_loops(MapDraws(random, MapStream::maze_loops));
+  maze.grow(MapDraws(random, MapStream::maze), poller);
+  maze.add_loops(MapDraws(random, MapStream::maze_loops), poller);
 
   RowBits row(grid.words());
-  for (int j = 0; j < down.count; ++j) {
+  for (int j = 0; j < down.count && !poller.stop_after(grid.width()); ++j) {
     row.block_all();
     for (int i = 0; i < across.count; ++i) {
       const bool joined = i + 1 < across.count && maze.open_right(i, j);

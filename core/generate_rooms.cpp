@@ -34,11 +34,13 @@ class Rooms {
  public:
   Rooms(Grid& grid, Sizes sizes, MapDraws draws) : grid_(grid), sizes_(sizes), draws_(draws) {}
 
-  void make() {
+  void make(Poller& poller) {
     std::vector<Room> left = {{0, 0, grid_.width(), grid_.height()}};
     while (!left.empty()) {
       const Room room = left.back();
       left.pop_back();
+      const int sides = room.x1 - room.x0 + room.y1 - room.y0;
+      if (poller.stop_after(std::int64_t{sides} * sizes_.wall)) return;
       Room parts[2];
       if (!split(room, parts)) continue;
       left.push_back(parts[0]);
@@ -115,10 +117,10 @@ class Rooms {
 
 }  // namespace
 
-void make_rooms(Grid& grid, BlockedShare share, const MapRandom& random) {
+void make_rooms(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller) {
   if (share == 0) return;
   Rooms(grid, sizes_for(share, grid.width(), grid.height()), MapDraws(random, MapStream::rooms))
-      .make();
+      .make(poller);
 }
 
 }  // namespace lasius

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include "lasius/export.h"
 #include "lasius/grid.h"
+#include "lasius/stop.h"
 
 namespace lasius {
 
@@ -39,5 +41,9 @@ LASIUS_EXPORT double max_density(MapKind kind) noexcept;
 /// Makes a map. Integer arithmetic and Philox only, so equal on every machine.
 /// @throws Error(invalid_parameter) for a size or density out of range.
 LASIUS_EXPORT Grid generate(MapKind kind, const GenerateOptions& options = {});
+/// The same, or nothing when the condition said so.
+[[nodiscard]] LASIUS_EXPORT std::optional<Grid> generate(MapKind kind,
+                                                         const GenerateOptions& options,
+                                                         const StopCondition& stop);
 
 }  // namespace lasius

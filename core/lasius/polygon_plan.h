@@ -137,6 +137,11 @@ class LASIUS_POLYGON_EXPORT Planner {
   /// @throws Error(invalid_parameter) for a world that `check` refuses, a margin that is not a
   ///         number of at least 0, where no free space is left, or GEOS cannot work with it.
   explicit Planner(const World& world, const PrepareOptions& options = {});
+  /// As the constructor, for those who may have to stop: nothing when the condition said so while
+  /// lines were drawn. Growing and merging the obstacles, GEOS's part, is not cut short.
+  [[nodiscard]] static std::optional<Planner> prepare(const World& world,
+                                                      const PrepareOptions& options,
+                                                      const StopCondition& stop);
   ~Planner();
   Planner(Planner&&) noexcept;
   Planner& operator=(Planner&&) noexcept;
@@ -168,6 +173,7 @@ class LASIUS_POLYGON_EXPORT Planner {
   class Impl;
 
  private:
+  explicit Planner(std::unique_ptr<const Impl> impl);
   std::unique_ptr<const Impl> impl_;
 };
 

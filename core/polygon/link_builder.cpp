@@ -15,8 +15,8 @@ double length_of(LatticePoint d) noexcept {
 
 }  // namespace
 
-LinkBuilder::LinkBuilder(FreeSpace& space)
-    : space_(space), fans_(space.corners.size()), edges_(space.corners.size()) {
+LinkBuilder::LinkBuilder(FreeSpace& space, Poller& poller)
+    : space_(space), poller_(poller), fans_(space.corners.size()), edges_(space.corners.size()) {
   double longest = 1;
   for (int c = 0; c < static_cast<int>(space.corners.size()); ++c) {
     set_edge(c);
@@ -30,6 +30,7 @@ LinkBuilder::LinkBuilder(FreeSpace& space)
   // Feet are corners now, of regions that may have no other to be cut at.
   walls_.clear();
   draw(longest);
+  if (poller.stopped()) return;
   remove_redundant();
   renumber();
 }
@@ -40,6 +41,7 @@ void LinkBuilder::draw(double longest) {
   double from = 0;
   for (double upto = longest / 64; from < farthest; upto *= 2) {
     for (const Candidate& c : candidates(from, upto)) {
+      if (poller_.stopped()) return;
       c.wall ? try_wall(c.from, c.to) : try_corner(c.from, c.to);
     }
     from = upto;
@@ -83,6 +85,7 @@ LinkBuilder::Sector LinkBuilder::sector(int corner, LatticePoint d) const {
 /// Whether the open segment meets no edge and no line. Those that end where it ends are left to
 /// `sector`.
 bool LinkBuilder::clear(LatticePoint from, LatticePoint to, const Edge* ignored) const {
+  if (poller_.stop_after(static_cast<std::int64_t>(edges_.size() + links_.size()))) return false;
   const LatticePoint low{std::min(from.x, to.x), std::min(from.y, to.y)};
   const LatticePoint high{std::max(from.x, to.x), std::max(from.y, to.y)};
   for (const Edge& e : edges_) {
@@ -118,6 +121,7 @@ std::vector<LinkBuilder::Candidate> LinkBuilder::candidates(double above, double
   const int count = static_cast<int>(space_.corners.size());
   for (int i = 0; i < count; ++i) {
     if (!reflex(i)) continue;
+    if (poller_.stop_after(count + static_cast<std::int64_t>(walls_.size()))) return list;
     const auto consider = [&](LatticePoint target, int to, bool wall) {
       const double length = length_of(target - at(i));
       if (length > above && length <= upto) list.push_back({length, i, to, wall});

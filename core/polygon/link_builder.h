@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "free_space.h"
+#include "lasius/stop.h"
 
 namespace lasius::polygon {
 
@@ -22,8 +23,8 @@ struct Link {
 /// both ends stay convex: no line is left without which the regions would be convex too.
 class LinkBuilder {
  public:
-  /// Feet on walls become corners of `space`.
-  explicit LinkBuilder(FreeSpace& space);
+  /// Feet on walls become corners of `space`. Where the poller says stop, some links are missing.
+  LinkBuilder(FreeSpace& space, Poller& poller);
 
   const std::vector<Link>& links() const noexcept { return links_; }
   /// Links at a corner, counter-clockwise from its `next`.
@@ -59,6 +60,7 @@ class LinkBuilder {
   void renumber();
 
   FreeSpace& space_;
+  Poller& poller_;
   std::vector<Link> links_;
   std::vector<std::vector<int>> fans_;
   std::vector<Edge> edges_;  // from each corner to its next

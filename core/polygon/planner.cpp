@@ -66,12 +66,13 @@ Point nearest_on(Point a, Point b, Point p) {
 
 class Planner::Impl {
  public:
-  Impl(const World& w, const PrepareOptions& options)
+  Impl(const World& w, const PrepareOptions& options, Poller poller)
       : world(checked(w)),
         margin(checked_margin(options.margin.value_or(w.margin))),
         join(options.join),
-        regions(make_free_space(w, margin, join)),
-        maklink(maklink_of(regions)) {}
+        regions(make_free_space(w, margin, join), poller),
+        whole(!poller.stopped()),
+        maklink(whole ? maklink_of(regions) : Maklink{}) {}
 
   /// On the grid a point of the border may fall just outside: then the free point of the grid
   /// that is nearest to it stands for it.
@@ -124,11 +125,21 @@ class Planner::Impl {
   const double margin;
   const Join join;
   const Regions regions;
+  const bool whole;  ///< not cut short
   const Maklink maklink;
 };
 
 Planner::Planner(const World& world, const PrepareOptions& options)
-    : impl_(std::make_unique<const Impl>(world, options)) {}
+    : Planner(std::move(*prepare(world, options, {}))) {}
+Planner::Planner(std::unique_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+
+std::optional<Planner> Planner::prepare(const World& world, const PrepareOptions& options,
+                                        const StopCondition& stop) {
+  auto made = std::make_unique<const Impl>(world, options, Poller(stop));
+  if (!made->whole) return std::nullopt;
+  return Planner(std::move(made));
+}
+
 Planner::~Planner() = default;
 Planner::Planner(Planner&&) noexcept = default;
 Planner& Planner::operator=(Planner&&) noexcept = default;

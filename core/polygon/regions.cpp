@@ -5,8 +5,9 @@
 
 namespace lasius::polygon {
 
-Regions::Regions(FreeSpace space) : space_(std::move(space)) {
-  const LinkBuilder builder(space_);
+Regions::Regions(FreeSpace space, Poller& poller) : space_(std::move(space)) {
+  const LinkBuilder builder(space_, poller);
+  if (poller.stopped()) return;
   links_ = builder.links();
   cut(builder);
   join_pieces();

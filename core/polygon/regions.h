@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "free_space.h"
+#include "lasius/stop.h"
 #include "link_builder.h"
 
 namespace lasius::polygon {
@@ -20,10 +21,10 @@ struct Region {
   std::vector<Side> sides;  ///< counter-clockwise
 };
 
-/// Free space cut up.
+/// Free space cut up; of no use where the poller has said stop.
 class Regions {
  public:
-  explicit Regions(FreeSpace space);
+  Regions(FreeSpace space, Poller& poller);
 
   const FreeSpace& space() const noexcept { return space_; }
   const std::vector<Link>& links() const noexcept { return links_; }

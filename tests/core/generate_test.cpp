@@ -9,6 +9,7 @@
 
 #include "lasius/error.h"
 #include "lasius/map_io.h"
+#include "tests/core/counting_time.h"
 
 namespace lasius {
 namespace {
@@ -151,6 +152,25 @@ TEST(Generate, MakesMapsOfEverySize) {
         EXPECT_EQ(grid.height(), height) << name_of(kind);
       }
     }
+  }
+}
+
+TEST(Generate, IsCutShortWhereverTimeRunsOut) {
+  for (const MapKind kind : kKinds) {
+    const GenerateOptions options{.width = 700, .height = 600};
+    const CountingTime counted(1 << 30);
+    EXPECT_EQ(generate(kind, options, counted.is_up()), generate(kind, options)) << name_of(kind);
+    for (int looks = 0; looks < counted.polls(); ++looks) {
+      const CountingTime time(looks);
+      EXPECT_FALSE(generate(kind, options, time.is_up())) << name_of(kind) << " " << looks;
+      EXPECT_EQ(time.polls(), looks + 1);
+    }
+    // On 24 times as many cells it looks about so many times as often.
+    const GenerateOptions large{.width = 3400, .height = 3000};
+    const CountingTime more(1 << 30);
+    EXPECT_TRUE(generate(kind, large, more.is_up()));
+    EXPECT_GT(more.polls(), 10 * counted.polls()) << name_of(kind);
+    EXPECT_GT(more.polls(), 20) << name_of(kind);
   }
 }
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "lasius/error.h"
 #include "lasius/generate.h"
+#include "tests/core/counting_time.h"
 #include "tests/core/polygon/known_world.h"
 #include "tests/random_world.h"
 
@@ -271,6 +273,25 @@ TEST(Degenerate, NoObstaclesAndNoWay) {
   world.start = Point{2.4, 1.3};
   EXPECT_EQ(Planner(world).components(), 2);
   EXPECT_EQ(Planner(world).plan().status, Status::unreachable);
+}
+
+TEST(Prepare, IsCutShortWhereverTimeRunsOut) {
+  // A star: most of its many corners are reflex and see many others.
+  World world;
+  for (int i = 0; i < 600; ++i) {
+    const double a = 2 * std::numbers::pi * i / 600, r = i % 2 == 0 ? 10 : 11 + i % 7;
+    world.boundary.outer.push_back({r * std::cos(a), r * std::sin(a)});
+  }
+  const CountingTime counted(1 << 30);
+  const auto whole = Planner::prepare(world, {}, counted.is_up());
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->maklink().lines.size(), Planner(world).maklink().lines.size());
+  ASSERT_GT(counted.polls(), 4);
+  for (int looks = 0; looks < counted.polls(); ++looks) {
+    const CountingTime time(looks);
+    EXPECT_FALSE(Planner::prepare(world, {}, time.is_up())) << looks;
+    EXPECT_EQ(time.polls(), looks + 1);
+  }
 }
 
 TEST(Ends, BlockedAndOutsideNameTheNearestFreePoint) {
