@@ -24,19 +24,6 @@ void name_contact(const ArmCommand& command, const arm::SceneSensor& sensor, arm
   plan.error += ": " + sensor.contact(command.start);
 }
 
-/// What the motion makes of a plan that was solved.
-Status ended(const arm::TrajectoryResult& motion) {
-  switch (motion.cause) {
-    case StopCondition::Cause::deadline:
-      return Status::limit;
-    case StopCondition::Cause::token:
-      return Status::interrupted;
-    case StopCondition::Cause::none:
-      break;
-  }
-  return Status::solved;
-}
-
 }  // namespace
 
 ArmAnswer prepare_arm(const ArmCommand& command) {
@@ -71,7 +58,7 @@ void solve_arm(const ArmCommand& command, const StopCondition& stop, const arm::
   answer.motion = arm::make_trajectory(answer.robot, sensor, answer.plan.joints,
                                        {.shortcut = answer.parameters.shortcut, .stop = stop});
   answer.elapsed_ms = ms_since(begin);
-  if (answer.plan.status == Status::solved) answer.plan.status = ended(answer.motion);
+  if (answer.plan.status == Status::solved) answer.plan.status = answer.motion.status;
   if (command.recheck > 0 && !answer.motion.trajectory.empty())
     answer.recheck =
         arm::recheck(answer.robot, answer.scene, answer.motion.trajectory, command.recheck);

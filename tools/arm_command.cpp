@@ -44,7 +44,7 @@ void remark(const ArmCommand& command, const ArmAnswer& answer) {
   if (command.messages.quiet) return;
   const auto& motion = answer.motion;
   if (motion.stops)
-    message(motion.cause == StopCondition::Cause::none
+    message(motion.status == Status::solved
                 ? "the motion rests at each waypoint: no faster one between them was found free"
                 : "the motion rests at each waypoint: there was no time to look for a faster one");
   if (sample_rate(motion.trajectory, command.rate) < command.rate)

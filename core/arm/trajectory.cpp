@@ -6,6 +6,7 @@
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
 #include "number_text.h"
+#include "run_status.h"
 #include "spline.h"
 #include "vec3.h"
 
@@ -226,7 +227,7 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
   result.waypoints = static_cast<int>(way.size());
   if (way.size() == 1) {
     result.questions = asker.asked();
-    result.cause = asker.cause();
+    result.status = status_after(asker.cause(), Status::solved);
     result.trajectory = Trajectory({{0, way[0], std::vector<double>(robot.joints.size(), 0)}});
     return result;
   }
@@ -250,7 +251,7 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
     result.stops = true;
   }
   result.questions = asker.asked();
-  result.cause = asker.cause();
+  result.status = status_after(asker.cause(), Status::solved);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lasius/arm_sensor.h"
+#include "lasius/planner.h"
 #include "lasius/stop.h"
 
 namespace lasius::arm {
@@ -46,11 +47,11 @@ struct TrajectoryOptions {
 };
 
 struct TrajectoryResult {
-  Trajectory trajectory;       ///< empty where the waypoints are
-  int waypoints = 0;           ///< left after shortcutting
-  bool stops = false;          ///< it rests at every waypoint: nothing faster was found free
-  std::int64_t questions = 0;  ///< motions that the sensor was asked about
-  StopCondition::Cause cause = StopCondition::Cause::none;  ///< why no more was looked for
+  Trajectory trajectory;           ///< empty where the waypoints are
+  int waypoints = 0;               ///< left after shortcutting
+  bool stops = false;              ///< it rests at every waypoint: nothing faster was found free
+  std::int64_t questions = 0;      ///< motions that the sensor was asked about
+  Status status = Status::solved;  ///< limit or interrupted where it was told to stop
 };
 
 /// A motion along `waypoints`, between whose neighbours straight joint motions are free.

@@ -233,11 +233,11 @@ TEST(Trajectory, SaysThatTimeRanOut) {
   const Notes sensor(0.001);
   const std::vector<std::vector<double>> way{{0.1, 0.2}, {0.7, -0.4}, {1.1, 0.3}};
   const auto whole = make_trajectory(robot, sensor, way, {.shortcut = false});
-  EXPECT_EQ(whole.cause, StopCondition::Cause::none);
+  EXPECT_EQ(whole.status, Status::solved);
   EXPECT_FALSE(whole.stops);
   const CountingTime none(0);
   const auto cut = make_trajectory(robot, sensor, way, {.shortcut = false, .stop = none.is_up()});
-  EXPECT_EQ(cut.cause, StopCondition::Cause::deadline);
+  EXPECT_EQ(cut.status, Status::limit);
   EXPECT_TRUE(cut.stops);
   expect_smooth(robot, cut.trajectory);
 }
