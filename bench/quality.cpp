@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "bench/statistics.h"
+#include "cell_distance.h"
 #include "exact.h"
 #include "lasius/generate.h"
 
@@ -21,10 +22,25 @@ std::vector<double> collect(const std::vector<QualityRun>& runs,
   return values;
 }
 
+double length_as_walked(const std::vector<Cell>& tour) {
+  double length = 0;
+  for (std::size_t i = 1; i < tour.size(); ++i) length += distance(tour[i - 1], tour[i]);
+  return length;
+}
+
 QualityRun run_once(const Planner& planner, const Course& course, const Params& params,
                     double optimum, Workspace& workspace) {
-  const Result result = planner.plan({course.start, course.goal}, params, &workspace);
   QualityRun run;
+  double shortest = std::numeric_limits<double>::infinity();
+  const Result result =
+      planner.plan({course.start, course.goal}, params, &workspace, [&](const Progress& progress) {
+        for (int ant = 0; ant < progress.ants(); ++ant) {
+          const auto tour = progress.tour(ant);
+          if (tour.empty() || !(length_as_walked(tour) < shortest)) continue;
+          shortest = length_as_walked(tour);
+          run.last_as_walked = progress.iteration + 1;
+        }
+      });
   run.gap = result.path.empty() ? std::numeric_limits<double>::infinity()
                                 : (result.length - optimum) / optimum;
   for (std::size_t q = 0; q < result.best.size(); ++q) {
@@ -55,6 +71,10 @@ double Quality::worst_gap() const {
 double Quality::median_last_improvement() const {
   return median(
       collect(runs, [](const QualityRun& r) { return static_cast<double>(r.last_improvement); }));
+}
+double Quality::median_last_as_walked() const {
+  return median(
+      collect(runs, [](const QualityRun& r) { return static_cast<double>(r.last_as_walked); }));
 }
 double Quality::least_arrived() const {
   return -largest(collect(runs, [](const QualityRun& r) { return -r.arrived; }));

@@ -13,6 +13,7 @@ namespace lasius::bench {
 struct QualityRun {
   double gap = 0;            ///< (length - optimum) / optimum; infinite without a path
   int last_improvement = 0;  ///< iteration, from 1, that found the answer; 0 without one
+  int last_as_walked = 0;    ///< that found the shortest of all tours, before any polish
   double arrived = 0;        ///< share of all ants of all iterations
 };
 
@@ -25,6 +26,7 @@ struct Quality {
   double median_gap() const;
   double worst_gap() const;
   double median_last_improvement() const;
+  double median_last_as_walked() const;
   double least_arrived() const;
 };
 
