@@ -36,8 +36,9 @@ QualityRun run_once(const Planner& planner, const Course& course, const Params& 
       planner.plan({course.start, course.goal}, params, &workspace, [&](const Progress& progress) {
         for (int ant = 0; ant < progress.ants(); ++ant) {
           const auto tour = progress.tour(ant);
-          if (tour.empty() || !(length_as_walked(tour) < shortest)) continue;
-          shortest = length_as_walked(tour);
+          const double length = length_as_walked(tour);
+          if (tour.empty() || length >= shortest) continue;
+          shortest = length;
           run.last_as_walked = progress.iteration + 1;
         }
       });
