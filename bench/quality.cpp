@@ -22,12 +22,6 @@ std::vector<double> collect(const std::vector<QualityRun>& runs,
   return values;
 }
 
-double length_as_walked(const std::vector<Cell>& tour) {
-  double length = 0;
-  for (std::size_t i = 1; i < tour.size(); ++i) length += distance(tour[i - 1], tour[i]);
-  return length;
-}
-
 QualityRun run_once(const Planner& planner, const Course& course, const Params& params,
                     double optimum, Workspace& workspace) {
   QualityRun run;
@@ -36,7 +30,7 @@ QualityRun run_once(const Planner& planner, const Course& course, const Params& 
       planner.plan({course.start, course.goal}, params, &workspace, [&](const Progress& progress) {
         for (int ant = 0; ant < progress.ants(); ++ant) {
           const auto tour = progress.tour(ant);
-          const double length = length_as_walked(tour);
+          const double length = length_of(tour);
           if (tour.empty() || length >= shortest) continue;
           shortest = length;
           run.last_as_walked = progress.iteration + 1;

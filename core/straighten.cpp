@@ -16,13 +16,6 @@ namespace {
 constexpr double kShorter = 1 - 1e-12;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double length_of(std::span<const Cell> polyline) noexcept {
-  double length = 0;
-  for (std::size_t i = 1; i < polyline.size(); ++i)
-    length += distance(polyline[i - 1], polyline[i]);
-  return length;
-}
-
 // Appends the cells that the segment a - b crosses, a left out. Through a lattice point the way
 // goes by the free cell beside it, by columns first where both are free.
 void append_segment(const kernels::BitmapView& map, Cell a, Cell b, std::vector<Cell>& cells) {
