@@ -6,12 +6,12 @@
 #include "bench/peers/textbook_ants.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
-#include "kernel_choice.h"
+#include "core/base/kernel_choice.h"
+#include "core/colony/walk_setup.h"
+#include "core/grid/move_rule.h"
+#include "core/params/schedule.h"
+#include "core/plan/workspace.h"
 #include "lasius/map_io.h"
-#include "move_rule.h"
-#include "schedule.h"
-#include "walk_setup.h"
-#include "workspace.h"
 
 namespace lasius::bench {
 namespace {
@@ -91,7 +91,7 @@ double plan_rate(const Planner& planner, Params params, std::uint64_t seed) {
   const Course& c = fan_course();
   const ProcessorStopwatch watch;
   planner.plan({c.start, c.goal}, params, &workspace, [&](const Progress&) {
-    for (const Ant& ant : workspace.impl().ants) steps += ant.steps;
+    for (const Ant& ant : workspace.impl().colony.ants) steps += ant.steps;
   });
   return static_cast<double>(steps) / watch.seconds();
 }

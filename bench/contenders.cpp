@@ -2,10 +2,10 @@
 
 #include "bench/peers/bucket_astar.h"
 #include "bench/query_set.h"
-#include "corner_graph.h"
-#include "exact.h"
+#include "core/exact/corner_graph.h"
+#include "core/exact/exact.h"
+#include "core/exact/prepared_search.h"
 #include "lasius/path.h"
-#include "prepared_search.h"
 
 namespace lasius::bench {
 namespace {

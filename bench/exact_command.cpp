@@ -9,7 +9,7 @@
 #include "bench/query_set.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
-#include "exact.h"
+#include "core/exact/exact.h"
 #include "lasius/batch.h"
 
 namespace lasius::bench {

@@ -8,7 +8,7 @@
 #include "bench/peers/textbook_crossings.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
-#include "tests/random_world.h"
+#include "tests/worlds/random_world.h"
 
 namespace lasius::bench {
 namespace {

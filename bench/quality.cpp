@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "bench/statistics.h"
-#include "cell_distance.h"
-#include "exact.h"
+#include "core/exact/exact.h"
+#include "core/grid/cell_distance.h"
 #include "lasius/generate.h"
 
 namespace lasius::bench {

@@ -8,10 +8,10 @@
 #include "bench/colony_figures.h"
 #include "bench/peers/row_ceiling.h"
 #include "bench/peers/textbook_ants.h"
-#include "kernel_choice.h"
-#include "kernels/raise.h"
+#include "core/base/kernel_choice.h"
+#include "core/plan/workspace.h"
+#include "kernels/base/raise.h"
 #include "lasius/planner.h"
-#include "workspace.h"
 
 namespace lasius::bench {
 namespace {
@@ -61,7 +61,7 @@ void plan_steps(benchmark::State& state, const char* algorithm, Neighbours neigh
   params.iterations = 20;
   std::int64_t steps = 0;
   const auto observer = [&](const Progress&) {
-    for (const Ant& ant : workspace.impl().ants) steps += ant.steps;
+    for (const Ant& ant : workspace.impl().colony.ants) steps += ant.steps;
   };
   for (auto _ : state) {
     benchmark::DoNotOptimize(

@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "field.h"
+#include "core/colony/field.h"
+#include "core/colony/update.h"
+#include "core/params/schedule.h"
 #include "lasius/planner.h"
-#include "schedule.h"
-#include "tests/core/counting_time.h"
-#include "update.h"
+#include "tests/core/base/counting_time.h"
 
 namespace lasius {
 namespace {

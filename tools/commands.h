@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "options.h"
+#include "tools/options/options.h"
 
 namespace lasius::tool {
 

@@ -1,12 +1,12 @@
 #include <exception>
 #include <new>
 
-#include "cli.h"
-#include "commands.h"
-#include "exit_code.h"
 #include "lasius/error.h"
-#include "signals.h"
-#include "streams.h"
+#include "tools/command_line/cli.h"
+#include "tools/commands.h"
+#include "tools/console/exit_code.h"
+#include "tools/console/signals.h"
+#include "tools/console/streams.h"
 
 namespace lasius::tool {
 namespace {

@@ -1,14 +1,14 @@
-#include "arm_colony.h"
+#include "core/arm/arm_colony.h"
 
 #include <cmath>
 #include <limits>
 
-#include "colony_loop.h"
-#include "lattice_ants.h"
-#include "lattice_trail.h"
-#include "lattice_way.h"
-#include "run_status.h"
-#include "trail_rules.h"
+#include "core/arm/lattice_ants.h"
+#include "core/arm/lattice_trail.h"
+#include "core/arm/lattice_way.h"
+#include "core/loop/colony_loop.h"
+#include "core/loop/run_status.h"
+#include "core/loop/trail_rules.h"
 
 namespace lasius::arm {
 namespace {

@@ -1,8 +1,8 @@
 // The colony of `goritov2020`, in the common loop.
 #pragma once
 
+#include "core/arm/lattice.h"
 #include "lasius/arm_plan.h"
-#include "lattice.h"
 
 namespace lasius::arm {
 

@@ -1,4 +1,4 @@
-#include "enclose.h"
+#include "core/arm/enclose.h"
 
 #include <algorithm>
 #include <cmath>

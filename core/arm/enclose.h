@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "core/arm/vec3.h"
 #include "lasius/arm.h"
-#include "vec3.h"
 
 namespace lasius::arm {
 

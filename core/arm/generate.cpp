@@ -2,12 +2,12 @@
 #include <cmath>
 #include <optional>
 
-#include "kernels/random_stream.h"
-#include "kinematics.h"
+#include "core/arm/kinematics.h"
+#include "core/arm/vec3.h"
+#include "kernels/base/random_stream.h"
 #include "lasius/arm_generate.h"
 #include "lasius/arm_sensor.h"
 #include "lasius/error.h"
-#include "vec3.h"
 
 namespace lasius::arm {
 namespace {

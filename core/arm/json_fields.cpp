@@ -1,11 +1,11 @@
-#include "json_fields.h"
+#include "core/arm/json_fields.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "did_you_mean.h"
-#include "json_place.h"
+#include "core/base/did_you_mean.h"
+#include "core/base/json_place.h"
 #include "lasius/error.h"
 
 namespace lasius::arm {

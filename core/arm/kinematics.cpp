@@ -1,4 +1,4 @@
-#include "kinematics.h"
+#include "core/arm/kinematics.h"
 
 #include <limits>
 #include <string>

@@ -4,8 +4,8 @@
 #include <array>
 #include <span>
 
+#include "core/arm/vec3.h"
 #include "lasius/arm.h"
-#include "vec3.h"
 
 namespace lasius::arm {
 

@@ -1,4 +1,4 @@
-#include "lattice.h"
+#include "core/arm/lattice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <cstring>
 #include <thread>
 
-#include "kernels/power.h"
+#include "kernels/base/power.h"
 
 namespace lasius::arm {
 namespace {

@@ -7,10 +7,10 @@
 #include <span>
 #include <utility>
 
-#include "kinematics.h"
+#include "core/arm/kinematics.h"
+#include "core/base/zero_array.h"
 #include "lasius/arm_plan.h"
 #include "lasius/stop.h"
-#include "zero_array.h"
 
 namespace lasius::arm {
 

@@ -1,11 +1,11 @@
-#include "lattice_ants.h"
+#include "core/arm/lattice_ants.h"
 
 #include <algorithm>
 #include <atomic>
 
-#include "kernels/proportional.h"
-#include "kernels/random_stream.h"
-#include "parallel.h"
+#include "core/base/parallel.h"
+#include "kernels/base/proportional.h"
+#include "kernels/base/random_stream.h"
 
 namespace lasius::arm {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "core/arm/lattice.h"
+#include "core/arm/lattice_trail.h"
 #include "lasius/stop.h"
-#include "lattice.h"
-#include "lattice_trail.h"
 
 namespace lasius::arm {
 

@@ -1,9 +1,9 @@
-#include "lattice_trail.h"
+#include "core/arm/lattice_trail.h"
 
 #include <algorithm>
 #include <cassert>
 
-#include "kernels/power.h"
+#include "kernels/base/power.h"
 
 namespace lasius::arm {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lattice.h"
+#include "core/arm/lattice.h"
 
 namespace lasius::arm {
 

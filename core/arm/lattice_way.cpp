@@ -1,4 +1,4 @@
-#include "lattice_way.h"
+#include "core/arm/lattice_way.h"
 
 #include <array>
 #include <cstdlib>

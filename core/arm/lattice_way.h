@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/arm/lattice.h"
 #include "lasius/stop.h"
-#include "lattice.h"
 
 namespace lasius::arm {
 

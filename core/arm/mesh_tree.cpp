@@ -1,9 +1,9 @@
-#include "mesh_tree.h"
+#include "core/arm/mesh_tree.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "vec3.h"
+#include "core/arm/vec3.h"
 
 namespace lasius::arm {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "proximity.h"
+#include "core/arm/proximity.h"
 
 namespace lasius::arm {
 

@@ -1,7 +1,7 @@
 #include <array>
 
+#include "core/params/parameter_table.h"
 #include "lasius/arm_plan.h"
-#include "parameter_table.h"
 
 namespace lasius::arm {
 namespace {

@@ -5,14 +5,14 @@
 #include <limits>
 #include <optional>
 
-#include "arm_colony.h"
+#include "core/arm/arm_colony.h"
+#include "core/arm/lattice_way.h"
+#include "core/base/number_text.h"
+#include "core/base/parallel.h"
+#include "core/loop/run_status.h"
+#include "core/params/parameter_table.h"
 #include "lasius/arm_plan.h"
 #include "lasius/error.h"
-#include "lattice_way.h"
-#include "number_text.h"
-#include "parallel.h"
-#include "parameter_table.h"
-#include "run_status.h"
 
 namespace lasius::arm {
 namespace {

@@ -1,10 +1,10 @@
-#include "proximity.h"
+#include "core/arm/proximity.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "vec3.h"
+#include "core/arm/vec3.h"
 
 namespace lasius::arm {
 namespace {

@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
-#include "kinematics.h"
+#include "core/arm/kinematics.h"
+#include "core/arm/vec3.h"
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
-#include "vec3.h"
 
 namespace lasius::arm {
 namespace {

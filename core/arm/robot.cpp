@@ -1,15 +1,15 @@
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 
-#include "byte_reader.h"
-#include "json_fields.h"
-#include "kinematics.h"
+#include "core/arm/json_fields.h"
+#include "core/arm/kinematics.h"
+#include "core/arm/urdf.h"
+#include "core/arm/vec3.h"
+#include "core/map_files/byte_reader.h"
 #include "lasius/arm.h"
 #include "lasius/error.h"
-#include "nlohmann/json.hpp"
-#include "urdf.h"
-#include "vec3.h"
 
 namespace lasius::arm {
 namespace {

@@ -2,13 +2,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "byte_reader.h"
-#include "did_you_mean.h"
-#include "json_fields.h"
+#include "core/arm/json_fields.h"
+#include "core/arm/mesh_file.h"
+#include "core/arm/vec3.h"
+#include "core/base/did_you_mean.h"
+#include "core/map_files/byte_reader.h"
 #include "lasius/arm.h"
 #include "lasius/error.h"
-#include "mesh_file.h"
-#include "vec3.h"
 
 namespace lasius::arm {
 namespace {

@@ -3,12 +3,12 @@
 #include <optional>
 #include <vector>
 
-#include "kinematics.h"
+#include "core/arm/kinematics.h"
+#include "core/arm/mesh_tree.h"
+#include "core/arm/proximity.h"
+#include "core/base/number_text.h"
 #include "lasius/arm_sensor.h"
 #include "lasius/error.h"
-#include "mesh_tree.h"
-#include "number_text.h"
-#include "proximity.h"
 
 namespace lasius::arm {
 namespace {

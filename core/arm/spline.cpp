@@ -1,4 +1,4 @@
-#include "spline.h"
+#include "core/arm/spline.h"
 
 #include <algorithm>
 #include <array>

@@ -4,11 +4,11 @@
 #include <locale>
 #include <sstream>
 
-#include "byte_reader.h"
+#include "core/arm/mesh_file.h"
+#include "core/arm/vec3.h"
+#include "core/map_files/byte_reader.h"
 #include "lasius/arm.h"
 #include "lasius/error.h"
-#include "mesh_file.h"
-#include "vec3.h"
 
 namespace lasius::arm {
 namespace {

@@ -2,13 +2,13 @@
 #include <cmath>
 #include <utility>
 
-#include "kinematics.h"
+#include "core/arm/kinematics.h"
+#include "core/arm/spline.h"
+#include "core/arm/vec3.h"
+#include "core/base/number_text.h"
+#include "core/loop/run_status.h"
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
-#include "number_text.h"
-#include "run_status.h"
-#include "spline.h"
-#include "vec3.h"
 
 namespace lasius::arm {
 namespace {

@@ -1,4 +1,4 @@
-#include "urdf.h"
+#include "core/arm/urdf.h"
 
 #include <console_bridge/console.h>
 #include <tinyxml.h>
@@ -10,15 +10,15 @@
 #include <memory>
 #include <mutex>
 
-#include "did_you_mean.h"
-#include "enclose.h"
-#include "kinematics.h"
+#include "core/arm/enclose.h"
+#include "core/arm/kinematics.h"
+#include "core/arm/mesh_file.h"
+#include "core/arm/vec3.h"
+#include "core/base/did_you_mean.h"
+#include "core/base/number_text.h"
 #include "lasius/arm_sensor.h"
 #include "lasius/error.h"
 #include "lasius/output.h"
-#include "mesh_file.h"
-#include "number_text.h"
-#include "vec3.h"
 
 namespace lasius::arm {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "kernels/sine.h"
+#include "kernels/base/sine.h"
 #include "lasius/arm.h"
 
 namespace lasius::arm {

@@ -1,15 +1,15 @@
 #include <filesystem>
 #include <string_view>
 
-#include "byte_reader.h"
-#include "io/png_reader.h"
-#include "io/ros_map.h"
+#include "core/io/png_reader.h"
+#include "core/io/ros_map.h"
+#include "core/map_files/byte_reader.h"
+#include "core/map_files/movingai.h"
+#include "core/map_files/pixel_rule.h"
+#include "core/map_files/pnm.h"
 #include "lasius/error.h"
 #include "lasius/io.h"
 #include "lasius/output.h"
-#include "movingai.h"
-#include "pixel_rule.h"
-#include "pnm.h"
 
 namespace lasius {
 namespace {

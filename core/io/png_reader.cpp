@@ -1,4 +1,4 @@
-#include "io/png_reader.h"
+#include "core/io/png_reader.h"
 
 #include <png.h>
 
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "io/png_errors.h"
-#include "map_size.h"
+#include "core/io/png_errors.h"
+#include "core/map_files/map_size.h"
 
 namespace lasius {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <string_view>
 
-#include "byte_reader.h"
+#include "core/map_files/byte_reader.h"
+#include "core/map_files/pixel_rule.h"
 #include "lasius/grid.h"
-#include "pixel_rule.h"
 
 namespace lasius {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/png_errors.h"
+#include "core/io/png_errors.h"
 #include "lasius/error.h"
 #include "lasius/io.h"
 #include "lasius/output.h"

@@ -1,4 +1,4 @@
-#include "io/ros_map.h"
+#include "core/io/ros_map.h"
 
 #include <yaml-cpp/yaml.h>
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "byte_reader.h"
+#include "core/map_files/byte_reader.h"
+#include "core/map_files/pixel_rule.h"
 #include "lasius/map_io.h"
-#include "pixel_rule.h"
 
 namespace lasius {
 

@@ -11,7 +11,7 @@
 
 #include "lasius/arm_sensor.h"
 #include "lasius/params.h"
-#include "lasius/planner.h"
+#include "lasius/status.h"
 #include "lasius/stop.h"
 
 namespace lasius::arm {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lasius/arm_sensor.h"
-#include "lasius/planner.h"
+#include "lasius/status.h"
 #include "lasius/stop.h"
 
 namespace lasius::arm {

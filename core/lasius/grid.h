@@ -9,13 +9,6 @@
 
 namespace lasius {
 
-/// When a diagonal step between two free cells is allowed, by its two side cells.
-enum class Corners {
-  forbid,    ///< both side cells must be free
-  one_side,  ///< at least one side cell must be free
-  allow,     ///< always
-};
-
 /// A bitmap of free and blocked cells, one bit a cell (1 = blocked), with a border of blocked
 /// bits all around so that neighbours need no bounds check.
 ///

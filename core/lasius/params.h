@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "lasius/export.h"
-#include "lasius/grid.h"
+#include "lasius/moves.h"
 
 namespace lasius {
 
@@ -29,16 +29,6 @@ enum class DeadEnd {
 
 /// Which straightened paths get pheromone too (Fan et al. 2004, step 3).
 enum class StraightDeposit { none, improving, all };
-
-/// Moves of an ant. Moves of more than one cell need every cell that they sweep to be free.
-enum class Neighbours {
-  four,            ///< along x or y
-  eight,           ///< all around
-  sixteen,         ///< the 8 directions at 1 and 2 cells
-  sixteen_knight,  ///< 8 and the knight's moves
-  twenty_four,     ///< all of the 5 x 5 square
-  thirty_two,      ///< 24 and the 8 directions at 3 cells
-};
 
 /// The part of a move's weight that depends on where it leads.
 enum class Heuristic {

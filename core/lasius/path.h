@@ -13,6 +13,7 @@
 #include "lasius/export.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
+#include "lasius/moves.h"
 #include "lasius/stop.h"
 
 namespace lasius {

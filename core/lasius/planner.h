@@ -2,78 +2,23 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "lasius/export.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
+#include "lasius/moves.h"
 #include "lasius/params.h"
+#include "lasius/preparation.h"
+#include "lasius/progress.h"
+#include "lasius/request.h"
+#include "lasius/result.h"
+#include "lasius/status.h"
 #include "lasius/stop.h"
 
 namespace lasius {
-
-/// How a plan ended: outcomes, not errors.
-enum class Status {
-  solved,       ///< the algorithm ended by its own rule, with a path
-  limit,        ///< the deadline ended it; the best path so far, if any
-  interrupted,  ///< the stop token ended it; the best path so far, if any
-  unreachable,  ///< proven: no path exists
-  no_path,      ///< its iterations ended without a path
-  invalid,      ///< start or goal outside or blocked
-};
-LASIUS_EXPORT std::string_view to_string(Status status) noexcept;
-
-/// One question.
-struct Request {
-  Cell start;
-  Cell goal;
-  StopCondition stop = {};
-  /// Stop at this certified gap, as a fraction, 0 or more; for certifying algorithms.
-  double target_gap = 0;
-};
-
-/// One answer. Without a path `path` is empty and `length` is not a number.
-struct LASIUS_EXPORT Result {
-  Status status = Status::no_path;
-  std::string error;         ///< why the status is invalid or unreachable; else empty
-  std::vector<Point> path;   ///< start and goal at cell centres; one point where they are the same
-  double length;             ///< in cells
-  int iterations = 0;        ///< iterations done
-  std::vector<double> best;  ///< by iteration: shortest final path up to then; NaN if none
-  std::vector<double> mean;  ///< by iteration: mean raw tour of the arrived ants; NaN if none
-  std::vector<int> arrived;  ///< by iteration: ants that reached the goal
-  std::optional<double> lower_bound;  ///< certified: no path is shorter
-  /// Certified (length - lower_bound) / lower_bound; 0 at length 0; nothing where not certified.
-  std::optional<double> gap() const;
-  bool optimal = false;  ///< proven shortest
-
-  Result();
-};
-
-/// What an observer may look at, between two iterations, on the calling thread. `exact` has none;
-/// to `grid-ga` ants are its individuals, and there is no pheromone (0). @throws std::out_of_range
-/// for an ant that is none.
-class LASIUS_EXPORT Progress {
- public:
-  virtual ~Progress();
-  int iteration = 0;       ///< from 0
-  double best_length = 0;  ///< NaN if none yet
-  double mean_length = 0;  ///< NaN if none arrived
-  int arrived = 0;
-  virtual int ants() const = 0;
-  /// The tour of one ant, start to goal; empty if it did not arrive.
-  virtual std::vector<Cell> tour(int ant) const = 0;
-  /// The way that one ant had taken when it ended, arrived or stuck.
-  virtual std::vector<Cell> walk(int ant) const { return tour(ant); }
-  /// Pheromone on a cell of the map.
-  virtual double pheromone(Cell c) const = 0;
-};
-using Observer = std::function<void(const Progress&)>;
 
 /// Scratch memory of one call in flight. Keep one per thread: with it, `exact` and every colony
 /// allocate nothing but the result in a second call of the same size. A call without one gives its
@@ -91,30 +36,6 @@ class LASIUS_EXPORT Workspace {
  private:
   std::unique_ptr<Impl> impl_;
 };
-
-/// How much `exact` may prepare of a map before its first question.
-struct PrepareOptions {
-  int threads = 0;  ///< at most 1024; 0: as many as OpenMP gives; never changes what is prepared
-  /// Preparation that would hold more is given up. A Workspace takes 32 bytes more for each corner.
-  std::int64_t max_bytes = std::int64_t{1} << 30;
-  StopCondition stop = {};
-};
-
-/// What came of it.
-struct Preparation {
-  enum class State {
-    none,       ///< not asked for, or gone with an edit
-    ready,      ///< `exact` plans on it
-    too_large,  ///< given up: it would take more than max_bytes
-    stopped,    ///< given up: the stop condition said so
-  };
-  State state = State::none;
-  std::int64_t corners = 0;  ///< at which a path may bend; 0 if stopped before they were counted
-  std::int64_t edges = 0;    ///< from corner to corner in sight, if ready
-  std::int64_t bytes = 0;    ///< held, if ready
-  double seconds = 0;        ///< spent
-};
-LASIUS_EXPORT std::string_view to_string(Preparation::State) noexcept;
 
 /// A map made ready for planning. Immutable: use one from many threads, a Workspace each. After a
 /// move only assignment and destruction are left.

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "lasius/params.h"
-#include "lasius/planner.h"
 #include "lasius/polygon.h"
+#include "lasius/result.h"
 #include "lasius/stop.h"
 
 namespace lasius::polygon {

@@ -5,7 +5,7 @@
 
 #include "lasius/export.h"
 #include "lasius/grid.h"
-#include "lasius/params.h"
+#include "lasius/moves.h"
 #include "lasius/stop.h"
 
 namespace lasius {

@@ -2,12 +2,12 @@
 #include <cmath>
 #include <utility>
 
-#include "free_space.h"
-#include "geos.h"
+#include "core/base/number_text.h"
+#include "core/polygon/free_space.h"
+#include "core/polygon/geos.h"
+#include "core/polygon/rings.h"
 #include "lasius/error.h"
 #include "lasius/polygon.h"
-#include "number_text.h"
-#include "rings.h"
 
 namespace lasius::polygon {
 namespace {

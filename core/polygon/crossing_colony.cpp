@@ -1,14 +1,14 @@
-#include "crossing_colony.h"
+#include "core/polygon/crossing_colony.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
 
-#include "kernels/power.h"
-#include "kernels/proportional.h"
-#include "kernels/random_stream.h"
-#include "trail_rules.h"
+#include "core/loop/trail_rules.h"
+#include "kernels/base/power.h"
+#include "kernels/base/proportional.h"
+#include "kernels/base/random_stream.h"
 
 namespace lasius::polygon {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <functional>
 
-#include "colony_loop.h"
+#include "core/loop/colony_loop.h"
+#include "core/polygon/route.h"
 #include "lasius/polygon_plan.h"
-#include "route.h"
 
 namespace lasius::polygon {
 

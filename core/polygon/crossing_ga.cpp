@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "crossing_colony.h"
-#include "kernels/random_stream.h"
+#include "core/polygon/crossing_colony.h"
+#include "kernels/base/random_stream.h"
 
 namespace lasius::polygon {
 namespace {

@@ -1,13 +1,13 @@
-#include "free_space.h"
+#include "core/polygon/free_space.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
-#include "geos.h"
+#include "core/polygon/geos.h"
+#include "core/polygon/rings.h"
 #include "lasius/error.h"
-#include "rings.h"
 
 namespace lasius::polygon {
 namespace {

@@ -4,8 +4,8 @@
 #include <map>
 #include <vector>
 
+#include "core/polygon/lattice_point.h"
 #include "lasius/polygon_plan.h"
-#include "lattice_point.h"
 
 namespace lasius::polygon {
 

@@ -2,9 +2,9 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "did_you_mean.h"
-#include "json_place.h"
-#include "world_maker.h"
+#include "core/base/did_you_mean.h"
+#include "core/base/json_place.h"
+#include "core/polygon/world_maker.h"
 
 namespace lasius::polygon {
 namespace {

@@ -1,12 +1,12 @@
-#include "geometry_check.h"
+#include "core/polygon/geometry_check.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "lattice_point.h"
-#include "rings.h"
+#include "core/polygon/lattice_point.h"
+#include "core/polygon/rings.h"
 
 namespace lasius::polygon {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geos.h"
+#include "core/polygon/geos.h"
 
 namespace lasius::polygon {
 

@@ -1,4 +1,4 @@
-#include "geos.h"
+#include "core/polygon/geos.h"
 
 #include <new>
 

@@ -1,4 +1,4 @@
-#include "link_builder.h"
+#include "core/polygon/link_builder.h"
 
 #include <algorithm>
 #include <cmath>

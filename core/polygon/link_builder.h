@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "free_space.h"
+#include "core/polygon/free_space.h"
 #include "lasius/stop.h"
 
 namespace lasius::polygon {

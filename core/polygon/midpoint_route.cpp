@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "route.h"
+#include "core/polygon/route.h"
 
 namespace lasius::polygon {
 namespace {

@@ -2,8 +2,8 @@
 #include <array>
 #include <vector>
 
+#include "core/params/parameter_table.h"
 #include "lasius/polygon_plan.h"
-#include "parameter_table.h"
 
 namespace lasius::polygon {
 namespace {

@@ -4,17 +4,17 @@
 #include <limits>
 #include <utility>
 
-#include "crossing_colony.h"
-#include "free_space.h"
-#include "geometry_check.h"
+#include "core/loop/run_status.h"
+#include "core/params/parameter_table.h"
+#include "core/polygon/crossing_colony.h"
+#include "core/polygon/free_space.h"
+#include "core/polygon/geometry_check.h"
+#include "core/polygon/regions.h"
+#include "core/polygon/rings.h"
+#include "core/polygon/route.h"
+#include "core/polygon/shortest_path.h"
 #include "lasius/error.h"
 #include "lasius/polygon_plan.h"
-#include "parameter_table.h"
-#include "regions.h"
-#include "rings.h"
-#include "route.h"
-#include "run_status.h"
-#include "shortest_path.h"
 
 namespace lasius::polygon {
 namespace {

@@ -1,4 +1,4 @@
-#include "regions.h"
+#include "core/polygon/regions.h"
 
 #include <algorithm>
 #include <utility>

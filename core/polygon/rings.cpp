@@ -1,8 +1,8 @@
-#include "rings.h"
+#include "core/polygon/rings.h"
 
 #include <algorithm>
 
-#include "number_text.h"
+#include "core/base/number_text.h"
 
 namespace lasius::polygon {
 

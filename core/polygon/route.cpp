@@ -1,4 +1,4 @@
-#include "route.h"
+#include "core/polygon/route.h"
 
 #include <algorithm>
 #include <limits>

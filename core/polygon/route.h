@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/polygon/regions.h"
 #include "lasius/polygon_plan.h"
 #include "lasius/stop.h"
-#include "regions.h"
 
 namespace lasius::polygon {
 

@@ -1,4 +1,4 @@
-#include "shortest_path.h"
+#include "core/polygon/shortest_path.h"
 
 #include <algorithm>
 #include <limits>

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "core/polygon/route.h"
 #include "lasius/stop.h"
-#include "route.h"
 
 namespace lasius::polygon {
 

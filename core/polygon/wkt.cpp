@@ -5,8 +5,8 @@
 #include <system_error>
 #include <vector>
 
-#include "rings.h"
-#include "world_maker.h"
+#include "core/polygon/rings.h"
+#include "core/polygon/world_maker.h"
 
 namespace lasius::polygon {
 namespace {

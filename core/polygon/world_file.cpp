@@ -1,7 +1,7 @@
 #include <cctype>
 #include <ostream>
 
-#include "byte_reader.h"
+#include "core/map_files/byte_reader.h"
 #include "lasius/error.h"
 #include "lasius/output.h"
 #include "lasius/polygon.h"

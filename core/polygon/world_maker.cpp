@@ -1,11 +1,11 @@
-#include "world_maker.h"
+#include "core/polygon/world_maker.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-#include "geometry_check.h"
-#include "rings.h"
+#include "core/polygon/geometry_check.h"
+#include "core/polygon/rings.h"
 
 namespace lasius::polygon {
 namespace {

@@ -13,7 +13,7 @@
 #include "bench/peers/segment.h"
 #include "bench/peers/sight.h"
 #include "tests/bench/naive_plane.h"
-#include "tests/bench/shared_maps.h"
+#include "tests/worlds/shared_maps.h"
 
 namespace lasius::peers {
 namespace {

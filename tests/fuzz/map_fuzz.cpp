@@ -1,7 +1,7 @@
 // MovingAI maps, PBM and PGM. What is read stays the same when the size is unknown, and when it is
 // written and read again.
-#include "movingai.h"
-#include "pnm.h"
+#include "core/map_files/movingai.h"
+#include "core/map_files/pnm.h"
 #include "tests/fuzz/reading.h"
 
 namespace lasius::fuzz {

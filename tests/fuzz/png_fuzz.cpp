@@ -1,7 +1,7 @@
 // PNG. The chunks' checksums are put right first: otherwise nearly all inputs end at the first one.
 #include <zlib.h>
 
-#include "io/png_reader.h"
+#include "core/io/png_reader.h"
 #include "tests/fuzz/reading.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "byte_reader.h"
+#include "core/map_files/byte_reader.h"
 #include "lasius/error.h"
 
 namespace lasius::fuzz {

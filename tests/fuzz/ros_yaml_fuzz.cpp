@@ -1,7 +1,7 @@
 // The YAML file of a ROS map, and the pixel rule that it makes.
 #include <cmath>
 
-#include "io/ros_map.h"
+#include "core/io/ros_map.h"
 #include "tests/fuzz/reading.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

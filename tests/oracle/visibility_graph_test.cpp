@@ -11,7 +11,7 @@
 #include "lasius/map_io.h"
 #include "lasius/path.h"
 #include "tests/oracle/plane_rule.h"
-#include "tests/random_grid.h"
+#include "tests/worlds/random_grid.h"
 
 namespace lasius::oracle {
 namespace {

@@ -1,9 +1,9 @@
-#include "study/claims.h"
+#include "tools/study/claims.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "study/text.h"
+#include "tools/draw/text.h"
 
 namespace lasius::study {
 namespace {

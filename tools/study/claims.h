@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "study/findings.h"
-#include "study/statistics.h"
+#include "tools/study/findings.h"
+#include "tools/study/statistics.h"
 
 namespace lasius::study {
 

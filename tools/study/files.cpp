@@ -1,4 +1,4 @@
-#include "study/files.h"
+#include "tools/study/files.h"
 
 #include <ostream>
 #include <system_error>

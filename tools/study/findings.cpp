@@ -1,4 +1,4 @@
-#include "study/findings.h"
+#include "tools/study/findings.h"
 
 #include <cmath>
 

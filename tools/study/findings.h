@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lasius/planner.h"
-#include "study/study.h"
+#include "tools/study/study.h"
 
 namespace lasius::study {
 

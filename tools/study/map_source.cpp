@@ -1,4 +1,4 @@
-#include "study/map_source.h"
+#include "tools/study/map_source.h"
 
 #include <algorithm>
 #include <sstream>

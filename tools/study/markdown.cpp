@@ -1,7 +1,7 @@
-#include "study/markdown.h"
+#include "tools/study/markdown.h"
 
 #include "lasius/version.h"
-#include "study/table.h"
+#include "tools/study/table.h"
 
 namespace lasius::study {
 namespace {

@@ -1,4 +1,4 @@
-#include "study/optimum.h"
+#include "tools/study/optimum.h"
 
 #include "lasius/shortest_walk.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "lasius/planner.h"
-#include "study/study.h"
+#include "tools/study/study.h"
 
 namespace lasius::study {
 

@@ -1,15 +1,15 @@
-#include "study/pictures.h"
+#include "tools/study/pictures.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "colours.h"
-#include "study/files.h"
-#include "study/line_chart.h"
-#include "study/map_panel.h"
-#include "study/map_source.h"
-#include "study/statistics.h"
-#include "study/text.h"
+#include "tools/draw/colours.h"
+#include "tools/draw/line_chart.h"
+#include "tools/draw/map_panel.h"
+#include "tools/draw/text.h"
+#include "tools/study/files.h"
+#include "tools/study/map_source.h"
+#include "tools/study/statistics.h"
 
 namespace lasius::study {
 namespace {

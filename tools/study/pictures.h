@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "study/findings.h"
-#include "study/markdown.h"
+#include "tools/study/findings.h"
+#include "tools/study/markdown.h"
 
 namespace lasius::study {
 

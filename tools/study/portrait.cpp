@@ -1,16 +1,16 @@
-#include "study/portrait.h"
+#include "tools/study/portrait.h"
 
 #include <algorithm>
 
-#include "answer.h"
-#include "colours.h"
 #include "lasius/error.h"
-#include "picture.h"
-#include "picture_recorder.h"
-#include "study/line_chart.h"
-#include "study/map_panel.h"
-#include "study/map_source.h"
-#include "study/runner.h"
+#include "tools/bitmap/answer.h"
+#include "tools/bitmap/picture.h"
+#include "tools/bitmap/picture_recorder.h"
+#include "tools/draw/colours.h"
+#include "tools/draw/line_chart.h"
+#include "tools/draw/map_panel.h"
+#include "tools/study/map_source.h"
+#include "tools/study/runner.h"
 
 namespace lasius::study {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "lasius/stop.h"
-#include "study/markdown.h"
-#include "study/study.h"
+#include "tools/study/markdown.h"
+#include "tools/study/study.h"
 
 namespace lasius::study {
 

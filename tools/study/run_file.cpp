@@ -1,4 +1,4 @@
-#include "study/run_file.h"
+#include "tools/study/run_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "study/findings.h"
+#include "tools/study/findings.h"
 
 namespace lasius::study {
 

@@ -1,4 +1,4 @@
-#include "study/runner.h"
+#include "tools/study/runner.h"
 
 #include <time.h>
 
@@ -8,11 +8,11 @@
 #include <mutex>
 
 #include "lasius/error.h"
-#include "study/files.h"
-#include "study/map_source.h"
-#include "study/optimum.h"
-#include "study/run_file.h"
-#include "team.h"
+#include "tools/console/team.h"
+#include "tools/study/files.h"
+#include "tools/study/map_source.h"
+#include "tools/study/optimum.h"
+#include "tools/study/run_file.h"
 
 namespace lasius::study {
 namespace {

@@ -8,7 +8,7 @@
 #include <stop_token>
 #include <string>
 
-#include "study/findings.h"
+#include "tools/study/findings.h"
 
 namespace lasius::study {
 

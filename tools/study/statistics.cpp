@@ -1,4 +1,4 @@
-#include "study/statistics.h"
+#include "tools/study/statistics.h"
 
 #include <Random123/philox.h>
 

@@ -1,11 +1,11 @@
-#include "study/table.h"
+#include "tools/study/table.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "study/claims.h"
-#include "study/statistics.h"
-#include "study/text.h"
+#include "tools/draw/text.h"
+#include "tools/study/claims.h"
+#include "tools/study/statistics.h"
 
 namespace lasius::study {
 namespace {

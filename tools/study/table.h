@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "study/findings.h"
+#include "tools/study/findings.h"
 
 namespace lasius::study {
 

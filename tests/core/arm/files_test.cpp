@@ -13,7 +13,7 @@
 #include "core/arm/vec3.h"
 #include "lasius/error.h"
 #include "tests/core/arm/arms.h"
-#include "tests/core/other_locale.h"
+#include "tests/core/base/other_locale.h"
 
 namespace lasius::arm {
 namespace {

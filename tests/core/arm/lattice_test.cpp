@@ -8,7 +8,7 @@
 
 #include "core/arm/lattice_ants.h"
 #include "core/arm/lattice_trail.h"
-#include "core/trail_rules.h"
+#include "core/loop/trail_rules.h"
 #include "tests/core/arm/questions.h"
 
 namespace lasius::arm {

@@ -8,8 +8,8 @@
 
 #include "lasius/error.h"
 #include "tests/core/arm/questions.h"
-#include "tests/core/counting_time.h"
-#include "tests/core/parameter_ends.h"
+#include "tests/core/base/counting_time.h"
+#include "tests/core/params/parameter_ends.h"
 
 // How runs end before their time: refused, proven hopeless, stopped.
 namespace lasius::arm {

@@ -8,7 +8,7 @@
 
 #include "core/arm/mesh_tree.h"
 #include "core/arm/vec3.h"
-#include "kernels/sine.h"
+#include "kernels/base/sine.h"
 
 namespace lasius::arm {
 namespace {

@@ -7,7 +7,7 @@
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
 #include "tests/core/arm/questions.h"
-#include "tests/core/counting_time.h"
+#include "tests/core/base/counting_time.h"
 
 namespace lasius::arm {
 namespace {

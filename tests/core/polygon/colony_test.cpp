@@ -4,10 +4,10 @@
 #include <stop_token>
 
 #include "lasius/error.h"
-#include "tests/core/counting_time.h"
-#include "tests/core/parameter_ends.h"
+#include "tests/core/base/counting_time.h"
+#include "tests/core/params/parameter_ends.h"
 #include "tests/core/polygon/known_world.h"
-#include "tests/random_world.h"
+#include "tests/worlds/random_world.h"
 
 // Runs of the ants and of the genetic comparator: seeds, stops, parameters.
 namespace lasius::polygon {

@@ -7,9 +7,10 @@
 
 #include "lasius/error.h"
 #include "lasius/generate.h"
-#include "tests/core/counting_time.h"
+#include "lasius/planner.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/core/polygon/known_world.h"
-#include "tests/random_world.h"
+#include "tests/worlds/random_world.h"
 
 namespace lasius::polygon {
 namespace {

@@ -1,0 +1,51 @@
+// Work over threads.
+#pragma once
+
+#include <omp.h>
+
+#include <atomic>
+#include <exception>
+
+#include "core/base/crew.h"
+
+namespace lasius {
+
+/// The threads asked for, or where that is 0 as many as OpenMP gives.
+inline int thread_count(int wanted) noexcept { return wanted > 0 ? wanted : omp_get_max_threads(); }
+
+/// Calls body(i, thread) once for every i below `count`, on up to `threads` threads; `thread`, from
+/// 0, is the number of the one that calls. Where a call throws, no other begins once the exception
+/// is noted, and one such exception is thrown on when those under way have ended. On a thread that
+/// leads a crew, the crew does it.
+template <class Body>
+void parallel_for(int count, int threads, const Body& body) {
+  if (threads <= 1 || count <= 1) {  // a team of one would cost more than a short walk
+    for (int i = 0; i < count; ++i) body(i, 0);
+    return;
+  }
+  std::exception_ptr error;
+  std::atomic<bool> failed{false};
+  const auto call = [&](int i, int thread) noexcept {
+    if (failed) return;
+    try {
+      body(i, thread);
+    } catch (...) {
+      if (!failed.exchange(true)) error = std::current_exception();
+    }
+  };
+  if (Crew* const crew = Crew::led_here()) {
+    using Call = decltype(call);
+    crew->share(
+        count, threads,
+        [](const void* context, int i, int member) noexcept {
+          (*static_cast<const Call*>(context))(i, member);
+        },
+        &call);
+  } else {
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+    for (int i = 0; i < count; ++i) call(i, omp_get_thread_num());
+  }
+  if (error) std::rethrow_exception(error);
+}
+
+}  // namespace lasius

@@ -1,0 +1,297 @@
+#include "core/colony/colony.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "core/base/kernel_choice.h"
+#include "core/base/parallel.h"
+#include "core/colony/polish.h"
+#include "core/colony/update.h"
+#include "core/colony/walk_setup.h"
+#include "core/grid/cell_distance.h"
+#include "core/grid/move_rule.h"
+#include "core/loop/colony_loop.h"
+#include "core/loop/run_status.h"
+#include "core/params/schedule.h"
+
+namespace lasius {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Length of a tour. Moves are counted by kind, so that the sum does not depend on their order.
+double raw_length(std::span<const std::uint8_t> tour, const kernels::Moves& moves) {
+  std::array<std::int64_t, kernels::kMaxMoves> count{};
+  for (const int k : tour) ++count[k];
+  // Moves of one length, met first to last, make one product.
+  double length = 0;
+  for (int k = 0; k < moves.count; ++k) {
+    std::int64_t alike = 0;
+    for (int j = moves.count - 1; j >= k; --j) {
+      if (moves[j].length != moves[k].length) continue;
+      alike += count[j];
+      count[j] = 0;
+    }
+    length += static_cast<double>(alike) * moves[k].length;
+  }
+  return length;
+}
+
+/// A colony on a bitmap.
+class GridColony final : public ColonyWorld {
+ public:
+  GridColony(const Grid& grid, const Request& request, const Params& params, ColonyMemory& memory,
+             const Observer& observer)
+      : grid_(grid),
+        request_(request),
+        params_(params),
+        memory_(memory),
+        observer_(observer),
+        threads_(thread_count(params.threads)),
+        moves_(moves_of(params.neighbours)),
+        tau0_(initial_pheromone(params, distance(request.start, request.goal))) {
+    memory_.field.reset(grid, moves_, request.goal, params, untouched(), request.stop);
+    memory_.walkers.reset(grid.width(), grid.height(), threads_, params.ants,
+                          params.polish != Polish::none);
+    memory_.polisher.reset(grid_, request_, moves_, params_, threads_);
+    memory_.ants.resize(params.ants);
+    memory_.tours.resize(params.ants);
+    memory_.best_moves.clear();
+    shape_ = walk_shape(params, moves_, memory_.field.mixture());
+    kernel_ = kernels::walk_table(chosen_isa()).walk[shape_.index()];
+    world_ = walk_world(params, moves_, request.start, request.goal);
+  }
+
+  Result run() {
+    Convergence run;
+    const auto cause = run_colony_loop(*this, params_.iterations, request_.stop, run);
+    return result_after(cause, std::move(run), std::move(best_path_));
+  }
+
+  // What the loop asks for.
+
+  /// Sends all ants, batch by batch, and measures their tours.
+  StopCondition::Cause send_ants(int q) override {
+    iteration_ = q;
+    all_walked_ = false;
+    const StepWeights weights = schedule(params_, q);
+    set_iteration(world_, params_, moves_, shape_, weights, q);
+    for (Ant& ant : memory_.ants) ant.arrived = false;
+    for (Tour& tour : memory_.tours) tour = {{}, kNaN};
+    const int batch = params_.batch > 0 ? params_.batch : params_.ants;
+    for (int first = 0; first < params_.ants; first += batch) {
+      const int count = std::min(batch, params_.ants - first);
+      const auto ants = std::span(memory_.ants).subspan(first, count);
+      memory_.field.refresh(weights, threads_);
+      memory_.field.fill(world_);
+      const auto cause =
+          memory_.walkers.walk(world_, kernel_, ants, first, request_.stop, after_walk(first));
+      if (cause != StopCondition::Cause::none) return cause;
+      note_best(first, count);
+      update_locally(memory_.field, params_, tau0_, tours(first, count), request_.stop);
+    }
+    all_walked_ = true;
+    return StopCondition::Cause::none;
+  }
+
+  /// One thread lays the walks' trails meanwhile: they have nothing to do with the polish.
+  void offer() override {
+    if (ants_only_teach() && all_walked_) return;
+    offer(memory_.ants, memory_.tours, [this] {
+      if (all_walked_) lay_trails();
+    });
+  }
+
+  void update(int) override {
+    if (ants_only_teach()) {
+      lay_trails();
+      const Ant& ant = answer();
+      if (!ant.arrived)
+        return offer(memory_.ants, memory_.tours, {});  // no way is known, or no time left
+      const Tour tour = tour_of(ant);
+      offer({&ant, 1}, {&tour, 1}, {});
+    } else {
+      lay_straight_trails();
+    }
+  }
+
+  int ants() const override { return params_.ants; }
+  int threads() const override { return threads_; }
+  double tour_length(int ant) const override { return memory_.tours[ant].length; }
+  double best_length() const override { return best_length_ < kInfinity ? best_length_ : kNaN; }
+
+  void observe(const Convergence& run) override {
+    if (observer_) observer_(View(*this, run));
+  }
+
+ private:
+  /// What an observer sees.
+  class View final : public RunProgress {
+   public:
+    View(const GridColony& colony, const Convergence& run) : RunProgress(run), colony_(colony) {}
+    int ants() const override { return colony_.ants(); }
+    std::vector<Cell> tour(int ant) const override {
+      return colony_.memory_.ants.at(ant).arrived ? walk(ant) : std::vector<Cell>{};
+    }
+    std::vector<Cell> walk(int ant) const override {
+      std::vector<Cell> cells;
+      along_tour(colony_.memory_.ants.at(ant).tour(), colony_.moves_, colony_.request_.start,
+                 [&](Cell c) { cells.push_back(c); });
+      return cells;
+    }
+    double pheromone(Cell c) const override { return colony_.memory_.field.pheromone(c); }
+
+   private:
+    const GridColony& colony_;
+  };
+
+  /// tau where no ant has been; the terminal index of unknown cells grows with the map.
+  double untouched() const {
+    if (params_.update != Update::terminal_index) return tau0_;
+    return params_.unknown_index * std::max(grid_.width(), grid_.height()) / 20;
+  }
+
+  Tour tour_of(const Ant& ant) const {
+    return {ant.tour(), ant.arrived ? raw_length(ant.tour(), moves_) : kNaN};
+  }
+
+  /// Tours are measured as ants end, and polished while others still walk: by a thread that has no
+  /// ant left, or at once as long as there is no answer.
+  AfterWalk after_walk(int first) {
+    AfterWalk work;
+    const bool at_once = best_length_ == kInfinity && !ants_only_teach();
+    work.ended = [this, first, at_once](int ant, int thread) {
+      memory_.tours[first + ant] = tour_of(memory_.ants[first + ant]);
+      if (at_once) memory_.polisher.polish_ahead(memory_.ants, first + ant, thread);
+    };
+    if (!ants_only_teach()) {
+      work.spare = [this, first](int ant, int thread) {
+        memory_.polisher.polish_ahead(memory_.ants, first + ant, thread);
+      };
+    }
+    return work;
+  }
+
+  void note_best(int first, int count) {
+    const Tour* best = nullptr;
+    for (const Tour& tour : std::span(memory_.tours).subspan(first, count)) {
+      if (!(tour.length < best_tour_length_)) continue;
+      best = &tour;
+      best_tour_length_ = tour.length;
+    }
+    if (best != nullptr) memory_.best_moves.assign(best->moves.begin(), best->moves.end());
+  }
+
+  Tours tours(int first, int count) const {
+    return {
+        .start = request_.start,
+        .moves = moves_,
+        .ants = std::span(memory_.tours).subspan(first, count),
+        .best_so_far = {memory_.best_moves, memory_.best_moves.empty() ? kNaN : best_tour_length_},
+        .iteration = iteration_,
+        .rows = grid_.height(),
+        .ranking = memory_.ranking};
+  }
+
+  void lay_trails() { update_trail(memory_.field, params_, tours(0, params_.ants), request_.stop); }
+
+  /// The answer of the terminal index is read from what its ants taught it, where there is time.
+  bool ants_only_teach() const { return params_.update == Update::terminal_index; }
+
+  /// The generation's answer as one more ant.
+  const Ant& answer() {
+    Ant& ant = memory_.answer;
+    best_known_way(memory_.field, moves_, request_.start, request_.goal, request_.stop,
+                   memory_.way);
+    ant.moves.grow(memory_.way.size());
+    std::copy(memory_.way.begin(), memory_.way.end(), ant.moves.data());
+    ant.move_count = static_cast<std::int64_t>(memory_.way.size());
+    ant.arrived = !memory_.way.empty();
+    return ant;
+  }
+
+  /// Polishes the tours and offers every path as the best one, ties to the lower index. Of tours
+  /// that are not polished, by choice or for lack of time, the shortest is offered.
+  void offer(std::span<const Ant> ants, std::span<const Tour> tours,
+             const std::function<void()>& meanwhile) {
+    memory_.polisher.polish(ants, meanwhile);
+    const auto paths = memory_.polisher.paths();
+    improving_ant_ = -1;
+    int left = -1;
+    double shortest = best_length_;
+    for (int a = 0; a < static_cast<int>(ants.size()); ++a) {
+      if (paths[a].length < best_length_) {
+        improving_ant_ = a;
+        best_length_ = paths[a].length;
+      } else if (std::isnan(paths[a].length) && tours[a].length < shortest) {
+        left = a;
+        shortest = tours[a].length;
+      }
+    }
+    if (improving_ant_ >= 0) best_path_ = paths[improving_ant_].points;
+    if (!(shortest < best_length_)) return;
+    auto path = as_walked(ants[left]);
+    const double length = path_length(path);
+    if (!(length < best_length_)) return;  // by rounding it was
+    improving_ant_ = left;
+    best_length_ = length;
+    best_path_ = std::move(path);
+  }
+
+  std::vector<Point> as_walked(const Ant& ant) const {
+    std::vector<Point> path;
+    path.reserve(ant.tour().size() + 1);
+    along_tour(ant.tour(), moves_, request_.start, [&](Cell c) { path.push_back(centre(c)); });
+    return path;
+  }
+
+  /// Q / L on the cells under straightened paths (Fan et al. 2004, step 3).
+  void lay_straight_trails() {
+    if (params_.straight_deposit == StraightDeposit::none) return;
+    Poller poller(request_.stop, Poller::kSteps);
+    for (int a = 0; a < params_.ants; ++a) {
+      if (!memory_.ants[a].arrived) continue;
+      if (params_.straight_deposit == StraightDeposit::improving && a != improving_ant_) continue;
+      const PolishedPath& path = memory_.polisher.paths()[a];
+      for (const Cell c : path.raster) {
+        if (poller.stop_after(1)) return;
+        memory_.field.deposit(c, 0, params_.deposit / path.length);
+      }
+    }
+  }
+
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  const Grid& grid_;
+  const Request& request_;
+  const Params& params_;
+  ColonyMemory& memory_;
+  const Observer& observer_;
+  int threads_;
+  kernels::Moves moves_;
+  double tau0_;
+  kernels::WalkShape shape_;
+  kernels::WalkFn kernel_ = nullptr;
+  kernels::WalkWorld world_;
+
+  int iteration_ = 0;
+  bool all_walked_ = false;
+  double best_tour_length_ = kInfinity;
+  double best_length_ = kInfinity;  // the best path so far, polished
+  std::vector<Point> best_path_;
+  int improving_ant_ = -1;  // who found it, if in this iteration
+};
+
+}  // namespace
+
+Result run_colony(const Grid& grid, const Request& request, const Params& params,
+                  ColonyMemory& memory, const Observer& observer) {
+  return GridColony(grid, request, params, memory, observer).run();
+}
+
+}  // namespace lasius

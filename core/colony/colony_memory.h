@@ -1,0 +1,26 @@
+// The scratch memory of a colony on a bitmap.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/colony/field.h"
+#include "core/colony/polish.h"
+#include "core/colony/update.h"
+#include "core/colony/walkers.h"
+
+namespace lasius {
+
+struct ColonyMemory {
+  Field field;
+  Walkers walkers;
+  std::vector<Ant> ants;
+  std::vector<Tour> tours;               // of the ants
+  std::vector<int> ranking;              // of the ants
+  std::vector<std::uint8_t> best_moves;  // of the best tour so far
+  Ant answer;                            // of a colony whose ants only teach it
+  std::vector<std::uint8_t> way;         // its moves, as they are found
+  Polisher polisher;
+};
+
+}  // namespace lasius

@@ -1,0 +1,49 @@
+// The part of a move's weight that the pheromone has no say in.
+#pragma once
+
+#include "core/base/zero_array.h"
+#include "kernels/base/moves.h"
+#include "kernels/base/raise.h"
+#include "lasius/geometry.h"
+#include "lasius/grid.h"
+#include "lasius/params.h"
+#include "lasius/stop.h"
+
+namespace lasius {
+
+/// Which moves exist from a cell, and how good each looks.
+class HeuristicRows {
+ public:
+  /// The least value of a move that exists, the largest of its row being 1.
+  static constexpr double kSmallest = 0x1p-60;
+
+  /// `grid` must outlive the object's use. Heuristic::distance_field works through the whole map,
+  /// and stops early (with the parts not yet reached at distance 0) when told to.
+  void reset(const Grid& grid, const kernels::Moves& moves, Cell goal, const Params& params,
+             const StopCondition& stop);
+
+  /// Writes one value a move: 0 where a move does not exist, else in [kSmallest, 1], scaled so that
+  /// the row's largest is 1. A blocked cell has no moves.
+  void fill(Cell c, double beta, float* row) const;
+
+  /// True when `fill` depends on beta.
+  bool depends_on_beta() const noexcept {
+    return params_.heuristic != Heuristic::uniform &&
+           params_.heuristic != Heuristic::rescaled_distance &&
+           params_.heuristic != Heuristic::learned;
+  }
+
+ private:
+  /// What is raised to beta, or to lambda with Heuristic::rescaled_distance.
+  double base(Cell c, Cell to, double farthest) const noexcept;
+  void measure_distances(const StopCondition& stop);
+
+  const Grid* grid_ = nullptr;
+  kernels::Moves moves_;
+  Cell goal_;
+  Params params_;
+  kernels::RaiseFn raise_ = nullptr;
+  ZeroArray<float> distances_;  // Heuristic::distance_field: of each cell, row-major; 0: not known
+};
+
+}  // namespace lasius

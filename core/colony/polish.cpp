@@ -1,0 +1,79 @@
+#include "core/colony/polish.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/base/parallel.h"
+#include "core/grid/move_rule.h"
+#include "lasius/path.h"
+
+namespace lasius {
+namespace {
+
+/// The cells of a tour, start first, and those that its moves cross.
+void swept_cells(std::span<const std::uint8_t> tour, const kernels::Moves& moves, Cell start,
+                 std::vector<Cell>& cells) {
+  cells.assign(1, start);
+  Cell c = start;
+  for (const int k : tour) {
+    const kernels::Move& move = moves[k];
+    for (int i = 0; i < move.swept_count; ++i) {
+      cells.push_back(c + move.swept[i]);
+    }
+    c = c + move.to;
+    cells.push_back(c);
+  }
+}
+
+}  // namespace
+
+void Polisher::reset(const Grid& grid, const Request& request, const kernels::Moves& moves,
+                     const Params& params, int threads) {
+  grid_ = &grid;
+  moves_ = &moves;
+  stop_ = &request.stop;
+  start_ = request.start;
+  polish_ = params.polish;
+  corners_ = params.corners;
+  threads_ = threads;
+  if (static_cast<int>(scratch_.size()) < threads) scratch_.resize(threads);
+  paths_.resize(params.ants);
+  for (PolishedPath& path : paths_) path.made = false;
+}
+
+void Polisher::polish(std::span<const Ant> ants, const std::function<void()>& meanwhile) {
+  const auto count = static_cast<int>(ants.size());
+  const int threads = polish_ == Polish::none ? 1 : std::clamp(count / 2, 1, threads_);
+  parallel_for(count + 1, threads, [&](int i, int thread) {
+    if (i == 0) {
+      if (meanwhile) meanwhile();
+    } else if (PolishedPath& path = paths_[i - 1]; !std::exchange(path.made, false)) {
+      make(ants[i - 1], scratch_[thread], path);
+    }
+  });
+}
+
+void Polisher::polish_ahead(std::span<const Ant> ants, int ant, int thread) {
+  PolishedPath& path = paths_[ant];
+  if (!std::exchange(path.made, true)) make(ants[ant], scratch_[thread], path);
+}
+
+void Polisher::make(const Ant& ant, Scratch& scratch, PolishedPath& path) const {
+  path.points.clear();
+  path.raster.clear();
+  path.length = std::numeric_limits<double>::quiet_NaN();
+  if (polish_ == Polish::none || !ant.arrived) return;
+  if (stop_->poll() != StopCondition::Cause::none) return;
+
+  swept_cells(ant.tour(), *moves_, start_, scratch.tour);
+  // Cells that the ant left again may shorten its way, too.
+  const auto way =
+      scratch.maker.cut(*grid_, scratch.tour, moves_->count > 4, corners_, *stop_, ant.dead_ends());
+  scratch.maker.polish(*grid_, way, polish_, corners_, *stop_, path.points);
+  const auto cells = scratch.maker.raster();
+  path.raster.assign(cells.begin(), cells.end());
+  path.length = path_length(path.points);
+}
+
+}  // namespace lasius

@@ -1,0 +1,64 @@
+// From ants' tours to paths: straightened, taut, or as they are.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/colony/walkers.h"
+#include "core/smooth/path_maker.h"
+#include "kernels/walk/walk.h"
+#include "lasius/geometry.h"
+#include "lasius/grid.h"
+#include "lasius/params.h"
+#include "lasius/request.h"
+#include "lasius/stop.h"
+
+namespace lasius {
+
+/// One ant's path after polishing. A cache line of its own: threads polish neighbours.
+struct alignas(64) PolishedPath {
+  double length = 0;          // NaN where there is none: never less than any other
+  std::vector<Point> points;  // the polyline
+  std::vector<Cell> raster;   // the cells under it
+  bool made = false;          // ahead of the others
+};
+
+/// Polishes the tours of one iteration, over threads.
+class Polisher {
+ public:
+  /// Gets ready for a run. Grid, request and moves must outlive it.
+  void reset(const Grid& grid, const Request& request, const kernels::Moves& moves,
+             const Params& params, int threads);
+
+  /// Makes the path of every ant that arrived, unless tours are not to be polished. When stopped,
+  /// those under way get rougher but valid paths, the others none. One of the threads does what is
+  /// to be done `meanwhile`, if anything.
+  void polish(std::span<const Ant> ants, const std::function<void()>& meanwhile);
+
+  /// Makes the path of one ant ahead of the call that makes the others, on thread `thread`; one
+  /// that is made stays as it is.
+  void polish_ahead(std::span<const Ant> ants, int ant, int thread);
+
+  /// By ant.
+  std::span<const PolishedPath> paths() const noexcept { return paths_; }
+
+ private:
+  struct alignas(64) Scratch {  // of one thread
+    std::vector<Cell> tour;
+    PathMaker maker;
+  };
+  void make(const Ant& ant, Scratch& scratch, PolishedPath& path) const;
+
+  const Grid* grid_ = nullptr;
+  const kernels::Moves* moves_ = nullptr;
+  const StopCondition* stop_ = nullptr;
+  Cell start_;
+  Polish polish_ = Polish::none;
+  Corners corners_ = Corners::forbid;
+  int threads_ = 1;
+  std::vector<Scratch> scratch_;
+  std::vector<PolishedPath> paths_;
+};
+
+}  // namespace lasius

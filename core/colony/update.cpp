@@ -1,0 +1,189 @@
+#include "core/colony/update.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/grid/move_rule.h"
+#include "core/loop/trail_rules.h"
+
+namespace lasius {
+namespace {
+
+using trail_rules::arrived;
+
+/// What carries pheromone on a grid: with arcs a move out of a cell, with cells the cell itself.
+struct Place {
+  Cell cell;
+  int move = 0;
+};
+
+/// A field as the rules of a trail see it.
+struct FieldTrail {
+  Field& field;
+
+  void evaporate(double persistence) { field.evaporate(persistence); }
+  void bound(double least, double most) { field.bound(least, most); }
+  void deposit(Place p, double amount) { field.deposit(p.cell, p.move, amount); }
+  double tau(Place p) const { return field.tau(p.cell, p.move); }
+  void set_tau(Place p, double value) { field.set_tau(p.cell, p.move, value); }
+};
+
+/// Tours of a grid as the rules of a trail see them.
+struct GridTours : Tours {
+  Trail trail;
+  Poller& poller;
+
+  /// With arcs, visits the cells that moves leave, with cells all of them; fewer when stopped.
+  template <class Visit>
+  void along(const Tour& tour, const Visit& visit) const {
+    Cell c = start;
+    for (const int k : tour.moves) {
+      if (poller.stop_after(1)) return;
+      visit(Place{c, trail == Trail::arcs ? k : 0});
+      c = c + moves[k].to;
+    }
+    if (trail == Trail::cells) visit(Place{c});
+  }
+  int choices() const { return moves.count; }
+  std::size_t moves_of(const Tour& tour) const { return tour.moves.size(); }
+};
+
+/// Terminal index (Li, Wang & Ma, section 2.2): backwards along every successful path
+/// K(c) <- min(K(c), K(next) + step), the smaller value carried on.
+void terminal_index(Field& field, const GridTours& tours) {
+  double longest = 0;
+  for (const Tour& tour : tours.ants) {
+    if (arrived(tour)) longest = std::max(longest, tour.length);
+  }
+  if (longest >= field.untouched()) field.raise_untouched(2 * longest);  // unknown stays worse
+  for (const Tour& tour : tours.ants) {
+    if (!arrived(tour)) continue;
+    Cell c = tours.start;
+    for (const int k : tour.moves) {
+      if (tours.poller.stop_after(1)) return;
+      c = c + tours.moves[k].to;
+    }
+    field.set_tau(c, 0, 0);
+    double least = field.tau(c, 0);
+    for (std::size_t i = tour.moves.size(); i-- > 0;) {
+      if (tours.poller.stop_after(1)) return;
+      const kernels::Move& move = tours.moves[tour.moves[i]];
+      const double through = least + move.length;
+      c = {c.x - move.to.dx, c.y - move.to.dy};
+      least = field.tau(c, 0);
+      if (through >= least) continue;
+      field.set_tau(c, 0, through);
+      least = field.tau(c, 0);  // as it is stored
+    }
+  }
+}
+
+/// Cong & Ponnambalam 2009: after every ant all pheromone evaporates; success multiplies tau on the
+/// tour (eq. 3) and adds rows / L to eta (eq. 4), a dead end damps both on its second half.
+void learning(Field& field, const Params& params, const GridTours& tours) {
+  for (const Tour& tour : tours.ants) {
+    field.evaporate(params.persistence);
+    std::size_t i = 0;
+    const double share = arrived(tour) ? tours.rows / tour.length : 0;
+    tours.along(tour, [&](Place place) {
+      const Cell c = place.cell;
+      const double tau = field.tau(c, 0), eta = field.eta(c);
+      if (arrived(tour)) {
+        field.set_tau(c, 0,
+                      params.reward_reading == Reward::factor ? tau * (1 + params.reward * share)
+                                                              : tau * params.reward * share + 1);
+        field.set_eta(c, eta + share);
+      } else if (2 * i++ >= tour.moves.size()) {
+        field.set_tau(c, 0, tau * params.penalty);
+        field.set_eta(c, eta * params.penalty);
+      }
+    });
+  }
+}
+
+}  // namespace
+
+void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell goal,
+                    const StopCondition& stop, std::vector<std::uint8_t>& way) {
+  way.clear();
+  const double unknown = field.untouched();
+  if (field.tau(start, 0) >= unknown) return;
+  // K falls at each move, by at least the step: the way ends at the goal. Not so beyond 2^24, where
+  // a step is lost in rounding: no way then.
+  double before = std::numeric_limits<double>::infinity();
+  Poller poller(stop, Poller::kSteps);
+  for (Cell c = start; c != goal;) {
+    if (poller.stop_after(1)) return way.clear();
+    const double here = field.tau(c, 0);
+    if (!(here < before)) return way.clear();
+    before = here;
+    int best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < moves.count; ++k) {
+      if (!field.exists(c, k)) continue;
+      const double through = field.tau(c + moves[k].to, 0) + moves[k].length;
+      if (through >= least) continue;
+      least = through;
+      best = k;
+    }
+    way.push_back(static_cast<std::uint8_t>(best));
+    c = c + moves[best].to;
+  }
+}
+
+double initial_pheromone(const Params& params, double straight_distance) noexcept {
+  if (params.initial_pheromone > 0) return params.initial_pheromone;
+  // Dorigo & Stuetzle 2004, box 3.1.
+  const double lost = std::max(1 - params.persistence, 1e-9);
+  const double q = params.deposit > 0 ? params.deposit : 1;
+  const double c = straight_distance;
+  switch (params.update) {
+    case Update::elitist:
+      return q * (params.elite_weight + params.ants) / (lost * c);
+    case Update::rank:
+      return q * 0.5 * params.ranks * (params.ranks - 1) / (lost * c);
+    case Update::max_min:
+      return q / (lost * c);
+    case Update::colony_system:
+      return q / (c * c);  // a tour of c moves
+    default:
+      return q * params.ants / c;
+  }
+}
+
+void update_locally(Field& field, const Params& params, double tau0, const Tours& batch,
+                    const StopCondition& stop) {
+  if (params.update != Update::colony_system || params.local_evaporation == 0) return;
+  FieldTrail trail{field};
+  Poller poller(stop, Poller::kSteps);
+  const GridTours tours{batch, params.trail, poller};
+  for (const Tour& tour : tours.ants) {
+    tours.along(tour, [&](Place place) { trail_rules::pass(trail, params, tau0, place); });
+  }
+}
+
+void update_trail(Field& field, const Params& params, const Tours& all, const StopCondition& stop) {
+  FieldTrail trail{field};
+  Poller poller(stop, Poller::kSteps);
+  const GridTours tours{all, params.trail, poller};
+  switch (params.update) {
+    case Update::ant_system:
+      return trail_rules::ant_system(trail, params, tours);
+    case Update::elitist:
+      return trail_rules::elitist(trail, params, tours, tours.best_so_far);
+    case Update::rank:
+      return trail_rules::rank(trail, params, tours);
+    case Update::max_min:
+      return trail_rules::max_min(trail, params, tours);
+    case Update::colony_system:
+      return trail_rules::colony_system(trail, params, tours, tours.best_so_far);
+    case Update::best_share:
+      return trail_rules::best_share(trail, params, tours);
+    case Update::terminal_index:
+      return terminal_index(field, tours);
+    case Update::learning:
+      return learning(field, params, tours);
+  }
+}
+
+}  // namespace lasius

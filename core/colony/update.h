@@ -1,0 +1,50 @@
+// How the trail of a grid changes after ants have walked.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/colony/field.h"
+#include "core/colony/walkers.h"
+#include "kernels/base/moves.h"
+#include "lasius/params.h"
+#include "lasius/stop.h"
+
+namespace lasius {
+
+/// The tour of one ant as the updates see it.
+struct Tour {
+  std::span<const std::uint8_t> moves;
+  double length = 0;  ///< NaN unless it reached the goal
+};
+
+/// What an iteration left behind.
+struct Tours {
+  Cell start;
+  const kernels::Moves& moves;
+  std::span<const Tour> ants;  ///< in the order of the ants
+  Tour best_so_far;            ///< no moves before an ant has arrived
+  int iteration = 0;
+  int rows = 0;               ///< height of the map
+  std::vector<int>& ranking;  ///< scratch: ants by length of their tours
+};
+
+/// tau0: `initial_pheromone`, or where that is 0 the formula of the update's source with the
+/// straight distance from start to goal in place of a first tour's length.
+double initial_pheromone(const Params& params, double straight_distance) noexcept;
+
+/// After every batch of ants: the local update (ACS), if there is one. Cut short by `stop`.
+void update_locally(Field& field, const Params& params, double tau0, const Tours& batch,
+                    const StopCondition& stop);
+
+/// After every iteration. Cut short by `stop`.
+void update_trail(Field& field, const Params& params, const Tours& tours,
+                  const StopCondition& stop);
+
+/// The generation's answer of the terminal index: from the start always to the cell of least
+/// K + step, ties to the first move (Li, Wang & Ma, section 2.2). Empty while the start has none,
+/// or when stopped.
+void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell goal,
+                    const StopCondition& stop, std::vector<std::uint8_t>& way);
+
+}  // namespace lasius

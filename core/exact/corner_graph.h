@@ -1,0 +1,125 @@
+// The corners of a map, and which of them see each other along edges of taut paths.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/zero_array.h"
+#include "core/exact/corner_landmarks.h"
+#include "lasius/grid.h"
+#include "lasius/preparation.h"
+
+namespace lasius::exact {
+
+/// A path bends at a corner around its block, from one side of it to the other. A side is the
+/// closed quadrant beside the block where a path goes on along the block's vertical edge (column)
+/// or along its horizontal edge (line); the two are opposite quadrants.
+enum Side : std::uint32_t { kColumn = 0, kLine = 1 };
+
+/// A lattice point where exactly one of the four cells is blocked, and where its edges are in its
+/// chunk. Corners lie inside the map, so that their coordinates take 15 bits.
+class GraphCorner {
+ public:
+  GraphCorner() = default;
+  /// Signs of the direction from the corner to its blocked cell.
+  GraphCorner(int x, int y, int block_x, int block_y) noexcept
+      : x_(static_cast<std::uint16_t>(x | (block_x > 0 ? kBlock : 0))),
+        y_(static_cast<std::uint16_t>(y | (block_y > 0 ? kBlock : 0))) {}
+
+  int x() const noexcept { return x_ & (kBlock - 1); }
+  int y() const noexcept { return y_ & (kBlock - 1); }
+  int block_x() const noexcept { return (x_ & kBlock) != 0 ? 1 : -1; }
+  int block_y() const noexcept { return (y_ & kBlock) != 0 ? 1 : -1; }
+
+  /// The side on which a taut path leaves that came straight from (x, y), in half cells, through
+  /// the opposite one.
+  Side side_from(int x, int y) const noexcept {
+    return block_y() * (y - 2 * this->y()) > block_x() * (x - 2 * this->x()) ? kLine : kColumn;
+  }
+  /// The sign that the cross product of a path's directions before and behind the corner has when
+  /// it bends around the block into that side.
+  int bend(Side side) const noexcept { return side == kLine ? handed() : -handed(); }
+
+  std::uint32_t first = 0;   ///< edges of the column side
+  std::uint32_t middle = 0;  ///< edges of the line side
+  std::uint32_t last = 0;    ///< past the end
+
+ private:
+  static constexpr int kBlock = 1 << 15;
+  int handed() const noexcept { return block_x() * block_y(); }
+
+  std::uint16_t x_ = 0, y_ = 0;
+};
+static_assert(sizeof(GraphCorner) == 16);
+
+/// A corner in sight: its number and coordinates, and the side on which a path that comes along
+/// this edge leaves it.
+struct GraphEdge {
+  std::uint32_t to_and_side = 0;
+  std::uint16_t x = 0, y = 0;
+
+  std::uint32_t to() const noexcept { return to_and_side & ~kSideBit; }
+  Side side() const noexcept { return (to_and_side & kSideBit) != 0 ? kLine : kColumn; }
+  static constexpr std::uint32_t kSideBit = std::uint32_t{1} << 31;
+};
+static_assert(sizeof(GraphEdge) == 8);
+
+/// The tangent visibility graph of a map: an edge joins two corners that see each other where a
+/// taut path may come along at both ends. Immutable. Corners are numbered tile by tile, 8 x 8
+/// lattice points each.
+class CornerGraph {
+ public:
+  /// Scans from every corner, in parallel; the result does not depend on the threads. Null if it
+  /// would take more than the bytes allowed, or was stopped: `report` tells.
+  static std::shared_ptr<const CornerGraph> make(const Grid& grid, const PrepareOptions& options,
+                                                 Preparation& report);
+
+  std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(corners_.size()); }
+  const GraphCorner& corner(std::uint32_t i) const noexcept { return corners_[i]; }
+  /// The corner at a lattice point that is one.
+  std::uint32_t index(int x, int y) const noexcept {
+    const std::size_t tile = tile_of(x, y);
+    const std::uint64_t before = (std::uint64_t{1} << ((y & 7) << 3 | (x & 7))) - 1;
+    const std::uint64_t here = tiles_[static_cast<std::int64_t>(tile)];
+    return ranks_[tile] + static_cast<std::uint32_t>(std::popcount(here & before));
+  }
+  /// What a corner sees on one side, from the block's edge on.
+  std::span<const GraphEdge> edges(std::uint32_t i, Side side) const noexcept {
+    const GraphCorner& c = corners_[i];
+    const GraphEdge* all = chunks_[i >> kChunkBits].get();
+    return side == kColumn ? std::span(all + c.first, all + c.middle)
+                           : std::span(all + c.middle, all + c.last);
+  }
+  const Landmarks& landmarks() const noexcept { return landmarks_; }
+
+  /// How many times its straight distance the way from a landmark to a corner is at most, for nine
+  /// corners in ten; infinite without landmarks.
+  double detour() const noexcept { return detour_; }
+
+  std::int64_t edge_count() const noexcept { return edge_count_; }
+  std::int64_t bytes() const noexcept;
+
+ private:
+  static constexpr int kChunkBits = 8;
+  static constexpr std::uint32_t kChunk = std::uint32_t{1} << kChunkBits;  // corners
+  class Builder;
+
+  std::size_t tile_of(int x, int y) const noexcept {
+    return static_cast<std::size_t>(y >> 3) * tiles_across_ + static_cast<std::size_t>(x >> 3);
+  }
+
+  std::size_t tiles_across_ = 0;
+  ZeroArray<std::uint64_t> tiles_;    // a bit for each corner
+  std::vector<std::uint32_t> ranks_;  // corners before a tile
+  std::vector<GraphCorner> corners_;
+  std::vector<std::unique_ptr<GraphEdge[]>> chunks_;
+  std::int64_t edge_count_ = 0;
+  Landmarks landmarks_;
+  double detour_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace lasius::exact

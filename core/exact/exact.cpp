@@ -1,0 +1,228 @@
+#include "core/exact/exact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/grid/grid_view.h"
+#include "kernels/sight/sight.h"
+#include "lasius/path.h"
+
+namespace lasius {
+
+using exact::Corner;
+using exact::CornerTable;
+using exact::distance;
+using exact::kWordsPerExpansion;
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kBucketWidth = 0.03125;  // cells
+
+// How ants weigh the distance to the goal, but for the hurried ones; the number of expansions
+// before the first are sent, and their share of the expansions since.
+constexpr double kAntWeight = 1.2;
+constexpr std::int64_t kFirstAnts = 16;
+constexpr std::int64_t kAntShare = 8;
+// In between they rest, for these many expansions: most searches are over before.
+constexpr std::int64_t kAntsRest = 256;
+constexpr std::int64_t kAntsReturn = 4096;
+// The expansions by ants that are sent first, for each cell of the straight distance: hurried ones
+// where there is a target gap, and more of them on ways so long that the proof takes its time; and
+// others where those do not arrive (mazes, warehouses, dense noise, small gaps).
+constexpr double kVanguard = 1;
+constexpr double kLongVanguard = 4;
+constexpr double kFollowers = 2;
+constexpr double kLongWay = 2048;  // cells
+// A target gap above this asks for any path; what is computed with it stays finite.
+constexpr double kWidestGap = 1e6;
+// What the weight of hurried ants takes of the target gap; the width of buckets has the rest.
+constexpr double kShareOfGap = 0.95;
+constexpr double kTrailBuckets = 1024;  // from the least key to the greatest that is wanted
+
+// How far ahead of a corner's bound its cone is scanned at first: a share of the straight distance
+// from start to goal (a larger one where any path in reach will do), and of what the lower bound
+// has risen above that distance, which says how crowded the map is. And how often a cone is scanned
+// before the horizon is dropped.
+constexpr double kHorizon = 1.0 / 1024;
+constexpr double kHurriedHorizon = 1.0 / 64;
+constexpr double kHorizonOfRise = 4;
+constexpr int kMostScans = 4;
+
+// Work between two looks at the stop condition, 20 to 100 microseconds.
+constexpr std::int64_t kWordsPerPoll = 8192;
+
+}  // namespace
+
+// Scans the cone of a corner. Where the view is long, only as far as paths not much longer than the
+// corner's own bound can lead; what lies behind stays in the frontier, as the corner itself with
+// that horizon as its key. Each further scan looks four times as far ahead.
+void ExactSearch::expand(std::uint32_t index) {
+  ++counters_.expansions;
+  Corner& corner = corners_[index];
+  corner.expanded = true;
+  const double bound = corner.length + corner.to_goal;
+  horizon_ = upper_;
+  if (corner.scans < kMostScans) {
+    const double share = hurry_ ? kHurriedHorizon : kHorizon;
+    const double ahead =
+        (share * straight_ + kHorizonOfRise * (lower_ - straight_)) * (1 << 2 * corner.scans);
+    horizon_ = std::min(upper_, bound + ahead);
+  }
+  const double horizon = horizon_;
+  const bool cut_off = leave(index);
+  if (!cut_off || horizon >= upper_) return;
+  Corner& again = corners_[index];
+  again.expanded = false;
+  again.walked = false;
+  ++again.scans;
+  frontier_.push(index, horizon);
+  if (ants_out_) ant_frontier_.push(index, horizon + (ant_weight_ - 1) * again.to_goal);
+}
+
+// Takes the best corner of the frontier; false when none can lead to a shorter path, or stopped.
+bool ExactSearch::next_corner(std::uint32_t& index) {
+  while (frontier_.advance()) {
+    lower_ = std::max(lower_, frontier_.floor());
+    if (lower_ >= upper_) return false;
+    index = frontier_.pop();
+    const Corner& corner = corners_[index];
+    if (!corner.expanded && corner.length + corner.to_goal < upper_) return true;
+    if (poller_->stop_after(1 + frontier_.take_dealt())) return false;
+  }
+  lower_ = upper_;
+  return false;
+}
+
+// Ants follow their own frontier, which weighs the distance to the goal more: each goes from the
+// best corner that no ant has been to. They explore for all: what they find enters both frontiers.
+void ExactSearch::send_ants(std::int64_t steps, Poller& poller) {
+  for (; steps > 0 && upper_ == kInfinity && !poller.stopped() && ant_frontier_.advance();
+       --steps) {
+    const std::uint32_t index = ant_frontier_.pop();
+    Corner& corner = corners_[index];
+    if (corner.walked || corner.expanded) continue;
+    corner.walked = true;
+    expand(index);
+    poller.stop_after(kWordsPerExpansion + ant_frontier_.take_dealt());
+  }
+  ants_out_ = upper_ == kInfinity;
+  // A scan that was stopped may have left out what would come first.
+  if (!hurry_ || poller.stopped()) return;
+  const double least = ant_frontier_.advance() ? ant_frontier_.floor() / ant_weight_ : kInfinity;
+  lower_ = std::max(lower_, std::min(least, upper_));
+}
+
+// Hurried ants have not arrived: from here on the lower bound is the frontier's.
+void ExactSearch::calm_down() {
+  hurry_ = false;
+  ant_weight_ = kAntWeight;
+  ant_frontier_.reset(lower_, kBucketWidth);
+  for (std::uint32_t i = 0; i < corners_.size() && !poller_->stop_after(1); ++i) {
+    const Corner& corner = corners_[i];
+    if (!corner.expanded) ant_frontier_.push(i, corner.length + ant_weight_ * corner.to_goal);
+  }
+}
+
+void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
+  Poller poller(stop, kWordsPerPoll);
+  poller_ = &poller;
+  frontier_.reset(lower_, kBucketWidth);
+  const double gap = std::min(options.target_gap, kWidestGap);
+  hurry_ = gap > 0;
+  ants_out_ = true;
+  ant_weight_ = hurry_ ? 1 + kShareOfGap * gap : kAntWeight;
+  ant_frontier_.reset(lower_, std::max(kBucketWidth, lower_ * gap / kTrailBuckets));
+  expand(CornerTable::kStart);
+  const auto first = [&](double a_cell) { send_ants(std::llround(a_cell * straight_), poller); };
+  const bool long_way = straight_ > kLongWay;
+  if (hurry_ || long_way) first(long_way ? kLongVanguard : kVanguard);
+  if (hurry_ && ants_out_) {
+    calm_down();
+    first(kFollowers);
+  }
+  std::int64_t next_ants = kFirstAnts;
+  std::uint32_t index = 0;
+  while (!poller.stopped() && next_corner(index)) {
+    if (upper_ - lower_ <= gap * lower_) break;
+    expand(index);
+    poller.stop_after(kWordsPerExpansion);
+    if (!ants_out_ || counters_.expansions < next_ants) continue;
+    send_ants(counters_.expansions / kAntShare, poller);
+    next_ants = counters_.expansions * 2;
+    if (next_ants > kAntsRest) next_ants = std::max(next_ants, kAntsReturn);
+  }
+  cause_ = poller.cause();
+}
+
+void ExactSearch::begin(const Grid& grid, Cell start, Cell goal) {
+  map_ = view_of(grid);
+  goal_x_ = 2 * goal.x + 1;
+  goal_y_ = 2 * goal.y + 1;
+  counters_ = {};
+  cause_ = StopCondition::Cause::none;
+  const int x = 2 * start.x + 1;
+  const int y = 2 * start.y + 1;
+  lower_ = distance(x, y, goal_x_, goal_y_);
+  upper_ = kInfinity;
+  straight_ = lower_;
+  last_ = CornerTable::kStart;
+  touched_ = nullptr;
+  corners_.reset(grid.width(), {x, y, 0, lower_, CornerTable::kStart, {}, false, true, 0});
+}
+
+bool ExactSearch::goal_in_sight() const noexcept {
+  const Corner& start = corners_[CornerTable::kStart];
+  return kernels::sees(map_, {start.x, start.y}, {goal_x_, goal_y_});
+}
+
+void ExactSearch::search(const Grid& grid, Cell start, Cell goal, const ExactOptions& options,
+                         const StopCondition& stop, ExactAnswer& answer) {
+  begin(grid, start, goal);
+  if (goal_in_sight()) {
+    upper_ = lower_;
+  } else {
+    run(options, stop);
+  }
+  answer.path.clear();
+  if (upper_ < kInfinity) trace(answer.path);
+  exact::conclude(lower_, upper_, cause_, options.target_gap, answer);
+}
+
+void ExactSearch::shortcut(const Grid& grid, Cell start, Cell goal, double length,
+                           const CellSet& cells, std::int64_t work, const StopCondition& stop,
+                           std::vector<Point>& path) {
+  begin(grid, start, goal);
+  path.clear();
+  if (lower_ >= length) return;
+  if (goal_in_sight()) return trace(path);
+  upper_ = length;
+  touched_ = &cells;
+  hurry_ = ants_out_ = false;
+  Poller poller(stop, kWordsPerPoll);
+  poller_ = &poller;
+  frontier_.reset(lower_, kBucketWidth);
+  std::uint32_t index = CornerTable::kStart;
+  do {
+    expand(index);
+    work -= kWordsPerExpansion;
+  } while (!poller.stop_after(kWordsPerExpansion) && counters_.words < work && next_corner(index));
+  if (upper_ < length) trace(path);
+}
+
+void ExactSearch::trace(std::vector<Point>& path) const {
+  exact::BackwardPath back({goal_x_, goal_y_}, path);
+  for (std::uint32_t i = last_; i != CornerTable::kStart; i = corners_[i].parent) {
+    const Corner& parent = corners_[corners_[i].parent];
+    back.corner({corners_[i].x, corners_[i].y}, {parent.x, parent.y});
+  }
+  const Corner& start = corners_[CornerTable::kStart];
+  back.start({start.x, start.y});
+}
+
+std::int64_t ExactSearch::bytes() const noexcept {
+  return corners_.bytes() + frontier_.bytes() + ant_frontier_.bytes() +
+         static_cast<std::int64_t>(stack_.capacity() * sizeof(kernels::Interval));
+}
+
+}  // namespace lasius

@@ -1,0 +1,131 @@
+// Exact Euclidean shortest paths on a bitmap, anytime, with a certificate.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/bucket_queue.h"
+#include "core/exact/exact_answer.h"
+#include "core/exact/exact_corner_table.h"
+#include "core/grid/cell_set.h"
+#include "kernels/sight/scan_cone.h"
+#include "lasius/grid.h"
+#include "lasius/stop.h"
+
+namespace lasius {
+
+namespace exact {
+/// What an expansion counts for, besides the words that it scans.
+constexpr std::int64_t kWordsPerExpansion = 16;
+
+/// What a search did, for benchmarks and tests.
+struct Counters {
+  std::int64_t expansions = 0;
+  std::int64_t words = 0;  ///< rows of intervals, and windows of wide ones
+};
+}  // namespace exact
+
+/// A* over taut corners. Keeps its memory from search to search: a second one of the same size does
+/// not allocate. Nothing in it grows with the map. One thread at a time.
+///
+/// A shortest path bends only at corners of blocked cells, and only around them. Each corner is
+/// reached with the best known length g; its cone, the directions in which a path can go on and
+/// still be taut, is scanned for the corners seen in it (kernels/scan_cone.h). The frontier holds
+/// corners by g + h, h the straight distance to the goal. No path is shorter than its least key
+/// (lower bound), and ants give a path (upper bound); where the two meet, it is proven shortest.
+///
+/// Ants expand corners, too, but in the order of g + W h, best first. They leave from a frontier of
+/// their own, of the corners that were not expanded yet, some now and then until one of them sees
+/// the goal; all corners that they see enter both queues. Nothing about them is random, and they
+/// lay no pheromone: they are weighted A* (Pohl 1970) beside A*, as in anytime weighted A* (Hansen
+/// & Zhou 2007). With a target gap the first ants hurry: their W is almost 1 plus that gap,
+/// and they take up again what is reached by a shorter way. Then their least key is at most W times
+/// the optimum: of a shortest path, the first corner w that was not expanded at its least length
+/// waits with g + W h <= W (g + h) <= W optimum. (Behind a horizon H <= optimum it waits as its
+/// parent v, with key H + (W - 1) h(v).) So that key divided by W is a lower bound, and the first
+/// path is within the gap. Where they do not arrive soon, others follow, of the usual W.
+///
+/// Why no shortest path is missed. Let v, w follow each other on one, v reached at its least
+/// length. The scan of v's cone leaves w out only where
+///   * w is outside the taut cone: then the path could be pulled shorter at v;
+///   * a known way to w, or to a point between v and w, is shorter than the one over v (rivals);
+///   * every path over v and w is at least as long as the best one known (the ellipse of limits());
+///   * w is behind the horizon: then v stays in the queues, with a key that no path over v and
+///     what lies behind the horizon is shorter than.
+/// The first two cannot be on a shortest path; the third cannot improve the answer; the fourth is
+/// only put off. Ties do no harm: two shortest ways to v see the same w, else one of them could be
+/// pulled shorter than the optimum. Lengths are compared as computed, so the answer is the optimum
+/// up to exact::kRounding.
+class ExactSearch {
+ public:
+  /// Plans from the centre of one free cell to that of another, both inside `grid`.
+  /// Deterministic, except for when it is stopped.
+  void search(const Grid& grid, Cell start, Cell goal, const ExactOptions& options,
+              const StopCondition& stop, ExactAnswer& answer);
+
+  /// A taut path between the centres of two free cells that is shorter than `length`, which is
+  /// finite, and bends only at corners that one of `cells` touches; empty where none was found. A
+  /// shortest path of all is found if all corners that it meets are touched. Most others are, too;
+  /// but what leaves no shortest path out, see above, may leave out one of them. Ends early, with
+  /// the shortest one found so far or none, after about so much `work` (words scanned, and
+  /// exact::kWordsPerExpansion for each corner) and when stopped. Deterministic but for that.
+  void shortcut(const Grid& grid, Cell start, Cell goal, double length, const CellSet& cells,
+                std::int64_t work, const StopCondition& stop, std::vector<Point>& path);
+
+  const exact::Counters& counters() const noexcept { return counters_; }
+  std::int64_t bytes() const noexcept;
+
+ private:
+  template <int S>
+  struct Visitor;
+  // A place in half cells, and the length of the path to it.
+  struct Root {
+    std::uint32_t index;
+    int x, y;
+    double length;
+  };
+
+  void begin(const Grid& grid, Cell start, Cell goal);
+  bool goal_in_sight() const noexcept;
+  void send_ants(std::int64_t steps, Poller& poller);
+  void calm_down();
+  void run(const ExactOptions& options, const StopCondition& stop);
+  bool next_corner(std::uint32_t& index);
+  void expand(std::uint32_t index);
+  /// Scans the cone of a corner up to the horizon; returns whether rays were cut off there.
+  bool leave(std::uint32_t index);
+  bool leave_start();
+  template <int S>
+  bool leave_start(int down);
+  template <int S>
+  bool leave_corner(std::uint32_t index);
+  template <int S>
+  bool goal_in_cone(const exact::Corner& corner, const exact::Corner& parent) const noexcept;
+  template <int S>
+  kernels::ConeLimits limits(int down, int line0) const noexcept;
+  double reach(std::uint32_t parent, int x, int y, exact::Heading heading);
+  void trace(std::vector<Point>& path) const;
+
+  kernels::BitmapView map_{};
+  int goal_x_ = 0, goal_y_ = 0;  // half cells
+  Root root_{};                  // of the cone in hand
+  double horizon_ = 0;           // paths over the root that are longer do not matter yet
+  double upper_ = 0;             // length of the best path
+  std::uint32_t last_ = 0;       // its last corner
+  double lower_ = 0;
+  double straight_ = 0;               // distance from start to goal
+  const CellSet* touched_ = nullptr;  // where paths may bend; null: everywhere
+  Poller* poller_ = nullptr;
+  StopCondition::Cause cause_ = StopCondition::Cause::none;
+
+  exact::CornerTable corners_;
+  BucketQueue frontier_;
+  BucketQueue ant_frontier_;
+  bool ants_out_ = false;
+  bool hurry_ = false;
+  double ant_weight_ = 1;
+  std::vector<kernels::Interval> stack_;
+  exact::Counters counters_;
+};
+
+}  // namespace lasius

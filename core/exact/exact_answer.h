@@ -1,0 +1,91 @@
+// What an exact search is asked and answers, and how it words its answer.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "kernels/sight/sight.h"
+#include "lasius/geometry.h"
+#include "lasius/stop.h"
+
+namespace lasius {
+
+struct ExactOptions {
+  /// Stop once (length - lower_bound) / lower_bound is at most this, which is not negative.
+  double target_gap = 0;
+};
+
+/// How a search ended.
+enum class ExactEnd {
+  proven,       ///< the path is a shortest one
+  target_gap,   ///< the path is within the target gap
+  unreachable,  ///< there is no path
+  stopped,      ///< by the stop condition; a path or none
+};
+
+struct ExactAnswer {
+  ExactEnd end = ExactEnd::unreachable;
+  StopCondition::Cause cause = StopCondition::Cause::none;
+  std::vector<Point> path;  ///< start to goal; empty without one
+  double length = std::numeric_limits<double>::quiet_NaN();
+  /// No path is shorter; infinite where none exists. The length itself when that is proven to be
+  /// the optimum, up to exact::kRounding of it; else less by exact::rounding.
+  double lower_bound = 0;
+  bool optimal = false;
+};
+
+namespace exact {
+
+/// Lengths are sums of square roots, one for each bend and one more, every operation rounded to
+/// 2^-53. Bends are at least a cell apart, so a length below 2^22 cells is off by less than this
+/// fraction of itself.
+constexpr double kRounding = 1e-9;
+
+/// The same for any length, and for the longest that there can be, of 2^30 cells.
+constexpr double rounding(double length) noexcept { return std::max(kRounding, length * 0x1p-52); }
+constexpr double kWorstRounding = 0x1p-22;
+
+/// In cells, between places in half cells: exact but for the square root.
+inline double distance(int x0, int y0, int x1, int y1) noexcept {
+  const double dx = x1 - x0;
+  const double dy = y1 - y0;
+  return 0.5 * std::sqrt(dx * dx + dy * dy);
+}
+
+/// A path made from its goal back to its start, in half cells. Corners that it passes straight by
+/// are left out.
+class BackwardPath {
+ public:
+  BackwardPath(kernels::HalfPoint goal, std::vector<Point>& path) : path_(path), last_(goal) {
+    path_.assign(1, point(goal));
+  }
+  /// The next corner, and where the path comes from.
+  void corner(kernels::HalfPoint at, kernels::HalfPoint parent) {
+    const std::int64_t bend = static_cast<std::int64_t>(last_.x - at.x) * (at.y - parent.y) -
+                              static_cast<std::int64_t>(last_.y - at.y) * (at.x - parent.x);
+    if (bend == 0) return;
+    path_.push_back(point(at));
+    last_ = at;
+  }
+  void start(kernels::HalfPoint at) {
+    path_.push_back(point(at));
+    std::reverse(path_.begin(), path_.end());
+  }
+
+ private:
+  static Point point(kernels::HalfPoint at) noexcept { return {0.5 * at.x, 0.5 * at.y}; }
+
+  std::vector<Point>& path_;
+  kernels::HalfPoint last_;
+};
+
+/// Says what a search came to that ended with these bounds; `answer` holds the path if `upper` is
+/// finite.
+void conclude(double lower, double upper, StopCondition::Cause cause, double target_gap,
+              ExactAnswer& answer);
+
+}  // namespace exact
+}  // namespace lasius

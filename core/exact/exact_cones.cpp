@@ -1,0 +1,177 @@
+// What an expansion sees: the cone of the root in hand, and what is done with the corners in it.
+#include <algorithm>
+#include <cmath>
+
+#include "core/exact/ellipse_limits.h"
+#include "core/exact/exact.h"
+#include "kernels/sight/scan_line.h"
+#include "kernels/sight/sight.h"
+
+namespace lasius {
+
+using exact::Corner;
+using exact::CornerTable;
+using exact::distance;
+using exact::Heading;
+using kernels::ConeFrame;
+using kernels::ConeLimits;
+using kernels::ConeScan;
+using kernels::Fixed;
+using kernels::frame_at;
+using kernels::Turn;
+
+// What a scan finds, put into the corners and the frontier. Columns u = S * x.
+template <int S>
+struct ExactSearch::Visitor {
+  ExactSearch& search;
+  int down;
+  int line0;
+  kernels::ConeLimits far = {};
+  bool far_known = false;
+
+  const kernels::ConeLimits& limits() {
+    if (!far_known) far = search.limits<S>(down, line0);
+    far_known = true;
+    return far;
+  }
+
+  double corner(int u, int line, Turn turn) {
+    const bool back = turn == Turn::back;
+    const Heading heading(back ? -S : S, down, turn == Turn::onward);
+    return search.reach(search.root_.index, S * u, line0 + down * line, heading);
+  }
+
+  bool beaten(const kernels::Rival& rival, Fixed u, int line) const noexcept {
+    const double x = S * static_cast<double>(u) / static_cast<double>(kernels::kOne);
+    const double y = line0 + down * line;
+    const double from_root_x = x - 0.5 * search.root_.x;
+    const double from_root_y = y - 0.5 * search.root_.y;
+    const double from_rival_x = x - S * rival.u;
+    const double from_rival_y = y - (line0 + down * rival.line);
+    // With room for the rounding of any length, so that no way ever beats itself.
+    return rival.length * (1 + exact::kWorstRounding) +
+               std::sqrt(from_rival_x * from_rival_x + from_rival_y * from_rival_y) <
+           search.root_.length + std::sqrt(from_root_x * from_root_x + from_root_y * from_root_y);
+  }
+
+  bool go_on(std::int64_t words) noexcept {
+    search.counters_.words += words;
+    return !search.poller_->stop_after(words);
+  }
+};
+
+// A corner of a blocked cell at lattice point (x, y), seen from the root in hand. Returns the
+// length of a shorter way there, or a negative number.
+double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
+  const double length = root_.length + distance(root_.x, root_.y, 2 * x, 2 * y);
+  const std::size_t slot = corners_.slot(x, y);
+  std::uint32_t index = corners_.at(slot);
+  double to_goal = 0;
+  if (index != CornerTable::kStart) {
+    const Corner& known = corners_[index];
+    if (length >= known.length) return known.length;
+    to_goal = known.to_goal;
+  } else {
+    if (touched_ != nullptr && !touched_->touches(x, y)) return -1;
+    to_goal = distance(2 * x, 2 * y, goal_x_, goal_y_);
+    if (length + to_goal >= upper_) return -1;
+    index = corners_.add(slot, x, y);
+  }
+  Corner& corner = corners_[index];
+  corner.length = length;
+  corner.to_goal = to_goal;
+  corner.parent = parent;
+  corner.heading = heading;
+  corner.expanded = false;
+  corner.scans = 0;
+  if (length + to_goal < upper_) {
+    frontier_.push(index, length + to_goal);
+    if (hurry_) corner.walked = false;
+    if (ants_out_ && !corner.walked) ant_frontier_.push(index, length + ant_weight_ * to_goal);
+  }
+  return -1;
+}
+
+// Where a path over the root in hand can be shorter than the horizon.
+template <int S>
+ConeLimits ExactSearch::limits(int down, int line0) const noexcept {
+  const exact::Ellipse ellipse{{root_.x, root_.y}, {goal_x_, goal_y_}, horizon_ - root_.length};
+  return exact::limits_around<S>(map_, ellipse, down, line0);
+}
+
+// Is the goal where a taut path over this corner may go straight to it?
+template <int S>
+bool ExactSearch::goal_in_cone(const Corner& corner, const Corner& parent) const noexcept {
+  const Heading heading = corner.heading;
+  const std::int64_t right = S;
+  const std::int64_t down = heading.down();
+  const std::int64_t goal_u = right * (goal_x_ - corner.x);
+  const std::int64_t goal_depth = down * (goal_y_ - corner.y);
+  const std::int64_t u = right * (corner.x - parent.x);
+  const std::int64_t depth = down * (corner.y - parent.y);
+  if (goal_u < 0 || goal_depth <= 0) return false;
+  const std::int64_t side = goal_u * depth - u * goal_depth;
+  return heading.towards_column() ? side <= 0 : side >= 0;
+}
+
+// Returns whether rays were cut off at the horizon.
+template <int S>
+bool ExactSearch::leave_corner(std::uint32_t index) {
+  const Corner& corner = corners_[index];
+  const Corner& parent = corners_[corner.parent];
+  const Heading heading = corner.heading;
+  if (goal_in_cone<S>(corner, parent) &&
+      kernels::sees(map_, {corner.x, corner.y}, {goal_x_, goal_y_})) {
+    upper_ = corner.length + corner.to_goal;
+    last_ = index;
+    return false;  // every other way on from here is longer
+  }
+  const int u = S * (corner.x - parent.x);
+  const int depth = heading.down() * (corner.y - parent.y);
+  const Fixed slope =
+      depth == 0
+          ? kernels::kLevelSlope
+          : static_cast<Fixed>(static_cast<double>(u) * static_cast<double>(kernels::kOne) / depth);
+  root_ = {index, corner.x, corner.y, corner.length};  // corners may move from here on
+  const ConeFrame cone = frame_at<S>(map_, root_.x, root_.y, heading.down());
+  Visitor<S> visitor{*this, heading.down(), cone.line0};
+  if (heading.towards_column()) {
+    return ConeScan<S, Visitor<S>>(cone, stack_, visitor).from_corner(0, slope);
+  }
+  kernels::Rival level{-1, 0, 0};
+  const auto report = [&](int column, bool above) {
+    const double shorter = reach(index, S * column, cone.line0, Heading(S, above ? -1 : 1, true));
+    if (shorter >= 0 && level.length < 0) level = {shorter, column, 0};
+  };
+  const auto last_column = [&] { return visitor.limits().last_column; };
+  const bool cut_line =
+      kernels::scan_line<S>(map_, cone.line0, S * (root_.x >> 1), last_column, report);
+  const bool cut_cone = ConeScan<S, Visitor<S>>(cone, stack_, visitor)
+                            .from_corner(slope, kernels::kLevelSlope, level);
+  return cut_line || cut_cone;
+}
+
+template <int S>
+bool ExactSearch::leave_start(int down) {
+  const ConeFrame cone = frame_at<S>(map_, root_.x, root_.y, down);
+  Visitor<S> visitor{*this, down, cone.line0};
+  return ConeScan<S, Visitor<S>>(cone, stack_, visitor).from_centre(S > 0 ? map_.width : 0);
+}
+
+bool ExactSearch::leave_start() {
+  const Corner& start = corners_[CornerTable::kStart];
+  root_ = {CornerTable::kStart, start.x, start.y, 0};
+  bool cut_off = false;
+  for (const int down : {1, -1}) {
+    cut_off |= leave_start<1>(down);
+    cut_off |= leave_start<-1>(down);
+  }
+  return cut_off;
+}
+
+bool ExactSearch::leave(std::uint32_t index) {
+  if (index == CornerTable::kStart) return leave_start();
+  return corners_[index].heading.right() > 0 ? leave_corner<1>(index) : leave_corner<-1>(index);
+}
+
+}  // namespace lasius

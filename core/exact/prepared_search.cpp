@@ -1,0 +1,327 @@
+#include "core/exact/prepared_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/exact/corner_view.h"
+#include "core/grid/grid_view.h"
+#include "kernels/sight/sight.h"
+
+namespace lasius::exact {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kBucketWidth = 0.03125;  // cells
+
+// Work between two looks at the stop condition, and of an expansion beside its edges, in words as
+// scans count them.
+constexpr std::int64_t kWordsPerPoll = 8192;
+constexpr std::int64_t kWordsPerExpansion = 4;
+
+// Expansions before a search takes a look from the goal: many short ones end earlier.
+constexpr std::int64_t kGlance = 4;
+constexpr std::int64_t kNoBudget = std::numeric_limits<std::int64_t>::max();
+// How much longer than straight a path may be for a search to keep near the straight line at first.
+constexpr double kMostDetour = 1.01;
+constexpr double kNearby = 2;  // cells; short queries leave the line by more
+constexpr std::uint32_t kLastStamp = std::numeric_limits<std::uint32_t>::max() - 3;
+
+kernels::HalfPoint half(Cell c) noexcept { return {2 * c.x + 1, 2 * c.y + 1}; }
+
+double distance(kernels::HalfPoint a, int x, int y) noexcept {
+  return exact::distance(a.x, a.y, 2 * x, 2 * y);
+}
+
+}  // namespace
+
+// What a scan of start or goal finds.
+template <class Found>
+struct PreparedSearch::Sink {
+  const Found& found;
+  Poller& poller;
+  void corner(int x, int y) { found(x, y); }
+  bool go_on(std::int64_t words) { return !poller.stop_after(words); }
+};
+
+void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Cell start, Poller& poller) {
+  map_ = view_of(grid);
+  graph_ = &graph;
+  poller_ = &poller;
+  start_ = half(start);
+  mode_ = Mode::glance;
+  if (nodes_size_ < graph.size() || stamp_ > kLastStamp) {
+    nodes_size_ = std::max(nodes_size_, graph.size());
+    nodes_ = ZeroArray<Node>(nodes_size_);
+    stamp_ = 0;
+  }
+}
+
+// The corners that the goal sees get their true distance as an estimate: going on from them in any
+// other way is longer.
+void PreparedSearch::look_from_goal() {
+  goal_corners_.clear();
+  const auto found = [this](int x, int y) {
+    const double to_goal = distance(goal_, x, y);
+    if (distance(start_, x, y) + to_goal > horizon_) return;
+    const std::uint32_t index = graph_->index(x, y);
+    nodes_[index] = {kInfinity, to_goal, kStart, stamp_, kColumn, true, false};
+    goal_corners_.push_back(index);
+  };
+  Sink<decltype(found)> sink{found, *poller_};
+  view_from_centre(map_, {goal_, start_, horizon_}, stack_, sink);
+}
+
+void PreparedSearch::look_from_start() {
+  start_corners_.clear();
+  const auto found = [this](int x, int y) { start_corners_.push_back(graph_->index(x, y)); };
+  Sink<decltype(found)> sink{found, *poller_};
+  view_from_centre(map_, {start_, goal_, horizon_}, stack_, sink);
+}
+
+// Forgets what was reached.
+void PreparedSearch::set_out() {
+  ++stamp_;
+  upper_ = kInfinity;
+  frontier_.reset(straight_, kBucketWidth);
+}
+
+void PreparedSearch::leave_start() {
+  for (const std::uint32_t index : start_corners_) {
+    const GraphCorner& corner = graph_->corner(index);
+    const int x = corner.x(), y = corner.y();
+    const double length = distance(start_, x, y);
+    if (too_long(length, x, y)) continue;
+    reach(kStart, length, index, x, y, corner.side_from(start_.x, start_.y));
+  }
+}
+
+// How far the goal is from the landmarks: straight, or over a corner that it sees.
+void PreparedSearch::measure_landmarks() {
+  const Landmarks& landmarks = graph_->landmarks();
+  goal_distances_ = {};
+  std::array<double, Landmarks::kCount> least;
+  least.fill(kInfinity);
+  for (const std::uint32_t index : goal_corners_) {
+    const Landmarks::Distances& here = landmarks.distances(index);
+    for (std::size_t i = 0; i < least.size(); ++i) {
+      const double length = here[i] + nodes_[index].to_goal;
+      if (length < least[i]) least[i] = length;
+    }
+  }
+  for (std::size_t i = 0; i < landmarks.cells().size(); ++i) {
+    const kernels::HalfPoint at = half(landmarks.cells()[i]);
+    if (kernels::sees(map_, at, goal_)) {
+      least[i] = exact::distance(at.x, at.y, goal_.x, goal_.y);
+    }
+    if (least[i] < kInfinity) goal_distances_.set(i, least[i]);
+  }
+}
+
+double PreparedSearch::estimate(std::uint32_t index, int x, int y) const noexcept {
+  if (mode_ == Mode::flood) return 0;
+  const double straight = distance(goal_, x, y);
+  if (mode_ != Mode::whole || graph_->landmarks().empty()) return straight;
+  return std::max(straight, graph_->landmarks().bound(index, goal_distances_));
+}
+
+// Is every path behind the horizon that comes to lattice point (x, y) with this length?
+bool PreparedSearch::too_long(double length, int x, int y) const noexcept {
+  return mode_ == Mode::near && length + distance(goal_, x, y) > horizon_;
+}
+
+// A corner at lattice point (x, y), by a way of this length.
+void PreparedSearch::reach(std::uint32_t parent, double length, std::uint32_t index, int x, int y,
+                           Side side) {
+  Node& node = nodes_[index];
+  if (node.stamp == stamp_) {
+    if (length >= node.length) return;
+  } else {
+    node.stamp = stamp_;
+    node.to_goal = estimate(index, x, y);
+    node.sees_goal = false;
+  }
+  node.length = length;
+  node.parent = parent;
+  node.side = side;
+  node.expanded = false;
+  const double bound = length + node.to_goal;
+  if (bound >= upper_) return;
+  if (node.sees_goal) {
+    upper_ = bound;
+    last_ = index;
+  } else {
+    frontier_.push(index, bound);
+  }
+}
+
+void PreparedSearch::follow(std::uint32_t index, const Root& root, const GraphEdge& edge) {
+  const double x = edge.x - root.x, y = edge.y - root.y;
+  const double length = root.length + std::sqrt(x * x + y * y);
+  if (too_long(length, edge.x, edge.y)) return;
+  reach(index, length, edge.to(), edge.x, edge.y, edge.side());
+}
+
+// Returns the work done.
+std::int64_t PreparedSearch::expand(std::uint32_t index) {
+  Node& node = nodes_[index];
+  node.expanded = true;
+  const GraphCorner& corner = graph_->corner(index);
+  const Root root{corner.x(), corner.y(), node.length};
+  const kernels::HalfPoint parent = place(node.parent);
+  const std::int64_t onward_x = 2 * root.x - parent.x, onward_y = 2 * root.y - parent.y;
+  const int bend = corner.bend(node.side);
+  const auto edges = graph_->edges(index, node.side);
+  // What is followed is known before the nodes are: their loads go side by side. Near the straight
+  // line few edges lead to a node.
+  const bool fetch = mode_ != Mode::near;
+  std::size_t taut = 0;
+  for (; taut < edges.size(); ++taut) {
+    const GraphEdge& edge = edges[taut];
+    const std::int64_t turn = onward_x * (edge.y - root.y) - onward_y * (edge.x - root.x);
+    if (turn * bend < 0) break;
+    if (!fetch) continue;
+    __builtin_prefetch(nodes_.at(edge.to()));
+    graph_->landmarks().prefetch(edge.to());
+  }
+  for (const GraphEdge& edge : edges.first(taut)) follow(index, root, edge);
+  return kWordsPerExpansion + static_cast<std::int64_t>(taut);
+}
+
+std::int64_t PreparedSearch::expand_all(std::uint32_t index) {
+  nodes_[index].expanded = true;
+  const GraphCorner& corner = graph_->corner(index);
+  const Root root{corner.x(), corner.y(), nodes_[index].length};
+  std::int64_t work = kWordsPerExpansion;
+  for (const Side side : {kColumn, kLine}) {
+    for (const GraphEdge& edge : graph_->edges(index, side)) {
+      follow(index, root, edge);
+      ++work;
+    }
+  }
+  return work;
+}
+
+// Takes the best corner of the frontier; false when none can lead to a shorter path, or stopped.
+bool PreparedSearch::next_corner(std::uint32_t& index) {
+  while (frontier_.advance()) {
+    lower_ = std::max(lower_, std::min(frontier_.floor(), upper_));
+    if (lower_ >= upper_) return false;
+    index = frontier_.pop();
+    const Node& node = nodes_[index];
+    if (!node.expanded && node.length + node.to_goal < upper_) return true;
+    if (poller_->stop_after(1 + frontier_.take_dealt())) return false;
+  }
+  lower_ = std::max(lower_, std::min(upper_, horizon_));
+  return false;
+}
+
+// False if the budget of expansions was spent before the search ended.
+bool PreparedSearch::run(double target_gap, std::int64_t budget) {
+  for (; !poller_->stopped(); --budget) {
+    if (budget == 0) return false;
+    std::uint32_t index = 0;
+    if (!next_corner(index) || upper_ - lower_ <= target_gap * lower_) break;
+    if (mode_ == Mode::glance && meets_goal(index)) continue;
+    poller_->stop_after(mode_ == Mode::flood ? expand_all(index) : expand(index));
+  }
+  return true;
+}
+
+bool PreparedSearch::meets_goal(std::uint32_t index) {
+  if (!kernels::sees(map_, place(index), goal_)) return false;
+  const Node& node = nodes_[index];
+  upper_ = node.length + node.to_goal;
+  last_ = index;
+  return true;
+}
+
+// The next three: true if the search has ended.
+bool PreparedSearch::search_near(double target_gap) {
+  mode_ = Mode::near;
+  horizon_ = straight_ * graph_->detour() + kNearby;
+  set_out();
+  look_from_goal();
+  look_from_start();
+  leave_start();
+  run(target_gap, kNoBudget);
+  return upper_ < kInfinity || poller_->stopped();
+}
+
+bool PreparedSearch::glance(double target_gap) {
+  mode_ = Mode::glance;
+  horizon_ = kInfinity;
+  set_out();
+  look_from_start();
+  leave_start();
+  return run(target_gap, kGlance) || (upper_ < kInfinity && run(target_gap, kNoBudget));
+}
+
+bool PreparedSearch::search_all(double target_gap) {
+  horizon_ = kInfinity;
+  if (mode_ == Mode::near) look_from_start();
+  mode_ = Mode::whole;
+  set_out();
+  look_from_goal();
+  if (!poller_->stopped()) measure_landmarks();
+  leave_start();
+  return run(target_gap, kNoBudget);
+}
+
+void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Cell start, Cell goal,
+                            const ExactOptions& options, const StopCondition& stop,
+                            ExactAnswer& answer) {
+  Poller poller(stop, kWordsPerPoll);
+  begin(grid, graph, start, poller);
+  goal_ = half(goal);
+  straight_ = exact::distance(start_.x, start_.y, goal_.x, goal_.y);
+  lower_ = straight_;
+  if (kernels::sees(map_, start_, goal_)) {
+    upper_ = lower_;
+    last_ = kStart;
+  } else {
+    const double gap = options.target_gap;
+    const bool ended = graph.detour() <= kMostDetour ? search_near(gap) : glance(gap);
+    if (!ended) search_all(gap);
+  }
+  answer.path.clear();
+  if (upper_ < kInfinity) trace(answer.path);
+  conclude(lower_, upper_, poller.cause(), options.target_gap, answer);
+}
+
+bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell start,
+                           const StopCondition& stop, std::vector<double>& lengths) {
+  Poller poller(stop);
+  begin(grid, graph, start, poller);
+  mode_ = Mode::flood;
+  horizon_ = kInfinity;
+  straight_ = 0;
+  lower_ = 0;
+  look_from_start();
+  set_out();
+  leave_start();
+  run(0, kNoBudget);
+  lengths.clear();
+  lengths.reserve(graph.size());
+  for (std::uint32_t i = 0; i < graph.size() && !poller.stop_after(sizeof(Node) / 8); ++i) {
+    lengths.push_back(nodes_[i].stamp == stamp_ ? nodes_[i].length : kInfinity);
+  }
+  return poller.stopped();
+}
+
+kernels::HalfPoint PreparedSearch::place(std::uint32_t index) const noexcept {
+  if (index == kStart) return start_;
+  const GraphCorner& corner = graph_->corner(index);
+  return {2 * corner.x(), 2 * corner.y()};
+}
+
+void PreparedSearch::trace(std::vector<Point>& path) const {
+  BackwardPath back(goal_, path);
+  for (std::uint32_t i = last_; i != kStart; i = nodes_[i].parent) {
+    back.corner(place(i), place(nodes_[i].parent));
+  }
+  back.start(start_);
+}
+
+}  // namespace lasius::exact

@@ -1,0 +1,116 @@
+// Exact Euclidean shortest paths on a map whose corners know what they see.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/bucket_queue.h"
+#include "core/base/zero_array.h"
+#include "core/exact/corner_graph.h"
+#include "core/exact/exact_answer.h"
+#include "kernels/sight/scan_cone.h"
+#include "kernels/sight/sight.h"
+
+namespace lasius::exact {
+
+/// A* over the stored edges of a CornerGraph. Only what start and goal see is scanned. Keeps its
+/// memory from search to search: 32 bytes for each corner of the graph, mapped where searches go.
+/// One thread at a time.
+///
+/// Each corner keeps the least known length and the edge that it came by, and goes on along those
+/// of its edges with which the path bends around its block: they are the first ones of the side
+/// across from the parent, in the order of the turn. That loses no shortest path. Let v, w follow
+/// each other on one, v reached at its least length. If the kept way to v is another one of that
+/// length, going on to w is as short, hence a shortest path too, hence taut: w is among the edges
+/// followed. Lengths are compared as computed; the answer is the optimum up to kRounding.
+///
+/// The estimate of what is left to go is the straight distance or the bound by landmarks, whichever
+/// is more. Neither exceeds the true distance, so that while no path is proven shortest, a corner
+/// of a shortest path waits in the frontier at its least length with a key of at most the optimum:
+/// the least key is a lower bound. A corner that is reached by a shorter way later waits again.
+///
+/// Where paths of the map seldom leave the straight line, a search keeps to a horizon first: a path
+/// over p is no longer than it only if |start p| + |p goal| is not, so all such paths lie in that
+/// ellipse. Elsewhere the first few corners are asked whether they see the goal, before the goal's
+/// view is scanned. Where that does not end it, the search sets out again.
+class PreparedSearch {
+ public:
+  /// Plans from the centre of one free cell to that of another, both inside `grid`, whose graph
+  /// this is. Deterministic, except for when it is stopped.
+  void search(const Grid& grid, const CornerGraph& graph, Cell start, Cell goal,
+              const ExactOptions& options, const StopCondition& stop, ExactAnswer& answer);
+
+  /// The lengths of the shortest ways over edges of the graph, taut or not, from the centre of a
+  /// free cell to all corners; infinite where there is none. Returns true if stopped.
+  bool flood(const Grid& grid, const CornerGraph& graph, Cell start, const StopCondition& stop,
+             std::vector<double>& lengths);
+
+ private:
+  // Of a corner. Only those with the search's own stamp mean anything.
+  struct Node {
+    double length;
+    double to_goal;  // estimate
+    std::uint32_t parent;
+    std::uint32_t stamp;
+    Side side;  // on which to go on
+    bool sees_goal;
+    bool expanded;
+  };
+  static_assert(sizeof(Node) == 32);
+  static constexpr std::uint32_t kStart = ~std::uint32_t{0};  // as a parent
+  enum class Mode {
+    glance,  // corners are asked whether they see the goal; straight estimates
+    near,    // the goal has told which corners see it; nothing behind the horizon; likewise
+    whole,   // the same, all of the map, and landmarks
+    flood,   // there is no goal
+  };
+  // The corner in hand: a lattice point, and the length of the path to it.
+  struct Root {
+    int x, y;
+    double length;
+  };
+
+  template <class Found>
+  struct Sink;
+  void begin(const Grid& grid, const CornerGraph& graph, Cell start, Poller& poller);
+  bool search_near(double target_gap);
+  bool glance(double target_gap);
+  bool search_all(double target_gap);
+  void look_from_goal();
+  void look_from_start();
+  void set_out();
+  void leave_start();
+  void measure_landmarks();
+  bool run(double target_gap, std::int64_t budget);
+  bool meets_goal(std::uint32_t index);
+  std::int64_t expand(std::uint32_t index);
+  std::int64_t expand_all(std::uint32_t index);
+  void follow(std::uint32_t index, const Root& root, const GraphEdge& edge);
+  bool too_long(double length, int x, int y) const noexcept;
+  bool next_corner(std::uint32_t& index);
+  double estimate(std::uint32_t index, int x, int y) const noexcept;
+  void reach(std::uint32_t parent, double length, std::uint32_t index, int x, int y, Side side);
+  kernels::HalfPoint place(std::uint32_t index) const noexcept;
+  void trace(std::vector<Point>& path) const;
+
+  kernels::BitmapView map_{};
+  const CornerGraph* graph_ = nullptr;
+  Poller* poller_ = nullptr;
+  kernels::HalfPoint start_{}, goal_{};
+  Mode mode_ = Mode::glance;
+  double straight_ = 0;  // distance from start to goal
+  double horizon_ = 0;   // paths that are longer do not matter yet
+  double lower_ = 0;
+  double upper_ = 0;        // length of the best path
+  std::uint32_t last_ = 0;  // its last corner
+  Landmarks::Goal goal_distances_;
+
+  ZeroArray<Node> nodes_;
+  std::uint32_t nodes_size_ = 0;
+  std::uint32_t stamp_ = 0;
+  std::vector<std::uint32_t> start_corners_, goal_corners_;  // in their sight
+  BucketQueue frontier_;
+  std::vector<kernels::Interval> stack_;
+};
+
+}  // namespace lasius::exact

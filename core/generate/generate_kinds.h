@@ -1,0 +1,30 @@
+// The makers of generated maps: integers and Philox only.
+#pragma once
+
+#include <cstdint>
+
+#include "core/generate/map_random.h"
+#include "lasius/grid.h"
+#include "lasius/stop.h"
+
+namespace lasius {
+
+/// A share of blocked cells, in 2^-32.
+using BlockedShare = std::uint32_t;
+
+/// Each makes `grid` (given all free) into a map with about the share of blocked cells; into a part
+/// of one where the poller, which is told of cells, says stop.
+void make_blobs(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller);
+void make_open(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller);
+void make_random(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller);
+void make_maze(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller);
+void make_rooms(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller);
+void make_city(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller);
+
+/// Sets or clears the cells of [x0, x1) x [y0, y1), which lies inside the grid.
+void fill_rectangle(Grid& grid, int x0, int y0, int x1, int y1, bool blocked);
+
+/// floor(sqrt(n)).
+std::uint32_t integer_sqrt(std::uint64_t n) noexcept;
+
+}  // namespace lasius

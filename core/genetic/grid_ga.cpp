@@ -1,0 +1,247 @@
+#include "core/genetic/grid_ga.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "core/base/parallel.h"
+#include "core/genetic/grid_ga_memory.h"
+#include "core/loop/colony_loop.h"
+#include "core/loop/run_status.h"
+#include "kernels/base/random_stream.h"
+#include "lasius/path.h"
+
+namespace lasius {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// What random words are for, the last place of a counter; 0 belongs to the ants.
+enum class Use : std::uint32_t { newcomer = 1, tournament, crossover, mutation };
+
+/// Random words of one use, generation and individual.
+class Draws : public kernels::RandomStream {
+ public:
+  Draws(std::uint64_t seed, Use use, int generation, int individual)
+      : RandomStream(seed, static_cast<std::uint32_t>(individual),
+                     static_cast<std::uint32_t>(generation), static_cast<std::uint32_t>(use)) {}
+};
+
+std::uint32_t pack(Cell c) { return kernels::pack(c.x, c.y); }
+
+class GridGa final : public ColonyWorld {
+ public:
+  GridGa(const Grid& grid, const Request& request, const Params& params,
+         const std::function<bool(Cell)>& joined, GridGaMemory& memory, const Observer& observer)
+      : grid_(grid),
+        request_(request),
+        params_(params),
+        joined_(joined),
+        memory_(memory),
+        observer_(observer),
+        moves_{params.neighbours == Neighbours::four ? 4 : 8, params.corners},
+        threads_(std::clamp(thread_count(params.threads), 1, params.population)) {
+    const auto threads = static_cast<std::size_t>(threads_);
+    if (memory.scratch.size() < threads) memory.scratch.resize(threads);
+    for (int t = 0; t < threads_; ++t) memory.scratch[t].routes.reset(grid, moves_);
+    memory.population.resize(static_cast<std::size_t>(params.population));
+    memory.children.resize(memory.population.size());
+  }
+
+  Result run() {
+    Convergence run;
+    const auto cause = run_colony_loop(*this, params_.iterations, request_.stop, run);
+    return result_after(cause, std::move(run), std::move(best_path_));
+  }
+
+  // What the loop asks for.
+
+  StopCondition::Cause send_ants(int q) override {
+    if (q == 0) return make_children([this](Scratch& s, int i, Poller& p) { newcomer(s, i, p); });
+    hold_tournaments(q);
+    return make_children([=, this](Scratch& s, int i, Poller& p) { child(s, q, i, p); });
+  }
+
+  void offer() override {
+    for (const Individual& one : memory_.children) {
+      if (!(one.length < best_length_)) continue;
+      best_length_ = one.length;
+      best_path_ = one.points;
+    }
+  }
+
+  /// The children take over; the best one of their parents lives on.
+  void update(int q) override {
+    if (q > 0) {
+      const auto best = fittest(memory_.population), heir = fittest(memory_.children);
+      if (heir->length > best->length) {
+        std::swap(*std::max_element(memory_.children.begin(), memory_.children.end(), fitter),
+                  *best);
+      }
+    }
+    memory_.population.swap(memory_.children);
+  }
+
+  int ants() const override { return params_.population; }
+  int threads() const override { return threads_; }
+  double tour_length(int ant) const override { return memory_.population[ant].tour; }
+  double best_length() const override { return best_length_ < kInfinity ? best_length_ : kNaN; }
+
+  void observe(const Convergence& run) override {
+    if (observer_) observer_(View(memory_, run));
+  }
+
+ private:
+  using Scratch = GridGaMemory::Scratch;
+
+  /// What an observer sees.
+  class View final : public RunProgress {
+   public:
+    View(const GridGaMemory& memory, const Convergence& run) : RunProgress(run), memory_(memory) {}
+    int ants() const override { return static_cast<int>(memory_.population.size()); }
+    std::vector<Cell> tour(int ant) const override { return memory_.population.at(ant).cells; }
+    double pheromone(Cell) const override { return 0; }
+
+   private:
+    const GridGaMemory& memory_;
+  };
+
+  static bool fitter(const Individual& a, const Individual& b) { return a.length < b.length; }
+  static std::vector<Individual>::iterator fittest(std::vector<Individual>& group) {
+    return std::min_element(group.begin(), group.end(), fitter);
+  }
+
+  /// Makes all children over threads; `draft` leaves one's cells in the scratch, none when stopped.
+  template <class Draft>
+  StopCondition::Cause make_children(const Draft& draft) {
+    parallel_for(params_.population, threads_, [&](int i, int thread) {
+      Scratch& scratch = memory_.scratch[thread];
+      Poller poller(request_.stop, Poller::kSteps);
+      scratch.draft.clear();
+      if (request_.stop.poll() == StopCondition::Cause::none) draft(scratch, i, poller);
+      finish(scratch, memory_.children[i]);
+    });
+    return request_.stop.poll();
+  }
+
+  /// Takes loops out of the draft and polishes it.
+  void finish(Scratch& scratch, Individual& made) {
+    made.cells.clear();
+    made.points.clear();
+    made.tour = kNaN;
+    made.length = kInfinity;
+    if (scratch.draft.empty()) return;
+    const auto way = scratch.maker.cut(grid_, scratch.draft, moves_.neighbours > 4, moves_.corners,
+                                       request_.stop);
+    made.cells.assign(way.begin(), way.end());
+    for (const Cell c : way) made.points.push_back(centre(c));
+    made.tour = path_length(made.points);
+    if (params_.polish != Polish::none) {
+      scratch.maker.polish(grid_, way, params_.polish, moves_.corners, request_.stop, made.points);
+    }
+    made.length = path_length(made.points);
+  }
+
+  /// From the draft's last cell by way of a drawn cell to the goal; straight to the goal where
+  /// draws meet obstacles only. Clears the draft when stopped.
+  void go_on(Scratch& scratch, Draws& draws, Poller& poller) {
+    constexpr int kTries = 64;
+    for (int i = 0; i < kTries; ++i) {
+      const Cell via{draws.below(grid_.width()), draws.below(grid_.height())};
+      if (grid_.blocked(via) || !joined_(via)) continue;
+      scratch.routes.extend(scratch.draft, via, poller);
+      break;
+    }
+    if (!scratch.routes.extend(scratch.draft, request_.goal, poller)) scratch.draft.clear();
+  }
+
+  void newcomer(Scratch& scratch, int i, Poller& poller) {
+    Draws draws(params_.seed, Use::newcomer, 0, i);
+    scratch.draft = {request_.start};
+    if (i > 0) return go_on(scratch, draws, poller);
+    if (!scratch.routes.extend(scratch.draft, request_.goal, poller)) scratch.draft.clear();
+  }
+
+  /// Every individual meets one other, twice over; the winners are the parents.
+  void hold_tournaments(int generation) {
+    const int count = params_.population;
+    Draws draws(params_.seed, Use::tournament, generation, 0);
+    std::vector<int>& parents = memory_.parents;
+    std::vector<int>& order = memory_.order;
+    parents.clear();
+    order.resize(memory_.population.size());
+    while (static_cast<int>(parents.size()) < count) {
+      std::iota(order.begin(), order.end(), 0);
+      for (int i = count - 1; i > 0; --i) std::swap(order[i], order[draws.below(i + 1)]);
+      for (int i = 0; i < count && static_cast<int>(parents.size()) < count; i += 2) {
+        const int a = order[i], b = order[i + 1 < count ? i + 1 : 0];
+        parents.push_back(fitter(memory_.population[b], memory_.population[a]) ? b : a);
+      }
+    }
+  }
+
+  /// Crosses the parents at a drawn common cell: the draft takes the first part of one and the
+  /// second part of the other, its sibling the other way round.
+  void cross(Scratch& scratch, const Individual& mother, const Individual& father, bool sibling,
+             Draws draws) {
+    scratch.places.clear();
+    scratch.common.clear();
+    const int fathers = static_cast<int>(father.cells.size());
+    for (int i = 1; i + 1 < fathers; ++i) scratch.places.emplace_back(pack(father.cells[i]), i);
+    std::sort(scratch.places.begin(), scratch.places.end());
+    const int mothers = static_cast<int>(mother.cells.size());
+    for (int i = 1; i + 1 < mothers; ++i) {
+      const std::uint32_t cell = pack(mother.cells[i]);
+      const auto at =
+          std::lower_bound(scratch.places.begin(), scratch.places.end(), std::pair{cell, 0});
+      if (at != scratch.places.end() && at->first == cell)
+        scratch.common.emplace_back(i, at->second);
+    }
+    const Individual& head = sibling ? father : mother;
+    const Individual& tail = sibling ? mother : father;
+    scratch.draft = head.cells;
+    if (scratch.common.empty() || !draws.chance(params_.crossover)) return;
+    auto [first, second] = scratch.common[draws.below(static_cast<int>(scratch.common.size()))];
+    if (sibling) std::swap(first, second);
+    scratch.draft.resize(static_cast<std::size_t>(first));
+    scratch.draft.insert(scratch.draft.end(), tail.cells.begin() + second, tail.cells.end());
+  }
+
+  void child(Scratch& scratch, int generation, int i, Poller& poller) {
+    const auto parent = [&](int p) -> const Individual& {
+      return memory_.population[memory_.parents[p < params_.population ? p : 0]];
+    };
+    const int pair = i / 2;
+    cross(scratch, parent(2 * pair), parent(2 * pair + 1), i % 2 == 1,
+          Draws(params_.seed, Use::crossover, generation, pair));
+    Draws draws(params_.seed, Use::mutation, generation, i);
+    if (!draws.chance(params_.mutation)) return;
+    const int kept = 1 + draws.below(static_cast<int>(scratch.draft.size()) - 1);
+    scratch.draft.resize(static_cast<std::size_t>(kept));
+    go_on(scratch, draws, poller);
+  }
+
+  const Grid& grid_;
+  const Request& request_;
+  const Params& params_;
+  const std::function<bool(Cell)>& joined_;
+  GridGaMemory& memory_;
+  const Observer& observer_;
+  RouteMoves moves_;
+  int threads_;
+
+  double best_length_ = kInfinity;
+  std::vector<Point> best_path_;
+};
+
+}  // namespace
+
+Result run_grid_ga(const Grid& grid, const Request& request, const Params& params,
+                   const std::function<bool(Cell)>& joined, GridGaMemory& memory,
+                   const Observer& observer) {
+  return GridGa(grid, request, params, joined, memory, observer).run();
+}
+
+}  // namespace lasius

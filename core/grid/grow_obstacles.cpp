@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/base/number_text.h"
+#include "lasius/clearance.h"
+#include "lasius/error.h"
+
+namespace lasius {
+namespace {
+
+// How many columns to each side a blocked cell k rows away blocks, by k: with distances as in
+// clearance.h, (2 columns - 1)^2 + (2k - 1)^2 <= 4 radius^2.
+std::vector<int> spans_by_row(const Grid& grid, double radius) {
+  // Past the longest side everything is blocked, and nothing overflows.
+  const double reach = std::min(radius, static_cast<double>(Grid::kMaxSide));
+  const auto limit = static_cast<std::int64_t>(4 * reach * reach);
+  std::vector<int> spans;
+  for (std::int64_t rows = 0; rows <= grid.height(); ++rows) {
+    const std::int64_t up = std::max<std::int64_t>(0, 2 * rows - 1);
+    if (up * up > limit) break;
+    // The root is right to the last bit for numbers below 2^52.
+    const auto across = static_cast<std::int64_t>(std::sqrt(static_cast<double>(limit - up * up)));
+    spans.push_back(static_cast<int>((across + 1) / 2));
+  }
+  return spans;
+}
+
+// Walks down the rows and knows, for every column, the blocked cells nearest above and below
+// within `reach` rows. Rows -1 and `height` are blocked.
+class NearestRows {
+ public:
+  NearestRows(const Grid& grid, int reach, const StopCondition& stop)
+      : grid_(grid),
+        reach_(reach),
+        above_(grid.width(), -1),
+        below_(grid.width(), -1),
+        poller_(stop, kQuarter) {}
+
+  /// False when stopped.
+  bool advance(int y) {
+    y_ = y;
+    int looked = 0;  // cells, not yet told to the poller
+    const std::int64_t newest = std::int64_t{y} + reach_;
+    for (int x = 0; x < grid_.width(); ++x) {
+      if (below_[x] == kNone) {
+        if (newest <= grid_.height() && blocked(x, static_cast<int>(newest))) {
+          below_[x] = static_cast<int>(newest);
+        }
+      } else if (below_[x] < y) {
+        // All rows are looked at once only: after a free run was searched in vain, only the newest.
+        const int last = static_cast<int>(std::min<std::int64_t>(newest, grid_.height()));
+        below_[x] = search(x, y, last);
+        looked += std::min(below_[x], last) - y + 1;
+        if (looked >= kQuarter && poller_.stop_after(std::exchange(looked, 0))) return false;
+      }
+      if (below_[x] == y) above_[x] = y;
+    }
+    return !poller_.stop_after(looked + grid_.width());
+  }
+  /// Rows to the nearest blocked cell of the column, more than `reach` where there is none so near.
+  int distance(int x) const noexcept {
+    const int up = y_ - above_[x];
+    return below_[x] == kNone ? up : std::min(up, below_[x] - y_);
+  }
+
+ private:
+  static constexpr int kNone = std::numeric_limits<int>::max();
+  // Of what may be looked at between two polls. The widest row or highest column is two quarters:
+  // with a quarter not yet told and one that the poller waits for, never more than the whole.
+  static constexpr int kQuarter = Poller::kWords / 4;
+
+  bool blocked(int x, int y) const noexcept { return (grid_.row(y)[x >> 6] >> (x & 63) & 1) != 0; }
+  int search(int x, int from, int to) const noexcept {
+    for (int y = from; y <= to; ++y) {
+      if (blocked(x, y)) return y;
+    }
+    return kNone;
+  }
+
+  const Grid& grid_;
+  int reach_;
+  int y_ = -1;
+  std::vector<int> above_;
+  std::vector<int> below_;
+  Poller poller_;
+};
+
+}  // namespace
+
+Grid grow_obstacles(const Grid& grid, double radius) { return *grow_obstacles(grid, radius, {}); }
+
+std::optional<Grid> grow_obstacles(const Grid& grid, double radius, const StopCondition& stop) {
+  if (!(radius >= 0 && std::isfinite(radius))) {
+    throw Error(ErrorCode::invalid_parameter, "radius is " + number_text(radius),
+                "it must be 0 or more cells");
+  }
+  const std::vector<int> spans = spans_by_row(grid, radius);
+  const int reach = static_cast<int>(spans.size()) - 1;
+  const int width = grid.width();
+  NearestRows nearest(grid, reach, stop);
+  std::vector<int> span(width);
+  std::vector<std::uint64_t> words(grid.words());
+  std::optional<Grid> grown(std::in_place, width, grid.height());
+  for (int y = 0; y < grid.height(); ++y) {
+    if (!nearest.advance(y)) return std::nullopt;
+    std::fill(words.begin(), words.end(), 0);
+    int covered_to = -1 + spans[0];  // by the outside, and by the columns passed
+    for (int x = 0; x < width; ++x) {
+      const int rows = nearest.distance(x);
+      span[x] = rows <= reach ? spans[rows] : -1;
+      covered_to = std::max(covered_to, x + span[x]);
+      words[x >> 6] |= std::uint64_t{x <= covered_to} << (x & 63);
+    }
+    int covered_from = width - spans[0];
+    for (int x = width - 1; x >= 0; --x) {
+      covered_from = std::min(covered_from, x - span[x]);
+      words[x >> 6] |= std::uint64_t{x >= covered_from} << (x & 63);
+    }
+    grown->set_row(y, words.data());
+  }
+  return grown;
+}
+
+}  // namespace lasius

@@ -1,0 +1,31 @@
+// The checks that a map's header passes before memory is taken for it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/map_files/byte_reader.h"
+
+namespace lasius {
+
+inline std::string size_text(std::int64_t width, std::int64_t height) {
+  return std::to_string(width) + " x " + std::to_string(height);
+}
+
+/// Where in the file the size stands: a line or an offset.
+struct SizePlace {
+  std::int64_t line = -1;
+  std::int64_t offset = -1;
+};
+
+/// @throws Error(file_broken) for a side below 1, Error(file_unsupported) for one above
+///         Grid::kMaxSide.
+LASIUS_EXPORT void check_map_size(const ByteReader& in, SizePlace place, std::int64_t width,
+                                  std::int64_t height);
+
+/// Refuses a map that needs at least `needed` more bytes than a file of known size has.
+/// @throws Error(file_broken)
+LASIUS_EXPORT void check_bytes_left(const ByteReader& in, SizePlace place, std::int64_t width,
+                                    std::int64_t height, std::int64_t needed);
+
+}  // namespace lasius

@@ -1,0 +1,178 @@
+// Parameters by name: one table says how those of a component are read, written and checked.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/base/did_you_mean.h"
+#include "core/base/number_text.h"
+#include "lasius/error.h"
+#include "lasius/params.h"
+
+namespace lasius {
+
+inline Error invalid_parameter(std::string problem, std::string remedy) {
+  return {ErrorCode::invalid_parameter, std::move(problem), std::move(remedy)};
+}
+
+/// Less than this a colony could lose among its smallest numbers.
+inline constexpr double kLeastPheromone = 1e-12;
+
+/// @throws Error(invalid_parameter) unless a request's target gap is a number from 0 up, or
+/// infinite.
+inline void check_target_gap(double gap) {
+  if (gap >= 0) return;
+  throw invalid_parameter("target_gap is " + number_text(gap),
+                          "it is a fraction: 0 or more, 0.01 for 1%");
+}
+
+/// @throws Error(invalid_parameter) unless it is a number of threads that may be asked for.
+inline void check_threads(int threads) {
+  if (threads >= 0 && threads <= 1024) return;
+  throw invalid_parameter("threads is " + std::to_string(threads),
+                          "it must be 0 (all cores) to 1024");
+}
+
+/// For a name that is none of `known`, the names of the things that `kind` says.
+inline Error unknown_name(std::string_view kind, std::string_view name,
+                          std::span<const std::string_view> known) {
+  return invalid_parameter("unknown " + std::string(kind) + " \"" + std::string(name) + "\"",
+                           did_you_mean(name, known));
+}
+
+/// How a table reads, writes and checks the fields of the struct `Fields`, which has a `seed` and
+/// `threads` beside those in the table.
+template <class Fields>
+class ParameterTable {
+ public:
+  /// A number from `least` to `most`.
+  template <class Value>
+  struct Bounded {
+    Value Fields::*member;
+    Value least, most;
+
+    bool in_range(const Fields& fields) const { return holds(fields.*member); }
+    std::string text(const Fields& fields) const { return number_text(fields.*member); }
+    void set(Fields& fields, const Parameter& info, std::string_view text) const {
+      Value value{};
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+      const bool whole = error == std::errc() && end == text.data() + text.size();
+      if (!whole || !holds(value)) throw out_of_range(info, text);
+      fields.*member = value;
+    }
+
+   private:
+    bool holds(Value value) const { return value >= least && value <= most; }
+  };
+  using Integer = Bounded<int>;
+  using Number = Bounded<double>;
+
+  /// One of a few names, kept as an enum or as the number that the name stands for.
+  struct Choice {
+    std::span<const std::string_view> names;
+    int (*get)(const Fields&);
+    void (*put)(Fields&, int);
+
+    bool in_range(const Fields& fields) const {
+      return static_cast<std::size_t>(get(fields)) < names.size();
+    }
+    std::string text(const Fields& fields) const {
+      return in_range(fields) ? std::string(names[get(fields)]) : "not one of its values";
+    }
+    void set(Fields& fields, const Parameter& info, std::string_view text) const {
+      for (std::size_t i = 0; i < names.size(); ++i) {
+        if (names[i] == text) return put(fields, static_cast<int>(i));
+      }
+      throw invalid_parameter(std::string(info.name) + " is \"" + std::string(text) + "\"",
+                              did_you_mean(text, names) + " It must be " + std::string(info.range));
+    }
+  };
+
+  /// The choice that the field `kMember` keeps as the index of its name.
+  template <auto kMember>
+  static constexpr Choice choice(std::span<const std::string_view> names) {
+    using Value = std::remove_reference_t<decltype(std::declval<Fields&>().*kMember)>;
+    return {names, [](const Fields& fields) { return static_cast<int>(fields.*kMember); },
+            [](Fields& fields, int i) { fields.*kMember = static_cast<Value>(i); }};
+  }
+
+  struct Entry {
+    Parameter info;
+    std::variant<Integer, Number, Choice> value;
+  };
+
+  /// What is told of the entries to those who list them.
+  template <std::size_t kCount>
+  static constexpr std::array<Parameter, kCount> infos(const std::array<Entry, kCount>& entries) {
+    std::array<Parameter, kCount> list;
+    for (std::size_t i = 0; i < kCount; ++i) list[i] = entries[i].info;
+    return list;
+  }
+
+  /// A table of several lists; where two have an entry of one name it is the same.
+  constexpr explicit ParameterTable(std::span<const std::span<const Entry>> lists)
+      : lists_(lists) {}
+
+  /// @throws Error(invalid_parameter) for an unknown name, a value that is none or out of range.
+  void set(Fields& fields, std::string_view name, std::string_view text) const {
+    const Entry& e = entry(name);
+    std::visit([&](const auto& value) { value.set(fields, e.info, text); }, e.value);
+  }
+
+  /// The value as text: a number's shortest that reads back as the same.
+  /// @throws Error(invalid_parameter) for an unknown name.
+  std::string get(const Fields& fields, std::string_view name) const {
+    return text_of(fields, entry(name));
+  }
+
+  /// @throws Error(invalid_parameter) for the first field out of its range, seed and threads too.
+  void check(const Fields& fields) const {
+    for (const auto list : lists_) {
+      for (const Entry& e : list) {
+        if (!std::visit([&](const auto& value) { return value.in_range(fields); }, e.value)) {
+          throw out_of_range(e.info, text_of(fields, e));
+        }
+      }
+    }
+    constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 53) - 1;  // exact in JSON
+    if (fields.seed > kMostSeed) {
+      throw invalid_parameter("seed is " + std::to_string(fields.seed),
+                              "it must be at most 2^53 - 1");
+    }
+    check_threads(fields.threads);
+  }
+
+ private:
+  static Error out_of_range(const Parameter& info, std::string_view value) {
+    return invalid_parameter(std::string(info.name) + " is " + std::string(value),
+                             "it must be " + std::string(info.range));
+  }
+
+  static std::string text_of(const Fields& fields, const Entry& entry) {
+    return std::visit([&](const auto& value) { return value.text(fields); }, entry.value);
+  }
+
+  const Entry& entry(std::string_view name) const {
+    std::vector<std::string_view> names;
+    for (const auto list : lists_) {
+      for (const Entry& e : list) {
+        if (e.info.name == name) return e;
+        names.push_back(e.info.name);
+      }
+    }
+    throw unknown_name("parameter", name, names);
+  }
+
+  std::span<const std::span<const Entry>> lists_;
+};
+
+}  // namespace lasius

@@ -1,0 +1,231 @@
+#include "lasius/params.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/params/parameter_table.h"
+#include "core/params/presets.h"
+#include "core/params/schedule.h"
+
+namespace lasius {
+namespace {
+
+using Table = ParameterTable<Params>;
+using Entry = Table::Entry;
+using Integer = Table::Integer;
+using Number = Table::Number;
+
+constexpr std::string_view kNeighbours[]{"4", "8", "16", "16k", "24", "32"};
+constexpr std::string_view kCorners[]{"forbid", "one-side", "allow"};
+constexpr std::string_view kPolish[]{"none", "straight", "taut"};
+constexpr std::string_view kDeadEnd[]{"backtrack", "kill"};
+constexpr std::string_view kSelection[]{"roulette", "inverse-roulette"};
+constexpr std::string_view kTrail[]{"cells", "arcs"};
+constexpr std::string_view kHeuristic[]{"uniform",       "rescaled-distance", "inverse-distance",
+                                        "distance",      "goal-angle",        "learned",
+                                        "distance-field"};
+constexpr std::string_view kVisibility[]{"none", "inverse-step", "heading-change"};
+constexpr std::string_view kUpdate[]{"ant-system",    "elitist",    "rank",           "max-min",
+                                     "colony-system", "best-share", "terminal-index", "learning"};
+constexpr std::string_view kStraightDeposit[]{"none", "improving", "all"};
+constexpr std::string_view kReward[]{"factor", "affine"};
+
+// Every parameter of the grid colonies.
+constexpr std::array kColony{
+    Entry{{"ants", "integer", "1 .. 1000000", "ants an iteration, m"},
+          Integer{&Params::ants, 1, 1000000}},
+    Entry{{"iterations", "integer", "0 .. 1000000000", "iterations, T"},
+          Integer{&Params::iterations, 0, 1000000000}},
+    Entry{{"neighbours", "choice", "4|8|16|16k|24|32", "moves of an ant"},
+          Table::choice<&Params::neighbours>(kNeighbours)},
+    Entry{{"corners", "choice", "forbid|one-side|allow",
+           "free side cells that a diagonal move needs: both, one, none"},
+          Table::choice<&Params::corners>(kCorners)},
+    Entry{{"polish", "choice", "none|straight|taut", "what is done with each ant's tour"},
+          Table::choice<&Params::polish>(kPolish)},
+    Entry{{"dead_end", "choice", "backtrack|kill", "what an ant does when every move is closed"},
+          Table::choice<&Params::dead_end>(kDeadEnd)},
+    Entry{{"selection", "choice", "roulette|inverse-roulette",
+           "how a move is drawn from its row of weights"},
+          Table::choice<&Params::selection>(kSelection)},
+    Entry{{"trail", "choice", "cells|arcs", "what carries pheromone"},
+          Table::choice<&Params::trail>(kTrail)},
+    Entry{{"heuristic", "choice",
+           "uniform|rescaled-distance|inverse-distance|distance|goal-angle|learned|distance-field",
+           "weight of a move by where it leads"},
+          Table::choice<&Params::heuristic>(kHeuristic)},
+    Entry{{"visibility", "choice", "none|inverse-step|heading-change",
+           "weight of a move by itself and the one before"},
+          Table::choice<&Params::visibility>(kVisibility)},
+    Entry{{"alpha", "number", "0 .. 20", "exponent of pheromone from the critical time on"},
+          Number{&Params::alpha, 0, 20}},
+    Entry{{"beta", "number", "0 .. 20", "exponent of visibility and inverse distance, likewise"},
+          Number{&Params::beta, 0, 20}},
+    Entry{{"greedy", "number", "0 .. 1", "share of steps that take the largest weight, q0"},
+          Number{&Params::greedy, 0, 1}},
+    Entry{{"critical_time", "integer", "0 .. 1000000000",
+           "iteration from which exponents and shares are constant, mc; 0: always"},
+          Integer{&Params::critical_time, 0, 1000000000}},
+    Entry{{"alpha_first", "number", "0 .. 20", "alpha at iteration 0"},
+          Number{&Params::alpha_first, 0, 20}},
+    Entry{{"beta_first", "number", "0 .. 20", "beta at iteration 0"},
+          Number{&Params::beta_first, 0, 20}},
+    Entry{{"omega", "number", "0 .. 1000000", "rescaled distance: ((Dmax - d) omega + mu)^lambda"},
+          Number{&Params::omega, 0, 1e6}},
+    Entry{{"mu", "number", "0.000001 .. 1000000", "rescaled distance: offset"},
+          Number{&Params::mu, 1e-6, 1e6}},
+    Entry{{"lambda", "number", "0 .. 20", "rescaled distance: exponent"},
+          Number{&Params::lambda, 0, 20}},
+    Entry{{"pheromone_rule_first", "number", "0 .. 1000000",
+           "share of steps by pheromone alone at iteration 0"},
+          Number{&Params::pheromone_rule_first, 0, 1e6}},
+    Entry{{"pheromone_rule", "number", "0 .. 1000000", "the same from the critical time on"},
+          Number{&Params::pheromone_rule, 0, 1e6}},
+    Entry{{"distance_rule_first", "number", "0 .. 1000000",
+           "share of steps by the heuristic alone at iteration 0"},
+          Number{&Params::distance_rule_first, 0, 1e6}},
+    Entry{{"distance_rule", "number", "0 .. 1000000", "the same from the critical time on"},
+          Number{&Params::distance_rule, 0, 1e6}},
+    Entry{{"combined_rule_first", "number", "0 .. 1000000",
+           "share of steps by the product of both at iteration 0"},
+          Number{&Params::combined_rule_first, 0, 1e6}},
+    Entry{{"combined_rule", "number", "0 .. 1000000", "the same from the critical time on"},
+          Number{&Params::combined_rule, 0, 1e6}},
+    Entry{{"update", "choice",
+           "ant-system|elitist|rank|max-min|colony-system|best-share|terminal-index|learning",
+           "how the trail changes after an iteration"},
+          Table::choice<&Params::update>(kUpdate)},
+    Entry{{"persistence", "number", "0 .. 1", "share of pheromone that remains after an iteration"},
+          Number{&Params::persistence, 0, 1}},
+    Entry{{"initial_pheromone", "number", "0 .. 1e9",
+           "pheromone everywhere at first, tau0; 0: the formula of the update's source"},
+          Number{&Params::initial_pheromone, 0, 1e9}},
+    Entry{{"deposit", "number", "0 .. 1e9", "an ant of tour length L deposits deposit / L, Q"},
+          Number{&Params::deposit, 0, 1e9}},
+    Entry{{"straight_deposit", "choice", "none|improving|all",
+           "which straightened paths get pheromone too"},
+          Table::choice<&Params::straight_deposit>(kStraightDeposit)},
+    Entry{{"elite_weight", "number", "0 .. 1e6", "weight of the best tour so far (elitist), e"},
+          Number{&Params::elite_weight, 0, 1e6}},
+    Entry{{"ranks", "integer", "2 .. 1000000",
+           "weight of the best tour so far, w; w - 1 ranked ants deposit too (rank)"},
+          Integer{&Params::ranks, 2, 1000000}},
+    Entry{{"elite_ants", "integer", "1 .. 1000000", "ants that deposit (best-share)"},
+          Integer{&Params::elite_ants, 1, 1000000}},
+    Entry{{"best_so_far_every", "integer", "0 .. 1000000000",
+           "iterations between deposits of the best tour so far (max-min); 0: never"},
+          Integer{&Params::best_so_far_every, 0, 1000000000}},
+    Entry{{"best_probability", "number", "1e-9 .. 1",
+           "chance to draw the best tour again at the bounds (max-min), p_best"},
+          Number{&Params::best_probability, 1e-9, 1}},
+    Entry{{"local_evaporation", "number", "0 .. 1",
+           "share of a crossed trail that returns to tau0 (colony-system), xi"},
+          Number{&Params::local_evaporation, 0, 1}},
+    Entry{{"batch", "integer", "0 .. 1000000",
+           "ants that walk before a local update; 1 is the source, 0 all of them"},
+          Integer{&Params::batch, 0, 1000000}},
+    Entry{{"unknown_index", "number", "1 .. 1e6",
+           "terminal index of unknown cells, for 20 x 20 cells"},
+          Number{&Params::unknown_index, 1, 1e6}},
+    Entry{{"index_spread", "number", "0 .. 1", "q of K' = K - q Kmin (terminal-index)"},
+          Number{&Params::index_spread, 0, 1}},
+    Entry{{"reward", "number", "0 .. 1e6", "factor of the reward (learning)"},
+          Number{&Params::reward, 0, 1e6}},
+    Entry{{"reward_reading", "choice", "factor|affine", "reading of the reward's formula"},
+          Table::choice<&Params::reward_reading>(kReward)},
+    Entry{{"penalty", "number", "0 .. 1", "what a dead end leaves of tau and eta (learning)"},
+          Number{&Params::penalty, 0, 1}},
+};
+
+// What the genetic algorithm has of its own.
+constexpr std::array kGenetic{
+    Entry{{"population", "integer", "2 .. 1000000", "paths of a generation"},
+          Integer{&Params::population, 2, 1000000}},
+    Entry{{"crossover", "number", "0 .. 1", "probability that two parents cross"},
+          Number{&Params::crossover, 0, 1}},
+    Entry{{"mutation", "number", "0 .. 1", "probability that a child gets a new way to the goal"},
+          Number{&Params::mutation, 0, 1}},
+};
+
+constexpr auto kColonyParameters = Table::infos(kColony);
+
+// What the genetic algorithm shares with the colonies, then its own.
+constexpr auto kGeneticParameters = [] {
+  constexpr std::array<std::string_view, 4> kShared{"iterations", "neighbours", "corners",
+                                                    "polish"};
+  std::array<Parameter, kShared.size() + kGenetic.size()> list;
+  auto next = list.begin();
+  for (const Entry& e : kColony) {
+    if (std::find(kShared.begin(), kShared.end(), e.info.name) == kShared.end()) continue;
+    *next = e.info;
+    if (e.info.name == "neighbours") next->range = "4|8";  // see validate()
+    ++next;
+  }
+  for (const Entry& e : kGenetic) *next++ = e.info;
+  return list;
+}();
+
+constexpr std::array kEntries{std::span<const Entry>(kColony), std::span<const Entry>(kGenetic)};
+
+constexpr Table kTable(kEntries);
+
+}  // namespace
+
+std::span<const Parameter> colony_parameters() noexcept { return kColonyParameters; }
+std::span<const Parameter> genetic_parameters() noexcept { return kGeneticParameters; }
+
+void set_parameter(Params& params, std::string_view name, std::string_view value) {
+  kTable.set(params, name, value);
+}
+
+std::string get_parameter(const Params& params, std::string_view name) {
+  return kTable.get(params, name);
+}
+
+void validate(const Params& params) {
+  find_algorithm(params.algorithm);
+  kTable.check(params);
+  const double first =
+      params.pheromone_rule_first + params.distance_rule_first + params.combined_rule_first;
+  const double last = params.pheromone_rule + params.distance_rule + params.combined_rule;
+  if (!(last > 0) || (params.critical_time > 0 && !(first > 0))) {
+    throw invalid_parameter("the shares of the pheromone, distance and combined rules are all 0",
+                            "give one of them a share above 0");
+  }
+  for (const auto& [name, value] : {std::pair{"initial_pheromone", params.initial_pheromone},
+                                    std::pair{"deposit", params.deposit}}) {
+    if (value == 0 || value >= kLeastPheromone) continue;
+    throw invalid_parameter(std::string(name) + " is positive, but below 1e-12",
+                            "give both pheromones larger values: only their ratio counts");
+  }
+  const bool mixture = mixes_rules(params);
+  const bool inverse = params.selection == Selection::inverse_roulette;
+  const bool index = params.update == Update::terminal_index;
+  const bool learning = params.update == Update::learning;
+  const bool cells = params.trail == Trail::cells;
+  const auto refuse_if = [](bool wrong, const char* problem, const char* remedy) {
+    if (wrong) throw invalid_parameter(problem, remedy);
+  };
+  refuse_if(!cells && params.straight_deposit != StraightDeposit::none,
+            "straight_deposit lays pheromone on cells, but the trail is on arcs",
+            "set trail to cells or straight_deposit to none");
+  refuse_if(inverse != index,
+            "the inverse roulette discards large weights, which only the "
+            "terminal index gives to bad moves",
+            "set selection to inverse-roulette and update to terminal-index, or neither");
+  refuse_if(inverse && (mixture || params.greedy > 0),
+            "the inverse roulette knows one rule and no greedy steps",
+            "set greedy and the shares of the pheromone and distance rules to 0");
+  refuse_if((index || learning) && !cells, "this update keeps one value a cell, not one an arc",
+            "set trail to cells");
+  refuse_if(index && params.straight_deposit != StraightDeposit::none,
+            "the terminal index is no pheromone that could be laid",
+            "set straight_deposit to none");
+  refuse_if((params.heuristic == Heuristic::learned) != learning,
+            "the learned heuristic and the update learning belong together",
+            "set heuristic to learned and update to learning, or neither");
+  refuse_if(params.algorithm == "grid-ga" && params.neighbours > Neighbours::eight,
+            "grid-ga knows moves to 4 or 8 neighbours only", "set neighbours to 4 or 8");
+}
+
+}  // namespace lasius

@@ -1,0 +1,240 @@
+#include "core/params/presets.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "core/params/parameter_table.h"
+
+namespace lasius {
+namespace {
+
+/// Nothing to set: where it ends is in the request.
+Params exact() { return {}; }
+
+/// Fan, Luo, Yi & Zhang 2004, section 4; omega, mu, lambda from note 1, exponents from note 2. The
+/// source gives no weights for the roulette between its rules and no Q and tau0: with a = min(1,
+/// q / mc) the shares are 0.1 a, 1 - 0.9 a and 0.8 a, and Q / tau0 = 100. It does not say what an
+/// ant does at a dead end: here it steps back.
+Params fan2004() { return {}; }
+
+/// Ant system, Dorigo, Maniezzo & Colorni 1996, on 8 neighbours with pheromone on the arcs and
+/// visibility 1 / distance to the goal. alpha, beta and evaporation 0.3 are those that found the
+/// optima of Li, Wang and Ma's grids in each of 30 seeds; tau0 = m Q / L of the straight line.
+Params ant_system() {
+  Params p;
+  p.neighbours = Neighbours::eight;
+  p.trail = Trail::arcs;
+  p.heuristic = Heuristic::inverse_distance;
+  p.visibility = Visibility::none;
+  p.ants = 30;
+  p.iterations = 100;
+  p.alpha = p.alpha_first = 1;
+  p.beta = p.beta_first = 5;
+  p.critical_time = 0;
+  p.pheromone_rule_first = p.pheromone_rule = 0;
+  p.distance_rule_first = p.distance_rule = 0;
+  p.combined_rule_first = p.combined_rule = 1;
+  p.persistence = 0.7;
+  p.initial_pheromone = 0;
+  p.deposit = 1;
+  p.straight_deposit = StraightDeposit::none;
+  p.polish = Polish::none;
+  return p;
+}
+
+/// Elitist ant system: evaporation 0.5, e = the number of ants (Dorigo & Stuetzle 2004, box 3.1).
+Params elitist() {
+  Params p = ant_system();
+  p.update = Update::elitist;
+  p.persistence = 0.5;
+  p.elite_weight = p.ants;
+  return p;
+}
+
+/// Rank-based ant system: evaporation 0.1, w = 6 (Dorigo & Stuetzle 2004, box 3.1).
+Params rank_based() {
+  Params p = ant_system();
+  p.update = Update::rank;
+  p.persistence = 0.9;
+  p.ranks = 6;
+  return p;
+}
+
+/// MAX-MIN ant system: evaporation 0.02, p_best = 0.05; the iteration's best deposits, the best so
+/// far every 5 iterations (Stuetzle & Hoos 2000; Dorigo & Stuetzle 2004, box 3.1).
+Params max_min() {
+  Params p = ant_system();
+  p.update = Update::max_min;
+  p.persistence = 0.98;
+  p.best_so_far_every = 5;
+  p.best_probability = 0.05;
+  return p;
+}
+
+/// Ant colony system: 10 ants, q0 = 0.9, evaporation and local evaporation 0.1 (Dorigo &
+/// Gambardella 1997). Its local update follows every step; here it follows every ant (batch = 1).
+Params colony_system() {
+  Params p = ant_system();
+  p.update = Update::colony_system;
+  p.ants = 10;
+  p.greedy = 0.9;
+  p.persistence = 0.9;
+  p.local_evaporation = 0.1;
+  p.batch = 1;
+  return p;
+}
+
+/// Li, Wang & Ma, sections 2 and 3.1: alpha 0.9 on the terminal index, beta 1.5 on the distance,
+/// q = 0.8. Ants that are stuck die in the source; here they step back by default.
+Params terminal_index() {
+  Params p = ant_system();
+  p.update = Update::terminal_index;
+  p.selection = Selection::inverse_roulette;
+  p.trail = Trail::cells;
+  p.heuristic = Heuristic::distance;
+  p.alpha = p.alpha_first = 0.9;
+  p.beta = p.beta_first = 1.5;
+  p.index_spread = 0.8;
+  p.unknown_index = 99;
+  return p;
+}
+
+/// Cong & Ponnambalam 2009: 4 neighbours, ants one at a time, so an iteration is one ant and
+/// `ants` is how many walk before the map is updated (our extension). tau0 = 3, eta0 = 1; the
+/// number of ants is "a large number".
+Params cong2009() {
+  Params p = ant_system();
+  p.neighbours = Neighbours::four;
+  p.update = Update::learning;
+  p.trail = Trail::cells;
+  p.heuristic = Heuristic::learned;
+  p.dead_end = DeadEnd::kill;
+  p.ants = 1;
+  p.iterations = 1000;
+  p.alpha = p.alpha_first = 1.8;
+  p.beta = p.beta_first = 1.5;
+  p.persistence = 0.8;
+  p.initial_pheromone = 3;
+  p.reward = 1.2;
+  p.penalty = 0.5;
+  return p;
+}
+
+/// The lecture's colony: eta = 1 / h with h the change of heading, regularised as 1 / (1 + turn /
+/// 45 degrees); never straight back; the 5 "candidate" ants of its table read as the best ants of
+/// an iteration that deposit.
+Params lecture_grid() {
+  Params p = ant_system();
+  p.update = Update::best_share;
+  p.trail = Trail::cells;
+  p.heuristic = Heuristic::uniform;
+  p.visibility = Visibility::heading_change;
+  p.ants = 30;
+  p.iterations = 50;
+  p.alpha = p.alpha_first = 1;
+  p.beta = p.beta_first = 0.5;
+  p.elite_ants = 5;
+  p.persistence = 0.9;
+  p.initial_pheromone = 0.5;
+  p.deposit = 0.5;
+  return p;
+}
+
+/// Ahn & Ramakrishna 2002; 8 neighbours as the colonies that it is compared with.
+Params grid_ga() {
+  Params p;
+  p.neighbours = Neighbours::eight;
+  p.iterations = 100;
+  return p;
+}
+
+struct Preset {
+  Algorithm algorithm;
+  Params (*params)();
+};
+
+const std::array kPresets{
+    Preset{{"exact",
+            "the shortest any-angle path, with a proof; before that the best path so far with a "
+            "certified gap",
+            "lasius: ants on taut corners, see ARCHITECTURE.md",
+            {}},
+           exact},
+    Preset{{"fan2004",
+            "bitmaps of many irregular obstacles: pheromone, rescaled distance and their product "
+            "mixed by roulette, exponents that vary with time, tours pulled straight",
+            "Fan, Luo, Yi, Zhang: Path planning for robots based on ant colony optimization "
+            "algorithm under complex environment. Control and Decision 19 (2), 2004",
+            colony_parameters()},
+           fan2004},
+    Preset{{"as", "ant system, the classic: visibility 1 / distance to the goal",
+            "Dorigo, Maniezzo, Colorni: Ant System: optimization by a colony of cooperating "
+            "agents. IEEE Trans. SMC-B 26 (1), 1996",
+            colony_parameters()},
+           ant_system},
+    Preset{{"eas", "elitist ant system: the best tour so far deposits as well",
+            "Dorigo, Stuetzle: Ant Colony Optimization. MIT Press, 2004, section 3.3.2",
+            colony_parameters()},
+           elitist},
+    Preset{{"ras", "rank-based ant system: the best ants deposit, weighted by rank",
+            "Bullnheimer, Hartl, Strauss: A new rank-based version of the Ant System. Central "
+            "European J. for Operations Research 7 (1), 1999",
+            colony_parameters()},
+           rank_based},
+    Preset{{"mmas", "MAX-MIN ant system: one best ant deposits, pheromone between bounds",
+            "Stuetzle, Hoos: MAX-MIN Ant System. Future Generation Computer Systems 16 (8), 2000",
+            colony_parameters()},
+           max_min},
+    Preset{{"acs", "ant colony system: pseudo-random proportional rule, local and global update",
+            "Dorigo, Gambardella: Ant Colony System: a cooperative learning approach to the "
+            "traveling salesman problem. IEEE Trans. Evolutionary Computation 1 (1), 1997",
+            colony_parameters()},
+           colony_system},
+    Preset{{"terminal-index",
+            "the best known way from each cell in place of pheromone, moves discarded one by one",
+            "Li, Wang, Ma: ant colony path planning with a terminal index", colony_parameters()},
+           terminal_index},
+    Preset{{"cong2009", "one ant at a time, learned heuristic, penalties for dead ends",
+            "Cong, Ponnambalam: Mobile robot path planning using ant colony optimization. "
+            "IEEE/ASME Int. Conf. on Advanced Intelligent Mechatronics, 2009",
+            colony_parameters()},
+           cong2009},
+    Preset{{"lecture-grid", "heading change as heuristic, the best ants deposit",
+            "lecture on ant algorithms for robot path planning, grid part", colony_parameters()},
+           lecture_grid},
+    Preset{
+        {"grid-ga", "genetic algorithm, the comparator: paths of cells that cross where they meet",
+         "Ahn, Ramakrishna: A genetic algorithm for shortest path routing problem and the "
+         "sizing of populations. IEEE Trans. Evolutionary Computation 6 (6), 2002",
+         genetic_parameters()},
+        grid_ga},
+};
+
+const auto kAlgorithms = [] {
+  std::array<Algorithm, kPresets.size()> list;
+  for (std::size_t i = 0; i < list.size(); ++i) list[i] = kPresets[i].algorithm;
+  return list;
+}();
+
+}  // namespace
+
+std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
+
+const Algorithm& find_algorithm(std::string_view name) {
+  std::array<std::string_view, kAlgorithms.size()> names;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (kAlgorithms[i].name == name) return kAlgorithms[i];
+    names[i] = kAlgorithms[i].name;
+  }
+  throw unknown_name("algorithm", name, names);
+}
+
+Params defaults(std::string_view algorithm) {
+  const auto index = static_cast<std::size_t>(&find_algorithm(algorithm) - kAlgorithms.data());
+  Params p = kPresets[index].params();
+  p.algorithm = algorithm;
+  return p;
+}
+
+}  // namespace lasius

@@ -1,0 +1,142 @@
+#include "lasius/batch.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/params/parameter_table.h"
+
+namespace lasius {
+namespace {
+
+void check(const BatchOptions& options) {
+  check_target_gap(options.target_gap);
+  check_threads(options.threads);
+  if (options.time_limit && !(options.time_limit->count() >= 0)) {
+    throw invalid_parameter("time_limit is " + std::to_string(options.time_limit->count()) + " s",
+                            "it must be 0 or more, or none");
+  }
+}
+
+/// Hands out queries in order, and gives their answers on in order.
+class Sequencer {
+ public:
+  Sequencer(std::size_t count, std::size_t window, const std::stop_token& token,
+            const BatchReceiver& receive)
+      : count_(count),
+        link_(token, [this] { stop_.request_stop(); }),
+        receive_(receive),
+        waiting_(window) {}
+
+  std::stop_token token() const noexcept { return stop_.get_token(); }
+
+  /// The next query to begin, or nothing. Waits while it is too far ahead of the oldest answer.
+  std::optional<std::size_t> next() {
+    std::unique_lock lock(mutex_);
+    moved_.wait(lock, [this] { return begun_ - received_ < waiting_.size() || fault_; });
+    if (begun_ == count_ || stop_.stop_requested()) return std::nullopt;
+    return begun_++;
+  }
+
+  void finish(BatchAnswer answer) {
+    std::unique_lock lock(mutex_);
+    auto& slot = waiting_[answer.index % waiting_.size()];
+    slot = std::move(answer);
+    if (!receiving_) give_on(lock);
+  }
+
+  void fail(std::exception_ptr fault) {
+    const std::lock_guard lock(mutex_);
+    note(std::move(fault));
+    moved_.notify_all();
+  }
+
+  std::size_t result() const {
+    if (fault_) std::rethrow_exception(fault_);
+    return received_;
+  }
+
+ private:
+  /// Keeps the first fault, and stops what is in flight.
+  void note(std::exception_ptr fault) {
+    if (!fault_) fault_ = std::move(fault);
+    stop_.request_stop();
+  }
+
+  /// Gives on what is complete, without the lock, so that the others plan meanwhile.
+  void give_on(std::unique_lock<std::mutex>& lock) {
+    receiving_ = true;
+    while (auto& slot = waiting_[received_ % waiting_.size()]) {
+      if (fault_) break;
+      const BatchAnswer answer = std::move(*slot);
+      slot.reset();
+      lock.unlock();
+      std::exception_ptr fault;
+      try {
+        receive_(answer);
+      } catch (...) {
+        fault = std::current_exception();
+      }
+      lock.lock();
+      if (fault)
+        note(std::move(fault));
+      else
+        ++received_;
+      moved_.notify_all();
+    }
+    receiving_ = false;
+  }
+
+  const std::size_t count_;
+  std::stop_source stop_;
+  const std::stop_callback<std::function<void()>> link_;
+  const BatchReceiver& receive_;
+  std::mutex mutex_;
+  std::condition_variable moved_;
+  std::size_t begun_ = 0;
+  std::size_t received_ = 0;
+  bool receiving_ = false;
+  std::exception_ptr fault_;
+  std::vector<std::optional<BatchAnswer>> waiting_;  // ring: index modulo its size
+};
+
+}  // namespace
+
+std::size_t plan_batch(const Planner& planner, std::span<const Query> queries, const Params& params,
+                       const BatchOptions& options, const BatchReceiver& receive) {
+  validate(params);
+  check(options);
+  Params single = params;
+  single.threads = 1;
+  const int threads = thread_count(options.threads);
+  Sequencer sequencer(queries.size(), 64 + 8 * static_cast<std::size_t>(threads), options.token,
+                      receive);
+
+  const auto work = [&] {
+    Workspace workspace;
+    while (const auto index = sequencer.next()) {
+      const Query& query = queries[*index];
+      Request request{.start = query.start, .goal = query.goal, .target_gap = options.target_gap};
+      request.stop.token = sequencer.token();
+      if (options.time_limit) request.stop.deadline = deadline_in(*options.time_limit);
+      const auto begin = Clock::now();
+      Result result = planner.plan(request, single, &workspace);
+      sequencer.finish({*index, std::move(result), Clock::now() - begin});
+    }
+  };
+#pragma omp parallel num_threads(threads)
+  {
+    try {
+      work();
+    } catch (...) {
+      sequencer.fail(std::current_exception());
+    }
+  }
+  return sequencer.result();
+}
+
+}  // namespace lasius

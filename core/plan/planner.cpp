@@ -1,0 +1,174 @@
+#include "lasius/planner.h"
+
+#include <limits>
+#include <stdexcept>
+
+#include "core/colony/colony.h"
+#include "core/genetic/grid_ga.h"
+#include "core/grid/nearest_free.h"
+#include "core/loop/run_status.h"
+#include "core/params/parameter_table.h"
+#include "core/plan/planner_impl.h"
+#include "core/plan/workspace.h"
+#include "lasius/path.h"
+
+namespace lasius {
+
+Workspace::Workspace() : impl_(std::make_unique<Impl>()) {}
+Workspace::~Workspace() = default;
+Workspace::Workspace(Workspace&&) noexcept = default;
+Workspace& Workspace::operator=(Workspace&&) noexcept = default;
+
+Planner::Planner(Grid grid) : impl_(Impl::make(std::move(grid), {})) {}
+Planner::Planner(Grid grid, const PrepareOptions& options)
+    : impl_(Impl::make(std::move(grid), {}, options)) {}
+std::optional<Planner> Planner::prepare(Grid&& grid, const StopCondition& stop) {
+  return if_made(Impl::make(std::move(grid), stop));
+}
+std::optional<Planner> Planner::prepare(Grid&& grid, const PrepareOptions& options) {
+  return if_made(Impl::make(std::move(grid), options.stop, options));
+}
+Planner Planner::prepared(const PrepareOptions& options) const {
+  check_threads(options.threads);
+  auto more = std::make_shared<Impl>(impl_->grid, impl_->four, impl_->excluded, impl_->closed);
+  more->prepare_more(options);
+  return Planner(std::move(more));
+}
+std::optional<Planner> Planner::if_made(std::shared_ptr<const Impl> impl) {
+  return impl == nullptr ? std::nullopt : std::optional(Planner(std::move(impl)));
+}
+Planner::Planner(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+Planner::~Planner() = default;
+Planner::Planner(const Planner&) noexcept = default;
+Planner& Planner::operator=(const Planner&) noexcept = default;
+Planner::Planner(Planner&&) noexcept = default;
+Planner& Planner::operator=(Planner&&) noexcept = default;
+
+const Grid& Planner::grid() const noexcept { return impl_->grid; }
+
+bool Planner::label(Corners corners, const StopCondition& stop) const {
+  return impl_->components(corners, stop) != nullptr;
+}
+
+bool Planner::connected(Cell a, Cell b, Corners corners) const {
+  return impl_->components(corners, {})->connected(impl_->grid, a, b);
+}
+
+std::optional<Cell> Planner::nearest_free(Cell c) const {
+  const StopCondition never;
+  Poller poller(never);
+  return lasius::nearest_free(impl_->grid, c, poller);
+}
+
+namespace {
+
+Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Request& request,
+                 Workspace::Impl& workspace) {
+  ExactAnswer& answer = workspace.exact_answer;
+  const ExactOptions options{.target_gap = request.target_gap};
+  if (graph != nullptr) {
+    workspace.prepared.search(grid, *graph, request.start, request.goal, options, request.stop,
+                              answer);
+  } else {
+    workspace.exact.search(grid, request.start, request.goal, options, request.stop, answer);
+  }
+  Result result;
+  switch (answer.end) {
+    case ExactEnd::proven:
+    case ExactEnd::target_gap:
+      result.status = Status::solved;
+      break;
+    case ExactEnd::unreachable:
+      result.status = Status::unreachable;
+      return result;
+    case ExactEnd::stopped:
+      result.status = status_after(answer.cause, Status::limit);
+      break;
+  }
+  result.path = answer.path;
+  if (!result.path.empty()) result.length = answer.length;
+  result.lower_bound = answer.lower_bound;
+  result.optimal = answer.optimal;
+  return result;
+}
+
+}  // namespace
+
+Result Planner::plan(const Request& request, const Params& params, Workspace* workspace,
+                     const Observer& observer) const {
+  validate(params);
+  check_target_gap(request.target_gap);
+  const Grid& grid = impl_->grid;
+  Result result;
+  for (const auto& [what, cell] : {std::pair{"start", request.start}, {"goal", request.goal}}) {
+    if (grid.free(cell)) continue;
+    result.status = Status::invalid;
+    result.error = std::string(what) + " " + cell_name(cell) +
+                   (grid.contains(cell) ? " is blocked" : " is outside the map");
+    // It is named whatever the deadline.
+    const StopCondition no_deadline{.token = request.stop.token};
+    Poller poller(no_deadline);
+    if (const auto near = lasius::nearest_free(grid, cell, poller)) {
+      result.error += "; the nearest free cell is " + cell_name(*near);
+    } else if (!poller.stopped()) {
+      result.error += "; the map has no free cell";
+    }
+    return result;
+  }
+  if (request.start == request.goal) {
+    result.status = Status::solved;
+    result.path = {centre(request.start)};
+    result.length = 0;
+    result.lower_bound = 0;
+    result.optimal = true;
+    return result;
+  }
+  // Any-angle paths never squeeze, and with 4 neighbours no corner is ever passed.
+  const bool squeezes = params.algorithm != "exact" && params.neighbours != Neighbours::four;
+  const Corners corners = squeezes ? params.corners : Corners::forbid;
+  const Components* components = impl_->components(corners, request.stop);
+  if (components == nullptr) {
+    result.status = status_after(request.stop.poll(), Status::limit);
+    return result;
+  }
+  if (!components->connected(grid, request.start, request.goal)) {
+    result.status = Status::unreachable;
+    result.error = "start " + cell_name(request.start) + " and goal " + cell_name(request.goal) +
+                   " lie in different regions of free cells";
+    return result;
+  }
+
+  std::optional<Workspace> own;
+  if (workspace == nullptr) workspace = &own.emplace();
+  if (params.algorithm == "exact") {
+    result = run_exact(grid, impl_->graph.get(), request, workspace->impl());
+  } else if (params.algorithm == "grid-ga") {
+    const auto joined = [&](Cell c) { return components->connected(grid, request.start, c); };
+    result = run_grid_ga(grid, request, params, joined, workspace->impl().genetic, observer);
+  } else {
+    result = run_colony(grid, request, params, workspace->impl().colony, observer);
+  }
+  if (result.path.empty()) return result;
+  // Not to be cut short: a glance at the words along the path.
+  if (const auto fault = path_fault(grid, result.path, corners)) {
+    throw std::logic_error("a planned path is not valid: " + *fault);
+  }
+  return result;
+}
+
+const Preparation& Planner::preparation() const noexcept { return impl_->preparation; }
+
+std::int64_t Planner::components(Corners corners) const {
+  return impl_->components(corners, {})->count();
+}
+
+Planner::Footprint Planner::footprint() const noexcept {
+  const Grid& grid = impl_->grid;
+  Footprint f;
+  f.bitmap = static_cast<std::int64_t>(grid.stride()) * (grid.height() + 2) * 8;
+  f.components = impl_->component_bytes();
+  f.corners = impl_->preparation.bytes;
+  return f;
+}
+
+}  // namespace lasius

@@ -1,0 +1,112 @@
+// Planners made from planners: a map that changes.
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "core/plan/planner_impl.h"
+#include "lasius/error.h"
+
+namespace lasius {
+namespace {
+
+/// Directions, each once.
+class Known {
+ public:
+  explicit Known(std::span<const Planner::Direction> directions) {
+    for (const auto& d : directions) add(d);
+  }
+  /// False where it was there.
+  bool add(const Planner::Direction& d) { return keys_.insert(key(d)).second; }
+  bool contains(const Planner::Direction& d) const { return keys_.contains(key(d)); }
+
+ private:
+  using Key = std::tuple<int, int, int, int>;
+  static Key key(const Planner::Direction& d) { return {d.from.x, d.from.y, d.dx, d.dy}; }
+
+  std::set<Key> keys_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Planner::Impl> Planner::Impl::next(std::span<const Edit> edits,
+                                                         std::vector<Direction> directions,
+                                                         const StopCondition& stop) const {
+  Grid now = grid;
+  for (const Cell c : closed) now.set_blocked(c, false);  // the map as it is
+  for (const Edit& edit : edits) {
+    if (!now.contains(edit.cell)) {
+      throw Error(ErrorCode::invalid_parameter,
+                  "edited cell " + cell_name(edit.cell) + " is outside",
+                  "the map is " + std::to_string(now.width()) + " x " +
+                      std::to_string(now.height()) + " cells");
+    }
+    now.set_blocked(edit.cell, edit.blocked);
+  }
+  std::vector<Cell> shut;
+  for (const Direction& d : directions) {
+    const Cell c{d.from.x + d.dx, d.from.y + d.dy};
+    if (now.blocked(c)) continue;  // by the map, by another direction, or outside
+    now.set_blocked(c, true);
+    shut.push_back(c);
+  }
+  std::vector<Cell> changed;
+  const auto note = [&](Cell c) {
+    if (now.blocked(c) != grid.blocked(c)) changed.push_back(c);
+  };
+  for (const Edit& edit : edits) note(edit.cell);
+  for (const Cell c : closed) note(c);
+  for (const Cell c : shut) note(c);
+  auto components = four.updated(now, changed, stop);
+  if (!components) return nullptr;
+  return std::make_shared<const Impl>(std::move(now), std::move(*components), std::move(directions),
+                                      std::move(shut));
+}
+
+Planner Planner::edited(std::span<const Edit> edits) const { return *edited(edits, {}); }
+
+std::optional<Planner> Planner::edited(std::span<const Edit> edits,
+                                       const StopCondition& stop) const {
+  return if_made(impl_->next(edits, impl_->excluded, stop));
+}
+
+Planner Planner::exclude(std::span<const Direction> reported) const {
+  return *exclude(reported, {});
+}
+
+std::optional<Planner> Planner::exclude(std::span<const Direction> reported,
+                                        const StopCondition& stop) const {
+  std::vector<Direction> directions = impl_->excluded;
+  Known known(directions);
+  for (const Direction& d : reported) {
+    if (!impl_->grid.contains(d.from)) {
+      throw Error(ErrorCode::invalid_parameter,
+                  "excluded direction starts outside the map, at " + cell_name(d.from),
+                  "give a cell of the map");
+    }
+    const auto one = [](int step) { return step >= -1 && step <= 1; };
+    if (!one(d.dx) || !one(d.dy) || (d.dx == 0 && d.dy == 0)) {
+      throw Error(ErrorCode::invalid_parameter,
+                  "(" + std::to_string(d.dx) + ", " + std::to_string(d.dy) + ") is no direction",
+                  "give one of the eight steps to a neighbour");
+    }
+    if (known.add(d)) directions.push_back(d);
+  }
+  return if_made(impl_->next({}, std::move(directions), stop));
+}
+
+Planner Planner::allow(std::span<const Direction> gone) const { return *allow(gone, {}); }
+
+std::optional<Planner> Planner::allow(std::span<const Direction> gone,
+                                      const StopCondition& stop) const {
+  const Known allowed(gone);
+  std::vector<Direction> directions;
+  for (const Direction& d : impl_->excluded) {
+    if (!allowed.contains(d)) directions.push_back(d);
+  }
+  return if_made(impl_->next({}, std::move(directions), stop));
+}
+
+std::span<const Planner::Direction> Planner::excluded() const noexcept { return impl_->excluded; }
+
+}  // namespace lasius

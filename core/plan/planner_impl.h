@@ -1,0 +1,89 @@
+// What a Planner holds.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/exact/corner_graph.h"
+#include "core/params/parameter_table.h"
+#include "lasius/components.h"
+#include "lasius/planner.h"
+
+namespace lasius {
+
+class Planner::Impl {
+ public:
+  Impl(Grid g, Components c, std::vector<Direction> e = {}, std::vector<Cell> shut = {})
+      : grid(std::move(g)), four(std::move(c)), excluded(std::move(e)), closed(std::move(shut)) {}
+
+  /// Null, and the grid as it was, when stopped.
+  static std::shared_ptr<Impl> make(Grid&& grid, const StopCondition& stop) {
+    auto four = Components::make(grid, Components::Connectivity::four, stop);
+    return four ? std::make_shared<Impl>(std::move(grid), std::move(*four)) : nullptr;
+  }
+  static std::shared_ptr<Impl> make(Grid&& grid, const StopCondition& stop,
+                                    const PrepareOptions& options) {
+    check_threads(options.threads);
+    auto impl = make(std::move(grid), stop);
+    if (impl != nullptr) impl->prepare_more(options);
+    return impl;
+  }
+
+  void prepare_more(const PrepareOptions& options) {
+    const auto begin = Clock::now();
+    graph = exact::CornerGraph::make(grid, options, preparation);
+    preparation.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  }
+
+  /// The next version: the map with some edits, and these directions excluded. Null when stopped.
+  std::shared_ptr<const Impl> next(std::span<const Edit> edits, std::vector<Direction> directions,
+                                   const StopCondition& stop) const;
+
+  /// The components under a rule; null when stopped. Those of 8 neighbours are made when first
+  /// asked for. Two threads may both make them, and find the same: none has to wait for another,
+  /// whose stop condition is not its own.
+  const Components* components(Corners corners, const StopCondition& stop) const {
+    if (corners != Corners::allow) return &four;
+    if (const Components* ready = eight_.load(std::memory_order_acquire)) return ready;
+    auto made = Components::make(grid, Components::Connectivity::eight, stop);
+    if (!made) return nullptr;
+    std::call_once(eight_kept_, [&] {
+      made_eight_ = std::move(made);
+      eight_.store(&*made_eight_, std::memory_order_release);
+    });
+    return &*made_eight_;
+  }
+
+  /// Memory that components hold.
+  std::int64_t component_bytes() const noexcept {
+    const Components* const eight = eight_.load(std::memory_order_acquire);
+    return four.bytes() + (eight != nullptr ? eight->bytes() : 0);
+  }
+
+  const Grid grid;
+  const Components four;
+  const std::vector<Direction> excluded;
+  const std::vector<Cell> closed;  ///< blocked in `grid` by `excluded`, not by the map
+  std::shared_ptr<const exact::CornerGraph> graph;  ///< of `grid`; null if not prepared
+  Preparation preparation;
+
+ private:
+  mutable std::once_flag eight_kept_;
+  mutable std::optional<Components> made_eight_;
+  mutable std::atomic<const Components*> eight_ = nullptr;  ///< null until they are kept
+};
+
+/// A cell in messages.
+inline std::string cell_name(Cell c) {
+  std::string text = "(";
+  text += std::to_string(c.x) + ", " + std::to_string(c.y);
+  return text += ')';
+}
+
+}  // namespace lasius

@@ -1,0 +1,21 @@
+// The scratch memory behind lasius::Workspace.
+#pragma once
+
+#include "core/colony/colony_memory.h"
+#include "core/exact/exact.h"
+#include "core/exact/prepared_search.h"
+#include "core/genetic/grid_ga_memory.h"
+#include "lasius/planner.h"
+
+namespace lasius {
+
+class Workspace::Impl {
+ public:
+  ColonyMemory colony;
+  GridGaMemory genetic;
+  ExactSearch exact;
+  exact::PreparedSearch prepared;
+  ExactAnswer exact_answer;
+};
+
+}  // namespace lasius

@@ -1,0 +1,63 @@
+#include "core/smooth/path_maker.h"
+
+#include "lasius/path.h"
+
+namespace lasius {
+namespace {
+
+// A shortcut must beat rounding.
+constexpr double kShorter = 1 - exact::kRounding;
+
+// Work that looking for a shortcut may take: so much, and more for each tile that was entered.
+constexpr std::int64_t kLeastWords = 16384;
+constexpr std::int64_t kWordsPerTile = 128;
+
+}  // namespace
+
+std::span<const Cell> PathMaker::cut(const Grid& grid, std::span<const Cell> walk, bool diagonal,
+                                     Corners corners, const StopCondition& stop,
+                                     std::span<const kernels::PackedCell> more) {
+  const auto way = cutter_.cut(grid, walk, diagonal, corners, stop, more);
+  return way.empty() ? walk : way;
+}
+
+void PathMaker::polish(const Grid& grid, std::span<const Cell> way, Polish polish, Corners corners,
+                       const StopCondition& stop, std::vector<Point>& path) {
+  const bool straight = polish == Polish::straight;
+  straightener_.run(grid, way, stop);
+  if (straight) {
+    straightener_.tighten(grid, stop);
+  } else {
+    tautener_.run(grid, straightener_.vertices(), corners, stop);
+  }
+  const auto string = straight ? straightener_.string() : tautener_.path();
+  const bool shorter = straightener_.vertices().size() > 2 &&
+                       stop.poll() == StopCondition::Cause::none &&
+                       find_shortcut(grid, way, path_length(string), stop);
+  if (shorter) straightener_.take(grid, shortcut_, stop);
+  path.clear();
+  if (straight) {
+    for (const Cell c : straightener_.vertices()) path.push_back(centre(c));
+  } else {
+    const std::span<const Point> taut = shorter ? shortcut_ : string;
+    path.assign(taut.begin(), taut.end());
+  }
+}
+
+/// Finds a string that is shorter than `length` and bends only at corners of cells that the walk
+/// entered, or that the path goes over.
+bool PathMaker::find_shortcut(const Grid& grid, std::span<const Cell> way, double length,
+                              const StopCondition& stop) {
+  Poller poller(stop, Poller::kSteps);
+  for (const Cell c : straightener_.cells()) {
+    cutter_.entered().add(c);
+    if (poller.stop_after(1)) return false;
+  }
+  const CellSet& entered = cutter_.entered();
+  const auto tiles = static_cast<std::int64_t>(entered.tiles().size());
+  search_.shortcut(grid, way.front(), way.back(), length * kShorter, entered,
+                   kLeastWords + kWordsPerTile * tiles, stop, shortcut_);
+  return !shortcut_.empty();
+}
+
+}  // namespace lasius

@@ -1,0 +1,47 @@
+// From the cells of a walk to a path: loops cut, pulled straight or taut, shortcuts taken.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/exact/exact.h"
+#include "core/smooth/loop_cutter.h"
+#include "core/smooth/straighten.h"
+#include "core/smooth/tauten.h"
+#include "kernels/base/packed_cell.h"
+#include "lasius/geometry.h"
+#include "lasius/grid.h"
+#include "lasius/params.h"
+#include "lasius/stop.h"
+
+namespace lasius {
+
+/// Buffers are reused from call to call; one object per thread.
+class PathMaker {
+ public:
+  /// The shortest way from a walk's first cell to its last within its cells and `more`, as
+  /// LoopCutter has it; the walk itself when stopped. Holds until the next call.
+  std::span<const Cell> cut(const Grid& grid, std::span<const Cell> walk, bool diagonal,
+                            Corners corners, const StopCondition& stop,
+                            std::span<const kernels::PackedCell> more = {});
+
+  /// The path along `way`, which `cut` returned, as Polish states; rougher when stopped.
+  /// Precondition: `polish` is not none.
+  void polish(const Grid& grid, std::span<const Cell> way, Polish polish, Corners corners,
+              const StopCondition& stop, std::vector<Point>& path);
+
+  /// Cells under the last path, or under one of its class.
+  std::span<const Cell> raster() const noexcept { return straightener_.cells(); }
+
+ private:
+  bool find_shortcut(const Grid& grid, std::span<const Cell> way, double length,
+                     const StopCondition& stop);
+
+  LoopCutter cutter_;
+  Straightener straightener_;
+  Tautener tautener_;
+  ExactSearch search_;
+  std::vector<Point> shortcut_;
+};
+
+}  // namespace lasius

@@ -1,0 +1,269 @@
+#include "core/smooth/straighten.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+#include "core/grid/cell_distance.h"
+#include "core/grid/grid_view.h"
+#include "kernels/sight/sight.h"
+#include "lasius/path.h"
+
+namespace lasius {
+namespace {
+
+// Gains must beat rounding.
+constexpr double kShorter = 1 - 1e-12;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Appends the cells that the segment a - b crosses, a left out. Through a lattice point the way
+// goes by the free cell beside it, by columns first where both are free.
+void append_segment(const kernels::BitmapView& map, Cell a, Cell b, std::vector<Cell>& cells) {
+  const int step_x = b.x > a.x ? 1 : -1;
+  const int step_y = b.y > a.y ? 1 : -1;
+  const std::int64_t dx = std::abs(b.x - a.x);
+  const std::int64_t dy = std::abs(b.y - a.y);
+  // Sign: which comes first, the next line between rows (> 0) or between columns (< 0)?
+  std::int64_t ahead = dy - dx;
+  while (a != b) {
+    if (ahead == 0) {
+      const bool by_column = !map.blocked(a.x + step_x, a.y);
+      if (by_column) {
+        cells.push_back({a.x + step_x, a.y});
+      } else if (!map.blocked(a.x, a.y + step_y)) {
+        cells.push_back({a.x, a.y + step_y});
+      }
+      a = {a.x + step_x, a.y + step_y};
+      ahead += 2 * dy - 2 * dx;
+    } else if (ahead < 0) {
+      a.x += step_x;
+      ahead += 2 * dy;
+    } else {
+      a.y += step_y;
+      ahead -= 2 * dx;
+    }
+    cells.push_back(a);
+  }
+}
+
+void rasterise(const kernels::BitmapView& map, std::span<const Cell> polyline,
+               std::vector<Cell>& cells) {
+  cells.assign(1, polyline[0]);
+  for (std::size_t i = 1; i < polyline.size(); ++i) {
+    append_segment(map, polyline[i - 1], polyline[i], cells);
+  }
+}
+
+// Greedy line of sight: each piece ends at the last cell before the first hidden one. False when
+// told to stop before the walk's end.
+bool pull(const kernels::BitmapView& map, std::span<const Cell> walk, kernels::SightCone& cone,
+          Poller& poller, std::vector<Cell>& polyline) {
+  int lo = walk[0].x;
+  int hi = lo;
+  for (const Cell c : walk) {
+    lo = std::min(lo, c.x);
+    hi = std::max(hi, c.x);
+  }
+  polyline.assign(1, walk[0]);
+  std::size_t next = 1;
+  while (next < walk.size()) {
+    const std::size_t anchor = next - 1;
+    cone.start(map, walk[anchor].x, walk[anchor].y, lo, hi);
+    while (next < walk.size() && cone.sees_next(walk[next].x, walk[next].y)) {
+      ++next;
+      if (poller.stop_after(cone.take_work())) return false;
+    }
+    if (next == anchor + 1) ++next;  // the walk squeezes between two diagonal blocks: so be it
+    if (walk[next - 1] != polyline.back()) polyline.push_back(walk[next - 1]);
+  }
+  return true;
+}
+
+bool sees(const kernels::BitmapView& map, Cell a, Cell b) noexcept {
+  return kernels::sees_cell(map, a.x, a.y, b.x, b.y);
+}
+
+// Leaves out vertices and moves them to neighbouring cells as long as that makes the polyline
+// shorter. False when told to stop.
+bool settle(const kernels::BitmapView& map, Poller& poller, std::vector<Cell>& polyline) {
+  for (bool changed = true; changed && polyline.size() > 2;) {
+    changed = false;
+    std::size_t kept = 1, i = 1;  // vertices between the two are left out
+    const auto close_up = [&] {
+      polyline.erase(polyline.begin() + static_cast<std::ptrdiff_t>(kept),
+                     polyline.begin() + static_cast<std::ptrdiff_t>(i));
+    };
+    for (; i + 1 < polyline.size(); ++i) {
+      const Cell a = polyline[kept - 1], b = polyline[i], c = polyline[i + 1];
+      if (poller.stop_after(std::abs(c.y - a.y) + 64)) {
+        close_up();
+        return false;
+      }
+      if (a == b || b == c || sees(map, a, c)) {
+        changed = true;
+        continue;
+      }
+      Cell best = b;
+      double least = (distance(a, b) + distance(b, c)) * kShorter;
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          const Cell to{b.x + dx, b.y + dy};
+          const double length = distance(a, to) + distance(to, c);
+          if (length >= least || map.blocked(to.x, to.y)) continue;
+          if (!sees(map, a, to) || !sees(map, to, c)) continue;
+          least = length;
+          best = to;
+          changed = true;
+        }
+      }
+      polyline[kept++] = best;
+    }
+    close_up();
+  }
+  return true;
+}
+
+}  // namespace
+
+/// Puts a taut string back on cells: the shortest polyline over two of the free cells around each
+/// of its corners, into `pulled_`. False when there is none.
+bool Straightener::string_on_cells(const Grid& grid, std::span<const Point> string,
+                                   Poller& poller) {
+  const kernels::BitmapView map = view_of(grid);
+  if (string.size() < 2) return false;
+  layers_.assign(1, {.cell = {best_.front()}, .count = 1});
+  for (const Point corner : string.subspan(1, string.size() - 2)) {
+    const int x = static_cast<int>(corner.x), y = static_cast<int>(corner.y);
+    Layer around;
+    for (int dy = -kReach; dy < kReach; ++dy) {
+      for (int dx = -kReach; dx < kReach; ++dx) {
+        const Cell c{x + dx, y + dy};
+        if (grid.contains(c) && grid.free(c)) around.cell[around.count++] = c;
+      }
+    }
+    layers_.insert(layers_.end(), 2, around);
+  }
+  layers_.push_back({.cell = {best_.back()}, .count = 1});
+  for (std::size_t i = 1; i < layers_.size(); ++i) {
+    if (!connect(map, poller, layers_[i - 1], layers_[i])) return false;
+  }
+  pulled_.clear();
+  for (std::size_t i = layers_.size(), k = 0; i-- > 0; k = layers_[i].from[k]) {
+    const Cell c = layers_[i].cell[k];
+    if (pulled_.empty() || pulled_.back() != c) pulled_.push_back(c);
+  }
+  std::reverse(pulled_.begin(), pulled_.end());
+  return true;
+}
+
+/// The shortest way to every cell of a layer over those of the one before; cells without one are
+/// dropped. False when none is left.
+bool Straightener::connect(const kernels::BitmapView& map, Poller& poller, const Layer& before,
+                           Layer& layer) {
+  int reached = 0;
+  for (int k = 0; k < layer.count; ++k) {
+    const Cell to = layer.cell[k];
+    std::array<double, kCells> length;
+    for (int j = 0; j < before.count; ++j) {
+      length[j] = before.length[j] + distance(before.cell[j], to);
+    }
+    for (int left = before.count; left > 0; --left) {
+      const auto least = std::min_element(length.begin(), length.begin() + before.count);
+      if (*least == kInfinity) break;
+      const auto j = static_cast<int>(least - length.begin());
+      if (poller.stop_after(std::abs(to.y - before.cell[j].y) + 2)) return false;
+      if (sees(map, before.cell[j], to)) {
+        layer.cell[reached] = to;
+        layer.length[reached] = *least;
+        layer.from[reached++] = j;
+        break;
+      }
+      *least = kInfinity;
+    }
+  }
+  layer.count = reached;
+  return reached > 0;
+}
+
+/// Greedy passes from either end until neither shortens the polyline. False when told to stop.
+bool Straightener::pull_from_both_ends(const kernels::BitmapView& map, Poller& poller) {
+  bool forth = false;
+  for (int in_vain = 0; in_vain < 2; forth = !forth) {
+    rasterise(map, best_, raster_);
+    if (!forth) std::reverse(raster_.begin(), raster_.end());
+    if (!pull(map, raster_, cone_, poller, pulled_)) return false;
+    if (!forth) std::reverse(pulled_.begin(), pulled_.end());
+    in_vain = keep_if_shorter() ? 0 : in_vain + 1;
+  }
+  return true;
+}
+
+bool Straightener::keep_if_shorter() {
+  const double length = length_of(pulled_);
+  if (!(length < length_ * kShorter)) return false;
+  length_ = length;
+  best_.assign(pulled_.begin(), pulled_.end());
+  return true;
+}
+
+void Straightener::run(const Grid& grid, std::span<const Cell> walk, const StopCondition& stop) {
+  const kernels::BitmapView map = view_of(grid);
+  Poller poller(stop);
+  best_.assign(walk.begin(), walk.end());
+  // The first pass only cuts short, whatever rounding says.
+  if (pull(map, walk, cone_, poller, pulled_)) best_.assign(pulled_.begin(), pulled_.end());
+  length_ = length_of(best_);
+  if (!poller.stopped()) pull_from_both_ends(map, poller);
+  rasterise(map, best_, raster_);
+}
+
+void Straightener::tighten(const Grid& grid, const StopCondition& stop) {
+  if (best_.size() < 3 || stop.poll() != StopCondition::Cause::none) return;
+  const kernels::BitmapView map = view_of(grid);
+  for (std::size_t i = 1; i < best_.size(); ++i) {
+    if (sees(map, best_[i - 1], best_[i])) continue;
+    tautener_.run(grid, best_, Corners::allow, stop);  // a squeeze that is kept
+    return;
+  }
+  Poller poller(stop);
+  const auto settle_and_keep = [&] { return settle(map, poller, pulled_) && keep_if_shorter(); };
+  // A vertex less, or pieces pulled again, may pass an obstacle on its other side: then the string
+  // is another one.
+  for (bool shorter = true; shorter;) {
+    tautener_.run(grid, best_, Corners::forbid, stop);
+    shorter = string_on_cells(grid, tautener_.path(), poller) && settle_and_keep();
+    if (!shorter) {
+      pulled_.assign(best_.begin(), best_.end());
+      shorter = settle_and_keep();
+    }
+    shorter = shorter && pull_from_both_ends(map, poller);
+  }
+  rasterise(map, best_, raster_);
+}
+
+void Straightener::take(const Grid& grid, std::span<const Point> string,
+                        const StopCondition& stop) {
+  Poller poller(stop);
+  if (!string_on_cells(grid, string, poller) || !keep_if_shorter()) return;
+  rasterise(view_of(grid), best_, raster_);
+  tighten(grid, stop);
+}
+
+std::vector<Cell> straighten(const Grid& grid, std::span<const Cell> cells,
+                             const StopCondition& stop) {
+  if (cells.empty()) return {};
+  Straightener straightener;
+  straightener.run(grid, cells, stop);
+  return {straightener.vertices().begin(), straightener.vertices().end()};
+}
+
+std::vector<Cell> tighten(const Grid& grid, std::span<const Cell> cells,
+                          const StopCondition& stop) {
+  if (cells.empty()) return {};
+  Straightener straightener;
+  straightener.run(grid, cells, stop);
+  straightener.tighten(grid, stop);
+  return {straightener.vertices().begin(), straightener.vertices().end()};
+}
+
+}  // namespace lasius

@@ -1,0 +1,144 @@
+#include "core/base/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace lasius {
+namespace {
+
+TEST(ParallelFor, CallsEachOnceFromThreadsInRange) {
+  for (const int threads : {0, 1, 2, 5}) {
+    for (const int count : {0, 1, 2, 1000}) {
+      std::vector<std::atomic<int>> calls(static_cast<std::size_t>(count));
+      std::atomic<bool> in_range{true};
+      parallel_for(count, threads, [&](int i, int thread) {
+        ++calls[static_cast<std::size_t>(i)];
+        if (thread < 0 || thread >= std::max(threads, 1)) in_range = false;
+      });
+      EXPECT_TRUE(in_range);
+      for (const auto& c : calls) EXPECT_EQ(c, 1) << threads << " threads, " << count;
+    }
+  }
+}
+
+TEST(ParallelFor, ThreadsOfOneNumberNeverMeet) {
+  std::array<std::mutex, 4> busy;
+  std::atomic<int> met{0};
+  parallel_for(2000, 4, [&](int, int thread) {
+    const std::unique_lock lock(busy[static_cast<std::size_t>(thread)], std::try_to_lock);
+    if (!lock) ++met;
+  });
+  EXPECT_EQ(met, 0);
+}
+
+TEST(ParallelFor, ThrowsOnAndBeginsNoMore) {
+  for (const int threads : {1, 2, 5}) {
+    std::atomic<int> after{0};
+    std::atomic<bool> thrown{false};
+    const auto body = [&](int i, int) {
+      // A thread that throws has noted it, so it begins no further call.
+      if (thrown) {
+        ++after;
+        throw std::runtime_error("after");
+      }
+      if (i == 3) {
+        thrown = true;
+        throw std::runtime_error("three");
+      }
+    };
+    EXPECT_THROW(parallel_for(1 << 20, threads, body), std::runtime_error);
+    EXPECT_LE(after, threads - 1);
+  }
+}
+
+TEST(Crew, SharesManyLoops) {
+  for (const int threads : {2, 5}) {
+    std::int64_t sum = 0;
+    std::atomic<bool> in_range{true};
+    Crew::lead(threads, [&] {
+      for (int round = 0; round < 20000; ++round) {
+        const int count = round % 7, members = 1 + round % 4;
+        std::array<int, 7> calls{};
+        parallel_for(count, members, [&](int i, int thread) {
+          ++calls[static_cast<std::size_t>(i)];  // of one thread each
+          if (thread < 0 || thread >= std::min(members, threads)) in_range = false;
+        });
+        for (int i = 0; i < count; ++i) sum += calls[static_cast<std::size_t>(i)] == 1;
+      }
+    });
+    EXPECT_TRUE(in_range);
+    std::int64_t calls = 0;
+    for (int round = 0; round < 20000; ++round) calls += round % 7;
+    EXPECT_EQ(sum, calls) << threads;
+  }
+}
+
+TEST(Crew, AllOfItWorks) {
+  // Each call waits for the other: one thread alone would never end.
+  std::atomic<int> inside{0};
+  Crew::lead(2, [&] {
+    parallel_for(2, 2, [&](int, int) {
+      ++inside;
+      while (inside < 2) std::this_thread::yield();
+    });
+  });
+  EXPECT_EQ(inside, 2);
+}
+
+TEST(Crew, ThrowsOnAndGoesOn) {
+  int done = 0;
+  Crew::lead(3, [&] {
+    for (int round = 0; round < 100; ++round) {
+      const auto body = [](int i, int) {
+        if (i == 3) throw std::runtime_error("three");
+      };
+      EXPECT_THROW(parallel_for(100, 3, body), std::runtime_error);
+      ++done;
+    }
+  });
+  EXPECT_EQ(done, 100);
+  EXPECT_THROW(Crew::lead(3, [] { throw std::runtime_error("leader"); }), std::runtime_error);
+  EXPECT_EQ(Crew::led_here(), nullptr);
+}
+
+TEST(Crew, OneInsideAnother) {
+  std::atomic<int> calls{0};
+  Crew::lead(2, [&] {
+    Crew* const outer = Crew::led_here();
+    Crew::lead(2, [&] {
+      EXPECT_NE(Crew::led_here(), outer);
+      parallel_for(10, 2, [&](int, int) { ++calls; });
+    });
+    EXPECT_EQ(Crew::led_here(), outer);
+    parallel_for(10, 2, [&](int, int) { ++calls; });
+  });
+  EXPECT_EQ(calls, 20);
+}
+
+TEST(Crew, ALoopWithinALoopLosesNothing) {
+  for (const int threads : {2, 5}) {
+    std::atomic<int> outer{0}, inner{0};
+    Crew::lead(threads, [&] {
+      Crew* const crew = Crew::led_here();
+      for (int round = 0; round < 100; ++round) {
+        parallel_for(8, threads, [&](int, int) {
+          ++outer;
+          parallel_for(3, threads, [&](int, int) { ++inner; });
+        });
+        EXPECT_EQ(Crew::led_here(), crew);
+      }
+    });
+    EXPECT_EQ(outer, 800) << threads;
+    EXPECT_EQ(inner, 2400) << threads;
+  }
+}
+
+}  // namespace
+}  // namespace lasius

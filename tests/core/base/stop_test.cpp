@@ -1,0 +1,61 @@
+#include "lasius/stop.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stop_token>
+
+#include "tests/core/base/counting_time.h"
+
+namespace lasius {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+TEST(Deadline, IsSoFarFromNow) {
+  const auto before = Clock::now();
+  const auto deadline = deadline_in(Seconds(0.5));
+  EXPECT_GE(deadline, before + std::chrono::milliseconds(500));
+  EXPECT_LE(deadline, Clock::now() + std::chrono::milliseconds(500));
+}
+
+TEST(Deadline, TakesAnyNumber) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double time : {3.2e9, 9.2e9, 9.3e9, 1e300, kInfinity, std::nan("")}) {
+    EXPECT_EQ(deadline_in(Seconds(time)), Clock::time_point::max()) << time;
+  }
+  for (const double time : {-0.0, -1.0, -1e300, -kInfinity}) {
+    const auto deadline = deadline_in(Seconds(time));
+    EXPECT_LE(deadline, Clock::now()) << time;
+  }
+}
+
+TEST(Poller, LooksOnceABudgetIsSpentAndNeverAgainOnceStopped) {
+  const CountingTime time(1);
+  const StopCondition stop = time.is_up();
+  Poller poller(stop, 10);
+  EXPECT_FALSE(poller.stop_after(9));
+  EXPECT_EQ(time.polls(), 0);
+  EXPECT_FALSE(poller.stop_after(1));
+  EXPECT_EQ(time.polls(), 1);
+  EXPECT_FALSE(poller.stop_after(9));
+  EXPECT_TRUE(poller.stop_after(100));
+  EXPECT_TRUE(poller.stop_after(100));
+  EXPECT_EQ(time.polls(), 2);
+  EXPECT_EQ(poller.cause(), StopCondition::Cause::deadline);
+}
+
+TEST(StopCondition, TheTokenCountsBeforeTheClock) {
+  const CountingTime time(0);
+  StopCondition stop = time.is_up();
+  std::stop_source source;
+  stop.token = source.get_token();
+  EXPECT_EQ(stop.poll(), StopCondition::Cause::deadline);
+  source.request_stop();
+  EXPECT_EQ(stop.poll(), StopCondition::Cause::token);
+  EXPECT_EQ(time.polls(), 1);
+}
+
+}  // namespace
+}  // namespace lasius

@@ -1,0 +1,245 @@
+// The field's rows against a plain reference that keeps tau of every cell and evaporates eagerly.
+#include "core/colony/field.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "lasius/planner.h"
+#include "tests/core/base/counting_time.h"
+
+namespace lasius {
+namespace {
+
+Grid noisy(int width, int height, double blocked, unsigned seed) {
+  Grid grid(width, height);
+  std::mt19937 random(seed);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      if (static_cast<double>(random()) < blocked * 4294967296.0) grid.set_blocked({x, y});
+    }
+  }
+  return grid;
+}
+
+/// The row of a cell as ants see it.
+const float* row(Field& field, Cell c, int floats) {
+  kernels::WalkWorld world;
+  field.fill(world);
+  const int tile = (c.y / kernels::kTileSide) * world.tiles_x + c.x / kernels::kTileSide;
+  const float* rows = world.tiles[tile];
+  if (rows == nullptr) rows = world.make_tile(world.context, tile);
+  return rows +
+         ((c.y % kernels::kTileSide) * kernels::kTileSide + c.x % kernels::kTileSide) * floats;
+}
+
+/// tau by the formulas: every cell or arc in full, nothing lazy.
+struct Reference {
+  Reference(const Grid& g, const Params& p)
+      : grid(g),
+        params(p),
+        moves(kernels::moves_of(static_cast<kernels::Neighbourhood>(p.neighbours))),
+        tau(static_cast<std::size_t>(g.width()) * g.height() *
+                (p.trail == Trail::arcs ? moves.count : 1),
+            p.initial_pheromone) {}
+
+  double& at(Cell c, int move) {
+    const auto cell = static_cast<std::size_t>(c.y) * grid.width() + c.x;
+    return tau[params.trail == Trail::arcs ? cell * moves.count + move : cell];
+  }
+  double of_move(Cell c, int k) {
+    return params.trail == Trail::arcs ? at(c, k)
+                                       : at({c.x + moves[k].to.dx, c.y + moves[k].to.dy}, 0);
+  }
+
+  const Grid& grid;
+  Params params;
+  kernels::Moves moves;
+  std::vector<double> tau;
+};
+
+class FieldAgainstReference : public testing::TestWithParam<std::tuple<int, Trail, double>> {};
+
+TEST_P(FieldAgainstReference, RowsKeepTheRatiosOfTauToTheAlpha) {
+  const auto [neighbours, trail, persistence] = GetParam();
+  const Grid grid = noisy(90, 70, 0.2, 4);
+  Params params;
+  params.neighbours = neighbours == 4 ? Neighbours::four : Neighbours::eight;
+  params.trail = trail;
+  params.straight_deposit = StraightDeposit::none;
+  params.persistence = persistence;
+  params.initial_pheromone = 0.3;
+  params.corners = Corners::allow;
+  Field field;
+  Reference reference(grid, params);
+  field.reset(grid, reference.moves, {80, 60}, params, params.initial_pheromone, {});
+
+  std::mt19937 random(9);
+  for (int q = 0; q < 60; ++q) {
+    const StepWeights weights = schedule(params, q);
+    field.refresh(weights, 1);
+    for (int i = 0; i < 40; ++i) {
+      const Cell c{static_cast<int>(random() % 90), static_cast<int>(random() % 70)};
+      const float* a = row(field, c, 2 * neighbours);
+      const float* b = a + neighbours;
+      double largest = 0;
+      for (int k = 0; k < neighbours; ++k) {
+        if (b[k] > 0) largest = std::max(largest, reference.of_move(c, k));
+      }
+      for (int k = 0; k < neighbours; ++k) {
+        if (grid.blocked(c)) {
+          EXPECT_EQ(a[k], 0);
+          continue;
+        }
+        const Cell to{c.x + reference.moves[k].to.dx, c.y + reference.moves[k].to.dy};
+        EXPECT_EQ(a[k] > 0, grid.free(to));
+        EXPECT_EQ(b[k] > 0, grid.free(to));
+        if (a[k] == 0) continue;
+        const double ratio = reference.of_move(c, k) / largest;
+        const double expected = std::max(std::pow(ratio, weights.alpha), 0x1p-60);
+        EXPECT_NEAR(a[k] / expected, 1, 2e-5) << "iteration " << q;
+        if (trail == Trail::cells) {
+          EXPECT_NEAR(field.pheromone(to) / reference.at(to, 0), 1, 1e-5);
+        }
+      }
+    }
+    field.evaporate(persistence);
+    for (double& t : reference.tau) t *= persistence;
+    for (int i = 0; i < 30; ++i) {  // few cells, so that some gather a lot
+      const Cell c{static_cast<int>(random() % 12) * 7, static_cast<int>(random() % 9) * 7};
+      if (grid.blocked(c)) continue;
+      const int move = static_cast<int>(random() % static_cast<unsigned>(neighbours));
+      const double amount = static_cast<double>(random()) * 0x1p-32;
+      field.deposit(c, move, amount);
+      reference.at(c, move) += amount;
+    }
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Field, FieldAgainstReference,
+                         testing::Combine(testing::Values(4, 8),
+                                          testing::Values(Trail::cells, Trail::arcs),
+                                          testing::Values(0.999, 0.7)));
+
+TEST(Field, ASingleRuleHoldsTheProductOfBothParts) {
+  const Grid grid = noisy(64, 64, 0.2, 4);
+  Params mixture, single;
+  single.pheromone_rule_first = single.pheromone_rule = 0;
+  single.distance_rule_first = single.distance_rule = 0;
+  single.combined_rule_first = 1;
+  Field two, one;
+  two.reset(grid, kernels::moves_of(kernels::Neighbourhood::four), {50, 50}, mixture, 1, {});
+  one.reset(grid, kernels::moves_of(kernels::Neighbourhood::four), {50, 50}, single, 1, {});
+  EXPECT_TRUE(two.mixture());
+  EXPECT_FALSE(one.mixture());
+  for (Field* f : {&two, &one}) {
+    f->deposit({10, 10}, 0, 3);
+    f->deposit({33, 31}, 0, 5);
+    f->refresh(schedule(mixture, 7), 1);
+  }
+  for (const Cell c : {Cell{10, 9}, Cell{32, 31}, Cell{33, 32}, Cell{20, 20}}) {
+    const float* parts = row(two, c, 8);
+    const float* product = row(one, c, 4);
+    for (int k = 0; k < 4; ++k) EXPECT_EQ(product[k], parts[k] * parts[4 + k]);
+  }
+}
+
+TEST(Field, CornerRulesCloseDiagonalMoves) {
+  Grid grid(3, 3);
+  grid.set_blocked({1, 0});  // beside the move from (1, 1) to (0, 0) and to (2, 0)
+  grid.set_blocked({0, 1});  // the other side of the one to (0, 0)
+  Params params;
+  params.neighbours = Neighbours::eight;
+  const auto open = [&](Corners corners) {
+    params.corners = corners;
+    Field field;
+    field.reset(grid, kernels::moves_of(kernels::Neighbourhood::eight), {2, 2}, params, 1, {});
+    const float* a = row(field, {1, 1}, 16);
+    std::string moves;
+    for (int k = 0; k < 8; ++k) moves += a[k] > 0 ? '1' : '0';
+    return moves;
+  };
+  // Moves in scan order: NW N NE W E SW S SE.
+  EXPECT_EQ(open(Corners::forbid), "00001011");
+  EXPECT_EQ(open(Corners::one_side), "00101111");
+  EXPECT_EQ(open(Corners::allow), "10101111");
+}
+
+TEST(Field, TilesExistOnlyWhereSomethingWasAskedOrLaid) {
+  const Grid grid(4096, 4096);
+  Field field;
+  field.reset(grid, kernels::moves_of(kernels::Neighbourhood::four), {4000, 4000}, Params{}, 1, {});
+  EXPECT_EQ(field.tiles(), 0);
+  field.deposit({5, 5}, 0, 1);
+  field.deposit({3000, 2000}, 0, 1);
+  field.evaporate(0.5);
+  field.refresh(schedule(Params{}, 3), 1);
+  EXPECT_EQ(field.tiles(), 2);
+  EXPECT_LT(field.bytes(), 500000);
+}
+
+TEST(Field, WhatGoesOverAllTilesPollsAndIsCutShort) {
+  const Grid grid(512, 512);  // 256 tiles
+  const auto moves = kernels::moves_of(kernels::Neighbourhood::four);
+  const auto weight_of_pheromone = [&](const CountingTime& time) {
+    Field field;
+    field.reset(grid, moves, {500, 500}, Params{}, 1, time.is_up());
+    for (int y = 8; y < 512; y += 32) {
+      for (int x = 8; x < 512; x += 32) field.deposit({x, y}, 0, 1);
+    }
+    field.refresh(schedule(Params{}, 20), 1);
+    return row(field, {7, 8}, 8)[0];  // north of (7, 8); (8, 8) in the east has twice as much
+  };
+  const CountingTime enough(1000), none(0);
+  EXPECT_FLOAT_EQ(weight_of_pheromone(enough), 1.0f / 16);  // alpha 4
+  EXPECT_EQ(enough.polls(), 256 / 16);
+  EXPECT_EQ(weight_of_pheromone(none), 1);
+}
+
+TEST(Field, ManyIterationsNeitherOverflowNorForget) {
+  const Grid grid(40, 40);
+  Params params;
+  Field field;
+  field.reset(grid, kernels::moves_of(kernels::Neighbourhood::four), {39, 39}, params, 1, {});
+  for (int q = 0; q < 5000; ++q) {
+    field.evaporate(0.5);
+    field.deposit({20, 20}, 0, 1);
+  }
+  // The sum of a geometric series: 1 / (1 - 0.5).
+  EXPECT_NEAR(field.pheromone({20, 20}), 2, 1e-5);
+  EXPECT_NEAR(field.pheromone({0, 0}), 0, 1e-20);
+  field.refresh(schedule(params, 5000), 1);
+  const float* a = row(field, {19, 20}, 8);
+  EXPECT_EQ(a[2], 1);  // east
+  for (const int k : {0, 1, 3}) {
+    EXPECT_GT(a[k], 0);
+    EXPECT_LT(a[k], 1e-15);
+  }
+}
+
+TEST(Field, ManyRewardsNeitherOverflowNorForget) {
+  const Grid grid(100, 100);
+  const Cell here{20, 20}, there{70, 70};
+  Field field;
+  field.reset(grid, kernels::moves_of(kernels::Neighbourhood::four), {99, 99}, Params{}, 3, {});
+  // As cong2009 rewards a tour of four moves: 41 times as much, 5.4 bits, where a float has 127.
+  const auto reward = [&](Cell c) { field.set_tau(c, 0, field.tau(c, 0) * 41); };
+  for (int success = 0; success < 2000; ++success) {
+    field.evaporate(0.8);
+    reward(here);
+    reward(there);
+    if (success == 100) {
+      EXPECT_NEAR(field.tau(here, 0), 3 * std::pow(0.8 * 41, 101), 1e-4 * field.tau(here, 0));
+    }
+    ASSERT_TRUE(std::isfinite(field.tau(here, 0))) << success;
+    ASSERT_EQ(field.tau(here, 0), field.tau(there, 0)) << success;
+  }
+  field.set_tau(there, 0, field.tau(there, 0) * 0.5);
+  EXPECT_EQ(field.tau(here, 0), 2 * field.tau(there, 0));
+  EXPECT_GT(field.tau({0, 0}, 0), 0);
+  field.deposit(there, 0, field.tau(there, 0));
+  EXPECT_EQ(field.tau(here, 0), field.tau(there, 0));
+}
+
+}  // namespace
+}  // namespace lasius

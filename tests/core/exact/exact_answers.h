@@ -1,0 +1,109 @@
+// What an exact answer must be, for tests of exact searches.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <random>
+
+#include "core/exact/exact_answer.h"
+#include "lasius/path.h"
+#include "tests/oracle/visibility_graph.h"
+#include "tests/worlds/random_grid.h"
+
+namespace lasius {
+
+/// A free cell, or nothing after many tries.
+inline std::optional<Cell> random_free(const Grid& grid, std::mt19937& random) {
+  for (int i = 0; i < 64; ++i) {
+    const Cell c{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
+    if (grid.free(c)) return c;
+  }
+  return std::nullopt;
+}
+
+inline void expect_path(const Grid& grid, Cell start, Cell goal, const ExactAnswer& answer) {
+  ASSERT_FALSE(answer.path.empty());
+  EXPECT_EQ(answer.path.front(), centre(start));
+  EXPECT_EQ(answer.path.back(), centre(goal));
+  EXPECT_EQ(answer.length, path_length(answer.path));
+  const auto fault = path_fault(grid, answer.path);
+  EXPECT_FALSE(fault.has_value()) << *fault;
+}
+
+/// The answer equals the optimum by brute force; true if there is a path.
+inline bool expect_optimum(const Grid& grid, Cell start, Cell goal, const ExactAnswer& answer) {
+  const auto shortest = oracle::VisibilityGraph(grid).shortest(start, goal);
+  if (!shortest) {
+    EXPECT_EQ(answer.end, ExactEnd::unreachable);
+    EXPECT_TRUE(answer.path.empty());
+    EXPECT_TRUE(std::isinf(answer.lower_bound));
+    EXPECT_FALSE(answer.optimal);
+    return false;
+  }
+  EXPECT_EQ(answer.end, ExactEnd::proven);
+  EXPECT_TRUE(answer.optimal);
+  EXPECT_NEAR(answer.length, shortest->length, 1e-9 * shortest->length);
+  EXPECT_EQ(answer.lower_bound, answer.length);
+  expect_path(grid, start, goal, answer);
+  return true;
+}
+
+/// LASIUS_EXACT_GRIDS scales the random tests.
+inline int scaled(int count) {
+  const char* scale = std::getenv("LASIUS_EXACT_GRIDS");
+  return scale == nullptr ? count : count * std::max(1, std::atoi(scale));
+}
+
+/// A small grid of a random size and density: half of them sparse, half on the edge of falling
+/// apart.
+inline Grid random_small_grid(int number, std::mt19937& random) {
+  const int percent = number % 2 == 0 ? random_in(0, 40, random) : random_in(30, 60, random);
+  return random_grid(random_in(2, 12, random), random_in(2, 12, random), percent, random);
+}
+
+/// 64 x 64: half of them nearly empty, half on the edge of falling apart.
+inline Grid random_large_grid(int number, std::mt19937& random) {
+  const int percent = number % 2 == 0 ? random_in(0, 5, random) : random_in(30, 45, random);
+  return random_grid(64, 64, percent, random);
+}
+
+/// A few blocks of up to 4 x 4 cells on a grid of 400 x 40 or 40 x 400: long views.
+inline Grid random_sparse_grid(bool wide, std::mt19937& random) {
+  Grid grid(wide ? 400 : 40, wide ? 40 : 400);
+  for (int blocks = random_in(5, 200, random); blocks > 0; --blocks) {
+    const Cell at{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
+    const int side = random_in(1, 4, random);
+    for (int k = 0; k < side * side; ++k) {
+      const Cell c{at.x + k % side, at.y + k / side};
+      if (grid.contains(c)) grid.set_blocked(c);
+    }
+  }
+  return grid;
+}
+
+/// A question on a map.
+struct Puzzle {
+  Grid grid;
+  Cell start, goal;
+};
+
+/// As long or as tall as maps get, with walls that have a gap at one end, on either side in turn:
+/// the path winds round every one.
+inline Puzzle widest_puzzle(bool tall) {
+  constexpr int kLength = Grid::kMaxSide;
+  const auto cell = [tall](int along, int across) {
+    return tall ? Cell{across, along} : Cell{along, across};
+  };
+  Puzzle puzzle{Grid(tall ? 5 : kLength, tall ? kLength : 5), cell(0, 2), cell(kLength - 1, 1)};
+  for (int wall = 0; wall < 12; ++wall) {
+    for (int k = 0; k < 4; ++k) {
+      puzzle.grid.set_blocked(cell(1500 + 2500 * wall, wall % 2 == 0 ? k : 4 - k));
+    }
+  }
+  return puzzle;
+}
+
+}  // namespace lasius

@@ -1,0 +1,201 @@
+// Searches cut short: what they give back must still be certified.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/bucket_queue.h"
+#include "core/exact/exact.h"
+#include "lasius/generate.h"
+#include "lasius/path.h"
+#include "lasius/planner.h"
+#include "tests/core/base/counting_time.h"
+#include "tests/worlds/random_grid.h"
+
+namespace lasius {
+namespace {
+
+constexpr int kSide = 700;
+constexpr Cell kStart{2, 2};
+constexpr Cell kGoal{kSide - 3, kSide - 3};
+
+// Noise is what takes longest: every corner sees many others.
+Grid noise(std::mt19937& random) {
+  Grid grid = random_grid(kSide, kSide, 15, random);
+  for (int y = 0; y < 6; ++y) {
+    for (int x = 0; x < 6; ++x) {
+      grid.set_blocked({x, y}, false);
+      grid.set_blocked({kSide - 1 - x, kSide - 1 - y}, false);
+    }
+  }
+  return grid;
+}
+
+TEST(ExactStop, BoundsHoldAtEveryStop) {
+  std::mt19937 random(11);
+  ExactSearch search;
+  int with_path = 0;
+  int stopped = 0;
+  for (int map = 0; map < 3; ++map) {
+    const Grid grid = noise(random);
+    ExactAnswer exact;
+    search.search(grid, kStart, kGoal, {}, {}, exact);
+    ASSERT_TRUE(exact.optimal);
+    double last_bound = 0;
+    for (int polls = 0; polls < 100; ++polls) {
+      CountingTime time(polls);
+      ExactAnswer cut;
+      search.search(grid, kStart, kGoal, {}, time.is_up(), cut);
+      if (cut.end != ExactEnd::stopped) {
+        EXPECT_EQ(cut.path, exact.path);
+        break;
+      }
+      ++stopped;
+      EXPECT_EQ(cut.cause, StopCondition::Cause::deadline);
+      EXPECT_FALSE(cut.optimal);
+      EXPECT_LE(cut.lower_bound, exact.length);
+      EXPECT_GE(cut.lower_bound, last_bound);
+      last_bound = cut.lower_bound;
+      if (cut.path.empty()) continue;
+      ++with_path;
+      EXPECT_GE(cut.length, exact.length * (1 - 1e-12));
+      EXPECT_FALSE(path_fault(grid, cut.path).has_value());
+    }
+  }
+  EXPECT_GT(stopped, 8);
+  EXPECT_GT(with_path, 4);
+}
+
+// Stopped at a random look at the clock, hurried or not.
+TEST(ExactStop, BoundsHoldAtRandomStopsOnEveryKindOfMap) {
+  std::mt19937 random(14);
+  ExactSearch search;
+  int stopped = 0, with_path = 0, with_gain = 0;
+  for (std::size_t k = 0; k < map_kind_names().size(); ++k) {
+    const Grid grid = generate(static_cast<MapKind>(k), {600, 500, -1, 4});
+    for (int i = 0; i < 60; ++i) {
+      const auto cell = [&] { return Cell{random_in(0, 599, random), random_in(0, 499, random)}; };
+      const Cell start = cell(), goal = cell();
+      if (grid.blocked(start) || grid.blocked(goal)) continue;
+      CountingTime counted(1 << 30);
+      ExactAnswer exact;
+      const ExactOptions options{i % 2 == 0 ? 0 : 0.05};
+      search.search(grid, start, goal, {}, {}, exact);
+      if (!exact.optimal) continue;
+      ExactAnswer whole, cut;
+      search.search(grid, start, goal, options, counted.is_up(), whole);
+      CountingTime time(random_in(0, std::max(0, counted.polls() - 1), random));
+      search.search(grid, start, goal, options, time.is_up(), cut);
+      EXPECT_LE(cut.lower_bound, exact.length);
+      stopped += cut.end == ExactEnd::stopped;
+      const double dx = goal.x - start.x, dy = goal.y - start.y;
+      with_gain += cut.lower_bound > std::sqrt(dx * dx + dy * dy);
+      if (cut.path.empty()) continue;
+      ++with_path;
+      EXPECT_GE(cut.length, exact.length * (1 - 1e-12));
+      EXPECT_FALSE(path_fault(grid, cut.path).has_value());
+    }
+  }
+  EXPECT_GT(stopped, 30);
+  EXPECT_GT(with_path, 10);
+  EXPECT_GT(with_gain, 20);
+}
+
+/// Never up; notes the most words that the search scanned between two looks.
+class WordsBetweenLooks final : public TimeSource {
+ public:
+  explicit WordsBetweenLooks(const ExactSearch& search) : search_(search) {}
+  Clock::time_point now() const noexcept override {
+    const std::int64_t words = search_.counters().words;
+    most_ = std::max(most_, words - last_);
+    last_ = words;
+    return {};
+  }
+  std::int64_t most() const noexcept { return most_; }
+
+ private:
+  const ExactSearch& search_;
+  mutable std::int64_t last_ = 0, most_ = 0;
+};
+
+TEST(ExactStop, PollsAtLeastEach65536Words) {
+  std::mt19937 random(12);
+  const Grid grid = noise(random);
+  ExactSearch search;
+  ExactAnswer answer;
+  const WordsBetweenLooks time(search);
+  search.search(grid, kStart, kGoal, {},
+                {.deadline = Clock::time_point{} + std::chrono::hours(1), .time = &time}, answer);
+  ASSERT_TRUE(answer.optimal);
+  ASSERT_GT(search.counters().words, 65536);
+  EXPECT_GT(time.most(), 0);
+  EXPECT_LE(time.most(), 65536);
+}
+
+// On very long ways most corners wait beyond the buckets, and are looked at again each time these
+// start anew.
+TEST(ExactStop, TheFrontierTellsHowManyItemsItDealtOut) {
+  BucketQueue frontier;
+  frontier.reset(0, 1);
+  constexpr int kItems = 5;
+  for (std::uint32_t i = 0; i < kItems; ++i) frontier.push(i, 1e5 * (i + 1));
+  EXPECT_EQ(frontier.take_dealt(), 0);
+  for (std::uint32_t i = 0; i < kItems; ++i) {
+    ASSERT_TRUE(frontier.advance());
+    EXPECT_EQ(frontier.take_dealt(), kItems - i);  // all that still wait
+    EXPECT_EQ(frontier.pop(), i);
+  }
+  EXPECT_FALSE(frontier.advance());
+}
+
+// Where every path has a mirror image, a deadline must not decide which of the two is returned.
+TEST(ExactStop, ADeadlineThatIsNotReachedChangesNothing) {
+  std::mt19937 random(15);
+  ExactSearch search;
+  for (int i = 0; i < 20; ++i) {
+    Grid grid = random_grid(400, 201, 30, random);
+    for (int y = 0; y < 100; ++y) {
+      for (int x = 0; x < 400; ++x) grid.set_blocked({x, 200 - y}, grid.blocked({x, y}));
+    }
+    const Cell start{1, 100}, goal{398, 100};
+    for (const Cell c : {start, goal}) grid.set_blocked(c, false);
+    ExactAnswer with, without;
+    search.search(grid, start, goal, {}, {}, without);
+    search.search(grid, start, goal, {}, CountingTime(1 << 30).is_up(), with);
+    EXPECT_EQ(with.path, without.path);
+  }
+}
+
+// A way of 5000 cells takes milliseconds to prove; a path is there after a tenth of that.
+TEST(ExactStop, OnALongWayAPathIsSoonThere) {
+  const Planner planner(generate(MapKind::blobs, {4096, 4096, -1, 5}));
+  const Grid& grid = planner.grid();
+  const Cell start = planner.nearest_free({100, 100}).value();
+  const Cell goal = planner.nearest_free({3990, 3990}).value();
+  ExactSearch search;
+  ExactAnswer whole, cut;
+  const CountingTime counted(1 << 30);
+  search.search(grid, start, goal, {}, counted.is_up(), whole);
+  ASSERT_TRUE(whole.optimal);
+  const CountingTime time(counted.polls() / 10);
+  search.search(grid, start, goal, {}, time.is_up(), cut);
+  EXPECT_EQ(cut.end, ExactEnd::stopped);
+  ASSERT_FALSE(cut.path.empty());
+  EXPECT_LT(cut.length, 1.25 * cut.lower_bound);
+}
+
+TEST(ExactStop, ATokenInterrupts) {
+  std::mt19937 random(13);
+  const Grid grid = noise(random);
+  std::stop_source source;
+  source.request_stop();
+  ExactSearch search;
+  ExactAnswer answer;
+  search.search(grid, kStart, kGoal, {}, {.token = source.get_token()}, answer);
+  EXPECT_EQ(answer.end, ExactEnd::stopped);
+  EXPECT_EQ(answer.cause, StopCondition::Cause::token);
+  EXPECT_GT(answer.lower_bound, (kSide - 5) * 1.414);
+}
+
+}  // namespace
+}  // namespace lasius

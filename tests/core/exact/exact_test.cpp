@@ -1,0 +1,241 @@
+#include "core/exact/exact.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "lasius/generate.h"
+#include "lasius/path.h"
+#include "tests/core/exact/exact_answers.h"
+#include "tests/measures/count_allocations.h"
+#include "tests/worlds/shared_maps.h"
+
+namespace lasius {
+namespace {
+
+ExactAnswer solve(const Grid& grid, Cell start, Cell goal, const ExactOptions& options = {}) {
+  ExactSearch search;
+  ExactAnswer answer;
+  search.search(grid, start, goal, options, {}, answer);
+  return answer;
+}
+
+// Searches; the answer equals the optimum by brute force. True if there is a path.
+bool expect_exact(const Grid& grid, Cell start, Cell goal, ExactSearch& search) {
+  ExactAnswer answer;
+  search.search(grid, start, goal, {}, {}, answer);
+  return expect_optimum(grid, start, goal, answer);
+}
+
+TEST(Exact, SeesStraightToTheGoal) {
+  const Grid grid(20, 10);
+  const auto answer = solve(grid, {1, 1}, {13, 6});
+  EXPECT_EQ(answer.end, ExactEnd::proven);
+  EXPECT_DOUBLE_EQ(answer.length, 13);
+  EXPECT_EQ(answer.path, (std::vector<Point>{{1.5, 1.5}, {13.5, 6.5}}));
+}
+
+TEST(Exact, StartIsGoal) {
+  const auto answer = solve(Grid(3, 3), {1, 1}, {1, 1});
+  EXPECT_TRUE(answer.optimal);
+  EXPECT_EQ(answer.length, 0);
+  EXPECT_EQ(answer.lower_bound, 0);
+}
+
+TEST(Exact, BendsAroundAWall) {
+  const Grid grid = drawn({"...#...", "...#...", "...#...", "...#...", "......."});
+  const auto answer = solve(grid, {1, 1}, {5, 1});
+  EXPECT_EQ(answer.path, (std::vector<Point>{{1.5, 1.5}, {3, 4}, {4, 4}, {5.5, 1.5}}));
+  EXPECT_DOUBLE_EQ(answer.length, 1 + 2 * std::sqrt(1.5 * 1.5 + 2.5 * 2.5));
+}
+
+TEST(Exact, DoesNotSqueezeBetweenDiagonalBlocks) {
+  EXPECT_EQ(solve(drawn({".#", "#."}), {0, 0}, {1, 1}).end, ExactEnd::unreachable);
+  const auto around = solve(drawn({".#.", "#..", "..."}), {0, 0}, {2, 2});
+  EXPECT_EQ(around.end, ExactEnd::unreachable);
+}
+
+TEST(Exact, SlidesAlongEdgesAndStraightPastCorners) {
+  // Every corner of the middle row's blocks lies on one horizontal line with the path.
+  const Grid grid = drawn({".......", ".#.#.#.", "......."});
+  std::mt19937 random(3);
+  ExactSearch search;
+  for (int x = 0; x < 7; x += 2) {
+    for (int y = 0; y < 3; ++y) expect_exact(grid, {x, y}, {6, 1}, search);
+  }
+}
+
+// LASIUS_EXACT_GRIDS=25 makes 100 000 small and 10 000 large queries.
+TEST(Exact, EqualsBruteForceOnSmallGrids) {
+  std::mt19937 random(20260101);
+  ExactSearch search;
+  int reachable = 0;
+  int unreachable = 0;
+  for (int i = 0; i < scaled(4000) && !testing::Test::HasFailure(); ++i) {
+    const Grid grid = random_small_grid(i, random);
+    const auto start = random_free(grid, random);
+    const auto goal = random_free(grid, random);
+    if (!start || !goal) continue;
+    SCOPED_TRACE("grid " + std::to_string(i));
+    ++(expect_exact(grid, *start, *goal, search) ? reachable : unreachable);
+  }
+  EXPECT_GT(reachable, 1000);
+  EXPECT_GT(unreachable, 300);
+}
+
+TEST(Exact, EqualsBruteForceOnLargerGrids) {
+  std::mt19937 random(20260102);
+  ExactSearch search;
+  int reachable = 0;
+  for (int i = 0; i < scaled(400) && !testing::Test::HasFailure(); ++i) {
+    const Grid grid = random_large_grid(i, random);
+    const auto start = random_free(grid, random);
+    const auto goal = random_free(grid, random);
+    if (!start || !goal) continue;
+    SCOPED_TRACE("grid " + std::to_string(i));
+    reachable += expect_exact(grid, *start, *goal, search);
+  }
+  EXPECT_GT(reachable, 200);
+}
+
+// Long views between few blocks, where scans keep to strips and boxes.
+TEST(Exact, EqualsBruteForceInWideSparseGrids) {
+  std::mt19937 random(20260103);
+  ExactSearch search;
+  int reachable = 0;
+  for (int i = 0; i < scaled(60) && !testing::Test::HasFailure(); ++i) {
+    const Grid grid = random_sparse_grid(i % 2 == 0, random);
+    const auto start = random_free(grid, random);
+    const auto goal = random_free(grid, random);
+    SCOPED_TRACE("grid " + std::to_string(i));
+    reachable += expect_exact(grid, *start, *goal, search);
+  }
+  EXPECT_GT(reachable, 40);
+}
+
+TEST(Exact, EqualsBruteForceOnTheWidestMaps) {
+  for (const bool tall : {false, true}) {
+    const auto [grid, start, goal] = widest_puzzle(tall);
+    ExactSearch search;
+    expect_exact(grid, start, goal, search);
+    ExactAnswer near;
+    search.search(grid, start, goal, {0.05}, {}, near);
+    expect_path(grid, start, goal, near);
+  }
+}
+
+TEST(Exact, EqualsTheKnownOptimaOfRealMaps) {
+  const auto tables = bench_test::shared_tables();
+  if (tables.empty()) GTEST_SKIP() << "no maps in " << bench_test::shared_dir();
+  ExactSearch search;
+  ExactAnswer answer;
+  for (const auto& table : tables) {
+    const auto map = bench_test::load_shared(table);
+    SCOPED_TRACE(map.name);
+    for (const auto& q : map.queries) {
+      search.search(map.grid, q.start, q.goal, {}, {}, answer);
+      EXPECT_TRUE(answer.optimal);
+      EXPECT_NEAR(answer.length, q.euclid, 1e-6);
+      expect_path(map.grid, q.start, q.goal, answer);
+    }
+  }
+}
+
+// Searches for every gap; counts the answers that need not be the optimum.
+int expect_gaps(const Grid& grid, Cell start, Cell goal, ExactSearch& search) {
+  ExactAnswer exact;
+  search.search(grid, start, goal, {}, {}, exact);
+  if (!exact.optimal) return 0;
+  int early = 0;
+  for (const double gap : {0.3, 0.1, 0.02}) {
+    ExactAnswer near;
+    search.search(grid, start, goal, {gap}, {}, near);
+    expect_path(grid, start, goal, near);
+    EXPECT_LE(near.lower_bound, exact.length);
+    EXPECT_GE(near.length, exact.length * (1 - 1e-12));
+    EXPECT_LE(near.length, near.lower_bound * (1 + gap + 1e-6));
+    early += near.end == ExactEnd::target_gap;
+  }
+  return early;
+}
+
+TEST(Exact, TheTargetGapIsCertified) {
+  std::mt19937 random(5);
+  ExactSearch search;
+  int early = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Grid grid = random_grid(60, 60, random_in(5, 42, random), random);
+    early += expect_gaps(grid, *random_free(grid, random), *random_free(grid, random), search);
+  }
+  for (const MapKind kind : {MapKind::blobs, MapKind::maze, MapKind::rooms, MapKind::city}) {
+    const Grid grid = generate(kind, {200, 150, -1, 3});
+    for (int i = 0; i < 20; ++i) {
+      early += expect_gaps(grid, *random_free(grid, random), *random_free(grid, random), search);
+    }
+  }
+  EXPECT_GT(early, 100);
+}
+
+TEST(Exact, AnyPathWillDoWithAnUnboundedGap) {
+  std::mt19937 random(8);
+  ExactSearch search;
+  for (const double gap : {1e300, std::numeric_limits<double>::infinity()}) {
+    const Grid grid = generate(MapKind::maze, {300, 300, -1, 2});
+    const Cell start = *random_free(grid, random), goal = *random_free(grid, random);
+    ExactAnswer answer;
+    search.search(grid, start, goal, {gap}, {}, answer);
+    EXPECT_EQ(answer.end, ExactEnd::target_gap);
+    EXPECT_LE(answer.lower_bound, answer.length);
+    expect_path(grid, start, goal, answer);
+  }
+}
+
+TEST(Exact, PathsTooLongForTheRoundingAreNotCalledOptimal) {
+  const auto concluded = [](double length) {
+    ExactAnswer answer;
+    answer.path = {{0, 0}, {length, 0}};
+    exact::conclude(length, length, StopCondition::Cause::none, 0, answer);
+    EXPECT_EQ(answer.end, ExactEnd::proven);
+    return answer;
+  };
+  const ExactAnswer shorter = concluded(0x1p22);
+  EXPECT_TRUE(shorter.optimal);
+  EXPECT_EQ(shorter.lower_bound, 0x1p22);
+  const ExactAnswer longer = concluded(0x1p26);
+  EXPECT_FALSE(longer.optimal);
+  EXPECT_EQ(longer.lower_bound, 0x1p26 - 1);  // 2^26 additions, each off by up to 2^-27
+}
+
+TEST(Exact, EqualRunsGiveEqualAnswersWhateverCameBefore) {
+  std::mt19937 random(6);
+  ExactSearch used;
+  for (int i = 0; i < 20; ++i) {
+    const Grid grid = random_grid(80, 50, 20, random);
+    const auto start = random_free(grid, random);
+    const auto goal = random_free(grid, random);
+    ExactAnswer again;
+    used.search(grid, *start, *goal, {}, {}, again);
+    const ExactAnswer fresh = solve(grid, *start, *goal);
+    EXPECT_EQ(fresh.path, again.path);
+    EXPECT_EQ(fresh.end, again.end);
+  }
+}
+
+TEST(Exact, ASecondSearchDoesNotAllocate) {
+  std::mt19937 random(7);
+  const Grid grid = random_grid(120, 120, 25, random);
+  ExactSearch search;
+  ExactAnswer answer;
+  const Cell start = *random_free(grid, random);
+  std::vector<Cell> goals;
+  for (int i = 0; i < 20; ++i) goals.push_back(*random_free(grid, random));
+  for (const Cell goal : goals) search.search(grid, start, goal, {}, {}, answer);
+  const auto before = allocations.load();
+  for (const Cell goal : goals) search.search(grid, start, goal, {}, {}, answer);
+  EXPECT_EQ(allocations.load(), before);
+}
+
+}  // namespace
+}  // namespace lasius

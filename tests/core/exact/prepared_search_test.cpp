@@ -1,0 +1,235 @@
+#include "core/exact/prepared_search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/exact/exact.h"
+#include "lasius/generate.h"
+#include "tests/core/base/counting_time.h"
+#include "tests/core/exact/exact_answers.h"
+#include "tests/measures/count_allocations.h"
+#include "tests/worlds/shared_maps.h"
+
+namespace lasius {
+namespace {
+
+using exact::CornerGraph;
+using exact::PreparedSearch;
+using Graph = std::shared_ptr<const CornerGraph>;
+
+Graph graph_of(const Grid& grid, int threads = 1) {
+  Preparation report;
+  return CornerGraph::make(grid, {.threads = threads}, report);
+}
+
+ExactAnswer solve(PreparedSearch& search, const Grid& grid, const Graph& graph, Cell start,
+                  Cell goal, const ExactOptions& options = {}, const StopCondition& stop = {}) {
+  ExactAnswer answer;
+  search.search(grid, *graph, start, goal, options, stop, answer);
+  return answer;
+}
+
+// Plans between random cells; the answers equal the optima by brute force. Counts those with a
+// path.
+int expect_exact(const Grid& grid, int queries, PreparedSearch& search, std::mt19937& random) {
+  const Graph graph = graph_of(grid);
+  int reachable = 0;
+  for (int i = 0; i < queries && !testing::Test::HasFailure(); ++i) {
+    const auto start = random_free(grid, random);
+    const auto goal = random_free(grid, random);
+    if (!start || !goal) continue;
+    reachable += expect_optimum(grid, *start, *goal, solve(search, grid, graph, *start, *goal));
+  }
+  return reachable;
+}
+
+TEST(PreparedSearch, EqualsBruteForceOnRandomGrids) {
+  std::mt19937 random(20260111);
+  PreparedSearch search;
+  int small = 0, large = 0, sparse = 0;
+  for (int i = 0; i < scaled(1500) && !testing::Test::HasFailure(); ++i) {
+    SCOPED_TRACE("grid " + std::to_string(i));
+    small += expect_exact(random_small_grid(i, random), 4, search, random);
+    if (i % 25 != 0) continue;
+    large += expect_exact(random_large_grid(i / 25, random), 5, search, random);
+    sparse += expect_exact(random_sparse_grid(i % 2 == 0, random), 1, search, random);
+  }
+  EXPECT_GT(small, 2000);
+  EXPECT_GT(large, 100);
+  EXPECT_GT(sparse, 40);
+}
+
+TEST(PreparedSearch, EqualsTheUnpreparedOneOnGeneratedMaps) {
+  std::mt19937 random(20260113);
+  PreparedSearch search;
+  ExactSearch unprepared;
+  int reachable = 0;
+  for (std::size_t k = 0; k < map_kind_names().size(); ++k) {
+    SCOPED_TRACE(map_kind_names()[k]);
+    const Grid grid = generate(static_cast<MapKind>(k), {400, 300, -1, 7});
+    const Graph graph = graph_of(grid);
+    for (int i = 0; i < 40; ++i) {
+      const Cell start = *random_free(grid, random), goal = *random_free(grid, random);
+      ExactAnswer expected;
+      unprepared.search(grid, start, goal, {}, {}, expected);
+      const ExactAnswer answer = solve(search, grid, graph, start, goal);
+      EXPECT_EQ(answer.end, expected.end);
+      if (!expected.optimal) continue;
+      ++reachable;
+      EXPECT_NEAR(answer.length, expected.length, 1e-9 * expected.length);
+      expect_path(grid, start, goal, answer);
+    }
+  }
+  EXPECT_GT(reachable, 150);
+}
+
+TEST(PreparedSearch, EqualsTheKnownOptimaOfRealMaps) {
+  const auto tables = bench_test::shared_tables();
+  if (tables.empty()) GTEST_SKIP() << "no maps in " << bench_test::shared_dir();
+  PreparedSearch search;
+  for (const auto& table : tables) {
+    const auto map = bench_test::load_shared(table);
+    SCOPED_TRACE(map.name);
+    const Graph graph = graph_of(map.grid);
+    for (const auto& q : map.queries) {
+      const ExactAnswer answer = solve(search, map.grid, graph, q.start, q.goal);
+      EXPECT_TRUE(answer.optimal);
+      EXPECT_NEAR(answer.length, q.euclid, 1e-6);
+    }
+  }
+}
+
+TEST(PreparedSearch, KnowsWhatHasNoCornersOrNoWay) {
+  PreparedSearch search;
+  const Grid open(20, 10);
+  EXPECT_DOUBLE_EQ(solve(search, open, graph_of(open), {1, 1}, {13, 6}).length, 13);
+  const ExactAnswer still = solve(search, open, graph_of(open), {1, 1}, {1, 1});
+  EXPECT_TRUE(still.optimal);
+  EXPECT_EQ(still.length, 0);
+  for (const Grid& shut : {drawn({".#", "#."}), drawn({".#.#", "#..#", "...."})}) {
+    const ExactAnswer none = solve(search, shut, graph_of(shut), {0, 0}, {1, 1});
+    EXPECT_EQ(none.end, ExactEnd::unreachable);
+    EXPECT_TRUE(std::isinf(none.lower_bound));
+  }
+}
+
+TEST(PreparedSearch, EqualsBruteForceOnTheWidestMaps) {
+  PreparedSearch search;
+  for (const bool tall : {false, true}) {
+    const auto [grid, start, goal] = widest_puzzle(tall);
+    expect_optimum(grid, start, goal, solve(search, grid, graph_of(grid), start, goal));
+  }
+}
+
+TEST(PreparedSearch, TheTargetGapIsCertified) {
+  std::mt19937 random(15);
+  PreparedSearch search;
+  int early = 0;
+  for (int i = 0; i < 30; ++i) {
+    const Grid grid = random_grid(60, 60, random_in(15, 42, random), random);
+    const Graph graph = graph_of(grid);
+    const Cell start = *random_free(grid, random), goal = *random_free(grid, random);
+    const ExactAnswer exact = solve(search, grid, graph, start, goal);
+    if (!exact.optimal) continue;
+    for (const double gap : {0.3, 0.1, 0.02}) {
+      const ExactAnswer near = solve(search, grid, graph, start, goal, {gap});
+      expect_path(grid, start, goal, near);
+      EXPECT_LE(near.lower_bound, exact.length);
+      EXPECT_GE(near.length, exact.length * (1 - 1e-12));
+      EXPECT_LE(near.length, near.lower_bound * (1 + gap + 1e-6));
+      early += near.end == ExactEnd::target_gap;
+    }
+  }
+  EXPECT_GT(early, 10);
+}
+
+// On a map where paths seldom leave the straight line, searches keep near it at first.
+TEST(PreparedSearch, LooksFurtherWhereNothingNearIsShort) {
+  std::mt19937 random(19);
+  Grid grid = random_grid(240, 200, 2, random);
+  for (int k = 0; k < 12; ++k) {  // a trap, open to the left
+    grid.set_blocked({82, 70 + k});
+    grid.set_blocked({71 + k, 70});
+    grid.set_blocked({71 + k, 81});
+  }
+  const Graph graph = graph_of(grid);
+  ASSERT_LT(graph->detour(), 1.01);
+  PreparedSearch search;
+  int far = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Cell start{76 + i % 6, 72 + i % 9}, goal{84 + i % 20, 75};
+    if (grid.blocked(start) || grid.blocked(goal)) continue;
+    const ExactAnswer answer = solve(search, grid, graph, start, goal);
+    if (expect_optimum(grid, start, goal, answer)) far += answer.length > goal.x - start.x + 3;
+    const ExactAnswer back = solve(search, grid, graph, goal, start);
+    EXPECT_NEAR(back.length, answer.length, 1e-9 * answer.length);
+  }
+  EXPECT_GT(far, 20);
+}
+
+class PreparedSearchStop : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Densities, PreparedSearchStop, testing::Values(5, 33));
+
+TEST_P(PreparedSearchStop, BoundsHoldWheneverItComes) {
+  std::mt19937 random(16);
+  Grid grid = random_grid(400, 400, GetParam(), random);
+  const Cell start{2, 2}, goal{397, 397};
+  for (int k = 0; k < 36; ++k) {
+    grid.set_blocked({k % 6, k / 6}, false);
+    grid.set_blocked({399 - k % 6, 399 - k / 6}, false);
+  }
+  const Graph graph = graph_of(grid);
+  PreparedSearch search;
+  const ExactAnswer exact = solve(search, grid, graph, start, goal);
+  ASSERT_TRUE(exact.optimal);
+  double last_bound = 0;
+  int stopped = 0;
+  for (int polls = 0; polls < 100; ++polls) {
+    const CountingTime time(polls);
+    const ExactAnswer cut = solve(search, grid, graph, start, goal, {}, time.is_up());
+    if (cut.end != ExactEnd::stopped) {
+      EXPECT_EQ(cut.path, exact.path);
+      break;
+    }
+    ++stopped;
+    EXPECT_EQ(cut.cause, StopCondition::Cause::deadline);
+    EXPECT_LE(cut.lower_bound, exact.length);
+    EXPECT_GE(cut.lower_bound, last_bound);
+    last_bound = cut.lower_bound;
+    if (!cut.path.empty()) expect_path(grid, start, goal, cut);
+  }
+  EXPECT_GT(stopped, 0);
+}
+
+TEST(PreparedSearch, EqualRunsGiveEqualAnswersWhateverCameBefore) {
+  std::mt19937 random(17);
+  PreparedSearch used;
+  for (int i = 0; i < 20; ++i) {
+    const Grid grid = random_grid(random_in(20, 90, random), 50, 20, random);
+    const Graph graph = graph_of(grid);
+    const Cell start = *random_free(grid, random), goal = *random_free(grid, random);
+    PreparedSearch fresh;
+    const ExactAnswer again = solve(used, grid, graph, start, goal);
+    EXPECT_EQ(solve(fresh, grid, graph, start, goal).path, again.path);
+  }
+}
+
+TEST(PreparedSearch, ASecondSearchDoesNotAllocate) {
+  std::mt19937 random(18);
+  const Grid grid = random_grid(120, 120, 25, random);
+  const Graph graph = graph_of(grid);
+  PreparedSearch search;
+  ExactAnswer answer;
+  const Cell start = *random_free(grid, random);
+  std::vector<Cell> goals;
+  for (int i = 0; i < 20; ++i) goals.push_back(*random_free(grid, random));
+  for (const Cell goal : goals) search.search(grid, *graph, start, goal, {}, {}, answer);
+  const auto before = allocations.load();
+  for (const Cell goal : goals) search.search(grid, *graph, start, goal, {}, {}, answer);
+  EXPECT_EQ(allocations.load(), before);
+}
+
+}  // namespace
+}  // namespace lasius

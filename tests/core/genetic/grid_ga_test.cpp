@@ -1,0 +1,212 @@
+#include "core/genetic/grid_ga.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/genetic/grid_ga_route.h"
+#include "lasius/generate.h"
+#include "lasius/path.h"
+#include "lasius/planner.h"
+#include "tests/oracle/visibility_graph.h"
+#include "tests/worlds/random_grid.h"
+
+namespace lasius {
+namespace {
+
+using Cells = std::vector<Cell>;
+
+// A pocket that opens towards the start: the greedy walk enters it.
+Grid pocket() {
+  return drawn({"...............",  //
+                "...............",  //
+                "......######...",  //
+                "...........#...",  //
+                "...........#...",  //
+                "...........#...",  //
+                "...........#...",  //
+                "...........#...",  //
+                "......######...",  //
+                "...............",  //
+                "..............."});
+}
+constexpr Cell kStart{1, 5}, kGoal{13, 5};
+
+Params genetic(Polish polish) {
+  Params p = defaults("grid-ga");
+  p.polish = polish;
+  p.threads = 1;
+  return p;
+}
+
+TEST(RouteMaker, StepsBackOutOfADeadEnd) {
+  const Grid grid = drawn({"....",  //
+                           ".##.",  //
+                           "..#.",  //
+                           "...."});
+  RouteMaker maker;
+  maker.reset(grid, {.neighbours = 4, .corners = Corners::forbid});
+  StopCondition never;
+  Poller poller(never, 1000);
+  Cells route{{0, 2}};
+  // Nearest to (3, 2) is (1, 2), whose ways on are (1, 3) only.
+  ASSERT_TRUE(maker.extend(route, {3, 2}, poller));
+  EXPECT_EQ(route, (Cells{{0, 2}, {1, 2}, {1, 3}, {2, 3}, {3, 3}, {3, 2}}));
+  // With row 3 closed, (1, 2) is a dead end, and the walk goes round the top.
+  Grid closed = grid;
+  for (int x = 1; x < 4; ++x) closed.set_blocked({x, 3});
+  maker.reset(closed, {.neighbours = 4, .corners = Corners::forbid});
+  route = {{0, 2}};
+  ASSERT_TRUE(maker.extend(route, {3, 2}, poller));
+  EXPECT_EQ(route, (Cells{{0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {3, 2}}));
+}
+
+TEST(RouteMaker, LeavesTheRouteWhereThereIsNoWay) {
+  const Grid grid = drawn({"..#.",  //
+                           "..#."});
+  RouteMaker maker;
+  maker.reset(grid, {});
+  StopCondition never;
+  Poller poller(never, 1000);
+  Cells route{{0, 0}, {1, 0}};
+  EXPECT_FALSE(maker.extend(route, {3, 0}, poller));
+  EXPECT_EQ(route, (Cells{{0, 0}, {1, 0}}));
+  // What a failed walk entered is open to the next one.
+  EXPECT_TRUE(maker.extend(route, {0, 1}, poller));
+  EXPECT_EQ(route, (Cells{{0, 0}, {1, 0}, {0, 1}}));
+}
+
+TEST(RouteMaker, ObeysTheRuleOfCorners) {
+  const Grid grid = drawn({".#",  //
+                           ".."});
+  StopCondition never;
+  Poller poller(never, 1000);
+  const auto walk = [&](Corners corners) {
+    Cells route{{0, 0}};
+    RouteMaker maker;
+    maker.reset(grid, {8, corners});
+    EXPECT_TRUE(maker.extend(route, {1, 1}, poller));
+    return route.size();
+  };
+  EXPECT_EQ(walk(Corners::forbid), 3u);
+  EXPECT_EQ(walk(Corners::one_side), 2u);
+  EXPECT_EQ(walk(Corners::allow), 2u);
+}
+
+TEST(GridGa, FirstIndividualOfAnEmptyMapIsOptimal) {
+  const Planner planner(Grid(40, 30));
+  Params p = genetic(Polish::none);
+  p.iterations = 1;
+  p.population = 2;
+  const Result result = planner.plan({{2, 3}, {35, 20}}, p);
+  EXPECT_EQ(result.status, Status::solved);
+  EXPECT_NEAR(result.length, 17 * std::sqrt(2.0) + 16, 1e-12);
+}
+
+// Scattered obstacles, and two cells far apart.
+struct World {
+  Grid grid = generate(MapKind::random, {.width = 120, .height = 90, .density = 0.3, .seed = 5});
+  Planner planner{grid};
+  Cell start = planner.nearest_free({3, 3}).value();
+  Cell goal = planner.nearest_free({115, 85}).value();
+};
+
+TEST(GridGa, ImprovesTowardsTheOptimumAndNeverBelow) {
+  const World world;
+  const double optimum = oracle::VisibilityGraph(world.grid).octile(world.start, world.goal);
+  ASSERT_TRUE(std::isfinite(optimum));
+  int improved = 0;
+  for (int seed = 1; seed <= 10; ++seed) {
+    Params p = genetic(Polish::none);
+    p.population = 20;
+    p.seed = seed;
+    const Result result = world.planner.plan({world.start, world.goal}, p);
+    ASSERT_EQ(result.status, Status::solved);
+    ASSERT_EQ(result.best.size(), 100u);
+    EXPECT_GE(result.length, optimum - 1e-9);
+    EXPECT_LE(result.length, 1.25 * optimum);
+    EXPECT_TRUE(std::is_sorted(result.best.rbegin(), result.best.rend()));
+    EXPECT_EQ(path_fault(world.grid, result.path), std::nullopt);
+    for (std::size_t i = 0; i < result.best.size(); ++i)
+      EXPECT_GE(result.mean[i], result.best[i] - 1e-9);
+    improved += result.best.back() < result.best.front();
+  }
+  EXPECT_GE(improved, 8);
+}
+
+TEST(GridGa, KeepsItsPathsWithoutCrossoverAndMutation) {
+  const Planner planner(pocket());
+  Params p = genetic(Polish::none);
+  p.crossover = p.mutation = 0;
+  const Result result = planner.plan({kStart, kGoal}, p);
+  EXPECT_EQ(result.best.front(), result.best.back());
+  // Tournaments alone: in the end all are the best one.
+  EXPECT_NEAR(result.mean.back(), result.best.back(), 1e-9);
+  EXPECT_GT(result.mean.front(), result.best.front());
+}
+
+TEST(GridGa, EqualForAnyNumberOfThreads) {
+  const World world;
+  for (const Polish polish : {Polish::none, Polish::straight, Polish::taut}) {
+    Params p = genetic(polish);
+    p.iterations = 10;
+    p.population = 7;
+    const Result one = world.planner.plan({world.start, world.goal}, p);
+    ASSERT_EQ(one.status, Status::solved);
+    EXPECT_EQ(path_fault(world.grid, one.path), std::nullopt);
+    for (const int threads : {2, 5}) {
+      p.threads = threads;
+      const Result more = world.planner.plan({world.start, world.goal}, p);
+      EXPECT_EQ(more.path, one.path);
+      EXPECT_EQ(more.best, one.best);
+      EXPECT_EQ(more.mean, one.mean);
+    }
+  }
+}
+
+TEST(GridGa, FourNeighboursMoveByFour) {
+  const Planner planner(pocket());
+  Params p = genetic(Polish::none);
+  p.neighbours = Neighbours::four;
+  const Result result = planner.plan({kStart, kGoal}, p);
+  ASSERT_FALSE(result.path.empty());
+  for (std::size_t i = 1; i < result.path.size(); ++i)
+    EXPECT_EQ(std::abs(result.path[i].x - result.path[i - 1].x) +
+                  std::abs(result.path[i].y - result.path[i - 1].y),
+              1);
+  EXPECT_EQ(result.length, std::round(result.length));
+}
+
+TEST(GridGa, StopsByTokenAndDeadline) {
+  const Planner planner(pocket());
+  std::stop_source source;
+  source.request_stop();
+  const Result token =
+      planner.plan({kStart, kGoal, {.token = source.get_token()}}, genetic(Polish::straight));
+  EXPECT_EQ(token.status, Status::interrupted);
+  EXPECT_TRUE(token.best.empty());
+  const Result late =
+      planner.plan({kStart, kGoal, {.deadline = Clock::now()}}, genetic(Polish::straight));
+  EXPECT_EQ(late.status, Status::limit);
+}
+
+TEST(GridGa, AnInterruptedRunKeepsItsBestPath) {
+  const Planner planner(pocket());
+  std::stop_source source;
+  int seen = 0;
+  const Result result = planner.plan({kStart, kGoal, {.token = source.get_token()}},
+                                     genetic(Polish::straight), nullptr, [&](const Progress& p) {
+                                       EXPECT_EQ(p.iteration, seen);
+                                       EXPECT_EQ(p.ants(), 50);
+                                       EXPECT_EQ(p.tour(0).front(), kStart);
+                                       EXPECT_EQ(p.tour(49).back(), kGoal);
+                                       if (++seen == 5) source.request_stop();
+                                     });
+  EXPECT_EQ(result.status, Status::interrupted);
+  EXPECT_EQ(result.iterations, 5);
+  EXPECT_EQ(result.length, result.best.back());
+}
+
+}  // namespace
+}  // namespace lasius

@@ -1,0 +1,115 @@
+#include "lasius/clearance.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lasius/error.h"
+#include "lasius/generate.h"
+#include "tests/core/map_files/map_files.h"
+
+namespace lasius {
+namespace {
+
+// The definition, cell by cell: the outside is looked at one cell deep.
+std::int64_t squared_half_cells(const Grid& grid, Cell c) {
+  std::int64_t best = std::numeric_limits<std::int64_t>::max();
+  for (int y = -1; y <= grid.height(); ++y) {
+    for (int x = -1; x <= grid.width(); ++x) {
+      if (grid.free({x, y})) continue;
+      const std::int64_t dx = std::max(0, 2 * std::abs(x - c.x) - 1);
+      const std::int64_t dy = std::max(0, 2 * std::abs(y - c.y) - 1);
+      best = std::min(best, dx * dx + dy * dy);
+    }
+  }
+  return best;
+}
+
+std::vector<Grid> sample_grids() {
+  std::vector<Grid> grids = {grid_of({"."}),     grid_of({"#"}),
+                             grid_of({"....."}), grid_of({".", ".", "#", "."}),
+                             Grid(70, 31),       Grid(3, 90)};
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    grids.push_back(generate(MapKind::random, {66, 40, 0.002, seed}));
+    grids.push_back(generate(MapKind::random, {45, 52, 0.02, seed}));
+    grids.push_back(generate(MapKind::blobs, {80, 40, 0.2, seed}));
+  }
+  return grids;
+}
+
+TEST(Clearance, IsWorkedOutByHand) {
+  const ClearanceField field =
+      clearance(grid_of({".......", ".......", "...#...", ".......", "......."}));
+  EXPECT_EQ(field.width, 7);
+  EXPECT_EQ(field.height, 5);
+  EXPECT_EQ(field.at({3, 2}), 0);
+  EXPECT_EQ(field.at({2, 2}), 0.5) << "beside the block";
+  EXPECT_EQ(field.at({2, 1}), std::sqrt(2.0) / 2) << "at its corner";
+  EXPECT_EQ(field.at({1, 2}), 1.5);
+  EXPECT_EQ(field.at({0, 0}), 0.5) << "the outside is near";
+  EXPECT_EQ(field.at({5, 1}), 1.5) << "the outside again";
+}
+
+TEST(Clearance, AgreesWithTheDefinition) {
+  for (const Grid& grid : sample_grids()) {
+    const ClearanceField field = clearance(grid);
+    for (int y = 0; y < grid.height(); ++y) {
+      for (int x = 0; x < grid.width(); ++x) {
+        ASSERT_EQ(field.squared_half_cells[static_cast<std::size_t>(y) * grid.width() + x],
+                  squared_half_cells(grid, {x, y}))
+            << grid.width() << 'x' << grid.height() << " at " << x << ',' << y;
+      }
+    }
+  }
+}
+
+TEST(Clearance, HoldsTheLargestValue) {
+  const ClearanceField field = clearance(Grid(32768, 3));
+  EXPECT_EQ(field.at({16000, 1}), 1.5);
+  Grid corner(1500, 1500);
+  for (int y = 0; y < 1500; ++y) corner.set_blocked({1400, y});
+  EXPECT_EQ(clearance(corner).at({699, 750}), 699.5);
+}
+
+TEST(GrowObstacles, AgreesWithTheClearance) {
+  const double radii[] = {0,    0.25,           0.49, 0.5, 0.7, std::sqrt(0.5), 0.75, 1,    1.5,
+                          1.58, std::sqrt(2.5), 2.5,  3.3, 5,   7.07,           12,   19.5, 40,
+                          1e6,  1e300};
+  for (const Grid& grid : sample_grids()) {
+    const ClearanceField field = clearance(grid);
+    for (const double radius : radii) {
+      const Grid grown = grow_obstacles(grid, radius);
+      for (int y = 0; y < grid.height(); ++y) {
+        for (int x = 0; x < grid.width(); ++x) {
+          const double squared =
+              field.squared_half_cells[static_cast<std::size_t>(y) * grid.width() + x];
+          ASSERT_EQ(grown.blocked({x, y}), squared <= 4 * radius * radius)
+              << grid.width() << 'x' << grid.height() << " at " << x << ',' << y << ", " << radius;
+        }
+      }
+    }
+  }
+}
+
+TEST(GrowObstacles, IsWorkedOutByHand) {
+  const Grid grid = grid_of(
+      {".........", ".........", ".........", "....#....", ".........", ".........", "........."});
+  EXPECT_EQ(grow_obstacles(grid, 0), grid);
+  EXPECT_EQ(grow_obstacles(grid, 0.49), grid);
+  EXPECT_EQ(grow_obstacles(grid, 0.5), grid_of({"#########", "#.......#", "#...#...#", "#..###..#",
+                                                "#...#...#", "#.......#", "#########"}));
+  EXPECT_EQ(grow_obstacles(grid, 0.75), grid_of({"#########", "#.......#", "#..###..#", "#..###..#",
+                                                 "#..###..#", "#.......#", "#########"}));
+  EXPECT_EQ(grow_obstacles(grid, 100).count_free(), 0);
+}
+
+TEST(GrowObstacles, RefusesBadRadii) {
+  for (const double radius : {-0.1, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW((void)grow_obstacles(Grid(3, 3), radius), Error) << radius;
+  }
+}
+
+}  // namespace
+}  // namespace lasius

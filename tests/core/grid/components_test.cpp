@@ -1,0 +1,192 @@
+#include "lasius/components.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "tests/worlds/random_grid.h"
+
+namespace lasius {
+namespace {
+
+using Connectivity = Components::Connectivity;
+constexpr Connectivity kBoth[] = {Connectivity::four, Connectivity::eight};
+
+// A number per cell, equal where joined, by plain breadth-first search; 0 where blocked.
+struct Labels {
+  int width;
+  std::vector<int> of;
+  int count = 0;
+  int at(Cell c) const { return of[c.y * width + c.x]; }
+};
+
+Labels labels_of(const Grid& grid, Connectivity connectivity) {
+  Labels labels{grid.width(), std::vector<int>(grid.width() * grid.height(), 0)};
+  std::vector<Cell> queue;
+  for (int y = 0; y < grid.height(); ++y) {
+    for (int x = 0; x < grid.width(); ++x) {
+      if (grid.blocked({x, y}) || labels.at({x, y}) != 0) continue;
+      ++labels.count;
+      queue.assign(1, {x, y});
+      labels.of[y * grid.width() + x] = labels.count;
+      for (std::size_t i = 0; i < queue.size(); ++i) {
+        for (int dy = -1; dy <= 1; ++dy) {
+          for (int dx = -1; dx <= 1; ++dx) {
+            if (connectivity == Connectivity::four && dx != 0 && dy != 0) continue;
+            const Cell c{queue[i].x + dx, queue[i].y + dy};
+            if (grid.blocked(c) || labels.at(c) != 0) continue;
+            labels.of[c.y * grid.width() + c.x] = labels.count;
+            queue.push_back(c);
+          }
+        }
+      }
+    }
+  }
+  return labels;
+}
+
+// All pairs of some cells: random ones, and some on and near the tiles' borders.
+void expect_equal(const Grid& grid, const Components& components, Connectivity connectivity,
+                  std::mt19937& random, int cells = 60) {
+  const Labels labels = labels_of(grid, connectivity);
+  EXPECT_EQ(components.count(), labels.count);
+  std::vector<Cell> asked;
+  for (int i = 0; i < cells; ++i) {
+    Cell c{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
+    if (i % 3 == 1) c.x = std::min(c.x / 256 * 256 + random_in(0, 1, random), grid.width() - 1);
+    if (i % 5 == 1) c.y = std::max(c.y / 256 * 256 - random_in(0, 1, random), 0);
+    asked.push_back(c);
+  }
+  for (const Cell a : asked) {
+    for (const Cell b : asked) {
+      const bool joined = labels.at(a) != 0 && labels.at(a) == labels.at(b);
+      ASSERT_EQ(components.connected(grid, a, b), joined)
+          << a.x << ',' << a.y << " - " << b.x << ',' << b.y;
+    }
+  }
+}
+
+TEST(Components, EqualBreadthFirstSearchOnNoise) {
+  std::mt19937 random(1);
+  constexpr int kSides[] = {1, 2, 3, 64, 65, 200, 255, 256, 257, 300, 511, 513, 700};
+  for (int round = 0; round < 40; ++round) {
+    const Grid grid =
+        random_grid(kSides[random() % 13], kSides[random() % 13], 5 + 5 * (round % 16), random);
+    for (const auto connectivity : kBoth) {
+      expect_equal(grid, Components(grid, connectivity), connectivity, random);
+    }
+  }
+}
+
+// Blocked cells where f holds.
+template <typename Blocked>
+Grid made(int width, int height, const Blocked& blocked) {
+  Grid grid(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      if (blocked(x, y)) grid.set_blocked({x, y});
+    }
+  }
+  return grid;
+}
+
+TEST(Components, EqualBreadthFirstSearchOnMadeMaps) {
+  std::mt19937 random(2);
+  const auto ring = [](int x, int y, int side) {
+    return std::min({x, y, side - 1 - x, side - 1 - y});
+  };
+  const std::vector<Grid> grids{
+      Grid(700, 600), made(600, 600, [](int, int) { return true; }),
+      made(600, 600, [](int x, int y) { return (x + y) % 2 == 0; }),
+      made(600, 600, [](int x, int) { return x % 2 == 0; }),
+      made(600, 600, [](int, int y) { return y % 2 == 1; }),
+      // Diagonal stripes, joined by diagonal steps only.
+      made(600, 600, [](int x, int y) { return (x + y) % 4 != 0; }),
+      // Rings, with gaps at changing places (a spiral of a kind) and without.
+      made(601, 601, [&](int x, int y) { return ring(x, y, 601) % 2 == 1; }),
+      made(601, 601,
+           [&](int x, int y) {
+             const int r = ring(x, y, 601);
+             return r % 2 == 1 && !(x == 300 && y == (r % 4 == 1 ? r : 600 - r));
+           }),
+      // A snake through all rows, and a comb.
+      made(600, 600, [](int x, int y) { return y % 2 == 1 && x != (y % 4 == 1 ? 0 : 599); }),
+      made(600, 600, [](int x, int y) { return y % 2 == 1 && x != 0; }),
+      // Cells of 5 x 5 with walls between, some with a door.
+      made(600, 600,
+           [&random](int x, int y) { return (x % 6 == 0 || y % 6 == 0) && !(random() % 9 == 0); })};
+  for (const Grid& grid : grids) {
+    for (const auto connectivity : kBoth) {
+      expect_equal(grid, Components(grid, connectivity), connectivity, random);
+    }
+  }
+}
+
+TEST(Components, JoinsDiagonallyAcrossTileCorners) {
+  for (const bool rising : {false, true}) {
+    const Grid grid = made(512, 512, [&](int x, int y) { return rising ? x + y != 511 : x != y; });
+    EXPECT_TRUE(Components(grid, Connectivity::eight)
+                    .connected(grid, {rising ? 511 : 0, 0}, {rising ? 0 : 511, 511}));
+    EXPECT_FALSE(Components(grid, Connectivity::four)
+                     .connected(grid, {rising ? 511 : 0, 0}, {rising ? 510 : 1, 1}));
+    EXPECT_EQ(Components(grid, Connectivity::eight).count(), 1);
+    EXPECT_EQ(Components(grid, Connectivity::four).count(), 512);
+  }
+}
+
+TEST(Components, BlockedAndOutsideCellsAreJoinedToNothing) {
+  Grid grid(10, 10);
+  grid.set_blocked({3, 3});
+  const Components components(grid, Connectivity::four);
+  EXPECT_TRUE(components.connected(grid, {2, 2}, {2, 2}));
+  EXPECT_FALSE(components.connected(grid, {3, 3}, {3, 3}));
+  EXPECT_FALSE(components.connected(grid, {2, 2}, {3, 3}));
+  EXPECT_FALSE(components.connected(grid, {2, 2}, {10, 3}));
+  EXPECT_FALSE(components.connected(grid, {-1, 2}, {2, 2}));
+}
+
+TEST(Components, AnEditEqualsAFreshBuild) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 12; ++round) {
+    Grid grid = random_grid(random_in(200, 800, random), random_in(200, 800, random),
+                            random_in(5, 60, random), random);
+    for (const auto connectivity : kBoth) {
+      Components components(grid, connectivity);
+      for (int edit = 0; edit < 8; ++edit) {
+        std::vector<Cell> changed;
+        for (int i = random_in(0, 40, random); i >= 0; --i) {
+          const Cell c{random_in(0, grid.width() - 1, random),
+                       random_in(0, grid.height() - 1, random)};
+          grid.set_blocked(c, grid.free(c));
+          changed.push_back(c);
+        }
+        components = components.updated(grid, changed);
+        ASSERT_EQ(components, Components(grid, connectivity));
+      }
+      expect_equal(grid, components, connectivity, random, 20);
+    }
+  }
+}
+
+TEST(Components, StaySmallOnTheWorstMaps) {
+  std::mt19937 random(4);
+  const std::vector<Grid> grids{
+      made(1024, 1024, [](int x, int y) { return (x + y) % 2 == 0; }),
+      made(1024, 1024, [](int x, int y) { return x % 2 == 0 && y % 2 == 0; }),
+      made(1024, 1024,
+           [](int x, int y) {  // stripes that cross every border
+             return x % 256 > 2 && x % 256 < 253 ? x % 2 == 0 || (y % 256 > 2 && y % 256 < 253)
+                                                 : y % 2 == 0;
+           }),
+      random_grid(1024, 1024, 40, random), random_grid(1024, 1024, 50, random)};
+  for (const Grid& grid : grids) {
+    for (const auto connectivity : kBoth) {
+      const std::int64_t bits = Components(grid, connectivity).bytes() * 8;
+      EXPECT_LE(bits, 1024 * 1024 / 4);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lasius

@@ -1,0 +1,368 @@
+#include "lasius/planner.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <thread>
+
+#include "kernels/base/cpu.h"
+#include "lasius/error.h"
+#include "lasius/generate.h"
+#include "lasius/map_io.h"
+#include "lasius/path.h"
+#include "tests/core/base/counting_time.h"
+#include "tests/core/plan/planning.h"
+#include "tests/oracle/plane_rule.h"
+
+namespace lasius {
+namespace {
+
+void expect_equal(const Result& a, const Result& b) {
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.path, b.path);
+  EXPECT_EQ(a.length, b.length);
+  EXPECT_EQ(a.best, b.best);
+  EXPECT_EQ(a.mean, b.mean);
+  EXPECT_EQ(a.arrived, b.arrived);
+}
+
+class EveryColony : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Planner, EveryColony, testing::ValuesIn(kColonies));
+
+TEST_P(EveryColony, PlansAValidPathAndItsCurves) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  const Params params = quick(GetParam());
+  const Result result = planner.plan(request, params);
+  ASSERT_EQ(result.status, Status::solved);
+  EXPECT_EQ(result.path.front(), centre(request.start));
+  EXPECT_EQ(result.path.back(), centre(request.goal));
+  EXPECT_EQ(path_fault(planner.grid(), result.path), std::nullopt);
+  EXPECT_EQ(result.length, path_length(result.path));
+  EXPECT_EQ(result.iterations, 15);
+  ASSERT_EQ(result.best.size(), 15u);
+  ASSERT_EQ(result.mean.size(), 15u);
+  EXPECT_EQ(result.best.back(), result.length);
+  for (std::size_t i = 1; i < 15; ++i) EXPECT_LE(result.best[i], result.best[i - 1]);
+  for (std::size_t i = 0; i < 15; ++i) {
+    EXPECT_EQ(result.arrived[i], params.ants);  // who backtracks arrives
+    EXPECT_GE(result.mean[i], result.length);
+  }
+  EXPECT_FALSE(result.gap().has_value());
+  EXPECT_FALSE(result.optimal);
+}
+
+TEST_P(EveryColony, GivesTheSamePlanWithAnyNumberOfThreads) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  Params params = quick(GetParam());
+  params.threads = 1;
+  const Result one = planner.plan(request, params);
+  for (const int threads : {2, 5}) {
+    params.threads = threads;
+    expect_equal(planner.plan(request, params), one);
+  }
+}
+
+TEST_P(EveryColony, GivesTheSamePlanWithScalarAndVectorKernels) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  const Params params = quick(GetParam());
+  ASSERT_EQ(setenv("LASIUS_KERNELS", "scalar", 1), 0);
+  const Result scalar = planner.plan(request, params);
+  if (kernels::supported_isa() >= kernels::Isa::avx2) {
+    ASSERT_EQ(setenv("LASIUS_KERNELS", "avx2", 1), 0);
+    expect_equal(planner.plan(request, params), scalar);
+  }
+  ASSERT_EQ(setenv("LASIUS_KERNELS", "sse9", 1), 0);
+  EXPECT_THROW((void)planner.plan(request, params), Error);
+  ASSERT_EQ(unsetenv("LASIUS_KERNELS"), 0);
+  expect_equal(planner.plan(request, params), scalar);
+}
+
+// Weights beyond what a double holds must not set kernels apart.
+TEST(Planner, GivesTheSamePlanWithEveryKernelAtTheEndsOfItsExponents) {
+  using Settings = std::vector<std::pair<const char*, const char*>>;
+  const std::vector<std::pair<const char*, Settings>> cases = {
+      {"as", {{"alpha", "11"}}},
+      {"as", {{"alpha", "20"}}},
+      {"terminal-index", {{"index_spread", "1"}, {"alpha", "5.119"}, {"alpha_first", "5.119"}}},
+      {"terminal-index", {{"index_spread", "1"}, {"alpha", "20"}, {"alpha_first", "20"}}}};
+  for (const Grid& grid : {Grid(40, 40), blobs(100, 60)}) {
+    const Planner planner(grid);
+    const Request request = far_apart(planner);
+    for (const auto& [algorithm, settings] : cases) {
+      Params params = defaults(algorithm);
+      for (const auto& [name, value] : settings) set_parameter(params, name, value);
+      params.ants = 20;
+      params.iterations = 100;
+      ASSERT_EQ(setenv("LASIUS_KERNELS", "scalar", 1), 0);
+      const Result scalar = planner.plan(request, params);
+      ASSERT_EQ(unsetenv("LASIUS_KERNELS"), 0);
+      expect_equal(planner.plan(request, params), scalar);
+    }
+  }
+}
+
+TEST_P(EveryColony, SeedsGiveDifferentRunsAndWorkspacesDoNot) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  Params params = quick(GetParam());
+  const Result first = planner.plan(request, params);
+  Workspace workspace;
+  expect_equal(planner.plan(request, params, &workspace), first);
+  const Planner other(blobs(90, 300, 8));
+  (void)other.plan(far_apart(other), params, &workspace);  // leaves its traces
+  expect_equal(planner.plan(request, params, &workspace), first);
+  params.seed = 2;
+  EXPECT_NE(planner.plan(request, params).mean, first.mean);
+}
+
+TEST_P(EveryColony, PlansWithEveryNeighbourhoodCornerRuleAndPolish) {
+  const Planner planner(blobs(60, 40));
+  const Request request = far_apart(planner);
+  Workspace workspace;
+  for (const auto neighbours :
+       {Neighbours::four, Neighbours::eight, Neighbours::sixteen, Neighbours::sixteen_knight,
+        Neighbours::twenty_four, Neighbours::thirty_two}) {
+    for (const auto corners : {Corners::forbid, Corners::one_side, Corners::allow}) {
+      for (const auto polish : {Polish::none, Polish::straight, Polish::taut}) {
+        Params params = quick(GetParam());
+        params.iterations = 2;
+        params.ants = 5;
+        params.neighbours = neighbours;
+        params.corners = corners;
+        params.polish = polish;
+        params.dead_end = polish == Polish::straight ? DeadEnd::kill : params.dead_end;
+        const Result result = planner.plan(request, params, &workspace);
+        if (result.path.empty()) {
+          ASSERT_EQ(params.dead_end, DeadEnd::kill);
+          continue;
+        }
+        if (corners == Corners::allow) {
+          EXPECT_EQ(path_fault(planner.grid(), result.path, corners), std::nullopt);
+        } else {
+          EXPECT_TRUE(rule::Checker(planner.grid()).obeys(result.path));
+        }
+      }
+    }
+  }
+}
+
+TEST(Planner, TautIsNeverLongerThanStraightAndStraightThanNone) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  Params params = defaults("as");  // its trails do not depend on the polish
+  params.iterations = 1;
+  const auto length = [&](Polish polish) {
+    params.polish = polish;
+    return planner.plan(request, params).length;
+  };
+  const double none = length(Polish::none), straight = length(Polish::straight);
+  EXPECT_LT(straight, none);
+  EXPECT_LE(length(Polish::taut), straight);
+}
+
+TEST(Planner, StartAndGoalOutsideOrBlockedAreAnAnswer) {
+  Grid grid(10, 10);
+  grid.set_blocked({4, 4});
+  const Planner planner(grid);
+  const auto error = [&](Cell start, Cell goal) {
+    const Result result = planner.plan({.start = start, .goal = goal});
+    EXPECT_EQ(result.status, Status::invalid);
+    EXPECT_TRUE(result.path.empty());
+    EXPECT_TRUE(std::isnan(result.length));
+    return result.error;
+  };
+  EXPECT_EQ(error({4, 4}, {0, 0}), "start (4, 4) is blocked; the nearest free cell is (4, 3)");
+  EXPECT_EQ(error({0, 0}, {10, 3}),
+            "goal (10, 3) is outside the map; the nearest free cell is (9, 3)");
+  constexpr int kLeast = std::numeric_limits<int>::min(), kMost = std::numeric_limits<int>::max();
+  EXPECT_EQ(error({kLeast, 5}, {0, 0}),
+            "start (-2147483648, 5) is outside the map; the nearest free cell is (0, 5)");
+  EXPECT_EQ(error({kMost, kLeast}, {0, 0}),
+            "start (2147483647, -2147483648) is outside the map; the nearest free cell is (9, 0)");
+  Grid full(2, 1);
+  full.set_blocked({0, 0});
+  full.set_blocked({1, 0});
+  EXPECT_EQ(Planner(full).plan({.start = {0, 0}, .goal = {1, 0}}).error,
+            "start (0, 0) is blocked; the map has no free cell");
+}
+
+TEST(Planner, ATargetGapIsNotNegative) {
+  const Planner planner(Grid(5, 5));
+  for (const double gap : {-0.1, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(planner.plan({.start = {0, 0}, .goal = {4, 4}, .target_gap = gap}), Error);
+  }
+}
+
+TEST(Planner, StartEqualToGoalIsAPathOfLengthZero) {
+  const Result result = Planner(Grid(5, 5)).plan({.start = {2, 2}, .goal = {2, 2}});
+  EXPECT_EQ(result.status, Status::solved);
+  EXPECT_EQ(result.path, std::vector<Point>{(Point{2.5, 2.5})});
+  EXPECT_EQ(result.length, 0);
+  EXPECT_EQ(result.gap(), 0);
+}
+
+TEST(Planner, UnreachableGoalsAreProvenUnderTheRuleInForce) {
+  Grid grid(20, 20);
+  for (int y = 0; y < 20; ++y) grid.set_blocked({y, y});  // a wall of diagonal neighbours
+  const Planner planner(grid);
+  const Request request{.start = {10, 2}, .goal = {2, 10}};
+  Params params = quick("as");
+  EXPECT_EQ(planner.plan(request, params).status, Status::unreachable);
+  EXPECT_NE(planner.plan(request, params).error, "");
+  params.corners = Corners::allow;
+  EXPECT_EQ(planner.plan(request, params).status, Status::solved);
+  params.neighbours = Neighbours::four;  // the rule has no say
+  EXPECT_EQ(planner.plan(request, params).status, Status::unreachable);
+}
+
+TEST(Planner, UnreachableNeedsNoTimeAtAll) {
+  // Any poll at all would end the call with another status.
+  struct Expired : TimeSource {
+    Clock::time_point now() const noexcept override {
+      ++polls;
+      return Clock::time_point::max();
+    }
+    mutable std::atomic<int> polls{0};
+  } time;
+  Grid grid(1000, 1000);
+  for (int y = 0; y < 1000; ++y) grid.set_blocked({500, y});
+  const Planner planner(grid);
+  const Result result = planner.plan({.start = {1, 1},
+                                      .goal = {900, 900},
+                                      .stop = {.deadline = Clock::time_point{}, .time = &time}},
+                                     defaults("fan2004"));
+  EXPECT_EQ(result.status, Status::unreachable);
+  EXPECT_EQ(time.polls, 0);
+}
+
+TEST_P(EveryColony, AnExpiredDeadlineEndsTheCallWithTheBestPathSoFar) {
+  const Planner planner(blobs());
+  Request request = far_apart(planner);
+  Params params = quick(GetParam());
+  params.threads = 1;
+  bool with = false, without = false, in_the_first_iteration = false;
+  for (int readings = 0;; readings = readings * 9 / 8 + 1) {
+    const CountingTime time(readings);
+    request.stop = time.is_up();
+    const Result result = planner.plan(request, params);
+    if (result.status == Status::solved) break;
+    ASSERT_EQ(result.status, Status::limit) << readings;
+    EXPECT_LE(time.polls() - readings, params.ants + 40);
+    EXPECT_EQ(result.best.size(), static_cast<std::size_t>(result.iterations));
+    (result.path.empty() ? without : with) = true;
+    in_the_first_iteration |= result.iterations == 0 && !result.path.empty();
+    if (!result.path.empty()) {
+      EXPECT_EQ(path_fault(planner.grid(), result.path), std::nullopt);
+    }
+  }
+  EXPECT_TRUE(with && without && in_the_first_iteration);
+}
+
+TEST(Planner, CopiesShareWhatIsPrepared) {
+  std::optional<Planner> planner(blobs());
+  const Request request = far_apart(*planner);
+  const Result expected = planner->plan(request);
+  Planner copy = *planner;
+  EXPECT_EQ(&copy.grid(), &planner->grid());
+  const auto four = copy.footprint().components;
+  ASSERT_TRUE(copy.label(Corners::allow));
+  EXPECT_GT(planner->footprint().components, four);
+  planner.reset();
+  EXPECT_EQ(copy.plan(request).path, expected.path);
+  const Planner other(Grid(5, 5));
+  copy = other;
+  EXPECT_EQ(copy.grid().width(), 5);
+}
+
+TEST(Planner, ATokenInterrupts) {
+  const Planner planner(blobs());
+  Request request = far_apart(planner);
+  std::stop_source source;
+  request.stop.token = source.get_token();
+  Params params = quick("fan2004");
+  params.iterations = 1000000;
+  const Result result = planner.plan(request, params, nullptr, [&](const Progress& p) {
+    if (p.iteration == 4) source.request_stop();
+  });
+  EXPECT_EQ(result.status, Status::interrupted);
+  EXPECT_EQ(result.iterations, 5);
+  EXPECT_FALSE(result.path.empty());
+}
+
+TEST(Planner, ZeroIterationsEndWithoutAPath) {
+  const Planner planner(blobs());
+  Params params = quick("fan2004");
+  params.iterations = 0;
+  const Result result = planner.plan(far_apart(planner), params);
+  EXPECT_EQ(result.status, Status::no_path);
+  EXPECT_TRUE(result.best.empty());
+}
+
+TEST(Planner, ObserversSeeToursAndPheromone) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  int calls = 0;
+  (void)planner.plan(request, quick("fan2004"), nullptr, [&](const Progress& p) {
+    EXPECT_EQ(p.iteration, calls++);
+    EXPECT_EQ(p.ants(), 10);
+    EXPECT_EQ(p.arrived, 10);
+    for (int a = 0; a < p.ants(); ++a) {
+      const auto tour = p.tour(a);
+      ASSERT_GE(tour.size(), 2u);
+      EXPECT_EQ(tour.front(), request.start);
+      EXPECT_EQ(tour.back(), request.goal);
+      EXPECT_GT(p.pheromone(tour[tour.size() / 2]), p.pheromone({0, 79}));
+    }
+  });
+  EXPECT_EQ(calls, 15);
+}
+
+TEST(Planner, OnePlannerServesManyThreads) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  Params params = quick("fan2004");
+  params.threads = 1;
+  params.iterations = 4;
+  const Result expected = planner.plan(request, params);
+  std::vector<Result> results(4);
+  {
+    std::vector<std::jthread> threads;
+    for (Result& result : results) {
+      threads.emplace_back([&] { result = planner.plan(request, params); });
+    }
+  }
+  for (const Result& result : results) expect_equal(result, expected);
+}
+
+TEST(Planner, EditsMakeANewVersionAndLeaveTheOldOne) {
+  Grid grid(600, 300);
+  for (int y = 0; y < 300; ++y) grid.set_blocked({300, y});
+  const Planner closed(grid);
+  const Planner::Edit door{{300, 150}, false};
+  const Planner open = closed.edited({&door, 1});
+  const Cell a{10, 10}, b{590, 290};
+  EXPECT_FALSE(closed.connected(a, b));
+  EXPECT_TRUE(open.connected(a, b));
+  const Planner::Edit shut{{300, 150}, true};
+  EXPECT_FALSE(open.edited({&shut, 1}).connected(a, b));
+  EXPECT_EQ(open.edited({&shut, 1}).grid(), closed.grid());
+  const Planner::Edit outside{{600, 0}, true};
+  EXPECT_THROW((void)open.edited({&outside, 1}), Error);
+}
+
+TEST(Planner, ParametersOutOfRangeThrow) {
+  const Planner planner(Grid(5, 5));
+  Params params;
+  params.ants = 0;
+  EXPECT_THROW((void)planner.plan({.start = {0, 0}, .goal = {1, 1}}, params), Error);
+}
+
+}  // namespace
+}  // namespace lasius

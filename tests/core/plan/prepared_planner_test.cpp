@@ -1,0 +1,168 @@
+// Planning on a map with the heavier preparation, and on what is made from it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lasius/batch.h"
+#include "lasius/error.h"
+#include "lasius/generate.h"
+#include "lasius/planner.h"
+#include "tests/worlds/random_grid.h"
+
+namespace lasius {
+namespace {
+
+const Grid& map() {
+  static const Grid grid = generate(MapKind::rooms, {160, 120, -1, 2});
+  return grid;
+}
+
+std::vector<Query> some_queries(int count) {
+  std::mt19937 random(3);
+  std::vector<Query> queries;
+  while (static_cast<int>(queries.size()) < count) {
+    const auto cell = [&] {
+      return Cell{random_in(0, map().width() - 1, random),
+                  random_in(0, map().height() - 1, random)};
+    };
+    queries.push_back({cell(), cell()});
+  }
+  return queries;
+}
+
+void expect_as_good(const Result& prepared, const Result& plain) {
+  EXPECT_EQ(prepared.status, plain.status);
+  EXPECT_EQ(prepared.error, plain.error);
+  EXPECT_EQ(prepared.optimal, plain.optimal);
+  EXPECT_EQ(prepared.path.empty(), plain.path.empty());
+  if (plain.path.empty()) return;
+  EXPECT_NEAR(prepared.length, plain.length, 1e-9 * plain.length);
+}
+
+TEST(PreparedPlanner, IsMadeFromAPlannerToo) {
+  const Planner plain = Planner(map()).edited(std::vector<Planner::Edit>{{{3, 3}, true}});
+  const Planner at_once(plain.grid(), PrepareOptions{.threads = 1});
+  const Planner later = plain.prepared({.threads = 2});
+  EXPECT_EQ(plain.preparation().state, Preparation::State::none);
+  ASSERT_EQ(later.preparation().state, Preparation::State::ready);
+  EXPECT_EQ(later.preparation().edges, at_once.preparation().edges);
+  EXPECT_EQ(later.grid(), plain.grid());
+  for (const Query& q : some_queries(50)) {
+    const Request request{.start = q.start, .goal = q.goal};
+    EXPECT_EQ(later.plan(request).path, at_once.plan(request).path);
+  }
+  std::stop_source source;
+  source.request_stop();
+  const Planner stopped = plain.prepared({.stop = {.token = source.get_token()}});
+  EXPECT_EQ(stopped.preparation().state, Preparation::State::stopped);
+  EXPECT_EQ(stopped.plan({.start = {0, 0}, .goal = {0, 0}}).status,
+            plain.plan({.start = {0, 0}, .goal = {0, 0}}).status);
+}
+
+TEST(PreparedPlanner, AnswersAsTheUnpreparedOne) {
+  const Planner plain(map());
+  const Planner prepared(map(), PrepareOptions{.threads = 2});
+  EXPECT_EQ(plain.preparation().state, Preparation::State::none);
+  EXPECT_EQ(plain.footprint().corners, 0);
+  ASSERT_EQ(prepared.preparation().state, Preparation::State::ready);
+  EXPECT_GT(prepared.preparation().edges, prepared.preparation().corners);
+  EXPECT_EQ(prepared.footprint().corners, prepared.preparation().bytes);
+  Workspace workspace;
+  int solved = 0, invalid = 0;
+  for (const Query& q : some_queries(200)) {
+    const Request request{.start = q.start, .goal = q.goal};
+    const Result result = prepared.plan(request, {}, &workspace);
+    expect_as_good(result, plain.plan(request));
+    solved += result.status == Status::solved;
+    invalid += result.status == Status::invalid;
+  }
+  EXPECT_GT(solved, 50);
+  EXPECT_GT(invalid, 5);
+  EXPECT_EQ(prepared.plan({.start = {0, 0}, .goal = {0, 0}}).status,
+            plain.plan({.start = {0, 0}, .goal = {0, 0}}).status);
+}
+
+TEST(PreparedPlanner, GivenUpItPlansWithout) {
+  const Planner small(map(), PrepareOptions{.threads = 1, .max_bytes = 1000});
+  EXPECT_EQ(small.preparation().state, Preparation::State::too_large);
+  EXPECT_EQ(small.footprint().corners, 0);
+  std::stop_source stopped;
+  stopped.request_stop();
+  const Planner cut(map(), PrepareOptions{.stop = {.token = stopped.get_token()}});
+  EXPECT_EQ(cut.preparation().state, Preparation::State::stopped);
+  const Planner plain(map());
+  for (const Query& q : some_queries(20)) {
+    const Request request{.start = q.start, .goal = q.goal};
+    EXPECT_EQ(small.plan(request).path, plain.plan(request).path);
+    EXPECT_EQ(cut.plan(request).path, plain.plan(request).path);
+  }
+}
+
+TEST(PreparedPlanner, RefusesThreadsOutOfRangeAndKeepsTheMap) {
+  const Planner plain(map());
+  for (const int threads : {-1, 1025}) {
+    const PrepareOptions options{.threads = threads};
+    EXPECT_THROW(Planner(map(), options), Error);
+    EXPECT_THROW((void)plain.prepared(options), Error);
+    Grid grid = map();
+    EXPECT_THROW((void)Planner::prepare(std::move(grid), options), Error);
+    EXPECT_EQ(grid, map());
+  }
+}
+
+// The graph is of the map as it was: a planner for another one does without.
+TEST(PreparedPlanner, EditsLeaveThePreparationBehind) {
+  Grid grid(40, 21);
+  grid.set_blocked({20, 10});
+  const Planner prepared(grid, PrepareOptions{});
+  ASSERT_EQ(prepared.preparation().state, Preparation::State::ready);
+  const Request request{.start = {2, 10}, .goal = {37, 10}};
+  const double before = prepared.plan(request).length;
+
+  std::vector<Planner::Edit> wall;
+  for (int y = 0; y < 20; ++y) wall.push_back({{20, y}, true});
+  const Planner walled = prepared.edited(wall);
+  EXPECT_EQ(walled.preparation().state, Preparation::State::none);
+  for (const Planner::Edit& edit : wall) grid.set_blocked(edit.cell);
+  EXPECT_EQ(walled.plan(request).path, Planner(grid).plan(request).path);
+  EXPECT_GT(walled.plan(request).length, before + 1);
+
+  const Planner excluded = prepared.exclude(std::vector<Planner::Direction>{{{2, 10}, 1, 0}});
+  EXPECT_EQ(excluded.preparation().state, Preparation::State::none);
+  EXPECT_GT(excluded.plan(request).length, before);
+  const Planner allowed = excluded.allow(excluded.excluded());
+  EXPECT_EQ(allowed.preparation().state, Preparation::State::none);
+  EXPECT_NEAR(allowed.plan(request).length, before, 1e-9 * before);
+  EXPECT_EQ(prepared.plan(request).length, before);
+}
+
+TEST(PreparedPlanner, ThreadsChangeNothing) {
+  const auto queries = some_queries(60);
+  std::vector<std::vector<Point>> first;
+  for (const int threads : {1, 2, 5}) {
+    const Planner planner(map(), PrepareOptions{.threads = threads});
+    std::vector<std::vector<Point>> paths;
+    plan_batch(planner, queries, {}, {.threads = threads},
+               [&](const BatchAnswer& answer) { paths.push_back(answer.result.path); });
+    if (first.empty()) first = paths;
+    EXPECT_EQ(paths, first);
+  }
+}
+
+// A workspace goes from map to map.
+TEST(PreparedPlanner, AWorkspaceServesSeveralMaps) {
+  const Planner large(map(), PrepareOptions{});
+  const Grid other = generate(MapKind::maze, {60, 60, -1, 4});
+  const Planner small(other, PrepareOptions{}), plain(other);
+  Workspace workspace;
+  std::mt19937 random(9);
+  for (const Query& q : some_queries(30)) {
+    large.plan({.start = q.start, .goal = q.goal}, {}, &workspace);
+    const Request request{.start = {random_in(0, 59, random), random_in(0, 59, random)},
+                          .goal = {random_in(0, 59, random), random_in(0, 59, random)}};
+    expect_as_good(small.plan(request, {}, &workspace), plain.plan(request));
+  }
+}
+
+}  // namespace
+}  // namespace lasius

@@ -1,0 +1,75 @@
+#include "tools/arm/arm_outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lasius::tool {
+namespace {
+
+using arm::Vec3;
+
+double turn(Point a, Point b, Point c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// From the obstacle's frame to the world.
+Vec3 transformed(const arm::Obstacle& o, Vec3 p) {
+  const auto& r = o.rotation;
+  return {r[0] * p.x + r[1] * p.y + r[2] * p.z + o.position.x,
+          r[3] * p.x + r[4] * p.y + r[5] * p.z + o.position.y,
+          r[6] * p.x + r[7] * p.y + r[8] * p.z + o.position.z};
+}
+
+}  // namespace
+
+std::vector<Vec3> outline(const arm::Obstacle& o) {
+  std::vector<Vec3> points;
+  const auto add = [&](Vec3 p) { points.push_back(transformed(o, p)); };
+  constexpr int kParts = 32;
+  const auto angle = [](int i) { return 2 * std::numbers::pi * i / kParts; };
+  switch (o.shape) {
+    case arm::Obstacle::Shape::box:
+      for (const double x : {-0.5, 0.5})
+        for (const double y : {-0.5, 0.5})
+          for (const double z : {-0.5, 0.5}) add({x * o.size.x, y * o.size.y, z * o.size.z});
+      break;
+    case arm::Obstacle::Shape::sphere:
+      for (int i = 0; i < kParts; ++i) {
+        const double c = o.radius * std::cos(angle(i)), s = o.radius * std::sin(angle(i));
+        points.push_back({o.position.x + c, o.position.y + s, o.position.z});
+        points.push_back({o.position.x + c, o.position.y, o.position.z + s});
+        points.push_back({o.position.x, o.position.y + c, o.position.z + s});
+      }
+      break;
+    case arm::Obstacle::Shape::cylinder:
+      for (int i = 0; i < kParts; ++i)
+        for (const double z : {-0.5 * o.length, 0.5 * o.length})
+          add({o.radius * std::cos(angle(i)), o.radius * std::sin(angle(i)), z});
+      break;
+    case arm::Obstacle::Shape::mesh:
+      for (const auto& triangle : o.triangles)
+        for (const Vec3 corner : triangle) add(corner);
+      break;
+  }
+  return points;
+}
+
+std::vector<Point> hull(std::vector<Point> points) {
+  std::sort(points.begin(), points.end(),
+            [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::vector<Point> chain;
+  for (int half = 0; half < 2; ++half) {
+    const std::size_t base = chain.size();
+    for (const Point p : points) {
+      while (chain.size() >= base + 2 && turn(chain[chain.size() - 2], chain.back(), p) <= 0)
+        chain.pop_back();
+      chain.push_back(p);
+    }
+    chain.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return chain;
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,59 @@
+// One question answered, with all that a result records.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "lasius/batch.h"
+#include "lasius/planner.h"
+#include "tools/bitmap/map_file.h"
+#include "tools/options/options.h"
+#include "tools/record/outcome.h"
+
+namespace lasius::tool {
+
+/// All that a plan on a map was asked and found.
+struct Answer {
+  Place start{};
+  Place goal{};
+  Result result{};
+  double elapsed_ms = 0;  ///< of the plan; the map's preparation is not in it
+  /// With --gap: exact shortest length, where one exists and was found in time.
+  std::optional<double> optimum{};
+  /// With --gap: the shortest by the algorithm's own moves, any angle for `exact`.
+  std::optional<double> grid_optimum{};
+  std::optional<std::size_t> index{};  ///< of a batch's query
+};
+
+/// The deadline that `seconds` from now sets.
+Clock::time_point deadline_after(const std::optional<double>& seconds);
+
+/// What a search that comes after one under `stop` may take: `seconds` from now, where that one had
+/// a deadline.
+StopCondition again(const StopCondition& stop, const std::optional<double>& seconds);
+
+/// Plans from `start` to `goal` under `stop`, then looks for --gap's optima under the token and,
+/// each, as long a limit again.
+Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start, const Place& goal,
+              const StopCondition& stop, const Observer& observer = {});
+
+/// Length of the shortest walk by the moves of the run's algorithm, if there is one and it is found
+/// in time. Precondition: the algorithm is not `exact`.
+std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOptions& run,
+                                            const Query& query, const StopCondition& stop);
+
+/// True where the algorithm moves from cell to cell.
+bool moves_on_cells(const RunOptions& run);
+
+/// Fills in what --gap asks for, from the shortest path of all and, of an algorithm that moves on
+/// cells, the shortest walk by its own moves, as far as they are known.
+void set_optima(const RunOptions& run, std::optional<double> any_angle,
+                std::optional<double> by_moves, Answer& answer);
+
+/// Params of the exact planner for a run.
+Params optimum_params(const RunOptions& run);
+
+/// How the run ended, with what its map and frame add to the library's words.
+Outcome outcome(const PreparedMap& map, const RunOptions& run, const Answer& answer);
+
+}  // namespace lasius::tool

@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "lasius/batch.h"
+#include "lasius/output.h"
+#include "tools/bitmap/announce.h"
+#include "tools/bitmap/answer.h"
+#include "tools/bitmap/map_file.h"
+#include "tools/bitmap/picture.h"
+#include "tools/bitmap/queries.h"
+#include "tools/bitmap/report.h"
+#include "tools/commands.h"
+#include "tools/console/exit_code.h"
+#include "tools/console/progress.h"
+#include "tools/console/signals.h"
+#include "tools/console/streams.h"
+#include "tools/console/team.h"
+#include "tools/record/outputs.h"
+
+namespace lasius::tool {
+namespace {
+
+/// What files need of a batch, kept only for the kinds that are asked for.
+class Collected {
+ public:
+  Collected(const PreparedMap& map, const RunOptions& run) : map_(map), run_(run) {
+    for (const auto& file : run.outputs) {
+      json_ |= has_ending(file, ".json");
+      csv_ |= has_ending(file, ".csv");
+      paths_ |= is_picture(file);
+    }
+    if (csv_) rows_ = batch_csv_header(run.frame);
+  }
+
+  void add(const Answer& answer, const std::string& json_line) {
+    if (json_) lines_ += json_line;
+    if (csv_) rows_ += batch_csv_row(map_, run_.frame, answer);
+    if (paths_ && !answer.result.path.empty()) kept_.push_back(answer.result.path);
+  }
+
+  void write(const std::string& file) const {
+    if (is_picture(file)) return write_batch_picture(file, map_, run_, kept_);
+    write_file(file,
+               [&](std::ostream& out) { out << (has_ending(file, ".csv") ? rows_ : lines_); });
+  }
+
+ private:
+  const PreparedMap& map_;
+  const RunOptions& run_;
+  bool json_ = false, csv_ = false, paths_ = false;
+  std::string lines_, rows_;
+  std::vector<std::vector<Point>> kept_;
+};
+
+/// What --gap adds to some queries; NaN where there is none.
+struct Optima {
+  std::vector<double> any_angle, by_moves;
+};
+
+Optima optima(const PreparedMap& map, const RunOptions& run, std::span<const Query> queries,
+              const BatchOptions& options) {
+  Optima found;
+  found.any_angle.assign(queries.size(), std::nan(""));
+  BatchOptions exact = options;
+  exact.target_gap = 0;
+  plan_batch(*map.planner, queries, optimum_params(run), exact, [&](const BatchAnswer& answer) {
+    if (answer.result.optimal) found.any_angle[answer.index] = answer.result.length;
+  });
+  found.by_moves.assign(queries.size(), std::nan(""));
+  if (!moves_on_cells(run)) return found;
+  const auto ask = [&](std::size_t i) {
+    const StopCondition stop{.token = options.token, .deadline = deadline_after(run.time_limit)};
+    found.by_moves[i] = shortest_by_own_moves(map, run, queries[i], stop).value_or(std::nan(""));
+  };
+  share_out(queries.size(), options.threads, [&] { return ask; });
+  return found;
+}
+
+std::optional<double> known(double value) {
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
+}  // namespace
+
+int run_batch(const BatchCommand& command) {
+  const RunOptions& run = command.run;
+  for (const auto& file : run.outputs) check_writable(file);
+  SignalWatcher signals;
+  const PreparedMap map = prepare_map(run.map, run.frame, run.params.corners, signals.token());
+  const QueryFile file =
+      read_queries(command.queries, map.width, map.height, run.frame == Frame::cell);
+  announce(map, run);
+  const auto place = [&](Point point) {
+    return file.scenario ? place_of(map, point, run.frame) : to_place(map, point, run.frame);
+  };
+  std::vector<Query> queries;
+  for (const auto& line : file.queries)
+    queries.push_back({place(line.start).cell, place(line.goal).cell});
+
+  BatchOptions options{
+      .threads = run.params.threads, .target_gap = run.target_gap, .token = signals.token()};
+  if (run.time_limit) options.time_limit = std::chrono::duration<double>(*run.time_limit);
+  Collected collected(map, run);
+  Delivery delivery(run.outputs);
+  ProgressLine bar(wants_progress(run.messages), static_cast<std::int64_t>(queries.size()));
+  // The optimum is asked beside each chunk, so that answers still stream.
+  const std::size_t chunk = run.with_optimum ? 256 : queries.size();
+  for (std::size_t from = 0; from < queries.size() && !signals.interrupted(); from += chunk) {
+    const auto part = std::span(queries).subspan(from, std::min(chunk, queries.size() - from));
+    Optima best;
+    if (run.with_optimum) best = optima(map, run, part, options);
+    plan_batch(*map.planner, part, run.params, options, [&](const BatchAnswer& found) {
+      const std::size_t index = from + found.index;
+      Answer answer{.start = place(file.queries[index].start),
+                    .goal = place(file.queries[index].goal),
+                    .result = found.result,
+                    .elapsed_ms = std::chrono::duration<double, std::milli>(found.elapsed).count(),
+                    .index = index};
+      if (run.with_optimum) {
+        set_optima(run, known(best.any_angle[found.index]), known(best.by_moves[found.index]),
+                   answer);
+      }
+      const std::string text = line(result_json(map, run, answer));
+      collected.add(answer, text);
+      delivery.print(text);
+      bar.update(static_cast<std::int64_t>(index) + 1, "queries");
+    });
+  }
+  delivery.write([&](const std::string& output) { collected.write(output); });
+  return signals.interrupted() ? kInterrupted : kFound;
+}
+
+}  // namespace lasius::tool

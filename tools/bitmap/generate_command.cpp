@@ -1,0 +1,27 @@
+#include <string>
+
+#include "lasius/generate.h"
+#include "lasius/io.h"
+#include "tools/commands.h"
+#include "tools/console/exit_code.h"
+#include "tools/console/signals.h"
+#include "tools/console/streams.h"
+#include "tools/console/values.h"
+
+namespace lasius::tool {
+
+int run_generate(const GenerateCommand& command) {
+  check_writable(command.output);
+  GenerateOptions options = command.options;
+  const double most = max_density(command.kind);
+  if (options.density > most) {
+    options.density = most;
+    message("--density is " + to_text(most) + ": this kind of map gets no denser");
+  }
+  const Grid map = generate(command.kind, options);
+  const SignalWatcher signals;  // what is begun is written whole
+  write_any_map(map, command.output);
+  return signals.interrupted() ? kInterrupted : kFound;
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "tools/bitmap/map_file.h"
+#include "tools/bitmap/report.h"
+#include "tools/commands.h"
+#include "tools/console/exit_code.h"
+#include "tools/console/streams.h"
+#include "tools/console/values.h"
+
+namespace lasius::tool {
+namespace {
+
+Json frame_json(const std::optional<WorldFrame>& frame) {
+  if (!frame) return nullptr;
+  return {{"resolution", number(frame->resolution)},
+          {"origin", {number(frame->origin_x), number(frame->origin_y), number(frame->yaw)}}};
+}
+
+Json preparation_json(const PreparedMap& map) {
+  if (!map.prepare) return nullptr;
+  const Preparation& prepared = map.planner->preparation();
+  return {{"state", to_string(prepared.state)},
+          {"corners", prepared.corners},
+          {"edges", prepared.edges},
+          {"bytes", prepared.bytes},
+          {"ms", number(1000 * prepared.seconds)}};
+}
+
+Json info_json(const PreparedMap& map, Corners corners) {
+  const Grid& grid = map.grid();
+  const bool eight = corners == Corners::allow;
+  const auto footprint = map.planner->footprint();
+  const double cells = static_cast<double>(map.width) * map.height;
+  const auto free = grid.count_free();
+  const auto bytes = footprint.bitmap + footprint.components + footprint.corners;
+
+  Json json = Json::object();
+  json["format"] = "lasius-info/1";
+  json["file"] = map.file;
+  json["hash"] = hash_text(map.hash);
+  json["width"] = map.width;
+  json["height"] = map.height;
+  json["radius"] = number(map.radius);
+  json["free_cells"] = free;
+  json["free_share"] = number(static_cast<double>(free) / cells);
+  json["connectivity"] = eight ? 8 : 4;
+  json["components"] = map.planner->components(corners);
+  json["frame"] = frame_json(map.frame);
+  json["read_ms"] = number(map.read_ms);
+  json["prepare_ms"] = number(map.prepare_ms);
+  json["preparation"] = preparation_json(map);
+  json["memory"] = {{"bitmap", footprint.bitmap},
+                    {"components", footprint.components},
+                    {"corners", footprint.corners},
+                    {"total", bytes},
+                    {"bits_per_cell", number(8.0 * static_cast<double>(bytes) / cells)}};
+  return json;
+}
+
+std::string info_text(const Json& json) {
+  const auto real = [](const Json& value, const char* format) {
+    std::array<char, 48> text;
+    std::snprintf(text.data(), text.size(), format, value.get<double>());
+    return std::string(text.data());
+  };
+  const auto& memory = json["memory"];
+  std::string text;
+  const auto row = [&text](const char* name, const std::string& value) {
+    text += std::string(name) + std::string(12 - std::string_view(name).size(), ' ') + value + "\n";
+  };
+  row("size", json["width"].dump() + " x " + json["height"].dump() + " cells");
+  row("hash", json["hash"].get<std::string>());
+  row("free", json["free_cells"].dump() + " cells, " +
+                  std::to_string(std::lround(100 * json["free_share"].get<double>())) + "%");
+  row("components", json["components"].dump() + " (" + json["connectivity"].dump() + "-connected)");
+  if (!json["frame"].is_null()) {
+    const auto& origin = json["frame"]["origin"];
+    row("frame", to_text(json["frame"]["resolution"].get<double>()) + " m a cell, origin " +
+                     to_text(origin[0].get<double>()) + "," + to_text(origin[1].get<double>()) +
+                     " m, yaw " + to_text(origin[2].get<double>()));
+  }
+  row("read", real(json["read_ms"], "%.2f ms"));
+  row("prepared", real(json["prepare_ms"], "%.2f ms"));
+  if (const Json& more = json["preparation"]; !more.is_null()) {
+    const bool ready = more["state"] == to_string(Preparation::State::ready);
+    row("--prepare", more["corners"].dump() + " corners, " +
+                         (ready ? more["edges"].dump() + " edges, " + more["bytes"].dump() +
+                                      " bytes, " + real(more["ms"], "%.2f ms")
+                                : "given up: it would take more than " +
+                                      std::to_string(PrepareOptions{}.max_bytes) + " bytes"));
+  }
+  row("memory", memory["total"].dump() + " bytes, " + real(memory["bits_per_cell"], "%.3f") +
+                    " bits a cell (bitmap " + memory["bitmap"].dump() + ", components " +
+                    memory["components"].dump() + ", corners " + memory["corners"].dump() + ")");
+  return text;
+}
+
+}  // namespace
+
+int run_info(const InfoCommand& command) {
+  const PreparedMap map = prepare_map(command.map);
+  const Json json = info_json(map, command.corners);
+  print(command.json ? line(json) : info_text(json));
+  return kFound;
+}
+
+}  // namespace lasius::tool

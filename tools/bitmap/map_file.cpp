@@ -1,0 +1,106 @@
+#include "tools/bitmap/map_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "lasius/clearance.h"
+#include "lasius/io.h"
+#include "tools/console/elapsed.h"
+#include "tools/console/exit_code.h"
+#include "tools/console/values.h"
+
+namespace lasius::tool {
+namespace {
+
+int clamped(double whole) {
+  using Limits = std::numeric_limits<int>;
+  return static_cast<int>(std::clamp<double>(whole, Limits::min(), Limits::max()));
+}
+
+/// A number of metres too large to be told in cells, as a number that can be told.
+double finite(double number) {
+  return std::isnan(number) ? kNoLimit : std::clamp(number, -kNoLimit, kNoLimit);
+}
+
+/// False, and the grid as it was, when stopped.
+bool grow(Grid& grid, double radius, const StopCondition& stop) {
+  if (radius == 0) return true;
+  auto grown = grow_obstacles(grid, radius, stop);
+  if (grown) grid = std::move(*grown);
+  return grown.has_value();
+}
+
+/// Nothing, and the grid as it was, when stopped.
+std::optional<Planner> make_planner(Grid& grid, const MapOptions& options, Corners corners,
+                                    const StopCondition& stop) {
+  const PrepareOptions more{.threads = options.threads, .stop = stop};
+  auto planner = options.prepare ? Planner::prepare(std::move(grid), more)
+                                 : Planner::prepare(std::move(grid), stop);
+  // Should this be stopped, the plan is at once.
+  if (planner) planner->label(corners, stop);
+  return planner;
+}
+
+}  // namespace
+
+PreparedMap prepare_map(const MapOptions& options, Frame frame, Corners corners,
+                        const std::stop_token& token) {
+  const auto start = Clock::now();
+  Map read = read_any_map(options.file, {.unknown_is_free = options.unknown_is_free});
+  if (frame == Frame::world && !read.frame)
+    throw UsageError("--frame world: " + options.file +
+                     " gives no frame; name the .yaml file of a ROS map, or use --frame cell");
+  const double radius =
+      options.radius_metres ? options.radius / read.frame->resolution : options.radius;
+  if (!std::isfinite(radius))
+    throw UsageError("--radius " + to_text(options.radius) + " is too many cells");
+  PreparedMap map{.file = options.file,
+                  .hash = read.grid.hash(),
+                  .width = read.grid.width(),
+                  .height = read.grid.height(),
+                  .frame = read.frame,
+                  .unknown_is_free = options.unknown_is_free,
+                  .radius = radius,
+                  .prepare = options.prepare};
+  const StopCondition stop{.token = token};
+  const bool whole = grow(read.grid, map.radius, stop);
+  map.read_ms = ms_since(start);
+  const auto prepare_start = Clock::now();
+  if (whole) map.planner = make_planner(read.grid, options, corners, stop);
+  if (!map.planner) map.unprepared = std::move(read.grid);
+  map.prepare_ms = ms_since(prepare_start);
+  return map;
+}
+
+void prepare_more(PreparedMap& map, int threads, const std::stop_token& token) {
+  const auto start = Clock::now();
+  map.planner = map.planner->prepared({.threads = threads, .stop = {.token = token}});
+  map.prepare_ms += ms_since(start);
+}
+
+std::vector<Point> PreparedMap::to_world(const std::vector<Point>& path) const {
+  std::vector<Point> metres;
+  metres.reserve(path.size());
+  for (const Point p : path) metres.push_back(to_world(p));
+  return metres;
+}
+
+Place to_place(const PreparedMap& map, Point point, Frame frame) {
+  Point number = point;
+  if (frame == Frame::world) {
+    const Point cells = map.frame->to_cells(point, map.height);
+    // Rows are counted from the top, but hold their lower edge.
+    number = {finite(std::floor(cells.x)), finite(std::ceil(cells.y) - 1)};
+  }
+  return {{clamped(number.x), clamped(number.y)}, number, point};
+}
+
+Place place_of(const PreparedMap& map, Point cell, Frame frame) {
+  Place place = to_place(map, cell, Frame::cell);
+  if (frame == Frame::world) place.asked = map.to_world({cell.x + 0.5, cell.y + 0.5});
+  return place;
+}
+
+}  // namespace lasius::tool

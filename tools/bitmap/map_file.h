@@ -1,0 +1,67 @@
+// A map file made ready for planning.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "lasius/map_io.h"
+#include "lasius/planner.h"
+#include "tools/options/options.h"
+
+namespace lasius::tool {
+
+struct PreparedMap {
+  std::string file;
+  std::uint64_t hash = 0;  ///< of the grid as read, before obstacles grow
+  int width = 0;
+  int height = 0;
+  std::optional<WorldFrame> frame;
+  bool unknown_is_free = false;
+  double radius = 0;                 ///< cells
+  bool prepare = false;              ///< more was asked for: see Planner::preparation
+  std::optional<Planner> planner{};  ///< nothing: the token fired before it was made
+  std::optional<Grid> unprepared{};  ///< without a planner: the grid as far as it came
+  double read_ms = 0;                ///< reading, and growing obstacles
+  double prepare_ms = 0;             ///< making the planner
+
+  const Grid& grid() const { return planner ? planner->grid() : *unprepared; }
+
+  // Precondition of these: the map has a frame.
+  Point to_world(Point cells) const { return frame->to_world(cells, height); }
+  std::vector<Point> to_world(const std::vector<Point>& path) const;
+  double metres(double cells) const { return cells * frame->resolution; }
+
+  /// A length in cells as `wanted` gives it: in metres in the world frame.
+  double length_in(Frame wanted, double cells) const {
+    return wanted == Frame::world ? metres(cells) : cells;
+  }
+};
+
+/// Reads a map and prepares it for plans under a rule of corners. `token` ends the preparation, not
+/// the reading.
+/// @throws Error; UsageError where metres are asked for and the file gives no frame.
+PreparedMap prepare_map(const MapOptions& options, Frame frame = Frame::cell,
+                        Corners corners = Corners::forbid, const std::stop_token& token = {});
+
+/// Does what --prepare asks for, for a map with a planner.
+void prepare_more(PreparedMap& map, int threads, const std::stop_token& token);
+
+/// A start or a goal.
+struct Place {
+  Cell cell{};     ///< one far outside stays outside
+  Point number{};  ///< its column and row, whole: told as they are, even where no map holds them
+  Point asked{};   ///< as it was given: the cell's numbers, or metres in the world frame
+};
+
+/// The place of a point of the command line or a query file, given in `frame`. A cell of a map
+/// holds its left and its lower edge, in the map's own axes: so the world frame's origin is in the
+/// first.
+Place to_place(const PreparedMap& map, Point point, Frame frame);
+
+/// The place of a cell, as if it had been given in `frame`.
+Place place_of(const PreparedMap& map, Point cell, Frame frame);
+
+}  // namespace lasius::tool

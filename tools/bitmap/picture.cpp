@@ -1,0 +1,271 @@
+#include "tools/bitmap/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+
+#include "lasius/output.h"
+#include "tools/bitmap/report.h"
+#include "tools/draw/canvas.h"
+#include "tools/draw/chart.h"
+#include "tools/draw/colours.h"
+#include "tools/draw/text.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr Colour kWall{0.2, 0.23, 0.27};
+constexpr Colour kTintedWall{0.98, 0.87, 0.68};  // under grey pheromone
+constexpr Colour kTrackFew{0.8, 0.88, 0.96};
+constexpr Colour kTrackSome{0.26, 0.57, 0.78};
+constexpr Colour kTrackMany{0.03, 0.19, 0.42};
+
+constexpr double kMargin = 24;
+constexpr double kGap = 20;
+constexpr double kCaption = 30;  // below a panel
+constexpr double kTitle = 44;
+constexpr double kLeastWidth = 420, kLeastHeight = 210;  // of a panel's place
+
+struct Panel {
+  std::string caption;
+  std::function<void(Canvas&, const Box&)> draw;
+  bool chart = false;  ///< fills its place; the others keep the map's shape
+};
+
+/// Where the panels go: the arrangement that shows the map largest.
+struct Layout {
+  int columns = 1;
+  double scale = 0;  ///< pixels a cell
+  double map_width = 0, map_height = 0;
+  double place_width = 0, place_height = 0;
+};
+
+Layout make_layout(int panels, int cells_wide, int cells_high) {
+  Layout best;
+  for (int columns = 1; columns <= panels; ++columns) {
+    const int rows = (panels + columns - 1) / columns;
+    const double wide = (kMostSide - 2 * kMargin - (columns - 1) * kGap) / columns;
+    const double high = (kMostSide - 2 * kMargin - kTitle - (rows - 1) * kGap) / rows - kCaption;
+    if (wide < kLeastWidth || high < kLeastHeight) continue;
+    double scale = std::min(wide / cells_wide, high / cells_high);
+    if (scale > 1) scale = std::floor(scale);
+    if (scale <= best.scale) continue;
+    best = {.columns = columns, .scale = scale};
+  }
+  const auto side = [&](int cells) { return std::max(1.0, std::floor(cells * best.scale)); };
+  best.map_width = side(cells_wide);
+  best.map_height = side(cells_high);
+  best.place_width = std::max(best.map_width, kLeastWidth);
+  best.place_height = std::max(best.map_height, kLeastHeight);
+  return best;
+}
+
+/// One panel's map part: from cells to the page.
+class MapView {
+ public:
+  MapView(const Grid& grid, const Box& box) : grid_(grid), box_(box) {}
+  Point at(Point p) const {
+    return {box_.x + p.x * box_.width / grid_.width(), box_.y + p.y * box_.height / grid_.height()};
+  }
+  /// Pixels of the image behind: one a cell, or one a pixel of the page where cells are smaller.
+  int pixels_wide() const { return std::min(grid_.width(), static_cast<int>(box_.width)); }
+  int pixels_high() const { return std::min(grid_.height(), static_cast<int>(box_.height)); }
+
+ private:
+  const Grid& grid_;
+  Box box_;
+};
+
+/// Paints walls over what `ground` says of the cells under a pixel. Walls never get so thin that
+/// they vanish.
+void paint_map(Canvas& canvas, const Box& box, const Grid& grid, Colour wall,
+               const std::function<Colour(Span columns, Span rows)>& ground) {
+  const MapView view(grid, box);
+  const auto share = blocked_share(grid, view.pixels_wide(), view.pixels_high());
+  Raster<Colour> pixels(share.width, share.height);
+  for (int y = 0; y < share.height; ++y) {
+    const Span rows = cells_under(y, share.height, grid.height());
+    for (int x = 0; x < share.width; ++x) {
+      const double blocked = share.at(x, y);
+      const double shown = blocked > 0 ? std::max(0.35, std::sqrt(blocked)) : 0;
+      const Span columns = cells_under(x, share.width, grid.width());
+      pixels.at(x, y) = blend(ground(columns, rows), wall, shown);
+    }
+  }
+  canvas.image(pixels, box);
+  canvas.frame(box, kInk, 1);
+}
+
+Colour free_ground(Span, Span) { return kFree; }
+
+/// The largest value of a recorder's raster over some cells.
+template <class T>
+T largest(const Raster<T>& raster, int cells_a_pixel, Span columns, Span rows) {
+  T most{};
+  for (int y = rows.from / cells_a_pixel; y <= (rows.to - 1) / cells_a_pixel; ++y)
+    for (int x = columns.from / cells_a_pixel; x <= (columns.to - 1) / cells_a_pixel; ++x)
+      most = std::max(most, raster.at(x, y));
+  return most;
+}
+
+void draw_tracks(Canvas& canvas, const Box& box, const Grid& grid,
+                 const Raster<std::uint32_t>& visits, int cells_a_pixel) {
+  const auto most = *std::max_element(visits.values.begin(), visits.values.end());
+  const double scale = 1 / std::log1p(std::max(1.0, static_cast<double>(most)));
+  paint_map(canvas, box, grid, kPaleWall, [&](Span columns, Span rows) {
+    const auto count = largest(visits, cells_a_pixel, columns, rows);
+    if (count == 0) return kFree;
+    const double share = std::log1p(static_cast<double>(count)) * scale;
+    return share < 0.5 ? blend(kTrackFew, kTrackSome, 2 * share)
+                       : blend(kTrackSome, kTrackMany, 2 * share - 1);
+  });
+}
+
+/// White where there is least, black where there is most; four decades of grey between.
+void draw_pheromone(Canvas& canvas, const Box& box, const Grid& grid, const Raster<float>& values,
+                    int cells_a_pixel) {
+  constexpr double kDecades = 4;
+  const double most = *std::max_element(values.values.begin(), values.values.end());
+  paint_map(canvas, box, grid, kTintedWall, [&](Span columns, Span rows) {
+    const double value = largest(values, cells_a_pixel, columns, rows);
+    if (!(value > 0)) return kFree;
+    const double share = 1 + std::log10(value / most) / kDecades;
+    return blend(kFree, Colour{0, 0, 0}, std::clamp(share, 0.0, 1.0));
+  });
+}
+
+void draw_path(Canvas& canvas, const MapView& view, const std::vector<Point>& path, double width,
+               double rim) {
+  std::vector<Point> points;
+  points.reserve(path.size());
+  for (const Point p : path) points.push_back(view.at(p));
+  if (rim > 0) canvas.polyline(points, {1, 1, 1}, width + 2 * rim);
+  canvas.polyline(points, kPath, width);
+}
+
+void draw_marks(Canvas& canvas, const MapView& view, const Grid& grid, const Answer& answer) {
+  if (grid.contains(answer.start.cell)) canvas.disc(view.at(centre(answer.start.cell)), 7, kStart);
+  if (grid.contains(answer.goal.cell)) canvas.diamond(view.at(centre(answer.goal.cell)), 9, kGoal);
+}
+
+/// The text, its middle left out where it is wider than `width`.
+std::string fitted(Canvas& canvas, const std::string& text, double size, double width, bool bold) {
+  std::string shown = text;
+  for (std::size_t kept = text.size(); kept > 8 && canvas.text_width(shown, size, bold) > width;
+       kept -= 2)
+    shown = text.substr(0, kept / 2) + "..." + text.substr(text.size() - kept / 2);
+  return shown;
+}
+
+void write_page(const std::string& file, const Grid& grid, const std::string& title,
+                const std::vector<Panel>& panels) {
+  const int count = static_cast<int>(panels.size());
+  const Layout layout = make_layout(count, grid.width(), grid.height());
+  const int rows = (count + layout.columns - 1) / layout.columns;
+  const double step_x = layout.place_width + kGap;
+  const double step_y = layout.place_height + kCaption + kGap;
+  const double width = 2 * kMargin + layout.columns * step_x - kGap;
+  const double height = 2 * kMargin + kTitle + rows * step_y - kGap;
+  Canvas canvas(static_cast<int>(width), static_cast<int>(height));
+  canvas.text({width / 2, kMargin + 22}, fitted(canvas, title, 20, width - 2 * kMargin, true), 20,
+              Align::centre, kInk, true);
+  for (int i = 0; i < count; ++i) {
+    const Panel& panel = panels[static_cast<std::size_t>(i)];
+    const int column = i % layout.columns, row = i / layout.columns;
+    const Box place{kMargin + column * step_x, kMargin + kTitle + row * step_y, layout.place_width,
+                    layout.place_height};
+    Box box = place;
+    if (!panel.chart) {
+      box = {place.x + std::floor((place.width - layout.map_width) / 2),
+             place.y + std::floor((place.height - layout.map_height) / 2), layout.map_width,
+             layout.map_height};
+    }
+    panel.draw(canvas, box);
+    std::string caption;
+    if (count > 1) caption.append("(").append(1, static_cast<char>('a' + i)).append(") ");
+    caption.append(panel.caption);
+    canvas.text({place.x + place.width / 2, place.y + place.height + 23},
+                fitted(canvas, caption, 17, place.width, false), 17, Align::centre, kInk);
+  }
+  canvas.save(file);
+}
+
+std::string plan_title(const PreparedMap& map, const RunOptions& run) {
+  return run.params.algorithm + " on " + std::filesystem::path(map.file).filename().string() +
+         ", " + std::to_string(map.width) + " x " + std::to_string(map.height) + " cells, seed " +
+         std::to_string(run.params.seed);
+}
+
+std::string path_caption(const PreparedMap& map, Frame frame, const Answer& answer) {
+  const Result& result = answer.result;
+  if (result.path.empty()) return std::string(to_string(result.status)) + ": no path";
+  std::string text = "path, length ";
+  text += study::fixed(map.length_in(frame, result.length), 2);
+  if (frame == Frame::world) text += " m";
+  if (result.optimal) return text + ", proven shortest";
+  if (answer.optimum && *answer.optimum > 0)
+    text +=
+        ", " + study::fixed(100 * (result.length / *answer.optimum - 1), 2) + "% above the optimum";
+  return text;
+}
+
+}  // namespace
+
+bool is_picture(const std::string& file) {
+  return has_ending(file, ".svg") || has_ending(file, ".png");
+}
+
+void write_plan_picture(const std::string& file, const PreparedMap& map, const RunOptions& run,
+                        const Answer& answer, const PictureRecorder* recorder) {
+  const Grid& grid = map.grid();
+  const auto tracks =
+      recorder != nullptr ? recorder->tracks() : std::vector<PictureRecorder::Tracks>{};
+  std::vector<Panel> panels;
+  panels.reserve(tracks.size() + 3);
+  for (const auto& kept : tracks)
+    panels.push_back({"tracks of all ants up to iteration " + std::to_string(kept.iterations),
+                      [&](Canvas& canvas, const Box& box) {
+                        draw_tracks(canvas, box, grid, kept.visits, recorder->cells_a_pixel());
+                        draw_marks(canvas, MapView(grid, box), grid, answer);
+                      }});
+  if (recorder != nullptr && recorder->pheromone().iterations > 0)
+    panels.push_back(
+        {"pheromone after iteration " + std::to_string(recorder->pheromone().iterations),
+         [&](Canvas& canvas, const Box& box) {
+           draw_pheromone(canvas, box, grid, recorder->pheromone().values,
+                          recorder->cells_a_pixel());
+           draw_marks(canvas, MapView(grid, box), grid, answer);
+         }});
+  panels.push_back({path_caption(map, run.frame, answer), [&](Canvas& canvas, const Box& box) {
+                      const MapView view(grid, box);
+                      paint_map(canvas, box, grid, kWall, free_ground);
+                      draw_path(canvas, view, answer.result.path, 3, 1);
+                      draw_marks(canvas, view, grid, answer);
+                    }});
+  if (!answer.result.best.empty())
+    panels.push_back({"convergence",
+                      [&](Canvas& canvas, const Box& box) {
+                        const Result shown = in_frame(map, run.frame, answer.result);
+                        Convergence curves{shown.best, shown.mean, answer.optimum};
+                        if (run.frame == Frame::world) curves.unit = "metres";
+                        if (curves.optimum)
+                          curves.optimum = map.length_in(run.frame, *curves.optimum);
+                        draw_convergence(canvas, box, curves);
+                      },
+                      true});
+  write_page(file, grid, plan_title(map, run), panels);
+}
+
+void write_batch_picture(const std::string& file, const PreparedMap& map, const RunOptions& run,
+                         const std::vector<std::vector<Point>>& paths) {
+  const Grid& grid = map.grid();
+  const Panel panel{std::to_string(paths.size()) + " paths", [&](Canvas& canvas, const Box& box) {
+                      const MapView view(grid, box);
+                      paint_map(canvas, box, grid, kWall, free_ground);
+                      for (const auto& path : paths) draw_path(canvas, view, path, 1.5, 0);
+                    }};
+  write_page(file, grid, plan_title(map, run), {panel});
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,106 @@
+#include "tools/command_line/cli.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string_view>
+
+#include "core/base/did_you_mean.h"
+#include "lasius/version.h"
+#include "tools/command_line/subcommands.h"
+#include "tools/console/exit_code.h"
+#include "tools/console/values.h"
+
+namespace lasius::tool {
+namespace {
+
+/// The first thing on the command line that nothing takes, with the nearest known word.
+void refuse_extras(const CLI::App& app) {
+  const auto extras = app.remaining();
+  const auto extra = std::ranges::find_if(extras, [](const auto& word) { return word != "--"; });
+  if (extra == extras.end()) return;
+  const std::string word = extra->substr(0, extra->find('='));
+  if (word.size() < 2 || word[0] != '-')
+    throw UsageError("\"" + word + "\" is one argument too many; see --help");
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+    for (const auto& name : option->get_snames()) names.push_back("-" + name);
+  }
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  throw UsageError("unknown option \"" + word + "\"; " + did_you_mean(word, known));
+}
+
+/// A first word that is no subcommand, named before CLI11 gets to see the rest.
+void refuse_unknown_command(std::string_view word, const std::vector<Subcommand>& commands) {
+  std::vector<std::string> names;
+  for (const auto& command : commands) names.push_back(command.app->get_name());
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  if (std::find(known.begin(), known.end(), word) != known.end()) return;
+  if (word == "help") throw UsageError("there is no command \"help\"; see --help");
+  throw UsageError("unknown command \"" + std::string(word) + "\"; " + did_you_mean(word, known));
+}
+
+/// "--option=", for which CLI11 would take the next word.
+void refuse_empty_values(const CLI::App& app, const std::vector<std::string_view>& words) {
+  for (const auto word : words) {
+    if (word == "--") return;
+    if (!word.starts_with("--") || !word.ends_with('=')) continue;
+    const std::string name(word.substr(0, word.size() - 1));
+    const CLI::Option* option = app.get_option_no_throw(name);
+    if (option == nullptr || option->get_type_name().empty()) continue;  // told about elsewhere
+    throw UsageError(name + " needs a value, " + option->get_type_name() + "; see --help");
+  }
+}
+
+void refuse_extras(const CLI::App& app, const std::vector<Subcommand>& commands) {
+  refuse_extras(app);
+  for (const auto& command : commands)
+    if (command.app->parsed()) refuse_extras(*command.app);
+}
+
+/// What CLI11 says, in plain words where its own are not.
+std::string plain_words(const std::string& text) {
+  constexpr std::string_view kFlag = " was given a disallowed flag override";
+  if (text.ends_with(kFlag))
+    return "--" + text.substr(0, text.size() - kFlag.size()) + " takes no value";
+  const auto colon = text.find(": ");
+  if (colon == std::string::npos) return text;
+  const std::string option = text.substr(0, colon), problem = text.substr(colon + 2);
+  constexpr std::string_view kNeeded = "1 required ", kMissing = " missing";
+  if (problem.starts_with(kNeeded) && problem.ends_with(kMissing))
+    return option + " needs a value, " +
+           problem.substr(kNeeded.size(), problem.size() - kNeeded.size() - kMissing.size());
+  if (problem.starts_with("At Most 1 required")) return option + " is given more than once";
+  return text;
+}
+
+}  // namespace
+
+Command parse_command_line(int argc, const char* const* argv) {
+  CLI::App app{"lasius: ant-colony motion planning on maps", "lasius"};
+  app.set_version_flag("--version", LASIUS_VERSION);
+  app.require_subcommand(1);
+  const auto commands = add_subcommands(app);
+  if (argc < 2) throw UsageError("no command\n\n" + app.help());
+  if (argv[1][0] != '-') refuse_unknown_command(argv[1], commands);
+  for (const auto& command : commands)
+    if (command.app->get_name() == argv[1]) refuse_empty_values(*command.app, {argv, argv + argc});
+  app.allow_extras();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const auto chosen = app.get_subcommands();
+    return Text{chosen.empty() ? app.help() : chosen.front()->help("lasius")};
+  } catch (const CLI::CallForVersion&) {
+    return Text{std::string("lasius ") + LASIUS_VERSION + "\n"};
+  } catch (const CLI::ParseError& fault) {
+    refuse_extras(app, commands);
+    throw UsageError(plain_words(fault.what()) + "; see --help");
+  }
+  refuse_extras(app, commands);
+  for (const auto& command : commands)
+    if (command.app->parsed()) return command.make();
+  throw UsageError("no command\n\n" + app.help());
+}
+
+}  // namespace lasius::tool

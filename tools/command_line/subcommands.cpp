@@ -1,0 +1,375 @@
+#include "tools/command_line/subcommands.h"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string_view>
+
+#include "tools/command_line/polygon_text.h"
+#include "tools/command_line/run_text.h"
+#include "tools/console/exit_code.h"
+#include "tools/console/threads.h"
+#include "tools/console/values.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr const char* kPlanExits =
+    "Exit codes: 0 a path was returned; 1 internal error; 2 usage; 3 a map is missing or broken;\n"
+    "4 start or goal outside or blocked; 5 proven unreachable; 6 no path (limit or iterations "
+    "spent);\n"
+    "7 an output cannot be written; 130 interrupted, best so far written.";
+
+constexpr const char* kBatchExits =
+    "Exit codes: 0 every query was answered, be it by status invalid, unreachable or no_path; 1 "
+    "internal\n"
+    "error; 2 usage; 3 map or queries are missing or broken, nothing printed; 7 an output cannot "
+    "be\n"
+    "written; 130 interrupted, whole lines only. A scenario's coordinates are cells in any frame.";
+
+constexpr const char* kPrepare =
+    "Prepare more of the map for exact (at most 1 GB): worth it for many queries. Answers are as\n"
+    "short as without; lasius info MAP --prepare shows what it costs";
+
+constexpr const char* kBitmapHelp = "Map: .map, PBM, PGM, PNG or ROS YAML";
+constexpr const char* kMapHelp =
+    "Map: .map, PBM, PGM, PNG or ROS YAML; polygon world: .geojson, .json or .wkt";
+
+constexpr const char* kOutputs =
+    "Write a file, by its ending (repeatable):\n"
+    ".json  what --json prints\n"
+    ".csv   iteration,best,mean,arrived by iteration; x,y of the path for algorithms without\n"
+    "       iterations; for batch a line a query; with --frame world in metres: best_m, x_m, ...\n"
+    ".svg, .png  map, tracks, pheromone, path and convergence; for batch all paths; for polygon\n"
+    "       worlds MAKLINK lines, midpoints, Dijkstra's path, path and convergence";
+
+void add_repeatable(CLI::App& app, const std::string& names, std::vector<std::string>& to,
+                    const std::string& help, const std::string& type) {
+  app.add_option(names, to, help)->type_name(type)->allow_extra_args(false);
+}
+
+/// An option that was given an empty value was not left out.
+std::string not_empty(const std::string& value) { return value.empty() ? "has no value" : ""; }
+
+void add_switch(CLI::App& app, const std::string& names, bool& to, const std::string& help) {
+  app.add_flag(names, to, help)->disable_flag_override();
+}
+
+void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
+  const auto option = [&app](const char* names, std::string& to, const char* help,
+                             const char* type) {
+    app.add_option(names, to, help)->type_name(type);
+  };
+  app.add_option("MAP", text.map, map_help)->type_name("FILE")->required();
+  option("--algorithm", text.algorithm, "Algorithm, as listed by `lasius algorithms`", "NAME");
+  add_repeatable(app, "--set", text.set,
+                 "Set any parameter of the algorithm (repeatable; wins over its own option)",
+                 "NAME=VALUE");
+  option("--ants", text.value_of("ants"), "Ants an iteration", "N");
+  option("--iterations", text.value_of("iterations"), "Iterations", "N");
+  option("--neighbours", text.value_of("neighbours"), "Moves from a cell", "4|8|16|16k|24|32");
+  option("--corners", text.value_of("corners"), "Diagonal steps past blocked cells",
+         "forbid|one-side|allow");
+  option("--polish", text.value_of("polish"), "What is done with a path", "none|straight|taut");
+  option("--seed", text.seed, "Seed, from 0 to 2^53-1 (default 1)", "N");
+  option("--threads", text.threads,
+         "Threads (default LASIUS_THREADS, OMP_NUM_THREADS, all cores); never changes a result",
+         "N");
+  option("--time-limit", text.time_limit,
+         "Stop after this time, counted once the map is prepared; for batch by query. Each optimum "
+         "of --gap may take as long again",
+         "SECONDS");
+  option("--target-gap", text.target_gap,
+         "Stop at this certified gap, for algorithms that certify one (1 means 1%)", "PCT");
+  option("--frame", text.frame,
+         "Coordinates in cells, or in metres of a ROS map's frame; a cell holds its left and lower "
+         "edge there",
+         "cell|world");
+  option("--radius", text.radius,
+         "Grow obstacles: block cells whose centre is within R of one or of the map's edge; R in "
+         "cells (metres with --frame world). Paths keep R, but for up to 0.71 cells",
+         "R");
+  add_switch(app, "--unknown-free", text.unknown_free, "Unknown cells of a ROS map count as free");
+  add_switch(app, "--prepare", text.prepare, kPrepare);
+  add_switch(app, "--gap", text.gap,
+             "Add the exact optimum, the true gap, and the optimum of the algorithm's own moves; "
+             "null where a time limit or a signal ended the search for it, or where --corners "
+             "allow lets moves squeeze through where no path of the plane may");
+  add_switch(app, "--json", text.json, "Print one JSON object (batch always does, one a query)");
+  add_repeatable(app, "-o,--output", text.outputs, kOutputs, "FILE");
+  option("--tracks", text.tracks,
+         "Iterations after which a picture shows the tracks (default 10,50,120)", "N,N,...");
+  option("--progress", text.progress, "Progress on stderr", "auto|always|never");
+  add_switch(app, "-q,--quiet", text.quiet, "Print errors only");
+  add_switch(app, "-v,--verbose", text.verbose, "Print what is done");
+}
+
+void add_world_options(CLI::App& app, WorldText& text) {
+  app.add_option("--margin", text.margin,
+                 "Polygon worlds: grow obstacles, not the boundary, by this in place of theirs")
+      ->type_name("R");
+  app.add_option(
+         "--join", text.join,
+         "Polygon worlds: corners of grown obstacles (default mitre; round keeps 99.5% of the\n"
+         "margin there, bevel less)")
+      ->type_name("mitre|round|bevel");
+  add_switch(app, "--repair", text.repair, "Polygon worlds: repair geometry that is not valid");
+}
+
+Subcommand add_plan(CLI::App& app) {
+  struct Raw {
+    RunText run;
+    PolygonText polygon;
+  };
+  auto raw = std::make_shared<Raw>();
+  auto* plan = app.add_subcommand("plan", "Plan one path");
+  plan->add_option("--start", raw->polygon.start, "Where the path starts; a polygon world may say")
+      ->type_name("X,Y");
+  plan->add_option("--goal", raw->polygon.goal, "Where it ends; likewise")->type_name("X,Y");
+  add_run_options(*plan, raw->run, kMapHelp);
+  add_world_options(*plan, raw->polygon.world);
+  plan->footer(kPlanExits);
+  return {plan, [raw]() -> Command {
+            const PolygonText& text = raw->polygon;
+            if (is_world(raw->run.map)) return make_polygon(raw->run, text);
+            refuse_world_options(text.world);
+            auto run = make_run(raw->run);
+            const bool cells = run.frame == Frame::cell;
+            if (text.start.empty()) throw UsageError("--start is required; see --help");
+            if (text.goal.empty()) throw UsageError("--goal is required; see --help");
+            const Point start = pair_value("--start", text.start, cells);
+            const Point goal = pair_value("--goal", text.goal, cells);
+            return PlanCommand{std::move(run), start, goal};
+          }};
+}
+
+Subcommand add_batch(CLI::App& app) {
+  struct Raw {
+    RunText run;
+    std::string queries;
+  };
+  auto raw = std::make_shared<Raw>();
+  auto* batch = app.add_subcommand("batch", "Plan many paths on one map: JSON, one object a line");
+  add_run_options(*batch, raw->run, kBitmapHelp);
+  batch->footer(kBatchExits);
+  batch->add_option("QUERIES", raw->queries, "A MovingAI .scen, or a TSV with columns sx sy gx gy")
+      ->type_name("FILE")
+      ->required();
+  return {batch, [raw]() -> Command {
+            if (is_world(raw->run.map))
+              throw UsageError("batch plans on bitmaps; " + raw->run.map +
+                               " is a polygon world, ask `lasius plan`");
+            auto run = make_run(raw->run);
+            return BatchCommand{std::move(run), raw->queries};
+          }};
+}
+
+Subcommand add_info(CLI::App& app) {
+  struct Raw {
+    std::string map, corners, radius;
+    WorldText world;
+    bool unknown_free = false, prepare = false, json = false;
+  };
+  auto raw = std::make_shared<Raw>();
+  auto* info = app.add_subcommand("info", "Describe a map or a polygon world");
+  info->add_option("MAP", raw->map, kMapHelp)->type_name("FILE")->required();
+  info->add_option("--corners", raw->corners, "Rule by which components are joined")
+      ->type_name("forbid|one-side|allow");
+  info->add_option("--radius", raw->radius, "Grow obstacles as plan --radius does, in cells")
+      ->type_name("R");
+  add_switch(*info, "--unknown-free", raw->unknown_free,
+             "Unknown cells of a ROS map count as free");
+  add_switch(*info, "--prepare", raw->prepare,
+             "Show what plan --prepare prepares for exact, and its cost");
+  add_world_options(*info, raw->world);
+  add_switch(*info, "--json", raw->json, "Print one JSON object");
+  return {info, [raw]() -> Command {
+            static constexpr std::string_view kRules[] = {"forbid", "one-side", "allow"};
+            auto corners = Corners::forbid;
+            if (!raw->corners.empty())
+              corners = static_cast<Corners>(choice_value("--corners", raw->corners, kRules));
+            if (is_world(raw->map)) {
+              if (raw->prepare) throw UsageError("--prepare is for bitmaps");
+              refuse_radius(raw->radius);
+              return WorldInfoCommand{make_world_options(raw->map, raw->world), raw->json};
+            }
+            refuse_world_options(raw->world);
+            InfoCommand options{.map = {.file = raw->map,
+                                        .unknown_is_free = raw->unknown_free,
+                                        .prepare = raw->prepare,
+                                        .threads = thread_count("")},
+                                .corners = corners,
+                                .json = raw->json};
+            if (!raw->radius.empty())
+              options.map.radius = real_value("--radius", raw->radius, 0, kNoLimit);
+            return options;
+          }};
+}
+
+Subcommand add_algorithms(CLI::App& app) {
+  auto json = std::make_shared<bool>(false);
+  auto* list = app.add_subcommand("algorithms", "List the algorithms and their parameters");
+  add_switch(*list, "--json", *json, "Print one JSON object");
+  return {list, [json]() -> Command { return AlgorithmsCommand{*json}; }};
+}
+
+Subcommand add_generate(CLI::App& app) {
+  struct Raw {
+    std::string kind, size, density, seed, output;
+  };
+  auto raw = std::make_shared<Raw>();
+  auto* make = app.add_subcommand("generate", "Make a map from a seed");
+  make->add_option("KIND", raw->kind, "Kind of map")
+      ->type_name("blobs|maze|rooms|city|random|open")
+      ->required();
+  make->add_option("--size", raw->size, "Width and height in cells")->type_name("WxH")->required();
+  make->add_option("--density", raw->density,
+                   "Share of blocked cells that is aimed at, from 0 to 1, or the most that the "
+                   "kind reaches; "
+                   "default: the kind's own")
+      ->type_name("D");
+  make->add_option("--seed", raw->seed, "Seed, from 0 to 2^53-1 (default 1)")->type_name("N");
+  make->add_option("-o,--output", raw->output, "Map to write: .map, .pbm or .png")
+      ->type_name("FILE")
+      ->required();
+  return {make, [raw]() -> Command {
+            static constexpr std::string_view kEndings[] = {".map", ".pbm", ".png"};
+            GenerateCommand command;
+            command.kind = static_cast<MapKind>(choice_value("KIND", raw->kind, map_kind_names()));
+            const Cell size = size_value("--size", raw->size);
+            command.options.width = size.x;
+            command.options.height = size.y;
+            if (!raw->density.empty())
+              command.options.density = real_value("--density", raw->density, 0, 1);
+            command.options.seed = seed_value(raw->seed);
+            check_endings({raw->output}, kEndings);
+            command.output = raw->output;
+            return command;
+          }};
+}
+
+Subcommand add_verify(CLI::App& app) {
+  struct Raw {
+    std::string result, map, threads;
+    bool quiet = false;
+  };
+  auto raw = std::make_shared<Raw>();
+  auto* verify = app.add_subcommand(
+      "verify",
+      "Replay saved results from their recorded inputs and compare all but threads, elapsed_ms, "
+      "version and optima of --gap that were not found in time");
+  verify->add_option("RESULT", raw->result, "A result of plan or arm, or the lines of batch")
+      ->type_name("FILE")
+      ->required();
+  verify->add_option("--map", raw->map, "The map, where it is no longer where it was")
+      ->type_name("FILE");
+  verify->add_option("--threads", raw->threads, "Threads of the replay")->type_name("N");
+  add_switch(*verify, "-q,--quiet", raw->quiet, "Print differences only");
+  verify->footer(
+      "Exit codes: 0 every result was replayed and is equal, bit for bit; 1 one differs; 2 usage, "
+      "or\n"
+      "a result that cannot be replayed, because a time limit or a signal ended it; 3 a result or\n"
+      "its map, robot or scene is missing, broken, or not the one recorded.");
+  return {verify, [raw]() -> Command {
+            return VerifyCommand{raw->result, raw->map, thread_count(raw->threads), raw->quiet};
+          }};
+}
+
+Subcommand add_study(CLI::App& app) {
+  struct Raw {
+    std::string name, seeds, folder, threads, maps;
+    bool quiet = false;
+  };
+  auto raw = std::make_shared<Raw>();
+  auto* study = app.add_subcommand(
+      "study",
+      "Repeat a source's experiments and set ours beside its figures; goes on where an "
+      "earlier call stopped (maklink, of seconds, starts anew)");
+  study->add_option("NAME", raw->name, "The study; list: what there is")->required();
+  study->add_option("--seeds", raw->seeds, "Runs of each algorithm, seeds 1 to N (default 30)")
+      ->type_name("N");
+  study->add_option("-o,--output", raw->folder, "Folder to write (default study-NAME)")
+      ->type_name("DIR");
+  study->add_option("--threads", raw->threads, "Runs at a time")->type_name("N");
+  study->add_option("--maps", raw->maps, "Folder of the maps, instead of the program's own")
+      ->type_name("DIR");
+  add_switch(*study, "-q,--quiet", raw->quiet, "Print errors only");
+  return {study, [raw]() -> Command {
+            StudyCommand command{.name = raw->name,
+                                 .threads = thread_count(raw->threads),
+                                 .folder = raw->folder.empty() ? "study-" + raw->name : raw->folder,
+                                 .maps = raw->maps};
+            if (!raw->seeds.empty())
+              command.seeds = static_cast<int>(integer_value("--seeds", raw->seeds, 1, 100000));
+            command.messages.quiet = raw->quiet;
+            return command;
+          }};
+}
+
+Subcommand add_arm(CLI::App& app) {
+  auto raw = std::make_shared<ArmText>();
+  auto* arm = app.add_subcommand("arm", "Plan an arm's motion among obstacles that it learns");
+  const auto option = [arm](const char* names, std::string& to, const char* help,
+                            const char* type) {
+    return arm->add_option(names, to, help)->type_name(type);
+  };
+  option("ROBOT", raw->robot, "Robot: URDF, or JSON as in maps/arms", "FILE")->required();
+  option("--scene", raw->scene, "Obstacles: JSON as in maps/arms", "FILE")->required();
+  option("--start", raw->start, "Joint values, radians or metres", "Q1,Q2,...")->required();
+  option("--goal", raw->goal, "Where the tip goes, metres; orientation free", "X,Y,Z")->required();
+  option("--base", raw->base, "Link that a URDF's chain begins with (default the root)", "LINK");
+  option("--tip", raw->tip, "Link that it ends with (default the only leaf)", "LINK");
+  option("--algorithm", raw->algorithm, "goritov2020", "NAME");
+  add_repeatable(*arm, "--set", raw->set, "Set any parameter of the algorithm (repeatable)",
+                 "NAME=VALUE");
+  option("--ants", raw->named[0].second, "Ants an iteration", "N");
+  option("--iterations", raw->named[1].second, "Iterations", "N");
+  option("--pitch", raw->named[2].second,
+         "Distance of lattice points (default a twentieth of the reach)", "METRES");
+  option("--side", raw->named[3].second, "Lattice points a side (default all in reach)", "N");
+  option("--seed", raw->seed, "Seed, from 0 to 2^53-1 (default 1)", "N");
+  option("--threads", raw->threads, "Threads; never changes a result", "N");
+  option("--time-limit", raw->time_limit, "Stop after this time", "SECONDS");
+  option("--target-gap", raw->target_gap,
+         "Stop at this gap to the bound from what was learned (1 means 1%)", "PCT");
+  option("--clearance", raw->clearance, "Distance that is kept from everything (default 0.002)",
+         "METRES");
+  add_switch(*arm, "--no-shortcut", raw->plain, "Keep every lattice point of the path");
+  option("--rate", raw->rate, "Samples of the trajectory a second (default 100)", "HZ");
+  option("--recheck", raw->recheck,
+         "Check the trajectory at N times by KDL and FCL and say what they find", "N");
+  add_switch(*arm, "--json", raw->json,
+             "Print one JSON object; its length is moves times pitch, as the source counts it");
+  add_repeatable(*arm, "-o,--output", raw->outputs,
+                 "Write a file, by its ending (repeatable):\n"
+                 ".json  what --json prints\n"
+                 ".csv   the trajectory: time, q, dq, ddq, tip\n"
+                 ".svg, .png  arm, obstacles, tip's path in three views, joints, convergence",
+                 "FILE");
+  option("--progress", raw->progress, "Progress on stderr", "auto|always|never");
+  add_switch(*arm, "-q,--quiet", raw->quiet, "Print errors only");
+  add_switch(*arm, "-v,--verbose", raw->verbose, "Print what is done");
+  arm->footer(
+      "Exit codes: 0 a motion was returned; 1 internal error; 2 usage; 3 robot, scene or mesh is\n"
+      "missing or broken; 4 start or goal outside or blocked; 5 proven unreachable in the "
+      "lattice;\n"
+      "6 no path (limit or iterations spent); 7 an output cannot be written; 130 interrupted, "
+      "best\n"
+      "so far written.");
+  return {arm, [raw]() -> Command { return make_arm(*raw); }};
+}
+
+}  // namespace
+
+std::vector<Subcommand> add_subcommands(CLI::App& app) {
+  std::vector<Subcommand> commands{add_plan(app),       add_batch(app),    add_info(app),
+                                   add_algorithms(app), add_generate(app), add_verify(app),
+                                   add_study(app),      add_arm(app)};
+  for (auto& command : commands) {
+    command.app->allow_extras();
+    for (CLI::Option* option : command.app->get_options({}))
+      if (option->get_items_expected_max() > 0) option->check(not_empty);
+  }
+  return commands;
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,24 @@
+// The subcommands: their options, and how what was typed becomes a command.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "tools/options/options.h"
+
+namespace CLI {
+class App;
+}
+
+namespace lasius::tool {
+
+/// One subcommand: its options, and how they become a command.
+struct Subcommand {
+  CLI::App* app;
+  std::function<Command()> make;
+};
+
+/// All of them, added to the program's.
+std::vector<Subcommand> add_subcommands(CLI::App& app);
+
+}  // namespace lasius::tool

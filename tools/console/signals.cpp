@@ -1,0 +1,63 @@
+#include "tools/console/signals.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+
+#include "tools/console/exit_code.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr char kStop = 's';
+constexpr char kQuit = 'q';
+
+volatile std::sig_atomic_t write_end = -1;
+volatile std::sig_atomic_t signals_seen = 0;
+
+extern "C" void on_signal(int) {
+  if (write_end < 0 || signals_seen != 0) ::_exit(kInterrupted);
+  signals_seen = 1;
+  const int saved = errno;
+  [[maybe_unused]] const auto written = ::write(write_end, &kStop, 1);
+  errno = saved;
+}
+
+}  // namespace
+
+void end_on_signals() {
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  action.sa_flags = SA_RESTART;
+  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error of writing
+}
+
+SignalWatcher::SignalWatcher() {
+  if (::pipe2(pipe_, O_CLOEXEC) != 0)
+    throw std::system_error(errno, std::generic_category(), "no pipe for signals");
+  waiter_ = std::thread([this] {
+    char byte = 0;
+    while (::read(pipe_[0], &byte, 1) < 0 && errno == EINTR) {
+    }
+    if (byte == kStop) source_.request_stop();
+  });
+  signals_seen = 0;
+  write_end = pipe_[1];
+}
+
+SignalWatcher::~SignalWatcher() {
+  write_end = -1;
+  [[maybe_unused]] const auto written = ::write(pipe_[1], &kQuit, 1);
+  waiter_.join();
+  ::close(pipe_[0]);
+  ::close(pipe_[1]);
+}
+
+bool SignalWatcher::interrupted() const noexcept { return signals_seen != 0; }
+
+}  // namespace lasius::tool

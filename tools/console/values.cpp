@@ -1,0 +1,152 @@
+#include "tools/console/values.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "core/base/did_you_mean.h"
+#include "core/base/number_text.h"
+#include "tools/console/exit_code.h"
+
+namespace lasius::tool {
+namespace {
+
+template <class Number>
+std::optional<Number> parse_all(std::string_view text) {
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, fault] = std::from_chars(text.data(), end, value);
+  if (fault != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+
+UsageError bad_value(std::string_view option, std::string_view text, const std::string& wanted) {
+  return UsageError(std::string(option) + ": \"" + std::string(text) + "\" is not " + wanted);
+}
+
+}  // namespace
+
+std::optional<std::int64_t> parse_integer(std::string_view text) {
+  return parse_all<std::int64_t>(text);
+}
+
+std::optional<double> parse_real(std::string_view text) {
+  const auto value = parse_all<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<double> parse_whole(std::string_view text) {
+  if (const auto integer = parse_integer(text)) return static_cast<double>(*integer);
+  const bool negative = text.starts_with('-');
+  const auto digits = text.substr(negative ? 1 : 0);
+  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos)
+    return std::nullopt;
+  return parse_real(text).value_or(negative ? -kNoLimit : kNoLimit);
+}
+
+std::int64_t integer_value(std::string_view option, std::string_view text, std::int64_t low,
+                           std::int64_t high) {
+  const auto value = parse_integer(text);
+  if (!value || *value < low || *value > high)
+    throw bad_value(option, text,
+                    "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+  return *value;
+}
+
+double real_value(std::string_view option, std::string_view text, double low, double high) {
+  const auto value = parse_real(text);
+  if (value && *value >= low && *value <= high) return *value;
+  std::string wanted = "a number from " + to_text(low);
+  wanted += high < kNoLimit ? " to " + to_text(high) : " up";
+  throw bad_value(option, text, wanted);
+}
+
+std::size_t choice_value(std::string_view option, std::string_view text,
+                         std::span<const std::string_view> known) {
+  const auto found = std::find(known.begin(), known.end(), text);
+  if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
+  std::string wanted;
+  for (const auto name : known) wanted.append(wanted.empty() ? "" : "|").append(name);
+  throw bad_value(option, text, wanted.append("; ").append(did_you_mean(text, known)));
+}
+
+Point pair_value(std::string_view option, std::string_view text, bool whole) {
+  const auto comma = text.find(',');
+  if (comma != std::string_view::npos) {
+    const auto x_text = text.substr(0, comma), y_text = text.substr(comma + 1);
+    if (whole) {
+      const auto x = parse_whole(x_text), y = parse_whole(y_text);
+      if (x && y) return {*x, *y};
+    } else {
+      const auto x = parse_real(x_text), y = parse_real(y_text);
+      if (x && y) return {*x, *y};
+    }
+  }
+  throw bad_value(option, text,
+                  whole ? "a cell X,Y (column and row, whole numbers, no blanks)"
+                        : "a point X,Y in metres (no blanks)");
+}
+
+Cell size_value(std::string_view option, std::string_view text) {
+  const auto cross = text.find('x');
+  if (cross != std::string_view::npos) {
+    const auto width = parse_all<int>(text.substr(0, cross));
+    const auto height = parse_all<int>(text.substr(cross + 1));
+    if (width && height) return {*width, *height};
+  }
+  throw bad_value(option, text, "a size WxH, as in 400x200");
+}
+
+std::vector<int> list_value(std::string_view option, std::string_view text) {
+  std::vector<int> values;
+  for (std::string_view rest = text; !rest.empty();) {
+    const auto comma = std::min(rest.find(','), rest.size());
+    const auto value = parse_all<int>(rest.substr(0, comma));
+    if (!value || *value < 1 || comma + 1 == rest.size()) {
+      values.clear();
+      break;
+    }
+    values.push_back(*value);
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
+  }
+  constexpr std::size_t kMost = 20;
+  if (values.empty() || values.size() > kMost)
+    throw bad_value(option, text, "a list of 1 to 20 whole numbers from 1, as in 10,50");
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+std::vector<double> reals_value(std::string_view option, std::string_view text, std::size_t least,
+                                std::size_t most) {
+  std::vector<double> values;
+  bool good = true;
+  for (std::size_t from = 0; from <= text.size() && good;) {
+    const auto comma = std::min(text.find(',', from), text.size());
+    const auto value = parse_real(text.substr(from, comma - from));
+    good = value.has_value();
+    if (good) values.push_back(*value);
+    from = comma + 1;
+  }
+  if (good && values.size() >= least && values.size() <= most) return values;
+  std::string count = std::to_string(least);
+  if (most > least) count += " to " + std::to_string(most);
+  throw bad_value(option, text, "a list of " + count + " numbers, as in 0.5,-1.2,0 (no blanks)");
+}
+
+std::string to_text(double value) { return number_text(value); }
+
+std::string whole_text(double value) {
+  return std::abs(value) <= static_cast<double>(kMaxExactInteger)
+             ? std::to_string(static_cast<std::int64_t>(value))
+             : to_text(value);
+}
+
+std::string counted(std::int64_t count, std::string_view thing) {
+  std::string text = std::to_string(count);
+  text.append(" ").append(thing);
+  return count == 1 ? text : text.append("s");
+}
+
+}  // namespace lasius::tool

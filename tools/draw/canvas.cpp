@@ -1,0 +1,224 @@
+#include "tools/draw/canvas.h"
+
+#include <cairo-svg.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <ostream>
+#include <stdexcept>
+
+#include "lasius/output.h"
+
+namespace lasius::tool {
+namespace {
+
+cairo_status_t to_stream(void* stream, const unsigned char* data, unsigned int size) {
+  auto& out = *static_cast<std::ostream*>(stream);
+  out.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+  return out ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+}
+
+void check(cairo_status_t status) {
+  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
+  if (status != CAIRO_STATUS_SUCCESS && status != CAIRO_STATUS_WRITE_ERROR)
+    throw std::runtime_error(std::string("cairo: ") + cairo_status_to_string(status));
+}
+
+std::uint32_t packed(Colour colour) {
+  const auto byte = [](double share) {
+    return static_cast<std::uint32_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
+  };
+  return byte(colour.red) << 16 | byte(colour.green) << 8 | byte(colour.blue);
+}
+
+/// File names may hold bytes that are no UTF-8, which cairo refuses: these become U+FFFD.
+std::string utf8(const std::string& text) {
+  using nlohmann::json;
+  const auto dumped = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+  return json::parse(dumped).get<std::string>();
+}
+
+}  // namespace
+
+Canvas::Canvas(int width, int height) : width_(width), height_(height) {
+  const cairo_rectangle_t extents{0, 0, static_cast<double>(width), static_cast<double>(height)};
+  page_.reset(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &extents));
+  context_.reset(cairo_create(page_.get()));
+  fill({0, 0, extents.width, extents.height}, {1, 1, 1});
+  cairo_set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
+  cairo_set_line_cap(context_.get(), CAIRO_LINE_CAP_ROUND);
+}
+
+void Canvas::ink(Colour colour) {
+  cairo_set_source_rgb(context_.get(), colour.red, colour.green, colour.blue);
+}
+
+void Canvas::line(Point from, Point to, Colour colour, double width) {
+  const Point points[] = {from, to};
+  polyline(points, colour, width);
+}
+
+void Canvas::polyline(std::span<const Point> points, Colour colour, double width) {
+  if (points.empty()) return;
+  cairo_t* const c = context_.get();
+  cairo_new_path(c);
+  for (const Point p : points) cairo_line_to(c, p.x, p.y);
+  ink(colour);
+  cairo_set_line_width(c, width);
+  cairo_stroke(c);
+}
+
+void Canvas::dashed(Point from, Point to, Colour colour, double width) {
+  const double dashes[] = {6, 4};
+  cairo_set_dash(context_.get(), dashes, 2, 0);
+  line(from, to, colour, width);
+  cairo_set_dash(context_.get(), nullptr, 0, 0);
+}
+
+void Canvas::frame(const Box& box, Colour colour, double width) {
+  cairo_rectangle(context_.get(), box.x, box.y, box.width, box.height);
+  ink(colour);
+  cairo_set_line_width(context_.get(), width);
+  cairo_stroke(context_.get());
+}
+
+void Canvas::fill(const Box& box, Colour colour) {
+  cairo_rectangle(context_.get(), box.x, box.y, box.width, box.height);
+  ink(colour);
+  cairo_fill(context_.get());
+}
+
+void Canvas::area(std::span<const Point> points, Colour colour, double opacity) {
+  cairo_t* const c = context_.get();
+  cairo_new_path(c);
+  for (const Point p : points) cairo_line_to(c, p.x, p.y);
+  cairo_close_path(c);
+  cairo_set_source_rgba(c, colour.red, colour.green, colour.blue, opacity);
+  cairo_fill_preserve(c);
+  ink(colour);
+  cairo_set_line_width(c, 1);
+  cairo_stroke(c);
+}
+
+void Canvas::stroke(std::span<const Point> points, Colour colour, double width, double opacity) {
+  cairo_t* const c = context_.get();
+  cairo_save(c);
+  cairo_new_path(c);
+  for (const Point p : points) cairo_line_to(c, p.x, p.y);
+  cairo_set_source_rgba(c, colour.red, colour.green, colour.blue, opacity);
+  cairo_set_line_cap(c, CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_join(c, CAIRO_LINE_JOIN_ROUND);
+  cairo_set_line_width(c, width);
+  cairo_stroke(c);
+  cairo_restore(c);
+}
+
+void Canvas::clip(const Box& box) {
+  cairo_save(context_.get());
+  cairo_rectangle(context_.get(), box.x - 0.5, box.y - 0.5, box.width + 1, box.height + 1);
+  cairo_clip(context_.get());
+}
+
+void Canvas::unclip() { cairo_restore(context_.get()); }
+
+void Canvas::rimmed(Colour colour) {
+  ink(colour);
+  cairo_fill_preserve(context_.get());
+  ink({1, 1, 1});
+  cairo_set_line_width(context_.get(), 1.5);
+  cairo_stroke(context_.get());
+}
+
+void Canvas::disc(Point at, double radius, Colour colour) {
+  cairo_new_path(context_.get());
+  cairo_arc(context_.get(), at.x, at.y, radius, 0, 2 * std::numbers::pi);
+  rimmed(colour);
+}
+
+void Canvas::diamond(Point at, double radius, Colour colour) {
+  cairo_t* const c = context_.get();
+  cairo_new_path(c);
+  cairo_move_to(c, at.x, at.y - radius);
+  cairo_line_to(c, at.x + radius, at.y);
+  cairo_line_to(c, at.x, at.y + radius);
+  cairo_line_to(c, at.x - radius, at.y);
+  cairo_close_path(c);
+  rimmed(colour);
+}
+
+void Canvas::image(const Raster<Colour>& pixels, const Box& box) {
+  // Grown here by whole pixels: viewers of SVG differ in how they enlarge an image.
+  const int grow = std::max(1, static_cast<int>(std::floor(box.width / pixels.width)));
+  const Surface surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels.width * grow, pixels.height * grow));
+  check(cairo_surface_status(surface.get()));
+  unsigned char* const data = cairo_image_surface_get_data(surface.get());
+  const int stride = cairo_image_surface_get_stride(surface.get());
+  for (int y = 0; y < pixels.height * grow; ++y) {
+    auto* const row =
+        reinterpret_cast<std::uint32_t*>(data + static_cast<std::ptrdiff_t>(y) * stride);
+    for (int x = 0; x < pixels.width * grow; ++x) row[x] = packed(pixels.at(x / grow, y / grow));
+  }
+  cairo_surface_mark_dirty(surface.get());
+
+  cairo_t* const c = context_.get();
+  cairo_save(c);
+  cairo_translate(c, box.x, box.y);
+  cairo_scale(c, box.width / (pixels.width * grow), box.height / (pixels.height * grow));
+  cairo_set_source_surface(c, surface.get(), 0, 0);
+  cairo_pattern_set_filter(cairo_get_source(c), CAIRO_FILTER_NEAREST);
+  cairo_paint(c);
+  cairo_restore(c);
+}
+
+void Canvas::select_font(double size, bool bold) {
+  cairo_select_font_face(context_.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                         bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(context_.get(), size);
+}
+
+double Canvas::text_width(const std::string& text, double size, bool bold) {
+  select_font(size, bold);
+  cairo_text_extents_t extents;
+  cairo_text_extents(context_.get(), utf8(text).c_str(), &extents);
+  return extents.x_advance;
+}
+
+void Canvas::text(Point at, const std::string& text, double size, Align align, Colour colour,
+                  bool bold, bool turned) {
+  const double width = text_width(text, size, bold);
+  const double shift = align == Align::left ? 0 : align == Align::centre ? -width / 2 : -width;
+  cairo_t* const c = context_.get();
+  cairo_save(c);
+  cairo_translate(c, at.x, at.y);
+  if (turned) cairo_rotate(c, -std::numbers::pi / 2);
+  ink(colour);
+  cairo_move_to(c, shift, 0);
+  cairo_show_text(c, utf8(text).c_str());
+  cairo_restore(c);
+}
+
+void Canvas::save(const std::string& file) const {
+  check(cairo_status(context_.get()));
+  write_file(file, [&](std::ostream& out) {
+    const bool svg = has_ending(file, ".svg");
+    const Surface surface(
+        svg ? cairo_svg_surface_create_for_stream(to_stream, &out, width_, height_)
+            : cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_, height_));
+    check(cairo_surface_status(surface.get()));
+    if (svg) cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
+    {
+      const Context copy(cairo_create(surface.get()));
+      cairo_set_source_surface(copy.get(), page_.get(), 0, 0);
+      cairo_paint(copy.get());
+      check(cairo_status(copy.get()));
+    }
+    if (!svg) check(cairo_surface_write_to_png_stream(surface.get(), to_stream, &out));
+    cairo_surface_finish(surface.get());
+    check(cairo_surface_status(surface.get()));
+  });
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,27 @@
+#include "tools/draw/text.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+
+namespace lasius::study {
+
+std::string fixed(double value, int decimals) {
+  if (!std::isfinite(value)) return "-";
+  std::array<char, 64> text;
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+  const std::string_view shown = text.data();
+  const bool zero = shown.find_first_not_of("-0.") == std::string_view::npos;
+  return std::string(zero && shown.front() == '-' ? shown.substr(1) : shown);
+}
+
+std::string p_text(double p) { return p < 0.001 ? "< 0.001" : fixed(p, 3); }
+
+std::string seconds_text(double seconds) {
+  if (!(seconds > 0)) return fixed(seconds, 0);
+  const int decimals = 2 - static_cast<int>(std::floor(std::log10(seconds)));
+  return fixed(seconds, std::max(0, std::min(decimals, 5)));
+}
+
+}  // namespace lasius::study

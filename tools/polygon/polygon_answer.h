@@ -1,0 +1,48 @@
+// One question on a polygon world answered, with all that a result records.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lasius/polygon_plan.h"
+#include "tools/options/options.h"
+
+namespace lasius::tool {
+
+/// A world made ready, and what it took.
+struct PreparedWorld {
+  std::string file;
+  bool repair = false;
+  std::uint64_t hash = 0;  ///< of the world as read
+  polygon::Planner planner;
+  double read_ms = 0;
+  double prepare_ms = 0;
+
+  /// Corners of the boundary's bounding box.
+  Point low() const;
+  Point high() const;
+};
+
+/// @throws Error for a file that is missing or broken, or leaves no free space.
+PreparedWorld prepare_world(const WorldOptions& options);
+
+/// All that a plan on a polygon world was asked and found.
+struct PolygonAnswer {
+  polygon::Params parameters;
+  Point start, goal;
+  polygon::Result result;
+  double elapsed_ms = 0;
+  std::optional<double> optimum;  ///< with --gap, where it was found in time
+};
+
+/// @throws UsageError for unknown names; Error(invalid_parameter) for values.
+polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<std::string>& notes);
+
+/// Plans. Precondition: start and goal are given by the command or the world.
+PolygonAnswer polygon_answer(const PreparedWorld& world, const PolygonCommand& command,
+                             const polygon::Params& parameters, const StopCondition& stop,
+                             const polygon::Observer& observer = {});
+
+}  // namespace lasius::tool

@@ -1,0 +1,90 @@
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "tools/commands.h"
+#include "tools/console/exit_code.h"
+#include "tools/console/streams.h"
+#include "tools/console/values.h"
+#include "tools/polygon/polygon_report.h"
+
+namespace lasius::tool {
+namespace {
+
+Json optional_point(const std::optional<Point>& p) { return p ? point(*p) : Json(nullptr); }
+
+std::size_t corners(const std::vector<polygon::Polygon>& polygons) {
+  std::size_t count = 0;
+  for (const auto& p : polygons) {
+    count += p.outer.size();
+    for (const auto& hole : p.holes) count += hole.size();
+  }
+  return count;
+}
+
+Json info_json(const PreparedWorld& prepared) {
+  const polygon::Planner& planner = prepared.planner;
+  const polygon::World& world = planner.world();
+  const Point low = prepared.low(), high = prepared.high();
+  Json json = Json::object();
+  json["format"] = "lasius-info/1";
+  json["file"] = prepared.file;
+  json["hash"] = hash_text(prepared.hash);
+  json["width"] = number(high.x - low.x);
+  json["height"] = number(high.y - low.y);
+  json["origin"] = {number(low.x), number(low.y)};
+  json["margin"] = number(planner.margin());
+  json["obstacles"] = world.obstacles.size();
+  json["corners"] = corners(world.obstacles);
+  json["grown_obstacles"] = planner.grown_obstacles().size();
+  json["free_corners"] = corners(planner.maklink().free_space);
+  json["components"] = planner.components();
+  json["lines"] = planner.maklink().lines.size();
+  json["regions"] = planner.maklink().regions.size();
+  json["start"] = optional_point(world.start);
+  json["goal"] = optional_point(world.goal);
+  json["read_ms"] = number(prepared.read_ms);
+  json["prepare_ms"] = number(prepared.prepare_ms);
+  return json;
+}
+
+std::string info_text(const Json& json) {
+  std::string text;
+  const auto row = [&text](const char* name, const std::string& value) {
+    text += std::string(name) + std::string(12 - std::string_view(name).size(), ' ') + value + "\n";
+  };
+  const auto ms = [](const Json& value) {
+    std::array<char, 48> digits;
+    std::snprintf(digits.data(), digits.size(), "%.2f ms", value.get<double>());
+    return std::string(digits.data());
+  };
+  const auto count = [&json](const char* key, const char* thing) {
+    return counted(json[key].get<std::int64_t>(), thing);
+  };
+  const auto place = [](const Json& p) {
+    return p.is_null() ? std::string("none") : p[0].dump() + "," + p[1].dump();
+  };
+  row("size",
+      json["width"].dump() + " x " + json["height"].dump() + " from " + place(json["origin"]));
+  row("hash", json["hash"].get<std::string>());
+  row("margin", json["margin"].dump());
+  row("obstacles", json["obstacles"].dump() + " with " + count("corners", "corner") + ", " +
+                       json["grown_obstacles"].dump() + " grown and merged");
+  row("free space", count("components", "component") + ", " + count("free_corners", "corner"));
+  row("maklink", count("lines", "line") + ", " + count("regions", "convex region"));
+  row("start", place(json["start"]));
+  row("goal", place(json["goal"]));
+  row("read", ms(json["read_ms"]));
+  row("prepared", ms(json["prepare_ms"]));
+  return text;
+}
+
+}  // namespace
+
+int run_world_info(const WorldInfoCommand& command) {
+  const Json json = info_json(prepare_world(command.world));
+  print(command.json ? line(json) : info_text(json));
+  return kFound;
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,51 @@
+// The inputs that a saved result records.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "tools/console/exit_code.h"
+#include "tools/record/json_values.h"
+
+namespace lasius::tool {
+
+/// The value at some keys of a result, as in "map/file". @throws UsageError naming the first key
+/// that is missing.
+const Json& value_at(const Json& result, const std::string& keys);
+
+/// The same as a value of C++. @throws UsageError, also where it is of another type.
+template <class Value>
+Value recorded(const Json& result, const std::string& keys) {
+  const Json& value = value_at(result, keys);
+  try {
+    return value.get<Value>();
+  } catch (const Json::exception&) {
+    throw UsageError("\"" + keys + "\" is " + value.dump());
+  }
+}
+
+/// Null: nothing.
+template <class Value>
+std::optional<Value> recorded_optional(const Json& result, const std::string& keys) {
+  if (value_at(result, keys).is_null()) return std::nullopt;
+  return recorded<Value>(result, keys);
+}
+
+/// [x, y]
+Point recorded_point(const Json& result, const std::string& keys);
+
+/// A number in its range. @throws UsageError
+double recorded_real(const Json& result, const std::string& keys, double least, double most);
+std::int64_t recorded_integer(const Json& result, const std::string& keys, std::int64_t least,
+                              std::int64_t most);
+
+/// The seed, a whole number in its range.
+std::uint64_t recorded_seed(const Json& result);
+
+/// The values of all parameters of an algorithm, in their order, as text.
+std::vector<std::pair<std::string, std::string>> recorded_parameters(const Json& result,
+                                                                     const Algorithm& algorithm);
+
+}  // namespace lasius::tool
