@@ -6,6 +6,7 @@
 #include "core/exact/exact.h"
 #include "core/exact/prepared_search.h"
 #include "lasius/path.h"
+#include "lasius/smooth.h"
 
 namespace lasius::bench {
 namespace {
@@ -66,8 +67,8 @@ class PulledAStar final : public peers::QueryPlanner {
   double plan(Cell start, Cell goal, std::vector<Point>& path) override {
     path.clear();
     if (search_.plan_cells(start, goal, cells_) == peers::kNoPath) return peers::kNoPath;
-    for (const Cell c : straighten(*grid_, cells_)) path.push_back(centre(c));
-    if (kTaut) path = tauten(*grid_, path);
+    for (const Cell c : greedy_straighten(*grid_, cells_)) path.push_back(centre(c));
+    if (kTaut) path = pull_taut(*grid_, path);
     return path_length(path);
   }
 

@@ -50,7 +50,7 @@ struct Threads {
 
 Threads compare_threads(const Planner& planner, const QuerySet& set, int rounds) {
   constexpr double kSeconds = 0.2;  // a batch is made at least this long
-  std::vector<lasius::Query> queries;
+  std::vector<lasius::Request> queries;
   for (const Query& q : set.queries) queries.push_back({q.start, q.goal});
   struct Spent {
     double wall, processor;
@@ -62,7 +62,7 @@ Threads compare_threads(const Planner& planner, const QuerySet& set, int rounds)
     return {wall.seconds(), processor.seconds()};
   };
   const auto copies = static_cast<std::size_t>(std::clamp(kSeconds / spent(1).wall, 1.0, 1000.0));
-  const std::vector<lasius::Query> part = queries;
+  const std::vector<lasius::Request> part = queries;
   for (std::size_t i = 1; i < copies; ++i) queries.insert(queries.end(), part.begin(), part.end());
   std::vector<double> gains, costs;
   for (int round = 0; round < rounds; ++round) {
@@ -80,7 +80,7 @@ void write_row(const QuerySet& set, const Options& options) {
   const double prepared = 1000 * watch.seconds();
   const auto held = planner.footprint();
   const double cells = static_cast<double>(set.grid.width()) * set.grid.height();
-  const auto bytes = static_cast<double>(held.bitmap + held.components + held.corners);
+  const auto bytes = static_cast<double>(held.bitmap + held.components + held.visibility_graph);
   std::cout << "| " << set.name << " | " << short_number(1e6 * prepared / cells) << " | "
             << short_number(8 * bytes / cells) << " |";
   double peak = 0;

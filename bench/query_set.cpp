@@ -7,7 +7,7 @@
 #include <random>
 #include <sstream>
 
-#include "lasius/components.h"
+#include "core/grid/components.h"
 #include "lasius/error.h"
 #include "lasius/map_io.h"
 

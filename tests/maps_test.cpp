@@ -10,6 +10,7 @@
 #include "lasius/generate.h"
 #include "lasius/map_io.h"
 #include "lasius/path.h"
+#include "lasius/smooth.h"
 #include "tests/oracle/visibility_graph.h"
 
 namespace lasius {
@@ -127,7 +128,7 @@ TEST_F(Fan400x200, OffersSeveralHomotopyClasses) {
       const std::vector<Point> rest = from_goal.from({x, y});
       if (walk.empty() || rest.empty()) continue;
       walk.insert(walk.end(), rest.begin() + 1, rest.end());
-      const std::vector<Point> taut = tauten(grid_, walk);
+      const std::vector<Point> taut = pull_taut(grid_, walk);
       if (path_length(taut) <= limit) classes.insert(passes(taut, points));
     }
   }

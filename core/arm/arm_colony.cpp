@@ -37,14 +37,6 @@ struct Tours {
   }
 };
 
-lasius::Params rule_params(const Params& p) {
-  lasius::Params params;
-  params.persistence = 1 - p.evaporation;
-  params.deposit = 1;
-  params.elite_weight = p.elite_weight;
-  return params;
-}
-
 class ArmColony final : public ColonyWorld {
  public:
   ArmColony(const Lattice& lattice, const Request& request, const Params& parameters,
@@ -53,7 +45,9 @@ class ArmColony final : public ColonyWorld {
         request_(request),
         parameters_(parameters),
         observer_(observer),
-        rules_(rule_params(parameters)),
+        rules_{.persistence = 1 - parameters.evaporation,
+               .deposit = 1,
+               .elite_weight = parameters.elite_weight},
         trail_(lattice, parameters.pheromone, tau0(), parameters.alpha),
         walkers_(lattice, trail_, parameters),
         ants_(parameters.ants),
@@ -62,12 +56,7 @@ class ArmColony final : public ColonyWorld {
   }
 
   Result run() {
-    Convergence run;
-    const Cause cause = run_colony_loop(*this, parameters_.iterations, request_.stop, run);
-    result_.iterations = run.iterations;
-    result_.best = std::move(run.best);
-    result_.mean = std::move(run.mean);
-    result_.arrived = std::move(run.arrived);
+    const Cause cause = run_colony_loop(*this, parameters_.iterations, request_.stop, result_);
     result_.questions = lattice_.questions();
     if (cause == Cause::none && (!bound_ || bound_at_ != result_.questions)) bound();
     finish(cause);
@@ -116,14 +105,11 @@ class ArmColony final : public ColonyWorld {
 
   bool settled() const override { return settled_; }
 
-  void observe(const Convergence& run) override {
-    if (observer_) {
-      observer_({.iteration = run.iterations - 1,
-                 .best_length = run.best.back(),
-                 .mean_length = run.mean.back(),
-                 .arrived = run.arrived.back(),
-                 .questions = lattice_.questions()});
-    }
+  Cause observe(const Convergence& run) override {
+    ArmProgress view;
+    view.questions = lattice_.questions();
+    view.lower_bound = bound_;
+    const Cause cause = show(observer_, run, std::move(view));
     if (lattice_.known_blocked(lattice_.goal())) settled_ = true;
     if (parameters_.patience > 0 && !best_.empty() && idle_ >= parameters_.patience)
       settled_ = true;
@@ -134,6 +120,7 @@ class ArmColony final : public ColonyWorld {
       settled_ |= bound_ && best_length_ <= *bound_ * (1 + request_.target_gap);
     }
     settled_ |= unreachable_;
+    return cause;
   }
 
  private:
@@ -167,12 +154,14 @@ class ArmColony final : public ColonyWorld {
     result_.status = status_after(cause, found ? Status::solved : Status::no_path);
     if (!found && unreachable_) {
       result_.status = Status::unreachable;
+      result_.fault = Fault::disconnected;
       result_.error = "every way from start to goal in this lattice is closed";
     }
     // Where every way to it is closed, no ant may have tried the goal itself.
     if (lattice_.known_blocked(lattice_.goal()) ||
         (result_.status == Status::unreachable && !lattice_.position_free(lattice_.goal()))) {
       result_.status = Status::invalid;
+      result_.fault = Fault::goal_blocked;
       result_.error = "the arm touches something at the goal";
     }
     if (!found) return;
@@ -194,7 +183,7 @@ class ArmColony final : public ColonyWorld {
   const Request& request_;
   const Params& parameters_;
   const Observer& observer_;
-  lasius::Params rules_;
+  TrailParams rules_;
   LatticeTrail trail_;
   LatticeAnts walkers_;
   std::vector<LatticeAnt> ants_;

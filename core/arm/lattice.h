@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/arm/kinematics.h"
+#include "core/base/poller.h"
 #include "core/base/zero_array.h"
 #include "lasius/arm_plan.h"
 #include "lasius/stop.h"

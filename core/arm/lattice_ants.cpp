@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "core/base/parallel.h"
+#include "core/base/poller.h"
 #include "kernels/base/proportional.h"
 #include "kernels/base/random_stream.h"
 

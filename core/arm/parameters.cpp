@@ -60,7 +60,7 @@ constexpr std::array kEntries{
 constexpr auto kInfos = Table::infos(kEntries);
 
 const std::array kAlgorithms{Algorithm{
-    "goritov2020",
+    Params::algorithm(),
     "arms among unknown obstacles (lasius arm): ants in a lattice of tip positions, drawn "
     "to pheromone and the direction of the goal",
     "Goritov, Goncharov: Motion trajectory planning for a multi-link manipulator in an "

@@ -9,6 +9,7 @@
 #include "core/arm/lattice_way.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
+#include "core/base/poller.h"
 #include "core/loop/run_status.h"
 #include "core/params/parameter_table.h"
 #include "lasius/arm_plan.h"
@@ -17,13 +18,8 @@
 namespace lasius::arm {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-Result invalid(std::string why) {
-  Result result;
-  result.status = Status::invalid;
-  result.error = std::move(why);
-  return result;
+Result invalid(Fault fault, std::string why) {
+  return failed<Result>(Status::invalid, fault, std::move(why));
 }
 
 std::string joint_name(const Robot& robot, std::size_t j) {
@@ -158,11 +154,7 @@ std::array<int, 3> goal_point(Vec3 from, Vec3 goal, double pitch) {
 
 /// The answer where the goal is the start.
 Result stay(const std::vector<double>& start, Vec3 tip) {
-  Result result;
-  result.status = Status::solved;
-  result.length = 0;
-  result.lower_bound = 0;
-  result.optimal = true;
+  auto result = already_there<Result>();
   result.joints = {start};
   result.tips = {tip};
   return result;
@@ -178,10 +170,10 @@ Result answer(const Robot& robot, const Sensor& sensor, const Request& request, 
   Params parameters = given;
   parameters.threads = thread_count(parameters.threads);
   std::string fault = start_fault(robot, request.start);
-  if (!fault.empty()) return invalid(std::move(fault));
+  if (!fault.empty()) return invalid(Fault::start_outside, std::move(fault));
   const Kinematics arm(robot);
   fault = goal_fault(arm, request.goal);
-  if (!fault.empty()) return invalid(std::move(fault));
+  if (!fault.empty()) return invalid(Fault::goal_outside, std::move(fault));
 
   if (parameters.pitch == 0) parameters.pitch = arm.reach() / 20;
   Kinematics::Poses poses;
@@ -190,19 +182,20 @@ Result answer(const Robot& robot, const Sensor& sensor, const Request& request, 
   const auto goal = goal_point(from, request.goal, parameters.pitch);
   const bool at_start = goal == std::array<int, 3>{0, 0, 0};
   if (at_start && distance(from, request.goal) > Kinematics::kTolerance) {
-    return invalid("goal " + text(request.goal) +
-                   " is less than half a pitch from the start; take a smaller pitch");
+    return invalid(Fault::goal_outside,
+                   "goal " + text(request.goal) +
+                       " is less than half a pitch from the start; take a smaller pitch");
   }
   const Box box = box_of(arm, from, parameters.pitch, parameters.side, goal);
   const Lattice lattice(arm, sensor, request.start, parameters.pitch, box.low, box.high, goal,
                         request.goal, parameters);
   const auto in_lattice = [&] {
     if (!lattice.position_free(lattice.start())) {
-      return invalid("the arm touches something at the start");
+      return invalid(Fault::start_blocked, "the arm touches something at the start");
     }
     if (at_start) return stay(request.start, from);
     if (lattice.configuration(lattice.goal()) == nullptr) {
-      return invalid(way_fault(arm, request.start, request.goal));
+      return invalid(Fault::goal_outside, way_fault(arm, request.start, request.goal));
     }
     return search(lattice, parameters);
   };
@@ -214,15 +207,6 @@ Result answer(const Robot& robot, const Sensor& sensor, const Request& request, 
 }
 
 }  // namespace
-
-Result::Result() : length(kNaN) {}
-
-std::optional<double> Result::gap() const {
-  if (std::isnan(length)) return std::nullopt;
-  if (length == 0) return 0;
-  if (!lower_bound || *lower_bound <= 0) return std::nullopt;
-  return (length - *lower_bound) / *lower_bound;
-}
 
 Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
             const Params& parameters, const Observer& observer) {

@@ -6,6 +6,7 @@
 #include "core/arm/spline.h"
 #include "core/arm/vec3.h"
 #include "core/base/number_text.h"
+#include "core/base/poller.h"
 #include "core/loop/run_status.h"
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"

@@ -16,9 +16,9 @@
 #include "core/arm/vec3.h"
 #include "core/base/did_you_mean.h"
 #include "core/base/number_text.h"
+#include "core/base/output.h"
 #include "lasius/arm_sensor.h"
 #include "lasius/error.h"
-#include "lasius/output.h"
 
 namespace lasius::arm {
 namespace {

@@ -1,4 +1,4 @@
-#include "lasius/output.h"
+#include "core/base/output.h"
 
 #include <unistd.h>
 

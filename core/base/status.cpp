@@ -20,4 +20,22 @@ std::string_view to_string(Status status) noexcept {
   return "";
 }
 
+std::string_view to_string(Fault fault) noexcept {
+  switch (fault) {
+    case Fault::none:
+      return "none";
+    case Fault::start_outside:
+      return "start_outside";
+    case Fault::start_blocked:
+      return "start_blocked";
+    case Fault::goal_outside:
+      return "goal_outside";
+    case Fault::goal_blocked:
+      return "goal_blocked";
+    case Fault::disconnected:
+      return "disconnected";
+  }
+  return "";
+}
+
 }  // namespace lasius

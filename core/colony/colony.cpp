@@ -10,6 +10,7 @@
 
 #include "core/base/kernel_choice.h"
 #include "core/base/parallel.h"
+#include "core/base/poller.h"
 #include "core/colony/polish.h"
 #include "core/colony/update.h"
 #include "core/colony/walk_setup.h"
@@ -125,15 +126,16 @@ class GridColony final : public ColonyWorld {
   double tour_length(int ant) const override { return memory_.tours[ant].length; }
   double best_length() const override { return best_length_ < kInfinity ? best_length_ : kNaN; }
 
-  void observe(const Convergence& run) override {
-    if (observer_) observer_(View(*this, run));
+  StopCondition::Cause observe(const Convergence& run) override {
+    return show(observer_, run, View(*this));
   }
 
  private:
   /// What an observer sees.
-  class View final : public RunProgress {
+  class View final : public GridProgress {
    public:
-    View(const GridColony& colony, const Convergence& run) : RunProgress(run), colony_(colony) {}
+    explicit View(const GridColony& colony) : colony_(colony) {}
+    std::vector<Point> path() const override { return colony_.best_path_; }
     int ants() const override { return colony_.ants(); }
     std::vector<Cell> tour(int ant) const override {
       return colony_.memory_.ants.at(ant).arrived ? walk(ant) : std::vector<Cell>{};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/poller.h"
 #include "core/grid/move_rule.h"
 #include "core/loop/trail_rules.h"
 

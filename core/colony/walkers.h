@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/growing_array.h"
+#include "core/base/poller.h"
 #include "core/base/zero_array.h"
 #include "core/grid/move_rule.h"
 #include "kernels/walk/walk.h"

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "core/base/parallel.h"
+#include "core/base/poller.h"
 #include "core/exact/corner_view.h"
 #include "core/exact/place_landmarks.h"
 #include "core/grid/grid_view.h"
@@ -65,7 +66,7 @@ class CornerGraph::Builder {
 
   std::shared_ptr<const CornerGraph> run(const Grid& grid, Preparation& report) {
     count_corners();
-    report.corners = stopped_ ? 0 : corner_count_;
+    report.vertices = stopped_ ? 0 : corner_count_;
     report.edges = report.bytes = 0;
     fixed_bytes_ = fixed_bytes();
     too_large_ = fixed_bytes_ > options_.max_bytes;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/poller.h"
 #include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"
 #include "lasius/path.h"
@@ -143,16 +144,23 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   }
   std::int64_t next_ants = kFirstAnts;
   std::uint32_t index = 0;
-  while (!poller.stopped() && next_corner(index)) {
+  bool go_on = tell_improvement();
+  while (go_on && !poller.stopped() && next_corner(index)) {
     if (upper_ - lower_ <= gap * lower_) break;
     expand(index);
     poller.stop_after(kWordsPerExpansion);
+    go_on = tell_improvement();
     if (!ants_out_ || counters_.expansions < next_ants) continue;
     send_ants(counters_.expansions / kAntShare, poller);
     next_ants = counters_.expansions * 2;
     if (next_ants > kAntsRest) next_ants = std::max(next_ants, kAntsReturn);
   }
-  cause_ = poller.cause();
+  poller_ = nullptr;
+  cause_ = go_on ? poller.cause() : StopCondition::Cause::token;
+}
+
+bool ExactSearch::tell_improvement() {
+  return improvements_.tell(lower_, upper_, [this](std::vector<Point>& path) { trace(path); });
 }
 
 void ExactSearch::begin(const Grid& grid, Cell start, Cell goal) {
@@ -179,11 +187,13 @@ bool ExactSearch::goal_in_sight() const noexcept {
 void ExactSearch::search(const Grid& grid, Cell start, Cell goal, const ExactOptions& options,
                          const StopCondition& stop, ExactAnswer& answer) {
   begin(grid, start, goal);
+  improvements_.begin(options.improved);
   if (goal_in_sight()) {
     upper_ = lower_;
   } else {
     run(options, stop);
   }
+  tell_improvement();  // the last one; nothing is left to stop
   answer.path.clear();
   if (upper_ < kInfinity) trace(answer.path);
   exact::conclude(lower_, upper_, cause_, options.target_gap, answer);
@@ -207,6 +217,7 @@ void ExactSearch::shortcut(const Grid& grid, Cell start, Cell goal, double lengt
     expand(index);
     work -= kWordsPerExpansion;
   } while (!poller.stop_after(kWordsPerExpansion) && counters_.words < work && next_corner(index));
+  poller_ = nullptr;
   if (upper_ < length) trace(path);
 }
 

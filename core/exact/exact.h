@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/bucket_queue.h"
+#include "core/base/poller.h"
 #include "core/exact/exact_answer.h"
 #include "core/exact/exact_corner_table.h"
 #include "core/grid/cell_set.h"
@@ -105,6 +106,7 @@ class ExactSearch {
   kernels::ConeLimits limits(int down, int line0) const noexcept;
   double reach(std::uint32_t parent, int x, int y, exact::Heading heading);
   void trace(std::vector<Point>& path) const;
+  bool tell_improvement();
 
   kernels::BitmapView map_{};
   int goal_x_ = 0, goal_y_ = 0;  // half cells
@@ -115,7 +117,8 @@ class ExactSearch {
   double lower_ = 0;
   double straight_ = 0;               // distance from start to goal
   const CellSet* touched_ = nullptr;  // where paths may bend; null: everywhere
-  Poller* poller_ = nullptr;
+  Poller* poller_ = nullptr;          // of the call in hand
+  exact::Improvements improvements_;
   StopCondition::Cause cause_ = StopCondition::Cause::none;
 
   exact::CornerTable corners_;

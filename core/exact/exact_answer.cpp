@@ -12,7 +12,7 @@ void conclude(double lower, double upper, StopCondition::Cause cause, double tar
   const bool proven = found && lower >= upper;
   answer.optimal = proven && rounding(upper) <= kRounding;
   answer.lower_bound = answer.optimal         ? answer.length
-                       : std::isfinite(lower) ? lower * (1 - rounding(lower))
+                       : std::isfinite(lower) ? rounded_down(lower)
                                               : lower;
   if (proven) {
     answer.end = ExactEnd::proven;

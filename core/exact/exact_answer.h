@@ -4,18 +4,25 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
 #include "kernels/sight/sight.h"
 #include "lasius/geometry.h"
+#include "lasius/path.h"
 #include "lasius/stop.h"
 
 namespace lasius {
 
+/// Called with each shorter path, its length and a lower bound; false asks the search to end.
+using OnImproved =
+    std::function<bool(const std::vector<Point>& path, double length, double lower_bound)>;
+
 struct ExactOptions {
   /// Stop once (length - lower_bound) / lower_bound is at most this, which is not negative.
   double target_gap = 0;
+  const OnImproved* improved = nullptr;  ///< null: nobody looks on; must outlive the search
 };
 
 /// How a search ended.
@@ -80,6 +87,31 @@ class BackwardPath {
 
   std::vector<Point>& path_;
   kernels::HalfPoint last_;
+};
+
+/// A certified bound that leaves room for the rounding of what it was computed from.
+constexpr double rounded_down(double lower) noexcept { return lower * (1 - rounding(lower)); }
+
+/// Tells whoever looks on of each shorter path, once.
+class Improvements {
+ public:
+  void begin(const OnImproved* told) noexcept {
+    told_ = told;
+    least_ = std::numeric_limits<double>::infinity();
+  }
+  /// False where the search is to end. `trace(path)` makes the path of length `upper`, if finite.
+  template <class Trace>
+  bool tell(double lower, double upper, const Trace& trace) {
+    if (told_ == nullptr || !(upper < least_)) return true;
+    least_ = upper;
+    std::vector<Point> path;
+    trace(path);
+    return (*told_)(path, path_length(path), rounded_down(lower));
+  }
+
+ private:
+  const OnImproved* told_ = nullptr;
+  double least_ = 0;
 };
 
 /// Says what a search came to that ended with these bounds; `answer` holds the path if `upper` is

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "core/base/parallel.h"
+#include "core/base/poller.h"
 #include "core/exact/corner_graph.h"
 #include "core/exact/corner_view.h"
 #include "core/exact/prepared_search.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/poller.h"
 #include "core/exact/corner_view.h"
 #include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"
@@ -51,6 +52,7 @@ void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Cell star
   poller_ = &poller;
   start_ = half(start);
   mode_ = Mode::glance;
+  told_to_stop_ = false;
   if (nodes_size_ < graph.size() || stamp_ > kLastStamp) {
     nodes_size_ = std::max(nodes_size_, graph.size());
     nodes_ = ZeroArray<Node>(nodes_size_);
@@ -225,6 +227,7 @@ bool PreparedSearch::run(double target_gap, std::int64_t budget) {
     if (!next_corner(index) || upper_ - lower_ <= target_gap * lower_) break;
     if (mode_ == Mode::glance && meets_goal(index)) continue;
     poller_->stop_after(mode_ == Mode::flood ? expand_all(index) : expand(index));
+    if (!tell_improvement()) return told_to_stop_ = true;
   }
   return true;
 }
@@ -277,6 +280,7 @@ void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Cell sta
   goal_ = half(goal);
   straight_ = exact::distance(start_.x, start_.y, goal_.x, goal_.y);
   lower_ = straight_;
+  improvements_.begin(options.improved);
   if (kernels::sees(map_, start_, goal_)) {
     upper_ = lower_;
     last_ = kStart;
@@ -285,9 +289,12 @@ void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Cell sta
     const bool ended = graph.detour() <= kMostDetour ? search_near(gap) : glance(gap);
     if (!ended) search_all(gap);
   }
+  tell_improvement();  // the last one; nothing is left to stop
+  poller_ = nullptr;
   answer.path.clear();
   if (upper_ < kInfinity) trace(answer.path);
-  conclude(lower_, upper_, poller.cause(), options.target_gap, answer);
+  conclude(lower_, upper_, told_to_stop_ ? StopCondition::Cause::token : poller.cause(),
+           options.target_gap, answer);
 }
 
 bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell start,
@@ -301,13 +308,19 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
   look_from_start();
   set_out();
   leave_start();
+  improvements_.begin(nullptr);
   run(0, kNoBudget);
   lengths.clear();
   lengths.reserve(graph.size());
   for (std::uint32_t i = 0; i < graph.size() && !poller.stop_after(sizeof(Node) / 8); ++i) {
     lengths.push_back(nodes_[i].stamp == stamp_ ? nodes_[i].length : kInfinity);
   }
+  poller_ = nullptr;
   return poller.stopped();
+}
+
+bool PreparedSearch::tell_improvement() {
+  return improvements_.tell(lower_, upper_, [this](std::vector<Point>& path) { trace(path); });
 }
 
 kernels::HalfPoint PreparedSearch::place(std::uint32_t index) const noexcept {

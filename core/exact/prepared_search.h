@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/bucket_queue.h"
+#include "core/base/poller.h"
 #include "core/base/zero_array.h"
 #include "core/exact/corner_graph.h"
 #include "core/exact/exact_answer.h"
@@ -92,10 +93,13 @@ class PreparedSearch {
   void reach(std::uint32_t parent, double length, std::uint32_t index, int x, int y, Side side);
   kernels::HalfPoint place(std::uint32_t index) const noexcept;
   void trace(std::vector<Point>& path) const;
+  bool tell_improvement();
 
   kernels::BitmapView map_{};
   const CornerGraph* graph_ = nullptr;
-  Poller* poller_ = nullptr;
+  Poller* poller_ = nullptr;  // of the call in hand
+  Improvements improvements_;
+  bool told_to_stop_ = false;  // by who looks on
   kernels::HalfPoint start_{}, goal_{};
   Mode mode_ = Mode::glance;
   double straight_ = 0;  // distance from start to goal

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/number_text.h"
+#include "core/base/poller.h"
 #include "core/generate/generate_kinds.h"
 #include "lasius/error.h"
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/base/poller.h"
 #include "core/generate/generate_kinds.h"
 
 namespace lasius {

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
+#include "core/base/poller.h"
 #include "core/generate/map_random.h"
 #include "lasius/grid.h"
-#include "lasius/stop.h"
 
 namespace lasius {
 

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "core/base/poller.h"
 #include "core/generate/generate_kinds.h"
 
 namespace lasius {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/poller.h"
 #include "core/generate/generate_kinds.h"
 #include "core/generate/map_noise.h"
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/base/poller.h"
 #include "core/generate/generate_kinds.h"
 
 namespace lasius {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/base/poller.h"
 #include "core/genetic/grid_ga_memory.h"
 #include "core/loop/colony_loop.h"
 #include "core/loop/run_status.h"
@@ -89,23 +90,25 @@ class GridGa final : public ColonyWorld {
   double tour_length(int ant) const override { return memory_.population[ant].tour; }
   double best_length() const override { return best_length_ < kInfinity ? best_length_ : kNaN; }
 
-  void observe(const Convergence& run) override {
-    if (observer_) observer_(View(memory_, run));
+  StopCondition::Cause observe(const Convergence& run) override {
+    return show(observer_, run, View(memory_, best_path_));
   }
 
  private:
   using Scratch = GridGaMemory::Scratch;
 
   /// What an observer sees.
-  class View final : public RunProgress {
+  class View final : public GridProgress {
    public:
-    View(const GridGaMemory& memory, const Convergence& run) : RunProgress(run), memory_(memory) {}
+    View(const GridGaMemory& memory, const std::vector<Point>& best)
+        : memory_(memory), best_(best) {}
+    std::vector<Point> path() const override { return best_; }
     int ants() const override { return static_cast<int>(memory_.population.size()); }
     std::vector<Cell> tour(int ant) const override { return memory_.population.at(ant).cells; }
-    double pheromone(Cell) const override { return 0; }
 
    private:
     const GridGaMemory& memory_;
+    const std::vector<Point>& best_;
   };
 
   static bool fitter(const Individual& a, const Individual& b) { return a.length < b.length; }

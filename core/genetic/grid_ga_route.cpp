@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/poller.h"
 #include "core/grid/move_rule.h"
 
 namespace lasius {

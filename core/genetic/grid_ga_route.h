@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/poller.h"
 #include "core/base/zero_array.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/moves.h"
-#include "lasius/stop.h"
 
 namespace lasius {
 

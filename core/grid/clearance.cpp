@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/poller.h"
+
 namespace lasius {
 namespace {
 

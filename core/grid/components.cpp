@@ -1,4 +1,4 @@
-#include "lasius/components.h"
+#include "core/grid/components.h"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/poller.h"
 #include "core/grid/components_tile.h"
 
 namespace lasius {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "lasius/components.h"
+#include "core/grid/components.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 

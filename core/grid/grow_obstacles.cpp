@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/number_text.h"
+#include "core/base/poller.h"
 #include "lasius/clearance.h"
 #include "lasius/error.h"
 

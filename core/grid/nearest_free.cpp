@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "core/base/poller.h"
+
 namespace lasius {
 namespace {
 

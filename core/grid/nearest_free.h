@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "core/base/poller.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
-#include "lasius/stop.h"
 
 namespace lasius {
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/bucket_queue.h"
+#include "core/base/poller.h"
 #include "core/grid/move_rule.h"
 
 namespace lasius {

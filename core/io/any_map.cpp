@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "core/base/output.h"
 #include "core/io/png_reader.h"
 #include "core/io/ros_map.h"
 #include "core/map_files/byte_reader.h"
@@ -9,7 +10,6 @@
 #include "core/map_files/pnm.h"
 #include "lasius/error.h"
 #include "lasius/io.h"
-#include "lasius/output.h"
 
 namespace lasius {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "core/base/output.h"
 #include "core/io/png_errors.h"
 #include "lasius/error.h"
 #include "lasius/io.h"
-#include "lasius/output.h"
 
 namespace lasius {
 namespace {

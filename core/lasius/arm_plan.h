@@ -7,11 +7,13 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lasius/arm_sensor.h"
 #include "lasius/params.h"
-#include "lasius/status.h"
+#include "lasius/progress.h"
+#include "lasius/search_result.h"
 #include "lasius/stop.h"
 
 namespace lasius::arm {
@@ -25,6 +27,9 @@ enum class Pheromone {
 
 /// Parameters of `goritov2020`, as given here those of its base set (Goritov & Goncharov 2020).
 struct Params {
+  /// The only algorithm there is.
+  static constexpr std::string_view algorithm() noexcept { return "goritov2020"; }
+
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
   int threads = 0;         ///< at most 1024; 0: as many as OpenMP gives; never changes the answer
 
@@ -76,40 +81,23 @@ struct Questions {
   friend bool operator==(const Questions&, const Questions&) = default;
 };
 
-/// One answer. Without a path `joints` and `tips` are empty and `length` is not a number.
-struct LASIUS_ARM_EXPORT Result {
-  Status status = Status::no_path;
-  std::string error;                        ///< why it is invalid or unreachable; else empty
+/// One answer; `length` is moves times pitch, the source's L, in metres. Without a path `joints`
+/// and `tips` are empty.
+struct Result : SearchResult {
   std::vector<std::vector<double>> joints;  ///< q^(0) .. q^(p), a lattice point each
   std::vector<Vec3> tips;                   ///< of the tip, likewise
-  double length;                            ///< moves times pitch, the source's L
   double pitch = 0;                         ///< as used
   std::array<int, 3> points{};              ///< of the lattice, by axis
-  int iterations = 0;                       ///< done
-  std::vector<double> best;                 ///< by iteration, as in lasius::Result
-  std::vector<double> mean;
-  std::vector<int> arrived;
   Questions questions;
   std::int64_t steps = 0;  ///< of all ants, those taken back included
-  /// Shortest way in the lattice with all that was not tried taken as free: no way in this lattice
-  /// is shorter.
-  std::optional<double> lower_bound;
-  /// (length - lower_bound) / lower_bound; 0 at length 0; nothing without a bound.
-  std::optional<double> gap() const;
-  bool optimal = false;  ///< no way in this lattice is shorter
-
-  Result();
 };
 
-/// What an observer may look at, after each iteration, on the calling thread.
-struct IterationView {
-  int iteration = 0;  ///< from 0
-  double best_length = 0;
-  double mean_length = 0;
-  int arrived = 0;
-  Questions questions;
+/// What an observer sees after each iteration.
+class ArmProgress : public Progress {
+ public:
+  Questions questions;  ///< so far
 };
-using Observer = std::function<void(const IterationView&)>;
+using Observer = std::function<void(const ArmProgress&)>;
 
 /// Searches for a short way of the tip from where the arm stands to the goal.
 ///

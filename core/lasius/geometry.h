@@ -10,6 +10,15 @@ struct Cell {
   friend bool operator==(const Cell&, const Cell&) = default;
 };
 
+/// The cells (x, y) to (x + width - 1, y + height - 1).
+struct Rectangle {
+  int x = 0;
+  int y = 0;
+  int width = 0;   ///< columns, at least 0
+  int height = 0;  ///< rows, at least 0
+  friend bool operator==(const Rectangle&, const Rectangle&) = default;
+};
+
 /// A point in continuous cell coordinates, y downwards. The centre of cell (0, 0) is (0.5, 0.5).
 struct Point {
   double x = 0;

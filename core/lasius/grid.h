@@ -2,12 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lasius/export.h"
 #include "lasius/geometry.h"
 
 namespace lasius {
+
+/// What a byte other than 0 says of its cell; 0 says the other.
+enum class Nonzero {
+  blocked,  ///< as in an obstacle mask
+  free,     ///< as in a mask of free space
+};
 
 /// A bitmap of free and blocked cells, one bit a cell (1 = blocked), with a border of blocked
 /// bits all around so that neighbours need no bounds check.
@@ -21,6 +28,15 @@ class LASIUS_EXPORT Grid {
 
   /// A grid of free cells. @throws Error(invalid_parameter) unless 1 <= width, height <= kMaxSide.
   Grid(int width, int height);
+  /// A grid from one byte a cell, row by row from the top left. Packs 8 cells at a time: 4096 x
+  /// 4096 in a few milliseconds. @throws as above, and unless there are width x height bytes.
+  Grid(int width, int height, std::span<const std::uint8_t> cells, Nonzero nonzero);
+
+  Grid(const Grid&) = default;
+  Grid& operator=(const Grid&) = default;
+  Grid(Grid&& other) noexcept;  ///< leaves `other` without cells, 0 x 0
+  Grid& operator=(Grid&& other) noexcept;
+  ~Grid() = default;
 
   int width() const noexcept { return width_; }
   int height() const noexcept { return height_; }
@@ -36,6 +52,17 @@ class LASIUS_EXPORT Grid {
 
   /// Sets one cell. Precondition: contains(c).
   void set_blocked(Cell c, bool blocked = true) noexcept;
+  /// Blocks or frees all cells of a rectangle. This and the next two throw
+  /// Error(invalid_parameter) for a rectangle that is not inside or bytes that do not fit it.
+  void fill(const Rectangle& part, bool blocked);
+  void fill(bool blocked) { fill({0, 0, width_, height_}, blocked); }
+  /// Sets the cells of a rectangle from bytes, row by row, `part.width` a row.
+  void paste(const Rectangle& part, std::span<const std::uint8_t> cells, Nonzero nonzero);
+  /// The cells of a rectangle as bytes 0 and 1, likewise.
+  std::vector<std::uint8_t> bytes(const Rectangle& part, Nonzero nonzero) const;
+  std::vector<std::uint8_t> bytes(Nonzero nonzero) const {
+    return bytes({0, 0, width_, height_}, nonzero);
+  }
 
   int words() const noexcept { return words_; }       ///< words that hold cells, a row
   int stride() const noexcept { return words_ + 1; }  ///< words from one row to the next
@@ -54,6 +81,7 @@ class LASIUS_EXPORT Grid {
 
  private:
   std::uint64_t* mutable_row(int y) noexcept { return const_cast<std::uint64_t*>(row(y)); }
+  void check_inside(const Rectangle& part) const;
 
   int width_;
   int height_;

@@ -1,18 +1,24 @@
-// The whole public API of lasius::lasius.
+// The whole public interface of lasius::lasius.
 #pragma once
 
 #include "lasius/batch.h"
 #include "lasius/clearance.h"
-#include "lasius/components.h"
 #include "lasius/error.h"
 #include "lasius/generate.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/map_io.h"
-#include "lasius/output.h"
+#include "lasius/moves.h"
 #include "lasius/params.h"
 #include "lasius/path.h"
 #include "lasius/planner.h"
+#include "lasius/preparation.h"
+#include "lasius/progress.h"
+#include "lasius/request.h"
+#include "lasius/result.h"
+#include "lasius/search_result.h"
 #include "lasius/shortest_walk.h"
+#include "lasius/smooth.h"
+#include "lasius/status.h"
 #include "lasius/stop.h"
 #include "lasius/version.h"

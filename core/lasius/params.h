@@ -17,8 +17,8 @@ namespace lasius {
 /// again included, or which the path goes over.
 enum class Polish {
   none,      ///< the walk as it is
-  straight,  ///< tighten(): vertices are centres of cells
-  taut,      ///< straighten(), then tauten(): vertices are corners
+  straight,  ///< straighten(): vertices are centres of cells
+  taut,      ///< greedy_straighten(), then pull_taut(): vertices are corners
 };
 
 /// What an ant does when every way on is closed.
@@ -78,13 +78,29 @@ enum class Reward {
   affine,  ///< tau <- tau reward rows / L + 1
 };
 
-/// Parameters of one plan: as given here those of `exact`, which needs none, and the colony's of
-/// `fan2004`. Fields that an algorithm does not use have no effect, but must be such that another
-/// one could; its own list, with ranges, is in `algorithms()`, its published values in
-/// `defaults()`.
-struct Params {
-  /// Which search; a name alone sets no other field: start from `defaults(name)`.
-  std::string algorithm = "exact";
+/// The numbers of the families' updates, in any world; each update says which of them it reads.
+struct TrailParams {
+  double persistence = 0.7;   ///< share of pheromone that remains, at least 2^-60 of it
+  double deposit = 100;       ///< Q
+  double elite_weight = 0;    ///< e of Update::elitist
+  int ranks = 6;              ///< w of Update::rank
+  int elite_ants = 1;         ///< ants that Update::best_share lets deposit
+  int best_so_far_every = 0;  ///< Update::max_min: every how many iterations the best so far, not
+                              ///< the iteration's best, deposits; 0: never
+  double best_probability = 0.05;  ///< Update::max_min: p_best, which sets tau_min / tau_max
+  double local_evaporation = 0;    ///< Update::colony_system: tau <- (1 - xi) tau + xi tau0
+};
+
+/// Parameters of one plan. The constructor sets the published values of an algorithm, which
+/// `algorithms()` lists with its parameters and their ranges; any of them may be changed. What the
+/// algorithm does not read must stay as the constructor left it: see validate().
+struct LASIUS_EXPORT Params : TrailParams {
+  Params() : Params("exact") {}
+  /// @throws Error(invalid_parameter) for an unknown name, with the nearest known one.
+  explicit Params(std::string_view algorithm);
+  /// Its name. To ask another algorithm, make other Params: a name without its numbers is none.
+  const std::string& algorithm() const noexcept { return algorithm_; }
+
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
   int threads = 0;         ///< at most 1024; 0: as many as OpenMP gives; never changes the answer
 
@@ -120,20 +136,12 @@ struct Params {
   double distance_rule_first = 1, distance_rule = 0.1;
   double combined_rule_first = 0, combined_rule = 0.8;
 
-  // Update: tau <- persistence * tau, then deposits.
+  // Update: tau <- persistence * tau, then deposits. Its numbers are in TrailParams.
   Update update = Update::ant_system;
-  double persistence = 0.7;      ///< share of pheromone that remains, at least 2^-60 of it
   double initial_pheromone = 1;  ///< tau0; 0: the family's own formula, see `defaults()`
-  double deposit = 100;          ///< Q
+  /// Polish::none makes no straight paths, and so implies StraightDeposit::none.
   StraightDeposit straight_deposit = StraightDeposit::all;
-  double elite_weight = 0;    ///< e of Update::elitist
-  int ranks = 6;              ///< w of Update::rank
-  int elite_ants = 1;         ///< ants that Update::best_share lets deposit
-  int best_so_far_every = 0;  ///< Update::max_min: every how many iterations the best so far, not
-                              ///< the iteration's best, deposits; 0: never
-  double best_probability = 0.05;  ///< Update::max_min: p_best, which sets tau_min / tau_max
-  double local_evaporation = 0;    ///< Update::colony_system: tau <- (1 - xi) tau + xi tau0
-  int batch = 0;                   ///< ants that walk before a local update; 0: all of them
+  int batch = 0;  ///< ants that walk before a local update; 0: all of them
 
   double unknown_index = 99;  ///< terminal index of a cell without one, on 20 x 20 cells
   double index_spread = 0.8;  ///< q of K'(c) = K(c) - q Kmin (Li, Wang & Ma, eq. 8)
@@ -146,6 +154,9 @@ struct Params {
   int population = 50;
   double crossover = 1;    ///< probability that two parents cross
   double mutation = 0.05;  ///< probability that a child gets a new way to the goal
+
+ private:
+  std::string algorithm_;
 };
 
 /// One parameter of an algorithm, as `lasius algorithms` lists it.
@@ -158,25 +169,38 @@ struct Parameter {
 
 /// One algorithm: its name, where it comes from, what it reads of Params.
 struct Algorithm {
+  enum class Kind {
+    exact,    ///< no iterations; certifies its gap and proves its answer
+    colony,   ///< iterations of ants
+    genetic,  ///< iterations of a population
+  };
   std::string_view name;
   std::string_view summary;
   std::string_view source;  ///< citation
   std::span<const Parameter> parameters;
+  Kind kind = Kind::colony;
+
+  /// Does it read the parameter of this name?
+  LASIUS_EXPORT bool has(std::string_view parameter) const noexcept;
 };
+LASIUS_EXPORT std::string_view to_string(Algorithm::Kind kind) noexcept;
 
 /// All algorithms, the default first.
 LASIUS_EXPORT std::span<const Algorithm> algorithms() noexcept;
 
-/// The published defaults of an algorithm. @throws Error(invalid_parameter) for an unknown name,
-/// with the nearest known one.
-LASIUS_EXPORT Params defaults(std::string_view algorithm);
+/// One of them. @throws Error(invalid_parameter) for an unknown name, with the nearest known one.
+LASIUS_EXPORT const Algorithm& find_algorithm(std::string_view name);
+
+/// The published values of an algorithm: Params(algorithm).
+inline Params defaults(std::string_view algorithm) { return Params(algorithm); }
 
 /// Sets or gets one parameter by the name in `algorithms()`; numbers round-trip.
 /// @throws Error(invalid_parameter) for an unknown name (with the nearest), value or range.
 LASIUS_EXPORT void set_parameter(Params& params, std::string_view name, std::string_view value);
 LASIUS_EXPORT std::string get_parameter(const Params& params, std::string_view name);
 
-/// @throws Error(invalid_parameter) for the first field out of range or that does not compose.
+/// @throws Error(invalid_parameter) for the first field that is out of range, does not compose with
+/// another, or was changed although the algorithm does not read it.
 LASIUS_EXPORT void validate(const Params& params);
 
 }  // namespace lasius

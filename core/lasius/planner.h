@@ -42,18 +42,18 @@ class LASIUS_EXPORT Workspace {
 class LASIUS_EXPORT Planner {
  public:
   explicit Planner(Grid grid);
-  /// Prepares more for `exact`: every corner learns which corners it sees, so that queries scan
-  /// from start and goal only. Answers are as short and as certain as without, where several paths
-  /// are shortest perhaps another one. Given up, it plans as without; the stop condition is asked
-  /// about this alone. Planners made from this one by edited, exclude and allow are not prepared.
+  /// Also prepares the map for `exact`: makes its visibility graph. Answers are as short and as
+  /// certain as without; where several paths are shortest perhaps another one. If the graph was
+  /// abandoned, planning uses the ordinary search; the stop condition is asked about the graph
+  /// alone. Planners made from this one by edited, exclude and allow are not prepared.
   /// @throws Error(invalid_parameter) where the number of threads is out of range.
   Planner(Grid grid, const PrepareOptions& options);
-  /// As the constructors, for those who may have to stop: nothing when the condition said so while
-  /// components were labelled. `grid` is moved from only where a planner comes of it.
-  [[nodiscard]] static std::optional<Planner> prepare(Grid&& grid, const StopCondition& stop);
-  [[nodiscard]] static std::optional<Planner> prepare(Grid&& grid, const PrepareOptions& options);
-  /// A planner for the same map with more prepared for `exact`, as by the constructor. Copies the
-  /// bitmap and its components; this one stays as it is.
+  /// As the constructors, for those who may have to stop: empty if stopped while components were
+  /// labelled. `grid` is moved from only where a planner comes of it.
+  [[nodiscard]] static std::optional<Planner> make(Grid&& grid, const StopCondition& stop);
+  [[nodiscard]] static std::optional<Planner> make(Grid&& grid, const PrepareOptions& options);
+  /// A planner for the same map, prepared as by the constructor. Copies the bitmap and its
+  /// components; this one stays as it is.
   Planner prepared(const PrepareOptions& options) const;
   ~Planner();
   Planner(const Planner&) noexcept;  ///< copies share the map
@@ -78,23 +78,24 @@ class LASIUS_EXPORT Planner {
   /// Answers one question.
   /// Deterministic in (grid, request, params); threads and CPU never change the answer, a deadline
   /// or token may. An unreachable goal is proven before any search.
-  /// @throws Error(invalid_parameter) for parameters or a target gap out of range, and from a
-  /// colony where the environment's LASIUS_KERNELS names no kernels that this CPU has; what the
-  /// observer throws. Start or goal outside or blocked is an answer, not an exception:
-  /// Status::invalid.
+  /// `observer` is called as Progress says, and may stop the run.
+  /// @throws Error(invalid_parameter) for parameters that validate() refuses, a target gap that is
+  /// out of range or that the algorithm cannot certify, and from a colony where the environment's
+  /// LASIUS_KERNELS names no kernels that this CPU has; what the observer throws. Start or goal
+  /// outside or blocked is an answer, not an exception: Status::invalid.
   Result plan(const Request& request, const Params& params = {}, Workspace* workspace = nullptr,
               const Observer& observer = {}) const;
 
   /// A planner for the map with some cells changed; this one stays as it is. Copies the bitmap
-  /// (one bit a cell) and prepares only the tiles around changed cells again. What is excluded
-  /// stays excluded.
+  /// (one bit a cell) and labels only the tiles around changed cells again. What is excluded stays
+  /// excluded. @throws Error(invalid_parameter) for a cell outside the map.
   struct Edit {
     Cell cell;
     bool blocked = true;
   };
   Planner edited(std::span<const Edit> edits) const;
-  /// The same, or nothing when the condition said so while tiles were prepared; the bitmap's copy
-  /// is not cut short. So with a condition below.
+  /// The same, or empty if stopped while tiles were labelled; the bitmap's copy is not cut short.
+  /// So with a condition below.
   [[nodiscard]] std::optional<Planner> edited(std::span<const Edit> edits,
                                               const StopCondition& stop) const;
 
@@ -123,7 +124,7 @@ class LASIUS_EXPORT Planner {
   /// What is excluded now, in the order in which it was reported.
   std::span<const Direction> excluded() const noexcept;
 
-  /// What the heavier preparation came to.
+  /// What came of the visibility graph.
   const Preparation& preparation() const noexcept;
 
   /// Pieces of free space, as paths under a rule can go: 4-connected, with Corners::allow
@@ -134,7 +135,7 @@ class LASIUS_EXPORT Planner {
   struct Footprint {
     std::int64_t bitmap = 0;
     std::int64_t components = 0;
-    std::int64_t corners = 0;  ///< heavier preparation
+    std::int64_t visibility_graph = 0;
   };
   Footprint footprint() const noexcept;
 

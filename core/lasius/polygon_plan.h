@@ -12,7 +12,8 @@
 
 #include "lasius/params.h"
 #include "lasius/polygon.h"
-#include "lasius/result.h"
+#include "lasius/progress.h"
+#include "lasius/search_result.h"
 #include "lasius/stop.h"
 
 namespace lasius::polygon {
@@ -24,8 +25,8 @@ enum class Join {
   bevel,  ///< corners are cut off: paths come nearer there
 };
 
-/// How a world is made ready.
-struct PrepareOptions {
+/// How the obstacles of a world grow by the robot's margin.
+struct GrowOptions {
   static constexpr double kMostMargin = 1e12;
   std::optional<double> margin;  ///< in place of the world's own, 0 to kMostMargin
   Join join = Join::mitre;       ///< mitres of more than 5 margins are cut off
@@ -34,11 +35,15 @@ struct PrepareOptions {
 /// Which best path the global update of `maklink-acs` deposits on.
 enum class GlobalBest { so_far, iteration };
 
-/// Parameters of one plan: as given here those of `exact`, which needs none, and the lecture's of
-/// `maklink-acs`. What `real-ga` sets otherwise is in `defaults()`.
-struct Params {
-  /// Which search; a name alone sets no other field: start from `defaults(name)`.
-  std::string algorithm = "exact";
+/// Parameters of one plan. The constructor sets the published values of an algorithm, which
+/// `algorithms()` lists with its parameters and their ranges; what the algorithm does not read must
+/// stay as the constructor left it.
+struct LASIUS_POLYGON_EXPORT Params {
+  Params() : Params("exact") {}
+  /// @throws Error(invalid_parameter) for an unknown name, with the nearest known one.
+  explicit Params(std::string_view algorithm);
+  const std::string& algorithm() const noexcept { return algorithm_; }
+
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
   int threads = 0;         ///< at most 1024; no effect, planning takes one: for the record alone
 
@@ -63,17 +68,23 @@ struct Params {
   double crossover = 0.6;  ///< probability that two parents cross
   double mutation = 0.05;  ///< probability, by gene, that it is drawn anew
   double blend = 0.3;      ///< share of the other parent in a child that was crossed
+
+ private:
+  std::string algorithm_;
 };
 
 /// All algorithms among polygons, the default first.
 LASIUS_POLYGON_EXPORT std::span<const Algorithm> algorithms() noexcept;
-/// The published defaults. @throws Error(invalid_parameter) for an unknown name, with the nearest.
-LASIUS_POLYGON_EXPORT Params defaults(std::string_view algorithm);
+/// One of them. @throws Error(invalid_parameter) for an unknown name, with the nearest.
+LASIUS_POLYGON_EXPORT const Algorithm& find_algorithm(std::string_view name);
+/// The published values of an algorithm: Params(algorithm).
+inline Params defaults(std::string_view algorithm) { return Params(algorithm); }
 /// @throws Error(invalid_parameter) for an unknown name (with the nearest), value or range.
 LASIUS_POLYGON_EXPORT void set_parameter(Params& parameters, std::string_view name,
                                          std::string_view value);
 LASIUS_POLYGON_EXPORT std::string get_parameter(const Params& parameters, std::string_view name);
-/// @throws Error(invalid_parameter) for the first field out of range.
+/// @throws Error(invalid_parameter) for the first field that is out of range, or was changed
+/// although the algorithm does not read it.
 LASIUS_POLYGON_EXPORT void validate(const Params& parameters);
 
 /// A free MAKLINK line, and the two convex regions of free space that it parts.
@@ -107,24 +118,19 @@ struct Crossing {
   double length = 0;
 };
 
-/// One answer: what all planners answer, and what the graph adds. `lower_bound` is the exact
-/// optimum of the whole world, so every path has its true gap.
-struct Result : lasius::Result {
-  Crossing crossing;                 ///< of the ants' or the genetic algorithm's best path
-  std::optional<Crossing> dijkstra;  ///< through midpoints; none for `exact`
+/// One answer, lengths in the world's unit. `lower_bound` is the exact optimum of the whole world,
+/// so every path has its true gap.
+struct Result : SearchResult {
+  std::vector<Point> path;            ///< one point where start and goal are the same; or empty
+  std::optional<Point> nearest_free;  ///< to a start or goal that is blocked or outside
+  Crossing crossing;                  ///< of the ants' or the genetic algorithm's best path
+  std::optional<Crossing> dijkstra;   ///< through midpoints; none for `exact`
   /// Of the same lines and values, by dynamic programming; none where the run was stopped first.
   std::optional<Crossing> discrete_optimum;
   std::optional<Crossing> sequence_optimum;  ///< of the same lines, any crossing points (funnel)
 };
 
-/// What an observer may look at after each iteration, on the calling thread.
-struct IterationView {
-  int iteration = 0;  ///< from 0
-  double best_length = 0;
-  double mean_length = 0;
-  int arrived = 0;
-};
-using Observer = std::function<void(const IterationView&)>;
+using Observer = std::function<void(const Progress&)>;
 
 /// A world made ready: obstacles grown, clipped and merged, the MAKLINK graph made. Immutable: use
 /// one from many threads.
@@ -136,12 +142,11 @@ class LASIUS_POLYGON_EXPORT Planner {
  public:
   /// @throws Error(invalid_parameter) for a world that `check` refuses, a margin that is not a
   ///         number of at least 0, where no free space is left, or GEOS cannot work with it.
-  explicit Planner(const World& world, const PrepareOptions& options = {});
+  explicit Planner(const World& world, const GrowOptions& options = {});
   /// As the constructor, for those who may have to stop: nothing when the condition said so while
   /// lines were drawn. Growing and merging the obstacles, GEOS's part, is not cut short.
-  [[nodiscard]] static std::optional<Planner> prepare(const World& world,
-                                                      const PrepareOptions& options,
-                                                      const StopCondition& stop);
+  [[nodiscard]] static std::optional<Planner> make(const World& world, const GrowOptions& options,
+                                                   const StopCondition& stop);
   ~Planner();
   Planner(Planner&&) noexcept;
   Planner& operator=(Planner&&) noexcept;

@@ -1,4 +1,4 @@
-// What `exact` can prepare of a map before its first question.
+// To prepare a map: to make its visibility graph before the first question to `exact`.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,11 @@
 
 namespace lasius {
 
-/// How much `exact` may prepare of a map before its first question.
+/// How a map is prepared: every vertex of its tangent visibility graph learns which others it sees,
+/// so that queries to `exact` look around from start and goal only (Oh & Leong 2017, ENLSVG).
 struct PrepareOptions {
   int threads = 0;  ///< at most 1024; 0: as many as OpenMP gives; never changes what is prepared
-  /// Preparation that would hold more is given up. A Workspace takes 32 bytes more for each corner.
+  /// A graph that would take more is abandoned. A Workspace takes 32 bytes more for each vertex.
   std::int64_t max_bytes = std::int64_t{1} << 30;
   StopCondition stop = {};
 };
@@ -22,14 +23,15 @@ struct Preparation {
   enum class State {
     none,       ///< not asked for, or gone with an edit
     ready,      ///< `exact` plans on it
-    too_large,  ///< given up: it would take more than max_bytes
-    stopped,    ///< given up: the stop condition said so
+    too_large,  ///< abandoned: it would take more than max_bytes
+    stopped,    ///< abandoned: the stop condition said so
   };
   State state = State::none;
-  std::int64_t corners = 0;  ///< at which a path may bend; 0 if stopped before they were counted
-  std::int64_t edges = 0;    ///< from corner to corner in sight, if ready
-  std::int64_t bytes = 0;    ///< held, if ready
-  double seconds = 0;        ///< spent
+  /// Corners of obstacles at which a path may bend; 0 if stopped before they were counted.
+  std::int64_t vertices = 0;
+  std::int64_t edges = 0;  ///< from vertex to vertex in sight, if ready
+  std::int64_t bytes = 0;  ///< held, if ready
+  double seconds = 0;      ///< spent
 };
 LASIUS_EXPORT std::string_view to_string(Preparation::State) noexcept;
 

@@ -1,7 +1,9 @@
-// What an observer sees of a run under way.
+// What an observer sees of a search under way, and how it stops it.
 #pragma once
 
 #include <functional>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "lasius/export.h"
@@ -9,24 +11,40 @@
 
 namespace lasius {
 
-/// What an observer may look at, between two iterations, on the calling thread. `exact` has none;
-/// to `grid-ga` ants are its individuals, and there is no pheromone (0). @throws std::out_of_range
-/// for an ant that is none.
-class LASIUS_EXPORT Progress {
+/// Where a search stands, in any world. Colonies and genetic algorithms show it after every
+/// iteration, exact searches with every shorter path, on the thread that called the planner.
+class Progress {
  public:
-  virtual ~Progress();
-  int iteration = 0;       ///< from 0
-  double best_length = 0;  ///< NaN if none yet
-  double mean_length = 0;  ///< NaN if none arrived
-  int arrived = 0;
-  virtual int ants() const = 0;
-  /// The tour of one ant, start to goal; empty if it did not arrive.
-  virtual std::vector<Cell> tour(int ant) const = 0;
-  /// The way that one ant had taken when it ended, arrived or stuck.
-  virtual std::vector<Cell> walk(int ant) const { return tour(ant); }
-  /// Pheromone on a cell of the map.
-  virtual double pheromone(Cell c) const = 0;
+  int iteration = 0;  ///< from 0; of an exact search the number of the improvement
+  double best_length = std::numeric_limits<double>::quiet_NaN();  ///< NaN if none yet
+  double mean_length = std::numeric_limits<double>::quiet_NaN();  ///< NaN if no ant arrived
+  int arrived = 0;                                                ///< ants that reached the goal
+  std::optional<double> lower_bound;  ///< certified, where the algorithm knows one by now
+
+  /// Ends the search: its answer is the best so far, its status Status::interrupted.
+  void stop() const noexcept { stopped_ = true; }
+  bool stopped() const noexcept { return stopped_; }
+
+ private:
+  mutable bool stopped_ = false;
 };
-using Observer = std::function<void(const Progress&)>;
+
+/// The same on a bitmap, with what can be looked at while the observer is called. To `grid-ga` ants
+/// are its individuals; `exact` has none.
+class LASIUS_EXPORT GridProgress : public Progress {
+ public:
+  virtual ~GridProgress();
+  /// The best path so far; empty if there is none.
+  virtual std::vector<Point> path() const = 0;
+  virtual int ants() const { return 0; }
+  /// The tour of one ant, start to goal; empty if it did not arrive.
+  /// @throws std::out_of_range unless 0 <= ant < ants().
+  virtual std::vector<Cell> tour(int ant) const;
+  /// The way that one ant had taken when it ended, arrived or stuck. @throws as tour.
+  virtual std::vector<Cell> walk(int ant) const { return tour(ant); }
+  /// Pheromone on a cell of the map; 0 where the algorithm has none.
+  virtual double pheromone(Cell c) const;
+};
+using Observer = std::function<void(const GridProgress&)>;
 
 }  // namespace lasius

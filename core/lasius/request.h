@@ -11,7 +11,8 @@ struct Request {
   Cell start;
   Cell goal;
   StopCondition stop = {};
-  /// Stop at this certified gap, as a fraction, 0 or more; for certifying algorithms.
+  /// Stop at this certified gap, as a fraction, 0 or more; above 0 only for algorithms that certify
+  /// one (Algorithm::Kind::exact).
   double target_gap = 0;
 };
 

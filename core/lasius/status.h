@@ -11,11 +11,23 @@ namespace lasius {
 enum class Status {
   solved,       ///< the algorithm ended by its own rule, with a path
   limit,        ///< the deadline ended it; the best path so far, if any
-  interrupted,  ///< the stop token ended it; the best path so far, if any
+  interrupted,  ///< the stop token or an observer ended it; the best path so far, if any
   unreachable,  ///< proven: no path exists
   no_path,      ///< its iterations ended without a path
   invalid,      ///< start or goal outside or blocked
 };
 LASIUS_EXPORT std::string_view to_string(Status status) noexcept;
+
+/// Why a question is invalid or its goal unreachable.
+enum class Fault {
+  none,
+  start_outside,  ///< of the map, the boundary or the joint limits
+  start_blocked,  ///< by an obstacle; an arm touches something
+  goal_outside,   ///< of the map or the boundary, or out of an arm's reach
+  goal_blocked,   ///< by an obstacle; an arm touches something
+  disconnected,   ///< proven: no path leads from start to goal
+};
+/// The name, as in "start_outside".
+LASIUS_EXPORT std::string_view to_string(Fault fault) noexcept;
 
 }  // namespace lasius

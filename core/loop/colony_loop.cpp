@@ -35,7 +35,7 @@ StopCondition::Cause loop(ColonyWorld& world, int iterations, const StopConditio
     cause = stop.poll();
     if (cause != StopCondition::Cause::none) break;
     record(world, run);
-    world.observe(run);
+    cause = world.observe(run);
     if (world.settled()) break;
   }
   return cause;

@@ -1,20 +1,11 @@
 // The one loop that every ant algorithm runs, on a bitmap, among polygons or in a lattice.
 #pragma once
 
-#include <vector>
-
 #include "lasius/export.h"
+#include "lasius/search_result.h"
 #include "lasius/stop.h"
 
 namespace lasius {
-
-/// What an iteration left, and what all of them left so far.
-struct Convergence {
-  int iterations = 0;        ///< done
-  std::vector<double> best;  ///< by iteration: shortest final path up to then; NaN if none
-  std::vector<double> mean;  ///< by iteration: mean raw tour of the arrived ants; NaN if none
-  std::vector<int> arrived;  ///< by iteration: ants that reached the goal
-};
 
 /// A world as the loop sees it: where ants walk, what a tour is, what carries pheromone.
 class ColonyWorld {
@@ -39,8 +30,9 @@ class ColonyWorld {
 
   /// True when another iteration is of no use.
   virtual bool settled() const { return false; }
-  /// Called after every iteration, its record the last of `run`.
-  virtual void observe(const Convergence& run) { static_cast<void>(run); }
+  /// Called after every iteration, its record the last of `run`. Says whether an observer asked to
+  /// stop.
+  virtual StopCondition::Cause observe(const Convergence& run) = 0;
 };
 
 /// The main loop: send the ants, offer, update, record, up to `iterations` times. Returns why it

@@ -1,18 +1,25 @@
-#include "lasius/result.h"
-
 #include <limits>
+#include <stdexcept>
 
 #include "lasius/progress.h"
+#include "lasius/search_result.h"
 
 namespace lasius {
 
-Result::Result() : length(std::numeric_limits<double>::quiet_NaN()) {}
+SearchResult::SearchResult() : length(std::numeric_limits<double>::quiet_NaN()) {}
 
-std::optional<double> Result::gap() const {
-  if (!lower_bound || path.empty()) return std::nullopt;
-  return length == 0 ? 0.0 : (length - *lower_bound) / *lower_bound;
+std::optional<double> SearchResult::gap() const {
+  if (length == 0) return 0;
+  if (!lower_bound || !(*lower_bound > 0) || !(length > 0)) return std::nullopt;
+  return (length - *lower_bound) / *lower_bound;
 }
 
-Progress::~Progress() = default;
+GridProgress::~GridProgress() = default;
+
+std::vector<Cell> GridProgress::tour(int) const {
+  throw std::out_of_range("the algorithm has no ants");
+}
+
+double GridProgress::pheromone(Cell) const { return 0; }
 
 }  // namespace lasius

@@ -1,10 +1,10 @@
-// How a run ended that was, or was not, cut short, and what came of it.
+// How a run ended that was, or was not, cut short, what came of it, and what an observer sees of
+// it.
 #pragma once
 
 #include <utility>
 #include <vector>
 
-#include "core/loop/colony_loop.h"
 #include "lasius/path.h"
 #include "lasius/progress.h"
 #include "lasius/result.h"
@@ -26,13 +26,31 @@ constexpr Status status_after(StopCondition::Cause cause, Status otherwise) noex
   return otherwise;
 }
 
+/// Makes `result` invalid or unreachable.
+template <class SomeResult>
+SomeResult failed(Status status, Fault fault, std::string why) {
+  SomeResult result;
+  result.status = status;
+  result.fault = fault;
+  result.error = std::move(why);
+  return result;
+}
+
+/// The answer where the goal is the start: a path of length 0, which the caller adds.
+template <class SomeResult>
+SomeResult already_there() {
+  SomeResult result;
+  result.status = Status::solved;
+  result.length = 0;
+  result.lower_bound = 0;
+  result.optimal = true;
+  return result;
+}
+
 /// The result of a run of the loop on a bitmap. `best` is empty where it found no path.
 inline Result result_after(StopCondition::Cause cause, Convergence run, std::vector<Point> best) {
   Result result;
-  result.iterations = run.iterations;
-  result.best = std::move(run.best);
-  result.mean = std::move(run.mean);
-  result.arrived = std::move(run.arrived);
+  static_cast<Convergence&>(result) = std::move(run);
   result.status = status_after(cause, best.empty() ? Status::no_path : Status::solved);
   if (best.empty()) return result;
   result.path = std::move(best);
@@ -40,15 +58,16 @@ inline Result result_after(StopCondition::Cause cause, Convergence run, std::vec
   return result;
 }
 
-/// Progress with the figures of a run's last iteration.
-class RunProgress : public Progress {
- protected:
-  explicit RunProgress(const Convergence& run) {
-    iteration = run.iterations - 1;
-    best_length = run.best.back();
-    mean_length = run.mean.back();
-    arrived = run.arrived.back();
-  }
-};
+/// Shows an observer, if there is one, the run's last iteration. Says whether it asked to stop.
+template <class SomeObserver, class View>
+StopCondition::Cause show(const SomeObserver& observer, const Convergence& run, View view) {
+  if (!observer) return StopCondition::Cause::none;
+  view.iteration = run.iterations - 1;
+  view.best_length = run.best.back();
+  view.mean_length = run.mean.back();
+  view.arrived = run.arrived.back();
+  observer(view);
+  return view.stopped() ? StopCondition::Cause::token : StopCondition::Cause::none;
+}
 
 }  // namespace lasius

@@ -49,7 +49,7 @@ std::span<const int> ranked(const Tours& tours) {
 
 /// Dorigo, Maniezzo & Colorni 1996; Fan et al. 2004, eq. 2, 3: every arrived ant Q / L.
 template <class Trail, class Tours>
-void ant_system(Trail& trail, const Params& params, const Tours& tours) {
+void ant_system(Trail& trail, const TrailParams& params, const Tours& tours) {
   trail.evaporate(params.persistence);
   for (const auto& tour : tours.ants) {
     if (arrived(tour)) deposit(trail, tours, tour, params.deposit / tour.length);
@@ -59,7 +59,7 @@ void ant_system(Trail& trail, const Params& params, const Tours& tours) {
 /// Elitist ant system (Dorigo & Stuetzle 2004, eq. 3.6): e Q / L on `best` too, the best tour so
 /// far or another that the source names.
 template <class Trail, class Tours, class Tour>
-void elitist(Trail& trail, const Params& params, const Tours& tours, const Tour& best) {
+void elitist(Trail& trail, const TrailParams& params, const Tours& tours, const Tour& best) {
   ant_system(trail, params, tours);
   if (!arrived(best)) return;
   deposit(trail, tours, best, params.elite_weight * params.deposit / best.length);
@@ -67,7 +67,7 @@ void elitist(Trail& trail, const Params& params, const Tours& tours, const Tour&
 
 /// Rank-based ant system (Bullnheimer, Hartl & Strauss 1999; Dorigo & Stuetzle 2004, eq. 3.8).
 template <class Trail, class Tours>
-void rank(Trail& trail, const Params& params, const Tours& tours) {
+void rank(Trail& trail, const TrailParams& params, const Tours& tours) {
   trail.evaporate(params.persistence);
   const auto order = ranked(tours);
   for (int r = 1; r < params.ranks && r <= static_cast<int>(order.size()); ++r) {
@@ -83,7 +83,7 @@ void rank(Trail& trail, const Params& params, const Tours& tours) {
 /// moves of the best tour and half the neighbourhood as the mean choice,
 /// tau_min = tau_max (1 - p^(1/n)) / ((choice - 1) p^(1/n)), p = best_probability (their eq. 11).
 template <class Trail, class Tours>
-void max_min(Trail& trail, const Params& params, const Tours& tours) {
+void max_min(Trail& trail, const TrailParams& params, const Tours& tours) {
   trail.evaporate(params.persistence);
   const auto& best = tours.best_so_far;
   if (!arrived(best)) return;
@@ -103,7 +103,7 @@ void max_min(Trail& trail, const Params& params, const Tours& tours) {
 /// Ant colony system, global update (Dorigo & Gambardella 1997, eq. 4) on one tour:
 /// tau <- persistence tau + (1 - persistence) Q / L.
 template <class Trail, class Tours, class Tour>
-void colony_system(Trail& trail, const Params& params, const Tours& tours, const Tour& best) {
+void colony_system(Trail& trail, const TrailParams& params, const Tours& tours, const Tour& best) {
   if (!arrived(best)) return;
   const double kept = params.persistence;
   const double target = params.deposit / best.length;
@@ -115,14 +115,14 @@ void colony_system(Trail& trail, const Params& params, const Tours& tours, const
 /// Ant colony system, local update (Dorigo & Gambardella 1997, eq. 5) of one place that an ant has
 /// passed: tau <- (1 - xi) tau + xi tau0, xi = local_evaporation.
 template <class Trail, class Place>
-void pass(Trail& trail, const Params& params, double tau0, const Place& place) {
+void pass(Trail& trail, const TrailParams& params, double tau0, const Place& place) {
   const double xi = params.local_evaporation;
   trail.set_tau(place, (1 - xi) * trail.tau(place) + xi * tau0);
 }
 
 /// The lecture's update: Q / num on the nodes of the best ants.
 template <class Trail, class Tours>
-void best_share(Trail& trail, const Params& params, const Tours& tours) {
+void best_share(Trail& trail, const TrailParams& params, const Tours& tours) {
   trail.evaporate(params.persistence);
   const auto order = ranked(tours);
   const auto ants = static_cast<double>(tours.ants.size());

@@ -4,12 +4,12 @@
 #include <string_view>
 
 #include "core/base/number_text.h"
+#include "core/base/output.h"
 #include "core/map_files/byte_reader.h"
 #include "core/map_files/movingai.h"
 #include "core/map_files/pixel_rule.h"
 #include "core/map_files/pnm.h"
 #include "lasius/error.h"
-#include "lasius/output.h"
 
 namespace lasius {
 

@@ -1,6 +1,7 @@
 // Parameters by name: one table says how those of a component are read, written and checked.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
@@ -35,6 +36,15 @@ inline void check_target_gap(double gap) {
                           "it is a fraction: 0 or more, 0.01 for 1%");
 }
 
+/// @throws Error(invalid_parameter) for a gap that the algorithm cannot certify.
+inline void check_certifies(const Algorithm& algorithm, double target_gap) {
+  check_target_gap(target_gap);
+  if (target_gap == 0 || algorithm.kind == Algorithm::Kind::exact) return;
+  throw invalid_parameter("target_gap is " + number_text(target_gap) + ", but " +
+                              std::string(algorithm.name) + " certifies no gap",
+                          "leave it 0, or ask exact");
+}
+
 /// @throws Error(invalid_parameter) unless it is a number of threads that may be asked for.
 inline void check_threads(int threads) {
   if (threads >= 0 && threads <= 1024) return;
@@ -49,6 +59,15 @@ inline Error unknown_name(std::string_view kind, std::string_view name,
                            did_you_mean(name, known));
 }
 
+/// The algorithm of this name. @throws Error(invalid_parameter) naming the nearest.
+inline const Algorithm& find_algorithm(std::span<const Algorithm> all, std::string_view name) {
+  const auto found = std::ranges::find(all, name, &Algorithm::name);
+  if (found != all.end()) return *found;
+  std::vector<std::string_view> names;
+  for (const Algorithm& one : all) names.push_back(one.name);
+  throw unknown_name("algorithm", name, names);
+}
+
 /// How a table reads, writes and checks the fields of the struct `Fields`, which has a `seed` and
 /// `threads` beside those in the table.
 template <class Fields>
@@ -61,6 +80,7 @@ class ParameterTable {
     Value least, most;
 
     bool in_range(const Fields& fields) const { return holds(fields.*member); }
+    bool same(const Fields& a, const Fields& b) const { return a.*member == b.*member; }
     std::string text(const Fields& fields) const { return number_text(fields.*member); }
     void set(Fields& fields, const Parameter& info, std::string_view text) const {
       Value value{};
@@ -85,6 +105,7 @@ class ParameterTable {
     bool in_range(const Fields& fields) const {
       return static_cast<std::size_t>(get(fields)) < names.size();
     }
+    bool same(const Fields& a, const Fields& b) const { return get(a) == get(b); }
     std::string text(const Fields& fields) const {
       return in_range(fields) ? std::string(names[get(fields)]) : "not one of its values";
     }
@@ -132,6 +153,24 @@ class ParameterTable {
   /// @throws Error(invalid_parameter) for an unknown name.
   std::string get(const Fields& fields, std::string_view name) const {
     return text_of(fields, entry(name));
+  }
+
+  /// @throws Error(invalid_parameter) for the first field that is not as in `published`, though the
+  /// algorithm does not read it.
+  void check_unread(const Fields& fields, const Fields& published,
+                    const Algorithm& algorithm) const {
+    for (const auto list : lists_) {
+      for (const Entry& e : list) {
+        const bool same =
+            std::visit([&](const auto& value) { return value.same(fields, published); }, e.value);
+        if (same || algorithm.has(e.info.name)) continue;
+        const std::string name(e.info.name);
+        throw invalid_parameter(
+            name + " is " + text_of(fields, e) + ", but " + std::string(algorithm.name) +
+                " does not read it",
+            "leave it at " + text_of(published, e) + ", or choose an algorithm that does");
+      }
+    }
   }
 
   /// @throws Error(invalid_parameter) for the first field out of its range, seed and threads too.

@@ -182,9 +182,27 @@ std::string get_parameter(const Params& params, std::string_view name) {
   return kTable.get(params, name);
 }
 
+bool Algorithm::has(std::string_view parameter) const noexcept {
+  return std::ranges::any_of(parameters,
+                             [parameter](const Parameter& p) { return p.name == parameter; });
+}
+
+std::string_view to_string(Algorithm::Kind kind) noexcept {
+  switch (kind) {
+    case Algorithm::Kind::exact:
+      return "exact";
+    case Algorithm::Kind::colony:
+      return "colony";
+    case Algorithm::Kind::genetic:
+      return "genetic";
+  }
+  return "";
+}
+
 void validate(const Params& params) {
-  find_algorithm(params.algorithm);
+  const Algorithm& algorithm = find_algorithm(params.algorithm());
   kTable.check(params);
+  kTable.check_unread(params, Params(algorithm.name), algorithm);
   const double first =
       params.pheromone_rule_first + params.distance_rule_first + params.combined_rule_first;
   const double last = params.pheromone_rule + params.distance_rule + params.combined_rule;
@@ -224,8 +242,9 @@ void validate(const Params& params) {
   refuse_if((params.heuristic == Heuristic::learned) != learning,
             "the learned heuristic and the update learning belong together",
             "set heuristic to learned and update to learning, or neither");
-  refuse_if(params.algorithm == "grid-ga" && params.neighbours > Neighbours::eight,
-            "grid-ga knows moves to 4 or 8 neighbours only", "set neighbours to 4 or 8");
+  refuse_if(algorithm.kind == Algorithm::Kind::genetic && params.neighbours > Neighbours::eight,
+            "the genetic algorithm knows moves to 4 or 8 neighbours only",
+            "set neighbours to 4 or 8");
 }
 
 }  // namespace lasius

@@ -10,19 +10,18 @@ namespace lasius {
 namespace {
 
 /// Nothing to set: where it ends is in the request.
-Params exact() { return {}; }
+void exact(Params&) {}
 
 /// Fan, Luo, Yi & Zhang 2004, section 4; omega, mu, lambda from note 1, exponents from note 2. The
 /// source gives no weights for the roulette between its rules and no Q and tau0: with a = min(1,
 /// q / mc) the shares are 0.1 a, 1 - 0.9 a and 0.8 a, and Q / tau0 = 100. It does not say what an
 /// ant does at a dead end: here it steps back.
-Params fan2004() { return {}; }
+void fan2004(Params&) {}
 
 /// Ant system, Dorigo, Maniezzo & Colorni 1996, on 8 neighbours with pheromone on the arcs and
 /// visibility 1 / distance to the goal. alpha, beta and evaporation 0.3 are those that found the
 /// optima of Li, Wang and Ma's grids in each of 30 seeds; tau0 = m Q / L of the straight line.
-Params ant_system() {
-  Params p;
+void ant_system(Params& p) {
   p.neighbours = Neighbours::eight;
   p.trail = Trail::arcs;
   p.heuristic = Heuristic::inverse_distance;
@@ -40,55 +39,50 @@ Params ant_system() {
   p.deposit = 1;
   p.straight_deposit = StraightDeposit::none;
   p.polish = Polish::none;
-  return p;
 }
 
 /// Elitist ant system: evaporation 0.5, e = the number of ants (Dorigo & Stuetzle 2004, box 3.1).
-Params elitist() {
-  Params p = ant_system();
+void elitist(Params& p) {
+  ant_system(p);
   p.update = Update::elitist;
   p.persistence = 0.5;
   p.elite_weight = p.ants;
-  return p;
 }
 
 /// Rank-based ant system: evaporation 0.1, w = 6 (Dorigo & Stuetzle 2004, box 3.1).
-Params rank_based() {
-  Params p = ant_system();
+void rank_based(Params& p) {
+  ant_system(p);
   p.update = Update::rank;
   p.persistence = 0.9;
   p.ranks = 6;
-  return p;
 }
 
 /// MAX-MIN ant system: evaporation 0.02, p_best = 0.05; the iteration's best deposits, the best so
 /// far every 5 iterations (Stuetzle & Hoos 2000; Dorigo & Stuetzle 2004, box 3.1).
-Params max_min() {
-  Params p = ant_system();
+void max_min(Params& p) {
+  ant_system(p);
   p.update = Update::max_min;
   p.persistence = 0.98;
   p.best_so_far_every = 5;
   p.best_probability = 0.05;
-  return p;
 }
 
 /// Ant colony system: 10 ants, q0 = 0.9, evaporation and local evaporation 0.1 (Dorigo &
 /// Gambardella 1997). Its local update follows every step; here it follows every ant (batch = 1).
-Params colony_system() {
-  Params p = ant_system();
+void colony_system(Params& p) {
+  ant_system(p);
   p.update = Update::colony_system;
   p.ants = 10;
   p.greedy = 0.9;
   p.persistence = 0.9;
   p.local_evaporation = 0.1;
   p.batch = 1;
-  return p;
 }
 
 /// Li, Wang & Ma, sections 2 and 3.1: alpha 0.9 on the terminal index, beta 1.5 on the distance,
 /// q = 0.8. Ants that are stuck die in the source; here they step back by default.
-Params terminal_index() {
-  Params p = ant_system();
+void terminal_index(Params& p) {
+  ant_system(p);
   p.update = Update::terminal_index;
   p.selection = Selection::inverse_roulette;
   p.trail = Trail::cells;
@@ -97,14 +91,13 @@ Params terminal_index() {
   p.beta = p.beta_first = 1.5;
   p.index_spread = 0.8;
   p.unknown_index = 99;
-  return p;
 }
 
 /// Cong & Ponnambalam 2009: 4 neighbours, ants one at a time, so an iteration is one ant and
 /// `ants` is how many walk before the map is updated (our extension). tau0 = 3, eta0 = 1; the
 /// number of ants is "a large number".
-Params cong2009() {
-  Params p = ant_system();
+void cong2009(Params& p) {
+  ant_system(p);
   p.neighbours = Neighbours::four;
   p.update = Update::learning;
   p.trail = Trail::cells;
@@ -118,14 +111,13 @@ Params cong2009() {
   p.initial_pheromone = 3;
   p.reward = 1.2;
   p.penalty = 0.5;
-  return p;
 }
 
 /// The lecture's colony: eta = 1 / h with h the change of heading, regularised as 1 / (1 + turn /
 /// 45 degrees); never straight back; the 5 "candidate" ants of its table read as the best ants of
 /// an iteration that deposit.
-Params lecture_grid() {
-  Params p = ant_system();
+void lecture_grid(Params& p) {
+  ant_system(p);
   p.update = Update::best_share;
   p.trail = Trail::cells;
   p.heuristic = Heuristic::uniform;
@@ -138,28 +130,26 @@ Params lecture_grid() {
   p.persistence = 0.9;
   p.initial_pheromone = 0.5;
   p.deposit = 0.5;
-  return p;
 }
 
 /// Ahn & Ramakrishna 2002; 8 neighbours as the colonies that it is compared with.
-Params grid_ga() {
-  Params p;
+void grid_ga(Params& p) {
   p.neighbours = Neighbours::eight;
   p.iterations = 100;
-  return p;
 }
 
 struct Preset {
   Algorithm algorithm;
-  Params (*params)();
+  void (*set)(Params&);
 };
 
 const std::array kPresets{
     Preset{{"exact",
             "the shortest any-angle path, with a proof; before that the best path so far with a "
             "certified gap",
-            "lasius: ants on taut corners, see ARCHITECTURE.md",
-            {}},
+            "lasius: weighted A* and A* over taut corners, see docs/exact.md",
+            {},
+            Algorithm::Kind::exact},
            exact},
     Preset{{"fan2004",
             "bitmaps of many irregular obstacles: pheromone, rescaled distance and their product "
@@ -207,7 +197,7 @@ const std::array kPresets{
         {"grid-ga", "genetic algorithm, the comparator: paths of cells that cross where they meet",
          "Ahn, Ramakrishna: A genetic algorithm for shortest path routing problem and the "
          "sizing of populations. IEEE Trans. Evolutionary Computation 6 (6), 2002",
-         genetic_parameters()},
+         genetic_parameters(), Algorithm::Kind::genetic},
         grid_ga},
 };
 
@@ -221,20 +211,12 @@ const auto kAlgorithms = [] {
 
 std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
 
-const Algorithm& find_algorithm(std::string_view name) {
-  std::array<std::string_view, kAlgorithms.size()> names;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (kAlgorithms[i].name == name) return kAlgorithms[i];
-    names[i] = kAlgorithms[i].name;
-  }
-  throw unknown_name("algorithm", name, names);
-}
+const Algorithm& find_algorithm(std::string_view name) { return find_algorithm(kAlgorithms, name); }
 
-Params defaults(std::string_view algorithm) {
-  const auto index = static_cast<std::size_t>(&find_algorithm(algorithm) - kAlgorithms.data());
-  Params p = kPresets[index].params();
-  p.algorithm = algorithm;
-  return p;
+Params::Params(std::string_view algorithm) {
+  const auto& found = find_algorithm(algorithm);
+  algorithm_ = found.name;
+  kPresets[static_cast<std::size_t>(&found - kAlgorithms.data())].set(*this);
 }
 
 }  // namespace lasius

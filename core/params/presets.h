@@ -13,7 +13,4 @@ std::span<const Parameter> colony_parameters() noexcept;
 /// Those of the genetic comparator.
 std::span<const Parameter> genetic_parameters() noexcept;
 
-/// @throws Error(invalid_parameter) for an unknown name, with the nearest known one.
-const Algorithm& find_algorithm(std::string_view name);
-
 }  // namespace lasius

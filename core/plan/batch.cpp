@@ -13,16 +13,34 @@
 namespace lasius {
 namespace {
 
-void check(const BatchOptions& options) {
-  check_target_gap(options.target_gap);
+void check(std::span<const Request> requests, const Params& params, const BatchOptions& options) {
+  validate(params);
   check_threads(options.threads);
   if (options.time_limit && !(options.time_limit->count() >= 0)) {
     throw invalid_parameter("time_limit is " + std::to_string(options.time_limit->count()) + " s",
                             "it must be 0 or more, or none");
   }
+  const Algorithm& algorithm = find_algorithm(params.algorithm());
+  for (const Request& request : requests) check_certifies(algorithm, request.target_gap);
 }
 
-/// Hands out queries in order, and gives their answers on in order.
+/// A token that asks to stop when either of two does.
+class EitherToken {
+ public:
+  EitherToken(const std::stop_token& a, const std::stop_token& b)
+      : first_(a, Relay{source_}), second_(b, Relay{source_}) {}
+  std::stop_token get() const noexcept { return source_.get_token(); }
+
+ private:
+  struct Relay {
+    std::stop_source& source;
+    void operator()() const { source.request_stop(); }
+  };
+  std::stop_source source_;
+  std::stop_callback<Relay> first_, second_;
+};
+
+/// Hands out requests in order, and gives their answers on in order.
 class Sequencer {
  public:
   Sequencer(std::size_t count, std::size_t window, const std::stop_token& token,
@@ -34,7 +52,7 @@ class Sequencer {
 
   std::stop_token token() const noexcept { return stop_.get_token(); }
 
-  /// The next query to begin, or nothing. Waits while it is too far ahead of the oldest answer.
+  /// The next request to begin, or nothing. Waits while it is too far ahead of the oldest answer.
   std::optional<std::size_t> next() {
     std::unique_lock lock(mutex_);
     moved_.wait(lock, [this] { return begun_ - received_ < waiting_.size() || fault_; });
@@ -106,23 +124,29 @@ class Sequencer {
 
 }  // namespace
 
-std::size_t plan_batch(const Planner& planner, std::span<const Query> queries, const Params& params,
-                       const BatchOptions& options, const BatchReceiver& receive) {
-  validate(params);
-  check(options);
+std::size_t plan_batch(const Planner& planner, std::span<const Request> requests,
+                       const Params& params, const BatchOptions& options,
+                       const BatchReceiver& receive) {
+  check(requests, params, options);
+  if (!receive) {
+    throw invalid_parameter("the receiver is empty", "give one, or leave it out for all answers");
+  }
   Params single = params;
   single.threads = 1;
   const int threads = thread_count(options.threads);
-  Sequencer sequencer(queries.size(), 64 + 8 * static_cast<std::size_t>(threads), options.token,
+  Sequencer sequencer(requests.size(), 64 + 8 * static_cast<std::size_t>(threads), options.token,
                       receive);
 
   const auto work = [&] {
     Workspace workspace;
     while (const auto index = sequencer.next()) {
-      const Query& query = queries[*index];
-      Request request{.start = query.start, .goal = query.goal, .target_gap = options.target_gap};
-      request.stop.token = sequencer.token();
-      if (options.time_limit) request.stop.deadline = deadline_in(*options.time_limit);
+      Request request = requests[*index];
+      std::optional<EitherToken> either;
+      if (request.stop.token.stop_possible()) either.emplace(request.stop.token, sequencer.token());
+      request.stop.token = either ? either->get() : sequencer.token();
+      if (options.time_limit) {
+        request.stop.deadline = std::min(request.stop.deadline, deadline_in(*options.time_limit));
+      }
       const auto begin = Clock::now();
       Result result = planner.plan(request, single, &workspace);
       sequencer.finish({*index, std::move(result), Clock::now() - begin});
@@ -137,6 +161,15 @@ std::size_t plan_batch(const Planner& planner, std::span<const Query> queries, c
     }
   }
   return sequencer.result();
+}
+
+std::vector<BatchAnswer> plan_batch(const Planner& planner, std::span<const Request> requests,
+                                    const Params& params, const BatchOptions& options) {
+  std::vector<BatchAnswer> answers;
+  answers.reserve(requests.size());
+  plan_batch(planner, requests, params, options,
+             [&](const BatchAnswer& answer) { answers.push_back(answer); });
+  return answers;
 }
 
 }  // namespace lasius

@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/base/poller.h"
 #include "core/colony/colony.h"
 #include "core/genetic/grid_ga.h"
 #include "core/grid/nearest_free.h"
@@ -22,10 +23,10 @@ Workspace& Workspace::operator=(Workspace&&) noexcept = default;
 Planner::Planner(Grid grid) : impl_(Impl::make(std::move(grid), {})) {}
 Planner::Planner(Grid grid, const PrepareOptions& options)
     : impl_(Impl::make(std::move(grid), {}, options)) {}
-std::optional<Planner> Planner::prepare(Grid&& grid, const StopCondition& stop) {
+std::optional<Planner> Planner::make(Grid&& grid, const StopCondition& stop) {
   return if_made(Impl::make(std::move(grid), stop));
 }
-std::optional<Planner> Planner::prepare(Grid&& grid, const PrepareOptions& options) {
+std::optional<Planner> Planner::make(Grid&& grid, const PrepareOptions& options) {
   return if_made(Impl::make(std::move(grid), options.stop, options));
 }
 Planner Planner::prepared(const PrepareOptions& options) const {
@@ -62,15 +63,36 @@ std::optional<Cell> Planner::nearest_free(Cell c) const {
 
 namespace {
 
+/// What an observer sees of `exact`: one more path, shorter than those before.
+class ExactView final : public GridProgress {
+ public:
+  ExactView(const std::vector<Point>& path, int number, double length, double bound) : path_(path) {
+    iteration = number;
+    best_length = length;
+    lower_bound = bound;
+  }
+  std::vector<Point> path() const override { return path_; }
+
+ private:
+  const std::vector<Point>& path_;
+};
+
 Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Request& request,
-                 Workspace::Impl& workspace) {
-  ExactAnswer& answer = workspace.exact_answer;
-  const ExactOptions options{.target_gap = request.target_gap};
+                 Workspace::Impl& memory, const Observer& observer) {
+  ExactAnswer& answer = memory.exact_answer;
+  int improvements = 0;
+  const OnImproved show = [&](const std::vector<Point>& path, double length, double bound) {
+    const ExactView view(path, improvements++, length, bound);
+    observer(view);
+    return !view.stopped();
+  };
+  const ExactOptions options{.target_gap = request.target_gap,
+                             .improved = observer ? &show : nullptr};
   if (graph != nullptr) {
-    workspace.prepared.search(grid, *graph, request.start, request.goal, options, request.stop,
-                              answer);
+    memory.prepared.search(grid, *graph, request.start, request.goal, options, request.stop,
+                           answer);
   } else {
-    workspace.exact.search(grid, request.start, request.goal, options, request.stop, answer);
+    memory.exact.search(grid, request.start, request.goal, options, request.stop, answer);
   }
   Result result;
   switch (answer.end) {
@@ -79,8 +101,7 @@ Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Reques
       result.status = Status::solved;
       break;
     case ExactEnd::unreachable:
-      result.status = Status::unreachable;
-      return result;
+      return failed<Result>(Status::unreachable, Fault::disconnected, {});
     case ExactEnd::stopped:
       result.status = status_after(answer.cause, Status::limit);
       break;
@@ -92,61 +113,72 @@ Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Reques
   return result;
 }
 
+/// The answer to a start or goal that is blocked or outside.
+Result invalid(const Grid& grid, bool at_start, Cell cell, const std::stop_token& token) {
+  const bool inside = grid.contains(cell);
+  const Fault fault = at_start ? (inside ? Fault::start_blocked : Fault::start_outside)
+                               : (inside ? Fault::goal_blocked : Fault::goal_outside);
+  auto result = failed<Result>(Status::invalid, fault,
+                               (at_start ? "start " : "goal ") + cell_name(cell) +
+                                   (inside ? " is blocked" : " is outside the map"));
+  // It is named whatever the deadline.
+  const StopCondition no_deadline{.token = token};
+  Poller poller(no_deadline);
+  result.nearest_free = nearest_free(grid, cell, poller);
+  if (result.nearest_free) {
+    result.error += "; the nearest free cell is " + cell_name(*result.nearest_free);
+  } else if (!poller.stopped()) {
+    result.error += "; the map has no free cell";
+  }
+  return result;
+}
+
 }  // namespace
 
 Result Planner::plan(const Request& request, const Params& params, Workspace* workspace,
                      const Observer& observer) const {
   validate(params);
-  check_target_gap(request.target_gap);
+  const Algorithm& algorithm = find_algorithm(params.algorithm());
+  check_certifies(algorithm, request.target_gap);
   const Grid& grid = impl_->grid;
-  Result result;
-  for (const auto& [what, cell] : {std::pair{"start", request.start}, {"goal", request.goal}}) {
-    if (grid.free(cell)) continue;
-    result.status = Status::invalid;
-    result.error = std::string(what) + " " + cell_name(cell) +
-                   (grid.contains(cell) ? " is blocked" : " is outside the map");
-    // It is named whatever the deadline.
-    const StopCondition no_deadline{.token = request.stop.token};
-    Poller poller(no_deadline);
-    if (const auto near = lasius::nearest_free(grid, cell, poller)) {
-      result.error += "; the nearest free cell is " + cell_name(*near);
-    } else if (!poller.stopped()) {
-      result.error += "; the map has no free cell";
-    }
-    return result;
-  }
+  if (grid.blocked(request.start)) return invalid(grid, true, request.start, request.stop.token);
+  if (grid.blocked(request.goal)) return invalid(grid, false, request.goal, request.stop.token);
   if (request.start == request.goal) {
-    result.status = Status::solved;
+    auto result = already_there<Result>();
     result.path = {centre(request.start)};
-    result.length = 0;
-    result.lower_bound = 0;
-    result.optimal = true;
     return result;
   }
   // Any-angle paths never squeeze, and with 4 neighbours no corner is ever passed.
-  const bool squeezes = params.algorithm != "exact" && params.neighbours != Neighbours::four;
+  const bool exact = algorithm.kind == Algorithm::Kind::exact;
+  const bool squeezes = !exact && params.neighbours != Neighbours::four;
   const Corners corners = squeezes ? params.corners : Corners::forbid;
   const Components* components = impl_->components(corners, request.stop);
+  Result result;
   if (components == nullptr) {
     result.status = status_after(request.stop.poll(), Status::limit);
     return result;
   }
   if (!components->connected(grid, request.start, request.goal)) {
-    result.status = Status::unreachable;
-    result.error = "start " + cell_name(request.start) + " and goal " + cell_name(request.goal) +
-                   " lie in different regions of free cells";
-    return result;
+    return failed<Result>(Status::unreachable, Fault::disconnected,
+                          "start " + cell_name(request.start) + " and goal " +
+                              cell_name(request.goal) + " lie in different regions of free cells");
   }
 
   std::optional<Workspace> own;
   if (workspace == nullptr) workspace = &own.emplace();
-  if (params.algorithm == "exact") {
-    result = run_exact(grid, impl_->graph.get(), request, workspace->impl());
-  } else if (params.algorithm == "grid-ga") {
-    const auto joined = [&](Cell c) { return components->connected(grid, request.start, c); };
-    result = run_grid_ga(grid, request, params, joined, workspace->impl().genetic, observer);
-  } else {
-    result = run_colony(grid, request, params, workspace->impl().colony, observer);
+  Workspace::Impl& memory = workspace->impl();
+  switch (algorithm.kind) {
+    case Algorithm::Kind::exact:
+      result = run_exact(grid, impl_->graph.get(), request, memory, observer);
+      break;
+    case Algorithm::Kind::genetic: {
+      const auto joined = [&](Cell c) { return components->connected(grid, request.start, c); };
+      result = run_grid_ga(grid, request, params, joined, memory.genetic, observer);
+      break;
+    }
+    case Algorithm::Kind::colony:
+      result = run_colony(grid, request, params, memory.colony, observer);
+      break;
   }
   if (result.path.empty()) return result;
   // Not to be cut short: a glance at the words along the path.
@@ -167,7 +199,7 @@ Planner::Footprint Planner::footprint() const noexcept {
   Footprint f;
   f.bitmap = static_cast<std::int64_t>(grid.stride()) * (grid.height() + 2) * 8;
   f.components = impl_->component_bytes();
-  f.corners = impl_->preparation.bytes;
+  f.visibility_graph = impl_->preparation.bytes;
   return f;
 }
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/exact/corner_graph.h"
+#include "core/grid/components.h"
 #include "core/params/parameter_table.h"
-#include "lasius/components.h"
 #include "lasius/planner.h"
 
 namespace lasius {

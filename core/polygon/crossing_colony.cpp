@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "core/base/poller.h"
 #include "core/loop/trail_rules.h"
 #include "kernels/base/power.h"
 #include "kernels/base/proportional.h"
@@ -77,6 +78,9 @@ class CrossingColony final : public ColonyWorld {
         start_(start),
         parameters_(parameters),
         control_(control),
+        rules_{.persistence = 1 - parameters.evaporation,
+               .deposit = 1,
+               .local_evaporation = parameters.evaporation},
         gates_(static_cast<int>(route.gates.size())),
         tau0_(parameters.initial_pheromone > 0 ? parameters.initial_pheromone
                                                : 1 / (gates_ * start.length)),
@@ -84,9 +88,6 @@ class CrossingColony final : public ColonyWorld {
         choices_(static_cast<std::size_t>(parameters.ants) * gates_),
         lengths_(parameters.ants, kNaN),
         best_length_(start.length) {
-    rules_.persistence = 1 - parameters.evaporation;
-    rules_.local_evaporation = parameters.evaporation;
-    rules_.deposit = 1;
     for (const Gate& gate : route.gates) {
       for (int k = 0; k < parameters.values; ++k) points_.push_back(gate.at(value(k)));
     }
@@ -164,9 +165,7 @@ class CrossingColony final : public ColonyWorld {
     return parameters_.agreement > 0 && agreed_ >= parameters_.agreement;
   }
 
-  void observe(const Convergence& run) override {
-    if (control_.observe) control_.observe(run);
-  }
+  StopCondition::Cause observe(const Convergence& run) override { return control_.observe(run); }
 
  private:
   double value(int k) const { return static_cast<double>(k) / (parameters_.values - 1); }
@@ -233,7 +232,7 @@ class CrossingColony final : public ColonyWorld {
   const Crossing& start_;
   const Params& parameters_;
   const RunControl& control_;
-  lasius::Params rules_;
+  TrailParams rules_;
   int gates_;
   double tau0_;
   std::vector<Point> points_;  // of every value of every gate

@@ -20,7 +20,7 @@ struct CrossingRun {
 struct RunControl {
   StopCondition stop;
   double good_enough = 0;  ///< ends at a path of this length
-  std::function<void(const Convergence&)> observe;
+  std::function<StopCondition::Cause(const Convergence&)> observe;  ///< says whether to stop
 };
 
 /// `maklink-acs` (the lecture, E2): ant colony system on `values` points of each gate. All ants

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/poller.h"
 #include "core/polygon/crossing_colony.h"
 #include "kernels/base/random_stream.h"
 
@@ -85,9 +86,7 @@ class CrossingGa final : public ColonyWorld {
   double tour_length(int ant) const override { return children_[ant].length; }
   double best_length() const override { return best_length_; }
   bool settled() const override { return best_length_ <= control_.good_enough; }
-  void observe(const Convergence& run) override {
-    if (control_.observe) control_.observe(run);
-  }
+  StopCondition::Cause observe(const Convergence& run) override { return control_.observe(run); }
 
  private:
   void newcomer(Chromosome& child, Draws& draws) const {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "core/base/poller.h"
+
 namespace lasius::polygon {
 namespace {
 

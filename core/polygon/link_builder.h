@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "core/base/poller.h"
 #include "core/polygon/free_space.h"
-#include "lasius/stop.h"
 
 namespace lasius::polygon {
 

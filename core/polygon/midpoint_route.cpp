@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/poller.h"
 #include "core/polygon/route.h"
 
 namespace lasius::polygon {

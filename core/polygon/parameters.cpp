@@ -66,7 +66,8 @@ constexpr std::array kAlgorithms{
               "shortest path of the world, over corners that see each other",
               "Lozano-Perez, Wesley: An algorithm for planning collision-free paths among "
               "polyhedral obstacles. Communications of the ACM 22 (10), 1979; with lazy sight",
-              {}},
+              {},
+              Algorithm::Kind::exact},
     Algorithm{"maklink-acs", "ant colony system over crossing points of MAKLINK lines",
               "lecture on ant algorithms for robot path planning, hybrid part; lines after Habib, "
               "Asama: Efficient method to generate collision free paths for an autonomous mobile "
@@ -75,7 +76,7 @@ constexpr std::array kAlgorithms{
     Algorithm{
         "real-ga", "real-coded genetic algorithm over the same crossing points",
         "lecture on ant algorithms for robot path planning, the comparator of its hybrid part",
-        kGeneticInfos},
+        kGeneticInfos, Algorithm::Kind::genetic},
 };
 
 constexpr std::array kEntries{std::span<const Entry>(kColony), std::span<const Entry>(kGenetic)};
@@ -86,18 +87,15 @@ constexpr Table kTable(kEntries);
 
 std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
 
-Params defaults(std::string_view algorithm) {
-  std::vector<std::string_view> names;
-  names.reserve(kAlgorithms.size());
-  for (const Algorithm& known : kAlgorithms) names.push_back(known.name);
-  if (std::find(names.begin(), names.end(), algorithm) == names.end()) {
-    throw unknown_name("algorithm", algorithm, names);
-  }
-  Params p;
-  p.algorithm = algorithm;
+const Algorithm& find_algorithm(std::string_view name) {
+  return lasius::find_algorithm(kAlgorithms, name);
+}
+
+Params::Params(std::string_view algorithm) {
+  const Algorithm& found = find_algorithm(algorithm);
+  algorithm_ = found.name;
   // The source's genetic algorithm takes 912 generations on average, its ants 175 iterations.
-  if (algorithm == "real-ga") p.iterations = 1000;
-  return p;
+  if (found.kind == Algorithm::Kind::genetic) iterations = 1000;
 }
 
 void set_parameter(Params& parameters, std::string_view name, std::string_view value) {
@@ -109,8 +107,9 @@ std::string get_parameter(const Params& parameters, std::string_view name) {
 }
 
 void validate(const Params& parameters) {
-  defaults(parameters.algorithm);
+  const Algorithm& algorithm = find_algorithm(parameters.algorithm());
   kTable.check(parameters);
+  kTable.check_unread(parameters, Params(algorithm.name), algorithm);
 }
 
 }  // namespace lasius::polygon

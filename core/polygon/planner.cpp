@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/poller.h"
 #include "core/loop/run_status.h"
 #include "core/params/parameter_table.h"
 #include "core/polygon/crossing_colony.h"
@@ -66,7 +67,7 @@ Point nearest_on(Point a, Point b, Point p) {
 
 class Planner::Impl {
  public:
-  Impl(const World& w, const PrepareOptions& options, Poller poller)
+  Impl(const World& w, const GrowOptions& options, Poller poller)
       : world(checked(w)),
         margin(checked_margin(options.margin.value_or(w.margin))),
         join(options.join),
@@ -96,12 +97,15 @@ class Planner::Impl {
   }
 
   /// The answer to a start or goal that is not free.
-  Result blocked(const char* what, Point p, Point nearest) const {
-    Result result;
-    result.status = Status::invalid;
-    result.error = std::string(what) + " " + text(p) +
-                   (inside_boundary(p) ? " is blocked" : " is outside the boundary") +
-                   "; the nearest free point is " + text(nearest);
+  Result blocked(bool at_start, Point p, Point nearest) const {
+    const bool inside = inside_boundary(p);
+    const Fault fault = at_start ? (inside ? Fault::start_blocked : Fault::start_outside)
+                                 : (inside ? Fault::goal_blocked : Fault::goal_outside);
+    auto result = failed<Result>(Status::invalid, fault,
+                                 (at_start ? "start " : "goal ") + text(p) +
+                                     (inside ? " is blocked" : " is outside the boundary") +
+                                     "; the nearest free point is " + text(nearest));
+    result.nearest_free = nearest;
     return result;
   }
 
@@ -129,12 +133,12 @@ class Planner::Impl {
   const Maklink maklink;
 };
 
-Planner::Planner(const World& world, const PrepareOptions& options)
-    : Planner(std::move(*prepare(world, options, {}))) {}
+Planner::Planner(const World& world, const GrowOptions& options)
+    : Planner(std::move(*make(world, options, {}))) {}
 Planner::Planner(std::unique_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 
-std::optional<Planner> Planner::prepare(const World& world, const PrepareOptions& options,
-                                        const StopCondition& stop) {
+std::optional<Planner> Planner::make(const World& world, const GrowOptions& options,
+                                     const StopCondition& stop) {
   auto made = std::make_unique<const Impl>(world, options, Poller(stop));
   if (!made->whole) return std::nullopt;
   return Planner(std::move(made));
@@ -186,12 +190,8 @@ namespace {
 
 /// The answer where the goal is the start.
 Result stay(Point at) {
-  Result result;
-  result.status = Status::solved;
+  auto result = already_there<Result>();
   result.path = {at};
-  result.length = 0;
-  result.lower_bound = 0;
-  result.optimal = true;
   return result;
 }
 
@@ -204,11 +204,9 @@ bool joined(const Regions& regions, const Place& start, const Place& goal) {
 
 /// The answer where no way leads from one to the other.
 Result apart(Point start, Point goal) {
-  Result result;
-  result.status = Status::unreachable;
-  result.error =
-      "start " + text(start) + " and goal " + text(goal) + " lie in different pieces of free space";
-  return result;
+  return failed<Result>(Status::unreachable, Fault::disconnected,
+                        "start " + text(start) + " and goal " + text(goal) +
+                            " lie in different pieces of free space");
 }
 
 /// Dijkstra's route and what runs over it, route by route; the best one is kept.
@@ -242,8 +240,8 @@ class RoutePlan {
     CrossingRun run{.best = dijkstra, .curves = {}};
     if (!route.gates.empty()) {
       const RunControl control{request_.stop, enough,
-                               [&](const Convergence& now) { observe(now, result); }};
-      run = parameters_.algorithm == "real-ga"
+                               [&](const Convergence& now) { return observe(now, result); }};
+      run = find_algorithm(parameters_.algorithm()).kind == Algorithm::Kind::genetic
                 ? run_crossing_ga(route, dijkstra, parameters_, control)
                 : run_crossing_colony(route, dijkstra, parameters_, control);
       append(run.curves, result);
@@ -261,10 +259,16 @@ class RoutePlan {
     return result.dijkstra ? std::min(best, result.crossing.length) : best;
   }
 
-  void observe(const Convergence& run, const Result& result) const {
-    if (!observer_) return;
-    observer_({result.iterations + run.iterations - 1, so_far(result, run.best.back()),
-               run.mean.back(), run.arrived.back()});
+  StopCondition::Cause observe(const Convergence& run, const Result& result) const {
+    if (!observer_) return StopCondition::Cause::none;
+    Progress view;
+    view.iteration = result.iterations + run.iterations - 1;
+    view.best_length = so_far(result, run.best.back());
+    view.mean_length = run.mean.back();
+    view.arrived = run.arrived.back();
+    view.lower_bound = result.lower_bound;
+    observer_(view);
+    return view.stopped() ? StopCondition::Cause::token : StopCondition::Cause::none;
   }
 
   void append(const Convergence& run, Result& result) const {
@@ -288,18 +292,20 @@ Result Planner::plan(const Request& request, const Params& parameters,
   validate(parameters);
   check_target_gap(request.target_gap);
   Result result;
-  const auto find = [&](const char* what, const std::optional<Point>& asked,
+  constexpr std::string_view kStart = "start";
+  const auto find = [&](std::string_view what, const std::optional<Point>& asked,
                         const std::optional<Point>& written) {
     const auto& point = asked ? asked : written;
     if (!point || !std::isfinite(point->x) || !std::isfinite(point->y)) {
-      throw Error(ErrorCode::invalid_parameter, std::string("the world has no ") + what,
-                  std::string("give a ") + what);
+      throw Error(ErrorCode::invalid_parameter, "the world has no " + std::string(what),
+                  "give a " + std::string(what));
     }
     Place place = impl_->place(*point);
-    if (place.regions.empty()) result = impl_->blocked(what, *point, nearest_free(*point));
+    if (place.regions.empty())
+      result = impl_->blocked(what == kStart, *point, nearest_free(*point));
     return place;
   };
-  const Place start = find("start", request.start, impl_->world.start);
+  const Place start = find(kStart, request.start, impl_->world.start);
   if (start.regions.empty()) return result;
   const Place goal = find("goal", request.goal, impl_->world.goal);
   if (goal.regions.empty()) return result;
@@ -309,7 +315,7 @@ Result Planner::plan(const Request& request, const Params& parameters,
 
   const ShortestPath shortest = shortest_path(regions, start, goal, request.stop);
   result.lower_bound = shortest.lower_bound;
-  if (parameters.algorithm == "exact") {
+  if (find_algorithm(parameters.algorithm()).kind == Algorithm::Kind::exact) {
     result.status = status_after(shortest.cause, Status::solved);
     result.path = shortest.path;
     result.length = shortest.path.empty() ? kNaN : shortest.length;

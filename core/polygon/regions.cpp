@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/poller.h"
+
 namespace lasius::polygon {
 
 Regions::Regions(FreeSpace space, Poller& poller) : space_(std::move(space)) {

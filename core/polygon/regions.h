@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "core/base/poller.h"
 #include "core/polygon/free_space.h"
 #include "core/polygon/link_builder.h"
-#include "lasius/stop.h"
 
 namespace lasius::polygon {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/poller.h"
 #include "lasius/path.h"
 
 namespace lasius::polygon {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/poller.h"
 #include "core/polygon/regions.h"
 #include "lasius/polygon_plan.h"
-#include "lasius/stop.h"
 
 namespace lasius::polygon {
 

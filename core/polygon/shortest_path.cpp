@@ -5,6 +5,7 @@
 #include <queue>
 #include <utility>
 
+#include "core/base/poller.h"
 #include "lasius/path.h"
 
 namespace lasius::polygon {

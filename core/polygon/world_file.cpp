@@ -1,9 +1,9 @@
 #include <cctype>
 #include <ostream>
 
+#include "core/base/output.h"
 #include "core/map_files/byte_reader.h"
 #include "lasius/error.h"
-#include "lasius/output.h"
 #include "lasius/polygon.h"
 
 namespace lasius::polygon {

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 
+#include "core/base/poller.h"
 #include "core/grid/move_rule.h"
 
 namespace lasius {

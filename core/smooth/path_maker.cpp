@@ -1,5 +1,6 @@
 #include "core/smooth/path_maker.h"
 
+#include "core/base/poller.h"
 #include "lasius/path.h"
 
 namespace lasius {
@@ -26,11 +27,11 @@ void PathMaker::polish(const Grid& grid, std::span<const Cell> way, Polish polis
   const bool straight = polish == Polish::straight;
   straightener_.run(grid, way, stop);
   if (straight) {
-    straightener_.tighten(grid, stop);
+    straightener_.straighten(grid, stop);
   } else {
-    tautener_.run(grid, straightener_.vertices(), corners, stop);
+    taut_string_.run(grid, straightener_.vertices(), corners, stop);
   }
-  const auto string = straight ? straightener_.string() : tautener_.path();
+  const auto string = straight ? straightener_.string() : taut_string_.path();
   const bool shorter = straightener_.vertices().size() > 2 &&
                        stop.poll() == StopCondition::Cause::none &&
                        find_shortcut(grid, way, path_length(string), stop);

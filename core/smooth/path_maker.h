@@ -7,7 +7,7 @@
 #include "core/exact/exact.h"
 #include "core/smooth/loop_cutter.h"
 #include "core/smooth/straighten.h"
-#include "core/smooth/tauten.h"
+#include "core/smooth/taut_string.h"
 #include "kernels/base/packed_cell.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
@@ -39,7 +39,7 @@ class PathMaker {
 
   LoopCutter cutter_;
   Straightener straightener_;
-  Tautener tautener_;
+  TautString taut_string_;
   ExactSearch search_;
   std::vector<Point> shortcut_;
 };

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <string>
 
+#include "core/base/poller.h"
 #include "core/grid/cell_distance.h"
 #include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"
+#include "lasius/error.h"
 #include "lasius/path.h"
+#include "lasius/smooth.h"
 
 namespace lasius {
 namespace {
@@ -217,12 +221,12 @@ void Straightener::run(const Grid& grid, std::span<const Cell> walk, const StopC
   rasterise(map, best_, raster_);
 }
 
-void Straightener::tighten(const Grid& grid, const StopCondition& stop) {
+void Straightener::straighten(const Grid& grid, const StopCondition& stop) {
   if (best_.size() < 3 || stop.poll() != StopCondition::Cause::none) return;
   const kernels::BitmapView map = view_of(grid);
   for (std::size_t i = 1; i < best_.size(); ++i) {
     if (sees(map, best_[i - 1], best_[i])) continue;
-    tautener_.run(grid, best_, Corners::allow, stop);  // a squeeze that is kept
+    taut_string_.run(grid, best_, Corners::allow, stop);  // a squeeze that is kept
     return;
   }
   Poller poller(stop);
@@ -230,8 +234,8 @@ void Straightener::tighten(const Grid& grid, const StopCondition& stop) {
   // A vertex less, or pieces pulled again, may pass an obstacle on its other side: then the string
   // is another one.
   for (bool shorter = true; shorter;) {
-    tautener_.run(grid, best_, Corners::forbid, stop);
-    shorter = string_on_cells(grid, tautener_.path(), poller) && settle_and_keep();
+    taut_string_.run(grid, best_, Corners::forbid, stop);
+    shorter = string_on_cells(grid, taut_string_.path(), poller) && settle_and_keep();
     if (!shorter) {
       pulled_.assign(best_.begin(), best_.end());
       shorter = settle_and_keep();
@@ -246,23 +250,44 @@ void Straightener::take(const Grid& grid, std::span<const Point> string,
   Poller poller(stop);
   if (!string_on_cells(grid, string, poller) || !keep_if_shorter()) return;
   rasterise(view_of(grid), best_, raster_);
-  tighten(grid, stop);
+  straighten(grid, stop);
 }
 
-std::vector<Cell> straighten(const Grid& grid, std::span<const Cell> cells,
-                             const StopCondition& stop) {
+namespace {
+
+/// @throws Error(invalid_parameter) unless the cells are a walk.
+void check_walk(const Grid& grid, std::span<const Cell> cells) {
+  const auto refuse = [](std::size_t i, const char* why) {
+    throw Error(ErrorCode::invalid_parameter, "cell " + std::to_string(i) + " of the walk " + why,
+                "give free cells, each one king's move from the one before or equal to it");
+  };
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (grid.blocked(cells[i])) refuse(i, "is blocked or outside");
+    if (i == 0) continue;
+    const std::int64_t dx = std::int64_t{cells[i].x} - cells[i - 1].x;
+    const std::int64_t dy = std::int64_t{cells[i].y} - cells[i - 1].y;
+    if (std::max(std::abs(dx), std::abs(dy)) > 1) refuse(i, "is not next to the one before");
+  }
+}
+
+}  // namespace
+
+std::vector<Cell> greedy_straighten(const Grid& grid, std::span<const Cell> cells,
+                                    const StopCondition& stop) {
+  check_walk(grid, cells);
   if (cells.empty()) return {};
   Straightener straightener;
   straightener.run(grid, cells, stop);
   return {straightener.vertices().begin(), straightener.vertices().end()};
 }
 
-std::vector<Cell> tighten(const Grid& grid, std::span<const Cell> cells,
-                          const StopCondition& stop) {
+std::vector<Cell> straighten(const Grid& grid, std::span<const Cell> cells,
+                             const StopCondition& stop) {
+  check_walk(grid, cells);
   if (cells.empty()) return {};
   Straightener straightener;
   straightener.run(grid, cells, stop);
-  straightener.tighten(grid, stop);
+  straightener.straighten(grid, stop);
   return {straightener.vertices().begin(), straightener.vertices().end()};
 }
 

@@ -1,11 +1,12 @@
-// Straightening without allocation: the workspace behind straighten() and tighten().
+// Straightening without allocation: the workspace behind greedy_straighten() and straighten().
 #pragma once
 
 #include <array>
 #include <span>
 #include <vector>
 
-#include "core/smooth/tauten.h"
+#include "core/base/poller.h"
+#include "core/smooth/taut_string.h"
 #include "kernels/sight/sight_cone.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
@@ -13,17 +14,17 @@
 
 namespace lasius {
 
-/// Pulls walks straight as `straighten()` states, with buffers that are reused from call to call.
-/// One per thread. The spans it returns hold until the next call.
+/// Straightens walks as `greedy_straighten()` states, with buffers that are reused from call to
+/// call. One per thread. The spans it returns hold until the next call.
 class Straightener {
  public:
-  /// Straightens a walk of at least one cell; see `straighten()` for what a walk is.
+  /// Straightens a walk of at least one cell; see `greedy_straighten()` for what a walk is.
   void run(const Grid& grid, std::span<const Cell> walk, const StopCondition& stop = {});
 
-  /// Pulls the polyline of `run` tight, as `tighten()` states.
-  void tighten(const Grid& grid, const StopCondition& stop = {});
+  /// Goes on from the polyline of `run`, as `straighten()` states.
+  void straighten(const Grid& grid, const StopCondition& stop = {});
 
-  /// A taut string between the same ends in place of the polyline, put on cells and pulled tight,
+  /// A taut string between the same ends in place of the polyline, put on cells and straightened,
   /// if it is shorter there.
   void take(const Grid& grid, std::span<const Point> string, const StopCondition& stop = {});
 
@@ -34,8 +35,8 @@ class Straightener {
   /// are 4-neighbours, except across a kept squeeze between two diagonal blocks.
   std::span<const Cell> cells() const noexcept { return raster_; }
 
-  /// The taut string of its class, once `tighten` was through with three vertices or more.
-  std::span<const Point> string() const noexcept { return tautener_.path(); }
+  /// The taut string of its class, once `straighten` was through with three vertices or more.
+  std::span<const Point> string() const noexcept { return taut_string_.path(); }
 
  private:
   /// Cells on every side of a corner of the taut string. With 2 a whole plan takes a third longer
@@ -57,7 +58,7 @@ class Straightener {
   static bool connect(const kernels::BitmapView& map, Poller& poller, const Layer& before,
                       Layer& layer);
 
-  Tautener tautener_;
+  TautString taut_string_;
   std::vector<Layer> layers_;
   std::vector<Cell> best_;    // shortest polyline so far, from the walk's first cell
   std::vector<Cell> pulled_;  // the polyline of one pass, in the pass's direction

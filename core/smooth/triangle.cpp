@@ -4,6 +4,8 @@
 #include <bit>
 #include <utility>
 
+#include "core/base/poller.h"
+
 namespace lasius {
 namespace {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/poller.h"
 #include "kernels/sight/sight.h"
 #include "kernels/sight/views.h"
-#include "lasius/stop.h"
 
 namespace lasius {
 

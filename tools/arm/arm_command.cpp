@@ -17,7 +17,7 @@
 namespace lasius::tool {
 namespace {
 
-std::string note(const arm::IterationView& view) {
+std::string note(const arm::ArmProgress& view) {
   std::array<char, 96> text;
   const auto questions = view.questions.positions + view.questions.motions;
   if (std::isfinite(view.best_length))
@@ -35,7 +35,7 @@ void solve(const ArmCommand& command, const std::stop_token& token, ArmAnswer& a
   ProgressLine bar(shown, answer.parameters.iterations, command.time_limit.value_or(0));
   arm::Observer observer;
   if (shown)
-    observer = [&](const arm::IterationView& view) { bar.update(view.iteration + 1, note(view)); };
+    observer = [&](const arm::ArmProgress& view) { bar.update(view.iteration + 1, note(view)); };
   solve_arm(command, stop, observer, answer);
 }
 

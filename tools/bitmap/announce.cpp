@@ -27,11 +27,11 @@ void announce(const PreparedMap& map, const RunOptions& run) {
   message(map.file + text.data());
   if (prepared.state == Preparation::State::ready) {
     std::snprintf(text.data(), text.size(), "--prepare: %lld corners, %lld edges, %.1f MB, %.1f ms",
-                  static_cast<long long>(prepared.corners), static_cast<long long>(prepared.edges),
+                  static_cast<long long>(prepared.vertices), static_cast<long long>(prepared.edges),
                   1e-6 * static_cast<double>(prepared.bytes), 1e3 * prepared.seconds);
     message(text.data());
   }
-  message(run.params.algorithm + ", seed " + std::to_string(run.params.seed) + ", " +
+  message(run.params.algorithm() + ", seed " + std::to_string(run.params.seed) + ", " +
           counted(run.params.threads, "thread"));
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <string_view>
 #include <utility>
 
 #include "lasius/shortest_walk.h"
@@ -14,24 +13,28 @@
 namespace lasius::tool {
 namespace {
 
-constexpr std::string_view kExact = "exact";
-
-/// The library's words on a start or goal that is invalid, with its place as it was given, and in
-/// metres too the free cell that they name.
+/// Why a start or goal is invalid, with its place as it was given, and in metres too the free cell
+/// that is nearest.
 std::string invalid_text(const PreparedMap& map, const RunOptions& run, const Answer& answer) {
-  const bool at_start = !map.grid().free(answer.start.cell);
+  const Result& result = answer.result;
+  const bool at_start =
+      result.fault == Fault::start_blocked || result.fault == Fault::start_outside;
+  const bool outside = result.fault == Fault::start_outside || result.fault == Fault::goal_outside;
   const Place& place = at_start ? answer.start : answer.goal;
-  const std::string& words = answer.result.error;
-  const std::string why = words.substr(std::min(words.find(" is "), words.size()));
   const auto [x, y] = place.number;
-  std::string named = "(";
-  named.append(whole_text(x)).append(", ").append(whole_text(y)).append(")");
+  const std::string named = "(" + whole_text(x) + ", " + whole_text(y) + ")";
   std::string text = at_start ? "start " : "goal ";
-  if (run.frame == Frame::cell) return text.append(named).append(why);
-  text.append(to_text(place.asked.x)).append(",").append(to_text(place.asked.y));
-  text.append(" m, in cell ").append(named).append(",").append(why);
-  const auto free = map.planner->nearest_free(place.cell);
-  if (!free) return text;
+  if (run.frame == Frame::world) {
+    text += to_text(place.asked.x) + "," + to_text(place.asked.y) + " m, in cell " + named + ",";
+  } else {
+    text += named;
+  }
+  text += outside ? " is outside the map" : " is blocked";
+  const auto& free = result.nearest_free;
+  if (!free) return map.grid().count_free() == 0 ? text + "; the map has no free cell" : text;
+  text += "; the nearest free cell is (" + std::to_string(free->x) + ", " +
+          std::to_string(free->y) + ")";
+  if (run.frame == Frame::cell) return text;
   const Point metres = map.to_world(centre(*free));
   std::array<char, 96> centre_text;
   std::snprintf(centre_text.data(), centre_text.size(), ", its centre at %.3f,%.3f m", metres.x,
@@ -42,7 +45,7 @@ std::string invalid_text(const PreparedMap& map, const RunOptions& run, const An
 /// Adds what --gap asks for. Each search has the time that the plan had, from its own start.
 void add_optima(const PreparedMap& map, const RunOptions& run, const StopCondition& stop,
                 Answer& answer) {
-  const Query query{answer.start.cell, answer.goal.cell};
+  const Request query{answer.start.cell, answer.goal.cell};
   const Request exact{
       .start = query.start, .goal = query.goal, .stop = again(stop, run.time_limit)};
   const Result best = map.planner->plan(exact, optimum_params(run));
@@ -76,9 +79,10 @@ Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start,
     answer.result.status = Status::interrupted;
     return answer;
   }
-  const Query query{start.cell, goal.cell};
-  const Request request{
-      .start = query.start, .goal = query.goal, .stop = stop, .target_gap = run.target_gap};
+  const Request request{.start = start.cell,
+                        .goal = goal.cell,
+                        .stop = stop,
+                        .target_gap = moves_on_cells(run) ? 0 : run.target_gap};
   Workspace workspace;  // to give back a large one takes time, which is not the plan's
   const auto begin = Clock::now();
   answer.result = map.planner->plan(request, run.params, &workspace, observer);
@@ -87,7 +91,9 @@ Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start,
   return answer;
 }
 
-bool moves_on_cells(const RunOptions& run) { return run.params.algorithm != kExact; }
+bool moves_on_cells(const RunOptions& run) {
+  return find_algorithm(run.params.algorithm()).kind != Algorithm::Kind::exact;
+}
 
 void set_optima(const RunOptions& run, std::optional<double> any_angle,
                 std::optional<double> by_moves, Answer& answer) {
@@ -99,7 +105,7 @@ void set_optima(const RunOptions& run, std::optional<double> any_angle,
 }
 
 std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOptions& run,
-                                            const Query& query, const StopCondition& stop) {
+                                            const Request& query, const StopCondition& stop) {
   const Grid& grid = map.grid();
   const bool joined = grid.free(query.start) && grid.free(query.goal) &&
                       map.planner->connected(query.start, query.goal, run.params.corners);
@@ -109,9 +115,8 @@ std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOpt
 }
 
 Params optimum_params(const RunOptions& run) {
-  Params params = defaults(kExact);
+  Params params;
   params.threads = run.params.threads;
-  params.corners = run.params.corners;
   return params;
 }
 
@@ -120,7 +125,7 @@ Outcome outcome(const PreparedMap& map, const RunOptions& run, const Answer& ans
   std::string error =
       result.status == Status::invalid ? invalid_text(map, run, answer) : result.error;
   if (result.status == Status::invalid || result.status == Status::unreachable) error += grown(map);
-  const bool iterates = has_parameter(find_algorithm(run.params.algorithm), "iterations");
+  const bool iterates = find_algorithm(run.params.algorithm()).has("iterations");
   return {.status = result.status,
           .iterations = iterates ? std::optional(result.iterations) : std::nullopt,
           .has_path = !result.path.empty(),

@@ -40,7 +40,7 @@ Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start,
 /// Length of the shortest walk by the moves of the run's algorithm, if there is one and it is found
 /// in time. Precondition: the algorithm is not `exact`.
 std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOptions& run,
-                                            const Query& query, const StopCondition& stop);
+                                            const Request& query, const StopCondition& stop);
 
 /// True where the algorithm moves from cell to cell.
 bool moves_on_cells(const RunOptions& run);

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "core/base/output.h"
 #include "lasius/batch.h"
-#include "lasius/output.h"
 #include "tools/bitmap/announce.h"
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/map_file.h"
@@ -60,13 +60,13 @@ struct Optima {
   std::vector<double> any_angle, by_moves;
 };
 
-Optima optima(const PreparedMap& map, const RunOptions& run, std::span<const Query> queries,
+Optima optima(const PreparedMap& map, const RunOptions& run, std::span<const Request> queries,
               const BatchOptions& options) {
   Optima found;
   found.any_angle.assign(queries.size(), std::nan(""));
-  BatchOptions exact = options;
-  exact.target_gap = 0;
-  plan_batch(*map.planner, queries, optimum_params(run), exact, [&](const BatchAnswer& answer) {
+  std::vector<Request> exact(queries.begin(), queries.end());
+  for (Request& query : exact) query.target_gap = 0;
+  plan_batch(*map.planner, exact, optimum_params(run), options, [&](const BatchAnswer& answer) {
     if (answer.result.optimal) found.any_angle[answer.index] = answer.result.length;
   });
   found.by_moves.assign(queries.size(), std::nan(""));
@@ -96,12 +96,13 @@ int run_batch(const BatchCommand& command) {
   const auto place = [&](Point point) {
     return file.scenario ? place_of(map, point, run.frame) : to_place(map, point, run.frame);
   };
-  std::vector<Query> queries;
+  std::vector<Request> queries;
   for (const auto& line : file.queries)
-    queries.push_back({place(line.start).cell, place(line.goal).cell});
+    queries.push_back({.start = place(line.start).cell,
+                       .goal = place(line.goal).cell,
+                       .target_gap = moves_on_cells(run) ? 0 : run.target_gap});
 
-  BatchOptions options{
-      .threads = run.params.threads, .target_gap = run.target_gap, .token = signals.token()};
+  BatchOptions options{.threads = run.params.threads, .token = signals.token()};
   if (run.time_limit) options.time_limit = std::chrono::duration<double>(*run.time_limit);
   Collected collected(map, run);
   Delivery delivery(run.outputs);

@@ -24,7 +24,7 @@ Json preparation_json(const PreparedMap& map) {
   if (!map.prepare) return nullptr;
   const Preparation& prepared = map.planner->preparation();
   return {{"state", to_string(prepared.state)},
-          {"corners", prepared.corners},
+          {"corners", prepared.vertices},
           {"edges", prepared.edges},
           {"bytes", prepared.bytes},
           {"ms", number(1000 * prepared.seconds)}};
@@ -36,7 +36,7 @@ Json info_json(const PreparedMap& map, Corners corners) {
   const auto footprint = map.planner->footprint();
   const double cells = static_cast<double>(map.width) * map.height;
   const auto free = grid.count_free();
-  const auto bytes = footprint.bitmap + footprint.components + footprint.corners;
+  const auto bytes = footprint.bitmap + footprint.components + footprint.visibility_graph;
 
   Json json = Json::object();
   json["format"] = "lasius-info/1";
@@ -55,7 +55,7 @@ Json info_json(const PreparedMap& map, Corners corners) {
   json["preparation"] = preparation_json(map);
   json["memory"] = {{"bitmap", footprint.bitmap},
                     {"components", footprint.components},
-                    {"corners", footprint.corners},
+                    {"corners", footprint.visibility_graph},
                     {"total", bytes},
                     {"bits_per_cell", number(8.0 * static_cast<double>(bytes) / cells)}};
   return json;

@@ -36,8 +36,8 @@ bool grow(Grid& grid, double radius, const StopCondition& stop) {
 std::optional<Planner> make_planner(Grid& grid, const MapOptions& options, Corners corners,
                                     const StopCondition& stop) {
   const PrepareOptions more{.threads = options.threads, .stop = stop};
-  auto planner = options.prepare ? Planner::prepare(std::move(grid), more)
-                                 : Planner::prepare(std::move(grid), stop);
+  auto planner =
+      options.prepare ? Planner::make(std::move(grid), more) : Planner::make(std::move(grid), stop);
   // Should this be stopped, the plan is at once.
   if (planner) planner->label(corners, stop);
   return planner;

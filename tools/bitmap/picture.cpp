@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "lasius/output.h"
+#include "core/base/output.h"
 #include "tools/bitmap/report.h"
 #include "tools/draw/canvas.h"
 #include "tools/draw/chart.h"
@@ -192,7 +192,7 @@ void write_page(const std::string& file, const Grid& grid, const std::string& ti
 }
 
 std::string plan_title(const PreparedMap& map, const RunOptions& run) {
-  return run.params.algorithm + " on " + std::filesystem::path(map.file).filename().string() +
+  return run.params.algorithm() + " on " + std::filesystem::path(map.file).filename().string() +
          ", " + std::to_string(map.width) + " x " + std::to_string(map.height) + " cells, seed " +
          std::to_string(run.params.seed);
 }

@@ -20,7 +20,7 @@ PictureRecorder::PictureRecorder(const Grid& grid, std::vector<int> chosen, int 
   visits_ = Raster<std::uint32_t>(pixels(grid.width()), pixels(grid.height()));
 }
 
-void PictureRecorder::observe(const Progress& progress) {
+void PictureRecorder::observe(const GridProgress& progress) {
   done_ = progress.iteration + 1;
   for (int ant = 0; ant < progress.ants(); ++ant)
     for (const Cell c : progress.walk(ant))
@@ -35,7 +35,7 @@ void PictureRecorder::observe(const Progress& progress) {
   next_capture_ = after + 20 * (after - now);
 }
 
-void PictureRecorder::capture(const Progress& progress) {
+void PictureRecorder::capture(const GridProgress& progress) {
   auto& values = pheromone_.values;
   if (values.width == 0) values = Raster<float>(visits_.width, visits_.height);
   pheromone_.iterations = done_;

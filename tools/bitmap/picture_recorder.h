@@ -28,7 +28,7 @@ class PictureRecorder {
   /// `chosen`: after which iterations tracks are kept, rising; `last`: the run's last iteration.
   PictureRecorder(const Grid& grid, std::vector<int> chosen, int last);
 
-  void observe(const Progress& progress);
+  void observe(const GridProgress& progress);
 
   /// The chosen iterations that the run reached; its last one where it ended before some.
   std::vector<Tracks> tracks() const;
@@ -37,7 +37,7 @@ class PictureRecorder {
   int cells_a_pixel() const { return cells_a_pixel_; }
 
  private:
-  void capture(const Progress& progress);
+  void capture(const GridProgress& progress);
   bool touched_near(int x, int y) const;
 
   const Grid& grid_;

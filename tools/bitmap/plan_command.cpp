@@ -36,12 +36,12 @@ std::string note(const PreparedMap& map, Frame frame, const Progress& progress) 
 Answer watched_answer(const PreparedMap& map, const RunOptions& run, const Place& start,
                       const Place& goal, const std::stop_token& token,
                       std::optional<PictureRecorder>& recorder) {
-  const bool counted = has_parameter(find_algorithm(run.params.algorithm), "iterations");
+  const bool counted = find_algorithm(run.params.algorithm()).has("iterations");
   const bool shown = wants_progress(run.messages);
   ProgressLine bar(shown, counted ? run.params.iterations : 0, run.time_limit.value_or(0));
   Observer observer;
   if (shown || recorder)
-    observer = [&](const Progress& progress) {
+    observer = [&](const GridProgress& progress) {
       bar.update(progress.iteration + 1, note(map, run.frame, progress));
       if (recorder) recorder->observe(progress);
     };
@@ -50,9 +50,9 @@ Answer watched_answer(const PreparedMap& map, const RunOptions& run, const Place
 }
 
 /// False where the answer is known before any search, and preparing more a waste.
-bool is_search(const PreparedMap& map, Corners corners, const Query& query,
+bool is_search(const PreparedMap& map, Corners corners, const Request& query,
                const std::stop_token& token) {
-  const auto& [start, goal] = query;
+  const Cell start = query.start, goal = query.goal;
   return map.planner && map.grid().free(start) && map.grid().free(goal) && start != goal &&
          map.planner->label(corners, {.token = token}) &&
          map.planner->connected(start, goal, corners);
@@ -70,12 +70,13 @@ int run_plan(const PlanCommand& command) {
   const Place start = to_place(map, command.start, run.frame);
   const Place goal = to_place(map, command.goal, run.frame);
   map.prepare = run.map.prepare;
-  if (map.prepare && is_search(map, run.params.corners, {start.cell, goal.cell}, signals.token()))
+  if (map.prepare &&
+      is_search(map, run.params.corners, {.start = start.cell, .goal = goal.cell}, signals.token()))
     prepare_more(map, run.map.threads, signals.token());
   announce(map, run);
 
   std::optional<PictureRecorder> recorder;
-  if (std::any_of(run.outputs.begin(), run.outputs.end(), is_picture))
+  if (moves_on_cells(run) && std::any_of(run.outputs.begin(), run.outputs.end(), is_picture))
     recorder.emplace(map.grid(), run.track_iterations, run.params.iterations);
   const Answer found = watched_answer(map, run, start, goal, signals.token(), recorder);
 
@@ -85,14 +86,18 @@ int run_plan(const PlanCommand& command) {
     if (const std::string gap = gap_text(map, run, found); !gap.empty()) message(gap);
   }
   const bool counts = ended.iterations.has_value();
-  const Forms forms{
-      .text = [&] { return result_text(map, run, found); },
-      .json = [&] { return line(result_json(map, run, found)); },
-      .csv = [&] { return result_csv(in_frame(map, run.frame, found.result), counts, run.frame); },
-      .write_picture =
-          [&](const std::string& file) {
-            write_plan_picture(file, map, run, found, recorder ? &*recorder : nullptr);
-          }};
+  const Forms forms{.text = [&] { return result_text(map, run, found); },
+                    .json = [&] { return line(result_json(map, run, found)); },
+                    .csv =
+                        [&] {
+                          const Result shown = in_frame(map, run.frame, found.result);
+                          return result_csv(shown, shown.path, counts, run.frame);
+                        },
+                    .write_picture =
+                        [&](const std::string& file) {
+                          write_plan_picture(file, map, run, found,
+                                             recorder ? &*recorder : nullptr);
+                        }};
   deliver(forms, run.json, run.outputs, run.messages);
   return signals.interrupted() ? kInterrupted : exit_code(ended);  // --gap may be what was cut off
 }

@@ -12,7 +12,7 @@ namespace {
 
 /// All that decides a result beside map, question and seed: enough to replay it.
 Json settings_json(const PreparedMap& map, const RunOptions& run) {
-  Json object = parameters_json(find_algorithm(run.params.algorithm), [&](std::string_view name) {
+  Json object = parameters_json(find_algorithm(run.params.algorithm()), [&](std::string_view name) {
     return get_parameter(run.params, name);
   });
   object["target_gap"] = number(run.target_gap);
@@ -31,7 +31,7 @@ Json cell_json(const Place& place) {
 
 }  // namespace
 
-void add_search(Json& json, const Result& result) {
+void add_search(Json& json, const SearchResult& result) {
   json["iterations"] = result.iterations;
   json["best"] = numbers(result.best);
   json["mean"] = numbers(result.mean);
@@ -51,7 +51,7 @@ Json result_json(const PreparedMap& map, const RunOptions& run, const Answer& an
                  {"hash", hash_text(map.hash)},
                  {"width", map.width},
                  {"height", map.height}};
-  json["algorithm"] = run.params.algorithm;
+  json["algorithm"] = run.params.algorithm();
   json["start"] = cell_json(answer.start);
   json["goal"] = cell_json(answer.goal);
   json["seed"] = run.params.seed;

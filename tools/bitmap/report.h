@@ -14,7 +14,7 @@ inline constexpr const char* kFormat = "lasius-plan/1";
 inline constexpr const char* kArmFormat = "lasius-arm-plan/1";
 
 /// How the search went: iterations, curves, bound and gap.
-void add_search(Json& json, const Result& result);
+void add_search(Json& json, const SearchResult& result);
 
 /// One result, keys in the order of the contract, on one line where dumped.
 Json result_json(const PreparedMap& map, const RunOptions& run, const Answer& answer);
@@ -34,6 +34,7 @@ std::string batch_csv_row(const PreparedMap& map, Frame frame, const Answer& ans
 
 /// The convergence by iteration, or the path for algorithms without iterations, of a result that is
 /// in `frame`. Columns in metres end in _m.
-std::string result_csv(const Result& result, bool iterates, Frame frame);
+std::string result_csv(const SearchResult& result, const std::vector<Point>& path, bool iterates,
+                       Frame frame);
 
 }  // namespace lasius::tool

@@ -62,12 +62,13 @@ std::string gap_text(const PreparedMap& map, const RunOptions& run, const Answer
   return text;
 }
 
-std::string result_csv(const Result& result, bool iterates, Frame frame) {
+std::string result_csv(const SearchResult& result, const std::vector<Point>& path, bool iterates,
+                       Frame frame) {
   const char* const m = unit(frame);
   std::ostringstream out;
   if (!iterates) {
     out << "x" << m << ",y" << m << "\n";
-    write_points(out, result.path, ",");
+    write_points(out, path, ",");
     return out.str();
   }
   out << "iteration,best" << m << ",mean" << m << ",arrived\n";

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "lasius/output.h"
+#include "core/base/output.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/threads.h"
 #include "tools/console/values.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "lasius/output.h"
+#include "core/base/output.h"
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/picture.h"
 #include "tools/console/exit_code.h"
@@ -66,7 +66,7 @@ RunOptions make_run(const RunText& text) {
   run.params = default_params(text.algorithm);
   for (const auto& [name, value] : text.named)
     if (!value.empty() && !set_common(run.params, name, value))
-      run.notes.push_back("--" + name + " has no effect: " + run.params.algorithm +
+      run.notes.push_back("--" + name + " has no effect: " + run.params.algorithm() +
                           " has no such parameter");
   for (const auto& setting : text.set) set_named(run.params, setting);
   validate(run.params);
@@ -83,7 +83,7 @@ RunOptions make_run(const RunText& text) {
   if (text.unknown_free && !has_ending(file, ".yaml") && !has_ending(file, ".yml"))
     run.notes.push_back("--unknown-free has no effect: only ROS maps (.yaml) have unknown cells");
   if (run.target_gap > 0 && moves_on_cells(run))
-    run.notes.push_back("--target-gap has no effect: " + run.params.algorithm +
+    run.notes.push_back("--target-gap has no effect: " + run.params.algorithm() +
                         " certifies no gap");
   run.with_optimum = text.gap;
   run.map.prepare = text.prepare && (run.with_optimum || !moves_on_cells(run));

@@ -13,11 +13,6 @@
 
 namespace lasius::tool {
 
-bool has_parameter(const Algorithm& algorithm, std::string_view name) {
-  return std::any_of(algorithm.parameters.begin(), algorithm.parameters.end(),
-                     [name](const Parameter& parameter) { return parameter.name == name; });
-}
-
 void refuse_elsewhere(std::string_view name, [[maybe_unused]] bool on_bitmap) {
   const std::string option = "--algorithm: " + std::string(name);
   if (name == "goritov2020")
@@ -49,18 +44,12 @@ Params default_params(std::string_view name) {
   return defaults(known[choice_value("--algorithm", name, known)]);
 }
 
-const Algorithm& find_algorithm(std::span<const Algorithm> all, std::string_view name) {
-  return *std::find_if(all.begin(), all.end(),
-                       [name](const Algorithm& algorithm) { return algorithm.name == name; });
-}
-
-const Algorithm& find_algorithm(std::string_view name) {
-  return find_algorithm(algorithms(), name);
-}
-
 bool set_common(Params& params, std::string_view name, std::string_view value) {
-  set_parameter(params, name, value);
-  return has_parameter(find_algorithm(params.algorithm), name);
+  Params read = params;
+  set_parameter(read, name, value);
+  if (!find_algorithm(params.algorithm()).has(name)) return false;
+  params = read;
+  return true;
 }
 
 std::pair<std::string_view, std::string_view> setting_parts(std::string_view setting) {
@@ -73,9 +62,9 @@ std::pair<std::string_view, std::string_view> setting_parts(std::string_view set
 void set_named(Params& params, std::string_view setting) {
   const auto [name, value] = setting_parts(setting);
   refuse_option(setting);
-  const auto& algorithm = find_algorithm(params.algorithm);
-  if (!has_parameter(algorithm, name)) {
-    const auto unknown = "--set " + std::string(setting) + ": " + params.algorithm +
+  const auto& algorithm = find_algorithm(params.algorithm());
+  if (!algorithm.has(name)) {
+    const auto unknown = "--set " + std::string(setting) + ": " + params.algorithm() +
                          " has no parameter \"" + std::string(name) + "\"; ";
     if (!algorithm.parameters.empty())
       throw UsageError(unknown + did_you_mean(name, names_of(algorithm.parameters)));

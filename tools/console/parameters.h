@@ -21,10 +21,6 @@ void refuse_elsewhere(std::string_view name, bool on_bitmap);
 /// @throws UsageError for a parameter of --set that is an option of its own.
 void refuse_option(std::string_view setting);
 
-/// The entry of this name. Precondition: it is one of `all`, by default those on bitmaps.
-const Algorithm& find_algorithm(std::span<const Algorithm> all, std::string_view name);
-const Algorithm& find_algorithm(std::string_view name);
-
 /// Names of algorithms or of parameters.
 template <class Named>
 std::vector<std::string_view> names_of(std::span<const Named> things) {
@@ -32,8 +28,6 @@ std::vector<std::string_view> names_of(std::span<const Named> things) {
   for (const Named& thing : things) names.push_back(thing.name);
   return names;
 }
-
-bool has_parameter(const Algorithm& algorithm, std::string_view name);
 
 /// Sets a parameter that has an option of its own. False where the algorithm does not have it; the
 /// value is checked all the same.

@@ -9,7 +9,7 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "lasius/output.h"
+#include "core/base/output.h"
 
 namespace lasius::tool {
 namespace {

@@ -122,7 +122,7 @@ inline constexpr std::array<std::string_view, 3> kJoins{"mitre", "round", "bevel
 
 /// A polygon world, and what the command line says in place of what it holds.
 struct WorldOptions {
-  static constexpr double kMostMargin = 1e12;  ///< as polygon::PrepareOptions has it
+  static constexpr double kMostMargin = 1e12;  ///< as polygon::GrowOptions has it
   std::string file;
   bool repair = false;
   std::optional<double> margin;

@@ -13,12 +13,12 @@
 namespace lasius::tool {
 namespace {
 
-static_assert(WorldOptions::kMostMargin == polygon::PrepareOptions::kMostMargin);
+static_assert(WorldOptions::kMostMargin == polygon::GrowOptions::kMostMargin);
 
 /// A value that has no effect is held against what another algorithm takes.
 void check_elsewhere(const std::string& key, const std::string& value) {
   for (const Algorithm& algorithm : polygon::algorithms()) {
-    if (!has_parameter(algorithm, key)) continue;
+    if (!algorithm.has(key)) continue;
     auto scratch = polygon::defaults(algorithm.name);
     return polygon::set_parameter(scratch, key, value);
   }
@@ -69,10 +69,10 @@ polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<st
   const std::string name(command.algorithm.empty()
                              ? known.front()
                              : known[choice_value("--algorithm", command.algorithm, known)]);
-  const Algorithm& algorithm = find_algorithm(all, name);
+  const Algorithm& algorithm = polygon::find_algorithm(name);
   auto parameters = polygon::defaults(name);
   for (const auto& [key, value] : command.named) {
-    if (has_parameter(algorithm, key)) {
+    if (algorithm.has(key)) {
       set_parameter(parameters, key, value);
       continue;
     }
@@ -82,7 +82,7 @@ polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<st
   for (const std::string& setting : command.settings) {
     refuse_option(setting);
     const auto [key, value] = setting_parts(setting);
-    if (!has_parameter(algorithm, key))
+    if (!algorithm.has(key))
       throw UsageError(
           "--set " + setting + ": " + name + " has no parameter \"" + std::string(key) + "\"; " +
           (algorithm.parameters.empty() ? "it takes none"

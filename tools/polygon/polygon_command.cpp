@@ -30,23 +30,24 @@ void announce(const PreparedWorld& world, const PolygonCommand& command,
                 world.planner.maklink().regions.size(), hash_text(world.hash).c_str(),
                 world.read_ms, world.prepare_ms);
   message(world.file + text.data());
-  message(parameters.algorithm + ", seed " + std::to_string(parameters.seed));
+  message(parameters.algorithm() + ", seed " + std::to_string(parameters.seed));
 }
 
 bool iterates(std::string_view algorithm) {
-  return has_parameter(find_algorithm(polygon::algorithms(), algorithm), "iterations");
+  return polygon::find_algorithm(algorithm).has("iterations");
 }
 
 PolygonAnswer watched_answer(const PreparedWorld& world, const PolygonCommand& command,
                              const polygon::Params& parameters, const std::stop_token& token) {
   const bool shown = wants_progress(command.messages);
-  ProgressLine bar(
-      shown,
-      iterates(parameters.algorithm) ? std::int64_t{parameters.iterations} * parameters.routes : 0,
-      command.time_limit.value_or(0));
+  ProgressLine bar(shown,
+                   iterates(parameters.algorithm())
+                       ? std::int64_t{parameters.iterations} * parameters.routes
+                       : 0,
+                   command.time_limit.value_or(0));
   polygon::Observer observer;
   if (shown)
-    observer = [&](const polygon::IterationView& view) {
+    observer = [&](const Progress& view) {
       std::array<char, 48> text;
       std::snprintf(text.data(), text.size(), "best %.3f", view.best_length);
       bar.update(view.iteration + 1, text.data());
@@ -71,7 +72,7 @@ int run_polygon(const PolygonCommand& command) {
   const PolygonAnswer answer = watched_answer(world, command, parameters, signals.token());
 
   const polygon::Result& result = answer.result;
-  const bool counts = iterates(answer.parameters.algorithm);
+  const bool counts = iterates(answer.parameters.algorithm());
   const Outcome ended{.status = result.status,
                       .iterations = counts ? std::optional(result.iterations) : std::nullopt,
                       .has_path = !result.path.empty(),
@@ -80,7 +81,7 @@ int run_polygon(const PolygonCommand& command) {
   const Forms forms{
       .text = [&] { return polygon_text(answer); },
       .json = [&] { return line(polygon_json(world, command, answer)); },
-      .csv = [&] { return result_csv(result, counts, Frame::cell); },
+      .csv = [&] { return result_csv(result, result.path, counts, Frame::cell); },
       .write_picture =
           [&](const std::string& file) { write_polygon_picture(file, world, answer); }};
   deliver(forms, command.json, command.outputs, command.messages);

@@ -165,7 +165,7 @@ void write_polygon_picture(const std::string& file, const PreparedWorld& world,
   const auto& result = answer.result;
   const bool graph = result.dijkstra.has_value(), chart = !result.best.empty();
   Page page(world, 1 + (graph ? 1 : 0) + (chart ? 1 : 0),
-            answer.parameters.algorithm + " on " +
+            answer.parameters.algorithm() + " on " +
                 std::filesystem::path(world.file).filename().string() + ", seed " +
                 std::to_string(answer.parameters.seed));
   if (graph) {

@@ -13,7 +13,7 @@ namespace {
 Json settings_json(const PreparedWorld& world, const PolygonCommand& command,
                    const polygon::Params& parameters) {
   Json object =
-      parameters_json(find_algorithm(polygon::algorithms(), parameters.algorithm),
+      parameters_json(polygon::find_algorithm(parameters.algorithm()),
                       [&](std::string_view name) { return get_parameter(parameters, name); });
   object["target_gap"] = number(command.target_gap);
   object["time_limit"] = optional_number(command.time_limit);
@@ -54,7 +54,7 @@ Json polygon_json(const PreparedWorld& world, const PolygonCommand& command,
                  {"hash", hash_text(world.hash)},
                  {"width", number(high.x - low.x)},
                  {"height", number(high.y - low.y)}};
-  json["algorithm"] = answer.parameters.algorithm;
+  json["algorithm"] = answer.parameters.algorithm();
   json["start"] = point(answer.start);
   json["goal"] = point(answer.goal);
   json["seed"] = answer.parameters.seed;

@@ -2,8 +2,8 @@
 
 #include <ostream>
 
+#include "core/base/output.h"
 #include "lasius/error.h"
-#include "lasius/output.h"
 #include "tools/bitmap/picture.h"
 #include "tools/console/streams.h"
 

@@ -93,7 +93,7 @@ Recorded recorded_inputs(const Json& result) {
   run.params = default_params(recorded<std::string>(result, "algorithm"));
   run.params.seed = recorded_seed(result);
   for (const auto& [name, value] :
-       recorded_parameters(result, find_algorithm(run.params.algorithm)))
+       recorded_parameters(result, find_algorithm(run.params.algorithm())))
     set_parameter(run.params, name, value);
   validate(run.params);
   run.target_gap = recorded<double>(result, "parameters/target_gap");

@@ -3,8 +3,8 @@
 #include <ostream>
 #include <system_error>
 
+#include "core/base/output.h"
 #include "lasius/error.h"
-#include "lasius/output.h"
 
 namespace lasius::study {
 

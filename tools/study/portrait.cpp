@@ -41,7 +41,7 @@ Figure draw_run(const Place& place, const StopCondition& stop) {
   const auto at = [&](Cell c) { return tool::to_place(map, {1.0 * c.x, 1.0 * c.y}, run.frame); };
   const tool::Answer found =
       tool::answer(map, run, at(place.question.start), at(place.question.goal), stop,
-                   [&](const Progress& progress) { recorder.observe(progress); });
+                   [&](const GridProgress& progress) { recorder.observe(progress); });
   for (const char* ending : {".svg", ".png"})
     tool::write_plan_picture((place.folder / (place.stem() + ending)).string(), map, run, found,
                              &recorder);
@@ -56,7 +56,7 @@ struct Ants {
   std::vector<Cell> dead, arrived;   ///< the longest walk into a dead end, and the last success
   int dead_ant = 0, arrived_ant = 0;
 
-  void observe(const Progress& progress) {
+  void observe(const GridProgress& progress) {
     const int ant = progress.iteration + 1;
     auto walk = progress.walk(0);
     if (progress.arrived > 0) {
@@ -87,7 +87,7 @@ Figure draw_ants(const Place& place, const StopCondition& stop) {
   const Planner planner(load_map(place.question.map, place.maps));
   Ants ants;
   (void)planner.plan({place.question.start, place.question.goal, stop}, place.params, nullptr,
-                     [&](const Progress& progress) { ants.observe(progress); });
+                     [&](const GridProgress& progress) { ants.observe(progress); });
   constexpr double kMargin = 20, kSide = 420, kChart = 420;
   Canvas canvas(static_cast<int>(2 * kSide + 3 * kMargin),
                 static_cast<int>(kSide + kChart + 3 * kMargin + 30));

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "lasius/output.h"
+#include "core/base/output.h"
 #include "lasius/version.h"
 
 namespace lasius::study {
@@ -61,9 +61,9 @@ std::string run_key(const Grid& grid, const Question& question, const Params& pa
   std::string key = "lasius " LASIUS_VERSION " map " + std::to_string(grid.hash());
   for (const int v : {question.start.x, question.start.y, question.goal.x, question.goal.y})
     key += ' ' + std::to_string(v);
-  key += ' ' + params.algorithm;
+  key += ' ' + params.algorithm();
   for (const Algorithm& algorithm : algorithms()) {
-    if (algorithm.name != params.algorithm) continue;
+    if (algorithm.name != params.algorithm()) continue;
     for (const Parameter& p : algorithm.parameters)
       key += ' ' + std::string(p.name) + '=' + get_parameter(params, p.name);
   }

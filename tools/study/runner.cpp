@@ -34,7 +34,7 @@ Planners read_maps(const Study& study, const fs::path& folder) {
 int paths_an_iteration(const Params& params) {
   const auto all = algorithms();
   const auto own = std::find_if(all.begin(), all.end(),
-                                [&](const Algorithm& a) { return a.name == params.algorithm; });
+                                [&](const Algorithm& a) { return a.name == params.algorithm(); });
   for (const Parameter& p : own->parameters)
     if (p.name == "population" || p.name == "ants") return std::stoi(get_parameter(params, p.name));
   return 1;

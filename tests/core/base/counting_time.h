@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 
+#include "core/base/time_source.h"
 #include "lasius/stop.h"
 
 namespace lasius {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stop_token>
 
+#include "core/base/poller.h"
 #include "tests/core/base/counting_time.h"
 
 namespace lasius {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/kernel_choice.h"
+#include "core/base/poller.h"
 #include "core/colony/field.h"
 #include "core/colony/walk_setup.h"
 #include "core/grid/move_rule.h"

@@ -238,7 +238,7 @@ TEST(CornerGraph, IsGivenUpWhereItWouldTakeTooMuch) {
     for (const std::int64_t limit : {whole.bytes - 1, whole.bytes / 2, std::int64_t{0}}) {
       EXPECT_EQ(CornerGraph::make(grid, {.threads = threads, .max_bytes = limit}, report), nullptr);
       EXPECT_EQ(report.state, Preparation::State::too_large);
-      EXPECT_EQ(report.corners, whole.corners);
+      EXPECT_EQ(report.vertices, whole.corners);
       EXPECT_EQ(report.edges, 0);
       EXPECT_EQ(report.bytes, 0);
     }
@@ -285,7 +285,7 @@ TEST(CornerGraph, StoppedWhileItCountsTellsOfNoCorners) {
   Preparation report;
   EXPECT_EQ(CornerGraph::make(grid, {.threads = 1, .stop = time.is_up()}, report), nullptr);
   EXPECT_EQ(report.state, Preparation::State::stopped);
-  EXPECT_EQ(report.corners, 0);
+  EXPECT_EQ(report.vertices, 0);
 }
 
 TEST(CornerGraph, IsGivenUpWhenStopped) {
@@ -300,7 +300,7 @@ TEST(CornerGraph, IsGivenUpWhenStopped) {
     Preparation report;
     EXPECT_EQ(CornerGraph::make(grid, {.threads = 1, .stop = time.is_up()}, report), nullptr);
     EXPECT_EQ(report.state, Preparation::State::stopped);
-    EXPECT_EQ(report.corners, whole->size());
+    EXPECT_EQ(report.vertices, whole->size());
     EXPECT_EQ(report.bytes, 0);
   }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/poller.h"
 #include "core/genetic/grid_ga_route.h"
 #include "lasius/generate.h"
 #include "lasius/path.h"

@@ -1,4 +1,4 @@
-#include "lasius/components.h"
+#include "core/grid/components.h"
 
 #include <gtest/gtest.h>
 

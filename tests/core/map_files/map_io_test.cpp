@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/output.h"
 #include "lasius/error.h"
-#include "lasius/output.h"
 #include "lasius/path.h"
 #include "tests/core/base/other_locale.h"
 #include "tests/core/map_files/map_files.h"

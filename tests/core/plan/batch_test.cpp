@@ -25,7 +25,7 @@ Params quick() {
 /// A map, and queries of every outcome on it: far and near, equal cells, blocked, outside.
 struct Scene {
   Planner planner{generate(MapKind::blobs, {.width = 90, .height = 60, .density = -1, .seed = 5})};
-  std::vector<Query> queries;
+  std::vector<Request> queries;
 
   Scene() {
     for (int i = 0; i < 150; ++i)
@@ -54,7 +54,7 @@ TEST(Batch, AnswersInOrderWhatPlanAnswers) {
         scene.planner, scene.queries, quick(), {.threads = threads},
         [&](const BatchAnswer& answer) {
           ASSERT_EQ(answer.index, next++);
-          const Query& query = scene.queries[answer.index];
+          const Request& query = scene.queries[answer.index];
           expect_equal(answer.result, scene.planner.plan({query.start, query.goal}, quick()));
           EXPECT_GE(answer.elapsed.count(), 0);
         });
@@ -70,7 +70,7 @@ TEST(Batch, ThreadsThatMeetARuleFirstFindTheSame) {
   Params params = defaults("as");
   params.corners = Corners::allow;
   params.iterations = params.ants = 1;
-  std::vector<Query> queries;
+  std::vector<Request> queries;
   for (int i = 0; i < 40; ++i)
     queries.push_back({labelled.nearest_free({7 * i, 5 * i}).value(),
                        labelled.nearest_free({7 * i + i % 5, 5 * i + 3}).value()});
@@ -164,11 +164,12 @@ TEST(Batch, ATimeLimitHoldsForEachQuery) {
   const Scene scene;
   Params params = quick();
   params.iterations = 1000000000;
-  const auto joined = std::find_if(scene.queries.begin(), scene.queries.end(), [&](const Query& q) {
-    return scene.planner.plan({q.start, q.goal}, quick()).length > 30;
-  });
+  const auto joined =
+      std::find_if(scene.queries.begin(), scene.queries.end(), [&](const Request& q) {
+        return scene.planner.plan({q.start, q.goal}, quick()).length > 30;
+      });
   ASSERT_NE(joined, scene.queries.end());
-  const std::vector<Query> queries(3, *joined);
+  const std::vector<Request> queries(3, *joined);
   int limited = 0;
   plan_batch(scene.planner, queries, params,
              {.threads = 2, .time_limit = std::chrono::duration<double>(0.02)},

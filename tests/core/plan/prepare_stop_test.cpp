@@ -8,8 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/poller.h"
+#include "core/grid/components.h"
 #include "lasius/clearance.h"
-#include "lasius/components.h"
 #include "lasius/generate.h"
 #include "lasius/planner.h"
 #include "lasius/shortest_walk.h"
@@ -136,11 +137,11 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(StoppedPlanner, LeavesTheGridAsItWas) {
   Grid grid = noise();
-  EXPECT_FALSE(Planner::prepare(std::move(grid), fired()));
+  EXPECT_FALSE(Planner::make(std::move(grid), fired()));
   EXPECT_EQ(grid, noise());
-  EXPECT_FALSE(Planner::prepare(std::move(grid), PrepareOptions{.stop = fired()}));
+  EXPECT_FALSE(Planner::make(std::move(grid), PrepareOptions{.stop = fired()}));
   EXPECT_EQ(grid, noise());
-  const auto planner = Planner::prepare(std::move(grid), StopCondition{});
+  const auto planner = Planner::make(std::move(grid), StopCondition{});
   ASSERT_TRUE(planner);
   EXPECT_EQ(planner->grid(), noise());
   EXPECT_EQ(planner->preparation().state, Preparation::State::none);
@@ -148,9 +149,9 @@ TEST(StoppedPlanner, LeavesTheGridAsItWas) {
 
 TEST(StoppedPlanner, WithoutTheHeavierPreparationItPlansOn) {
   const CountingTime counted(1 << 30);
-  ASSERT_TRUE(Planner::prepare(Grid(noise()), counted.is_up()));
+  ASSERT_TRUE(Planner::make(Grid(noise()), counted.is_up()));
   const CountingTime time(counted.polls());
-  const auto planner = Planner::prepare(Grid(noise()), PrepareOptions{.stop = time.is_up()});
+  const auto planner = Planner::make(Grid(noise()), PrepareOptions{.stop = time.is_up()});
   ASSERT_TRUE(planner);
   EXPECT_EQ(planner->preparation().state, Preparation::State::stopped);
   EXPECT_EQ(planner->footprint().components, Planner(noise()).footprint().components);

@@ -17,9 +17,9 @@ const Grid& map() {
   return grid;
 }
 
-std::vector<Query> some_queries(int count) {
+std::vector<Request> some_queries(int count) {
   std::mt19937 random(3);
-  std::vector<Query> queries;
+  std::vector<Request> queries;
   while (static_cast<int>(queries.size()) < count) {
     const auto cell = [&] {
       return Cell{random_in(0, map().width() - 1, random),
@@ -47,7 +47,7 @@ TEST(PreparedPlanner, IsMadeFromAPlannerToo) {
   ASSERT_EQ(later.preparation().state, Preparation::State::ready);
   EXPECT_EQ(later.preparation().edges, at_once.preparation().edges);
   EXPECT_EQ(later.grid(), plain.grid());
-  for (const Query& q : some_queries(50)) {
+  for (const Request& q : some_queries(50)) {
     const Request request{.start = q.start, .goal = q.goal};
     EXPECT_EQ(later.plan(request).path, at_once.plan(request).path);
   }
@@ -63,13 +63,13 @@ TEST(PreparedPlanner, AnswersAsTheUnpreparedOne) {
   const Planner plain(map());
   const Planner prepared(map(), PrepareOptions{.threads = 2});
   EXPECT_EQ(plain.preparation().state, Preparation::State::none);
-  EXPECT_EQ(plain.footprint().corners, 0);
+  EXPECT_EQ(plain.footprint().visibility_graph, 0);
   ASSERT_EQ(prepared.preparation().state, Preparation::State::ready);
-  EXPECT_GT(prepared.preparation().edges, prepared.preparation().corners);
-  EXPECT_EQ(prepared.footprint().corners, prepared.preparation().bytes);
+  EXPECT_GT(prepared.preparation().edges, prepared.preparation().vertices);
+  EXPECT_EQ(prepared.footprint().visibility_graph, prepared.preparation().bytes);
   Workspace workspace;
   int solved = 0, invalid = 0;
-  for (const Query& q : some_queries(200)) {
+  for (const Request& q : some_queries(200)) {
     const Request request{.start = q.start, .goal = q.goal};
     const Result result = prepared.plan(request, {}, &workspace);
     expect_as_good(result, plain.plan(request));
@@ -85,13 +85,13 @@ TEST(PreparedPlanner, AnswersAsTheUnpreparedOne) {
 TEST(PreparedPlanner, GivenUpItPlansWithout) {
   const Planner small(map(), PrepareOptions{.threads = 1, .max_bytes = 1000});
   EXPECT_EQ(small.preparation().state, Preparation::State::too_large);
-  EXPECT_EQ(small.footprint().corners, 0);
+  EXPECT_EQ(small.footprint().visibility_graph, 0);
   std::stop_source stopped;
   stopped.request_stop();
   const Planner cut(map(), PrepareOptions{.stop = {.token = stopped.get_token()}});
   EXPECT_EQ(cut.preparation().state, Preparation::State::stopped);
   const Planner plain(map());
-  for (const Query& q : some_queries(20)) {
+  for (const Request& q : some_queries(20)) {
     const Request request{.start = q.start, .goal = q.goal};
     EXPECT_EQ(small.plan(request).path, plain.plan(request).path);
     EXPECT_EQ(cut.plan(request).path, plain.plan(request).path);
@@ -105,7 +105,7 @@ TEST(PreparedPlanner, RefusesThreadsOutOfRangeAndKeepsTheMap) {
     EXPECT_THROW(Planner(map(), options), Error);
     EXPECT_THROW((void)plain.prepared(options), Error);
     Grid grid = map();
-    EXPECT_THROW((void)Planner::prepare(std::move(grid), options), Error);
+    EXPECT_THROW((void)Planner::make(std::move(grid), options), Error);
     EXPECT_EQ(grid, map());
   }
 }
@@ -156,7 +156,7 @@ TEST(PreparedPlanner, AWorkspaceServesSeveralMaps) {
   const Planner small(other, PrepareOptions{}), plain(other);
   Workspace workspace;
   std::mt19937 random(9);
-  for (const Query& q : some_queries(30)) {
+  for (const Request& q : some_queries(30)) {
     large.plan({.start = q.start, .goal = q.goal}, {}, &workspace);
     const Request request{.start = {random_in(0, 59, random), random_in(0, 59, random)},
                           .goal = {random_in(0, 59, random), random_in(0, 59, random)}};

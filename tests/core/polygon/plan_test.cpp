@@ -284,13 +284,13 @@ TEST(Prepare, IsCutShortWhereverTimeRunsOut) {
     world.boundary.outer.push_back({r * std::cos(a), r * std::sin(a)});
   }
   const CountingTime counted(1 << 30);
-  const auto whole = Planner::prepare(world, {}, counted.is_up());
+  const auto whole = Planner::make(world, {}, counted.is_up());
   ASSERT_TRUE(whole);
   EXPECT_EQ(whole->maklink().lines.size(), Planner(world).maklink().lines.size());
   ASSERT_GT(counted.polls(), 4);
   for (int looks = 0; looks < counted.polls(); ++looks) {
     const CountingTime time(looks);
-    EXPECT_FALSE(Planner::prepare(world, {}, time.is_up())) << looks;
+    EXPECT_FALSE(Planner::make(world, {}, time.is_up())) << looks;
     EXPECT_EQ(time.polls(), looks + 1);
   }
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lasius/path.h"
+#include "lasius/smooth.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/grid/centres.h"
 #include "tests/oracle/visibility_graph.h"
@@ -89,8 +90,8 @@ TEST(PathMaker, IsNeverLongerThanWithoutShortcuts) {
     if (walk.empty()) continue;
     const auto cut = cutter.cut(grid, walk);
     const Walk way(cut.begin(), cut.end());
-    const double tight = path_length(centres(tighten(grid, way)));
-    const double taut = path_length(tauten(grid, centres(straighten(grid, way))));
+    const double tight = path_length(centres(straighten(grid, way)));
+    const double taut = path_length(pull_taut(grid, centres(greedy_straighten(grid, way))));
     const double optimum =
         oracle::VisibilityGraph(grid).shortest(walk.front(), walk.back())->length;
     for (const Polish polish : {Polish::straight, Polish::taut}) {

@@ -11,6 +11,7 @@
 #include "core/smooth/loop_cutter.h"
 #include "kernels/sight/sight.h"
 #include "lasius/path.h"
+#include "lasius/smooth.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/grid/centres.h"
 #include "tests/measures/count_allocations.h"
@@ -59,39 +60,40 @@ bool passes(std::span<const Cell> cells, std::span<const Cell> vertices) {
 
 TEST(Straighten, PullsAStaircaseIntoOneSegment) {
   const Grid grid(8, 8);
-  EXPECT_EQ(straighten(grid, Walk{{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {3, 2}}),
+  EXPECT_EQ(greedy_straighten(grid, Walk{{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {3, 2}}),
             (Walk{{0, 0}, {3, 2}}));
-  EXPECT_EQ(straighten(grid, Walk{{0, 0}, {1, 0}, {2, 0}}), (Walk{{0, 0}, {2, 0}}));
-  EXPECT_EQ(straighten(grid, Walk{{4, 4}, {4, 4}}), (Walk{{4, 4}}));
-  EXPECT_EQ(straighten(grid, Walk{{4, 4}, {4, 5}, {4, 4}}), (Walk{{4, 4}}));
-  EXPECT_EQ(straighten(grid, Walk{}), Walk{});
+  EXPECT_EQ(greedy_straighten(grid, Walk{{0, 0}, {1, 0}, {2, 0}}), (Walk{{0, 0}, {2, 0}}));
+  EXPECT_EQ(greedy_straighten(grid, Walk{{4, 4}, {4, 4}}), (Walk{{4, 4}}));
+  EXPECT_EQ(greedy_straighten(grid, Walk{{4, 4}, {4, 5}, {4, 4}}), (Walk{{4, 4}}));
+  EXPECT_EQ(greedy_straighten(grid, Walk{}), Walk{});
 }
 
 TEST(Straighten, GoesRoundABlock) {
   const Grid grid = drawn({".....", ".###.", "....."});
   // Forth: (1, 0) is hidden from (0, 2), and (4, 1) from (0, 0). Back: (2, 0) is hidden from
   // (4, 1), and (0, 1) from (3, 0).
-  EXPECT_EQ(straighten(grid, Walk{{0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {4, 1}}),
-            (Walk{{0, 2}, {0, 0}, {3, 0}, {4, 1}}));
+  EXPECT_EQ(
+      greedy_straighten(grid, Walk{{0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {4, 1}}),
+      (Walk{{0, 2}, {0, 0}, {3, 0}, {4, 1}}));
 }
 
 TEST(Tighten, BendsInTwoCellsAroundACorner) {
   // Greedy sight goes by the corner cells (0, 0) and (4, 0); between two cells on either side of a
   // corner the way is shorter: sqrt 2 for 2.
   const Grid grid = drawn({".....", ".###.", "....."});
-  EXPECT_EQ(tighten(grid, Walk{{0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {4, 1}}),
+  EXPECT_EQ(straighten(grid, Walk{{0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {4, 1}}),
             (Walk{{0, 2}, {0, 1}, {1, 0}, {3, 0}, {4, 1}}));
-  EXPECT_EQ(tighten(grid, Walk{}), Walk{});
-  EXPECT_EQ(tighten(grid, Walk{{0, 0}, {1, 0}, {2, 0}}), (Walk{{0, 0}, {2, 0}}));
+  EXPECT_EQ(straighten(grid, Walk{}), Walk{});
+  EXPECT_EQ(straighten(grid, Walk{{0, 0}, {1, 0}, {2, 0}}), (Walk{{0, 0}, {2, 0}}));
   const Grid squeeze = drawn({"..#", ".#.", "..."});
   const Walk through{{0, 0}, {1, 0}, {2, 1}, {2, 2}};
-  EXPECT_EQ(tighten(squeeze, through), through);
+  EXPECT_EQ(straighten(squeeze, through), through);
 }
 
 TEST(Straighten, KeepsASqueezeOfTheWalk) {
   const Grid grid = drawn({"..#", ".#.", "..."});
   const Walk through{{0, 0}, {1, 0}, {2, 1}, {2, 2}};
-  EXPECT_EQ(straighten(grid, through), through);
+  EXPECT_EQ(greedy_straighten(grid, through), through);
   Straightener straightener;
   straightener.run(grid, through);
   EXPECT_TRUE(std::ranges::equal(straightener.cells(), through));
@@ -110,7 +112,7 @@ TEST(Straighten, FirstPassEqualsGreedySightAndTheResultIsValid) {
     if (walk.empty()) continue;
     double most = length_of(pulled(grid, walk)) * (1 + 1e-12);
     for (const bool tight : {false, true}) {
-      tight ? straightener.tighten(grid) : straightener.run(grid, walk);
+      tight ? straightener.straighten(grid) : straightener.run(grid, walk);
       const auto vertices = straightener.vertices();
       const auto cells = straightener.cells();
       ASSERT_EQ(vertices.front(), walk.front());
@@ -143,7 +145,7 @@ TEST(Straighten, EndsWhereNeitherDirectionShortens) {
     const Walk walk = random_walk(grid, 600, false, Corners::forbid, random);
     if (walk.empty()) continue;
     for (const bool tight : {false, true}) {
-      tight ? straightener.tighten(grid) : straightener.run(grid, walk);
+      tight ? straightener.straighten(grid) : straightener.run(grid, walk);
       const double length = length_of(straightener.vertices());
       Walk cells(straightener.cells().begin(), straightener.cells().end());
       for (int way = 0; way < 2; ++way) {
@@ -165,7 +167,7 @@ TEST(Straighten, AllocatesNothingTheSecondTime) {
   for (int i = 0; i < 2; ++i) {
     before = allocations;
     straightener.run(grid, cutter.cut(grid, walk));
-    straightener.tighten(grid);
+    straightener.straighten(grid);
   }
   EXPECT_EQ(allocations, before);
 }

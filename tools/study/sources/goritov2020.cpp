@@ -6,9 +6,9 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
+#include "core/base/output.h"
 #include "lasius/arm_generate.h"
 #include "lasius/arm_plan.h"
-#include "lasius/output.h"
 #include "lasius/version.h"
 #include "tools/console/team.h"
 #include "tools/study/files.h"

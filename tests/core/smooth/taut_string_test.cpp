@@ -1,4 +1,4 @@
-#include "core/smooth/tauten.h"
+#include "core/smooth/taut_string.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include "core/smooth/straighten.h"
 #include "lasius/error.h"
 #include "lasius/path.h"
+#include "lasius/smooth.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/grid/centres.h"
 #include "tests/measures/count_allocations.h"
@@ -78,53 +79,56 @@ void expect_taut(const Grid& grid, const Path& path, const Path& taut) {
     ASSERT_TRUE(taut_at(grid, taut[i - 1], taut[i], taut[i + 1]));
   }
   ASSERT_EQ(homotopy_class(grid, taut), homotopy_class(grid, path));
-  ASSERT_EQ(tauten(grid, taut), taut);
+  ASSERT_EQ(pull_taut(grid, taut), taut);
 }
 
 TEST(Tauten, BendsRoundTheCornersOfABlock) {
   const Grid grid = drawn({".....", ".###.", "....."});
-  EXPECT_EQ(tauten(grid, Path{{0.5, 1.5}, {0.5, 0.5}, {4.5, 0.5}, {4.5, 1.5}}),
+  EXPECT_EQ(pull_taut(grid, Path{{0.5, 1.5}, {0.5, 0.5}, {4.5, 0.5}, {4.5, 1.5}}),
             (Path{{0.5, 1.5}, {1, 1}, {4, 1}, {4.5, 1.5}}));
-  EXPECT_EQ(tauten(grid, Path{{0.5, 1.5}, {0.5, 0.5}, {0.5, 2.5}, {4.5, 2.5}, {4.5, 1.5}}),
+  EXPECT_EQ(pull_taut(grid, Path{{0.5, 1.5}, {0.5, 0.5}, {0.5, 2.5}, {4.5, 2.5}, {4.5, 1.5}}),
             (Path{{0.5, 1.5}, {1, 2}, {4, 2}, {4.5, 1.5}}));
-  EXPECT_EQ(tauten(grid, Path{{0.5, 0.5}, {2.5, 0.5}, {4.5, 0.5}}), (Path{{0.5, 0.5}, {4.5, 0.5}}));
-  EXPECT_EQ(tauten(grid, Path{{0.5, 0.5}, {4.5, 0.5}, {2.5, 0.5}}), (Path{{0.5, 0.5}, {2.5, 0.5}}));
-  EXPECT_EQ(tauten(grid, Path{{0.5, 0.5}, {4.5, 0.5}, {0.5, 0.5}}), (Path{{0.5, 0.5}}));
-  EXPECT_EQ(tauten(grid, Path{{0.5, 0.5}}), (Path{{0.5, 0.5}}));
+  EXPECT_EQ(pull_taut(grid, Path{{0.5, 0.5}, {2.5, 0.5}, {4.5, 0.5}}),
+            (Path{{0.5, 0.5}, {4.5, 0.5}}));
+  EXPECT_EQ(pull_taut(grid, Path{{0.5, 0.5}, {4.5, 0.5}, {2.5, 0.5}}),
+            (Path{{0.5, 0.5}, {2.5, 0.5}}));
+  EXPECT_EQ(pull_taut(grid, Path{{0.5, 0.5}, {4.5, 0.5}, {0.5, 0.5}}), (Path{{0.5, 0.5}}));
+  EXPECT_EQ(pull_taut(grid, Path{{0.5, 0.5}}), (Path{{0.5, 0.5}}));
 }
 
 TEST(Tauten, GoesAllTheWayRoundABlockAndBack) {
   const Grid grid = drawn({"...", ".#.", "..."});
   // A loop keeps hold of the block.
   const Path loop{{0.5, 0.5}, {2.5, 0.5}, {2.5, 2.5}, {0.5, 2.5}, {0.5, 0.5}};
-  EXPECT_EQ(tauten(grid, loop), (Path{{0.5, 0.5}, {2, 1}, {2, 2}, {1, 2}, {0.5, 0.5}}));
+  EXPECT_EQ(pull_taut(grid, loop), (Path{{0.5, 0.5}, {2, 1}, {2, 2}, {1, 2}, {0.5, 0.5}}));
 }
 
 TEST(Tauten, SlidesAlongEdgesOnTheOuterSide) {
   // The corners above a - b are touched from outside and hold nothing.
   const Grid grid = drawn({"##...", ".....", "....#", "....."});
-  EXPECT_EQ(tauten(grid, Path{{0, 1}, {2, 1}, {3.5, 2.5}, {3.5, 3.5}}), (Path{{0, 1}, {3.5, 3.5}}));
-  EXPECT_EQ(tauten(grid, Path{{0, 1}, {2, 1}, {2.5, 0.5}}), (Path{{0, 1}, {2, 1}, {2.5, 0.5}}));
+  EXPECT_EQ(pull_taut(grid, Path{{0, 1}, {2, 1}, {3.5, 2.5}, {3.5, 3.5}}),
+            (Path{{0, 1}, {3.5, 3.5}}));
+  EXPECT_EQ(pull_taut(grid, Path{{0, 1}, {2, 1}, {2.5, 0.5}}), (Path{{0, 1}, {2, 1}, {2.5, 0.5}}));
 }
 
 TEST(Tauten, RefusesAPathThatIsNotValid) {
   const Grid grid = drawn({".#."});
   try {
-    tauten(grid, Path{{0.5, 0.5}, {2.5, 0.5}});
+    pull_taut(grid, Path{{0.5, 0.5}, {2.5, 0.5}});
     FAIL();
   } catch (const Error& e) {
     EXPECT_EQ(e.code(), ErrorCode::invalid_parameter);
     EXPECT_NE(std::string(e.what()).find("enters the blocked cell (1, 0)"), std::string::npos)
         << e.what();
   }
-  EXPECT_THROW(tauten(grid, Path{}), Error);
+  EXPECT_THROW(pull_taut(grid, Path{}), Error);
 }
 
 TEST(Tauten, KeepsSqueezesWhenTheyAreAllowed) {
   const Grid grid = drawn({"..#", ".#.", "..."});
   const Path through{{0.5, 0.5}, {1.5, 0.5}, {2.5, 1.5}, {2.5, 2.5}};
-  EXPECT_THROW(tauten(grid, through), Error);
-  EXPECT_EQ(tauten(grid, through, Corners::allow), (Path{{0.5, 0.5}, {2, 1}, {2.5, 2.5}}));
+  EXPECT_THROW(pull_taut(grid, through), Error);
+  EXPECT_EQ(pull_taut(grid, through, Corners::allow), (Path{{0.5, 0.5}, {2, 1}, {2.5, 2.5}}));
 }
 
 TEST(Tauten, IsTheShortestOfItsClassOnRandomWalks) {
@@ -149,7 +153,7 @@ TEST(Tauten, IsTheShortestOfItsClassOnRandomWalks) {
       straightener.run(grid, walk);
       path = centres(straightener.vertices());
     }
-    const Path taut = tauten(grid, path);
+    const Path taut = pull_taut(grid, path);
     ASSERT_NO_FATAL_FAILURE(expect_taut(grid, path, taut));
     bends += static_cast<int>(taut.size()) - 2;
     const auto optimum = oracle::VisibilityGraph(grid).shortest(walk.front(), walk.back());
@@ -190,7 +194,7 @@ TEST(Tauten, TakesAnyValidPolyline) {
     while (!at_centre(path.back())) path.pop_back();
     if (path.size() < 3) continue;
     ++pulled;
-    ASSERT_NO_FATAL_FAILURE(expect_taut(grid, path, tauten(grid, path)));
+    ASSERT_NO_FATAL_FAILURE(expect_taut(grid, path, pull_taut(grid, path)));
   }
   EXPECT_GT(pulled, 4000);
 }
@@ -204,11 +208,11 @@ TEST(Tauten, KeepsRandomSqueezes) {
     const Walk walk = random_walk(grid, random_in(0, 100, random), true, Corners::allow, random);
     if (walk.empty()) continue;
     const Path path = centres(walk);
-    const Path taut = tauten(grid, path, Corners::allow);
+    const Path taut = pull_taut(grid, path, Corners::allow);
     ASSERT_EQ(path_fault(grid, taut, Corners::allow), std::nullopt);
     ASSERT_LE(path_length(taut), path_length(path) * (1 + 1e-12));
     ASSERT_EQ(homotopy_class(grid, taut), homotopy_class(grid, path));
-    ASSERT_EQ(tauten(grid, taut, Corners::allow), taut);
+    ASSERT_EQ(pull_taut(grid, taut, Corners::allow), taut);
     squeezes += path_fault(grid, taut).has_value();
   }
   EXPECT_GT(squeezes, 200);
@@ -220,42 +224,42 @@ TEST(Tauten, HoldsAtTheLargestSide) {
   grid.set_blocked({kSide / 2, kSide / 2});
   grid.set_blocked({kSide / 2 + 1, kSide / 2 - 1});
   const Path path{{0.5, 0.5}, {kSide - 0.5, 0.5}, {kSide - 0.5, kSide - 0.5}};
-  const Path taut = tauten(grid, path);
+  const Path taut = pull_taut(grid, path);
   EXPECT_EQ(taut, (Path{path.front(), {kSide / 2 + 2.0, kSide / 2 - 1.0}, {path.back()}}));
-  EXPECT_EQ(tauten(grid, taut), taut);
+  EXPECT_EQ(pull_taut(grid, taut), taut);
 }
 
-TEST(Tautener, AllocatesNothingTheSecondTime) {
+TEST(TautString, AllocatesNothingTheSecondTime) {
   std::mt19937 random(3);
   const Grid grid = random_grid(300, 200, 10, random);
   Walk walk;
   while (walk.size() < 1000) walk = random_walk(grid, 5000, false, Corners::forbid, random);
-  Tautener tautener;
+  TautString taut;
   std::int64_t before = 0;
   for (int i = 0; i < 2; ++i) {
     before = allocations;
-    tautener.run(grid, walk);
+    taut.run(grid, walk);
   }
   EXPECT_EQ(allocations, before);
-  EXPECT_LT(path_length(tautener.path()), path_length(centres(walk)));
+  EXPECT_LT(path_length(taut.path()), path_length(centres(walk)));
 }
 
-TEST(Tautener, PollsInsideATriangleAndReturnsAValidPathWhenStopped) {
+TEST(TautString, PollsInsideATriangleAndReturnsAValidPathWhenStopped) {
   // One triangle of 32768 rows of up to 512 words, empty but for its far corners.
   constexpr int kSide = Grid::kMaxSide;
   Grid grid(kSide, kSide);
   grid.set_blocked({kSide - 2, 1});
   const Walk corner{{0, 0}, {kSide - 1, 0}, {kSide - 1, kSide - 1}};
   const CountingTime counted(1 << 30);
-  Tautener tautener;
-  tautener.run(grid, corner, Corners::forbid, counted.is_up());
-  EXPECT_EQ(tautener.path().size(), 3u);
-  EXPECT_EQ(tautener.path()[1], (Point{kSide - 1.0, 1.0}));
+  TautString taut;
+  taut.run(grid, corner, Corners::forbid, counted.is_up());
+  EXPECT_EQ(taut.path().size(), 3u);
+  EXPECT_EQ(taut.path()[1], (Point{kSide - 1.0, 1.0}));
   EXPECT_GE(counted.polls(), 100);  // half of 32768 x 512 words, 65536 between two polls: 128
   const CountingTime third(2);
-  tautener.run(grid, corner, Corners::forbid, third.is_up());
+  taut.run(grid, corner, Corners::forbid, third.is_up());
   EXPECT_EQ(third.polls(), 3);
-  EXPECT_EQ(path_length(tautener.path()), 2 * (kSide - 1));
+  EXPECT_EQ(path_length(taut.path()), 2 * (kSide - 1));
 }
 
 }  // namespace

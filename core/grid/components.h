@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/poller.h"
 #include "lasius/export.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"

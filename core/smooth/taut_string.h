@@ -1,4 +1,4 @@
-// Pulling a polyline taut, without allocation: the workspace behind tauten().
+// Pulling a polyline taut, without allocation: the workspace behind pull_taut().
 #pragma once
 
 #include <span>
@@ -12,9 +12,10 @@
 
 namespace lasius {
 
-/// Finds the shortest path of a polyline's homotopy class, as `tauten()` states, with buffers that
-/// are reused from call to call. One per thread. The spans it returns hold until the next call.
-class Tautener {
+/// Finds the shortest path of a polyline's homotopy class, as `pull_taut()` states, with buffers
+/// that are reused from call to call. One per thread. The spans it returns hold until the next
+/// call.
+class TautString {
  public:
   /// Pulls a valid polyline taut; vertices in half cells, at least one.
   void run(const Grid& grid, std::span<const kernels::HalfPoint> path,

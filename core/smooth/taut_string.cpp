@@ -1,39 +1,41 @@
-#include "core/smooth/tauten.h"
+#include "core/smooth/taut_string.h"
 
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
 
+#include "core/base/poller.h"
 #include "core/grid/grid_view.h"
 #include "core/smooth/triangle.h"
 #include "lasius/error.h"
 #include "lasius/path.h"
+#include "lasius/smooth.h"
 
 namespace lasius {
 
 using kernels::HalfPoint;
 
-void Tautener::run(const Grid& grid, std::span<const HalfPoint> path, Corners corners,
-                   const StopCondition& stop) {
+void TautString::run(const Grid& grid, std::span<const HalfPoint> path, Corners corners,
+                     const StopCondition& stop) {
   input_.clear();
   for (const HalfPoint p : path) add(p);
   pull(grid, corners, stop);
 }
 
-void Tautener::run(const Grid& grid, std::span<const Cell> cells, Corners corners,
-                   const StopCondition& stop) {
+void TautString::run(const Grid& grid, std::span<const Cell> cells, Corners corners,
+                     const StopCondition& stop) {
   input_.clear();
   for (const Cell c : cells) add({2 * c.x + 1, 2 * c.y + 1});
   pull(grid, corners, stop);
 }
 
-void Tautener::add(HalfPoint p) {
+void TautString::add(HalfPoint p) {
   if (input_.empty() || input_.back().at != p) input_.push_back({p, false});
 }
 
 // Makes a fixed vertex of each point where the path squeezes between diagonal blocks: a path on
 // either side of it knows nothing of squeezes.
-void Tautener::fix_squeezes(const Grid& grid) {
+void TautString::fix_squeezes(const Grid& grid) {
   const kernels::BitmapView map = view_of(grid);
   done_.assign(1, input_[0]);
   for (std::size_t i = 1; i < input_.size(); ++i) {
@@ -53,7 +55,7 @@ void Tautener::fix_squeezes(const Grid& grid) {
   input_.swap(done_);
 }
 
-void Tautener::pull(const Grid& grid, Corners corners, const StopCondition& stop) {
+void TautString::pull(const Grid& grid, Corners corners, const StopCondition& stop) {
   if (corners == Corners::allow) fix_squeezes(grid);
   const kernels::BitmapView map = view_of(grid);
   Poller poller(stop);
@@ -86,8 +88,8 @@ void Tautener::pull(const Grid& grid, Corners corners, const StopCondition& stop
   for (const Vertex& v : done_) points_.push_back({v.at.x / 2.0, v.at.y / 2.0});
 }
 
-std::vector<Point> tauten(const Grid& grid, std::span<const Point> path, Corners corners,
-                          const StopCondition& stop) {
+std::vector<Point> pull_taut(const Grid& grid, std::span<const Point> path, Corners corners,
+                             const StopCondition& stop) {
   if (const auto fault = path_fault(grid, path, corners)) {
     throw Error(ErrorCode::invalid_parameter, "the path cannot be pulled taut: " + *fault,
                 "give a path that path_fault() accepts");
@@ -96,9 +98,9 @@ std::vector<Point> tauten(const Grid& grid, std::span<const Point> path, Corners
   points.reserve(path.size());
   for (const Point p : path)
     points.push_back({static_cast<int>(2 * p.x), static_cast<int>(2 * p.y)});
-  Tautener tautener;
-  tautener.run(grid, points, corners, stop);
-  return {tautener.path().begin(), tautener.path().end()};
+  TautString taut;
+  taut.run(grid, points, corners, stop);
+  return {taut.path().begin(), taut.path().end()};
 }
 
 }  // namespace lasius

@@ -1,0 +1,37 @@
+// The one place where long work asks whether it is to stop.
+#pragma once
+
+#include <cstdint>
+
+#include "lasius/stop.h"
+
+namespace lasius {
+
+/// Counts work and polls a condition each time a budget is spent. Not shared between threads.
+class Poller {
+ public:
+  static constexpr std::int64_t kWords = 65536;  ///< scanned words between two polls
+  static constexpr std::int64_t kSteps = 4096;   ///< ant steps between two polls
+
+  explicit Poller(const StopCondition& condition, std::int64_t interval = kWords) noexcept
+      : condition_(&condition), interval_(interval), left_(interval) {}
+
+  /// True once the condition asked to stop; `work` is what was done since the last call.
+  bool stop_after(std::int64_t work) noexcept {
+    left_ -= work;
+    if (left_ > 0 || cause_ != StopCondition::Cause::none) return stopped();
+    left_ = interval_;
+    cause_ = condition_->poll();
+    return stopped();
+  }
+  bool stopped() const noexcept { return cause_ != StopCondition::Cause::none; }
+  StopCondition::Cause cause() const noexcept { return cause_; }
+
+ private:
+  const StopCondition* condition_;
+  std::int64_t interval_;
+  std::int64_t left_;
+  StopCondition::Cause cause_ = StopCondition::Cause::none;
+};
+
+}  // namespace lasius

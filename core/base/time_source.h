@@ -1,0 +1,16 @@
+// Where a stop condition reads the time.
+#pragma once
+
+#include "lasius/stop.h"
+
+namespace lasius {
+
+/// A source of time, so that tests can inject one that counts its calls.
+class LASIUS_EXPORT TimeSource {
+ public:
+  virtual ~TimeSource();
+  /// Thread-safe. The default implementation reads the steady clock.
+  virtual Clock::time_point now() const noexcept { return Clock::now(); }
+};
+
+}  // namespace lasius

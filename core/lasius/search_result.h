@@ -1,0 +1,36 @@
+// How a search ended, in any world.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lasius/export.h"
+#include "lasius/status.h"
+
+namespace lasius {
+
+/// The course of a search by iteration; empty for one without iterations.
+struct Convergence {
+  int iterations = 0;        ///< done
+  std::vector<double> best;  ///< by iteration: shortest final path up to then; NaN if none
+  std::vector<double> mean;  ///< by iteration: mean raw tour of the arrived ants; NaN if none
+  std::vector<int> arrived;  ///< by iteration: ants that reached the goal
+};
+
+/// What the answers of all planners have in common. Without a path `length` is not a number.
+struct LASIUS_EXPORT SearchResult : Convergence {
+  Status status = Status::no_path;
+  Fault fault = Fault::none;  ///< why it is invalid or unreachable
+  std::string error;          ///< the same in a sentence that names the place; empty for none
+  double length;              ///< of the path, in the world's unit
+  std::optional<double> lower_bound;  ///< certified: no path is shorter
+  /// Certified (length - lower_bound) / lower_bound; 0 at length 0; nothing where there is no path
+  /// or no bound above 0.
+  std::optional<double> gap() const;
+  bool optimal = false;  ///< proven shortest
+
+  SearchResult();
+};
+
+}  // namespace lasius
