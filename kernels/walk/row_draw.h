@@ -46,13 +46,13 @@ class RowDraw {
     if (rule == kGreedyRule) return first_largest(weight, positive);
 
     __m256 sums[kParts];
-    sums[0] = prefix(weight[0]);
+    sums[0] = prefix<kLanes>(weight[0]);
     for (int part = 1; part < kParts; ++part) {
-      sums[part] = _mm256_add_ps(prefix(weight[part]), total(sums[part - 1]));
+      sums[part] = _mm256_add_ps(prefix<kLanes>(weight[part]), total<kLanes>(sums[part - 1]));
     }
     const auto rest = random - static_cast<std::uint32_t>(world.rule_start[rule]);
     const float share = static_cast<float>(rest) * world.rule_scale[rule];
-    const __m256 threshold = _mm256_mul_ps(_mm256_set1_ps(share), total(sums[kParts - 1]));
+    const __m256 threshold = _mm256_mul_ps(_mm256_set1_ps(share), total<kLanes>(sums[kParts - 1]));
     std::uint32_t hit = 0;
     for (int part = 0; part < kParts; ++part) {
       hit |= bits(less(threshold, sums[part])) << (part * 8);
@@ -112,10 +112,12 @@ class RowDraw {
     const __m256i mask = _mm256_cmpeq_epi32(_mm256_and_si256(all(set), bit), bit);
     return _mm256_and_ps(v, _mm256_castsi256_ps(mask));
   }
-  /// Prefix sums in the order of the scalar reference.
+  /// Prefix sums in the order of the scalar reference; of four moves, in the lower half.
+  template <int kLanes>
   LASIUS_AVX2 [[gnu::always_inline]] static __m256 prefix(__m256 v) noexcept {
     v = _mm256_add_ps(v, shifted<4>(v));
     v = _mm256_add_ps(v, shifted<8>(v));
+    if constexpr (kLanes == 4) return v;
     const __m256 lower_total = _mm256_permute2f128_ps(v, v, 0x08);  // upper half: lower half
     return _mm256_add_ps(v, _mm256_shuffle_ps(lower_total, lower_total, 0xff));
   }
@@ -123,8 +125,10 @@ class RowDraw {
   LASIUS_AVX2 [[gnu::always_inline]] static __m256 shifted(__m256 v) noexcept {
     return _mm256_castsi256_ps(_mm256_slli_si256(_mm256_castps_si256(v), kBytes));
   }
-  /// The last of the sums, in every lane.
+  /// The last of the sums, in every lane that has one.
+  template <int kLanes>
   LASIUS_AVX2 [[gnu::always_inline]] static __m256 total(__m256 sums) noexcept {
+    if constexpr (kLanes == 4) return _mm256_shuffle_ps(sums, sums, 0xff);
     return _mm256_permutevar8x32_ps(sums, all(7));
   }
   /// The first of the lanes set in `among` that holds the largest value of all.
