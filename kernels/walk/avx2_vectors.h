@@ -12,8 +12,13 @@
 
 #include "kernels/walk/walk.h"
 
-/// The attribute of every function that is compiled for AVX2.
+/// The attribute of every function that is compiled for AVX2. walk_avx512.cpp defines LASIUS_AVX512
+/// and compiles the same code for AVX-512, on registers of the same width.
+#if defined(LASIUS_AVX512)
+#define LASIUS_AVX2 [[gnu::target("avx512f,avx512vl,avx512dq,avx512bw,bmi,bmi2")]]
+#else
 #define LASIUS_AVX2 [[gnu::target("avx2,bmi,bmi2")]]
+#endif
 
 namespace lasius::kernels {
 namespace {

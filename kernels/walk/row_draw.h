@@ -39,7 +39,7 @@ class RowDraw {
         w = choose(w, combined, everywhere_if(rule == kCombinedRule || rule == kGreedyRule));
       }
       weight[part] = only(w, open >> k);
-      positive |= bits(less(zero, weight[part])) << k;
+      positive |= less_bits(zero, weight[part]) << k;
     }
     if (positive == 0) [[unlikely]]
       return -1;
@@ -55,7 +55,7 @@ class RowDraw {
     const __m256 threshold = _mm256_mul_ps(_mm256_set1_ps(share), total<kLanes>(sums[kParts - 1]));
     std::uint32_t hit = 0;
     for (int part = 0; part < kParts; ++part) {
-      hit |= bits(less(threshold, sums[part])) << (part * 8);
+      hit |= less_bits(threshold, sums[part]) << (part * 8);
     }
     hit &= positive;
     if (hit == 0) [[unlikely]]
@@ -75,7 +75,7 @@ class RowDraw {
       const int k = part * 8;
       const __m256 mean = weights<kLanes, kFactor>(world, row, previous, k);
       time[part] = only(_mm256_mul_ps(eight_of<kLanes>(at_weight_one + k), mean), open >> k);
-      running |= bits(less(_mm256_setzero_ps(), time[part])) << k;
+      running |= less_bits(_mm256_setzero_ps(), time[part]) << k;
     }
     if (running == 0) [[unlikely]]
       return -1;
@@ -108,9 +108,21 @@ class RowDraw {
   }
   /// The lanes whose bits are set, 0 in the others.
   LASIUS_AVX2 [[gnu::always_inline]] static __m256 only(__m256 v, std::uint32_t set) noexcept {
+#if defined(LASIUS_AVX512)
+    return _mm256_maskz_mov_ps(static_cast<__mmask8>(set), v);
+#else
     const __m256i bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
     const __m256i mask = _mm256_cmpeq_epi32(_mm256_and_si256(all(set), bit), bit);
     return _mm256_and_ps(v, _mm256_castsi256_ps(mask));
+#endif
+  }
+  /// Bit k: a < b in lane k.
+  LASIUS_AVX2 [[gnu::always_inline]] static std::uint32_t less_bits(__m256 a, __m256 b) noexcept {
+#if defined(LASIUS_AVX512)
+    return _mm256_cmp_ps_mask(a, b, _CMP_LT_OQ);
+#else
+    return bits(less(a, b));
+#endif
   }
   /// Prefix sums in the order of the scalar reference; of four moves, in the lower half.
   template <int kLanes>
@@ -142,7 +154,7 @@ class RowDraw {
     most = _mm256_max_ps(most, _mm256_shuffle_ps(most, most, 0xb1));
     std::uint32_t below = 0;
     for (int part = 0; part < kParts; ++part) {
-      below |= bits(less(value[part], most)) << (part * 8);
+      below |= less_bits(value[part], most) << (part * 8);
     }
     return __builtin_ctz(among & ~below);
   }

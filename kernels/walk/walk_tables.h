@@ -8,6 +8,7 @@ namespace lasius::kernels {
 const WalkTable& scalar_walk_table() noexcept;
 #if defined(__x86_64__)
 const WalkTable& avx2_walk_table() noexcept;
+const WalkTable& avx512_walk_table() noexcept;
 #endif
 
 }  // namespace lasius::kernels
