@@ -1,5 +1,4 @@
-// One step of eight ants abreast with AVX2, an ant a lane of 32 bits; layouts as in
-// abreast_avx2_lanes.h. The including file defines LASIUS_TARGET.
+// One step of eight ants in lock-step with AVX2, an ant a lane; layouts as in avx2_vectors.h.
 #pragma once
 
 #include <immintrin.h>
@@ -10,27 +9,32 @@
 #include <cstring>
 #include <span>
 
-#include "kernels/walk/abreast_ants.h"
-#include "kernels/walk/abreast_avx2_draw.h"
-#include "kernels/walk/abreast_avx2_lanes.h"
-#include "kernels/walk/abreast_avx2_planes.h"
+#include "kernels/walk/avx2_vectors.h"
+#include "kernels/walk/lockstep_ants.h"
+#include "kernels/walk/lockstep_draw.h"
+#include "kernels/walk/lockstep_planes.h"
 #include "kernels/walk/walk.h"
 
 namespace lasius::kernels {
 namespace {
 
-/// Is there one of this shape? Of four or eight moves.
-constexpr bool goes_abreast(WalkShape shape) noexcept { return shape.lanes <= 8; }
+LASIUS_AVX2 [[gnu::always_inline]] inline __m128i four_bytes(
+    const std::uint8_t* const* at) noexcept {
+  const __m128i one = _mm_cvtsi32_si128(*at[0]);
+  const __m128i two = _mm_insert_epi8(one, *at[1], 1);
+  return _mm_insert_epi8(_mm_insert_epi8(two, *at[2], 2), *at[3], 3);
+}
 
-/// Up to eight ants. A step is made of the phases below, in their order.
+/// Up to eight ants with rows of four or eight moves. A step is made of the phases below, in their
+/// order.
 template <int kMoves, bool kMixture, bool kFactor, Draw kDraw>
-class Abreast {
-  using DrawOf = AbreastDraw<kMoves, kMixture>;
+class LockstepGroup {
+  using DrawOf = LockstepDraw<kMoves, kMixture>;
   static constexpr std::uint32_t kSet = ~std::uint32_t{0};
 
  public:
-  using Ants = AbreastAnts<Lanes, kMoves, kFactor, kDraw>;
-  static constexpr int kWorthwhile = 4;  ///< fewer walk as fast one by one
+  using Ants = LockstepAnts<kMoves, kFactor, kDraw>;
+  static constexpr int kWorthwhile = 4;  ///< fewer are as fast interleaved, one by one
 
   using Words = __m256i[4];
   static constexpr int kWeights = DrawOf::kWeights;
@@ -43,7 +47,7 @@ class Abreast {
   };
 
   /// Takes over ants under way, whose rows and words are found.
-  LASIUS_TARGET Abreast(const WalkWorld& world, std::span<WalkSlot* const> slots) noexcept
+  LASIUS_AVX2 LockstepGroup(const WalkWorld& world, std::span<WalkSlot* const> slots) noexcept
       : planes_(slots.empty() ? 0 : slots[0]->visited.rows) {
     if (slots.empty()) return;
     no_return_.fill(world.backtrack ? 0 : kSet);
@@ -51,7 +55,7 @@ class Abreast {
       if (i < static_cast<int>(slots.size())) {
         take(i, *slots[i]);
       } else {
-        rest(i, *slots[0]);
+        leave_empty(i, *slots[0]);
       }
     }
     planes_.find(load(ants_.at));
@@ -59,13 +63,13 @@ class Abreast {
   }
 
   /// Bit i: ant i walks.
-  LASIUS_TARGET unsigned walking() const noexcept { return bits(load(walking_)); }
+  LASIUS_AVX2 unsigned walking() const noexcept { return bits(load(walking_)); }
   /// An ant that walks; the others were handed back when they ended.
   void hand_back(int i) const noexcept { ants_.hand_back(i, planes_.word(i)); }
 
   /// The next block of every ant, a word in each register.
-  LASIUS_TARGET [[gnu::always_inline]] void draw_words(const WalkWorld& world,
-                                                       Words& words) noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] void draw_words(const WalkWorld& world,
+                                                     Words& words) noexcept {
     prefetch_ends();
     const __m256i block = load(ants_.block);
     philox(world, block, load(ants_.number), words);
@@ -73,8 +77,8 @@ class Abreast {
   }
 
   /// The ants' rows, times the factors: weight k of all.
-  LASIUS_TARGET [[gnu::always_inline]] void rows(const WalkWorld& world,
-                                                 Weights& weight) const noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] void rows(const WalkWorld& world,
+                                               Weights& weight) const noexcept {
     for (int k = 0; k < kWeights; k += 4) {
       __m256 four[4];  // weights of ant i, and of ant i + 4
       for (int i = 0; i < 4; ++i) {
@@ -94,10 +98,10 @@ class Abreast {
     }
   }
 
-  LASIUS_TARGET [[gnu::always_inline]] void draw(const WalkWorld& world, const Words& words,
-                                                 int round, Weights& weight,
-                                                 Step& step) const noexcept {
-    const AbreastPlanes::Entered entered{load(above_), load(beside_), load(below_)};
+  LASIUS_AVX2 [[gnu::always_inline]] void draw(const WalkWorld& world, const Words& words,
+                                               int round, Weights& weight,
+                                               Step& step) const noexcept {
+    const LockstepPlanes::Entered entered{load(above_), load(beside_), load(below_)};
     if constexpr (kDraw == Draw::discard) {
       __m256i number[kMoves];
       for (int k = 0; k < kMoves; ++k) {
@@ -111,8 +115,8 @@ class Abreast {
   }
 
   /// On by the move drawn, or back by the last one; the tours follow.
-  LASIUS_TARGET [[gnu::always_inline]] void go(const WalkWorld& world, Step& step,
-                                               int round) noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] void go(const WalkWorld& world, Step& step,
+                                             int round) noexcept {
     const __m256i last = load(ants_.last);
     const __m256i stuck = _mm256_and_si256(step.choice.stuck, load(walking_));
     const __m256i at_start = _mm256_cmpeq_epi32(last, all(kMaxMoves));
@@ -138,8 +142,8 @@ class Abreast {
                choose(minus(kept, all_wide(1)), all_wide(std::bit_cast<std::int64_t>(&kNoMove)),
                       equal(kept, load_wide(ants_.base))));
 
-    // Who goes on writes its move, and three bytes that do not count yet; who goes back the cell it
-    // leaves.
+    // An ant that goes on writes its move, and three bytes behind it that later moves overwrite;
+    // one that goes back, the cell it leaves.
     const Wide dead = load_wide(ants_.dead);
     alignas(32) PerAntWide<void*> places;
     alignas(32) PerAnt written;
@@ -149,7 +153,7 @@ class Abreast {
     const __m128i now_last = _mm_unpacklo_epi8(four_bytes(&before[0]), four_bytes(&before[4]));
     store(ants_.last, choose(_mm256_cvtepu8_epi32(now_last), move, step.on));
     for (int i = 0; i < Ants::kAnts; ++i) {
-      std::memcpy(places[Lanes::place(i)], &written[i], sizeof(PackedCell));
+      std::memcpy(places[place(i)], &written[i], sizeof(PackedCell));
     }
     store_wide(ants_.top, minus(kept, widen_mask(step.on)));
     store_wide(ants_.dead, minus(dead, {_mm256_slli_epi64(back_wide.even, 2),
@@ -158,7 +162,7 @@ class Abreast {
 
   /// Finds what belongs to the cells. Without a branch on whether an ant leaves its tile: of eight,
   /// one often does.
-  LASIUS_TARGET [[gnu::always_inline]] void find(const WalkWorld& world, const Step& step) {
+  LASIUS_AVX2 [[gnu::always_inline]] void find(const WalkWorld& world, const Step& step) {
     // Sums of the products of the halves of a cell: x and y.
     alignas(32) PerAnt tile, row_byte;
     store(tile,
@@ -176,9 +180,10 @@ class Abreast {
     planes_.find(step.to);
   }
 
-  /// Sees what is closed around the new cells and marks them as entered; ends who has arrived.
-  LASIUS_TARGET [[gnu::always_inline]] void enter(const WalkWorld& world, const Step& step,
-                                                  int round) noexcept {
+  /// Looks which moves from the new cells are closed and marks these as entered; ends the walks
+  /// that have arrived.
+  LASIUS_AVX2 [[gnu::always_inline]] void enter(const WalkWorld& world, const Step& step,
+                                                int round) noexcept {
     see();  // before it is marked, so that no load waits for the stores
     planes_.mark(step.walks, step.to);
     const __m256i arrived = _mm256_and_si256(_mm256_cmpeq_epi32(step.to, all(world.goal)), step.on);
@@ -195,14 +200,14 @@ class Abreast {
       __builtin_prefetch(dead + kLine / sizeof(PackedCell), 1);
   }
 
-  LASIUS_TARGET [[gnu::always_inline]] static __m256 two_at(const float* low,
-                                                            const float* high) noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] static __m256 two_at(const float* low,
+                                                          const float* high) noexcept {
     return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(low)), _mm_load_ps(high), 1);
   }
 
   /// False where a tile is still to be made.
-  LASIUS_TARGET [[gnu::always_inline]] bool find_rows(const WalkWorld& world, const PerAnt& tile,
-                                                      const PerAnt& row_byte) noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] bool find_rows(const WalkWorld& world, const PerAnt& tile,
+                                                    const PerAnt& row_byte) noexcept {
     std::uintptr_t missing = 0;
 #pragma GCC unroll 8
     for (int i = 0; i < Ants::kAnts; ++i) {
@@ -215,7 +220,7 @@ class Abreast {
     return std::bit_cast<std::intptr_t>(missing) >= 0;
   }
 
-  LASIUS_TARGET [[gnu::always_inline]] void see() noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] void see() noexcept {
     const auto entered = planes_.around(load(ants_.at));
     store(above_, entered.above);
     store(beside_, entered.beside);
@@ -227,13 +232,13 @@ class Abreast {
     ants_.take(i, slot);
     walking_[i] = kSet;
   }
-  /// A lane without an ant stands where another one does, with a tour of its own. So does one whose
-  /// ant has ended: it stays, and writes nothing that counts.
-  void rest(int i, const WalkSlot& stand_in) noexcept {
-    planes_.take(i, stand_in);
-    ants_.rest(i, stand_in.at, stand_in.row);
+  /// A lane without an ant stays at the cell of another one, and its steps write nothing that is
+  /// read. So does a lane whose ant has ended, where that one did.
+  void leave_empty(int i, const WalkSlot& other) noexcept {
+    planes_.take(i, other);
+    ants_.leave_empty(i, other.at, other.row);
   }
-  /// Who has ended, `round` counted from 0.
+  /// Hands back the ants that have ended, by bits; `round` counts from 0.
   void end(unsigned which, WalkState state, int round) noexcept {
     for (; which != 0; which &= which - 1) {
       const int i = __builtin_ctz(which);
@@ -243,10 +248,10 @@ class Abreast {
   }
 
   Ants ants_;
-  AbreastPlanes planes_;
+  LockstepPlanes planes_;
   alignas(32) PerAnt walking_{};    ///< a mask
   alignas(32) PerAnt no_return_{};  ///< a mask
-  alignas(32) PerAnt above_{};      ///< AbreastPlanes::Entered
+  alignas(32) PerAnt above_{};      ///< LockstepPlanes::Entered
   alignas(32) PerAnt beside_{};
   alignas(32) PerAnt below_{};
 };

@@ -1,6 +1,5 @@
 // The draws and random words of eight ants at once, lane by lane against the scalar reference;
 // their walks are walk_test's.
-#include <Random123/philox.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -11,12 +10,12 @@
 #include <vector>
 
 #include "kernels/base/cpu.h"
+#include "kernels/base/random_stream.h"
 #include "kernels/walk/walk.h"
 
 #if defined(__x86_64__)
 
-#define LASIUS_TARGET [[gnu::target("avx2,bmi,bmi2")]]
-#include "kernels/walk/abreast_avx2_draw.h"
+#include "kernels/walk/lockstep_draw.h"
 
 namespace lasius::kernels {
 namespace {
@@ -33,7 +32,7 @@ using Spins = std::array<Spin, kAnts>;
 
 /// The three bits around an ant, as the planes give them: others may be anything.
 template <int kMoves>
-AbreastPlanes::Entered entered(const Spins& spins, std::uint32_t others) {
+LockstepPlanes::Entered entered(const Spins& spins, std::uint32_t others) {
   alignas(32) PerAnt above, beside, below;
   for (int i = 0; i < kAnts; ++i) {
     const std::uint32_t closed = ~spins[i].open;
@@ -47,7 +46,7 @@ AbreastPlanes::Entered entered(const Spins& spins, std::uint32_t others) {
       below[i] = (closed >> 5 & 7) | (others & ~7u);
     }
   }
-  AbreastPlanes::Entered result;
+  LockstepPlanes::Entered result;
   std::memcpy(&result.above, above.data(), sizeof(above));
   std::memcpy(&result.beside, beside.data(), sizeof(beside));
   std::memcpy(&result.below, below.data(), sizeof(below));
@@ -56,9 +55,9 @@ AbreastPlanes::Entered entered(const Spins& spins, std::uint32_t others) {
 
 /// The moves drawn, -1 for none.
 template <int kMoves, bool kMixture, Draw kDraw>
-LASIUS_TARGET std::array<int, kAnts> draw(const WalkWorld& world, const Spins& spins,
-                                          std::uint32_t others) {
-  using DrawOf = AbreastDraw<kMoves, kMixture>;
+LASIUS_AVX2 std::array<int, kAnts> draw(const WalkWorld& world, const Spins& spins,
+                                        std::uint32_t others) {
+  using DrawOf = LockstepDraw<kMoves, kMixture>;
   __m256 weight[DrawOf::kWeights];
   for (int k = 0; k < DrawOf::kWeights; ++k) {
     alignas(32) std::array<float, kAnts> weights;
@@ -101,7 +100,7 @@ void expect_reference(const WalkWorld& world, const Spins& spins, const std::str
 }
 
 /// Of a CPU with AVX2; of others there are no tests.
-class AbreastAvx2 : public testing::TestWithParam<Isa> {
+class LockstepDraws : public testing::TestWithParam<Isa> {
  protected:
   std::uint32_t word() { return static_cast<std::uint32_t>(random_()); }
   /// Of so many moves. A move exists for both rules or for none.
@@ -140,12 +139,12 @@ class AbreastAvx2 : public testing::TestWithParam<Isa> {
 
   std::mt19937 random_{7};
 };
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(AbreastAvx2);
-INSTANTIATE_TEST_SUITE_P(Walk, AbreastAvx2,
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(LockstepDraws);
+INSTANTIATE_TEST_SUITE_P(Walk, LockstepDraws,
                          testing::ValuesIn(supported_isa() < Isa::avx2 ? std::vector<Isa>{}
                                                                        : std::vector{Isa::avx2}));
 
-TEST_P(AbreastAvx2, EachLaneDrawsAsTheScalarReference) {
+TEST_P(LockstepDraws, EachLaneDrawsAsTheScalarReference) {
   expect_reference_of_all_draws<4>();
   expect_reference_of_all_draws<8>();
 }
@@ -154,7 +153,7 @@ TEST_P(AbreastAvx2, EachLaneDrawsAsTheScalarReference) {
 float at_third(float a, float b, float c) { return (c + b) + a; }
 float at_fourth(float a, float b, float c) { return c + (b + a); }
 
-TEST_P(AbreastAvx2, RoundingNeverDrawsAMoveOfNoWeight) {
+TEST_P(LockstepDraws, RoundingNeverDrawsAMoveOfNoWeight) {
   const WalkWorld world;
   constexpr std::uint32_t kBelowOne = 0xffffff00;  // a share of 1 - 2^-24
   int found = 0;
@@ -186,8 +185,8 @@ TEST_P(AbreastAvx2, RoundingNeverDrawsAMoveOfNoWeight) {
   EXPECT_EQ(found, 3 * kAnts);
 }
 
-LASIUS_TARGET std::array<PerAnt, 4> blocks(const WalkWorld& world, const PerAnt& block,
-                                           const PerAnt& ant) {
+LASIUS_AVX2 std::array<PerAnt, 4> blocks(const WalkWorld& world, const PerAnt& block,
+                                         const PerAnt& ant) {
   __m256i words[4];
   philox(world, load(block), load(ant), words);
   alignas(32) std::array<PerAnt, 4> result;
@@ -195,7 +194,7 @@ LASIUS_TARGET std::array<PerAnt, 4> blocks(const WalkWorld& world, const PerAnt&
   return result;
 }
 
-TEST_P(AbreastAvx2, RandomWordsAreThoseOfPhilox) {
+TEST_P(LockstepDraws, RandomWordsAreThoseOfPhilox) {
   for (int round = 0; round < 1000; ++round) {
     WalkWorld world;
     world.seed = std::uint64_t{word()} << 32 | word();
@@ -206,12 +205,9 @@ TEST_P(AbreastAvx2, RandomWordsAreThoseOfPhilox) {
       ant[i] = word();
     }
     const auto words = blocks(world, block, ant);
-    const r123::Philox4x32::key_type key{
-        {static_cast<std::uint32_t>(world.seed), static_cast<std::uint32_t>(world.seed >> 32)}};
     for (int i = 0; i < kAnts; ++i) {
-      const auto expected = r123::Philox4x32()(
-          r123::Philox4x32::ctr_type{{block[i], ant[i], world.iteration, 0}}, key);
-      for (int w = 0; w < 4; ++w) EXPECT_EQ(words[w][i], expected.v[w]) << "ant " << i;
+      const auto expected = random_words(world.seed, {block[i], ant[i], world.iteration, 0});
+      for (int w = 0; w < 4; ++w) EXPECT_EQ(words[w][i], expected[w]) << "ant " << i;
     }
   }
 }

@@ -1,5 +1,4 @@
-// The cells that eight ants have entered: VisitedPlane, one a lane; layouts as in
-// abreast_avx2_lanes.h. The including file defines LASIUS_TARGET.
+// The cells that eight ants have entered: a VisitedPlane a lane; layouts as in avx2_vectors.h.
 #pragma once
 
 #include <immintrin.h>
@@ -8,26 +7,24 @@
 #include <cstdint>
 #include <cstring>
 
-#include "kernels/walk/abreast_avx2_lanes.h"
+#include "kernels/walk/avx2_vectors.h"
 #include "kernels/walk/walk.h"
 
 namespace lasius::kernels {
 namespace {
 
-class AbreastPlanes {
+class LockstepPlanes {
  public:
   /// Planes with strips of so many words.
-  explicit AbreastPlanes(std::int64_t rows) noexcept
+  explicit LockstepPlanes(std::int64_t rows) noexcept
       : strip_bytes_(static_cast<std::int64_t>(sizeof(std::uint64_t)) * rows) {}
 
   /// A lane without an ant may share a plane in which it marks nothing.
-  void take(int i, const WalkSlot& slot) noexcept {
-    origin_[Lanes::place(i)] = slot.visited.origin;
-  }
-  std::uint64_t* word(int i) const noexcept { return word_[Lanes::place(i)]; }
+  void take(int i, const WalkSlot& slot) noexcept { origin_[place(i)] = slot.visited.origin; }
+  std::uint64_t* word(int i) const noexcept { return word_[place(i)]; }
 
   /// Finds the words of the cells. They lie less than 2^29 bytes from the origin.
-  LASIUS_TARGET [[gnu::always_inline]] void find(__m256i at) noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] void find(__m256i at) noexcept {
     const __m256i strip_bytes = all(static_cast<std::uint32_t>(strip_bytes_));
     const __m256i x = _mm256_blend_epi16(at, _mm256_setzero_si256(), 0xaa);
     const __m256i y = _mm256_srli_epi32(at, 16);
@@ -47,7 +44,7 @@ class AbreastPlanes {
   struct Entered {
     __m256i above, beside, below;
   };
-  LASIUS_TARGET [[gnu::always_inline]] Entered around(__m256i at) const noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] Entered around(__m256i at) const noexcept {
     const Columns even = columns(0), odd = columns(4);
     const Wide shift = widen(_mm256_add_epi32(_mm256_and_si256(at, all(31)), all(15)));
     return {shifted(even.above, odd.above, shift), shifted(even.own, odd.own, shift),
@@ -56,13 +53,13 @@ class AbreastPlanes {
 
   /// Marks the cells as entered, whose words are found: the same bit in the lower half of one word
   /// and in the upper half of its neighbour to the left.
-  LASIUS_TARGET [[gnu::always_inline]] void mark(__m256i walks, __m256i at) noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] void mark(__m256i walks, __m256i at) noexcept {
     const __m256i in_half = _mm256_and_si256(_mm256_add_epi32(at, all(16)), all(31));
     alignas(32) PerAnt bit;
     store(bit, _mm256_and_si256(_mm256_sllv_epi32(all(1), in_half), walks));
     const std::int64_t to_upper = static_cast<std::int64_t>(sizeof(PackedCell)) - strip_bytes_;
     for (int i = 0; i < 8; ++i) {
-      char* lower = lower_[Lanes::place(i)];
+      char* lower = lower_[place(i)];
       add(lower, bit[i]);
       add(lower + to_upper, bit[i]);
     }
@@ -73,7 +70,7 @@ class AbreastPlanes {
   struct Columns {
     __m256i above, own, below;
   };
-  LASIUS_TARGET [[gnu::always_inline]] Columns columns(int first) const noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] Columns columns(int first) const noexcept {
     // Words of one strip follow each other: from the one above on, four an ant.
     const __m256i a = column(first), b = column(first + 1);
     const __m256i c = column(first + 2), d = column(first + 3);
@@ -83,11 +80,11 @@ class AbreastPlanes {
             _mm256_permute2x128_si256(odd_ab, odd_cd, 0x20),
             _mm256_permute2x128_si256(even_ab, even_cd, 0x31)};
   }
-  LASIUS_TARGET [[gnu::always_inline]] __m256i column(int at) const noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] __m256i column(int at) const noexcept {
     return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(word_[at] - 1));
   }
-  LASIUS_TARGET [[gnu::always_inline]] static __m256i shifted(__m256i even, __m256i odd,
-                                                              Wide by) noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] static __m256i shifted(__m256i even, __m256i odd,
+                                                            Wide by) noexcept {
     return narrow({_mm256_srlv_epi64(even, by.even), _mm256_srlv_epi64(odd, by.odd)});
   }
   [[gnu::always_inline]] static void add(char* at, std::uint32_t bit) noexcept {

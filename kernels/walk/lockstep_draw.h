@@ -1,23 +1,22 @@
-// The draws of eight ants at once, as ScalarOps has them; layouts as in abreast_avx2_lanes.h. The
-// including file defines LASIUS_TARGET.
+// The draws of eight ants at once, as ScalarOps has them; layouts as in avx2_vectors.h.
 #pragma once
 
 #include <immintrin.h>
 
 #include <cstdint>
 
-#include "kernels/walk/abreast_avx2_lanes.h"
-#include "kernels/walk/abreast_avx2_planes.h"
+#include "kernels/walk/avx2_vectors.h"
+#include "kernels/walk/lockstep_planes.h"
 #include "kernels/walk/race.h"
 #include "kernels/walk/walk.h"
 
 namespace lasius::kernels {
 namespace {
 
-/// Of rows of four or eight moves. With kMixture rows are of two rules: by pheromone, then by
-/// distance.
+/// Draws from rows of four or eight moves. With kMixture rows hold weights of two rules: pheromone,
+/// then distance.
 template <int kMoves, bool kMixture>
-class AbreastDraw {
+class LockstepDraw {
  public:
   static constexpr int kWeights = kMixture ? 2 * kMoves : kMoves;  ///< of a row
 
@@ -27,10 +26,9 @@ class AbreastDraw {
   };
 
   /// As ScalarOps::roulette. Consumes `weight`.
-  LASIUS_TARGET [[gnu::always_inline]] static Choice roulette(const WalkWorld& world,
-                                                              __m256i random,
-                                                              const AbreastPlanes::Entered& entered,
-                                                              __m256 (&weight)[kWeights]) noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] static Choice roulette(const WalkWorld& world, __m256i random,
+                                                            const LockstepPlanes::Entered& entered,
+                                                            __m256 (&weight)[kWeights]) noexcept {
     const __m256i reached = reaches(world, kPheromoneRule, random);
     const __m256i greedy = _mm256_andnot_si256(reached, all(~0u));
     __m256i start = rule_start(world, kCombinedRule);
@@ -83,9 +81,9 @@ class AbreastDraw {
   }
 
   /// As ScalarOps::race. Consumes `mean`.
-  LASIUS_TARGET [[gnu::always_inline]] static Choice race(const __m256i (&numbers)[kMoves],
-                                                          const AbreastPlanes::Entered& entered,
-                                                          __m256 (&mean)[kMoves]) noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] static Choice race(const __m256i (&numbers)[kMoves],
+                                                        const LockstepPlanes::Entered& entered,
+                                                        __m256 (&mean)[kMoves]) noexcept {
     keep_open(entered, mean);
     alignas(32) PerAnt number[kMoves];
     alignas(32) float at_weight_one[kMoves][8];
@@ -107,8 +105,8 @@ class AbreastDraw {
   static constexpr int kUnclear = 32;  ///< instead of a move
 
   /// Sets the weights of closed moves to 0.
-  LASIUS_TARGET [[gnu::always_inline]] static void keep_open(const AbreastPlanes::Entered& entered,
-                                                             __m256 (&weight)[kWeights]) noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] static void keep_open(const LockstepPlanes::Entered& entered,
+                                                           __m256 (&weight)[kWeights]) noexcept {
     const auto& [above, beside, below] = entered;
     if constexpr (kMoves == 4) {
       weight[0] = unless(above, 2, weight[0]);
@@ -125,16 +123,16 @@ class AbreastDraw {
     }
   }
   /// The weight, 0 where the bit is set.
-  LASIUS_TARGET [[gnu::always_inline]] static __m256 unless(__m256i entered, int bit,
-                                                            __m256 weight) noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] static __m256 unless(__m256i entered, int bit,
+                                                          __m256 weight) noexcept {
     const __m256i open = _mm256_andnot_si256(entered, all(bit));
     return _mm256_castsi256_ps(_mm256_sign_epi32(_mm256_castps_si256(weight), open));
   }
 
   /// The wheel as the reference spins it: the first move of those open whose sum passes the
   /// threshold; behind its end, by rounding, the last one.
-  LASIUS_TARGET static __m256i spin(__m256 threshold, const __m256 (&weight)[kWeights],
-                                    const __m256 (&sum)[kMoves]) noexcept {
+  LASIUS_AVX2 static __m256i spin(__m256 threshold, const __m256 (&weight)[kWeights],
+                                  const __m256 (&sum)[kMoves]) noexcept {
     __m256i last = all(0), first = all(kUnclear);
     for (int k = 0; k < kMoves; ++k) {
       const __m256i open = less(_mm256_setzero_ps(), weight[k]);
@@ -144,7 +142,7 @@ class AbreastDraw {
     }
     return choose(first, last, _mm256_cmpeq_epi32(first, all(kUnclear)));
   }
-  LASIUS_TARGET [[gnu::always_inline]] static __m256i first_largest(
+  LASIUS_AVX2 [[gnu::always_inline]] static __m256i first_largest(
       const __m256 (&weight)[kWeights]) noexcept {
     __m256 most = weight[0];
     for (int k = 1; k < kMoves; ++k) most = _mm256_max_ps(most, weight[k]);
@@ -153,18 +151,18 @@ class AbreastDraw {
     return move;
   }
 
-  LASIUS_TARGET [[gnu::always_inline]] static __m256i rule_start(const WalkWorld& world,
-                                                                 Rule rule) noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] static __m256i rule_start(const WalkWorld& world,
+                                                               Rule rule) noexcept {
     return all(static_cast<std::uint32_t>(world.rule_start[rule]));
   }
   /// Where the word is not before the rule's share of the wheel.
-  LASIUS_TARGET [[gnu::always_inline]] static __m256i reaches(const WalkWorld& world, Rule rule,
-                                                              __m256i random) noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] static __m256i reaches(const WalkWorld& world, Rule rule,
+                                                            __m256i random) noexcept {
     if (world.rule_start[rule] >> 32 != 0) return all(0);  // behind the wheel's end
     return _mm256_cmpeq_epi32(_mm256_max_epu32(random, rule_start(world, rule)), random);
   }
   /// Of unsigned numbers, rounded once: the halves are mantissas, 2^39 + 2^16 high and 2^23 + low.
-  LASIUS_TARGET [[gnu::always_inline]] static __m256 to_float(__m256i v) noexcept {
+  LASIUS_AVX2 [[gnu::always_inline]] static __m256 to_float(__m256i v) noexcept {
     const __m256i high = _mm256_blend_epi16(_mm256_srli_epi32(v, 16), all(0x53000000), 0xaa);
     const __m256i low = _mm256_blend_epi16(v, all(0x4b000000), 0xaa);
     const __m256 exact = _mm256_sub_ps(_mm256_castsi256_ps(high), _mm256_set1_ps(0x1.0001p39f));

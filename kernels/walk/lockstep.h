@@ -1,22 +1,22 @@
-// Ants abreast: one step of eight ants at once, an ant a lane. What one ant waits for in a step
-// (its row, the sums, the draw, the next row) eight wait for together, and turning back costs no
-// branch. Two such groups take turns, so that one works while the other waits. The including file
-// defines LASIUS_TARGET and includes walk_vector.h and, of AVX2 or of AVX-512, an `Abreast` with
-// its `goes_abreast`.
+// The lock-step SIMD walk, one ant a lane: eight ants take each step together. What one ant waits
+// for in a step (its row, the sums, the draw, the next row) eight wait for at once, and turning
+// back costs no branch. Two such groups alternate, so that one works while the other waits.
 #pragma once
 
 #include <bit>
 #include <cstddef>
 #include <span>
 
+#include "kernels/walk/lockstep_group.h"
+#include "kernels/walk/row_draw.h"
 #include "kernels/walk/walk.h"
 
 namespace lasius::kernels {
 namespace {
 
-/// AbreastAnts::kRounds steps of every ant of the groups.
+/// LockstepAnts::kRounds steps of every ant of the groups.
 template <class Group, int kGroups>
-LASIUS_TARGET void advance(const WalkWorld& world, Group* const (&groups)[kGroups]) {
+LASIUS_AVX2 void advance(const WalkWorld& world, Group* const (&groups)[kGroups]) {
   typename Group::Words words[kGroups];
   for (int round = 0; round < Group::Ants::kRounds; ++round) {
     if (round % Group::Ants::kStepsABlock == 0) {
@@ -40,17 +40,17 @@ LASIUS_TARGET void advance(const WalkWorld& world, Group* const (&groups)[kGroup
   }
 }
 
-/// As VectorOps, with the steps that are done abreast.
-struct AbreastOps : VectorOps {
+/// What walk_body.h asks for, with AVX2.
+struct Avx2Ops : RowDraw {
   /// Advances ants that walk by up to `rounds` steps and returns how many it did; none where too
-  /// few walk, or where the shape has no such kernel.
+  /// few walk, or where a row has more than eight moves.
   template <int kLanes, bool kMixture, bool kFactor, Draw kDraw>
-  LASIUS_TARGET static int abreast(const WalkWorld& world, std::span<WalkSlot* const> slots,
-                                   int rounds) {
-    if constexpr (!goes_abreast({kLanes, kMixture, kFactor, kDraw})) {
+  LASIUS_AVX2 static int lockstep(const WalkWorld& world, std::span<WalkSlot* const> slots,
+                                  int rounds) {
+    if constexpr (kLanes > 8) {
       return 0;
     } else {
-      using Group = Abreast<kLanes, kMixture, kFactor, kDraw>;
+      using Group = LockstepGroup<kLanes, kMixture, kFactor, kDraw>;
       using Ants = typename Group::Ants;
       const std::size_t half = slots.size() <= Ants::kAnts ? slots.size() : (slots.size() + 1) / 2;
       if (slots.size() < Group::kWorthwhile || slots.size() > 2 * Ants::kAnts) return 0;
