@@ -64,9 +64,7 @@ void draw_convergence(const Findings& findings, const Experiment& experiment,
                   .level_label = "true optimum"};
   for (const Sample* sample : drawn(findings, experiment, question))
     chart.curves.push_back(convergence(*sample, palette(chart.curves.size())));
-  Canvas canvas(960, 600);
-  draw(canvas, {kMargin, kMargin, 960 - 2 * kMargin, 600 - 2 * kMargin}, chart);
-  save(canvas, file);
+  save(chart_page({chart}, 920, 560), file);
 }
 
 const Run* best_run(const Sample& sample) {

@@ -9,8 +9,8 @@
 #include "tools/draw/colours.h"
 #include "tools/draw/line_chart.h"
 #include "tools/draw/map_panel.h"
+#include "tools/study/bitmaps.h"
 #include "tools/study/map_source.h"
-#include "tools/study/runner.h"
 
 namespace lasius::study {
 namespace {
