@@ -12,6 +12,7 @@ namespace {
 constexpr Colour kBest{0.8, 0.15, 0.15};
 constexpr Colour kMean{0.25, 0.45, 0.7};
 constexpr Colour kOptimum{0.35, 0.35, 0.35};
+
 /// One curve over the iterations, with its own axis of lengths.
 struct Plot {
   Box box;  ///< of the axes, without their labels

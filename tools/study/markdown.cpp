@@ -59,15 +59,8 @@ std::string section(const Experiment& experiment, const Findings& findings,
 }  // namespace
 
 std::string verdict_text(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::confirmed:
-      return "confirmed";
-    case Verdict::refuted:
-      return "**does not reproduce**";
-    case Verdict::open:
-      break;
-  }
-  return "open";
+  constexpr const char* kTexts[] = {"confirmed", "**does not reproduce**", "open"};
+  return kTexts[static_cast<int>(verdict)];
 }
 
 std::string report_page(const Study& study, const Findings& findings, int seeds,

@@ -60,7 +60,6 @@ std::vector<std::string> draw_sweeps(const study::Study& study, const Findings& 
 int run_arm_study(const StudyCommand& command, const fs::path& maps) {
   const fs::path folder = command.folder;
   const study::Study study = study::make_study(command.name);
-  study::make_folder(folder);
   const study::ArmScenes scenes(study, maps);
   return conduct(command, study, scenes, [&](const Findings& findings, const StopCondition&) {
     std::vector<study::ArmGround> grounds;

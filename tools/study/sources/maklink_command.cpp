@@ -78,7 +78,6 @@ void save_plan(const std::string& world_file, const fs::path& file) {
 int run_maklink_study(const StudyCommand& command, const std::string& maps) {
   const fs::path folder = command.folder;
   const study::Study study = study::make_study(command.name);
-  study::make_folder(folder);
   const study::MaklinkWorld world(study, maps);
   return conduct(command, study, world, [&](const study::Findings& findings, const StopCondition&) {
     save_plan(world.file(), folder / "plan.svg");
