@@ -35,7 +35,7 @@ struct Sample {
   const Question* question = nullptr;
   const Contender* contender = nullptr;
   int paths_an_iteration = 1;  ///< ants, or the population
-  std::vector<Run> runs;
+  std::vector<Run> runs = {};
 
   /// Of the solved runs, in the order of the seeds.
   std::vector<double> lengths() const;

@@ -55,8 +55,8 @@ std::vector<Job> prepare(const Study& study, const Domain& domain, const RunnerO
           findings.absent.push_back({experiment.name, contender.label, fault.what()});
           break;
         }
-        Sample& sample = findings.samples.emplace_back(&experiment, &question, &contender);
-        prepare(task, options, sample, jobs);
+        findings.samples.push_back({&experiment, &question, &contender});
+        prepare(task, options, findings.samples.back(), jobs);
       }
     }
   }

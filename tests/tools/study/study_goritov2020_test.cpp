@@ -53,10 +53,9 @@ Findings level(const Study& study, int seeds) {
   Findings findings;
   for (const Experiment& reading : study.experiments) {
     for (const Contender& setting : reading.contenders) {
-      Sample& sample =
-          findings.samples.emplace_back(&reading, &reading.questions.front(), &setting);
+      findings.samples.push_back({&reading, &reading.questions.front(), &setting});
       for (int s = 0; s < seeds; ++s) {
-        study::Run& run = sample.runs.emplace_back();
+        study::Run& run = findings.samples.back().runs.emplace_back();
         run.steps = 1000;
         for (int i = 0; i < 100; ++i) {
           run.best.push_back(i < 50 ? 1.5 : 1.2);

@@ -1,12 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <stop_token>
 
 #include "lasius/error.h"
-#include "lasius/map_io.h"
+#include "tests/core/map_files/map_files.h"
 #include "tools/study/bitmaps.h"
 #include "tools/study/claims.h"
 #include "tools/study/markdown.h"
@@ -15,21 +14,14 @@
 namespace lasius::study {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// A folder of its own with one small map, gone at the end.
-class StudyRunner : public testing::Test {
+class StudyRunner : public Files {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / ("lasius-study-" + std::string(info->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
+  StudyRunner() {
     Grid grid(20, 20);
     for (int y = 3; y < 17; ++y) grid.set_blocked({10, y});
-    write_map(grid, (folder_ / "wall.map").string());
+    write_map(grid, path("wall.map"));
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   static Study study() {
     const Contender slow{"as", "as", "as", {{"iterations", "6"}, {"ants", "5"}}};
@@ -43,9 +35,9 @@ class StudyRunner : public testing::Test {
                  .questions = {{"wall", "wall.map", {2, 10}, {17, 10}, {{"as", 23.5, 4, 2}}}}};
     return {"test", "a test", "Nobody", "", {e}, {}};
   }
-  RunnerOptions options() const { return {.seeds = 4, .threads = 2, .folder = folder_ / "out"}; }
+  RunnerOptions options() const { return {.seeds = 4, .threads = 2, .folder = path("out")}; }
   std::optional<Findings> run(const Study& study, const RunnerOptions& options) const {
-    return run_study(study, Bitmaps(study, folder_), options);
+    return run_study(study, Bitmaps(study, path("")), options);
   }
   /// All tables but times.
   static std::string tables(const Findings& findings, const Study& study) {
@@ -53,8 +45,6 @@ class StudyRunner : public testing::Test {
     for (auto& row : runs.rows) row.pop_back();
     return runs.csv() + test_table(findings, study.experiments[0]).csv();
   }
-
-  fs::path folder_;
 };
 
 TEST_F(StudyRunner, RunsEveryContenderForEverySeed) {
@@ -83,7 +73,7 @@ TEST_F(StudyRunner, GoesOnWhereItStoppedAndEndsWithTheSameTables) {
   const std::string expected = tables(*whole, s);
 
   RunnerOptions stopped = options();
-  stopped.folder = folder_ / "stopped";
+  stopped.folder = path("stopped");
   std::stop_source source;
   stopped.stop = source.get_token();
   int runs = 0;

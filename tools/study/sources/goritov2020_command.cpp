@@ -36,15 +36,18 @@ LineChart chart_of(const Findings& findings, const Experiment& reading, const st
 
 std::vector<std::string> draw_sweeps(const study::Study& study, const Findings& findings,
                                      const fs::path& folder) {
-  static constexpr std::pair<const char*, const char*> kSweeps[] = {
-      {"alpha", "1"}, {"beta", "1"}, {"gamma", "0.25"}, {"rho", "0.25"},
-      {"m", "64"},    {"T", "100"},  {"e", "0"}};
+  struct Sweep {
+    const char *name, *base;
+  };
+  static constexpr Sweep kSweeps[] = {{"alpha", "1"},  {"beta", "1"}, {"gamma", "0.25"},
+                                      {"rho", "0.25"}, {"m", "64"},   {"T", "100"},
+                                      {"e", "0"}};
   std::vector<std::string> files;
   for (const Experiment& reading : study.experiments) {
-    for (const auto& [sweep, base] : kSweeps) {
-      files.push_back(reading.name + "-" + sweep + ".svg");
+    for (const Sweep& sweep : kSweeps) {
+      files.push_back(reading.name + "-" + sweep.name + ".svg");
       const auto chart = [&](std::vector<double> study::Run::*curve, const char* what) {
-        return chart_of(findings, reading, sweep, base, curve, what);
+        return chart_of(findings, reading, sweep.name, sweep.base, curve, what);
       };
       study::chart_page(
           {chart(&study::Run::best, "best so far"), chart(&study::Run::mean, "mean tour")}, 620,
