@@ -1,6 +1,7 @@
 #include "tools/study/study_file.h"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
