@@ -1,18 +1,19 @@
+// lasius study: the studies on bitmaps, and where the others begin.
 #include <algorithm>
 #include <filesystem>
 
 #include "core/base/did_you_mean.h"
 #include "tools/commands.h"
 #include "tools/console/exit_code.h"
-#include "tools/console/progress.h"
-#include "tools/console/signals.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
+#include "tools/study/bitmaps.h"
+#include "tools/study/conduct.h"
 #include "tools/study/files.h"
 #include "tools/study/markdown.h"
 #include "tools/study/pictures.h"
 #include "tools/study/portrait.h"
-#include "tools/study/runner.h"
+#include "tools/study/study_file.h"
 #include "tools/study/table.h"
 
 namespace lasius::tool {
@@ -20,34 +21,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-#ifdef LASIUS_WITH_POLYGON
-constexpr std::string_view kMaklink = "maklink";  // among polygons: runs and reports on its own
+constexpr std::string_view kMaklink = "maklink";       // among polygons
+constexpr std::string_view kArmStudy = "goritov2020";  // of arms
+
+std::vector<std::string_view> names() {
+  auto all = study::study_names();
+#ifndef LASIUS_WITH_POLYGON
+  std::erase(all, kMaklink);
 #endif
-/// It asks arms, not maps, and has a runner of its own.
-constexpr const char* kArmStudy = "goritov2020";
+  return all;
+}
 
 std::string list_text() {
   std::string text;
-  for (const study::Entry& entry : study::catalogue())
-    text += std::string(entry.name) + "\t" + entry.make().summary + "\n";
-#ifdef LASIUS_WITH_POLYGON
-  text += std::string(kMaklink) + "\tant colony system over MAKLINK lines, a genetic comparator\n";
-#endif
-  return text + kArmStudy + "\tthe source's parameters on arms among unknown obstacles\n";
-}
-
-study::Study make_study(const std::string& name) {
-  std::vector<std::string_view> names;
-  for (const study::Entry& entry : study::catalogue()) {
-    if (entry.name == name) return entry.make();
-    names.push_back(entry.name);
-  }
-#ifdef LASIUS_WITH_POLYGON
-  names.push_back(kMaklink);
-#endif
-  names.push_back(kArmStudy);
-  names.push_back("list");
-  throw UsageError("unknown study \"" + name + "\"; " + did_you_mean(name, names));
+  for (const auto name : names())
+    text += std::string(name) + "\t" + study::make_study(name).summary + "\n";
+  return text;
 }
 
 /// Maps are looked for in the option's folder, else beside the installed program, else in the
@@ -84,33 +73,22 @@ int run_study(const StudyCommand& command) {
     print(list_text());
     return kFound;
   }
+  auto known = names();
+  if (std::ranges::find(known, command.name) == known.end()) {
+    known.push_back("list");
+    throw UsageError("unknown study \"" + command.name + "\"; " +
+                     did_you_mean(command.name, known));
+  }
   const fs::path maps = find_maps(command.maps);
 #ifdef LASIUS_WITH_POLYGON
   if (command.name == kMaklink) return run_maklink_study(command, maps.string());
 #endif
   if (command.name == kArmStudy) return run_arm_study(command, maps);
-  const study::Study study = make_study(command.name);
-  SignalWatcher signals;
-  const auto findings = [&] {
-    constexpr std::int64_t kParts = 1000;
-    ProgressLine bar(wants_progress(command.messages), kParts);
-    study::RunnerOptions options{.seeds = command.seeds,
-                                 .threads = command.threads,
-                                 .folder = command.folder,
-                                 .maps = maps,
-                                 .stop = signals.token()};
-    options.progress = [&](std::int64_t done, std::int64_t total, const std::string& note) {
-      bar.update(done * kParts / std::max<std::int64_t>(total, 1), note);
-    };
-    return study::run_study(study, options);
-  }();
-  if (!findings) {
-    message("interrupted; the same command goes on from here");
-    return kInterrupted;
-  }
-  write_report(study, *findings, command, maps, {.token = signals.token()});
-  print((fs::path(command.folder) / "report.md").string() + "\n");
-  return kFound;
+  const study::Study study = study::make_study(command.name);
+  return conduct(command, study, study::Bitmaps(study, maps),
+                 [&](const study::Findings& findings, const StopCondition& stop) {
+                   write_report(study, findings, command, maps, stop);
+                 });
 }
 
 }  // namespace lasius::tool
