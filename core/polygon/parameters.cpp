@@ -13,7 +13,7 @@ using Entry = Table::Entry;
 using Integer = Table::Integer;
 using Number = Table::Number;
 
-constexpr std::string_view kGlobalBest[]{"so-far", "iteration"};
+constexpr std::array<std::string_view, 2> kGlobalBest{"so-far", "iteration"};
 
 constexpr Entry kIterations{{"iterations", "integer", "0 .. 1000000000", "iterations, NC"},
                             Integer{&Params::iterations, 0, 1000000000}};
@@ -35,9 +35,8 @@ constexpr std::array kColony{
     Entry{{"initial_pheromone", "number", "0 .. 1e9",
            "pheromone everywhere at first, tau0; 0: 1 / (lines x Dijkstra's length)"},
           Number{&Params::initial_pheromone, 0, 1e9}},
-    Entry{{"global_best", "choice", "so-far|iteration",
-           "which best path the global update deposits on"},
-          Table::choice<&Params::global_best>(kGlobalBest)},
+    Table::choice<&Params::global_best, kGlobalBest>(
+        "global_best", "which best path the global update deposits on"),
     Entry{
         {"agreement", "integer", "0 .. 1000000000",
          "iterations in a row with all ants on one way that end the run; the source: 1; 0: never"},

@@ -42,8 +42,9 @@ Task Bitmaps::task(const Question& question, const Contender& contender) const {
   const Params params = params_of(contender);
   const Planner& planner = planners_.at(question.map);
   const Grid& grid = planner.grid();
-  Task task = task_of(question_key(grid, question, params.algorithm), params,
-                      parameters_of(algorithms(), params.algorithm), grid.width() + grid.height());
+  Task task =
+      task_of(question_key(grid, question, params.algorithm()), params,
+              parameters_of(algorithms(), params.algorithm()), grid.width() + grid.height());
   task.run = [&planner, &question, params](std::uint64_t seed, const std::stop_token& stop,
                                            Workspace& workspace) {
     Params seeded = params;

@@ -191,8 +191,8 @@ Task MaklinkWorld::task(const Question& question, const Contender& contender) co
                .iterations = result.iterations,
                .seconds = std::max(0.0, seconds - rest),
                .best = result.best,
-               .limit = params.algorithm == kGenes ? result.sequence_optimum->length
-                                                   : result.discrete_optimum->length};
+               .limit = params.algorithm() == kGenes ? result.sequence_optimum->length
+                                                     : result.discrete_optimum->length};
   };
   return task;
 }

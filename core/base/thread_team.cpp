@@ -1,9 +1,9 @@
-#include "core/base/crew.h"
+#include "core/base/thread_team.h"
 
 namespace lasius {
 namespace {
 
-thread_local Crew* led = nullptr;
+thread_local ThreadTeam* led = nullptr;
 
 // Some 10 to 50 microseconds: longer than from one loop of an iteration to the next.
 constexpr int kSpins = 1000;
@@ -26,11 +26,11 @@ void await_change(const std::atomic<T>& what, T value) noexcept {
 
 }  // namespace
 
-Crew* Crew::led_here() noexcept { return led; }
+ThreadTeam* ThreadTeam::led_here() noexcept { return led; }
 
-Crew* Crew::appoint(Crew* crew) noexcept { return std::exchange(led, crew); }
+ThreadTeam* ThreadTeam::appoint(ThreadTeam* team) noexcept { return std::exchange(led, team); }
 
-void Crew::take(int member) noexcept {
+void ThreadTeam::take(int member) noexcept {
   for (int i; (i = next_.fetch_add(1, std::memory_order_relaxed)) < count_;) {
     task_(context_, i, member);
   }
@@ -39,7 +39,7 @@ void Crew::take(int member) noexcept {
 // A member enters, then looks whether the loop is still open; the leader closes it, then looks who
 // is inside. All four in one order (sequential consistency): one of the two sees the other.
 
-void Crew::share(int count, int members, Task task, const void* context) noexcept {
+void ThreadTeam::share(int count, int members, Task task, const void* context) noexcept {
   task_ = task;
   context_ = context;
   count_ = count;
@@ -54,7 +54,7 @@ void Crew::share(int count, int members, Task task, const void* context) noexcep
   for (int inside; (inside = inside_.load()) != 0;) await_change(inside_, inside);
 }
 
-void Crew::serve(int member) noexcept {
+void ThreadTeam::serve(int member) noexcept {
   for (std::uint32_t seen = 0;;) {
     await_change(round_, seen);
     seen = round_.load();
@@ -70,7 +70,7 @@ void Crew::serve(int member) noexcept {
   }
 }
 
-void Crew::dismiss() noexcept {
+void ThreadTeam::dismiss() noexcept {
   dismissed_ = true;
   ++round_;
   round_.notify_all();

@@ -16,24 +16,24 @@ namespace lasius {
 /// thread that has not begun, so that on a busy machine a loop takes no longer than on one thread.
 /// (At the end of a region of its own OpenMP waits for all, for milliseconds without giving up its
 /// core, even to one of them.) Used through parallel_for.
-class Crew {
+class ThreadTeam {
  public:
   /// Calls run() on this thread; parallel_for in it shares its loops with up to `threads` - 1
   /// others. Throws what `run` throws.
   template <class Run>
   static void lead(int threads, const Run& run);
 
-  /// The crew that this thread leads, or null.
-  LASIUS_EXPORT static Crew* led_here() noexcept;
+  /// The team that this thread leads, or null.
+  LASIUS_EXPORT static ThreadTeam* led_here() noexcept;
 
   /// Calls task(context, i, member) for every i below `count` on up to `members` threads, the
   /// leader's number being 0. The task must not throw. Meanwhile the leader leads nobody: a loop
-  /// within the task is not the crew's.
+  /// within the task is not the team's.
   using Task = void (*)(const void* context, int i, int member) noexcept;
   LASIUS_EXPORT void share(int count, int members, Task task, const void* context) noexcept;
 
  private:
-  LASIUS_EXPORT static Crew* appoint(Crew* crew) noexcept;  ///< returns the one before
+  LASIUS_EXPORT static ThreadTeam* appoint(ThreadTeam* team) noexcept;  ///< returns the one before
   LASIUS_EXPORT void serve(int member) noexcept;
   LASIUS_EXPORT void dismiss() noexcept;
   void take(int member) noexcept;
@@ -51,23 +51,23 @@ class Crew {
 };
 
 template <class Run>
-void Crew::lead(int threads, const Run& run) {
+void ThreadTeam::lead(int threads, const Run& run) {
   if (threads <= 1) return run();
-  Crew crew;
+  ThreadTeam team;
   std::exception_ptr error;
 #pragma omp parallel num_threads(threads)
   {
     if (const int member = omp_get_thread_num(); member > 0) {
-      crew.serve(member);
+      team.serve(member);
     } else {
-      Crew* const before = appoint(&crew);
+      ThreadTeam* const before = appoint(&team);
       try {
         run();
       } catch (...) {  // none may leave the parallel region
         error = std::current_exception();
       }
       appoint(before);
-      crew.dismiss();
+      team.dismiss();
     }
   }
   if (error) std::rethrow_exception(std::move(error));
