@@ -3,6 +3,12 @@
 set(LASIUS_STANDARD_HEADERS <algorithm> <array> <bit> <cmath> <cstdint> <filesystem> <functional>
   <limits> <memory> <optional> <span> <string> <string_view> <utility> <vector>)
 
+# Without this ccache passes each such file by.
+if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "(^|/)ccache$")
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+    env CCACHE_SLOPPINESS=pch_defines,time_macros ${CMAKE_CXX_COMPILER_LAUNCHER})
+endif()
+
 # lasius_precompile(TARGET [GROUP NAME] [HEADER...]): the standard headers, and those named. They are
 # compiled once for a group of targets, whose options, definitions and headers are the same.
 function(lasius_precompile target)
