@@ -158,7 +158,7 @@ std::vector<Figure> measure_area(int rounds, int side) {
   const auto footprint = large_planner.footprint();
   const double cells = static_cast<double>(side) * side;
   const double held =
-      static_cast<double>(footprint.bitmap + footprint.components + footprint.corners);
+      static_cast<double>(footprint.bitmap + footprint.components + footprint.visibility_graph);
   return {{"iteration, pasted into " + std::to_string(side) + " square / alone",
            short_number(median(ratios)), "<= 1.5"},
           {"map held, bits a cell", short_number(8 * held / cells), ""},

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/time_source.h"
+#include "lasius/enum_names.h"
 
 namespace lasius {
 
@@ -22,15 +23,8 @@ StopCondition::Cause StopCondition::poll() const noexcept {
 }
 
 std::string_view to_string(StopCondition::Cause cause) noexcept {
-  switch (cause) {
-    case StopCondition::Cause::none:
-      return "none";
-    case StopCondition::Cause::token:
-      return "token";
-    case StopCondition::Cause::deadline:
-      return "deadline";
-  }
-  return "";
+  static constexpr std::array<std::string_view, 3> kNames{"none", "token", "deadline"};
+  return name_of(cause, kNames);
 }
 
 }  // namespace lasius

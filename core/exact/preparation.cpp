@@ -1,19 +1,12 @@
 #include "lasius/preparation.h"
 
+#include "lasius/enum_names.h"
+
 namespace lasius {
 
 std::string_view to_string(Preparation::State state) noexcept {
-  switch (state) {
-    case Preparation::State::none:
-      return "none";
-    case Preparation::State::ready:
-      return "ready";
-    case Preparation::State::too_large:
-      return "too_large";
-    case Preparation::State::stopped:
-      return "stopped";
-  }
-  return "";
+  static constexpr std::array<std::string_view, 4> kNames{"none", "ready", "too_large", "stopped"};
+  return name_of(state, kNames);
 }
 
 }  // namespace lasius

@@ -162,15 +162,8 @@ bool Algorithm::has(std::string_view parameter) const noexcept {
 }
 
 std::string_view to_string(Algorithm::Kind kind) noexcept {
-  switch (kind) {
-    case Algorithm::Kind::exact:
-      return "exact";
-    case Algorithm::Kind::colony:
-      return "colony";
-    case Algorithm::Kind::genetic:
-      return "genetic";
-  }
-  return "";
+  static constexpr std::array<std::string_view, 3> kNames{"exact", "colony", "genetic"};
+  return name_of(kind, kNames);
 }
 
 void validate(const Params& params) {

@@ -21,6 +21,7 @@
 #include "tools/console/parameters.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
+#include "tools/console/values.h"
 #include "tools/polygon/polygon_verify.h"
 #include "tools/record/recorded.h"
 
@@ -96,7 +97,7 @@ Recorded recorded_inputs(const Json& result) {
        recorded_parameters(result, find_algorithm(run.params.algorithm())))
     set_parameter(run.params, name, value);
   validate(run.params);
-  run.target_gap = recorded<double>(result, "parameters/target_gap");
+  run.target_gap = recorded_real(result, "parameters/target_gap", 0, kNoLimit);
   run.time_limit = recorded_optional<double>(result, "parameters/time_limit");
   run.map.radius = recorded<double>(result, "parameters/radius");
   run.map.unknown_is_free = recorded<std::string>(result, "parameters/unknown") == "free";

@@ -72,7 +72,7 @@ TEST(Params, ValuesOutOfRangeNameTheRange) {
 
 TEST(Params, ValidateNamesTheField) {
   const auto message = [](auto change) {
-    Params p;
+    Params p("fan2004");
     change(p);
     return message_of([&] { validate(p); });
   };

@@ -87,8 +87,10 @@ TEST(PlannerAllocation, AWorkspaceOutlivesACallThatRanOutOfMemory) {
   const Request request = far_apart(planner);
   for (const char* algorithm : {"fan2004", "acs", "terminal-index", "grid-ga", "exact"}) {
     Params params = quick(algorithm);
-    params.iterations = 2;
-    params.ants = params.population = 10;
+    const Algorithm& read = find_algorithm(algorithm);
+    if (read.has("iterations")) params.iterations = 2;
+    if (read.has("ants")) params.ants = 10;
+    if (read.has("population")) params.population = 10;
     const Result expected = planner.plan(request, params);
     Params before = quick("cong2009");  // with four neighbours, and tiles of another shape
     before.iterations = 2;
