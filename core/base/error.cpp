@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "lasius/enum_names.h"
+
 namespace lasius {
 namespace {
 
@@ -20,6 +22,12 @@ std::string sentence(const Error::Place& place, const std::string& problem,
 }
 
 }  // namespace
+
+std::string_view to_string(ErrorCode code) noexcept {
+  static constexpr std::array<std::string_view, 5> kNames{
+      "invalid_parameter", "file_missing", "file_broken", "file_unsupported", "output_failed"};
+  return name_of(code, kNames);
+}
 
 Error::Error(ErrorCode code, std::string problem, std::string remedy)
     : Error(code, Place{}, std::move(problem), std::move(remedy)) {}

@@ -6,6 +6,7 @@
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
 #include "core/generate/generate_kinds.h"
+#include "lasius/enum_names.h"
 #include "lasius/error.h"
 
 namespace lasius {
@@ -34,6 +35,8 @@ constexpr auto kNames = [] {
 }  // namespace
 
 std::span<const std::string_view> map_kind_names() noexcept { return kNames; }
+
+std::string_view to_string(MapKind kind) noexcept { return name_of(kind, kNames); }
 
 double max_density(MapKind kind) noexcept { return kKinds[static_cast<std::size_t>(kind)].most; }
 

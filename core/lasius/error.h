@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "lasius/export.h"
 
@@ -16,6 +17,9 @@ enum class ErrorCode {
   file_unsupported,   ///< a well-formed file of a kind that is not read, or too large
   output_failed,      ///< a file cannot be written
 };
+
+/// The name, as in "file_broken".
+LASIUS_EXPORT std::string_view to_string(ErrorCode code) noexcept;
 
 /// Thrown for bad input and failed I/O. `what()` is one sentence that names the value, the place
 /// and the remedy; the parts are kept apart for programs.

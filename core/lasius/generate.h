@@ -36,6 +36,9 @@ struct GenerateOptions {
 /// The names of the kinds, in the order of MapKind.
 LASIUS_EXPORT std::span<const std::string_view> map_kind_names() noexcept;
 
+/// The name of one, as in "maze".
+LASIUS_EXPORT std::string_view to_string(MapKind kind) noexcept;
+
 /// The largest density that a kind can be asked for.
 LASIUS_EXPORT double max_density(MapKind kind) noexcept;
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "lasius/export.h"
@@ -15,6 +16,10 @@ enum class Nonzero {
   blocked,  ///< as in an obstacle mask
   free,     ///< as in a mask of free space
 };
+/// The name, as in "blocked".
+constexpr std::string_view to_string(Nonzero nonzero) noexcept {
+  return nonzero == Nonzero::blocked ? "blocked" : "free";
+}
 
 /// A bitmap of free and blocked cells, one bit a cell (1 = blocked), with a border of blocked
 /// bits all around so that neighbours need no bounds check.

@@ -39,8 +39,8 @@ inline Request far_apart(const Planner& planner) {
 }
 
 inline Params quick(std::string_view algorithm) {
-  Params p = defaults(algorithm);
-  p.iterations = 15;
+  Params p(algorithm);
+  if (find_algorithm(algorithm).has("iterations")) p.iterations = 15;
   p.threads = 1;
   if (algorithm == "cong2009") {  // alone and mortal, ants seldom arrive on such maps
     p.ants = 10;

@@ -1,0 +1,46 @@
+#include <gtest/gtest.h>
+
+#include "lasius/lasius.h"
+
+namespace lasius {
+namespace {
+
+// The first and the last value of every public enumeration; what is no value has no name.
+TEST(Names, OfEveryEnumeration) {
+  EXPECT_EQ(to_string(Status::solved), "solved");
+  EXPECT_EQ(to_string(Status::invalid), "invalid");
+  EXPECT_EQ(to_string(Fault::none), "none");
+  EXPECT_EQ(to_string(Fault::disconnected), "disconnected");
+  EXPECT_EQ(to_string(ErrorCode::invalid_parameter), "invalid_parameter");
+  EXPECT_EQ(to_string(ErrorCode::output_failed), "output_failed");
+  EXPECT_EQ(to_string(StopCondition::Cause::none), "none");
+  EXPECT_EQ(to_string(StopCondition::Cause::deadline), "deadline");
+  EXPECT_EQ(to_string(Preparation::State::none), "none");
+  EXPECT_EQ(to_string(Preparation::State::stopped), "stopped");
+  EXPECT_EQ(to_string(MapKind::blobs), "blobs");
+  EXPECT_EQ(to_string(MapKind::open), "open");
+  EXPECT_EQ(to_string(Nonzero::blocked), "blocked");
+  EXPECT_EQ(to_string(Nonzero::free), "free");
+  EXPECT_EQ(to_string(Corners::forbid), "forbid");
+  EXPECT_EQ(to_string(Corners::allow), "allow");
+  EXPECT_EQ(to_string(Neighbours::four), "4");
+  EXPECT_EQ(to_string(Neighbours::sixteen_knight), "16k");
+  EXPECT_EQ(to_string(Neighbours::thirty_two), "32");
+  EXPECT_EQ(to_string(Polish::none), "none");
+  EXPECT_EQ(to_string(Polish::taut), "taut");
+  EXPECT_EQ(to_string(DeadEnd::kill), "kill");
+  EXPECT_EQ(to_string(StraightDeposit::all), "all");
+  EXPECT_EQ(to_string(Heuristic::uniform), "uniform");
+  EXPECT_EQ(to_string(Heuristic::distance_field), "distance-field");
+  EXPECT_EQ(to_string(Visibility::heading_change), "heading-change");
+  EXPECT_EQ(to_string(Trail::arcs), "arcs");
+  EXPECT_EQ(to_string(Update::ant_system), "ant-system");
+  EXPECT_EQ(to_string(Update::learning), "learning");
+  EXPECT_EQ(to_string(Selection::inverse_roulette), "inverse-roulette");
+  EXPECT_EQ(to_string(Reward::affine), "affine");
+  EXPECT_EQ(to_string(static_cast<Status>(99)), "");
+  EXPECT_EQ(to_string(static_cast<Update>(-1)), "");
+}
+
+}  // namespace
+}  // namespace lasius
