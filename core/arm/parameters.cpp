@@ -75,6 +75,10 @@ constexpr Table kTable(kLists);
 
 std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
 
+std::string_view to_string(Pheromone pheromone) noexcept {
+  return kPheromone[static_cast<std::size_t>(pheromone)];
+}
+
 void set_parameter(Params& parameters, std::string_view name, std::string_view value) {
   kTable.set(parameters, name, value);
 }

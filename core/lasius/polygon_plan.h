@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lasius/params.h"
-#include "lasius/polygon.h"
+#include "lasius/polygon_world.h"
 #include "lasius/progress.h"
 #include "lasius/search_result.h"
 #include "lasius/stop.h"

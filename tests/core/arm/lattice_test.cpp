@@ -19,14 +19,14 @@ struct Plane {
   Robot robot = two_links();
   Nothing sensor;
   Kinematics arm{robot};
-  std::vector<double> start{0.6, 1.2};
+  JointVector start = joints({0.6, 1.2});
   Params parameters;
   std::array<int, 3> goal{2, 0, 0};
 
   Lattice lattice(std::array<int, 3> to) {
     const Vec3 from = tip_position(robot, start);
     const Vec3 at{from.x + 0.02 * to[0], from.y + 0.02 * to[1], from.z + 0.02 * to[2]};
-    return {arm, sensor, start, 0.02, {-2, -2, 0}, {2, 2, 0}, to, at, parameters};
+    return {arm, sensor, as_span(start), 0.02, {-2, -2, 0}, {2, 2, 0}, to, at, parameters};
   }
 };
 

@@ -31,10 +31,12 @@ struct Case {
 Case make_case(const arm::Robot& robot, const ArmQuestion& question) {
   arm::Query query = arm::generate_query(
       robot, {.seed = question.seed, .obstacles = kObstacles, .wall = question.wall});
-  Case c{std::move(query.scene), {.start = std::move(query.start), .goal = query.goal}, {}};
-  const arm::Vec3 from = arm::tip_position(robot, c.request.start), to = c.request.goal;
+  Case c{std::move(query.scene),
+         {.start = std::move(query.start), .goal = query.goal, .motion = false},
+         {}};
+  const Eigen::Vector3d from = arm::tip_position(robot, c.request.start), to = c.request.goal;
   const double widest =
-      std::max({std::abs(from.x - to.x), std::abs(from.y - to.y), std::abs(from.z - to.z)});
+      std::max({std::abs(from[0] - to[0]), std::abs(from[1] - to[1]), std::abs(from[2] - to[2])});
   c.parameters.side = kSide;
   c.parameters.pitch = widest / (0.6 * kSide);
   c.parameters.threads = 1;
@@ -45,12 +47,12 @@ ArmGround measure(const arm::Robot& robot, const Case& c) {
   const arm::SceneSensor sensor(robot, c.scene);
   const arm::Result best = arm::shortest_lattice_way(robot, sensor, c.request, c.parameters);
   const arm::Result straight = arm::straight_lattice_way(robot, sensor, c.request, c.parameters);
-  const arm::Vec3 from = arm::tip_position(robot, c.request.start), to = c.request.goal;
+  const Eigen::Vector3d from = arm::tip_position(robot, c.request.start), to = c.request.goal;
   const auto moves = [&](double a, double b) {
     return std::round(std::abs(a - b) / c.parameters.pitch);
   };
   const double nearest =
-      c.parameters.pitch * (moves(from.x, to.x) + moves(from.y, to.y) + moves(from.z, to.z));
+      c.parameters.pitch * (moves(from[0], to[0]) + moves(from[1], to[1]) + moves(from[2], to[2]));
   return {best.length, best.length / nearest, straight.status == Status::solved, best.points};
 }
 
