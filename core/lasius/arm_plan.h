@@ -61,12 +61,14 @@ struct Params {
 
 /// All parameters by name, with ranges, as `lasius algorithms` lists them; valid for ever.
 LASIUS_ARM_EXPORT std::span<const Algorithm> algorithms() noexcept;
+/// Sets a parameter by its name, from text.
 /// @throws Error(invalid_parameter) for an unknown name (with the nearest), value or range.
 LASIUS_ARM_EXPORT void set_parameter(Params& parameters, std::string_view name,
                                      std::string_view value);
 /// The value as text, which set_parameter reads. @throws Error(invalid_parameter) for an unknown
 /// name, with the nearest.
 LASIUS_ARM_EXPORT std::string get_parameter(const Params& parameters, std::string_view name);
+/// Checks every field.
 /// @throws Error(invalid_parameter) for the first field out of range.
 LASIUS_ARM_EXPORT void validate(const Params& parameters);
 

@@ -102,6 +102,7 @@ LASIUS_ARM_EXPORT Robot read_robot(const std::string& path, const Chain& chain =
 LASIUS_ARM_EXPORT Robot parse_robot(std::string_view text, const std::string& file,
                                     const Chain& chain = {});
 
+/// Checks a robot that a program made.
 /// @throws Error(invalid_parameter) for the first field out of its range.
 LASIUS_ARM_EXPORT void validate(const Robot& robot);
 
@@ -151,6 +152,7 @@ LASIUS_ARM_EXPORT Scene read_scene(const std::string& path);
 /// The same from text; `file` names it in errors and is where meshes are looked for.
 LASIUS_ARM_EXPORT Scene parse_scene(std::string_view text, const std::string& file);
 
+/// Checks a scene that a program made.
 /// @throws Error(invalid_parameter) for the first field out of its range.
 LASIUS_ARM_EXPORT void validate(const Scene& scene);
 

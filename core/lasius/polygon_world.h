@@ -20,24 +20,27 @@ namespace lasius::polygon {
 /// Vertices in order, the first not repeated at the end; either orientation.
 using Ring = std::vector<Point>;
 
+/// An area with straight edges.
 struct Polygon {
-  Ring outer;
-  std::vector<Ring> holes;
+  Ring outer;               ///< its outline
+  std::vector<Ring> holes;  ///< inside of it, not part of the area
   friend bool operator==(const Polygon&, const Polygon&) = default;
 };
 
+/// What a planner plans in. Reading a world and `check` see to what is said of it here.
 struct World {
-  Polygon boundary;  ///< its holes are obstacles
-  std::vector<Polygon> obstacles;
-  std::optional<Point> start;
-  std::optional<Point> goal;
-  double margin = 0;  ///< of the robot: obstacles grow by it
+  Polygon boundary;                ///< its holes are obstacles
+  std::vector<Polygon> obstacles;  ///< they may overlap, and reach out of the boundary
+  std::optional<Point> start;      ///< of a request that names none
+  std::optional<Point> goal;       ///< likewise
+  double margin = 0;               ///< of the robot, at least 0: obstacles grow by it
   friend bool operator==(const World&, const World&) = default;
 };
 
 /// A hash of all numbers of a world, and of nothing else.
 LASIUS_POLYGON_EXPORT std::uint64_t hash(const World& world) noexcept;
 
+/// How a world is read.
 struct ReadOptions {
   bool repair = false;  ///< geometry that is not valid is repaired, not refused
 };
@@ -59,15 +62,16 @@ struct ReadOptions {
 ///         line and byte or the feature, ring and point, and the remedy.
 LASIUS_POLYGON_EXPORT World read_world(const std::string& path, const ReadOptions& options = {});
 
-/// The same from text; `name` stands for the file in errors.
+/// The same from GeoJSON; `name` stands for the file in errors.
 LASIUS_POLYGON_EXPORT World parse_geojson(std::string_view text, const std::string& name,
                                           const ReadOptions& options = {});
+/// The same from WKT.
 LASIUS_POLYGON_EXPORT World parse_wkt(std::string_view text, const std::string& name,
                                       const ReadOptions& options = {});
 
 /// A feature a line, readable by `parse_geojson`, of any world: it is not checked.
 LASIUS_POLYGON_EXPORT std::string to_geojson(const World& world);
-/// The margin is a comment.
+/// The world as WKT, a geometry a line, readable by `parse_wkt`; the margin is a comment.
 /// @throws Error(invalid_parameter) for a world that `check` refuses, and a goal without a start,
 ///         which would be read as one.
 LASIUS_POLYGON_EXPORT std::string to_wkt(const World& world);

@@ -14,6 +14,7 @@ using Integer = Table::Integer;
 using Number = Table::Number;
 
 constexpr std::string_view kGlobalBest[]{"so-far", "iteration"};
+constexpr std::string_view kJoins[]{"mitre", "round", "bevel"};
 
 constexpr Entry kIterations{{"iterations", "integer", "0 .. 1000000000", "iterations, NC"},
                             Integer{&Params::iterations, 0, 1000000000}};
@@ -89,6 +90,12 @@ std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
 
 const Algorithm& find_algorithm(std::string_view name) {
   return lasius::find_algorithm(kAlgorithms, name);
+}
+
+std::string_view to_string(Join join) noexcept { return kJoins[static_cast<std::size_t>(join)]; }
+
+std::string_view to_string(GlobalBest global_best) noexcept {
+  return kGlobalBest[static_cast<std::size_t>(global_best)];
 }
 
 Params::Params(std::string_view algorithm) {

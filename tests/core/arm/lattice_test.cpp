@@ -73,6 +73,35 @@ TEST(Lattice, JointValuesAreAFunctionOfThePointAlone) {
   EXPECT_EQ(one.configuration(one.node({3, 0, 0})), nullptr) << "outside of the box";
 }
 
+/// Notes where the values that it is asked about are.
+class Addresses final : public Sensor {
+ public:
+  bool position_free(const JointRef& q) const override {
+    position = q.data();
+    return true;
+  }
+  bool motion_free(const JointRef& a, const JointRef& b) const override {
+    from = a.data();
+    to = b.data();
+    return true;
+  }
+  double clearance() const override { return 0.001; }
+
+  mutable const double *position = nullptr, *from = nullptr, *to = nullptr;
+};
+
+TEST(Lattice, SensorsReadItsOwnValuesNotCopies) {
+  const Plane plane;
+  const Addresses sensor;
+  const Lattice lattice(plane.arm, sensor, as_span(plane.start), 0.02, {-2, -2, 0}, {2, 2, 0},
+                        plane.goal, tip_position(plane.robot, plane.start), plane.parameters);
+  const Node at = lattice.start(), next = lattice.to(at, 0);
+  ASSERT_TRUE(lattice.open(at, 0));
+  EXPECT_EQ(sensor.position, lattice.configuration(next));
+  EXPECT_EQ(sensor.from, lattice.configuration(at));
+  EXPECT_EQ(sensor.to, lattice.configuration(next));
+}
+
 TEST(LatticeAnts, FirstMovesFollowTheRandomProportionalRule) {
   // Weights tau^alpha u^gamma of the six moves out of the start; +-z has no joint values. Seven
   // tenths of sigma-free counts: 40000 draws, 5 standard deviations.
