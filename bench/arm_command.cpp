@@ -1,7 +1,6 @@
 // lasius_bench arm: speed, threads, validity and optima of arms among unknown obstacles.
 #include <array>
 #include <cmath>
-#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -196,19 +195,12 @@ void run(const Options& options) {
 }  // namespace
 
 void add_arm_command(CLI::App& app) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("arm", "Speed, validity and optima of goritov2020");
-  command->add_option("--rounds", options->rounds, "Questions timed")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  command->add_option("--scenes", options->scenes, "Trajectories checked by FCL")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 100000));
-  command->add_option("--seeds", options->seeds, "Runs compared with the optimum")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 100000));
-  command->add_option("-o,--output", options->markdown, "Write the Markdown here, too");
-  command->callback([options] { run(*options); });
+  const auto [command, options] =
+      add_command(app, "arm", "Speed, validity and optima of goritov2020", run);
+  add_number(command, "--rounds", options.rounds, "Questions timed", 1, 1000);
+  add_number(command, "--scenes", options.scenes, "Trajectories checked by FCL", 1, 100000);
+  add_number(command, "--seeds", options.seeds, "Runs compared with the optimum", 1, 100000);
+  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

@@ -1,5 +1,4 @@
 // lasius_bench colony: speed, threads, area, latency of the colony.
-#include <memory>
 
 #include "bench/colony_figures.h"
 #include "bench/commands.h"
@@ -30,19 +29,12 @@ void run(const Options& options) {
 }  // namespace
 
 void add_colony_command(CLI::App& app) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("colony", "Speed, threads, area, latency of the colony");
-  command->add_option("--rounds", options->rounds, "Rounds of each measurement")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  command->add_option("--side", options->side, "Side of the large map")
-      ->capture_default_str()
-      ->check(CLI::Range(1024, Grid::kMaxSide));
-  command->add_option("--plans", options->plans, "Plans for latencies")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 100000));
-  command->add_option("-o,--output", options->markdown, "Write the Markdown here, too");
-  command->callback([options] { run(*options); });
+  const auto [command, options] =
+      add_command(app, "colony", "Speed, threads, area, latency of the colony", run);
+  add_number(command, "--rounds", options.rounds, "Rounds of each measurement", 1, 1000);
+  add_number(command, "--side", options.side, "Side of the large map", 1024, Grid::kMaxSide);
+  add_number(command, "--plans", options.plans, "Plans for latencies", 1, 100000);
+  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

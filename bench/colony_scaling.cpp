@@ -42,7 +42,7 @@ std::vector<double> iteration_times(const Planner& planner, const Course& course
   std::vector<double> times;
   Stopwatch watch;
   double last = 0;
-  planner.plan({course.start, course.goal}, params, &workspace, [&](const Progress& p) {
+  planner.plan({course.start, course.goal}, params, &workspace, [&](const GridProgress& p) {
     const double now = watch.seconds();
     if (p.iteration > 0) times.push_back(now - last);
     last = now;

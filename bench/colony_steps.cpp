@@ -90,7 +90,7 @@ double plan_rate(const Planner& planner, Params params, std::uint64_t seed) {
   std::int64_t steps = 0;
   const Course& c = fan_course();
   const ProcessorStopwatch watch;
-  planner.plan({c.start, c.goal}, params, &workspace, [&](const Progress&) {
+  planner.plan({c.start, c.goal}, params, &workspace, [&](const GridProgress&) {
     for (const Ant& ant : workspace.impl().colony.ants) steps += ant.steps;
   });
   return static_cast<double>(steps) / watch.seconds();

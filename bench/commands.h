@@ -3,7 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/query_set.h"
@@ -21,6 +23,27 @@ void add_polygons_command(CLI::App& app);  ///< only with GEOS
 void add_sampling_command(CLI::App& app);  ///< only with OMPL
 void add_arm_command(CLI::App& app);       ///< only with lasius::arm
 void add_smoke_command(CLI::App& app);
+
+/// A subcommand that runs `run` with options of its own.
+template <class Options>
+std::pair<CLI::App&, Options&> add_command(CLI::App& app, const std::string& name,
+                                           const std::string& summary,
+                                           void (*run)(const Options&)) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand(name, summary);
+  command.callback([options, run] { run(*options); });
+  return {command, *options};
+}
+
+/// A number from `least` to `most` whose default the help shows.
+template <class Number>
+void add_number(CLI::App& command, const std::string& name, Number& value, const std::string& text,
+                double least = 0, double most = 1e9) {
+  command.add_option(name, value, text)->capture_default_str()->check(CLI::Range(least, most));
+}
+
+/// The file that a table goes to beside standard output.
+void add_output(CLI::App& command, std::string& file);
 
 /// Which maps a command runs on.
 struct MapOptions {

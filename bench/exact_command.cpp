@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
-#include <memory>
 
 #include "bench/clocks.h"
 #include "bench/commands.h"
@@ -110,16 +109,11 @@ void run(const Options& options) {
 }  // namespace
 
 void add_exact_command(CLI::App& app) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("exact", "Preparation, anytime figures, memory and threads of `exact`");
-  add_map_options(*command, options->maps);
-  command->add_option("--queries", options->count, "Queries a map; 0: all of its table")
-      ->capture_default_str();
-  command->add_option("--rounds", options->rounds, "Rounds of each query")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  command->callback([options] { run(*options); });
+  const auto [command, options] =
+      add_command(app, "exact", "Preparation, anytime figures, memory and threads of `exact`", run);
+  add_map_options(command, options.maps);
+  add_number(command, "--queries", options.count, "Queries a map; 0: all of its table");
+  add_number(command, "--rounds", options.rounds, "Rounds of each query", 1, 1000);
 }
 
 }  // namespace lasius::bench

@@ -6,18 +6,22 @@
 
 namespace lasius::bench {
 
-FigureTable::FigureTable(const std::string& heading, const std::string& file) : file_(file) {
-  write(machine_line() + ". " + heading + "\n");
-  write("| what | figure | aim |\n|---|--:|--:|");
+Output::Output(const std::string& file) {
+  if (!file.empty()) file_.open(file);
+}
+
+void Output::write(const std::string& text) {
+  std::cout << text << std::flush;
+  file_ << text << std::flush;
+}
+
+FigureTable::FigureTable(const std::string& heading, const std::string& file) : output_(file) {
+  output_.write(machine_line() + ". " + heading + "\n\n| what | figure | aim |\n|---|--:|--:|\n");
 }
 
 void FigureTable::add(const std::vector<Figure>& figures) {
-  for (const Figure& f : figures) write("| " + f.what + " | " + f.value + " | " + f.aim + " |");
-}
-
-void FigureTable::write(const std::string& line) {
-  std::cout << line << std::endl;
-  file_ << line << std::endl;
+  for (const Figure& f : figures)
+    output_.write("| " + f.what + " | " + f.value + " | " + f.aim + " |\n");
 }
 
 }  // namespace lasius::bench

@@ -1,4 +1,4 @@
-// Figures beside their aims, as the README states them.
+// Text for people on standard output and in a file; figures beside their aims.
 #pragma once
 
 #include <fstream>
@@ -7,23 +7,31 @@
 
 namespace lasius::bench {
 
+/// Standard output, line by line as figures come, and a file unless its name is empty.
+class Output {
+ public:
+  explicit Output(const std::string& file);
+  void write(const std::string& text);
+
+ private:
+  std::ofstream file_;
+};
+
 /// One line of the table: what, how much, and what it should be.
 struct Figure {
   std::string what, value, aim;
 };
 
-/// A table in Markdown on standard output, line by line as figures come.
+/// A table in Markdown, as the README has them.
 class FigureTable {
  public:
-  /// The machine and `heading` stand above it. All goes to `file` too, unless that is empty.
+  /// The machine and `heading` stand above it.
   FigureTable(const std::string& heading, const std::string& file);
 
   void add(const std::vector<Figure>& figures);
 
  private:
-  void write(const std::string& line);
-
-  std::ofstream file_;
+  Output output_;
 };
 
 }  // namespace lasius::bench

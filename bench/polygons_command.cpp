@@ -140,13 +140,10 @@ void run(const Options& options) {
 }  // namespace
 
 void add_polygons_command(CLI::App& app) {
-  auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("polygons", "Planning among polygons: speed and validity");
-  command->add_option("--rounds", options->rounds, "Runs that are timed")
-      ->check(CLI::Range(1, 10000));
-  command->add_option("--worlds", options->worlds, "Random worlds that are checked")
-      ->check(CLI::Range(0, 1000000));
-  command->callback([options] { run(*options); });
+  const auto [command, options] =
+      add_command(app, "polygons", "Planning among polygons: speed and validity", run);
+  add_number(command, "--rounds", options.rounds, "Runs that are timed", 1, 10000);
+  add_number(command, "--worlds", options.worlds, "Random worlds that are checked", 0, 1000000);
 }
 
 }  // namespace lasius::bench

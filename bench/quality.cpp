@@ -27,7 +27,7 @@ QualityRun run_once(const Planner& planner, const Course& course, const Params& 
   QualityRun run;
   double shortest = std::numeric_limits<double>::infinity();
   const Result result =
-      planner.plan({course.start, course.goal}, params, &workspace, [&](const Progress& progress) {
+      planner.plan({course.start, course.goal}, params, &workspace, [&](const GridProgress& progress) {
         for (int ant = 0; ant < progress.ants(); ++ant) {
           const auto tour = progress.tour(ant);
           const double length = length_of(tour);

@@ -1,7 +1,5 @@
 // lasius_bench quality: gap to the optimum over many seeds, with and without pheromone.
-#include <fstream>
-#include <iostream>
-#include <memory>
+#include <sstream>
 
 #include "bench/commands.h"
 #include "bench/quality.h"
@@ -54,12 +52,11 @@ void run(const Options& options) {
 
   const Params params = defaults(options.algorithm);
   std::ostringstream table;
+  Output output(options.markdown);
   const auto flush = [&] {
-    std::cout << table.str() << std::flush;
-    if (!options.markdown.empty()) std::ofstream(options.markdown, std::ios::app) << table.str();
+    output.write(table.str());
     table.str({});
   };
-  if (!options.markdown.empty()) std::ofstream(options.markdown, std::ios::trunc);
   table << machine_line() << ". `" << options.algorithm << "`, its defaults, seeds 1 to "
         << options.seeds
         << "; gap to the exact optimum in per cent, iteration of the last improvement and of that "
@@ -90,21 +87,15 @@ void run(const Options& options) {
 }  // namespace
 
 void add_quality_command(CLI::App& app) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("quality", "Gap to the optimum over many seeds");
-  command->add_option("--algorithm", options->algorithm, "Of the colony")->capture_default_str();
-  command->add_option("--seeds", options->seeds, "Runs of each course")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 100000));
-  command->add_option("--blobs", options->blobs, "Generated blobs maps of 400 x 200")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 10000));
-  command->add_option("--first-blobs", options->first_blobs, "Seed of the first of them")
-      ->capture_default_str();
-  command->add_flag("!--no-fan", options->fan, "Leave out maps/fan400x200.map");
-  command->add_option("--course", options->courses, "More courses: FILE,X,Y,X,Y");
-  command->add_option("-o,--output", options->markdown, "Write the Markdown here, too");
-  command->callback([options] { run(*options); });
+  const auto [command, options] =
+      add_command(app, "quality", "Gap to the optimum over many seeds", run);
+  command.add_option("--algorithm", options.algorithm, "Of the colony")->capture_default_str();
+  add_number(command, "--seeds", options.seeds, "Runs of each course", 1, 100000);
+  add_number(command, "--blobs", options.blobs, "Generated blobs maps of 400 x 200", 0, 10000);
+  add_number(command, "--first-blobs", options.first_blobs, "Seed of the first of them");
+  command.add_flag("!--no-fan", options.fan, "Leave out maps/fan400x200.map");
+  command.add_option("--course", options.courses, "More courses: FILE,X,Y,X,Y");
+  add_output(command, options.markdown);
 }
 
 }  // namespace lasius::bench

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
-#include <memory>
 
 #include "bench/commands.h"
 #include "bench/contenders.h"
+#include "bench/figure_table.h"
 #include "bench/report.h"
 #include "lasius/error.h"
 
@@ -47,11 +47,9 @@ void run(const Options& options) {
   }
   const std::string seeds =
       "seed " + std::to_string(options.maps.seed) + " for generated maps and queries";
-  write_markdown(std::cout, results, planners, subject, options.comparison, seeds);
-  if (!options.markdown.empty()) {
-    std::ofstream out(options.markdown);
-    write_markdown(out, results, planners, subject, options.comparison, seeds);
-  }
+  std::ostringstream text;
+  write_markdown(text, results, planners, subject, options.comparison, seeds);
+  Output(options.markdown).write(text.str());
   if (!options.raw.empty()) {
     std::ofstream out(options.raw);
     write_tsv(out, results, planners);
@@ -60,6 +58,10 @@ void run(const Options& options) {
 }
 
 }  // namespace
+
+void add_output(CLI::App& command, std::string& file) {
+  command.add_option("-o,--output", file, "Write the Markdown here, too");
+}
 
 void add_map_options(CLI::App& command, MapOptions& options) {
   command.add_option("--maps", options.maps,
@@ -94,28 +96,23 @@ std::vector<QuerySource> sources_of(const MapOptions& options) {
 }
 
 void add_queries_command(CLI::App& app) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("queries", "All planners on the same queries");
-  add_map_options(*command, options->maps);
+  const auto [command, options] =
+      add_command(app, "queries", "All planners on the same queries", run);
+  add_map_options(command, options.maps);
   std::vector<std::string> names;
   for (const auto& planner : all_contenders()) names.emplace_back(planner.name);
-  command->add_option("--planners", options->planners, "Only these, by name")
+  command.add_option("--planners", options.planners, "Only these, by name")
       ->delimiter(',')
       ->check(CLI::IsMember(names));
-  command->add_option("--subject", options->subject, "The planner that ratios are against")
+  command.add_option("--subject", options.subject, "The planner that ratios are against")
       ->check(CLI::IsMember(names));
-  command->add_option("--queries", options->count, "Queries a map; 0: all of its table")
-      ->capture_default_str();
-  command->add_option("--rounds", options->comparison.rounds, "Rounds over the queries of a map")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  command
-      ->add_option("--seconds", options->comparison.seconds,
-                   "A planner that spent this on a map starts no further round there")
-      ->capture_default_str();
-  command->add_option("-o,--output", options->markdown, "Write the Markdown here, too");
-  command->add_option("--raw", options->raw, "Write every measurement here, as TSV");
-  command->callback([options] { run(*options); });
+  add_number(command, "--queries", options.count, "Queries a map; 0: all of its table");
+  add_number(command, "--rounds", options.comparison.rounds, "Rounds over the queries of a map", 1,
+             1000);
+  add_number(command, "--seconds", options.comparison.seconds,
+             "A planner that spent this on a map starts no further round there");
+  add_output(command, options.markdown);
+  command.add_option("--raw", options.raw, "Write every measurement here, as TSV");
 }
 
 }  // namespace lasius::bench

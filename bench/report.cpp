@@ -30,9 +30,9 @@ void write_row(std::ostream& out, const std::string& name, const std::vector<dou
 }
 
 // One line a map, then the geometric mean where it means something.
-void write_table(std::ostream& out, const std::string& corner, std::span<const MapComparison> maps,
+void write_table(std::ostream& out, std::span<const MapComparison> maps,
                  std::span<const peers::Peer> planners, const Value& value, bool mean) {
-  out << "| " << corner << " |";
+  out << "| map |";
   for (const auto& planner : planners) out << ' ' << planner.name << " |";
   out << "\n|---|";
   for (std::size_t i = 0; i < planners.size(); ++i) out << "--:|";
@@ -112,48 +112,29 @@ void write_markdown(std::ostream& out, std::span<const MapComparison> maps,
          "interrupted; "
       << seeds << ".\n\n";
 
-  out << "Mean time of a query, microseconds:\n\n";
-  write_table(
-      out, "map", maps, planners,
-      [](const MapComparison& m, std::size_t p) { return m.planners[p].mean_microseconds(); },
-      true);
-  out << "Median time of a query, microseconds:\n\n";
-  write_table(
-      out, "map", maps, planners,
-      [](const MapComparison& m, std::size_t p) { return m.planners[p].median_microseconds(); },
-      true);
-  out << "Mean time divided by that of " << planners[subject].name << ":\n\n";
-  write_table(
-      out, "map", maps, planners,
-      [subject](const MapComparison& m, std::size_t p) {
-        return m.planners[p].mean_microseconds() / m.planners[subject].mean_microseconds();
-      },
-      true);
-  out << "Mean gap to the optimum, per cent:\n\n";
-  write_table(
-      out, "map", maps, planners,
-      [](const MapComparison& m, std::size_t p) {
-        const double gap = 100 * m.mean_gap(p);
-        return gap < 1e-6 ? 0 : gap;
-      },
-      false);
-  out << "Preparation of a map, milliseconds:\n\n";
-  write_table(
-      out, "map", maps, planners,
-      [](const MapComparison& m, std::size_t p) { return m.planners[p].preparation_ms; }, false);
-  const auto megabytes = [](const MapComparison& m, std::size_t p) {
-    return 1e-6 * m.planners[p].prepared_bytes;
+  const auto table = [&](const std::string& title, bool mean, const auto& value) {
+    write_table(out << title << ":\n\n", maps, planners, value, mean);
   };
-  const bool counted = std::any_of(maps.begin(), maps.end(), [&](const MapComparison& m) {
-    for (std::size_t p = 0; p < planners.size(); ++p) {
-      if (std::isfinite(megabytes(m, p))) return true;
-    }
-    return false;
+  using Map = MapComparison;
+  table("Mean time of a query, microseconds", true,
+        [](const Map& m, std::size_t p) { return m.planners[p].mean_microseconds(); });
+  table("Median time of a query, microseconds", true,
+        [](const Map& m, std::size_t p) { return m.planners[p].median_microseconds(); });
+  table("Mean time divided by that of " + std::string(planners[subject].name), true,
+        [subject](const Map& m, std::size_t p) {
+          return m.planners[p].mean_microseconds() / m.planners[subject].mean_microseconds();
+        });
+  table("Mean gap to the optimum, per cent", false, [](const Map& m, std::size_t p) {
+    const double gap = 100 * m.mean_gap(p);
+    return gap < 1e-6 ? 0 : gap;
   });
-  if (counted) {
-    out << "Held by the preparation, megabytes, where it is counted:\n\n";
-    write_table(out, "map", maps, planners, megabytes, false);
-  }
+  table("Preparation of a map, milliseconds", false,
+        [](const Map& m, std::size_t p) { return m.planners[p].preparation_ms; });
+  const auto counts = [](const PlannerRun& run) { return std::isfinite(run.prepared_bytes); };
+  if (std::ranges::any_of(maps,
+                          [&](const Map& m) { return std::ranges::any_of(m.planners, counts); }))
+    table("Held by the preparation, megabytes, where it is counted", false,
+          [](const Map& m, std::size_t p) { return 1e-6 * m.planners[p].prepared_bytes; });
   write_faults(out, maps, planners);
 }
 

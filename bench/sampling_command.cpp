@@ -3,11 +3,11 @@
 #include <cmath>
 #include <fstream>
 #include <iostream>
-#include <memory>
 
 #include "bench/clocks.h"
 #include "bench/commands.h"
 #include "bench/contenders.h"
+#include "bench/figure_table.h"
 #include "bench/peers/sampling.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
@@ -19,13 +19,11 @@ using peers::kGaps;
 using peers::SamplingTrial;
 
 struct Options {
-  std::vector<std::string> maps;
-  std::vector<int> sides;
+  MapOptions maps;
   std::string markdown, raw;
   std::size_t count = 3;
   int seeds = 3;
   double cap = 2;
-  std::uint64_t seed = 1;
 };
 
 // All trials of one planner on one map.
@@ -111,7 +109,7 @@ void run_map(const QuerySet& set, const Options& options, std::vector<Row>& rows
       for (int seed = 0; seed < options.seeds; ++seed) {
         row.trials.push_back(peers::run_sampler(
             static_cast<peers::Sampler>(s), set.grid, set.queries[q].start, set.queries[q].goal,
-            optima[q], options.cap, static_cast<std::uint32_t>(options.seed) + seed));
+            optima[q], options.cap, static_cast<std::uint32_t>(options.maps.seed) + seed));
       }
     }
     rows.push_back(row);
@@ -119,19 +117,14 @@ void run_map(const QuerySet& set, const Options& options, std::vector<Row>& rows
 }
 
 void run(const Options& options) {
-  auto sources = find_sources(options.maps);
-  const auto generated = generated_sources(options.sides, options.seed);
-  sources.insert(sources.end(), generated.begin(), generated.end());
   std::vector<Row> rows;
-  for (const QuerySource& source : sources) {
+  for (const QuerySource& source : sources_of(options.maps)) {
     std::cerr << source.name << std::endl;
     run_map(load(source, options.count), options, rows);
   }
-  write(std::cout, rows, options);
-  if (!options.markdown.empty()) {
-    std::ofstream out(options.markdown);
-    write(out, rows, options);
-  }
+  std::ostringstream text;
+  write(text, rows, options);
+  Output(options.markdown).write(text.str());
   if (!options.raw.empty()) {
     std::ofstream out(options.raw);
     write_raw(out, rows);
@@ -141,19 +134,14 @@ void run(const Options& options) {
 }  // namespace
 
 void add_sampling_command(CLI::App& app) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("sampling", "OMPL's planners: time to 5, 1 and 0.1%");
-  command->add_option("--maps", options->maps, "As for queries");
-  command->add_option("--generated", options->sides, "As for queries")
-      ->delimiter(',')
-      ->check(CLI::Range(16, Grid::kMaxSide));
-  command->add_option("--queries", options->count, "Queries a map")->capture_default_str();
-  command->add_option("--seeds", options->seeds, "Runs of each query")->capture_default_str();
-  command->add_option("--cap", options->cap, "Seconds a run")->capture_default_str();
-  command->add_option("--seed", options->seed, "The first one")->capture_default_str();
-  command->add_option("-o,--output", options->markdown, "Write the Markdown here, too");
-  command->add_option("--raw", options->raw, "Write every run here, as TSV");
-  command->callback([options] { run(*options); });
+  const auto [command, options] =
+      add_command(app, "sampling", "OMPL's planners: time to 5, 1 and 0.1%", run);
+  add_map_options(command, options.maps);
+  add_number(command, "--queries", options.count, "Queries a map");
+  add_number(command, "--seeds", options.seeds, "Runs of each query");
+  add_number(command, "--cap", options.cap, "Seconds a run");
+  add_output(command, options.markdown);
+  command.add_option("--raw", options.raw, "Write every run here, as TSV");
 }
 
 }  // namespace lasius::bench

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <iostream>
 #include <map>
-#include <memory>
 #include <optional>
 
 #include "bench/answer_files.h"
@@ -117,7 +116,8 @@ void report(const std::string& map, const Options& options, const Tallies& here,
   std::cout << " |" << std::endl;
 }
 
-void run(Options options) {
+void run(const Options& given) {
+  Options options = given;
   if (options.algorithms == std::vector<std::string>{"all"}) {
     options.algorithms.clear();
     for (const Algorithm& a : algorithms()) options.algorithms.emplace_back(a.name);
@@ -167,22 +167,19 @@ void run(Options options) {
 }  // namespace
 
 void add_validity_command(CLI::App& app) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("validity", "Checks every path of the colonies");
-  command->add_option("--maps", options->maps,
-                      "Folders or files, as for queries; all their queries");
-  command->add_option("--algorithms", options->algorithms, "Which; all")
+  const auto [command, options] =
+      add_command(app, "validity", "Checks every path of the colonies", run);
+  command.add_option("--maps", options.maps, "Folders or files, as for queries; all their queries");
+  command.add_option("--algorithms", options.algorithms, "Which; all")
       ->delimiter(',')
       ->capture_default_str();
-  command->add_option("--random", options->random, "Queries on generated maps of all kinds")
-      ->capture_default_str();
-  command->add_option("--side", options->side, "Of generated maps")->capture_default_str();
-  command->add_option("--iterations", options->iterations, "Of each plan")->capture_default_str();
-  command->add_option("--ants", options->ants, "Of each iteration")->capture_default_str();
-  command->add_option("--seed", options->seed, "The first one")->capture_default_str();
-  command->add_option("--write", options->write,
-                      "A new folder for maps, queries and answers, for another checker");
-  command->callback([options] { run(*options); });
+  add_number(command, "--random", options.random, "Queries on generated maps of all kinds");
+  add_number(command, "--side", options.side, "Of generated maps");
+  add_number(command, "--iterations", options.iterations, "Of each plan");
+  add_number(command, "--ants", options.ants, "Of each iteration");
+  add_number(command, "--seed", options.seed, "The first one");
+  command.add_option("--write", options.write,
+                     "A new folder for maps, queries and answers, for another checker");
 }
 
 }  // namespace lasius::bench

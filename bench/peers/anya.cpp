@@ -135,35 +135,30 @@ void Anya::expand_run(const Node& node, double ratio, int run_left, int run_righ
   const std::uint64_t* behind = grid_->row(row_behind(node.line, node.dy));
   if (left == run_left) {
     if (root.x < run_left && !bit(behind, run_left - 1)) {
-      turn_below_left(node, ratio, run_right, run_left);
+      turn_below(node, ratio, run_right, run_left);
     }
   } else if (const int x = static_cast<int>(left); x == left && bit(behind, x - 1)) {
     turn_behind(node, ratio, x, -1);
   }
   if (right == run_right) {
     if (root.x > run_right && !bit(behind, run_right)) {
-      turn_below_right(node, ratio, run_left, run_right);
+      turn_below(node, ratio, run_left, run_right);
     }
   } else if (const int x = static_cast<int>(right); x == right && bit(behind, x)) {
     turn_behind(node, ratio, x, 1);
   }
 }
 
-// Around a block of the row ahead, left of the run: the part of the run that it hides.
-void Anya::turn_below_left(const Node& node, double ratio, int run_right, int x) {
+// Around a block of the row ahead, beside the run at x: the part that it hides of the run, which
+// ends at `far`.
+void Anya::turn_below(const Node& node, double ratio, int far, int x) {
   const Root root = roots_[node.root];
   const std::int32_t turn = make_root(node.root, x, node.line);
   if (turn < 0) return;
-  const double hidden = std::min<double>(run_right, snapped(root.x + (x - root.x) * ratio));
-  if (hidden - x > kThin) add_cone(turn, x, hidden, node.line + node.dy, node.dy);
-}
-
-void Anya::turn_below_right(const Node& node, double ratio, int run_left, int x) {
-  const Root root = roots_[node.root];
-  const std::int32_t turn = make_root(node.root, x, node.line);
-  if (turn < 0) return;
-  const double hidden = std::max<double>(run_left, snapped(root.x + (x - root.x) * ratio));
-  if (x - hidden > kThin) add_cone(turn, hidden, x, node.line + node.dy, node.dy);
+  const double seen = snapped(root.x + (x - root.x) * ratio);
+  const double left = far > x ? x : std::max<double>(far, seen);
+  const double right = far > x ? std::min<double>(far, seen) : x;
+  if (right - left > kThin) add_cone(turn, left, right, node.line + node.dy, node.dy);
 }
 
 // Around a block of the row just left, beside the interval: what lies ahead beyond the last ray,

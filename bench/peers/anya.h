@@ -53,8 +53,7 @@ class Anya final : public QueryPlanner {
   void expand_cone(const Node& node);
   void expand_run(const Node& node, double ratio, int run_left, int run_right);
   void expand_flat(const Node& node);
-  void turn_below_left(const Node& node, double ratio, int run_right, int x);
-  void turn_below_right(const Node& node, double ratio, int run_left, int x);
+  void turn_below(const Node& node, double ratio, int far, int x);
   void turn_behind(const Node& node, double ratio, int x, int side);
 
   std::int32_t make_root(std::int32_t parent, int x, int y);

@@ -1,13 +1,34 @@
-#include "bench/peers/boost_astar.h"
-
+// Boost.Graph's A*.
 #include <algorithm>
 #include <boost/graph/astar_search.hpp>
 #include <numbers>
 
 #include "bench/peers/grid_graph.h"
+#include "bench/peers/peers.h"
 
 namespace lasius::peers {
 namespace {
+
+/// boost::astar_search_no_init over the implicit grid graph: shortest octile path. Its maps are
+/// stamped, so that a query initialises only the cells that it meets; the heap's own index is a
+/// vector that Boost grows anew each time.
+class BoostAStar final : public QueryPlanner {
+ public:
+  explicit BoostAStar(const Grid& grid);
+  double plan(Cell start, Cell goal, std::vector<Point>& path) override;
+
+  /// What the search keeps of a cell, valid when the stamp is the query's.
+  struct Node {
+    double distance, bound;
+    std::uint32_t predecessor, stamp;
+    std::uint8_t colour;
+  };
+
+ private:
+  MoveGrid moves_;
+  std::vector<Node> nodes_;
+  std::uint32_t stamp_ = 0;
+};
 
 using Node = BoostAStar::Node;
 using Vertex = std::uint32_t;
@@ -68,8 +89,6 @@ struct StopAtGoal : boost::default_astar_visitor {
   }
 };
 
-}  // namespace
-
 BoostAStar::BoostAStar(const Grid& grid) : moves_(grid), nodes_(moves_.size(), Node{}) {}
 
 double BoostAStar::plan(Cell start, Cell goal, std::vector<Point>& path) {
@@ -94,6 +113,12 @@ double BoostAStar::plan(Cell start, Cell goal, std::vector<Point>& path) {
   path.push_back(centre(start));
   std::reverse(path.begin(), path.end());
   return nodes(to).distance;
+}
+
+}  // namespace
+
+std::unique_ptr<QueryPlanner> boost_astar(const Grid& grid) {
+  return std::make_unique<BoostAStar>(grid);
 }
 
 }  // namespace lasius::peers

@@ -25,4 +25,10 @@ struct Peer {
 
 std::span<const Peer> all_peers() noexcept;
 
+// The peers of which nobody needs more than a QueryPlanner: each is in the source of its name.
+std::unique_ptr<QueryPlanner> heap_astar(const Grid& grid);
+std::unique_ptr<QueryPlanner> theta_star(const Grid& grid);
+std::unique_ptr<QueryPlanner> lazy_theta_star(const Grid& grid);  ///< in theta_star.cpp
+std::unique_ptr<QueryPlanner> boost_astar(const Grid& grid);      ///< only with Boost.Graph
+
 }  // namespace lasius::peers

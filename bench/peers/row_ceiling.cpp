@@ -17,16 +17,8 @@ RowCeiling::RowCeiling(int width, int height, std::uint64_t seed)
 
 std::uint64_t RowCeiling::walk(Path path, int walkers, std::int64_t steps) {
   const bool jump = path == Path::jump;
-  switch (walkers) {
-    case 1:
-      return jump ? jump_with<1>(steps) : walk_with<1>(steps);
-    case 4:
-      return jump ? jump_with<4>(steps) : walk_with<4>(steps);
-    case 8:
-      return jump ? jump_with<8>(steps) : walk_with<8>(steps);
-    default:
-      return jump ? jump_with<16>(steps) : walk_with<16>(steps);
-  }
+  if (walkers == 1) return jump ? jump_with<1>(steps) : walk_with<1>(steps);
+  return jump ? jump_with<8>(steps) : walk_with<8>(steps);
 }
 
 template <int W>

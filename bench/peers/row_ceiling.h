@@ -16,7 +16,7 @@ class RowCeiling {
   };
 
   RowCeiling(int width, int height, std::uint64_t seed = 1);
-  /// Makes `steps` steps with 1, 4, 8 or 16 interleaved walkers; returns a checksum.
+  /// Makes `steps` steps with 1 or 8 interleaved walkers; returns a checksum.
   std::uint64_t walk(Path path, int walkers, std::int64_t steps);
 
  private:

@@ -1,21 +1,58 @@
-#include "bench/peers/theta_star.h"
-
+// Theta* and Lazy Theta*: A* on 8 neighbours whose parents need only be in sight.
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numbers>
 
+#include "bench/peers/move_grid.h"
+#include "bench/peers/peers.h"
 #include "bench/peers/sight.h"
 
 namespace lasius::peers {
 namespace {
 
+/// Any-angle paths over cell centres, close to the shortest but not exact. Basic Theta* (Nash,
+/// Daniel, Koenig & Felner 2007) looks for sight when a neighbour is generated, Lazy Theta* (Nash,
+/// Koenig & Tovey 2010) once, when a cell is expanded. Sight is looked for only where it can
+/// shorten, which changes no path.
+class ThetaStar final : public QueryPlanner {
+ public:
+  enum class Kind { basic, lazy };
+  ThetaStar(const Grid& grid, Kind kind);
+  double plan(Cell start, Cell goal, std::vector<Point>& path) override;
+
+ private:
+  struct Node {
+    double cost;
+    std::uint32_t parent;
+    std::uint32_t state;  // 2 * stamp, + 1 when closed
+  };
+  struct Item {
+    double bound, cost;
+    std::uint32_t index;
+    std::uint16_t x, y;
+    bool operator<(const Item& o) const noexcept {
+      return bound != o.bound ? bound > o.bound : cost < o.cost;
+    }
+  };
+
+  template <Kind kKind>
+  void expand(const Item& item, Cell goal);
+  void find_parent(const Item& item);
+  void offer(std::uint32_t index, Cell c, double cost, std::uint32_t parent, Cell goal);
+
+  const Grid* grid_;
+  Kind kind_;
+  MoveGrid moves_;
+  std::vector<Node> nodes_;
+  std::vector<Item> heap_;
+  std::uint32_t mark_ = 0;
+};
+
 double distance(Cell a, Cell b) noexcept {
   const double dx = a.x - b.x, dy = a.y - b.y;
   return std::sqrt(dx * dx + dy * dy);
 }
-
-}  // namespace
 
 ThetaStar::ThetaStar(const Grid& grid, Kind kind)
     : grid_(&grid), kind_(kind), moves_(grid), nodes_(moves_.size(), Node{0, 0, 0}) {}
@@ -99,6 +136,15 @@ void ThetaStar::find_parent(const Item& item) {
     node.cost = cost;
     node.parent = index;
   }
+}
+
+}  // namespace
+
+std::unique_ptr<QueryPlanner> theta_star(const Grid& grid) {
+  return std::make_unique<ThetaStar>(grid, ThetaStar::Kind::basic);
+}
+std::unique_ptr<QueryPlanner> lazy_theta_star(const Grid& grid) {
+  return std::make_unique<ThetaStar>(grid, ThetaStar::Kind::lazy);
 }
 
 }  // namespace lasius::peers

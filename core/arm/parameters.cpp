@@ -11,9 +11,7 @@ using Entry = Table::Entry;
 using Integer = Table::Integer;
 using Number = Table::Number;
 
-constexpr std::string_view kPheromone[]{"arcs", "edges"};
-constexpr std::string_view kDeadEnd[]{"backtrack", "kill"};
-constexpr std::string_view kSwitch[]{"off", "on"};
+constexpr std::array<std::string_view, 2> kSwitch{"off", "on"};
 
 constexpr std::array kEntries{
     Entry{{"ants", "integer", "1 .. 1000000", "ants an iteration, m"},
@@ -34,10 +32,9 @@ constexpr std::array kEntries{
     Entry{{"initial_pheromone", "number", "0 .. 1e9",
            "pheromone everywhere at first, tau0; 0: ants / Manhattan distance"},
           Number{&Params::initial_pheromone, 0, 1e9}},
-    Entry{{"pheromone", "choice", "arcs|edges", "what carries pheromone"},
-          Table::choice<&Params::pheromone>(kPheromone)},
-    Entry{{"dead_end", "choice", "backtrack|kill", "what an ant does when every move is closed"},
-          Table::choice<&Params::dead_end>(kDeadEnd)},
+    Table::choice<&Params::pheromone, kPheromoneNames>("pheromone", "what carries pheromone"),
+    Table::choice<&Params::dead_end, kDeadEndNames>("dead_end",
+                                                    "what an ant does when every move is closed"),
     Entry{{"pitch", "number", "0 .. 1000",
            "distance of lattice points, metres; 0: a twentieth of the arm's reach"},
           Number{&Params::pitch, 0, 1000}},
@@ -53,8 +50,8 @@ constexpr std::array kEntries{
     Entry{{"line_ants", "number", "0 .. 1e6",
            "ants whose deposits lie on the straight way before the first iteration"},
           Number{&Params::line_ants, 0, 1e6}},
-    Entry{{"shortcut", "choice", "off|on", "cut the lattice staircase before the trajectory"},
-          Table::choice<&Params::shortcut>(kSwitch)},
+    Table::choice<&Params::shortcut, kSwitch>("shortcut",
+                                              "cut the lattice staircase before the trajectory"),
 };
 
 constexpr auto kInfos = Table::infos(kEntries);
@@ -74,10 +71,6 @@ constexpr Table kTable(kLists);
 }  // namespace
 
 std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
-
-std::string_view to_string(Pheromone pheromone) noexcept {
-  return kPheromone[static_cast<std::size_t>(pheromone)];
-}
 
 void set_parameter(Params& parameters, std::string_view name, std::string_view value) {
   kTable.set(parameters, name, value);

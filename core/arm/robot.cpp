@@ -85,10 +85,6 @@ std::vector<Placement> place(const Robot& robot, const JointRef& q) {
 
 }  // namespace
 
-std::string_view to_string(Joint::Kind kind) noexcept {
-  return kind == Joint::Kind::prismatic ? "prismatic" : "revolute";
-}
-
 template <int EigenMaxAlignBytes>
 bool compile_with_the_EIGEN_MAX_ALIGN_BYTES_of_lasius() noexcept {
   return true;

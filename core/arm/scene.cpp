@@ -15,15 +15,13 @@ namespace {
 
 constexpr double kThin = 1e-6;
 
-constexpr std::array<std::string_view, 4> kShapes{"box", "sphere", "cylinder", "mesh"};
-
 Obstacle::Shape shape_of(const JsonFields& fields) {
   const std::string name = fields.text("shape");
-  for (std::size_t i = 0; i < kShapes.size(); ++i) {
-    if (name == kShapes[i]) return static_cast<Obstacle::Shape>(i);
+  for (std::size_t i = 0; i < kShapeNames.size(); ++i) {
+    if (name == kShapeNames[i]) return static_cast<Obstacle::Shape>(i);
   }
   fields.fail("shape", "is \"" + name + "\"",
-              did_you_mean(name, kShapes) + " It must be box|sphere|cylinder|mesh");
+              did_you_mean(name, kShapeNames) + " It must be box|sphere|cylinder|mesh");
 }
 
 void refuse_foreign(const JsonFields& fields, std::string_view shape,
@@ -77,10 +75,6 @@ Obstacle read_obstacle(const JsonFields& fields) {
 }
 
 }  // namespace
-
-std::string_view to_string(Obstacle::Shape shape) noexcept {
-  return kShapes[static_cast<std::size_t>(shape)];
-}
 
 Scene parse_scene(std::string_view text, const std::string& file) {
   constexpr std::size_t kMost = 10000;

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <exception>
 
-#include "core/base/crew.h"
+#include "core/base/thread_team.h"
 
 namespace lasius {
 
@@ -16,7 +16,7 @@ inline int thread_count(int wanted) noexcept { return wanted > 0 ? wanted : omp_
 /// Calls body(i, thread) once for every i below `count`, on up to `threads` threads; `thread`, from
 /// 0, is the number of the one that calls. Where a call throws, no other begins once the exception
 /// is noted, and one such exception is thrown on when those under way have ended. On a thread that
-/// leads a crew, the crew does it.
+/// leads a team, the team does it.
 template <class Body>
 void parallel_for(int count, int threads, const Body& body) {
   if (threads <= 1 || count <= 1) {  // a team of one would cost more than a short walk
@@ -33,9 +33,9 @@ void parallel_for(int count, int threads, const Body& body) {
       if (!failed.exchange(true)) error = std::current_exception();
     }
   };
-  if (Crew* const crew = Crew::led_here()) {
+  if (ThreadTeam* const team = ThreadTeam::led_here()) {
     using Call = decltype(call);
-    crew->share(
+    team->share(
         count, threads,
         [](const void* context, int i, int member) noexcept {
           (*static_cast<const Call*>(context))(i, member);

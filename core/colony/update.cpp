@@ -147,9 +147,13 @@ double initial_pheromone(const Params& params, double straight_distance) noexcep
       return q / (lost * c);
     case Update::colony_system:
       return q / (c * c);  // a tour of c moves
-    default:
-      return q * params.ants / c;
+    case Update::ant_system:
+    case Update::best_share:
+    case Update::terminal_index:
+    case Update::learning:
+      break;
   }
+  return q * params.ants / c;
 }
 
 void update_locally(Field& field, const Params& params, double tau0, const Tours& batch,

@@ -8,17 +8,27 @@
 namespace lasius {
 namespace {
 
-float move_factor(const Params& params, const kernels::Moves& moves, int previous, int k,
-                  double beta) {
-  if (params.visibility == Visibility::inverse_step) {
-    return static_cast<float>(kernels::power(moves[k].length, -beta));
-  }
+/// (1 + turn / 45 degrees)^-beta; 0 straight back, 1 for the first move.
+float turn_factor(const kernels::Moves& moves, int previous, int k, double beta) {
   if (previous >= moves.count) return 1;
   const auto from = moves[previous].to, to = moves[k].to;
   const int cross = from.dx * to.dy - from.dy * to.dx, dot = from.dx * to.dx + from.dy * to.dy;
-  if (cross == 0 && dot < 0) return 0;  // straight back
+  if (cross == 0 && dot < 0) return 0;
   const double turn = kernels::angle_between(from.dx, from.dy, to.dx, to.dy);
   return static_cast<float>(kernels::power(1 + turn / (std::numbers::pi / 4), -beta));
+}
+
+float move_factor(Visibility visibility, const kernels::Moves& moves, int previous, int k,
+                  double beta) {
+  switch (visibility) {
+    case Visibility::none:
+      break;
+    case Visibility::inverse_step:
+      return static_cast<float>(kernels::power(moves[k].length, -beta));
+    case Visibility::heading_change:
+      return turn_factor(moves, previous, k, beta);
+  }
+  return 1;
 }
 
 }  // namespace
@@ -60,7 +70,7 @@ void set_iteration(kernels::WalkWorld& world, const Params& params, const kernel
   if (!shape.factor) return;
   for (int previous = 0; previous <= kernels::kMaxMoves; ++previous) {
     for (int k = 0; k < moves.count; ++k) {
-      world.factor[previous][k] = move_factor(params, moves, previous, k, weights.beta);
+      world.factor[previous][k] = move_factor(params.visibility, moves, previous, k, weights.beta);
     }
   }
 }

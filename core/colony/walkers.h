@@ -73,7 +73,7 @@ class Walkers {
                             const AfterWalk& after = {});
 
  private:
-  // Ants that one thread advances together: two groups of eight, where they go abreast.
+  // Ants that one thread advances together: two groups of eight, where they walk in lock-step.
   static constexpr int kSlots = 16;
   static constexpr int kRounds = 128;
   static_assert(kSlots <= kernels::kMaxSlots && std::int64_t{kSlots} * kRounds <= Poller::kSteps);

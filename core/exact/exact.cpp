@@ -20,24 +20,25 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kBucketWidth = 0.03125;  // cells
 
-// How ants weigh the distance to the goal, but for the hurried ones; the number of expansions
-// before the first are sent, and their share of the expansions since.
-constexpr double kAntWeight = 1.2;
-constexpr std::int64_t kFirstAnts = 16;
-constexpr std::int64_t kAntShare = 8;
-// In between they rest, for these many expansions: most searches are over before.
-constexpr std::int64_t kAntsRest = 256;
-constexpr std::int64_t kAntsReturn = 4096;
-// The expansions by ants that are sent first, for each cell of the straight distance: hurried ones
-// where there is a target gap, and more of them on ways so long that the proof takes its time; and
-// others where those do not arrive (mazes, warehouses, dense noise, small gaps).
-constexpr double kVanguard = 1;
-constexpr double kLongVanguard = 4;
-constexpr double kFollowers = 2;
+// W of the weighted search, but for the bounding one; the number of expansions before it first
+// runs, and its share of the expansions since.
+constexpr double kDefaultWeight = 1.2;
+constexpr std::int64_t kFirstWeighted = 16;
+constexpr std::int64_t kWeightedShare = 8;
+// In between it rests, for so many expansions: most searches are over before.
+constexpr std::int64_t kWeightedRest = 256;
+constexpr std::int64_t kWeightedReturn = 4096;
+// The expansions of the weighted search before any other, for each cell of the straight distance:
+// of the bounding search where there is a target gap, and more on ways so long that the proof takes
+// its time; and with the default W where that finds no path (mazes, warehouses, dense noise, small
+// gaps).
+constexpr double kFirstRun = 1;
+constexpr double kLongFirstRun = 4;
+constexpr double kSecondRun = 2;
 constexpr double kLongWay = 2048;  // cells
 // A target gap above this asks for any path; what is computed with it stays finite.
 constexpr double kWidestGap = 1e6;
-// What the weight of hurried ants takes of the target gap; the width of buckets has the rest.
+// What W of the bounding search takes of the target gap; the width of buckets has the rest.
 constexpr double kShareOfGap = 0.95;
 constexpr double kTrailBuckets = 1024;  // from the least key to the greatest that is wanted
 
@@ -46,7 +47,7 @@ constexpr double kTrailBuckets = 1024;  // from the least key to the greatest th
 // has risen above that distance, which says how crowded the map is. And how often a cone is scanned
 // before the horizon is dropped.
 constexpr double kHorizon = 1.0 / 1024;
-constexpr double kHurriedHorizon = 1.0 / 64;
+constexpr double kBoundingHorizon = 1.0 / 64;
 constexpr double kHorizonOfRise = 4;
 constexpr int kMostScans = 4;
 
@@ -65,7 +66,7 @@ void ExactSearch::expand(std::uint32_t index) {
   const double bound = corner.length + corner.to_goal;
   horizon_ = upper_;
   if (corner.scans < kMostScans) {
-    const double share = hurry_ ? kHurriedHorizon : kHorizon;
+    const double share = bounding_ ? kBoundingHorizon : kHorizon;
     const double ahead =
         (share * straight_ + kHorizonOfRise * (lower_ - straight_)) * (1 << 2 * corner.scans);
     horizon_ = std::min(upper_, bound + ahead);
@@ -75,10 +76,10 @@ void ExactSearch::expand(std::uint32_t index) {
   if (!cut_off || horizon >= upper_) return;
   Corner& again = corners_[index];
   again.expanded = false;
-  again.walked = false;
+  again.weighed = false;
   ++again.scans;
   frontier_.push(index, horizon);
-  if (ants_out_) ant_frontier_.push(index, horizon + (ant_weight_ - 1) * again.to_goal);
+  if (weighted_on_) weighted_frontier_.push(index, horizon + (weight_ - 1) * again.to_goal);
 }
 
 // Takes the best corner of the frontier; false when none can lead to a shorter path, or stopped.
@@ -95,33 +96,34 @@ bool ExactSearch::next_corner(std::uint32_t& index) {
   return false;
 }
 
-// Ants follow their own frontier, which weighs the distance to the goal more: each goes from the
-// best corner that no ant has been to. They explore for all: what they find enters both frontiers.
-void ExactSearch::send_ants(std::int64_t steps, Poller& poller) {
-  for (; steps > 0 && upper_ == kInfinity && !poller.stopped() && ant_frontier_.advance();
+// Expands corners by the frontier that weighs the distance to the goal more. What it finds enters
+// both frontiers.
+void ExactSearch::search_weighted(std::int64_t steps, Poller& poller) {
+  for (; steps > 0 && upper_ == kInfinity && !poller.stopped() && weighted_frontier_.advance();
        --steps) {
-    const std::uint32_t index = ant_frontier_.pop();
+    const std::uint32_t index = weighted_frontier_.pop();
     Corner& corner = corners_[index];
-    if (corner.walked || corner.expanded) continue;
-    corner.walked = true;
+    if (corner.weighed || corner.expanded) continue;
+    corner.weighed = true;
     expand(index);
-    poller.stop_after(kWordsPerExpansion + ant_frontier_.take_dealt());
+    poller.stop_after(kWordsPerExpansion + weighted_frontier_.take_dealt());
   }
-  ants_out_ = upper_ == kInfinity;
+  weighted_on_ = upper_ == kInfinity;
   // A scan that was stopped may have left out what would come first.
-  if (!hurry_ || poller.stopped()) return;
-  const double least = ant_frontier_.advance() ? ant_frontier_.floor() / ant_weight_ : kInfinity;
+  if (!bounding_ || poller.stopped()) return;
+  const double least =
+      weighted_frontier_.advance() ? weighted_frontier_.floor() / weight_ : kInfinity;
   lower_ = std::max(lower_, std::min(least, upper_));
 }
 
-// Hurried ants have not arrived: from here on the lower bound is the frontier's.
-void ExactSearch::calm_down() {
-  hurry_ = false;
-  ant_weight_ = kAntWeight;
-  ant_frontier_.reset(lower_, kBucketWidth);
+// The bounding search has found no path: from here on the lower bound is the frontier's.
+void ExactSearch::restore_default_weight() {
+  bounding_ = false;
+  weight_ = kDefaultWeight;
+  weighted_frontier_.reset(lower_, kBucketWidth);
   for (std::uint32_t i = 0; i < corners_.size() && !poller_->stop_after(1); ++i) {
     const Corner& corner = corners_[i];
-    if (!corner.expanded) ant_frontier_.push(i, corner.length + ant_weight_ * corner.to_goal);
+    if (!corner.expanded) weighted_frontier_.push(i, corner.length + weight_ * corner.to_goal);
   }
 }
 
@@ -130,19 +132,21 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
   poller_ = &poller;
   frontier_.reset(lower_, kBucketWidth);
   const double gap = std::min(options.target_gap, kWidestGap);
-  hurry_ = gap > 0;
-  ants_out_ = true;
-  ant_weight_ = hurry_ ? 1 + kShareOfGap * gap : kAntWeight;
-  ant_frontier_.reset(lower_, std::max(kBucketWidth, lower_ * gap / kTrailBuckets));
+  bounding_ = gap > 0;
+  weighted_on_ = true;
+  weight_ = bounding_ ? 1 + kShareOfGap * gap : kDefaultWeight;
+  weighted_frontier_.reset(lower_, std::max(kBucketWidth, lower_ * gap / kTrailBuckets));
   expand(CornerTable::kStart);
-  const auto first = [&](double a_cell) { send_ants(std::llround(a_cell * straight_), poller); };
+  const auto first = [&](double a_cell) {
+    search_weighted(std::llround(a_cell * straight_), poller);
+  };
   const bool long_way = straight_ > kLongWay;
-  if (hurry_ || long_way) first(long_way ? kLongVanguard : kVanguard);
-  if (hurry_ && ants_out_) {
-    calm_down();
-    first(kFollowers);
+  if (bounding_ || long_way) first(long_way ? kLongFirstRun : kFirstRun);
+  if (bounding_ && weighted_on_) {
+    restore_default_weight();
+    first(kSecondRun);
   }
-  std::int64_t next_ants = kFirstAnts;
+  std::int64_t next_weighted = kFirstWeighted;
   std::uint32_t index = 0;
   bool go_on = tell_improvement();
   while (go_on && !poller.stopped() && next_corner(index)) {
@@ -150,10 +154,10 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
     expand(index);
     poller.stop_after(kWordsPerExpansion);
     go_on = tell_improvement();
-    if (!ants_out_ || counters_.expansions < next_ants) continue;
-    send_ants(counters_.expansions / kAntShare, poller);
-    next_ants = counters_.expansions * 2;
-    if (next_ants > kAntsRest) next_ants = std::max(next_ants, kAntsReturn);
+    if (!weighted_on_ || counters_.expansions < next_weighted) continue;
+    search_weighted(counters_.expansions / kWeightedShare, poller);
+    next_weighted = counters_.expansions * 2;
+    if (next_weighted > kWeightedRest) next_weighted = std::max(next_weighted, kWeightedReturn);
   }
   poller_ = nullptr;
   cause_ = go_on ? poller.cause() : StopCondition::Cause::token;
@@ -208,7 +212,7 @@ void ExactSearch::shortcut(const Grid& grid, Cell start, Cell goal, double lengt
   if (goal_in_sight()) return trace(path);
   upper_ = length;
   touched_ = &cells;
-  hurry_ = ants_out_ = false;
+  bounding_ = weighted_on_ = false;
   Poller poller(stop, kWordsPerPoll);
   poller_ = &poller;
   frontier_.reset(lower_, kBucketWidth);
@@ -232,7 +236,7 @@ void ExactSearch::trace(std::vector<Point>& path) const {
 }
 
 std::int64_t ExactSearch::bytes() const noexcept {
-  return corners_.bytes() + frontier_.bytes() + ant_frontier_.bytes() +
+  return corners_.bytes() + frontier_.bytes() + weighted_frontier_.bytes() +
          static_cast<std::int64_t>(stack_.capacity() * sizeof(kernels::Interval));
 }
 

@@ -33,18 +33,19 @@ struct Counters {
 /// reached with the best known length g; its cone, the directions in which a path can go on and
 /// still be taut, is scanned for the corners seen in it (kernels/scan_cone.h). The frontier holds
 /// corners by g + h, h the straight distance to the goal. No path is shorter than its least key
-/// (lower bound), and ants give a path (upper bound); where the two meet, it is proven shortest.
+/// (lower bound), and a weighted search gives a path (upper bound); where the two meet, it is
+/// proven shortest.
 ///
-/// Ants expand corners, too, but in the order of g + W h, best first. They leave from a frontier of
-/// their own, of the corners that were not expanded yet, some now and then until one of them sees
-/// the goal; all corners that they see enter both queues. Nothing about them is random, and they
-/// lay no pheromone: they are weighted A* (Pohl 1970) beside A*, as in anytime weighted A* (Hansen
-/// & Zhou 2007). With a target gap the first ants hurry: their W is almost 1 plus that gap,
-/// and they take up again what is reached by a shorter way. Then their least key is at most W times
-/// the optimum: of a shortest path, the first corner w that was not expanded at its least length
-/// waits with g + W h <= W (g + h) <= W optimum. (Behind a horizon H <= optimum it waits as its
-/// parent v, with key H + (W - 1) h(v).) So that key divided by W is a lower bound, and the first
-/// path is within the gap. Where they do not arrive soon, others follow, of the usual W.
+/// The weighted search expands corners, too, but in the order of g + W h, best first: weighted A*
+/// (Pohl 1970) beside A*, as in anytime weighted A* (Hansen & Zhou 2007). It has a frontier of its
+/// own, of the corners that were not expanded yet, and runs for some expansions now and then until
+/// it sees the goal; all corners that it sees enter both queues. With a target gap it begins as the
+/// bounding search: W is almost 1 plus that gap, and corners are taken up again when a shorter way
+/// to them is found. Then its least key is at most W times the optimum: of a shortest path, the
+/// first corner w that was not expanded at its least length waits with
+/// g + W h <= W (g + h) <= W optimum. (Behind a horizon H <= optimum it waits as its parent v, with
+/// key H + (W - 1) h(v).) So that key divided by W is a lower bound, and the first path is within
+/// the gap. Where no path is found soon, W is set back to its default, 1.2.
 ///
 /// Why no shortest path is missed. Let v, w follow each other on one, v reached at its least
 /// length. The scan of v's cone leaves w out only where
@@ -88,8 +89,8 @@ class ExactSearch {
 
   void begin(const Grid& grid, Cell start, Cell goal);
   bool goal_in_sight() const noexcept;
-  void send_ants(std::int64_t steps, Poller& poller);
-  void calm_down();
+  void search_weighted(std::int64_t steps, Poller& poller);
+  void restore_default_weight();
   void run(const ExactOptions& options, const StopCondition& stop);
   bool next_corner(std::uint32_t& index);
   void expand(std::uint32_t index);
@@ -123,10 +124,10 @@ class ExactSearch {
 
   exact::CornerTable corners_;
   BucketQueue frontier_;
-  BucketQueue ant_frontier_;
-  bool ants_out_ = false;
-  bool hurry_ = false;
-  double ant_weight_ = 1;
+  BucketQueue weighted_frontier_;
+  bool weighted_on_ = false;
+  bool bounding_ = false;
+  double weight_ = 1;
   std::vector<kernels::Interval> stack_;
   exact::Counters counters_;
 };

@@ -86,8 +86,8 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
   corner.scans = 0;
   if (length + to_goal < upper_) {
     frontier_.push(index, length + to_goal);
-    if (hurry_) corner.walked = false;
-    if (ants_out_ && !corner.walked) ant_frontier_.push(index, length + ant_weight_ * to_goal);
+    if (bounding_) corner.weighed = false;
+    if (weighted_on_ && !corner.weighed) weighted_frontier_.push(index, length + weight_ * to_goal);
   }
   return -1;
 }

@@ -32,7 +32,7 @@ struct Corner {
   std::uint32_t parent = 0;
   Heading heading = {};
   bool expanded = false;   ///< its cone was scanned at this length
-  bool walked = false;     ///< an ant has been here
+  bool weighed = false;    ///< the weighted search has expanded it
   std::uint8_t scans = 0;  ///< how often its cone was scanned and cut off, at this length
 };
 static_assert(sizeof(Corner) == 32);

@@ -27,7 +27,7 @@ class LASIUS_EXPORT Components {
   static constexpr int kTile = 256;
 
   Components(const Grid& grid, Connectivity connectivity);
-  /// The same, or nothing when stopped. A tile counts as 4096 words.
+  /// The same, or empty if stopped. A tile counts as 4096 words.
   [[nodiscard]] static std::optional<Components> make(const Grid& grid, Connectivity connectivity,
                                                       const StopCondition& stop);
 
@@ -40,7 +40,7 @@ class LASIUS_EXPORT Components {
   /// Only tiles that hold one are flooded again. Tiles are joined anew, by their borders alone,
   /// unless no border component changed.
   Components updated(const Grid& edited, std::span<const Cell> changed) const;
-  /// The same, or nothing when stopped.
+  /// The same, or empty if stopped.
   [[nodiscard]] std::optional<Components> updated(const Grid& edited, std::span<const Cell> changed,
                                                   const StopCondition& stop) const;
 

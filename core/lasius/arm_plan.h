@@ -2,6 +2,7 @@
 // learns of obstacles only by trying positions.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include "lasius/arm_sensor.h"
 #include "lasius/arm_trajectory.h"
+#include "lasius/enum_names.h"
 #include "lasius/params.h"
 #include "lasius/progress.h"
 #include "lasius/search_result.h"
@@ -25,8 +27,12 @@ enum class Pheromone {
   arcs,   ///< each direction of an edge has its own
   edges,  ///< both directions share it: ants are drawn back as much as on, and take far longer
 };
-/// The name, as the parameter `pheromone` has it.
-LASIUS_ARM_EXPORT std::string_view to_string(Pheromone pheromone) noexcept;
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 2> kPheromoneNames{"arcs", "edges"};
+/// The name of a value.
+constexpr std::string_view to_string(Pheromone value) noexcept {
+  return name_of(value, kPheromoneNames);
+}
 
 /// Parameters of `goritov2020`, as given here those of its base set (Goritov & Goncharov 2020).
 struct Params {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "lasius/arm_export.h"
+#include "lasius/enum_names.h"
 
 namespace lasius::arm {
 
@@ -63,8 +64,12 @@ struct Joint {
   double acceleration = 1;                          ///< largest |d2q/dt2|, above 0, at most 1e6
   std::vector<Capsule> capsules;                    ///< the body that moves with it
 };
-/// The name, as robots' files have it.
-LASIUS_ARM_EXPORT std::string_view to_string(Joint::Kind kind) noexcept;
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 2> kJointKindNames{"revolute", "prismatic"};
+/// The name of a value, as robots' files have it.
+constexpr std::string_view to_string(Joint::Kind value) noexcept {
+  return name_of(value, kJointKindNames);
+}
 
 /// A chain of 1 to kMaxJoints joints on a base that stands still.
 struct Robot {
@@ -137,8 +142,12 @@ struct Obstacle {
   double length = 0;                               ///< of a cylinder, along its own z
   Triangles triangles;  ///< of a mesh, in its own frame; a surface: what is inside is free
 };
-/// The name, as scenes' files have it.
-LASIUS_ARM_EXPORT std::string_view to_string(Obstacle::Shape shape) noexcept;
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 4> kShapeNames{"box", "sphere", "cylinder", "mesh"};
+/// The name of a value, as scenes' files have it.
+constexpr std::string_view to_string(Obstacle::Shape value) noexcept {
+  return name_of(value, kShapeNames);
+}
 
 /// What stands around a robot, in metres; the robot's base is at the origin.
 struct Scene {

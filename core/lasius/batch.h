@@ -14,6 +14,7 @@
 
 namespace lasius {
 
+/// How a batch is run.
 struct BatchOptions {
   int threads = 0;  ///< to 1024; 0: as many as OpenMP gives; never changes an answer
   /// Time for each request, counted from when it is begun; not negative. A request's own deadline
@@ -24,10 +25,11 @@ struct BatchOptions {
 
 /// One answer of a batch.
 struct BatchAnswer {
-  std::size_t index = 0;  ///< of the request
-  Result result;
-  std::chrono::duration<double> elapsed{};
+  std::size_t index = 0;                    ///< of the request
+  Result result;                            ///< as Planner::plan gives it
+  std::chrono::duration<double> elapsed{};  ///< taken by this one
 };
+/// Called with each answer.
 using BatchReceiver = std::function<void(const BatchAnswer&)>;
 
 /// Answers `requests` with `params`, each on one thread and so, save for time limits, exactly as

@@ -15,8 +15,8 @@ namespace lasius {
 /// Exact squared Euclidean distances, in half cells, from each cell's centre to the nearest point
 /// of a blocked cell's square or of the outside; 0 for blocked cells. Row-major, width x height.
 struct ClearanceField {
-  int width = 0;
-  int height = 0;
+  int width = 0;                                 ///< of the grid
+  int height = 0;                                ///< of the grid
   std::vector<std::int32_t> squared_half_cells;  ///< at most 2^30
   /// Clearance in cells. Precondition: the cell lies inside.
   LASIUS_EXPORT double at(Cell c) const noexcept;
@@ -25,7 +25,7 @@ struct ClearanceField {
 /// The clearance of every cell, by lower envelopes of parabolas (Felzenszwalb & Huttenlocher 2012)
 /// in integers: O(1) a cell, 4 bytes a cell.
 [[nodiscard]] LASIUS_EXPORT ClearanceField clearance(const Grid& grid);
-/// The same, or nothing when stopped. The measure of work is a cell read, as wide as a word here.
+/// The same, or empty if stopped. The measure of work is a cell read, as wide as a word here.
 [[nodiscard]] LASIUS_EXPORT std::optional<ClearanceField> clearance(const Grid& grid,
                                                                     const StopCondition& stop);
 
@@ -34,7 +34,7 @@ struct ClearanceField {
 /// O(1) a cell; beside the grids some rows of memory, whatever the radius.
 /// @throws Error(invalid_parameter) for a negative or not finite radius.
 [[nodiscard]] LASIUS_EXPORT Grid grow_obstacles(const Grid& grid, double radius);
-/// The same, or nothing when stopped. The measure of work is a cell looked at.
+/// The same, or empty if stopped. The measure of work is a cell looked at.
 [[nodiscard]] LASIUS_EXPORT std::optional<Grid> grow_obstacles(const Grid& grid, double radius,
                                                                const StopCondition& stop);
 

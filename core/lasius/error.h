@@ -23,19 +23,21 @@ class LASIUS_EXPORT Error : public std::runtime_error {
  public:
   /// Where in a file an error was found. Text formats count lines from 1, binary ones bytes from 0.
   struct Place {
-    std::string file;
+    std::string file;          ///< its name; empty where it is in none
     std::int64_t line = -1;    ///< -1 where it does not apply
     std::int64_t offset = -1;  ///< -1 where it does not apply
   };
 
+  /// An error that is in no file.
   Error(ErrorCode code, std::string problem, std::string remedy);
+  /// An error in a file.
   Error(ErrorCode code, Place place, std::string problem, std::string remedy);
   ~Error() override;
 
-  ErrorCode code() const noexcept { return code_; }
-  const Place& place() const noexcept { return place_; }
-  const std::string& problem() const noexcept { return problem_; }
-  const std::string& remedy() const noexcept { return remedy_; }
+  ErrorCode code() const noexcept { return code_; }                 ///< its kind
+  const Place& place() const noexcept { return place_; }            ///< where in a file, if in one
+  const std::string& problem() const noexcept { return problem_; }  ///< what is wrong
+  const std::string& remedy() const noexcept { return remedy_; }    ///< what to do about it
 
  private:
   ErrorCode code_;

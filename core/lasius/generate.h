@@ -22,14 +22,15 @@ enum class MapKind {
   open,    ///< a few large obstacles (0.12, 0.999)
 };
 
+/// What is made.
 struct GenerateOptions {
-  int width = 512;
-  int height = 512;
+  int width = 512;   ///< in cells, 1 to Grid::kMaxSide
+  int height = 512;  ///< likewise
   /// Share of blocked cells that is aimed at, from 0 to max_density; negative: the kind's own
   /// default. Noise (blobs, random, open) meets it. From 0.1 and 200 x 200 cells on, maze and
   /// rooms stay up to a quarter below it; city scatters about it, the less the larger the map.
   double density = -1;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;  ///< another one, another map
 };
 
 /// The names of the kinds, in the order of MapKind.
@@ -41,7 +42,7 @@ LASIUS_EXPORT double max_density(MapKind kind) noexcept;
 /// Makes a map. Integer arithmetic and Philox only, so equal on every machine.
 /// @throws Error(invalid_parameter) for a size or density out of range.
 LASIUS_EXPORT Grid generate(MapKind kind, const GenerateOptions& options = {});
-/// The same, or nothing when the condition said so.
+/// The same, or empty if stopped.
 [[nodiscard]] LASIUS_EXPORT std::optional<Grid> generate(MapKind kind,
                                                          const GenerateOptions& options,
                                                          const StopCondition& stop);

@@ -5,15 +5,15 @@ namespace lasius {
 
 /// A cell of a bitmap. It covers the closed square [x, x + 1] x [y, y + 1].
 struct Cell {
-  int x = 0;
-  int y = 0;
+  int x = 0;  ///< column
+  int y = 0;  ///< row
   friend bool operator==(const Cell&, const Cell&) = default;
 };
 
 /// The cells (x, y) to (x + width - 1, y + height - 1).
 struct Rectangle {
-  int x = 0;
-  int y = 0;
+  int x = 0;       ///< first column
+  int y = 0;       ///< first row
   int width = 0;   ///< columns, at least 0
   int height = 0;  ///< rows, at least 0
   friend bool operator==(const Rectangle&, const Rectangle&) = default;
@@ -21,8 +21,8 @@ struct Rectangle {
 
 /// A point in continuous cell coordinates, y downwards. The centre of cell (0, 0) is (0.5, 0.5).
 struct Point {
-  double x = 0;
-  double y = 0;
+  double x = 0;  ///< to the right
+  double y = 0;  ///< downwards
   friend bool operator==(const Point&, const Point&) = default;
 };
 

@@ -38,9 +38,10 @@ class LASIUS_EXPORT Grid {
   Grid& operator=(Grid&& other) noexcept;
   ~Grid() = default;
 
-  int width() const noexcept { return width_; }
-  int height() const noexcept { return height_; }
+  int width() const noexcept { return width_; }    ///< in cells
+  int height() const noexcept { return height_; }  ///< in cells
 
+  /// True for the cells of the grid.
   bool contains(Cell c) const noexcept {
     return c.x >= 0 && c.y >= 0 && c.x < width_ && c.y < height_;
   }
@@ -48,6 +49,7 @@ class LASIUS_EXPORT Grid {
   bool blocked(Cell c) const noexcept {
     return !contains(c) || ((row(c.y)[c.x >> 6] >> (c.x & 63)) & 1) != 0;
   }
+  /// True for free cells.
   bool free(Cell c) const noexcept { return !blocked(c); }
 
   /// Sets one cell. Precondition: contains(c).
@@ -55,11 +57,13 @@ class LASIUS_EXPORT Grid {
   /// Blocks or frees all cells of a rectangle. This and the next two throw
   /// Error(invalid_parameter) for a rectangle that is not inside or bytes that do not fit it.
   void fill(const Rectangle& part, bool blocked);
+  /// Blocks or frees all cells.
   void fill(bool blocked) { fill({0, 0, width_, height_}, blocked); }
   /// Sets the cells of a rectangle from bytes, row by row, `part.width` a row.
   void paste(const Rectangle& part, std::span<const std::uint8_t> cells, Nonzero nonzero);
   /// The cells of a rectangle as bytes 0 and 1, likewise.
   std::vector<std::uint8_t> bytes(const Rectangle& part, Nonzero nonzero) const;
+  /// All cells as bytes.
   std::vector<std::uint8_t> bytes(Nonzero nonzero) const {
     return bytes({0, 0, width_, height_}, nonzero);
   }
@@ -73,6 +77,7 @@ class LASIUS_EXPORT Grid {
   /// Replaces row y by `words()` words; bits past the width are ignored.
   void set_row(int y, const std::uint64_t* words) noexcept;
 
+  /// The number of free cells. Looks at every word.
   std::int64_t count_free() const noexcept;
   /// 64-bit fingerprint of size and bits, the same on every machine: the map's hash in results.
   std::uint64_t hash() const noexcept;

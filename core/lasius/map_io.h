@@ -21,12 +21,13 @@ struct LASIUS_EXPORT WorldFrame {
   /// Metres to continuous cell coordinates of a map `height` cells high, and back. A cell holds its
   /// left and its lower edge: the one of a point (x, y) is {floor(x), ceil(y) - 1}.
   Point to_cells(Point world, int height) const noexcept;
+  /// The other way round.
   Point to_world(Point cells, int height) const noexcept;
 };
 
 /// A map as read from a file.
 struct Map {
-  Grid grid;
+  Grid grid;                        ///< row 0 at the top
   std::optional<WorldFrame> frame;  ///< only where the file gives one
 };
 

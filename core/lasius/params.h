@@ -1,11 +1,13 @@
 // Parameters of every algorithm: plain data, one struct, presets named after their papers.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "lasius/enum_names.h"
 #include "lasius/export.h"
 #include "lasius/moves.h"
 
@@ -20,15 +22,31 @@ enum class Polish {
   straight,  ///< straighten(): vertices are centres of cells
   taut,      ///< greedy_straighten(), then pull_taut(): vertices are corners
 };
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 3> kPolishNames{"none", "straight", "taut"};
+/// The name of a value.
+constexpr std::string_view to_string(Polish value) noexcept { return name_of(value, kPolishNames); }
 
 /// What an ant does when every way on is closed.
 enum class DeadEnd {
   backtrack,  ///< step back; the cell stays tabu for this ant, the tour is what is left
   kill,       ///< the ant dies without a tour
 };
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 2> kDeadEndNames{"backtrack", "kill"};
+/// The name of a value.
+constexpr std::string_view to_string(DeadEnd value) noexcept {
+  return name_of(value, kDeadEndNames);
+}
 
 /// Which straightened paths get pheromone too (Fan et al. 2004, step 3).
 enum class StraightDeposit { none, improving, all };
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 3> kStraightDepositNames{"none", "improving", "all"};
+/// The name of a value.
+constexpr std::string_view to_string(StraightDeposit value) noexcept {
+  return name_of(value, kStraightDepositNames);
+}
 
 /// The part of a move's weight that depends on where it leads.
 enum class Heuristic {
@@ -40,6 +58,14 @@ enum class Heuristic {
   learned,            ///< eta(j)^beta, eta learned from successful ants (Cong & Ponnambalam 2009)
   distance_field,     ///< (1 / shortest way from j to E on the grid)^beta; map-sized work
 };
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 7> kHeuristicNames{
+    "uniform",    "rescaled-distance", "inverse-distance", "distance",
+    "goal-angle", "learned",           "distance-field"};
+/// The name of a value.
+constexpr std::string_view to_string(Heuristic value) noexcept {
+  return name_of(value, kHeuristicNames);
+}
 
 /// The part of a move's weight that depends on the move and the one before it.
 enum class Visibility {
@@ -47,12 +73,23 @@ enum class Visibility {
   inverse_step,    ///< (1 / length of the move)^beta (Fan et al. 2004, eq. 1)
   heading_change,  ///< (1 / (1 + turn / 45 degrees))^beta; straight back is closed (the lecture)
 };
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 3> kVisibilityNames{"none", "inverse-step",
+                                                                  "heading-change"};
+/// The name of a value.
+constexpr std::string_view to_string(Visibility value) noexcept {
+  return name_of(value, kVisibilityNames);
+}
 
 /// What carries pheromone.
 enum class Trail {
   cells,  ///< tau of a move is that of the cell it leads to
   arcs,   ///< each move out of each cell has its own tau, in the direction walked
 };
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 2> kTrailNames{"cells", "arcs"};
+/// The name of a value.
+constexpr std::string_view to_string(Trail value) noexcept { return name_of(value, kTrailNames); }
 
 /// How the trail changes after each iteration. L is an ant's tour length, Q `deposit`.
 enum class Update {
@@ -65,18 +102,34 @@ enum class Update {
   terminal_index,  ///< no trail but the best known way from each cell (Li, Wang & Ma)
   learning,        ///< rewards and penalties, ant by ant (Cong & Ponnambalam 2009, eq. 3, 4)
 };
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 8> kUpdateNames{
+    "ant-system",    "elitist",    "rank",           "max-min",
+    "colony-system", "best-share", "terminal-index", "learning"};
+/// The name of a value.
+constexpr std::string_view to_string(Update value) noexcept { return name_of(value, kUpdateNames); }
 
 /// How a move is drawn from the weights of its row.
 enum class Selection {
   roulette,          ///< in proportion to the weights
   inverse_roulette,  ///< moves are discarded in proportion until one is left (Li, Wang & Ma)
 };
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 2> kSelectionNames{"roulette", "inverse-roulette"};
+/// The name of a value.
+constexpr std::string_view to_string(Selection value) noexcept {
+  return name_of(value, kSelectionNames);
+}
 
 /// Cong & Ponnambalam 2009, eq. 3 is broken in print: which reading to take.
 enum class Reward {
   factor,  ///< tau <- tau (1 + reward rows / L)
   affine,  ///< tau <- tau reward rows / L + 1
 };
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 2> kRewardNames{"factor", "affine"};
+/// The name of a value.
+constexpr std::string_view to_string(Reward value) noexcept { return name_of(value, kRewardNames); }
 
 /// The numbers of the families' updates, in any world; each update says which of them it reads.
 struct TrailParams {
@@ -104,41 +157,44 @@ struct LASIUS_EXPORT Params : TrailParams {
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
   int threads = 0;         ///< at most 1024; 0: as many as OpenMP gives; never changes the answer
 
-  int ants = 10;         ///< m
-  int iterations = 120;  ///< T
-  Neighbours neighbours = Neighbours::four;
-  Corners corners = Corners::forbid;
-  Polish polish = Polish::straight;
-  DeadEnd dead_end = DeadEnd::backtrack;
+  int ants = 10;                             ///< m
+  int iterations = 120;                      ///< T
+  Neighbours neighbours = Neighbours::four;  ///< moves from a cell
+  Corners corners = Corners::forbid;         ///< rule for diagonal steps past blocked cells
+  Polish polish = Polish::straight;          ///< what is done with each tour
+  DeadEnd dead_end = DeadEnd::backtrack;     ///< where every way on is closed
 
   // Random proportional rule: weight of a move = tau^alpha * visibility * heuristic.
-  Selection selection = Selection::roulette;
-  Trail trail = Trail::cells;
-  Heuristic heuristic = Heuristic::rescaled_distance;
-  Visibility visibility = Visibility::inverse_step;
+  Selection selection = Selection::roulette;           ///< how a move is drawn
+  Trail trail = Trail::cells;                          ///< what carries pheromone
+  Heuristic heuristic = Heuristic::rescaled_distance;  ///< by where a move leads
+  Visibility visibility = Visibility::inverse_step;    ///< by the move and the one before
   double alpha = 4;   ///< exponent of pheromone (of the terminal index)
   double beta = 1.5;  ///< exponent of visibility and heuristic
   double greedy = 0;  ///< share of steps that take the largest weight, q0 (ACS)
   // Time-varying exponents (Fan et al. 2004, eq. 5, 6): linear from the value at iteration 0 to
   // alpha and beta at iteration `critical_time`, constant after it.
   int critical_time = 10;  ///< mc; 0: constant from the start
-  double alpha_first = 0;
-  double beta_first = 3;
+  double alpha_first = 0;  ///< alpha at iteration 0
+  double beta_first = 3;   ///< beta at iteration 0
 
   // Rescaled distance (Fan et al. 2004, eq. 4).
-  double omega = 10;
-  double mu = 2;
-  double lambda = 2;
+  double omega = 10;  ///< scale, a cell
+  double mu = 2;      ///< offset
+  double lambda = 2;  ///< exponent
 
   // Roulette between the rules (Fan et al. 2004, note 4): shares at iteration 0 and from
   // `critical_time` on, linear between. Only their ratios count.
-  double pheromone_rule_first = 0, pheromone_rule = 0.1;
-  double distance_rule_first = 1, distance_rule = 0.1;
-  double combined_rule_first = 0, combined_rule = 0.8;
+  double pheromone_rule_first = 0;  ///< by pheromone alone, at iteration 0
+  double pheromone_rule = 0.1;      ///< the same from `critical_time` on
+  double distance_rule_first = 1;   ///< by visibility and heuristic alone, at iteration 0
+  double distance_rule = 0.1;       ///< the same from `critical_time` on
+  double combined_rule_first = 0;   ///< by the product, at iteration 0
+  double combined_rule = 0.8;       ///< the same from `critical_time` on
 
   // Update: tau <- persistence * tau, then deposits. Its numbers are in TrailParams.
-  Update update = Update::ant_system;
-  double initial_pheromone = 1;  ///< tau0; 0: the family's own formula, see `defaults()`
+  Update update = Update::ant_system;  ///< how the trail changes
+  double initial_pheromone = 1;        ///< tau0; 0: the family's own formula, see `defaults()`
   /// Polish::none makes no straight paths, and so implies StraightDeposit::none.
   StraightDeposit straight_deposit = StraightDeposit::all;
   int batch = 0;  ///< ants that walk before a local update; 0: all of them
@@ -146,12 +202,12 @@ struct LASIUS_EXPORT Params : TrailParams {
   double unknown_index = 99;  ///< terminal index of a cell without one, on 20 x 20 cells
   double index_spread = 0.8;  ///< q of K'(c) = K(c) - q Kmin (Li, Wang & Ma, eq. 8)
 
-  double reward = 1.2;  ///< Update::learning, on success
-  Reward reward_reading = Reward::factor;
+  double reward = 1.2;                     ///< Update::learning, on success
+  Reward reward_reading = Reward::factor;  ///< of the formula broken in print
   double penalty = 0.5;  ///< Update::learning, factor on the second half of a dead end
 
   // The genetic algorithm. An iteration is a generation.
-  int population = 50;
+  int population = 50;     ///< paths of a generation
   double crossover = 1;    ///< probability that two parents cross
   double mutation = 0.05;  ///< probability that a child gets a new way to the goal
 
@@ -161,28 +217,30 @@ struct LASIUS_EXPORT Params : TrailParams {
 
 /// One parameter of an algorithm, as `lasius algorithms` lists it.
 struct Parameter {
-  std::string_view name;
-  std::string_view type;   ///< "integer", "number" or "choice"
-  std::string_view range;  ///< "1 .. 1000000", "a|b|c"
-  std::string_view summary;
+  std::string_view name;     ///< as set_parameter() takes it
+  std::string_view type;     ///< "integer", "number" or "choice"
+  std::string_view range;    ///< "1 .. 1000000", "a|b|c"
+  std::string_view summary;  ///< a line
 };
 
 /// One algorithm: its name, where it comes from, what it reads of Params.
 struct Algorithm {
+  /// What runs it.
   enum class Kind {
     exact,    ///< no iterations; certifies its gap and proves its answer
     colony,   ///< iterations of ants
     genetic,  ///< iterations of a population
   };
-  std::string_view name;
-  std::string_view summary;
-  std::string_view source;  ///< citation
-  std::span<const Parameter> parameters;
-  Kind kind = Kind::colony;
+  std::string_view name;                  ///< as Params takes it
+  std::string_view summary;               ///< a line
+  std::string_view source;                ///< citation
+  std::span<const Parameter> parameters;  ///< that it reads
+  Kind kind = Kind::colony;               ///< what runs it
 
   /// Does it read the parameter of this name?
   LASIUS_EXPORT bool has(std::string_view parameter) const noexcept;
 };
+/// The name, as in "colony".
 LASIUS_EXPORT std::string_view to_string(Algorithm::Kind kind) noexcept;
 
 /// All algorithms, the default first.

@@ -30,8 +30,8 @@ class LASIUS_EXPORT Workspace {
   ~Workspace();
   Workspace(Workspace&&) noexcept;
   Workspace& operator=(Workspace&&) noexcept;
-  class Impl;
-  Impl& impl() noexcept { return *impl_; }
+  class Impl;                               ///< for the library itself
+  Impl& impl() noexcept { return *impl_; }  ///< for the library itself
 
  private:
   std::unique_ptr<Impl> impl_;
@@ -41,6 +41,7 @@ class LASIUS_EXPORT Workspace {
 /// move only assignment and destruction are left.
 class LASIUS_EXPORT Planner {
  public:
+  /// Labels the components of the free cells; nothing else is made of the map.
   explicit Planner(Grid grid);
   /// Also prepares the map for `exact`: makes its visibility graph. Answers are as short and as
   /// certain as without; where several paths are shortest perhaps another one. If the graph was
@@ -51,6 +52,7 @@ class LASIUS_EXPORT Planner {
   /// As the constructors, for those who may have to stop: empty if stopped while components were
   /// labelled. `grid` is moved from only where a planner comes of it.
   [[nodiscard]] static std::optional<Planner> make(Grid&& grid, const StopCondition& stop);
+  /// The same, with the visibility graph; empty only if stopped while components were labelled.
   [[nodiscard]] static std::optional<Planner> make(Grid&& grid, const PrepareOptions& options);
   /// A planner for the same map, prepared as by the constructor. Copies the bitmap and its
   /// components; this one stays as it is.
@@ -61,7 +63,7 @@ class LASIUS_EXPORT Planner {
   Planner(Planner&&) noexcept;
   Planner& operator=(Planner&&) noexcept;
 
-  const Grid& grid() const noexcept;
+  const Grid& grid() const noexcept;  ///< holds as long as the planner
 
   /// Labels the components under a rule, if that is still to do; else the first plan that asks for
   /// them does, on its own time. False when stopped.
@@ -86,13 +88,14 @@ class LASIUS_EXPORT Planner {
   Result plan(const Request& request, const Params& params = {}, Workspace* workspace = nullptr,
               const Observer& observer = {}) const;
 
+  /// What is to be of a cell.
+  struct Edit {
+    Cell cell;            ///< of the map
+    bool blocked = true;  ///< else free
+  };
   /// A planner for the map with some cells changed; this one stays as it is. Copies the bitmap
   /// (one bit a cell) and labels only the tiles around changed cells again. What is excluded stays
   /// excluded. @throws Error(invalid_parameter) for a cell outside the map.
-  struct Edit {
-    Cell cell;
-    bool blocked = true;
-  };
   Planner edited(std::span<const Edit> edits) const;
   /// The same, or empty if stopped while tiles were labelled; the bitmap's copy is not cut short.
   /// So with a condition below.
@@ -101,7 +104,7 @@ class LASIUS_EXPORT Planner {
 
   /// A direction out of a cell, towards one of its eight neighbours.
   struct Direction {
-    Cell from;
+    Cell from;   ///< a cell of the map
     int dx = 0;  ///< -1 .. 1
     int dy = 0;  ///< -1 .. 1, not both 0
     friend bool operator==(const Direction&, const Direction&) = default;
@@ -114,11 +117,13 @@ class LASIUS_EXPORT Planner {
   /// so plans under way end in the world that they began in.
   /// @throws Error(invalid_parameter) for a cell outside the map or a step that is no direction.
   Planner exclude(std::span<const Direction> reported) const;
+  /// The same, or empty if stopped.
   [[nodiscard]] std::optional<Planner> exclude(std::span<const Direction> reported,
                                                const StopCondition& stop) const;
   /// The same without these directions: the sensor has stopped reporting them. Those that were not
   /// excluded are ignored.
   Planner allow(std::span<const Direction> gone) const;
+  /// The same, or empty if stopped.
   [[nodiscard]] std::optional<Planner> allow(std::span<const Direction> gone,
                                              const StopCondition& stop) const;
   /// What is excluded now, in the order in which it was reported.
@@ -133,11 +138,11 @@ class LASIUS_EXPORT Planner {
 
   /// Memory held, in bytes, by part.
   struct Footprint {
-    std::int64_t bitmap = 0;
-    std::int64_t components = 0;
-    std::int64_t visibility_graph = 0;
+    std::int64_t bitmap = 0;            ///< one bit a cell and the border
+    std::int64_t components = 0;        ///< as labelled so far
+    std::int64_t visibility_graph = 0;  ///< 0 where the map is not prepared
   };
-  Footprint footprint() const noexcept;
+  Footprint footprint() const noexcept;  ///< now
 
   class Impl;
 

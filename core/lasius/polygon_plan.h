@@ -1,6 +1,7 @@
 // Planning among polygons: MAKLINK lines, the algorithms on their crossing points, exact optima.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "lasius/enum_names.h"
 #include "lasius/params.h"
 #include "lasius/polygon_world.h"
 #include "lasius/progress.h"
@@ -24,8 +26,10 @@ enum class Join {
   round,  ///< arcs are made of chords: at corners 99.5% of the margin is kept
   bevel,  ///< corners are cut off: paths come nearer there
 };
-/// The name, as in "mitre".
-LASIUS_POLYGON_EXPORT std::string_view to_string(Join join) noexcept;
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 3> kJoinNames{"mitre", "round", "bevel"};
+/// The name of a value.
+constexpr std::string_view to_string(Join value) noexcept { return name_of(value, kJoinNames); }
 
 /// How the obstacles of a world grow by the robot's margin.
 struct GrowOptions {
@@ -39,8 +43,12 @@ enum class GlobalBest {
   so_far,     ///< of the run
   iteration,  ///< of the iteration that just ended
 };
-/// The name, as the parameter `global_best` has it.
-LASIUS_POLYGON_EXPORT std::string_view to_string(GlobalBest global_best) noexcept;
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 2> kGlobalBestNames{"so-far", "iteration"};
+/// The name of a value.
+constexpr std::string_view to_string(GlobalBest value) noexcept {
+  return name_of(value, kGlobalBestNames);
+}
 
 /// Parameters of one plan. The constructor sets the published values of an algorithm, which
 /// `algorithms()` lists with its parameters and their ranges; what the algorithm does not read must

@@ -15,24 +15,26 @@ struct PrepareOptions {
   int threads = 0;  ///< at most 1024; 0: as many as OpenMP gives; never changes what is prepared
   /// A graph that would take more is abandoned. A Workspace takes 32 bytes more for each vertex.
   std::int64_t max_bytes = std::int64_t{1} << 30;
-  StopCondition stop = {};
+  StopCondition stop = {};  ///< ends the preparation; what was made of the graph is dropped
 };
 
 /// What came of it.
 struct Preparation {
+  /// How it ended.
   enum class State {
     none,       ///< not asked for, or gone with an edit
     ready,      ///< `exact` plans on it
     too_large,  ///< abandoned: it would take more than max_bytes
     stopped,    ///< abandoned: the stop condition said so
   };
-  State state = State::none;
+  State state = State::none;  ///< how it ended
   /// Corners of obstacles at which a path may bend; 0 if stopped before they were counted.
   std::int64_t vertices = 0;
   std::int64_t edges = 0;  ///< from vertex to vertex in sight, if ready
   std::int64_t bytes = 0;  ///< held, if ready
   double seconds = 0;      ///< spent
 };
+/// The name, as in "too_large".
 LASIUS_EXPORT std::string_view to_string(Preparation::State) noexcept;
 
 }  // namespace lasius

@@ -23,6 +23,7 @@ class Progress {
 
   /// Ends the search: its answer is the best so far, its status Status::interrupted.
   void stop() const noexcept { stopped_ = true; }
+  /// True once stop() was called.
   bool stopped() const noexcept { return stopped_; }
 
  private:
@@ -36,6 +37,7 @@ class LASIUS_EXPORT GridProgress : public Progress {
   virtual ~GridProgress();
   /// The best path so far; empty if there is none.
   virtual std::vector<Point> path() const = 0;
+  /// Ants of an iteration.
   virtual int ants() const { return 0; }
   /// The tour of one ant, start to goal; empty if it did not arrive.
   /// @throws std::out_of_range unless 0 <= ant < ants().
@@ -45,6 +47,7 @@ class LASIUS_EXPORT GridProgress : public Progress {
   /// Pheromone on a cell of the map; 0 where the algorithm has none.
   virtual double pheromone(Cell c) const;
 };
+/// Called with a view that holds until it returns.
 using Observer = std::function<void(const GridProgress&)>;
 
 }  // namespace lasius

@@ -8,9 +8,9 @@ namespace lasius {
 
 /// One question.
 struct Request {
-  Cell start;
-  Cell goal;
-  StopCondition stop = {};
+  Cell start;               ///< the path begins at its centre
+  Cell goal;                ///< and ends at the centre of this one
+  StopCondition stop = {};  ///< when to end with the best path so far
   /// Stop at this certified gap, as a fraction, 0 or more; above 0 only for algorithms that certify
   /// one (Algorithm::Kind::exact).
   double target_gap = 0;

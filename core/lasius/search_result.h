@@ -20,10 +20,10 @@ struct Convergence {
 
 /// What the answers of all planners have in common. Without a path `length` is not a number.
 struct LASIUS_EXPORT SearchResult : Convergence {
-  Status status = Status::no_path;
-  Fault fault = Fault::none;  ///< why it is invalid or unreachable
-  std::string error;          ///< the same in a sentence that names the place; empty for none
-  double length;              ///< of the path, in the world's unit
+  Status status = Status::no_path;  ///< how it ended
+  Fault fault = Fault::none;        ///< why it is invalid or unreachable
+  std::string error;                ///< the same in a sentence that names the place; empty for none
+  double length;                    ///< of the path, in the world's unit
   std::optional<double> lower_bound;  ///< certified: no path is shorter
   /// Certified (length - lower_bound) / lower_bound; 0 at length 0; nothing where there is no path
   /// or no bound above 0.

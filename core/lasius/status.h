@@ -16,6 +16,7 @@ enum class Status {
   no_path,      ///< its iterations ended without a path
   invalid,      ///< start or goal outside or blocked
 };
+/// The name, as in "no_path".
 LASIUS_EXPORT std::string_view to_string(Status status) noexcept;
 
 /// Why a question is invalid or its goal unreachable.

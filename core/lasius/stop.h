@@ -19,15 +19,18 @@ class TimeSource;
 
 /// When to stop. Long work polls it at least every 4096 ant steps or 65536 scanned words.
 struct StopCondition {
-  std::stop_token token = {};
+  std::stop_token token = {};  ///< ends the call as Status::interrupted
+  /// Ends the call as Status::limit.
   Clock::time_point deadline = Clock::time_point::max();
   /// For tests of the library itself; null: the steady clock.
   const TimeSource* time = nullptr;
 
+  /// What asks to stop.
   enum class Cause { none, token, deadline };
   /// Reads the token, then the clock (the clock only if there is a deadline).
   LASIUS_EXPORT Cause poll() const noexcept;
 };
+/// The name, as in "deadline".
 LASIUS_EXPORT std::string_view to_string(StopCondition::Cause cause) noexcept;
 
 }  // namespace lasius

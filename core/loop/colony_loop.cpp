@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/base/crew.h"
+#include "core/base/thread_team.h"
 
 namespace lasius {
 namespace {
@@ -46,7 +46,7 @@ StopCondition::Cause loop(ColonyWorld& world, int iterations, const StopConditio
 StopCondition::Cause run_colony_loop(ColonyWorld& world, int iterations, const StopCondition& stop,
                                      Convergence& run) {
   auto cause = StopCondition::Cause::none;
-  Crew::lead(world.threads(), [&] { cause = loop(world, iterations, stop, run); });
+  ThreadTeam::lead(world.threads(), [&] { cause = loop(world, iterations, stop, run); });
   return cause;
 }
 

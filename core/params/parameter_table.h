@@ -68,6 +68,25 @@ inline const Algorithm& find_algorithm(std::span<const Algorithm> all, std::stri
   throw unknown_name("algorithm", name, names);
 }
 
+/// Names as a range tells them: "a|b|c".
+template <const auto& kNames>
+inline constexpr auto kJoinedText = [] {
+  constexpr std::size_t kLength = [] {
+    std::size_t length = kNames.size() - 1;
+    for (const std::string_view name : kNames) length += name.size();
+    return length;
+  }();
+  std::array<char, kLength> text{};
+  auto* to = text.data();
+  for (const std::string_view name : kNames) {
+    if (to != text.data()) *to++ = '|';
+    for (const char c : name) *to++ = c;
+  }
+  return text;
+}();
+template <const auto& kNames>
+inline constexpr std::string_view kJoined{kJoinedText<kNames>.data(), kJoinedText<kNames>.size()};
+
 /// How a table reads, writes and checks the fields of the struct `Fields`, which has a `seed` and
 /// `threads` beside those in the table.
 template <class Fields>
@@ -118,18 +137,19 @@ class ParameterTable {
     }
   };
 
-  /// The choice that the field `kMember` keeps as the index of its name.
-  template <auto kMember>
-  static constexpr Choice choice(std::span<const std::string_view> names) {
-    using Value = std::remove_reference_t<decltype(std::declval<Fields&>().*kMember)>;
-    return {names, [](const Fields& fields) { return static_cast<int>(fields.*kMember); },
-            [](Fields& fields, int i) { fields.*kMember = static_cast<Value>(i); }};
-  }
-
   struct Entry {
     Parameter info;
     std::variant<Integer, Number, Choice> value;
   };
+
+  /// The choice that the field `kMember` keeps as the index of its name.
+  template <auto kMember, const auto& kNames>
+  static constexpr Entry choice(std::string_view name, std::string_view summary) {
+    using Value = std::remove_reference_t<decltype(std::declval<Fields&>().*kMember)>;
+    return {{name, "choice", kJoined<kNames>, summary},
+            Choice{kNames, [](const Fields& fields) { return static_cast<int>(fields.*kMember); },
+                   [](Fields& fields, int i) { fields.*kMember = static_cast<Value>(i); }}};
+  }
 
   /// What is told of the entries to those who list them.
   template <std::size_t kCount>

@@ -15,48 +15,25 @@ using Entry = Table::Entry;
 using Integer = Table::Integer;
 using Number = Table::Number;
 
-constexpr std::string_view kNeighbours[]{"4", "8", "16", "16k", "24", "32"};
-constexpr std::string_view kCorners[]{"forbid", "one-side", "allow"};
-constexpr std::string_view kPolish[]{"none", "straight", "taut"};
-constexpr std::string_view kDeadEnd[]{"backtrack", "kill"};
-constexpr std::string_view kSelection[]{"roulette", "inverse-roulette"};
-constexpr std::string_view kTrail[]{"cells", "arcs"};
-constexpr std::string_view kHeuristic[]{"uniform",       "rescaled-distance", "inverse-distance",
-                                        "distance",      "goal-angle",        "learned",
-                                        "distance-field"};
-constexpr std::string_view kVisibility[]{"none", "inverse-step", "heading-change"};
-constexpr std::string_view kUpdate[]{"ant-system",    "elitist",    "rank",           "max-min",
-                                     "colony-system", "best-share", "terminal-index", "learning"};
-constexpr std::string_view kStraightDeposit[]{"none", "improving", "all"};
-constexpr std::string_view kReward[]{"factor", "affine"};
-
 // Every parameter of the grid colonies.
 constexpr std::array kColony{
     Entry{{"ants", "integer", "1 .. 1000000", "ants an iteration, m"},
           Integer{&Params::ants, 1, 1000000}},
     Entry{{"iterations", "integer", "0 .. 1000000000", "iterations, T"},
           Integer{&Params::iterations, 0, 1000000000}},
-    Entry{{"neighbours", "choice", "4|8|16|16k|24|32", "moves of an ant"},
-          Table::choice<&Params::neighbours>(kNeighbours)},
-    Entry{{"corners", "choice", "forbid|one-side|allow",
-           "free side cells that a diagonal move needs: both, one, none"},
-          Table::choice<&Params::corners>(kCorners)},
-    Entry{{"polish", "choice", "none|straight|taut", "what is done with each ant's tour"},
-          Table::choice<&Params::polish>(kPolish)},
-    Entry{{"dead_end", "choice", "backtrack|kill", "what an ant does when every move is closed"},
-          Table::choice<&Params::dead_end>(kDeadEnd)},
-    Entry{{"selection", "choice", "roulette|inverse-roulette",
-           "how a move is drawn from its row of weights"},
-          Table::choice<&Params::selection>(kSelection)},
-    Entry{{"trail", "choice", "cells|arcs", "what carries pheromone"},
-          Table::choice<&Params::trail>(kTrail)},
-    Entry{{"heuristic", "choice",
-           "uniform|rescaled-distance|inverse-distance|distance|goal-angle|learned|distance-field",
-           "weight of a move by where it leads"},
-          Table::choice<&Params::heuristic>(kHeuristic)},
-    Entry{{"visibility", "choice", "none|inverse-step|heading-change",
-           "weight of a move by itself and the one before"},
-          Table::choice<&Params::visibility>(kVisibility)},
+    Table::choice<&Params::neighbours, kNeighboursNames>("neighbours", "moves of an ant"),
+    Table::choice<&Params::corners, kCornersNames>(
+        "corners", "free side cells that a diagonal move needs: both, one, none"),
+    Table::choice<&Params::polish, kPolishNames>("polish", "what is done with each ant's tour"),
+    Table::choice<&Params::dead_end, kDeadEndNames>("dead_end",
+                                                    "what an ant does when every move is closed"),
+    Table::choice<&Params::selection, kSelectionNames>(
+        "selection", "how a move is drawn from its row of weights"),
+    Table::choice<&Params::trail, kTrailNames>("trail", "what carries pheromone"),
+    Table::choice<&Params::heuristic, kHeuristicNames>("heuristic",
+                                                       "weight of a move by where it leads"),
+    Table::choice<&Params::visibility, kVisibilityNames>(
+        "visibility", "weight of a move by itself and the one before"),
     Entry{{"alpha", "number", "0 .. 20", "exponent of pheromone from the critical time on"},
           Number{&Params::alpha, 0, 20}},
     Entry{{"beta", "number", "0 .. 20", "exponent of visibility and inverse distance, likewise"},
@@ -91,10 +68,8 @@ constexpr std::array kColony{
           Number{&Params::combined_rule_first, 0, 1e6}},
     Entry{{"combined_rule", "number", "0 .. 1000000", "the same from the critical time on"},
           Number{&Params::combined_rule, 0, 1e6}},
-    Entry{{"update", "choice",
-           "ant-system|elitist|rank|max-min|colony-system|best-share|terminal-index|learning",
-           "how the trail changes after an iteration"},
-          Table::choice<&Params::update>(kUpdate)},
+    Table::choice<&Params::update, kUpdateNames>("update",
+                                                 "how the trail changes after an iteration"),
     Entry{{"persistence", "number", "0 .. 1", "share of pheromone that remains after an iteration"},
           Number{&Params::persistence, 0, 1}},
     Entry{{"initial_pheromone", "number", "0 .. 1e9",
@@ -102,9 +77,8 @@ constexpr std::array kColony{
           Number{&Params::initial_pheromone, 0, 1e9}},
     Entry{{"deposit", "number", "0 .. 1e9", "an ant of tour length L deposits deposit / L, Q"},
           Number{&Params::deposit, 0, 1e9}},
-    Entry{{"straight_deposit", "choice", "none|improving|all",
-           "which straightened paths get pheromone too"},
-          Table::choice<&Params::straight_deposit>(kStraightDeposit)},
+    Table::choice<&Params::straight_deposit, kStraightDepositNames>(
+        "straight_deposit", "which straightened paths get pheromone too"),
     Entry{{"elite_weight", "number", "0 .. 1e6", "weight of the best tour so far (elitist), e"},
           Number{&Params::elite_weight, 0, 1e6}},
     Entry{{"ranks", "integer", "2 .. 1000000",
@@ -131,8 +105,8 @@ constexpr std::array kColony{
           Number{&Params::index_spread, 0, 1}},
     Entry{{"reward", "number", "0 .. 1e6", "factor of the reward (learning)"},
           Number{&Params::reward, 0, 1e6}},
-    Entry{{"reward_reading", "choice", "factor|affine", "reading of the reward's formula"},
-          Table::choice<&Params::reward_reading>(kReward)},
+    Table::choice<&Params::reward_reading, kRewardNames>("reward_reading",
+                                                         "reading of the reward's formula"),
     Entry{{"penalty", "number", "0 .. 1", "what a dead end leaves of tau and eta (learning)"},
           Number{&Params::penalty, 0, 1}},
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <tuple>
+#include <type_traits>
 
 #include "core/params/parameter_table.h"
 
@@ -143,80 +145,87 @@ struct Preset {
   void (*set)(Params&);
 };
 
-const std::array kPresets{
-    Preset{{"exact",
-            "the shortest any-angle path, with a proof; before that the best path so far with a "
-            "certified gap",
-            "lasius: weighted A* and A* over taut corners, see docs/exact.md",
-            {},
-            Algorithm::Kind::exact},
-           exact},
-    Preset{{"fan2004",
-            "bitmaps of many irregular obstacles: pheromone, rescaled distance and their product "
-            "mixed by roulette, exponents that vary with time, tours pulled straight",
-            "Fan, Luo, Yi, Zhang: Path planning for robots based on ant colony optimization "
-            "algorithm under complex environment. Control and Decision 19 (2), 2004",
-            colony_parameters()},
-           fan2004},
-    Preset{{"as", "ant system, the classic: visibility 1 / distance to the goal",
-            "Dorigo, Maniezzo, Colorni: Ant System: optimization by a colony of cooperating "
-            "agents. IEEE Trans. SMC-B 26 (1), 1996",
-            colony_parameters()},
-           ant_system},
-    Preset{{"eas", "elitist ant system: the best tour so far deposits as well",
-            "Dorigo, Stuetzle: Ant Colony Optimization. MIT Press, 2004, section 3.3.2",
-            colony_parameters()},
-           elitist},
-    Preset{{"ras", "rank-based ant system: the best ants deposit, weighted by rank",
-            "Bullnheimer, Hartl, Strauss: A new rank-based version of the Ant System. Central "
-            "European J. for Operations Research 7 (1), 1999",
-            colony_parameters()},
-           rank_based},
-    Preset{{"mmas", "MAX-MIN ant system: one best ant deposits, pheromone between bounds",
-            "Stuetzle, Hoos: MAX-MIN Ant System. Future Generation Computer Systems 16 (8), 2000",
-            colony_parameters()},
-           max_min},
-    Preset{{"acs", "ant colony system: pseudo-random proportional rule, local and global update",
-            "Dorigo, Gambardella: Ant Colony System: a cooperative learning approach to the "
-            "traveling salesman problem. IEEE Trans. Evolutionary Computation 1 (1), 1997",
-            colony_parameters()},
-           colony_system},
-    Preset{{"terminal-index",
-            "the best known way from each cell in place of pheromone, moves discarded one by one",
-            "Li, Wang, Ma: ant colony path planning with a terminal index", colony_parameters()},
-           terminal_index},
-    Preset{{"cong2009", "one ant at a time, learned heuristic, penalties for dead ends",
-            "Cong, Ponnambalam: Mobile robot path planning using ant colony optimization. "
-            "IEEE/ASME Int. Conf. on Advanced Intelligent Mechatronics, 2009",
-            colony_parameters()},
-           cong2009},
-    Preset{{"lecture-grid", "heading change as heuristic, the best ants deposit",
-            "lecture on ant algorithms for robot path planning, grid part", colony_parameters()},
-           lecture_grid},
-    Preset{
-        {"grid-ga", "genetic algorithm, the comparator: paths of cells that cross where they meet",
-         "Ahn, Ramakrishna: A genetic algorithm for shortest path routing problem and the "
-         "sizing of populations. IEEE Trans. Evolutionary Computation 6 (6), 2002",
-         genetic_parameters(), Algorithm::Kind::genetic},
-        grid_ga},
-};
-
-const auto kAlgorithms = [] {
-  std::array<Algorithm, kPresets.size()> list;
-  for (std::size_t i = 0; i < list.size(); ++i) list[i] = kPresets[i].algorithm;
+/// Made on first use, so that Params may be made before main() begins.
+const auto& presets() {
+  static const std::array list{
+      Preset{{"exact",
+              "the shortest any-angle path, with a proof; before that the best path so far with a "
+              "certified gap",
+              "lasius: weighted A* and A* over taut corners, see docs/exact.md",
+              {},
+              Algorithm::Kind::exact},
+             exact},
+      Preset{{"fan2004",
+              "bitmaps of many irregular obstacles: pheromone, rescaled distance and their product "
+              "mixed by roulette, exponents that vary with time, tours pulled straight",
+              "Fan, Luo, Yi, Zhang: Path planning for robots based on ant colony optimization "
+              "algorithm under complex environment. Control and Decision 19 (2), 2004",
+              colony_parameters()},
+             fan2004},
+      Preset{{"as", "ant system, the classic: visibility 1 / distance to the goal",
+              "Dorigo, Maniezzo, Colorni: Ant System: optimization by a colony of cooperating "
+              "agents. IEEE Trans. SMC-B 26 (1), 1996",
+              colony_parameters()},
+             ant_system},
+      Preset{{"eas", "elitist ant system: the best tour so far deposits as well",
+              "Dorigo, Stuetzle: Ant Colony Optimization. MIT Press, 2004, section 3.3.2",
+              colony_parameters()},
+             elitist},
+      Preset{{"ras", "rank-based ant system: the best ants deposit, weighted by rank",
+              "Bullnheimer, Hartl, Strauss: A new rank-based version of the Ant System. Central "
+              "European J. for Operations Research 7 (1), 1999",
+              colony_parameters()},
+             rank_based},
+      Preset{{"mmas", "MAX-MIN ant system: one best ant deposits, pheromone between bounds",
+              "Stuetzle, Hoos: MAX-MIN Ant System. Future Generation Computer Systems 16 (8), 2000",
+              colony_parameters()},
+             max_min},
+      Preset{{"acs", "ant colony system: pseudo-random proportional rule, local and global update",
+              "Dorigo, Gambardella: Ant Colony System: a cooperative learning approach to the "
+              "traveling salesman problem. IEEE Trans. Evolutionary Computation 1 (1), 1997",
+              colony_parameters()},
+             colony_system},
+      Preset{{"terminal-index",
+              "the best known way from each cell in place of pheromone, moves discarded one by one",
+              "Li, Wang, Ma: ant colony path planning with a terminal index", colony_parameters()},
+             terminal_index},
+      Preset{{"cong2009", "one ant at a time, learned heuristic, penalties for dead ends",
+              "Cong, Ponnambalam: Mobile robot path planning using ant colony optimization. "
+              "IEEE/ASME Int. Conf. on Advanced Intelligent Mechatronics, 2009",
+              colony_parameters()},
+             cong2009},
+      Preset{{"lecture-grid", "heading change as heuristic, the best ants deposit",
+              "lecture on ant algorithms for robot path planning, grid part", colony_parameters()},
+             lecture_grid},
+      Preset{{"grid-ga",
+              "genetic algorithm, the comparator: paths of cells that cross where they meet",
+              "Ahn, Ramakrishna: A genetic algorithm for shortest path routing problem and the "
+              "sizing of populations. IEEE Trans. Evolutionary Computation 6 (6), 2002",
+              genetic_parameters(), Algorithm::Kind::genetic},
+             grid_ga},
+  };
   return list;
-}();
+}
 
 }  // namespace
 
-std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
+std::span<const Algorithm> algorithms() noexcept {
+  static const auto list = [] {
+    std::array<Algorithm, std::tuple_size_v<std::remove_cvref_t<decltype(presets())>>> all;
+    std::ranges::transform(presets(), all.begin(), &Preset::algorithm);
+    return all;
+  }();
+  return list;
+}
 
-const Algorithm& find_algorithm(std::string_view name) { return find_algorithm(kAlgorithms, name); }
+const Algorithm& find_algorithm(std::string_view name) {
+  return find_algorithm(algorithms(), name);
+}
 
 Params::Params(std::string_view algorithm) {
-  const auto& found = find_algorithm(algorithm);
+  const Algorithm& found = find_algorithm(algorithm);
   algorithm_ = found.name;
-  kPresets[static_cast<std::size_t>(&found - kAlgorithms.data())].set(*this);
+  presets()[static_cast<std::size_t>(&found - algorithms().data())].set(*this);
 }
 
 }  // namespace lasius

@@ -45,7 +45,7 @@ class Planner::Impl {
   std::shared_ptr<const Impl> next(std::span<const Edit> edits, std::vector<Direction> directions,
                                    const StopCondition& stop) const;
 
-  /// The components under a rule; null when stopped. Those of 8 neighbours are made when first
+  /// The components under a rule; null if stopped. Those of 8 neighbours are made when first
   /// asked for. Two threads may both make them, and find the same: none has to wait for another,
   /// whose stop condition is not its own.
   const Components* components(Corners corners, const StopCondition& stop) const {

@@ -13,9 +13,6 @@ using Entry = Table::Entry;
 using Integer = Table::Integer;
 using Number = Table::Number;
 
-constexpr std::string_view kGlobalBest[]{"so-far", "iteration"};
-constexpr std::string_view kJoins[]{"mitre", "round", "bevel"};
-
 constexpr Entry kIterations{{"iterations", "integer", "0 .. 1000000000", "iterations, NC"},
                             Integer{&Params::iterations, 0, 1000000000}};
 constexpr Entry kRoutes{{"routes", "integer", "1 .. 1000",
@@ -36,9 +33,8 @@ constexpr std::array kColony{
     Entry{{"initial_pheromone", "number", "0 .. 1e9",
            "pheromone everywhere at first, tau0; 0: 1 / (lines x Dijkstra's length)"},
           Number{&Params::initial_pheromone, 0, 1e9}},
-    Entry{{"global_best", "choice", "so-far|iteration",
-           "which best path the global update deposits on"},
-          Table::choice<&Params::global_best>(kGlobalBest)},
+    Table::choice<&Params::global_best, kGlobalBestNames>(
+        "global_best", "which best path the global update deposits on"),
     Entry{
         {"agreement", "integer", "0 .. 1000000000",
          "iterations in a row with all ants on one way that end the run; the source: 1; 0: never"},
@@ -90,12 +86,6 @@ std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
 
 const Algorithm& find_algorithm(std::string_view name) {
   return lasius::find_algorithm(kAlgorithms, name);
-}
-
-std::string_view to_string(Join join) noexcept { return kJoins[static_cast<std::size_t>(join)]; }
-
-std::string_view to_string(GlobalBest global_best) noexcept {
-  return kGlobalBest[static_cast<std::size_t>(global_best)];
 }
 
 Params::Params(std::string_view algorithm) {

@@ -158,7 +158,7 @@ class ConeScan {
   // Follows one interval until it ends; further gaps go on the stack. False when stopped.
   bool follow(Interval& v) {
     const char* next = row0_ + step_ * v.line;
-    int quiet = 0;  // rows in turn that held nothing
+    int quiet = 0;  // consecutive rows that held nothing
     for (;; ++v.line, next += step_) {
       if (v.wall && !blocked_cell<S>(next, floor_column(v.right + kSlack))) {
         v.right_slope = slope_to(floor_column(v.right + kSlack), v.line);

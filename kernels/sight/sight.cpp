@@ -17,7 +17,7 @@ std::uint64_t bits_at(const std::uint64_t* row, int from, int last) noexcept {
 }
 
 // Along the grid line between two rows, over the columns [lo, hi]: some column must be free on one
-// side, and two columns in turn on the same one.
+// side, and two neighbouring columns on the same one.
 bool sees_along_row_line(const std::uint64_t* above, const std::uint64_t* below, int lo,
                          int hi) noexcept {
   constexpr int kStep = 63;  // 64 bits decide 63 pairs

@@ -10,10 +10,10 @@ namespace lasius::kernels {
 
 /// Which cells of a walk are seen from its first one, up to the first hidden one.
 ///
-/// Equal to `sees_cell` for each cell in turn. The ray to the current cell crosses one free run of
+/// Equal to `sees_cell` of each cell. The ray to the current cell crosses one free run of
 /// each row, and between two rows it crosses where their runs overlap: a window. The windows of
 /// all rows up to the k-th bound the slopes of the rays that get past it: a cone. The walk's next
-/// cell is seen when it lies in the cone of the rows before it. Two rays in turn cross the same
+/// cell is seen when it lies in the cone of the rows before it. Two consecutive rays cross the same
 /// windows as long as both are free: a blocked cell between them would have to fit in the
 /// triangle that they form with one step, which is too thin for it.
 class SightCone {

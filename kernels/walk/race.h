@@ -1,4 +1,4 @@
-// Exponential times for the discard roulette, which is a race.
+// Random times with an exponential distribution, by which Draw::discard draws (walk.h).
 #pragma once
 
 #include <bit>
@@ -6,7 +6,7 @@
 
 namespace lasius::kernels {
 
-/// A random word's second use.
+/// A random word as its second use reads it.
 constexpr std::uint32_t turned(std::uint32_t word) noexcept { return std::rotl(word, 16); }
 
 /// -log2 of a random number read as one between 0 and 1, error below 5e-6; positive. IEEE

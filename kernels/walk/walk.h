@@ -1,8 +1,9 @@
 // The walk kernel: ants step from cell to cell, each drawing its moves from rows of weights.
 //
-// Several ants advance within one call, in turn or abreast, so that their chains of dependent loads
-// overlap. An ant's walk depends on the weights and on its own random stream only: not on
-// the other ants, the thread, the order of the calls or the instruction set.
+// Several ants advance within one call, so that their chains of dependent loads overlap:
+// interleaved, each in turn taking a step (walk_body.h), or in lock-step, one ant a SIMD lane
+// (lockstep.h). An ant's walk depends on the weights and on its own random stream only: not on the
+// other ants, the thread, the order of the calls or the instruction set.
 #pragma once
 
 #include <array>
@@ -67,9 +68,9 @@ enum Rule { kGreedyRule, kPheromoneRule, kDistanceRule, kCombinedRule, kRules };
 /// What all ants of an iteration share. Read-only during a walk, but for new tiles.
 struct WalkWorld {
   /// Rows of weights by tile, row-major `tiles_x` a row; null where no ant has been. Of a cell:
-  /// with one rule, `lanes` floats; with a mixture, `lanes` of pheromone, then `lanes` of distance.
-  /// A weight of 0 is a move that does not exist, every other one is at least 2^-120. For a race
-  /// (Draw::discard) rows hold one over the weight, at most 2^120, or 0.
+  /// with one rule, `lanes` floats; with a mixture of rules (WalkShape), `lanes` of pheromone, then
+  /// `lanes` of distance. A weight of 0 is a move that does not exist, every other one is at least
+  /// 2^-120. For Draw::discard rows hold one over the weight, at most 2^120, or 0.
   float* const* tiles = nullptr;
   int tiles_x = 0;
   /// Called for a null entry, from any thread: makes the tile, enters it in `tiles` (release) and
@@ -81,8 +82,8 @@ struct WalkWorld {
   std::array<std::int32_t, kMaxMoves> tile_step{};  ///< the same in cells of a tile, row-major
   std::array<std::int32_t, kMaxMoves> row_step{};   ///< rows that a move goes down
   std::uint64_t window = 0;  ///< more than 8 moves: their bits in 7 x 7 cells, row by row
-  /// Factor on the row's weights (of pheromone; for a race on their inverses: the larger, the
-  /// likelier) by previous move (kMaxMoves: none yet) and move; 0 closes a move.
+  /// Factor on what the row holds (in a mixture, of pheromone), by previous move (kMaxMoves: none
+  /// yet) and move; the larger, the likelier in either draw, and 0 closes a move.
   alignas(64) std::array<std::array<float, kMaxMoves>, kMaxMoves + 1> factor{};
   /// The wheel: rule r is chosen by random words from rule_start[r] to below the next rule's.
   std::array<std::uint64_t, kRules> rule_start{};
@@ -109,16 +110,16 @@ enum class WalkState : std::uint32_t {
   idle,  ///< no ant in the slot
   walking,
   arrived,
-  lost
+  lost  ///< every move on is closed, and it could not step back
 };
 
 /// How one move is drawn from a row.
 enum class Draw {
   roulette,  ///< with probability proportional to its weight
   /// Discard moves one by one, each with probability proportional to its weight, until one is left
-  /// (Li, Wang & Ma, section 2.3). Run as a race: move k gets a time of density
-  /// weight * exp(-weight * t), and the last one stays, which is the same distribution. The row
-  /// holds the mean of that time: no division is left to do.
+  /// (Li, Wang & Ma, section 2.3). Drawn as an exponential race: move k gets a random time of
+  /// density weight * exp(-weight * t), and the longest stays, which is the same distribution. The
+  /// row holds the mean of that time, one over the weight: no division is left to do.
   discard,
 };
 
@@ -126,9 +127,9 @@ enum class Draw {
 constexpr int numbers_of_block(Draw draw) noexcept { return draw == Draw::discard ? 8 : 4; }
 
 /// One ant under way. Block b of ant a in iteration q is Philox4x32-10 with key = seed and counter
-/// (b, a, q, 0). A roulette takes one of its four words a step. A race takes a number a move, eight
-/// of a block: the four words, then the same turned by 16 bits. (What two of them share stands
-/// behind the sixteenth binary place.)
+/// (b, a, q, 0). A roulette takes one of its four words a step. Draw::discard takes a number for
+/// each move of the row, eight of a block: the four words, then the same rotated by 16 bits. (What
+/// two of them share stands behind the sixteenth binary place.)
 struct WalkSlot {
   static constexpr int kNumbers = 64;
   static constexpr int kMovesBeyond = 3;  ///< that a kernel may write behind a tour
@@ -148,10 +149,11 @@ struct WalkSlot {
   std::uint64_t* word = nullptr;  ///< of `visited` around that cell
   std::uint32_t random_used = kNumbers;
   std::uint32_t random_block = 0;  ///< the next one
-  /// Numbers to come; for a race (Draw::discard) their times at weight 1, as the bits of floats.
+  /// Numbers to come; for Draw::discard the random times that they give at weight 1, as the bits of
+  /// floats.
   alignas(64) std::array<std::uint32_t, kNumbers> random;
 
-  /// A new ant sets out; the words left of the one before stay unread.
+  /// Puts a new ant at its start. Random numbers left of the ant before are dropped.
   void send(PackedCell start, std::uint32_t number) noexcept {
     at = start;
     previous = kMaxMoves;
@@ -162,7 +164,7 @@ struct WalkSlot {
     random_block = 0;
   }
 
-  /// Random numbers used: one a step (Draw::discard: one a move of the row), those taken back
+  /// Random numbers used: one a step (Draw::discard: one a move of the row), steps back
   /// included.
   std::int64_t numbers_used(Draw draw) const noexcept {
     return std::int64_t{random_block} * numbers_of_block(draw) -
@@ -174,14 +176,14 @@ inline constexpr int kMaxSlots = 16;  ///< slots of one call
 
 /// Advances each slot that is walking by at most `rounds` steps; the slots' planes are of one
 /// height. A step moves the ant, or takes back its last move when every move on is closed (lost if
-/// it may not, or stands at the start). Throws only what `make_tile` throws; then no slot means
-/// anything.
+/// it may not, or stands at the start). Throws only what `make_tile` throws; what the slots hold is
+/// undefined then.
 using WalkFn = void (*)(const WalkWorld& world, std::span<WalkSlot> slots, int rounds);
 
 /// What a walk kernel is compiled for.
 struct WalkShape {
   int lanes = 8;         ///< moves: 4, 8, 16, 24 or 32
-  bool mixture = false;  ///< rows hold two rules; roulette only
+  bool mixture = false;  ///< rows hold weights of two rules; roulette only
   bool factor = false;   ///< WalkWorld::factor is not all ones
   Draw draw = Draw::roulette;
 

@@ -1,8 +1,10 @@
 // The walk, written once and compiled for each instruction set. The including file defines
 //   LASIUS_TARGET  the function attribute of its instruction set (may be empty)
 //   LASIUS_OPS     a struct with `roulette<lanes, mixture, factor>`, `race<lanes, factor>`,
-//                  `without_centre`, `bits_at` and `abreast<lanes, mixture, factor, draw>`
-// and gets the table of its kernels as `kTable` in an unnamed namespace.
+//                  `bits_at` and `lockstep<lanes, mixture, factor, draw>`
+// and gets the table of its kernels as `kTable` in an unnamed namespace. The ants are interleaved:
+// each in turn takes one step, so that one waits for memory while the others go on. Where the
+// instruction set has a lock-step walk, that one takes the steps it can first.
 
 #include <Random123/philox.h>
 
@@ -20,7 +22,7 @@ namespace lasius::kernels {
 namespace {
 
 /// Fills the slot's buffer with its next random numbers, block by block in the lanes of a vector;
-/// for a race, with their times.
+/// for Draw::discard, with the times that they give.
 template <Draw kDraw>
 LASIUS_TARGET inline void refill(const WalkWorld& world, WalkSlot& slot) noexcept {
   constexpr int kEach = numbers_of_block(kDraw), kBlocks = WalkSlot::kNumbers / kEach;
@@ -79,11 +81,16 @@ struct Walk {
     if constexpr (kLanes == 4) {
       return ~((up >> 1 & 1) | (here & 1) << 1 | (here & 4) | (down & 2) << 2) & kAll;
     } else {
-      return ~LASIUS_OPS::without_centre(up | here << 3 | down << 6) & kAll;
+      const std::uint32_t window = up | here << 3 | down << 6;  // less the middle one:
+#if defined(LASIUS_AVX512)  // pext is quick on every CPU with AVX-512, not on the first with AVX2
+      return ~_pext_u32(window, 0b111101111) & kAll;
+#else
+      return ~((window & 15) | (window >> 5 & 15) << 4) & kAll;
+#endif
     }
   }
 
-  /// Asks for the row of the ant's cell: by the ant's next turn it has arrived.
+  /// Asks for the row of the ant's cell: by the ant's next step it is there.
   [[gnu::always_inline]] static void prefetch(const WalkSlot& slot) noexcept {
     for (std::ptrdiff_t k = 0; k < kRow; k += 16) __builtin_prefetch(slot.row + k);
   }
@@ -137,7 +144,7 @@ struct Walk {
     const std::uint32_t open = open_moves(world, slot.word, slot.at);
     int move;
     if constexpr (kDraw == Draw::discard) {
-      // The most that the buffer surely holds together.
+      // As many numbers as the buffer always holds together.
       constexpr std::uint32_t kRun = std::gcd(kLanes, WalkSlot::kNumbers);
       alignas(32) float at_weight_one[kLanes];
       for (std::uint32_t k = 0; k < kLanes; k += kRun) {
@@ -172,7 +179,7 @@ struct Walk {
       find(world, slot);
       walking[count++] = &slot;
     }
-    rounds -= LASIUS_OPS::template abreast<kLanes, kMixture, kFactor, kDraw>(
+    rounds -= LASIUS_OPS::template lockstep<kLanes, kMixture, kFactor, kDraw>(
         world, {walking.data(), static_cast<std::size_t>(count)}, rounds);
     const auto ended = [](const WalkSlot* slot) { return slot->state != WalkState::walking; };
     count = static_cast<int>(std::remove_if(walking.begin(), walking.begin() + count, ended) -

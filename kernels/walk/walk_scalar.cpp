@@ -1,11 +1,19 @@
 // The walk in plain C++: the specification that the others must match bit for bit.
 
+#include <span>
+
 #include "kernels/walk/walk_tables.h"
 
 namespace lasius::kernels {
 namespace {
 
-struct ScalarOps : InTurnOps {
+struct ScalarOps {
+  /// Steps that ants take in lock-step: none.
+  template <int kLanes, bool kMixture, bool kFactor, Draw kDraw>
+  static int lockstep(const WalkWorld&, std::span<WalkSlot* const>, int) noexcept {
+    return 0;
+  }
+
   /// One draw from a row: choose a rule, mask closed moves, spin the roulette wheel.
   /// Prefix sums follow the tree of the vector code: by pairs, by fours, the lower four's total
   /// onto the upper four, the total of eight onto the next eight.
@@ -64,7 +72,8 @@ struct ScalarOps : InTurnOps {
     return last;
   }
 
-  /// The move that runs longest, the first of equals: a time at weight 1 times the mean.
+  /// The exponential race of Draw::discard: the move with the longest time, the first of equals.
+  /// Its time is the random one at weight 1, times the mean that the row holds.
   template <int kLanes, bool kFactor>
   static int race(const WalkWorld& world, const float* row, std::uint32_t open,
                   std::uint32_t previous, const float* at_weight_one) noexcept {
@@ -78,11 +87,6 @@ struct ScalarOps : InTurnOps {
       longest = time;
     }
     return last;
-  }
-
-  /// The nine bits of 3 x 3 cells without the middle one.
-  static std::uint32_t without_centre(std::uint32_t window) noexcept {
-    return (window & 15) | (window >> 5 & 15) << 4;
   }
 
   /// The bits of `word` at the set bits of `mask`, moved together (pext).

@@ -3,43 +3,24 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "bench/report.h"
 #include "bench/statistics.h"
 #include "lasius/error.h"
-#include "lasius/map_io.h"
+#include "tests/core/map_files/map_files.h"
 
 namespace lasius::bench {
 namespace {
 
-namespace fs = std::filesystem;
 using peers::Optimality;
 
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("lasius_comparison_" + std::to_string(getpid()))) {
-    fs::create_directory(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name) << text;
-    return (path_ / name).string();
-  }
-  std::string name(const std::string& file) const { return (path_ / file).string(); }
+using Queries = Files;
+using Sources = Files;
 
- private:
-  fs::path path_;
-};
-
-TEST(Queries, AreReadFromTablesByTheirHeader) {
-  const Folder folder;
-  const auto queries = read_queries(folder.write(
-      "a.tsv", "map\tgy\tgx\tsx\tsy\teuclid\nm\t4\t3\t1\t2\t2.5\n\nm\t0\t0\t9\t8\t1\n"));
+TEST_F(Queries, AreReadFromTablesByTheirHeader) {
+  const auto queries = read_queries(
+      file("map\tgy\tgx\tsx\tsy\teuclid\nm\t4\t3\t1\t2\t2.5\n\nm\t0\t0\t9\t8\t1\n", "a.tsv"));
   ASSERT_EQ(queries.size(), 2u);
   EXPECT_EQ(queries[0].start, (Cell{1, 2}));
   EXPECT_EQ(queries[0].goal, (Cell{3, 4}));
@@ -47,48 +28,45 @@ TEST(Queries, AreReadFromTablesByTheirHeader) {
   EXPECT_EQ(queries[1].start, (Cell{9, 8}));
 }
 
-TEST(Queries, AreReadFromScenarios) {
-  const Folder folder;
+TEST_F(Queries, AreReadFromScenarios) {
   const auto queries =
-      read_queries(folder.write("a.scen", "version 1.0\n0 m.map 49 49 1 11 2 12 1.41421356\n"));
+      read_queries(file("version 1.0\n0 m.map 49 49 1 11 2 12 1.41421356\n", "a.scen"));
   ASSERT_EQ(queries.size(), 1u);
   EXPECT_EQ(queries[0].start, (Cell{1, 11}));
   EXPECT_EQ(queries[0].goal, (Cell{2, 12}));
   EXPECT_TRUE(std::isnan(queries[0].optimum));  // the octile length is not the optimum
 }
 
-TEST(Queries, NameTheLineThatIsBroken) {
-  const Folder folder;
+TEST_F(Queries, NameTheLineThatIsBroken) {
   for (const char* bad : {"1 2 3", "1 2 x 4", "1 2 3 99999999999999"}) {
-    const auto file = folder.write("b.tsv", std::string("sx sy gx gy\n1 2 3 4\n") + bad + "\n");
+    const auto table = file(std::string("sx sy gx gy\n1 2 3 4\n") + bad + "\n", "b.tsv");
     try {
-      read_queries(file);
+      read_queries(table);
       FAIL() << bad;
     } catch (const Error& e) {
       EXPECT_EQ(e.code(), ErrorCode::file_broken);
       EXPECT_EQ(e.place().line, 3);
     }
   }
-  EXPECT_THROW(read_queries(folder.write("c.tsv", "sx sy gx\n")), Error);
-  EXPECT_THROW(read_queries(folder.name("none.tsv")), Error);
+  EXPECT_THROW(read_queries(file("sx sy gx\n", "c.tsv")), Error);
+  EXPECT_THROW(read_queries(path("none.tsv")), Error);
 }
 
-TEST(Sources, AreFoundInFoldersAndByName) {
-  const Folder folder;
-  write_map(Grid(8, 8), folder.name("one.map"));
-  write_map(Grid(8, 8), folder.name("two.map"));
-  folder.write("one.tsv", "sx sy gx gy\n0 0 1 1\n");
-  folder.write("two.map.scen", "version 1\n0 two.map 8 8 0 0 2 2 2.8\n");
-  const auto all = find_sources({fs::path(folder.name("x")).parent_path().string()});
+TEST_F(Sources, AreFoundInFoldersAndByName) {
+  write_map(Grid(8, 8), path("one.map"));
+  write_map(Grid(8, 8), path("two.map"));
+  file("sx sy gx gy\n0 0 1 1\n", "one.tsv");
+  file("version 1\n0 two.map 8 8 0 0 2 2 2.8\n", "two.map.scen");
+  const auto all = find_sources({fs::path(path("x")).parent_path().string()});
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].name, "one");
-  EXPECT_EQ(all[1].table, folder.name("two.map.scen"));
+  EXPECT_EQ(all[1].table, path("two.map.scen"));
   EXPECT_EQ(load(all[1], 0).queries.at(0).goal, (Cell{2, 2}));
-  EXPECT_EQ(find_sources({folder.name("two.map.scen")}).at(0).map, folder.name("two.map"));
-  EXPECT_THROW(find_sources({folder.name("three.map")}), Error);
+  EXPECT_EQ(find_sources({path("two.map.scen")}).at(0).map, path("two.map"));
+  EXPECT_THROW(find_sources({path("three.map")}), Error);
 }
 
-TEST(Sources, GeneratedQueriesAreJoinedAndRepeatable) {
+TEST_F(Sources, GeneratedQueriesAreJoinedAndRepeatable) {
   const auto sources = generated_sources({64}, 3);
   EXPECT_EQ(sources.size(), map_kind_names().size() + 3);
   for (const QuerySource& source : sources) {

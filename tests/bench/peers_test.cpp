@@ -2,17 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "bench/peers/anya.h"
 #include "bench/peers/bucket_astar.h"
 #include "bench/peers/segment.h"
 #include "bench/peers/sight.h"
-#include "tests/bench/naive_plane.h"
+#include "lasius/path.h"
+#include "tests/oracle/plane_rule.h"
+#include "tests/oracle/visibility_graph.h"
 #include "tests/worlds/shared_maps.h"
 
 namespace lasius::peers {
@@ -35,18 +34,10 @@ Cell random_free(const Grid& grid, std::mt19937& random) {
   }
 }
 
-// The vertex in half cells.
-naive::HalfPoint half(Point p) {
-  return {static_cast<std::int64_t>(std::lround(2 * p.x)),
-          static_cast<std::int64_t>(std::lround(2 * p.y))};
-}
-
-double length_of(const std::vector<Point>& path) {
-  double length = 0;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    length += std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
-  }
-  return length;
+// By the rule of the plane; the ends are centres and corners of cells.
+bool segment_free(const Grid& grid, Point p, Point q) {
+  return rule::segment_obeys(grid, {std::lround(2 * p.x), std::lround(2 * p.y),
+                                    std::lround(2 * q.x), std::lround(2 * q.y)});
 }
 
 void expect_valid(const Grid& grid, Cell start, Cell goal, const std::vector<Point>& path,
@@ -54,39 +45,14 @@ void expect_valid(const Grid& grid, Cell start, Cell goal, const std::vector<Poi
   ASSERT_FALSE(path.empty()) << name;
   EXPECT_EQ(path.front(), centre(start)) << name;
   EXPECT_EQ(path.back(), centre(goal)) << name;
-  EXPECT_NEAR(length, length_of(path), 1e-9 * (1 + length)) << name;
+  EXPECT_NEAR(length, path_length(path), 1e-9 * (1 + length)) << name;
   for (std::size_t i = 1; i < path.size(); ++i) {
-    EXPECT_TRUE(naive::segment_free(grid, half(path[i - 1]), half(path[i])))
+    EXPECT_TRUE(segment_free(grid, path[i - 1], path[i]))
         << name << " segment " << i << " from " << path[i - 1].x << ',' << path[i - 1].y;
   }
 }
 
-// The octile optimum of one start to every cell, by Boost.Graph on an explicit graph.
-std::vector<double> octile_by_boost(const Grid& grid, Cell start) {
-  using Graph =
-      boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property,
-                            boost::property<boost::edge_weight_t, double>>;
-  const auto id = [&](Cell c) { return static_cast<std::size_t>(c.y) * grid.width() + c.x; };
-  Graph graph(static_cast<std::size_t>(grid.width()) * grid.height());
-  for (int y = 0; y < grid.height(); ++y) {
-    for (int x = 0; x < grid.width(); ++x) {
-      if (grid.blocked({x, y})) continue;
-      for (int dy = -1; dy <= 1; ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) {
-          if ((dx == 0 && dy == 0) || grid.blocked({x + dx, y + dy})) continue;
-          if (grid.blocked({x + dx, y}) || grid.blocked({x, y + dy})) continue;
-          boost::add_edge(id({x, y}), id({x + dx, y + dy}),
-                          dx != 0 && dy != 0 ? std::numbers::sqrt2 : 1.0, graph);
-        }
-      }
-    }
-  }
-  std::vector<double> cost(boost::num_vertices(graph));
-  boost::dijkstra_shortest_paths(graph, id(start), boost::distance_map(cost.data()));
-  return cost;
-}
-
-TEST(Sight, AgreesWithTheNaivePlaneOnRandomGrids) {
+TEST(Sight, AgreesWithTheRuleOfThePlaneOnRandomGrids) {
   std::mt19937 random(7);
   int clear = 0, hidden = 0;
   for (int round = 0; round < 400; ++round) {
@@ -94,7 +60,7 @@ TEST(Sight, AgreesWithTheNaivePlaneOnRandomGrids) {
     if (grid.count_free() < 2) continue;
     for (int i = 0; i < 50; ++i) {
       const Cell a = random_free(grid, random), b = random_free(grid, random);
-      const bool expected = naive::segment_free(grid, half(centre(a)), half(centre(b)));
+      const bool expected = segment_free(grid, centre(a), centre(b));
       ++(expected ? clear : hidden);
       ASSERT_EQ(clear_line(grid, a, b), expected)
           << round << ": " << a.x << ',' << a.y << " - " << b.x << ',' << b.y;
@@ -138,12 +104,13 @@ TEST(Peers, FindTheOptimaOfSmallRandomGrids) {
     const Grid grid = random_grid(side(random), side(random), density, random);
     if (grid.count_free() < 2) continue;
     const Cell start = random_free(grid, random);
-    const std::vector<double> octile = octile_by_boost(grid, start);
+    const oracle::VisibilityGraph graph(grid);
     std::vector<std::unique_ptr<QueryPlanner>> planners;
     for (const Peer& peer : all_peers()) planners.push_back(peer.make(grid));
     for (int i = 0; i < 4; ++i) {
       const Cell goal = random_free(grid, random);
-      const double optimum = naive::shortest(grid, start, goal);
+      const auto shortest = graph.shortest(start, goal);
+      const double optimum = shortest ? shortest->length : kNoPath;
       ++(optimum < kNoPath ? reachable : unreachable);
       for (std::size_t p = 0; p < planners.size(); ++p) {
         const Peer& peer = all_peers()[p];
@@ -157,9 +124,7 @@ TEST(Peers, FindTheOptimaOfSmallRandomGrids) {
         expect_valid(grid, start, goal, path, length, peer.name);
         EXPECT_GE(length, optimum - 1e-9) << peer.name;
         if (peer.optimality == Optimality::octile) {
-          EXPECT_NEAR(length, octile[static_cast<std::size_t>(goal.y) * grid.width() + goal.x],
-                      1e-9)
-              << peer.name;
+          EXPECT_NEAR(length, graph.octile(start, goal), 1e-9) << peer.name;
         } else if (peer.optimality == Optimality::any_angle) {
           EXPECT_NEAR(length, optimum, 1e-9) << peer.name;
         }
@@ -180,8 +145,7 @@ TEST(Peers, FindTheOptimaOfLargerRandomGrids) {
     const double density = round % 2 == 0 ? 0.025 * (round % 3) : 0.3 + 0.05 * (round % 4);
     const Grid grid = random_grid(40 + round, 100 - round, density, random);
     const Cell start = random_free(grid, random), goal = random_free(grid, random);
-    const double octile =
-        octile_by_boost(grid, start)[static_cast<std::size_t>(goal.y) * grid.width() + goal.x];
+    const double octile = oracle::VisibilityGraph(grid).octile(start, goal);
     double exact = kNoPath;
     for (const Peer& peer : all_peers()) {
       std::vector<Point> path;
@@ -234,7 +198,7 @@ TEST_P(SharedPeers, FindTheOptimaOfRealMaps) {
       const bench_test::Query& q = map.queries[i];
       std::vector<Point> path;
       const double length = planner->plan(q.start, q.goal, path);
-      EXPECT_NEAR(length, length_of(path), 1e-6);
+      EXPECT_NEAR(length, path_length(path), 1e-6);
       EXPECT_GE(length, q.euclid - 1e-6) << map.name;
       if (peer.optimality == Optimality::octile) {
         EXPECT_NEAR(length, q.octile, 1e-6) << map.name;

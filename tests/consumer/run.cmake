@@ -1,10 +1,11 @@
 # Run by ctest with the variables that CMakeLists.txt sets. LIBRARY_DIR: a build to install from;
 # empty: the library of this KIND (static or shared) is built here first.
 
-# run(WHAT COMMAND...): its output in `output`; ends the test when the command fails.
+# run(WHAT COMMAND...): its output in `output`; ends the test when the command fails. It is run in
+# WORK_DIR: a stranger is not in the source tree.
 function(run what)
   execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE out ERROR_VARIABLE err RESULT_VARIABLE failed
-    WORKING_DIRECTORY ${SOURCE_DIR})
+    WORKING_DIRECTORY ${WORK_DIR})
   if(failed)
     message(FATAL_ERROR "${KIND}: ${what} failed (${failed})\n${out}\n${err}")
   endif()
@@ -40,9 +41,10 @@ file(MAKE_DIRECTORY ${WORK_DIR})
 if(NOT LIBRARY_DIR)
   set(LIBRARY_DIR ${WORK_DIR}/library)
   string(COMPARE EQUAL ${KIND} shared shared)
-  # What is tested is the package: an unoptimised library is there sooner.
+  # What is tested is the package: an unoptimised library is there sooner. It is also where each
+  # file of the library has to name the headers that it uses.
   run("configuring the library" ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${LIBRARY_DIR} ${toolchain}
-    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
+    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
     -DBUILD_SHARED_LIBS=${shared} -DLASIUS_BUILD_IO=${BUILD_IO}
     -DLASIUS_BUILD_ARM=${BUILD_ARM} -DLASIUS_BUILD_POLYGON=${BUILD_POLYGON}
     -DLASIUS_BUILD_TOOLS=OFF
@@ -50,6 +52,11 @@ if(NOT LIBRARY_DIR)
   run("building the library" ${CMAKE_COMMAND} --build ${LIBRARY_DIR})
 endif()
 run("installing" ${CMAKE_COMMAND} --install ${LIBRARY_DIR} --prefix ${prefix})
+foreach(file IN ITEMS LICENSE README.md)
+  if(NOT EXISTS ${prefix}/${DOCDIR}/${file})
+    message(FATAL_ERROR "${KIND}: ${file} is not in ${DOCDIR}")
+  endif()
+endforeach()
 
 # README.md's first C++ block is the example, so that it cannot drift.
 file(READ ${SOURCE_DIR}/README.md readme)
@@ -97,6 +104,11 @@ endif()
 
 # The same through pkg-config.
 set(ENV{PKG_CONFIG_PATH} ${prefix}/${LIBDIR}/pkgconfig)
+run("pkg-config for the maps" ${PKG_CONFIG} --variable=mapsdir lasius)
+string(STRIP "${output}" maps)
+if(NOT EXISTS ${maps}/fan400x200.map)
+  message(FATAL_ERROR "${KIND}: pkg-config's mapsdir, '${maps}', holds no maps")
+endif()
 run("pkg-config" ${PKG_CONFIG} --cflags --libs "lasius = ${VERSION}")
 separate_arguments(flags UNIX_COMMAND "${output}")
 run("compiling with pkg-config" ${CXX} -std=c++20 ${WORK_DIR}/example.cpp -o ${WORK_DIR}/example

@@ -39,39 +39,26 @@ VisibilityGraph::VisibilityGraph(const Grid& grid) : width_(grid.width()), heigh
   }
 }
 
-// Along y, which is the middle of a row (odd) or the line between two rows (even).
-bool VisibilityGraph::sees_level(int y, int x0, int x1) const {
-  const int first = x0 / 2;
-  const int last = (x1 + 1) / 2 - 1;
-  for (int x = first; x <= last; ++x) {
-    const int below = y / 2;
-    const int above = y % 2 != 0 ? below : below - 1;
-    if (blocked(x, above) && blocked(x, below)) return false;
-    if (x == last) break;
-    // Two diagonal blocks close the line; in the middle of a row this is the test above.
-    if (blocked(x, above) && blocked(x + 1, below)) return false;
-    if (blocked(x, below) && blocked(x + 1, above)) return false;
-  }
-  return true;
-}
-
-bool VisibilityGraph::sees_upright(int x, int y0, int y1) const {
-  const int first = y0 / 2;
-  const int last = (y1 + 1) / 2 - 1;
-  for (int y = first; y <= last; ++y) {
-    const int right = x / 2;
-    const int left = x % 2 != 0 ? right : right - 1;
-    if (blocked(left, y) && blocked(right, y)) return false;
-    if (y == last) break;
-    if (blocked(left, y) && blocked(right, y + 1)) return false;
-    if (blocked(right, y) && blocked(left, y + 1)) return false;
+// Along a line, which is the middle of a row or column (odd) or between two of them (even).
+bool VisibilityGraph::sees_along(int line, int from, int to, bool level) const {
+  const auto at = [&](int along, int across) {
+    return level ? blocked(along, across) : blocked(across, along);
+  };
+  const int last = (to + 1) / 2 - 1;
+  const int one = line / 2, other = line % 2 != 0 ? one : one - 1;
+  for (int i = from / 2; i <= last; ++i) {
+    if (at(i, one) && at(i, other)) return false;
+    if (i == last) break;
+    // Two diagonal blocks close the line; in the middle this is the test above.
+    if (at(i, one) && at(i + 1, other)) return false;
+    if (at(i, other) && at(i + 1, one)) return false;
   }
   return true;
 }
 
 bool VisibilityGraph::sees(const Node& a, const Node& b) const {
-  if (a.y == b.y) return sees_level(a.y, std::min(a.x, b.x), std::max(a.x, b.x));
-  if (a.x == b.x) return sees_upright(a.x, std::min(a.y, b.y), std::max(a.y, b.y));
+  if (a.y == b.y) return sees_along(a.y, std::min(a.x, b.x), std::max(a.x, b.x), true);
+  if (a.x == b.x) return sees_along(a.x, std::min(a.y, b.y), std::max(a.y, b.y), false);
   // Mirrored so that the segment runs right and down: u = flip_x x, v = flip_y y.
   const int flip_x = a.x < b.x ? 1 : -1;
   const int flip_y = a.y < b.y ? 1 : -1;

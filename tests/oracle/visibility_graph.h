@@ -42,8 +42,7 @@ class VisibilityGraph {
 
   bool blocked(int x, int y) const { return blocked_[(y + 1) * (width_ + 2) + x + 1] != 0; }
   bool sees(const Node& a, const Node& b) const;
-  bool sees_level(int y, int x0, int x1) const;
-  bool sees_upright(int x, int y0, int y1) const;
+  bool sees_along(int line, int from, int to, bool level) const;
 
   int width_;
   int height_;

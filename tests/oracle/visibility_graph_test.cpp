@@ -3,15 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
-#include "lasius/map_io.h"
 #include "lasius/path.h"
 #include "tests/oracle/plane_rule.h"
 #include "tests/worlds/random_grid.h"
+#include "tests/worlds/shared_maps.h"
 
 namespace lasius::oracle {
 namespace {
@@ -75,8 +72,7 @@ TEST(Oracle, EqualsAllPairsOnSmallGrids) {
     const Grid grid =
         random_grid(random_in(1, 7, random), random_in(1, 7, random), 10 * (round % 6), random);
     const VisibilityGraph graph(grid);
-    const Cell a{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
-    const Cell b{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
+    const Cell a = random_cell(grid, random), b = random_cell(grid, random);
     if (grid.blocked(a) || grid.blocked(b)) continue;
     const double truth = all_pairs(grid, a, b);
     const auto way = graph.shortest(a, b);
@@ -97,28 +93,19 @@ TEST(Oracle, EqualsAllPairsOnSmallGrids) {
 
 // The optima that come with the shared maps were found by other programs.
 TEST(Oracle, AgreesWithTheSharedOptima) {
-  const std::filesystem::path folder = std::filesystem::path(LASIUS_SHARED_DIR) / "data/movingai";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is missing";
+  if (bench_test::shared_tables().empty()) GTEST_SKIP() << bench_test::shared_dir();
   int checked = 0;
   for (const char* name : {"AR0300SR", "turtlebot3_world", "Boston_0_512", "w_woundedcoast",
                            "16room_001", "maze512-16-4"}) {
-    const VisibilityGraph graph(read_map((folder / (std::string(name) + ".map")).string()).grid);
-    std::ifstream table(folder / (std::string(name) + ".tsv"));
-    std::string line;
-    std::getline(table, line);
-    for (int i = 0; i < 5 && std::getline(table, line); ++i) {
-      std::istringstream fields(line);
-      std::string map;
-      Cell a;
-      Cell b;
-      double octile = 0;
-      double euclid = 0;
-      fields >> map >> a.x >> a.y >> b.x >> b.y >> octile >> euclid;
-      const auto way = graph.shortest(a, b);
-      ASSERT_TRUE(way.has_value()) << line;
-      EXPECT_NEAR(way->length, euclid, 1e-6) << line;
-      EXPECT_NEAR(graph.octile(a, b), octile, 1e-6) << line;
-      ++checked;
+    const auto map =
+        bench_test::load_shared(bench_test::shared_dir() / (std::string(name) + ".tsv"));
+    const VisibilityGraph graph(map.grid);
+    for (int i = 0; i < 5; ++i, ++checked) {
+      const auto& q = map.queries.at(i);
+      const auto way = graph.shortest(q.start, q.goal);
+      ASSERT_TRUE(way.has_value()) << name << ' ' << i;
+      EXPECT_NEAR(way->length, q.euclid, 1e-6) << name << ' ' << i;
+      EXPECT_NEAR(graph.octile(q.start, q.goal), q.octile, 1e-6) << name << ' ' << i;
     }
   }
   EXPECT_EQ(checked, 30);

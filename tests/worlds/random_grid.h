@@ -26,13 +26,18 @@ inline int random_in(int lo, int hi, std::mt19937& random) {
   return lo + static_cast<int>(random() % static_cast<unsigned>(hi - lo + 1));
 }
 
+/// Any cell, blocked or free.
+inline Cell random_cell(const Grid& grid, std::mt19937& random) {
+  return {random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
+}
+
 using Walk = std::vector<Cell>;
 
 /// A walk of random steps from a random free cell; it leans to one side for a while at a time;
 /// empty if that cell is blocked.
 inline Walk random_walk(const Grid& grid, int steps, bool diagonal, Corners corners,
                         std::mt19937& random) {
-  Cell at{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
+  Cell at = random_cell(grid, random);
   if (grid.blocked(at)) return {};
   Walk walk{at};
   int lean_x = 0;

@@ -3,6 +3,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(LASIUS_COMPONENTS io polygon arm)  # beside lasius::lasius, which is always there
+set(LASIUS_MAPS_DESTINATION share/lasius/maps)
 set(LASIUS_CMAKE_DIR ${CMAKE_CURRENT_LIST_DIR})
 
 # lasius_package_library(TARGET [COMPONENT NAME] [HEADERS FILE...] [PC_REQUIRES MODULE...]
@@ -83,11 +84,16 @@ function(lasius_install_package)
   set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/lasius)
   configure_package_config_file(${LASIUS_CMAKE_DIR}/lasius-config.cmake.in
     ${PROJECT_BINARY_DIR}/lasius-config.cmake INSTALL_DESTINATION ${destination}
-    NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+    PATH_VARS LASIUS_MAPS_DESTINATION NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/lasius-config-version.cmake
     COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/lasius-config.cmake
     ${PROJECT_BINARY_DIR}/lasius-config-version.cmake DESTINATION ${destination})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/maps/ DESTINATION ${LASIUS_MAPS_DESTINATION}
+    FILES_MATCHING PATTERN "*.map" PATTERN "*.pbm" PATTERN "*.geojson" PATTERN "arms/*.json"
+    PATTERN "README.md")
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
+    DESTINATION ${CMAKE_INSTALL_DOCDIR})
   if(LASIUS_BUILD_ARM)
     install(FILES ${LASIUS_CMAKE_DIR}/LasiusArmLibraries.cmake DESTINATION ${destination})
   endif()

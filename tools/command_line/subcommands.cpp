@@ -283,7 +283,7 @@ Subcommand add_study(CLI::App& app) {
   auto* study = app.add_subcommand(
       "study",
       "Repeat a source's experiments and set ours beside its figures; goes on where an "
-      "earlier call stopped (maklink, of seconds, starts anew)");
+      "earlier call stopped");
   study->add_option("NAME", raw->name, "The study; list: what there is")->required();
   study->add_option("--seeds", raw->seeds, "Runs of each algorithm, seeds 1 to N (default 30)")
       ->type_name("N");

@@ -62,12 +62,7 @@ void Canvas::line(Point from, Point to, Colour colour, double width) {
 
 void Canvas::polyline(std::span<const Point> points, Colour colour, double width) {
   if (points.empty()) return;
-  cairo_t* const c = context_.get();
-  cairo_new_path(c);
-  for (const Point p : points) cairo_line_to(c, p.x, p.y);
-  ink(colour);
-  cairo_set_line_width(c, width);
-  cairo_stroke(c);
+  stroke(points, colour, width, 1);
 }
 
 void Canvas::dashed(Point from, Point to, Colour colour, double width) {
@@ -104,15 +99,11 @@ void Canvas::area(std::span<const Point> points, Colour colour, double opacity) 
 
 void Canvas::stroke(std::span<const Point> points, Colour colour, double width, double opacity) {
   cairo_t* const c = context_.get();
-  cairo_save(c);
   cairo_new_path(c);
   for (const Point p : points) cairo_line_to(c, p.x, p.y);
   cairo_set_source_rgba(c, colour.red, colour.green, colour.blue, opacity);
-  cairo_set_line_cap(c, CAIRO_LINE_CAP_ROUND);
-  cairo_set_line_join(c, CAIRO_LINE_JOIN_ROUND);
   cairo_set_line_width(c, width);
   cairo_stroke(c);
-  cairo_restore(c);
 }
 
 void Canvas::clip(const Box& box) {

@@ -31,7 +31,7 @@ class Canvas {
   void fill(const Box& box, Colour colour);
   /// A closed area, `opacity` 0 .. 1, with a thin rim of the same colour.
   void area(std::span<const Point> points, Colour colour, double opacity);
-  /// A line with round ends and corners.
+  /// The same, `opacity` 0 .. 1. All lines have round ends and corners.
   void stroke(std::span<const Point> points, Colour colour, double width, double opacity);
   /// Until `unclip`, what is drawn outside of the box is left out.
   void clip(const Box& box);

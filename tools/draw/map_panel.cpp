@@ -2,14 +2,9 @@
 
 #include <algorithm>
 
-#include "tools/draw/colours.h"
-
 namespace lasius::study {
 
-using tool::Canvas;
-using tool::Colour;
-
-void paint_walls(Canvas& canvas, const tool::Box& box, const Grid& grid) {
+void paint_walls(Canvas& canvas, const Box& box, const Grid& grid) {
   constexpr Colour kWall{0.42, 0.45, 0.49};
   const int width = std::min(grid.width(), static_cast<int>(box.width));
   const int height = std::min(grid.height(), static_cast<int>(box.height));
@@ -18,10 +13,10 @@ void paint_walls(Canvas& canvas, const tool::Box& box, const Grid& grid) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) pixels.at(x, y) = tool::blend({1, 1, 1}, kWall, share.at(x, y));
   canvas.image(pixels, box);
-  canvas.frame(box, tool::kInk, 1);
+  canvas.frame(box, kInk, 1);
 }
 
-void mark_ends(Canvas& canvas, const tool::Box& box, double scale, Cell start, Cell goal) {
+void mark_ends(Canvas& canvas, const Box& box, double scale, Cell start, Cell goal) {
   const double radius = std::clamp(scale / 3, 5.0, 9.0);
   const auto page = [&](Cell c) {
     return Point{box.x + (c.x + 0.5) * scale, box.y + (c.y + 0.5) * scale};

@@ -5,16 +5,23 @@
 
 #include "lasius/grid.h"
 #include "tools/draw/canvas.h"
+#include "tools/draw/colours.h"
 
 namespace lasius::study {
 
+using tool::Align;
+using tool::Box;
+using tool::Canvas;
+using tool::Colour;
+using tool::kInk;
+
 /// The walls of a map, framed, over the whole box.
-void paint_walls(tool::Canvas& canvas, const tool::Box& box, const Grid& grid);
+void paint_walls(Canvas& canvas, const Box& box, const Grid& grid);
 
 /// Start and goal, `scale` pixels a cell.
-void mark_ends(tool::Canvas& canvas, const tool::Box& box, double scale, Cell start, Cell goal);
+void mark_ends(Canvas& canvas, const Box& box, double scale, Cell start, Cell goal);
 
 /// Writes FILE.svg and FILE.png.
-void save(const tool::Canvas& canvas, const std::filesystem::path& file);
+void save(const Canvas& canvas, const std::filesystem::path& file);
 
 }  // namespace lasius::study

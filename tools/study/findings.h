@@ -18,7 +18,11 @@ struct Run {
   int iterations = 0;
   double seconds = 0;        ///< processor time on one thread
   std::vector<double> best;  ///< as in Result
-  std::vector<Point> path;
+  std::vector<double> mean = {};
+  std::vector<Point> path = {};  ///< on bitmaps
+  double limit = kUnknown;       ///< shortest length that its own discretisation allows
+  std::int64_t steps = 0;        ///< of all ants
+  std::int64_t checks = 0;       ///< positions and motions that were tried
 
   bool solved() const { return !path.empty(); }
   /// Iterations done when the final length was first reached; 0 for algorithms without iterations.
@@ -31,7 +35,7 @@ struct Sample {
   const Question* question = nullptr;
   const Contender* contender = nullptr;
   int paths_an_iteration = 1;  ///< ants, or the population
-  std::vector<Run> runs;
+  std::vector<Run> runs = {};
 
   /// Of the solved runs, in the order of the seeds.
   std::vector<double> lengths() const;

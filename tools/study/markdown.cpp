@@ -19,18 +19,6 @@ matched-pairs rank biserial correlation, from -1 to 1, positive where the first 
 long. "x10": the other algorithm has ten times the iterations.
 )";
 
-std::string verdict_text(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::confirmed:
-      return "confirmed";
-    case Verdict::refuted:
-      return "**does not reproduce**";
-    case Verdict::open:
-      break;
-  }
-  return "open";
-}
-
 std::string claims_text(const Study& study, const Findings& findings) {
   if (study.claims.empty()) return {};
   Table table{{"claim", "verdict", "figures", "likely reason"}, {}};
@@ -69,6 +57,11 @@ std::string section(const Experiment& experiment, const Findings& findings,
 }
 
 }  // namespace
+
+std::string verdict_text(Verdict verdict) {
+  constexpr const char* kTexts[] = {"confirmed", "**does not reproduce**", "open"};
+  return kTexts[static_cast<int>(verdict)];
+}
 
 std::string report_page(const Study& study, const Findings& findings, int seeds,
                         const std::vector<Figure>& figures) {

@@ -15,6 +15,9 @@ struct Figure {
   std::string caption;
 };
 
+/// As the tables of claims say it.
+std::string verdict_text(Verdict verdict);
+
 std::string report_page(const Study& study, const Findings& findings, int seeds,
                         const std::vector<Figure>& figures);
 

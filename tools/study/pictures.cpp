@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/draw/colours.h"
 #include "tools/draw/line_chart.h"
 #include "tools/draw/map_panel.h"
 #include "tools/draw/text.h"
@@ -15,11 +14,6 @@ namespace lasius::study {
 namespace {
 
 namespace fs = std::filesystem;
-using tool::Align;
-using tool::Box;
-using tool::Canvas;
-using tool::Colour;
-using tool::kInk;
 
 constexpr double kMargin = 20, kTitle = 34, kLegendLine = 22, kLegendText = 34, kLegendSize = 14;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -64,9 +58,7 @@ void draw_convergence(const Findings& findings, const Experiment& experiment,
                   .level_label = "true optimum"};
   for (const Sample* sample : drawn(findings, experiment, question))
     chart.curves.push_back(convergence(*sample, palette(chart.curves.size())));
-  Canvas canvas(960, 600);
-  draw(canvas, {kMargin, kMargin, 960 - 2 * kMargin, 600 - 2 * kMargin}, chart);
-  save(canvas, file);
+  save(chart_page({chart}, 920, 560), file);
 }
 
 const Run* best_run(const Sample& sample) {

@@ -6,20 +6,15 @@
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/picture.h"
 #include "tools/bitmap/picture_recorder.h"
-#include "tools/draw/colours.h"
 #include "tools/draw/line_chart.h"
 #include "tools/draw/map_panel.h"
+#include "tools/study/bitmaps.h"
 #include "tools/study/map_source.h"
-#include "tools/study/runner.h"
 
 namespace lasius::study {
 namespace {
 
 namespace fs = std::filesystem;
-using tool::Align;
-using tool::Box;
-using tool::Canvas;
-using tool::kInk;
 
 /// Where a run is drawn.
 struct Place {
@@ -72,7 +67,7 @@ struct Ants {
 };
 
 void draw_walk(Canvas& canvas, const Box& box, const Grid& grid, const Question& question,
-               const std::vector<Cell>& walk, tool::Colour colour, const std::string& caption) {
+               const std::vector<Cell>& walk, Colour colour, const std::string& caption) {
   const double scale = box.width / grid.width();
   paint_walls(canvas, box, grid);
   std::vector<Point> points;

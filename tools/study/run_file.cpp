@@ -14,24 +14,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+const std::string kVersion = "lasius " LASIUS_VERSION " ";
+
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-/// A curve as its steps, [index, value] where the value changes: most of it is flat.
-Json steps_of(const std::vector<double>& curve) {
-  Json steps = Json::array();
+/// A curve as its size and its steps, [index, value] where the value changes: most of it is flat.
+void put_curve(Json& json, const std::string& name, const std::vector<double>& curve) {
+  json[name + "_size"] = curve.size();
+  Json& steps = json[name] = Json::array();
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const bool starts = i == 0 || std::isfinite(curve[i]) != std::isfinite(curve[i - 1]);
     if (starts || (std::isfinite(curve[i]) && curve[i] != curve[i - 1]))
       steps.push_back({i, number(curve[i])});
   }
-  return steps;
 }
 
 double number(const Json& json) { return json.is_null() ? kUnknown : json.get<double>(); }
 
-std::vector<double> curve_of(const Json& steps, std::size_t size) {
-  std::vector<double> curve(size, kUnknown);
-  for (const Json& step : steps)
+std::vector<double> curve_of(const Json& json, const std::string& name) {
+  std::vector<double> curve(json.at(name + "_size").get<std::size_t>(), kUnknown);
+  for (const Json& step : json.at(name))
     std::fill(curve.begin() + step.at(0).get<std::ptrdiff_t>(), curve.end(), number(step.at(1)));
   return curve;
 }
@@ -50,25 +52,16 @@ Run run_of(const Json& json) {
   run.length = number(json.at("length"));
   run.iterations = json.at("iterations").get<int>();
   run.seconds = json.at("seconds").get<double>();
-  run.best = curve_of(json.at("best"), json.at("best_size").get<std::size_t>());
+  run.best = curve_of(json, "best");
+  run.mean = curve_of(json, "mean");
+  run.limit = number(json.at("limit"));
+  run.steps = json.at("steps").get<std::int64_t>();
+  run.checks = json.at("checks").get<std::int64_t>();
   for (const Json& p : json.at("path")) run.path.push_back({p.at(0), p.at(1)});
   return run;
 }
 
 }  // namespace
-
-std::string run_key(const Grid& grid, const Question& question, const Params& params) {
-  std::string key = "lasius " LASIUS_VERSION " map " + std::to_string(grid.hash());
-  for (const int v : {question.start.x, question.start.y, question.goal.x, question.goal.y})
-    key += ' ' + std::to_string(v);
-  key += ' ' + params.algorithm();
-  for (const Algorithm& algorithm : algorithms()) {
-    if (algorithm.name != params.algorithm()) continue;
-    for (const Parameter& p : algorithm.parameters)
-      key += ' ' + std::string(p.name) + '=' + get_parameter(params, p.name);
-  }
-  return key;
-}
 
 std::optional<Run> read_run(const std::filesystem::path& file, const std::string& key,
                             std::uint64_t seed) {
@@ -76,7 +69,7 @@ std::optional<Run> read_run(const std::filesystem::path& file, const std::string
   if (!in) return std::nullopt;
   try {
     const Json json = Json::parse(in);
-    if (json.at("key") != key) return std::nullopt;
+    if (json.at("key") != kVersion + key) return std::nullopt;
     Run run = run_of(json);
     if (run.seed != seed) return std::nullopt;
     return run;
@@ -87,14 +80,17 @@ std::optional<Run> read_run(const std::filesystem::path& file, const std::string
 
 void write_run(const std::filesystem::path& file, const std::string& key, const Run& run) {
   Json json;
-  json["key"] = key;
+  json["key"] = kVersion + key;
   json["seed"] = run.seed;
   json["status"] = to_string(run.status);
   json["length"] = number(run.length);
   json["iterations"] = run.iterations;
   json["seconds"] = run.seconds;
-  json["best_size"] = run.best.size();
-  json["best"] = steps_of(run.best);
+  put_curve(json, "best", run.best);
+  put_curve(json, "mean", run.mean);
+  json["limit"] = number(run.limit);
+  json["steps"] = run.steps;
+  json["checks"] = run.checks;
   json["path"] = Json::array();
   for (const Point p : run.path) json["path"].push_back({p.x, p.y});
   write_file(file.string(), [&](std::ostream& out) { out << json.dump() << '\n'; });

@@ -9,11 +9,8 @@
 
 namespace lasius::study {
 
-/// All that decides a run but its seed: library version, map, question and every parameter. A file
-/// whose key differs is from another study and is not used.
-std::string run_key(const Grid& grid, const Question& question, const Params& params);
-
-/// The run in a file; nothing where there is no file, it is broken, or its key or seed differ.
+/// The run in a file; nothing where there is no file, it is broken, or its key, its seed or the
+/// version of the library differ.
 std::optional<Run> read_run(const std::filesystem::path& file, const std::string& key,
                             std::uint64_t seed);
 

@@ -2,9 +2,11 @@
 // earlier call stopped.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <stop_token>
 #include <string>
 
@@ -12,15 +14,65 @@
 
 namespace lasius::study {
 
-/// The contender's parameters on one thread. @throws Error(invalid_parameter) where the library
-/// does not have its algorithm or a setting.
-Params params_of(const Contender& contender);
+/// One contender on one question, ready to run with any seed.
+struct Task {
+  std::string key;             ///< all that decides a run but its seed and the library's version
+  int paths_an_iteration = 1;  ///< ants, or the population
+  std::int64_t work = 1;       ///< of one run, an estimate: path cells
+  /// One run on one thread; whatever it returns is dropped when a stop was requested.
+  std::function<Run(std::uint64_t seed, const std::stop_token&, Workspace&)> run;
+};
+
+/// What the questions of a study are about: bitmaps, polygons or arms.
+class Domain {
+ public:
+  virtual ~Domain() = default;
+  /// May refer to the domain. @throws Error(invalid_parameter) where the library does not have the
+  /// contender's algorithm or a setting.
+  virtual Task task(const Question& question, const Contender& contender) const = 0;
+  /// Length of the question's shortest path, or nothing where it is not known, as here.
+  virtual std::optional<double> optimum(const Question& question, const Truth& truth,
+                                        const StopCondition& stop) const;
+};
+
+/// Takes a contender's settings and its budget over `params`, its algorithm's defaults, on one
+/// thread. @throws Error(invalid_parameter)
+template <class AnyParams>
+AnyParams configured(AnyParams params, const Contender& contender) {
+  for (const auto& [name, value] : contender.settings) set_parameter(params, name, value);
+  params.iterations *= contender.budget;
+  params.threads = 1;
+  validate(params);
+  return params;
+}
+
+/// The task of a contender but for its run: `about` tells the question from others, `parameters`
+/// are those of the algorithm, and a path is about `cells` long.
+template <class AnyParams>
+Task task_of(std::string about, const AnyParams& params, std::span<const Parameter> parameters,
+             std::int64_t cells) {
+  Task task{.key = std::move(about), .run = {}};
+  for (const Parameter& p : parameters) {
+    const std::string value = get_parameter(params, p.name);
+    task.key += ' ' + std::string(p.name) + '=' + value;
+    if (p.name == "population" || p.name == "ants") task.paths_an_iteration = std::stoi(value);
+  }
+  task.work = std::int64_t{task.paths_an_iteration} * std::max(1, params.iterations) * cells;
+  return task;
+}
+
+/// The parameters of one of `algorithms`.
+std::span<const Parameter> parameters_of(std::span<const Algorithm> algorithms,
+                                         std::string_view name);
+
+/// Processor time of the calling thread: unlike the clock on the wall, it does not depend on what
+/// else runs.
+double thread_seconds();
 
 struct RunnerOptions {
   int seeds = 30;  ///< seeds 1 .. seeds
   int threads = 1;
   std::filesystem::path folder;  ///< run files are kept in its subfolder `runs`
-  std::filesystem::path maps;
   std::stop_token stop = {};
   /// Called by one thread at a time after each run: work done and to do, runs kept from before
   /// left out, and what just ran.
@@ -28,8 +80,8 @@ struct RunnerOptions {
 };
 
 /// The findings, complete unless `stop` was requested: then runs in flight are dropped, and nothing
-/// is returned. The findings refer to `study`. @throws Error for a missing map or an output that
-/// cannot be written.
-std::optional<Findings> run_study(const Study& study, const RunnerOptions& options);
+/// is returned. The findings refer to `study`. @throws Error for an output that cannot be written.
+std::optional<Findings> run_study(const Study& study, const Domain& domain,
+                                  const RunnerOptions& options);
 
 }  // namespace lasius::study

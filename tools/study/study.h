@@ -3,9 +3,7 @@
 
 #include <functional>
 #include <limits>
-#include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,11 +36,11 @@ struct Published {
   double seconds = kUnknown;
 };
 
-/// One start and goal on one map.
+/// One start and goal on one map, among the polygons of one world, or of an arm in one scene.
 struct Question {
   std::string name;  ///< of files
-  std::string map;   ///< a file of maps/
-  Cell start, goal;
+  std::string map;   ///< a file of maps/, or what is generated
+  Cell start, goal;  ///< on a map; worlds and scenes have their own
   std::vector<Published> published = {};
 };
 
@@ -90,20 +88,6 @@ struct Study {
   std::vector<Experiment> experiments;
   std::vector<Claim> claims;
 };
-
-/// All studies. Making one reads no file and runs nothing.
-struct Entry {
-  std::string_view name;
-  Study (*make)();
-};
-std::span<const Entry> catalogue();
-
-Study fan2004();
-Study terminal_index();
-Study cong2009();
-Study lecture_grid();
-Study neighbourhoods();
-Study families();
 
 /// The same contender with ten times the iterations, named NAME-x10.
 Contender tenfold(const Contender& contender);

@@ -58,11 +58,11 @@ TEST(ParallelFor, ThrowsOnAndBeginsNoMore) {
   }
 }
 
-TEST(Crew, SharesManyLoops) {
+TEST(ThreadTeam, SharesManyLoops) {
   for (const int threads : {2, 5}) {
     std::int64_t sum = 0;
     std::atomic<bool> in_range{true};
-    Crew::lead(threads, [&] {
+    ThreadTeam::lead(threads, [&] {
       for (int round = 0; round < 20000; ++round) {
         const int count = round % 7, members = 1 + round % 4;
         std::array<int, 7> calls{};
@@ -80,10 +80,10 @@ TEST(Crew, SharesManyLoops) {
   }
 }
 
-TEST(Crew, AllOfItWorks) {
+TEST(ThreadTeam, AllOfItWorks) {
   // Each call waits for the other: one thread alone would never end.
   std::atomic<int> inside{0};
-  Crew::lead(2, [&] {
+  ThreadTeam::lead(2, [&] {
     parallel_for(2, 2, [&](int, int) {
       ++inside;
       while (inside < 2) std::this_thread::yield();
@@ -92,9 +92,9 @@ TEST(Crew, AllOfItWorks) {
   EXPECT_EQ(inside, 2);
 }
 
-TEST(Crew, ThrowsOnAndGoesOn) {
+TEST(ThreadTeam, ThrowsOnAndGoesOn) {
   int done = 0;
-  Crew::lead(3, [&] {
+  ThreadTeam::lead(3, [&] {
     for (int round = 0; round < 100; ++round) {
       const auto body = [](int i, int) {
         if (i == 3) throw std::runtime_error("three");
@@ -104,35 +104,35 @@ TEST(Crew, ThrowsOnAndGoesOn) {
     }
   });
   EXPECT_EQ(done, 100);
-  EXPECT_THROW(Crew::lead(3, [] { throw std::runtime_error("leader"); }), std::runtime_error);
-  EXPECT_EQ(Crew::led_here(), nullptr);
+  EXPECT_THROW(ThreadTeam::lead(3, [] { throw std::runtime_error("leader"); }), std::runtime_error);
+  EXPECT_EQ(ThreadTeam::led_here(), nullptr);
 }
 
-TEST(Crew, OneInsideAnother) {
+TEST(ThreadTeam, OneInsideAnother) {
   std::atomic<int> calls{0};
-  Crew::lead(2, [&] {
-    Crew* const outer = Crew::led_here();
-    Crew::lead(2, [&] {
-      EXPECT_NE(Crew::led_here(), outer);
+  ThreadTeam::lead(2, [&] {
+    ThreadTeam* const outer = ThreadTeam::led_here();
+    ThreadTeam::lead(2, [&] {
+      EXPECT_NE(ThreadTeam::led_here(), outer);
       parallel_for(10, 2, [&](int, int) { ++calls; });
     });
-    EXPECT_EQ(Crew::led_here(), outer);
+    EXPECT_EQ(ThreadTeam::led_here(), outer);
     parallel_for(10, 2, [&](int, int) { ++calls; });
   });
   EXPECT_EQ(calls, 20);
 }
 
-TEST(Crew, ALoopWithinALoopLosesNothing) {
+TEST(ThreadTeam, ALoopWithinALoopLosesNothing) {
   for (const int threads : {2, 5}) {
     std::atomic<int> outer{0}, inner{0};
-    Crew::lead(threads, [&] {
-      Crew* const crew = Crew::led_here();
+    ThreadTeam::lead(threads, [&] {
+      ThreadTeam* const team = ThreadTeam::led_here();
       for (int round = 0; round < 100; ++round) {
         parallel_for(8, threads, [&](int, int) {
           ++outer;
           parallel_for(3, threads, [&](int, int) { ++inner; });
         });
-        EXPECT_EQ(Crew::led_here(), crew);
+        EXPECT_EQ(ThreadTeam::led_here(), team);
       }
     });
     EXPECT_EQ(outer, 800) << threads;

@@ -230,7 +230,7 @@ TEST(CornerGraph, IsGivenUpWhereItWouldTakeTooMuch) {
   EXPECT_EQ(whole.state, Preparation::State::ready);
   EXPECT_EQ(whole.bytes, graph->bytes());
   EXPECT_EQ(whole.edges, graph->edge_count());
-  EXPECT_EQ(whole.corners, graph->size());
+  EXPECT_EQ(whole.vertices, graph->size());
   for (const int threads : {1, 2, 5}) {
     Preparation report;
     EXPECT_NE(CornerGraph::make(grid, {.threads = threads, .max_bytes = whole.bytes}, report),
@@ -238,7 +238,7 @@ TEST(CornerGraph, IsGivenUpWhereItWouldTakeTooMuch) {
     for (const std::int64_t limit : {whole.bytes - 1, whole.bytes / 2, std::int64_t{0}}) {
       EXPECT_EQ(CornerGraph::make(grid, {.threads = threads, .max_bytes = limit}, report), nullptr);
       EXPECT_EQ(report.state, Preparation::State::too_large);
-      EXPECT_EQ(report.vertices, whole.corners);
+      EXPECT_EQ(report.vertices, whole.vertices);
       EXPECT_EQ(report.edges, 0);
       EXPECT_EQ(report.bytes, 0);
     }

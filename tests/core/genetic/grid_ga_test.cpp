@@ -196,14 +196,15 @@ TEST(GridGa, AnInterruptedRunKeepsItsBestPath) {
   const Planner planner(pocket());
   std::stop_source source;
   int seen = 0;
-  const Result result = planner.plan({kStart, kGoal, {.token = source.get_token()}},
-                                     genetic(Polish::straight), nullptr, [&](const Progress& p) {
-                                       EXPECT_EQ(p.iteration, seen);
-                                       EXPECT_EQ(p.ants(), 50);
-                                       EXPECT_EQ(p.tour(0).front(), kStart);
-                                       EXPECT_EQ(p.tour(49).back(), kGoal);
-                                       if (++seen == 5) source.request_stop();
-                                     });
+  const Result result =
+      planner.plan({kStart, kGoal, {.token = source.get_token()}}, genetic(Polish::straight),
+                   nullptr, [&](const GridProgress& p) {
+                     EXPECT_EQ(p.iteration, seen);
+                     EXPECT_EQ(p.ants(), 50);
+                     EXPECT_EQ(p.tour(0).front(), kStart);
+                     EXPECT_EQ(p.tour(49).back(), kGoal);
+                     if (++seen == 5) source.request_stop();
+                   });
   EXPECT_EQ(result.status, Status::interrupted);
   EXPECT_EQ(result.iterations, 5);
   EXPECT_EQ(result.length, result.best.back());

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <utility>
+
 #include "lasius/error.h"
 
 namespace lasius {
@@ -61,6 +64,88 @@ TEST(Grid, RefusesSizesOutOfRange) {
     EXPECT_EQ(e.code(), ErrorCode::invalid_parameter);
     EXPECT_STREQ(e.what(), "height is 40000; it must be 1 to 32768");
   }
+}
+
+// Widths around a word, polarities, and values other than 0 and 1.
+TEST(Grid, FromBytesIsCellByCell) {
+  std::mt19937 random(5);
+  for (const int width : {1, 7, 8, 63, 64, 65, 130}) {
+    for (const Nonzero nonzero : {Nonzero::blocked, Nonzero::free}) {
+      const int height = 3;
+      std::vector<std::uint8_t> bytes(static_cast<std::size_t>(width) * height);
+      for (auto& byte : bytes) byte = random() % 3 == 0 ? 0 : static_cast<std::uint8_t>(random());
+      const Grid grid(width, height, bytes, nonzero);
+      Grid expected(width, height);
+      for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+          const bool set = bytes[static_cast<std::size_t>(y) * width + x] != 0;
+          expected.set_blocked({x, y}, set == (nonzero == Nonzero::blocked));
+        }
+      }
+      EXPECT_EQ(grid, expected) << width;
+      const auto back = grid.bytes(nonzero);
+      ASSERT_EQ(back.size(), bytes.size());
+      for (std::size_t i = 0; i < back.size(); ++i) EXPECT_EQ(back[i], bytes[i] != 0 ? 1 : 0);
+    }
+  }
+}
+
+TEST(Grid, RectanglesAreFilledPastedAndRead) {
+  Grid grid(150, 9);
+  const Rectangle part{60, 2, 75, 5};
+  grid.fill(part, true);
+  for (int y = 0; y < 9; ++y) {
+    for (int x = 0; x < 150; ++x) {
+      const bool inside = x >= 60 && x < 135 && y >= 2 && y < 7;
+      EXPECT_EQ(grid.blocked({x, y}), inside) << x << ", " << y;
+    }
+  }
+  EXPECT_EQ(grid.count_free(), 150 * 9 - 75 * 5);
+  std::vector<std::uint8_t> bytes(75 * 5);
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = i % 7 == 0;
+  grid.paste(part, bytes, Nonzero::free);
+  EXPECT_EQ(grid.bytes(part, Nonzero::free), bytes);
+  EXPECT_TRUE(grid.free({59, 2}));
+  EXPECT_TRUE(grid.free({60, 2}));
+  EXPECT_TRUE(grid.blocked({61, 2}));
+  EXPECT_TRUE(grid.blocked({150, 2}));  // the border outside stays shut
+  grid.fill(false);
+  EXPECT_EQ(grid, Grid(150, 9));
+  grid.fill({3, 3, 0, 0}, true);
+  EXPECT_EQ(grid, Grid(150, 9));
+}
+
+TEST(Grid, RectanglesAndBytesThatDoNotFitAreRefused) {
+  Grid grid(10, 5);
+  const std::vector<std::uint8_t> bytes(50);
+  EXPECT_THROW(Grid(10, 5, std::span(bytes).first(49), Nonzero::blocked), Error);
+  EXPECT_THROW(Grid(10, 0, bytes, Nonzero::blocked), Error);
+  for (const Rectangle part : {Rectangle{-1, 0, 2, 2},
+                               {0, -1, 2, 2},
+                               {9, 0, 2, 2},
+                               {0, 4, 2, 2},
+                               {0, 0, -1, 2},
+                               {0, 0, 2, -1},
+                               {2147483647, 0, 2, 2}}) {
+    EXPECT_THROW(grid.fill(part, true), Error);
+    EXPECT_THROW(grid.paste(part, bytes, Nonzero::free), Error);
+    EXPECT_THROW((void)grid.bytes(part, Nonzero::free), Error);
+  }
+  EXPECT_THROW(grid.paste({0, 0, 10, 5}, std::span(bytes).first(49), Nonzero::free), Error);
+  EXPECT_EQ(grid, Grid(10, 5));
+}
+
+TEST(Grid, AMovedFromGridHasNoCells) {
+  Grid from(100, 50);
+  const Grid to = std::move(from);
+  EXPECT_EQ(to.width(), 100);
+  EXPECT_EQ(from.width(), 0);  // NOLINT(bugprone-use-after-move)
+  EXPECT_EQ(from.height(), 0);
+  EXPECT_FALSE(from.contains({0, 0}));
+  EXPECT_TRUE(from.blocked({0, 0}));
+  EXPECT_EQ(from.count_free(), 0);
+  from = Grid(3, 3);
+  EXPECT_EQ(from, Grid(3, 3));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ std::string message_of(const auto& action) {
 TEST(Params, EveryAlgorithmsDefaultsAreValidAndRoundTrip) {
   for (const Algorithm& algorithm : algorithms()) {
     const Params published = defaults(algorithm.name);
-    EXPECT_EQ(published.algorithm, algorithm.name);
+    EXPECT_EQ(published.algorithm(), algorithm.name);
     EXPECT_NO_THROW(validate(published)) << algorithm.name;
     EXPECT_FALSE(algorithm.source.empty());
     for (const Parameter& parameter : algorithm.parameters) {
@@ -86,7 +86,6 @@ TEST(Params, ValidateNamesTheField) {
               "threads is " + std::to_string(threads) + "; it must be 0 (all cores) to 1024");
   }
   EXPECT_EQ(message([](Params& p) { p.threads = 1024; }), "nothing thrown");
-  EXPECT_NE(message([](Params& p) { p.algorithm = "ass"; }).find("\"as\""), std::string::npos);
   EXPECT_NE(message([](Params& p) { p.trail = Trail::arcs; }).find("straight_deposit"),
             std::string::npos);
   EXPECT_NE(message([](Params& p) { p.distance_rule_first = 0; }).find("shares"),
@@ -94,6 +93,54 @@ TEST(Params, ValidateNamesTheField) {
   EXPECT_NE(message([](Params& p) { p.polish = static_cast<Polish>(7); }).find("polish"),
             std::string::npos);
   EXPECT_EQ(message([](Params& p) { p.deposit = 1e-320; }).find("deposit is positive, but"), 0u);
+}
+
+TEST(Params, ANameComesWithItsNumbers) {
+  const Params acs("acs");
+  EXPECT_EQ(acs.algorithm(), "acs");
+  EXPECT_EQ(acs.update, Update::colony_system);
+  EXPECT_EQ(acs.greedy, 0.9);
+  EXPECT_EQ(Params().algorithm(), "exact");
+  try {
+    Params misspelt("ass");
+    FAIL() << "nothing thrown";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::invalid_parameter);
+    EXPECT_NE(std::string(e.what()).find("\"as\""), std::string::npos);
+  }
+}
+
+// A value that the caller changed and that the algorithm never looks at is a mistake.
+TEST(Params, WhatAnAlgorithmDoesNotReadMustStay) {
+  Params exact;
+  exact.corners = Corners::allow;
+  try {
+    validate(exact);
+    FAIL() << "nothing thrown";
+  } catch (const Error& e) {
+    EXPECT_STREQ(e.what(),
+                 "corners is allow, but exact does not read it; leave it at forbid, or choose an "
+                 "algorithm that does");
+  }
+  Params genetic("grid-ga");
+  genetic.ants = 11;
+  EXPECT_THROW(validate(genetic), Error);
+  Params colony("as");
+  colony.population = 51;
+  EXPECT_THROW(validate(colony), Error);
+  // Without straight paths there is nothing that could be laid: no contradiction.
+  Params raw("fan2004");
+  raw.polish = Polish::none;
+  EXPECT_NO_THROW(validate(raw));
+}
+
+TEST(Params, KindsAreTold) {
+  EXPECT_EQ(find_algorithm("exact").kind, Algorithm::Kind::exact);
+  EXPECT_EQ(find_algorithm("grid-ga").kind, Algorithm::Kind::genetic);
+  EXPECT_EQ(find_algorithm("mmas").kind, Algorithm::Kind::colony);
+  EXPECT_EQ(to_string(Algorithm::Kind::genetic), "genetic");
+  EXPECT_TRUE(find_algorithm("mmas").has("ants"));
+  EXPECT_FALSE(find_algorithm("exact").has("ants"));
 }
 
 }  // namespace

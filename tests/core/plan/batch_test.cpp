@@ -72,14 +72,14 @@ TEST(Batch, ThreadsThatMeetARuleFirstFindTheSame) {
   params.iterations = params.ants = 1;
   std::vector<Request> queries;
   for (int i = 0; i < 40; ++i)
-    queries.push_back({labelled.nearest_free({7 * i, 5 * i}).value(),
-                       labelled.nearest_free({7 * i + i % 5, 5 * i + 3}).value()});
+    queries.push_back({.start = labelled.nearest_free({7 * i, 5 * i}).value(),
+                       .goal = labelled.nearest_free({7 * i + i % 5, 5 * i + 3}).value()});
   int unreachable = 0;
   for (int round = 0; round < 5; ++round) {
     const Planner planner(grid);
     plan_batch(planner, queries, params, {.threads = 4}, [&](const BatchAnswer& answer) {
-      const auto& [start, goal] = queries[answer.index];
-      const bool joined = labelled.connected(start, goal, Corners::allow);
+      const Request& query = queries[answer.index];
+      const bool joined = labelled.connected(query.start, query.goal, Corners::allow);
       EXPECT_EQ(answer.result.status == Status::unreachable, !joined) << answer.index;
       unreachable += !joined;
     });
@@ -97,8 +97,9 @@ TEST(Batch, NoQueriesNoCalls) {
 
 TEST(Batch, RefusesBadParametersBeforeAnyQuery) {
   const Scene scene;
+  std::vector<Request> requests = scene.queries;
   const auto refused = [&](const Params& params, const BatchOptions& options) {
-    EXPECT_THROW(plan_batch(scene.planner, scene.queries, params, options,
+    EXPECT_THROW(plan_batch(scene.planner, requests, params, options,
                             [](const BatchAnswer&) { FAIL() << "called"; }),
                  Error);
   };
@@ -108,10 +109,47 @@ TEST(Batch, RefusesBadParametersBeforeAnyQuery) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   refused(quick(), {.threads = -1});
   refused(quick(), {.threads = 1025});
-  refused(quick(), {.target_gap = kNaN});
   for (const double seconds : {-1.0, kNaN}) {
     refused(quick(), {.time_limit = std::chrono::duration<double>(seconds)});
   }
+  EXPECT_THROW(plan_batch(scene.planner, requests, quick(), {}, BatchReceiver()), Error);
+  requests.back().target_gap = kNaN;
+  refused({}, {});
+  requests.back().target_gap = 0.1;  // which a colony cannot certify
+  refused(quick(), {});
+}
+
+TEST(Batch, WithoutAReceiverItReturnsItsAnswers) {
+  const Scene scene;
+  const auto answers = plan_batch(scene.planner, scene.queries, quick(), {.threads = 2});
+  ASSERT_EQ(answers.size(), scene.queries.size());
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    EXPECT_EQ(answers[i].index, i);
+    expect_equal(answers[i].result, scene.planner.plan(scene.queries[i], quick()));
+  }
+}
+
+// A request's own stop condition ends that request alone.
+TEST(Batch, RequestsKeepTheirOwnStopsAndGaps) {
+  const Scene scene;
+  const auto reached = [&](const Request& q) {
+    return scene.planner.plan(q).status == Status::solved && q.start != q.goal;
+  };
+  const auto query = std::find_if(scene.queries.begin(), scene.queries.end(), reached);
+  ASSERT_NE(query, scene.queries.end());
+  std::stop_source source;
+  source.request_stop();
+  std::vector<Request> requests(4, *query);
+  requests[1].stop.token = source.get_token();
+  requests[2].stop.deadline = Clock::now() - std::chrono::hours(1);
+  requests[3].target_gap = 0.5;
+  const auto answers = plan_batch(scene.planner, requests);
+  ASSERT_EQ(answers.size(), 4u);
+  EXPECT_EQ(answers[0].result.status, Status::solved);
+  EXPECT_EQ(answers[3].result.status, Status::solved);
+  EXPECT_LE(answers[3].result.gap().value(), 0.5);
+  EXPECT_NE(answers[1].result.status, Status::limit);
+  EXPECT_NE(answers[2].result.status, Status::interrupted);
 }
 
 TEST(Batch, AStopEndsItAfterWhatWasBegun) {

@@ -17,7 +17,7 @@ std::int64_t allocations_of(const auto& action) {
 }
 
 class EveryColony : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(PlannerAllocation, EveryColony, testing::ValuesIn(kColonies));
+INSTANTIATE_TEST_SUITE_P(PlannerAllocation, EveryColony, testing::ValuesIn(colonies()));
 
 struct Bounds {
   int least, most;

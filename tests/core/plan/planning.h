@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string_view>
+#include <vector>
 
 #include "lasius/generate.h"
 #include "lasius/planner.h"
@@ -11,8 +12,13 @@
 namespace lasius {
 
 /// Every algorithm that runs the colony's loop.
-inline constexpr const char* kColonies[] = {
-    "fan2004", "as", "eas", "ras", "mmas", "acs", "terminal-index", "cong2009", "lecture-grid"};
+inline std::vector<const char*> colonies() {
+  std::vector<const char*> names;
+  for (const Algorithm& algorithm : algorithms()) {
+    if (algorithm.kind == Algorithm::Kind::colony) names.push_back(algorithm.name.data());
+  }
+  return names;
+}
 
 inline Grid blobs(int width = 120, int height = 80, std::uint64_t seed = 3) {
   return generate(MapKind::blobs, {.width = width, .height = height, .seed = seed});

@@ -10,6 +10,7 @@
 #include "core/grid/grid_view.h"
 #include "core/smooth/loop_cutter.h"
 #include "kernels/sight/sight.h"
+#include "lasius/error.h"
 #include "lasius/path.h"
 #include "lasius/smooth.h"
 #include "tests/core/base/counting_time.h"
@@ -269,6 +270,19 @@ TEST(LoopCutter, PollsAndFindsNothingWhenStopped) {
     const CountingTime up(looks);
     EXPECT_TRUE(cutter.cut(grid, snake, false, Corners::forbid, up.is_up()).empty()) << looks;
     EXPECT_EQ(up.polls(), looks + 1);
+  }
+}
+
+TEST(Straighten, WhatIsNoWalkIsRefused) {
+  Grid grid(6, 4);
+  grid.set_blocked({2, 1});
+  for (const Walk& cells : {Walk{{0, 0}, {2, 0}},
+                            {{0, 0}, {1, 0}, {2, 1}},
+                            {{5, 3}, {6, 3}},
+                            {{0, 0}, {0, 2}},
+                            {{2, 1}}}) {
+    EXPECT_THROW(straighten(grid, cells), Error);
+    EXPECT_THROW(greedy_straighten(grid, cells), Error);
   }
 }
 

@@ -9,7 +9,6 @@
 #include <random>
 
 #include "kernels/walk/walk.h"
-#include "tests/kernels/base/instruction_sets.h"
 #include "tests/kernels/walk/walk_cases.h"
 
 namespace lasius::kernels {
@@ -28,7 +27,7 @@ WalkWorld wheel(bool factor) {
 }
 
 class EveryDraw : public testing::TestWithParam<Isa> {};
-INSTANTIATE_TEST_SUITE_P(Walk, EveryDraw, testing::ValuesIn(supported_isas()));
+INSTANTIATE_TEST_SUITE_P(Walk, EveryDraw, testing::ValuesIn(walk_isas()));
 
 TEST_P(EveryDraw, DrawsAsTheScalarReferenceOnEveryMask) {
   std::mt19937 random(5);

@@ -1,16 +1,25 @@
-// What walk kernels are tested on: their shapes, and the numbers that their ants draw.
+// What walk kernels are tested on: instruction sets, shapes, and the numbers that their ants draw.
 #pragma once
 
-#include <Random123/philox.h>
-
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "kernels/base/random_stream.h"
 #include "kernels/walk/walk.h"
+#include "tests/kernels/base/instruction_sets.h"
 
 namespace lasius::kernels {
+
+/// Those of this CPU with walk kernels of their own, the reference first.
+inline std::vector<Isa> walk_isas() {
+  auto isas = supported_isas();
+  const auto repeated = std::ranges::unique(isas, {}, [](Isa isa) { return &walk_table(isa); });
+  isas.erase(repeated.begin(), repeated.end());
+  return isas;
+}
 
 /// Every shape that a kernel is compiled for.
 inline std::vector<WalkShape> all_shapes() {
@@ -34,9 +43,7 @@ inline std::string name(WalkShape s) {
 inline std::uint32_t number_of(const WalkWorld& world, Draw draw, std::uint32_t ant,
                                std::uint32_t index) {
   const std::uint32_t each = draw == Draw::discard ? 8 : 4;
-  const auto block = r123::Philox4x32()(
-      {{index / each, ant, 0, 0}},
-      {{static_cast<std::uint32_t>(world.seed), static_cast<std::uint32_t>(world.seed >> 32)}});
+  const auto block = random_words(world.seed, {index / each, ant, 0, 0});
   return std::rotl(block[index % 4], index % each < 4 ? 0 : 16);
 }
 

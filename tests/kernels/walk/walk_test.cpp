@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "tests/kernels/base/instruction_sets.h"
 #include "tests/kernels/walk/walk_cases.h"
 
 namespace lasius::kernels {
@@ -143,7 +142,7 @@ class World {
 };
 
 class EveryIsa : public testing::TestWithParam<Isa> {};
-INSTANTIATE_TEST_SUITE_P(Walk, EveryIsa, testing::ValuesIn(supported_isas()));
+INSTANTIATE_TEST_SUITE_P(Walk, EveryIsa, testing::ValuesIn(walk_isas()));
 
 TEST_P(EveryIsa, WalksAsTheScalarReferenceHoweverManyTogether) {
   for (const WalkShape shape : all_shapes()) {
@@ -155,7 +154,7 @@ TEST_P(EveryIsa, WalksAsTheScalarReferenceHoweverManyTogether) {
   }
 }
 
-TEST_P(EveryIsa, WalksAbreastAsOneByOne) {
+TEST_P(EveryIsa, WalksInLockStepAsOneByOne) {
   using Change = void (*)(WalkWorld&);
   const std::array<std::pair<const char*, Change>, 6> changes = {{
       {"as it is", [](WalkWorld&) {}},

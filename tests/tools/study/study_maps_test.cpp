@@ -8,9 +8,9 @@
 #include "lasius/error.h"
 #include "lasius/planner.h"
 #include "lasius/shortest_walk.h"
+#include "tools/study/bitmaps.h"
 #include "tools/study/map_source.h"
-#include "tools/study/optimum.h"
-#include "tools/study/study.h"
+#include "tools/study/study_file.h"
 
 namespace lasius::study {
 namespace {
@@ -18,9 +18,10 @@ namespace {
 const std::string kMaps = LASIUS_MAPS_DIR;
 
 TEST(Catalogue, EveryQuestionHasAWay) {
-  for (const Entry& entry : catalogue()) {
-    const Study study = entry.make();
-    EXPECT_EQ(study.name, entry.name);
+  for (const std::string_view name : study_names()) {
+    const Study study = make_study(name);
+    EXPECT_EQ(study.name, name);
+    if (name == "maklink" || name == "goritov2020") continue;  // not on maps
     std::set<std::string> experiments;
     for (const Experiment& e : study.experiments) {
       EXPECT_TRUE(experiments.insert(e.name).second) << e.name;
@@ -84,7 +85,8 @@ TEST(Grid20a, HasTheOptimumOfTheWorkedExample) {
 
 // The lecture's best lengths of its colony, and start and goal of each pair.
 TEST(Workspaces, OptimaLieALittleBelowTheLecturesLengths) {
-  for (const Experiment& e : lecture_grid().experiments) {
+  const Study lecture_grid = make_study("lecture-grid");
+  for (const Experiment& e : lecture_grid.experiments) {
     for (const Question& q : e.questions) {
       if (q.published.empty()) continue;
       const Planner planner(load_map(q.map, kMaps));

@@ -1,37 +1,27 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <stop_token>
 
 #include "lasius/error.h"
-#include "lasius/map_io.h"
+#include "tests/core/map_files/map_files.h"
+#include "tools/study/bitmaps.h"
 #include "tools/study/claims.h"
 #include "tools/study/markdown.h"
-#include "tools/study/optimum.h"
-#include "tools/study/run_file.h"
-#include "tools/study/runner.h"
 #include "tools/study/table.h"
 
 namespace lasius::study {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// A folder of its own with one small map, gone at the end.
-class StudyRunner : public testing::Test {
+class StudyRunner : public Files {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / ("lasius-study-" + std::string(info->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
+  StudyRunner() {
     Grid grid(20, 20);
     for (int y = 3; y < 17; ++y) grid.set_blocked({10, y});
-    write_map(grid, (folder_ / "wall.map").string());
+    write_map(grid, path("wall.map"));
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   static Study study() {
     const Contender slow{"as", "as", "as", {{"iterations", "6"}, {"ants", "5"}}};
@@ -45,8 +35,9 @@ class StudyRunner : public testing::Test {
                  .questions = {{"wall", "wall.map", {2, 10}, {17, 10}, {{"as", 23.5, 4, 2}}}}};
     return {"test", "a test", "Nobody", "", {e}, {}};
   }
-  RunnerOptions options() const {
-    return {.seeds = 4, .threads = 2, .folder = folder_ / "out", .maps = folder_};
+  RunnerOptions options() const { return {.seeds = 4, .threads = 2, .folder = path("out")}; }
+  std::optional<Findings> run(const Study& study, const RunnerOptions& options) const {
+    return run_study(study, Bitmaps(study, path("")), options);
   }
   /// All tables but times.
   static std::string tables(const Findings& findings, const Study& study) {
@@ -54,13 +45,11 @@ class StudyRunner : public testing::Test {
     for (auto& row : runs.rows) row.pop_back();
     return runs.csv() + test_table(findings, study.experiments[0]).csv();
   }
-
-  fs::path folder_;
 };
 
 TEST_F(StudyRunner, RunsEveryContenderForEverySeed) {
   const Study s = study();
-  const auto findings = run_study(s, options());
+  const auto findings = run(s, options());
   ASSERT_TRUE(findings);
   ASSERT_EQ(findings->samples.size(), 3u);
   ASSERT_EQ(findings->absent.size(), 1u);
@@ -80,18 +69,18 @@ TEST_F(StudyRunner, RunsEveryContenderForEverySeed) {
 
 TEST_F(StudyRunner, GoesOnWhereItStoppedAndEndsWithTheSameTables) {
   const Study s = study();
-  const auto whole = run_study(s, options());
+  const auto whole = run(s, options());
   const std::string expected = tables(*whole, s);
 
   RunnerOptions stopped = options();
-  stopped.folder = folder_ / "stopped";
+  stopped.folder = path("stopped");
   std::stop_source source;
   stopped.stop = source.get_token();
   int runs = 0;
   stopped.progress = [&](std::int64_t, std::int64_t, const std::string&) {
     if (++runs == 5) source.request_stop();
   };
-  EXPECT_FALSE(run_study(s, stopped));
+  EXPECT_FALSE(run(s, stopped));
   EXPECT_GE(runs, 5);
   EXPECT_LT(runs, 12);
 
@@ -102,32 +91,32 @@ TEST_F(StudyRunner, GoesOnWhereItStoppedAndEndsWithTheSameTables) {
   stopped.stop = {};
   int again = 0;
   stopped.progress = [&](std::int64_t, std::int64_t, const std::string&) { ++again; };
-  const auto resumed = run_study(s, stopped);
+  const auto resumed = run(s, stopped);
   ASSERT_TRUE(resumed);
   EXPECT_GE(again, 12 - runs);
   EXPECT_LE(again, 12 - runs + 1);
   EXPECT_EQ(tables(*resumed, s), expected);
 
   again = 0;
-  ASSERT_TRUE(run_study(s, stopped));
+  ASSERT_TRUE(run(s, stopped));
   EXPECT_EQ(again, 0);
 }
 
 TEST_F(StudyRunner, OtherSettingsAreRunAgain) {
   Study s = study();
-  ASSERT_TRUE(run_study(s, options()));
+  ASSERT_TRUE(run(s, options()));
   s.experiments[0].contenders[0].settings[1].second = "6";
   RunnerOptions o = options();
   int again = 0;
   o.progress = [&](std::int64_t, std::int64_t, const std::string&) { ++again; };
-  ASSERT_TRUE(run_study(s, o));
+  ASSERT_TRUE(run(s, o));
   EXPECT_EQ(again, 4);
 }
 
 TEST_F(StudyRunner, NamesAMissingMap) {
   Study s = study();
   s.experiments[0].questions[0].map = "none.map";
-  EXPECT_THROW((void)run_study(s, options()), Error);
+  EXPECT_THROW((void)run(s, options()), Error);
 }
 
 TEST_F(StudyRunner, ReportsPaperAndOurs) {
@@ -135,7 +124,7 @@ TEST_F(StudyRunner, ReportsPaperAndOurs) {
   s.claims = {{"As wins.", shorter_everywhere({"walls"}, "as", "ga"), "a guess"},
               {"Never rises.", never_rises({"walls"}, "as"), ""},
               {"Not there.", never_rises({"walls"}, "none"), ""}};
-  const auto findings = run_study(s, options());
+  const auto findings = run(s, options());
   const Table results = result_table(*findings, s.experiments[0]);
   ASSERT_EQ(results.rows.size(), 4u);  // the optimum, and three that ran
   EXPECT_EQ(results.rows[0][1], "true optimum");

@@ -13,8 +13,8 @@ namespace {
 std::vector<double> differences(const Runs& a, const Runs& b) {
   std::vector<double> list;
   for (std::size_t q = 0; q < a.size(); ++q) {
-    for (std::size_t s = 0; s < a[q].size(); ++s) {
-      const double d = final_best(b[q][s]) - final_best(a[q][s]);
+    for (std::size_t s = 0; s < a[q]->runs.size(); ++s) {
+      const double d = final_best(b[q]->runs[s]) - final_best(a[q]->runs[s]);
       if (std::isfinite(d)) list.push_back(d);
     }
   }
@@ -23,38 +23,37 @@ std::vector<double> differences(const Runs& a, const Runs& b) {
 
 /// The iteration from which a run's mean tour never changes again; 0 where it changes in the last
 /// tenth.
-int frozen_from(const ArmRun& run) {
+int frozen_from(const Run& run) {
   const auto& mean = run.mean;
   std::size_t from = mean.size();
   while (from > 0 && std::abs(mean[from - 1] - mean.back()) <= 1e-12 * mean.back()) --from;
   return from + mean.size() / 10 < mean.size() ? static_cast<int>(from) + 1 : 0;
 }
 
-}  // namespace
-
-double final_best(const ArmRun& run) { return run.best.empty() ? kUnknown : run.best.back(); }
-
-double mean_steps(const Runs& runs) {
+double mean_over(const Runs& runs, double (*value)(const Run&)) {
   double sum = 0, count = 0;
-  for (const auto& question : runs) {
-    for (const ArmRun& run : question) {
-      sum += static_cast<double>(run.steps);
+  for (const Sample* question : runs) {
+    for (const Run& run : question->runs) {
+      sum += value(run);
       ++count;
     }
   }
   return sum / count;
 }
 
+}  // namespace
+
+double final_best(const Run& run) { return run.best.empty() ? kUnknown : run.best.back(); }
+
+double mean_steps(const Runs& runs) {
+  return mean_over(runs, [](const Run& run) { return static_cast<double>(run.steps); });
+}
+
 double mean_reached(const Runs& runs) {
-  double sum = 0, count = 0;
-  for (const auto& question : runs) {
-    for (const ArmRun& run : question) {
-      const auto first = std::find(run.best.begin(), run.best.end(), final_best(run));
-      sum += static_cast<double>(first - run.best.begin()) + 1;
-      ++count;
-    }
-  }
-  return sum / count;
+  return mean_over(runs, [](const Run& run) {
+    const auto first = std::find(run.best.begin(), run.best.end(), final_best(run));
+    return static_cast<double>(first - run.best.begin()) + 1;
+  });
 }
 
 std::string percent(double share) { return fixed(100 * share, 1); }
@@ -73,8 +72,8 @@ std::string Contrast::text() const {
 
 Freezing::Freezing(const Runs& runs) {
   std::vector<double> when;
-  for (const auto& question : runs) {
-    for (const ArmRun& run : question) {
+  for (const Sample* question : runs) {
+    for (const Run& run : question->runs) {
       ++all;
       if (const int from = frozen_from(run); from > 0) when.push_back(from);
     }
@@ -87,10 +86,10 @@ std::string Freezing::text() const {
   return percent(share()) + "% frozen" + (frozen > 0 ? ", median " + fixed(median, 0) : "");
 }
 
-std::vector<double> mean_curve(const Runs& runs, std::vector<double> ArmRun::*curve) {
+std::vector<double> mean_curve(const Runs& runs, std::vector<double> Run::*curve) {
   std::vector<double> sum, count;
-  for (const auto& question : runs) {
-    for (const ArmRun& run : question) {
+  for (const Sample* question : runs) {
+    for (const Run& run : question->runs) {
       const auto& values = run.*curve;
       sum.resize(std::max(sum.size(), values.size()), 0);
       count.resize(sum.size(), 0);

@@ -4,23 +4,23 @@
 #include <string>
 #include <vector>
 
-#include "tools/study/sources/goritov2020.h"
+#include "tools/study/findings.h"
 #include "tools/study/statistics.h"
 
 namespace lasius::study {
 
-/// All runs of a setting: by question, then seed.
-using Runs = std::vector<std::vector<ArmRun>>;
+/// All runs of a setting: by question.
+using Runs = std::vector<const Sample*>;
 
 /// The last best length of a run; unknown without an iteration.
-double final_best(const ArmRun& run);
+double final_best(const Run& run);
 
 /// Steps of a run, and the iteration that found its best path: means over all runs.
 double mean_steps(const Runs& runs);
 double mean_reached(const Runs& runs);
 
 /// Mean over all runs, by iteration, of the best length so far or of the mean tour.
-std::vector<double> mean_curve(const Runs& runs, std::vector<double> ArmRun::*curve);
+std::vector<double> mean_curve(const Runs& runs, std::vector<double> Run::*curve);
 
 /// A share in percent, with one decimal and without the sign.
 std::string percent(double share);

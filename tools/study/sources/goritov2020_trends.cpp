@@ -9,8 +9,7 @@ namespace {
 /// One trend under one reading.
 class Judge {
  public:
-  Judge(const ArmFindings& findings, std::size_t reading)
-      : findings_(findings), reading_(reading) {}
+  Judge(const Findings& findings, const char* reading) : findings_(findings), reading_(reading) {}
 
   /// `best` is shorter than each of `others`.
   Claim::Answer shortest(const std::string& best, const std::vector<std::string>& others) const {
@@ -46,10 +45,11 @@ class Judge {
 
   Claim::Answer beta_is_inert() const {
     bool same = true;
-    const Runs &a = of("base"), &b = of("beta-0");
+    const Runs a = of("base"), b = of("beta-0");
     for (std::size_t q = 0; q < a.size(); ++q) {
-      for (std::size_t s = 0; s < a[q].size(); ++s) {
-        same = same && a[q][s].best == b[q][s].best && a[q][s].mean == b[q][s].mean;
+      for (std::size_t s = 0; s < a[q]->runs.size(); ++s) {
+        const Run &first = a[q]->runs[s], &second = b[q]->runs[s];
+        same = same && first.best == second.best && first.mean == second.mean;
       }
     }
     return {same ? Verdict::confirmed : Verdict::refuted,
@@ -109,23 +109,24 @@ class Judge {
       answer.verdict = Verdict::open;
   }
 
-  const Runs& of(const std::string& name) const { return findings_.of(reading_, name); }
+  Runs of(const std::string& name) const { return findings_.of(reading_, name); }
   static void add(std::string& text, const std::string& more) {
     if (!text.empty()) text += "; ";
     text += more;
   }
 
-  const ArmFindings& findings_;
-  std::size_t reading_;
+  const Findings& findings_;
+  const char* reading_;
 };
 
 }  // namespace
 
-std::vector<ArmTrend> arm_trends(const ArmFindings& findings) {
+std::vector<ArmTrend> arm_trends(const Findings& findings) {
   std::vector<ArmTrend> trends;
   const auto add = [&](const char* text, const auto& judge) {
     ArmTrend trend{text, {}};
-    for (std::size_t r = 0; r < kReadings.size(); ++r) trend.found[r] = judge(Judge(findings, r));
+    for (std::size_t r = 0; r < kReadings.size(); ++r)
+      trend.found[r] = judge(Judge(findings, kReadings[r]));
     trends.push_back(std::move(trend));
   };
   add("alpha = 1 gives the shortest path", [](const Judge& j) {

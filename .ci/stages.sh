@@ -1,0 +1,76 @@
+# What .ci/run and .ci/nightly share; sourced by them. Stops at the first failure; the time of every
+# stage is printed at the end.
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+exec </dev/null
+export CI=true
+export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
+export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
+if command -v ccache >/dev/null; then
+  # Paths relative to this clone: another clone's objects serve as well.
+  export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+fi
+
+times=()
+stage_name="start"
+
+finish() {
+  local code=$?
+  printf '\n%s\n' "${times[@]}" "in all ${SECONDS} s"
+  if ((code != 0)); then echo "CI FAILED in stage '$stage_name' (exit $code)"; fi
+}
+trap finish EXIT
+
+# stage NAME COMMAND...
+stage() {
+  stage_name=$1
+  local begin=$SECONDS
+  printf '\n== %s\n' "$stage_name"
+  "${@:2}"
+  times+=("$(printf '%5d s  %s' $((SECONDS - begin)) "$stage_name")")
+}
+
+# configure PRESET [CMAKE ARGUMENT...]: warnings are errors.
+configure() { cmake --preset "$1" -DLASIUS_WERROR=ON "${@:2}"; }
+
+# build_and_test PRESET [CTEST ARGUMENT...]
+build_and_test() {
+  configure "$1"
+  cmake --build --preset "$1"
+  ctest --preset "$1" "${@:2}"
+}
+
+# The public reference, where each warning is an error.
+reference() {
+  if [[ ! -f docs/Doxyfile ]]; then
+    echo "no docs/Doxyfile"
+    return
+  fi
+  mkdir -p build
+  (cat docs/Doxyfile; echo "WARN_AS_ERROR = FAIL_ON_WARNINGS") | doxygen -
+}
+
+# tidy CHECKS: core/ and kernels/, each file by itself, its headers not precompiled. CHECKS are added
+# to those of .clang-tidy.
+tidy() {
+  cmake --preset dev-clang -B build/tidy -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
+  git ls-files -z 'core/*.cpp' 'kernels/*.cpp' |
+    xargs -0 -n 1 -P "$(nproc)" clang-tidy --quiet --checks="$1" -p build/tidy
+}
+
+# fuzz_one TARGET SECONDS
+fuzz_one() {
+  local name=${1##*/fuzz_} found=${1%/bin/*}/found
+  mkdir -p "$found/$name"
+  "$1" -max_total_time="$2" -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 -verbosity=0 \
+    -artifact_prefix="$found/$name-" "$found/$name" "tests/fuzz/corpus/$name"
+}
+
+# fuzz SECONDS: of processor time, for all targets together
+fuzz() {
+  cmake --preset fuzz
+  cmake --build --preset fuzz
+  local targets=(build/asan-ubsan/bin/fuzz_*)
+  export -f fuzz_one
+  printf '%s\0' "${targets[@]}" |
+    xargs -0 -P "$(nproc)" -I{} bash -c 'fuzz_one "$@"' - {} $(($1 / ${#targets[@]}))
+}

@@ -1,0 +1,79 @@
+#include "core/base/thread_team.h"
+
+namespace lasius {
+namespace {
+
+thread_local ThreadTeam* led = nullptr;
+
+// Some 10 to 50 microseconds: longer than from one loop of an iteration to the next.
+constexpr int kSpins = 1000;
+
+void pause() noexcept {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+/// Waits until it is no longer `value`: looks for a while, then sleeps.
+template <class T>
+void await_change(const std::atomic<T>& what, T value) noexcept {
+  for (int i = 0; i < kSpins; ++i) {
+    if (what.load() != value) return;
+    pause();
+  }
+  what.wait(value);
+}
+
+}  // namespace
+
+ThreadTeam* ThreadTeam::led_here() noexcept { return led; }
+
+ThreadTeam* ThreadTeam::appoint(ThreadTeam* team) noexcept { return std::exchange(led, team); }
+
+void ThreadTeam::take(int member) noexcept {
+  for (int i; (i = next_.fetch_add(1, std::memory_order_relaxed)) < count_;) {
+    task_(context_, i, member);
+  }
+}
+
+// A member enters, then looks whether the loop is still open; the leader closes it, then looks who
+// is inside. All four in one order (sequential consistency): one of the two sees the other.
+
+void ThreadTeam::share(int count, int members, Task task, const void* context) noexcept {
+  task_ = task;
+  context_ = context;
+  count_ = count;
+  members_ = members;
+  next_.store(0, std::memory_order_relaxed);
+  ++round_;
+  round_.notify_all();
+  appoint(nullptr);
+  take(0);
+  appoint(this);
+  ++round_;
+  for (int inside; (inside = inside_.load()) != 0;) await_change(inside_, inside);
+}
+
+void ThreadTeam::serve(int member) noexcept {
+  for (std::uint32_t seen = 0;;) {
+    await_change(round_, seen);
+    seen = round_.load();
+    if (seen % 2 == 0) continue;  // closed again
+    ++inside_;
+    bool done = false;
+    if (round_.load() == seen) {
+      done = dismissed_;
+      if (!done && member < members_) take(member);
+    }
+    if (--inside_ == 0) inside_.notify_one();
+    if (done) return;
+  }
+}
+
+void ThreadTeam::dismiss() noexcept {
+  dismissed_ = true;
+  ++round_;
+  round_.notify_all();
+}
+
+}  // namespace lasius

@@ -1,0 +1,76 @@
+// Threads that stand by for the parallel loops of one run.
+#pragma once
+
+#include <omp.h>
+
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <utility>
+
+#include "lasius/export.h"
+
+namespace lasius {
+
+/// The threads of one OpenMP region, kept over many loops. One of them leads; it never waits for a
+/// thread that has not begun, so that on a busy machine a loop takes no longer than on one thread.
+/// (At the end of a region of its own OpenMP waits for all, for milliseconds without giving up its
+/// core, even to one of them.) Used through parallel_for.
+class ThreadTeam {
+ public:
+  /// Calls run() on this thread; parallel_for in it shares its loops with up to `threads` - 1
+  /// others. Throws what `run` throws.
+  template <class Run>
+  static void lead(int threads, const Run& run);
+
+  /// The team that this thread leads, or null.
+  LASIUS_EXPORT static ThreadTeam* led_here() noexcept;
+
+  /// Calls task(context, i, member) for every i below `count` on up to `members` threads, the
+  /// leader's number being 0. The task must not throw. Meanwhile the leader leads nobody: a loop
+  /// within the task is not the team's.
+  using Task = void (*)(const void* context, int i, int member) noexcept;
+  LASIUS_EXPORT void share(int count, int members, Task task, const void* context) noexcept;
+
+ private:
+  LASIUS_EXPORT static ThreadTeam* appoint(ThreadTeam* team) noexcept;  ///< returns the one before
+  LASIUS_EXPORT void serve(int member) noexcept;
+  LASIUS_EXPORT void dismiss() noexcept;
+  void take(int member) noexcept;
+
+  // Written by the leader while nobody is inside.
+  Task task_ = nullptr;
+  const void* context_ = nullptr;
+  int count_ = 0;
+  int members_ = 0;
+  bool dismissed_ = false;
+
+  alignas(64) std::atomic<std::uint32_t> round_{0};  ///< odd while a loop is open
+  alignas(64) std::atomic<int> next_{0};
+  alignas(64) std::atomic<int> inside_{0};
+};
+
+template <class Run>
+void ThreadTeam::lead(int threads, const Run& run) {
+  if (threads <= 1) return run();
+  ThreadTeam team;
+  std::exception_ptr error;
+#pragma omp parallel num_threads(threads)
+  {
+    if (const int member = omp_get_thread_num(); member > 0) {
+      team.serve(member);
+    } else {
+      ThreadTeam* const before = appoint(&team);
+      try {
+        run();
+      } catch (...) {  // none may leave the parallel region
+        error = std::current_exception();
+      }
+      appoint(before);
+      team.dismiss();
+    }
+  }
+  if (error) std::rethrow_exception(std::move(error));
+}
+
+}  // namespace lasius
