@@ -35,13 +35,16 @@ struct Case {
   arm::Params parameters;
 };
 
-double widest(arm::Vec3 a, arm::Vec3 b) {
-  return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
+double widest(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
 }
 
 Case make_case(const arm::Robot& robot, const arm::GenerateOptions& options, int side) {
   arm::Query query = arm::generate_query(robot, options);
-  Case c{robot, std::move(query.scene), {.start = std::move(query.start), .goal = query.goal}, {}};
+  Case c{robot,
+         std::move(query.scene),
+         {.start = std::move(query.start), .goal = query.goal, .motion = false},
+         {}};
   c.parameters.seed = options.seed;
   c.parameters.threads = 1;
   c.parameters.side = side;
@@ -54,21 +57,20 @@ Case make_case(const arm::Robot& robot, const arm::GenerateOptions& options, int
 class Recorder final : public arm::Sensor {
  public:
   explicit Recorder(const arm::Sensor& sensor) : sensor_(sensor) {}
-  bool position_free(std::span<const double> q) const override {
+  bool position_free(const arm::JointRef& q) const override {
     const std::scoped_lock lock(mutex_);
-    positions.emplace_back(q.begin(), q.end());
+    positions.emplace_back(q);
     return sensor_.position_free(q);
   }
-  bool motion_free(std::span<const double> from, std::span<const double> to) const override {
+  bool motion_free(const arm::JointRef& from, const arm::JointRef& to) const override {
     const std::scoped_lock lock(mutex_);
-    motions.push_back(
-        std::array{std::vector(from.begin(), from.end()), std::vector(to.begin(), to.end())});
+    motions.push_back({from, to});
     return sensor_.motion_free(from, to);
   }
   double clearance() const override { return sensor_.clearance(); }
 
-  mutable std::vector<std::vector<double>> positions;
-  mutable std::vector<std::array<std::vector<double>, 2>> motions;
+  mutable std::vector<arm::JointVector> positions;
+  mutable std::vector<std::array<arm::JointVector, 2>> motions;
 
  private:
   const arm::Sensor& sensor_;
@@ -134,7 +136,7 @@ std::vector<Figure> measure_validity(int scenes) {
     const Case c = make_case(robot, random_scene(seed), 12);
     const arm::SceneSensor sensor(c.robot, c.scene);
     const arm::Result found = arm::plan(c.robot, sensor, c.request, c.parameters);
-    if (found.joints.empty()) continue;
+    if (found.joints.cols() == 0) continue;
     ++moved;
     const auto made =
         arm::make_trajectory(c.robot, sensor, found.joints, {.shortcut = seed % 4 != 0});
@@ -165,7 +167,7 @@ std::vector<Figure> measure_optimum(int seeds, int side, double elite_weight) {
     if (best.status != Status::solved || best.length <= 0) continue;
     ++solved;
     const arm::Result found = arm::plan(c.robot, sensor, c.request, c.parameters);
-    const double ratio = found.joints.empty() ? 1e9 : found.length / best.length;
+    const double ratio = found.joints.cols() == 0 ? 1e9 : found.length / best.length;
     near += ratio <= 1.05;
     optimal += ratio <= 1 + 1e-9;
     gaps.push_back(ratio - 1);

@@ -1,5 +1,6 @@
 #include "core/arm/arm_colony.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -168,15 +169,15 @@ class ArmColony final : public ColonyWorld {
     result_.lower_bound = bound_;
     result_.length = best_length_;
     result_.optimal = bound_ && best_length_ <= *bound_;
+    const auto points = static_cast<Eigen::Index>(best_.size()) + 1;
+    result_.joints.resize(request_.start.size(), points);
+    result_.tips.resize(3, points);
     Node at = lattice_.start();
-    add(at);
-    for (const int k : best_) add(at = lattice_.to(at, k));
-  }
-
-  void add(Node v) {
-    const double* q = lattice_.configuration(v);
-    result_.joints.emplace_back(q, q + request_.start.size());
-    result_.tips.push_back(lattice_.position(v));
+    for (Eigen::Index i = 0; i < points; ++i) {
+      if (i > 0) at = lattice_.to(at, best_[i - 1]);
+      std::copy_n(lattice_.configuration(at), request_.start.size(), result_.joints.col(i).data());
+      result_.tips.col(i) = Eigen::Vector3d(lattice_.position(at));
+    }
   }
 
   const Lattice& lattice_;
@@ -196,7 +197,7 @@ class ArmColony final : public ColonyWorld {
   bool settled_ = false;
   bool unreachable_ = false;
   std::optional<double> bound_;
-  Questions bound_at_{-1, -1};  // what was known when it was computed
+  Questions bound_at_{.positions = -1};  // what was known when it was computed
   Result result_;
 };
 

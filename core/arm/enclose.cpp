@@ -5,7 +5,7 @@
 
 namespace lasius::arm {
 
-std::vector<Capsule> enclose_box(const Pose& pose, Vec3 size) {
+std::vector<Capsule> enclose_box(const Placement& pose, Vec3 size) {
   // Axes by falling size: the capsules run along the first, side by side along the second.
   struct Side {
     Vec3 along;

@@ -4,11 +4,10 @@
 #include <vector>
 
 #include "core/arm/vec3.h"
-#include "lasius/arm.h"
 
 namespace lasius::arm {
 
 /// Up to four capsules along the longest side that enclose a box of this size at `pose`.
-std::vector<Capsule> enclose_box(const Pose& pose, Vec3 size);
+std::vector<Capsule> enclose_box(const Placement& pose, Vec3 size);
 
 }  // namespace lasius::arm

@@ -33,10 +33,10 @@ Obstacle draw_obstacle(Draw& draw, const Kinematics& arm) {
   const double reach = arm.reach();
   Obstacle o;
   o.shape = static_cast<Obstacle::Shape>(draw.below(3));
-  o.position = arm.shoulder() + draw.in_cube(reach);
-  o.rotation = roll_pitch_yaw(draw.in_cube(3.14));
+  const Vec3 position = arm.shoulder() + draw.in_cube(reach);
+  o.pose = to_eigen({roll_pitch_yaw(draw.in_cube(3.14)), position});
   const auto size = [&] { return reach * draw.between(0.04, 0.2); };
-  o.size = {size(), size(), size()};
+  o.size = Vec3{size(), size(), size()};
   o.radius = 0.5 * size();
   o.length = 2 * size();
   return o;
@@ -44,16 +44,17 @@ Obstacle draw_obstacle(Draw& draw, const Kinematics& arm) {
 
 /// A position of the arm, and where its tip is then.
 struct Stand {
-  std::vector<double> q;
+  JointVector q;
   Vec3 tip;
 };
 
 Stand draw_stand(Draw& draw, const Robot& robot) {
-  Stand stand;
-  for (const Joint& joint : robot.joints) {
+  Stand stand{JointVector(robot.size()), {}};
+  for (int j = 0; j < robot.size(); ++j) {
     // A middle part of its range: the ends are full of self-contact.
+    const Joint& joint = robot.joints[j];
     const double middle = 0.5 * (joint.low + joint.high), half = 0.35 * (joint.high - joint.low);
-    stand.q.push_back(draw.between(middle - half, middle + half));
+    stand.q[j] = draw.between(middle - half, middle + half);
   }
   stand.tip = tip_position(robot, stand.q);
   return stand;
@@ -66,12 +67,13 @@ Obstacle wall_between(Vec3 from, Vec3 to, double share) {
   const double level = std::sqrt(way.x * way.x + way.y * way.y);
   Obstacle o;
   o.name = "wall";
-  o.position = 0.5 * (from + to);
-  o.size = {0.04 * far, share * far, share * far};
+  o.size = Vec3(0.04 * far, share * far, share * far);
+  Placement at{.position = 0.5 * (from + to)};
   if (level > 1e-9) {
     // Its thin side along the way as seen from above.
-    o.rotation = {way.x / level, -way.y / level, 0, way.y / level, way.x / level, 0, 0, 0, 1};
+    at.rotation = {way.x / level, -way.y / level, 0, way.y / level, way.x / level, 0, 0, 0, 1};
   }
+  o.pose = to_eigen(at);
   return o;
 }
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lasius/arm.h"
+#include "core/arm/vec3.h"
 
 namespace lasius::arm {
 

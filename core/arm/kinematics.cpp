@@ -87,7 +87,7 @@ void check_values(const Robot& robot, std::span<const double> q) {
   }
 }
 
-double extent(std::span<const Capsule> shapes) noexcept {
+double extent(std::span<const Capsule> shapes) {
   double far = 0;
   for (const Capsule& c : shapes) {
     far = std::max(far, std::max(length(c.from), length(c.to)) + c.radius);
@@ -95,7 +95,7 @@ double extent(std::span<const Capsule> shapes) noexcept {
   return far;
 }
 
-JointArray levers_of(const Robot& robot, int body, double far) noexcept {
+JointArray levers_of(const Robot& robot, int body, double far) {
   JointArray lever{};
   for (int j = body - 1; j >= 0; --j) {
     const Joint& joint = robot.joints[j];
@@ -103,34 +103,37 @@ JointArray levers_of(const Robot& robot, int body, double far) noexcept {
     if (joint.kind == Joint::Kind::prismatic) {
       far += std::max(std::abs(joint.low), std::abs(joint.high));
     }
-    far += length(joint.origin);
+    far += length(from_eigen(joint.frame).position);
   }
   return lever;
 }
 
-Kinematics::Kinematics(const Robot& robot) : robot_(&robot) {
-  const int last = robot.size() - 1;
-  for (int j = 0; j <= last; ++j) {
+Kinematics::Kinematics(const Robot& robot) : size_(robot.size()), tip_(robot.tip) {
+  for (int j = 0; j < size_; ++j) {
     const Joint& joint = robot.joints[j];
-    turned_[j] = joint.rotation != kNoRotation;
-    if (j > 0) reach_ += length(joint.origin);
-    if (joint.kind == Joint::Kind::prismatic) {
-      reach_ += std::max(std::abs(joint.low), std::abs(joint.high));
-    }
+    const Placement frame = from_eigen(joint.frame);
+    links_[j] = {.frame = frame,
+                 .axis = joint.axis,
+                 .low = joint.low,
+                 .high = joint.high,
+                 .slides = joint.kind == Joint::Kind::prismatic,
+                 .turned = frame.rotation != kNoRotation};
+    if (j > 0) reach_ += length(frame.position);
+    if (slides(j)) reach_ += std::max(std::abs(joint.low), std::abs(joint.high));
   }
-  reach_ += length(robot.tip);
+  reach_ += length(tip_);
 }
 
 void Kinematics::place(std::span<const double> q, Poses& poses) const noexcept {
-  Pose at;
+  Placement at;
   for (int j = 0; j < size(); ++j) {
-    const Joint& joint = robot_->joints[j];
-    const Rotation frame = turned_[j] ? at.rotation * joint.rotation : at.rotation;
-    const Vec3 origin = at * joint.origin;
-    if (joint.kind == Joint::Kind::prismatic) {
-      at = {frame, origin + q[j] * (frame * joint.axis)};
+    const Link& link = links_[j];
+    const Rotation frame = link.turned ? at.rotation * link.frame.rotation : at.rotation;
+    const Vec3 origin = at * link.frame.position;
+    if (link.slides) {
+      at = {frame, origin + q[j] * (frame * link.axis)};
     } else {
-      at = {frame * rotation_about(joint.axis, q[j]), origin};
+      at = {frame * rotation_about(link.axis, q[j]), origin};
     }
     poses[j] = at;
   }
@@ -138,8 +141,7 @@ void Kinematics::place(std::span<const double> q, Poses& poses) const noexcept {
 
 void Kinematics::bend(std::span<double> q, double amount) const noexcept {
   for (std::size_t j = 0; j < q.size(); ++j) {
-    const Joint& joint = robot_->joints[j];
-    q[j] = std::clamp(q[j] + (j == 0 ? -amount : amount), joint.low, joint.high);
+    q[j] = std::clamp(q[j] + (j == 0 ? -amount : amount), links_[j].low, links_[j].high);
   }
 }
 
@@ -149,11 +151,8 @@ double Kinematics::step_towards(Vec3 target, const Poses& poses, std::span<const
   const Vec3 at = tip(poses);
   Step step{.joints = size(), .error = target - at};
   for (int j = 0; j < size(); ++j) {
-    const Joint& joint = robot_->joints[j];
-    // The joint's own turn leaves its axis where it is.
-    const Vec3 axis = poses[j].rotation * joint.axis;
-    step.column[j] =
-        joint.kind == Joint::Kind::prismatic ? axis : cross(axis, at - poses[j].position);
+    const Vec3 along = axis(j, poses);
+    step.column[j] = slides(j) ? along : cross(along, at - poses[j].position);
     step.pull[j] = kPull * (rest[j] - q[j]);
   }
   double moved = 0;
@@ -162,10 +161,10 @@ double Kinematics::step_towards(Vec3 target, const Poses& poses, std::span<const
     change = step.solve();
     pushed = false;
     for (int j = 0; j < size(); ++j) {
-      const Joint& joint = robot_->joints[j];
+      const Link& link = links_[j];
       const double next = q[j] + change[j];
-      if (step.held[j] || (next >= joint.low && next <= joint.high)) continue;
-      const double limit = std::clamp(next, joint.low, joint.high);
+      if (step.held[j] || (next >= link.low && next <= link.high)) continue;
+      const double limit = std::clamp(next, link.low, link.high);
       moved = std::max(moved, std::abs(limit - q[j]));
       step.hold(j, limit - q[j]);
       q[j] = limit;

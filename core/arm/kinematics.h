@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/arm/vec3.h"
-#include "lasius/arm.h"
+#include "lasius/arm_robot.h"
 
 namespace lasius::arm {
 
@@ -16,29 +16,33 @@ using JointArray = std::array<double, Robot::kMaxJoints>;
 void check_values(const Robot& robot, std::span<const double> q);
 
 /// No point of the shapes is further than this from the origin of their body.
-double extent(std::span<const Capsule> shapes) noexcept;
+double extent(std::span<const Capsule> shapes);
 
 /// By joint j below `body` (that of joint i is i + 1): no point that is within `far` of the body's
 /// origin is further from the axis of j, whatever the joints do; 1 where j is prismatic, for a
 /// point moves as far as it does.
-JointArray levers_of(const Robot& robot, int body, double far) noexcept;
+JointArray levers_of(const Robot& robot, int body, double far);
 
 class Kinematics {
  public:
-  /// `robot` must outlive it.
+  /// Precondition: a robot that `validate` accepts.
   explicit Kinematics(const Robot& robot);
 
-  int size() const noexcept { return robot_->size(); }
-  const Robot& robot() const noexcept { return *robot_; }
+  int size() const noexcept { return size_; }
+  bool slides(int joint) const noexcept { return links_[joint].slides; }
 
   /// Poses of the bodies that move with each joint.
-  using Poses = std::array<Pose, Robot::kMaxJoints>;
+  using Poses = std::array<Placement, Robot::kMaxJoints>;
   void place(std::span<const double> q, Poses& poses) const noexcept;
-  Vec3 tip(const Poses& poses) const noexcept { return poses[size() - 1] * robot_->tip; }
+  Vec3 tip(const Poses& poses) const noexcept { return poses[size() - 1] * tip_; }
+  /// A joint's axis in the world: its own turn leaves it where it is.
+  Vec3 axis(int joint, const Poses& poses) const noexcept {
+    return poses[joint].rotation * links_[joint].axis;
+  }
 
   /// The tip is not further from the first joint's origin than this, whatever the joints do.
   double reach() const noexcept { return reach_; }
-  Vec3 shoulder() const noexcept { return robot_->joints.front().origin; }
+  Vec3 shoulder() const noexcept { return links_[0].frame.position; }
 
   /// Brings the tip to `target`, starting from `q`, which is overwritten; false where it does not
   /// get there, `q` is then the last attempt. Among the solutions near the start the one nearest to
@@ -62,9 +66,19 @@ class Kinematics {
   double step_towards(Vec3 target, const Poses& poses, std::span<const double> rest,
                       std::span<double> q) const noexcept;
 
-  const Robot* robot_;
+  /// A joint, as the arithmetic wants it.
+  struct Link {
+    Placement frame;  // at value 0, in that of the joint before
+    Vec3 axis;
+    double low, high;
+    bool slides;
+    bool turned;  // its frame is
+  };
+
+  int size_;
+  std::array<Link, Robot::kMaxJoints> links_{};
+  Vec3 tip_;
   double reach_ = 0;
-  std::array<bool, Robot::kMaxJoints> turned_{};  // the joint's frame is
 };
 
 }  // namespace lasius::arm

@@ -170,7 +170,7 @@ bool Lattice::reachable_by_joints(Node a, Node b) const noexcept {
 bool Lattice::position_free(Node v) const {
   return answer_once(position_[v], [&] {
     positions_asked_.fetch_add(1, std::memory_order_relaxed);
-    return sensor_.position_free({values_.at(v * joints_), static_cast<std::size_t>(joints_)});
+    return sensor_.position_free(joint_values(v));
   });
 }
 
@@ -182,10 +182,8 @@ bool Lattice::open(Node v, int move) const {
   return answer_once(answer, [&] {
     if (!reachable || !position_free(w)) return false;
     // Always in the same direction, so that the answer does not depend on who comes first.
-    const auto joints = static_cast<std::size_t>(joints_);
     motions_asked_.fetch_add(1, std::memory_order_relaxed);
-    return sensor_.motion_free({values_.at(std::min(v, w) * joints_), joints},
-                               {values_.at(std::max(v, w) * joints_), joints});
+    return sensor_.motion_free(joint_values(std::min(v, w)), joint_values(std::max(v, w)));
   });
 }
 

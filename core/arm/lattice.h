@@ -66,7 +66,9 @@ class Lattice {
   bool known_blocked(Node v) const noexcept { return load(position_[v]) == kNo; }
 
   bool position_free(Node v) const;
-  Questions questions() const noexcept { return {positions_asked_, motions_asked_}; }
+  Questions questions() const noexcept {
+    return {.positions = positions_asked_, .motions = motions_asked_};
+  }
   /// How many were asked so far, by any thread.
   std::int64_t asked() const noexcept {
     return positions_asked_.load(std::memory_order_relaxed) +
@@ -83,6 +85,10 @@ class Lattice {
   template <class Find>
   static bool answer_once(std::uint8_t& answer, const Find& find);
 
+  /// As a sensor takes them, not copied. Precondition: the point has some.
+  Eigen::Map<const JointVector> joint_values(Node v) const {
+    return {values_.at(v * joints_), joints_};
+  }
   bool solve(Node v, JointArray& q) const;
   bool reachable_by_joints(Node a, Node b) const noexcept;
   void fill_guidance(Node v) const noexcept;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lasius/arm.h"
+#include "lasius/arm_robot.h"
 
 namespace lasius::arm {
 

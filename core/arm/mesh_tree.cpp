@@ -12,7 +12,7 @@ double Vec3::*const kAxes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
 
 }  // namespace
 
-MeshTree::MeshTree(Triangles triangles) : triangles_(std::move(triangles)) {
+MeshTree::MeshTree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
   if (!triangles_.empty()) build(0, static_cast<int>(triangles_.size()));
 }
 

@@ -9,7 +9,7 @@ namespace lasius::arm {
 
 class MeshTree {
  public:
-  explicit MeshTree(Triangles triangles);
+  explicit MeshTree(std::vector<Triangle> triangles);
 
   /// Distance from the segment to the nearest triangle where that is below `limit`, else `limit`.
   double distance(const Segment& s, double limit) const noexcept;
@@ -24,7 +24,7 @@ class MeshTree {
   void descend(int node, const Segment& s, double& least) const noexcept;
 
   static constexpr int kLeaf = 4;
-  Triangles triangles_;
+  std::vector<Triangle> triangles_;
   std::vector<Node> nodes_;
 };
 

@@ -11,8 +11,6 @@ using Entry = Table::Entry;
 using Integer = Table::Integer;
 using Number = Table::Number;
 
-constexpr std::array<std::string_view, 2> kPheromone{"arcs", "edges"};
-constexpr std::array<std::string_view, 2> kDeadEnd{"backtrack", "kill"};
 constexpr std::array<std::string_view, 2> kSwitch{"off", "on"};
 
 constexpr std::array kEntries{
@@ -34,9 +32,9 @@ constexpr std::array kEntries{
     Entry{{"initial_pheromone", "number", "0 .. 1e9",
            "pheromone everywhere at first, tau0; 0: ants / Manhattan distance"},
           Number{&Params::initial_pheromone, 0, 1e9}},
-    Table::choice<&Params::pheromone, kPheromone>("pheromone", "what carries pheromone"),
-    Table::choice<&Params::dead_end, kDeadEnd>("dead_end",
-                                               "what an ant does when every move is closed"),
+    Table::choice<&Params::pheromone, kPheromoneNames>("pheromone", "what carries pheromone"),
+    Table::choice<&Params::dead_end, kDeadEndNames>("dead_end",
+                                                    "what an ant does when every move is closed"),
     Entry{{"pitch", "number", "0 .. 1000",
            "distance of lattice points, metres; 0: a twentieth of the arm's reach"},
           Number{&Params::pitch, 0, 1000}},

@@ -22,7 +22,7 @@ Result invalid(Fault fault, std::string why) {
   return failed<Result>(Status::invalid, fault, std::move(why));
 }
 
-std::string joint_name(const Robot& robot, std::size_t j) {
+std::string joint_name(const Robot& robot, int j) {
   const std::string& name = robot.joints[j].name;
   return "joint " + std::to_string(j + 1) + (name.empty() ? "" : " (" + name + ")");
 }
@@ -38,12 +38,12 @@ std::string metres(double length) {
 }
 
 /// Why the arm cannot stand at `start`; empty where it can, as far as kinematics tells.
-std::string start_fault(const Robot& robot, const std::vector<double>& start) {
-  if (start.size() != robot.joints.size()) {
+std::string start_fault(const Robot& robot, const JointVector& start) {
+  if (start.size() != robot.size()) {
     return "start has " + std::to_string(start.size()) + " joint values, the robot needs " +
            std::to_string(robot.joints.size());
   }
-  for (std::size_t j = 0; j < start.size(); ++j) {
+  for (int j = 0; j < robot.size(); ++j) {
     const Joint& joint = robot.joints[j];
     if (start[j] >= joint.low && start[j] <= joint.high) continue;
     return "start: " + joint_name(robot, j) + " is " + number_text(start[j]) + ", its limits are " +
@@ -96,24 +96,23 @@ std::string goal_fault(const Kinematics& arm, Vec3 goal) {
 }
 
 /// The normal of the plane in which the tip moves, whatever the joints do; nothing where it moves
-/// in all of space, or along a line. A joint's own turn leaves its axis where it is.
+/// in all of space, or along a line.
 std::optional<Vec3> plane_of(const Kinematics& arm, const Kinematics::Poses& poses) {
   constexpr double kParallel = 1e-9;
-  const auto axis = [&](int j) { return poses[j].rotation * arm.robot().joints[j].axis; };
-  const auto turns = [&](int j) { return arm.robot().joints[j].kind == Joint::Kind::revolute; };
   int first = 0;
-  while (first < arm.size() && !turns(first)) ++first;
+  while (first < arm.size() && arm.slides(first)) ++first;
   if (first == arm.size()) return std::nullopt;
-  const Vec3 normal = axis(first);
+  const Vec3 normal = arm.axis(first, poses);
   for (int j = 0; j < arm.size(); ++j) {
-    const double off = turns(j) ? length(cross(normal, axis(j))) : std::abs(dot(normal, axis(j)));
+    const Vec3 axis = arm.axis(j, poses);
+    const double off = arm.slides(j) ? std::abs(dot(normal, axis)) : length(cross(normal, axis));
     if (off > kParallel) return std::nullopt;
   }
   return normal;
 }
 
 /// Why the tip does not get from `start` to `goal`, which the arm is long enough for.
-std::string way_fault(const Kinematics& arm, const std::vector<double>& start, Vec3 goal) {
+std::string way_fault(const Kinematics& arm, std::span<const double> start, Vec3 goal) {
   const std::string name = "goal " + text(goal);
   Kinematics::Poses poses;
   arm.place(start, poses);
@@ -124,7 +123,7 @@ std::string way_fault(const Kinematics& arm, const std::vector<double>& start, V
              metres(off) + " m off it";
     }
   }
-  std::vector<double> q = start;
+  std::vector<double> q(start.begin(), start.end());
   const bool straight = arm.reach_for(goal, start, q);
   arm.place(q, poses);
   std::string fault =
@@ -153,10 +152,10 @@ std::array<int, 3> goal_point(Vec3 from, Vec3 goal, double pitch) {
 }
 
 /// The answer where the goal is the start.
-Result stay(const std::vector<double>& start, Vec3 tip) {
+Result stay(const JointVector& start, Vec3 tip) {
   auto result = already_there<Result>();
-  result.joints = {start};
-  result.tips = {tip};
+  result.joints = start;
+  result.tips = Eigen::Vector3d(tip);
   return result;
 }
 
@@ -172,30 +171,34 @@ Result answer(const Robot& robot, const Sensor& sensor, const Request& request, 
   std::string fault = start_fault(robot, request.start);
   if (!fault.empty()) return invalid(Fault::start_outside, std::move(fault));
   const Kinematics arm(robot);
-  fault = goal_fault(arm, request.goal);
+  const auto start = as_span(request.start);
+  const Vec3 to = request.goal;
+  fault = goal_fault(arm, to);
   if (!fault.empty()) return invalid(Fault::goal_outside, std::move(fault));
 
   if (parameters.pitch == 0) parameters.pitch = arm.reach() / 20;
   Kinematics::Poses poses;
-  arm.place(request.start, poses);
+  arm.place(start, poses);
   const Vec3 from = arm.tip(poses);
-  const auto goal = goal_point(from, request.goal, parameters.pitch);
+  const auto goal = goal_point(from, to, parameters.pitch);
   const bool at_start = goal == std::array<int, 3>{0, 0, 0};
-  if (at_start && distance(from, request.goal) > Kinematics::kTolerance) {
-    return invalid(Fault::goal_outside,
-                   "goal " + text(request.goal) +
-                       " is less than half a pitch from the start; take a smaller pitch");
+  if (at_start && distance(from, to) > Kinematics::kTolerance) {
+    return invalid(
+        Fault::goal_outside,
+        "goal " + text(to) + " is less than half a pitch from the start; take a smaller pitch");
   }
   const Box box = box_of(arm, from, parameters.pitch, parameters.side, goal);
-  const Lattice lattice(arm, sensor, request.start, parameters.pitch, box.low, box.high, goal,
-                        request.goal, parameters);
+  const Lattice lattice(arm, sensor, start, parameters.pitch, box.low, box.high, goal, to,
+                        parameters);
   const auto in_lattice = [&] {
     if (!lattice.position_free(lattice.start())) {
-      return invalid(Fault::start_blocked, "the arm touches something at the start");
+      const std::string contact = sensor.contact(request.start);
+      return invalid(Fault::start_blocked, "the arm touches something at the start" +
+                                               (contact.empty() ? "" : ": " + contact));
     }
     if (at_start) return stay(request.start, from);
     if (lattice.configuration(lattice.goal()) == nullptr) {
-      return invalid(Fault::goal_outside, way_fault(arm, request.start, request.goal));
+      return invalid(Fault::goal_outside, way_fault(arm, start, to));
     }
     return search(lattice, parameters);
   };
@@ -210,9 +213,19 @@ Result answer(const Robot& robot, const Sensor& sensor, const Request& request, 
 
 Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
             const Params& parameters, const Observer& observer) {
-  return answer(robot, sensor, request, parameters, [&](const Lattice& lattice, const Params& p) {
+  const auto search = [&](const Lattice& lattice, const Params& p) {
     return run_arm_colony(lattice, request, p, observer);
-  });
+  };
+  Result result = answer(robot, sensor, request, parameters, search);
+  if (!request.motion || result.joints.cols() == 0) return result;
+  TrajectoryResult made = make_trajectory(robot, sensor, result.joints,
+                                          {.shortcut = parameters.shortcut, .stop = request.stop});
+  if (result.status == Status::solved) result.status = made.status;
+  result.trajectory = std::move(made.trajectory);
+  result.waypoints = made.waypoints;
+  result.stops = made.stops;
+  result.questions.trajectory = made.questions;
+  return result;
 }
 
 Result shortest_lattice_way(const Robot& robot, const Sensor& sensor, const Request& request,

@@ -21,7 +21,7 @@ Vec3 excess(Vec3 p, Vec3 half) noexcept {
 }
 
 /// Where the line p + t n crosses the triangle's inside, t; infinite where it does not.
-double crossing(Vec3 p, Vec3 n, const std::array<Vec3, 3>& triangle) noexcept {
+double crossing(Vec3 p, Vec3 n, const Triangle& triangle) noexcept {
   const Vec3 u = triangle[1] - triangle[0], v = triangle[2] - triangle[0];
   const Vec3 normal = cross(u, v);
   const double along = dot(normal, n);
@@ -107,7 +107,7 @@ double distance_to_segment(const Segment& s, const Segment& t) noexcept {
                    distance_to_point(s, t.from), distance_to_point(s, t.to)});
 }
 
-double distance_to_triangle(const Segment& s, const std::array<Vec3, 3>& triangle) noexcept {
+double distance_to_triangle(const Segment& s, const Triangle& triangle) noexcept {
   const Vec3 d = s.to - s.from;
   const double t = crossing(s.from, d, triangle);
   if (t >= 0 && t <= 1) return 0;

@@ -4,7 +4,7 @@
 // place, so a minimum is found by the sign of a derivative: no iteration can miss it.
 #pragma once
 
-#include "lasius/arm.h"
+#include "core/arm/vec3.h"
 
 namespace lasius::arm {
 
@@ -12,6 +12,8 @@ struct Segment {
   Vec3 from;
   Vec3 to;
 };
+
+using Triangle = std::array<Vec3, 3>;
 
 /// To the box around the origin with these half sides. Exact.
 double distance_to_box(const Segment& s, Vec3 half) noexcept;
@@ -21,6 +23,6 @@ double distance_to_cylinder(const Segment& s, double radius, double half_length)
 
 double distance_to_point(const Segment& s, Vec3 point) noexcept;
 double distance_to_segment(const Segment& s, const Segment& t) noexcept;
-double distance_to_triangle(const Segment& s, const std::array<Vec3, 3>& triangle) noexcept;
+double distance_to_triangle(const Segment& s, const Triangle& triangle) noexcept;
 
 }  // namespace lasius::arm

@@ -31,11 +31,10 @@ KDL::Vector vec(Vec3 v) { return {v.x, v.y, v.z}; }
 KDL::Chain make_chain(const Robot& robot) {
   KDL::Chain chain;
   for (const Joint& joint : robot.joints) {
-    const Rotation& r = joint.rotation;
+    const auto [r, origin] = from_eigen(joint.frame);
     const KDL::Rotation rotation(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]);
     // A fixed segment to the joint's frame, then the joint itself.
-    chain.addSegment(
-        KDL::Segment(KDL::Joint(KDL::Joint::None), KDL::Frame(rotation, vec(joint.origin))));
+    chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), KDL::Frame(rotation, vec(origin))));
     const auto type =
         joint.kind == Joint::Kind::prismatic ? KDL::Joint::TransAxis : KDL::Joint::RotAxis;
     chain.addSegment(KDL::Segment(KDL::Joint(KDL::Vector::Zero(), vec(joint.axis), type)));
@@ -52,21 +51,16 @@ fcl::Transform3d transform(const KDL::Frame& frame) {
   return t;
 }
 
-fcl::Transform3d transform(const Rotation& r, Vec3 p) {
-  return transform(
-      KDL::Frame(KDL::Rotation(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]), vec(p)));
-}
-
 struct Placed {
   Shape shape;
   fcl::Transform3d at;
 };
 
 Placed place(const Obstacle& o) {
-  const fcl::Transform3d at = transform(o.rotation, o.position);
+  const fcl::Transform3d at(o.pose.matrix());
   switch (o.shape) {
     case Obstacle::Shape::box:
-      return {std::make_shared<fcl::Boxd>(o.size.x, o.size.y, o.size.z), at};
+      return {std::make_shared<fcl::Boxd>(o.size), at};
     case Obstacle::Shape::sphere:
       return {std::make_shared<fcl::Sphered>(o.radius), at};
     case Obstacle::Shape::cylinder:
@@ -74,9 +68,7 @@ Placed place(const Obstacle& o) {
     default: {
       auto mesh = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
       mesh->beginModel();
-      for (const auto& [a, b, c] : o.triangles) {
-        mesh->addTriangle({a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z});
-      }
+      for (const auto& [a, b, c] : o.triangles) mesh->addTriangle(a, b, c);
       mesh->endModel();
       return {mesh, at};
     }
@@ -90,16 +82,14 @@ struct Link {
   int body;
 
   Link(const Capsule& c, int b) : body(b) {
-    const Vec3 d = c.to - c.from;
-    const double size = length(d);
+    const Eigen::Vector3d d = c.to - c.from;
+    const double size = d.norm();
     shape = std::make_shared<fcl::Capsuled>(c.radius, size);
     in_body = fcl::Transform3d::Identity();
-    const Vec3 middle = 0.5 * (c.from + c.to);
-    in_body.translation() = fcl::Vector3d(middle.x, middle.y, middle.z);
+    in_body.translation() = 0.5 * (c.from + c.to);
     if (size > 0) {
-      in_body.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(),
-                                                            Eigen::Vector3d(d.x, d.y, d.z))
-                             .toRotationMatrix();
+      in_body.linear() =
+          Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), d).toRotationMatrix();
     }
   }
 };
@@ -142,8 +132,8 @@ void check(const Robot& robot, const Scene& scene, const Trajectory& trajectory,
     throw Error(ErrorCode::invalid_parameter, "the trajectory is empty", "give it a knot");
   }
   for (const Trajectory::Knot& knot : trajectory.knots()) {
-    check_values(robot, knot.q);
-    check_values(robot, knot.ddq);
+    check_values(robot, as_span(knot.q));
+    check_values(robot, as_span(knot.ddq));
   }
   if (samples < 1) {
     throw Error(ErrorCode::invalid_parameter, "samples is " + std::to_string(samples),

@@ -8,7 +8,7 @@
 #include "core/arm/urdf.h"
 #include "core/arm/vec3.h"
 #include "core/map_files/byte_reader.h"
-#include "lasius/arm.h"
+#include "lasius/arm_robot.h"
 #include "lasius/error.h"
 
 namespace lasius::arm {
@@ -25,7 +25,7 @@ Robot parse_short(std::string_view text, const std::string& file) {
   // The base is a post from the ground to the first joint.
   const Vec3 base = top.vector_or("base", kFar, {});
   const double base_radius = top.number_or("base_radius", 0, kFar, 0);
-  if (base_radius > 0) robot.base.push_back({{base.x, base.y, 0}, base, base_radius});
+  if (base_radius > 0) robot.base.push_back({Vec3(base.x, base.y, 0), base, base_radius});
   Vec3 origin = base;
   for (const JsonFields& fields :
        top.list("joints", 1, Robot::kMaxJoints,
@@ -43,10 +43,10 @@ Robot parse_short(std::string_view text, const std::string& file) {
     std::tie(joint.low, joint.high) = fields.range("limits", kMostTurn);
     joint.velocity = fields.number_or("velocity", 1e-6, 1e6, 1);
     joint.acceleration = fields.number_or("acceleration", 1e-6, 1e6, 4);
-    joint.origin = origin;
+    joint.frame.translation() = Eigen::Vector3d(origin);
     const Vec3 link = fields.vector("link", kFar);
     const double radius = fields.number_or("radius", 0, kFar, 0);
-    if (radius > 0) joint.capsules.push_back({{}, link, radius});
+    if (radius > 0) joint.capsules.push_back({Vec3(), link, radius});
     origin = link;
     robot.joints.push_back(std::move(joint));
   }
@@ -61,7 +61,8 @@ void refuse(const std::string& problem, const std::string& remedy) {
 
 bool finite(Vec3 v) { return std::isfinite(v.x + v.y + v.z) && length(v) <= 2 * kFar; }
 
-void check_rotation(const Rotation& r, const std::string& what) {
+void check_rotation(const Pose& pose, const std::string& what) {
+  const Rotation r = from_eigen(pose).rotation;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j <= i; ++j) {
       double product = 0;
@@ -73,7 +74,23 @@ void check_rotation(const Rotation& r, const std::string& what) {
   }
 }
 
+/// Where the body is that moves with each joint.
+std::vector<Placement> place(const Robot& robot, const JointRef& q) {
+  validate(robot);
+  check_values(robot, as_span(q));
+  Kinematics::Poses poses;
+  Kinematics(robot).place(as_span(q), poses);
+  return {poses.begin(), poses.begin() + robot.size()};
+}
+
 }  // namespace
+
+template <int EigenMaxAlignBytes>
+bool compile_with_the_EIGEN_MAX_ALIGN_BYTES_of_lasius() noexcept {
+  return true;
+}
+template bool
+compile_with_the_EIGEN_MAX_ALIGN_BYTES_of_lasius<EIGEN_DEFAULT_ALIGN_BYTES>() noexcept;
 
 Robot parse_robot(std::string_view text, const std::string& file, const Chain& chain) {
   const auto first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
@@ -108,8 +125,10 @@ void validate(const Robot& robot) {
   for (int j = 0; j < robot.size(); ++j) {
     const Joint& joint = robot.joints[j];
     const std::string what = "joint " + std::to_string(j + 1);
-    if (!finite(joint.origin)) refuse(what + ": its origin is out of range", "within 1000 m");
-    check_rotation(joint.rotation, what);
+    if (!finite(from_eigen(joint.frame).position)) {
+      refuse(what + ": its origin is out of range", "within 1000 m");
+    }
+    check_rotation(joint.frame, what);
     if (!(std::abs(length(joint.axis) - 1) < 1e-6)) {
       refuse(what + ": its axis is not of length 1", "divide it by its length");
     }
@@ -138,12 +157,14 @@ void validate(const Scene& scene) {
         refuse(what + ": its " + name + " is out of range", "above 0, at most 1000 m");
       }
     };
-    if (!finite(o.position)) refuse(what + ": its position is out of range", "within 1000 m");
-    check_rotation(o.rotation, what);
+    if (!finite(from_eigen(o.pose).position)) {
+      refuse(what + ": its position is out of range", "within 1000 m");
+    }
+    check_rotation(o.pose, what);
     switch (o.shape) {
       case Obstacle::Shape::box:
-        size(std::min({o.size.x, o.size.y, o.size.z}), "size");
-        size(std::max({o.size.x, o.size.y, o.size.z}), "size");
+        size(std::min({o.size[0], o.size[1], o.size[2]}), "size");
+        size(std::max({o.size[0], o.size[1], o.size[2]}), "size");
         break;
       case Obstacle::Shape::cylinder:
         size(o.length, "length");
@@ -153,7 +174,7 @@ void validate(const Scene& scene) {
         break;
       case Obstacle::Shape::mesh:
         for (const auto& triangle : o.triangles) {
-          for (const Vec3 corner : triangle) {
+          for (const Eigen::Vector3d& corner : triangle) {
             if (!finite(corner)) refuse(what + ": a corner is out of range", "within 1000 m");
           }
         }
@@ -162,25 +183,21 @@ void validate(const Scene& scene) {
   }
 }
 
-Vec3 tip_position(const Robot& robot, std::span<const double> q) {
-  validate(robot);
-  check_values(robot, q);
-  const Kinematics arm(robot);
-  Kinematics::Poses poses;
-  arm.place(q, poses);
-  return arm.tip(poses);
+Eigen::Vector3d tip_position(const Robot& robot, const JointRef& q) {
+  return place(robot, q).back() * Vec3(robot.tip);
 }
 
-std::vector<Capsule> place_capsules(const Robot& robot, std::span<const double> q) {
-  validate(robot);
-  check_values(robot, q);
-  const Kinematics arm(robot);
-  Kinematics::Poses poses;
-  arm.place(q, poses);
+Pose tip_pose(const Robot& robot, const JointRef& q) {
+  const Placement last = place(robot, q).back();
+  return to_eigen({last.rotation, last * Vec3(robot.tip)});
+}
+
+std::vector<Capsule> place_capsules(const Robot& robot, const JointRef& q) {
+  const std::vector<Placement> poses = place(robot, q);
   std::vector<Capsule> placed = robot.base;
   for (int j = 0; j < robot.size(); ++j) {
     for (const Capsule& c : robot.joints[j].capsules) {
-      placed.push_back({poses[j] * c.from, poses[j] * c.to, c.radius});
+      placed.push_back({poses[j] * Vec3(c.from), poses[j] * Vec3(c.to), c.radius});
     }
   }
   return placed;

@@ -7,7 +7,7 @@
 #include "core/arm/vec3.h"
 #include "core/base/did_you_mean.h"
 #include "core/map_files/byte_reader.h"
-#include "lasius/arm.h"
+#include "lasius/arm_robot.h"
 #include "lasius/error.h"
 
 namespace lasius::arm {
@@ -16,13 +16,12 @@ namespace {
 constexpr double kThin = 1e-6;
 
 Obstacle::Shape shape_of(const JsonFields& fields) {
-  static constexpr std::array<std::string_view, 4> kShapes{"box", "sphere", "cylinder", "mesh"};
   const std::string name = fields.text("shape");
-  for (std::size_t i = 0; i < kShapes.size(); ++i) {
-    if (name == kShapes[i]) return static_cast<Obstacle::Shape>(i);
+  for (std::size_t i = 0; i < kShapeNames.size(); ++i) {
+    if (name == kShapeNames[i]) return static_cast<Obstacle::Shape>(i);
   }
   fields.fail("shape", "is \"" + name + "\"",
-              did_you_mean(name, kShapes) + " It must be box|sphere|cylinder|mesh");
+              did_you_mean(name, kShapeNames) + " It must be box|sphere|cylinder|mesh");
 }
 
 void refuse_foreign(const JsonFields& fields, std::string_view shape,
@@ -38,13 +37,13 @@ Obstacle read_obstacle(const JsonFields& fields) {
   Obstacle o;
   o.shape = shape_of(fields);
   o.name = fields.text_or("name", "");
-  o.position = fields.vector_or("position", kFar, {});
-  o.rotation = roll_pitch_yaw(fields.vector_or("rpy", 100, {}));
+  const Vec3 position = fields.vector_or("position", kFar, {});
+  o.pose = to_eigen({roll_pitch_yaw(fields.vector_or("rpy", 100, {})), position});
   switch (o.shape) {
     case Obstacle::Shape::box:
       refuse_foreign(fields, "box", {"radius", "length", "file", "scale"});
       o.size = fields.vector("size", kFar);
-      if (!(o.size.x >= kThin && o.size.y >= kThin && o.size.z >= kThin)) {
+      if (!(o.size[0] >= kThin && o.size[1] >= kThin && o.size[2] >= kThin)) {
         fields.fail("size", "is too small", "every side must be 0.000001 .. 1000");
       }
       break;
@@ -62,8 +61,8 @@ Obstacle read_obstacle(const JsonFields& fields) {
       const double scale = fields.number_or("scale", kThin, kFar, 1);
       o.triangles = read_mesh(fields.file(), fields.text("file"));
       for (auto& triangle : o.triangles) {
-        for (Vec3& corner : triangle) {
-          corner = scale * corner;
+        for (Eigen::Vector3d& corner : triangle) {
+          corner = scale * Vec3(corner);
           if (!(length(corner) <= kFar)) {
             fields.fail("scale", "makes the mesh larger than 1000 m", "scale it down");
           }

@@ -28,28 +28,41 @@ struct BodyPair {
   int first, second;
 };
 
-/// A capsule at its place.
+/// A capsule of a body, in the body's frame.
+struct Shape {
+  Segment axis;
+  double radius;
+  double half;  // of its axis
+
+  explicit Shape(const Capsule& c)
+      : axis{c.from, c.to}, radius(c.radius), half(0.5 * length(axis.to - axis.from)) {}
+};
+
+/// The same at its place.
 struct PlacedCapsule {
   Segment axis;
   double radius;
   Ball ball;
 
   PlacedCapsule() = default;
-  PlacedCapsule(const Pose& pose, const Capsule& capsule, double half)
-      : axis{pose * capsule.from, pose * capsule.to},
-        radius(capsule.radius),
-        ball{0.5 * (axis.from + axis.to), half + capsule.radius} {}
+  PlacedCapsule(const Placement& pose, const Shape& shape)
+      : axis{pose * shape.axis.from, pose * shape.axis.to},
+        radius(shape.radius),
+        ball{0.5 * (axis.from + axis.to), shape.half + shape.radius} {}
 };
 
 struct PlacedObstacle {
   const Obstacle* obstacle;
+  Placement pose;
+  Vec3 size;
   Ball ball;
   std::optional<MeshTree> mesh;
 
-  explicit PlacedObstacle(const Obstacle& o) : obstacle(&o), ball{o.position, 0} {
+  explicit PlacedObstacle(const Obstacle& o)
+      : obstacle(&o), pose(from_eigen(o.pose)), size(o.size), ball{pose.position, 0} {
     switch (o.shape) {
       case Obstacle::Shape::box:
-        ball.radius = 0.5 * length(o.size);
+        ball.radius = 0.5 * length(size);
         break;
       case Obstacle::Shape::sphere:
         ball.radius = o.radius;
@@ -57,24 +70,29 @@ struct PlacedObstacle {
       case Obstacle::Shape::cylinder:
         ball.radius = std::sqrt(o.radius * o.radius + 0.25 * o.length * o.length);
         break;
-      case Obstacle::Shape::mesh:
-        for (const auto& triangle : o.triangles) {
-          for (const Vec3 corner : triangle) ball.radius = std::max(ball.radius, length(corner));
+      case Obstacle::Shape::mesh: {
+        std::vector<Triangle> triangles;
+        for (const auto& [a, b, c] : o.triangles) {
+          triangles.push_back({a, b, c});
+          for (const Vec3 corner : triangles.back()) {
+            ball.radius = std::max(ball.radius, length(corner));
+          }
         }
-        mesh.emplace(o.triangles);
+        mesh.emplace(std::move(triangles));
         break;
+      }
     }
   }
 
   /// From a segment; for a mesh at most `limit` is told.
   double distance(const Segment& s, double limit) const noexcept {
     const Obstacle& o = *obstacle;
-    if (o.shape == Obstacle::Shape::sphere) return distance_to_point(s, o.position) - o.radius;
-    const Segment local{rotate_back(o.rotation, s.from - o.position),
-                        rotate_back(o.rotation, s.to - o.position)};
+    if (o.shape == Obstacle::Shape::sphere) return distance_to_point(s, pose.position) - o.radius;
+    const Segment local{rotate_back(pose.rotation, s.from - pose.position),
+                        rotate_back(pose.rotation, s.to - pose.position)};
     switch (o.shape) {
       case Obstacle::Shape::box:
-        return distance_to_box(local, 0.5 * o.size);
+        return distance_to_box(local, 0.5 * size);
       case Obstacle::Shape::cylinder:
         return distance_to_cylinder(local, o.radius, 0.5 * o.length);
       default:
@@ -92,11 +110,10 @@ class SceneSensor::Impl {
     for (const Obstacle& o : scene_.obstacles) obstacles_.emplace_back(o);
     const int bodies = robot_.size() + 1;
     for (int b = 0; b < bodies; ++b) {
-      first_.push_back(static_cast<int>(capsules_.size()));
-      for (const Capsule& c : shapes(b)) capsules_.push_back(&c);
+      first_.push_back(static_cast<int>(shapes_.size()));
+      for (const Capsule& c : capsules(b)) shapes_.emplace_back(c);
     }
-    first_.push_back(static_cast<int>(capsules_.size()));
-    for (const Capsule* c : capsules_) half_.push_back(0.5 * length(c->to - c->from));
+    first_.push_back(static_cast<int>(shapes_.size()));
     for (int b = 2; b < bodies; ++b) {
       for (int a = 0; a + 1 < b; ++a) {
         const std::pair pair{a, b}, mirrored{b, a};
@@ -138,14 +155,14 @@ class SceneSensor::Impl {
     std::array<double, Robot::kMaxJoints + 1> speed{};  // of each body, per unit of t
   };
 
-  const std::vector<Capsule>& shapes(int body) const {
+  const std::vector<Capsule>& capsules(int body) const {
     return body == 0 ? robot_.base : robot_.joints[body - 1].capsules;
   }
 
   /// lever_[j][b]: no point of body b is further from the axis of joint j.
   void set_levers() {
     for (int b = 1; b <= robot_.size(); ++b) {
-      const auto lever = levers_of(robot_, b, extent(shapes(b)));
+      const auto lever = levers_of(robot_, b, extent(capsules(b)));
       for (int j = 0; j < b; ++j) lever_[j][b] = lever[j];
     }
   }
@@ -165,9 +182,9 @@ class SceneSensor::Impl {
     Kinematics::Poses poses;
     kinematics_.place(q, poses);
     for (int b = 0; b <= robot_.size(); ++b) {
-      const Pose pose = b == 0 ? Pose{} : poses[b - 1];
+      const Placement pose = b == 0 ? Placement{} : poses[b - 1];
       for (int i = first_[b]; i < first_[b + 1]; ++i) {
-        frame.capsules[i] = PlacedCapsule(pose, *capsules_[i], half_[i]);
+        frame.capsules[i] = PlacedCapsule(pose, shapes_[i]);
       }
     }
   }
@@ -236,9 +253,8 @@ class SceneSensor::Impl {
   const Kinematics kinematics_;
   double clearance_;
   std::vector<PlacedObstacle> obstacles_;
-  std::vector<const Capsule*> capsules_;  // body by body
-  std::vector<double> half_;              // half length of each one's axis
-  std::vector<int> first_;                // of each body in `capsules_`, and the end
+  std::vector<Shape> shapes_;  // body by body
+  std::vector<int> first_;     // of each body in `shapes_`, and the end
   std::vector<BodyPair> pairs_;
   std::array<std::array<double, Robot::kMaxJoints + 1>, Robot::kMaxJoints> lever_{};
 
@@ -246,6 +262,7 @@ class SceneSensor::Impl {
 };
 
 Sensor::~Sensor() = default;
+std::string Sensor::contact(const JointRef&) const { return {}; }
 
 SceneSensor::SceneSensor(const Robot& robot, const Scene& scene, double clearance) {
   validate(robot);
@@ -258,14 +275,16 @@ SceneSensor::SceneSensor(const Robot& robot, const Scene& scene, double clearanc
 }
 SceneSensor::~SceneSensor() = default;
 
-bool SceneSensor::position_free(std::span<const double> q) const { return impl_->is_free(q, q); }
-bool SceneSensor::motion_free(std::span<const double> from, std::span<const double> to) const {
-  return impl_->is_free(from, to);
+bool SceneSensor::position_free(const JointRef& q) const {
+  return impl_->is_free(as_span(q), as_span(q));
+}
+bool SceneSensor::motion_free(const JointRef& from, const JointRef& to) const {
+  return impl_->is_free(as_span(from), as_span(to));
 }
 double SceneSensor::clearance() const { return impl_->clearance(); }
-std::string SceneSensor::contact(std::span<const double> q) const {
+std::string SceneSensor::contact(const JointRef& q) const {
   std::string told;
-  impl_->is_free(q, q, &told);
+  impl_->is_free(as_span(q), as_span(q), &told);
   return told;
 }
 

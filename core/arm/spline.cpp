@@ -81,11 +81,11 @@ void solve_joint(const std::vector<double>& times, const std::vector<double>& pa
   q[n - 1] = q[n] + h(n - 1) * h(n - 1) * m[n - 1] / 6;
 }
 
-std::vector<Knot> empty_knots(const std::vector<double>& times, std::size_t joints) {
+std::vector<Knot> empty_knots(const std::vector<double>& times, Eigen::Index joints) {
   std::vector<Knot> knots;
   knots.reserve(times.size());
   for (const double t : times) {
-    knots.push_back({t, std::vector<double>(joints), std::vector<double>(joints)});
+    knots.push_back({t, JointVector::Zero(joints), JointVector::Zero(joints)});
   }
   return knots;
 }
@@ -113,10 +113,10 @@ struct Cubic {
 
 Trajectory spline_through(const Course& course) {
   const std::vector<double> times = knot_times(course.spans);
-  const std::size_t joints = course.points.front().size();
+  const Eigen::Index joints = course.points.front().size();
   auto knots = empty_knots(times, joints);
   std::vector<double> passed(course.points.size()), q, m;
-  for (std::size_t j = 0; j < joints; ++j) {
+  for (Eigen::Index j = 0; j < joints; ++j) {
     for (std::size_t i = 0; i < passed.size(); ++i) passed[i] = course.points[i][j];
     solve_joint(times, passed, q, m);
     for (std::size_t i = 0; i < knots.size(); ++i) {

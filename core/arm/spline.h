@@ -1,18 +1,17 @@
 // Cubic splines through joint vectors, at rest at both ends.
 #pragma once
 
-#include <span>
+#include <utility>
 #include <vector>
 
-#include "lasius/arm.h"
 #include "lasius/arm_trajectory.h"
 
 namespace lasius::arm {
 
 /// Joint vectors to pass, and the time between each and the next.
 struct Course {
-  std::vector<std::vector<double>> points;  // at least 2
-  std::vector<double> spans;                // one less, above 0
+  std::vector<JointVector> points;  // at least 2
+  std::vector<double> spans;        // one less, above 0
 };
 
 /// The spline through the course: velocity and acceleration are 0 at both ends, for which the first

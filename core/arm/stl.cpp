@@ -7,7 +7,7 @@
 #include "core/arm/mesh_file.h"
 #include "core/arm/vec3.h"
 #include "core/map_files/byte_reader.h"
-#include "lasius/arm.h"
+#include "lasius/arm_robot.h"
 #include "lasius/error.h"
 
 namespace lasius::arm {
@@ -38,7 +38,7 @@ Triangles parse_binary(const std::string& bytes, const std::string& file) {
       const std::size_t offset = kHead + kFacet * i + 12 * (corner + 1);
       float v[3];
       std::memcpy(v, bytes.data() + offset, sizeof v);
-      triangles[i][corner] = {v[0], v[1], v[2]};
+      triangles[i][corner] = Vec3(v[0], v[1], v[2]);
       if (!in_range(triangles[i][corner])) {
         broken({.file = file, .offset = static_cast<std::int64_t>(offset)},
                "a corner is not within 1000 m", "scale the mesh");

@@ -14,7 +14,7 @@
 namespace lasius::arm {
 namespace {
 
-using Waypoints = std::vector<std::vector<double>>;
+using Waypoints = std::vector<JointVector>;
 
 /// Asks the sensor, counts, and polls.
 class Asker {
@@ -27,7 +27,7 @@ class Asker {
                 "it must be at least 0.000001 metres");
   }
 
-  bool motion_free(std::span<const double> from, std::span<const double> to) {
+  bool motion_free(const JointRef& from, const JointRef& to) {
     if (poller_.stop_after(1)) return false;
     ++asked_;
     return sensor_.motion_free(from, to);
@@ -68,9 +68,9 @@ Waypoints shortened(Waypoints way, Asker& asker) {
 }
 
 /// The fastest that the joints' velocities allow on the straight.
-double fastest(const Robot& robot, const std::vector<double>& a, const std::vector<double>& b) {
+double fastest(const Robot& robot, const JointVector& a, const JointVector& b) {
   double most = 1e-6;
-  for (std::size_t j = 0; j < a.size(); ++j) {
+  for (int j = 0; j < robot.size(); ++j) {
     most = std::max(most, std::abs(b[j] - a[j]) / robot.joints[j].velocity);
   }
   return most;
@@ -139,9 +139,9 @@ bool free_between(const Trajectory& trajectory, std::size_t i, const std::vector
   }
   const int pieces =
       std::max(1, static_cast<int>(std::ceil(h * std::sqrt(bend / (8 * asker.clearance())))));
-  std::vector<double> from = a.q;
+  JointVector from = a.q;
   for (int p = 1; p <= pieces; ++p) {
-    std::vector<double> to = p == pieces ? b.q : trajectory.at(a.time + h * p / pieces).q;
+    JointVector to = p == pieces ? b.q : trajectory.at(a.time + h * p / pieces).q;
     if (!asker.motion_free(from, to)) return false;
     from = std::move(to);
   }
@@ -155,8 +155,8 @@ Course refined(const Course& course, const std::vector<bool>& marked) {
   for (std::size_t i = 0; i < course.spans.size(); ++i) {
     const auto &a = course.points[i], &b = course.points[i + 1];
     if (marked[i]) {
-      std::vector<double> middle(a.size());
-      for (std::size_t j = 0; j < a.size(); ++j) middle[j] = 0.5 * (a[j] + b[j]);
+      JointVector middle(a.size());
+      for (Eigen::Index j = 0; j < a.size(); ++j) middle[j] = 0.5 * (a[j] + b[j]);
       finer.points.push_back(std::move(middle));
       finer.spans.push_back(0.5 * course.spans[i]);
     }
@@ -191,7 +191,7 @@ Trajectory::Trajectory(std::vector<Knot> knots) : knots_(std::move(knots)) {}
 Trajectory::State Trajectory::at(double time) const {
   // At rest at both ends, whatever rounding says.
   const auto at_rest = [](const Knot& knot) {
-    const std::vector<double> none(knot.q.size(), 0);
+    const JointVector none = JointVector::Zero(knot.q.size());
     return State{knot.q, none, none};
   };
   if (!(time > 0)) return at_rest(knots_.front());
@@ -200,28 +200,29 @@ Trajectory::State Trajectory::at(double time) const {
                                       [](double t, const Knot& knot) { return t < knot.time; });
   const Knot &a = after[-1], &b = *after;
   const double h = b.time - a.time, t = time - a.time;
-  State state;
-  for (std::size_t j = 0; j < a.q.size(); ++j) {
+  const Eigen::Index joints = a.q.size();
+  State state{JointVector(joints), JointVector(joints), JointVector(joints)};
+  for (Eigen::Index j = 0; j < joints; ++j) {
     const double bend = (b.ddq[j] - a.ddq[j]) / h;
     const double first = (b.q[j] - a.q[j]) / h - h * (2 * a.ddq[j] + b.ddq[j]) / 6;
-    state.q.push_back(a.q[j] + t * (first + t * (a.ddq[j] / 2 + t * bend / 6)));
-    state.dq.push_back(first + t * (a.ddq[j] + t * bend / 2));
-    state.ddq.push_back(a.ddq[j] + t * bend);
+    state.q[j] = a.q[j] + t * (first + t * (a.ddq[j] / 2 + t * bend / 6));
+    state.dq[j] = first + t * (a.ddq[j] + t * bend / 2);
+    state.ddq[j] = a.ddq[j] + t * bend;
   }
   return state;
 }
 
 TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
-                                 std::span<const std::vector<double>> waypoints,
+                                 const Eigen::Ref<const Eigen::MatrixXd>& waypoints,
                                  const TrajectoryOptions& options) {
   constexpr int kRounds = 6;
   validate(robot);
-  for (const auto& q : waypoints) check_values(robot, q);
+  for (const auto q : waypoints.colwise()) check_values(robot, as_span(q));
   TrajectoryResult result;
-  if (waypoints.empty()) return result;
+  if (waypoints.cols() == 0) return result;
   Waypoints way;
-  for (const auto& q : waypoints) {
-    if (way.empty() || q != way.back()) way.push_back(q);
+  for (const auto q : waypoints.colwise()) {
+    if (way.empty() || q != way.back()) way.emplace_back(q);
   }
   Asker asker(sensor, options.stop);
   if (options.shortcut) way = shortened(std::move(way), asker);
@@ -229,7 +230,7 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
   if (way.size() == 1) {
     result.questions = asker.asked();
     result.status = status_after(asker.cause(), Status::solved);
-    result.trajectory = Trajectory({{0, way[0], std::vector<double>(robot.joints.size(), 0)}});
+    result.trajectory = Trajectory({{0, way[0], JointVector::Zero(robot.size())}});
     return result;
   }
   Course course{way, {}};

@@ -138,13 +138,13 @@ double settle(double v) { return std::round(v * 0x1p40) * 0x1p-40; }
 
 Vec3 vec(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
-Pose pose(const urdf::Pose& p) {
+Placement placement(const urdf::Pose& p) {
   const urdf::Rotation& r = p.rotation;
   const double x = r.x, y = r.y, z = r.z, w = r.w;
-  Pose result{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w),
-               2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w),
-               2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)},
-              vec(p.position)};
+  Placement result{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w),
+                    2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w),
+                    2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)},
+                   vec(p.position)};
   for (double& entry : result.rotation) entry = settle(entry);
   return result;
 }
@@ -178,8 +178,8 @@ LinkPtr only_leaf(const urdf::ModelInterface& model) {
          "give a box, sphere, cylinder or mesh whose sizes are numbers above 0");
 }
 
-std::vector<Capsule> enclose(const urdf::Geometry& shape, const Pose& at, const std::string& link,
-                             const Source& source) {
+std::vector<Capsule> enclose(const urdf::Geometry& shape, const Placement& at,
+                             const std::string& link, const Source& source) {
   const auto check_sizes = [&](std::initializer_list<double> sizes) {
     for (const double size : sizes) {
       if (!(size > 0 && std::isfinite(size))) refuse_geometry(link, source);
@@ -228,29 +228,28 @@ std::vector<Capsule> enclose(const urdf::Geometry& shape, const Pose& at, const 
       low = scaled(low);
       high = scaled(high);
       const Vec3 size = high - low;
-      return enclose_box(at * Pose{kNoRotation, 0.5 * (low + high)},
+      return enclose_box(at * Placement{kNoRotation, 0.5 * (low + high)},
                          {std::abs(size.x), std::abs(size.y), std::abs(size.z)});
     }
   }
 }
 
 /// Adds a link's collision geometry to the body that it moves with, `at` its pose there.
-void add_geometry(const urdf::Link& link, const Pose& at, const Source& source,
+void add_geometry(const urdf::Link& link, const Placement& at, const Source& source,
                   std::vector<Capsule>& to) {
   for (const auto& collision : link.collision_array) {
     if (collision == nullptr || collision->geometry == nullptr) refuse_geometry(link.name, source);
     for (const Capsule& c :
-         enclose(*collision->geometry, at * pose(collision->origin), link.name, source)) {
+         enclose(*collision->geometry, at * placement(collision->origin), link.name, source)) {
       to.push_back(c);
     }
   }
 }
 
-Joint moving_joint(const urdf::Joint& joint, const Pose& at, const Source& source) {
+Joint moving_joint(const urdf::Joint& joint, const Placement& at, const Source& source) {
   Joint made;
   made.name = joint.name;
-  made.origin = at.position;
-  made.rotation = at.rotation;
+  made.frame = to_eigen(at);
   const Vec3 axis = vec(joint.axis);
   if (!(length(axis) > 1e-9)) {
     broken(source.joint(joint.name), "joint \"" + joint.name + "\" has an axis of no length",
@@ -285,8 +284,10 @@ Joint moving_joint(const urdf::Joint& joint, const Pose& at, const Source& sourc
 /// Pairs of bodies that touch where all joints are at 0, or as near to it as they get: by their
 /// making, or because their capsules are wider than they are.
 void let_touch_what_touches(Robot& robot) {
-  std::vector<double> q;
-  for (const Joint& joint : robot.joints) q.push_back(std::clamp(0.0, joint.low, joint.high));
+  JointVector q(robot.size());
+  for (int j = 0; j < robot.size(); ++j) {
+    q[j] = std::clamp(0.0, robot.joints[j].low, robot.joints[j].high);
+  }
   for (int b = 2; b <= robot.size(); ++b) {
     for (int a = 0; a + 1 < b; ++a) {
       Robot pair = robot;
@@ -323,11 +324,11 @@ Robot parse_urdf(std::string_view text, const std::string& file, const Chain& ch
 
   Robot robot;
   robot.name = model->getName();
-  Pose at;  // of the link in the body that it moves with
+  Placement at;  // of the link in the body that it moves with
   add_geometry(*base, at, source, robot.base);
   for (const LinkPtr& link : links) {
     const urdf::Joint& joint = *link->parent_joint;
-    at = at * pose(joint.parent_to_joint_origin_transform);
+    at = at * placement(joint.parent_to_joint_origin_transform);
     if (joint.mimic != nullptr) {
       unsupported(source.joint(joint.name), "joint \"" + joint.name + "\" follows another one",
                   "joints that mimic are not supported");

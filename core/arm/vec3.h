@@ -1,17 +1,41 @@
-// Vectors, rotations and poses of three-dimensional space.
+// Vectors, rotations and placements of three-dimensional space, computed in a fixed order: what
+// decides a plan is the same on every machine and with every version of Eigen, whose types are for
+// the border only.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "kernels/base/sine.h"
-#include "lasius/arm.h"
+#include "lasius/arm_robot.h"
 
 namespace lasius::arm {
 
 /// Coordinates read from files lie within this, metres.
 inline constexpr double kFar = 1000;
+
+/// Converts to and from Eigen's vectors, without arithmetic.
+struct Vec3 {
+  double x = 0, y = 0, z = 0;
+
+  constexpr Vec3() = default;
+  constexpr Vec3(double x_, double y_, double z_) : x(x_), y(y_), z(z_) {}
+  Vec3(const Eigen::Vector3d& v) : x(v[0]), y(v[1]), z(v[2]) {}
+  operator Eigen::Vector3d() const { return {x, y, z}; }
+  friend bool operator==(const Vec3&, const Vec3&) = default;
+};
+
+/// A rotation matrix, row by row.
+using Rotation = std::array<double, 9>;
+inline constexpr Rotation kNoRotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+/// The values behind a reference, valid as long as they are.
+inline std::span<const double> as_span(const JointRef& q) noexcept {
+  return {q.data(), static_cast<std::size_t>(q.size())};
+}
 
 inline Vec3 operator+(Vec3 a, Vec3 b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec3 operator-(Vec3 a, Vec3 b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -60,15 +84,32 @@ inline Rotation roll_pitch_yaw(Vec3 rpy) noexcept {
 }
 
 /// Where a frame is in another one.
-struct Pose {
+struct Placement {
   Rotation rotation = kNoRotation;
   Vec3 position;
 };
-inline Vec3 operator*(const Pose& pose, Vec3 a) noexcept {
-  return pose.rotation * a + pose.position;
+inline Vec3 operator*(const Placement& placement, Vec3 a) noexcept {
+  return placement.rotation * a + placement.position;
 }
-inline Pose operator*(const Pose& a, const Pose& b) noexcept {
+inline Placement operator*(const Placement& a, const Placement& b) noexcept {
   return {a.rotation * b.rotation, a * b.position};
+}
+
+/// The same for the border, and back, without arithmetic.
+inline Pose to_eigen(const Placement& placement) {
+  Pose pose = Pose::Identity();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) pose(i, j) = placement.rotation[3 * i + j];
+  }
+  pose.translation() = Eigen::Vector3d(placement.position);
+  return pose;
+}
+inline Placement from_eigen(const Pose& pose) {
+  Placement placement{.position = {pose(0, 3), pose(1, 3), pose(2, 3)}};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) placement.rotation[3 * i + j] = pose(i, j);
+  }
+  return placement;
 }
 
 }  // namespace lasius::arm

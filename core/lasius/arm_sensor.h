@@ -3,30 +3,34 @@
 #pragma once
 
 #include <memory>
-#include <span>
+#include <string>
 
-#include "lasius/arm.h"
+#include "lasius/arm_robot.h"
 
 namespace lasius::arm {
 
 /// Answers whether positions and motions are free. A search asks only about a position that an ant
 /// tries and about the motion to it, each once. Both questions may come from several threads at a
-/// time; the answers must not change while a plan is made. Spans hold a value for each joint.
+/// time; the answers must not change while a plan is made. Arguments hold a value for each joint;
+/// they are valid during the call only.
 class LASIUS_ARM_EXPORT Sensor {
  public:
   virtual ~Sensor();
 
   /// True when no link touches an obstacle or another link at joint values `q`.
-  virtual bool position_free(std::span<const double> q) const = 0;
+  virtual bool position_free(const JointRef& q) const = 0;
 
   /// True when nothing is touched while every joint goes straight from `from` to `to`.
-  virtual bool motion_free(std::span<const double> from, std::span<const double> to) const = 0;
+  virtual bool motion_free(const JointRef& from, const JointRef& to) const = 0;
 
   /// What is called free keeps at least this distance from everything, in metres; at least
   /// kLeastClearance.
   virtual double clearance() const = 0;
 
-  static constexpr double kLeastClearance = 1e-6;
+  /// What is touched at joint values that are not free, for people; empty where it is not known.
+  virtual std::string contact(const JointRef& q) const;
+
+  static constexpr double kLeastClearance = 1e-6;  ///< metres
 };
 
 /// A sensor that knows a scene.
@@ -39,18 +43,18 @@ class LASIUS_ARM_EXPORT SceneSensor final : public Sensor {
   /// What comes nearer than twice `clearance` counts as touched, and nothing that counts as free is
   /// nearer than `clearance`. Copies both.
   /// @throws Error(invalid_parameter) for a robot or scene that `validate` refuses and a clearance
-  ///         that is not kLeastClearance .. 1; its questions, where a span does not fit the robot.
+  ///         that is not kLeastClearance .. 1; its questions, where values do not fit the robot.
   SceneSensor(const Robot& robot, const Scene& scene, double clearance = kClearance);
   ~SceneSensor() override;
 
-  bool position_free(std::span<const double> q) const override;
-  bool motion_free(std::span<const double> from, std::span<const double> to) const override;
+  bool position_free(const JointRef& q) const override;
+  bool motion_free(const JointRef& from, const JointRef& to) const override;
   double clearance() const override;
 
   /// What is in the way at `q`, for people: "link 3 and obstacle 2 (post)"; empty where it is free.
-  std::string contact(std::span<const double> q) const;
+  std::string contact(const JointRef& q) const override;
 
-  static constexpr double kClearance = 0.002;
+  static constexpr double kClearance = 0.002;  ///< what is kept unless said otherwise, metres
 
  private:
   class Impl;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "lasius/arm_sensor.h"
@@ -15,37 +14,45 @@ namespace lasius::arm {
 /// at both ends.
 class LASIUS_ARM_EXPORT Trajectory {
  public:
+  /// Where all joints are at a time, and how they move.
   struct State {
-    std::vector<double> q, dq, ddq;
+    JointVector q;    ///< values
+    JointVector dq;   ///< velocities
+    JointVector ddq;  ///< accelerations
   };
 
   /// A knot: joint values and their second derivatives; between two knots these are linear in t.
   struct Knot {
-    double time = 0;
-    std::vector<double> q;
-    std::vector<double> ddq;
+    double time = 0;  ///< seconds from the start
+    JointVector q;    ///< values
+    JointVector ddq;  ///< accelerations
   };
 
   Trajectory() = default;
   /// Knots in rising time from 0, values of equal number; at least one.
   explicit Trajectory(std::vector<Knot> knots);
 
+  /// Seconds from the first knot to the last; 0 where it is empty.
   double duration() const noexcept { return knots_.empty() ? 0 : knots_.back().time; }
+  /// In rising time; valid as long as the trajectory.
   const std::vector<Knot>& knots() const noexcept { return knots_; }
 
   /// The state at a time, clamped to 0 .. duration(). Precondition: not empty.
   State at(double time) const;
+  /// True where there is no knot, and so no motion.
   bool empty() const noexcept { return knots_.empty(); }
 
  private:
   std::vector<Knot> knots_;
 };
 
+/// How a motion is made.
 struct TrajectoryOptions {
-  bool shortcut = true;  ///< leave out waypoints that a straight joint motion can pass by
-  StopCondition stop = {};
+  bool shortcut = true;     ///< leave out waypoints that a straight joint motion can pass by
+  StopCondition stop = {};  ///< polled after every motion asked about
 };
 
+/// A motion, and how it was found.
 struct TrajectoryResult {
   Trajectory trajectory;           ///< empty where the waypoints are
   int waypoints = 0;               ///< left after shortcutting
@@ -54,7 +61,7 @@ struct TrajectoryResult {
   Status status = Status::solved;  ///< limit or interrupted where it was told to stop
 };
 
-/// A motion along `waypoints`, between whose neighbours straight joint motions are free.
+/// A motion along `waypoints`, a column each, between which straight joint motions are free.
 ///
 /// Natural cubic splines through the joint vectors with two free knots, one in the first and one in
 /// the last interval, which make velocity and acceleration 0 at both ends (Lin, Chang & Luh 1983).
@@ -64,21 +71,22 @@ struct TrajectoryResult {
 /// as straight motions. Where it is not free, or leaves the joint limits, knots are added on the
 /// straight motion there, and in the end, or when it is told to stop, it rests at each waypoint,
 /// which is always free.
-/// @throws Error(invalid_parameter) for a robot that `validate` refuses, a waypoint that has not a
+/// @throws Error(invalid_parameter) for a robot that `validate` refuses, waypoints that have not a
 ///         number for each joint, and a sensor's clearance below its least; what the sensor throws.
-LASIUS_ARM_EXPORT TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
-                                                   std::span<const std::vector<double>> waypoints,
-                                                   const TrajectoryOptions& options = {});
+LASIUS_ARM_EXPORT TrajectoryResult make_trajectory(
+    const Robot& robot, const Sensor& sensor, const Eigen::Ref<const Eigen::MatrixXd>& waypoints,
+    const TrajectoryOptions& options = {});
 
 /// What an independent check of a trajectory found: kinematics by KDL, collision by FCL, at
 /// `samples` times evenly spread. No kinematics or distance of the planner's takes part.
 struct Recheck {
-  int samples = 0;
+  int samples = 0;       ///< times that were looked at
   int contacts = 0;      ///< samples at which a link touches an obstacle or another link
   int limits = 0;        ///< samples at which a limit of value, velocity or acceleration is broken
   double nearest = 0;    ///< least distance to an obstacle or another link, metres
   double tip_error = 0;  ///< largest distance between KDL's tip and ours
 };
+/// Checks a trajectory at `samples` times from its start to its end, at least one.
 /// @throws Error(invalid_parameter) for a robot or scene that `validate` refuses, a trajectory that
 ///         is empty or not of this robot's joints, and less than one sample.
 LASIUS_ARM_EXPORT Recheck recheck(const Robot& robot, const Scene& scene,

@@ -1,6 +1,7 @@
 // Planning among polygons: MAKLINK lines, the algorithms on their crossing points, exact optima.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,8 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "lasius/enum_names.h"
 #include "lasius/params.h"
-#include "lasius/polygon.h"
+#include "lasius/polygon_world.h"
 #include "lasius/progress.h"
 #include "lasius/search_result.h"
 #include "lasius/stop.h"
@@ -24,24 +26,39 @@ enum class Join {
   round,  ///< arcs are made of chords: at corners 99.5% of the margin is kept
   bevel,  ///< corners are cut off: paths come nearer there
 };
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 3> kJoinNames{"mitre", "round", "bevel"};
+/// The name of a value.
+constexpr std::string_view to_string(Join value) noexcept { return name_of(value, kJoinNames); }
 
 /// How the obstacles of a world grow by the robot's margin.
 struct GrowOptions {
-  static constexpr double kMostMargin = 1e12;
-  std::optional<double> margin;  ///< in place of the world's own, 0 to kMostMargin
-  Join join = Join::mitre;       ///< mitres of more than 5 margins are cut off
+  static constexpr double kMostMargin = 1e12;  ///< largest margin, in the world's unit
+  std::optional<double> margin;                ///< in place of the world's own, 0 to kMostMargin
+  Join join = Join::mitre;                     ///< mitres of more than 5 margins are cut off
 };
 
 /// Which best path the global update of `maklink-acs` deposits on.
-enum class GlobalBest { so_far, iteration };
+enum class GlobalBest {
+  so_far,     ///< of the run
+  iteration,  ///< of the iteration that just ended
+};
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 2> kGlobalBestNames{"so-far", "iteration"};
+/// The name of a value.
+constexpr std::string_view to_string(GlobalBest value) noexcept {
+  return name_of(value, kGlobalBestNames);
+}
 
 /// Parameters of one plan. The constructor sets the published values of an algorithm, which
 /// `algorithms()` lists with its parameters and their ranges; what the algorithm does not read must
 /// stay as the constructor left it.
 struct LASIUS_POLYGON_EXPORT Params {
+  /// Those of `exact`.
   Params() : Params("exact") {}
   /// @throws Error(invalid_parameter) for an unknown name, with the nearest known one.
   explicit Params(std::string_view algorithm);
+  /// Its name. To ask another algorithm, make other Params.
   const std::string& algorithm() const noexcept { return algorithm_; }
 
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
@@ -57,14 +74,14 @@ struct LASIUS_POLYGON_EXPORT Params {
   /// Gambardella 1997), which is 0.00022 on the source's world. A fixed one ties the balance of
   /// old and new paths to the unit of length.
   double initial_pheromone = 0.0002;
-  GlobalBest global_best = GlobalBest::so_far;
+  GlobalBest global_best = GlobalBest::so_far;  ///< which path the global update deposits on
   /// The run ends after so many iterations in a row in which all ants went the same way; 0: never.
   /// The source ends at the first; but ants that take the largest weight in 85% of choices agree by
   /// chance, long before the 175 iterations that it takes itself.
   int agreement = 10;
   int routes = 1;  ///< line sequences that are searched, the shortest first; 1 is the source
 
-  int population = 50;
+  int population = 50;     ///< chromosomes
   double crossover = 0.6;  ///< probability that two parents cross
   double mutation = 0.05;  ///< probability, by gene, that it is drawn anew
   double blend = 0.3;      ///< share of the other parent in a child that was crossed
@@ -73,53 +90,60 @@ struct LASIUS_POLYGON_EXPORT Params {
   std::string algorithm_;
 };
 
-/// All algorithms among polygons, the default first.
+/// All algorithms among polygons, the default first; valid for ever.
 LASIUS_POLYGON_EXPORT std::span<const Algorithm> algorithms() noexcept;
 /// One of them. @throws Error(invalid_parameter) for an unknown name, with the nearest.
 LASIUS_POLYGON_EXPORT const Algorithm& find_algorithm(std::string_view name);
 /// The published values of an algorithm: Params(algorithm).
 inline Params defaults(std::string_view algorithm) { return Params(algorithm); }
+/// Sets a parameter by its name, from text.
 /// @throws Error(invalid_parameter) for an unknown name (with the nearest), value or range.
 LASIUS_POLYGON_EXPORT void set_parameter(Params& parameters, std::string_view name,
                                          std::string_view value);
+/// The value as text, which set_parameter reads. @throws Error(invalid_parameter) for an unknown
+/// name, with the nearest.
 LASIUS_POLYGON_EXPORT std::string get_parameter(const Params& parameters, std::string_view name);
+/// Checks every field.
 /// @throws Error(invalid_parameter) for the first field that is out of range, or was changed
 /// although the algorithm does not read it.
 LASIUS_POLYGON_EXPORT void validate(const Params& parameters);
 
 /// A free MAKLINK line, and the two convex regions of free space that it parts.
 struct Line {
-  Point a, b;
-  int left = 0;  ///< region on the left of the way from a to b
-  int right = 0;
+  Point a;        ///< one end
+  Point b;        ///< the other end
+  int left = 0;   ///< region on the left of the way from a to b, by number
+  int right = 0;  ///< region on its right
+  /// Half way from a to b.
   Point midpoint() const noexcept { return {a.x + 0.5 * (b.x - a.x), a.y + 0.5 * (b.y - a.y)}; }
 };
 
 /// The MAKLINK graph of a world: free space cut into convex regions by free lines.
 struct Maklink {
-  std::vector<Line> lines;
+  std::vector<Line> lines;                     ///< free ones, each between two regions
   std::vector<std::vector<Point>> regions;     ///< convex, counter-clockwise
   std::vector<std::vector<int>> region_lines;  ///< lines on the border of each region
   std::vector<Polygon> free_space;             ///< boundary less grown obstacles, what was cut up
 };
 
+/// One question.
 struct Request {
   std::optional<Point> start = {};  ///< in place of the world's
-  std::optional<Point> goal = {};
-  StopCondition stop = {};
+  std::optional<Point> goal = {};   ///< in place of the world's
+  StopCondition stop = {};          ///< deadline and token of the plan
   double target_gap = 0;  ///< stop at this gap to the exact optimum, as a fraction; 0: never
 };
 
 /// A way across lines, and the crossing point on each: a + value (b - a).
 struct Crossing {
-  std::vector<int> lines;
-  std::vector<double> values;
-  std::vector<Point> path;  ///< start, crossing points, goal
-  double length = 0;
+  std::vector<int> lines;      ///< numbers in Maklink::lines, in the order they are crossed
+  std::vector<double> values;  ///< 0 .. 1, one for each line
+  std::vector<Point> path;     ///< start, crossing points, goal
+  double length = 0;           ///< of the path, in the world's unit
 };
 
 /// One answer, lengths in the world's unit. `lower_bound` is the exact optimum of the whole world,
-/// so every path has its true gap.
+/// so every path has its true gap. The crossings are empty or missing for `exact`.
 struct Result : SearchResult {
   std::vector<Point> path;            ///< one point where start and goal are the same; or empty
   std::optional<Point> nearest_free;  ///< to a start or goal that is blocked or outside
@@ -130,6 +154,7 @@ struct Result : SearchResult {
   std::optional<Crossing> sequence_optimum;  ///< of the same lines, any crossing points (funnel)
 };
 
+/// Called on the thread that called `plan`.
 using Observer = std::function<void(const Progress&)>;
 
 /// A world made ready: obstacles grown, clipped and merged, the MAKLINK graph made. Immutable: use
@@ -151,10 +176,11 @@ class LASIUS_POLYGON_EXPORT Planner {
   Planner(Planner&&) noexcept;
   Planner& operator=(Planner&&) noexcept;
 
-  /// What it was made of, the margin in force (in the world's unit) and how obstacles were grown;
-  /// references hold as long as the planner.
+  /// What it was made of; valid as long as the planner, as all references that it returns.
   const World& world() const noexcept;
+  /// The margin in force, in the world's unit.
   double margin() const noexcept;
+  /// How obstacles were grown at their corners.
   Join join() const noexcept;
   /// The graph; without obstacles one region and no lines.
   const Maklink& maklink() const noexcept;
@@ -171,7 +197,8 @@ class LASIUS_POLYGON_EXPORT Planner {
   /// Answers one question. Deterministic in (world, request, parameters) and the version of GEOS;
   /// a deadline or token may change the answer. An unreachable goal is proven first.
   /// @throws Error(invalid_parameter) for parameters or a target gap out of range, or without start
-  /// or goal. Start or goal outside or blocked is an answer: Status::invalid.
+  /// or goal; what the observer throws. Start or goal outside or blocked is an answer:
+  /// Status::invalid.
   Result plan(const Request& request = {}, const Params& parameters = {},
               const Observer& observer = {}) const;
 

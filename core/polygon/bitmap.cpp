@@ -7,7 +7,7 @@
 #include "core/polygon/geos.h"
 #include "core/polygon/rings.h"
 #include "lasius/error.h"
-#include "lasius/polygon.h"
+#include "lasius/polygon_world.h"
 
 namespace lasius::polygon {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lasius/polygon.h"
+#include "lasius/polygon_world.h"
 
 namespace lasius::polygon {
 

@@ -13,8 +13,6 @@ using Entry = Table::Entry;
 using Integer = Table::Integer;
 using Number = Table::Number;
 
-constexpr std::array<std::string_view, 2> kGlobalBest{"so-far", "iteration"};
-
 constexpr Entry kIterations{{"iterations", "integer", "0 .. 1000000000", "iterations, NC"},
                             Integer{&Params::iterations, 0, 1000000000}};
 constexpr Entry kRoutes{{"routes", "integer", "1 .. 1000",
@@ -35,7 +33,7 @@ constexpr std::array kColony{
     Entry{{"initial_pheromone", "number", "0 .. 1e9",
            "pheromone everywhere at first, tau0; 0: 1 / (lines x Dijkstra's length)"},
           Number{&Params::initial_pheromone, 0, 1e9}},
-    Table::choice<&Params::global_best, kGlobalBest>(
+    Table::choice<&Params::global_best, kGlobalBestNames>(
         "global_best", "which best path the global update deposits on"),
     Entry{
         {"agreement", "integer", "0 .. 1000000000",

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lasius/polygon.h"
+#include "lasius/polygon_world.h"
 
 namespace lasius::polygon {
 

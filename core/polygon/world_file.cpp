@@ -4,7 +4,7 @@
 #include "core/base/output.h"
 #include "core/map_files/byte_reader.h"
 #include "lasius/error.h"
-#include "lasius/polygon.h"
+#include "lasius/polygon_world.h"
 
 namespace lasius::polygon {
 

@@ -123,6 +123,15 @@ foreach(component IN LISTS components)
     ${CMAKE_CURRENT_LIST_DIR}/project/use_${component}.cpp -o ${WORK_DIR}/use_${component} ${flags}
     -std=c++20 -Wl,-rpath,${prefix}/${LIBDIR})
   run("use_${component} by pkg-config" ${WORK_DIR}/use_${component} ${WORK_DIR})
+  if(component STREQUAL "arm")
+    # Memory that Eigen allocates with another alignment could not be freed: the linker refuses.
+    execute_process(COMMAND ${CXX} ${CMAKE_CURRENT_LIST_DIR}/project/use_arm.cpp
+        -DEIGEN_MAX_ALIGN_BYTES=64 -o ${WORK_DIR}/other_alignment ${flags} -std=c++20
+      ERROR_VARIABLE err RESULT_VARIABLE failed)
+    if(NOT failed OR NOT err MATCHES "compile_with_the_EIGEN_MAX_ALIGN_BYTES_of_lasius<64>")
+      message(FATAL_ERROR "${KIND}: another alignment of Eigen's should not link, but:\n${err}")
+    endif()
+  endif()
 endforeach()
 
 # A shared library is found by its versioned name, and shows public names only.

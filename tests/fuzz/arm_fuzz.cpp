@@ -25,8 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     validate(*scene);
   }
   if (const auto robot = accepted([&] { return parse_robot(text, "nowhere/fuzz"); })) {
-    std::vector<double> q;
-    for (const Joint& joint : robot->joints) q.push_back(joint.low);
+    JointVector q(robot->size());
+    for (int j = 0; j < robot->size(); ++j) q[j] = robot->joints[j].low;
     accepted([&] { return SceneSensor(*robot, {}).position_free(q); });
   }
   return 0;

@@ -18,13 +18,11 @@ std::uint64_t file_hash(const std::string& file) {
   return hash;
 }
 
-/// Says what is touched where the library only knows that something is.
-void name_contact(const ArmCommand& command, const arm::SceneSensor& sensor, arm::Result& plan) {
-  if (plan.status != Status::invalid || !plan.error.ends_with("at the start")) return;
-  plan.error += ": " + sensor.contact(command.start);
-}
-
 }  // namespace
+
+Eigen::Map<const arm::JointVector> joint_vector(const std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
 
 ArmAnswer prepare_arm(const ArmCommand& command) {
   ArmAnswer answer;
@@ -50,19 +48,15 @@ void solve_arm(const ArmCommand& command, const StopCondition& stop, const arm::
                ArmAnswer& answer) {
   const arm::SceneSensor sensor(answer.robot, answer.scene, answer.clearance);
   const auto begin = Clock::now();
-  const arm::Request request{.start = command.start,
+  const arm::Request request{.start = joint_vector(command.start),
                              .goal = {command.goal[0], command.goal[1], command.goal[2]},
                              .stop = stop,
                              .target_gap = command.target_gap};
   answer.plan = arm::plan(answer.robot, sensor, request, answer.parameters, observer);
-  answer.motion = arm::make_trajectory(answer.robot, sensor, answer.plan.joints,
-                                       {.shortcut = answer.parameters.shortcut, .stop = stop});
   answer.elapsed_ms = ms_since(begin);
-  if (answer.plan.status == Status::solved) answer.plan.status = answer.motion.status;
-  if (command.recheck > 0 && !answer.motion.trajectory.empty())
+  if (command.recheck > 0 && !answer.plan.trajectory.empty())
     answer.recheck =
-        arm::recheck(answer.robot, answer.scene, answer.motion.trajectory, command.recheck);
-  name_contact(command, sensor, answer.plan);
+        arm::recheck(answer.robot, answer.scene, answer.plan.trajectory, command.recheck);
 }
 
 }  // namespace lasius::tool

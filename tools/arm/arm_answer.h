@@ -19,16 +19,18 @@ struct ArmAnswer {
   arm::Params parameters;
   double clearance = 0;
   arm::Result plan;
-  arm::TrajectoryResult motion;
   std::optional<arm::Recheck> recheck;
   double elapsed_ms = 0;
 };
+
+/// The values as the library takes them, not copied.
+Eigen::Map<const arm::JointVector> joint_vector(const std::vector<double>& values);
 
 /// Reads the robot and the scene. @throws Error for what is missing, broken or out of range;
 /// UsageError where the start has not a value for each joint.
 ArmAnswer prepare_arm(const ArmCommand& command);
 
-/// Plans, and makes the motion.
+/// Plans, the motion included.
 void solve_arm(const ArmCommand& command, const StopCondition& stop, const arm::Observer& observer,
                ArmAnswer& answer);
 

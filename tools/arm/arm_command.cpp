@@ -42,7 +42,7 @@ void solve(const ArmCommand& command, const std::stop_token& token, ArmAnswer& a
 /// Says what of an answer is not as one may expect.
 void remark(const ArmCommand& command, const ArmAnswer& answer) {
   if (command.messages.quiet) return;
-  const auto& motion = answer.motion;
+  const auto& motion = answer.plan;
   if (motion.stops)
     message(motion.status == Status::solved
                 ? "the motion rests at each waypoint: no faster one between them was found free"
@@ -73,7 +73,7 @@ int run_arm(const ArmCommand& command) {
 
   const Outcome ended{.status = answer.plan.status,
                       .iterations = answer.plan.iterations,
-                      .has_path = !answer.plan.joints.empty(),
+                      .has_path = answer.plan.joints.cols() > 0,
                       .error = answer.plan.error};
   report(ended, command.messages);
   remark(command, answer);

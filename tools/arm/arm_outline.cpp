@@ -14,12 +14,7 @@ double turn(Point a, Point b, Point c) {
 }
 
 /// From the obstacle's frame to the world.
-Vec3 transformed(const arm::Obstacle& o, Vec3 p) {
-  const auto& r = o.rotation;
-  return {r[0] * p.x + r[1] * p.y + r[2] * p.z + o.position.x,
-          r[3] * p.x + r[4] * p.y + r[5] * p.z + o.position.y,
-          r[6] * p.x + r[7] * p.y + r[8] * p.z + o.position.z};
-}
+Vec3 transformed(const arm::Obstacle& o, Vec3 p) { return arm::from_eigen(o.pose) * p; }
 
 }  // namespace
 
@@ -32,14 +27,15 @@ std::vector<Vec3> outline(const arm::Obstacle& o) {
     case arm::Obstacle::Shape::box:
       for (const double x : {-0.5, 0.5})
         for (const double y : {-0.5, 0.5})
-          for (const double z : {-0.5, 0.5}) add({x * o.size.x, y * o.size.y, z * o.size.z});
+          for (const double z : {-0.5, 0.5}) add({x * o.size[0], y * o.size[1], z * o.size[2]});
       break;
     case arm::Obstacle::Shape::sphere:
       for (int i = 0; i < kParts; ++i) {
         const double c = o.radius * std::cos(angle(i)), s = o.radius * std::sin(angle(i));
-        points.push_back({o.position.x + c, o.position.y + s, o.position.z});
-        points.push_back({o.position.x + c, o.position.y, o.position.z + s});
-        points.push_back({o.position.x, o.position.y + c, o.position.z + s});
+        const Vec3 at = arm::from_eigen(o.pose).position;
+        points.push_back({at.x + c, at.y + s, at.z});
+        points.push_back({at.x + c, at.y, at.z + s});
+        points.push_back({at.x, at.y + c, at.z + s});
       }
       break;
     case arm::Obstacle::Shape::cylinder:

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lasius/arm_sensor.h"
+#include "core/arm/vec3.h"
 #include "lasius/geometry.h"
 
 namespace lasius::tool {

@@ -100,7 +100,7 @@ void draw_capsule(Canvas& canvas, const Frame& frame, const arm::Capsule& capsul
 
 /// What moves of it.
 void draw_arm(Canvas& canvas, const Frame& frame, const arm::Robot& robot,
-              const std::vector<double>& q, Colour colour, double opacity) {
+              const arm::JointVector& q, Colour colour, double opacity) {
   const auto capsules = arm::place_capsules(robot, q);
   for (std::size_t i = robot.base.size(); i < capsules.size(); ++i)
     draw_capsule(canvas, frame, capsules[i], colour, opacity);
@@ -108,7 +108,7 @@ void draw_arm(Canvas& canvas, const Frame& frame, const arm::Robot& robot,
 
 /// A line through the middles of the links and the tip.
 void draw_bones(Canvas& canvas, const Frame& frame, const arm::Robot& robot,
-                const std::vector<double>& q, Colour colour) {
+                const arm::JointVector& q, Colour colour) {
   std::vector<Point> bones;
   for (const arm::Capsule& c : arm::place_capsules(robot, q)) {
     bones.push_back(frame.at(c.from));
@@ -119,14 +119,14 @@ void draw_bones(Canvas& canvas, const Frame& frame, const arm::Robot& robot,
 }
 
 /// Poses to show, evenly in time: first and last are start and goal.
-std::vector<std::vector<double>> poses(const ArmAnswer& answer, const ArmCommand& command) {
+std::vector<arm::JointVector> poses(const ArmAnswer& answer, const ArmCommand& command) {
   constexpr int kPoses = 7;
-  const arm::Trajectory& trajectory = answer.motion.trajectory;
+  const arm::Trajectory& trajectory = answer.plan.trajectory;
   if (trajectory.empty()) {
-    if (command.start.size() == answer.robot.joints.size()) return {command.start};
+    if (command.start.size() == answer.robot.joints.size()) return {joint_vector(command.start)};
     return {};
   }
-  std::vector<std::vector<double>> list;
+  std::vector<arm::JointVector> list;
   for (int i = 0; i < kPoses; ++i)
     list.push_back(trajectory.at(trajectory.duration() * i / (kPoses - 1)).q);
   return list;
@@ -135,7 +135,7 @@ std::vector<std::vector<double>> poses(const ArmAnswer& answer, const ArmCommand
 std::vector<Vec3> tip_path(const ArmAnswer& answer) {
   constexpr int kSamples = 300;
   std::vector<Vec3> path;
-  const arm::Trajectory& trajectory = answer.motion.trajectory;
+  const arm::Trajectory& trajectory = answer.plan.trajectory;
   for (int i = 0; i <= kSamples && !trajectory.empty(); ++i)
     path.push_back(
         arm::tip_position(answer.robot, trajectory.at(trajectory.duration() * i / kSamples).q));
@@ -163,12 +163,12 @@ void draw_view(Canvas& canvas, const Box& box, const View& view, const Bounds& b
     draw_arm(canvas, frame, answer.robot, shown.back(), kGoal, 0.35);
     draw_bones(canvas, frame, answer.robot, shown.back(), kGoal);
   }
-  const auto line = [&](const std::vector<Vec3>& points, Colour colour, double width) {
+  const auto line = [&](const auto& points, Colour colour, double width) {
     std::vector<Point> flat;
-    for (const Vec3 p : points) flat.push_back(frame.at(p));
+    for (const Eigen::Vector3d p : points) flat.push_back(frame.at(p));
     if (flat.size() > 1) canvas.stroke(flat, colour, width, 1);
   };
-  line(answer.plan.tips, kLattice, 1.5);
+  line(answer.plan.tips.colwise(), kLattice, 1.5);
   line(tip_path(answer), kTip, 3);
   if (!shown.empty()) canvas.disc(frame.at(arm::tip_position(answer.robot, shown[0])), 6, kStart);
   canvas.diamond(frame.at({command.goal[0], command.goal[1], command.goal[2]}), 8, kGoal);
@@ -182,7 +182,7 @@ study::LineChart joint_chart(const ArmAnswer& answer) {
                          .y_label = "value, rad or m",
                          .curves = {},
                          .lengths = false};
-  const arm::Trajectory& trajectory = answer.motion.trajectory;
+  const arm::Trajectory& trajectory = answer.plan.trajectory;
   for (int j = 0; j < answer.robot.size(); ++j) {
     const std::string& name = answer.robot.joints[j].name;
     study::Curve curve{
@@ -205,7 +205,7 @@ Bounds bounds_of(const ArmCommand& command, const ArmAnswer& answer) {
       bounds.add(c.from, c.radius);
       bounds.add(c.to, c.radius);
     }
-  for (const Vec3 p : answer.plan.tips) bounds.add(p);
+  for (const Eigen::Vector3d p : answer.plan.tips.colwise()) bounds.add(p);
   bounds.add({command.goal[0], command.goal[1], command.goal[2]});
   // Obstacles far from the arm may be cut off.
   const Bounds arm = bounds;
@@ -227,12 +227,12 @@ std::string title(const ArmCommand& command, const ArmAnswer& answer) {
   };
   std::string text = "goritov2020: " + base(command.robot) + " in " + base(command.scene) +
                      ", seed " + std::to_string(command.seed) + ": ";
-  if (answer.plan.tips.empty()) return text + std::string(to_string(answer.plan.status));
+  if (answer.plan.tips.cols() == 0) return text + std::string(to_string(answer.plan.status));
   std::array<char, 160> figures;
   std::snprintf(
       figures.data(), figures.size(), "lattice path %.3g m, %lld + %lld questions, motion %.2f s",
       answer.plan.length, static_cast<long long>(answer.plan.questions.positions),
-      static_cast<long long>(answer.plan.questions.motions), answer.motion.trajectory.duration());
+      static_cast<long long>(answer.plan.questions.motions), answer.plan.trajectory.duration());
   return text + figures.data();
 }
 
@@ -240,7 +240,7 @@ std::string title(const ArmCommand& command, const ArmAnswer& answer) {
 
 void write_arm_picture(const std::string& file, const ArmCommand& command,
                        const ArmAnswer& answer) {
-  const bool moves = !answer.motion.trajectory.empty() && answer.motion.trajectory.duration() > 0;
+  const bool moves = !answer.plan.trajectory.empty() && answer.plan.trajectory.duration() > 0;
   const bool charts = moves || !answer.plan.best.empty();
   const double width = 2 * kMargin + 3 * kView + 2 * kBetween;
   const double height = 2 * kMargin + kTitle + kView + kCaption + (charts ? kChart + kBetween : 0);

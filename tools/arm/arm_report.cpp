@@ -12,7 +12,11 @@ namespace {
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
-Json point(arm::Vec3 p) { return {number(p.x), number(p.y), number(p.z)}; }
+Json point(const Eigen::Vector3d& p) { return {number(p.x()), number(p.y()), number(p.z())}; }
+
+Json joint_values(const arm::JointRef& q) {
+  return numbers(std::vector<double>(q.begin(), q.end()));
+}
 
 Json settings_json(const ArmCommand& command, const ArmAnswer& answer) {
   Json object = parameters_json(arm::algorithms().front(), [&](std::string_view name) {
@@ -26,13 +30,13 @@ Json settings_json(const ArmCommand& command, const ArmAnswer& answer) {
 }
 
 Json trajectory_json(const ArmCommand& command, const ArmAnswer& answer) {
-  const arm::Trajectory& trajectory = answer.motion.trajectory;
+  const arm::Trajectory& trajectory = answer.plan.trajectory;
   if (trajectory.empty()) return nullptr;
   Json knots = {{"t", Json::array()}, {"q", Json::array()}, {"ddq", Json::array()}};
   for (const auto& knot : trajectory.knots()) {
     knots["t"].push_back(number(knot.time));
-    knots["q"].push_back(numbers(knot.q));
-    knots["ddq"].push_back(numbers(knot.ddq));
+    knots["q"].push_back(joint_values(knot.q));
+    knots["ddq"].push_back(joint_values(knot.ddq));
   }
   Json samples = {{"t", Json::array()},
                   {"q", Json::array()},
@@ -42,14 +46,14 @@ Json trajectory_json(const ArmCommand& command, const ArmAnswer& answer) {
   for (const double t : sample_times(trajectory, command.rate)) {
     const auto state = trajectory.at(t);
     samples["t"].push_back(number(t));
-    samples["q"].push_back(numbers(state.q));
-    samples["dq"].push_back(numbers(state.dq));
-    samples["ddq"].push_back(numbers(state.ddq));
+    samples["q"].push_back(joint_values(state.q));
+    samples["dq"].push_back(joint_values(state.dq));
+    samples["ddq"].push_back(joint_values(state.ddq));
     samples["tip"].push_back(point(arm::tip_position(answer.robot, state.q)));
   }
   return {{"duration", number(trajectory.duration())},
-          {"waypoints", answer.motion.waypoints},
-          {"stops", answer.motion.stops},
+          {"waypoints", answer.plan.waypoints},
+          {"stops", answer.plan.stops},
           {"knots", knots},
           {"samples", samples}};
 }
@@ -96,11 +100,11 @@ Json arm_json(const ArmCommand& command, const ArmAnswer& answer) {
   json["length"] = number(plan.length);
   json["path"] = nullptr;
   json["joints"] = nullptr;
-  if (!plan.tips.empty()) {
+  if (plan.tips.cols() > 0) {
     json["path"] = Json::array();
-    for (const auto tip : plan.tips) json["path"].push_back(point(tip));
+    for (const auto tip : plan.tips.colwise()) json["path"].push_back(point(tip));
     json["joints"] = Json::array();
-    for (const auto& q : plan.joints) json["joints"].push_back(numbers(q));
+    for (const auto q : plan.joints.colwise()) json["joints"].push_back(joint_values(q));
   }
   json["lattice"] = {{"pitch", number(plan.pitch)}, {"points", plan.points}};
   json["iterations"] = plan.iterations;
@@ -109,7 +113,7 @@ Json arm_json(const ArmCommand& command, const ArmAnswer& answer) {
   json["arrived"] = plan.arrived;
   json["questions"] = {{"positions", plan.questions.positions},
                        {"motions", plan.questions.motions},
-                       {"trajectory", answer.motion.questions}};
+                       {"trajectory", answer.plan.questions.trajectory}};
   json["lower_bound"] = optional_number(plan.lower_bound);
   json["gap"] = optional_number(plan.gap());
   json["optimal"] = plan.optimal;
@@ -135,10 +139,10 @@ std::string arm_text(const ArmAnswer& answer) {
   const arm::Result& plan = answer.plan;
   std::ostringstream out;
   out << to_string(plan.status) << "\n";
-  if (plan.tips.empty()) return out.str();
+  if (plan.tips.cols() == 0) return out.str();
   out << to_text(plan.length) << "\n";
-  for (const auto tip : plan.tips)
-    out << to_text(tip.x) << " " << to_text(tip.y) << " " << to_text(tip.z) << "\n";
+  for (const auto tip : plan.tips.colwise())
+    out << to_text(tip.x()) << " " << to_text(tip.y()) << " " << to_text(tip.z()) << "\n";
   return out.str();
 }
 
@@ -148,15 +152,15 @@ std::string arm_csv(const ArmCommand& command, const ArmAnswer& answer) {
   for (const char* name : {"q", "dq", "ddq"})
     for (int j = 1; j <= answer.robot.size(); ++j) out << "," << name << j;
   out << ",x,y,z\n";
-  const arm::Trajectory& trajectory = answer.motion.trajectory;
+  const arm::Trajectory& trajectory = answer.plan.trajectory;
   if (trajectory.empty()) return out.str();
   for (const double t : sample_times(trajectory, command.rate)) {
     const auto state = trajectory.at(t);
     out << to_text(t);
     for (const auto* values : {&state.q, &state.dq, &state.ddq})
       for (const double value : *values) out << "," << to_text(value);
-    const arm::Vec3 tip = arm::tip_position(answer.robot, state.q);
-    out << "," << to_text(tip.x) << "," << to_text(tip.y) << "," << to_text(tip.z) << "\n";
+    const Eigen::Vector3d tip = arm::tip_position(answer.robot, state.q);
+    out << "," << to_text(tip.x()) << "," << to_text(tip.y()) << "," << to_text(tip.z()) << "\n";
   }
   return out.str();
 }

@@ -1,6 +1,5 @@
 // lasius::arm from outside: an arm of one joint turns out of its own way.
-#include <lasius/arm_plan.h>
-#include <lasius/arm_trajectory.h>
+#include <lasius/arm.h>
 
 int main() {
   using namespace lasius::arm;
@@ -10,8 +9,8 @@ int main() {
                                   "in the program");
   const Scene scene;
   const SceneSensor sensor(robot, scene);
-  const Result found = plan(robot, sensor, {.start = {0, 1}, .goal = {1, 1, 0}}, {.iterations = 5});
-  const TrajectoryResult motion = make_trajectory(robot, sensor, found.joints);
-  const Recheck check = recheck(robot, scene, motion.trajectory, 100);
+  const Request request{.start = Eigen::Vector2d(0, 1), .goal = {1, 1, 0}};
+  const Result found = plan(robot, sensor, request, {.iterations = 5});
+  const Recheck check = recheck(robot, scene, found.trajectory, 100);
   return found.status == lasius::Status::solved && check.contacts == 0 && check.limits == 0 ? 0 : 1;
 }

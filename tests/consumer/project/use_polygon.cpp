@@ -1,5 +1,5 @@
 // lasius::polygon from outside: around one block.
-#include <lasius/polygon_plan.h>
+#include <lasius/polygon.h>
 
 int main() {
   using namespace lasius::polygon;
@@ -9,6 +9,6 @@ int main() {
       "in the program");
   const Planner planner(world);
   const Result exact = planner.plan();
-  const Result ants = planner.plan({}, defaults("maklink-acs"));
+  const Result ants = planner.plan({}, Params("maklink-acs"));
   return exact.optimal && exact.path.size() == 4 && ants.length >= exact.length ? 0 : 1;
 }

@@ -1,9 +1,12 @@
 // Arms and scenes for tests.
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
+#include "core/arm/vec3.h"
 #include "lasius/arm_generate.h"
 #include "lasius/arm_plan.h"
 
@@ -13,17 +16,33 @@ inline Robot shipped(const std::string& name) {
   return read_robot(LASIUS_MAPS_DIR "/arms/" + name + ".json");
 }
 
+/// A value for each joint.
+inline JointVector joints(std::initializer_list<double> values) {
+  JointVector q(static_cast<Eigen::Index>(values.size()));
+  std::copy(values.begin(), values.end(), q.begin());
+  return q;
+}
+
+/// A column for each waypoint.
+inline Eigen::MatrixXd columns(const std::vector<JointVector>& waypoints) {
+  Eigen::MatrixXd way(waypoints.empty() ? 0 : waypoints[0].size(),
+                      static_cast<Eigen::Index>(waypoints.size()));
+  for (std::size_t i = 0; i < waypoints.size(); ++i)
+    way.col(static_cast<Eigen::Index>(i)) = waypoints[i];
+  return way;
+}
+
 /// Two links of 0.5 and 0.4 in the plane z = 0, wide limits, thin.
 inline Robot two_links() {
   Robot robot;
   for (const double length : {0.5, 0.4}) {
     Joint joint;
-    joint.origin = robot.joints.empty() ? Vec3{} : Vec3{0.5, 0, 0};
+    if (!robot.joints.empty()) joint.frame.translation().x() = 0.5;
     joint.low = -3;
     joint.high = 3;
     joint.velocity = 2;
     joint.acceleration = 5;
-    joint.capsules = {{{}, {length, 0, 0}, 0.01}};
+    joint.capsules = {{Vec3(), Vec3(length, 0, 0), 0.01}};
     robot.joints.push_back(joint);
   }
   robot.tip = {0.4, 0, 0};
@@ -32,13 +51,12 @@ inline Robot two_links() {
 
 /// A question with a lattice of `side` points, most of them between start and goal.
 inline Params lattice_of(const Robot& robot, const Request& request, int side) {
-  const Vec3 from = tip_position(robot, request.start);
+  const Vec3 from = tip_position(robot, request.start), to = request.goal;
   const auto span = [](double a, double b) { return a < b ? b - a : a - b; };
   Params parameters;
   parameters.side = side;
-  parameters.pitch = std::max({span(from.x, request.goal.x), span(from.y, request.goal.y),
-                               span(from.z, request.goal.z)}) /
-                     (0.6 * side);
+  parameters.pitch =
+      std::max({span(from.x, to.x), span(from.y, to.y), span(from.z, to.z)}) / (0.6 * side);
   return parameters;
 }
 

@@ -65,21 +65,21 @@ TEST(Urdf, AChainWithFixedJointsFolded) {
   const Robot robot = parse_robot(kUrdf, "r.urdf");
   ASSERT_EQ(robot.size(), 2);
   EXPECT_EQ(robot.name, "r");
-  EXPECT_EQ(robot.joints[0].axis, (Vec3{0, 0, 1}));
+  EXPECT_EQ(robot.joints[0].axis, Eigen::Vector3d(0, 0, 1));
   EXPECT_GT(robot.joints[0].high, 6);
   // The cylinder of b and the sphere of c, which is fixed to it.
   ASSERT_EQ(robot.joints[0].capsules.size(), 2u);
-  EXPECT_EQ(robot.joints[0].capsules[0].to, (Vec3{0, 0, 1}));
-  EXPECT_EQ(robot.joints[0].capsules[1].from, (Vec3{0, 0, 1}));
+  EXPECT_EQ(robot.joints[0].capsules[0].to, Eigen::Vector3d(0, 0, 1));
+  EXPECT_EQ(robot.joints[0].capsules[1].from, Eigen::Vector3d(0, 0, 1));
   EXPECT_DOUBLE_EQ(robot.joints[0].capsules[1].radius, 0.2);
   const Joint& slide = robot.joints[1];
   EXPECT_EQ(slide.kind, Joint::Kind::prismatic);
-  EXPECT_EQ(slide.origin, (Vec3{0, 0, 1.5}));
+  EXPECT_EQ(slide.frame.translation(), Eigen::Vector3d(0, 0, 1.5));
   EXPECT_DOUBLE_EQ(slide.low, -0.2);
   EXPECT_DOUBLE_EQ(slide.velocity, 0.5);
   EXPECT_DOUBLE_EQ(slide.acceleration, 2);
   // Slides along the world's x at 0.
-  EXPECT_LT(distance(tip_position(robot, std::vector{0.0, 0.3}), {0.3, 0, 1.5}), 1e-9);
+  EXPECT_LT(distance(tip_position(robot, joints({0.0, 0.3})), {0.3, 0, 1.5}), 1e-9);
 }
 
 TEST(Urdf, ChainsByName) {
@@ -144,12 +144,12 @@ TEST(ShortRobot, WhatItsFieldsMean) {
        "limits": [0, 1], "velocity": 0.5, "acceleration": 3}]})",
                                   "r.json");
   ASSERT_EQ(robot.size(), 2);
-  EXPECT_EQ(robot.joints[0].axis, (Vec3{0, 0, 1}));
+  EXPECT_EQ(robot.joints[0].axis, Eigen::Vector3d(0, 0, 1));
   EXPECT_TRUE(robot.joints[0].capsules.empty()) << "no radius, no body";
-  EXPECT_EQ(robot.joints[1].origin, (Vec3{1, 0, 0}));
+  EXPECT_EQ(robot.joints[1].frame.translation(), Eigen::Vector3d(1, 0, 0));
   EXPECT_EQ(robot.base.size(), 1u);
   EXPECT_EQ(robot.may_touch.size(), 1u);
-  EXPECT_LT(distance(tip_position(robot, std::vector{0.0, 0.5}), {1.5, 2, 1}), 1e-12);
+  EXPECT_LT(distance(tip_position(robot, joints({0.0, 0.5})), {1.5, 2, 1}), 1e-12);
 }
 
 TEST(ShortRobot, BadFields) {
@@ -182,7 +182,7 @@ TEST(ShortRobot, BadFields) {
 }
 
 TEST(Enclose, ABoxIsInsideItsCapsules) {
-  const Pose pose{roll_pitch_yaw({0.3, -0.8, 2}), {1, 2, 3}};
+  const Placement pose{roll_pitch_yaw({0.3, -0.8, 2}), {1, 2, 3}};
   for (const Vec3 size :
        {Vec3{1, 0.2, 0.2}, Vec3{0.1, 0.9, 0.4}, Vec3{0.5, 0.5, 0.01}, Vec3{1, 1, 1}}) {
     const auto capsules = enclose_box(pose, size);
@@ -242,7 +242,7 @@ endsolid s
   const auto binary = read_stl(write("b.stl", binary_stl(1, {0, 0, 0, 1, 0, 0, 0, 2.5f, 0})));
   ASSERT_EQ(text.size(), 1u);
   EXPECT_EQ(text, binary);
-  EXPECT_EQ(text[0][2], (Vec3{0, 2.5, 0}));
+  EXPECT_EQ(text[0][2], Eigen::Vector3d(0, 2.5, 0));
   const OtherLocale other;
   EXPECT_EQ(read_stl((folder_ / "a.stl").string()), text);
 }
@@ -353,10 +353,11 @@ TEST_F(SceneFile, AllShapes) {
       {"shape": "cylinder", "radius": 0.1, "length": 2},
       {"shape": "mesh", "file": "m.stl", "scale": 2}]})"));
   ASSERT_EQ(scene.obstacles.size(), 4u);
-  EXPECT_LT(distance(scene.obstacles[0].rotation * Vec3{1, 0, 0}, {0, 1, 0}), 1e-12);
+  EXPECT_LT(distance(from_eigen(scene.obstacles[0].pose).rotation * Vec3{1, 0, 0}, {0, 1, 0}),
+            1e-12);
   EXPECT_EQ(scene.obstacles[1].name, "ball");
   EXPECT_DOUBLE_EQ(scene.obstacles[2].length, 2);
-  EXPECT_EQ(scene.obstacles[3].triangles[0][1], (Vec3{2, 0, 0}));
+  EXPECT_EQ(scene.obstacles[3].triangles[0][1], Eigen::Vector3d(2, 0, 0));
   EXPECT_NO_THROW(validate(scene));
 }
 

@@ -17,8 +17,8 @@ constexpr double kQuarter = std::numbers::pi / 2;
 
 TEST(Kinematics, TwoLinksByHand) {
   const Robot robot = two_links();
-  const auto expect_tip = [&](std::vector<double> q, Vec3 tip) {
-    EXPECT_LT(distance(tip_position(robot, q), tip), 1e-15) << q[0] << " " << q[1];
+  const auto expect_tip = [&](std::initializer_list<double> q, Vec3 tip) {
+    EXPECT_LT(distance(tip_position(robot, joints(q)), tip), 1e-15) << joints(q).transpose();
   };
   expect_tip({0, 0}, {0.9, 0, 0});
   expect_tip({kQuarter, 0}, {0, 0.9, 0});
@@ -30,18 +30,20 @@ TEST(Kinematics, APrismaticJointAndATurnedFrameByHand) {
   Robot robot;
   Joint slide;
   slide.kind = Joint::Kind::prismatic;
-  slide.origin = {1, 0, 0};
-  slide.rotation = roll_pitch_yaw({0, 0, kQuarter});  // its x is the world's y
+  slide.frame = to_eigen({roll_pitch_yaw({0, 0, kQuarter}), {1, 0, 0}});  // its x is the world's y
   slide.axis = {1, 0, 0};
   slide.high = 2;
   robot.joints = {slide};
   robot.tip = {0.5, 0, 0};
-  EXPECT_LT(distance(tip_position(robot, std::vector{0.0}), {1, 0.5, 0}), 1e-15);
-  EXPECT_LT(distance(tip_position(robot, std::vector{2.0}), {1, 2.5, 0}), 1e-15);
+  EXPECT_LT(distance(tip_position(robot, joints({0.0})), {1, 0.5, 0}), 1e-15);
+  EXPECT_LT(distance(tip_position(robot, joints({2.0})), {1, 2.5, 0}), 1e-15);
+  const Pose tip = tip_pose(robot, joints({2.0}));
+  EXPECT_EQ(tip.translation(), tip_position(robot, joints({2.0})));
+  EXPECT_LT((tip.linear() * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY()).norm(), 1e-15);
 }
 
 TEST(Kinematics, CapsulesMoveWithTheirJoints) {
-  const auto placed = place_capsules(two_links(), std::vector{kQuarter, -kQuarter});
+  const auto placed = place_capsules(two_links(), joints({kQuarter, -kQuarter}));
   ASSERT_EQ(placed.size(), 2u);
   EXPECT_LT(distance(placed[0].to, {0, 0.5, 0}), 1e-15);
   EXPECT_LT(distance(placed[1].from, {0, 0.5, 0}), 1e-15);
@@ -50,17 +52,17 @@ TEST(Kinematics, CapsulesMoveWithTheirJoints) {
 
 TEST(Kinematics, RefusesValuesThatAreNotTheJoints) {
   const Robot robot = two_links();
-  for (const std::vector<double>& q :
-       {std::vector<double>{}, {0.0}, {0.0, 0.0, 0.0}, {0.0, std::nan("")}}) {
+  for (const JointVector& q :
+       {joints({}), joints({0}), joints({0, 0, 0}), joints({0, std::nan("")})}) {
     EXPECT_THROW(tip_position(robot, q), Error);
     EXPECT_THROW(place_capsules(robot, q), Error);
   }
   Robot centipede = robot;
   centipede.joints.resize(Robot::kMaxJoints + 1, robot.joints[1]);
-  const std::vector<double> zeros(centipede.joints.size(), 0);
+  const JointVector zeros = JointVector::Zero(centipede.size());
   EXPECT_THROW(tip_position(centipede, zeros), Error);
   EXPECT_THROW(place_capsules(centipede, zeros), Error);
-  EXPECT_THROW(tip_position(Robot(), {}), Error);
+  EXPECT_THROW(tip_position(Robot(), joints({})), Error);
 }
 
 TEST(Kinematics, ReachesWhatIsInReachWithinItsLimits) {
@@ -77,11 +79,14 @@ TEST(Kinematics, ReachesWhatIsInReachWithinItsLimits) {
         from.push_back(value(engine));
         to.push_back(from.back() + 0.1 * std::sin(10 * value(engine)));
       }
-      const Vec3 target = tip_position(robot, to);
+      const auto values = [](const std::vector<double>& v) {
+        return Eigen::Map<const JointVector>(v.data(), static_cast<Eigen::Index>(v.size()));
+      };
+      const Vec3 target = tip_position(robot, values(to));
       std::vector<double> q = from;
       if (!arm.reach_for(target, from, q)) continue;
       ++reached;
-      EXPECT_LE(distance(tip_position(robot, q), target), Kinematics::kTolerance);
+      EXPECT_LE(distance(tip_position(robot, values(q)), target), Kinematics::kTolerance);
       for (int j = 0; j < robot.size(); ++j) {
         EXPECT_GE(q[j], robot.joints[j].low);
         EXPECT_LE(q[j], robot.joints[j].high);

@@ -19,14 +19,14 @@ struct Plane {
   Robot robot = two_links();
   Nothing sensor;
   Kinematics arm{robot};
-  std::vector<double> start{0.6, 1.2};
+  JointVector start = joints({0.6, 1.2});
   Params parameters;
   std::array<int, 3> goal{2, 0, 0};
 
   Lattice lattice(std::array<int, 3> to) {
     const Vec3 from = tip_position(robot, start);
     const Vec3 at{from.x + 0.02 * to[0], from.y + 0.02 * to[1], from.z + 0.02 * to[2]};
-    return {arm, sensor, start, 0.02, {-2, -2, 0}, {2, 2, 0}, to, at, parameters};
+    return {arm, sensor, as_span(start), 0.02, {-2, -2, 0}, {2, 2, 0}, to, at, parameters};
   }
 };
 
@@ -71,6 +71,35 @@ TEST(Lattice, JointValuesAreAFunctionOfThePointAlone) {
     EXPECT_EQ(a[1], b[1]);
   }
   EXPECT_EQ(one.configuration(one.node({3, 0, 0})), nullptr) << "outside of the box";
+}
+
+/// Notes where the values that it is asked about are.
+class Addresses final : public Sensor {
+ public:
+  bool position_free(const JointRef& q) const override {
+    position = q.data();
+    return true;
+  }
+  bool motion_free(const JointRef& a, const JointRef& b) const override {
+    from = a.data();
+    to = b.data();
+    return true;
+  }
+  double clearance() const override { return 0.001; }
+
+  mutable const double *position = nullptr, *from = nullptr, *to = nullptr;
+};
+
+TEST(Lattice, SensorsReadItsOwnValuesNotCopies) {
+  const Plane plane;
+  const Addresses sensor;
+  const Lattice lattice(plane.arm, sensor, as_span(plane.start), 0.02, {-2, -2, 0}, {2, 2, 0},
+                        plane.goal, tip_position(plane.robot, plane.start), plane.parameters);
+  const Node at = lattice.start(), next = lattice.to(at, 0);
+  ASSERT_TRUE(lattice.open(at, 0));
+  EXPECT_EQ(sensor.position, lattice.configuration(next));
+  EXPECT_EQ(sensor.from, lattice.configuration(at));
+  EXPECT_EQ(sensor.to, lattice.configuration(next));
 }
 
 TEST(LatticeAnts, FirstMovesFollowTheRandomProportionalRule) {

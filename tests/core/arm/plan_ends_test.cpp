@@ -18,7 +18,7 @@ namespace {
 TEST(ArmPlan, ProvesThatThereIsNoWay) {
   const Robot robot = two_links();
   const Request request = across(robot);
-  const double from = tip_position(robot, request.start).x;
+  const double from = tip_position(robot, request.start).x();
   Params parameters;
   parameters.pitch = 0.05;
   parameters.side = 11;
@@ -27,12 +27,12 @@ TEST(ArmPlan, ProvesThatThereIsNoWay) {
   EXPECT_EQ(r.status, Status::unreachable);
   EXPECT_FALSE(r.error.empty());
   EXPECT_LT(r.iterations, 100);
-  EXPECT_TRUE(r.joints.empty());
+  EXPECT_EQ(r.joints.cols(), 0);
   EXPECT_TRUE(std::isnan(r.length));
   EXPECT_EQ(shortest_lattice_way(robot, wall, request, parameters).status, Status::unreachable);
 
   // The goal itself is blocked, be it beside an ant or out of reach: that beats unreachable.
-  for (const double x : {request.goal.x + 0.01, from - 0.12}) {
+  for (const double x : {request.goal.x() + 0.01, from - 0.12}) {
     const Result blocked = plan(robot, Wall(robot, x), request, parameters);
     EXPECT_EQ(blocked.status, Status::invalid);
     EXPECT_EQ(blocked.error, "the arm touches something at the goal");
@@ -47,27 +47,29 @@ TEST(ArmPlan, BadQuestionsAreAnswers) {
     EXPECT_EQ(r.status, Status::invalid);
     EXPECT_NE(r.error.find(words), std::string::npos) << r.error;
   };
-  expect_invalid({.start = {0}, .goal = {0.9, 0, 0}}, "1 joint values");
-  expect_invalid({.start = {0, 4}, .goal = {0.9, 0, 0}}, "joint 2");
-  expect_invalid({.start = {0, std::nan("")}, .goal = {0.9, 0, 0}}, "joint 2");
-  expect_invalid({.start = {0, 1}, .goal = {2, 0, 0}}, "outside");
-  expect_invalid({.start = {0, 1}, .goal = {std::nan(""), 0, 0}}, "outside");
-  expect_invalid({.start = {0, 1}, .goal = {2, 0, 0}}, "it is 2 m from the arm's first joint");
-  expect_invalid({.start = {0, 1}, .goal = {0.5, 0, 0.3}},
+  expect_invalid({.start = joints({0}), .goal = {0.9, 0, 0}}, "1 joint values");
+  expect_invalid({.start = joints({0, 4}), .goal = {0.9, 0, 0}}, "joint 2");
+  expect_invalid({.start = joints({0, std::nan("")}), .goal = {0.9, 0, 0}}, "joint 2");
+  expect_invalid({.start = joints({0, 1}), .goal = {2, 0, 0}}, "outside");
+  expect_invalid({.start = joints({0, 1}), .goal = {std::nan(""), 0, 0}}, "outside");
+  expect_invalid({.start = joints({0, 1}), .goal = {2, 0, 0}},
+                 "it is 2 m from the arm's first joint");
+  expect_invalid({.start = joints({0, 1}), .goal = {0.5, 0, 0.3}},
                  "in one plane, the goal is 0.3 m off it");
   // Folded up, links of 0.5 and 0.4 leave 0.1 between tip and shoulder, at the limit of 3 rad more.
-  expect_invalid({.start = {0, 1}, .goal = {0.05, 0, 0}}, "2 joints move a tip on a surface only");
+  expect_invalid({.start = joints({0, 1}), .goal = {0.05, 0, 0}},
+                 "2 joints move a tip on a surface only");
   Request near = across(robot);
   near.goal = tip_position(robot, near.start);
-  near.goal.y += 0.001;
+  near.goal.y() += 0.001;
   expect_invalid(near, "half a pitch");
   const Wall everywhere(robot, 10);
   EXPECT_EQ(plan(robot, everywhere, across(robot)).error, "the arm touches something at the start");
 }
 
 TEST(ArmPlan, AGoalOutOfReachIsToldByHowFar) {
-  const auto error = [](const Robot& robot, std::vector<double> start, Vec3 goal) {
-    const Result r = plan(robot, Nothing(), {.start = std::move(start), .goal = goal});
+  const auto error = [](const Robot& robot, std::initializer_list<double> start, Vec3 goal) {
+    const Result r = plan(robot, Nothing(), {.start = joints(start), .goal = goal});
     EXPECT_EQ(r.status, Status::invalid);
     return r.error;
   };
@@ -129,7 +131,7 @@ TEST(ArmPlan, ParametersAtTheEndsOfTheirRanges) {
     set_parameter(p, name, value);
     request.stop = stop;
     const Result r = plan(robot, Nothing(), request, p);
-    EXPECT_EQ(r.joints.empty(), std::isnan(r.length)) << name << " " << value;
+    EXPECT_EQ(r.joints.cols() == 0, std::isnan(r.length)) << name << " " << value;
   };
   plan_at_both_ends(algorithms()[0], plan_with);
 }
@@ -166,12 +168,12 @@ TEST(ArmPlan, TokenAndDeadlineKeepTheBest) {
   c.parameters.iterations = 1000000;
   std::stop_source source;
   c.request.stop.token = source.get_token();
-  const Result r = plan(c.robot, sensor, c.request, c.parameters, [&](const IterationView& view) {
+  const Result r = plan(c.robot, sensor, c.request, c.parameters, [&](const ArmProgress& view) {
     if (view.iteration == 3) source.request_stop();
   });
   EXPECT_EQ(r.status, Status::interrupted);
   EXPECT_EQ(r.iterations, 4);
-  EXPECT_FALSE(r.joints.empty());
+  EXPECT_GT(r.joints.cols(), 0);
 
   c.request.stop = {.deadline = Clock::now()};
   const Result late = plan(c.robot, sensor, c.request, c.parameters);
@@ -201,10 +203,8 @@ Result plan_quietly(const Robot& robot, const Sensor& sensor, const Request& req
 /// Takes a second for every question, by the clock that it is.
 class Slow final : public Sensor, public TimeSource {
  public:
-  bool position_free(std::span<const double>) const override { return asked(); }
-  bool motion_free(std::span<const double>, std::span<const double>) const override {
-    return asked();
-  }
+  bool position_free(const JointRef&) const override { return asked(); }
+  bool motion_free(const JointRef&, const JointRef&) const override { return asked(); }
   double clearance() const override { return 0.001; }
   Clock::time_point now() const noexcept override {
     return Clock::time_point{} + std::chrono::seconds(seconds_);
@@ -241,11 +241,11 @@ TEST(ArmPlan, PolledAfterEveryMoveThatASensorIsAskedAbout) {
 /// Breaks down after some questions.
 class Broken final : public Sensor {
  public:
-  bool position_free(std::span<const double>) const override {
+  bool position_free(const JointRef&) const override {
     if (++asked_ > 50) throw std::runtime_error("cable");
     return true;
   }
-  bool motion_free(std::span<const double>, std::span<const double>) const override { return true; }
+  bool motion_free(const JointRef&, const JointRef&) const override { return true; }
   double clearance() const override { return 0.001; }
 
  private:

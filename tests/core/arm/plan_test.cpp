@@ -25,7 +25,7 @@ class Witness final : public Sensor {
     entered_.insert({0, 0, 0});
   }
 
-  bool position_free(std::span<const double> q) const override {
+  bool position_free(const JointRef& q) const override {
     const std::scoped_lock lock(mutex_);
     const Point3 at = point(q);
     ++positions;
@@ -36,7 +36,7 @@ class Witness final : public Sensor {
     return free;
   }
 
-  bool motion_free(std::span<const double> a, std::span<const double> b) const override {
+  bool motion_free(const JointRef& a, const JointRef& b) const override {
     const std::scoped_lock lock(mutex_);
     const Point3 from = point(a), to = point(b);
     ++motions;
@@ -59,8 +59,8 @@ class Witness final : public Sensor {
 
  private:
   /// The lattice point of a position; the goal's may be off by half a pitch.
-  Point3 point(std::span<const double> q) const {
-    const Vec3 v = (1 / pitch_) * (tip_position(robot_, q) - from_);
+  Point3 point(const JointRef& q) const {
+    const Vec3 v = (1 / pitch_) * (Vec3(tip_position(robot_, q)) - from_);
     return {static_cast<int>(std::lround(v.x)), static_cast<int>(std::lround(v.y)),
             static_cast<int>(std::lround(v.z))};
   }
@@ -92,6 +92,7 @@ TEST(ArmPlan, AsksOnlyAboutWhatAntsTryAndNothingTwice) {
       c.parameters.threads = threads;
       c.parameters.iterations = 8;
       c.parameters.pitch *= 1.0000001;  // so that the goal is not half way between two points
+      c.request.motion = false;
       const Witness witness(c.robot, world, c.request, c.parameters.pitch);
       const Result result = plan(c.robot, witness, c.request, c.parameters);
       EXPECT_TRUE(witness.faults.empty()) << witness.faults.begin()->first << ", seed " << seed;
@@ -158,31 +159,75 @@ TEST(ArmPlan, ThePathIsWhatItSays) {
   const SceneSensor sensor(c.robot, c.scene);
   const Result r = plan(c.robot, sensor, c.request, c.parameters);
   ASSERT_EQ(r.status, Status::solved);
-  ASSERT_EQ(r.joints.size(), r.tips.size());
-  EXPECT_EQ(r.joints.front(), c.request.start);
-  EXPECT_EQ(r.tips.back(), c.request.goal);
-  EXPECT_NEAR(r.length, static_cast<double>(r.joints.size() - 1) * r.pitch, 1e-12);
-  for (std::size_t i = 0; i < r.joints.size(); ++i) {
-    EXPECT_LT(distance(tip_position(c.robot, r.joints[i]), r.tips[i]), 1e-6);
-    EXPECT_TRUE(sensor.position_free(r.joints[i]));
+  const Eigen::Index last = r.joints.cols() - 1;
+  ASSERT_EQ(r.tips.cols(), last + 1);
+  EXPECT_EQ(r.joints.col(0), c.request.start);
+  EXPECT_EQ(r.tips.col(last), c.request.goal);
+  EXPECT_NEAR(r.length, static_cast<double>(last) * r.pitch, 1e-12);
+  for (Eigen::Index i = 0; i <= last; ++i) {
+    EXPECT_LT((tip_position(c.robot, r.joints.col(i)) - r.tips.col(i)).norm(), 1e-6);
+    EXPECT_TRUE(sensor.position_free(r.joints.col(i)));
     for (int j = 0; j < c.robot.size(); ++j) {
-      EXPECT_GE(r.joints[i][j], c.robot.joints[j].low);
-      EXPECT_LE(r.joints[i][j], c.robot.joints[j].high);
+      EXPECT_GE(r.joints(j, i), c.robot.joints[j].low);
+      EXPECT_LE(r.joints(j, i), c.robot.joints[j].high);
       if (i > 0) {
-        EXPECT_LE(std::abs(r.joints[i][j] - r.joints[i - 1][j]), c.parameters.joint_step);
+        EXPECT_LE(std::abs(r.joints(j, i) - r.joints(j, i - 1)), c.parameters.joint_step);
       }
     }
     if (i > 0) {
-      EXPECT_TRUE(sensor.motion_free(r.joints[i - 1], r.joints[i]));
+      EXPECT_TRUE(sensor.motion_free(r.joints.col(i - 1), r.joints.col(i)));
     }
   }
+}
+
+TEST(ArmPlan, TheMotionIsThatOfTheWaypoints) {
+  Case c = make_case("industrial6", 3, 10, 0, 10);
+  const SceneSensor sensor(c.robot, c.scene);
+  for (const bool shortcut : {false, true}) {
+    c.parameters.shortcut = shortcut;
+    const Result r = plan(c.robot, sensor, c.request, c.parameters);
+    ASSERT_EQ(r.status, Status::solved);
+    const auto made = make_trajectory(c.robot, sensor, r.joints, {.shortcut = shortcut});
+    EXPECT_EQ(r.waypoints, made.waypoints);
+    EXPECT_EQ(r.stops, made.stops);
+    EXPECT_EQ(r.questions.trajectory, made.questions);
+    EXPECT_EQ(r.trajectory.duration(), made.trajectory.duration());
+    ASSERT_EQ(r.trajectory.knots().size(), made.trajectory.knots().size());
+    for (std::size_t i = 0; i < made.trajectory.knots().size(); ++i) {
+      EXPECT_EQ(r.trajectory.knots()[i].q, made.trajectory.knots()[i].q);
+    }
+  }
+  const Result whole = plan(c.robot, sensor, c.request, c.parameters);
+  c.request.motion = false;
+  const Result waypoints = plan(c.robot, sensor, c.request, c.parameters);
+  EXPECT_TRUE(waypoints.trajectory.empty());
+  EXPECT_EQ(waypoints.questions.trajectory, 0);
+  EXPECT_EQ(waypoints.joints, whole.joints);
+  EXPECT_EQ(waypoints.questions.motions, whole.questions.motions);
+}
+
+TEST(ArmPlan, NamesWhatIsTouchedAtTheStart) {
+  const Robot robot = two_links();
+  Obstacle ball;
+  ball.shape = Obstacle::Shape::sphere;
+  ball.radius = 0.1;
+  ball.pose.translation() = tip_position(robot, across(robot).start);
+  const Result r = plan(robot, SceneSensor(robot, {"", {ball}}), across(robot));
+  EXPECT_EQ(r.fault, Fault::start_blocked);
+  EXPECT_EQ(r.error, "the arm touches something at the start: link 2 and obstacle 1");
+}
+
+TEST(ArmPlan, EveryChoiceHasAName) {
+  EXPECT_EQ(to_string(Pheromone::edges), "edges");
+  EXPECT_EQ(to_string(Joint::Kind::prismatic), "prismatic");
+  EXPECT_EQ(to_string(Obstacle::Shape::mesh), "mesh");
 }
 
 TEST(ArmPlan, AnArmThatIsStretchedOutIsDrawnIn) {
   const Robot robot = shipped("planar3");
   const Nothing sensor;
   Request request;
-  request.start = {0, 0, 0};
+  request.start = joints({0, 0, 0});
   request.goal = {0.3, 0.4, 0};
   EXPECT_EQ(plan(robot, sensor, request, {}).status, Status::solved);
 }

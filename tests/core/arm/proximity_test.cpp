@@ -108,7 +108,7 @@ TEST(Proximity, SegmentToSegmentAndPoint) {
 TEST(Proximity, SegmentToTriangle) {
   Draw draw;
   for (int i = 0; i < 200; ++i) {
-    const std::array<Vec3, 3> triangle{draw.point(1), draw.point(1), draw.point(1)};
+    const Triangle triangle{draw.point(1), draw.point(1), draw.point(1)};
     const Segment s{draw.point(1.2), draw.point(1.2)};
     // Points of the triangle, each with its exact distance to the segment.
     double expected = 1e300;
@@ -124,7 +124,7 @@ TEST(Proximity, SegmentToTriangle) {
     EXPECT_LE(found, expected + 1e-9);
     EXPECT_GE(found, expected - 4.0 / kParts);
   }
-  const std::array<Vec3, 3> flat{Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{0, 4, 0}};
+  const Triangle flat{Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{0, 4, 0}};
   EXPECT_DOUBLE_EQ(distance_to_triangle({{1, 1, -1}, {1, 1, 1}}, flat), 0);
   EXPECT_DOUBLE_EQ(distance_to_triangle({{1, 1, 2}, {1, 1, 3}}, flat), 2);
   EXPECT_DOUBLE_EQ(distance_to_triangle({{-3, 1, 4}, {-3, 1, 9}}, flat), 5);
@@ -132,7 +132,7 @@ TEST(Proximity, SegmentToTriangle) {
 
 TEST(MeshTree, FindsTheNearestOfAllTriangles) {
   Draw draw;
-  Triangles triangles;
+  std::vector<Triangle> triangles;
   for (int i = 0; i < 500; ++i) {
     const Vec3 at = draw.point(2);
     triangles.push_back({at, at + draw.point(0.2), at + draw.point(0.2)});

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,8 +14,8 @@ namespace lasius::arm {
 /// A sensor that knows no obstacle.
 class Nothing final : public Sensor {
  public:
-  bool position_free(std::span<const double>) const override { return true; }
-  bool motion_free(std::span<const double>, std::span<const double>) const override { return true; }
+  bool position_free(const JointRef&) const override { return true; }
+  bool motion_free(const JointRef&, const JointRef&) const override { return true; }
   double clearance() const override { return 0.001; }
 };
 
@@ -25,11 +24,11 @@ class Wall final : public Sensor {
  public:
   Wall(const Robot& robot, double x, double thickness = std::numeric_limits<double>::infinity())
       : robot_(robot), x_(x), end_(x - thickness) {}
-  bool position_free(std::span<const double> q) const override {
-    const double x = tip_position(robot_, q).x;
+  bool position_free(const JointRef& q) const override {
+    const double x = tip_position(robot_, q).x();
     return x > x_ || x < end_;
   }
-  bool motion_free(std::span<const double>, std::span<const double>) const override { return true; }
+  bool motion_free(const JointRef&, const JointRef&) const override { return true; }
   double clearance() const override { return 0.001; }
 
  private:
@@ -39,8 +38,8 @@ class Wall final : public Sensor {
 
 /// The two links, bent, move their tip by 0.2 against x.
 inline Request across(const Robot& robot) {
-  Request request{.start = {0.6, 1.2}, .goal = tip_position(robot, std::vector{0.6, 1.2})};
-  request.goal.x -= 0.2;
+  Request request{.start = joints({0.6, 1.2}), .goal = tip_position(robot, joints({0.6, 1.2}))};
+  request.goal.x() -= 0.2;
   return request;
 }
 

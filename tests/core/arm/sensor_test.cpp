@@ -11,7 +11,7 @@ namespace {
 Obstacle ball(Vec3 at, double radius) {
   Obstacle o;
   o.shape = Obstacle::Shape::sphere;
-  o.position = at;
+  o.pose.translation() = Eigen::Vector3d(at);
   o.radius = radius;
   return o;
 }
@@ -20,7 +20,7 @@ TEST(SceneSensor, APositionByHand) {
   // The arm lies along x, 0.01 thick; the ball's surface is 0.05 - 0.03 - 0.01 = 0.01 away.
   const Robot robot = two_links();
   const Scene scene{"", {ball({0.3, 0.05, 0}, 0.03)}};
-  const std::vector<double> q{0, 0};
+  const JointVector q = joints({0, 0});
   EXPECT_TRUE(SceneSensor(robot, scene, 0.0049).position_free(q));
   EXPECT_FALSE(SceneSensor(robot, scene, 0.0051).position_free(q));
   EXPECT_EQ(SceneSensor(robot, scene, 0.0051).contact(q), "link 1 and obstacle 1");
@@ -32,7 +32,7 @@ TEST(SceneSensor, AMotionPastAThinThing) {
   const Robot robot = two_links();
   const Scene wire{"", {ball({0, 0.8, 0}, 0.001)}};
   const SceneSensor sensor(robot, wire);
-  const std::vector<double> left{1.2, 0}, right{2.0, 0}, back{1.2, 0.9};
+  const JointVector left = joints({1.2, 0}), right = joints({2.0, 0}), back = joints({1.2, 0.9});
   EXPECT_TRUE(sensor.position_free(left));
   EXPECT_TRUE(sensor.position_free(right));
   EXPECT_FALSE(sensor.motion_free(left, right));
@@ -44,13 +44,13 @@ TEST(SceneSensor, AMotionPastAThinThing) {
 TEST(SceneSensor, LinksDoNotTouchEachOther) {
   const Robot robot = shipped("planar3");
   const SceneSensor sensor(robot, {});
-  EXPECT_TRUE(sensor.position_free(std::vector{0.0, 0.0, 0.0}));
-  EXPECT_FALSE(sensor.position_free(std::vector{0.0, 2.5, 1.9}));
-  EXPECT_EQ(sensor.contact(std::vector{0.0, 2.5, 1.9}),
+  EXPECT_TRUE(sensor.position_free(joints({0.0, 0.0, 0.0})));
+  EXPECT_FALSE(sensor.position_free(joints({0.0, 2.5, 1.9})));
+  EXPECT_EQ(sensor.contact(joints({0.0, 2.5, 1.9})),
             "link 1 (after shoulder) and link 3 (after wrist)");
   Robot lenient = robot;
   lenient.may_touch = {{3, 1}};
-  EXPECT_TRUE(SceneSensor(lenient, {}).position_free(std::vector{0.0, 2.5, 1.9}));
+  EXPECT_TRUE(SceneSensor(lenient, {}).position_free(joints({0.0, 2.5, 1.9})));
 }
 
 TEST(SceneSensor, WhatIsFreeKeepsItsDistanceByFcl) {
@@ -63,10 +63,9 @@ TEST(SceneSensor, WhatIsFreeKeepsItsDistanceByFcl) {
     const SceneSensor sensor(robot, a.scene);
     const bool is_free = sensor.motion_free(a.start, b.start);
     (is_free ? free : blocked)++;
-    const std::size_t n = a.start.size();
+    const JointVector still = JointVector::Zero(a.start.size());
     // Straight in joint space: second derivatives are 0 at both knots.
-    const Trajectory line(
-        {{0, a.start, std::vector<double>(n, 0)}, {1, b.start, std::vector<double>(n, 0)}});
+    const Trajectory line({{0, a.start, still}, {1, b.start, still}});
     const Recheck check = recheck(robot, a.scene, line, 200);
     if (is_free) {
       EXPECT_EQ(check.contacts, 0) << seed;
@@ -82,7 +81,7 @@ TEST(SceneSensor, WhatIsFreeKeepsItsDistanceByFcl) {
 
 TEST(SceneSensor, MeshesLikeTheBoxTheyMake) {
   Obstacle box;
-  box.position = {0.5, 0.4, 0};
+  box.pose.translation() = Eigen::Vector3d(0.5, 0.4, 0);
   box.size = {0.2, 0.2, 0.2};
   Obstacle mesh = box;
   mesh.shape = Obstacle::Shape::mesh;
@@ -100,7 +99,7 @@ TEST(SceneSensor, MeshesLikeTheBoxTheyMake) {
   int free = 0;
   for (double a = -1.5; a < 1.5; a += 0.05) {
     for (double b = -2.5; b < 2.5; b += 0.25) {
-      const std::vector<double> q{a, b};
+      const JointVector q = joints({a, b});
       EXPECT_EQ(by_box.position_free(q), by_mesh.position_free(q)) << a << " " << b;
       free += by_box.position_free(q);
     }
@@ -116,7 +115,7 @@ TEST(SceneSensor, RefusesBadScenesAndRobots) {
   EXPECT_EQ(SceneSensor(robot, {}, Sensor::kLeastClearance).clearance(), 1e-6);
   EXPECT_THROW(SceneSensor(robot, {"", {ball({}, -1)}}), Error);
   Scene tilted{"", {ball({}, 1)}};
-  tilted.obstacles[0].rotation[0] = 2;
+  tilted.obstacles[0].pose(0, 0) = 2;
   EXPECT_THROW(SceneSensor(robot, tilted), Error);
   Robot bad = robot;
   bad.joints[0].axis = {0, 0, 2};
@@ -130,7 +129,7 @@ TEST(SceneSensor, RefusesBadScenesAndRobots) {
 
 TEST(SceneSensor, RefusesValuesThatAreNotTheJoints) {
   const SceneSensor sensor(two_links(), {});
-  const std::vector<double> two{0, 0}, one{0}, three{0, 0, 0};
+  const JointVector two = joints({0, 0}), one = joints({0}), three = joints({0, 0, 0});
   EXPECT_THROW(sensor.position_free(one), Error);
   EXPECT_THROW(sensor.contact(three), Error);
   EXPECT_THROW(sensor.motion_free(two, one), Error);

@@ -15,36 +15,32 @@ namespace {
 /// Refuses every motion that was not allowed beforehand.
 class OnlyThese final : public Sensor {
  public:
-  explicit OnlyThese(std::vector<std::vector<double>> way) : way_(std::move(way)) {}
-  bool position_free(std::span<const double>) const override { return true; }
-  bool motion_free(std::span<const double> a, std::span<const double> b) const override {
+  explicit OnlyThese(std::vector<JointVector> way) : way_(std::move(way)) {}
+  bool position_free(const JointRef&) const override { return true; }
+  bool motion_free(const JointRef& a, const JointRef& b) const override {
     for (std::size_t i = 0; i + 1 < way_.size(); ++i) {
-      if (std::equal(a.begin(), a.end(), way_[i].begin()) &&
-          std::equal(b.begin(), b.end(), way_[i + 1].begin())) {
-        return true;
-      }
+      if (a == way_[i] && b == way_[i + 1]) return true;
     }
     return false;
   }
   double clearance() const override { return 0.001; }
 
  private:
-  std::vector<std::vector<double>> way_;
+  std::vector<JointVector> way_;
 };
 
 /// Notes every motion that it is asked about, and refuses none.
 class Notes final : public Sensor {
  public:
   explicit Notes(double clearance) : clearance_(clearance) {}
-  bool position_free(std::span<const double>) const override { return true; }
-  bool motion_free(std::span<const double> a, std::span<const double> b) const override {
-    asked.push_back({Values(a.begin(), a.end()), Values(b.begin(), b.end())});
+  bool position_free(const JointRef&) const override { return true; }
+  bool motion_free(const JointRef& a, const JointRef& b) const override {
+    asked.push_back({a, b});
     return true;
   }
   double clearance() const override { return clearance_; }
 
-  using Values = std::vector<double>;
-  mutable std::vector<std::pair<Values, Values>> asked;
+  mutable std::vector<std::pair<JointVector, JointVector>> asked;
 
  private:
   double clearance_;
@@ -98,7 +94,7 @@ TEST(Spline, OneSpanByHand) {
   // From 0 to 1 in time 3, knots at 1 and 2. By symmetry M1 = -M2 = M and q1 = M / 6,
   // q2 = 1 - M / 6; continuity of the velocity at 1: M / 2 = (q2 - q1) - (2 M - M) / 6, so
   // M / 2 = 1 - M / 3 - M / 6, M = 1.
-  const Trajectory t = spline_through({{{0}, {1}}, {3}});
+  const Trajectory t = spline_through({{joints({0}), joints({1})}, {3}});
   ASSERT_EQ(t.knots().size(), 4u);
   EXPECT_NEAR(t.knots()[1].ddq[0], 1, 1e-12);
   EXPECT_NEAR(t.knots()[2].ddq[0], -1, 1e-12);
@@ -109,7 +105,9 @@ TEST(Spline, OneSpanByHand) {
 
 TEST(Spline, PassesItsPointsSmoothly) {
   const Robot robot = two_links();
-  const Course course{{{0, 0}, {0.5, -1}, {0.4, 0.3}, {1, 1}, {1.5, 0}}, {0.3, 0.8, 0.2, 0.5}};
+  const Course course{
+      {joints({0, 0}), joints({0.5, -1}), joints({0.4, 0.3}), joints({1, 1}), joints({1.5, 0})},
+      {0.3, 0.8, 0.2, 0.5}};
   const Trajectory t = spline_through(course);
   EXPECT_EQ(t.knots().size(), 7u) << "a free knot in the first and one in the last span";
   double time = 0;
@@ -131,7 +129,7 @@ TEST(Spline, PassesItsPointsSmoothly) {
 }
 
 TEST(Spline, ExtremesBetweenKnots) {
-  const Course course{{{0}, {1}, {0}}, {1, 1}};
+  const Course course{{joints({0}), joints({1}), joints({0})}, {1, 1}};
   const Trajectory t = spline_through(course);
   for (std::size_t i = 0; i + 1 < t.knots().size(); ++i) {
     const auto [low, high] = values_between(t, i, 0);
@@ -151,9 +149,10 @@ TEST(Spline, ExtremesBetweenKnots) {
 
 TEST(Trajectory, MeetsALimitAndBreaksNone) {
   const Robot robot = two_links();
-  const std::vector<std::vector<double>> way{{0, 0}, {0.5, 0.5}, {0.5, 1}, {-1, 2}, {-1, 1.5}};
+  const std::vector<JointVector> way{joints({0, 0}), joints({0.5, 0.5}), joints({0.5, 1}),
+                                     joints({-1, 2}), joints({-1, 1.5})};
   for (const bool shortcut : {false, true}) {
-    const auto made = make_trajectory(robot, Nothing(), way, {.shortcut = shortcut});
+    const auto made = make_trajectory(robot, Nothing(), columns(way), {.shortcut = shortcut});
     EXPECT_EQ(made.waypoints, shortcut ? 2 : 5);
     EXPECT_FALSE(made.stops);
     expect_smooth(robot, made.trajectory);
@@ -166,8 +165,9 @@ TEST(Trajectory, MeetsALimitAndBreaksNone) {
 
 TEST(Trajectory, RestsAtEachWaypointWhereNothingElseIsFree) {
   const Robot robot = two_links();
-  const std::vector<std::vector<double>> way{{0, 0}, {0.5, 0.5}, {0.5, 1}, {-1, 2}};
-  const auto made = make_trajectory(robot, OnlyThese(way), way);
+  const std::vector<JointVector> way{joints({0, 0}), joints({0.5, 0.5}), joints({0.5, 1}),
+                                     joints({-1, 2})};
+  const auto made = make_trajectory(robot, OnlyThese(way), columns(way));
   EXPECT_TRUE(made.stops);
   EXPECT_EQ(made.waypoints, 4);
   expect_smooth(robot, made.trajectory);
@@ -189,8 +189,9 @@ TEST(Trajectory, RestsAtEachWaypointWhereNothingElseIsFree) {
 TEST(Trajectory, KeepsWithinJointLimitsThatASplineWouldOvershoot) {
   Robot robot = two_links();
   robot.joints[0].high = 1;
-  const std::vector<std::vector<double>> way{{0, 0}, {1, 0.1}, {1, 0.2}, {1, 0.3}, {0, 0.4}};
-  const auto made = make_trajectory(robot, Nothing(), way, {.shortcut = false});
+  const std::vector<JointVector> way{joints({0, 0}), joints({1, 0.1}), joints({1, 0.2}),
+                                     joints({1, 0.3}), joints({0, 0.4})};
+  const auto made = make_trajectory(robot, Nothing(), columns(way), {.shortcut = false});
   for (int i = 0; i <= 2000; ++i) {
     EXPECT_LE(made.trajectory.at(made.trajectory.duration() * i / 2000).q[0], 1 + 1e-9);
   }
@@ -198,10 +199,10 @@ TEST(Trajectory, KeepsWithinJointLimitsThatASplineWouldOvershoot) {
 
 TEST(Trajectory, StaysWithinTheClearanceOfTheMotionsThatItAskedAbout) {
   const Robot robot = two_links();
-  const std::vector<std::vector<double>> way{{0, 0}, {0.2, 0.3}, {0.2, 0.5}};
+  const std::vector<JointVector> way{joints({0, 0}), joints({0.2, 0.3}), joints({0.2, 0.5})};
   for (const double clearance : {1e-3, 1e-5, 1e-6}) {
     const Notes notes(clearance);
-    const auto made = make_trajectory(robot, notes, way, {.shortcut = false});
+    const auto made = make_trajectory(robot, notes, columns(way), {.shortcut = false});
     ASSERT_FALSE(made.stops);
     constexpr int kTimes = 4000;
     for (int i = 0; i <= kTimes; ++i) {
@@ -222,21 +223,22 @@ TEST(Trajectory, StaysWithinTheClearanceOfTheMotionsThatItAskedAbout) {
 
 TEST(Trajectory, RefusesASensorWithoutClearance) {
   const Robot robot = two_links();
-  const std::vector<std::vector<double>> way{{0, 0}, {0.2, 0.3}};
+  const std::vector<JointVector> way{joints({0, 0}), joints({0.2, 0.3})};
   for (const double clearance : {0.0, -1.0, 1e-7, std::nan("")}) {
-    EXPECT_THROW(make_trajectory(robot, Notes(clearance), way), Error) << clearance;
+    EXPECT_THROW(make_trajectory(robot, Notes(clearance), columns(way)), Error) << clearance;
   }
 }
 
 TEST(Trajectory, SaysThatTimeRanOut) {
   const Robot robot = two_links();
   const Notes sensor(0.001);
-  const std::vector<std::vector<double>> way{{0.1, 0.2}, {0.7, -0.4}, {1.1, 0.3}};
-  const auto whole = make_trajectory(robot, sensor, way, {.shortcut = false});
+  const std::vector<JointVector> way{joints({0.1, 0.2}), joints({0.7, -0.4}), joints({1.1, 0.3})};
+  const auto whole = make_trajectory(robot, sensor, columns(way), {.shortcut = false});
   EXPECT_EQ(whole.status, Status::solved);
   EXPECT_FALSE(whole.stops);
   const CountingTime none(0);
-  const auto cut = make_trajectory(robot, sensor, way, {.shortcut = false, .stop = none.is_up()});
+  const auto cut =
+      make_trajectory(robot, sensor, columns(way), {.shortcut = false, .stop = none.is_up()});
   EXPECT_EQ(cut.status, Status::limit);
   EXPECT_TRUE(cut.stops);
   expect_smooth(robot, cut.trajectory);
@@ -245,9 +247,9 @@ TEST(Trajectory, SaysThatTimeRanOut) {
 TEST(Trajectory, AWayBackToAWaypointStaysThere) {
   const Robot robot = two_links();
   const Notes sensor(0.001);
-  const std::vector<double> a{0.1, 0.2}, b{0.7, -0.4}, c{1.1, 0.3};
-  const auto shortcut = [&](const std::vector<std::vector<double>>& way) {
-    return make_trajectory(robot, sensor, way, {.shortcut = true});
+  const JointVector a = joints({0.1, 0.2}), b = joints({0.7, -0.4}), c = joints({1.1, 0.3});
+  const auto shortcut = [&](const std::vector<JointVector>& way) {
+    return make_trajectory(robot, sensor, columns(way), {.shortcut = true});
   };
   const auto stay = shortcut({a, b, a});
   EXPECT_EQ(stay.waypoints, 1);
@@ -261,15 +263,15 @@ TEST(Trajectory, AWayBackToAWaypointStaysThere) {
 
 TEST(Trajectory, SmallCases) {
   const Robot robot = two_links();
-  EXPECT_TRUE(make_trajectory(robot, Nothing(), {}).trajectory.empty());
-  const std::vector<std::vector<double>> one{{1, 2}};
-  const auto still = make_trajectory(robot, Nothing(), one);
+  EXPECT_TRUE(make_trajectory(robot, Nothing(), columns({})).trajectory.empty());
+  const std::vector<JointVector> one{joints({1, 2})};
+  const auto still = make_trajectory(robot, Nothing(), columns(one));
   EXPECT_EQ(still.trajectory.duration(), 0);
   EXPECT_EQ(still.trajectory.at(5).q, one[0]);
-  const std::vector<std::vector<double>> wrong{{1, 2, 3}};
-  EXPECT_THROW(make_trajectory(robot, Nothing(), wrong), Error);
-  const std::vector<std::vector<double>> endless{{1, 2}, {1, HUGE_VAL}};
-  EXPECT_THROW(make_trajectory(robot, Nothing(), endless), Error);
+  const std::vector<JointVector> wrong{joints({1, 2, 3})};
+  EXPECT_THROW(make_trajectory(robot, Nothing(), columns(wrong)), Error);
+  const std::vector<JointVector> endless{joints({1, 2}), joints({1, HUGE_VAL})};
+  EXPECT_THROW(make_trajectory(robot, Nothing(), columns(endless)), Error);
 }
 
 TEST(Trajectory, FclFindsNoContactOnRandomScenes) {
@@ -280,7 +282,7 @@ TEST(Trajectory, FclFindsNoContactOnRandomScenes) {
       const Query query =
           generate_query(robot, {.seed = seed, .obstacles = 10, .wall = seed % 2 == 0 ? 0.8 : 0});
       const SceneSensor sensor(robot, query.scene);
-      const Request request{.start = query.start, .goal = query.goal};
+      const Request request{.start = query.start, .goal = query.goal, .motion = false};
       Params parameters = lattice_of(robot, request, 10);
       parameters.iterations = 20;
       const Result found = plan(robot, sensor, request, parameters);
@@ -301,21 +303,22 @@ TEST(Trajectory, FclFindsNoContactOnRandomScenes) {
 TEST(Recheck, SeesContactsAndBrokenLimits) {
   const Robot robot = two_links();
   Obstacle box;
-  box.position = {0.9, 0, 0};
+  box.pose.translation() = Eigen::Vector3d(0.9, 0, 0);
   box.size = {0.1, 0.1, 0.1};
-  const Trajectory still({{0, {0, 0}, {0, 0}}});
+  const Trajectory still({{0, joints({0, 0}), joints({0, 0})}});
   EXPECT_EQ(recheck(robot, {"", {box}}, still, 10).contacts, 10);
   EXPECT_EQ(recheck(robot, {}, still, 10).contacts, 0);
-  const Trajectory hasty({{0, {0, 0}, {0, 0}}, {0.01, {1, 0}, {0, 0}}});
+  const Trajectory hasty(
+      {{0, joints({0, 0}), joints({0, 0})}, {0.01, joints({1, 0}), joints({0, 0})}});
   EXPECT_GT(recheck(robot, {}, hasty, 10).limits, 0);
 }
 
 TEST(Recheck, RefusesWhatDoesNotFit) {
   const Robot robot = two_links();
-  const Trajectory still({{0, {0, 0}, {0, 0}}});
+  const Trajectory still({{0, joints({0, 0}), joints({0, 0})}});
   EXPECT_THROW(recheck(robot, {}, Trajectory(), 10), Error);
-  EXPECT_THROW(recheck(robot, {}, Trajectory({{0, {0}, {0}}}), 10), Error);
-  EXPECT_THROW(recheck(robot, {}, Trajectory({{0, {0, 0}, {0}}}), 10), Error);
+  EXPECT_THROW(recheck(robot, {}, Trajectory({{0, joints({0}), joints({0})}}), 10), Error);
+  EXPECT_THROW(recheck(robot, {}, Trajectory({{0, joints({0, 0}), joints({0})}}), 10), Error);
   EXPECT_THROW(recheck(robot, {}, still, 0), Error);
   EXPECT_THROW(recheck(Robot(), {}, still, 10), Error);
   EXPECT_THROW(recheck(robot, {"", {Obstacle()}}, still, 10), Error) << "a box without a size";

@@ -39,7 +39,7 @@ TEST(Stops, TokenAndDeadlineKeepTheBestPath) {
   const Planner planner(known_world());
   std::stop_source source;
   const Result cut = planner.plan({.start = {}, .goal = {}, .stop = {.token = source.get_token()}},
-                                  defaults("maklink-acs"), [&](const IterationView& view) {
+                                  defaults("maklink-acs"), [&](const Progress& view) {
                                     if (view.iteration == 4) source.request_stop();
                                   });
   EXPECT_EQ(cut.status, Status::interrupted);

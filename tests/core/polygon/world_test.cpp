@@ -47,6 +47,13 @@ void expect_refusal(const std::string& text, const std::string& part, bool wkt =
   EXPECT_NE(what.find(part), std::string::npos) << what << "\nshould say: " << part;
 }
 
+TEST(PolygonNames, EveryChoiceHasOne) {
+  EXPECT_EQ(to_string(Join::mitre), "mitre");
+  EXPECT_EQ(to_string(Join::bevel), "bevel");
+  EXPECT_EQ(to_string(GlobalBest::so_far), "so-far");
+  EXPECT_EQ(to_string(GlobalBest::iteration), "iteration");
+}
+
 TEST(GeoJson, ReadsEveryRole) {
   const World world = parse_geojson(
       collection({feature("obstacle", "MultiPolygon",

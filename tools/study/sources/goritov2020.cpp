@@ -24,9 +24,9 @@ arm::GenerateOptions options_of(const std::string& source) {
   return options;
 }
 
-arm::Params parameters_for(arm::Vec3 from, arm::Vec3 to) {
+arm::Params parameters_for(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const double widest =
-      std::max({std::abs(from.x - to.x), std::abs(from.y - to.y), std::abs(from.z - to.z)});
+      std::max({std::abs(from[0] - to[0]), std::abs(from[1] - to[1]), std::abs(from[2] - to[2])});
   arm::Params parameters;
   parameters.side = kSide;
   parameters.pitch = widest / (0.6 * kSide);
@@ -49,17 +49,17 @@ struct ArmScenes::Case {
  private:
   Case(const arm::Robot& robot, const arm::GenerateOptions& options, arm::Query query)
       : scene(std::move(query.scene)),
-        request{.start = std::move(query.start), .goal = query.goal},
+        request{.start = std::move(query.start), .goal = query.goal, .motion = false},
         parameters(parameters_for(arm::tip_position(robot, request.start), request.goal)),
         sensor(robot, scene) {
     const arm::Result best = arm::shortest_lattice_way(robot, sensor, request, parameters);
     const arm::Result straight = arm::straight_lattice_way(robot, sensor, request, parameters);
-    const arm::Vec3 from = arm::tip_position(robot, request.start), to = request.goal;
+    const Eigen::Vector3d from = arm::tip_position(robot, request.start), to = request.goal;
     const auto moves = [&](double a, double b) {
       return std::round(std::abs(a - b) / parameters.pitch);
     };
     const double nearest =
-        parameters.pitch * (moves(from.x, to.x) + moves(from.y, to.y) + moves(from.z, to.z));
+        parameters.pitch * (moves(from[0], to[0]) + moves(from[1], to[1]) + moves(from[2], to[2]));
     ground = {options, best.length, best.length / nearest, straight.status == Status::solved,
               best.points};
   }
