@@ -24,12 +24,4 @@ struct ArmAnswer {
   double elapsed_ms = 0;
 };
 
-/// Reads the robot and the scene. @throws Error for what is missing, broken or out of range;
-/// UsageError where the start has not a value for each joint.
-ArmAnswer prepare_arm(const ArmCommand& command);
-
-/// Plans, and makes the motion.
-void solve_arm(const ArmCommand& command, const StopCondition& stop, const arm::Observer& observer,
-               ArmAnswer& answer);
-
 }  // namespace lasius::tool

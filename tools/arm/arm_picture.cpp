@@ -225,8 +225,8 @@ std::string title(const ArmCommand& command, const ArmAnswer& answer) {
   const auto base = [](const std::string& file) {
     return std::filesystem::path(file).filename().string();
   };
-  std::string text = "goritov2020: " + base(command.robot) + " in " + base(command.scene) +
-                     ", seed " + std::to_string(command.seed) + ": ";
+  std::string text = std::string(answer.parameters.algorithm()) + ": " + base(command.robot) +
+                     " in " + base(command.scene) + ", seed " + std::to_string(command.seed) + ": ";
   if (answer.plan.tips.empty()) return text + std::string(to_string(answer.plan.status));
   std::array<char, 160> figures;
   std::snprintf(

@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/bitmap/map_file.h"
-#include "tools/bitmap/report.h"
-#include "tools/commands.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
+#include "tools/options/commands.h"
+#include "tools/record/json_values.h"
 
 namespace lasius::tool {
 namespace {

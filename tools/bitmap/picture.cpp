@@ -5,12 +5,11 @@
 #include <filesystem>
 #include <functional>
 
-#include "core/base/output.h"
-#include "tools/bitmap/report.h"
 #include "tools/draw/canvas.h"
 #include "tools/draw/chart.h"
 #include "tools/draw/colours.h"
 #include "tools/draw/text.h"
+#include "tools/record/json_values.h"
 
 namespace lasius::tool {
 namespace {
@@ -205,16 +204,12 @@ std::string path_caption(const PreparedMap& map, Frame frame, const Answer& answ
   if (frame == Frame::world) text += " m";
   if (result.optimal) return text + ", proven shortest";
   if (answer.optimum && *answer.optimum > 0)
-    text +=
-        ", " + study::fixed(100 * (result.length / *answer.optimum - 1), 2) + "% above the optimum";
+    text += ", " + study::fixed(100 * *gap_to(answer.optimum, result.length), 2) +
+            "% above the optimum";
   return text;
 }
 
 }  // namespace
-
-bool is_picture(const std::string& file) {
-  return has_ending(file, ".svg") || has_ending(file, ".png");
-}
 
 void write_plan_picture(const std::string& file, const PreparedMap& map, const RunOptions& run,
                         const Answer& answer, const PictureRecorder* recorder) {
@@ -246,11 +241,14 @@ void write_plan_picture(const std::string& file, const PreparedMap& map, const R
   if (!answer.result.best.empty())
     panels.push_back({"convergence",
                       [&](Canvas& canvas, const Box& box) {
-                        const Result shown = in_frame(map, run.frame, answer.result);
-                        Convergence curves{shown.best, shown.mean, answer.optimum};
+                        Convergence curves{answer.result.best, answer.result.mean, answer.optimum};
+                        const auto show = [&](double& cells) {
+                          cells = map.length_in(run.frame, cells);
+                        };
+                        std::ranges::for_each(curves.best, show);
+                        std::ranges::for_each(curves.mean, show);
+                        if (curves.optimum) show(*curves.optimum);
                         if (run.frame == Frame::world) curves.unit = "metres";
-                        if (curves.optimum)
-                          curves.optimum = map.length_in(run.frame, *curves.optimum);
                         draw_convergence(canvas, box, curves);
                       },
                       true});

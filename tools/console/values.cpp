@@ -137,6 +137,8 @@ std::vector<double> reals_value(std::string_view option, std::string_view text, 
 
 std::string to_text(double value) { return number_text(value); }
 
+std::string finite_text(double value) { return std::isfinite(value) ? to_text(value) : ""; }
+
 std::string whole_text(double value) {
   return std::abs(value) <= static_cast<double>(kMaxExactInteger)
              ? std::to_string(static_cast<std::int64_t>(value))

@@ -51,6 +51,8 @@ std::vector<double> reals_value(std::string_view option, std::string_view text, 
 
 /// The shortest text that reads back as the same number.
 std::string to_text(double value);
+/// The same; empty where the value is not finite.
+std::string finite_text(double value);
 
 /// The same of a whole number, in digits where they are exact.
 std::string whole_text(double value);

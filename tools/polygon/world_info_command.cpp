@@ -2,11 +2,12 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "tools/commands.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
-#include "tools/polygon/polygon_report.h"
+#include "tools/options/commands.h"
+#include "tools/polygon/polygon_answer.h"
+#include "tools/record/json_values.h"
 
 namespace lasius::tool {
 namespace {

@@ -2,12 +2,12 @@
 #include <filesystem>
 
 #include "core/base/did_you_mean.h"
-#include "tools/commands.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/progress.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
+#include "tools/options/commands.h"
 #include "tools/study/files.h"
 #include "tools/study/markdown.h"
 #include "tools/study/pictures.h"

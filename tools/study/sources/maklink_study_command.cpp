@@ -1,12 +1,12 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 
-#include "tools/commands.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/progress.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
 #include "tools/draw/line_chart.h"
+#include "tools/options/commands.h"
 #include "tools/polygon/polygon_picture.h"
 #include "tools/study/files.h"
 #include "tools/study/sources/maklink.h"

@@ -1,13 +1,13 @@
 // lasius study goritov2020.
 #include <algorithm>
 
-#include "tools/commands.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/progress.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
 #include "tools/draw/canvas.h"
 #include "tools/draw/line_chart.h"
+#include "tools/options/commands.h"
 #include "tools/study/files.h"
 #include "tools/study/sources/goritov2020.h"
 #include "tools/study/sources/goritov2020_measures.h"
