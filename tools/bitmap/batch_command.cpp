@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "core/base/output.h"
@@ -131,7 +130,7 @@ int run_batch(const BatchCommand& command) {
                    answer);
       }
       task.take(std::move(answer));
-      const std::string text = line(result_json(task));
+      const std::string text = json_line(task);
       collected.add(text);
       delivery.print(text);
       bar.update(static_cast<std::int64_t>(index) + 1, "queries");

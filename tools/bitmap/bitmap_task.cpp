@@ -1,9 +1,7 @@
 #include "tools/bitmap/bitmap_task.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -50,10 +48,7 @@ std::string invalid_text(const PreparedMap& map, Frame frame, const Answer& answ
           std::to_string(free->y) + ")";
   if (frame == Frame::cell) return text;
   const Point metres = map.to_world(centre(*free));
-  std::array<char, 96> centre_text;
-  std::snprintf(centre_text.data(), centre_text.size(), ", its centre at %.3f,%.3f m", metres.x,
-                metres.y);
-  return text + centre_text.data();
+  return text + printed(", its centre at %.3f,%.3f m", metres.x, metres.y);
 }
 
 Json cell_json(const Place& place) {
@@ -98,19 +93,14 @@ void BitmapTask::announce() const {
     message("--prepare has no effect: it would take more than " +
             std::to_string(PrepareOptions{}.max_bytes >> 20) + " MB for this map");
   if (!options().messages.verbose) return;
-  std::array<char, 160> text;
-  std::snprintf(text.data(), text.size(),
-                map.planner
-                    ? ": %d x %d cells, hash %s, read in %.1f ms, prepared in %.1f ms"
-                    : ": %d x %d cells, hash %s, read in %.1f ms, interrupted after %.1f ms",
-                map.width, map.height, hash_text(map.hash).c_str(), map.read_ms, map.prepare_ms);
-  message(map.file + text.data());
-  if (prepared.state == Preparation::State::ready) {
-    std::snprintf(text.data(), text.size(), "--prepare: %lld corners, %lld edges, %.1f MB, %.1f ms",
-                  static_cast<long long>(prepared.vertices), static_cast<long long>(prepared.edges),
-                  1e-6 * static_cast<double>(prepared.bytes), 1e3 * prepared.seconds);
-    message(text.data());
-  }
+  message(map.file + printed(": %d x %d cells, hash %s, read in %.1f ms, %s %.1f ms", map.width,
+                             map.height, hash_text(map.hash).c_str(), map.read_ms,
+                             map.planner ? "prepared in" : "interrupted after", map.prepare_ms));
+  if (prepared.state == Preparation::State::ready)
+    message(printed("--prepare: %lld corners, %lld edges, %.1f MB, %.1f ms",
+                    static_cast<long long>(prepared.vertices),
+                    static_cast<long long>(prepared.edges),
+                    1e-6 * static_cast<double>(prepared.bytes), 1e3 * prepared.seconds));
   announce_algorithm(true);
 }
 
@@ -154,14 +144,9 @@ void BitmapTask::remark() const {
   const auto& [any_angle, by_moves] = std::pair(answer_.optimum, answer_.grid_optimum);
   if (options().json || (!any_angle && !by_moves)) return;
   const auto against = [&](const char* name, double optimum) {
-    std::array<char, 96> text;
-    std::snprintf(text.data(), text.size(), "%s %.6f%s", name, shown(optimum),
-                  in_metres() ? " m" : "");
-    std::string part = text.data();
+    const auto part = printed("%s %.6f%s", name, shown(optimum), in_metres() ? " m" : "");
     if (!has_path() || !(optimum > 0)) return part;
-    std::snprintf(text.data(), text.size(), " (the path: %+.3f%%)",
-                  100 * *gap_to(optimum, result().length));
-    return part + text.data();
+    return part + printed(" (the path: %+.3f%%)", 100 * *gap_to(optimum, result().length));
   };
   std::string text = any_angle ? against("optimum", *any_angle) : "optimum unknown";
   if (by_moves) text += ", " + against("by its own moves", *by_moves);

@@ -126,14 +126,13 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
 }
 
 void add_world_options(CLI::App& app, WorldText& text) {
-  app.add_option("--margin", text.margin,
-                 "Polygon worlds: grow obstacles, not the boundary, by this in place of theirs")
-      ->type_name("R");
-  app.add_option(
-         "--join", text.join,
+  const AddOption option = option_adder(app);
+  option("--margin", text.margin,
+         "Polygon worlds: grow obstacles, not the boundary, by this in place of theirs", "R");
+  option("--join", text.join,
          "Polygon worlds: corners of grown obstacles (default mitre; round keeps 99.5% of the\n"
-         "margin there, bevel less)")
-      ->type_name("mitre|round|bevel");
+         "margin there, bevel less)",
+         "mitre|round|bevel");
   add_switch(app, "--repair", text.repair, "Polygon worlds: repair geometry that is not valid");
 }
 
@@ -144,9 +143,9 @@ Subcommand add_plan(CLI::App& app) {
   };
   auto raw = std::make_shared<Raw>();
   auto* plan = app.add_subcommand("plan", "Plan one path");
-  plan->add_option("--start", raw->polygon.start, "Where the path starts; a polygon world may say")
-      ->type_name("X,Y");
-  plan->add_option("--goal", raw->polygon.goal, "Where it ends; likewise")->type_name("X,Y");
+  const AddOption option = option_adder(*plan);
+  option("--start", raw->polygon.start, "Where the path starts; a polygon world may say", "X,Y");
+  option("--goal", raw->polygon.goal, "Where it ends; likewise", "X,Y");
   add_run_options(*plan, raw->run, kMapHelp);
   add_world_options(*plan, raw->polygon.world);
   plan->footer(kPlanExits);
@@ -173,8 +172,8 @@ Subcommand add_batch(CLI::App& app) {
   auto* batch = app.add_subcommand("batch", "Plan many paths on one map: JSON, one object a line");
   add_run_options(*batch, raw->run, kBitmapHelp);
   batch->footer(kBatchExits);
-  batch->add_option("QUERIES", raw->queries, "A MovingAI .scen, or a TSV with columns sx sy gx gy")
-      ->type_name("FILE")
+  option_adder (*batch)("QUERIES", raw->queries,
+                        "A MovingAI .scen, or a TSV with columns sx sy gx gy", "FILE")
       ->required();
   return {batch, [raw]() -> Command {
             if (is_world(raw->run.map))
@@ -193,11 +192,10 @@ Subcommand add_info(CLI::App& app) {
   };
   auto raw = std::make_shared<Raw>();
   auto* info = app.add_subcommand("info", "Describe a map or a polygon world");
-  info->add_option("MAP", raw->map, kMapHelp)->type_name("FILE")->required();
-  info->add_option("--corners", raw->corners, "Rule by which components are joined")
-      ->type_name("forbid|one-side|allow");
-  info->add_option("--radius", raw->radius, "Grow obstacles as plan --radius does, in cells")
-      ->type_name("R");
+  const AddOption option = option_adder(*info);
+  option("MAP", raw->map, kMapHelp, "FILE")->required();
+  option("--corners", raw->corners, "Rule by which components are joined", "forbid|one-side|allow");
+  option("--radius", raw->radius, "Grow obstacles as plan --radius does, in cells", "R");
   add_switch(*info, "--unknown-free", raw->unknown_free,
              "Unknown cells of a ROS map count as free");
   add_switch(*info, "--prepare", raw->prepare,
@@ -240,19 +238,15 @@ Subcommand add_generate(CLI::App& app) {
   };
   auto raw = std::make_shared<Raw>();
   auto* make = app.add_subcommand("generate", "Make a map from a seed");
-  make->add_option("KIND", raw->kind, "Kind of map")
-      ->type_name("blobs|maze|rooms|city|random|open")
-      ->required();
-  make->add_option("--size", raw->size, "Width and height in cells")->type_name("WxH")->required();
-  make->add_option("--density", raw->density,
-                   "Share of blocked cells that is aimed at, from 0 to 1, or the most that the "
-                   "kind reaches; "
-                   "default: the kind's own")
-      ->type_name("D");
-  make->add_option("--seed", raw->seed, "Seed, from 0 to 2^53-1 (default 1)")->type_name("N");
-  make->add_option("-o,--output", raw->output, "Map to write: .map, .pbm or .png")
-      ->type_name("FILE")
-      ->required();
+  const AddOption option = option_adder(*make);
+  option("KIND", raw->kind, "Kind of map", "blobs|maze|rooms|city|random|open")->required();
+  option("--size", raw->size, "Width and height in cells", "WxH")->required();
+  option("--density", raw->density,
+         "Share of blocked cells that is aimed at, from 0 to 1, or the most that the kind reaches; "
+         "default: the kind's own",
+         "D");
+  option("--seed", raw->seed, "Seed, from 0 to 2^53-1 (default 1)", "N");
+  option("-o,--output", raw->output, "Map to write: .map, .pbm or .png", "FILE")->required();
   return {make, [raw]() -> Command {
             static constexpr std::string_view kEndings[] = {".map", ".pbm", ".png"};
             GenerateCommand command;
@@ -279,12 +273,11 @@ Subcommand add_verify(CLI::App& app) {
       "verify",
       "Replay saved results from their recorded inputs and compare all but threads, elapsed_ms, "
       "version and optima of --gap that were not found in time");
-  verify->add_option("RESULT", raw->result, "A result of plan or arm, or the lines of batch")
-      ->type_name("FILE")
+  const AddOption option = option_adder(*verify);
+  option("RESULT", raw->result, "A result of plan or arm, or the lines of batch", "FILE")
       ->required();
-  verify->add_option("--map", raw->map, "The map, where it is no longer where it was")
-      ->type_name("FILE");
-  verify->add_option("--threads", raw->threads, "Threads of the replay")->type_name("N");
+  option("--map", raw->map, "The map, where it is no longer where it was", "FILE");
+  option("--threads", raw->threads, "Threads of the replay", "N");
   add_switch(*verify, "-q,--quiet", raw->quiet, "Print differences only");
   verify->footer(
       "Exit codes: 0 every result was replayed and is equal, bit for bit; 1 one differs; 2 usage, "
@@ -307,13 +300,11 @@ Subcommand add_study(CLI::App& app) {
       "Repeat a source's experiments and set ours beside its figures; goes on where an "
       "earlier call stopped (maklink, of seconds, starts anew)");
   study->add_option("NAME", raw->name, "The study; list: what there is")->required();
-  study->add_option("--seeds", raw->seeds, "Runs of each algorithm, seeds 1 to N (default 30)")
-      ->type_name("N");
-  study->add_option("-o,--output", raw->folder, "Folder to write (default study-NAME)")
-      ->type_name("DIR");
-  study->add_option("--threads", raw->threads, "Runs at a time")->type_name("N");
-  study->add_option("--maps", raw->maps, "Folder of the maps, instead of the program's own")
-      ->type_name("DIR");
+  const AddOption option = option_adder(*study);
+  option("--seeds", raw->seeds, "Runs of each algorithm, seeds 1 to N (default 30)", "N");
+  option("-o,--output", raw->folder, "Folder to write (default study-NAME)", "DIR");
+  option("--threads", raw->threads, "Runs at a time", "N");
+  option("--maps", raw->maps, "Folder of the maps, instead of the program's own", "DIR");
   add_switch(*study, "-q,--quiet", raw->quiet, "Print errors only");
   return {study, [raw]() -> Command {
             StudyCommand command{.name = raw->name,

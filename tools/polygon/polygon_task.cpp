@@ -1,7 +1,5 @@
 #include "tools/polygon/polygon_task.h"
 
-#include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -37,14 +35,12 @@ class PolygonTask : public Task {
     Task::announce();
     if (!options().messages.verbose) return;
     const polygon::Maklink& graph = world_->planner.maklink();
-    std::array<char, 200> text;
-    std::snprintf(text.data(), text.size(),
-                  ": %zu obstacles, %zu lines, %zu regions, hash %s, read in %.1f ms, prepared in "
-                  "%.1f ms",
-                  world_->planner.world().obstacles.size(), graph.lines.size(),
-                  graph.regions.size(), hash_text(world_->hash).c_str(), world_->read_ms,
-                  world_->prepare_ms);
-    message(world_->file + text.data());
+    message(world_->file +
+            printed(": %zu obstacles, %zu lines, %zu regions, hash %s, read in %.1f ms, prepared "
+                    "in %.1f ms",
+                    world_->planner.world().obstacles.size(), graph.lines.size(),
+                    graph.regions.size(), hash_text(world_->hash).c_str(), world_->read_ms,
+                    world_->prepare_ms));
     announce_algorithm(false);
   }
   void plan(const StopCondition& stop, const Watch& watch) override {

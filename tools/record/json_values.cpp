@@ -1,10 +1,10 @@
 #include "tools/record/json_values.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "tools/console/values.h"
 
 namespace lasius::tool {
 
@@ -37,9 +37,7 @@ Json range_json(const Parameter& parameter) {
 }
 
 std::string hash_text(std::uint64_t hash) {
-  std::array<char, 17> digits;
-  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
-  return digits.data();
+  return printed("%016llx", static_cast<unsigned long long>(hash));
 }
 
 }  // namespace lasius::tool

@@ -1,8 +1,6 @@
 #include "tools/record/task.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -85,12 +83,12 @@ void deliver(const Task& task) {
   const SearchOptions& options = task.options();
   Delivery delivery(options.outputs);
   try {
-    delivery.print(options.json ? line(result_json(task)) : text(task));
+    delivery.print(options.json ? json_line(task) : text(task));
   } catch (const ClosedOutput&) {
     return;  // the exit code still says how the run ended
   }
   delivery.write([&](const std::string& file) {
-    write_output(file, {.json = [&](auto& out) { out << line(result_json(task)); },
+    write_output(file, {.json = [&](auto& out) { out << json_line(task); },
                         .csv = [&](auto& out) { task.write_csv(out); },
                         .picture = [&] { task.write_picture(file); }});
     if (options.messages.verbose) message("wrote " + file);
@@ -122,9 +120,8 @@ bool Task::has_path() const { return !std::isnan(result().length); }
 
 std::string Task::progress_note(const Progress& progress) const {
   if (!std::isfinite(progress.best_length)) return "no path yet";
-  std::array<char, 64> text;
-  std::snprintf(text.data(), text.size(), "best %.3f", shown(progress.best_length));
-  return unit().empty() ? text.data() : text.data() + (" " + unit());
+  const std::string text = printed("best %.3f", shown(progress.best_length));
+  return unit().empty() ? text : text + " " + unit();
 }
 
 void Task::write_csv(std::ostream& out) const {
@@ -166,6 +163,8 @@ int run(Task& task) {
   deliver(task);
   return signals.interrupted() ? kInterrupted : exit_code(task);  // --gap may be what was cut off
 }
+
+std::string json_line(const Task& task) { return line(result_json(task)); }
 
 Json result_json(const Task& task) {
   const SearchOptions& options = task.options();

@@ -90,8 +90,9 @@ class Task {
 /// printed and written. The program's exit code.
 int run(Task& task);
 
-/// A result, keys in the order of the contract, on one line where dumped.
+/// A result, keys in the order of the contract; and as a line of text.
 Json result_json(const Task& task);
+std::string json_line(const Task& task);
 
 /// A result that is to be planned again.
 struct Recorded {
