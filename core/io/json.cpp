@@ -50,7 +50,7 @@ std::vector<double> curve(const Json& object, const std::string& key) {
   std::vector<double> values;
   for (const Json& value : member<std::vector<Json>>(object, key)) {
     if (!value.is_null() && !value.is_number())
-      throw broken("holds \"" + key + "\"" + value.dump());
+      throw broken("holds \"" + key + "\": " + value.dump());
     values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN()
                                      : value.get<double>());
   }

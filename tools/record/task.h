@@ -23,10 +23,12 @@ namespace lasius::tool {
 inline constexpr const char* kPlanFormat = "lasius-plan/1";
 inline constexpr const char* kArmFormat = "lasius-arm-plan/1";
 
-/// One question. Its steps are called in the order in which they stand here; what is const after
-/// them tells of it.
+/// One question. The first four functions are its life, called in their order; the others tell of
+/// it, those of the result after plan(). A new kind of world is one class that writes the pure
+/// ones, a line in worlds(), and a `recorded_...` function for `verify`.
 class Task {
  public:
+  /// Gets the world's own kind of Progress.
   using Watch = std::function<void(const Progress&)>;
 
   Task() = default;
@@ -69,15 +71,18 @@ class Task {
   virtual void write_csv(std::ostream& out) const;
   virtual void write_picture(const std::string& file) const = 0;
 
-  // Its JSON, in the order of the contract.
+  // What it adds to the JSON, in the order of the contract; Task writes the rest.
   virtual const char* format() const { return kPlanFormat; }
   virtual std::optional<std::size_t> index() const { return {}; }  ///< of a batch's query
-  virtual Json inputs() const = 0;  ///< files by role, each with its name and hash
-  virtual std::pair<Json, Json> ends() const = 0;
+  virtual Json inputs() const = 0;                 ///< files by role, each with its name and hash
+  virtual std::pair<Json, Json> ends() const = 0;  ///< start and goal
   /// Beside the algorithm's parameters: all that decides the result; add_limits is part of it.
   virtual void add_settings(Json& json) const = 0;
+  /// "path", and what goes with it.
   virtual void add_path(Json& json) const = 0;
+  /// Between the curves and the bound: what the search took.
   virtual void add_effort(Json&) const {}
+  /// At the end: what else was found.
   virtual void add_findings(Json&) const {}
 
  protected:
