@@ -3,10 +3,10 @@
 
 #include "lasius/error.h"
 #include "tools/command_line/cli.h"
-#include "tools/commands.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
+#include "tools/options/commands.h"
 
 namespace lasius::tool {
 namespace {

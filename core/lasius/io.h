@@ -1,10 +1,12 @@
-// Component lasius::io: PNG and ROS map_server YAML, and every other map format through one door.
+// Component lasius::io: PNG and ROS map_server YAML, and every other map format through one door;
+// parameters and answers as JSON.
 #pragma once
 
 #include <string>
 
 #include "lasius/grid.h"
 #include "lasius/io_export.h"
+#include "lasius/io_json.h"
 #include "lasius/map_io.h"
 
 namespace lasius {

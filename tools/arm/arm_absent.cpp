@@ -1,8 +1,6 @@
-#include <nlohmann/json.hpp>
-
-#include "tools/arm/arm_verify.h"
-#include "tools/commands.h"
+#include "tools/arm/arm_task.h"
 #include "tools/console/exit_code.h"
+#include "tools/options/commands.h"
 
 namespace lasius::tool {
 namespace {
@@ -17,8 +15,6 @@ namespace {
 
 int run_arm(const ArmCommand&) { refuse(); }
 int run_arm_study(const StudyCommand&, const std::filesystem::path&) { refuse(); }
-Json arm_replay(const Json&, const std::string&, const std::string&, int, const std::stop_token&) {
-  refuse();
-}
+std::unique_ptr<Task> recorded_arm(const Recorded&) { refuse(); }
 
 }  // namespace lasius::tool

@@ -3,12 +3,17 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
-#include "lasius/arm_plan.h"
-#include "lasius/arm_trajectory.h"
+#include "lasius/arm.h"
 #include "tools/options/options.h"
 
 namespace lasius::tool {
+
+/// The values as the library takes them, not copied.
+inline Eigen::Map<const arm::JointVector> joint_vector(const std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
 
 /// All that a run of `lasius arm` read and found.
 struct ArmAnswer {
@@ -22,16 +27,5 @@ struct ArmAnswer {
   std::optional<arm::Recheck> recheck;
   double elapsed_ms = 0;
 };
-
-/// The values as the library takes them, not copied.
-Eigen::Map<const arm::JointVector> joint_vector(const std::vector<double>& values);
-
-/// Reads the robot and the scene. @throws Error for what is missing, broken or out of range;
-/// UsageError where the start has not a value for each joint.
-ArmAnswer prepare_arm(const ArmCommand& command);
-
-/// Plans, the motion included.
-void solve_arm(const ArmCommand& command, const StopCondition& stop, const arm::Observer& observer,
-               ArmAnswer& answer);
 
 }  // namespace lasius::tool

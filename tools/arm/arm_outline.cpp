@@ -7,20 +7,17 @@
 namespace lasius::tool {
 namespace {
 
-using arm::Vec3;
+using Eigen::Vector3d;
 
 double turn(Point a, Point b, Point c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// From the obstacle's frame to the world.
-Vec3 transformed(const arm::Obstacle& o, Vec3 p) { return arm::from_eigen(o.pose) * p; }
-
 }  // namespace
 
-std::vector<Vec3> outline(const arm::Obstacle& o) {
-  std::vector<Vec3> points;
-  const auto add = [&](Vec3 p) { points.push_back(transformed(o, p)); };
+std::vector<Vector3d> outline(const arm::Obstacle& o) {
+  std::vector<Vector3d> points;
+  const auto add = [&](const Vector3d& p) { points.emplace_back(o.pose * p); };
   constexpr int kParts = 32;
   const auto angle = [](int i) { return 2 * std::numbers::pi * i / kParts; };
   switch (o.shape) {
@@ -32,10 +29,8 @@ std::vector<Vec3> outline(const arm::Obstacle& o) {
     case arm::Obstacle::Shape::sphere:
       for (int i = 0; i < kParts; ++i) {
         const double c = o.radius * std::cos(angle(i)), s = o.radius * std::sin(angle(i));
-        const Vec3 at = arm::from_eigen(o.pose).position;
-        points.push_back({at.x + c, at.y + s, at.z});
-        points.push_back({at.x + c, at.y, at.z + s});
-        points.push_back({at.x, at.y + c, at.z + s});
+        for (const Vector3d& p : {Vector3d(c, s, 0), Vector3d(c, 0, s), Vector3d(0, c, s)})
+          points.emplace_back(o.pose.translation() + p);
       }
       break;
     case arm::Obstacle::Shape::cylinder:
@@ -45,7 +40,7 @@ std::vector<Vec3> outline(const arm::Obstacle& o) {
       break;
     case arm::Obstacle::Shape::mesh:
       for (const auto& triangle : o.triangles)
-        for (const Vec3 corner : triangle) add(corner);
+        for (const Vector3d& corner : triangle) add(corner);
       break;
   }
   return points;

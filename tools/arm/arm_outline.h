@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "core/arm/vec3.h"
+#include "lasius/arm_robot.h"
 #include "lasius/geometry.h"
 
 namespace lasius::tool {
 
 /// Points of an obstacle's surface whose convex hull is its outline in every view along an axis.
-std::vector<arm::Vec3> outline(const arm::Obstacle& obstacle);
+std::vector<Eigen::Vector3d> outline(const arm::Obstacle& obstacle);
 
 /// The convex hull (Andrew's monotone chain), its corners in order.
 std::vector<Point> hull(std::vector<Point> points);

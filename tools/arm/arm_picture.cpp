@@ -16,7 +16,7 @@
 namespace lasius::tool {
 namespace {
 
-using arm::Vec3;
+using Eigen::Vector3d;
 
 constexpr Colour kPaleGrid{0.9, 0.91, 0.93};
 constexpr Colour kObstacle{0.45, 0.48, 0.53};
@@ -30,21 +30,21 @@ constexpr double kChart = 400;
 /// What a view looks along is left out: coordinates `across` and `up` are shown.
 struct View {
   const char* name;
-  double Vec3::*across;
-  double Vec3::*up;
+  int across;
+  int up;
 };
-constexpr std::array<View, 3> kViews{View{"from above: x, y", &Vec3::x, &Vec3::y},
-                                     View{"from the front: x, z", &Vec3::x, &Vec3::z},
-                                     View{"from the side: y, z", &Vec3::y, &Vec3::z}};
+constexpr std::array<View, 3> kViews{View{"from above: x, y", 0, 1},
+                                     View{"from the front: x, z", 0, 2},
+                                     View{"from the side: y, z", 1, 2}};
 
 /// The part of space that all views show.
 struct Bounds {
-  Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
-  void add(Vec3 p, double r = 0) {
-    low = {std::min(low.x, p.x - r), std::min(low.y, p.y - r), std::min(low.z, p.z - r)};
-    high = {std::max(high.x, p.x + r), std::max(high.y, p.y + r), std::max(high.z, p.z + r)};
+  Vector3d low = Vector3d::Constant(1e9), high = Vector3d::Constant(-1e9);
+  void add(const Vector3d& p, double r = 0) {
+    low = low.cwiseMin((p.array() - r).matrix());
+    high = high.cwiseMax((p.array() + r).matrix());
   }
-  double widest() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z, 0.01}); }
+  double widest() const { return std::max((high - low).maxCoeff(), 0.01); }
 };
 
 /// One view's place on the page: metres to pixels, both axes alike, up is up.
@@ -52,12 +52,12 @@ class Frame {
  public:
   Frame(const View& view, const Box& box, const Bounds& bounds)
       : view_(view), scale_(box.width / (1.06 * bounds.widest())) {
-    const double across = 0.5 * (bounds.low.*view.across + bounds.high.*view.across);
-    const double up = 0.5 * (bounds.low.*view.up + bounds.high.*view.up);
+    const double across = 0.5 * (bounds.low[view.across] + bounds.high[view.across]);
+    const double up = 0.5 * (bounds.low[view.up] + bounds.high[view.up]);
     origin_ = {box.x + box.width / 2 - scale_ * across, box.y + box.height / 2 + scale_ * up};
   }
-  Point at(Vec3 p) const {
-    return {origin_.x + scale_ * p.*view_.across, origin_.y - scale_ * p.*view_.up};
+  Point at(const Vector3d& p) const {
+    return {origin_.x + scale_ * p[view_.across], origin_.y - scale_ * p[view_.up]};
   }
   double scale() const { return scale_; }
   Point metres(Point page) const {
@@ -132,9 +132,9 @@ std::vector<arm::JointVector> poses(const ArmAnswer& answer, const ArmCommand& c
   return list;
 }
 
-std::vector<Vec3> tip_path(const ArmAnswer& answer) {
+std::vector<Vector3d> tip_path(const ArmAnswer& answer) {
   constexpr int kSamples = 300;
-  std::vector<Vec3> path;
+  std::vector<Vector3d> path;
   const arm::Trajectory& trajectory = answer.plan.trajectory;
   for (int i = 0; i <= kSamples && !trajectory.empty(); ++i)
     path.push_back(
@@ -148,7 +148,7 @@ void draw_view(Canvas& canvas, const Box& box, const View& view, const Bounds& b
   draw_grid(canvas, box, frame);
   for (const auto& o : answer.scene.obstacles) {
     std::vector<Point> flat;
-    for (const Vec3 p : outline(o)) flat.push_back(frame.at(p));
+    for (const Vector3d& p : outline(o)) flat.push_back(frame.at(p));
     canvas.area(hull(std::move(flat)), kObstacle, 0.35);
   }
   for (const arm::Capsule& c : answer.robot.base) draw_capsule(canvas, frame, c, kBase, 0.5);
@@ -211,12 +211,9 @@ Bounds bounds_of(const ArmCommand& command, const ArmAnswer& answer) {
   const Bounds arm = bounds;
   const double room = arm.widest();
   for (const auto& o : answer.scene.obstacles)
-    for (const Vec3 p : outline(o)) {
-      const auto near = [&](double v, double low, double high) {
-        return std::clamp(v, low - 0.3 * room, high + 0.3 * room);
-      };
-      bounds.add({near(p.x, arm.low.x, arm.high.x), near(p.y, arm.low.y, arm.high.y),
-                  near(p.z, arm.low.z, arm.high.z)});
+    for (const Vector3d& p : outline(o)) {
+      const Vector3d low = arm.low.array() - 0.3 * room, high = arm.high.array() + 0.3 * room;
+      bounds.add(p.cwiseMax(low).cwiseMin(high));
     }
   return bounds;
 }
@@ -225,8 +222,8 @@ std::string title(const ArmCommand& command, const ArmAnswer& answer) {
   const auto base = [](const std::string& file) {
     return std::filesystem::path(file).filename().string();
   };
-  std::string text = "goritov2020: " + base(command.robot) + " in " + base(command.scene) +
-                     ", seed " + std::to_string(command.seed) + ": ";
+  std::string text = std::string(answer.parameters.algorithm()) + ": " + base(command.robot) +
+                     " in " + base(command.scene) + ", seed " + std::to_string(command.seed) + ": ";
   if (answer.plan.tips.cols() == 0) return text + std::string(to_string(answer.plan.status));
   std::array<char, 160> figures;
   std::snprintf(

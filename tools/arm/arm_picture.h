@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tools/arm/arm_report.h"
+#include "tools/arm/arm_answer.h"
 
 namespace lasius::tool {
 

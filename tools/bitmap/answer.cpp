@@ -1,46 +1,11 @@
 #include "tools/bitmap/answer.h"
 
-#include <algorithm>
-#include <array>
-#include <cstdio>
-#include <utility>
-
 #include "lasius/shortest_walk.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"
-#include "tools/console/values.h"
 
 namespace lasius::tool {
 namespace {
-
-/// Why a start or goal is invalid, with its place as it was given, and in metres too the free cell
-/// that is nearest.
-std::string invalid_text(const PreparedMap& map, const RunOptions& run, const Answer& answer) {
-  const Result& result = answer.result;
-  const bool at_start =
-      result.fault == Fault::start_blocked || result.fault == Fault::start_outside;
-  const bool outside = result.fault == Fault::start_outside || result.fault == Fault::goal_outside;
-  const Place& place = at_start ? answer.start : answer.goal;
-  const auto [x, y] = place.number;
-  const std::string named = "(" + whole_text(x) + ", " + whole_text(y) + ")";
-  std::string text = at_start ? "start " : "goal ";
-  if (run.frame == Frame::world) {
-    text += to_text(place.asked.x) + "," + to_text(place.asked.y) + " m, in cell " + named + ",";
-  } else {
-    text += named;
-  }
-  text += outside ? " is outside the map" : " is blocked";
-  const auto& free = result.nearest_free;
-  if (!free) return map.grid().count_free() == 0 ? text + "; the map has no free cell" : text;
-  text += "; the nearest free cell is (" + std::to_string(free->x) + ", " +
-          std::to_string(free->y) + ")";
-  if (run.frame == Frame::cell) return text;
-  const Point metres = map.to_world(centre(*free));
-  std::array<char, 96> centre_text;
-  std::snprintf(centre_text.data(), centre_text.size(), ", its centre at %.3f,%.3f m", metres.x,
-                metres.y);
-  return text + centre_text.data();
-}
 
 /// Adds what --gap asks for. Each search has the time that the plan had, from its own start.
 void add_optima(const PreparedMap& map, const RunOptions& run, const StopCondition& stop,
@@ -50,27 +15,13 @@ void add_optima(const PreparedMap& map, const RunOptions& run, const StopConditi
       .start = query.start, .goal = query.goal, .stop = again(stop, run.time_limit)};
   const Result best = map.planner->plan(exact, optimum_params(run));
   set_optima(run, best.optimal ? std::optional(best.length) : std::nullopt,
-             moves_on_cells(run)
+             moves_on_cells(run.params)
                  ? shortest_by_own_moves(map, run, query, again(stop, run.time_limit))
                  : std::nullopt,
              answer);
 }
 
-/// Says why a cell that looks free is not.
-std::string grown(const PreparedMap& map) {
-  return map.radius > 0 ? " (obstacles grown by " + to_text(map.radius) + " cells)" : "";
-}
-
 }  // namespace
-
-Clock::time_point deadline_after(const std::optional<double>& seconds) {
-  return seconds ? deadline_in(std::chrono::duration<double>(*seconds)) : Clock::time_point::max();
-}
-
-StopCondition again(const StopCondition& stop, const std::optional<double>& seconds) {
-  const bool limited = stop.deadline != Clock::time_point::max();
-  return {.token = stop.token, .deadline = deadline_after(limited ? seconds : std::nullopt)};
-}
 
 Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start, const Place& goal,
               const StopCondition& stop, const Observer& observer) {
@@ -82,7 +33,7 @@ Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start,
   const Request request{.start = start.cell,
                         .goal = goal.cell,
                         .stop = stop,
-                        .target_gap = moves_on_cells(run) ? 0 : run.target_gap};
+                        .target_gap = moves_on_cells(run.params) ? 0 : run.target_gap};
   Workspace workspace;  // to give back a large one takes time, which is not the plan's
   const auto begin = Clock::now();
   answer.result = map.planner->plan(request, run.params, &workspace, observer);
@@ -91,17 +42,13 @@ Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start,
   return answer;
 }
 
-bool moves_on_cells(const RunOptions& run) {
-  return find_algorithm(run.params.algorithm()).kind != Algorithm::Kind::exact;
-}
-
 void set_optima(const RunOptions& run, std::optional<double> any_angle,
                 std::optional<double> by_moves, Answer& answer) {
   // Cell by cell, Corners::allow squeezes through where no path of the plane may.
-  const bool squeezes = moves_on_cells(run) && run.params.corners == Corners::allow &&
+  const bool squeezes = moves_on_cells(run.params) && run.params.corners == Corners::allow &&
                         run.params.neighbours != Neighbours::four;
   if (!squeezes) answer.optimum = any_angle;
-  answer.grid_optimum = moves_on_cells(run) ? by_moves : answer.optimum;
+  answer.grid_optimum = moves_on_cells(run.params) ? by_moves : answer.optimum;
 }
 
 std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOptions& run,
@@ -118,18 +65,6 @@ Params optimum_params(const RunOptions& run) {
   Params params;
   params.threads = run.params.threads;
   return params;
-}
-
-Outcome outcome(const PreparedMap& map, const RunOptions& run, const Answer& answer) {
-  const Result& result = answer.result;
-  std::string error =
-      result.status == Status::invalid ? invalid_text(map, run, answer) : result.error;
-  if (result.status == Status::invalid || result.status == Status::unreachable) error += grown(map);
-  const bool iterates = find_algorithm(run.params.algorithm()).has("iterations");
-  return {.status = result.status,
-          .iterations = iterates ? std::optional(result.iterations) : std::nullopt,
-          .has_path = !result.path.empty(),
-          .error = std::move(error)};
 }
 
 }  // namespace lasius::tool

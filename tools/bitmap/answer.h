@@ -8,7 +8,6 @@
 #include "lasius/planner.h"
 #include "tools/bitmap/map_file.h"
 #include "tools/options/options.h"
-#include "tools/record/outcome.h"
 
 namespace lasius::tool {
 
@@ -25,13 +24,6 @@ struct Answer {
   std::optional<std::size_t> index{};  ///< of a batch's query
 };
 
-/// The deadline that `seconds` from now sets.
-Clock::time_point deadline_after(const std::optional<double>& seconds);
-
-/// What a search that comes after one under `stop` may take: `seconds` from now, where that one had
-/// a deadline.
-StopCondition again(const StopCondition& stop, const std::optional<double>& seconds);
-
 /// Plans from `start` to `goal` under `stop`, then looks for --gap's optima under the token and,
 /// each, as long a limit again.
 Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start, const Place& goal,
@@ -42,9 +34,6 @@ Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start,
 std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOptions& run,
                                             const Request& query, const StopCondition& stop);
 
-/// True where the algorithm moves from cell to cell.
-bool moves_on_cells(const RunOptions& run);
-
 /// Fills in what --gap asks for, from the shortest path of all and, of an algorithm that moves on
 /// cells, the shortest walk by its own moves, as far as they are known.
 void set_optima(const RunOptions& run, std::optional<double> any_angle,
@@ -52,8 +41,5 @@ void set_optima(const RunOptions& run, std::optional<double> any_angle,
 
 /// Params of the exact planner for a run.
 Params optimum_params(const RunOptions& run);
-
-/// How the run ended, with what its map and frame add to the library's words.
-Outcome outcome(const PreparedMap& map, const RunOptions& run, const Answer& answer);
 
 }  // namespace lasius::tool

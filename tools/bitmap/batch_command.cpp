@@ -1,23 +1,23 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "core/base/output.h"
 #include "lasius/batch.h"
-#include "tools/bitmap/announce.h"
 #include "tools/bitmap/answer.h"
+#include "tools/bitmap/bitmap_task.h"
 #include "tools/bitmap/map_file.h"
 #include "tools/bitmap/picture.h"
 #include "tools/bitmap/queries.h"
-#include "tools/bitmap/report.h"
-#include "tools/commands.h"
+#include "tools/console/elapsed.h"
 #include "tools/console/exit_code.h"
+#include "tools/console/parameters.h"
 #include "tools/console/progress.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
 #include "tools/console/team.h"
+#include "tools/options/commands.h"
 #include "tools/record/outputs.h"
 
 namespace lasius::tool {
@@ -26,30 +26,32 @@ namespace {
 /// What files need of a batch, kept only for the kinds that are asked for.
 class Collected {
  public:
-  Collected(const PreparedMap& map, const RunOptions& run) : map_(map), run_(run) {
-    for (const auto& file : run.outputs) {
+  Collected(const PreparedMap& map, const BitmapTask& task) : map_(map), task_(task) {
+    for (const auto& file : task.options().outputs) {
       json_ |= has_ending(file, ".json");
       csv_ |= has_ending(file, ".csv");
       paths_ |= is_picture(file);
     }
-    if (csv_) rows_ = batch_csv_header(run.frame);
+    if (csv_) rows_ = task.batch_header();
   }
 
-  void add(const Answer& answer, const std::string& json_line) {
+  /// Adds the task's answer.
+  void add(const std::string& json_line) {
     if (json_) lines_ += json_line;
-    if (csv_) rows_ += batch_csv_row(map_, run_.frame, answer);
-    if (paths_ && !answer.result.path.empty()) kept_.push_back(answer.result.path);
+    if (csv_) rows_ += task_.batch_row();
+    if (paths_ && task_.has_path()) kept_.push_back(task_.result().path);
   }
 
   void write(const std::string& file) const {
-    if (is_picture(file)) return write_batch_picture(file, map_, run_, kept_);
-    write_file(file,
-               [&](std::ostream& out) { out << (has_ending(file, ".csv") ? rows_ : lines_); });
+    write_output(file,
+                 {.json = [&](auto& out) { out << lines_; },
+                  .csv = [&](auto& out) { out << rows_; },
+                  .picture = [&] { write_batch_picture(file, map_, task_.options(), kept_); }});
   }
 
  private:
   const PreparedMap& map_;
-  const RunOptions& run_;
+  const BitmapTask& task_;
   bool json_ = false, csv_ = false, paths_ = false;
   std::string lines_, rows_;
   std::vector<std::vector<Point>> kept_;
@@ -70,7 +72,7 @@ Optima optima(const PreparedMap& map, const RunOptions& run, std::span<const Req
     if (answer.result.optimal) found.any_angle[answer.index] = answer.result.length;
   });
   found.by_moves.assign(queries.size(), std::nan(""));
-  if (!moves_on_cells(run)) return found;
+  if (!moves_on_cells(run.params)) return found;
   const auto ask = [&](std::size_t i) {
     const StopCondition stop{.token = options.token, .deadline = deadline_after(run.time_limit)};
     found.by_moves[i] = shortest_by_own_moves(map, run, queries[i], stop).value_or(std::nan(""));
@@ -89,10 +91,13 @@ int run_batch(const BatchCommand& command) {
   const RunOptions& run = command.run;
   for (const auto& file : run.outputs) check_writable(file);
   SignalWatcher signals;
-  const PreparedMap map = prepare_map(run.map, run.frame, run.params.corners, signals.token());
+  const auto shared = std::make_shared<PreparedMap>(
+      prepare_map(run.map, run.frame, run.params.corners, signals.token()));
+  const PreparedMap& map = *shared;
   const QueryFile file =
       read_queries(command.queries, map.width, map.height, run.frame == Frame::cell);
-  announce(map, run);
+  BitmapTask task({.run = run, .start = {}, .goal = {}}, shared);
+  if (!run.messages.quiet) task.announce();
   const auto place = [&](Point point) {
     return file.scenario ? place_of(map, point, run.frame) : to_place(map, point, run.frame);
   };
@@ -100,11 +105,11 @@ int run_batch(const BatchCommand& command) {
   for (const auto& line : file.queries)
     queries.push_back({.start = place(line.start).cell,
                        .goal = place(line.goal).cell,
-                       .target_gap = moves_on_cells(run) ? 0 : run.target_gap});
+                       .target_gap = moves_on_cells(run.params) ? 0 : run.target_gap});
 
   BatchOptions options{.threads = run.params.threads, .token = signals.token()};
   if (run.time_limit) options.time_limit = std::chrono::duration<double>(*run.time_limit);
-  Collected collected(map, run);
+  Collected collected(map, task);
   Delivery delivery(run.outputs);
   ProgressLine bar(wants_progress(run.messages), static_cast<std::int64_t>(queries.size()));
   // The optimum is asked beside each chunk, so that answers still stream.
@@ -124,8 +129,9 @@ int run_batch(const BatchCommand& command) {
         set_optima(run, known(best.any_angle[found.index]), known(best.by_moves[found.index]),
                    answer);
       }
-      const std::string text = line(result_json(map, run, answer));
-      collected.add(answer, text);
+      task.take(std::move(answer));
+      const std::string text = json_line(task);
+      collected.add(text);
       delivery.print(text);
       bar.update(static_cast<std::int64_t>(index) + 1, "queries");
     });

@@ -2,11 +2,11 @@
 
 #include "lasius/generate.h"
 #include "lasius/io.h"
-#include "tools/commands.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
+#include "tools/options/commands.h"
 
 namespace lasius::tool {
 

@@ -1,15 +1,13 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "tools/bitmap/map_file.h"
-#include "tools/bitmap/report.h"
-#include "tools/commands.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
+#include "tools/options/commands.h"
+#include "tools/record/json_values.h"
 
 namespace lasius::tool {
 namespace {
@@ -62,15 +60,11 @@ Json info_json(const PreparedMap& map, Corners corners) {
 }
 
 std::string info_text(const Json& json) {
-  const auto real = [](const Json& value, const char* format) {
-    std::array<char, 48> text;
-    std::snprintf(text.data(), text.size(), format, value.get<double>());
-    return std::string(text.data());
-  };
+  const auto ms = [](const Json& value) { return printed("%.2f ms", value.get<double>()); };
   const auto& memory = json["memory"];
   std::string text;
   const auto row = [&text](const char* name, const std::string& value) {
-    text += std::string(name) + std::string(12 - std::string_view(name).size(), ' ') + value + "\n";
+    text += row_text(name, value);
   };
   row("size", json["width"].dump() + " x " + json["height"].dump() + " cells");
   row("hash", json["hash"].get<std::string>());
@@ -83,17 +77,18 @@ std::string info_text(const Json& json) {
                      to_text(origin[0].get<double>()) + "," + to_text(origin[1].get<double>()) +
                      " m, yaw " + to_text(origin[2].get<double>()));
   }
-  row("read", real(json["read_ms"], "%.2f ms"));
-  row("prepared", real(json["prepare_ms"], "%.2f ms"));
+  row("read", ms(json["read_ms"]));
+  row("prepared", ms(json["prepare_ms"]));
   if (const Json& more = json["preparation"]; !more.is_null()) {
     const bool ready = more["state"] == to_string(Preparation::State::ready);
     row("--prepare", more["corners"].dump() + " corners, " +
                          (ready ? more["edges"].dump() + " edges, " + more["bytes"].dump() +
-                                      " bytes, " + real(more["ms"], "%.2f ms")
+                                      " bytes, " + ms(more["ms"])
                                 : "given up: it would take more than " +
                                       std::to_string(PrepareOptions{}.max_bytes) + " bytes"));
   }
-  row("memory", memory["total"].dump() + " bytes, " + real(memory["bits_per_cell"], "%.3f") +
+  row("memory", memory["total"].dump() + " bytes, " +
+                    printed("%.3f", memory["bits_per_cell"].get<double>()) +
                     " bits a cell (bitmap " + memory["bitmap"].dump() + ", components " +
                     memory["components"].dump() + ", corners " + memory["corners"].dump() + ")");
   return text;

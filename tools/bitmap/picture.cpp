@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <functional>
 
-#include "core/base/output.h"
-#include "tools/bitmap/report.h"
 #include "tools/draw/canvas.h"
 #include "tools/draw/chart.h"
 #include "tools/draw/colours.h"
+#include "tools/draw/page.h"
 #include "tools/draw/text.h"
+#include "tools/record/json_values.h"
 
 namespace lasius::tool {
 namespace {
@@ -20,46 +20,6 @@ constexpr Colour kTintedWall{0.98, 0.87, 0.68};  // under grey pheromone
 constexpr Colour kTrackFew{0.8, 0.88, 0.96};
 constexpr Colour kTrackSome{0.26, 0.57, 0.78};
 constexpr Colour kTrackMany{0.03, 0.19, 0.42};
-
-constexpr double kMargin = 24;
-constexpr double kGap = 20;
-constexpr double kCaption = 30;  // below a panel
-constexpr double kTitle = 44;
-constexpr double kLeastWidth = 420, kLeastHeight = 210;  // of a panel's place
-
-struct Panel {
-  std::string caption;
-  std::function<void(Canvas&, const Box&)> draw;
-  bool chart = false;  ///< fills its place; the others keep the map's shape
-};
-
-/// Where the panels go: the arrangement that shows the map largest.
-struct Layout {
-  int columns = 1;
-  double scale = 0;  ///< pixels a cell
-  double map_width = 0, map_height = 0;
-  double place_width = 0, place_height = 0;
-};
-
-Layout make_layout(int panels, int cells_wide, int cells_high) {
-  Layout best;
-  for (int columns = 1; columns <= panels; ++columns) {
-    const int rows = (panels + columns - 1) / columns;
-    const double wide = (kMostSide - 2 * kMargin - (columns - 1) * kGap) / columns;
-    const double high = (kMostSide - 2 * kMargin - kTitle - (rows - 1) * kGap) / rows - kCaption;
-    if (wide < kLeastWidth || high < kLeastHeight) continue;
-    double scale = std::min(wide / cells_wide, high / cells_high);
-    if (scale > 1) scale = std::floor(scale);
-    if (scale <= best.scale) continue;
-    best = {.columns = columns, .scale = scale};
-  }
-  const auto side = [&](int cells) { return std::max(1.0, std::floor(cells * best.scale)); };
-  best.map_width = side(cells_wide);
-  best.map_height = side(cells_high);
-  best.place_width = std::max(best.map_width, kLeastWidth);
-  best.place_height = std::max(best.map_height, kLeastHeight);
-  return best;
-}
 
 /// One panel's map part: from cells to the page.
 class MapView {
@@ -149,48 +109,6 @@ void draw_marks(Canvas& canvas, const MapView& view, const Grid& grid, const Ans
   if (grid.contains(answer.goal.cell)) canvas.diamond(view.at(centre(answer.goal.cell)), 9, kGoal);
 }
 
-/// The text, its middle left out where it is wider than `width`.
-std::string fitted(Canvas& canvas, const std::string& text, double size, double width, bool bold) {
-  std::string shown = text;
-  for (std::size_t kept = text.size(); kept > 8 && canvas.text_width(shown, size, bold) > width;
-       kept -= 2)
-    shown = text.substr(0, kept / 2) + "..." + text.substr(text.size() - kept / 2);
-  return shown;
-}
-
-void write_page(const std::string& file, const Grid& grid, const std::string& title,
-                const std::vector<Panel>& panels) {
-  const int count = static_cast<int>(panels.size());
-  const Layout layout = make_layout(count, grid.width(), grid.height());
-  const int rows = (count + layout.columns - 1) / layout.columns;
-  const double step_x = layout.place_width + kGap;
-  const double step_y = layout.place_height + kCaption + kGap;
-  const double width = 2 * kMargin + layout.columns * step_x - kGap;
-  const double height = 2 * kMargin + kTitle + rows * step_y - kGap;
-  Canvas canvas(static_cast<int>(width), static_cast<int>(height));
-  canvas.text({width / 2, kMargin + 22}, fitted(canvas, title, 20, width - 2 * kMargin, true), 20,
-              Align::centre, kInk, true);
-  for (int i = 0; i < count; ++i) {
-    const Panel& panel = panels[static_cast<std::size_t>(i)];
-    const int column = i % layout.columns, row = i / layout.columns;
-    const Box place{kMargin + column * step_x, kMargin + kTitle + row * step_y, layout.place_width,
-                    layout.place_height};
-    Box box = place;
-    if (!panel.chart) {
-      box = {place.x + std::floor((place.width - layout.map_width) / 2),
-             place.y + std::floor((place.height - layout.map_height) / 2), layout.map_width,
-             layout.map_height};
-    }
-    panel.draw(canvas, box);
-    std::string caption;
-    if (count > 1) caption.append("(").append(1, static_cast<char>('a' + i)).append(") ");
-    caption.append(panel.caption);
-    canvas.text({place.x + place.width / 2, place.y + place.height + 23},
-                fitted(canvas, caption, 17, place.width, false), 17, Align::centre, kInk);
-  }
-  canvas.save(file);
-}
-
 std::string plan_title(const PreparedMap& map, const RunOptions& run) {
   return run.params.algorithm() + " on " + std::filesystem::path(map.file).filename().string() +
          ", " + std::to_string(map.width) + " x " + std::to_string(map.height) + " cells, seed " +
@@ -205,16 +123,12 @@ std::string path_caption(const PreparedMap& map, Frame frame, const Answer& answ
   if (frame == Frame::world) text += " m";
   if (result.optimal) return text + ", proven shortest";
   if (answer.optimum && *answer.optimum > 0)
-    text +=
-        ", " + study::fixed(100 * (result.length / *answer.optimum - 1), 2) + "% above the optimum";
+    text += ", " + study::fixed(100 * *gap_to(answer.optimum, result.length), 2) +
+            "% above the optimum";
   return text;
 }
 
 }  // namespace
-
-bool is_picture(const std::string& file) {
-  return has_ending(file, ".svg") || has_ending(file, ".png");
-}
 
 void write_plan_picture(const std::string& file, const PreparedMap& map, const RunOptions& run,
                         const Answer& answer, const PictureRecorder* recorder) {
@@ -246,15 +160,19 @@ void write_plan_picture(const std::string& file, const PreparedMap& map, const R
   if (!answer.result.best.empty())
     panels.push_back({"convergence",
                       [&](Canvas& canvas, const Box& box) {
-                        const Result shown = in_frame(map, run.frame, answer.result);
-                        Convergence curves{shown.best, shown.mean, answer.optimum};
+                        Convergence curves{answer.result.best, answer.result.mean, answer.optimum};
+                        const auto show = [&](double& cells) {
+                          cells = map.length_in(run.frame, cells);
+                        };
+                        std::ranges::for_each(curves.best, show);
+                        std::ranges::for_each(curves.mean, show);
+                        if (curves.optimum) show(*curves.optimum);
                         if (run.frame == Frame::world) curves.unit = "metres";
-                        if (curves.optimum)
-                          curves.optimum = map.length_in(run.frame, *curves.optimum);
                         draw_convergence(canvas, box, curves);
                       },
                       true});
-  write_page(file, grid, plan_title(map, run), panels);
+  write_page(file, plan_title(map, run),
+             map_layout(static_cast<int>(panels.size()), grid.width(), grid.height()), panels);
 }
 
 void write_batch_picture(const std::string& file, const PreparedMap& map, const RunOptions& run,
@@ -265,7 +183,7 @@ void write_batch_picture(const std::string& file, const PreparedMap& map, const 
                       paint_map(canvas, box, grid, kWall, free_ground);
                       for (const auto& path : paths) draw_path(canvas, view, path, 1.5, 0);
                     }};
-  write_page(file, grid, plan_title(map, run), {panel});
+  write_page(file, plan_title(map, run), map_layout(1, grid.width(), grid.height()), {panel});
 }
 
 }  // namespace lasius::tool

@@ -11,12 +11,6 @@
 
 namespace lasius::tool {
 
-/// No side of a picture is longer, in pixels.
-inline constexpr int kMostSide = 2000;
-
-/// True for the files that are pictures, by their ending.
-bool is_picture(const std::string& file);
-
 /// Panels: the tracks at the chosen iterations, the pheromone, the path on the map, and the
 /// convergence; only the path for algorithms without iterations. `recorder` may be null.
 void write_plan_picture(const std::string& file, const PreparedMap& map, const RunOptions& run,

@@ -80,6 +80,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   CLI::App app{"lasius: ant-colony motion planning on maps", "lasius"};
   app.set_version_flag("--version", LASIUS_VERSION);
   app.require_subcommand(1);
+  app.footer("Options of a command: see `lasius COMMAND --help`");
   const auto commands = add_subcommands(app);
   if (argc < 2) throw UsageError("no command\n\n" + app.help());
   if (argv[1][0] != '-') refuse_unknown_command(argv[1], commands);

@@ -4,18 +4,16 @@
 #include <stdexcept>
 
 #include "core/base/output.h"
-#include "tools/bitmap/answer.h"
-#include "tools/bitmap/picture.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/parameters.h"
 #include "tools/console/threads.h"
 #include "tools/console/values.h"
+#include "tools/record/outputs.h"
 
 namespace lasius::tool {
 namespace {
 
-template <class Text>
-Messages messages_of(const Text& text) {
+Messages make_messages(const SearchText& text) {
   static constexpr std::string_view kModes[] = {"auto", "always", "never"};
   if (text.quiet && text.verbose) throw UsageError("-q and -v exclude each other");
   Messages messages{.quiet = text.quiet, .verbose = text.verbose};
@@ -25,11 +23,39 @@ Messages messages_of(const Text& text) {
   return messages;
 }
 
+/// Reads what all commands that plan have.
+void read_search(const SearchText& text, SearchOptions& options) {
+  static constexpr std::string_view kEndings[] = {".json", ".csv", ".svg", ".png"};
+  options.algorithm = text.algorithm;
+  for (const auto& [name, value] : text.named)
+    if (!value.empty()) options.named.emplace_back(name, value);
+  options.settings = text.set;
+  options.seed = seed_value(text.seed);
+  options.threads = thread_count(text.threads);
+  if (!text.time_limit.empty())
+    options.time_limit = real_value("--time-limit", text.time_limit, 0, kNoLimit);
+  if (!text.target_gap.empty())
+    options.target_gap = real_value("--target-gap", text.target_gap, 0, kNoLimit) / 100;
+  options.json = text.json;
+  check_endings(text.outputs, kEndings);
+  options.outputs = text.outputs;
+  options.messages = make_messages(text);
+}
+
+std::optional<Point> optional_point(std::string_view option, const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  return pair_value(option, text, false);
+}
+
 }  // namespace
 
-Messages make_messages(const RunText& text) { return messages_of(text); }
+RunText::RunText() {
+  named = {{"ants", ""}, {"iterations", ""}, {"neighbours", ""}, {"corners", ""}, {"polish", ""}};
+}
 
-std::string& RunText::value_of(std::string_view name) {
+ArmText::ArmText() { named = {{"ants", ""}, {"iterations", ""}, {"pitch", ""}, {"side", ""}}; }
+
+std::string& SearchText::value_of(std::string_view name) {
   for (auto& [known, value] : named)
     if (known == name) return value;
   throw std::logic_error("no option of this name");
@@ -38,15 +64,6 @@ std::string& RunText::value_of(std::string_view name) {
 std::uint64_t seed_value(const std::string& text) {
   if (text.empty()) return 1;
   return static_cast<std::uint64_t>(integer_value("--seed", text, 0, kMaxExactInteger));
-}
-
-std::optional<double> time_limit_value(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  return real_value("--time-limit", text, 0, kNoLimit);
-}
-
-double target_gap_value(const std::string& text) {
-  return text.empty() ? 0 : real_value("--target-gap", text, 0, kNoLimit) / 100;
 }
 
 void check_endings(const std::vector<std::string>& files,
@@ -62,68 +79,44 @@ void check_endings(const std::vector<std::string>& files,
 
 RunOptions make_run(const RunText& text) {
   RunOptions run;
-  run.map.file = text.map;
-  run.params = default_params(text.algorithm);
-  for (const auto& [name, value] : text.named)
-    if (!value.empty() && !set_common(run.params, name, value))
-      run.notes.push_back("--" + name + " has no effect: " + run.params.algorithm() +
-                          " has no such parameter");
-  for (const auto& setting : text.set) set_named(run.params, setting);
-  validate(run.params);
-  run.params.seed = seed_value(text.seed);
-  run.params.threads = thread_count(text.threads);
-  run.time_limit = time_limit_value(text.time_limit);
-  run.target_gap = target_gap_value(text.target_gap);
+  read_search(text, run);
+  run.params = make_params<Params>(run, World::Kind::bitmap, algorithms(), run.notes);
+  const bool certifies = !moves_on_cells(run.params);
   if (!text.frame.empty())
     run.frame = static_cast<Frame>(choice_value("--frame", text.frame, kFrames));
-  if (!text.radius.empty()) run.map.radius = real_value("--radius", text.radius, 0, kNoLimit);
-  run.map.radius_metres = run.frame == Frame::world;
-  run.map.unknown_is_free = text.unknown_free;
-  const auto& file = run.map.file;
-  if (text.unknown_free && !has_ending(file, ".yaml") && !has_ending(file, ".yml"))
+  MapOptions& map = run.map;
+  map.file = text.map;
+  if (!text.radius.empty()) map.radius = real_value("--radius", text.radius, 0, kNoLimit);
+  map.radius_metres = run.frame == Frame::world;
+  map.unknown_is_free = text.unknown_free;
+  if (text.unknown_free && !has_ending(map.file, ".yaml") && !has_ending(map.file, ".yml"))
     run.notes.push_back("--unknown-free has no effect: only ROS maps (.yaml) have unknown cells");
-  if (run.target_gap > 0 && moves_on_cells(run))
+  if (run.target_gap > 0 && !certifies)
     run.notes.push_back("--target-gap has no effect: " + run.params.algorithm() +
                         " certifies no gap");
   run.with_optimum = text.gap;
-  run.map.prepare = text.prepare && (run.with_optimum || !moves_on_cells(run));
-  run.map.threads = run.params.threads;
-  if (text.prepare && !run.map.prepare)
+  map.prepare = text.prepare && (run.with_optimum || certifies);
+  map.threads = run.threads;
+  if (text.prepare && !map.prepare)
     run.notes.push_back("--prepare has no effect: it is for exact, and for --gap");
-  run.json = text.json;
-  check_endings(text.outputs, kOutputEndings);
-  run.outputs = text.outputs;
-  if (!text.tracks.empty() && std::none_of(run.outputs.begin(), run.outputs.end(), is_picture))
+  if (!text.tracks.empty() && std::ranges::none_of(run.outputs, is_picture))
     run.notes.push_back("--tracks has no effect without -o of a picture, .svg or .png");
   run.track_iterations = list_value("--tracks", text.tracks.empty() ? "10,50,120" : text.tracks);
-  run.messages = messages_of(text);
   return run;
 }
 
 ArmCommand make_arm(const ArmText& text) {
-  static constexpr std::string_view kAlgorithms[] = {"goritov2020"};
-  ArmCommand arm{.robot = text.robot,
-                 .base_link = text.base,
-                 .tip_link = text.tip,
-                 .scene = text.scene,
-                 .start = reals_value("--start", text.start, 1, 16),
-                 .threads = thread_count(text.threads),
-                 .json = text.json,
-                 .outputs = text.outputs,
-                 .messages = messages_of(text)};
+  ArmCommand arm;
+  read_search(text, arm);
+  arm.algorithm = algorithm_of(World::Kind::arm, text.algorithm);
+  if (text.plain) arm.named.emplace_back("shortcut", "off");
+  arm.robot = text.robot;
+  arm.base_link = text.base;
+  arm.tip_link = text.tip;
+  arm.scene = text.scene;
+  arm.start = reals_value("--start", text.start, 1, 16);
   const auto goal = reals_value("--goal", text.goal, 3, 3);
   arm.goal = {goal[0], goal[1], goal[2]};
-  if (!text.algorithm.empty()) choice_value("--algorithm", text.algorithm, kAlgorithms);
-  for (const auto& [name, value] : text.named)
-    if (!value.empty()) arm.settings.emplace_back(name, value);
-  if (text.plain) arm.settings.emplace_back("shortcut", "off");
-  for (const auto& setting : text.set) {
-    refuse_option(setting);
-    arm.settings.emplace_back(setting_parts(setting));
-  }
-  arm.seed = seed_value(text.seed);
-  arm.time_limit = time_limit_value(text.time_limit);
-  arm.target_gap = target_gap_value(text.target_gap);
   if (!text.clearance.empty())
     arm.clearance = real_value("--clearance", text.clearance, ArmCommand::kLeastClearance,
                                ArmCommand::kMostClearance);
@@ -132,8 +125,50 @@ ArmCommand make_arm(const ArmText& text) {
   if (!text.recheck.empty())
     arm.recheck =
         static_cast<int>(integer_value("--recheck", text.recheck, 1, ArmCommand::kMostRecheck));
-  check_endings(text.outputs, kOutputEndings);
   return arm;
+}
+
+WorldOptions make_world_options(const std::string& file, const WorldText& text) {
+  WorldOptions options{.file = file, .repair = text.repair, .margin = {}};
+  if (!text.margin.empty())
+    options.margin = real_value("--margin", text.margin, 0, WorldOptions::kMostMargin);
+  if (!text.join.empty())
+    options.join = static_cast<int>(choice_value("--join", text.join, kJoins));
+  return options;
+}
+
+PolygonCommand make_polygon(const RunText& run, const PolygonText& text) {
+  PolygonCommand command;
+  read_search(run, command);
+  command.world = make_world_options(run.map, text.world);
+  command.start = optional_point("--start", text.start);
+  command.goal = optional_point("--goal", text.goal);
+  command.with_optimum = run.gap;
+  if (!run.frame.empty()) choice_value("--frame", run.frame, kFrames);
+  refuse_radius(run.radius);
+  if (run.unknown_free)
+    command.notes.emplace_back("--unknown-free has no effect: a polygon world has no unknown part");
+  if (run.prepare) command.notes.emplace_back("--prepare has no effect on a polygon world");
+  if (!run.tracks.empty()) {
+    list_value("--tracks", run.tracks);
+    command.notes.emplace_back("--tracks has no effect on a polygon world");
+  }
+  return command;
+}
+
+void refuse_radius(std::string_view radius) {
+  if (!radius.empty()) throw UsageError("--radius: obstacles of a polygon world grow by --margin");
+}
+
+void refuse_world_options(const WorldText& text) {
+  const char* option = !text.margin.empty() ? "--margin"
+                       : !text.join.empty() ? "--join"
+                       : text.repair        ? "--repair"
+                                            : nullptr;
+  if (option != nullptr)
+    throw UsageError(std::string(option) +
+                     " is for polygon worlds (.geojson, .json, .wkt); obstacles of a bitmap grow "
+                     "by --radius");
 }
 
 }  // namespace lasius::tool

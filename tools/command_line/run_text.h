@@ -1,9 +1,8 @@
-// The options of plan and batch: as typed, and read.
+// The options of the commands that plan: as typed, and read.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,48 +13,61 @@
 
 namespace lasius::tool {
 
-/// Options as typed, before their values are looked at.
-struct RunText {
-  std::string map, algorithm, seed, threads, time_limit, target_gap, frame, radius, progress,
-      tracks;
+/// What all of them have, as typed, before values are looked at.
+struct SearchText {
+  std::string algorithm, seed, threads, time_limit, target_gap, progress;
   std::vector<std::string> set, outputs;
   /// Parameters with an option of their own: name as in `algorithms`, and value.
-  std::vector<std::pair<std::string, std::string>> named{
-      {"ants", ""}, {"iterations", ""}, {"neighbours", ""}, {"corners", ""}, {"polish", ""}};
-  bool unknown_free = false, prepare = false, gap = false, json = false, quiet = false,
-       verbose = false;
+  std::vector<std::pair<std::string, std::string>> named;
+  bool json = false, quiet = false, verbose = false;
 
   /// Precondition: one of them.
   std::string& value_of(std::string_view name);
 };
 
+/// Options of plan and batch.
+struct RunText : SearchText {
+  RunText();
+  std::string map, frame, radius, tracks;
+  bool unknown_free = false, prepare = false, gap = false;
+};
+
 /// @throws UsageError; Error(invalid_parameter) for a value that the library refuses.
 RunOptions make_run(const RunText& text);
 
-/// Options of arm, likewise.
-struct ArmText {
-  std::string robot, base, tip, scene, start, goal, algorithm, seed, threads, time_limit,
-      target_gap, clearance, rate, recheck, progress;
-  std::vector<std::string> set, outputs;
-  std::vector<std::pair<std::string, std::string>> named{
-      {"ants", ""}, {"iterations", ""}, {"pitch", ""}, {"side", ""}};
-  bool plain = false, json = false, quiet = false, verbose = false;
+/// Options of arm.
+struct ArmText : SearchText {
+  ArmText();
+  std::string robot, base, tip, scene, start, goal, clearance, rate, recheck;
+  bool plain = false;
 };
 
 /// @throws UsageError. Values of parameters are looked at when the command runs.
 ArmCommand make_arm(const ArmText& text);
 
-/// Values of options that several commands have; what they are where `text` is empty: seed 1, no
-/// time limit in seconds, no gap as a fraction (typed in percent). @throws UsageError.
+/// Options of polygon worlds, beside those of bitmaps.
+struct WorldText {
+  std::string margin, join;
+  bool repair = false;
+};
+
+struct PolygonText {
+  WorldText world;
+  std::string start, goal;
+};
+
+/// @throws UsageError
+WorldOptions make_world_options(const std::string& file, const WorldText& text);
+PolygonCommand make_polygon(const RunText& run, const PolygonText& text);
+
+/// @throws UsageError where --radius is given for a polygon world.
+void refuse_radius(std::string_view radius);
+
+/// @throws UsageError where an option of polygon worlds is given with a bitmap.
+void refuse_world_options(const WorldText& text);
+
+/// The seed; 1 where `text` is empty. @throws UsageError.
 std::uint64_t seed_value(const std::string& text);
-std::optional<double> time_limit_value(const std::string& text);
-double target_gap_value(const std::string& text);
-
-/// The endings of what `-o` of a planning command takes.
-inline constexpr std::array<std::string_view, 4> kOutputEndings{".json", ".csv", ".svg", ".png"};
-
-/// How much is said. @throws UsageError.
-Messages make_messages(const RunText& text);
 
 /// @throws UsageError for a file whose ending is not one of `endings`, with the nearest.
 void check_endings(const std::vector<std::string>& files,

@@ -4,11 +4,11 @@
 #include <memory>
 #include <string_view>
 
-#include "tools/command_line/polygon_text.h"
 #include "tools/command_line/run_text.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/threads.h"
 #include "tools/console/values.h"
+#include "tools/console/worlds.h"
 
 namespace lasius::tool {
 namespace {
@@ -27,8 +27,8 @@ constexpr const char* kBatchExits =
     "written; 130 interrupted, whole lines only. A scenario's coordinates are cells in any frame.";
 
 constexpr const char* kPrepare =
-    "Prepare more of the map for exact (at most 1 GB): worth it for many queries. Answers are as\n"
-    "short as without; lasius info MAP --prepare shows what it costs";
+    "Make the map's visibility graph for exact (at most 1 GB): worth it for many queries. Answers\n"
+    "are as short as without; lasius info MAP --prepare shows what it costs";
 
 constexpr const char* kBitmapHelp = "Map: .map, PBM, PGM, PNG or ROS YAML";
 constexpr const char* kMapHelp =
@@ -54,39 +54,66 @@ void add_switch(CLI::App& app, const std::string& names, bool& to, const std::st
   app.add_flag(names, to, help)->disable_flag_override();
 }
 
-void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
-  const auto option = [&app](const char* names, std::string& to, const char* help,
-                             const char* type) {
-    app.add_option(names, to, help)->type_name(type);
+/// What the options that all planning commands have mean to one of them.
+struct SearchHelp {
+  const char* time_limit;
+  const char* target_gap;
+  const char* json;
+  const char* outputs;
+};
+
+using AddOption = std::function<CLI::Option*(const char* names, std::string& to, const char* help,
+                                             const char* type)>;
+
+/// Adds options with a value to `app`.
+AddOption option_adder(CLI::App& app) {
+  return [&app](const char* names, std::string& to, const char* help, const char* type) {
+    return app.add_option(names, to, help)->type_name(type);
   };
-  app.add_option("MAP", text.map, map_help)->type_name("FILE")->required();
+}
+
+void add_search_options(CLI::App& app, SearchText& text, const SearchHelp& help) {
+  const AddOption option = option_adder(app);
   option("--algorithm", text.algorithm, "Algorithm, as listed by `lasius algorithms`", "NAME");
   add_repeatable(app, "--set", text.set,
                  "Set any parameter of the algorithm (repeatable; wins over its own option)",
                  "NAME=VALUE");
   option("--ants", text.value_of("ants"), "Ants an iteration", "N");
   option("--iterations", text.value_of("iterations"), "Iterations", "N");
-  option("--neighbours", text.value_of("neighbours"), "Moves from a cell", "4|8|16|16k|24|32");
-  option("--corners", text.value_of("corners"), "Diagonal steps past blocked cells",
-         "forbid|one-side|allow");
-  option("--polish", text.value_of("polish"), "What is done with a path", "none|straight|taut");
   option("--seed", text.seed, "Seed, from 0 to 2^53-1 (default 1)", "N");
   option("--threads", text.threads,
          "Threads (default LASIUS_THREADS, OMP_NUM_THREADS, all cores); never changes a result",
          "N");
-  option("--time-limit", text.time_limit,
-         "Stop after this time, counted once the map is prepared; for batch by query. Each optimum "
-         "of --gap may take as long again",
-         "SECONDS");
-  option("--target-gap", text.target_gap,
-         "Stop at this certified gap, for algorithms that certify one (1 means 1%)", "PCT");
+  option("--time-limit", text.time_limit, help.time_limit, "SECONDS");
+  option("--target-gap", text.target_gap, help.target_gap, "PCT");
+  add_switch(app, "--json", text.json, help.json);
+  add_repeatable(app, "-o,--output", text.outputs, help.outputs, "FILE");
+  option("--progress", text.progress, "Progress on stderr", "auto|always|never");
+  add_switch(app, "-q,--quiet", text.quiet, "Print errors only");
+  add_switch(app, "-v,--verbose", text.verbose, "Print what is done");
+}
+
+void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
+  const AddOption option = option_adder(app);
+  option("MAP", text.map, map_help, "FILE")->required();
+  add_search_options(
+      app, text,
+      {.time_limit = "Stop after this time, counted once the map is prepared; for batch by query. "
+                     "Each optimum of --gap may take as long again",
+       .target_gap = "Stop at this certified gap, for algorithms that certify one (1 means 1%)",
+       .json = "Print one JSON object (batch always does, one a query)",
+       .outputs = kOutputs});
+  option("--neighbours", text.value_of("neighbours"), "Moves from a cell", "4|8|16|16k|24|32");
+  option("--corners", text.value_of("corners"), "Diagonal steps past blocked cells",
+         "forbid|one-side|allow");
+  option("--polish", text.value_of("polish"), "What is done with a path", "none|straight|taut");
   option("--frame", text.frame,
          "Coordinates in cells, or in metres of a ROS map's frame; a cell holds its left and lower "
          "edge there",
          "cell|world");
   option("--radius", text.radius,
          "Grow obstacles: block cells whose centre is within R of one or of the map's edge; R in "
-         "cells (metres with --frame world). Paths keep R, but for up to 0.71 cells",
+         "cells (metres with --frame world). A path keeps a clearance of at least R - 0.71 cells",
          "R");
   add_switch(app, "--unknown-free", text.unknown_free, "Unknown cells of a ROS map count as free");
   add_switch(app, "--prepare", text.prepare, kPrepare);
@@ -94,24 +121,18 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
              "Add the exact optimum, the true gap, and the optimum of the algorithm's own moves; "
              "null where a time limit or a signal ended the search for it, or where --corners "
              "allow lets moves squeeze through where no path of the plane may");
-  add_switch(app, "--json", text.json, "Print one JSON object (batch always does, one a query)");
-  add_repeatable(app, "-o,--output", text.outputs, kOutputs, "FILE");
   option("--tracks", text.tracks,
          "Iterations after which a picture shows the tracks (default 10,50,120)", "N,N,...");
-  option("--progress", text.progress, "Progress on stderr", "auto|always|never");
-  add_switch(app, "-q,--quiet", text.quiet, "Print errors only");
-  add_switch(app, "-v,--verbose", text.verbose, "Print what is done");
 }
 
 void add_world_options(CLI::App& app, WorldText& text) {
-  app.add_option("--margin", text.margin,
-                 "Polygon worlds: grow obstacles, not the boundary, by this in place of theirs")
-      ->type_name("R");
-  app.add_option(
-         "--join", text.join,
+  const AddOption option = option_adder(app);
+  option("--margin", text.margin,
+         "Polygon worlds: grow obstacles, not the boundary, by this in place of theirs", "R");
+  option("--join", text.join,
          "Polygon worlds: corners of grown obstacles (default mitre; round keeps 99.5% of the\n"
-         "margin there, bevel less)")
-      ->type_name("mitre|round|bevel");
+         "margin there, bevel less)",
+         "mitre|round|bevel");
   add_switch(app, "--repair", text.repair, "Polygon worlds: repair geometry that is not valid");
 }
 
@@ -122,9 +143,9 @@ Subcommand add_plan(CLI::App& app) {
   };
   auto raw = std::make_shared<Raw>();
   auto* plan = app.add_subcommand("plan", "Plan one path");
-  plan->add_option("--start", raw->polygon.start, "Where the path starts; a polygon world may say")
-      ->type_name("X,Y");
-  plan->add_option("--goal", raw->polygon.goal, "Where it ends; likewise")->type_name("X,Y");
+  const AddOption option = option_adder(*plan);
+  option("--start", raw->polygon.start, "Where the path starts; a polygon world may say", "X,Y");
+  option("--goal", raw->polygon.goal, "Where it ends; likewise", "X,Y");
   add_run_options(*plan, raw->run, kMapHelp);
   add_world_options(*plan, raw->polygon.world);
   plan->footer(kPlanExits);
@@ -151,8 +172,8 @@ Subcommand add_batch(CLI::App& app) {
   auto* batch = app.add_subcommand("batch", "Plan many paths on one map: JSON, one object a line");
   add_run_options(*batch, raw->run, kBitmapHelp);
   batch->footer(kBatchExits);
-  batch->add_option("QUERIES", raw->queries, "A MovingAI .scen, or a TSV with columns sx sy gx gy")
-      ->type_name("FILE")
+  option_adder (*batch)("QUERIES", raw->queries,
+                        "A MovingAI .scen, or a TSV with columns sx sy gx gy", "FILE")
       ->required();
   return {batch, [raw]() -> Command {
             if (is_world(raw->run.map))
@@ -171,15 +192,14 @@ Subcommand add_info(CLI::App& app) {
   };
   auto raw = std::make_shared<Raw>();
   auto* info = app.add_subcommand("info", "Describe a map or a polygon world");
-  info->add_option("MAP", raw->map, kMapHelp)->type_name("FILE")->required();
-  info->add_option("--corners", raw->corners, "Rule by which components are joined")
-      ->type_name("forbid|one-side|allow");
-  info->add_option("--radius", raw->radius, "Grow obstacles as plan --radius does, in cells")
-      ->type_name("R");
+  const AddOption option = option_adder(*info);
+  option("MAP", raw->map, kMapHelp, "FILE")->required();
+  option("--corners", raw->corners, "Rule by which components are joined", "forbid|one-side|allow");
+  option("--radius", raw->radius, "Grow obstacles as plan --radius does, in cells", "R");
   add_switch(*info, "--unknown-free", raw->unknown_free,
              "Unknown cells of a ROS map count as free");
   add_switch(*info, "--prepare", raw->prepare,
-             "Show what plan --prepare prepares for exact, and its cost");
+             "Show the visibility graph that plan --prepare makes for exact, and its cost");
   add_world_options(*info, raw->world);
   add_switch(*info, "--json", raw->json, "Print one JSON object");
   return {info, [raw]() -> Command {
@@ -218,19 +238,15 @@ Subcommand add_generate(CLI::App& app) {
   };
   auto raw = std::make_shared<Raw>();
   auto* make = app.add_subcommand("generate", "Make a map from a seed");
-  make->add_option("KIND", raw->kind, "Kind of map")
-      ->type_name("blobs|maze|rooms|city|random|open")
-      ->required();
-  make->add_option("--size", raw->size, "Width and height in cells")->type_name("WxH")->required();
-  make->add_option("--density", raw->density,
-                   "Share of blocked cells that is aimed at, from 0 to 1, or the most that the "
-                   "kind reaches; "
-                   "default: the kind's own")
-      ->type_name("D");
-  make->add_option("--seed", raw->seed, "Seed, from 0 to 2^53-1 (default 1)")->type_name("N");
-  make->add_option("-o,--output", raw->output, "Map to write: .map, .pbm or .png")
-      ->type_name("FILE")
-      ->required();
+  const AddOption option = option_adder(*make);
+  option("KIND", raw->kind, "Kind of map", "blobs|maze|rooms|city|random|open")->required();
+  option("--size", raw->size, "Width and height in cells", "WxH")->required();
+  option("--density", raw->density,
+         "Share of blocked cells that is aimed at, from 0 to 1, or the most that the kind reaches; "
+         "default: the kind's own",
+         "D");
+  option("--seed", raw->seed, "Seed, from 0 to 2^53-1 (default 1)", "N");
+  option("-o,--output", raw->output, "Map to write: .map, .pbm or .png", "FILE")->required();
   return {make, [raw]() -> Command {
             static constexpr std::string_view kEndings[] = {".map", ".pbm", ".png"};
             GenerateCommand command;
@@ -257,12 +273,11 @@ Subcommand add_verify(CLI::App& app) {
       "verify",
       "Replay saved results from their recorded inputs and compare all but threads, elapsed_ms, "
       "version and optima of --gap that were not found in time");
-  verify->add_option("RESULT", raw->result, "A result of plan or arm, or the lines of batch")
-      ->type_name("FILE")
+  const AddOption option = option_adder(*verify);
+  option("RESULT", raw->result, "A result of plan or arm, or the lines of batch", "FILE")
       ->required();
-  verify->add_option("--map", raw->map, "The map, where it is no longer where it was")
-      ->type_name("FILE");
-  verify->add_option("--threads", raw->threads, "Threads of the replay")->type_name("N");
+  option("--map", raw->map, "The map, where it is no longer where it was", "FILE");
+  option("--threads", raw->threads, "Threads of the replay", "N");
   add_switch(*verify, "-q,--quiet", raw->quiet, "Print differences only");
   verify->footer(
       "Exit codes: 0 every result was replayed and is equal, bit for bit; 1 one differs; 2 usage, "
@@ -285,13 +300,11 @@ Subcommand add_study(CLI::App& app) {
       "Repeat a source's experiments and set ours beside its figures; goes on where an "
       "earlier call stopped");
   study->add_option("NAME", raw->name, "The study; list: what there is")->required();
-  study->add_option("--seeds", raw->seeds, "Runs of each algorithm, seeds 1 to N (default 30)")
-      ->type_name("N");
-  study->add_option("-o,--output", raw->folder, "Folder to write (default study-NAME)")
-      ->type_name("DIR");
-  study->add_option("--threads", raw->threads, "Runs at a time")->type_name("N");
-  study->add_option("--maps", raw->maps, "Folder of the maps, instead of the program's own")
-      ->type_name("DIR");
+  const AddOption option = option_adder(*study);
+  option("--seeds", raw->seeds, "Runs of each algorithm, seeds 1 to N (default 30)", "N");
+  option("-o,--output", raw->folder, "Folder to write (default study-NAME)", "DIR");
+  option("--threads", raw->threads, "Runs at a time", "N");
+  option("--maps", raw->maps, "Folder of the maps, instead of the program's own", "DIR");
   add_switch(*study, "-q,--quiet", raw->quiet, "Print errors only");
   return {study, [raw]() -> Command {
             StudyCommand command{.name = raw->name,
@@ -308,46 +321,31 @@ Subcommand add_study(CLI::App& app) {
 Subcommand add_arm(CLI::App& app) {
   auto raw = std::make_shared<ArmText>();
   auto* arm = app.add_subcommand("arm", "Plan an arm's motion among obstacles that it learns");
-  const auto option = [arm](const char* names, std::string& to, const char* help,
-                            const char* type) {
-    return arm->add_option(names, to, help)->type_name(type);
-  };
+  const AddOption option = option_adder(*arm);
   option("ROBOT", raw->robot, "Robot: URDF, or JSON as in maps/arms", "FILE")->required();
   option("--scene", raw->scene, "Obstacles: JSON as in maps/arms", "FILE")->required();
   option("--start", raw->start, "Joint values, radians or metres", "Q1,Q2,...")->required();
   option("--goal", raw->goal, "Where the tip goes, metres; orientation free", "X,Y,Z")->required();
   option("--base", raw->base, "Link that a URDF's chain begins with (default the root)", "LINK");
   option("--tip", raw->tip, "Link that it ends with (default the only leaf)", "LINK");
-  option("--algorithm", raw->algorithm, "goritov2020", "NAME");
-  add_repeatable(*arm, "--set", raw->set, "Set any parameter of the algorithm (repeatable)",
-                 "NAME=VALUE");
-  option("--ants", raw->named[0].second, "Ants an iteration", "N");
-  option("--iterations", raw->named[1].second, "Iterations", "N");
-  option("--pitch", raw->named[2].second,
+  add_search_options(
+      *arm, *raw,
+      {.time_limit = "Stop after this time",
+       .target_gap = "Stop at this gap to the bound from what was learned (1 means 1%)",
+       .json = "Print one JSON object; its length is moves times pitch, as the source counts it",
+       .outputs = "Write a file, by its ending (repeatable):\n"
+                  ".json  what --json prints\n"
+                  ".csv   the trajectory: time, q, dq, ddq, tip\n"
+                  ".svg, .png  arm, obstacles, tip's path in three views, joints, convergence"});
+  option("--pitch", raw->value_of("pitch"),
          "Distance of lattice points (default a twentieth of the reach)", "METRES");
-  option("--side", raw->named[3].second, "Lattice points a side (default all in reach)", "N");
-  option("--seed", raw->seed, "Seed, from 0 to 2^53-1 (default 1)", "N");
-  option("--threads", raw->threads, "Threads; never changes a result", "N");
-  option("--time-limit", raw->time_limit, "Stop after this time", "SECONDS");
-  option("--target-gap", raw->target_gap,
-         "Stop at this gap to the bound from what was learned (1 means 1%)", "PCT");
+  option("--side", raw->value_of("side"), "Lattice points a side (default all in reach)", "N");
   option("--clearance", raw->clearance, "Distance that is kept from everything (default 0.002)",
          "METRES");
   add_switch(*arm, "--no-shortcut", raw->plain, "Keep every lattice point of the path");
   option("--rate", raw->rate, "Samples of the trajectory a second (default 100)", "HZ");
   option("--recheck", raw->recheck,
          "Check the trajectory at N times by KDL and FCL and say what they find", "N");
-  add_switch(*arm, "--json", raw->json,
-             "Print one JSON object; its length is moves times pitch, as the source counts it");
-  add_repeatable(*arm, "-o,--output", raw->outputs,
-                 "Write a file, by its ending (repeatable):\n"
-                 ".json  what --json prints\n"
-                 ".csv   the trajectory: time, q, dq, ddq, tip\n"
-                 ".svg, .png  arm, obstacles, tip's path in three views, joints, convergence",
-                 "FILE");
-  option("--progress", raw->progress, "Progress on stderr", "auto|always|never");
-  add_switch(*arm, "-q,--quiet", raw->quiet, "Print errors only");
-  add_switch(*arm, "-v,--verbose", raw->verbose, "Print what is done");
   arm->footer(
       "Exit codes: 0 a motion was returned; 1 internal error; 2 usage; 3 robot, scene or mesh is\n"
       "missing or broken; 4 start or goal outside or blocked; 5 proven unreachable in the "

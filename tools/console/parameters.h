@@ -1,25 +1,19 @@
-// Parameters of algorithms by name: from the command line, and to and from results.
+// Parameters of algorithms by name, from the command line.
 #pragma once
 
+#include <algorithm>
+#include <concepts>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "lasius/params.h"
+#include "tools/console/worlds.h"
+#include "tools/options/options.h"
 
 namespace lasius::tool {
-
-/// The defaults of an algorithm; of the library's first one where `name` is empty.
-/// @throws UsageError for an unknown one, with the nearest.
-Params default_params(std::string_view name);
-
-/// @throws UsageError for an algorithm that plans elsewhere: for arms, or among polygons where
-/// `on_bitmap`, else on bitmaps.
-void refuse_elsewhere(std::string_view name, bool on_bitmap);
-
-/// @throws UsageError for a parameter of --set that is an option of its own.
-void refuse_option(std::string_view setting);
 
 /// Names of algorithms or of parameters.
 template <class Named>
@@ -29,15 +23,59 @@ std::vector<std::string_view> names_of(std::span<const Named> things) {
   return names;
 }
 
-/// Sets a parameter that has an option of its own. False where the algorithm does not have it; the
-/// value is checked all the same.
-bool set_common(Params& params, std::string_view name, std::string_view value);
+/// One of a world's algorithms, by its name. Precondition: it is one.
+const Algorithm& named_algorithm(std::span<const Algorithm> all, std::string_view name);
 
-/// Name and value of "NAME=VALUE". @throws UsageError for anything else.
-std::pair<std::string_view, std::string_view> setting_parts(std::string_view setting);
+/// True where the algorithm moves from cell to cell.
+bool moves_on_cells(const Params& params);
 
-/// Sets "NAME=VALUE". @throws UsageError where the algorithm has no such parameter, with the
-/// nearest; Error(invalid_parameter) for a bad value.
-void set_named(Params& params, std::string_view setting);
+/// Name and value of --set "NAME=VALUE", which `algorithm` has. @throws UsageError for anything
+/// else: another form, an option of its own, an unknown name, with the nearest.
+std::pair<std::string_view, std::string_view> setting_of(std::string_view setting,
+                                                         const Algorithm& algorithm,
+                                                         std::span<const Algorithm> all);
+
+/// The values that an algorithm has until it is told others.
+template <class Params>
+Params params_of(std::string_view algorithm) {
+  if constexpr (std::constructible_from<Params, std::string_view>)
+    return Params(algorithm);
+  else
+    return Params();
+}
+
+/// The parameters that were asked for, validated. What has no effect is said in `notes`; its value
+/// is held against what another algorithm takes all the same.
+/// @throws UsageError for unknown names, with the nearest; Error(invalid_parameter) for values.
+template <class Params>
+Params make_params(const SearchOptions& options, World::Kind kind, std::span<const Algorithm> all,
+                   std::vector<std::string>& notes) {
+  const Algorithm& algorithm = named_algorithm(all, algorithm_of(kind, options.algorithm));
+  auto params = params_of<Params>(algorithm.name);
+  for (const auto& [name, value] : options.named) {
+    if (algorithm.has(name)) {
+      set_parameter(params, name, value);
+      continue;
+    }
+    notes.push_back("--" + name + " has no effect: " + std::string(algorithm.name) +
+                    " has no such parameter");
+    const auto other = std::ranges::find_if(all, [&](const auto& a) { return a.has(name); });
+    if (other != all.end()) {
+      auto scratch = params_of<Params>(other->name);
+      set_parameter(scratch, name, value);
+    } else {
+      lasius::Params scratch;
+      lasius::set_parameter(scratch, name, value);
+    }
+  }
+  for (const auto& setting : options.settings) {
+    const auto [name, value] = setting_of(setting, algorithm, all);
+    set_parameter(params, name, value);
+  }
+  params.seed = options.seed;
+  params.threads = options.threads;
+  validate(params);
+  return params;
+}
 
 }  // namespace lasius::tool

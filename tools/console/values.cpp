@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdarg>
+#include <cstdio>
 
 #include "core/base/did_you_mean.h"
 #include "core/base/number_text.h"
@@ -137,10 +139,25 @@ std::vector<double> reals_value(std::string_view option, std::string_view text, 
 
 std::string to_text(double value) { return number_text(value); }
 
+std::string finite_text(double value) { return std::isfinite(value) ? to_text(value) : ""; }
+
 std::string whole_text(double value) {
   return std::abs(value) <= static_cast<double>(kMaxExactInteger)
              ? std::to_string(static_cast<std::int64_t>(value))
              : to_text(value);
+}
+
+std::string printed(const char* format, ...) {
+  std::array<char, 512> text;
+  std::va_list values;
+  va_start(values, format);
+  std::vsnprintf(text.data(), text.size(), format, values);
+  va_end(values);
+  return text.data();
+}
+
+std::string row_text(std::string_view name, const std::string& value) {
+  return printed("%-12.*s", static_cast<int>(name.size()), name.data()) + value + "\n";
 }
 
 std::string counted(std::int64_t count, std::string_view thing) {

@@ -51,9 +51,17 @@ std::vector<double> reals_value(std::string_view option, std::string_view text, 
 
 /// The shortest text that reads back as the same number.
 std::string to_text(double value);
+/// The same; empty where the value is not finite.
+std::string finite_text(double value);
 
 /// The same of a whole number, in digits where they are exact.
 std::string whole_text(double value);
+
+/// What printf would print.
+[[gnu::format(printf, 1, 2)]] std::string printed(const char* format, ...);
+
+/// A line of a table: the name in a column of its own, then the value.
+std::string row_text(std::string_view name, const std::string& value);
 
 /// "1 joint", "2 joints".
 std::string counted(std::int64_t count, std::string_view thing);

@@ -26,8 +26,8 @@ struct MapOptions {
   bool unknown_is_free = false;
   double radius = 0;           ///< obstacles grow by it
   bool radius_metres = false;  ///< else cells
-  bool prepare = false;        ///< more than is needed, for `exact`
-  int threads = 1;             ///< that do so
+  bool prepare = false;        ///< make the visibility graph
+  int threads = 1;             ///< that make it
 };
 
 /// How much is said on stderr.
@@ -37,19 +37,28 @@ struct Messages {
   bool verbose = false;
 };
 
-/// The options that `plan` and `batch` share.
-struct RunOptions {
-  MapOptions map;
-  Params params;
+/// The options of every command that plans.
+struct SearchOptions {
+  std::string algorithm;                                   ///< empty: the world's first
+  std::vector<std::pair<std::string, std::string>> named;  ///< parameters with their own option
+  std::vector<std::string> settings;                       ///< NAME=VALUE
+  std::uint64_t seed = 1;
+  int threads = 1;
   double target_gap = 0;             ///< fraction
   std::optional<double> time_limit;  ///< seconds
-  Frame frame = Frame::cell;
   bool with_optimum = false;
   bool json = false;
   std::vector<std::string> outputs;
-  std::vector<int> track_iterations;  ///< of the pictures, rising, from 1
   Messages messages;
   std::vector<std::string> notes;  ///< what was asked for and has no effect
+};
+
+/// The options that `plan` and `batch` share on bitmaps.
+struct RunOptions : SearchOptions {
+  MapOptions map;
+  Params params;
+  Frame frame = Frame::cell;
+  std::vector<int> track_iterations;  ///< of the pictures, rising, from 1
 };
 
 struct PlanCommand {
@@ -94,7 +103,7 @@ struct StudyCommand {
   Messages messages = {};
 };
 
-struct ArmCommand {
+struct ArmCommand : SearchOptions {
   static constexpr double kLeastClearance = 1e-6, kMostClearance = 1;
   static constexpr double kLeastRate = 1e-3, kMostRate = 1e5;
   static constexpr int kMostRecheck = 1000000;
@@ -104,17 +113,9 @@ struct ArmCommand {
   std::string scene;
   std::vector<double> start;  ///< a value for each joint
   std::array<double, 3> goal{};
-  std::vector<std::pair<std::string, std::string>> settings = {};  ///< of parameters, by name
-  std::uint64_t seed = 1;
-  int threads = 1;
   double clearance = 0;  ///< metres; 0: the sensor's own
-  double target_gap = 0;
-  std::optional<double> time_limit = {};  ///< seconds
-  double rate = 100;                      ///< samples of the trajectory a second
-  int recheck = 0;                        ///< samples of the independent check
-  bool json = false;
-  std::vector<std::string> outputs;
-  Messages messages;
+  double rate = 100;     ///< samples of the trajectory a second
+  int recheck = 0;       ///< samples of the independent check
 };
 
 /// Corners of grown obstacles, in the order of polygon::Join.
@@ -130,21 +131,9 @@ struct WorldOptions {
 };
 
 /// `plan` on a polygon world.
-struct PolygonCommand {
+struct PolygonCommand : SearchOptions {
   WorldOptions world;
-  std::optional<Point> start, goal;                        ///< in place of the world's
-  std::string algorithm;                                   ///< empty: the first
-  std::vector<std::pair<std::string, std::string>> named;  ///< parameters with their own option
-  std::vector<std::string> settings;                       ///< NAME=VALUE
-  std::uint64_t seed = 1;
-  int threads = 1;
-  double target_gap = 0;             ///< fraction
-  std::optional<double> time_limit;  ///< seconds
-  bool with_optimum = false;
-  bool json = false;
-  std::vector<std::string> outputs;
-  Messages messages;
-  std::vector<std::string> notes;  ///< what was asked for and has no effect
+  std::optional<Point> start, goal;  ///< in place of the world's
 };
 
 struct WorldInfoCommand {

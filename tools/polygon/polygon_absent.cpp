@@ -1,8 +1,6 @@
-#include <nlohmann/json.hpp>
-
-#include "tools/commands.h"
 #include "tools/console/exit_code.h"
-#include "tools/polygon/polygon_verify.h"
+#include "tools/options/commands.h"
+#include "tools/polygon/polygon_task.h"
 
 namespace lasius::tool {
 namespace {
@@ -16,6 +14,6 @@ namespace {
 
 int run_polygon(const PolygonCommand&) { refuse(); }
 int run_world_info(const WorldInfoCommand&) { refuse(); }
-Json polygon_replay(const Json&, const std::string&, int, const std::stop_token&) { refuse(); }
+std::unique_ptr<Task> recorded_polygon(const Recorded&) { refuse(); }
 
 }  // namespace lasius::tool

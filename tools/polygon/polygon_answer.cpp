@@ -2,29 +2,14 @@
 
 #include <algorithm>
 
-#include "core/base/did_you_mean.h"
 #include "lasius/error.h"
-#include "tools/bitmap/answer.h"
 #include "tools/console/elapsed.h"
-#include "tools/console/exit_code.h"
 #include "tools/console/parameters.h"
-#include "tools/console/values.h"
 
 namespace lasius::tool {
 namespace {
 
 static_assert(WorldOptions::kMostMargin == polygon::GrowOptions::kMostMargin);
-
-/// A value that has no effect is held against what another algorithm takes.
-void check_elsewhere(const std::string& key, const std::string& value) {
-  for (const Algorithm& algorithm : polygon::algorithms()) {
-    if (!algorithm.has(key)) continue;
-    auto scratch = polygon::defaults(algorithm.name);
-    return polygon::set_parameter(scratch, key, value);
-  }
-  Params scratch;
-  lasius::set_parameter(scratch, key, value);
-}
 
 }  // namespace
 
@@ -63,36 +48,7 @@ PreparedWorld prepare_world(const WorldOptions& options) {
 }
 
 polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<std::string>& notes) {
-  const auto all = polygon::algorithms();
-  const auto known = names_of(all);
-  refuse_elsewhere(command.algorithm, false);
-  const std::string name(command.algorithm.empty()
-                             ? known.front()
-                             : known[choice_value("--algorithm", command.algorithm, known)]);
-  const Algorithm& algorithm = polygon::find_algorithm(name);
-  auto parameters = polygon::defaults(name);
-  for (const auto& [key, value] : command.named) {
-    if (algorithm.has(key)) {
-      set_parameter(parameters, key, value);
-      continue;
-    }
-    check_elsewhere(key, value);
-    notes.push_back("--" + key + " has no effect: " + name + " has no such parameter");
-  }
-  for (const std::string& setting : command.settings) {
-    refuse_option(setting);
-    const auto [key, value] = setting_parts(setting);
-    if (!algorithm.has(key))
-      throw UsageError(
-          "--set " + setting + ": " + name + " has no parameter \"" + std::string(key) + "\"; " +
-          (algorithm.parameters.empty() ? "it takes none"
-                                        : did_you_mean(key, names_of(algorithm.parameters))));
-    set_parameter(parameters, key, value);
-  }
-  parameters.seed = command.seed;
-  parameters.threads = command.threads;
-  polygon::validate(parameters);
-  return parameters;
+  return make_params<polygon::Params>(command, World::Kind::polygon, polygon::algorithms(), notes);
 }
 
 PolygonAnswer polygon_answer(const PreparedWorld& world, const PolygonCommand& command,

@@ -1,12 +1,11 @@
-#include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "tools/commands.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
-#include "tools/polygon/polygon_report.h"
+#include "tools/options/commands.h"
+#include "tools/polygon/polygon_answer.h"
+#include "tools/record/json_values.h"
 
 namespace lasius::tool {
 namespace {
@@ -51,13 +50,9 @@ Json info_json(const PreparedWorld& prepared) {
 std::string info_text(const Json& json) {
   std::string text;
   const auto row = [&text](const char* name, const std::string& value) {
-    text += std::string(name) + std::string(12 - std::string_view(name).size(), ' ') + value + "\n";
+    text += row_text(name, value);
   };
-  const auto ms = [](const Json& value) {
-    std::array<char, 48> digits;
-    std::snprintf(digits.data(), digits.size(), "%.2f ms", value.get<double>());
-    return std::string(digits.data());
-  };
+  const auto ms = [](const Json& value) { return printed("%.2f ms", value.get<double>()); };
   const auto count = [&json](const char* key, const char* thing) {
     return counted(json[key].get<std::int64_t>(), thing);
   };

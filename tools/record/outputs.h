@@ -3,28 +3,25 @@
 
 #include <exception>
 #include <functional>
+#include <iosfwd>
 #include <string>
+#include <string_view>
 #include <vector>
-
-#include "tools/options/options.h"
-#include "tools/record/outcome.h"
 
 namespace lasius::tool {
 
-/// The forms of one result, each made when it is asked for.
+/// True for the files that are pictures, by their ending.
+bool is_picture(std::string_view file);
+
+/// The forms of a file, each made when it is asked for.
 struct Forms {
-  std::function<std::string()> text;
-  std::function<std::string()> json;  ///< one line
-  std::function<std::string()> csv;
-  std::function<void(const std::string& file)> write_picture;
+  std::function<void(std::ostream&)> json;
+  std::function<void(std::ostream&)> csv;
+  std::function<void()> picture;
 };
 
-/// Says on standard error how a run ended, where that is worth a word or it has no path.
-void report(const Outcome& outcome, const Messages& messages);
-
-/// Prints text, or JSON where `json`, and writes the files by their endings, as Delivery does.
-void deliver(const Forms& forms, bool json, const std::vector<std::string>& files,
-             const Messages& messages);
+/// Writes a file in the form that its ending asks for. @throws Error(output_failed)
+void write_output(const std::string& file, const Forms& forms);
 
 /// Standard output and files: what one of them refuses the others still get.
 class Delivery {

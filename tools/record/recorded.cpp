@@ -38,14 +38,4 @@ std::uint64_t recorded_seed(const Json& result) {
   return static_cast<std::uint64_t>(recorded_integer(result, "seed", 0, kMaxExactInteger));
 }
 
-std::vector<std::pair<std::string, std::string>> recorded_parameters(const Json& result,
-                                                                     const Algorithm& algorithm) {
-  std::vector<std::pair<std::string, std::string>> values;
-  for (const Parameter& parameter : algorithm.parameters) {
-    const std::string name(parameter.name);
-    values.emplace_back(name, parameter_text(value_at(result, "parameters/" + name)));
-  }
-  return values;
-}
-
 }  // namespace lasius::tool

@@ -44,8 +44,4 @@ std::int64_t recorded_integer(const Json& result, const std::string& keys, std::
 /// The seed, a whole number in its range.
 std::uint64_t recorded_seed(const Json& result);
 
-/// The values of all parameters of an algorithm, in their order, as text.
-std::vector<std::pair<std::string, std::string>> recorded_parameters(const Json& result,
-                                                                     const Algorithm& algorithm);
-
 }  // namespace lasius::tool

@@ -1,6 +1,6 @@
 // lasius study goritov2020.
-#include "tools/commands.h"
 #include "tools/draw/line_chart.h"
+#include "tools/options/commands.h"
 #include "tools/study/conduct.h"
 #include "tools/study/files.h"
 #include "tools/study/sources/goritov2020.h"

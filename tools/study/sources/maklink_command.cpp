@@ -1,8 +1,8 @@
 // lasius study maklink.
 #include <nlohmann/json_fwd.hpp>
 
-#include "tools/commands.h"
 #include "tools/draw/line_chart.h"
+#include "tools/options/commands.h"
 #include "tools/polygon/polygon_picture.h"
 #include "tools/study/conduct.h"
 #include "tools/study/files.h"

@@ -3,10 +3,10 @@
 #include <filesystem>
 
 #include "core/base/did_you_mean.h"
-#include "tools/commands.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
+#include "tools/options/commands.h"
 #include "tools/study/bitmaps.h"
 #include "tools/study/conduct.h"
 #include "tools/study/files.h"

@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+
+#include "core/base/json_depth.h"
+#include "core/io/json_values.h"
+#include "lasius/error.h"
+#include "lasius/io_json.h"
+
+namespace lasius {
+namespace {
+
+using json::Json;
+
+Error broken(const std::string& problem) {
+  return Error(ErrorCode::file_broken, "the JSON text " + problem,
+               "give what params_to_json or result_to_json wrote, or `lasius plan --json` printed");
+}
+
+Json read_object(std::string_view text) {
+  if (too_deep(text)) throw broken("nests too deep");
+  Json object = Json::parse(text, nullptr, false);
+  if (!object.is_object()) throw broken("is not an object");
+  return object;
+}
+
+/// A member as a value of C++.
+template <class Value>
+Value member(const Json& object, const std::string& key) {
+  if (!object.contains(key)) throw broken("lacks \"" + key + "\"");
+  constexpr bool kWhole = std::is_integral_v<Value> && !std::is_same_v<Value, bool>;
+  try {
+    if (!kWhole || object[key].is_number_integer()) return object[key].get<Value>();
+  } catch (const Json::exception&) {
+  }
+  throw broken("holds \"" + key + "\": " + object[key].dump());
+}
+
+/// The same; `otherwise` where it is missing or null.
+template <class Value>
+Value member_or(const Json& object, const std::string& key, Value otherwise) {
+  if (!object.contains(key) || object[key].is_null()) return otherwise;
+  return member<Value>(object, key);
+}
+
+/// Numbers, of which some may be null: not a number.
+std::vector<double> curve(const Json& object, const std::string& key) {
+  std::vector<double> values;
+  for (const Json& value : member<std::vector<Json>>(object, key)) {
+    if (!value.is_null() && !value.is_number())
+      throw broken("holds \"" + key + "\": " + value.dump());
+    values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN()
+                                     : value.get<double>());
+  }
+  return values;
+}
+
+/// The value of an enum that to_string names so.
+template <class Enum>
+Enum named(const Json& object, const std::string& key, Enum last) {
+  const auto name = member<std::string>(object, key);
+  for (int i = 0; i <= static_cast<int>(last); ++i)
+    if (to_string(static_cast<Enum>(i)) == name) return static_cast<Enum>(i);
+  throw broken("holds \"" + key + "\": \"" + name + "\"");
+}
+
+/// Of a question, which the program keeps beside the parameters.
+bool is_setting(std::string_view name) {
+  constexpr std::array<std::string_view, 6> kSettings{"target_gap", "time_limit", "radius",
+                                                      "unknown",    "prepare",    "frame"};
+  return std::ranges::find(kSettings, name) != kSettings.end();
+}
+
+}  // namespace
+
+std::string params_to_json(const Params& params) {
+  Json object = {
+      {"algorithm", params.algorithm()}, {"seed", params.seed}, {"threads", params.threads}};
+  object["parameters"] =
+      json::parameters(find_algorithm(params.algorithm()),
+                       [&](std::string_view name) { return get_parameter(params, name); });
+  return json::line(object);
+}
+
+Params params_from_json(std::string_view text) {
+  const Json object = read_object(text);
+  Params params(member<std::string>(object, "algorithm"));
+  params.seed = member_or(object, "seed", params.seed);
+  params.threads = member_or(object, "threads", params.threads);
+  const Json values = member_or(object, "parameters", Json(Json::object()));
+  if (!values.is_object()) throw broken("holds \"parameters\": " + values.dump());
+  for (const auto& [name, value] : values.items())
+    if (!is_setting(name)) set_parameter(params, name, json::parameter_text(value));
+  validate(params);
+  return params;
+}
+
+std::string result_to_json(const Result& result) {
+  Json object = {{"status", to_string(result.status)},
+                 {"error", json::text_or_null(result.error)},
+                 {"length", json::number(result.length)},
+                 {"path", json::points(result.path)}};
+  json::add_convergence(object, result);
+  json::add_proof(object, result);
+  if (result.fault != Fault::none) object["fault"] = to_string(result.fault);
+  if (const auto free = result.nearest_free) object["nearest_free"] = {free->x, free->y};
+  return json::line(object);
+}
+
+Result result_from_json(std::string_view text) {
+  const Json object = read_object(text);
+  Result result;
+  result.status = named(object, "status", Status::invalid);
+  result.error = member_or(object, "error", std::string());
+  result.length = member_or(object, "length", result.length);
+  for (const auto [x, y] : member_or(object, "path", std::vector<std::array<double, 2>>()))
+    result.path.push_back({x, y});
+  result.iterations = member<int>(object, "iterations");
+  result.best = curve(object, "best");
+  result.mean = curve(object, "mean");
+  result.arrived = member<std::vector<int>>(object, "arrived");
+  if (!member<Json>(object, "lower_bound").is_null())
+    result.lower_bound = member<double>(object, "lower_bound");
+  result.optimal = member<bool>(object, "optimal");
+  if (object.contains("fault")) result.fault = named(object, "fault", Fault::disconnected);
+  if (object.contains("nearest_free")) {
+    const auto [x, y] = member<std::array<int, 2>>(object, "nearest_free");
+    result.nearest_free = Cell{x, y};
+  }
+  return result;
+}
+
+}  // namespace lasius

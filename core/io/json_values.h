@@ -1,0 +1,47 @@
+// Numbers, points, parameters and results as JSON: what the library and the program share.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lasius/geometry.h"
+#include "lasius/io_export.h"
+#include "lasius/params.h"
+#include "lasius/search_result.h"
+
+namespace lasius::json {
+
+using Json = nlohmann::ordered_json;
+
+/// The number, or null where it is missing or not finite.
+LASIUS_IO_EXPORT Json number(double value);
+LASIUS_IO_EXPORT Json optional_number(const std::optional<double>& value);
+LASIUS_IO_EXPORT Json numbers(const std::vector<double>& values);
+
+/// [x, y], and a list of such; null for no points.
+LASIUS_IO_EXPORT Json point(Point p);
+LASIUS_IO_EXPORT Json points(const std::vector<Point>& path);
+
+/// The text, or null where it is empty.
+LASIUS_IO_EXPORT Json text_or_null(const std::string& text);
+
+/// The text of a parameter as JSON: a number where it is one, else a string. And back.
+LASIUS_IO_EXPORT Json parameter(const std::string& text);
+LASIUS_IO_EXPORT std::string parameter_text(const Json& value);
+
+/// All parameters of an algorithm by name; `text` gives the value of a name.
+LASIUS_IO_EXPORT Json parameters(const Algorithm& algorithm,
+                                 const std::function<std::string(std::string_view name)>& text);
+
+/// How the search went: iterations and curves; and what it proved: bound, gap, optimal.
+LASIUS_IO_EXPORT void add_convergence(Json& json, const Convergence& run);
+LASIUS_IO_EXPORT void add_proof(Json& json, const SearchResult& result);
+
+/// A value on one line; text that is not UTF-8 has its bad bytes replaced.
+LASIUS_IO_EXPORT std::string line(const Json& value);
+
+}  // namespace lasius::json

@@ -1,0 +1,35 @@
+// Component lasius::io: parameters and answers on bitmaps as JSON text, and back.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lasius/io_export.h"
+#include "lasius/params.h"
+#include "lasius/result.h"
+
+namespace lasius {
+
+/// One JSON object on one line, under the names that `lasius plan --json` gives: "algorithm",
+/// "seed", "threads" and "parameters", an object of all parameters of the algorithm by name.
+/// Numbers read back as the same, bit for bit.
+LASIUS_IO_EXPORT std::string params_to_json(const Params& params);
+
+/// The parameters in such a text, validated. What it leaves out stays as the constructor of Params
+/// sets it, other members are skipped: so what `lasius plan --json` printed will do, whose
+/// "parameters" hold the settings of its question beside them.
+/// @throws Error(file_broken) where the text is no JSON object with an algorithm's name, or a
+///         member is of another type; Error(invalid_parameter) for an unknown algorithm or
+///         parameter (with the nearest), or a value that is out of range.
+LASIUS_IO_EXPORT Params params_from_json(std::string_view text);
+
+/// One JSON object on one line, under the names that `lasius plan --json` gives: "status", "error",
+/// "length", "path", "iterations", "best", "mean", "arrived", "lower_bound", "gap", "optimal"; then
+/// "fault" and "nearest_free" where the answer has them. What is missing, or no number, is null.
+LASIUS_IO_EXPORT std::string result_to_json(const Result& result);
+
+/// The answer in such a text, or in what `lasius plan --json` printed (cells); "gap" follows from
+/// the others and is not read. @throws Error(file_broken), naming the member.
+LASIUS_IO_EXPORT Result result_from_json(std::string_view text);
+
+}  // namespace lasius

@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <string>
+
+#include "lasius/error.h"
+#include "lasius/io_json.h"
+#include "lasius/planner.h"
+
+namespace lasius {
+namespace {
+
+/// What is said about a text that is refused.
+std::string refusal(const auto& read, ErrorCode code) {
+  try {
+    read();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), code) << e.what();
+    EXPECT_FALSE(e.remedy().empty());
+    return e.what();
+  }
+  return "nothing thrown";
+}
+
+std::string params_refusal(const std::string& text, ErrorCode code = ErrorCode::file_broken) {
+  return refusal([&] { (void)params_from_json(text); }, code);
+}
+
+void expect_same(double a, double b) {
+  if (std::isnan(a) || std::isnan(b)) {
+    EXPECT_TRUE(std::isnan(a) && std::isnan(b)) << a << ", " << b;
+    return;
+  }
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(a), std::bit_cast<std::uint64_t>(b)) << a << ", " << b;
+}
+
+void expect_same(const std::vector<double>& a, const std::vector<double>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) expect_same(a[i], b[i]);
+}
+
+void expect_same(const Result& a, const Result& b) {
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.fault, b.fault);
+  EXPECT_EQ(a.error, b.error);
+  EXPECT_EQ(a.nearest_free, b.nearest_free);
+  EXPECT_EQ(a.iterations, b.iterations);
+  EXPECT_EQ(a.arrived, b.arrived);
+  EXPECT_EQ(a.optimal, b.optimal);
+  expect_same(a.length, b.length);
+  expect_same(a.best, b.best);
+  expect_same(a.mean, b.mean);
+  expect_same(a.lower_bound.value_or(NAN), b.lower_bound.value_or(NAN));
+  expect_same(a.gap().value_or(NAN), b.gap().value_or(NAN));
+  ASSERT_EQ(a.path.size(), b.path.size());
+  for (std::size_t i = 0; i < a.path.size(); ++i) {
+    expect_same(a.path[i].x, b.path[i].x);
+    expect_same(a.path[i].y, b.path[i].y);
+  }
+}
+
+TEST(Json, KeepsTheParametersOfEveryAlgorithm) {
+  for (const Algorithm& algorithm : algorithms()) {
+    Params params(algorithm.name);
+    params.seed = (std::uint64_t{1} << 53) - 1;
+    params.threads = 3;
+    if (algorithm.has("alpha")) params.alpha = 0.1 + 0.2;
+    const Params read = params_from_json(params_to_json(params));
+    EXPECT_EQ(read.algorithm(), params.algorithm());
+    EXPECT_EQ(read.seed, params.seed);
+    EXPECT_EQ(read.threads, 3);
+    for (const Parameter& parameter : algorithm.parameters)
+      EXPECT_EQ(get_parameter(read, parameter.name), get_parameter(params, parameter.name))
+          << algorithm.name << " " << parameter.name;
+  }
+}
+
+TEST(Json, KeepsTheAnswerOfEveryAlgorithm) {
+  Grid grid(9, 7);
+  for (int y = 1; y < 7; ++y) grid.set_blocked({4, y}, true);
+  const Planner planner(std::move(grid));
+  for (const Algorithm& algorithm : algorithms()) {
+    Params params(algorithm.name);
+    if (algorithm.has("iterations")) params.iterations = 3;
+    for (const Cell goal : {Cell{8, 6}, Cell{0, 6}, Cell{4, 5}, Cell{20, 3}}) {
+      const Result result = planner.plan({{0, 6}, goal}, params);
+      expect_same(result, result_from_json(result_to_json(result)));
+    }
+  }
+}
+
+TEST(Json, KeepsNumbersBitForBitAndWritesNullForWhatIsNone) {
+  Result result;
+  result.status = Status::limit;
+  result.length = 0.1 + 0.2;
+  result.path = {{-0.0, 5e-324}, {1e308, 1.0 / 3}};
+  result.iterations = 2;
+  result.best = {NAN, 2.2250738585072014e-308};
+  result.mean = {1e17 + 2, NAN};
+  result.arrived = {0, 7};
+  result.lower_bound = 0.3;
+  result.error = "a \"quote\", \\ and \n";
+  const std::string text = result_to_json(result);
+  EXPECT_NE(text.find("\"best\":[null,"), std::string::npos) << text;
+  EXPECT_EQ(text.find('\n'), text.size() - 1);
+  expect_same(result, result_from_json(text));
+  EXPECT_NE(result_to_json(Result()).find("\"length\":null,\"path\":null"), std::string::npos);
+  expect_same(Result(), result_from_json(result_to_json(Result())));
+}
+
+TEST(Json, ReadsWhatTheProgramPrints) {
+  const std::string saved =
+      R"({"format": "lasius-plan/1", "algorithm": "fan2004", "seed": 7, "threads": 2,
+          "parameters": {"ants": 5, "polish": "taut", "target_gap": 0.5, "radius": 2,
+                         "time_limit": null, "unknown": "free", "frame": "cell"},
+          "status": "solved", "error": null, "length": 1.5, "path": [[0.5, 0.5], [2, 0.5]],
+          "iterations": 0, "best": [], "mean": [], "arrived": [], "lower_bound": null,
+          "gap": null, "optimal": false, "elapsed_ms": 1})";
+  const Params params = params_from_json(saved);
+  EXPECT_EQ(params.seed, 7);
+  EXPECT_EQ(params.ants, 5);
+  EXPECT_EQ(params.polish, Polish::taut);
+  EXPECT_EQ(params.iterations, Params("fan2004").iterations);
+  EXPECT_EQ(result_from_json(saved).path.size(), 2);
+}
+
+TEST(Json, RefusesOtherTexts) {
+  EXPECT_NE(params_refusal("{").find("not an object"), std::string::npos);
+  EXPECT_NE(params_refusal("[1]").find("not an object"), std::string::npos);
+  EXPECT_NE(params_refusal(std::string(100, '[')).find("nests too deep"), std::string::npos);
+  EXPECT_NE(params_refusal("{}").find("lacks \"algorithm\""), std::string::npos);
+  EXPECT_NE(params_refusal(R"({"algorithm": 3})").find("\"algorithm\": 3"), std::string::npos);
+  EXPECT_NE(params_refusal(R"({"algorithm": "exact", "seed": 1.5})").find("\"seed\": 1.5"),
+            std::string::npos);
+  constexpr auto kValue = ErrorCode::invalid_parameter;
+  EXPECT_NE(params_refusal(R"({"algorithm": "fan204"})", kValue).find("fan2004"),
+            std::string::npos);
+  EXPECT_NE(params_refusal(R"({"algorithm": "fan2004", "parameters": {"atns": 3}})", kValue)
+                .find("\"ants\""),
+            std::string::npos);
+  EXPECT_NE(
+      params_refusal(R"({"algorithm": "fan2004", "parameters": {"ants": 0}})", kValue).find("ants"),
+      std::string::npos);
+  EXPECT_NE(
+      refusal([] { (void)result_from_json(R"({"status": "solvde"})"); }, ErrorCode::file_broken)
+          .find("solvde"),
+      std::string::npos);
+  EXPECT_NE(
+      refusal([] { (void)result_from_json(R"({"status": "solved"})"); }, ErrorCode::file_broken)
+          .find("\"iterations\""),
+      std::string::npos);
+}
+
+}  // namespace
+}  // namespace lasius

@@ -1,0 +1,254 @@
+#include "tools/bitmap/bitmap_task.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tools/bitmap/picture.h"
+#include "tools/console/parameters.h"
+#include "tools/console/streams.h"
+#include "tools/console/values.h"
+#include "tools/options/commands.h"
+#include "tools/record/outputs.h"
+#include "tools/record/recorded.h"
+
+namespace lasius::tool {
+namespace {
+
+/// False where the answer is known before any search, and a visibility graph a waste.
+bool is_search(const PreparedMap& map, Corners corners, Cell start, Cell goal,
+               const std::stop_token& token) {
+  return map.planner && map.grid().free(start) && map.grid().free(goal) && start != goal &&
+         map.planner->label(corners, {.token = token}) &&
+         map.planner->connected(start, goal, corners);
+}
+
+/// Why a start or goal is invalid, with its place as it was given, and in metres too the free cell
+/// that is nearest.
+std::string invalid_text(const PreparedMap& map, Frame frame, const Answer& answer) {
+  const Result& result = answer.result;
+  const bool at_start =
+      result.fault == Fault::start_blocked || result.fault == Fault::start_outside;
+  const bool outside = result.fault == Fault::start_outside || result.fault == Fault::goal_outside;
+  const Place& place = at_start ? answer.start : answer.goal;
+  const auto [x, y] = place.number;
+  const std::string named =
+      std::string("(").append(whole_text(x)).append(", ").append(whole_text(y)).append(")");
+  std::string text = at_start ? "start " : "goal ";
+  if (frame == Frame::world) {
+    text += to_text(place.asked.x) + "," + to_text(place.asked.y) + " m, in cell " + named + ",";
+  } else {
+    text += named;
+  }
+  text += outside ? " is outside the map" : " is blocked";
+  const auto& free = result.nearest_free;
+  if (!free) return map.grid().count_free() == 0 ? text + "; the map has no free cell" : text;
+  text += "; the nearest free cell is (" + std::to_string(free->x) + ", " +
+          std::to_string(free->y) + ")";
+  if (frame == Frame::cell) return text;
+  const Point metres = map.to_world(centre(*free));
+  return text + printed(", its centre at %.3f,%.3f m", metres.x, metres.y);
+}
+
+Json cell_json(const Place& place) {
+  const auto [x, y] = place.number;
+  return Json::array({json::parameter(whole_text(x)), json::parameter(whole_text(y))});
+}
+
+/// A start or goal as it was given: a cell, or metres.
+Point recorded_end(const Json& result, const std::string& key, Frame frame) {
+  if (frame == Frame::world) return recorded_point(result, key + "_world");
+  const Point cell = recorded_point(result, key);
+  if (cell.x != std::floor(cell.x) || cell.y != std::floor(cell.y))
+    throw UsageError("\"" + key + "\" is no cell");
+  return cell;
+}
+
+}  // namespace
+
+BitmapTask::BitmapTask(PlanCommand command, SharedMap map)
+    : command_(std::move(command)), map_(std::move(map)) {}
+
+void BitmapTask::prepare(const std::stop_token& token) {
+  const RunOptions& run = options();
+  const bool given = map_ != nullptr;
+  MapOptions first = run.map;
+  first.prepare = false;
+  if (!given)
+    map_ = std::make_shared<PreparedMap>(prepare_map(first, run.frame, run.params.corners, token));
+  answer_.start = to_place(*map_, command_.start, run.frame);
+  answer_.goal = to_place(*map_, command_.goal, run.frame);
+  map_->prepare = run.map.prepare;
+  if (!given && map_->prepare &&
+      is_search(*map_, run.params.corners, answer_.start.cell, answer_.goal.cell, token))
+    prepare_more(*map_, run.map.threads, token);
+}
+
+void BitmapTask::announce() const {
+  Task::announce();
+  const PreparedMap& map = *map_;
+  const Preparation prepared = map.planner ? map.planner->preparation() : Preparation{};
+  if (prepared.state == Preparation::State::too_large)
+    message("--prepare has no effect: it would take more than " +
+            std::to_string(PrepareOptions{}.max_bytes >> 20) + " MB for this map");
+  if (!options().messages.verbose) return;
+  message(map.file + printed(": %d x %d cells, hash %s, read in %.1f ms, %s %.1f ms", map.width,
+                             map.height, hash_text(map.hash).c_str(), map.read_ms,
+                             map.planner ? "prepared in" : "interrupted after", map.prepare_ms));
+  if (prepared.state == Preparation::State::ready)
+    message(printed("--prepare: %lld corners, %lld edges, %.1f MB, %.1f ms",
+                    static_cast<long long>(prepared.vertices),
+                    static_cast<long long>(prepared.edges),
+                    1e-6 * static_cast<double>(prepared.bytes), 1e3 * prepared.seconds));
+  announce_algorithm(true);
+}
+
+void BitmapTask::plan(const StopCondition& stop, const Watch& watch) {
+  const RunOptions& run = options();
+  if (moves_on_cells(run.params) && std::ranges::any_of(run.outputs, is_picture))
+    recorder_.emplace(map_->grid(), run.track_iterations, run.params.iterations);
+  Observer observer;
+  if (watch || recorder_)
+    observer = [&](const GridProgress& progress) {
+      if (watch) watch(progress);
+      if (recorder_) recorder_->observe(progress);
+    };
+  const auto index = answer_.index;
+  answer_ = answer(*map_, run, answer_.start, answer_.goal, stop, observer);
+  answer_.index = index;
+}
+
+const Algorithm& BitmapTask::algorithm() const {
+  return find_algorithm(options().params.algorithm());
+}
+
+std::string BitmapTask::parameter(std::string_view name) const {
+  return get_parameter(options().params, name);
+}
+
+std::string BitmapTask::error() const {
+  const Status status = result().status;
+  if (status != Status::invalid && status != Status::unreachable) return {};
+  std::string text =
+      status == Status::invalid ? invalid_text(*map_, options().frame, answer_) : result().error;
+  if (map_->radius > 0)  // why a cell that looks free is not
+    text.append(" (obstacles grown by ").append(to_text(map_->radius)).append(" cells)");
+  return text;
+}
+
+double BitmapTask::shown(double length) const { return map_->length_in(options().frame, length); }
+
+/// What --gap found.
+void BitmapTask::remark() const {
+  const auto& [any_angle, by_moves] = std::pair(answer_.optimum, answer_.grid_optimum);
+  if (options().json || (!any_angle && !by_moves)) return;
+  const auto against = [&](const char* name, double optimum) {
+    const auto part = printed("%s %.6f%s", name, shown(optimum), in_metres() ? " m" : "");
+    if (!has_path() || !(optimum > 0)) return part;
+    return part + printed(" (the path: %+.3f%%)", 100 * *gap_to(optimum, result().length));
+  };
+  std::string text = any_angle ? against("optimum", *any_angle) : "optimum unknown";
+  if (by_moves) text += ", " + against("by its own moves", *by_moves);
+  message(text);
+}
+
+void BitmapTask::write_path(std::ostream& out, const char* between) const {
+  for (const Point p : in_metres() ? map_->to_world(result().path) : result().path)
+    out << to_text(p.x) << between << to_text(p.y) << "\n";
+}
+
+void BitmapTask::write_picture(const std::string& file) const {
+  write_plan_picture(file, *map_, options(), answer_, recorder_ ? &*recorder_ : nullptr);
+}
+
+std::string BitmapTask::batch_header() const {
+  const char* const m = in_metres() ? "_m" : "";
+  std::ostringstream out;
+  out << "index";
+  for (const char* column : {"sx", "sy", "gx", "gy"}) out << "," << column << m;
+  out << ",status,length" << m << ",lower_bound" << m << ",gap,iterations,elapsed_ms\n";
+  return out.str();
+}
+
+std::string BitmapTask::batch_row() const {
+  const auto coordinate = in_metres() ? to_text : whole_text;
+  std::ostringstream out;
+  out << index().value_or(0);
+  for (const Point p : {answer_.start.asked, answer_.goal.asked})
+    out << "," << coordinate(p.x) << "," << coordinate(p.y);
+  const double none = std::nan("");
+  out << "," << to_string(result().status) << "," << finite_text(shown(result().length)) << ","
+      << finite_text(shown(result().lower_bound.value_or(none))) << ","
+      << finite_text(result().gap().value_or(none)) << "," << result().iterations << ","
+      << to_text(elapsed_ms()) << "\n";
+  return out.str();
+}
+
+Json BitmapTask::inputs() const {
+  return {{"map",
+           {{"file", map_->file},
+            {"hash", hash_text(map_->hash)},
+            {"width", map_->width},
+            {"height", map_->height}}}};
+}
+
+std::pair<Json, Json> BitmapTask::ends() const {
+  return {cell_json(answer_.start), cell_json(answer_.goal)};
+}
+
+void BitmapTask::add_settings(Json& json) const {
+  add_limits(json);
+  json["radius"] = number(map_->radius);
+  json["unknown"] = map_->unknown_is_free ? "free" : "blocked";
+  if (map_->prepare) json["prepare"] = true;
+  json["frame"] = kFrames[in_metres() ? 1 : 0];
+}
+
+void BitmapTask::add_path(Json& json) const {
+  json["path"] = points(result().path);
+  if (!in_metres()) return;
+  json["start_world"] = point(answer_.start.asked);
+  json["goal_world"] = point(answer_.goal.asked);
+  json["length_m"] = number(map_->metres(result().length));
+  json["path_world"] = points(map_->to_world(result().path));
+}
+
+void BitmapTask::add_findings(Json& json) const {
+  if (options().with_optimum) json["grid_optimum"] = optional_number(answer_.grid_optimum);
+}
+
+std::unique_ptr<Task> recorded_bitmap(const Recorded& from, SharedMap& last) {
+  const Json& result = from.result;
+  PlanCommand command;
+  RunOptions& run = command.run;
+  const auto name = recorded<std::string>(result, "algorithm");
+  read_recorded(from, find_algorithm(algorithm_of(World::Kind::bitmap, name)), run);
+  std::vector<std::string> notes;
+  run.params = make_params<Params>(run, World::Kind::bitmap, algorithms(), notes);
+  run.map.file = from.found(recorded<std::string>(result, "map/file"));
+  run.map.threads = from.threads;
+  run.map.radius = recorded<double>(result, "parameters/radius");
+  run.map.unknown_is_free = recorded<std::string>(result, "parameters/unknown") == "free";
+  if (result["parameters"].contains("prepare"))
+    run.map.prepare = recorded<bool>(result, "parameters/prepare");
+  if (recorded<std::string>(result, "parameters/frame") == kFrames[1]) run.frame = Frame::world;
+  command.start = recorded_end(result, "start", run.frame);
+  command.goal = recorded_end(result, "goal", run.frame);
+  const bool same = last && last->file == run.map.file && last->radius == run.map.radius &&
+                    last->unknown_is_free == run.map.unknown_is_free &&
+                    last->prepare == run.map.prepare;
+  if (!same)
+    last = std::make_shared<PreparedMap>(
+        prepare_map(run.map, run.frame, run.params.corners, from.token));
+  auto task = std::make_unique<BitmapTask>(std::move(command), last);
+  if (result.contains("index")) task->take({.index = recorded<std::size_t>(result, "index")});
+  return task;
+}
+
+int run_plan(const PlanCommand& command) {
+  BitmapTask task(command);
+  return run(task);
+}
+
+}  // namespace lasius::tool

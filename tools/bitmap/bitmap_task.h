@@ -1,0 +1,65 @@
+// `plan` and each query of `batch` on a bitmap.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "tools/bitmap/answer.h"
+#include "tools/bitmap/map_file.h"
+#include "tools/bitmap/picture_recorder.h"
+#include "tools/record/task.h"
+
+namespace lasius::tool {
+
+using SharedMap = std::shared_ptr<PreparedMap>;
+
+class BitmapTask : public Task {
+ public:
+  /// `map` may be given, made ready for `command`; else `prepare` makes it.
+  explicit BitmapTask(PlanCommand command, SharedMap map = {});
+
+  void prepare(const std::stop_token& token) override;
+  void announce() const override;
+  void plan(const StopCondition& stop, const Watch& watch) override;
+  /// Takes an answer that was found elsewhere.
+  void take(Answer answer) { answer_ = std::move(answer); }
+
+  const RunOptions& options() const override { return command_.run; }
+  const Algorithm& algorithm() const override;
+  std::string parameter(std::string_view name) const override;
+  std::int64_t iterations() const override { return options().params.iterations; }
+
+  const Result& result() const override { return answer_.result; }
+  std::string error() const override;
+  std::optional<double> optimum() const override { return answer_.optimum; }
+  double elapsed_ms() const override { return answer_.elapsed_ms; }
+
+  double shown(double length) const override;
+  std::string unit() const override { return in_metres() ? "m" : ""; }
+  void remark() const override;
+  void write_path(std::ostream& out, const char* between) const override;
+  void write_picture(const std::string& file) const override;
+  /// A batch as a table: header, and a line a query. Columns in metres end in _m.
+  std::string batch_header() const;
+  std::string batch_row() const;
+
+  std::optional<std::size_t> index() const override { return answer_.index; }
+  Json inputs() const override;
+  std::pair<Json, Json> ends() const override;
+  void add_settings(Json& json) const override;
+  void add_path(Json& json) const override;
+  void add_findings(Json& json) const override;
+
+ private:
+  bool in_metres() const { return options().frame == Frame::world; }
+
+  PlanCommand command_;
+  SharedMap map_;
+  std::optional<PictureRecorder> recorder_;
+  Answer answer_;
+};
+
+/// A result's question again. `last` keeps its map for the next: the lines of a batch share one.
+std::unique_ptr<Task> recorded_bitmap(const Recorded& recorded, SharedMap& last);
+
+}  // namespace lasius::tool

@@ -1,0 +1,35 @@
+// The kinds of world that there are, and who plans on each.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "lasius/params.h"
+
+namespace lasius::tool {
+
+/// The planners of one kind of world.
+struct World {
+  enum class Kind { bitmap, arm, polygon };
+  Kind kind;
+  std::string_view key;     ///< in the JSON of `algorithms`
+  std::string_view title;   ///< in its text; empty for bitmaps
+  std::string_view plans;   ///< what its algorithms do, as in "among polygons"
+  std::string_view detail;  ///< said behind that
+  std::string_view advice;  ///< for those who ask one of them elsewhere
+  std::span<const Algorithm> algorithms;
+  std::string (*default_text)(const Algorithm&, std::string_view parameter);
+};
+
+/// Those that this program was built with, bitmaps first.
+std::span<const World> worlds();
+
+/// The name asked for, or of the world's first algorithm where it is empty. @throws UsageError for
+/// one that plans elsewhere, and for an unknown one, with the nearest.
+std::string_view algorithm_of(World::Kind kind, std::string_view name);
+
+/// True for the files that are polygon worlds, by their ending: .geojson, .json, .wkt.
+bool is_world(std::string_view file);
+
+}  // namespace lasius::tool
