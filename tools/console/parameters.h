@@ -44,8 +44,21 @@ Params params_of(std::string_view algorithm) {
     return Params();
 }
 
-/// The parameters that were asked for, validated. What has no effect is said in `notes`; its value
-/// is held against what another algorithm takes all the same.
+/// Holds a value that has no effect against what another algorithm takes.
+template <class Params>
+void check_elsewhere(std::span<const Algorithm> all, const std::string& name,
+                     const std::string& value) {
+  const auto other = std::ranges::find_if(all, [&](const auto& a) { return a.has(name); });
+  if (other != all.end()) {
+    auto scratch = params_of<Params>(other->name);
+    set_parameter(scratch, name, value);
+  } else {
+    lasius::Params scratch;
+    set_parameter(scratch, name, value);
+  }
+}
+
+/// The parameters that were asked for, validated. What has no effect is said in `notes`.
 /// @throws UsageError for unknown names, with the nearest; Error(invalid_parameter) for values.
 template <class Params>
 Params make_params(const SearchOptions& options, World::Kind kind, std::span<const Algorithm> all,
@@ -57,16 +70,9 @@ Params make_params(const SearchOptions& options, World::Kind kind, std::span<con
       set_parameter(params, name, value);
       continue;
     }
+    check_elsewhere<Params>(all, name, value);
     notes.push_back("--" + name + " has no effect: " + std::string(algorithm.name) +
                     " has no such parameter");
-    const auto other = std::ranges::find_if(all, [&](const auto& a) { return a.has(name); });
-    if (other != all.end()) {
-      auto scratch = params_of<Params>(other->name);
-      set_parameter(scratch, name, value);
-    } else {
-      lasius::Params scratch;
-      lasius::set_parameter(scratch, name, value);
-    }
   }
   for (const auto& setting : options.settings) {
     const auto [name, value] = setting_of(setting, algorithm, all);
