@@ -85,12 +85,12 @@ std::vector<Placement> place(const Robot& robot, const JointRef& q) {
 
 }  // namespace
 
-template <int EigenMaxAlignBytes>
-bool compile_with_the_EIGEN_MAX_ALIGN_BYTES_of_lasius() noexcept {
+template <int AlignBytes, bool ByMalloc>
+bool compile_with_the_Eigen_alignment_of_lasius() noexcept {
   return true;
 }
-template bool
-compile_with_the_EIGEN_MAX_ALIGN_BYTES_of_lasius<EIGEN_DEFAULT_ALIGN_BYTES>() noexcept;
+template bool compile_with_the_Eigen_alignment_of_lasius<EIGEN_DEFAULT_ALIGN_BYTES,
+                                                         EIGEN_MALLOC_ALREADY_ALIGNED>() noexcept;
 
 Robot parse_robot(std::string_view text, const std::string& file, const Chain& chain) {
   const auto first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");

@@ -27,16 +27,18 @@ using JointRef = Eigen::Ref<const JointVector>;
 /// Where a frame is in another one. Not aligned: it may be a member of anything.
 using Pose = Eigen::Transform<double, 3, Eigen::Isometry, Eigen::DontAlign>;
 
-/// Eigen's vectors cross the border to this library, which may free what your code allocated and
-/// the other way round, so both must be compiled with the same EIGEN_MAX_ALIGN_BYTES. Where they
-/// are not (say, yours with -mavx or -march=native, and Debian's FCL and KDL without), linking
-/// fails: this function exists for the library's own value only. Compile your code with
-/// -DEIGEN_MAX_ALIGN_BYTES=16, or the library, KDL and FCL with the flags of your code.
-template <int EigenMaxAlignBytes>
-LASIUS_ARM_EXPORT bool compile_with_the_EIGEN_MAX_ALIGN_BYTES_of_lasius() noexcept;
+/// Eigen's vectors cross the border to this library: your code frees what it allocated, so both
+/// must allocate alike, which in Eigen depends on compiler flags. Where they do not (yours has
+/// -mavx, -march=native or GCC's -fsanitize=address, the library has not), linking fails: this
+/// function exists for the library's own flags only. Either leave those flags out of the files that
+/// include lasius/arm, or add -DEIGEN_DONT_VECTORIZE -DEIGEN_MAX_ALIGN_BYTES=16 to -mavx or
+/// -march=native there, or compile FCL, KDL and lasius with them, too.
+template <int AlignBytes, bool ByMalloc>
+LASIUS_ARM_EXPORT bool compile_with_the_Eigen_alignment_of_lasius() noexcept;
 namespace internal {
 inline const bool kSameAlignment =
-    compile_with_the_EIGEN_MAX_ALIGN_BYTES_of_lasius<EIGEN_DEFAULT_ALIGN_BYTES>();
+    compile_with_the_Eigen_alignment_of_lasius<EIGEN_DEFAULT_ALIGN_BYTES,
+                                               EIGEN_MALLOC_ALREADY_ALIGNED>();
 }
 
 /// All points within `radius` of the segment; a sphere where both ends are one point.

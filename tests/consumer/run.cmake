@@ -128,7 +128,7 @@ foreach(component IN LISTS components)
     execute_process(COMMAND ${CXX} ${CMAKE_CURRENT_LIST_DIR}/project/use_arm.cpp
         -DEIGEN_MAX_ALIGN_BYTES=64 -o ${WORK_DIR}/other_alignment ${flags} -std=c++20
       ERROR_VARIABLE err RESULT_VARIABLE failed)
-    if(NOT failed OR NOT err MATCHES "compile_with_the_EIGEN_MAX_ALIGN_BYTES_of_lasius<64>")
+    if(NOT failed OR NOT err MATCHES "compile_with_the_Eigen_alignment_of_lasius<64, false>")
       message(FATAL_ERROR "${KIND}: another alignment of Eigen's should not link, but:\n${err}")
     endif()
   endif()
