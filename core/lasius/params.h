@@ -142,6 +142,7 @@ struct TrailParams {
                               ///< the iteration's best, deposits; 0: never
   double best_probability = 0.05;  ///< Update::max_min: p_best, which sets tau_min / tau_max
   double local_evaporation = 0;    ///< Update::colony_system: tau <- (1 - xi) tau + xi tau0
+  friend bool operator==(const TrailParams&, const TrailParams&) = default;
 };
 
 /// Parameters of one plan. The constructor sets the published values of an algorithm, which
@@ -153,6 +154,7 @@ struct LASIUS_EXPORT Params : TrailParams {
   explicit Params(std::string_view algorithm);
   /// Its name. To ask another algorithm, make other Params: a name without its numbers is none.
   const std::string& algorithm() const noexcept { return algorithm_; }
+  friend bool operator==(const Params&, const Params&) = default;
 
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
   int threads = 0;         ///< at most 1024; 0: as many as OpenMP gives; never changes the answer

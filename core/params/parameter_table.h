@@ -52,6 +52,13 @@ inline void check_threads(int threads) {
                           "it must be 0 (all cores) to 1024");
 }
 
+/// @throws Error(invalid_parameter) for a seed that JSON does not keep exactly.
+inline void check_seed(std::uint64_t seed) {
+  constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 53) - 1;
+  if (seed <= kMostSeed) return;
+  throw invalid_parameter("seed is " + std::to_string(seed), "it must be at most 2^53 - 1");
+}
+
 /// For a name that is none of `known`, the names of the things that `kind` says.
 inline Error unknown_name(std::string_view kind, std::string_view name,
                           std::span<const std::string_view> known) {
@@ -202,11 +209,7 @@ class ParameterTable {
         }
       }
     }
-    constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 53) - 1;  // exact in JSON
-    if (fields.seed > kMostSeed) {
-      throw invalid_parameter("seed is " + std::to_string(fields.seed),
-                              "it must be at most 2^53 - 1");
-    }
+    check_seed(fields.seed);
     check_threads(fields.threads);
   }
 
