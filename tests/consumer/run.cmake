@@ -41,10 +41,9 @@ file(MAKE_DIRECTORY ${WORK_DIR})
 if(NOT LIBRARY_DIR)
   set(LIBRARY_DIR ${WORK_DIR}/library)
   string(COMPARE EQUAL ${KIND} shared shared)
-  # What is tested is the package: an unoptimised library is there sooner. It is also where each
-  # file of the library has to name the headers that it uses.
+  # What is tested is the package: an unoptimised library is there sooner.
   run("configuring the library" ${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${LIBRARY_DIR} ${toolchain}
-    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
+    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
     -DBUILD_SHARED_LIBS=${shared} -DLASIUS_BUILD_IO=${BUILD_IO}
     -DLASIUS_BUILD_ARM=${BUILD_ARM} -DLASIUS_BUILD_POLYGON=${BUILD_POLYGON}
     -DLASIUS_BUILD_TOOLS=OFF
