@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/arm/arm_colony.h"
+#include "core/arm/check_clearance.h"
 #include "core/arm/lattice_way.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
@@ -216,10 +217,17 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
   const auto search = [&](const Lattice& lattice, const Params& p) {
     return run_arm_colony(lattice, request, p, observer);
   };
+  if (request.motion) check_clearance(sensor);
   Result result = answer(robot, sensor, request, parameters, search);
   if (!request.motion || result.joints.cols() == 0) return result;
+  StopCondition stop = request.stop;
+  if (result.status == Status::interrupted) {  // perhaps by the observer, whom no token knows
+    std::stop_source ended;
+    ended.request_stop();
+    stop.token = ended.get_token();
+  }
   TrajectoryResult made = make_trajectory(robot, sensor, result.joints,
-                                          {.shortcut = parameters.shortcut, .stop = request.stop});
+                                          {.shortcut = parameters.shortcut, .stop = stop});
   if (result.status == Status::solved) result.status = made.status;
   result.trajectory = std::move(made.trajectory);
   result.waypoints = made.waypoints;

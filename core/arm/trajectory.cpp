@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/arm/check_clearance.h"
 #include "core/arm/kinematics.h"
 #include "core/arm/spline.h"
 #include "core/arm/vec3.h"
@@ -12,6 +13,13 @@
 #include "lasius/error.h"
 
 namespace lasius::arm {
+void check_clearance(const Sensor& sensor) {
+  if (sensor.clearance() >= Sensor::kLeastClearance) return;
+  throw Error(ErrorCode::invalid_parameter,
+              "the sensor's clearance is " + number_text(sensor.clearance()),
+              "it must be at least 0.000001 metres");
+}
+
 namespace {
 
 using Waypoints = std::vector<JointVector>;
@@ -21,10 +29,7 @@ class Asker {
  public:
   Asker(const Sensor& sensor, const StopCondition& stop)
       : sensor_(sensor), clearance_(sensor.clearance()), poller_(stop, 16) {
-    if (clearance_ >= Sensor::kLeastClearance) return;
-    throw Error(ErrorCode::invalid_parameter,
-                "the sensor's clearance is " + number_text(clearance_),
-                "it must be at least 0.000001 metres");
+    check_clearance(sensor);
   }
 
   bool motion_free(const JointRef& from, const JointRef& to) {

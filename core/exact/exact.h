@@ -31,9 +31,9 @@ struct Counters {
 ///
 /// A shortest path bends only at corners of blocked cells, and only around them. Each corner is
 /// reached with the best known length g; its cone, the directions in which a path can go on and
-/// still be taut, is scanned for the corners seen in it (kernels/scan_cone.h). The frontier holds
-/// corners by g + h, h the straight distance to the goal. No path is shorter than its least key
-/// (lower bound), and a weighted search gives a path (upper bound); where the two meet, it is
+/// still be taut, is scanned for the corners seen in it (kernels/sight/scan_cone.h). The frontier
+/// holds corners by g + h, h the straight distance to the goal. No path is shorter than its least
+/// key (lower bound), and a weighted search gives a path (upper bound); where the two meet, it is
 /// proven shortest.
 ///
 /// The weighted search expands corners, too, but in the order of g + W h, best first: weighted A*

@@ -3,6 +3,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <type_traits>
+#include <utility>
 
 #include "core/base/json_depth.h"
 #include "core/io/json_values.h"
@@ -26,16 +27,36 @@ Json read_object(std::string_view text) {
   return object;
 }
 
+/// A whole number that the type holds?
+template <class Whole>
+bool fits(const Json& value) {
+  if (value.is_number_unsigned()) return std::in_range<Whole>(value.get<std::uint64_t>());
+  return value.is_number_integer() && std::in_range<Whole>(value.get<std::int64_t>());
+}
+
+/// Whole numbers, each as wide as an int.
+std::vector<int> whole_numbers(const Json& object, const std::string& key) {
+  const Json list = object.value(key, Json());
+  const bool good = list.is_array() && std::ranges::all_of(list, fits<int>);
+  if (!good) throw broken("holds \"" + key + "\": " + list.dump());
+  return list.get<std::vector<int>>();
+}
+
 /// A member as a value of C++.
 template <class Value>
 Value member(const Json& object, const std::string& key) {
   if (!object.contains(key)) throw broken("lacks \"" + key + "\"");
   constexpr bool kWhole = std::is_integral_v<Value> && !std::is_same_v<Value, bool>;
+  const Json& value = object[key];
   try {
-    if (!kWhole || object[key].is_number_integer()) return object[key].get<Value>();
+    if constexpr (kWhole) {
+      if (fits<Value>(value)) return value.get<Value>();
+    } else {
+      return value.get<Value>();
+    }
   } catch (const Json::exception&) {
   }
-  throw broken("holds \"" + key + "\": " + object[key].dump());
+  throw broken("holds \"" + key + "\": " + value.dump());
 }
 
 /// The same; `otherwise` where it is missing or null.
@@ -115,19 +136,22 @@ Result result_from_json(std::string_view text) {
   result.status = named(object, "status", Status::invalid);
   result.error = member_or(object, "error", std::string());
   result.length = member_or(object, "length", result.length);
-  for (const auto [x, y] : member_or(object, "path", std::vector<std::array<double, 2>>()))
-    result.path.push_back({x, y});
+  for (const auto& point : member_or(object, "path", std::vector<std::vector<double>>())) {
+    if (point.size() != 2) throw broken("holds a vertex of the path that is no point");
+    result.path.push_back({point[0], point[1]});
+  }
   result.iterations = member<int>(object, "iterations");
   result.best = curve(object, "best");
   result.mean = curve(object, "mean");
-  result.arrived = member<std::vector<int>>(object, "arrived");
+  result.arrived = whole_numbers(object, "arrived");
   if (!member<Json>(object, "lower_bound").is_null())
     result.lower_bound = member<double>(object, "lower_bound");
   result.optimal = member<bool>(object, "optimal");
   if (object.contains("fault")) result.fault = named(object, "fault", Fault::disconnected);
   if (object.contains("nearest_free")) {
-    const auto [x, y] = member<std::array<int, 2>>(object, "nearest_free");
-    result.nearest_free = Cell{x, y};
+    const auto cell = whole_numbers(object, "nearest_free");
+    if (cell.size() != 2) throw broken("holds \"nearest_free\" that is no cell");
+    result.nearest_free = Cell{cell[0], cell[1]};
   }
   return result;
 }

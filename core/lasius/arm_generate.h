@@ -25,9 +25,8 @@ struct Query {
 
 /// Boxes, spheres and cylinders within the arm's reach, a start and a goal: both are positions of
 /// the arm that touch nothing. The same on every machine.
-/// @throws Error(invalid_parameter) for a robot that `validate` refuses, options out of range, or
-/// where no such question is found:
-///         too many obstacles for this arm.
+/// @throws Error(invalid_parameter) for a robot that `validate` refuses, for options out of range,
+///         and where no such question is found: too many obstacles for this arm.
 LASIUS_ARM_EXPORT Query generate_query(const Robot& robot, const GenerateOptions& options);
 
 }  // namespace lasius::arm

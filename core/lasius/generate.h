@@ -39,7 +39,7 @@ LASIUS_EXPORT std::span<const std::string_view> map_kind_names() noexcept;
 /// The name of one, as in "maze".
 LASIUS_EXPORT std::string_view to_string(MapKind kind) noexcept;
 
-/// The largest density that a kind can be asked for.
+/// The largest density that a kind can be asked for. Precondition: it is one of MapKind.
 LASIUS_EXPORT double max_density(MapKind kind) noexcept;
 
 /// Makes a map. Integer arithmetic and Philox only, so equal on every machine.

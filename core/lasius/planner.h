@@ -1,4 +1,4 @@
-// Planning on a bitmap: prepare a map once, then plan on it from as many threads as you like.
+// Planning on a bitmap: make a planner of a map once, then plan from as many threads as you like.
 #pragma once
 
 #include <cstdint>

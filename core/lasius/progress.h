@@ -21,7 +21,8 @@ class Progress {
   int arrived = 0;                                                ///< ants that reached the goal
   std::optional<double> lower_bound;  ///< certified, where the algorithm knows one by now
 
-  /// Ends the search: its answer is the best so far, its status Status::interrupted.
+  /// Ends the search, where it has not ended by itself: its answer is the best so far, its status
+  /// Status::interrupted.
   void stop() const noexcept { stopped_ = true; }
   /// True once stop() was called.
   bool stopped() const noexcept { return stopped_; }

@@ -173,7 +173,7 @@ void validate(const Params& params) {
   published.threads = params.threads;
   check_seed(params.seed);
   check_threads(params.threads);
-  if (params == published) return;  // a short query by `exact` would feel the rest
+  if (params == published) return;  // valid; saves time on short queries
   kTable.check(params);
   kTable.check_unread(params, published, algorithm);
   const double first =
@@ -194,10 +194,12 @@ void validate(const Params& params) {
   const bool index = params.update == Update::terminal_index;
   const bool learning = params.update == Update::learning;
   const bool cells = params.trail == Trail::cells;
+  const bool straight_deposits =
+      params.polish != Polish::none && params.straight_deposit != StraightDeposit::none;
   const auto refuse_if = [](bool wrong, const char* problem, const char* remedy) {
     if (wrong) throw invalid_parameter(problem, remedy);
   };
-  refuse_if(!cells && params.straight_deposit != StraightDeposit::none,
+  refuse_if(!cells && straight_deposits,
             "straight_deposit lays pheromone on cells, but the trail is on arcs",
             "set trail to cells or straight_deposit to none");
   refuse_if(inverse != index,
@@ -209,15 +211,15 @@ void validate(const Params& params) {
             "set greedy and the shares of the pheromone and distance rules to 0");
   refuse_if((index || learning) && !cells, "this update keeps one value a cell, not one an arc",
             "set trail to cells");
-  refuse_if(index && params.straight_deposit != StraightDeposit::none,
-            "the terminal index is no pheromone that could be laid",
+  refuse_if(index && straight_deposits, "the terminal index is no pheromone that could be laid",
             "set straight_deposit to none");
   refuse_if((params.heuristic == Heuristic::learned) != learning,
             "the learned heuristic and the update learning belong together",
             "set heuristic to learned and update to learning, or neither");
-  refuse_if(algorithm.kind == Algorithm::Kind::genetic && params.neighbours > Neighbours::eight,
-            "the genetic algorithm knows moves to 4 or 8 neighbours only",
-            "set neighbours to 4 or 8");
+  if (algorithm.kind == Algorithm::Kind::genetic && params.neighbours > Neighbours::eight) {
+    throw invalid_parameter(params.algorithm() + " knows moves to 4 or 8 neighbours only",
+                            "set neighbours to 4 or 8");
+  }
 }
 
 }  // namespace lasius

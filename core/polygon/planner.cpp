@@ -320,6 +320,12 @@ Result Planner::plan(const Request& request, const Params& parameters,
     result.path = shortest.path;
     result.length = shortest.path.empty() ? kNaN : shortest.length;
     result.optimal = !shortest.path.empty();
+    if (observer && result.optimal) {
+      Progress view;  // the only path that the search finds is the last
+      view.best_length = result.length;
+      view.lower_bound = result.lower_bound;
+      observer(view);
+    }
     return result;
   }
   RoutePlan(regions, parameters, request, observer).run(start, goal, shortest.lower_bound, result);

@@ -9,7 +9,7 @@ int main() {
   using namespace lasius;
   constexpr int kWidth = 64, kHeight = 32;
   std::vector<std::uint8_t> occupied(kWidth * kHeight, 0);
-  for (int y = 0; y < 24; ++y) occupied[y * kWidth + 30] = 255;  // a wall with a gap below it
+  for (int y = 0; y < 24; ++y) occupied[y * kWidth + 30] = 255;  // a wall, open below
 
   Grid grid(kWidth, kHeight, occupied, Nonzero::blocked);
   grid.fill({40, 8, 6, 24}, true);  // x, y, width, height

@@ -61,7 +61,7 @@ class Prepare(ProgramTest):
 
     def test_verbose_says_what_it_costs(self):
         run = self.fan("--prepare", "-v")
-        self.assertRegex(run.err, r"--prepare: \d+ corners, \d+ edges, [\d.]+ MB, [\d.]+ ms")
+        self.assertRegex(run.err, r"--prepare: \d+ vertices, \d+ edges, [\d.]+ MB, [\d.]+ ms")
 
     def test_info_shows_it(self):
         self.assertIsNone(self.run_program("info", FAN, "--json").json["preparation"])

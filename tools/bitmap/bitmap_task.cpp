@@ -97,7 +97,7 @@ void BitmapTask::announce() const {
                              map.height, hash_text(map.hash).c_str(), map.read_ms,
                              map.planner ? "prepared in" : "interrupted after", map.prepare_ms));
   if (prepared.state == Preparation::State::ready)
-    message(printed("--prepare: %lld corners, %lld edges, %.1f MB, %.1f ms",
+    message(printed("--prepare: %lld vertices, %lld edges, %.1f MB, %.1f ms",
                     static_cast<long long>(prepared.vertices),
                     static_cast<long long>(prepared.edges),
                     1e-6 * static_cast<double>(prepared.bytes), 1e3 * prepared.seconds));

@@ -47,7 +47,8 @@ std::string explain(const Task& task) {
     case Status::interrupted:
       return "interrupted" + after + held;
     case Status::no_path:
-      return "no path" + after + "; try more --iterations, more --ants or another --seed";
+      return "no path" + after + "; try more --iterations, " +
+             (task.algorithm().has("ants") ? "more --ants " : "") + "or another --seed";
     case Status::unreachable:
     case Status::invalid:
       return task.error();

@@ -181,6 +181,22 @@ TEST(ArmPlan, TokenAndDeadlineKeepTheBest) {
   EXPECT_EQ(late.iterations, 0);
 }
 
+// What the observer ended is not gone on with: the motion rests at each waypoint.
+TEST(ArmPlan, AnObserverEndsSearchAndMotion) {
+  Case c = make_case("industrial6", 3, 10, 0, 12);
+  const SceneSensor sensor(c.robot, c.scene);
+  c.parameters.iterations = 1000000;
+  const Result r = plan(c.robot, sensor, c.request, c.parameters, [](const ArmProgress& view) {
+    if (view.iteration == 3) view.stop();
+  });
+  EXPECT_EQ(r.status, Status::interrupted);
+  EXPECT_EQ(r.iterations, 4);
+  ASSERT_GT(r.joints.cols(), 0);
+  EXPECT_FALSE(r.trajectory.empty());
+  EXPECT_TRUE(r.stops);
+  EXPECT_LE(r.questions.trajectory, 16);
+}
+
 TEST(ArmPlan, PolledAmongAntsOfFewSteps) {
   const Robot robot = two_links();
   Request request = across(robot);

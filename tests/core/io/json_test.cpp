@@ -125,6 +125,26 @@ TEST(Json, ReadsWhatTheProgramPrints) {
   EXPECT_EQ(result_from_json(saved).path.size(), 2);
 }
 
+// Numbers that a type does not hold are named, not cut.
+TEST(Json, RefusesNumbersThatDoNotFit) {
+  EXPECT_NE(params_refusal(R"({"algorithm": "exact", "threads": 4294967297})").find("threads"),
+            std::string::npos);
+  const std::string whole =
+      R"({"status": "solved", "iterations": 1, "best": [1], "mean": [1], "arrived": [1],
+          "lower_bound": null, "optimal": false, "path": [[1, 2]], "nearest_free": [1, 2]})";
+  EXPECT_NO_THROW((void)result_from_json(whole));
+  for (const auto& [from, to] : {std::pair{"\"arrived\": [1]", "\"arrived\": [1.7]"},
+                                 {"\"iterations\": 1", "\"iterations\": 4294967297"},
+                                 {"\"nearest_free\": [1, 2]", "\"nearest_free\": [1.5, 2]"},
+                                 {"\"nearest_free\": [1, 2]", "\"nearest_free\": [1, 2, 3]"},
+                                 {"\"path\": [[1, 2]]", "\"path\": [[1, 2, 3]]"}}) {
+    std::string text = whole;
+    text.replace(text.find(from), std::string_view(from).size(), to);
+    EXPECT_FALSE(refusal([&] { (void)result_from_json(text); }, ErrorCode::file_broken).empty())
+        << text;
+  }
+}
+
 TEST(Json, RefusesOtherTexts) {
   EXPECT_NE(params_refusal("{").find("not an object"), std::string::npos);
   EXPECT_NE(params_refusal("[1]").find("not an object"), std::string::npos);

@@ -132,6 +132,10 @@ TEST(Params, WhatAnAlgorithmDoesNotReadMustStay) {
   Params raw("fan2004");
   raw.polish = Polish::none;
   EXPECT_NO_THROW(validate(raw));
+  raw.trail = Trail::arcs;
+  EXPECT_NO_THROW(validate(raw));
+  raw.polish = Polish::straight;
+  EXPECT_THROW(validate(raw), Error);
 }
 
 TEST(Params, KindsAreTold) {

@@ -54,6 +54,26 @@ TEST(Stops, TokenAndDeadlineKeepTheBestPath) {
   }
 }
 
+TEST(Stops, ObserversSeeAndStopEveryAlgorithm) {
+  const Planner planner(known_world());
+  int calls = 0;
+  const Result exact = planner.plan({}, {}, [&](const Progress& view) {
+    ++calls;
+    EXPECT_EQ(view.best_length, view.lower_bound);
+  });
+  EXPECT_EQ(calls, 1);
+  EXPECT_EQ(exact.status, Status::solved);
+  for (const char* algorithm : {"maklink-acs", "real-ga"}) {
+    const Result cut = planner.plan({}, defaults(algorithm), [&](const Progress& view) {
+      EXPECT_LE(view.lower_bound.value(), view.best_length);
+      if (view.iteration == 2) view.stop();
+    });
+    EXPECT_EQ(cut.status, Status::interrupted);
+    EXPECT_EQ(cut.iterations, 3);
+    EXPECT_FALSE(cut.path.empty());
+  }
+}
+
 TEST(Stops, TheDiscreteOptimumIsCutShort) {
   const Planner planner(known_world());
   Params parameters = defaults("maklink-acs");
