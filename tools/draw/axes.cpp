@@ -60,11 +60,11 @@ Point Axes::at(double px, double py) const {
 
 void draw_rows(Canvas& canvas, const Axes& axes, int count) {
   const auto marks = axes.logarithmic ? log_ticks(axes.y) : ticks(axes.y.low, axes.y.high, count);
-  const double step = axes.logarithmic ? 1 : step_of(marks);
   const double left = axes.box.x;
   for (const double mark : marks) {
     const double y = axes.at(axes.x.low, mark).y;
     canvas.line({left, y}, {left + axes.box.width, y}, kGrid, 1);
+    const double step = axes.logarithmic ? mark : step_of(marks);
     canvas.text({left - 8, y + 5}, tick_label(mark, step), kLabelSize, Align::right, kInk);
   }
 }
