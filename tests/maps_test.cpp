@@ -20,7 +20,7 @@ class Fan400x200 : public testing::Test {
  protected:
   static constexpr Cell kStart{14, 14};
   static constexpr Cell kGoal{380, 179};
-  const Grid grid_ = read_map(std::string(LASIUS_MAPS_DIR) + "/fan400x200.map").grid;
+  const Grid grid_ = read_map(LASIUS_MAPS_DIR "/fan400x200.map").grid;
 
   double optimum() const {
     const auto shortest = oracle::VisibilityGraph(grid_).shortest(kStart, kGoal);

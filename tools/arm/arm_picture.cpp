@@ -79,7 +79,7 @@ std::string short_text(double value) {
 void draw_grid(Canvas& canvas, const Box& box, const Frame& frame) {
   const Point low = frame.metres({box.x, box.y + box.height});
   const Point high = frame.metres({box.x + box.width, box.y});
-  const Point zero = frame.at({});
+  const Point zero = frame.at(Vector3d::Zero());
   for (const double x : ticks(low.x, high.x, 6)) {
     const double at = zero.x + (x * frame.scale());
     canvas.line({at, box.y}, {at, box.y + box.height}, kPaleGrid, 1);
@@ -165,7 +165,7 @@ void draw_view(Canvas& canvas, const Box& box, const View& view, const Bounds& b
   }
   const auto line = [&](const auto& points, Colour colour, double width) {
     std::vector<Point> flat;
-    for (const Eigen::Vector3d p : points) flat.push_back(frame.at(p));
+    for (const auto& p : points) flat.push_back(frame.at(p));
     if (flat.size() > 1) canvas.stroke(flat, colour, width, 1);
   };
   line(answer.plan.tips.colwise(), kLattice, 1.5);
