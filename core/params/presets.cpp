@@ -17,7 +17,7 @@ void exact(Params&) {}
 /// Fan, Luo, Yi & Zhang 2004, section 4; omega, mu, lambda from note 1, exponents from note 2. The
 /// source gives no weights for the roulette between its rules and no Q and tau0: with a = min(1,
 /// q / mc) the shares are 0.1 a, 1 - 0.9 a and 0.8 a, and Q / tau0 = 100. It does not say what an
-/// ant does at a dead end: here it steps back.
+/// ant does at a dead end: here it steps back. Its values are the defaults of Params.
 void fan2004(Params&) {}
 
 /// Ant system, Dorigo, Maniezzo & Colorni 1996, on 8 neighbours with pheromone on the arcs and
