@@ -110,7 +110,7 @@ class ArmColony final : public ColonyWorld {
     ArmProgress view;
     view.questions = lattice_.questions();
     view.lower_bound = bound_;
-    const Cause cause = show(observer_, run, std::move(view));
+    const Cause cause = show(observer_, run, view);
     if (lattice_.known_blocked(lattice_.goal())) settled_ = true;
     if (parameters_.patience > 0 && !best_.empty() && idle_ >= parameters_.patience)
       settled_ = true;

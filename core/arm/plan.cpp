@@ -19,8 +19,8 @@
 namespace lasius::arm {
 namespace {
 
-Result invalid(Fault fault, std::string why) {
-  return failed<Result>(Status::invalid, fault, std::move(why));
+Result invalid(Fault fault, const std::string& why) {
+  return failed<Result>(Status::invalid, fault, why);
 }
 
 std::string joint_name(const Robot& robot, int j) {
@@ -170,12 +170,12 @@ Result answer(const Robot& robot, const Sensor& sensor, const Request& request, 
   Params parameters = given;
   parameters.threads = thread_count(parameters.threads);
   std::string fault = start_fault(robot, request.start);
-  if (!fault.empty()) return invalid(Fault::start_outside, std::move(fault));
+  if (!fault.empty()) return invalid(Fault::start_outside, fault);
   const Kinematics arm(robot);
   const auto start = as_span(request.start);
   const Vec3 to = request.goal;
   fault = goal_fault(arm, to);
-  if (!fault.empty()) return invalid(Fault::goal_outside, std::move(fault));
+  if (!fault.empty()) return invalid(Fault::goal_outside, fault);
 
   if (parameters.pitch == 0) parameters.pitch = arm.reach() / 20;
   Kinematics::Poses poses;

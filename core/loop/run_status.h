@@ -2,6 +2,7 @@
 // it.
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,11 +29,11 @@ constexpr Status status_after(StopCondition::Cause cause, Status otherwise) noex
 
 /// Makes `result` invalid or unreachable.
 template <class SomeResult>
-SomeResult failed(Status status, Fault fault, std::string why) {
+SomeResult failed(Status status, Fault fault, const std::string& why) {
   SomeResult result;
   result.status = status;
   result.fault = fault;
-  result.error = std::move(why);
+  result.error = why;
   return result;
 }
 
