@@ -16,8 +16,8 @@ namespace lasius::kernels {
 /// Those of this CPU with walk kernels of their own, the reference first.
 inline std::vector<Isa> walk_isas() {
   auto isas = supported_isas();
-  const auto repeated = std::ranges::unique(isas, {}, [](Isa isa) { return &walk_table(isa); });
-  isas.erase(repeated.begin(), repeated.end());
+  const auto same = [](Isa a, Isa b) { return &walk_table(a) == &walk_table(b); };
+  isas.erase(std::unique(isas.begin(), isas.end(), same), isas.end());
   return isas;
 }
 
