@@ -7,21 +7,32 @@
 
 namespace lasius {
 
+/// Other work, done in turns with that of a poller's owner.
+class Alternate {
+ public:
+  virtual ~Alternate() = default;
+  /// Called after so much of the owner's work; returns what asks to stop.
+  virtual StopCondition::Cause turn(std::int64_t work) = 0;
+};
+
 /// Counts work and polls a condition each time a budget is spent. Not shared between threads.
 class Poller {
  public:
   static constexpr std::int64_t kWords = 65536;  ///< scanned words between two polls
   static constexpr std::int64_t kSteps = 4096;   ///< ant steps between two polls
 
-  explicit Poller(const StopCondition& condition, std::int64_t interval = kWords) noexcept
-      : condition_(&condition), interval_(interval), left_(interval) {}
+  explicit Poller(const StopCondition& condition, std::int64_t interval = kWords,
+                  Alternate* alternate = nullptr) noexcept
+      : condition_(&condition), alternate_(alternate), interval_(interval), left_(interval) {}
 
   /// True once the condition asked to stop; `work` is what was done since the last call.
-  bool stop_after(std::int64_t work) noexcept {
+  bool stop_after(std::int64_t work) {
     left_ -= work;
-    if (left_ > 0 || cause_ != StopCondition::Cause::none) return stopped();
+    if (left_ > 0 || stopped()) return stopped();
+    const std::int64_t done = interval_ - left_;
     left_ = interval_;
     cause_ = condition_->poll();
+    if (alternate_ != nullptr && !stopped()) cause_ = alternate_->turn(done);
     return stopped();
   }
   bool stopped() const noexcept { return cause_ != StopCondition::Cause::none; }
@@ -29,6 +40,7 @@ class Poller {
 
  private:
   const StopCondition* condition_;
+  Alternate* alternate_;
   std::int64_t interval_;
   std::int64_t left_;
   StopCondition::Cause cause_ = StopCondition::Cause::none;

@@ -13,12 +13,12 @@ namespace lasius {
 using exact::Corner;
 using exact::CornerTable;
 using exact::distance;
+using exact::kBucketWidth;
 using exact::kWordsPerExpansion;
 
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kBucketWidth = 0.03125;  // cells
 
 // W of the weighted search, but for the bounding one; the number of expansions before it first
 // runs, and its share of the expansions since.
@@ -78,7 +78,7 @@ void ExactSearch::expand(std::uint32_t index) {
   again.expanded = false;
   again.weighed = false;
   ++again.scans;
-  frontier_.push(index, horizon);
+  if (!improving_) frontier_.push(index, horizon);
   if (weighted_on_) weighted_frontier_.push(index, horizon + (weight_ - 1) * again.to_goal);
 }
 
@@ -128,7 +128,7 @@ void ExactSearch::restore_default_weight() {
 }
 
 void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
-  Poller poller(stop, kWordsPerPoll);
+  Poller poller(stop, kWordsPerPoll, options.beside);
   poller_ = &poller;
   frontier_.reset(lower_, kBucketWidth);
   const double gap = std::min(options.target_gap, kWidestGap);
@@ -180,6 +180,7 @@ void ExactSearch::begin(const Grid& grid, Cell start, Cell goal) {
   straight_ = lower_;
   last_ = CornerTable::kStart;
   touched_ = nullptr;
+  improving_ = false;
   corners_.reset(grid.width(), {x, y, 0, lower_, CornerTable::kStart, {}, false, true, 0});
 }
 

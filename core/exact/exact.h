@@ -19,6 +19,9 @@ namespace exact {
 /// What an expansion counts for, besides the words that it scans.
 constexpr std::int64_t kWordsPerExpansion = 16;
 
+/// Of both frontiers, in cells.
+constexpr double kBucketWidth = 0.03125;
+
 /// What a search did, for benchmarks and tests.
 struct Counters {
   std::int64_t expansions = 0;
@@ -74,6 +77,18 @@ class ExactSearch {
   void shortcut(const Grid& grid, Cell start, Cell goal, double length, const CellSet& cells,
                 std::int64_t work, const StopCondition& stop, std::vector<Point>& path);
 
+  /// Begins a search for some path soon and shorter ones after it, for improve(): anytime repairing
+  /// A* (ARA*; Likhachev, Gordon & Thrun 2003). Neither cell sees the other.
+  void begin_improving(const Grid& grid, Cell start, Cell goal);
+  /// Goes on for about so much `work`, as in shortcut(), or until stopped. False when nothing is
+  /// left to do: the path is within a few hundredths of the optimum or there is none.
+  bool improve(std::int64_t work, Poller& poller);
+  /// What came of it so far: the length of the best path, infinite without one, a length that no
+  /// path is shorter than, and the path.
+  double upper() const noexcept { return upper_; }
+  double lower() const noexcept { return lower_; }
+  void trace(std::vector<Point>& path) const;
+
   const exact::Counters& counters() const noexcept { return counters_; }
   std::int64_t bytes() const noexcept;
 
@@ -106,7 +121,8 @@ class ExactSearch {
   template <int S>
   kernels::ConeLimits limits(int down, int line0) const noexcept;
   double reach(std::uint32_t parent, int x, int y, exact::Heading heading);
-  void trace(std::vector<Point>& path) const;
+  std::int64_t work_done() const noexcept;
+  bool lower_weight();
   bool tell_improvement();
 
   kernels::BitmapView map_{};
@@ -127,6 +143,7 @@ class ExactSearch {
   BucketQueue weighted_frontier_;
   bool weighted_on_ = false;
   bool bounding_ = false;
+  bool improving_ = false;  // the weighted frontier alone is used
   double weight_ = 1;
   std::vector<kernels::Interval> stack_;
   exact::Counters counters_;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/poller.h"
 #include "kernels/sight/sight.h"
 #include "lasius/geometry.h"
 #include "lasius/path.h"
@@ -23,6 +24,7 @@ struct ExactOptions {
   /// Stop once (length - lower_bound) / lower_bound is at most this, which is not negative.
   double target_gap = 0;
   const OnImproved* improved = nullptr;  ///< null: nobody looks on; must outlive the search
+  Alternate* beside = nullptr;           ///< takes turns with the search; likewise
 };
 
 /// How a search ended.

@@ -85,7 +85,7 @@ double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
   corner.expanded = false;
   corner.scans = 0;
   if (length + to_goal < upper_) {
-    frontier_.push(index, length + to_goal);
+    if (!improving_) frontier_.push(index, length + to_goal);
     if (bounding_) corner.weighed = false;
     if (weighted_on_ && !corner.weighed) weighted_frontier_.push(index, length + weight_ * to_goal);
   }

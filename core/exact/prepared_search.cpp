@@ -275,7 +275,7 @@ bool PreparedSearch::search_all(double target_gap) {
 void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Cell start, Cell goal,
                             const ExactOptions& options, const StopCondition& stop,
                             ExactAnswer& answer) {
-  Poller poller(stop, kWordsPerPoll);
+  Poller poller(stop, kWordsPerPoll, options.beside);
   begin(grid, graph, start, poller);
   goal_ = half(goal);
   straight_ = exact::distance(start_.x, start_.y, goal_.x, goal_.y);

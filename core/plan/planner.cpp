@@ -5,6 +5,7 @@
 
 #include "core/base/poller.h"
 #include "core/colony/colony.h"
+#include "core/exact/anytime.h"
 #include "core/genetic/grid_ga.h"
 #include "core/grid/nearest_free.h"
 #include "core/loop/run_status.h"
@@ -86,14 +87,17 @@ Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Reques
     observer(view);
     return !view.stopped();
   };
-  const ExactOptions options{.target_gap = request.target_gap,
-                             .improved = observer ? &show : nullptr};
+  exact::Anytime anytime(
+      memory.hurried, grid, request.start, request.goal,
+      {.target_gap = request.target_gap, .improved = observer ? &show : nullptr}, request.stop);
   if (graph != nullptr) {
-    memory.prepared.search(grid, *graph, request.start, request.goal, options, request.stop,
-                           answer);
+    memory.prepared.search(grid, *graph, request.start, request.goal, anytime.options(),
+                           request.stop, answer);
   } else {
-    memory.exact.search(grid, request.start, request.goal, options, request.stop, answer);
+    memory.exact.search(grid, request.start, request.goal, anytime.options(), request.stop,
+                        answer);
   }
+  anytime.merge(answer);
   Result result;
   switch (answer.end) {
     case ExactEnd::proven:

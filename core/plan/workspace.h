@@ -15,6 +15,7 @@ class Workspace::Impl {
   GridGaMemory genetic;
   ExactSearch exact;
   exact::PreparedSearch prepared;
+  ExactSearch hurried;  ///< beside one of these, under a deadline
   ExactAnswer exact_answer;
 };
 

@@ -1,0 +1,85 @@
+#include "core/exact/anytime.h"
+
+#include <algorithm>
+
+#include "lasius/path.h"
+
+namespace lasius::exact {
+
+namespace {
+
+// A deadline gives both searches the same time until the hurried one has done so much work (words,
+// half a second), less from then on. Who may only look on or press a key waits longer.
+constexpr double kEvenShare = 1;
+constexpr double kLateShare = 1.0 / 8;
+constexpr double kLate = 1 << 26;
+constexpr double kSmallShare = 1.0 / 64;
+// Work of one turn, about a millisecond.
+constexpr double kTurn = 1 << 17;
+constexpr std::int64_t kWordsPerPoll = 8192;
+// A gap that leaves the rest of the time to the exact search.
+constexpr double kSmallGap = 0.01;
+
+}  // namespace
+
+Anytime::Anytime(ExactSearch& hurried, const Grid& grid, Cell start, Cell goal,
+                 const ExactOptions& options, const StopCondition& stop)
+    : hurried_(hurried),
+      grid_(grid),
+      start_(start),
+      goal_(goal),
+      stop_(stop),
+      told_(options.improved),
+      tell_([this](const std::vector<Point>& path, double length, double bound) {
+        return tell(path, length, bound);
+      }),
+      options_(options) {
+  const bool deadline = stop.deadline != Clock::time_point::max();
+  if (!deadline && !stop.token.stop_possible() && told_ == nullptr) return;
+  share_ = deadline ? kEvenShare : kSmallShare;
+  options_.improved = &tell_;
+  options_.beside = this;
+}
+
+bool Anytime::tell(const std::vector<Point>& path, double length, double bound) {
+  bound_ = std::max(bound_, bound);
+  if (length >= length_) return true;
+  length_ = length;
+  return told_ == nullptr || (*told_)(path, length, bound_);
+}
+
+StopCondition::Cause Anytime::turn(std::int64_t work) {
+  owed_ += share_ * static_cast<double>(work);
+  if (resting_ || owed_ < kTurn) return StopCondition::Cause::none;
+  if (!begun_) hurried_.begin_improving(grid_, start_, goal_);
+  begun_ = true;
+  work_ += owed_;
+  if (work_ > kLate) share_ = std::min(share_, kLateShare);
+  Poller poller(stop_, kWordsPerPoll);
+  const double before = hurried_.upper();
+  const bool more = hurried_.improve(static_cast<std::int64_t>(owed_), poller);
+  owed_ = 0;
+  if (hurried_.upper() < before) {
+    std::vector<Point> path;
+    hurried_.trace(path);
+    if (!tell(path, path_length(path), rounded_down(hurried_.lower()))) {
+      return StopCondition::Cause::token;
+    }
+  }
+  bound_ = std::max(bound_, rounded_down(hurried_.lower()));
+  resting_ = !more || length_ - bound_ <= kSmallGap * bound_;
+  return poller.cause();
+}
+
+void Anytime::merge(ExactAnswer& answer) const {
+  if (!begun_ || answer.end != ExactEnd::stopped) return;
+  double upper = answer.path.empty() ? std::numeric_limits<double>::infinity() : answer.length;
+  if (hurried_.upper() < upper) {
+    upper = hurried_.upper();
+    hurried_.trace(answer.path);
+  }
+  conclude(std::max(answer.lower_bound, hurried_.lower()), upper, answer.cause,
+           options_.target_gap, answer);
+}
+
+}  // namespace lasius::exact

@@ -1,0 +1,51 @@
+// A path soon under a deadline: a hurried search in turns with the exact one.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "core/base/poller.h"
+#include "core/exact/exact.h"
+#include "core/exact/exact_answer.h"
+
+namespace lasius::exact {
+
+/// Runs beside one exact search, plain or prepared, that can be stopped or is looked at. Both keep to
+/// themselves, so that a search which is not cut ends with the same path, bit for bit, as without;
+/// one that is cut has the shorter path and the higher bound of the two. A search that ends within
+/// a millisecond never gets here.
+class Anytime final : public Alternate {
+ public:
+  /// Keeps references to `hurried`, whose memory is used, to the map and to the condition, and
+  /// `options.improved`, which is told of each shorter path of either search.
+  Anytime(ExactSearch& hurried, const Grid& grid, Cell start, Cell goal,
+          const ExactOptions& options, const StopCondition& stop);
+  Anytime(const Anytime&) = delete;
+  Anytime& operator=(const Anytime&) = delete;
+
+  /// What the exact search is to run with.
+  const ExactOptions& options() const noexcept { return options_; }
+  /// Puts what the hurried search has into the answer of an exact one that was cut.
+  void merge(ExactAnswer& answer) const;
+
+  StopCondition::Cause turn(std::int64_t work) override;
+
+ private:
+  bool tell(const std::vector<Point>& path, double length, double bound);
+
+  ExactSearch& hurried_;
+  const Grid& grid_;
+  Cell start_, goal_;
+  const StopCondition& stop_;
+  const OnImproved* told_;
+  OnImproved tell_;
+  ExactOptions options_;
+  double share_ = 0;  // of the exact search's work that the hurried one does beside it
+  double owed_ = 0;
+  double work_ = 0;
+  bool begun_ = false, resting_ = false;
+  double length_ = std::numeric_limits<double>::infinity();  // of the best path of both
+  double bound_ = 0;
+};
+
+}  // namespace lasius::exact

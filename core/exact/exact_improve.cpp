@@ -1,0 +1,81 @@
+// Some path soon and shorter ones after it: weighted A* whose weight falls.
+#include <algorithm>
+#include <limits>
+
+#include "core/exact/exact.h"
+
+namespace lasius {
+
+using exact::Corner;
+using exact::CornerTable;
+using exact::kBucketWidth;
+
+namespace {
+
+// The weight at first; afterwards the excess over 1 is this share of the certified gap, and at most
+// that of what it was. Below the least weight the exact search is about as fast.
+constexpr double kFirstWeight = 2;
+constexpr double kShareOfGap = 0.5;
+constexpr double kLeastFall = 0.9;
+constexpr double kLeastWeight = 1.01;
+constexpr double kTrailBuckets = 1024;  // from the least key to the greatest that is wanted
+
+}  // namespace
+
+void ExactSearch::begin_improving(const Grid& grid, Cell start, Cell goal) {
+  begin(grid, start, goal);
+  improving_ = bounding_ = weighted_on_ = true;
+  weight_ = kFirstWeight;
+  corners_[CornerTable::kStart].weighed = false;
+  weighted_frontier_.reset(lower_, std::max(kBucketWidth, lower_ / kTrailBuckets));
+  weighted_frontier_.push(CornerTable::kStart, weight_ * lower_);
+}
+
+std::int64_t ExactSearch::work_done() const noexcept {
+  return counters_.words + counters_.expansions * exact::kWordsPerExpansion;
+}
+
+// False if it is low enough. What was expanded stays so: only a corner that was reached by a
+// shorter way since waits again.
+bool ExactSearch::lower_weight() {
+  if (weight_ <= kLeastWeight) return false;
+  weight_ = 1 + std::min(kLeastFall * (weight_ - 1), kShareOfGap * (upper_ / lower_ - 1));
+  weighted_frontier_.reset(lower_,
+                           std::max(kBucketWidth, lower_ * (weight_ - 1) / kTrailBuckets));
+  for (std::uint32_t i = 0; i < corners_.size() && !poller_->stop_after(1); ++i) {
+    const Corner& corner = corners_[i];
+    if (corner.weighed || corner.length + corner.to_goal >= upper_) continue;
+    weighted_frontier_.push(i, corner.length + weight_ * corner.to_goal);
+  }
+  return true;
+}
+
+// The least key divided by the weight is a lower bound, as in the bounding search, at any weight: of
+// a shortest path some corner waits at its least length.
+bool ExactSearch::improve(std::int64_t work, Poller& poller) {
+  poller_ = &poller;
+  const std::int64_t end = work_done() + work;
+  bool more = lower_ < upper_;
+  while (more && !poller.stopped() && work_done() < end) {
+    const double before = upper_;
+    const double least = weighted_frontier_.advance()
+                             ? weighted_frontier_.floor()
+                             : std::numeric_limits<double>::infinity();
+    lower_ = std::max(lower_, std::min(least / weight_, upper_));
+    if (least < upper_) {
+      const std::uint32_t index = weighted_frontier_.pop();
+      Corner& corner = corners_[index];
+      if (!corner.weighed && corner.length + corner.to_goal < upper_) {
+        corner.weighed = true;
+        expand(index);
+      }
+      poller.stop_after(exact::kWordsPerExpansion + weighted_frontier_.take_dealt());
+    }
+    const bool on = least < upper_ && upper_ == before;
+    more = lower_ < upper_ && (on || lower_weight());
+  }
+  poller_ = nullptr;
+  return more;
+}
+
+}  // namespace lasius
