@@ -7,7 +7,8 @@
 #include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
+
+#include "core/base/growing_list.h"
 
 namespace lasius {
 
@@ -42,7 +43,7 @@ class BucketQueue {
       spare_ = items_[item].next;
     } else {
       item = static_cast<std::uint32_t>(items_.size());
-      items_.emplace_back();
+      items_.push_back({});
     }
     items_[item] = {key, index, kNone};
     place(item);
@@ -79,7 +80,7 @@ class BucketQueue {
   std::int64_t take_dealt() noexcept { return std::exchange(dealt_, 0); }
 
   std::int64_t bytes() const noexcept {
-    return static_cast<std::int64_t>(sizeof *this + items_.capacity() * sizeof(Item));
+    return static_cast<std::int64_t>(sizeof *this) + items_.bytes();
   }
 
  private:
@@ -135,7 +136,7 @@ class BucketQueue {
   std::uint32_t spare_ = kNone;
   std::uint32_t overflow_ = kNone;
   std::int64_t dealt_ = 0;
-  std::vector<Item> items_;
+  GrowingList<Item> items_;
   std::array<std::uint64_t, kWords> full_{};  // a bit for each bucket that holds something
   std::array<std::uint32_t, kBuckets> heads_{};
 };

@@ -1,6 +1,7 @@
 #include "core/exact/anytime.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lasius/path.h"
 
@@ -45,6 +46,7 @@ bool Anytime::tell(const std::vector<Point>& path, double length, double bound) 
   bound_ = std::max(bound_, bound);
   if (length >= length_) return true;
   length_ = length;
+  path_ = path;
   return told_ == nullptr || (*told_)(path, length, bound_);
 }
 
@@ -56,30 +58,25 @@ StopCondition::Cause Anytime::turn(std::int64_t work) {
   work_ += owed_;
   if (work_ > kLate) share_ = std::min(share_, kLateShare);
   Poller poller(stop_, kWordsPerPoll);
-  const double before = hurried_.upper();
   const bool more = hurried_.improve(static_cast<std::int64_t>(owed_), poller);
   owed_ = 0;
-  if (hurried_.upper() < before) {
-    std::vector<Point> path;
-    hurried_.trace(path);
-    if (!tell(path, path_length(path), rounded_down(hurried_.lower()))) {
-      return StopCondition::Cause::token;
-    }
+  const double bound = rounded_down(hurried_.lower());
+  bool go_on = true;
+  if (std::isfinite(hurried_.upper())) {
+    hurried_.trace(traced_);
+    go_on = tell(traced_, path_length(traced_), bound);
   }
-  bound_ = std::max(bound_, rounded_down(hurried_.lower()));
+  bound_ = std::max(bound_, bound);
   resting_ = !more || length_ - bound_ <= kSmallGap * bound_;
-  return poller.cause();
+  return go_on ? poller.cause() : StopCondition::Cause::token;
 }
 
 void Anytime::merge(ExactAnswer& answer) const {
-  if (!begun_ || answer.end != ExactEnd::stopped) return;
-  double upper = answer.path.empty() ? std::numeric_limits<double>::infinity() : answer.length;
-  if (hurried_.upper() < upper) {
-    upper = hurried_.upper();
-    hurried_.trace(answer.path);
-  }
-  conclude(std::max(answer.lower_bound, hurried_.lower()), upper, answer.cause,
-           options_.target_gap, answer);
+  if (answer.end != ExactEnd::stopped || !std::isfinite(length_)) return;
+  if (answer.path.empty() || length_ < answer.length) answer.path = path_;
+  const double bound = std::max(answer.lower_bound, bound_);
+  conclude(bound, path_length(answer.path), answer.cause, options_.target_gap, answer);
+  if (!answer.optimal) answer.lower_bound = bound;  // which leaves room for rounding already
 }
 
 }  // namespace lasius::exact

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "core/base/poller.h"
 #include "core/exact/exact.h"
@@ -10,10 +11,10 @@
 
 namespace lasius::exact {
 
-/// Runs beside one exact search, plain or prepared, that can be stopped or is looked at. Both keep to
-/// themselves, so that a search which is not cut ends with the same path, bit for bit, as without;
-/// one that is cut has the shorter path and the higher bound of the two. A search that ends within
-/// a millisecond never gets here.
+/// Runs beside one exact search, plain or prepared, that can be stopped or is looked at. Both keep
+/// to themselves, so that a search which is not cut ends with the same path, bit for bit, as
+/// without; one that is cut has the shorter path and the higher bound of the two. A search that
+/// ends within a millisecond never gets here.
 class Anytime final : public Alternate {
  public:
   /// Keeps references to `hurried`, whose memory is used, to the map and to the condition, and
@@ -44,7 +45,10 @@ class Anytime final : public Alternate {
   double owed_ = 0;
   double work_ = 0;
   bool begun_ = false, resting_ = false;
-  double length_ = std::numeric_limits<double>::infinity();  // of the best path of both
+  // The best path of both. Kept, since the one that a search would trace now may be longer: its
+  // corners get other parents.
+  std::vector<Point> path_, traced_;
+  double length_ = std::numeric_limits<double>::infinity();
   double bound_ = 0;
 };
 

@@ -64,7 +64,7 @@ struct ExactSearch::Visitor {
 // length of a shorter way there, or a negative number.
 double ExactSearch::reach(std::uint32_t parent, int x, int y, Heading heading) {
   const double length = root_.length + distance(root_.x, root_.y, 2 * x, 2 * y);
-  const std::size_t slot = corners_.slot(x, y);
+  std::uint64_t* const slot = corners_.slot(x, y);
   std::uint32_t index = corners_.at(slot);
   double to_goal = 0;
   if (index != CornerTable::kStart) {

@@ -1,9 +1,15 @@
 // The corners that a search has reached, and the one table that finds them.
 #pragma once
 
+#include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
+
+#include "core/base/growing_list.h"
 
 namespace lasius::exact {
 
@@ -39,16 +45,26 @@ static_assert(sizeof(Corner) == 32);
 
 /// All corners reached, by index and by place. Place and index share a word of an open table with
 /// linear probing that is at most half full.
+///
+/// The leading bits of a hash choose a row of eight slots, those after them a segment of the table.
+/// A full segment is split by one more bit (extendible hashing; Fagin et al. 1979), so that growing
+/// never takes longer than one segment.
 class CornerTable {
  public:
   static constexpr std::uint32_t kStart = 0;
+
+  CornerTable() : scratch_(make_words()) {}
 
   /// Forgets all; `width` of the map in cells.
   void reset(int width, const Corner& start) {
     tiles_ = (static_cast<std::uint32_t>(width) >> 3) + 1;
     corners_.clear();
     corners_.push_back(start);
-    rehash(kSmallest);
+    in_use_ = 0;
+    depth_ = 0;
+    set_slots(kSmallest);
+    directory_.assign(1, take_segment(0));
+    only_ = directory_[0].words;
   }
 
   Corner& operator[](std::uint32_t i) noexcept { return corners_[i]; }
@@ -56,36 +72,52 @@ class CornerTable {
   std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(corners_.size()); }
 
   /// Where lattice point (x, y) is in the table, or would be.
-  std::size_t slot(int x, int y) const noexcept {
-    const std::uint64_t place = place_of(x, y);
-    std::size_t at = home(place);
-    while (table_[at] != 0 && table_[at] >> 32 != place) at = (at + 1) & (table_.size() - 1);
-    return at;
-  }
+  std::uint64_t* slot(int x, int y) const noexcept { return slot_of(place_of(x, y)); }
   /// The index at a slot, kStart if it is empty.
-  std::uint32_t at(std::size_t slot) const noexcept {
-    return static_cast<std::uint32_t>(table_[slot]);
+  static std::uint32_t at(const std::uint64_t* slot) noexcept {
+    return static_cast<std::uint32_t>(*slot);
   }
   /// Makes a corner at lattice point (x, y) for the empty slot found for it; its caller fills in
   /// the rest. Invalidates slots.
-  std::uint32_t add(std::size_t slot, int x, int y) {
+  std::uint32_t add(std::uint64_t* slot, int x, int y) {
     const std::uint32_t index = size();
-    Corner& corner = corners_.emplace_back();
+    Corner& corner = corners_.push_back({});
     corner.x = 2 * x;
     corner.y = 2 * y;
-    table_[slot] = place_of(x, y) << 32 | index;
-    if (corners_.size() * 2 > table_.size()) rehash(table_.size() * 2);
+    const std::uint64_t place = place_of(x, y);
+    *slot = place << 32 | index;
+    if (depth_ == 0) {
+      if (2 * corners_.size() > slots_) grow(*directory_[0].owner);
+    } else {
+      Segment& segment = *directory_[direction(place)].owner;
+      if (2 * ++segment.used > kSegment) grow(segment);
+    }
     return index;
   }
 
   std::int64_t bytes() const noexcept {
-    return static_cast<std::int64_t>(corners_.capacity() * sizeof(Corner) +
-                                     table_.capacity() * sizeof(std::uint64_t));
+    return corners_.bytes() +
+           static_cast<std::int64_t>((segments_.size() + 1) * kSegment * sizeof(std::uint64_t));
   }
 
  private:
-  static constexpr std::size_t kSmallest = 256;
+  static constexpr std::size_t kSmallest = 256;  // slots of the first segment at first
+  static constexpr int kRowBits = 12;
+  static constexpr std::size_t kSegment = std::size_t{8} << kRowBits;
   static constexpr std::uint64_t kMultiplier = 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio
+
+  using Words = std::unique_ptr<std::uint64_t[]>;
+  struct Segment {
+    Words words;  // place << 32 | index; 0: empty
+    std::size_t used = 0;
+    int depth = 0;  // bits that all of it have in common
+  };
+  struct Entry {
+    std::uint64_t* words = nullptr;
+    Segment* owner = nullptr;
+  };
+
+  static Words make_words() { return Words(new std::uint64_t[kSegment]); }
 
   // Tile by tile, 8 x 8 lattice points each: below 2^31 for every map.
   std::uint64_t place_of(int x, int y) const noexcept {
@@ -93,27 +125,82 @@ class CornerTable {
         static_cast<std::uint64_t>(y >> 3) * tiles_ + static_cast<std::uint64_t>(x >> 3);
     return tile << 6 | static_cast<std::uint64_t>((y & 7) << 3 | (x & 7));
   }
+  static std::uint64_t hash(std::uint64_t place) noexcept { return (place >> 6) * kMultiplier; }
+  std::size_t direction(std::uint64_t place) const noexcept {
+    return hash(place) << kRowBits >> 1 >> (63 - depth_);
+  }
   // The points of a tile have slots in a row, eight a cache line: neighbours are looked up
   // together.
-  std::size_t home(std::uint64_t place) const noexcept {
-    const std::size_t first = ((place >> 6) * kMultiplier) >> shift_ << 3;
-    return (first + (place & 63)) & (table_.size() - 1);
+  std::uint64_t* slot_of(std::uint64_t place) const noexcept {
+    // Most searches have one segment: no load has to wait for the directory's.
+    std::uint64_t* const words = depth_ == 0 ? only_ : directory_[direction(place)].words;
+    std::size_t at = ((hash(place) >> row_shift_ << 3) + (place & 63)) & (slots_ - 1);
+    while (words[at] != 0 && words[at] >> 32 != place) at = (at + 1) & (slots_ - 1);
+    return words + at;
   }
 
-  void rehash(std::size_t size) {
-    table_.assign(size, 0);
-    shift_ = 64 + 3 - std::countr_zero(size);
-    for (std::uint32_t i = 1; i < this->size(); ++i) {
-      const int x = corners_[i].x >> 1;
-      const int y = corners_[i].y >> 1;
-      table_[slot(x, y)] = place_of(x, y) << 32 | i;
+  void set_slots(std::size_t slots) noexcept {
+    slots_ = slots;
+    row_shift_ = 64 + 3 - std::countr_zero(slots);
+  }
+
+  // An empty one.
+  Entry take_segment(int depth) {
+    if (in_use_ == segments_.size()) {
+      segments_.push_back(std::make_unique<Segment>());
+      segments_.back()->words = make_words();
+    }
+    Segment& segment = *segments_[in_use_++];
+    segment.used = 0;
+    segment.depth = depth;
+    std::fill_n(segment.words.get(), slots_, 0);
+    return {segment.words.get(), &segment};
+  }
+
+  void grow(Segment& segment) {
+    const std::size_t before = slots_;
+    std::swap(segment.words, scratch_);
+    if (slots_ < kSegment) {
+      set_slots(2 * slots_);
+      only_ = directory_[0].words = segment.words.get();
+    } else {
+      split(segment);
+    }
+    std::fill_n(segment.words.get(), slots_, 0);
+    segment.used = 0;
+    for (std::size_t i = 0; i < before; ++i) {
+      const std::uint64_t word = scratch_[i];
+      if (word == 0) continue;
+      *slot_of(word >> 32) = word;
+      ++directory_[direction(word >> 32)].owner->used;
+    }
+  }
+  // Directs one half of what leads to a segment, the one with the next bit set, to a new one.
+  void split(Segment& segment) {
+    if (segment.depth == depth_) {
+      ++depth_;
+      directory_.resize(2 * directory_.size());
+      for (std::size_t i = directory_.size(); i-- > 0;) directory_[i] = directory_[i / 2];
+    }
+    const Entry half = take_segment(++segment.depth);
+    const std::size_t bit = std::size_t{1} << (depth_ - segment.depth);
+    for (std::size_t i = 0; i < directory_.size(); ++i) {
+      if (directory_[i].owner != &segment) continue;
+      directory_[i].words = segment.words.get();
+      if ((i & bit) != 0) directory_[i] = half;
     }
   }
 
-  std::vector<Corner> corners_;
-  std::vector<std::uint64_t> table_;  // place << 32 | index; 0: empty
-  std::uint64_t tiles_ = 1;           // in a row of tiles
-  int shift_ = 0;
+  GrowingList<Corner> corners_;
+  std::vector<std::unique_ptr<Segment>> segments_;  // those in use first
+  std::size_t in_use_ = 0;
+  std::vector<Entry> directory_;   // by the leading bits of the hash
+  std::uint64_t* only_ = nullptr;  // words of the first segment while it is the only one
+  int depth_ = 0;                  // how many of them
+  int row_shift_ = 0;
+  std::size_t slots_ = kSmallest;  // of each segment
+  Words scratch_;
+  std::uint64_t tiles_ = 1;  // in a row of tiles
 };
 
 }  // namespace lasius::exact

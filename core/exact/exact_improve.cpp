@@ -40,8 +40,7 @@ std::int64_t ExactSearch::work_done() const noexcept {
 bool ExactSearch::lower_weight() {
   if (weight_ <= kLeastWeight) return false;
   weight_ = 1 + std::min(kLeastFall * (weight_ - 1), kShareOfGap * (upper_ / lower_ - 1));
-  weighted_frontier_.reset(lower_,
-                           std::max(kBucketWidth, lower_ * (weight_ - 1) / kTrailBuckets));
+  weighted_frontier_.reset(lower_, std::max(kBucketWidth, lower_ * (weight_ - 1) / kTrailBuckets));
   for (std::uint32_t i = 0; i < corners_.size() && !poller_->stop_after(1); ++i) {
     const Corner& corner = corners_[i];
     if (corner.weighed || corner.length + corner.to_goal >= upper_) continue;
@@ -50,17 +49,16 @@ bool ExactSearch::lower_weight() {
   return true;
 }
 
-// The least key divided by the weight is a lower bound, as in the bounding search, at any weight: of
-// a shortest path some corner waits at its least length.
+// The least key divided by the weight is a lower bound, as in the bounding search, at any weight:
+// of a shortest path some corner waits at its least length.
 bool ExactSearch::improve(std::int64_t work, Poller& poller) {
   poller_ = &poller;
   const std::int64_t end = work_done() + work;
   bool more = lower_ < upper_;
   while (more && !poller.stopped() && work_done() < end) {
     const double before = upper_;
-    const double least = weighted_frontier_.advance()
-                             ? weighted_frontier_.floor()
-                             : std::numeric_limits<double>::infinity();
+    const double least = weighted_frontier_.advance() ? weighted_frontier_.floor()
+                                                      : std::numeric_limits<double>::infinity();
     lower_ = std::max(lower_, std::min(least / weight_, upper_));
     if (least < upper_) {
       const std::uint32_t index = weighted_frontier_.pop();

@@ -87,15 +87,14 @@ Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Reques
     observer(view);
     return !view.stopped();
   };
-  exact::Anytime anytime(
-      memory.hurried, grid, request.start, request.goal,
-      {.target_gap = request.target_gap, .improved = observer ? &show : nullptr}, request.stop);
+  exact::Anytime anytime(memory.hurried, grid, request.start, request.goal,
+                         {.target_gap = request.target_gap, .improved = observer ? &show : nullptr},
+                         request.stop);
   if (graph != nullptr) {
     memory.prepared.search(grid, *graph, request.start, request.goal, anytime.options(),
                            request.stop, answer);
   } else {
-    memory.exact.search(grid, request.start, request.goal, anytime.options(), request.stop,
-                        answer);
+    memory.exact.search(grid, request.start, request.goal, anytime.options(), request.stop, answer);
   }
   anytime.merge(answer);
   Result result;
