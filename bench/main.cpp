@@ -23,6 +23,7 @@ int run_benchmarks(int argc, char** argv) {
 
 void lasius::bench::add_commands(CLI::App& app) {
   add_queries_command(app);
+  add_anytime_command(app);
   add_exact_command(app);
   add_colony_command(app);
   add_quality_command(app);

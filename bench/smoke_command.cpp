@@ -8,6 +8,7 @@ namespace {
 
 constexpr const char* kLines[] = {
     "queries --generated 96 --queries 4 --rounds 1",
+    "anytime --sides 96 --queries 2",
     "exact --noise 96 --queries 4 --rounds 1",
     "colony --rounds 1 --side 1024 --plans 4",
     "quality --seeds 1 --blobs 1 --no-fan",
