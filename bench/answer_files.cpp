@@ -2,11 +2,11 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/base/output.h"
 #include "lasius/error.h"
 #include "lasius/map_io.h"
 
@@ -16,13 +16,10 @@ namespace {
 namespace fs = std::filesystem;
 
 void write_text(const fs::path& file, const auto& write) {
-  std::ofstream out(file);
-  out.precision(std::numeric_limits<double>::max_digits10);
-  write(out);
-  out.close();
-  if (!out) {
-    throw Error(ErrorCode::output_failed, {file.string()}, "cannot be written", "check the folder");
-  }
+  write_file(file.string(), [&](std::ostream& out) {
+    out.precision(std::numeric_limits<double>::max_digits10);
+    write(out);
+  });
 }
 
 }  // namespace

@@ -54,7 +54,10 @@ struct MapOptions {
   std::uint64_t seed = 1;
 };
 void add_map_options(CLI::App& command, MapOptions& options);
-std::vector<QuerySource> sources_of(const MapOptions& options);
+/// @throws Error where one of `outputs`, but for empty names, cannot be written or is one of the
+/// maps.
+std::vector<QuerySource> sources_of(const MapOptions& options,
+                                    std::vector<std::string> outputs = {});
 
 /// All of them that were built, but for smoke.
 void add_commands(CLI::App& app);

@@ -3,16 +3,14 @@
 #include <iostream>
 
 #include "bench/report.h"
+#include "core/base/output.h"
 
 namespace lasius::bench {
 
-Output::Output(const std::string& file) {
-  if (!file.empty()) file_.open(file);
-}
-
 void Output::write(const std::string& text) {
   std::cout << text << std::flush;
-  file_ << text << std::flush;
+  text_ += text;
+  if (!file_.empty()) write_file(file_, [&](std::ostream& out) { out << text_; });
 }
 
 FigureTable::FigureTable(const std::string& heading, const std::string& file) : output_(file) {

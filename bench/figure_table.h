@@ -1,8 +1,8 @@
 // Text for people on standard output and in a file; figures beside their aims.
 #pragma once
 
-#include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lasius::bench {
@@ -10,11 +10,11 @@ namespace lasius::bench {
 /// Standard output, line by line as figures come, and a file unless its name is empty.
 class Output {
  public:
-  explicit Output(const std::string& file);
+  explicit Output(std::string file) : file_(std::move(file)) {}
   void write(const std::string& text);
 
  private:
-  std::ofstream file_;
+  std::string file_, text_;
 };
 
 /// One line of the table: what, how much, and what it should be.

@@ -1,12 +1,12 @@
 // lasius_bench queries: every planner on the same queries.
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 
 #include "bench/commands.h"
 #include "bench/contenders.h"
 #include "bench/figure_table.h"
 #include "bench/report.h"
+#include "core/base/output.h"
 #include "lasius/error.h"
 
 namespace lasius::bench {
@@ -39,7 +39,7 @@ void run(const Options& options) {
   for (std::size_t p = 0; p < planners.size(); ++p) {
     if (planners[p].name == options.subject) subject = p;
   }
-  const auto sources = sources_of(options.maps);
+  const auto sources = sources_of(options.maps, {options.markdown, options.raw});
   std::vector<MapComparison> results;
   for (const QuerySource& source : sources) {
     std::cerr << source.name << std::endl;
@@ -50,10 +50,8 @@ void run(const Options& options) {
   std::ostringstream text;
   write_markdown(text, results, planners, subject, options.comparison, seeds);
   Output(options.markdown).write(text.str());
-  if (!options.raw.empty()) {
-    std::ofstream out(options.raw);
-    write_tsv(out, results, planners);
-  }
+  if (!options.raw.empty())
+    write_file(options.raw, [&](std::ostream& out) { write_tsv(out, results, planners); });
   if (count_faults(results) != 0) throw CLI::RuntimeError(1);
 }
 
@@ -81,7 +79,7 @@ void add_map_options(CLI::App& command, MapOptions& options) {
       ->capture_default_str();
 }
 
-std::vector<QuerySource> sources_of(const MapOptions& options) {
+std::vector<QuerySource> sources_of(const MapOptions& options, std::vector<std::string> outputs) {
   auto sources = find_sources(options.maps);
   for (const QuerySource& made : generated_sources(options.sides, options.seed)) {
     const bool wanted =
@@ -92,6 +90,13 @@ std::vector<QuerySource> sources_of(const MapOptions& options) {
   for (QuerySource& made : noise_sources(options.noise, options.seed)) {
     sources.push_back(std::move(made));
   }
+  std::vector<std::string> inputs;
+  for (const QuerySource& source : sources) {
+    inputs.push_back(source.map);
+    inputs.push_back(source.table);
+  }
+  std::erase(outputs, "");
+  check_outputs(outputs, inputs);
   return sources;
 }
 

@@ -1,7 +1,6 @@
 // lasius_bench sampling: how long OMPL's planners take to come near the optimum.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 
 #include "bench/clocks.h"
@@ -11,6 +10,7 @@
 #include "bench/peers/sampling.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
+#include "core/base/output.h"
 
 namespace lasius::bench {
 namespace {
@@ -118,17 +118,15 @@ void run_map(const QuerySet& set, const Options& options, std::vector<Row>& rows
 
 void run(const Options& options) {
   std::vector<Row> rows;
-  for (const QuerySource& source : sources_of(options.maps)) {
+  for (const QuerySource& source : sources_of(options.maps, {options.markdown, options.raw})) {
     std::cerr << source.name << std::endl;
     run_map(load(source, options.count), options, rows);
   }
   std::ostringstream text;
   write(text, rows, options);
   Output(options.markdown).write(text.str());
-  if (!options.raw.empty()) {
-    std::ofstream out(options.raw);
-    write_raw(out, rows);
-  }
+  if (!options.raw.empty())
+    write_file(options.raw, [&](std::ostream& out) { write_raw(out, rows); });
 }
 
 }  // namespace

@@ -59,7 +59,8 @@ Obstacle read_obstacle(const JsonFields& fields) {
     case Obstacle::Shape::mesh: {
       refuse_foreign(fields, "mesh", {"size", "radius", "length"});
       const double scale = fields.number_or("scale", kThin, kFar, 1);
-      o.triangles = read_mesh(fields.file(), fields.text("file"));
+      o.file = mesh_path(fields.file(), fields.text("file"));
+      o.triangles = read_stl(o.file);
       for (auto& triangle : o.triangles) {
         for (Eigen::Vector3d& corner : triangle) {
           corner = scale * Vec3(corner);

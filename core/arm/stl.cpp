@@ -101,8 +101,8 @@ Triangles read_stl(const std::string& path) {
   return triangles;
 }
 
-Triangles read_mesh(const std::string& file, const std::string& name) {
-  return read_stl((std::filesystem::path(file).parent_path() / name).string());
+std::string mesh_path(const std::string& file, const std::string& name) {
+  return (std::filesystem::path(file).parent_path() / name).string();
 }
 
 }  // namespace lasius::arm

@@ -214,7 +214,7 @@ std::vector<Capsule> enclose(const urdf::Geometry& shape, const Placement& at,
                "the mesh \"" + mesh.filename + "\" is scaled by " + number_text(s),
                "scale it by other numbers than 0; negative ones mirror it");
       }
-      const Triangles triangles = read_mesh(source.file, mesh.filename);
+      const Triangles triangles = read_stl(mesh_path(source.file, mesh.filename));
       Vec3 low = triangles[0][0], high = low;
       for (const auto& triangle : triangles) {
         for (const Vec3 c : triangle) {
@@ -234,15 +234,17 @@ std::vector<Capsule> enclose(const urdf::Geometry& shape, const Placement& at,
   }
 }
 
-/// Adds a link's collision geometry to the body that it moves with, `at` its pose there.
-void add_geometry(const urdf::Link& link, const Placement& at, const Source& source,
-                  std::vector<Capsule>& to) {
+/// Adds a link's collision geometry to the robot's last body so far, `at` its pose there.
+void add_geometry(const urdf::Link& link, const Placement& at, const Source& source, Robot& robot) {
+  auto& to = robot.joints.empty() ? robot.base : robot.joints.back().capsules;
   for (const auto& collision : link.collision_array) {
     if (collision == nullptr || collision->geometry == nullptr) refuse_geometry(link.name, source);
     for (const Capsule& c :
          enclose(*collision->geometry, at * placement(collision->origin), link.name, source)) {
       to.push_back(c);
     }
+    if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(collision->geometry.get()))
+      robot.meshes.push_back(mesh_path(source.file, mesh->filename));
   }
 }
 
@@ -325,7 +327,7 @@ Robot parse_urdf(std::string_view text, const std::string& file, const Chain& ch
   Robot robot;
   robot.name = model->getName();
   Placement at;  // of the link in the body that it moves with
-  add_geometry(*base, at, source, robot.base);
+  add_geometry(*base, at, source, robot);
   for (const LinkPtr& link : links) {
     const urdf::Joint& joint = *link->parent_joint;
     at = at * placement(joint.parent_to_joint_origin_transform);
@@ -351,8 +353,7 @@ Robot parse_urdf(std::string_view text, const std::string& file, const Chain& ch
       unsupported(source.joint(joint.name), "the chain has too many joints",
                   "at most " + std::to_string(Robot::kMaxJoints) + " are supported");
     }
-    add_geometry(*link, at, source,
-                 robot.joints.empty() ? robot.base : robot.joints.back().capsules);
+    add_geometry(*link, at, source, robot);
   }
   if (robot.joints.empty()) {
     throw Error(ErrorCode::invalid_parameter,

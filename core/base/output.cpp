@@ -1,107 +1,239 @@
 #include "core/base/output.h"
 
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <filesystem>
-#include <fstream>
+#include <csignal>
 #include <locale>
+#include <streambuf>
 #include <system_error>
+#include <vector>
 
+#include "core/base/output_target.h"
 #include "lasius/error.h"
 
 namespace lasius {
 namespace {
 
-namespace fs = std::filesystem;
+std::string reason(int error = errno) { return std::generic_category().message(error); }
 
-[[noreturn]] void fail(const std::string& path, const std::string& problem,
-                       const std::string& remedy) {
-  throw Error(ErrorCode::output_failed, Error::Place{path}, problem, remedy);
+[[noreturn]] void fail_at_end(const std::string& path, int error = errno) {
+  throw Error(ErrorCode::output_failed, {.file = path},
+              "could not be written whole (" + reason(error) + ")",
+              error == EPIPE ? "keep its reader open" : "check the free space");
 }
 
-std::string reason() { return std::generic_category().message(errno); }
-
-void write_to(const std::string& file, const std::string& path,
-              const std::function<void(std::ostream&)>& write) {
-  errno = 0;
-  std::ofstream out;
-  out.imbue(std::locale::classic());  // no "4,096" where the program's own has it so
-  out.open(file, std::ios::binary | std::ios::trunc);
-  if (!out) {
-    fail(path, "cannot be written (" + reason() + ")",
-         "check that its folder exists and may be written");
-  }
-  write(out);
-  out.close();
-  if (!out) fail(path, "could not be written whole (" + reason() + ")", "check the free space");
-}
-
-// Removes the temporary file unless it was renamed.
-class Temporary {
+/// A file descriptor, closed at the end.
+class Descriptor {
  public:
-  explicit Temporary(std::string name) : name_(std::move(name)) {}
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  ~Temporary() {
-    std::error_code ignored;
-    if (!renamed_) fs::remove(name_, ignored);
+  explicit Descriptor(int number = -1) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { reset(-1); }
+  void reset(int number) {
+    if (number_ >= 0) ::close(number_);
+    number_ = number;
   }
-  const std::string& name() const noexcept { return name_; }
-  std::error_code rename_to(const fs::path& target) {
-    std::error_code error;
-    fs::rename(name_, target, error);
-    renamed_ = !error;
-    return error;
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+/// The bytes of a stream, written to a descriptor.
+class Bytes : public std::streambuf {
+ public:
+  explicit Bytes(int descriptor) : descriptor_(descriptor), buffer_(1 << 16) { empty(); }
+  int error() const { return error_; }
+
+ protected:
+  int_type overflow(int_type c) override {
+    if (sync() != 0) return traits_type::eof();
+    if (!traits_type::eq_int_type(c, traits_type::eof())) sputc(traits_type::to_char_type(c));
+    return traits_type::not_eof(c);
+  }
+  int sync() override {
+    for (const char* from = pbase(); from < pptr();) {
+      const auto written = ::write(descriptor_, from, static_cast<std::size_t>(pptr() - from));
+      if (written >= 0) {
+        from += written;
+      } else if (errno != EINTR) {
+        error_ = errno;
+        return -1;
+      }
+    }
+    empty();
+    return 0;
   }
 
  private:
-  std::string name_;
-  bool renamed_ = false;
+  void empty() { setp(buffer_.data(), buffer_.data() + buffer_.size()); }
+
+  int descriptor_;
+  std::vector<char> buffer_;
+  int error_ = 0;
 };
 
-// Beside the target, whose own name may be as long as names can be; unique among the threads of
-// this process and among processes.
-std::string temporary_name(const fs::path& target) {
-  static std::atomic<unsigned> counter{0};
-  const std::string name =
-      ".lasius-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".part";
-  return (target.parent_path() / name).string();
+void write_to(int descriptor, const std::string& path,
+              const std::function<void(std::ostream&)>& write) {
+  Bytes bytes(descriptor);
+  std::ostream out(&bytes);
+  out.imbue(std::locale::classic());  // no "4,096" where the program's own has it so
+  write(out);
+  out.flush();
+  if (out) return;
+  fail_at_end(path, bytes.error());
 }
 
-/// What `path` stands for at the end of its links, which need not exist.
-fs::path followed(const std::string& path) {
-  constexpr int kMostLinks = 40;  // Linux's
-  fs::path target = path;
-  std::error_code error;
-  for (int links = 0; fs::is_symlink(fs::symlink_status(target, error)); ++links) {
-    const fs::path next = fs::read_symlink(target, error);
-    if (error || links == kMostLinks) {
-      fail(path, "is a link that leads nowhere", "correct the link, or name another file");
-    }
-    target = target.parent_path() / next;
+/// Held while temporary files get, change and lose their names. Who holds it gets no signals, so
+/// that a signal handler that waits for it waits for another thread.
+class NamesLock {
+ public:
+  NamesLock() {
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+    take();
   }
-  return target;
-}
+  NamesLock(const NamesLock&) = delete;
+  NamesLock& operator=(const NamesLock&) = delete;
+  ~NamesLock() {
+    taken_.clear();
+    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  /// For good.
+  static void take() noexcept {
+    while (taken_.test_and_set()) ::sched_yield();
+  }
+
+ private:
+  static inline std::atomic_flag taken_;
+  sigset_t before_;
+};
+
+/// A file that takes the target's place when it is whole. Where the file system has such files, it
+/// has no name until then, so that nothing is left of it whatever ends the process; elsewhere it is
+/// in a list for `abandon_outputs`.
+class Temporary {
+ public:
+  Temporary(const Target& target, const std::string& path)
+      : path_(path), folder_(::open(target.folder().c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)) {
+    file_.reset(::openat(folder_.number(), ".", O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
+    if (file_.number() < 0 || ::access(link().c_str(), F_OK) != 0) make_named();
+    struct stat made {};
+    ::fstat(descriptor(), &made);
+    mode_ = made.st_mode & 0777;
+    ::fchmod(descriptor(), 0600);  // until it is known who may read it
+    if (target.status) take_over(*target.status);
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  ~Temporary() {
+    const NamesLock lock;
+    if (!name_.empty()) unlink();
+    for (Temporary** at = &first_; *at != nullptr; at = &(*at)->next_) {
+      if (*at != this) continue;
+      *at = next_;
+      break;
+    }
+  }
+
+  int descriptor() const { return file_.number(); }
+
+  void replace(const Target& target) {
+    ::fchmod(descriptor(), mode_);
+    // Some file systems find only at a close that there is no room.
+    const int copy = ::dup(descriptor());
+    if (copy >= 0 && ::close(copy) != 0) fail_at_end(path_);
+    const std::string name = target.file.filename().string();
+    const NamesLock lock;
+    if (name_.empty()) {
+      if (give_name(name.c_str())) return;  // nothing was to be replaced
+      find_name([this](const char* free) { return give_name(free); });
+    }
+    if (::renameat(folder_.number(), name_.c_str(), folder_.number(), name.c_str()) != 0)
+      fail_at_end(path_);
+    name_.clear();
+  }
+
+  /// Precondition: NamesLock is held.
+  static void remove_all() noexcept {
+    for (const Temporary* t = first_; t != nullptr; t = t->next_) t->unlink();
+  }
+
+ private:
+  std::string link() const { return "/proc/self/fd/" + std::to_string(descriptor()); }
+  void unlink() const noexcept { ::unlinkat(folder_.number(), name_.c_str(), 0); }
+
+  bool give_name(const char* name) {
+    return ::linkat(AT_FDCWD, link().c_str(), folder_.number(), name, AT_SYMLINK_FOLLOW) == 0;
+  }
+  /// The first name that `take` takes. Names of other processes and of those killed may be there.
+  template <class Take>
+  void find_name(const Take& take) {
+    static unsigned counter = 0;  // under the lock
+    for (;;) {
+      std::string name =
+          ".lasius-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".part";
+      if (take(name.c_str())) {
+        name_ = std::move(name);
+        return;
+      }
+      if (errno != EEXIST) refuse_output(path_, reason());
+    }
+  }
+  void make_named() {
+    const NamesLock lock;
+    find_name([this](const char* name) {
+      constexpr int kNew = O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC;
+      file_.reset(::openat(folder_.number(), name, kNew, 0666));
+      return descriptor() >= 0;
+    });
+    next_ = first_;
+    first_ = this;
+  }
+
+  /// Owner, group and permissions of the file that is replaced.
+  void take_over(const struct stat& old) {
+    mode_ = old.st_mode & 0777;
+    const bool kept = ::fchown(descriptor(), old.st_uid, old.st_gid) == 0 ||
+                      ::fchown(descriptor(), static_cast<uid_t>(-1), old.st_gid) == 0;
+    if (!kept) mode_ &= ~static_cast<mode_t>(070);  // they were meant for another group
+  }
+
+  static inline Temporary* first_ = nullptr;
+
+  const std::string& path_;
+  Descriptor folder_, file_;
+  std::string name_;
+  mode_t mode_ = 0;
+  Temporary* next_ = nullptr;
+};
 
 }  // namespace
 
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write) {
-  std::error_code error;
-  const auto status = fs::status(path, error);
-  if (fs::is_directory(status)) fail(path, "is a folder", "name a file");
-  if (fs::exists(status) && !fs::is_regular_file(status)) return write_to(path, path, write);
-
-  const fs::path target = followed(path);
-  Temporary temporary(temporary_name(target));
-  write_to(temporary.name(), path, write);
-  error = temporary.rename_to(target);
-  if (error) {
-    fail(path, "cannot be replaced (" + error.message() + ")",
-         "check that its folder may be written");
+  const Target target = find_target(path);
+  check_target(target, path);
+  if (target.descriptor) return write_to(*target.descriptor, path, write);
+  if (target.stream()) {
+    const Descriptor file(::open(target.file.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
+    if (file.number() < 0) refuse_output(path, reason());
+    return write_to(file.number(), path, write);
   }
+  Temporary temporary(target, path);
+  write_to(temporary.descriptor(), path, write);
+  temporary.replace(target);
+}
+
+void abandon_outputs() noexcept {
+  NamesLock::take();
+  Temporary::remove_all();
 }
 
 bool has_ending(std::string_view path, std::string_view ending) noexcept {

@@ -3,6 +3,7 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 
@@ -10,8 +11,11 @@
 
 namespace lasius {
 
-/// The threads asked for, or where that is 0 as many as OpenMP gives.
-inline int thread_count(int wanted) noexcept { return wanted > 0 ? wanted : omp_get_max_threads(); }
+/// The threads asked for, or where that is 0 as many as OpenMP gives, which may be any number that
+/// OMP_NUM_THREADS says; 1024 at most, as of those asked for.
+inline int thread_count(int wanted) noexcept {
+  return wanted > 0 ? wanted : std::min(omp_get_max_threads(), 1024);
+}
 
 /// Calls body(i, thread) once for every i below `count`, on up to `threads` threads; `thread`, from
 /// 0, is the number of the one that calls. Where a call throws, no other begins once the exception

@@ -33,7 +33,7 @@ Map read_ros_map(ByteReader& in, const ReadOptions& options) {
   const auto image = std::filesystem::path(in.name()).parent_path() / ros.image;
   try {
     InputFile file(image.string());
-    return {read_image(file.reader(), ros_rule(ros, options)), ros.frame};
+    return {read_image(file.reader(), ros_rule(ros, options)), ros.frame, image.string()};
   } catch (const Error& error) {
     if (error.code() != ErrorCode::file_missing) throw;
     in.fail_at_line(ros.image_line, "its image " + image.string() + " " + error.problem(),

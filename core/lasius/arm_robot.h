@@ -84,6 +84,7 @@ struct Robot {
   /// Pairs of bodies that may touch: 0 is the base, i what moves with joint i - 1. Neighbours may
   /// in any case.
   std::vector<std::pair<int, int>> may_touch;
+  std::vector<std::string> meshes;  ///< files that its URDF names and that were read
 
   /// How many joints it has.
   int size() const noexcept { return static_cast<int>(joints.size()); }
@@ -143,6 +144,7 @@ struct Obstacle {
   double radius = 0;                               ///< of a sphere or cylinder
   double length = 0;                               ///< of a cylinder, along its own z
   Triangles triangles;  ///< of a mesh, in its own frame; a surface: what is inside is free
+  std::string file;     ///< that they were read from; may be empty
 };
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 4> kShapeNames{"box", "sphere", "cylinder", "mesh"};

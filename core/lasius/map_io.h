@@ -29,6 +29,7 @@ struct LASIUS_EXPORT WorldFrame {
 struct Map {
   Grid grid;                        ///< row 0 at the top
   std::optional<WorldFrame> frame;  ///< only where the file gives one
+  std::string image = {};           ///< of a ROS map the file of its image, else empty
 };
 
 /// How grey values and unknown cells become free or blocked: dark is blocked.
@@ -47,7 +48,8 @@ struct ReadOptions {
 ///         free_below out of range.
 LASIUS_EXPORT Map read_map(const std::string& path, const ReadOptions& options = {});
 
-/// Writes .map or .pbm by the name's ending, under a temporary name that is then renamed.
+/// Writes .map or .pbm by the name's ending, whole or not at all; to a device or pipe, as
+/// /dev/stdout, of another ending a .map. A file that is replaced passes on its permissions.
 /// @throws Error(output_failed), or Error(invalid_parameter) for another ending.
 LASIUS_EXPORT void write_map(const Grid& grid, const std::string& path);
 

@@ -51,8 +51,8 @@ Map read_map(const std::string& path, const ReadOptions& options) {
 
 void write_map(const Grid& grid, const std::string& path) {
   const auto write = [&]() -> void (*)(const Grid&, std::ostream&) {
-    if (has_ending(path, ".map")) return write_movingai;
     if (has_ending(path, ".pbm")) return write_pbm;
+    if (has_ending(path, ".map") || is_stream(path)) return write_movingai;
     throw Error(ErrorCode::invalid_parameter, "cannot tell the format of '" + path + "'",
                 "end its name in .map or .pbm");
   }();

@@ -125,7 +125,8 @@ class Usage(ProgramTest):
         self.assertEqual(threads(LASIUS_THREADS="3", OMP_NUM_THREADS="2"), 3)
         self.assertEqual(threads(OMP_NUM_THREADS="2,4"), 2)
         self.assertEqual(threads("--threads", "4", LASIUS_THREADS="3"), 4)
-        self.assertGreaterEqual(threads(OMP_NUM_THREADS="nonsense"), 1)
+        for none in ("nonsense", "0", "1025", "99999999999"):
+            self.assertEqual(threads(OMP_NUM_THREADS=none), threads())
         self.refused(self.plan(env={"LASIUS_THREADS": "some"}), 2, "LASIUS_THREADS")
 
     def test_what_has_no_effect_is_said(self):

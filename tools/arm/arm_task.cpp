@@ -121,6 +121,12 @@ class ArmTask : public Task {
   }
 
   const SearchOptions& options() const override { return command_; }
+  std::vector<std::string> input_files() const override {
+    std::vector<std::string> files = found_.robot.meshes;
+    for (const auto& obstacle : found_.scene.obstacles) files.push_back(obstacle.file);
+    files.insert(files.end(), {command_.robot, command_.scene});
+    return files;
+  }
   const Algorithm& algorithm() const override { return arm::algorithms().front(); }
   std::string parameter(std::string_view name) const override {
     return get_parameter(found_.parameters, name);

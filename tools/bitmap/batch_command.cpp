@@ -28,9 +28,9 @@ class Collected {
  public:
   Collected(const PreparedMap& map, const BitmapTask& task) : map_(map), task_(task) {
     for (const auto& file : task.options().outputs) {
-      json_ |= has_ending(file, ".json");
-      csv_ |= has_ending(file, ".csv");
+      csv_ |= is_table(file);
       paths_ |= is_picture(file);
+      json_ |= !is_table(file) && !is_picture(file);
     }
     if (csv_) rows_ = task.batch_header();
   }
@@ -89,11 +89,12 @@ std::optional<double> known(double value) {
 
 int run_batch(const BatchCommand& command) {
   const RunOptions& run = command.run;
-  for (const auto& file : run.outputs) check_writable(file);
+  check_outputs(run.outputs, {run.map.file, command.queries});
   SignalWatcher signals;
   const auto shared = std::make_shared<PreparedMap>(
       prepare_map(run.map, run.frame, run.params.corners, signals.token()));
   const PreparedMap& map = *shared;
+  check_outputs(run.outputs, {map.image});
   const QueryFile file =
       read_queries(command.queries, map.width, map.height, run.frame == Frame::cell);
   BitmapTask task({.run = run, .start = {}, .goal = {}}, shared);

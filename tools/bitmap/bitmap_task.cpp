@@ -119,6 +119,10 @@ void BitmapTask::plan(const StopCondition& stop, const Watch& watch) {
   answer_.index = index;
 }
 
+std::vector<std::string> BitmapTask::input_files() const {
+  return {options().map.file, map_ ? map_->image : std::string()};
+}
+
 const Algorithm& BitmapTask::algorithm() const {
   return find_algorithm(options().params.algorithm());
 }

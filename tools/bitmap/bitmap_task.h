@@ -25,6 +25,7 @@ class BitmapTask : public Task {
   void take(Answer answer) { answer_ = std::move(answer); }
 
   const RunOptions& options() const override { return command_.run; }
+  std::vector<std::string> input_files() const override;
   const Algorithm& algorithm() const override;
   std::string parameter(std::string_view name) const override;
   std::int64_t iterations() const override { return options().params.iterations; }

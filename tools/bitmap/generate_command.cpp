@@ -1,5 +1,6 @@
 #include <string>
 
+#include "core/base/output.h"
 #include "lasius/generate.h"
 #include "lasius/io.h"
 #include "tools/console/exit_code.h"
@@ -11,7 +12,7 @@
 namespace lasius::tool {
 
 int run_generate(const GenerateCommand& command) {
-  check_writable(command.output);
+  check_outputs({command.output}, {});
   GenerateOptions options = command.options;
   const double most = max_density(command.kind);
   if (options.density > most) {

@@ -57,6 +57,7 @@ PreparedMap prepare_map(const MapOptions& options, Frame frame, Corners corners,
   if (!std::isfinite(radius))
     throw UsageError("--radius " + to_text(options.radius) + " is too many cells");
   PreparedMap map{.file = options.file,
+                  .image = read.image,
                   .hash = read.grid.hash(),
                   .width = read.grid.width(),
                   .height = read.grid.height(),

@@ -15,6 +15,7 @@ namespace lasius::tool {
 
 struct PreparedMap {
   std::string file;
+  std::string image;       ///< that a ROS map names
   std::uint64_t hash = 0;  ///< of the grid as read, before obstacles grow
   int width = 0;
   int height = 0;

@@ -5,8 +5,8 @@
 
 namespace lasius::tool {
 
-/// Reads the command line; touches no file. @throws UsageError; Error(invalid_parameter) for
-/// a value that the library refuses.
+/// Reads the command line, and of files whether they are streams. @throws UsageError;
+/// Error(invalid_parameter) for a value that the library refuses.
 Command parse_command_line(int argc, const char* const* argv);
 
 }  // namespace lasius::tool

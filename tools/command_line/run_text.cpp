@@ -69,7 +69,8 @@ std::uint64_t seed_value(const std::string& text) {
 void check_endings(const std::vector<std::string>& files,
                    std::span<const std::string_view> endings) {
   for (const auto& file : files) {
-    if (std::ranges::any_of(endings, [&](auto ending) { return has_ending(file, ending); }))
+    if (std::ranges::any_of(endings, [&](auto ending) { return has_ending(file, ending); }) ||
+        is_stream(file))
       continue;
     const auto dot = file.find_last_of("./");
     const bool dotted = dot != std::string::npos && file[dot] == '.';

@@ -69,7 +69,8 @@ void refuse_world_options(const WorldText& text);
 /// The seed; 1 where `text` is empty. @throws UsageError.
 std::uint64_t seed_value(const std::string& text);
 
-/// @throws UsageError for a file whose ending is not one of `endings`, with the nearest.
+/// @throws UsageError for a file whose ending is not one of `endings`, with the nearest; a stream
+/// (/dev/stdout) needs none.
 void check_endings(const std::vector<std::string>& files,
                    std::span<const std::string_view> endings);
 

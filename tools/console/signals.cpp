@@ -7,6 +7,7 @@
 #include <csignal>
 #include <system_error>
 
+#include "core/base/output.h"
 #include "tools/console/exit_code.h"
 
 namespace lasius::tool {
@@ -18,8 +19,17 @@ constexpr char kQuit = 'q';
 volatile std::sig_atomic_t write_end = -1;
 volatile std::sig_atomic_t signals_seen = 0;
 
-extern "C" void on_signal(int) {
-  if (write_end < 0 || signals_seen != 0) ::_exit(kInterrupted);
+/// Ends the program, with no half-written file left behind; by SIGQUIT as the system does, which
+/// may save its memory for a debugger.
+void end_at_once(int number) {
+  abandon_outputs();
+  if (number != SIGQUIT) ::_exit(kInterrupted);
+  std::signal(SIGQUIT, SIG_DFL);
+  ::raise(SIGQUIT);  // comes when the handler returns
+}
+
+extern "C" void on_signal(int number) {
+  if (write_end < 0 || signals_seen != 0 || number == SIGQUIT) return end_at_once(number);
   signals_seen = 1;
   const int saved = errno;
   [[maybe_unused]] const auto written = ::write(write_end, &kStop, 1);
@@ -32,8 +42,14 @@ void end_on_signals() {
   struct sigaction action {};
   action.sa_handler = on_signal;
   action.sa_flags = SA_RESTART;
-  ::sigaction(SIGINT, &action, nullptr);
-  ::sigaction(SIGTERM, &action, nullptr);
+  ::sigfillset(&action.sa_mask);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+    struct sigaction before {};
+    ::sigaction(number, nullptr, &before);
+    // As nohup and shells wish that start the program in the background.
+    const bool ignored = before.sa_handler == SIG_IGN && (number == SIGHUP || number == SIGQUIT);
+    if (!ignored) ::sigaction(number, &action, nullptr);
+  }
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error of writing
 }
 

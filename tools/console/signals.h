@@ -1,4 +1,4 @@
-// SIGINT and SIGTERM: the end of the program, or a stop token.
+// SIGINT, SIGTERM, SIGHUP and SIGQUIT: the end of the program, or a stop token.
 #pragma once
 
 #include <stop_token>
@@ -6,13 +6,14 @@
 
 namespace lasius::tool {
 
-/// From here on SIGINT and SIGTERM end the program at once with exit code 130: right where nothing
-/// is being written.
+/// From here on SIGINT, SIGTERM and SIGHUP end the program at once with exit code 130: right where
+/// nothing is being written. SIGQUIT ends it as it does any program. No temporary file is left. A
+/// SIGHUP or SIGQUIT that was ignored stays so.
 void end_on_signals();
 
-/// While it lives, the first SIGINT or SIGTERM asks the token to stop instead, and only a second
-/// one ends the program at once. The handler itself only writes one byte to a pipe; a thread does
-/// the rest. One at a time. Precondition: end_on_signals was called.
+/// While it lives, the first of SIGINT, SIGTERM and SIGHUP asks the token to stop instead, and only
+/// a second signal ends the program at once. The handler itself only writes one byte to a pipe; a
+/// thread does the rest. One at a time. Precondition: end_on_signals was called.
 class SignalWatcher {
  public:
   SignalWatcher();

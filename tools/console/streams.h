@@ -20,8 +20,4 @@ void print(std::string_view text);
 /// "lasius: TEXT" on standard error.
 void message(std::string_view text);
 
-/// Says now that a file cannot be written, rather than after the work.
-/// @throws Error(output_failed) naming file and remedy.
-void check_writable(const std::string& file);
-
 }  // namespace lasius::tool

@@ -48,6 +48,7 @@ class PolygonTask : public Task {
   }
 
   const SearchOptions& options() const override { return command_; }
+  std::vector<std::string> input_files() const override { return {command_.world.file}; }
   const Algorithm& algorithm() const override {
     return polygon::find_algorithm(answer_.parameters.algorithm());
   }

@@ -10,9 +10,11 @@ bool is_picture(std::string_view file) {
   return has_ending(file, ".svg") || has_ending(file, ".png");
 }
 
+bool is_table(std::string_view file) { return has_ending(file, ".csv"); }
+
 void write_output(const std::string& file, const Forms& forms) {
   if (is_picture(file)) return forms.picture();
-  write_file(file, has_ending(file, ".csv") ? forms.csv : forms.json);
+  write_file(file, is_table(file) ? forms.csv : forms.json);
 }
 
 void Delivery::print(const std::string& text) {

@@ -10,8 +10,9 @@
 
 namespace lasius::tool {
 
-/// True for the files that are pictures, by their ending.
+/// By their ending.
 bool is_picture(std::string_view file);
+bool is_table(std::string_view file);  ///< .csv
 
 /// The forms of a file, each made when it is asked for.
 struct Forms {
@@ -20,7 +21,8 @@ struct Forms {
   std::function<void()> picture;
 };
 
-/// Writes a file in the form that its ending asks for. @throws Error(output_failed)
+/// Writes a file in the form that its ending asks for, JSON where it asks for none. @throws
+/// Error(output_failed)
 void write_output(const std::string& file, const Forms& forms);
 
 /// Standard output and files: what one of them refuses the others still get.

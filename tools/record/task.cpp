@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/base/output.h"
 #include "lasius/error.h"
 #include "lasius/version.h"
 #include "tools/console/elapsed.h"
@@ -152,10 +153,11 @@ void Task::add_limits(Json& json) const {
 
 int run(Task& task) {
   const SearchOptions& options = task.options();
-  for (const auto& file : options.outputs) check_writable(file);
+  check_outputs(options.outputs, task.input_files());
   task.open();
   SignalWatcher signals;
   task.prepare(signals.token());
+  check_outputs(options.outputs, task.input_files());
   if (!options.messages.quiet) task.announce();
   watched_plan(task, signals.token());
   const std::string why = explain(task);

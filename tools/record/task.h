@@ -10,6 +10,7 @@
 #include <stop_token>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "lasius/params.h"
 #include "lasius/progress.h"
@@ -47,6 +48,8 @@ class Task {
 
   // What was asked.
   virtual const SearchOptions& options() const = 0;
+  /// Those to read, and once they are read those that they name.
+  virtual std::vector<std::string> input_files() const = 0;
   virtual const Algorithm& algorithm() const = 0;
   virtual std::string parameter(std::string_view name) const = 0;  ///< its value
   virtual std::int64_t iterations() const = 0;                     ///< at most

@@ -1,14 +1,22 @@
 #include "tools/study/conduct.h"
 
+#include <filesystem>
+
+#include "core/base/output.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/progress.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
+#include "tools/study/files.h"
 
 namespace lasius::tool {
 
 int conduct(const StudyCommand& command, const study::Study& study, const study::Domain& domain,
             const std::function<void(const study::Findings&, const StopCondition&)>& write) {
+  const std::filesystem::path folder = command.folder;
+  study::make_folder(folder);
+  for (const char* name : {"report.md", "runs.csv", "results.csv", "tests.csv"})
+    check_outputs({(folder / name).string()}, {});  // before hours of work
   SignalWatcher signals;
   const auto findings = [&] {
     constexpr std::int64_t kParts = 1000;
@@ -19,7 +27,7 @@ int conduct(const StudyCommand& command, const study::Study& study, const study:
     return study::run_study(study, domain,
                             {.seeds = command.seeds,
                              .threads = command.threads,
-                             .folder = command.folder,
+                             .folder = folder,
                              .stop = signals.token(),
                              .progress = show});
   }();
@@ -28,7 +36,7 @@ int conduct(const StudyCommand& command, const study::Study& study, const study:
     return kInterrupted;
   }
   write(*findings, {.token = signals.token()});
-  print((std::filesystem::path(command.folder) / "report.md").string() + "\n");
+  print((folder / "report.md").string() + "\n");
   return kFound;
 }
 

@@ -14,7 +14,7 @@ namespace lasius::study {
 std::optional<Run> read_run(const std::filesystem::path& file, const std::string& key,
                             std::uint64_t seed);
 
-/// Writes under a temporary name and renames. @throws Error(output_failed).
+/// Whole or not at all. @throws Error(output_failed).
 void write_run(const std::filesystem::path& file, const std::string& key, const Run& run);
 
 }  // namespace lasius::study

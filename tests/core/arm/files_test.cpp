@@ -276,6 +276,7 @@ TEST_F(StlFile, AMeshOfARobotMayBeMirroredButNotFlattened) {
   };
   EXPECT_EQ(scaled("2 2 2").size(), 2);
   EXPECT_EQ(scaled("1 -1 1").size(), 2);
+  EXPECT_EQ(scaled("1 1 1").meshes, std::vector{(folder_ / "M.STL").string()});
   for (const char* scale : {"1 0 1", "1 1 nan"}) {
     EXPECT_THROW(scaled(scale), Error) << scale;
   }
@@ -358,6 +359,7 @@ TEST_F(SceneFile, AllShapes) {
   EXPECT_EQ(scene.obstacles[1].name, "ball");
   EXPECT_DOUBLE_EQ(scene.obstacles[2].length, 2);
   EXPECT_EQ(scene.obstacles[3].triangles[0][1], Eigen::Vector3d(2, 0, 0));
+  EXPECT_EQ(scene.obstacles[3].file, (folder_ / "m.stl").string());
   EXPECT_NO_THROW(validate(scene));
 }
 

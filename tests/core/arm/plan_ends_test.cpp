@@ -254,6 +254,28 @@ TEST(ArmPlan, PolledAfterEveryMoveThatASensorIsAskedAbout) {
   }
 }
 
+TEST(ArmPlan, AMotionCutShortIsNotSolved) {
+  const Robot robot = two_links();
+  Request request = across(robot);
+  request.motion = false;
+  Params p;
+  p.pitch = 0.05;
+  p.iterations = 3;
+  p.threads = 1;
+  const Slow search_alone;
+  const Result found = plan(robot, search_alone, request, p);
+  ASSERT_EQ(found.status, Status::solved);
+  request.motion = true;
+  const Slow sensor;
+  const auto asked = std::chrono::seconds(found.questions.positions + found.questions.motions);
+  request.stop = {.deadline = sensor.now() + asked + std::chrono::seconds(2), .time = &sensor};
+  const Result cut = plan(robot, sensor, request, p);
+  EXPECT_EQ(cut.status, Status::limit);
+  EXPECT_EQ(cut.length, found.length);
+  EXPECT_GT(cut.questions.trajectory, 0);
+  EXPECT_FALSE(cut.trajectory.empty());
+}
+
 /// Breaks down after some questions.
 class Broken final : public Sensor {
  public:

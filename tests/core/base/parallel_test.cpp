@@ -13,6 +13,16 @@
 namespace lasius {
 namespace {
 
+TEST(ThreadCount, OfOpenMpIsBounded) {
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(1 << 30);
+  EXPECT_EQ(thread_count(0), 1024);
+  omp_set_num_threads(3);
+  EXPECT_EQ(thread_count(0), 3);
+  omp_set_num_threads(before);
+  EXPECT_EQ(thread_count(2), 2);
+}
+
 TEST(ParallelFor, CallsEachOnceFromThreadsInRange) {
   for (const int threads : {0, 1, 2, 5}) {
     for (const int count : {0, 1, 2, 1000}) {

@@ -80,6 +80,8 @@ TEST_F(RosIo, FindsTheImageBesideTheYaml) {
       file("image: images/a.pbm\nresolution: 0.05\norigin: [0, 0, 1.5]\n" + kTrinary, "maps/a.yml");
   EXPECT_EQ(read_any_map(yaml).grid, grid_of({".#"}));
   EXPECT_EQ(read_any_map(yaml).frame->yaw, 1.5);
+  EXPECT_EQ(read_any_map(yaml).image, path("maps/images/a.pbm"));
+  EXPECT_EQ(read_any_map(path("maps/images/a.pbm")).image, "");
   const std::string absolute = file(
       "image: " + path("maps/images/a.pbm") + "\nresolution: 0.05\norigin: [0, 0, 0]\n" + kTrinary,
       "b.yaml");

@@ -230,43 +230,10 @@ TEST_F(MapIo, RefusesMissingFilesAndFolders) {
   }
 }
 
-TEST_F(MapIo, OutputIsWholeOrNotThere) {
-  write_file(path("kept"), [](std::ostream& out) { out << "old"; });
-  EXPECT_THROW(write_file(path("kept"),
-                          [](std::ostream& out) {
-                            out << "half";
-                            throw std::runtime_error("stop");
-                          }),
-               std::runtime_error);
-  EXPECT_THROW(write_file(path("kept"), [](std::ostream& out) { out.setstate(std::ios::badbit); }),
-               Error);
-  EXPECT_EQ(files(), std::vector<std::string>{"kept"}) << "no temporary file is left";
-  std::ifstream in(path("kept"));
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "old");
-}
-
 TEST_F(MapIo, OutputMayHaveTheLongestName) {
   const std::string name = path(std::string(251, 'a') + ".map");  // 255 bytes, Linux's most
   write_map(Grid(3, 3), name);
   EXPECT_EQ(read_map(name).grid, Grid(3, 3));
-}
-
-TEST_F(MapIo, OutputFollowsLinksAndDevices) {
-  file("old", "target");
-  fs::create_symlink("target", path("link"));
-  write_file(path("link"), [](std::ostream& out) { out << "new"; });
-  EXPECT_TRUE(fs::is_symlink(path("link")));
-  EXPECT_EQ(fs::file_size(path("target")), 3U);
-  fs::create_directory(path("folder"));
-  fs::create_symlink("folder/later", path("to_nothing"));
-  fs::create_symlink(path("to_nothing"), path("by_two"));
-  write_file(path("by_two"), [](std::ostream& out) { out << "there"; });
-  EXPECT_TRUE(fs::is_symlink(path("by_two")) && fs::is_symlink(path("to_nothing")));
-  EXPECT_EQ(fs::file_size(path("folder/later")), 5U);
-  fs::create_symlink("round", path("round"));
-  EXPECT_THROW(write_file(path("round"), [](std::ostream&) {}), Error);
-  write_file("/dev/null", [](std::ostream& out) { out << "nothing"; });
-  EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
 TEST_F(MapIo, RefusesOutputItCannotWrite) {
@@ -284,8 +251,6 @@ TEST_F(MapIo, RefusesOutputItCannotWrite) {
   }
   EXPECT_THROW(write_map(grid, path("a.bmp")), Error);
   EXPECT_EQ(files(), std::vector<std::string>{"folder.map"}) << "no temporary file is left";
-  EXPECT_THROW(write_file("/dev/full", [](std::ostream& out) { out << std::string(1 << 20, 'x'); }),
-               Error);
 }
 
 TEST(WorldFrame, TurnsAndShiftsAboutTheLowerLeftCorner) {
