@@ -155,7 +155,7 @@ int run(Task& task) {
   for (const auto& file : options.outputs) check_writable(file);
   task.open();
   SignalWatcher signals;
-  task.prepare(signals.token());
+  task.load(signals.token());
   if (!options.messages.quiet) task.announce();
   watched_plan(task, signals.token());
   const std::string why = explain(task);
@@ -213,7 +213,7 @@ void read_recorded(const Recorded& from, const Algorithm& algorithm, SearchOptio
 
 Json replay(Task& task, const Recorded& from) {
   task.open();
-  task.prepare(from.token);
+  task.load(from.token);
   check_inputs(task.inputs(), from.result);
   task.plan({.token = from.token}, {});
   return result_json(task);
