@@ -30,7 +30,7 @@ std::vector<Figure> measure_unreachable(int queries, int side) {
     const Cell start = cell(), goal = cell();
     if (planner.connected(start, goal)) continue;
     const Stopwatch watch;
-    const Result result = planner.plan({start, goal}, defaults("fan2004"), &workspace);
+    const Result result = planner.plan({start, goal}, Params("fan2004"), &workspace);
     times.push_back(watch.microseconds());
     proven = proven && result.status == Status::unreachable;
   }
@@ -66,7 +66,7 @@ std::vector<Figure> measure_overshoot(int plans) {
     for (int i = 0; i < plans; ++i) {
       const int turn = i % static_cast<int>(kTurns.size());
       const Place& place = places[kTurns[turn]];
-      Params params = defaults(algorithm);
+      Params params(algorithm);
       params.ants = 64;
       params.iterations = 1'000'000;
       params.seed = static_cast<std::uint64_t>(i) + 1;

@@ -106,7 +106,7 @@ std::vector<Figure> measure_threads(int rounds) {
   const Course& c = fan_course();
   const Planner planner(c.grid);
   const Request request{c.start, c.goal};
-  Params params = defaults("fan2004");
+  Params params("fan2004");
   params.ants = 64;
   params.iterations = 40;
   std::vector<double> ratios, ceilings, trips;
@@ -135,7 +135,7 @@ std::vector<Figure> measure_threads(int rounds) {
 std::vector<Figure> measure_area(int rounds, int side) {
   const Course& small = fan_course();
   const Planner small_planner(small.grid);
-  Params params = defaults("fan2004");
+  Params params("fan2004");
   params.threads = 1;
   params.iterations = 30;
   Workspace small_workspace, large_workspace;

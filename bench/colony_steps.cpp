@@ -42,7 +42,7 @@ class WalkOnly {
  public:
   explicit WalkOnly(std::string_view algorithm, int ants = kAnts) : ants_(ants) {
     const Course& c = fan_course();
-    Params params = defaults(algorithm);
+    Params params(algorithm);
     params.ants = ants;
     const kernels::Moves moves = moves_of(params.neighbours);
     const StepWeights weights = schedule(params, 0);
@@ -99,7 +99,7 @@ double plan_rate(const Planner& planner, Params params, std::uint64_t seed) {
 // Without polish, which is the same for all.
 double variant_rate(const Planner& planner, std::string_view algorithm, int batch,
                     std::uint64_t seed) {
-  Params params = defaults(algorithm);
+  Params params(algorithm);
   params.polish = Polish::none;
   params.straight_deposit = StraightDeposit::none;
   if (batch > 0) params.batch = batch;
@@ -126,9 +126,9 @@ std::vector<Figure> measure_steps(int rounds) {
   std::vector<Subject> subjects = {
       {"textbook ant system", [](int r) { return textbook_rate(r + 1); }, {}},
       {"walks of `as`, 8 neighbours", [&](int r) { return walk.rate(r + 1); }, {}},
-      {"whole plans of `as`", [&](int r) { return plan_rate(planner, defaults("as"), r + 1); }, {}},
+      {"whole plans of `as`", [&](int r) { return plan_rate(planner, Params("as"), r + 1); }, {}},
       {"whole plans of `fan2004`, 4 neighbours",
-       [&](int r) { return plan_rate(planner, defaults("fan2004"), r + 1); },
+       [&](int r) { return plan_rate(planner, Params("fan2004"), r + 1); },
        {}},
       {"ceiling, 8 walkers", [](int) { return ceiling_rate(Path::walk, 8); }, {}},
       {"ceiling, 1 walker", [](int) { return ceiling_rate(Path::walk, 1); }, {}},
@@ -160,7 +160,7 @@ std::vector<Figure> measure_variants(int rounds) {
   for (const Algorithm& algorithm : algorithms()) {
     if (algorithm.name == "exact" || algorithm.name == "grid-ga") continue;
     // Ants that go one at a time are set against the flagship's ants, one at a time.
-    const Params usual = defaults(algorithm.name);
+    const Params usual(algorithm.name);
     const bool alone = usual.batch == 1 || usual.ants == 1;
     WalkOnly walk(algorithm.name, alone ? 1 : kAnts);
     std::vector<double> walks, walk_ratios, plans, plan_ratios;

@@ -24,7 +24,7 @@ struct Options {
 /// 10 ants, 200 iterations, 9 lines, 11 values; both in turns, processor time.
 std::vector<Figure> measure_source_run(int rounds) {
   const Planner planner(polygon::read_world(LASIUS_MAPS_DIR "/maklink200.geojson"));
-  Params parameters = polygon::defaults("maklink-acs");
+  Params parameters = polygon::Params("maklink-acs");
   std::vector<double> ours, none, textbook, ratios;
   int optimal = 0, textbook_optimal = 0;
   for (int i = 0; i < rounds; ++i) {
@@ -104,7 +104,7 @@ std::vector<Figure> check_paths(int worlds, int& faults) {
     const polygon::Request request{.start = lasius::testing::free_point(planner, dice),
                                    .goal = lasius::testing::free_point(planner, dice)};
     for (const auto& algorithm : polygon::algorithms()) {
-      Params parameters = polygon::defaults(algorithm.name);
+      Params parameters = polygon::Params(algorithm.name);
       if (algorithm.name == "real-ga") parameters.iterations = 50;
       const auto result = planner.plan(request, parameters);
       if (result.path.empty()) {

@@ -50,7 +50,7 @@ void run(const Options& options) {
   auto blobs = blobs_courses(options.blobs, options.first_blobs);
   for (Course& course : blobs) courses.push_back(std::move(course));
 
-  const Params params = defaults(options.algorithm);
+  const Params params(options.algorithm);
   std::ostringstream table;
   Output output(options.markdown);
   const auto flush = [&] {

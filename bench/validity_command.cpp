@@ -66,7 +66,7 @@ void check(const QuerySource& source, const QuerySet& set, const Options& option
   if (files) files->write_map(source, set, optima);
   for (const std::string& algorithm : options.algorithms) {
     Tally& tally = tallies[algorithm];
-    Params params = defaults(algorithm);
+    Params params(algorithm);
     params.iterations = options.iterations;
     params.ants = options.ants;
     params.threads = 1;

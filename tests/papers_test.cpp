@@ -8,6 +8,7 @@
 
 #include "core/colony/field.h"
 #include "core/colony/update.h"
+#include "core/grid/move_rule.h"
 #include "core/params/schedule.h"
 #include "lasius/planner.h"
 #include "tests/core/base/counting_time.h"
@@ -18,7 +19,7 @@ namespace {
 // Fan, Luo, Yi, Zhang 2004.
 
 TEST(Fan2004, ParametersAreThePapers) {
-  const Params p = defaults("fan2004");
+  const Params p("fan2004");
   EXPECT_EQ(p.ants, 10);
   EXPECT_EQ(p.critical_time, 10);
   EXPECT_EQ(p.iterations, 120);
@@ -30,7 +31,7 @@ TEST(Fan2004, ParametersAreThePapers) {
 }
 
 TEST(Fan2004, ExponentsFollowEquations5And6) {
-  const Params p = defaults("fan2004");
+  const Params p("fan2004");
   // q = 5, mc = 10: alpha = 4 * 5 / 10 = 2, beta = (3 * 10 - 1.5 * 5) / 10 = 2.25.
   EXPECT_DOUBLE_EQ(schedule(p, 0).alpha, 0);
   EXPECT_DOUBLE_EQ(schedule(p, 0).beta, 3);
@@ -43,7 +44,7 @@ TEST(Fan2004, ExponentsFollowEquations5And6) {
 }
 
 TEST(Fan2004, TheFirstGenerationUsesDistanceAlone) {
-  const auto shares = schedule(defaults("fan2004"), 0).rule_shares;
+  const auto shares = schedule(Params("fan2004"), 0).rule_shares;
   EXPECT_EQ(shares[kernels::kPheromoneRule], 0);
   EXPECT_EQ(shares[kernels::kDistanceRule], 1);
   EXPECT_EQ(shares[kernels::kCombinedRule], 0);
@@ -51,7 +52,7 @@ TEST(Fan2004, TheFirstGenerationUsesDistanceAlone) {
 
 TEST(Fan2004, SharesOfTheRulesChangeUntilTheCriticalTime) {
   // a = 0.4: pheromone 0.1 a, distance 1 - 0.9 a, combined 0.8 a.
-  const auto shares = schedule(defaults("fan2004"), 4).rule_shares;
+  const auto shares = schedule(Params("fan2004"), 4).rule_shares;
   EXPECT_DOUBLE_EQ(shares[kernels::kPheromoneRule], 0.04);
   EXPECT_DOUBLE_EQ(shares[kernels::kDistanceRule], 0.64);
   EXPECT_DOUBLE_EQ(shares[kernels::kCombinedRule], 0.32);
@@ -59,7 +60,7 @@ TEST(Fan2004, SharesOfTheRulesChangeUntilTheCriticalTime) {
 
 struct Rows {
   Rows(const Grid& grid, Cell goal, const Params& p) : params(p) {
-    moves = kernels::moves_of(static_cast<kernels::Neighbourhood>(p.neighbours));
+    moves = moves_of(p.neighbours);
     field.reset(grid, moves, goal, p, p.initial_pheromone > 0 ? p.initial_pheromone : 1, {});
   }
   const float* of(Cell c) {
@@ -79,7 +80,7 @@ TEST(Fan2004, DistanceRuleIsEquation4) {
   // Cell (3, 4), goal (6, 8): distances of the neighbours N (3,3), W (2,4), E (4,4), S (3,5) are
   // sqrt(34), sqrt(32), sqrt(20), sqrt(18); Dmax = sqrt(34).
   const Grid grid(20, 20);
-  Rows rows(grid, {6, 8}, defaults("fan2004"));
+  Rows rows(grid, {6, 8}, Params("fan2004"));
   const float* phi = rows.of({3, 4}) + 4;
   const auto value = [](double d) { return std::pow((std::sqrt(34.0) - d) * 10 + 2, 2); };
   const double south = value(std::sqrt(18.0));  // 17.883^2, the largest
@@ -93,7 +94,7 @@ TEST(Fan2004, DistanceRuleIsEquation4) {
 TEST(Fan2004, DistanceRuleTakesDmaxOverFreeCellsOnly) {
   Grid grid(20, 20);
   grid.set_blocked({3, 3});  // the farthest neighbour: W becomes Dmax
-  Rows rows(grid, {6, 8}, defaults("fan2004"));
+  Rows rows(grid, {6, 8}, Params("fan2004"));
   const float* phi = rows.of({3, 4}) + 4;
   EXPECT_EQ(phi[0], 0);
   EXPECT_NEAR(phi[1], 4 / std::pow((std::sqrt(32.0) - std::sqrt(18.0)) * 10 + 2, 2), 1e-6);
@@ -102,7 +103,7 @@ TEST(Fan2004, DistanceRuleTakesDmaxOverFreeCellsOnly) {
 TEST(Fan2004, UpdateKeepsPersistenceAndAddsQOverL) {
   // tau0 = 1, persistence 0.7, two ants with Q / L = 0.25 and 0.5 on a cell: 0.7 + 0.75 = 1.45.
   const Grid grid(20, 20);
-  Rows rows(grid, {6, 8}, defaults("fan2004"));
+  Rows rows(grid, {6, 8}, Params("fan2004"));
   rows.field.evaporate(0.7);
   rows.field.deposit({4, 4}, 0, 0.25);
   rows.field.deposit({4, 4}, 0, 0.5);
@@ -121,7 +122,7 @@ TEST(Fan2004, DepositsItsTourAndItsStraightenedPath) {
   // One ant in a corridor of 5 cells: its tour and straightened path are the corridor, L = 4, so
   // after one iteration tau = 0.7 * 1 + 100 / 4 + 100 / 4 on each cell.
   Grid grid(5, 1);
-  Params p = defaults("fan2004");
+  Params p("fan2004");
   p.ants = 1;
   p.iterations = 2;
   std::vector<double> tau;
@@ -138,7 +139,7 @@ TEST(Fan2004, DepositsItsTourAndItsStraightenedPath) {
 
 TEST(AntSystem, VisibilityIsOneOverTheDistanceToTheGoal) {
   const Grid grid(20, 20);
-  Rows rows(grid, {10, 4}, defaults("as"));  // beta = 5
+  Rows rows(grid, {10, 4}, Params("as"));  // beta = 5
   const float* w = rows.of({3, 4});
   // E leads to distance 6, the largest weight; W to 8: (6 / 8)^5 = 0.2373.
   EXPECT_EQ(w[4], 1);
@@ -148,7 +149,7 @@ TEST(AntSystem, VisibilityIsOneOverTheDistanceToTheGoal) {
 
 TEST(AntSystem, PheromoneLiesOnTheArcsWalked) {
   Grid grid(5, 1);
-  Params p = defaults("as");
+  Params p("as");
   p.ants = 1;
   p.iterations = 1;
   p.initial_pheromone = 1;
@@ -204,7 +205,7 @@ TEST(AntSystem, AnUpdateIsCutShort) {
   // To and fro 10000 times, Q / L = 1/4096; time is up at the second look, before move 8192: half
   // of 8191 moves, rounded up, leave (2, 2).
   constexpr std::uint8_t kWest = 3;
-  Params params = defaults("as");
+  Params params("as");
   params.persistence = 1;
   params.deposit = 10000.0 / 4096;
   Trail20 trail(params);
@@ -220,7 +221,7 @@ TEST(AntSystem, AnUpdateIsCutShort) {
 
 TEST(Elitist, TheBestTourSoFarDepositsAgain) {
   // Evaporation 0.5, e = 30, Q = 1: 0.5 + 1/2 on the tour of length 2, and 30/2 more as the best.
-  Trail20 trail(defaults("eas"));
+  Trail20 trail(Params("eas"));
   trail.walk({kEast, kEast});
   trail.walk({kNorthEast});
   trail.update(0);
@@ -230,7 +231,7 @@ TEST(Elitist, TheBestTourSoFarDepositsAgain) {
 
 TEST(RankBased, WeightsFallWithTheRank) {
   // w = 3: rank 1 deposits 2/L, rank 2 1/L, rank 3 nothing, the best so far 3/L; evaporation 0.1.
-  Params p = defaults("ras");
+  Params p("ras");
   p.ranks = 3;
   Trail20 trail(p);
   trail.walk({kEast, kEast, kEast, kEast});  // rank 3
@@ -245,7 +246,7 @@ TEST(RankBased, WeightsFallWithTheRank) {
 TEST(MaxMin, PheromoneStaysBetweenItsBounds) {
   // Best tour of 4 moves, L = 4, evaporation 0.02: tau_max = 1 / (0.02 * 4) = 12.5; p^(1/4) =
   // 0.05^0.25 = 0.472871, mean choice 4: tau_min = 12.5 * 0.527129 / (3 * 0.472871) = 4.644734.
-  Trail20 trail(defaults("mmas"), 100);
+  Trail20 trail(Params("mmas"), 100);
   trail.walk({kEast, kEast, kEast, kEast});
   trail.update(0);
   EXPECT_NEAR(trail.tau(2, 2, kEast), 12.5, 1e-4);
@@ -257,7 +258,7 @@ TEST(MaxMin, PheromoneStaysBetweenItsBounds) {
 
 TEST(AntColonySystem, OnlyTheBestTourChangesGlobally) {
   // tau <- 0.9 * 1 + 0.1 * (1 / 2) = 0.95 on the best tour, 1 elsewhere.
-  Trail20 trail(defaults("acs"));
+  Trail20 trail(Params("acs"));
   trail.walk({kEast, kEast});
   trail.walk({kNorthEast, kNorthEast, kNorthEast});
   trail.update(0);
@@ -267,7 +268,7 @@ TEST(AntColonySystem, OnlyTheBestTourChangesGlobally) {
 
 TEST(AntColonySystem, CrossedArcsReturnTowardTau0) {
   // xi = 0.1, tau0 = 0.2: tau <- 0.9 * 1 + 0.1 * 0.2 = 0.92.
-  Trail20 trail(defaults("acs"));
+  Trail20 trail(Params("acs"));
   const std::vector<std::uint8_t> moves{kEast};
   const Tour tour{moves, 1};
   std::vector<int> ranking;
@@ -284,7 +285,7 @@ TEST(AntColonySystem, CrossedArcsReturnTowardTau0) {
 
 TEST(LectureGrid, TheBestAntsShareTheDeposit) {
   // Evaporation 0.1, tau0 0.5, Q = 0.5, 3 ants of which 2 deposit: 0.45 + 0.5 / 3.
-  Params p = defaults("lecture-grid");
+  Params p("lecture-grid");
   p.elite_ants = 2;
   Trail20 trail(p, 0.5);
   trail.walk({kEast, kEast});
@@ -301,7 +302,7 @@ TEST(LectureGrid, TheBestAntsShareTheDeposit) {
 
 TEST(TerminalIndex, IsTheLeastKnownWayToTheGoal) {
   // Two ways from (2, 2) to (4, 2): straight, 2; by (3, 1), 2 sqrt(2). Unknown cells stay at 99.
-  Trail20 trail(defaults("terminal-index"), 99);
+  Trail20 trail(Params("terminal-index"), 99);
   constexpr std::uint8_t kSouthEast = 7;
   trail.walk({kNorthEast, kSouthEast});
   trail.update();
@@ -318,7 +319,7 @@ TEST(TerminalIndex, IsTheLeastKnownWayToTheGoal) {
 TEST(TerminalIndex, WeightsAreEquations8And9) {
   // At (3, 2), goal (10, 2): K(4, 2) = 0 is Kmin, so K' = K; unknown 99. East: the least weight.
   // Rows hold one over it.
-  Trail20 trail(defaults("terminal-index"), 99);
+  Trail20 trail(Params("terminal-index"), 99);
   trail.walk({kEast, kEast});
   trail.update();
   trail.rows.field.refresh(schedule(trail.params, 1), 1);
@@ -332,7 +333,7 @@ TEST(TerminalIndex, WeightsAreEquations8And9) {
 
 TEST(Cong2009, SuccessMultipliesPheromoneAndTeachesTheHeuristic) {
   // tau <- 0.8 * 3 = 2.4, then * (1 + 1.2 * 20 / 4) = 16.8; eta <- 1 + 20 / 4 = 6.
-  Trail20 trail(defaults("cong2009"), 3);
+  Trail20 trail(Params("cong2009"), 3);
   trail.walk({2, 2, 2, 2});
   trail.update(0);
   EXPECT_NEAR(trail.tau(4, 2), 16.8, 1e-5);
@@ -342,7 +343,7 @@ TEST(Cong2009, SuccessMultipliesPheromoneAndTeachesTheHeuristic) {
 }
 
 TEST(Cong2009, ADeadEndHalvesTheSecondHalfOfTheTour) {
-  Trail20 trail(defaults("cong2009"), 3);
+  Trail20 trail(Params("cong2009"), 3);
   trail.walk({2, 2, 2, 2}, false);
   trail.update();
   EXPECT_NEAR(trail.tau(3, 2), 2.4, 1e-6);

@@ -14,7 +14,6 @@
 namespace lasius::arm {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 using Cause = StopCondition::Cause;
 
 /// A tour as the trail rules see it.

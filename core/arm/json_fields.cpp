@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/did_you_mean.h"
-#include "core/base/json_place.h"
+#include "core/base/json_text.h"
 #include "lasius/error.h"
 
 namespace lasius::arm {
@@ -13,7 +13,7 @@ namespace {
 
 std::string range_text(double least, double most) {
   const auto shorten = [](double v) {
-    std::string text = nlohmann::json(v).dump();
+    std::string text = json_text(v);
     return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
   };
   return shorten(least) + " .. " + shorten(most);
@@ -37,7 +37,7 @@ void JsonFields::fail(std::string_view name, const std::string& problem,
                       const std::string& remedy) const {
   std::string place = path_;
   if (!name.empty()) place += (place.empty() ? "" : ".") + std::string(name);
-  const auto line = JsonPlace::line(text_, place);
+  const auto line = json_line(text_, place);
   if (place.empty()) place = "the document";
   throw Error(ErrorCode::file_broken, {.file = file_, .line = line}, place + " " + problem, remedy);
 }
@@ -64,7 +64,7 @@ double JsonFields::number(std::string_view name, double least, double most) cons
   if (!value.is_number()) fail(name, "is not a number", "it must be " + range_text(least, most));
   const double number = value.get<double>();
   if (!(number >= least && number <= most)) {
-    fail(name, "is " + value.dump(), "it must be " + range_text(least, most));
+    fail(name, "is " + json_text(value), "it must be " + range_text(least, most));
   }
   return number;
 }
@@ -84,7 +84,7 @@ std::vector<double> JsonFields::numbers(std::string_view name, std::size_t count
   std::vector<double> numbers;
   for (const Json& entry : value) {
     if (!entry.is_number() || !(std::abs(entry.get<double>()) <= most)) {
-      fail(name, "holds " + entry.dump(), remedy);
+      fail(name, "holds " + json_text(entry), remedy);
     }
     numbers.push_back(entry.get<double>());
   }
@@ -131,7 +131,7 @@ std::vector<std::pair<int, int>> JsonFields::pairs(std::string_view name, int mo
   if (!value.is_array()) fail(name, "is not a list", "write it as [[a, b], ...]");
   for (const Json& entry : value) {
     if (!entry.is_array() || entry.size() != 2 || !whole(entry[0]) || !whole(entry[1])) {
-      fail(name, "holds " + entry.dump(),
+      fail(name, "holds " + json_text(entry),
            "it must hold pairs of whole numbers from 0 to " + std::to_string(most));
     }
     pairs.emplace_back(entry[0].get<int>(), entry[1].get<int>());
@@ -139,15 +139,17 @@ std::vector<std::pair<int, int>> JsonFields::pairs(std::string_view name, int mo
   return pairs;
 }
 
-nlohmann::json parse_json(std::string_view text, const std::string& file, std::string_view format) {
-  nlohmann::json document = JsonPlace::parse(text, file);
+std::shared_ptr<const nlohmann::json> parse_json(std::string_view text, const std::string& file,
+                                                 std::string_view format) {
+  nlohmann::json document = read_json(text, file);
   const bool named = document.is_object() && document.contains("format");
   if (!named || document["format"] != format) {
-    throw Error(ErrorCode::file_broken, {.file = file, .line = JsonPlace::line(text, "format")},
-                named ? "format is " + document["format"].dump() : "the document has no \"format\"",
-                "it must be \"" + std::string(format) + "\"");
+    throw Error(
+        ErrorCode::file_broken, {.file = file, .line = json_line(text, "format")},
+        named ? "format is " + json_text(document["format"]) : "the document has no \"format\"",
+        "it must be \"" + std::string(format) + "\"");
   }
-  return document;
+  return std::make_shared<const nlohmann::json>(std::move(document));
 }
 
 }  // namespace lasius::arm

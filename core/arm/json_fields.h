@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
@@ -55,6 +56,7 @@ class JsonFields {
 };
 
 /// The document in `text`, its "format" checked. @throws Error(file_broken) with the byte offset.
-nlohmann::json parse_json(std::string_view text, const std::string& file, std::string_view format);
+std::shared_ptr<const nlohmann::json> parse_json(std::string_view text, const std::string& file,
+                                                 std::string_view format);
 
 }  // namespace lasius::arm

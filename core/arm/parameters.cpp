@@ -72,6 +72,10 @@ constexpr Table kTable(kLists);
 
 std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
 
+const Algorithm& find_algorithm(std::string_view name) {
+  return lasius::find_algorithm(kAlgorithms, name);
+}
+
 void set_parameter(Params& parameters, std::string_view name, std::string_view value) {
   kTable.set(parameters, name, value);
 }

@@ -4,8 +4,10 @@
 #include <fcl/geometry/shape/capsule.h>
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/sphere.h>
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/distance.h>
+#include <fcl/narrowphase/collision_request.h>
+#include <fcl/narrowphase/collision_result.h>
+#include <fcl/narrowphase/distance_request.h>
+#include <fcl/narrowphase/distance_result.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +22,25 @@
 #include "core/arm/vec3.h"
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
+
+namespace fcl {
+
+// As <fcl/narrowphase/collision.h> and distance.h declare them. The library holds both for doubles;
+// those headers bring all that they are made of, which takes long to compile.
+template <class S>
+std::size_t collide(const CollisionGeometry<S>*, const Transform3<S>&, const CollisionGeometry<S>*,
+                    const Transform3<S>&, const CollisionRequest<S>&, CollisionResult<S>&);
+extern template FCL_EXPORT std::size_t collide(const CollisionGeometryd*, const Transform3d&,
+                                               const CollisionGeometryd*, const Transform3d&,
+                                               const CollisionRequestd&, CollisionResultd&);
+template <class S>
+S distance(const CollisionGeometry<S>*, const Transform3<S>&, const CollisionGeometry<S>*,
+           const Transform3<S>&, const DistanceRequest<S>&, DistanceResult<S>&);
+extern template FCL_EXPORT double distance(const CollisionGeometryd*, const Transform3d&,
+                                           const CollisionGeometryd*, const Transform3d&,
+                                           const DistanceRequestd&, DistanceResultd&);
+
+}  // namespace fcl
 
 namespace lasius::arm {
 namespace {
@@ -75,6 +96,19 @@ Placed place(const Obstacle& o) {
   }
 }
 
+/// The shortest turn of z to a direction. But for directions next to -z it is Eigen's
+/// FromTwoVectors to the bit, whose singular value decomposition for these takes long to compile.
+Eigen::Quaterniond turn_of_z(const Eigen::Vector3d& to) {
+  const Eigen::Vector3d v = to.normalized();
+  if (v.z() < -1 + 1e-12) {
+    const double across = std::hypot(v.x(), v.y());
+    if (across == 0) return {0, -1, 0, 0};
+    return {0.5 * across, -v.y() / across, v.x() / across, 0};
+  }
+  const double s = std::sqrt((1 + v.z()) * 2), inverse = 1 / s;
+  return {s * 0.5, -v.y() * inverse, v.x() * inverse, 0};
+}
+
 /// A capsule in its body, as FCL has it: along z, about its middle.
 struct Link {
   Shape shape;
@@ -87,10 +121,7 @@ struct Link {
     shape = std::make_shared<fcl::Capsuled>(c.radius, size);
     in_body = fcl::Transform3d::Identity();
     in_body.translation() = 0.5 * (c.from + c.to);
-    if (size > 0) {
-      in_body.linear() =
-          Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), d).toRotationMatrix();
-    }
+    if (size > 0) in_body.linear() = turn_of_z(d).toRotationMatrix();
   }
 };
 

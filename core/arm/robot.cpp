@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 
 #include "core/arm/json_fields.h"
 #include "core/arm/kinematics.h"
@@ -17,8 +17,8 @@ namespace {
 constexpr double kMostTurn = 1000;  // radians
 
 Robot parse_short(std::string_view text, const std::string& file) {
-  const nlohmann::json document = parse_json(text, file, "lasius-arm/1");
-  const JsonFields top(document, text, file, "",
+  const auto document = parse_json(text, file, "lasius-arm/1");
+  const JsonFields top(*document, text, file, "",
                        {"format", "name", "base", "base_radius", "joints", "may_touch"});
   Robot robot;
   robot.name = top.text_or("name", "");

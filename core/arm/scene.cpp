@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/arm/json_fields.h"
 #include "core/arm/mesh_file.h"
@@ -79,8 +78,8 @@ Obstacle read_obstacle(const JsonFields& fields) {
 
 Scene parse_scene(std::string_view text, const std::string& file) {
   constexpr std::size_t kMost = 10000;
-  const nlohmann::json document = parse_json(text, file, "lasius-scene/1");
-  const JsonFields top(document, text, file, "", {"format", "name", "obstacles"});
+  const auto document = parse_json(text, file, "lasius-scene/1");
+  const JsonFields top(*document, text, file, "", {"format", "name", "obstacles"});
   Scene scene;
   scene.name = top.text_or("name", "");
   for (const JsonFields& fields : top.list(

@@ -23,8 +23,6 @@
 namespace lasius {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 /// Length of a tour. Moves are counted by kind, so that the sum does not depend on their order.
 double raw_length(std::span<const std::uint8_t> tour, const kernels::Moves& moves) {
   std::array<std::int64_t, kernels::kMaxMoves> count{};

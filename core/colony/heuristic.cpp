@@ -88,8 +88,7 @@ double HeuristicRows::base(Cell c, Cell to, double farthest) const noexcept {
 void HeuristicRows::measure_distances(const StopCondition& stop) {
   // Dijkstra from the goal, over 4 or 8 neighbours under the corner rule. Moves can be walked both
   // ways: what closes a corner lies beside it.
-  const auto steps = kernels::moves_of(moves_.count == 4 ? kernels::Neighbourhood::four
-                                                         : kernels::Neighbourhood::eight);
+  const auto steps = moves_of(moves_.count == 4 ? Neighbours::four : Neighbours::eight);
   const auto index = [&](Cell c) { return static_cast<std::int64_t>(c.y) * grid_->width() + c.x; };
   distances_ = ZeroArray<float>(static_cast<std::int64_t>(grid_->width()) * grid_->height());
   using Item = std::tuple<float, int, int>;

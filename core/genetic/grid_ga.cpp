@@ -16,7 +16,6 @@
 namespace lasius {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What random words are for, the last place of a counter; 0 belongs to the ants.

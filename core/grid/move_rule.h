@@ -1,6 +1,9 @@
 // Which moves exist: a neighbourhood's, under a rule of corners.
 #pragma once
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "kernels/base/moves.h"
 #include "lasius/grid.h"
 #include "lasius/moves.h"
@@ -9,23 +12,34 @@ namespace lasius {
 
 inline Cell operator+(Cell c, kernels::Offset o) noexcept { return {c.x + o.dx, c.y + o.dy}; }
 
+/// All moves of a neighbourhood in scan order: row by row, left to right.
 inline kernels::Moves moves_of(Neighbours neighbours) noexcept {
-  using kernels::Neighbourhood;
-  switch (neighbours) {
-    case Neighbours::four:
-      return kernels::moves_of(Neighbourhood::four);
-    case Neighbours::eight:
-      return kernels::moves_of(Neighbourhood::eight);
-    case Neighbours::sixteen:
-      return kernels::moves_of(Neighbourhood::sixteen);
-    case Neighbours::sixteen_knight:
-      return kernels::moves_of(Neighbourhood::sixteen_knight);
-    case Neighbours::twenty_four:
-      return kernels::moves_of(Neighbourhood::twenty_four);
-    case Neighbours::thirty_two:
-      return kernels::moves_of(Neighbourhood::thirty_two);
+  const auto has = [neighbours](int dx, int dy) {
+    const int ax = std::abs(dx), ay = std::abs(dy), reach = std::max(ax, ay);
+    const bool straight = ax == 0 || ay == 0 || ax == ay;  // one of the 8 directions
+    switch (neighbours) {
+      case Neighbours::four:
+        return ax + ay == 1;
+      case Neighbours::eight:
+        return reach == 1;
+      case Neighbours::sixteen:
+        return straight && (reach == 1 || reach == 2);
+      case Neighbours::sixteen_knight:
+        return reach == 1 || ax * ay == 2;
+      case Neighbours::twenty_four:
+        return reach == 1 || reach == 2;
+      case Neighbours::thirty_two:
+        return reach == 1 || reach == 2 || (straight && reach == 3);
+    }
+    return false;
+  };
+  kernels::Moves moves;
+  for (int dy = -kernels::kMaxReach; dy <= kernels::kMaxReach; ++dy) {
+    for (int dx = -kernels::kMaxReach; dx <= kernels::kMaxReach; ++dx) {
+      if (has(dx, dy)) moves.move[moves.count++] = kernels::make_move(dx, dy);
+    }
   }
-  return kernels::moves_of(Neighbourhood::eight);
+  return moves;
 }
 
 /// May a move pass between two cells that touch at a lattice point?

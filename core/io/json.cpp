@@ -22,7 +22,7 @@ Error broken(const std::string& problem) {
 
 Json read_object(std::string_view text) {
   if (too_deep(text)) throw broken("nests too deep");
-  Json object = Json::parse(text, nullptr, false);
+  Json object = json::parsed(text);
   if (!object.is_object()) throw broken("is not an object");
   return object;
 }
@@ -38,7 +38,7 @@ bool fits(const Json& value) {
 std::vector<int> whole_numbers(const Json& object, const std::string& key) {
   const Json list = object.value(key, Json());
   const bool good = list.is_array() && std::ranges::all_of(list, fits<int>);
-  if (!good) throw broken("holds \"" + key + "\": " + list.dump());
+  if (!good) throw broken("holds \"" + key + "\": " + json::dumped(list));
   return list.get<std::vector<int>>();
 }
 
@@ -56,7 +56,7 @@ Value member(const Json& object, const std::string& key) {
     }
   } catch (const Json::exception&) {
   }
-  throw broken("holds \"" + key + "\": " + value.dump());
+  throw broken("holds \"" + key + "\": " + json::dumped(value));
 }
 
 /// The same; `otherwise` where it is missing or null.
@@ -71,7 +71,7 @@ std::vector<double> curve(const Json& object, const std::string& key) {
   std::vector<double> values;
   for (const Json& value : member<std::vector<Json>>(object, key)) {
     if (!value.is_null() && !value.is_number())
-      throw broken("holds \"" + key + "\": " + value.dump());
+      throw broken("holds \"" + key + "\": " + json::dumped(value));
     values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN()
                                      : value.get<double>());
   }
@@ -111,7 +111,7 @@ Params params_from_json(std::string_view text) {
   params.seed = member_or(object, "seed", params.seed);
   params.threads = member_or(object, "threads", params.threads);
   const Json values = member_or(object, "parameters", Json(Json::object()));
-  if (!values.is_object()) throw broken("holds \"parameters\": " + values.dump());
+  if (!values.is_object()) throw broken("holds \"parameters\": " + json::dumped(values));
   for (const auto& [name, value] : values.items())
     if (!is_setting(name)) set_parameter(params, name, json::parameter_text(value));
   validate(params);

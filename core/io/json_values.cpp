@@ -31,13 +31,13 @@ Json points(const std::vector<Point>& path) {
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 Json parameter(const std::string& text) {
-  const Json value = Json::parse(text, nullptr, false);
+  const Json value = parsed(text);
   return value.is_number() ? value : Json(text);
 }
 
 std::string parameter_text(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
-  return value.is_number_float() ? number_text(value.get<double>()) : value.dump();
+  return value.is_number_float() ? number_text(value.get<double>()) : dumped(value);
 }
 
 Json parameters(const Algorithm& algorithm,
@@ -60,6 +60,10 @@ void add_proof(Json& json, const SearchResult& result) {
   json["gap"] = optional_number(result.gap());
   json["optimal"] = result.optimal;
 }
+
+Json parsed(std::string_view text) { return Json::parse(text, nullptr, false); }
+
+std::string dumped(const Json& value) { return value.dump(); }
 
 std::string line(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -41,7 +41,11 @@ LASIUS_IO_EXPORT Json parameters(const Algorithm& algorithm,
 LASIUS_IO_EXPORT void add_convergence(Json& json, const Convergence& run);
 LASIUS_IO_EXPORT void add_proof(Json& json, const SearchResult& result);
 
-/// A value on one line; text that is not UTF-8 has its bad bytes replaced.
+/// The text as JSON; discarded where it is none.
+LASIUS_IO_EXPORT Json parsed(std::string_view text);
+/// A value as text. The writer is compiled here alone, since that takes long; the parser, too.
+LASIUS_IO_EXPORT std::string dumped(const Json& value);
+/// A value on a line of its own; text that is not UTF-8 has its bad bytes replaced.
 LASIUS_IO_EXPORT std::string line(const Json& value);
 
 }  // namespace lasius::json

@@ -67,6 +67,8 @@ struct Params {
 
 /// All parameters by name, with ranges, as `lasius algorithms` lists them; valid for ever.
 LASIUS_ARM_EXPORT std::span<const Algorithm> algorithms() noexcept;
+/// One of them. @throws Error(invalid_parameter) for an unknown name, with the nearest.
+LASIUS_ARM_EXPORT const Algorithm& find_algorithm(std::string_view name);
 /// Sets a parameter by its name, from text.
 /// @throws Error(invalid_parameter) for an unknown name (with the nearest), value or range.
 LASIUS_ARM_EXPORT void set_parameter(Params& parameters, std::string_view name,

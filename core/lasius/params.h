@@ -196,7 +196,7 @@ struct LASIUS_EXPORT Params : TrailParams {
 
   // Update: tau <- persistence * tau, then deposits. Its numbers are in TrailParams.
   Update update = Update::ant_system;  ///< how the trail changes
-  double initial_pheromone = 1;        ///< tau0; 0: the family's own formula, see `defaults()`
+  double initial_pheromone = 1;        ///< tau0; 0: the family's own formula, see docs/theory.md
   /// Polish::none makes no straight paths, and so implies StraightDeposit::none.
   StraightDeposit straight_deposit = StraightDeposit::all;
   int batch = 0;  ///< ants that walk before a local update; 0: all of them
@@ -250,9 +250,6 @@ LASIUS_EXPORT std::span<const Algorithm> algorithms() noexcept;
 
 /// One of them. @throws Error(invalid_parameter) for an unknown name, with the nearest known one.
 LASIUS_EXPORT const Algorithm& find_algorithm(std::string_view name);
-
-/// The published values of an algorithm: Params(algorithm).
-inline Params defaults(std::string_view algorithm) { return Params(algorithm); }
 
 /// Sets or gets one parameter by the name in `algorithms()`; numbers round-trip.
 /// @throws Error(invalid_parameter) for an unknown name (with the nearest), value or range.

@@ -51,9 +51,10 @@ class LASIUS_EXPORT Planner {
   Planner(Grid grid, const PrepareOptions& options);
   /// As the constructors, for those who may have to stop: empty if stopped while components were
   /// labelled. `grid` is moved from only where a planner comes of it.
-  [[nodiscard]] static std::optional<Planner> make(Grid&& grid, const StopCondition& stop);
+  [[nodiscard]] static std::optional<Planner> make(Grid&& grid, const StopCondition& stop = {});
   /// The same, with the visibility graph; empty only if stopped while components were labelled.
-  [[nodiscard]] static std::optional<Planner> make(Grid&& grid, const PrepareOptions& options);
+  [[nodiscard]] static std::optional<Planner> make_prepared(Grid&& grid,
+                                                            const PrepareOptions& options = {});
   /// A planner for the same map, prepared as by the constructor. Copies the bitmap and its
   /// components; this one stays as it is.
   Planner prepared(const PrepareOptions& options) const;

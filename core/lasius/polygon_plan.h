@@ -94,8 +94,6 @@ struct LASIUS_POLYGON_EXPORT Params {
 LASIUS_POLYGON_EXPORT std::span<const Algorithm> algorithms() noexcept;
 /// One of them. @throws Error(invalid_parameter) for an unknown name, with the nearest.
 LASIUS_POLYGON_EXPORT const Algorithm& find_algorithm(std::string_view name);
-/// The published values of an algorithm: Params(algorithm).
-inline Params defaults(std::string_view algorithm) { return Params(algorithm); }
 /// Sets a parameter by its name, from text.
 /// @throws Error(invalid_parameter) for an unknown name (with the nearest), value or range.
 LASIUS_POLYGON_EXPORT void set_parameter(Params& parameters, std::string_view name,

@@ -15,8 +15,8 @@ struct PrepareOptions {
   int threads = 0;  ///< at most 1024; 0: as many as OpenMP gives; never changes what is prepared
   /// A graph that would take more is abandoned. A Workspace takes 32 bytes more for each vertex.
   std::int64_t max_bytes = std::int64_t{1} << 30;
-  /// Ends the preparation; what was made of the graph is dropped. Planner::make asks it while
-  /// components are labelled, too.
+  /// Ends the preparation; what was made of the graph is dropped. Planner::make_prepared
+  /// asks it while components are labelled, too.
   StopCondition stop = {};
 };
 

@@ -1,7 +1,5 @@
 #include "core/loop/colony_loop.h"
 
-#include <limits>
-
 #include "core/base/thread_team.h"
 
 namespace lasius {
@@ -17,7 +15,7 @@ void record(const ColonyWorld& world, Convergence& run) {
     ++arrived;
   }
   run.best.push_back(world.best_length());
-  run.mean.push_back(arrived > 0 ? sum / arrived : std::numeric_limits<double>::quiet_NaN());
+  run.mean.push_back(arrived > 0 ? sum / arrived : kNaN);
   run.arrived.push_back(arrived);
   ++run.iterations;
 }

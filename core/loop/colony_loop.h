@@ -1,11 +1,16 @@
 // The one loop that every ant algorithm runs, on a bitmap, among polygons or in a lattice.
 #pragma once
 
+#include <limits>
+
 #include "lasius/export.h"
 #include "lasius/search_result.h"
 #include "lasius/stop.h"
 
 namespace lasius {
+
+/// The length of what is not there.
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A world as the loop sees it: where ants walk, what a tour is, what carries pheromone.
 class ColonyWorld {

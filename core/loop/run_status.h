@@ -2,6 +2,7 @@
 // it.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,12 +60,13 @@ inline Result result_after(StopCondition::Cause cause, Convergence run, std::vec
   return result;
 }
 
-/// Shows an observer, if there is one, the run's last iteration. Says whether it asked to stop.
+/// Shows an observer, if there is one, the run's last iteration; `view` has the iterations and the
+/// best length before the run, if any. Says whether it asked to stop.
 template <class SomeObserver, class View>
 StopCondition::Cause show(const SomeObserver& observer, const Convergence& run, View view) {
   if (!observer) return StopCondition::Cause::none;
-  view.iteration = run.iterations - 1;
-  view.best_length = run.best.back();
+  view.iteration += run.iterations - 1;
+  view.best_length = std::fmin(view.best_length, run.best.back());
   view.mean_length = run.mean.back();
   view.arrived = run.arrived.back();
   observer(view);

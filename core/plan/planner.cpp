@@ -27,7 +27,7 @@ Planner::Planner(Grid grid, const PrepareOptions& options)
 std::optional<Planner> Planner::make(Grid&& grid, const StopCondition& stop) {
   return if_made(Impl::make(std::move(grid), stop));
 }
-std::optional<Planner> Planner::make(Grid&& grid, const PrepareOptions& options) {
+std::optional<Planner> Planner::make_prepared(Grid&& grid, const PrepareOptions& options) {
   return if_made(Impl::make(std::move(grid), options.stop, options));
 }
 Planner Planner::prepared(const PrepareOptions& options) const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
 #include "core/base/poller.h"
@@ -15,7 +14,6 @@ namespace lasius::polygon {
 namespace {
 
 constexpr int kMostTabulated = 64;  // values, for the table of distances
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A value of a gate.
 struct Node {

@@ -8,8 +8,6 @@
 namespace lasius::polygon {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 struct Chromosome {
   std::vector<double> genes;
   double length = kNaN;

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/did_you_mean.h"
-#include "core/base/json_place.h"
+#include "core/base/json_text.h"
 #include "core/polygon/world_maker.h"
 
 namespace lasius::polygon {
@@ -25,7 +25,7 @@ class GeoJsonReader {
         repair_(options.repair) {}
 
   World read() {
-    const Json json = JsonPlace::parse(text_, name_);
+    const Json json = read_json(text_, name_);
     if (!json.is_object() || text_of(json, "type") != "FeatureCollection") {
       fail("", "is no FeatureCollection", kShape);
     }
@@ -46,7 +46,7 @@ class GeoJsonReader {
  private:
   [[noreturn]] void fail(const std::string& place, const std::string& problem,
                          const std::string& remedy) const {
-    throw Error(ErrorCode::file_broken, {.file = name_, .line = JsonPlace::line(text_, path_)},
+    throw Error(ErrorCode::file_broken, {.file = name_, .line = json_line(text_, path_)},
                 place.empty() ? problem : place + ": " + problem, remedy);
   }
 
@@ -147,26 +147,27 @@ class GeoJsonReader {
   bool repair_;
 };
 
-/// Keeps its members in the order in which they are added.
-using Written = nlohmann::ordered_json;
-
-Written positions(const Ring& ring) {
-  Written list = Written::array();
-  for (const Point p : ring) list.push_back({p.x, p.y});
-  if (!ring.empty()) list.push_back({ring[0].x, ring[0].y});
-  return list;
+std::string position(Point p) {
+  return std::string("[").append(json_text(p.x)).append(",").append(json_text(p.y)).append("]");
 }
 
-Written feature(const char* role, const char* type, Written coordinates) {
-  return {{"type", "Feature"},
-          {"properties", {{"role", role}}},
-          {"geometry", {{"type", type}, {"coordinates", std::move(coordinates)}}}};
+/// Closed, as the format has it.
+std::string positions(const Ring& ring) {
+  std::string text = "[";
+  for (const Point p : ring) text += position(p) + ",";
+  return text + (ring.empty() ? "]" : position(ring[0]) + "]");
 }
 
-Written rings(const Polygon& polygon) {
-  Written list = Written::array({positions(polygon.outer)});
-  for (const Ring& hole : polygon.holes) list.push_back(positions(hole));
-  return list;
+std::string rings(const Polygon& polygon) {
+  std::string text = "[";
+  text += positions(polygon.outer);
+  for (const Ring& hole : polygon.holes) text.append(",").append(positions(hole));
+  return text + "]";
+}
+
+std::string feature(const char* role, const char* type, const std::string& coordinates) {
+  return std::string(R"({"type":"Feature","properties":{"role":")") + role +
+         R"("},"geometry":{"type":")" + type + R"(","coordinates":)" + coordinates + "}}";
 }
 
 }  // namespace
@@ -176,19 +177,16 @@ World parse_geojson(std::string_view text, const std::string& name, const ReadOp
 }
 
 std::string to_geojson(const World& world) {
-  std::vector<Written> features{feature("boundary", "Polygon", rings(world.boundary))};
-  for (const Polygon& p : world.obstacles) {
+  std::vector<std::string> features{feature("boundary", "Polygon", rings(world.boundary))};
+  for (const Polygon& p : world.obstacles)
     features.push_back(feature("obstacle", "Polygon", rings(p)));
-  }
-  if (world.start) features.push_back(feature("start", "Point", {world.start->x, world.start->y}));
-  if (world.goal) features.push_back(feature("goal", "Point", {world.goal->x, world.goal->y}));
+  if (world.start) features.push_back(feature("start", "Point", position(*world.start)));
+  if (world.goal) features.push_back(feature("goal", "Point", position(*world.goal)));
   // A line a feature, for people and for diffs.
-  std::string text =
-      "{\"type\": \"FeatureCollection\", \"margin\": " + Written(world.margin).dump() +
-      ", \"features\": [\n";
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    text += features[i].dump() + (i + 1 < features.size() ? ",\n" : "\n");
-  }
+  std::string text = R"({"type": "FeatureCollection", "margin": )" + json_text(world.margin) +
+                     ", \"features\": [\n";
+  for (std::size_t i = 0; i < features.size(); ++i)
+    text += features[i] + (i + 1 < features.size() ? ",\n" : "\n");
   return text + "]}\n";
 }
 

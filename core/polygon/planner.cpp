@@ -20,8 +20,6 @@
 namespace lasius::polygon {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 double checked_margin(double margin) {
   if (const auto wrong = margin_fault(margin)) {
     throw Error(ErrorCode::invalid_parameter, *wrong, kMarginRemedy);
@@ -255,24 +253,17 @@ class RoutePlan {
     return run.cause;
   }
 
-  double so_far(const Result& result, double best) const {
-    return result.dijkstra ? std::min(best, result.crossing.length) : best;
-  }
-
   StopCondition::Cause observe(const Convergence& run, const Result& result) const {
-    if (!observer_) return StopCondition::Cause::none;
     Progress view;
-    view.iteration = result.iterations + run.iterations - 1;
-    view.best_length = so_far(result, run.best.back());
-    view.mean_length = run.mean.back();
-    view.arrived = run.arrived.back();
+    view.iteration = result.iterations;
+    if (result.dijkstra) view.best_length = result.crossing.length;
     view.lower_bound = result.lower_bound;
-    observer_(view);
-    return view.stopped() ? StopCondition::Cause::token : StopCondition::Cause::none;
+    return show(observer_, run, view);
   }
 
-  void append(const Convergence& run, Result& result) const {
-    for (const double best : run.best) result.best.push_back(so_far(result, best));
+  static void append(const Convergence& run, Result& result) {
+    for (const double best : run.best)
+      result.best.push_back(result.dijkstra ? std::min(best, result.crossing.length) : best);
     result.mean.insert(result.mean.end(), run.mean.begin(), run.mean.end());
     result.arrived.insert(result.arrived.end(), run.arrived.begin(), run.arrived.end());
     result.iterations += run.iterations;

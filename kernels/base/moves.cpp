@@ -6,31 +6,11 @@
 namespace lasius::kernels {
 namespace {
 
-bool belongs(Neighbourhood neighbourhood, int dx, int dy) noexcept {
-  const int ax = std::abs(dx), ay = std::abs(dy);
-  const int reach = ax > ay ? ax : ay;
-  const bool straight = ax == 0 || ay == 0 || ax == ay;  // one of the 8 directions
-  switch (neighbourhood) {
-    case Neighbourhood::four:
-      return ax + ay == 1;
-    case Neighbourhood::eight:
-      return reach == 1;
-    case Neighbourhood::sixteen:
-      return straight && (reach == 1 || reach == 2);
-    case Neighbourhood::sixteen_knight:
-      return reach == 1 || ax * ay == 2;
-    case Neighbourhood::twenty_four:
-      return reach == 1 || reach == 2;
-    case Neighbourhood::thirty_two:
-      return reach == 1 || reach == 2 || (straight && reach == 3);
-  }
-  return false;
-}
-
 int sign(int v) noexcept { return (v > 0) - (v < 0); }
 
-/// Follows the segment from centre to centre, cell by cell.
-Move trace(int dx, int dy) noexcept {
+}  // namespace
+
+Move make_move(int dx, int dy) noexcept {
   Move move;
   move.to = {static_cast<std::int8_t>(dx), static_cast<std::int8_t>(dy)};
   move.length = std::sqrt(static_cast<double>(dx * dx + dy * dy));
@@ -39,6 +19,7 @@ Move trace(int dx, int dy) noexcept {
   const auto offset = [&](int cx, int cy) {
     return Offset{static_cast<std::int8_t>(cx * sx), static_cast<std::int8_t>(cy * sy)};
   };
+  // Along the segment from centre to centre, cell by cell.
   while (x < ax || y < ay) {
     // The next grid line along x is crossed at (2x + 1) / (2 ax) of the way, along y likewise.
     const int next_x = ax == 0 ? 1 : (2 * x + 1) * ay;
@@ -53,18 +34,6 @@ Move trace(int dx, int dy) noexcept {
     if (x < ax || y < ay) move.swept[move.swept_count++] = offset(x, y);
   }
   return move;
-}
-
-}  // namespace
-
-Moves moves_of(Neighbourhood neighbourhood) noexcept {
-  Moves moves;
-  for (int dy = -kMaxReach; dy <= kMaxReach; ++dy) {
-    for (int dx = -kMaxReach; dx <= kMaxReach; ++dx) {
-      if (belongs(neighbourhood, dx, dy)) moves.move[moves.count++] = trace(dx, dy);
-    }
-  }
-  return moves;
 }
 
 }  // namespace lasius::kernels

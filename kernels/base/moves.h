@@ -1,4 +1,4 @@
-// Neighbourhoods: the moves of an ant on a grid.
+// The moves of an ant on a grid.
 #pragma once
 
 #include <array>
@@ -9,15 +9,6 @@ namespace lasius::kernels {
 inline constexpr int kMaxMoves = 32;
 inline constexpr int kMaxReach = 3;  ///< cells that a move goes at most, along x or y
 inline constexpr int kMaxSwept = 6;  ///< cells that a move sweeps at most, its ends not counted
-
-enum class Neighbourhood {
-  four,            ///< along x or y
-  eight,           ///< all around
-  sixteen,         ///< the 8 directions at 1 and 2 cells
-  sixteen_knight,  ///< 8 and the knight's moves
-  twenty_four,     ///< all of the 5 x 5 square
-  thirty_two,      ///< 24 and the 8 directions at 3 cells
-};
 
 /// A difference of cells.
 struct Offset {
@@ -46,7 +37,8 @@ struct Moves {
   const Move& operator[](int k) const noexcept { return move[k]; }
 };
 
-/// Whole-number arithmetic only. sqrt gives the lengths.
-Moves moves_of(Neighbourhood neighbourhood) noexcept;
+/// The move by (dx, dy) cells, each at most kMaxReach either way, not both 0. Whole-number
+/// arithmetic only, but for sqrt, which gives the length.
+Move make_move(int dx, int dy) noexcept;
 
 }  // namespace lasius::kernels

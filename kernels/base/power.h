@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "kernels/base/horner.h"
+
 namespace lasius::kernels {
 
 /// x^a for normal x > 0, in double; 2^-1000 below that and 2^1000 above. Relative error below 1e-12
@@ -23,14 +25,7 @@ namespace lasius::kernels {
       std::bit_cast<double>((centred >> 52) | 0x4330000000000000ULL) - (0x1p52 + 1023);
   const double s = (m - 1) / (m + 1);
   const double z = s * s;
-  double p = 1.0 / 15;
-  p = p * z + 1.0 / 13;
-  p = p * z + 1.0 / 11;
-  p = p * z + 1.0 / 9;
-  p = p * z + 1.0 / 7;
-  p = p * z + 1.0 / 5;
-  p = p * z + 1.0 / 3;
-  p = p * z + 1.0;
+  const double p = horner(z, 1.0 / 15, 1.0 / 13, 1.0 / 11, 1.0 / 9, 1.0 / 7, 1.0 / 5, 1.0 / 3, 1.0);
   const double log2_x = exponent + (p * s) * 2.8853900817779268147;  // 2 / ln 2
 
   // Beyond 1023 the exponent would wrap round. Magnitudes compare as integers: compilers keep a
@@ -43,19 +38,9 @@ namespace lasius::kernels {
       std::bit_cast<double>((magnitude < kMost ? magnitude : kMost) | (unbounded & ~kMagnitude));
   const double rounded = y + kShift;
   const double f = (y - (rounded - kShift)) * 0.69314718055994530942;
-  double e = 1.0 / 479001600;
-  e = e * f + 1.0 / 39916800;
-  e = e * f + 1.0 / 3628800;
-  e = e * f + 1.0 / 362880;
-  e = e * f + 1.0 / 40320;
-  e = e * f + 1.0 / 5040;
-  e = e * f + 1.0 / 720;
-  e = e * f + 1.0 / 120;
-  e = e * f + 1.0 / 24;
-  e = e * f + 1.0 / 6;
-  e = e * f + 0.5;
-  e = e * f + 1.0;
-  e = e * f + 1.0;
+  const double e =
+      horner(f, 1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320,
+             1.0 / 5040, 1.0 / 720, 1.0 / 120, 1.0 / 24, 1.0 / 6, 0.5, 1.0, 1.0);
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(e) +
                                (std::bit_cast<std::uint64_t>(rounded) << 52));
 }

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "kernels/base/horner.h"
+
 namespace lasius::kernels {
 
 struct SineCosine {
@@ -18,22 +20,11 @@ inline SineCosine sine_cosine(double x) noexcept {
   const double r = ((x - turns * 1.57079632673412561417) - turns * 6.07710050630396597660e-11) -
                    turns * 2.02226624879595063154e-21;
   const double z = r * r;
-  double s = 1.0 / 355687428096000;
-  s = s * z - 1.0 / 1307674368000;
-  s = s * z + 1.0 / 6227020800;
-  s = s * z - 1.0 / 39916800;
-  s = s * z + 1.0 / 362880;
-  s = s * z - 1.0 / 5040;
-  s = s * z + 1.0 / 120;
-  s = s * z - 1.0 / 6;
+  double s = horner(z, 1.0 / 355687428096000, -1.0 / 1307674368000, 1.0 / 6227020800,
+                    -1.0 / 39916800, 1.0 / 362880, -1.0 / 5040, 1.0 / 120, -1.0 / 6);
   s = r + r * z * s;
-  double c = 1.0 / 20922789888000;
-  c = c * z - 1.0 / 87178291200;
-  c = c * z + 1.0 / 479001600;
-  c = c * z - 1.0 / 3628800;
-  c = c * z + 1.0 / 40320;
-  c = c * z - 1.0 / 720;
-  c = c * z + 1.0 / 24;
+  double c = horner(z, 1.0 / 20922789888000, -1.0 / 87178291200, 1.0 / 479001600, -1.0 / 3628800,
+                    1.0 / 40320, -1.0 / 720, 1.0 / 24);
   c = 1 - z * 0.5 + z * z * c;
   switch (static_cast<std::int64_t>(turns) & 3) {
     case 0:

@@ -40,8 +40,8 @@ LASIUS_AVX2 void advance(const WalkWorld& world, Group* const (&groups)[kGroups]
   }
 }
 
-/// What walk_body.h asks for, with AVX2.
-struct Avx2Ops : RowDraw {
+/// What walk_body.h asks for, in registers as AVX2 has them.
+struct VectorOps : RowDraw {
   /// Advances ants that walk by up to `rounds` steps and returns how many it did; none where too
   /// few walk, or where a row has more than eight moves.
   template <int kLanes, bool kMixture, bool kFactor, Draw kDraw>

@@ -7,7 +7,7 @@
 #define LASIUS_AVX512
 #include "kernels/walk/lockstep.h"
 #define LASIUS_TARGET LASIUS_AVX2
-#define LASIUS_OPS Avx2Ops
+#define LASIUS_OPS VectorOps
 // After both.
 #include "kernels/walk/walk_body.h"
 

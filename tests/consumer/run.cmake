@@ -46,16 +46,17 @@ if(NOT LIBRARY_DIR)
     -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
     -DBUILD_SHARED_LIBS=${shared} -DLASIUS_BUILD_IO=${BUILD_IO}
     -DLASIUS_BUILD_ARM=${BUILD_ARM} -DLASIUS_BUILD_POLYGON=${BUILD_POLYGON}
-    -DLASIUS_BUILD_TOOLS=OFF
+    -DLASIUS_BUILD_TOOLS=OFF -DLASIUS_UNITY=ON
     -DLASIUS_BUILD_TESTS=OFF -DLASIUS_BUILD_BENCH=OFF -DCMAKE_INSTALL_LIBDIR=${LIBDIR})
   run("building the library" ${CMAKE_COMMAND} --build ${LIBRARY_DIR})
 endif()
 run("installing" ${CMAKE_COMMAND} --install ${LIBRARY_DIR} --prefix ${prefix})
-foreach(file IN ITEMS LICENSE README.md)
+foreach(file IN ITEMS LICENSE README.md docs/library.md)
   if(NOT EXISTS ${prefix}/${DOCDIR}/${file})
     message(FATAL_ERROR "${KIND}: ${file} is not in ${DOCDIR}")
   endif()
 endforeach()
+run("checking the documents' links" ${PYTHON3} ${SOURCE_DIR}/.ci/check_links ${prefix}/${DOCDIR})
 
 # README.md's first C++ block is the example, so that it cannot drift.
 file(READ ${SOURCE_DIR}/README.md readme)
@@ -79,8 +80,12 @@ endif()
 if(BUILD_POLYGON)
   list(APPEND components polygon)
 endif()
+set(source_io ${CMAKE_CURRENT_LIST_DIR}/project/use_io.cpp)
+set(source_arm ${prefix}/${DOCDIR}/docs/examples/arm.cpp)
+set(source_polygon ${prefix}/${DOCDIR}/docs/examples/polygon.cpp)
 set(configure ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/project ${toolchain}
-  -DCMAKE_PREFIX_PATH=${prefix} -DEXAMPLE=${WORK_DIR}/example.cpp)
+  -DCMAKE_PREFIX_PATH=${prefix} -DEXAMPLE=${WORK_DIR}/example.cpp -DSOURCE_IO=${source_io}
+  -DSOURCE_ARM=${source_arm} -DSOURCE_POLYGON=${source_polygon})
 list(JOIN components "," component_names)
 run("configuring the consumer" ${configure} -B ${build} -DCOMPONENTS=${component_names}
   -DLASIUS_WANTED=${VERSION})
@@ -119,12 +124,12 @@ foreach(component IN LISTS components)
   separate_arguments(flags UNIX_COMMAND "${output}")
   # The standard comes last: Debian's urdfdom names an older one.
   run("compiling with pkg-config for ${component}" ${CXX}
-    ${CMAKE_CURRENT_LIST_DIR}/project/use_${component}.cpp -o ${WORK_DIR}/use_${component} ${flags}
+    ${source_${component}} -o ${WORK_DIR}/use_${component} ${flags}
     -std=c++20 -Wl,-rpath,${prefix}/${LIBDIR})
   run("use_${component} by pkg-config" ${WORK_DIR}/use_${component} ${WORK_DIR})
   if(component STREQUAL "arm")
     # Memory that Eigen allocates with another alignment could not be freed: the linker refuses.
-    execute_process(COMMAND ${CXX} ${CMAKE_CURRENT_LIST_DIR}/project/use_arm.cpp
+    execute_process(COMMAND ${CXX} ${source_arm}
         -DEIGEN_MAX_ALIGN_BYTES=64 -o ${WORK_DIR}/other_alignment ${flags} -std=c++20
       ERROR_VARIABLE err RESULT_VARIABLE failed)
     if(NOT failed OR NOT err MATCHES "compile_with_the_Eigen_alignment_of_lasius<64, false>")

@@ -225,7 +225,7 @@ class Signals(ProgramTest):
                     "r.json", "-o", "r.png", *more)
                 self.assertEqual(run.code, 130, run.err)
                 self.assertIn("interrupted", run.err)
-                self.assertNotIn("prepared in", run.err)
+                self.assertNotIn("ready after", run.err)
                 self.assertEqual((run.json["status"], run.json["path"], run.json["length"]),
                                  ("interrupted", None, None))
                 self.assertEqual((run.json["best"], run.json["error"]), ([], None))

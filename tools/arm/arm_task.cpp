@@ -127,7 +127,9 @@ class ArmTask : public Task {
     files.insert(files.end(), {command_.robot, command_.scene});
     return files;
   }
-  const Algorithm& algorithm() const override { return arm::algorithms().front(); }
+  const Algorithm& algorithm() const override {
+    return arm::find_algorithm(arm::Params::algorithm());
+  }
   std::string parameter(std::string_view name) const override {
     return get_parameter(found_.parameters, name);
   }
@@ -243,7 +245,7 @@ class ArmTask : public Task {
 std::unique_ptr<Task> recorded_arm(const Recorded& from) {
   const Json& result = from.result;
   ArmCommand command;
-  read_recorded(from, arm::algorithms().front(), command);
+  read_recorded(from, arm::find_algorithm(arm::Params::algorithm()), command);
   command.robot = from.found(recorded<std::string>(result, "robot/file"));
   command.scene = from.found(recorded<std::string>(result, "scene/file"));
   command.base_link = recorded_optional<std::string>(result, "robot/base_link").value_or("");

@@ -8,7 +8,7 @@ namespace lasius::tool {
 namespace {
 
 /// Adds what --gap asks for. Each search has the time that the plan had, from its own start.
-void add_optima(const PreparedMap& map, const RunOptions& run, const StopCondition& stop,
+void add_optima(const LoadedMap& map, const RunOptions& run, const StopCondition& stop,
                 Answer& answer) {
   const Request query{answer.start.cell, answer.goal.cell};
   const Request exact{
@@ -23,7 +23,7 @@ void add_optima(const PreparedMap& map, const RunOptions& run, const StopConditi
 
 }  // namespace
 
-Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start, const Place& goal,
+Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, const Place& goal,
               const StopCondition& stop, const Observer& observer) {
   Answer answer{.start = start, .goal = goal};
   if (!map.planner) {
@@ -51,7 +51,7 @@ void set_optima(const RunOptions& run, std::optional<double> any_angle,
   answer.grid_optimum = moves_on_cells(run.params) ? by_moves : answer.optimum;
 }
 
-std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOptions& run,
+std::optional<double> shortest_by_own_moves(const LoadedMap& map, const RunOptions& run,
                                             const Request& query, const StopCondition& stop) {
   const Grid& grid = map.grid();
   const bool joined = grid.free(query.start) && grid.free(query.goal) &&

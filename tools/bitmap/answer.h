@@ -26,12 +26,12 @@ struct Answer {
 
 /// Plans from `start` to `goal` under `stop`, then looks for --gap's optima under the token and,
 /// each, as long a limit again.
-Answer answer(const PreparedMap& map, const RunOptions& run, const Place& start, const Place& goal,
+Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, const Place& goal,
               const StopCondition& stop, const Observer& observer = {});
 
 /// Length of the shortest walk by the moves of the run's algorithm, if there is one and it is found
 /// in time. Precondition: the algorithm is not `exact`.
-std::optional<double> shortest_by_own_moves(const PreparedMap& map, const RunOptions& run,
+std::optional<double> shortest_by_own_moves(const LoadedMap& map, const RunOptions& run,
                                             const Request& query, const StopCondition& stop);
 
 /// Fills in what --gap asks for, from the shortest path of all and, of an algorithm that moves on

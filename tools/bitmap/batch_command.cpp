@@ -26,7 +26,7 @@ namespace {
 /// What files need of a batch, kept only for the kinds that are asked for.
 class Collected {
  public:
-  Collected(const PreparedMap& map, const BitmapTask& task) : map_(map), task_(task) {
+  Collected(const LoadedMap& map, const BitmapTask& task) : map_(map), task_(task) {
     for (const auto& file : task.options().outputs) {
       csv_ |= is_table(file);
       paths_ |= is_picture(file);
@@ -50,7 +50,7 @@ class Collected {
   }
 
  private:
-  const PreparedMap& map_;
+  const LoadedMap& map_;
   const BitmapTask& task_;
   bool json_ = false, csv_ = false, paths_ = false;
   std::string lines_, rows_;
@@ -62,7 +62,7 @@ struct Optima {
   std::vector<double> any_angle, by_moves;
 };
 
-Optima optima(const PreparedMap& map, const RunOptions& run, std::span<const Request> queries,
+Optima optima(const LoadedMap& map, const RunOptions& run, std::span<const Request> queries,
               const BatchOptions& options) {
   Optima found;
   found.any_angle.assign(queries.size(), std::nan(""));
@@ -91,9 +91,9 @@ int run_batch(const BatchCommand& command) {
   const RunOptions& run = command.run;
   check_outputs(run.outputs, {run.map.file, command.queries});
   SignalWatcher signals;
-  const auto shared = std::make_shared<PreparedMap>(
-      prepare_map(run.map, run.frame, run.params.corners, signals.token()));
-  const PreparedMap& map = *shared;
+  const auto shared = std::make_shared<LoadedMap>(
+      load_map(run.map, run.frame, run.params.corners, signals.token()));
+  const LoadedMap& map = *shared;
   check_outputs(run.outputs, {map.image});
   const QueryFile file =
       read_queries(command.queries, map.width, map.height, run.frame == Frame::cell);

@@ -17,7 +17,7 @@ namespace lasius::tool {
 namespace {
 
 /// False where the answer is known before any search, and a visibility graph a waste.
-bool is_search(const PreparedMap& map, Corners corners, Cell start, Cell goal,
+bool is_search(const LoadedMap& map, Corners corners, Cell start, Cell goal,
                const std::stop_token& token) {
   return map.planner && map.grid().free(start) && map.grid().free(goal) && start != goal &&
          map.planner->label(corners, {.token = token}) &&
@@ -26,7 +26,7 @@ bool is_search(const PreparedMap& map, Corners corners, Cell start, Cell goal,
 
 /// Why a start or goal is invalid, with its place as it was given, and in metres too the free cell
 /// that is nearest.
-std::string invalid_text(const PreparedMap& map, Frame frame, const Answer& answer) {
+std::string invalid_text(const LoadedMap& map, Frame frame, const Answer& answer) {
   const Result& result = answer.result;
   const bool at_start =
       result.fault == Fault::start_blocked || result.fault == Fault::start_outside;
@@ -70,24 +70,24 @@ Point recorded_end(const Json& result, const std::string& key, Frame frame) {
 BitmapTask::BitmapTask(PlanCommand command, SharedMap map)
     : command_(std::move(command)), map_(std::move(map)) {}
 
-void BitmapTask::prepare(const std::stop_token& token) {
+void BitmapTask::load(const std::stop_token& token) {
   const RunOptions& run = options();
   const bool given = map_ != nullptr;
   MapOptions first = run.map;
   first.prepare = false;
   if (!given)
-    map_ = std::make_shared<PreparedMap>(prepare_map(first, run.frame, run.params.corners, token));
+    map_ = std::make_shared<LoadedMap>(load_map(first, run.frame, run.params.corners, token));
   answer_.start = to_place(*map_, command_.start, run.frame);
   answer_.goal = to_place(*map_, command_.goal, run.frame);
   map_->prepare = run.map.prepare;
   if (!given && map_->prepare &&
       is_search(*map_, run.params.corners, answer_.start.cell, answer_.goal.cell, token))
-    prepare_more(*map_, run.map.threads, token);
+    prepare(*map_, run.map.threads, token);
 }
 
 void BitmapTask::announce() const {
   Task::announce();
-  const PreparedMap& map = *map_;
+  const LoadedMap& map = *map_;
   const Preparation prepared = map.planner ? map.planner->preparation() : Preparation{};
   if (prepared.state == Preparation::State::too_large)
     message("--prepare has no effect: it would take more than " +
@@ -95,7 +95,7 @@ void BitmapTask::announce() const {
   if (!options().messages.verbose) return;
   message(map.file + printed(": %d x %d cells, hash %s, read in %.1f ms, %s %.1f ms", map.width,
                              map.height, hash_text(map.hash).c_str(), map.read_ms,
-                             map.planner ? "prepared in" : "interrupted after", map.prepare_ms));
+                             map.planner ? "ready after" : "interrupted after", map.ready_ms));
   if (prepared.state == Preparation::State::ready)
     message(printed("--prepare: %lld vertices, %lld edges, %.1f MB, %.1f ms",
                     static_cast<long long>(prepared.vertices),
@@ -243,8 +243,8 @@ std::unique_ptr<Task> recorded_bitmap(const Recorded& from, SharedMap& last) {
                     last->unknown_is_free == run.map.unknown_is_free &&
                     last->prepare == run.map.prepare;
   if (!same)
-    last = std::make_shared<PreparedMap>(
-        prepare_map(run.map, run.frame, run.params.corners, from.token));
+    last =
+        std::make_shared<LoadedMap>(load_map(run.map, run.frame, run.params.corners, from.token));
   auto task = std::make_unique<BitmapTask>(std::move(command), last);
   if (result.contains("index")) task->take({.index = recorded<std::size_t>(result, "index")});
   return task;

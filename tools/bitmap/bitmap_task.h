@@ -11,14 +11,14 @@
 
 namespace lasius::tool {
 
-using SharedMap = std::shared_ptr<PreparedMap>;
+using SharedMap = std::shared_ptr<LoadedMap>;
 
 class BitmapTask : public Task {
  public:
-  /// `map` may be given, made ready for `command`; else `prepare` makes it.
+  /// `map` may be given, made ready for `command`; else `load` makes it.
   explicit BitmapTask(PlanCommand command, SharedMap map = {});
 
-  void prepare(const std::stop_token& token) override;
+  void load(const std::stop_token& token) override;
   void announce() const override;
   void plan(const StopCondition& stop, const Watch& watch) override;
   /// Takes an answer that was found elsewhere.

@@ -18,7 +18,7 @@ Json frame_json(const std::optional<WorldFrame>& frame) {
           {"origin", {number(frame->origin_x), number(frame->origin_y), number(frame->yaw)}}};
 }
 
-Json preparation_json(const PreparedMap& map) {
+Json preparation_json(const LoadedMap& map) {
   if (!map.prepare) return nullptr;
   const Preparation& prepared = map.planner->preparation();
   return {{"state", to_string(prepared.state)},
@@ -28,7 +28,7 @@ Json preparation_json(const PreparedMap& map) {
           {"ms", number(1000 * prepared.seconds)}};
 }
 
-Json info_json(const PreparedMap& map, Corners corners) {
+Json info_json(const LoadedMap& map, Corners corners) {
   const Grid& grid = map.grid();
   const bool eight = corners == Corners::allow;
   const auto footprint = map.planner->footprint();
@@ -49,7 +49,7 @@ Json info_json(const PreparedMap& map, Corners corners) {
   json["components"] = map.planner->components(corners);
   json["frame"] = frame_json(map.frame);
   json["read_ms"] = number(map.read_ms);
-  json["prepare_ms"] = number(map.prepare_ms);
+  json["prepare_ms"] = number(map.ready_ms);
   json["preparation"] = preparation_json(map);
   json["memory"] = {{"bitmap", footprint.bitmap},
                     {"components", footprint.components},
@@ -66,11 +66,12 @@ std::string info_text(const Json& json) {
   const auto row = [&text](const char* name, const std::string& value) {
     text += row_text(name, value);
   };
-  row("size", json["width"].dump() + " x " + json["height"].dump() + " cells");
+  row("size", dumped(json["width"]) + " x " + dumped(json["height"]) + " cells");
   row("hash", json["hash"].get<std::string>());
-  row("free", json["free_cells"].dump() + " cells, " +
+  row("free", dumped(json["free_cells"]) + " cells, " +
                   std::to_string(std::lround(100 * json["free_share"].get<double>())) + "%");
-  row("components", json["components"].dump() + " (" + json["connectivity"].dump() + "-connected)");
+  row("components",
+      dumped(json["components"]) + " (" + dumped(json["connectivity"]) + "-connected)");
   if (!json["frame"].is_null()) {
     const auto& origin = json["frame"]["origin"];
     row("frame", to_text(json["frame"]["resolution"].get<double>()) + " m a cell, origin " +
@@ -78,26 +79,26 @@ std::string info_text(const Json& json) {
                      " m, yaw " + to_text(origin[2].get<double>()));
   }
   row("read", ms(json["read_ms"]));
-  row("prepared", ms(json["prepare_ms"]));
+  row("made ready", ms(json["prepare_ms"]));
   if (const Json& more = json["preparation"]; !more.is_null()) {
     const bool ready = more["state"] == to_string(Preparation::State::ready);
-    row("--prepare", more["corners"].dump() + " corners, " +
-                         (ready ? more["edges"].dump() + " edges, " + more["bytes"].dump() +
+    row("--prepare", dumped(more["corners"]) + " corners, " +
+                         (ready ? dumped(more["edges"]) + " edges, " + dumped(more["bytes"]) +
                                       " bytes, " + ms(more["ms"])
                                 : "given up: it would take more than " +
                                       std::to_string(PrepareOptions{}.max_bytes) + " bytes"));
   }
-  row("memory", memory["total"].dump() + " bytes, " +
+  row("memory", dumped(memory["total"]) + " bytes, " +
                     printed("%.3f", memory["bits_per_cell"].get<double>()) +
-                    " bits a cell (bitmap " + memory["bitmap"].dump() + ", components " +
-                    memory["components"].dump() + ", corners " + memory["corners"].dump() + ")");
+                    " bits a cell (bitmap " + dumped(memory["bitmap"]) + ", components " +
+                    dumped(memory["components"]) + ", corners " + dumped(memory["corners"]) + ")");
   return text;
 }
 
 }  // namespace
 
 int run_info(const InfoCommand& command) {
-  const PreparedMap map = prepare_map(command.map);
+  const LoadedMap map = load_map(command.map);
   const Json json = info_json(map, command.corners);
   print(command.json ? line(json) : info_text(json));
   return kFound;

@@ -36,8 +36,8 @@ bool grow(Grid& grid, double radius, const StopCondition& stop) {
 std::optional<Planner> make_planner(Grid& grid, const MapOptions& options, Corners corners,
                                     const StopCondition& stop) {
   const PrepareOptions more{.threads = options.threads, .stop = stop};
-  auto planner =
-      options.prepare ? Planner::make(std::move(grid), more) : Planner::make(std::move(grid), stop);
+  auto planner = options.prepare ? Planner::make_prepared(std::move(grid), more)
+                                 : Planner::make(std::move(grid), stop);
   // Should this be stopped, the plan is at once.
   if (planner) planner->label(corners, stop);
   return planner;
@@ -45,8 +45,8 @@ std::optional<Planner> make_planner(Grid& grid, const MapOptions& options, Corne
 
 }  // namespace
 
-PreparedMap prepare_map(const MapOptions& options, Frame frame, Corners corners,
-                        const std::stop_token& token) {
+LoadedMap load_map(const MapOptions& options, Frame frame, Corners corners,
+                   const std::stop_token& token) {
   const auto start = Clock::now();
   Map read = read_any_map(options.file, {.unknown_is_free = options.unknown_is_free});
   if (frame == Frame::world && !read.frame)
@@ -56,39 +56,39 @@ PreparedMap prepare_map(const MapOptions& options, Frame frame, Corners corners,
       options.radius_metres ? options.radius / read.frame->resolution : options.radius;
   if (!std::isfinite(radius))
     throw UsageError("--radius " + to_text(options.radius) + " is too many cells");
-  PreparedMap map{.file = options.file,
-                  .image = read.image,
-                  .hash = read.grid.hash(),
-                  .width = read.grid.width(),
-                  .height = read.grid.height(),
-                  .frame = read.frame,
-                  .unknown_is_free = options.unknown_is_free,
-                  .radius = radius,
-                  .prepare = options.prepare};
+  LoadedMap map{.file = options.file,
+                .image = read.image,
+                .hash = read.grid.hash(),
+                .width = read.grid.width(),
+                .height = read.grid.height(),
+                .frame = read.frame,
+                .unknown_is_free = options.unknown_is_free,
+                .radius = radius,
+                .prepare = options.prepare};
   const StopCondition stop{.token = token};
   const bool whole = grow(read.grid, map.radius, stop);
   map.read_ms = ms_since(start);
-  const auto prepare_start = Clock::now();
+  const auto ready_start = Clock::now();
   if (whole) map.planner = make_planner(read.grid, options, corners, stop);
-  if (!map.planner) map.unprepared = std::move(read.grid);
-  map.prepare_ms = ms_since(prepare_start);
+  if (!map.planner) map.grid_alone = std::move(read.grid);
+  map.ready_ms = ms_since(ready_start);
   return map;
 }
 
-void prepare_more(PreparedMap& map, int threads, const std::stop_token& token) {
+void prepare(LoadedMap& map, int threads, const std::stop_token& token) {
   const auto start = Clock::now();
   map.planner = map.planner->prepared({.threads = threads, .stop = {.token = token}});
-  map.prepare_ms += ms_since(start);
+  map.ready_ms += ms_since(start);
 }
 
-std::vector<Point> PreparedMap::to_world(const std::vector<Point>& path) const {
+std::vector<Point> LoadedMap::to_world(const std::vector<Point>& path) const {
   std::vector<Point> metres;
   metres.reserve(path.size());
   for (const Point p : path) metres.push_back(to_world(p));
   return metres;
 }
 
-Place to_place(const PreparedMap& map, Point point, Frame frame) {
+Place to_place(const LoadedMap& map, Point point, Frame frame) {
   Point number = point;
   if (frame == Frame::world) {
     const Point cells = map.frame->to_cells(point, map.height);
@@ -98,7 +98,7 @@ Place to_place(const PreparedMap& map, Point point, Frame frame) {
   return {{clamped(number.x), clamped(number.y)}, number, point};
 }
 
-Place place_of(const PreparedMap& map, Point cell, Frame frame) {
+Place place_of(const LoadedMap& map, Point cell, Frame frame) {
   Place place = to_place(map, cell, Frame::cell);
   if (frame == Frame::world) place.asked = map.to_world({cell.x + 0.5, cell.y + 0.5});
   return place;

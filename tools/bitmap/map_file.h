@@ -13,7 +13,7 @@
 
 namespace lasius::tool {
 
-struct PreparedMap {
+struct LoadedMap {
   std::string file;
   std::string image;       ///< that a ROS map names
   std::uint64_t hash = 0;  ///< of the grid as read, before obstacles grow
@@ -24,11 +24,11 @@ struct PreparedMap {
   double radius = 0;                 ///< cells
   bool prepare = false;              ///< more was asked for: see Planner::preparation
   std::optional<Planner> planner{};  ///< nothing: the token fired before it was made
-  std::optional<Grid> unprepared{};  ///< without a planner: the grid as far as it came
+  std::optional<Grid> grid_alone{};  ///< without a planner: the grid as far as it came
   double read_ms = 0;                ///< reading, and growing obstacles
-  double prepare_ms = 0;             ///< making the planner
+  double ready_ms = 0;               ///< making the planner
 
-  const Grid& grid() const { return planner ? planner->grid() : *unprepared; }
+  const Grid& grid() const { return planner ? planner->grid() : *grid_alone; }
 
   // Precondition of these: the map has a frame.
   Point to_world(Point cells) const { return frame->to_world(cells, height); }
@@ -41,14 +41,14 @@ struct PreparedMap {
   }
 };
 
-/// Reads a map and prepares it for plans under a rule of corners. `token` ends the preparation, not
-/// the reading.
+/// Reads a map and makes it ready for plans under a rule of corners. `token` ends what follows the
+/// reading.
 /// @throws Error; UsageError where metres are asked for and the file gives no frame.
-PreparedMap prepare_map(const MapOptions& options, Frame frame = Frame::cell,
-                        Corners corners = Corners::forbid, const std::stop_token& token = {});
+LoadedMap load_map(const MapOptions& options, Frame frame = Frame::cell,
+                   Corners corners = Corners::forbid, const std::stop_token& token = {});
 
 /// Does what --prepare asks for, for a map with a planner.
-void prepare_more(PreparedMap& map, int threads, const std::stop_token& token);
+void prepare(LoadedMap& map, int threads, const std::stop_token& token);
 
 /// A start or a goal.
 struct Place {
@@ -60,9 +60,9 @@ struct Place {
 /// The place of a point of the command line or a query file, given in `frame`. A cell of a map
 /// holds its left and its lower edge, in the map's own axes: so the world frame's origin is in the
 /// first.
-Place to_place(const PreparedMap& map, Point point, Frame frame);
+Place to_place(const LoadedMap& map, Point point, Frame frame);
 
 /// The place of a cell, as if it had been given in `frame`.
-Place place_of(const PreparedMap& map, Point cell, Frame frame);
+Place place_of(const LoadedMap& map, Point cell, Frame frame);
 
 }  // namespace lasius::tool

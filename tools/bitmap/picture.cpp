@@ -109,13 +109,13 @@ void draw_marks(Canvas& canvas, const MapView& view, const Grid& grid, const Ans
   if (grid.contains(answer.goal.cell)) canvas.diamond(view.at(centre(answer.goal.cell)), 9, kGoal);
 }
 
-std::string plan_title(const PreparedMap& map, const RunOptions& run) {
+std::string plan_title(const LoadedMap& map, const RunOptions& run) {
   return run.params.algorithm() + " on " + std::filesystem::path(map.file).filename().string() +
          ", " + std::to_string(map.width) + " x " + std::to_string(map.height) + " cells, seed " +
          std::to_string(run.params.seed);
 }
 
-std::string path_caption(const PreparedMap& map, Frame frame, const Answer& answer) {
+std::string path_caption(const LoadedMap& map, Frame frame, const Answer& answer) {
   const Result& result = answer.result;
   if (result.path.empty()) return std::string(to_string(result.status)) + ": no path";
   std::string text = "path, length ";
@@ -130,7 +130,7 @@ std::string path_caption(const PreparedMap& map, Frame frame, const Answer& answ
 
 }  // namespace
 
-void write_plan_picture(const std::string& file, const PreparedMap& map, const RunOptions& run,
+void write_plan_picture(const std::string& file, const LoadedMap& map, const RunOptions& run,
                         const Answer& answer, const PictureRecorder* recorder) {
   const Grid& grid = map.grid();
   const auto tracks =
@@ -175,7 +175,7 @@ void write_plan_picture(const std::string& file, const PreparedMap& map, const R
              map_layout(static_cast<int>(panels.size()), grid.width(), grid.height()), panels);
 }
 
-void write_batch_picture(const std::string& file, const PreparedMap& map, const RunOptions& run,
+void write_batch_picture(const std::string& file, const LoadedMap& map, const RunOptions& run,
                          const std::vector<std::vector<Point>>& paths) {
   const Grid& grid = map.grid();
   const Panel panel{std::to_string(paths.size()) + " paths", [&](Canvas& canvas, const Box& box) {

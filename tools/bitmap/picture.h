@@ -13,11 +13,11 @@ namespace lasius::tool {
 
 /// Panels: the tracks at the chosen iterations, the pheromone, the path on the map, and the
 /// convergence; only the path for algorithms without iterations. `recorder` may be null.
-void write_plan_picture(const std::string& file, const PreparedMap& map, const RunOptions& run,
+void write_plan_picture(const std::string& file, const LoadedMap& map, const RunOptions& run,
                         const Answer& answer, const PictureRecorder* recorder);
 
 /// All paths of a batch on the map.
-void write_batch_picture(const std::string& file, const PreparedMap& map, const RunOptions& run,
+void write_batch_picture(const std::string& file, const LoadedMap& map, const RunOptions& run,
                          const std::vector<std::vector<Point>>& paths);
 
 }  // namespace lasius::tool

@@ -92,8 +92,14 @@ function(lasius_install_package)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/maps/ DESTINATION ${LASIUS_MAPS_DESTINATION}
     FILES_MATCHING PATTERN "*.map" PATTERN "*.pbm" PATTERN "*.geojson" PATTERN "arms/*.json"
     PATTERN "README.md")
-  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
+  # The documents, with all that they link to, as they stand to each other in the repository.
+  file(GLOB documents CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/*.md)
+  install(FILES ${documents} ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff
     DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
+    FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.cpp" PATTERN "Doxyfile")
+  install(FILES ${PROJECT_SOURCE_DIR}/maps/README.md ${PROJECT_SOURCE_DIR}/maps/fan400x200.png
+    DESTINATION ${CMAKE_INSTALL_DOCDIR}/maps)
   if(LASIUS_BUILD_ARM)
     install(FILES ${LASIUS_CMAKE_DIR}/LasiusArmLibraries.cmake DESTINATION ${destination})
   endif()

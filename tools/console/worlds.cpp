@@ -28,7 +28,7 @@ std::span<const World> worlds() {
   static const std::vector<World> kAll = {
       {World::Kind::bitmap, "algorithms", "", "on bitmaps", "", "", algorithms(),
        [](const Algorithm& a, std::string_view parameter) {
-         return get_parameter(defaults(a.name), parameter);
+         return get_parameter(Params(a.name), parameter);
        }},
 #ifdef LASIUS_WITH_ARM
       {World::Kind::arm, "arm_algorithms", "Arms, see `lasius arm --help`", "for arms", "",
@@ -41,7 +41,7 @@ std::span<const World> worlds() {
       {World::Kind::polygon, "polygon_algorithms", "Polygon worlds, by `lasius plan WORLD.geojson`",
        "among polygons", " (.geojson, .json, .wkt)", "", polygon::algorithms(),
        [](const Algorithm& a, std::string_view parameter) {
-         return polygon::get_parameter(polygon::defaults(a.name), parameter);
+         return polygon::get_parameter(polygon::Params(a.name), parameter);
        }},
 #endif
   };

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "core/base/output.h"
+#include "core/io/json_values.h"
 
 namespace lasius::tool {
 namespace {
@@ -35,9 +36,7 @@ std::uint32_t packed(Colour colour) {
 
 /// File names may hold bytes that are no UTF-8, which cairo refuses: these become U+FFFD.
 std::string utf8(const std::string& text) {
-  using nlohmann::json;
-  const auto dumped = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
-  return json::parse(dumped).get<std::string>();
+  return json::parsed(json::line(text)).get<std::string>();
 }
 
 }  // namespace

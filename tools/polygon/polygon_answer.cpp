@@ -13,23 +13,23 @@ static_assert(WorldOptions::kMostMargin == polygon::GrowOptions::kMostMargin);
 
 }  // namespace
 
-Point PreparedWorld::low() const {
+Point LoadedWorld::low() const {
   Point p = planner.world().boundary.outer.front();
   for (const Point q : planner.world().boundary.outer) p = {std::min(p.x, q.x), std::min(p.y, q.y)};
   return p;
 }
 
-Point PreparedWorld::high() const {
+Point LoadedWorld::high() const {
   Point p = planner.world().boundary.outer.front();
   for (const Point q : planner.world().boundary.outer) p = {std::max(p.x, q.x), std::max(p.y, q.y)};
   return p;
 }
 
-PreparedWorld prepare_world(const WorldOptions& options) {
+LoadedWorld load_world(const WorldOptions& options) {
   const auto start = Clock::now();
   const polygon::World world = polygon::read_world(options.file, {.repair = options.repair});
   const double read_ms = ms_since(start);
-  const auto prepare_start = Clock::now();
+  const auto ready_start = Clock::now();
   const auto make = [&] {
     try {
       return polygon::Planner(
@@ -44,14 +44,14 @@ PreparedWorld prepare_world(const WorldOptions& options) {
           .hash = polygon::hash(world),
           .planner = std::move(planner),
           .read_ms = read_ms,
-          .prepare_ms = ms_since(prepare_start)};
+          .ready_ms = ms_since(ready_start)};
 }
 
 polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<std::string>& notes) {
   return make_params<polygon::Params>(command, World::Kind::polygon, polygon::algorithms(), notes);
 }
 
-PolygonAnswer polygon_answer(const PreparedWorld& world, const PolygonCommand& command,
+PolygonAnswer polygon_answer(const LoadedWorld& world, const PolygonCommand& command,
                              const polygon::Params& parameters, const StopCondition& stop,
                              const polygon::Observer& observer) {
   const auto begin = Clock::now();
@@ -67,7 +67,7 @@ PolygonAnswer polygon_answer(const PreparedWorld& world, const PolygonCommand& c
   if (command.with_optimum) {
     const auto best = world.planner.plan(
         {.start = answer.start, .goal = answer.goal, .stop = again(stop, command.time_limit)},
-        polygon::defaults("exact"));
+        polygon::Params("exact"));
     if (best.optimal) answer.optimum = best.length;
   }
   return answer;

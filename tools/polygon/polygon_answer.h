@@ -12,13 +12,13 @@
 namespace lasius::tool {
 
 /// A world made ready, and what it took.
-struct PreparedWorld {
+struct LoadedWorld {
   std::string file;
   bool repair = false;
   std::uint64_t hash = 0;  ///< of the world as read
   polygon::Planner planner;
   double read_ms = 0;
-  double prepare_ms = 0;
+  double ready_ms = 0;
 
   /// Corners of the boundary's bounding box.
   Point low() const;
@@ -26,7 +26,7 @@ struct PreparedWorld {
 };
 
 /// @throws Error for a file that is missing or broken, or leaves no free space.
-PreparedWorld prepare_world(const WorldOptions& options);
+LoadedWorld load_world(const WorldOptions& options);
 
 /// All that a plan on a polygon world was asked and found.
 struct PolygonAnswer {
@@ -41,7 +41,7 @@ struct PolygonAnswer {
 polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<std::string>& notes);
 
 /// Plans. Precondition: start and goal are given by the command or the world.
-PolygonAnswer polygon_answer(const PreparedWorld& world, const PolygonCommand& command,
+PolygonAnswer polygon_answer(const LoadedWorld& world, const PolygonCommand& command,
                              const polygon::Params& parameters, const StopCondition& stop,
                              const polygon::Observer& observer = {});
 

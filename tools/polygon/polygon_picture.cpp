@@ -21,7 +21,7 @@ constexpr Colour kDijkstra{0.55, 0.3, 0.65};
 /// The world's place on the page, y up.
 class View {
  public:
-  View(const PreparedWorld& world, const Box& box) : low_(world.low()), box_(box) {
+  View(const LoadedWorld& world, const Box& box) : low_(world.low()), box_(box) {
     const Point high = world.high();
     scale_ = std::min(box.width / (high.x - low_.x), box.height / (high.y - low_.y));
   }
@@ -50,7 +50,7 @@ double area(const polygon::Ring& ring) {
 }
 
 /// Free space in white on the grown obstacles' grey, the obstacles as drawn in a darker one.
-void draw_world(Canvas& canvas, const View& view, const PreparedWorld& world, const Box& box) {
+void draw_world(Canvas& canvas, const View& view, const LoadedWorld& world, const Box& box) {
   canvas.fill(box, kPaleWall);
   auto pieces = world.planner.maklink().free_space;
   std::ranges::stable_sort(
@@ -65,7 +65,7 @@ void draw_world(Canvas& canvas, const View& view, const PreparedWorld& world, co
   canvas.unclip();
 }
 
-void draw_graph(Canvas& canvas, const View& view, const PreparedWorld& world,
+void draw_graph(Canvas& canvas, const View& view, const LoadedWorld& world,
                 const PolygonAnswer& answer) {
   for (const auto& line : world.planner.maklink().lines) {
     canvas.dashed(view.at(line.a), view.at(line.b), kLine, 1.2);
@@ -85,7 +85,7 @@ std::string path_caption(const PolygonAnswer& answer) {
 }
 
 /// Panels in a row.
-Layout layout_of(const PreparedWorld& world, std::size_t panels) {
+Layout layout_of(const LoadedWorld& world, std::size_t panels) {
   constexpr double kLongSide = 620, kLeastSide = 40;
   const Point low = world.low(), high = world.high();
   const double scale = kLongSide / std::max(high.x - low.x, high.y - low.y);
@@ -100,7 +100,7 @@ Layout layout_of(const PreparedWorld& world, std::size_t panels) {
 
 }  // namespace
 
-void write_polygon_picture(const std::string& file, const PreparedWorld& world,
+void write_polygon_picture(const std::string& file, const LoadedWorld& world,
                            const PolygonAnswer& answer) {
   const auto& result = answer.result;
   std::vector<Panel> panels;

@@ -9,7 +9,7 @@ namespace lasius::tool {
 
 /// Panels: MAKLINK lines, midpoints and Dijkstra's path; the final path; the convergence. For
 /// algorithms without iterations the final path only.
-void write_polygon_picture(const std::string& file, const PreparedWorld& world,
+void write_polygon_picture(const std::string& file, const LoadedWorld& world,
                            const PolygonAnswer& answer);
 
 }  // namespace lasius::tool

@@ -26,7 +26,7 @@ class PolygonTask : public Task {
 
   void open() override {
     answer_.parameters = polygon_parameters(command_, command_.notes);
-    world_ = prepare_world(command_.world);
+    world_ = load_world(command_.world);
     const polygon::World& world = world_->planner.world();
     check_end("start", command_.start || world.start);
     check_end("goal", command_.goal || world.goal);
@@ -36,11 +36,11 @@ class PolygonTask : public Task {
     if (!options().messages.verbose) return;
     const polygon::Maklink& graph = world_->planner.maklink();
     message(world_->file +
-            printed(": %zu obstacles, %zu lines, %zu regions, hash %s, read in %.1f ms, prepared "
-                    "in %.1f ms",
+            printed(": %zu obstacles, %zu lines, %zu regions, hash %s, read in %.1f ms, ready "
+                    "after %.1f ms",
                     world_->planner.world().obstacles.size(), graph.lines.size(),
                     graph.regions.size(), hash_text(world_->hash).c_str(), world_->read_ms,
-                    world_->prepare_ms));
+                    world_->ready_ms));
     announce_algorithm(false);
   }
   void plan(const StopCondition& stop, const Watch& watch) override {
@@ -112,7 +112,7 @@ class PolygonTask : public Task {
   }
 
   PolygonCommand command_;
-  std::optional<PreparedWorld> world_;
+  std::optional<LoadedWorld> world_;
   PolygonAnswer answer_;
 };
 

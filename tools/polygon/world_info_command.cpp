@@ -21,14 +21,14 @@ std::size_t corners(const std::vector<polygon::Polygon>& polygons) {
   return count;
 }
 
-Json info_json(const PreparedWorld& prepared) {
-  const polygon::Planner& planner = prepared.planner;
+Json info_json(const LoadedWorld& loaded) {
+  const polygon::Planner& planner = loaded.planner;
   const polygon::World& world = planner.world();
-  const Point low = prepared.low(), high = prepared.high();
+  const Point low = loaded.low(), high = loaded.high();
   Json json = Json::object();
   json["format"] = "lasius-info/1";
-  json["file"] = prepared.file;
-  json["hash"] = hash_text(prepared.hash);
+  json["file"] = loaded.file;
+  json["hash"] = hash_text(loaded.hash);
   json["width"] = number(high.x - low.x);
   json["height"] = number(high.y - low.y);
   json["origin"] = {number(low.x), number(low.y)};
@@ -42,8 +42,8 @@ Json info_json(const PreparedWorld& prepared) {
   json["regions"] = planner.maklink().regions.size();
   json["start"] = optional_point(world.start);
   json["goal"] = optional_point(world.goal);
-  json["read_ms"] = number(prepared.read_ms);
-  json["prepare_ms"] = number(prepared.prepare_ms);
+  json["read_ms"] = number(loaded.read_ms);
+  json["prepare_ms"] = number(loaded.ready_ms);
   return json;
 }
 
@@ -57,27 +57,27 @@ std::string info_text(const Json& json) {
     return counted(json[key].get<std::int64_t>(), thing);
   };
   const auto place = [](const Json& p) {
-    return p.is_null() ? std::string("none") : p[0].dump() + "," + p[1].dump();
+    return p.is_null() ? std::string("none") : dumped(p[0]) + "," + dumped(p[1]);
   };
   row("size",
-      json["width"].dump() + " x " + json["height"].dump() + " from " + place(json["origin"]));
+      dumped(json["width"]) + " x " + dumped(json["height"]) + " from " + place(json["origin"]));
   row("hash", json["hash"].get<std::string>());
-  row("margin", json["margin"].dump());
-  row("obstacles", json["obstacles"].dump() + " with " + count("corners", "corner") + ", " +
-                       json["grown_obstacles"].dump() + " grown and merged");
+  row("margin", dumped(json["margin"]));
+  row("obstacles", dumped(json["obstacles"]) + " with " + count("corners", "corner") + ", " +
+                       dumped(json["grown_obstacles"]) + " grown and merged");
   row("free space", count("components", "component") + ", " + count("free_corners", "corner"));
   row("maklink", count("lines", "line") + ", " + count("regions", "convex region"));
   row("start", place(json["start"]));
   row("goal", place(json["goal"]));
   row("read", ms(json["read_ms"]));
-  row("prepared", ms(json["prepare_ms"]));
+  row("made ready", ms(json["prepare_ms"]));
   return text;
 }
 
 }  // namespace
 
 int run_world_info(const WorldInfoCommand& command) {
-  const Json json = info_json(prepare_world(command.world));
+  const Json json = info_json(load_world(command.world));
   print(command.json ? line(json) : info_text(json));
   return kFound;
 }

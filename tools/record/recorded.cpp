@@ -26,12 +26,12 @@ Point recorded_point(const Json& result, const std::string& keys) {
 }
 
 double recorded_real(const Json& result, const std::string& keys, double least, double most) {
-  return real_value("\"" + keys + "\"", value_at(result, keys).dump(), least, most);
+  return real_value("\"" + keys + "\"", dumped(value_at(result, keys)), least, most);
 }
 
 std::int64_t recorded_integer(const Json& result, const std::string& keys, std::int64_t least,
                               std::int64_t most) {
-  return integer_value("\"" + keys + "\"", value_at(result, keys).dump(), least, most);
+  return integer_value("\"" + keys + "\"", dumped(value_at(result, keys)), least, most);
 }
 
 std::uint64_t recorded_seed(const Json& result) {

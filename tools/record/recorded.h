@@ -22,7 +22,7 @@ Value recorded(const Json& result, const std::string& keys) {
   try {
     return value.get<Value>();
   } catch (const Json::exception&) {
-    throw UsageError("\"" + keys + "\" is " + value.dump());
+    throw UsageError("\"" + keys + "\" is " + dumped(value));
   }
 }
 

@@ -156,7 +156,7 @@ int run(Task& task) {
   check_outputs(options.outputs, task.input_files());
   task.open();
   SignalWatcher signals;
-  task.prepare(signals.token());
+  task.load(signals.token());
   check_outputs(options.outputs, task.input_files());
   if (!options.messages.quiet) task.announce();
   watched_plan(task, signals.token());
@@ -215,7 +215,7 @@ void read_recorded(const Recorded& from, const Algorithm& algorithm, SearchOptio
 
 Json replay(Task& task, const Recorded& from) {
   task.open();
-  task.prepare(from.token);
+  task.load(from.token);
   check_inputs(task.inputs(), from.result);
   task.plan({.token = from.token}, {});
   return result_json(task);

@@ -39,8 +39,8 @@ class Task {
 
   /// Reads what may be ended at any moment, by the end of the program. @throws Error, UsageError
   virtual void open() {}
-  /// Reads and prepares the rest; told to stop, it leaves that to plan() to say.
-  virtual void prepare(const std::stop_token&) {}
+  /// Reads the rest and makes it ready; told to stop, it leaves that to plan() to say.
+  virtual void load(const std::stop_token&) {}
   /// Says, unless all is to be quiet, what has no effect, and with -v what was read.
   virtual void announce() const;
   /// Plans, and does what was asked beside. `watch` may be empty.

@@ -18,7 +18,7 @@ std::string question_key(const Grid& grid, const Question& question, const std::
 }  // namespace
 
 Params params_of(const Contender& contender) {
-  return configured(defaults(contender.algorithm), contender);
+  return configured(Params(contender.algorithm), contender);
 }
 
 std::optional<double> true_optimum(const Planner& planner, const Question& question,
@@ -26,7 +26,7 @@ std::optional<double> true_optimum(const Planner& planner, const Question& quest
   if (truth.kind == Truth::Kind::moves)
     return shortest_walk(planner.grid(), question.start, question.goal, truth.neighbours,
                          truth.corners, stop);
-  const Result result = planner.plan({question.start, question.goal, stop}, defaults(kExact));
+  const Result result = planner.plan({question.start, question.goal, stop}, Params(kExact));
   if (!result.optimal) return std::nullopt;
   return result.length;
 }

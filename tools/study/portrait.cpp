@@ -31,7 +31,7 @@ Figure draw_run(const Place& place, const StopCondition& stop) {
   run.map.file = (place.maps / place.question.map).string();
   run.params = place.params;
   run.track_iterations = {10, 50, 120};
-  const tool::PreparedMap map = tool::prepare_map(run.map);
+  const tool::LoadedMap map = tool::load_map(run.map);
   tool::PictureRecorder recorder(map.grid(), run.track_iterations, run.params.iterations);
   const auto at = [&](Cell c) { return tool::to_place(map, {1.0 * c.x, 1.0 * c.y}, run.frame); };
   const tool::Answer found =
@@ -83,14 +83,14 @@ Figure draw_ants(const Place& place, const StopCondition& stop) {
   Ants ants;
   (void)planner.plan({place.question.start, place.question.goal, stop}, place.params, nullptr,
                      [&](const GridProgress& progress) { ants.observe(progress); });
-  constexpr double kMargin = 20, kSide = 420, kChart = 420;
-  Canvas canvas(static_cast<int>(2 * kSide + 3 * kMargin),
-                static_cast<int>(kSide + kChart + 3 * kMargin + 30));
+  constexpr double kEdge = 20, kSide = 420, kChart = 420;
+  Canvas canvas(static_cast<int>(2 * kSide + 3 * kEdge),
+                static_cast<int>(kSide + kChart + 3 * kEdge + 30));
   const Grid& grid = planner.grid();
   const double high = kSide * grid.height() / grid.width();
-  draw_walk(canvas, {kMargin, kMargin, kSide, high}, grid, place.question, ants.dead, palette(1),
+  draw_walk(canvas, {kEdge, kEdge, kSide, high}, grid, place.question, ants.dead, palette(1),
             "ant " + std::to_string(ants.dead_ant) + " dies in a dead end");
-  draw_walk(canvas, {2 * kMargin + kSide, kMargin, kSide, high}, grid, place.question, ants.arrived,
+  draw_walk(canvas, {2 * kEdge + kSide, kEdge, kSide, high}, grid, place.question, ants.arrived,
             palette(0), "ant " + std::to_string(ants.arrived_ant) + " arrives");
   LineChart chart{.title = "Tours of " + place.label() + " on " + place.question.name,
                   .x_label = "ant",
@@ -98,7 +98,7 @@ Figure draw_ants(const Place& place, const StopCondition& stop) {
   chart.curves.push_back(
       {.label = "ants that arrive", .colour = palette(0), .x = ants.number, .y = ants.tour});
   chart.curves.back().dots = true;
-  draw(canvas, {kMargin, high + 2 * kMargin + 24, 2 * kSide + kMargin, kChart}, chart);
+  draw(canvas, {kEdge, high + 2 * kEdge + 24, 2 * kSide + kEdge, kChart}, chart);
   save(canvas, place.folder / place.stem());
   return {
       &place.experiment, place.stem(),

@@ -3,20 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "core/base/output.h"
+#include "core/io/json_values.h"
 #include "lasius/version.h"
 
 namespace lasius::study {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::Json;
+using json::number;
 
 const std::string kVersion = "lasius " LASIUS_VERSION " ";
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 /// A curve as its size and its steps, [index, value] where the value changes: most of it is flat.
 void put_curve(Json& json, const std::string& name, const std::vector<double>& curve) {
@@ -29,12 +30,12 @@ void put_curve(Json& json, const std::string& name, const std::vector<double>& c
   }
 }
 
-double number(const Json& json) { return json.is_null() ? kUnknown : json.get<double>(); }
+double known(const Json& json) { return json.is_null() ? kUnknown : json.get<double>(); }
 
 std::vector<double> curve_of(const Json& json, const std::string& name) {
   std::vector<double> curve(json.at(name + "_size").get<std::size_t>(), kUnknown);
   for (const Json& step : json.at(name))
-    std::fill(curve.begin() + step.at(0).get<std::ptrdiff_t>(), curve.end(), number(step.at(1)));
+    std::fill(curve.begin() + step.at(0).get<std::ptrdiff_t>(), curve.end(), known(step.at(1)));
   return curve;
 }
 
@@ -49,12 +50,12 @@ Run run_of(const Json& json) {
   Run run;
   run.seed = json.at("seed").get<std::uint64_t>();
   run.status = status_of(json.at("status").get<std::string>());
-  run.length = number(json.at("length"));
+  run.length = known(json.at("length"));
   run.iterations = json.at("iterations").get<int>();
   run.seconds = json.at("seconds").get<double>();
   run.best = curve_of(json, "best");
   run.mean = curve_of(json, "mean");
-  run.limit = number(json.at("limit"));
+  run.limit = known(json.at("limit"));
   run.steps = json.at("steps").get<std::int64_t>();
   run.checks = json.at("checks").get<std::int64_t>();
   for (const Json& p : json.at("path")) run.path.push_back({p.at(0), p.at(1)});
@@ -68,7 +69,7 @@ std::optional<Run> read_run(const std::filesystem::path& file, const std::string
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;
   try {
-    const Json json = Json::parse(in);
+    const Json json = json::parsed(std::string(std::istreambuf_iterator<char>(in), {}));
     if (json.at("key") != kVersion + key) return std::nullopt;
     Run run = run_of(json);
     if (run.seed != seed) return std::nullopt;
@@ -93,7 +94,8 @@ void write_run(const std::filesystem::path& file, const std::string& key, const 
   json["checks"] = run.checks;
   json["path"] = Json::array();
   for (const Point p : run.path) json["path"].push_back({p.x, p.y});
-  write_file(file.string(), [&](std::ostream& out) { out << json.dump() << '\n'; });
+  const std::string text = json::dumped(json);
+  write_file(file.string(), [&](std::ostream& out) { out << text << '\n'; });
 }
 
 }  // namespace lasius::study

@@ -23,8 +23,8 @@ struct Job {
 };
 
 /// Takes the kept runs of a sample from their files, and adds the jobs that are left.
-void prepare(const std::shared_ptr<const Task>& task, const RunnerOptions& options, Sample& sample,
-             std::vector<Job>& jobs) {
+void list_jobs(const std::shared_ptr<const Task>& task, const RunnerOptions& options,
+               Sample& sample, std::vector<Job>& jobs) {
   sample.paths_an_iteration = task->paths_an_iteration;
   sample.runs.resize(static_cast<std::size_t>(options.seeds));
   const fs::path folder = options.folder / "runs" / sample.experiment->name /
@@ -39,8 +39,8 @@ void prepare(const std::shared_ptr<const Task>& task, const RunnerOptions& optio
   }
 }
 
-std::vector<Job> prepare(const Study& study, const Domain& domain, const RunnerOptions& options,
-                         Findings& findings) {
+std::vector<Job> list_jobs(const Study& study, const Domain& domain, const RunnerOptions& options,
+                           Findings& findings) {
   std::size_t samples = 0;
   for (const Experiment& e : study.experiments) samples += e.contenders.size() * e.questions.size();
   findings.samples.reserve(samples);
@@ -56,7 +56,7 @@ std::vector<Job> prepare(const Study& study, const Domain& domain, const RunnerO
           break;
         }
         findings.samples.push_back({&experiment, &question, &contender});
-        prepare(task, options, findings.samples.back(), jobs);
+        list_jobs(task, options, findings.samples.back(), jobs);
       }
     }
   }
@@ -110,7 +110,7 @@ double thread_seconds() {
 std::optional<Findings> run_study(const Study& study, const Domain& domain,
                                   const RunnerOptions& options) {
   Findings findings;
-  auto jobs = prepare(study, domain, options, findings);
+  auto jobs = list_jobs(study, domain, options, findings);
   if (!work(jobs, options)) return std::nullopt;
   for (const Experiment& experiment : study.experiments)
     for (const Question& question : experiment.questions)

@@ -5,12 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "core/io/json_values.h"
 #include "tools/study/claims.h"
 
 namespace lasius::study {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::Json;
 
 constexpr std::string_view kTenfold = "-x10";
 
@@ -119,7 +120,7 @@ Check check_of(const Json& claim) {
 }  // namespace
 
 Study parse_study(std::string_view text) {
-  const Json json = Json::parse(text);
+  const Json json = json::parsed(text);
   Study study{.name = json.at("name"),
               .summary = json.at("summary"),
               .source = text_of(json, "source"),

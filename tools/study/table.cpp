@@ -10,15 +10,15 @@
 namespace lasius::study {
 namespace {
 
-constexpr const char* kTenfold = "-x10";
-
 const Published* published(const Sample& sample) {
   for (const Published& p : sample.question->published)
     if (p.contender == sample.contender->name) return &p;
   return nullptr;
 }
 
-std::string percent(double fraction, int decimals) { return fixed(100 * fraction, decimals) + "%"; }
+std::string percent_text(double fraction, int decimals) {
+  return fixed(100 * fraction, decimals) + "%";
+}
 
 /// Thousandths are needed where lengths are sums of 1 and sqrt(2), hundredths say enough elsewhere.
 std::string length_text(double length) { return fixed(length, length < 100 ? 3 : 2); }
@@ -42,8 +42,8 @@ std::vector<std::string> result_row(const Findings& findings, const Sample& samp
                              : 0;
     row.insert(row.end(), {length_text(s.least), length_text(s.mean), length_text(s.sd),
                            length_text(interval.low) + " to " + length_text(interval.high),
-                           optimum ? percent(s.least / *optimum - 1, 2) : "-",
-                           optimum ? percent(s.mean / *optimum - 1, 2) : "-",
+                           optimum ? percent_text(s.least / *optimum - 1, 2) : "-",
+                           optimum ? percent_text(s.mean / *optimum - 1, 2) : "-",
                            optimum ? std::to_string(hits) : "-"});
   } else {
     row.insert(row.end(), 7, "-");
@@ -152,7 +152,7 @@ Table test_table(const Findings& findings, const Experiment& experiment) {
     for (const Contender& contender : experiment.contenders) {
       const Sample* const equal = find(contender.name);
       if (contender.budget > 1 || equal == nullptr || equal == first) continue;
-      rows.push_back({first, equal, find(contender.name + kTenfold)});
+      rows.push_back({first, equal, find(tenfold(contender).name)});
       for (const Sample* other : {rows.back().equal, rows.back().tenfold})
         if (other != nullptr) p.push_back(compare(*first, *other).p);
     }

@@ -113,6 +113,7 @@ TEST(ArmPlan, BadParametersAreRefused) {
   refused([](Params& p) { p.pitch = 1e-300; });
   Params p;
   EXPECT_THROW(set_parameter(p, "elite_wait", "1"), Error);
+  EXPECT_THROW(find_algorithm("goritov2021"), Error);
   EXPECT_THROW(set_parameter(p, "ants", "many"), Error);
   set_parameter(p, "pheromone", "edges");
   EXPECT_EQ(get_parameter(p, "pheromone"), "edges");
@@ -133,7 +134,7 @@ TEST(ArmPlan, ParametersAtTheEndsOfTheirRanges) {
     const Result r = plan(robot, Nothing(), request, p);
     EXPECT_EQ(r.joints.cols() == 0, std::isnan(r.length)) << name << " " << value;
   };
-  plan_at_both_ends(algorithms()[0], plan_with);
+  plan_at_both_ends(find_algorithm(Params::algorithm()), plan_with);
 }
 
 TEST(ArmPlan, TheLeastPheromoneUnderTheStrongestEvaporation) {

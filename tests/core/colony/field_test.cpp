@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/grid/move_rule.h"
 #include "lasius/planner.h"
 #include "tests/core/base/counting_time.h"
 
@@ -39,7 +40,7 @@ struct Reference {
   Reference(const Grid& g, const Params& p)
       : grid(g),
         params(p),
-        moves(kernels::moves_of(static_cast<kernels::Neighbourhood>(p.neighbours))),
+        moves(moves_of(p.neighbours)),
         tau(static_cast<std::size_t>(g.width()) * g.height() *
                 (p.trail == Trail::arcs ? moves.count : 1),
             p.initial_pheromone) {}
@@ -128,8 +129,8 @@ TEST(Field, ASingleRuleHoldsTheProductOfBothParts) {
   single.distance_rule_first = single.distance_rule = 0;
   single.combined_rule_first = 1;
   Field two, one;
-  two.reset(grid, kernels::moves_of(kernels::Neighbourhood::four), {50, 50}, mixture, 1, {});
-  one.reset(grid, kernels::moves_of(kernels::Neighbourhood::four), {50, 50}, single, 1, {});
+  two.reset(grid, moves_of(Neighbours::four), {50, 50}, mixture, 1, {});
+  one.reset(grid, moves_of(Neighbours::four), {50, 50}, single, 1, {});
   EXPECT_TRUE(two.mixture());
   EXPECT_FALSE(one.mixture());
   for (Field* f : {&two, &one}) {
@@ -153,7 +154,7 @@ TEST(Field, CornerRulesCloseDiagonalMoves) {
   const auto open = [&](Corners corners) {
     params.corners = corners;
     Field field;
-    field.reset(grid, kernels::moves_of(kernels::Neighbourhood::eight), {2, 2}, params, 1, {});
+    field.reset(grid, moves_of(Neighbours::eight), {2, 2}, params, 1, {});
     const float* a = row(field, {1, 1}, 16);
     std::string moves;
     for (int k = 0; k < 8; ++k) moves += a[k] > 0 ? '1' : '0';
@@ -168,7 +169,7 @@ TEST(Field, CornerRulesCloseDiagonalMoves) {
 TEST(Field, TilesExistOnlyWhereSomethingWasAskedOrLaid) {
   const Grid grid(4096, 4096);
   Field field;
-  field.reset(grid, kernels::moves_of(kernels::Neighbourhood::four), {4000, 4000}, Params{}, 1, {});
+  field.reset(grid, moves_of(Neighbours::four), {4000, 4000}, Params{}, 1, {});
   EXPECT_EQ(field.tiles(), 0);
   field.deposit({5, 5}, 0, 1);
   field.deposit({3000, 2000}, 0, 1);
@@ -180,7 +181,7 @@ TEST(Field, TilesExistOnlyWhereSomethingWasAskedOrLaid) {
 
 TEST(Field, WhatGoesOverAllTilesPollsAndIsCutShort) {
   const Grid grid(512, 512);  // 256 tiles
-  const auto moves = kernels::moves_of(kernels::Neighbourhood::four);
+  const auto moves = moves_of(Neighbours::four);
   const auto weight_of_pheromone = [&](const CountingTime& time) {
     Field field;
     field.reset(grid, moves, {500, 500}, Params{}, 1, time.is_up());
@@ -200,7 +201,7 @@ TEST(Field, ManyIterationsNeitherOverflowNorForget) {
   const Grid grid(40, 40);
   Params params;
   Field field;
-  field.reset(grid, kernels::moves_of(kernels::Neighbourhood::four), {39, 39}, params, 1, {});
+  field.reset(grid, moves_of(Neighbours::four), {39, 39}, params, 1, {});
   for (int q = 0; q < 5000; ++q) {
     field.evaporate(0.5);
     field.deposit({20, 20}, 0, 1);
@@ -221,7 +222,7 @@ TEST(Field, ManyRewardsNeitherOverflowNorForget) {
   const Grid grid(100, 100);
   const Cell here{20, 20}, there{70, 70};
   Field field;
-  field.reset(grid, kernels::moves_of(kernels::Neighbourhood::four), {99, 99}, Params{}, 3, {});
+  field.reset(grid, moves_of(Neighbours::four), {99, 99}, Params{}, 3, {});
   // As cong2009 rewards a tour of four moves: 41 times as much, 5.4 bits, where a float has 127.
   const auto reward = [&](Cell c) { field.set_tau(c, 0, field.tau(c, 0) * 41); };
   for (int success = 0; success < 2000; ++success) {

@@ -16,7 +16,7 @@ class Polishing : public testing::Test {
  protected:
   Polishing() {
     request_.stop.token = source_.get_token();
-    polisher_.reset(grid_, request_, moves_, defaults("fan2004"), 2);
+    polisher_.reset(grid_, request_, moves_, Params("fan2004"), 2);
   }
 
   /// An ant that arrived by these moves.

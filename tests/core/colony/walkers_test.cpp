@@ -48,7 +48,7 @@ TEST(Walkers, PollAtLeastEvery4096Steps) {
   const Grid grid = blobs(300, 300);
   const Planner planner(grid);
   const Request request = far_apart(planner);
-  Params params = defaults("fan2004");
+  Params params("fan2004");
   params.heuristic = Heuristic::uniform;  // no guidance to speak of: long walks
   params.ants = 20;
   const kernels::Moves moves = moves_of(params.neighbours);
@@ -88,8 +88,8 @@ constexpr int kAnts = 20;
 class Square {
  public:
   explicit Square(int tiles) : left_(tiles) {
-    const Params params = defaults("as");
-    const kernels::Moves moves = kernels::moves_of(kernels::Neighbourhood::eight);
+    const Params params("as");
+    const kernels::Moves moves = moves_of(Neighbours::eight);
     shape = walk_shape(params, moves, false);
     world = walk_world(params, moves, {1, 1}, {kSide - 2, kSide - 2});
     set_iteration(world, params, moves, shape, schedule(params, 0), 0);

@@ -35,7 +35,7 @@ Grid pocket() {
 constexpr Cell kStart{1, 5}, kGoal{13, 5};
 
 Params genetic(Polish polish) {
-  Params p = defaults("grid-ga");
+  Params p("grid-ga");
   p.polish = polish;
   p.threads = 1;
   return p;

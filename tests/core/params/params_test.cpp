@@ -21,7 +21,7 @@ std::string message_of(const auto& action) {
 
 TEST(Params, EveryAlgorithmsDefaultsAreValidAndRoundTrip) {
   for (const Algorithm& algorithm : algorithms()) {
-    const Params published = defaults(algorithm.name);
+    const Params published(algorithm.name);
     EXPECT_EQ(published.algorithm(), algorithm.name);
     EXPECT_NO_THROW(validate(published)) << algorithm.name;
     EXPECT_FALSE(algorithm.source.empty());
@@ -47,7 +47,7 @@ TEST(Params, MistypedNamesAreAnsweredWithTheNearest) {
   Params p;
   EXPECT_EQ(message_of([&] { set_parameter(p, "alhpa", "1"); }),
             "unknown parameter \"alhpa\"; did you mean \"alpha\"?");
-  EXPECT_EQ(message_of([&] { defaults("fan2044"); }),
+  EXPECT_EQ(message_of([&] { Params("fan2044"); }),
             "unknown algorithm \"fan2044\"; did you mean \"fan2004\"?");
   EXPECT_EQ(message_of([&] { set_parameter(p, "polish", "strait"); }),
             "polish is \"strait\"; did you mean \"straight\"? It must be none|straight|taut");

@@ -14,7 +14,7 @@ namespace lasius {
 namespace {
 
 Params quick() {
-  Params params = defaults("fan2004");
+  Params params("fan2004");
   params.iterations = 3;
   params.ants = 4;
   params.seed = 11;
@@ -67,7 +67,7 @@ TEST(Batch, ThreadsThatMeetARuleFirstFindTheSame) {
   const Grid grid = generate(MapKind::random, {300, 300, 0.6, 6});
   const Planner labelled(grid);
   ASSERT_TRUE(labelled.label(Corners::allow));
-  Params params = defaults("as");
+  Params params("as");
   params.corners = Corners::allow;
   params.iterations = params.ants = 1;
   std::vector<Request> queries;

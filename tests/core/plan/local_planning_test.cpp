@@ -37,7 +37,7 @@ std::vector<Direction> sensed(const World& world, Cell at, int tick) {
 }
 
 Params ants() {
-  Params p = defaults("lecture-grid");
+  Params p("lecture-grid");
   p.heuristic = Heuristic::goal_angle;
   p.visibility = Visibility::none;
   p.beta = p.beta_first = 5;

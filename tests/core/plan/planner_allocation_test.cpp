@@ -75,7 +75,7 @@ TEST(PlannerAllocation, ProvingUnreachableTakesNoMapSizedMemory) {
   for (int y = 0; y < 4096; ++y) grid.set_blocked({2000, y});
   const Planner planner(grid);
   const auto before = allocated_bytes.load();
-  const Result result = planner.plan({.start = {1, 1}, .goal = {4000, 4000}}, defaults("fan2004"));
+  const Result result = planner.plan({.start = {1, 1}, .goal = {4000, 4000}}, Params("fan2004"));
   EXPECT_EQ(result.status, Status::unreachable);
   EXPECT_LT(allocated_bytes - before, 64 << 10);
 }

@@ -96,7 +96,7 @@ TEST(Planner, GivesTheSamePlanWithEveryKernelAtTheEndsOfItsExponents) {
     const Planner planner(grid);
     const Request request = far_apart(planner);
     for (const auto& [algorithm, settings] : cases) {
-      Params params = defaults(algorithm);
+      Params params(algorithm);
       for (const auto& [name, value] : settings) set_parameter(params, name, value);
       params.ants = 20;
       params.iterations = 100;
@@ -156,7 +156,7 @@ TEST_P(EveryColony, PlansWithEveryNeighbourhoodCornerRuleAndPolish) {
 TEST(Planner, TautIsNeverLongerThanStraightAndStraightThanNone) {
   const Planner planner(blobs());
   const Request request = far_apart(planner);
-  Params params = defaults("as");  // its trails do not depend on the polish
+  Params params("as");  // its trails do not depend on the polish
   params.iterations = 1;
   const auto length = [&](Polish polish) {
     params.polish = polish;
@@ -237,7 +237,7 @@ TEST(Planner, UnreachableNeedsNoTimeAtAll) {
   const Result result = planner.plan({.start = {1, 1},
                                       .goal = {900, 900},
                                       .stop = {.deadline = Clock::time_point{}, .time = &time}},
-                                     defaults("fan2004"));
+                                     Params("fan2004"));
   EXPECT_EQ(result.status, Status::unreachable);
   EXPECT_EQ(time.polls, 0);
 }

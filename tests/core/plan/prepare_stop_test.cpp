@@ -139,9 +139,9 @@ TEST(StoppedPlanner, LeavesTheGridAsItWas) {
   Grid grid = noise();
   EXPECT_FALSE(Planner::make(std::move(grid), fired()));
   EXPECT_EQ(grid, noise());
-  EXPECT_FALSE(Planner::make(std::move(grid), PrepareOptions{.stop = fired()}));
+  EXPECT_FALSE(Planner::make_prepared(std::move(grid), {.stop = fired()}));
   EXPECT_EQ(grid, noise());
-  const auto planner = Planner::make(std::move(grid), StopCondition{});
+  const auto planner = Planner::make(std::move(grid), {});
   ASSERT_TRUE(planner);
   EXPECT_EQ(planner->grid(), noise());
   EXPECT_EQ(planner->preparation().state, Preparation::State::none);
@@ -151,7 +151,7 @@ TEST(StoppedPlanner, WithoutTheHeavierPreparationItPlansOn) {
   const CountingTime counted(1 << 30);
   ASSERT_TRUE(Planner::make(Grid(noise()), counted.is_up()));
   const CountingTime time(counted.polls());
-  const auto planner = Planner::make(Grid(noise()), PrepareOptions{.stop = time.is_up()});
+  const auto planner = Planner::make_prepared(Grid(noise()), {.stop = time.is_up()});
   ASSERT_TRUE(planner);
   EXPECT_EQ(planner->preparation().state, Preparation::State::stopped);
   EXPECT_EQ(planner->footprint().components, Planner(noise()).footprint().components);
@@ -168,7 +168,7 @@ Grid diagonals(int side) {
 
 TEST(StoppedPlanner, APlanPaysForTheRuleThatItIsFirstToAskFor) {
   const Planner planner(diagonals(2048));
-  Params params = defaults("as");
+  Params params("as");
   params.corners = Corners::allow;
   params.iterations = 1;
   Request request{.start = {0, 0}, .goal = {1, 1}};

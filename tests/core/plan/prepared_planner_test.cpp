@@ -105,7 +105,7 @@ TEST(PreparedPlanner, RefusesThreadsOutOfRangeAndKeepsTheMap) {
     EXPECT_THROW(Planner(map(), options), Error);
     EXPECT_THROW((void)plain.prepared(options), Error);
     Grid grid = map();
-    EXPECT_THROW((void)Planner::make(std::move(grid), options), Error);
+    EXPECT_THROW((void)Planner::make_prepared(std::move(grid), options), Error);
     EXPECT_EQ(grid, map());
   }
 }

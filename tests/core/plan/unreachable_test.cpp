@@ -34,7 +34,7 @@ std::vector<std::int64_t> pages_of_proofs(int height) {
   const Planner planner(parted(height));
   std::vector<std::int64_t> pages;
   for (const char* algorithm : {"fan2004", "as", "grid-ga", "exact"}) {
-    const Params params = defaults(algorithm);
+    const Params params(algorithm);
     for (const Cell goal : {kBeyond, kShutIn}) {
       Status status;
       {

@@ -22,7 +22,7 @@ TEST(Determinism, SeedAloneDecides) {
   Dice dice(1);
   const Request request{.start = free_point(planner, dice), .goal = free_point(planner, dice)};
   for (const char* algorithm : {"maklink-acs", "real-ga"}) {
-    Params parameters = defaults(algorithm);
+    Params parameters(algorithm);
     parameters.iterations = 60;
     const Result one = planner.plan(request, parameters);
     parameters.threads = 3;
@@ -39,7 +39,7 @@ TEST(Stops, TokenAndDeadlineKeepTheBestPath) {
   const Planner planner(known_world());
   std::stop_source source;
   const Result cut = planner.plan({.start = {}, .goal = {}, .stop = {.token = source.get_token()}},
-                                  defaults("maklink-acs"), [&](const Progress& view) {
+                                  Params("maklink-acs"), [&](const Progress& view) {
                                     if (view.iteration == 4) source.request_stop();
                                   });
   EXPECT_EQ(cut.status, Status::interrupted);
@@ -48,7 +48,7 @@ TEST(Stops, TokenAndDeadlineKeepTheBestPath) {
   for (const char* algorithm : {"maklink-acs", "real-ga"}) {
     const Result late =
         planner.plan({.start = {}, .goal = {}, .stop = {.deadline = Clock::time_point::min()}},
-                     defaults(algorithm));
+                     Params(algorithm));
     EXPECT_EQ(late.status, Status::limit);
     EXPECT_EQ(late.path, late.dijkstra->path);
   }
@@ -64,7 +64,7 @@ TEST(Stops, ObserversSeeAndStopEveryAlgorithm) {
   EXPECT_EQ(calls, 1);
   EXPECT_EQ(exact.status, Status::solved);
   for (const char* algorithm : {"maklink-acs", "real-ga"}) {
-    const Result cut = planner.plan({}, defaults(algorithm), [&](const Progress& view) {
+    const Result cut = planner.plan({}, Params(algorithm), [&](const Progress& view) {
       EXPECT_LE(view.lower_bound.value(), view.best_length);
       if (view.iteration == 2) view.stop();
     });
@@ -76,7 +76,7 @@ TEST(Stops, ObserversSeeAndStopEveryAlgorithm) {
 
 TEST(Stops, TheDiscreteOptimumIsCutShort) {
   const Planner planner(known_world());
-  Params parameters = defaults("maklink-acs");
+  Params parameters("maklink-acs");
   parameters.iterations = 0;
   EXPECT_TRUE(planner.plan({}, parameters).discrete_optimum);
   parameters.values = 10001;
@@ -91,7 +91,7 @@ TEST(Stops, TheDiscreteOptimumIsCutShort) {
 TEST(Stops, PolledWhileFurtherRoutesAreSought) {
   const Planner planner(random_world(7, 100));
   Dice dice(1);
-  Params parameters = defaults("maklink-acs");
+  Params parameters("maklink-acs");
   parameters.iterations = 0;
   parameters.routes = 200;
   const CountingTime time(1000000);
@@ -105,7 +105,7 @@ TEST(Stops, PolledWhileFurtherRoutesAreSought) {
 
 TEST(Stops, AnIterationIsCutShort) {
   const Planner planner(known_world());
-  Params parameters = defaults("maklink-acs");
+  Params parameters("maklink-acs");
   parameters.values = 10001;
   parameters.iterations = 1;
   const CountingTime time(4);
@@ -128,7 +128,7 @@ TEST(InitialPheromone, OfTheFamilyDoesNotDependOnTheUnit) {
     grow(*other.goal);
     return other;
   };
-  Params parameters = defaults("maklink-acs");
+  Params parameters("maklink-acs");
   parameters.initial_pheromone = 0;
   const Result metres = Planner(world).plan({}, parameters);
   const Result other = Planner(scaled(1024)).plan({}, parameters);
@@ -137,7 +137,7 @@ TEST(InitialPheromone, OfTheFamilyDoesNotDependOnTheUnit) {
   for (std::size_t i = 0; i < metres.mean.size(); ++i) {
     EXPECT_EQ(metres.mean[i] * 1024, other.mean[i]);
   }
-  parameters.initial_pheromone = defaults("maklink-acs").initial_pheromone;
+  parameters.initial_pheromone = Params("maklink-acs").initial_pheromone;
   EXPECT_NE(Planner(world).plan({}, parameters).mean,
             Planner(scaled(1024)).plan({}, parameters).mean);
 }
@@ -145,7 +145,7 @@ TEST(InitialPheromone, OfTheFamilyDoesNotDependOnTheUnit) {
 TEST(TargetGap, EndsTheRun) {
   const Planner planner(known_world());
   const Result result =
-      planner.plan({.start = {}, .goal = {}, .target_gap = 0.02}, defaults("maklink-acs"));
+      planner.plan({.start = {}, .goal = {}, .target_gap = 0.02}, Params("maklink-acs"));
   EXPECT_LT(result.iterations, 50);
   EXPECT_LE(*result.gap(), 0.02);
 }
@@ -155,7 +155,7 @@ TEST(Routes, MoreLineSequencesAreNeverWorse) {
     const Planner planner(random_world(static_cast<std::uint64_t>(300 + i), 30));
     Dice dice(static_cast<std::uint64_t>(i));
     const Request request{.start = free_point(planner, dice), .goal = free_point(planner, dice)};
-    Params parameters = defaults("maklink-acs");
+    Params parameters("maklink-acs");
     const Result one = planner.plan(request, parameters);
     if (one.path.empty()) continue;
     parameters.routes = 5;
@@ -171,7 +171,7 @@ TEST(Parameters, AtTheEndsOfTheirRanges) {
   for (const Algorithm& algorithm : algorithms()) {
     const auto plan_with = [&](std::string_view name, const std::string& value,
                                const StopCondition& stop) {
-      Params parameters = defaults(algorithm.name);
+      Params parameters(algorithm.name);
       parameters.iterations = 2;
       set_parameter(parameters, name, value);
       const Result result = planner.plan({.start = {}, .goal = {}, .stop = stop}, parameters);
@@ -184,7 +184,7 @@ TEST(Parameters, AtTheEndsOfTheirRanges) {
 TEST(Parameters, NamesRangesAndDefaults) {
   EXPECT_EQ(algorithms().front().name, "exact");
   for (const Algorithm& algorithm : algorithms()) {
-    Params parameters = defaults(algorithm.name);
+    Params parameters(algorithm.name);
     EXPECT_NO_THROW(validate(parameters));
     for (const Parameter& parameter : algorithm.parameters) {
       const std::string value = get_parameter(parameters, parameter.name);
@@ -192,12 +192,12 @@ TEST(Parameters, NamesRangesAndDefaults) {
       EXPECT_THROW(set_parameter(parameters, parameter.name, "1e99"), Error) << parameter.name;
     }
   }
-  EXPECT_THROW(defaults("maklink"), Error);
-  Params bad = defaults("maklink-acs");
+  EXPECT_THROW(Params("maklink"), Error);
+  Params bad("maklink-acs");
   bad.values = 1;
   EXPECT_THROW(Planner(known_world()).plan({}, bad), Error);
   for (const int threads : {-1, 1025}) {
-    bad = defaults("maklink-acs");
+    bad = Params("maklink-acs");
     bad.threads = threads;
     EXPECT_THROW(validate(bad), Error);
   }

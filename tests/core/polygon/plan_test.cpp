@@ -102,7 +102,7 @@ TEST(KnownWorld, ShortestPathOfTheWorld) {
 TEST(KnownWorld, AntsReachTheOptimumOfTheirLinesWithEverySeed) {
   const Planner planner(known_world());
   expect_maklink(planner, "known world");
-  Params parameters = defaults("maklink-acs");
+  Params parameters("maklink-acs");
   for (int seed = 1; seed <= 100; ++seed) {
     parameters.seed = static_cast<std::uint64_t>(seed);
     const Result result = planner.plan({}, parameters);
@@ -113,7 +113,7 @@ TEST(KnownWorld, AntsReachTheOptimumOfTheirLinesWithEverySeed) {
 
 TEST(KnownWorld, DiscreteOptimumByTrial) {
   const Planner planner(known_world());
-  Params parameters = defaults("maklink-acs");
+  Params parameters("maklink-acs");
   parameters.values = 3;
   const Result result = planner.plan({}, parameters);
   const auto& lines = result.crossing.lines;
@@ -137,7 +137,7 @@ TEST(KnownWorld, DiscreteOptimumByTrial) {
 TEST(Maklink200, IsWhatItsReadmeSays) {
   const Planner planner(read_world(LASIUS_MAPS_DIR "/maklink200.geojson"));
   expect_maklink(planner, "maklink200");
-  const Result result = planner.plan({}, defaults("maklink-acs"));
+  const Result result = planner.plan({}, Params("maklink-acs"));
   EXPECT_EQ(result.crossing.lines.size(), 9u);
   EXPECT_NEAR(result.dijkstra->length, 509.689, 5e-4);
   EXPECT_NEAR(*result.lower_bound, 432.686, 5e-4);
@@ -159,7 +159,7 @@ TEST(RandomWorlds, MaklinkAndPathsAreValid) {
     const Referee referee(planner.grown_obstacles());
     EXPECT_TRUE(referee.clear(exact.path, 200 * 1e-9)) << which;
     for (const char* algorithm : {"maklink-acs", "real-ga"}) {
-      Params parameters = defaults(algorithm);
+      Params parameters(algorithm);
       parameters.iterations = 50;
       const Result result = planner.plan(request, parameters);
       expect_order(result, which);
@@ -199,7 +199,7 @@ World slalom() {
 
 TEST(Slalom, FunnelIsTheShortestPathWhereThereIsOneWay) {
   const Planner planner(slalom());
-  const Result result = planner.plan({}, defaults("maklink-acs"));
+  const Result result = planner.plan({}, Params("maklink-acs"));
   const double by_hand =
       std::hypot(9, 11) + 1 + std::hypot(9, 4) + 1 + std::hypot(9, 4) + 1 + std::hypot(8, 11);
   EXPECT_NEAR(planner.plan().length, by_hand, 1e-9);
@@ -229,7 +229,7 @@ TEST(Degenerate, StartOnALineOnACornerOnAnEdge) {
     for (const double h : {0.0, 0.25, 1.0}) {
       const Point p{line.a.x + h * (line.b.x - line.a.x), line.a.y + h * (line.b.y - line.a.y)};
       const Request request{.start = p, .goal = Point{160, 90}};
-      const Result result = planner.plan(request, defaults("maklink-acs"));
+      const Result result = planner.plan(request, Params("maklink-acs"));
       ASSERT_EQ(result.status, Status::solved);
       expect_order(result, "on a line");
       EXPECT_EQ(result.path.front(), p);
@@ -262,7 +262,7 @@ TEST(Degenerate, NoObstaclesAndNoWay) {
   world.boundary.outer = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
   world.start = Point{0, 0};
   world.goal = Point{4, 3};
-  Result result = Planner(world).plan({}, defaults("maklink-acs"));
+  Result result = Planner(world).plan({}, Params("maklink-acs"));
   EXPECT_EQ(result.length, 5);
   EXPECT_EQ(*result.gap(), 0);
   EXPECT_EQ(result.iterations, 0);

@@ -12,23 +12,24 @@
 #include <utility>
 #include <vector>
 
+#include "core/grid/move_rule.h"
 #include "tests/kernels/walk/walk_cases.h"
 
 namespace lasius::kernels {
 namespace {
 
-Neighbourhood neighbourhood(int lanes) {
+Neighbours neighbours(int lanes) {
   switch (lanes) {
     case 4:
-      return Neighbourhood::four;
+      return Neighbours::four;
     case 8:
-      return Neighbourhood::eight;
+      return Neighbours::eight;
     case 16:
-      return Neighbourhood::sixteen_knight;
+      return Neighbours::sixteen_knight;
     case 24:
-      return Neighbourhood::twenty_four;
+      return Neighbours::twenty_four;
     default:
-      return Neighbourhood::thirty_two;
+      return Neighbours::thirty_two;
   }
 }
 
@@ -37,7 +38,7 @@ class World {
  public:
   World(WalkShape shape, int width, int height, unsigned seed, double blocked = 0.2)
       : shape_(shape), width_(width), height_(height), random_(seed) {
-    const Moves moves = moves_of(neighbourhood(shape.lanes));
+    const Moves moves = moves_of(neighbours(shape.lanes));
     const int tiles_x = (width + kTileSide - 1) / kTileSide;
     const int tiles_y = (height + kTileSide - 1) / kTileSide;
     std::vector<char> open(static_cast<std::size_t>(width * height));

@@ -82,7 +82,8 @@ const ArmGround& ArmScenes::ground(const Question& question) const {
 Task ArmScenes::task(const Question& question, const Contender& contender) const {
   const Case& scene = *cases_.at(question.map);
   const arm::Params params = configured(scene.parameters, contender);
-  Task task = task_of(question.map, params, arm::algorithms().front().parameters, 3 * kSide);
+  Task task =
+      task_of(question.map, params, arm::find_algorithm(params.algorithm()).parameters, 3 * kSide);
   task.run = [this, &scene, params](std::uint64_t seed, const std::stop_token& stop, Workspace&) {
     arm::Params seeded = params;
     seeded.seed = seed;

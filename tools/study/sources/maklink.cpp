@@ -162,7 +162,7 @@ std::string claims(const Findings& findings, double dijkstra) {
 MaklinkWorld::MaklinkWorld(const Study& study, const std::filesystem::path& maps)
     : file_((maps / study.experiments.front().questions.front().map).string()),
       planner_(polygon::read_world(file_)) {
-  const auto first = planner_.plan({}, polygon::defaults("maklink-acs"));
+  const auto first = planner_.plan({}, polygon::Params("maklink-acs"));
   figures_ = {.lines = static_cast<int>(planner_.maklink().lines.size()),
               .crossed = static_cast<int>(first.crossing.lines.size()),
               .dijkstra = first.dijkstra->length,
@@ -171,7 +171,7 @@ MaklinkWorld::MaklinkWorld(const Study& study, const std::filesystem::path& maps
 }
 
 Task MaklinkWorld::task(const Question& question, const Contender& contender) const {
-  const auto params = configured(polygon::defaults(contender.algorithm), contender);
+  const auto params = configured(polygon::Params(contender.algorithm), contender);
   // Of the two sizes a search has one.
   Task task = task_of(question.map + ' ' + contender.algorithm, params,
                       parameters_of(polygon::algorithms(), contender.algorithm), figures_.crossed);

@@ -69,7 +69,7 @@ void save_plan(const std::string& world_file, const fs::path& file) {
   command.algorithm = "maklink-acs";
   std::vector<std::string> notes;
   const auto parameters = polygon_parameters(command, notes);
-  const PreparedWorld world = prepare_world(command.world);
+  const LoadedWorld world = load_world(command.world);
   write_polygon_picture(file.string(), world, polygon_answer(world, command, parameters, {}));
 }
 

@@ -1,4 +1,4 @@
-#include "kernels/base/moves.h"
+#include "core/grid/move_rule.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,14 @@
 #include <set>
 #include <utility>
 
-namespace lasius::kernels {
+namespace lasius {
 namespace {
 
-std::set<std::pair<int, int>> offsets(Neighbourhood n) {
+using kernels::Move;
+using kernels::Moves;
+using kernels::Offset;
+
+std::set<std::pair<int, int>> offsets(Neighbours n) {
   std::set<std::pair<int, int>> set;
   const Moves moves = moves_of(n);
   for (int k = 0; k < moves.count; ++k) set.emplace(moves[k].to.dx, moves[k].to.dy);
@@ -17,18 +21,18 @@ std::set<std::pair<int, int>> offsets(Neighbourhood n) {
 }
 
 TEST(Moves, CountsAreTheNeighbourhoodsNames) {
-  EXPECT_EQ(moves_of(Neighbourhood::four).count, 4);
-  EXPECT_EQ(moves_of(Neighbourhood::eight).count, 8);
-  EXPECT_EQ(moves_of(Neighbourhood::sixteen).count, 16);
-  EXPECT_EQ(moves_of(Neighbourhood::sixteen_knight).count, 16);
-  EXPECT_EQ(moves_of(Neighbourhood::twenty_four).count, 24);
-  EXPECT_EQ(moves_of(Neighbourhood::thirty_two).count, 32);
+  EXPECT_EQ(moves_of(Neighbours::four).count, 4);
+  EXPECT_EQ(moves_of(Neighbours::eight).count, 8);
+  EXPECT_EQ(moves_of(Neighbours::sixteen).count, 16);
+  EXPECT_EQ(moves_of(Neighbours::sixteen_knight).count, 16);
+  EXPECT_EQ(moves_of(Neighbours::twenty_four).count, 24);
+  EXPECT_EQ(moves_of(Neighbours::thirty_two).count, 32);
 }
 
 TEST(Moves, StandInScanOrderWithTheirLengths) {
   for (const auto n :
-       {Neighbourhood::four, Neighbourhood::eight, Neighbourhood::sixteen,
-        Neighbourhood::sixteen_knight, Neighbourhood::twenty_four, Neighbourhood::thirty_two}) {
+       {Neighbours::four, Neighbours::eight, Neighbours::sixteen, Neighbours::sixteen_knight,
+        Neighbours::twenty_four, Neighbours::thirty_two}) {
     const Moves moves = moves_of(n);
     for (int k = 0; k < moves.count; ++k) {
       const auto [dx, dy] = moves[k].to;
@@ -42,16 +46,16 @@ TEST(Moves, StandInScanOrderWithTheirLengths) {
 }
 
 TEST(Moves, SixteenLengthensStridesAndKnightsBringDirections) {
-  EXPECT_TRUE(offsets(Neighbourhood::sixteen).count({-2, 2}));
-  EXPECT_FALSE(offsets(Neighbourhood::sixteen).count({1, 2}));
-  EXPECT_TRUE(offsets(Neighbourhood::sixteen_knight).count({1, 2}));
-  EXPECT_FALSE(offsets(Neighbourhood::sixteen_knight).count({2, 2}));
-  EXPECT_TRUE(offsets(Neighbourhood::thirty_two).count({3, -3}));
+  EXPECT_TRUE(offsets(Neighbours::sixteen).count({-2, 2}));
+  EXPECT_FALSE(offsets(Neighbours::sixteen).count({1, 2}));
+  EXPECT_TRUE(offsets(Neighbours::sixteen_knight).count({1, 2}));
+  EXPECT_FALSE(offsets(Neighbours::sixteen_knight).count({2, 2}));
+  EXPECT_TRUE(offsets(Neighbours::thirty_two).count({3, -3}));
 }
 
 TEST(Moves, SweepWhatTheSegmentBetweenCentresCrosses) {
   const auto find = [](int dx, int dy) {
-    const Moves moves = moves_of(Neighbourhood::thirty_two);
+    const Moves moves = moves_of(Neighbours::thirty_two);
     for (int k = 0; k < moves.count; ++k) {
       if (moves[k].to.dx == dx && moves[k].to.dy == dy) return moves[k];
     }
@@ -80,4 +84,4 @@ TEST(Moves, SweepWhatTheSegmentBetweenCentresCrosses) {
 }
 
 }  // namespace
-}  // namespace lasius::kernels
+}  // namespace lasius

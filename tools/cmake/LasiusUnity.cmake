@@ -1,0 +1,18 @@
+# Most of a small file's time goes into the templates of headers, which files that are compiled together
+# share. Not for walks, sight and exact searches: what the compiler inlines there is measured.
+
+# lasius_unite(TARGET [GROUP SOURCE...]): with LASIUS_UNITY the sources of a group are compiled as one;
+# without a group all sources of the target, several at a time in the order of its list.
+function(lasius_unite target)
+  if(NOT LASIUS_UNITY)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+  # Given for unnamed namespaces in every file that is included, be it no header.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  if(ARGC GREATER 1)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+    list(POP_FRONT ARGN group)
+    set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${group})
+  endif()
+endfunction()
