@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "tests/worlds/random_grid.h"
@@ -63,7 +64,7 @@ TEST(HeuristicRows, FollowTheirFormulas) {
   expect_row(grid, c, goal, params(Heuristic::distance), [&](Cell to) { return apart(to, goal); });
   expect_row(grid, c, goal, params(Heuristic::goal_angle), [&](Cell to) {
     const double turn = std::abs(std::atan2(to.y - c.y, to.x - c.x) - std::atan2(2, 6));
-    return 1 / (1 + std::min(turn, 2 * M_PI - turn) / (M_PI / 4));
+    return 1 / (1 + std::min(turn, 2 * std::numbers::pi - turn) / (std::numbers::pi / 4));
   });
 }
 
