@@ -86,14 +86,14 @@ Placed place(const Obstacle& o) {
       return {std::make_shared<fcl::Sphered>(o.radius), at};
     case Obstacle::Shape::cylinder:
       return {std::make_shared<fcl::Cylinderd>(o.radius, o.length), at};
-    default: {
-      auto mesh = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
-      mesh->beginModel();
-      for (const auto& [a, b, c] : o.triangles) mesh->addTriangle(a, b, c);
-      mesh->endModel();
-      return {mesh, at};
-    }
+    case Obstacle::Shape::mesh:
+      break;
   }
+  auto mesh = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+  mesh->beginModel();
+  for (const auto& [a, b, c] : o.triangles) mesh->addTriangle(a, b, c);
+  mesh->endModel();
+  return {mesh, at};
 }
 
 /// The shortest turn of z to a direction. But for directions next to -z it is Eigen's

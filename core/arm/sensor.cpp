@@ -95,9 +95,11 @@ struct PlacedObstacle {
         return distance_to_box(local, 0.5 * size);
       case Obstacle::Shape::cylinder:
         return distance_to_cylinder(local, o.radius, 0.5 * o.length);
-      default:
-        return mesh->distance(local, limit);
+      case Obstacle::Shape::sphere:  // above
+      case Obstacle::Shape::mesh:
+        break;
     }
+    return mesh->distance(local, limit);
   }
 };
 

@@ -34,10 +34,10 @@ float move_factor(Visibility visibility, const kernels::Moves& moves, int previo
 }  // namespace
 
 kernels::WalkShape walk_shape(const Params& params, const kernels::Moves& moves, bool mixture) {
-  const bool steps_differ = params.visibility != Visibility::none && moves.count > 4;
+  const bool alike = params.visibility == Visibility::inverse_step && moves.count == 4;
   return {.lanes = moves.count,
           .mixture = mixture,
-          .factor = steps_differ || params.visibility == Visibility::heading_change,
+          .factor = params.visibility != Visibility::none && !alike,
           .draw = params.selection == Selection::roulette ? kernels::Draw::roulette
                                                           : kernels::Draw::discard};
 }

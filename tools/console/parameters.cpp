@@ -34,7 +34,8 @@ std::pair<std::string_view, std::string_view> setting_of(std::string_view settin
   if (!algorithm.parameters.empty())
     throw UsageError(unknown + did_you_mean(name, names_of(algorithm.parameters)));
   // One that needs none was meant for another.
-  const Algorithm& other = all[1];
+  const Algorithm& other =
+      *std::ranges::find_if(all, [](const Algorithm& a) { return !a.parameters.empty(); });
   throw UsageError(unknown + "it takes none. With --algorithm " + std::string(other.name) + ": " +
                    did_you_mean(name, names_of(other.parameters)));
 }

@@ -106,8 +106,6 @@ TEST(ArmPlan, BadParametersAreRefused) {
   refused([](Params& p) { p.evaporation = 1.1; });
   refused([](Params& p) { p.evaporation = std::nan(""); });
   refused([](Params& p) { p.seed = std::uint64_t{1} << 53; });
-  refused([](Params& p) { p.threads = -1; });
-  refused([](Params& p) { p.threads = 1025; });
   refused([](Params& p) { p.initial_pheromone = 1e-310; });
   refused([](Params& p) { p.pitch = 1e-5; });  // too many points
   refused([](Params& p) { p.pitch = 1e-300; });
@@ -119,6 +117,8 @@ TEST(ArmPlan, BadParametersAreRefused) {
   EXPECT_EQ(get_parameter(p, "pheromone"), "edges");
   EXPECT_EQ(p.pheromone, Pheromone::edges);
 }
+
+TEST(ArmPlan, EveryRangeIsTheOneThatIsTold) { expect_ranges<Params>(algorithms()); }
 
 TEST(ArmPlan, ParametersAtTheEndsOfTheirRanges) {
   const Robot robot = two_links();
@@ -134,7 +134,7 @@ TEST(ArmPlan, ParametersAtTheEndsOfTheirRanges) {
     const Result r = plan(robot, Nothing(), request, p);
     EXPECT_EQ(r.joints.cols() == 0, std::isnan(r.length)) << name << " " << value;
   };
-  plan_at_both_ends(find_algorithm(Params::algorithm()), plan_with);
+  for (const Algorithm& algorithm : algorithms()) plan_at_both_ends(algorithm, plan_with);
 }
 
 TEST(ArmPlan, TheLeastPheromoneUnderTheStrongestEvaporation) {

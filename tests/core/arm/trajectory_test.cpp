@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -45,6 +46,19 @@ class Notes final : public Sensor {
  private:
   double clearance_;
 };
+
+/// How far two joints are from the straight lines of a way.
+double off(const std::vector<JointVector>& way, const JointRef& q) {
+  double least = 1e300;
+  for (std::size_t k = 0; k + 1 < way.size(); ++k) {
+    const double dx = way[k + 1][0] - way[k][0], dy = way[k + 1][1] - way[k][1];
+    const double share = std::clamp(
+        ((q[0] - way[k][0]) * dx + (q[1] - way[k][1]) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+    least =
+        std::min(least, std::hypot(q[0] - way[k][0] - share * dx, q[1] - way[k][1] - share * dy));
+  }
+  return least;
+}
 
 /// Continuity and rest, to rounding, at all knots and both ends.
 void expect_smooth(const Robot& robot, const Trajectory& t) {
@@ -174,15 +188,7 @@ TEST(Trajectory, RestsAtEachWaypointWhereNothingElseIsFree) {
   EXPECT_LE(limit_used(robot, made.trajectory), 1 + 1e-9);
   // On the straight lines all along: the second joint follows the first on the first one.
   for (int i = 0; i <= 1000; ++i) {
-    const auto q = made.trajectory.at(made.trajectory.duration() * i / 1000).q;
-    double off = 1e300;
-    for (std::size_t k = 0; k + 1 < way.size(); ++k) {
-      const double dx = way[k + 1][0] - way[k][0], dy = way[k + 1][1] - way[k][1];
-      const double share = std::clamp(
-          ((q[0] - way[k][0]) * dx + (q[1] - way[k][1]) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-      off = std::min(off, std::hypot(q[0] - way[k][0] - share * dx, q[1] - way[k][1] - share * dy));
-    }
-    EXPECT_LT(off, 1e-9);
+    EXPECT_LT(off(way, made.trajectory.at(made.trajectory.duration() * i / 1000).q), 1e-9);
   }
 }
 
@@ -217,6 +223,42 @@ TEST(Trajectory, StaysWithinTheClearanceOfTheMotionsThatItAskedAbout) {
                                 0.41 * std::abs(q[1] - a[1] - share * dy));
       }
       ASSERT_LE(off, clearance) << "at " << i;
+    }
+  }
+}
+
+/// Free are positions within `width` of the way, by the first two joints.
+class Tube final : public Sensor {
+ public:
+  Tube(std::vector<JointVector> way, double width) : way_(std::move(way)), width_(width) {}
+  bool position_free(const JointRef& q) const override { return off(way_, q) <= width_; }
+  bool motion_free(const JointRef& a, const JointRef& b) const override {
+    const JointVector middle = 0.5 * (a + b);
+    return position_free(a) && position_free(middle) && position_free(b);
+  }
+  double clearance() const override { return 0.001; }
+
+ private:
+  std::vector<JointVector> way_;
+  double width_;
+};
+
+// Where the spline through the waypoints leaves what is free, points between them are added.
+TEST(Trajectory, ARefinedCoursePassesAllWaypoints) {
+  const Robot robot = two_links();
+  const std::vector<JointVector> way{joints({0, 0}), joints({0.5, 0}), joints({0.5, 0.6}),
+                                     joints({1.2, 0.6}), joints({1.2, 0.1})};
+  for (const double width : {0.03, 0.01}) {
+    const auto made = make_trajectory(robot, Tube(way, width), columns(way), {.shortcut = false});
+    ASSERT_FALSE(made.stops) << width;
+    EXPECT_GT(made.trajectory.knots().size(), way.size() + 2) << "nothing was refined";
+    for (const JointVector& waypoint : way) {
+      const auto& knots = made.trajectory.knots();
+      EXPECT_TRUE(std::ranges::any_of(
+          knots, [&](const auto& knot) { return (knot.q - waypoint).norm() < 1e-9; }));
+    }
+    for (int i = 0; i <= 1000; ++i) {
+      EXPECT_LE(off(way, made.trajectory.at(made.trajectory.duration() * i / 1000).q), width);
     }
   }
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "core/base/poller.h"
 #include "core/genetic/grid_ga_route.h"
@@ -134,6 +136,63 @@ TEST(GridGa, ImprovesTowardsTheOptimumAndNeverBelow) {
     improved += result.best.back() < result.best.front();
   }
   EXPECT_GE(improved, 8);
+}
+
+/// True when the cells are the first part of one path and then the last part of another, joined at
+/// a cell of both; fewer where loops were cut.
+bool crossed(const Cells& child, const Cells& one, const Cells& other) {
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const auto joint = std::find(other.begin(), other.end(), one[i]);
+    if (joint == other.end()) continue;
+    const auto is_in = [](auto first, auto last) {
+      return [=](Cell c) { return std::find(first, last, c) != last; };
+    };
+    const auto before = is_in(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(i));
+    const auto behind = is_in(joint, other.end());
+    if (std::ranges::all_of(child, [&](Cell c) { return before(c) || behind(c); })) return true;
+  }
+  return false;
+}
+
+// Without mutation, a child is made of its parents, but no union of them: it may be worse. Its
+// sibling has the other parts.
+TEST(GridGa, AChildIsTheFirstPartOfOneParentAndTheLastOfTheOther) {
+  Grid rooms(41, 31);  // two, with a door: where ways part before it, others part behind it
+  for (int y = 0; y < 31; ++y) rooms.set_blocked({20, y}, y != 15);
+  const Planner planner(rooms);
+  const Request request{.start = {3, 15}, .goal = {37, 15}};
+  int longer = 0;
+  for (int seed = 1; seed <= 30; ++seed) {
+    Params p = genetic(Polish::none);
+    p.neighbours = Neighbours::four;
+    p.mutation = 0;
+    p.population = 10;
+    p.iterations = 6;
+    p.seed = static_cast<std::uint64_t>(seed);
+    std::vector<Cells> parents, children;
+    const auto look = [&](const GridProgress& seen) {
+      parents = std::exchange(children, {});
+      std::size_t longest = 0, before = 0;
+      for (const Cells& path : parents) before = std::max(before, path.size());
+      for (int a = 0; a < seen.ants(); ++a) {
+        children.push_back(seen.tour(a));
+        longest = std::max(longest, children.back().size());
+        if (a % 2 == 0 || parents.empty()) continue;
+        const Cells &child = children[children.size() - 2], &sibling = children.back();
+        EXPECT_TRUE(std::ranges::any_of(
+            parents,
+            [&](const Cells& one) {
+              return std::ranges::any_of(parents, [&](const Cells& other) {
+                return crossed(child, one, other) && crossed(sibling, other, one);
+              });
+            }))
+            << seen.iteration << ", " << a;
+      }
+      longer += seen.iteration > 0 && longest > before ? 1 : 0;
+    };
+    (void)planner.plan(request, p, nullptr, look);
+  }
+  EXPECT_GT(longer, 0);
 }
 
 TEST(GridGa, KeepsItsPathsWithoutCrossoverAndMutation) {

@@ -18,11 +18,12 @@ TEST_P(ParameterRange, BothEndsOfEveryNumberEnd) {
   const Planner planner(blobs(60, 40));
   Request request = far_apart(planner);
   Workspace workspace;
-  int plans = 0;
+  int plans = 0, paths = 0;
   const auto expect_plan = [&](const Params& params, const std::string& what) {
     const Result result = planner.plan(request, params, &workspace);
     if (!result.path.empty()) {
       EXPECT_EQ(path_fault(planner.grid(), result.path), std::nullopt) << what;
+      ++paths;
     }
     ++plans;
   };
@@ -36,6 +37,7 @@ TEST_P(ParameterRange, BothEndsOfEveryNumberEnd) {
     expect_plan(params, std::string(name) + " = " + value);
   });
   EXPECT_GT(plans, 30);
+  EXPECT_GT(paths, 30);
   // Pheromone that could vanish altogether.
   request.stop = {};
   usual.initial_pheromone = 0;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -56,10 +57,21 @@ TEST(Batch, AnswersInOrderWhatPlanAnswers) {
           ASSERT_EQ(answer.index, next++);
           const Request& query = scene.queries[answer.index];
           expect_equal(answer.result, scene.planner.plan({query.start, query.goal}, quick()));
-          EXPECT_GE(answer.elapsed.count(), 0);
         });
     EXPECT_EQ(count, scene.queries.size());
+    EXPECT_EQ(next, count);
   }
+}
+
+// One thread answers one query after the other.
+TEST(Batch, ElapsedIsOfEachQueryAlone) {
+  const Scene scene;
+  std::chrono::duration<double> sum(0);
+  const auto begin = Clock::now();
+  plan_batch(scene.planner, scene.queries, quick(), {.threads = 1},
+             [&](const BatchAnswer& answer) { sum += answer.elapsed; });
+  EXPECT_LE(sum, Clock::now() - begin);
+  EXPECT_GT(sum.count(), 0);
 }
 
 // Components of 8 neighbours are made by whoever asks first, perhaps by several at a time.

@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <thread>
@@ -15,6 +14,7 @@
 #include "lasius/map_io.h"
 #include "lasius/path.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/core/base/environment_variable.h"
 #include "tests/core/plan/planning.h"
 #include "tests/oracle/plane_rule.h"
 
@@ -72,16 +72,14 @@ TEST_P(EveryColony, GivesTheSamePlanWithScalarAndVectorKernels) {
   const Planner planner(blobs());
   const Request request = far_apart(planner);
   const Params params = quick(GetParam());
-  ASSERT_EQ(setenv("LASIUS_KERNELS", "scalar", 1), 0);
-  const Result scalar = planner.plan(request, params);
-  if (kernels::supported_isa() >= kernels::Isa::avx2) {
-    ASSERT_EQ(setenv("LASIUS_KERNELS", "avx2", 1), 0);
-    expect_equal(planner.plan(request, params), scalar);
-  }
-  ASSERT_EQ(setenv("LASIUS_KERNELS", "sse9", 1), 0);
-  EXPECT_THROW((void)planner.plan(request, params), Error);
-  ASSERT_EQ(unsetenv("LASIUS_KERNELS"), 0);
-  expect_equal(planner.plan(request, params), scalar);
+  const auto plan = [&](const char* kernels) {
+    const EnvironmentVariable choice("LASIUS_KERNELS", kernels);
+    return planner.plan(request, params);
+  };
+  const Result scalar = plan("scalar");
+  if (kernels::supported_isa() >= kernels::Isa::avx2) expect_equal(plan("avx2"), scalar);
+  EXPECT_THROW((void)plan("sse9"), Error);
+  expect_equal(plan(nullptr), scalar);
 }
 
 // Weights beyond what a double holds must not set kernels apart.
@@ -100,10 +98,11 @@ TEST(Planner, GivesTheSamePlanWithEveryKernelAtTheEndsOfItsExponents) {
       for (const auto& [name, value] : settings) set_parameter(params, name, value);
       params.ants = 20;
       params.iterations = 100;
-      ASSERT_EQ(setenv("LASIUS_KERNELS", "scalar", 1), 0);
-      const Result scalar = planner.plan(request, params);
-      ASSERT_EQ(unsetenv("LASIUS_KERNELS"), 0);
-      expect_equal(planner.plan(request, params), scalar);
+      const auto plan = [&, &params = params](const char* kernels) {
+        const EnvironmentVariable choice("LASIUS_KERNELS", kernels);
+        return planner.plan(request, params);
+      };
+      expect_equal(plan(nullptr), plan("scalar"));
     }
   }
 }

@@ -145,6 +145,7 @@ TEST(Maklink200, IsWhatItsReadmeSays) {
 }
 
 TEST(RandomWorlds, MaklinkAndPathsAreValid) {
+  int planned = 0;
   for (int i = 0; i < 40; ++i) {
     const std::string which = "world " + std::to_string(i);
     const int count = i == 0 ? 200 : 5 + 95 * (i % 10) * (i % 10) / 81;
@@ -166,11 +167,14 @@ TEST(RandomWorlds, MaklinkAndPathsAreValid) {
       EXPECT_EQ(*result.lower_bound, std::min(exact.length, result.length)) << which;
       EXPECT_TRUE(referee.clear(result.path, 200 * 1e-9)) << which;
       EXPECT_TRUE(referee.clear(result.sequence_optimum->path, 200 * 1e-9)) << which;
+      ++planned;
     }
   }
+  EXPECT_GT(planned, 40);
 }
 
 TEST(RandomWorlds, ExactAgreesWithBruteForce) {
+  int reached = 0;
   for (int i = 0; i < 12; ++i) {
     const Planner planner(random_world(static_cast<std::uint64_t>(50 + i), 4 + i));
     Dice dice(static_cast<std::uint64_t>(i));
@@ -181,8 +185,10 @@ TEST(RandomWorlds, ExactAgreesWithBruteForce) {
       EXPECT_EQ(result.status, Status::unreachable) << i;
     } else {
       EXPECT_NEAR(result.length, expected, 1e-6) << i;
+      ++reached;
     }
   }
+  EXPECT_GT(reached, 6);
 }
 
 World slalom() {
@@ -330,6 +336,7 @@ TEST(Ends, AnEdgeOfTheBoundaryIsNotOutside) {
 }
 
 TEST(Bitmap, ExactPathsOfBothWorldsAreOfOneLength) {
+  int reached = 0;
   for (const MapKind kind : {MapKind::rooms, MapKind::blobs, MapKind::random}) {
     const Grid grid = generate(kind, {.width = 48, .height = 40, .seed = 2});
     const lasius::Planner cells(grid);
@@ -344,8 +351,10 @@ TEST(Bitmap, ExactPathsOfBothWorldsAreOfOneLength) {
       EXPECT_EQ(result.status, expected.status);
       if (expected.path.empty()) continue;
       EXPECT_NEAR(result.length, expected.length, 1e-9);
+      ++reached;
     }
   }
+  EXPECT_GT(reached, 9);
 }
 
 }  // namespace

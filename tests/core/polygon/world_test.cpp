@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lasius/error.h"
@@ -130,6 +132,52 @@ TEST(Wkt, ReadsWhatItWrites) {
   EXPECT_EQ(parse_wkt(to_wkt(world), "w"), world);
   EXPECT_EQ(parse_geojson(to_geojson(world), "w"), world);
   EXPECT_EQ(hash(parse_wkt(to_wkt(world), "w")), hash(world));
+}
+
+TEST(World, TheHashIsOfEveryNumber) {
+  World world;
+  world.boundary = {{{0, 0}, {10, 0}, {10, 10}}, {{{1, 2}, {3, 2}, {3, 4}}}};
+  world.obstacles = {{{{1, 1}, {2, 1}, {2, 2}}, {}},
+                     {{{4, 4}, {8, 4}, {8, 8}}, {{{5, 5}, {6, 5}, {6, 6}}}}};
+  world.start = Point{0.1, 0.2};
+  world.margin = 0.125;
+  std::vector<std::uint64_t> seen{hash(world)};
+  const auto expect_another = [&](const World& other, const std::string& changed) {
+    const std::uint64_t value = hash(other);
+    EXPECT_EQ(std::ranges::count(seen, value), 0) << changed;
+    seen.push_back(value);
+  };
+  World other = world;
+  const auto change = [&](double& number, const std::string& what) {
+    const double before = std::exchange(number, number + 0.5);
+    expect_another(other, what);
+    number = before;
+  };
+  const auto change_polygon = [&](Polygon& polygon, const std::string& what) {
+    std::vector<Ring*> rings{&polygon.outer};
+    for (Ring& hole : polygon.holes) rings.push_back(&hole);
+    for (Ring* ring : rings) {
+      for (Point& p : *ring) {
+        change(p.x, what + ", x");
+        change(p.y, what + ", y");
+        std::swap(p.x, p.y);
+        if (p.x != p.y) expect_another(other, what + ", x and y");
+        std::swap(p.x, p.y);
+      }
+    }
+  };
+  change_polygon(other.boundary, "boundary");
+  for (Polygon& p : other.obstacles) change_polygon(p, "obstacle");
+  change(other.start->x, "start's x");
+  change(other.start->y, "start's y");
+  change(other.margin, "margin");
+  std::swap(other.start, other.goal);
+  expect_another(other, "a goal in place of the start");
+  std::swap(other.start, other.goal);
+  std::swap(other.obstacles[0], other.obstacles[1]);
+  expect_another(other, "order of the obstacles");
+  other.obstacles.clear();
+  expect_another(other, "no obstacles");
 }
 
 TEST(Wkt, RefusesToWriteWhatItCouldNotRead) {

@@ -141,10 +141,12 @@ TEST(Straighten, FirstPassEqualsGreedySightAndTheResultIsValid) {
 TEST(Straighten, EndsWhereNeitherDirectionShortens) {
   std::mt19937 random(5);
   Straightener straightener;
+  int pulled_paths = 0;
   for (int round = 0; round < 500; ++round) {
     const Grid grid = random_grid(80, 50, (round % 5) * 6, random);
     const Walk walk = random_walk(grid, 600, false, Corners::forbid, random);
     if (walk.empty()) continue;
+    ++pulled_paths;
     for (const bool tight : {false, true}) {
       tight ? straightener.straighten(grid) : straightener.run(grid, walk);
       const double length = length_of(straightener.vertices());
@@ -155,6 +157,37 @@ TEST(Straighten, EndsWhereNeitherDirectionShortens) {
       }
     }
   }
+  EXPECT_GT(pulled_paths, 300);
+}
+
+// As short as vertices that are left out, or moved by a cell, can make it.
+TEST(Straighten, NoVertexIsToSpareOrBetterACellFurther) {
+  std::mt19937 random(9);
+  Straightener straightener;
+  std::size_t vertices = 0;
+  for (int round = 0; round < 1000; ++round) {
+    const Grid grid = random_grid(60, 40, 5 + (round % 5) * 5, random);
+    const Walk walk = random_walk(grid, 400, false, Corners::forbid, random);
+    if (walk.empty()) continue;
+    straightener.run(grid, walk);
+    straightener.straighten(grid);
+    const auto path = straightener.vertices();
+    for (std::size_t i = 1; i + 1 < path.size(); ++i, ++vertices) {
+      const Cell a = path[i - 1], b = path[i], c = path[i + 1];
+      const double least = length_of(Walk{a, b, c}) * (1 - 1e-9);
+      if (visible(grid, a, c)) {
+        ASSERT_GE(length_of(Walk{a, c}), least) << "vertex " << i;
+      }
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          const Cell to{b.x + dx, b.y + dy};
+          if (grid.blocked(to) || !visible(grid, a, to) || !visible(grid, to, c)) continue;
+          ASSERT_GE(length_of(Walk{a, to, c}), least) << "vertex " << i;
+        }
+      }
+    }
+  }
+  EXPECT_GT(vertices, 2000u);
 }
 
 TEST(Straighten, AllocatesNothingTheSecondTime) {

@@ -1,0 +1,117 @@
+// What the colony does with its rules, its paths and its best tour, as an observer sees it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "core/colony/update.h"
+#include "lasius/path.h"
+#include "tests/core/grid/centres.h"
+#include "tests/core/plan/planning.h"
+
+namespace lasius {
+namespace {
+
+/// tau on a corridor of 5 cells after each iteration: every tour is the corridor, L = 4.
+std::vector<double> corridor(Params params, int iterations) {
+  params.iterations = iterations;
+  std::vector<double> tau;
+  Planner(Grid(5, 1))
+      .plan({.start = {0, 0}, .goal = {4, 0}}, params, nullptr, [&](const GridProgress& seen) {
+        tau.push_back(seen.pheromone({1, 0}));
+        EXPECT_EQ(seen.pheromone({2, 0}), tau.back());
+      });
+  return tau;
+}
+
+TEST(Colony, UpdatesLocallyAfterEachAnt) {
+  // xi = 0.1, persistence 0.9, Q = 1. The first ants find tau0; 0.9 * 0.01 + 0.1 / 4 = 0.034. Then
+  // 0.9 * 0.034 + 0.1 * 0.01 = 0.0316 and 0.9 * 0.0316 + 0.001 = 0.02944, and 0.9 * 0.02944 +
+  // 0.025.
+  Params params = defaults("acs");
+  params.ants = 2;
+  params.initial_pheromone = 0.01;
+  const auto tau = corridor(params, 2);
+  ASSERT_EQ(tau.size(), 2u);
+  EXPECT_NEAR(tau[0], 0.034, 1e-7);
+  EXPECT_NEAR(tau[1], 0.051496, 1e-7);
+}
+
+TEST(Colony, LaterBatchesWalkByWhatEarlierOnesLeft) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  Params params = quick("acs");
+  const Result one_by_one = planner.plan(request, params);
+  params.batch = 0;
+  const Result at_once = planner.plan(request, params);
+  EXPECT_EQ(one_by_one.mean.front(), at_once.mean.front()) << "all tau0, whoever walked";
+  EXPECT_NE(one_by_one.mean, at_once.mean);
+}
+
+TEST(Colony, LaysStraightenedPathsAsAsked) {
+  // Q / L = 25, persistence 0.7: the tour each time, its path where it is asked for. The first path
+  // improves on none, the second is as long.
+  Params params = defaults("fan2004");
+  params.ants = 1;
+  const auto expect = [&](StraightDeposit which, double first, double second) {
+    params.straight_deposit = which;
+    const auto tau = corridor(params, 2);
+    ASSERT_EQ(tau.size(), 2u);
+    EXPECT_NEAR(tau[0], first, 1e-4);
+    EXPECT_NEAR(tau[1], second, 1e-4);
+  };
+  expect(StraightDeposit::none, 0.7 + 25, 0.7 * 25.7 + 25);
+  expect(StraightDeposit::improving, 0.7 + 50, 0.7 * 50.7 + 25);
+  expect(StraightDeposit::all, 0.7 + 50, 0.7 * 50.7 + 50);
+}
+
+// The answer of the terminal index joins what several ants know, rather than be one ant's tour.
+TEST(Colony, OffersTheBestWayThatItsAntsKnowTogether) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  double shortest_tour = std::numeric_limits<double>::infinity();
+  int joined = 0;
+  const auto look = [&](const GridProgress& seen) {
+    for (int a = 0; a < seen.ants(); ++a) {
+      shortest_tour = std::min(shortest_tour, path_length(centres(seen.tour(a))));
+    }
+    EXPECT_LE(seen.best_length, seen.pheromone(request.start) * (1 + 1e-6));
+    joined += seen.best_length < 0.99 * shortest_tour ? 1 : 0;
+  };
+  (void)planner.plan(request, quick("terminal-index"), nullptr, look);
+  EXPECT_GT(joined, 5);
+}
+
+TEST(BestKnownWay, FollowsTheLeastIndex) {
+  // Two tours from (2, 2) to (6, 2) that meet at (4, 1): one is short before it, one behind it.
+  constexpr std::uint8_t kNorth = 1, kNorthEast = 2, kEast = 4, kSouth = 6, kSouthEast = 7;
+  using Moves = std::vector<std::uint8_t>;
+  const Grid grid(20, 20);
+  const Params params = defaults("terminal-index");
+  const auto moves = kernels::moves_of(kernels::Neighbourhood::eight);
+  const Cell start{2, 2}, goal{6, 2};
+  Field field;
+  field.reset(grid, moves, goal, params, 99, {});
+  Moves way{kEast};
+  best_known_way(field, moves, start, goal, {}, way);
+  EXPECT_EQ(way, Moves());
+  std::vector<int> ranking;
+  for (const Moves& walked : {Moves{kEast, kNorthEast, kNorthEast, kSouthEast, kSouth},
+                              Moves{kNorth, kNorthEast, kEast, kSouth, kSouthEast, kEast}}) {
+    const Tour tour{walked, 1};
+    update_trail(field, params,
+                 {.start = start,
+                  .moves = moves,
+                  .ants = {&tour, 1},
+                  .best_so_far = tour,
+                  .rows = 20,
+                  .ranking = ranking},
+                 {});
+  }
+  best_known_way(field, moves, start, goal, {}, way);
+  EXPECT_EQ(way, (Moves{kEast, kNorthEast, kSouthEast, kEast}));
+}
+
+}  // namespace
+}  // namespace lasius
