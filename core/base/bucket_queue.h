@@ -6,9 +6,9 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
-#include <utility>
 
 #include "core/base/growing_list.h"
+#include "core/base/poller.h"
 
 namespace lasius {
 
@@ -30,7 +30,6 @@ class BucketQueue {
     per_width_ = 1 / width;
     current_ = 0;
     least_ = std::numeric_limits<double>::infinity();
-    dealt_ = 0;
     items_.clear();
     spare_ = kNone;
     overflow_ = kNone;
@@ -49,8 +48,10 @@ class BucketQueue {
     place(item);
   }
 
-  /// Moves to the first bucket that holds something; false if nothing does.
-  bool advance() {
+  /// Moves to the first bucket that holds something; false if nothing does. Dealing items out is
+  /// work that the poller is told of: on long ways most of them wait, and are dealt out again and
+  /// again.
+  bool advance(Poller& poller) {
     for (;;) {
       int word = current_ >> 6;
       std::uint64_t bits = full_[word] & (~std::uint64_t{0} << (current_ & 63));
@@ -60,7 +61,7 @@ class BucketQueue {
         return true;
       }
       if (overflow_ == kNone) return false;
-      deal_out();
+      poller.stop_after(deal_out());
     }
   }
   /// After advance(): no key is below this.
@@ -75,9 +76,6 @@ class BucketQueue {
     spare_ = item;
     return taken.index;
   }
-
-  /// Items dealt out since the last call: work that a stop condition has to know of.
-  std::int64_t take_dealt() noexcept { return std::exchange(dealt_, 0); }
 
   std::int64_t bytes() const noexcept {
     return static_cast<std::int64_t>(sizeof *this) + items_.bytes();
@@ -110,8 +108,9 @@ class BucketQueue {
     word |= bit;
   }
 
-  // All buckets are empty: starts them anew at the least key that waits.
-  void deal_out() noexcept {
+  // All buckets are empty: starts them anew at the least key that waits. Returns how many items
+  // wait.
+  std::int64_t deal_out() noexcept {
     std::uint32_t waiting = overflow_;
     overflow_ = kNone;
     double least = items_[waiting].key;
@@ -120,12 +119,14 @@ class BucketQueue {
     }
     origin_ = least;
     current_ = 0;
+    std::int64_t dealt = 0;
     while (waiting != kNone) {
-      ++dealt_;
+      ++dealt;
       const std::uint32_t next = items_[waiting].next;
       place(waiting);
       waiting = next;
     }
+    return dealt;
   }
 
   double origin_ = 0;
@@ -135,7 +136,6 @@ class BucketQueue {
   double least_ = 0;  // of the keys below the first bucket, which holds them
   std::uint32_t spare_ = kNone;
   std::uint32_t overflow_ = kNone;
-  std::int64_t dealt_ = 0;
   GrowingList<Item> items_;
   std::array<std::uint64_t, kWords> full_{};  // a bit for each bucket that holds something
   std::array<std::uint32_t, kBuckets> heads_{};

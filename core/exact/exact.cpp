@@ -84,13 +84,13 @@ void ExactSearch::expand(std::uint32_t index) {
 
 // Takes the best corner of the frontier; false when none can lead to a shorter path, or stopped.
 bool ExactSearch::next_corner(std::uint32_t& index) {
-  while (frontier_.advance()) {
+  while (frontier_.advance(*poller_)) {
     lower_ = std::max(lower_, frontier_.floor());
     if (lower_ >= upper_) return false;
     index = frontier_.pop();
     const Corner& corner = corners_[index];
     if (!corner.expanded && corner.length + corner.to_goal < upper_) return true;
-    if (poller_->stop_after(1 + frontier_.take_dealt())) return false;
+    if (poller_->stop_after(1)) return false;
   }
   lower_ = upper_;
   return false;
@@ -99,20 +99,21 @@ bool ExactSearch::next_corner(std::uint32_t& index) {
 // Expands corners by the frontier that weighs the distance to the goal more. What it finds enters
 // both frontiers.
 void ExactSearch::search_weighted(std::int64_t steps, Poller& poller) {
-  for (; steps > 0 && upper_ == kInfinity && !poller.stopped() && weighted_frontier_.advance();
+  for (;
+       steps > 0 && upper_ == kInfinity && !poller.stopped() && weighted_frontier_.advance(poller);
        --steps) {
     const std::uint32_t index = weighted_frontier_.pop();
     Corner& corner = corners_[index];
     if (corner.weighed || corner.expanded) continue;
     corner.weighed = true;
     expand(index);
-    poller.stop_after(kWordsPerExpansion + weighted_frontier_.take_dealt());
+    poller.stop_after(kWordsPerExpansion);
   }
   weighted_on_ = upper_ == kInfinity;
   // A scan that was stopped may have left out what would come first.
   if (!bounding_ || poller.stopped()) return;
   const double least =
-      weighted_frontier_.advance() ? weighted_frontier_.floor() / weight_ : kInfinity;
+      weighted_frontier_.advance(poller) ? weighted_frontier_.floor() / weight_ : kInfinity;
   lower_ = std::max(lower_, std::min(least, upper_));
 }
 

@@ -57,8 +57,9 @@ bool ExactSearch::improve(std::int64_t work, Poller& poller) {
   bool more = lower_ < upper_;
   while (more && !poller.stopped() && work_done() < end) {
     const double before = upper_;
-    const double least = weighted_frontier_.advance() ? weighted_frontier_.floor()
-                                                      : std::numeric_limits<double>::infinity();
+    const double least = weighted_frontier_.advance(poller)
+                             ? weighted_frontier_.floor()
+                             : std::numeric_limits<double>::infinity();
     lower_ = std::max(lower_, std::min(least / weight_, upper_));
     if (least < upper_) {
       const std::uint32_t index = weighted_frontier_.pop();
@@ -67,7 +68,7 @@ bool ExactSearch::improve(std::int64_t work, Poller& poller) {
         corner.weighed = true;
         expand(index);
       }
-      poller.stop_after(exact::kWordsPerExpansion + weighted_frontier_.take_dealt());
+      poller.stop_after(exact::kWordsPerExpansion);
     }
     const bool on = least < upper_ && upper_ == before;
     more = lower_ < upper_ && (on || lower_weight());

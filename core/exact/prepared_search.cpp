@@ -207,13 +207,13 @@ std::int64_t PreparedSearch::expand_all(std::uint32_t index) {
 
 // Takes the best corner of the frontier; false when none can lead to a shorter path, or stopped.
 bool PreparedSearch::next_corner(std::uint32_t& index) {
-  while (frontier_.advance()) {
+  while (frontier_.advance(*poller_)) {
     lower_ = std::max(lower_, std::min(frontier_.floor(), upper_));
     if (lower_ >= upper_) return false;
     index = frontier_.pop();
     const Node& node = nodes_[index];
     if (!node.expanded && node.length + node.to_goal < upper_) return true;
-    if (poller_->stop_after(1 + frontier_.take_dealt())) return false;
+    if (poller_->stop_after(1)) return false;
   }
   lower_ = std::max(lower_, std::min(upper_, horizon_));
   return false;

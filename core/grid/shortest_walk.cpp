@@ -72,14 +72,14 @@ class WalkSearch {
   bool run(Cell start, Poller& poller) {
     open_.reset(to_goal(start), kBucketWidth);
     reach(start, 0);
-    while (open_.advance()) {
+    while (open_.advance(poller)) {
       // One bucket more than needed makes up for the rounding of estimates.
       if (known_[goal_].length() != kFar &&
           open_.floor() > cells(known_[goal_].length()) + kBucketWidth) {
         break;
       }
       expand(cell(open_.pop()));
-      if (poller.stop_after(moves_.count + open_.take_dealt())) return false;
+      if (poller.stop_after(moves_.count)) return false;
     }
     return true;
   }

@@ -89,7 +89,7 @@ TEST(BestKnownWay, FollowsTheLeastIndex) {
   using Moves = std::vector<std::uint8_t>;
   const Grid grid(20, 20);
   const Params params("terminal-index");
-  const auto moves = kernels::moves_of(kernels::Neighbourhood::eight);
+  const auto moves = moves_of(Neighbours::eight);
   const Cell start{2, 2}, goal{6, 2};
   Field field;
   field.reset(grid, moves, goal, params, 99, {});

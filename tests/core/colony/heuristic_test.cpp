@@ -20,7 +20,7 @@ constexpr double kBeta = 1.5;
 
 /// The row of one cell.
 std::vector<float> row_of(const Grid& grid, Cell c, Cell goal, const Params& params) {
-  const auto moves = kernels::moves_of(static_cast<kernels::Neighbourhood>(params.neighbours));
+  const auto moves = moves_of(params.neighbours);
   HeuristicRows rows;
   rows.reset(grid, moves, goal, params, {});
   std::array<float, kernels::kMaxMoves> row;
@@ -31,7 +31,7 @@ std::vector<float> row_of(const Grid& grid, Cell c, Cell goal, const Params& par
 /// Expects the row of a cell to be value(move)^beta beside the largest, 0 where it is blocked.
 void expect_row(const Grid& grid, Cell c, Cell goal, const Params& params,
                 const std::function<double(Cell to)>& value) {
-  const auto moves = kernels::moves_of(static_cast<kernels::Neighbourhood>(params.neighbours));
+  const auto moves = moves_of(params.neighbours);
   std::vector<double> expected;
   for (int k = 0; k < moves.count; ++k) {
     const Cell to{c.x + moves[k].to.dx, c.y + moves[k].to.dy};

@@ -134,18 +134,27 @@ TEST(ExactStop, PollsAtLeastEach65536Words) {
 
 // On very long ways most corners wait beyond the buckets, and are looked at again each time these
 // start anew.
-TEST(ExactStop, TheFrontierTellsHowManyItemsItDealtOut) {
+TEST(ExactStop, APollerIsToldOfTheItemsThatAFrontierDealsOut) {
+  struct Recorder final : Alternate {
+    StopCondition::Cause turn(std::int64_t work) override {
+      told += work;
+      return StopCondition::Cause::none;
+    }
+    std::int64_t told = 0;
+  } recorder;
+  const StopCondition never;
+  Poller poller(never, 1, &recorder);
   BucketQueue frontier;
   frontier.reset(0, 1);
   constexpr int kItems = 5;
   for (std::uint32_t i = 0; i < kItems; ++i) frontier.push(i, 1e5 * (i + 1));
-  EXPECT_EQ(frontier.take_dealt(), 0);
   for (std::uint32_t i = 0; i < kItems; ++i) {
-    ASSERT_TRUE(frontier.advance());
-    EXPECT_EQ(frontier.take_dealt(), kItems - i);  // all that still wait
+    recorder.told = 0;
+    ASSERT_TRUE(frontier.advance(poller));
+    EXPECT_EQ(recorder.told, kItems - i);  // all that still wait
     EXPECT_EQ(frontier.pop(), i);
   }
-  EXPECT_FALSE(frontier.advance());
+  EXPECT_FALSE(frontier.advance(poller));
 }
 
 // Where every path has a mirror image, a deadline must not decide which of the two is returned.
