@@ -29,7 +29,7 @@ TEST(Colony, UpdatesLocallyAfterEachAnt) {
   // xi = 0.1, persistence 0.9, Q = 1. The first ants find tau0; 0.9 * 0.01 + 0.1 / 4 = 0.034. Then
   // 0.9 * 0.034 + 0.1 * 0.01 = 0.0316 and 0.9 * 0.0316 + 0.001 = 0.02944, and 0.9 * 0.02944 +
   // 0.025.
-  Params params = defaults("acs");
+  Params params("acs");
   params.ants = 2;
   params.initial_pheromone = 0.01;
   const auto tau = corridor(params, 2);
@@ -52,7 +52,7 @@ TEST(Colony, LaterBatchesWalkByWhatEarlierOnesLeft) {
 TEST(Colony, LaysStraightenedPathsAsAsked) {
   // Q / L = 25, persistence 0.7: the tour each time, its path where it is asked for. The first path
   // improves on none, the second is as long.
-  Params params = defaults("fan2004");
+  Params params("fan2004");
   params.ants = 1;
   const auto expect = [&](StraightDeposit which, double first, double second) {
     params.straight_deposit = which;
@@ -88,7 +88,7 @@ TEST(BestKnownWay, FollowsTheLeastIndex) {
   constexpr std::uint8_t kNorth = 1, kNorthEast = 2, kEast = 4, kSouth = 6, kSouthEast = 7;
   using Moves = std::vector<std::uint8_t>;
   const Grid grid(20, 20);
-  const Params params = defaults("terminal-index");
+  const Params params("terminal-index");
   const auto moves = kernels::moves_of(kernels::Neighbourhood::eight);
   const Cell start{2, 2}, goal{6, 2};
   Field field;

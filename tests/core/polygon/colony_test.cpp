@@ -183,7 +183,7 @@ TEST(Ants, DrawAndUpdateByTheFormulas) {
   world.obstacles = {{{{1.8, 0}, {2.2, 0}, {2, 1}}, {}}};
   const Point start{0.5, 0.5}, goal{3.5, 0.3};
   const Planner planner(world);
-  Params parameters = defaults("maklink-acs");
+  Params parameters("maklink-acs");
   parameters.initial_pheromone = 0.2;
   parameters.ants = 3;
   parameters.values = 41;
@@ -219,7 +219,7 @@ TEST(Ants, DrawAndUpdateByTheFormulas) {
 TEST(Ants, MeasureAlikeWithAndWithoutATable) {
   const Planner planner(known_world());
   for (const int values : {64, 65}) {
-    Params parameters = defaults("maklink-acs");
+    Params parameters("maklink-acs");
     parameters.values = values;
     const Result result = planner.plan({}, parameters);
     ASSERT_LT(result.length, result.dijkstra->length);
