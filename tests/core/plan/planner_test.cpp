@@ -98,7 +98,7 @@ TEST(Planner, GivesTheSamePlanWithEveryKernelAtTheEndsOfItsExponents) {
       for (const auto& [name, value] : settings) set_parameter(params, name, value);
       params.ants = 20;
       params.iterations = 100;
-      const auto plan = [&, &params = params](const char* kernels) {
+      const auto plan = [&](const char* kernels) {
         const EnvironmentVariable choice("LASIUS_KERNELS", kernels);
         return planner.plan(request, params);
       };

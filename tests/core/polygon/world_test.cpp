@@ -13,6 +13,7 @@
 #include "lasius/error.h"
 #include "lasius/generate.h"
 #include "lasius/polygon_plan.h"
+#include "tests/core/map_files/map_files.h"
 
 namespace lasius::polygon {
 namespace {
@@ -251,9 +252,10 @@ TEST(Wkt, NamesWhatIsWrong) {
   expect_refusal(std::string(100, '('), "nested too deep", true);
 }
 
-TEST(WorldFile, ReadsByContentAndReportsMissingFiles) {
-  const auto folder = std::filesystem::temp_directory_path();
-  const std::string name = (folder / "lasius_world_test.wkt").string();
+using WorldFile = Files;
+
+TEST_F(WorldFile, ReadsByContentAndReportsMissingFiles) {
+  const std::string name = path("world.wkt");
   World world;
   world.boundary.outer = {{0, 0}, {4, 0}, {4, 4}};
   write_world(world, name);
@@ -270,7 +272,7 @@ TEST(WorldFile, ReadsByContentAndReportsMissingFiles) {
     EXPECT_EQ(e.code(), ErrorCode::file_missing);
   }
   try {
-    read_world(folder.string());
+    read_world(path("."));
     FAIL();
   } catch (const Error& e) {
     EXPECT_EQ(e.code(), ErrorCode::file_broken);
