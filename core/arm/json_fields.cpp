@@ -140,7 +140,7 @@ std::vector<std::pair<int, int>> JsonFields::pairs(std::string_view name, int mo
 }
 
 nlohmann::json parse_json(std::string_view text, const std::string& file, std::string_view format) {
-  nlohmann::json document = JsonPlace::parse(text, file);
+  nlohmann::json document = JsonPlace::parse<nlohmann::json>(text, file);
   const bool named = document.is_object() && document.contains("format");
   if (!named || document["format"] != format) {
     throw Error(ErrorCode::file_broken, {.file = file, .line = JsonPlace::line(text, "format")},

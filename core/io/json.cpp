@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/base/json_depth.h"
+#include "core/base/json_place.h"
 #include "core/io/json_values.h"
 #include "lasius/error.h"
 #include "lasius/io_json.h"
@@ -21,8 +21,7 @@ Error broken(const std::string& problem) {
 }
 
 Json read_object(std::string_view text) {
-  if (too_deep(text)) throw broken("nests too deep");
-  Json object = Json::parse(text, nullptr, false);
+  Json object = JsonPlace::parse<Json>(text, "the JSON text");
   if (!object.is_object()) throw broken("is not an object");
   return object;
 }

@@ -25,7 +25,7 @@ class GeoJsonReader {
         repair_(options.repair) {}
 
   World read() {
-    const Json json = JsonPlace::parse(text_, name_);
+    const Json json = JsonPlace::parse<Json>(text_, name_);
     if (!json.is_object() || text_of(json, "type") != "FeatureCollection") {
       fail("", "is no FeatureCollection", kShape);
     }

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <stdexcept>
 
+#include "core/base/json_place.h"
 #include "core/base/output.h"
 #include "lasius/version.h"
 
@@ -32,9 +35,15 @@ void put_curve(Json& json, const std::string& name, const std::vector<double>& c
 double number(const Json& json) { return json.is_null() ? kUnknown : json.get<double>(); }
 
 std::vector<double> curve_of(const Json& json, const std::string& name) {
-  std::vector<double> curve(json.at(name + "_size").get<std::size_t>(), kUnknown);
-  for (const Json& step : json.at(name))
-    std::fill(curve.begin() + step.at(0).get<std::ptrdiff_t>(), curve.end(), number(step.at(1)));
+  constexpr std::size_t kMost = 1 << 20;  // far more iterations than any study's
+  const auto size = json.at(name + "_size").get<std::size_t>();
+  if (size > kMost) throw std::runtime_error("a curve that is too long");
+  std::vector<double> curve(size, kUnknown);
+  for (const Json& step : json.at(name)) {
+    const auto from = step.at(0).get<std::size_t>();
+    if (from >= size) throw std::runtime_error("a step behind its curve");
+    std::fill(curve.begin() + static_cast<std::ptrdiff_t>(from), curve.end(), number(step.at(1)));
+  }
   return curve;
 }
 
@@ -68,7 +77,8 @@ std::optional<Run> read_run(const std::filesystem::path& file, const std::string
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;
   try {
-    const Json json = Json::parse(in);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    const auto json = JsonPlace::parse<Json>(text, file.string());
     if (json.at("key") != kVersion + key) return std::nullopt;
     Run run = run_of(json);
     if (run.seed != seed) return std::nullopt;

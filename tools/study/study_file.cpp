@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "core/base/json_place.h"
 #include "tools/study/claims.h"
 
 namespace lasius::study {
@@ -119,7 +120,7 @@ Check check_of(const Json& claim) {
 }  // namespace
 
 Study parse_study(std::string_view text) {
-  const Json json = Json::parse(text);
+  const Json json = JsonPlace::parse<Json>(text, "a study");
   Study study{.name = json.at("name"),
               .summary = json.at("summary"),
               .source = text_of(json, "source"),
