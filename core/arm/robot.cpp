@@ -7,6 +7,7 @@
 #include "core/arm/kinematics.h"
 #include "core/arm/urdf.h"
 #include "core/arm/vec3.h"
+#include "core/base/output.h"
 #include "core/map_files/byte_reader.h"
 #include "lasius/arm_robot.h"
 #include "lasius/error.h"
@@ -94,7 +95,9 @@ template bool compile_with_the_Eigen_alignment_of_lasius<EIGEN_DEFAULT_ALIGN_BYT
 
 Robot parse_robot(std::string_view text, const std::string& file, const Chain& chain) {
   const auto first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-  if (first != std::string_view::npos && text[first] == '<') return parse_urdf(text, file, chain);
+  const char begins = first == std::string_view::npos ? '\0' : text[first];
+  const bool named = has_ending(file, ".urdf") || has_ending(file, ".xml");
+  if (begins == '<' || (named && begins != '{')) return parse_urdf(text, file, chain);
   Robot robot = parse_short(text, file);
   if (!chain.base.empty() || !chain.tip.empty()) {
     refuse("a chain was asked for, but " + file + " is no URDF file",

@@ -78,14 +78,22 @@ Obstacle read_obstacle(const JsonFields& fields) {
 
 Scene parse_scene(std::string_view text, const std::string& file) {
   constexpr std::size_t kMost = 10000;
+  constexpr std::size_t kMostTriangles = 5'400'000;  // as the largest mesh has that is read
   const auto document = parse_json(text, file, "lasius-scene/1");
   const JsonFields top(*document, text, file, "", {"format", "name", "obstacles"});
   Scene scene;
   scene.name = top.text_or("name", "");
+  std::size_t triangles = 0;
   for (const JsonFields& fields : top.list(
            "obstacles", 0, kMost,
            {"shape", "name", "position", "rpy", "size", "radius", "length", "file", "scale"})) {
     scene.obstacles.push_back(read_obstacle(fields));
+    triangles += scene.obstacles.back().triangles.size();
+    if (triangles > kMostTriangles) {
+      fields.fail("file",
+                  "brings the scene's meshes to " + std::to_string(triangles) + " triangles",
+                  "at most " + std::to_string(kMostTriangles) + " are read: simplify the meshes");
+    }
   }
   return scene;
 }

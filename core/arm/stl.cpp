@@ -6,6 +6,7 @@
 
 #include "core/arm/mesh_file.h"
 #include "core/arm/vec3.h"
+#include "core/base/text_lines.h"
 #include "core/map_files/byte_reader.h"
 #include "lasius/arm_robot.h"
 #include "lasius/error.h"
@@ -85,13 +86,14 @@ Triangles parse_ascii(const std::string& text, const std::string& file) {
 
 Triangles read_stl(const std::string& path) {
   constexpr std::int64_t kMostBytes = 256 << 20;
-  const std::string bytes = read_text(path, kMostBytes);
+  std::string bytes = read_text(path, kMostBytes);
   const bool binary =
       bytes.size() >= kHead && bytes.size() == kHead + kFacet * std::size_t{count_of(bytes)};
   Triangles triangles;
   if (binary) {
     triangles = parse_binary(bytes, path);
   } else if (bytes.starts_with("solid")) {
+    end_lines_in_lf(bytes);
     triangles = parse_ascii(bytes, path);
   } else {
     broken({.file = path}, "this is no STL file: neither its text nor its size fits",

@@ -1,18 +1,14 @@
 #include "core/arm/urdf.h"
 
-#include <console_bridge/console.h>
-#include <tinyxml.h>
-#include <urdf_parser/urdf_parser.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
-#include <mutex>
 
 #include "core/arm/enclose.h"
 #include "core/arm/kinematics.h"
 #include "core/arm/mesh_file.h"
+#include "core/arm/urdf_file.h"
 #include "core/arm/vec3.h"
 #include "core/base/did_you_mean.h"
 #include "core/base/number_text.h"
@@ -24,114 +20,6 @@ namespace lasius::arm {
 namespace {
 
 using LinkPtr = urdf::LinkConstSharedPtr;
-
-/// A URDF file. Its parser keeps no lines, but links and joints have names.
-struct Source {
-  std::string_view text;
-  const std::string& file;
-
-  Error::Place whole() const { return {.file = file}; }
-  Error::Place line(std::int64_t number) const { return {.file = file, .line = number}; }
-  Error::Place link(std::string_view name) const { return place("<link", name); }
-  Error::Place joint(std::string_view name) const { return place("<joint", name); }
-
- private:
-  /// The line of the first `opening` tag of this name, if it is found.
-  Error::Place place(std::string_view opening, std::string_view name) const {
-    for (auto at = text.find(opening); at != text.npos; at = text.find(opening, at + 1)) {
-      const auto tag = text.substr(at, text.find('>', at) - at);
-      for (const char quote : {'"', '\''}) {
-        if (tag.find(std::string("name=") + quote + std::string(name) + quote) == tag.npos)
-          continue;
-        return line(1 + std::count(text.begin(), text.begin() + at, '\n'));
-      }
-    }
-    return whole();
-  }
-};
-
-[[noreturn]] void broken(Error::Place place, const std::string& problem,
-                         const std::string& remedy) {
-  throw Error(ErrorCode::file_broken, std::move(place), problem, remedy);
-}
-
-[[noreturn]] void unsupported(Error::Place place, const std::string& problem,
-                              const std::string& remedy) {
-  throw Error(ErrorCode::file_unsupported, std::move(place), problem, remedy);
-}
-
-/// What urdfdom would print, kept: its first complaint is our reason.
-class Complaints final : public console_bridge::OutputHandler {
- public:
-  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first_.empty()) first_ = text;
-  }
-  bool any() const { return !first_.empty(); }
-  std::string first() const { return first_.empty() ? "urdfdom does not say why" : first_; }
-
- private:
-  std::string first_;
-};
-
-/// Where the XML is broken, if it is: urdfdom does not pass on what its XML parser knows.
-Error::Place broken_xml(const Source& source) {
-  TiXmlDocument document;
-  document.Parse(std::string(source.text).c_str());
-  return document.Error() ? source.line(document.ErrorRow()) : source.whole();
-}
-
-/// The parser recurses, as deep as elements nest.
-void check_depth(const Source& source) {
-  constexpr int kDeepest = 256;
-  const std::string_view text = source.text;
-  int depth = 0;
-  for (auto at = text.find('<'); at < text.size(); at = text.find('<', at + 1)) {
-    const auto tag = text.substr(at);
-    if (tag.starts_with("<!--")) {
-      at = text.find("-->", at);
-    } else if (tag.starts_with("<![CDATA[")) {
-      at = text.find("]]>", at);
-    } else if (tag.starts_with("</")) {
-      --depth;
-    } else if (!tag.starts_with("<?") && !tag.starts_with("<!")) {
-      const auto end = tag.find('>');
-      if (end == tag.npos || tag[end - 1] != '/') ++depth;
-    }
-    if (at == text.npos) return;
-    if (depth > kDeepest) {
-      broken(source.line(1 + std::count(text.begin(), text.begin() + at, '\n')),
-             "elements nest too deep", "none goes deeper than " + std::to_string(kDeepest));
-    }
-  }
-}
-
-urdf::ModelInterfaceSharedPtr parse_model(const Source& source) {
-  check_depth(source);
-  static std::mutex one_at_a_time;  // the handler is the program's
-  const std::scoped_lock lock(one_at_a_time);
-  Complaints complaints;
-  console_bridge::OutputHandler* const before = console_bridge::getOutputHandler();
-  console_bridge::useOutputHandler(&complaints);
-  urdf::ModelInterfaceSharedPtr model;
-  std::string fault;
-  try {
-    model = urdf::parseURDF(std::string(source.text));
-  } catch (const std::exception& e) {
-    fault = e.what();
-  }
-  console_bridge::useOutputHandler(before);
-  if (model == nullptr) {
-    broken(broken_xml(source),
-           "this is no URDF (" + (fault.empty() ? complaints.first() : fault) + ")",
-           "check it with check_urdf");
-  }
-  // What the parser cannot read it leaves out: a link would pass through obstacles.
-  if (complaints.any()) {
-    broken(source.whole(), "a part of it cannot be read (" + complaints.first() + ")",
-           "check it with check_urdf");
-  }
-  return model;
-}
 
 /// urdfdom computes rotations by the C library: rounded, seldom others on another machine.
 double settle(double v) { return std::round(v * 0x1p40) * 0x1p-40; }
@@ -173,13 +61,13 @@ LinkPtr only_leaf(const urdf::ModelInterface& model) {
 }
 
 /// Geometry that is less than it should be would not collide.
-[[noreturn]] void refuse_geometry(const std::string& link, const Source& source) {
+[[noreturn]] void refuse_geometry(const std::string& link, const UrdfFile& source) {
   broken(source.link(link), "the collision geometry of link \"" + link + "\" cannot be read",
          "give a box, sphere, cylinder or mesh whose sizes are numbers above 0");
 }
 
 std::vector<Capsule> enclose(const urdf::Geometry& shape, const Placement& at,
-                             const std::string& link, const Source& source) {
+                             const std::string& link, const UrdfFile& source) {
   const auto check_sizes = [&](std::initializer_list<double> sizes) {
     for (const double size : sizes) {
       if (!(size > 0 && std::isfinite(size))) refuse_geometry(link, source);
@@ -214,7 +102,7 @@ std::vector<Capsule> enclose(const urdf::Geometry& shape, const Placement& at,
                "the mesh \"" + mesh.filename + "\" is scaled by " + number_text(s),
                "scale it by other numbers than 0; negative ones mirror it");
       }
-      const Triangles triangles = read_stl(mesh_path(source.file, mesh.filename));
+      const Triangles triangles = read_stl(mesh_path(source.name(), mesh.filename));
       Vec3 low = triangles[0][0], high = low;
       for (const auto& triangle : triangles) {
         for (const Vec3 c : triangle) {
@@ -235,7 +123,8 @@ std::vector<Capsule> enclose(const urdf::Geometry& shape, const Placement& at,
 }
 
 /// Adds a link's collision geometry to the robot's last body so far, `at` its pose there.
-void add_geometry(const urdf::Link& link, const Placement& at, const Source& source, Robot& robot) {
+void add_geometry(const urdf::Link& link, const Placement& at, const UrdfFile& source,
+                  Robot& robot) {
   auto& to = robot.joints.empty() ? robot.base : robot.joints.back().capsules;
   for (const auto& collision : link.collision_array) {
     if (collision == nullptr || collision->geometry == nullptr) refuse_geometry(link.name, source);
@@ -244,11 +133,11 @@ void add_geometry(const urdf::Link& link, const Placement& at, const Source& sou
       to.push_back(c);
     }
     if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(collision->geometry.get()))
-      robot.meshes.push_back(mesh_path(source.file, mesh->filename));
+      robot.meshes.push_back(mesh_path(source.name(), mesh->filename));
   }
 }
 
-Joint moving_joint(const urdf::Joint& joint, const Placement& at, const Source& source) {
+Joint moving_joint(const urdf::Joint& joint, const Placement& at, const UrdfFile& source) {
   Joint made;
   made.name = joint.name;
   made.frame = to_eigen(at);
@@ -306,11 +195,10 @@ void let_touch_what_touches(Robot& robot) {
 }  // namespace
 
 Robot parse_urdf(std::string_view text, const std::string& file, const Chain& chain) {
-  const Source source{text, file};
-  const urdf::ModelInterfaceSharedPtr model = parse_model(source);
-  const LinkPtr base =
-      chain.base.empty() ? model->getRoot() : find_link(*model, chain.base, "base");
-  const LinkPtr tip = chain.tip.empty() ? only_leaf(*model) : find_link(*model, chain.tip, "tip");
+  const UrdfFile source(text, file);
+  const urdf::ModelInterface& model = source.model();
+  const LinkPtr base = chain.base.empty() ? model.getRoot() : find_link(model, chain.base, "base");
+  const LinkPtr tip = chain.tip.empty() ? only_leaf(model) : find_link(model, chain.tip, "tip");
 
   std::vector<LinkPtr> links;  // from the tip down to the base
   for (LinkPtr link = tip; link != nullptr && link != base; link = link->getParent()) {
@@ -325,7 +213,7 @@ Robot parse_urdf(std::string_view text, const std::string& file, const Chain& ch
   std::reverse(links.begin(), links.end());
 
   Robot robot;
-  robot.name = model->getName();
+  robot.name = model.getName();
   Placement at;  // of the link in the body that it moves with
   add_geometry(*base, at, source, robot);
   for (const LinkPtr& link : links) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace lasius {
@@ -28,12 +30,22 @@ inline int edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-/// Asks for the known name nearest to `name`, the first of equals. Precondition: `known` is not
-/// empty.
+/// Asks for the known name nearest to `name`, the first of equals: one that begins with it before
+/// others, and capitals count as small letters unless nothing else differs. Precondition: `known`
+/// is not empty.
 inline std::string did_you_mean(std::string_view name, std::span<const std::string_view> known) {
-  const auto nearest = std::min_element(known.begin(), known.end(), [&](auto a, auto b) {
-    return edit_distance(name, a) < edit_distance(name, b);
-  });
+  const auto small = [](std::string_view text) {
+    std::string letters(text);
+    for (char& c : letters) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return letters;
+  };
+  const auto farness = [&, name_small = small(name)](std::string_view candidate) {
+    const std::string candidate_small = small(candidate);
+    return std::tuple(!candidate_small.starts_with(name_small),
+                      edit_distance(name_small, candidate_small), edit_distance(name, candidate));
+  };
+  const auto nearest = std::min_element(known.begin(), known.end(),
+                                        [&](auto a, auto b) { return farness(a) < farness(b); });
   return "did you mean \"" + std::string(*nearest) + "\"?";
 }
 

@@ -1,5 +1,6 @@
-// Where in a JSON text a value stands. The parser itself tells only where the syntax is broken, so
-// the text is read once more when an error has to be told.
+// JSON texts, read strictly and by one rule for all files. The parser tells only where the syntax
+// is broken, so a text is read once before it is parsed, and once more when an error has to be
+// told.
 #pragma once
 
 #include <algorithm>
@@ -7,49 +8,77 @@
 #include <cstdint>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/base/json_depth.h"
+#include "core/base/text_lines.h"
 #include "lasius/error.h"
 
 namespace lasius {
 
 class JsonPlace final : public nlohmann::json_sax<nlohmann::json> {
  public:
+  /// Deeper than any document of ours.
+  static constexpr int kDeepest = 64;
+  /// More than any object of ours has: objects that keep their order find a name by looking at all.
+  static constexpr std::size_t kMostMembers = 2000;
+
   /// The line, from 1, on which the value at `path` begins, as in "obstacles[3].size"; where there
   /// is none, the value around it. Precondition: the text is JSON up to there.
   static std::int64_t line(std::string_view text, std::string_view path) {
-    const JsonPlace place(text, path);
-    const auto before = text.substr(0, place.found_);
-    return 1 + std::count(before.begin(), before.end(), '\n');
+    return line_at(text, JsonPlace(text, path).found_);
   }
 
-  /// The document. @throws Error(file_broken) naming line and byte of `file` where the text is not
-  /// JSON, a number is too large, or lists and objects nest deeper than any of ours.
-  static nlohmann::json parse(std::string_view text, const std::string& file) {
-    if (const auto byte = too_deep(text)) {
-      refuse(text, *byte, file, "the document nests too deep",
-             "no list or object here goes deeper than " + std::to_string(kDeepestJson));
-    }
-    try {
-      return nlohmann::json::parse(text);
-    } catch (const nlohmann::json::exception& fault) {
-      const bool syntax = dynamic_cast<const nlohmann::json::parse_error*>(&fault) != nullptr;
-      refuse(text, JsonPlace(text, {}, true).fault_, file,
-             syntax ? "this is not JSON" : "a number is too large",
-             syntax ? "correct the text there or before it" : "numbers lie within 1e308");
-    }
+  /// The document that begins at byte `from` and ends with the text. @throws Error(file_broken)
+  /// naming line and byte of `file` where the text is not JSON, a number is too large, an object
+  /// gives a name twice, or the document nests deeper or has more members than any of ours.
+  template <class Json>
+  static Json parse(std::string_view text, const std::string& file, std::size_t from = 0) {
+    const std::string_view document = text.substr(from);
+    const auto deep = find_bracket(document, [](int depth) { return depth > kDeepest; });
+    const auto fault =
+        deep ? Fault{*deep, "the document nests too deep",
+                     "no list or object here goes deeper than " + std::to_string(kDeepest)}
+             : JsonPlace(document).fault_;
+    if (!fault) return Json::parse(document);
+    const std::size_t byte = from + fault->byte;
+    throw Error(
+        ErrorCode::file_broken,
+        {.file = file, .line = line_at(text, byte), .offset = static_cast<std::int64_t>(byte)},
+        fault->problem, fault->remedy);
+  }
+
+  /// The byte behind the object or list that the text begins with; its end where that is not
+  /// closed.
+  static std::size_t end_of_first(std::string_view text) {
+    const auto last = find_bracket(text, [](int depth) { return depth == 0; });
+    return last ? *last + 1 : text.size();
   }
 
  private:
-  [[noreturn]] static void refuse(std::string_view text, std::size_t byte, const std::string& file,
-                                  const std::string& problem, const std::string& remedy) {
-    const auto line = 1 + std::count(text.begin(), text.begin() + byte, '\n');
-    throw Error(ErrorCode::file_broken,
-                {.file = file, .line = line, .offset = static_cast<std::int64_t>(byte)}, problem,
-                remedy);
+  struct Fault {
+    std::size_t byte;
+    std::string problem, remedy;
+  };
+
+  /// The first bracket after which the depth is `wanted`.
+  template <class Wanted>
+  static std::optional<std::size_t> find_bracket(std::string_view json, const Wanted& wanted) {
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+      const char c = json[i];
+      if (quoted && c == '\\') ++i;
+      if (c == '"') quoted = !quoted;
+      if (quoted) continue;
+      const int step = (c == '[' || c == '{') - (c == ']' || c == '}');
+      depth += step;
+      if (step != 0 && wanted(depth)) return i;
+    }
+    return std::nullopt;
   }
 
   /// Reads the text and tells how far it came.
@@ -77,23 +106,40 @@ class JsonPlace final : public nlohmann::json_sax<nlohmann::json> {
     std::string entry;      ///< the key of the value to come
     std::size_t index = 0;  ///< in a list: of the value to come
     bool list;
+    std::set<std::string> names = {};  ///< in an object that is checked: those given so far
   };
 
-  JsonPlace(std::string_view text, std::string_view path, bool whole = false)
-      : begin_(text.data()), furthest_(begin_), whole_(whole), fault_(text.size()) {
+  /// Looks for the value at a path.
+  JsonPlace(std::string_view text, std::string_view path) : text_(text), check_(false) {
     for (std::size_t from = 0; from < path.size();) {
       const auto to = std::min(path.find_first_of(".[", from + 1), path.size());
       const auto entry = path.substr(from, to - from);
       path_.emplace_back(entry.starts_with('.') ? entry.substr(1) : entry);
       from = to;
     }
-    const char* const end = begin_ + text.size();
-    nlohmann::json_sax<nlohmann::json>* const events = this;
-    nlohmann::json::sax_parse(Cursor{begin_, &furthest_}, Cursor{end, &furthest_}, events);
+    read();
   }
+  /// Looks for the first fault.
+  explicit JsonPlace(std::string_view text) : text_(text), check_(true) {
+    // The parser takes a zero byte for the end.
+    const auto zero = text.find('\0');
+    if (read() && zero != text.npos) {
+      fault_ = Fault{zero, "there is a zero byte", "leave it out: JSON is text"};
+    }
+  }
+
+  bool read() {
+    const char* const end = text_.data() + text_.size();
+    nlohmann::json_sax<nlohmann::json>* const events = this;
+    return nlohmann::json::sax_parse(Cursor{furthest_, &furthest_}, Cursor{end, &furthest_},
+                                     events);
+  }
+  /// The last byte that the parser has read.
+  std::size_t last_read() const { return static_cast<std::size_t>(furthest_ - text_.data()) - 1; }
 
   /// Notes a value that is on the path; false once the last one is found.
   bool value() {
+    if (check_) return true;
     bool on_path = open_.empty();
     if (!open_.empty()) {
       Open& top = open_.back();
@@ -103,8 +149,8 @@ class JsonPlace final : public nlohmann::json_sax<nlohmann::json> {
     last_on_path_ = on_path;
     if (!on_path) return true;
     // The parser has read the last byte of the value, or of its bracket; of a number, one more.
-    found_ = static_cast<std::size_t>(furthest_ - begin_) - 1;
-    return whole_ || open_.size() < path_.size();
+    found_ = last_read();
+    return open_.size() < path_.size();
   }
   bool begin(bool list) {
     const bool more = value();
@@ -128,23 +174,40 @@ class JsonPlace final : public nlohmann::json_sax<nlohmann::json> {
   bool end_object() override { return end(); }
   bool end_array() override { return end(); }
   bool key(string_t& name) override {
-    open_.back().entry = name;
-    return true;
+    Open& object = open_.back();
+    object.entry = name;
+    if (!check_) return true;
+    if (!object.names.insert(name).second) {
+      constexpr std::size_t kMostShown = 40;
+      const nlohmann::json shown = name.substr(0, kMostShown);
+      fault_ = Fault{
+          last_read(),
+          shown.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) + " is given again",
+          "leave one of the two out"};
+    } else if (object.names.size() > kMostMembers) {
+      fault_ = Fault{last_read(), "an object has too many members",
+                     "none here has more than " + std::to_string(kMostMembers)};
+    }
+    return !fault_;
   }
   bool parse_error(std::size_t position, const std::string&,
-                   const nlohmann::json::exception&) override {
-    fault_ = position > 0 ? position - 1 : 0;
+                   const nlohmann::json::exception& error) override {
+    constexpr int kNumberTooLarge = 406;
+    const std::size_t byte = position > 0 ? position - 1 : 0;
+    fault_ = error.id == kNumberTooLarge
+                 ? Fault{byte, "a number is too large", "numbers lie within 1e308"}
+                 : Fault{byte, "this is not JSON", "correct the text there or before it"};
     return false;
   }
 
-  const char* begin_;
-  const char* furthest_;
+  std::string_view text_;
+  const char* furthest_ = text_.data();
   std::vector<std::string> path_;
   std::vector<Open> open_;
-  bool whole_;
+  bool check_;
   bool last_on_path_ = false;
   std::size_t found_ = 0;
-  std::size_t fault_;  ///< byte at which the parser gives up, be it for a number too large
+  std::optional<Fault> fault_;
 };
 
 }  // namespace lasius

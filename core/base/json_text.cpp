@@ -5,7 +5,7 @@
 namespace lasius {
 
 nlohmann::json read_json(std::string_view text, const std::string& file) {
-  return JsonPlace::parse(text, file);
+  return JsonPlace::parse<nlohmann::json>(text, file);
 }
 
 std::int64_t json_line(std::string_view text, std::string_view path) {

@@ -5,7 +5,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/base/json_depth.h"
 #include "core/io/json_values.h"
 #include "lasius/error.h"
 #include "lasius/io_json.h"
@@ -21,8 +20,7 @@ Error broken(const std::string& problem) {
 }
 
 Json read_object(std::string_view text) {
-  if (too_deep(text)) throw broken("nests too deep");
-  Json object = json::parsed(text);
+  Json object = json::read(text, "the JSON text");
   if (!object.is_object()) throw broken("is not an object");
   return object;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_place.h"
 #include "core/base/number_text.h"
 
 namespace lasius::json {
@@ -31,7 +32,7 @@ Json points(const std::vector<Point>& path) {
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 Json parameter(const std::string& text) {
-  const Json value = parsed(text);
+  const Json value = Json::parse(text, nullptr, false);
   return value.is_number() ? value : Json(text);
 }
 
@@ -61,7 +62,9 @@ void add_proof(Json& json, const SearchResult& result) {
   json["optimal"] = result.optimal;
 }
 
-Json parsed(std::string_view text) { return Json::parse(text, nullptr, false); }
+Json read(std::string_view text, const std::string& file, std::size_t from) {
+  return JsonPlace::parse<Json>(text, file, from);
+}
 
 std::string dumped(const Json& value) { return value.dump(); }
 

@@ -1,6 +1,7 @@
 // Numbers, points, parameters and results as JSON: what the library and the program share.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -41,8 +42,9 @@ LASIUS_IO_EXPORT Json parameters(const Algorithm& algorithm,
 LASIUS_IO_EXPORT void add_convergence(Json& json, const Convergence& run);
 LASIUS_IO_EXPORT void add_proof(Json& json, const SearchResult& result);
 
-/// The text as JSON; discarded where it is none.
-LASIUS_IO_EXPORT Json parsed(std::string_view text);
+/// The document that begins at byte `from` of a file's text. @throws Error(file_broken) naming line
+/// and byte of `file`, by the rule of all our files (core/base/json_place.h).
+LASIUS_IO_EXPORT Json read(std::string_view text, const std::string& file, std::size_t from = 0);
 /// A value as text. The writer is compiled here alone, since that takes long; the parser, too.
 LASIUS_IO_EXPORT std::string dumped(const Json& value);
 /// A value on a line of its own; text that is not UTF-8 has its bad bytes replaced.

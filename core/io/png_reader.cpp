@@ -83,6 +83,8 @@ class PngReader {
 void PngReader::read_header() {
   guarded([this] {
     png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    // All chunks that pixels do not need are skipped: the shortest text may claim 2 GB.
+    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
     png_set_read_fn(png_, this, on_read);
     png_read_info(png_, info_);
   });

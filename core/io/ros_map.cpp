@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/text_lines.h"
+
 namespace lasius {
 namespace {
 
@@ -49,6 +51,9 @@ class Fields {
     if (!node.IsScalar() || node.Scalar().empty()) {
       fail(key, "is empty or no text", "write it as '" + key + ": " + usual + "'");
     }
+    if (node.Scalar().find('\0') != std::string::npos) {
+      fail(key, "holds a zero byte", "write it as '" + key + ": " + usual + "'");
+    }
     return node.Scalar();
   }
   double number(const std::string& key, const std::string& usual) const {
@@ -64,12 +69,13 @@ class Fields {
   bool flag(const std::string& key) const {
     const YAML::Node node = get(key, "0");
     int number = 0;
-    if (node.IsScalar() && YAML::convert<int>::decode(node, number)) return number != 0;
     bool value = false;
-    if (!node.IsScalar() || !YAML::convert<bool>::decode(node, value)) {
-      fail(key, "is neither 0 nor 1", "write it as '" + key + ": 0'");
+    if (node.IsScalar() && YAML::convert<int>::decode(node, number)) {
+      if (number == 0 || number == 1) return number == 1;
+    } else if (node.IsScalar() && YAML::convert<bool>::decode(node, value)) {
+      return value;
     }
-    return value;
+    fail(key, "is neither 0 nor 1", "write it as '" + key + ": 0'");
   }
 
  private:
@@ -128,6 +134,7 @@ RosMap read_ros_yaml(ByteReader& in) {
   if (text.size() > kLargestFile) {
     in.fail_at_line(1, "larger than any ROS map description", "name the YAML file, not the image");
   }
+  end_lines_in_lf(text);
   try {
     return read_fields(Fields(in, YAML::Load(text)));
   } catch (const YAML::Exception& error) {

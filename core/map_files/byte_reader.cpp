@@ -15,6 +15,10 @@ namespace fs = std::filesystem;
 
 std::ifstream open(const std::string& path) {
   std::error_code error;
+  if (const auto zero = path.find('\0'); zero != path.npos) {
+    throw Error(ErrorCode::file_missing, Error::Place{path.substr(0, zero)},
+                "its name goes on after a zero byte", "no file has such a name");
+  }
   if (fs::is_directory(path, error)) {
     throw Error(ErrorCode::file_broken, Error::Place{path}, "is a folder", "name a file in it");
   }
@@ -67,24 +71,26 @@ bool ByteReader::get_line(std::string& line, std::size_t longest) {
   line.clear();
   if (peek() == kEnd) return false;
   while (at_ < end_ || fill()) {
-    const char* from = buffer_.data() + at_;
-    const std::size_t most = std::min(end_ - at_, longest + 2 - line.size());  // 2: CR LF
-    const void* newline = std::memchr(from, '\n', most);
-    const std::size_t part =
-        newline != nullptr ? static_cast<std::size_t>(static_cast<const char*>(newline) - from)
-                           : most;
-    line.append(from, part);
-    at_ += part;
-    if (newline != nullptr) {
-      ++at_;
-      ++line_;
+    std::string_view part(buffer_.data() + at_, std::min(end_ - at_, longest + 1 - line.size()));
+    const std::size_t most = part.size();
+    for (const char end : {'\n', '\r'}) part = part.substr(0, part.find(end));
+    line.append(part);
+    at_ += part.size();
+    if (part.size() < most) {
+      if (get() == '\r' && peek() == '\n') get();
       break;
     }
-    if (line.size() == longest + 2) break;
+    if (line.size() > longest) break;
   }
-  if (!line.empty() && line.back() == '\r') line.pop_back();
-  if (line.size() > longest) line.resize(longest + 1);
   return true;
+}
+
+std::int64_t ByteReader::find_left() {
+  if (size_ < 0) {
+    const std::size_t coming = ahead(kBuffer).size();
+    if (coming < kBuffer) size_ = offset() + static_cast<std::int64_t>(coming);
+  }
+  return left();
 }
 
 std::string_view ByteReader::ahead(std::size_t count) {

@@ -27,12 +27,12 @@ class LASIUS_EXPORT ByteReader {
   int get() {
     const int byte = peek();
     if (byte != kEnd) ++at_;
-    if (byte == '\n') ++line_;
+    if (byte == '\n' || (byte == '\r' && peek() != '\n')) ++line_;
     return byte;
   }
   /// Up to `count` bytes of binary data (no lines are counted); fewer only at the end.
   std::size_t read(char* target, std::size_t count);
-  /// The next line without its end (LF or CR LF); false at the end of the stream. A line longer
+  /// The next line without its end (LF, CR LF or CR); false at the end of the stream. A line longer
   /// than `longest` is cut one byte past it.
   bool get_line(std::string& line, std::size_t longest);
   /// Up to `count` <= kBuffer bytes to come.
@@ -42,6 +42,8 @@ class LASIUS_EXPORT ByteReader {
   std::int64_t line() const noexcept { return line_; }
   /// Bytes left, -1 where unknown.
   std::int64_t left() const noexcept { return size_ < 0 ? -1 : size_ - offset(); }
+  /// The same; where it is unknown, as of a pipe, up to kBuffer bytes are read ahead to learn it.
+  std::int64_t find_left();
   const std::string& name() const noexcept { return name_; }
 
   [[noreturn]] void fail_at_line(std::int64_t line, std::string problem, std::string remedy,

@@ -20,9 +20,9 @@ void check_map_size(const ByteReader& in, SizePlace place, std::int64_t width,
   }
 }
 
-void check_bytes_left(const ByteReader& in, SizePlace place, std::int64_t width,
-                      std::int64_t height, std::int64_t needed) {
-  const std::int64_t left = in.left();
+void check_bytes_left(ByteReader& in, SizePlace place, std::int64_t width, std::int64_t height,
+                      std::int64_t needed) {
+  const std::int64_t left = in.find_left();
   if (left < 0 || left >= needed) return;
   throw Error(ErrorCode::file_broken, Error::Place{in.name(), place.line, place.offset},
               size_text(width, height) + " cells need at least " + std::to_string(needed) +

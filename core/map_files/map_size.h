@@ -23,9 +23,9 @@ struct SizePlace {
 LASIUS_EXPORT void check_map_size(const ByteReader& in, SizePlace place, std::int64_t width,
                                   std::int64_t height);
 
-/// Refuses a map that needs at least `needed` more bytes than a file of known size has.
-/// @throws Error(file_broken)
-LASIUS_EXPORT void check_bytes_left(const ByteReader& in, SizePlace place, std::int64_t width,
+/// Refuses a map that needs at least `needed` more bytes than follow. Of a stream of unknown size
+/// only that much is looked at that the reader holds at a time. @throws Error(file_broken)
+LASIUS_EXPORT void check_bytes_left(ByteReader& in, SizePlace place, std::int64_t width,
                                     std::int64_t height, std::int64_t needed);
 
 }  // namespace lasius

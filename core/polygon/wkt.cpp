@@ -5,6 +5,7 @@
 #include <system_error>
 #include <vector>
 
+#include "core/base/text_lines.h"
 #include "core/polygon/rings.h"
 #include "core/polygon/world_maker.h"
 
@@ -39,10 +40,11 @@ class WktReader {
 
  private:
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const {
-    const auto line = 1 + std::count(text_.begin(), text_.begin() + begin_, '\n');
     throw Error(ErrorCode::file_broken,
-                {.file = name_, .line = line, .offset = static_cast<std::int64_t>(begin_)}, problem,
-                remedy);
+                {.file = name_,
+                 .line = line_at(text_, begin_),
+                 .offset = static_cast<std::int64_t>(begin_)},
+                problem, remedy);
   }
 
   /// Steps over blanks, separators and comments; false at the end.
@@ -50,7 +52,7 @@ class WktReader {
     while (at_ < text_.size()) {
       const char c = text_[at_];
       if (c == '#') {
-        const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+        const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
         read_comment(text_.substr(at_ + 1, end - at_ - 1));
         at_ = end;
       } else if (std::isspace(static_cast<unsigned char>(c)) != 0 || c == ';') {
@@ -96,7 +98,8 @@ class WktReader {
         ++at_;
         break;
       }
-      if (depth == 0 && (c == ';' || (c == '\n' && !goes_on(at_)))) break;
+      const bool ends_line = c == '\n' || c == '\r';
+      if (depth == 0 && (c == ';' || (ends_line && !goes_on(at_)))) break;
     }
     return std::string(text_.substr(from, at_ - from));
   }

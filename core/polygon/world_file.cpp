@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <ostream>
 
@@ -7,6 +9,20 @@
 #include "lasius/polygon_world.h"
 
 namespace lasius::polygon {
+namespace {
+
+/// By its content; by its name where that could be neither. Precondition: it begins with no blank.
+bool is_wkt(std::string_view text, const std::string& name) {
+  const char first = text.front();
+  if (first == '{') return false;
+  if (first == '#') return true;
+  constexpr std::array<std::string_view, 3> kJsonWords{"null", "true", "false"};
+  const bool word = std::isalpha(static_cast<unsigned char>(first)) != 0 &&
+                    std::ranges::none_of(kJsonWords, [&](auto w) { return text.starts_with(w); });
+  return word || has_ending(name, ".wkt");
+}
+
+}  // namespace
 
 World read_world(const std::string& path, const ReadOptions& options) {
   constexpr std::int64_t kMostBytes = 256 << 20;
@@ -16,9 +32,8 @@ World read_world(const std::string& path, const ReadOptions& options) {
   if (first == text.size()) {
     throw Error(ErrorCode::file_broken, {.file = path}, "is empty", "give a GeoJSON or WKT world");
   }
-  const char c = text[first];
-  const bool json = std::isalpha(static_cast<unsigned char>(c)) == 0 && c != '#';
-  return json ? parse_geojson(text, path, options) : parse_wkt(text, path, options);
+  const bool wkt = is_wkt(std::string_view(text).substr(first), path);
+  return wkt ? parse_wkt(text, path, options) : parse_geojson(text, path, options);
 }
 
 void write_world(const World& world, const std::string& path) {

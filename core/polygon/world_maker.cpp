@@ -22,6 +22,7 @@ bool all_numbers(const Polygon& polygon) {
 }
 
 constexpr const char* kPointProblem = "has a coordinate that is no number within 1e12";
+constexpr const char* kCorrect = "correct the ring";
 constexpr const char* kRepair = "correct the ring, or read the world with --repair";
 
 }  // namespace
@@ -34,7 +35,8 @@ std::vector<Polygon> WorldMaker::checked(Polygon polygon, const std::string& pla
   }
   const auto wrong = fault(geos_, polygon);
   if (!wrong) return {std::move(polygon)};
-  if (!options_.repair || !numbers) fail_(place, *wrong, kRepair);
+  if (!numbers) fail_(place, *wrong, kCorrect);
+  if (!options_.repair) fail_(place, *wrong, kRepair);
   try {
     return repaired(geos_, std::move(polygon));
   } catch (const Error& error) {
@@ -90,7 +92,7 @@ void check(const World& world) {
   look_at(world.goal, "goal");
   const Geos geos;
   const auto look = [&](const Polygon& polygon, const std::string& what) {
-    if (const auto wrong = fault(geos, polygon)) refuse(what + ": " + *wrong, "correct the ring");
+    if (const auto wrong = fault(geos, polygon)) refuse(what + ": " + *wrong, kCorrect);
   };
   look(world.boundary, "boundary");
   for (std::size_t i = 0; i < world.obstacles.size(); ++i) {

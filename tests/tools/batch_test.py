@@ -29,6 +29,12 @@ class Formats(ProgramTest):
         self.assertEqual([(q["start"], q["goal"]) for q in run.lines],
                          [([0, 0], [9, 5]), ([1, 0], [9, 0])])
 
+    def test_lines_that_end_in_cr_alone(self):
+        run = self.batch("\ufeffsx sy gx gy\r0 0 9 5\r\r1 0 9 0\r")
+        self.assertEqual([(q["start"], q["goal"]) for q in run.lines],
+                         [([0, 0], [9, 5]), ([1, 0], [9, 0])])
+        self.refused(self.batch("sx sy gx gy\r0 0 9 5\r\r0 0 9\r"), 3, "line 4")
+
     def test_scenarios(self):
         for version in ("1", "1.0"):
             for blank in ("\t", "  ", " \t "):

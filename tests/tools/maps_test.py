@@ -256,6 +256,13 @@ class WorldFrame(ProgramTest):
             self.write("far.json", run.out)
             self.assertEqual(self.run_program("verify", "far.json").code, 0)
 
+    def test_metres_of_many_digits_are_told_whole(self):
+        self.write("flat.yaml", "image: world.pgm\nresolution: 1e299\norigin: [1.25e300, -1e300, 0]\n"
+                   "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")
+        run = self.plan("--frame", "world", map_file="flat.yaml", start="0,0", goal="1e300,1")
+        self.assertEqual(run.code, 4)
+        self.assertRegex(run.err, r"its centre at 1\.\d+e\+300,-\d\.\d+e\+299 m$")
+
     def test_a_map_holds_its_left_and_lower_edge(self):
         self.write("flat.yaml", "image: world.pgm\nresolution: 0.5\norigin: [-3, 4, 0]\nnegate: 0\n"
                    "occupied_thresh: 0.65\nfree_thresh: 0.196\n")

@@ -117,6 +117,8 @@ class PolygonTest(ProgramTest):
             (["--margin", "-1"], "--margin"),
             (["--start", "1"], "--start"),
             (["--radius", "1"], "--margin"),
+            (["--frame", "world"], "--frame world: world.geojson gives no frame"),
+            (["--frame", "wrold"], "did you mean \"world\"?"),
             (["--margin", "1e308"], "--margin"),
             (["--ants", "abc"], "ants is abc"),
             (["--algorithm", "maklink-acs", "--polish", "strait"], "straight"),
@@ -140,9 +142,9 @@ class PolygonTest(ProgramTest):
             self.assertIn("polygon worlds", run.err)
 
     def test_options_without_effect_are_named(self):
-        run = self.plan_world("--ants", "3", "--polish", "taut", "--unknown-free")
+        run = self.plan_world("--ants", "3", "--polish", "taut", "--unknown-free", "--frame", "cell")
         self.assertEqual(run.code, 0)
-        for part in ("--ants has no effect", "--polish has no effect", "--unknown-free"):
+        for part in ("--frame has no effect", "--ants has no effect", "--polish has no effect", "--unknown-free"):
             self.assertIn(part, run.err)
         self.assertEqual(self.plan_world("--ants", "3", "-q").err, "")
 
@@ -169,6 +171,10 @@ class PolygonTest(ProgramTest):
                     self.assertIn(name, run.err)
                     self.assertIn(part, run.err)
         self.assertEqual(self.plan_world("--repair", world="c.geojson").code, 0)
+        self.write("far.wkt", "POLYGON ((0 0, 1e300 0, 9 9, 0 0))")
+        for arguments in ([], ["--repair"]):
+            self.refused(self.plan_world(*arguments, world="far.wkt"), 3,
+                         "at (1e+300, 0), which is no number within 1e12; correct the ring\n")
 
     def test_points_far_away(self):
         for far, near in (("1e12,100", "200, 100"), ("-1e12,5", "0, 5"), ("1e12,1e12", "200, 200"),

@@ -24,6 +24,11 @@ class Usage(ProgramTest):
         self.write("-odd.map", self.read("small.map"))
         self.assertEqual(self.run_program("info", "--", "-odd.map").code, 0)
         self.refused(self.run_program("info", "small.map", "--", "more"), 2, "one argument too many")
+        for words in (["plan", "--", "small.map", "--start", "0,0"],
+                      ["plan", "--start", "0,0", "--goal", "9,5", "--", "small.map", "--start=0,0"],
+                      ["info", "small.map", "--", "--json"]):
+            run = self.run_program(*words)
+            self.refused(run, 2, "is one argument too many: no option follows --")
 
     def test_the_nearest_known_word_is_named(self):
         plan = ["plan", "small.map", "--start", "0,0", "--goal", "9,5"]
@@ -34,6 +39,10 @@ class Usage(ProgramTest):
             ([*plan, "--iteratoins", "3"], '"--iterations"'),
             ([*plan, "--sead=3"], '"--seed"'),
             (["info", "small.map", "--jsn"], '"--json"'),
+            ([*plan, "--algo", "exact"], '"--algorithm"'),
+            ([*plan, "--GAP"], '"--gap"'),
+            ([*plan, "-V"], '"-v"'),
+            (["PLAN", "small.map"], '"plan"'),
             ([*plan, "--algorithm", "fan204"], '"fan2004"'),
             ([*plan, "--set", "persistance=0.5"], '"persistence"'),
             ([*plan, "--set", "dead_end=kil"], '"kill"'),

@@ -43,6 +43,59 @@ class Verify(ProgramTest):
         self.assertEqual(run.code, 1)
         self.assertIn("'optimum'", run.err)
 
+    def test_an_optimum_that_was_cut_off_has_no_gap(self):
+        result = self.save("--gap")
+        for change in ({"optimum": None}, {"optimum_gap": None}, {"optimum": None, "optimum_gap": 0}):
+            with self.subTest(change=change):
+                self.write("r.json", json.dumps({**result, **change}))
+                self.refused(self.run_program("verify", "-q", "r.json"), 1, "'optimum_gap'")
+        del result["optimum_gap"]
+        self.write("r.json", json.dumps({**result, "optimum": None}))
+        self.refused(self.run_program("verify", "-q", "r.json"), 1, "'optimum_gap'")
+
+    def test_versions(self):
+        result = self.save()
+        own = result["version"]
+        for version in ("0.1.0", "0.1.7", own):
+            self.write("r.json", json.dumps({**result, "version": version}))
+            run = self.run_program("verify", "r.json")
+            self.assertEqual(run.code, 0, run.err)
+            self.assertEqual("made by version 0.1" in run.err, version != own)
+        major = int(own.split(".")[0])
+        for version in (f"{major + 1}.0.0", own + "1", "0.0.9", "0.1", "0.1.0.1", "0.1.0-x", "-1.2.3",
+                        "new", "", None, 2, 0.2, ["0.1.0"], {"is": "0.1.0"}, "9" * 40 + ".0.0"):
+            with self.subTest(version=version):
+                self.write("r.json", json.dumps({**result, "version": version}))
+                self.refused(self.run_program("verify", "-q", "r.json"), 3, "r.json",
+                             "its version is " + json.dumps(version, separators=(",", ":")))
+        del result["version"]
+        self.write("r.json", json.dumps(result))
+        self.refused(self.run_program("verify", "-q", "r.json"), 3, "r.json", 'lacks its "version"')
+
+    def test_what_may_differ_must_be_there(self):
+        result = self.save()
+        for key in ("threads", "elapsed_ms"):
+            self.write("r.json", json.dumps({k: v for k, v in result.items() if k != key}))
+            self.refused(self.run_program("verify", "-q", "r.json"), 1, f"'{key}'")
+
+    def test_names_that_are_given_twice(self):
+        text = json.dumps(self.save())
+        for old, new in (('"seed": 1', '"seed": 1, "seed": 2'),
+                         ('"ants": 10', '"ants": 10, "ants": 3'),
+                         ('"file": "fan.map"', '"file": "fan.map", "file": "fan.map"')):
+            name = old.split(":")[0]
+            with self.subTest(name=name):
+                self.assertIn(old, text)
+                self.write("r.json", text.replace(old, new))
+                byte = text.index(old) + new.rindex(name) + len(name) - 1
+                self.refused(self.run_program("verify", "r.json"), 3,
+                             f"r.json, line 1, byte {byte}: {name} is given again")
+
+    def test_members_of_another_kind(self):
+        result = self.save()
+        self.write("r.json", json.dumps({**result, "robot": 3}))
+        self.refused(self.run_program("verify", "-q", "r.json"), 1, "'robot'")
+
     def test_a_radius_is_replayed(self):
         rows = [("." * 12 + "@@" + "." * 12) if 8 <= y < 18 else "." * 26 for y in range(26)]
         self.write("block.map", "type octile\nheight 26\nwidth 26\nmap\n" + "\n".join(rows))
@@ -139,10 +192,10 @@ class Verify(ProgramTest):
     def test_a_broken_result_is_named_by_its_byte(self):
         good = json.dumps(self.save()) + "\n"
         seed = good.index('"seed": 1') + len('"seed": ')
-        cases = [(good + good[:100], f"byte {len(good) + 100}", "result 2 is not JSON"),
+        cases = [(good + good[:100], f"result 2, line 2, byte {len(good) + 100}", "not JSON"),
                  (good + good.replace('"seed": 1', '"seed": 1e999'),
-                  f"byte {len(good) + seed + len('1e999,')}",
-                  "result 2 holds a number"),
+                  f"result 2, line 2, byte {len(good) + seed + len('1e99')}",
+                  "a number is too large"),
                  ("\n\n" + good.replace('"seed": 1', '"sed": 1'), "byte 2", "seed"),
                  (good + "[]", f"result 2, byte {len(good)}", "format")]
         for content, place, word in cases:

@@ -48,7 +48,8 @@ std::string invalid_text(const LoadedMap& map, Frame frame, const Answer& answer
           std::to_string(free->y) + ")";
   if (frame == Frame::cell) return text;
   const Point metres = map.to_world(centre(*free));
-  return text + printed(", its centre at %.3f,%.3f m", metres.x, metres.y);
+  return text + ", its centre at " + decimal_text(metres.x, 3) + "," + decimal_text(metres.y, 3) +
+         " m";
 }
 
 Json cell_json(const Place& place) {
@@ -148,7 +149,8 @@ void BitmapTask::remark() const {
   const auto& [any_angle, by_moves] = std::pair(answer_.optimum, answer_.grid_optimum);
   if (options().json || (!any_angle && !by_moves)) return;
   const auto against = [&](const char* name, double optimum) {
-    const auto part = printed("%s %.6f%s", name, shown(optimum), in_metres() ? " m" : "");
+    const auto part =
+        std::string(name) + " " + decimal_text(shown(optimum), 6) + (in_metres() ? " m" : "");
     if (!has_path() || !(optimum > 0)) return part;
     return part + printed(" (the path: %+.3f%%)", 100 * *gap_to(optimum, result().length));
   };

@@ -52,9 +52,9 @@ class Lines {
   Lines(std::istream& in, const std::string& file) : file_(file), in_(in) {}
 
   bool next() {
-    while (std::getline(in_, text_)) {
+    while (next_of_any()) {
       if (number_++ == 0 && text_.starts_with(kByteOrderMark))
-        text_.erase(0, kByteOrderMark.size());
+        text_.remove_prefix(kByteOrderMark.size());
       if (!trimmed(text_).empty()) return true;
     }
     if (in_.bad())
@@ -81,9 +81,24 @@ class Lines {
   }
 
  private:
+  /// The next line, be it blank; lines end in LF, CR LF or CR.
+  bool next_of_any() {
+    if (at_ >= block_.size()) {
+      if (!std::getline(in_, block_)) return false;
+      if (block_.ends_with('\r')) block_.pop_back();
+      at_ = 0;
+    }
+    const auto end = std::min(block_.find('\r', at_), block_.size());
+    text_ = std::string_view(block_).substr(at_, end - at_);
+    at_ = end + 1;
+    return true;
+  }
+
   std::string file_;
   std::istream& in_;
-  std::string text_;
+  std::string block_;  ///< up to an LF
+  std::size_t at_ = 0;
+  std::string_view text_;
   std::int64_t number_ = 0;
 };
 

@@ -14,13 +14,16 @@ namespace lasius::tool {
 namespace {
 
 /// The first thing on the command line that nothing takes, with the nearest known word.
-void refuse_extras(const CLI::App& app) {
+void refuse_extras(const CLI::App& app, const std::vector<std::string_view>& words) {
   const auto extras = app.remaining();
   const auto extra = std::ranges::find_if(extras, [](const auto& word) { return word != "--"; });
   if (extra == extras.end()) return;
   const std::string word = extra->substr(0, extra->find('='));
   if (word.size() < 2 || word[0] != '-')
     throw UsageError("\"" + word + "\" is one argument too many; see --help");
+  const auto dashes = std::ranges::find(words, "--");
+  if (std::find(words.begin(), dashes, *extra) == dashes)
+    throw UsageError("\"" + word + "\" is one argument too many: no option follows --; see --help");
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
     for (const auto& name : option->get_lnames()) names.push_back("--" + name);
@@ -52,10 +55,11 @@ void refuse_empty_values(const CLI::App& app, const std::vector<std::string_view
   }
 }
 
-void refuse_extras(const CLI::App& app, const std::vector<Subcommand>& commands) {
-  refuse_extras(app);
+void refuse_extras(const CLI::App& app, const std::vector<Subcommand>& commands,
+                   const std::vector<std::string_view>& words) {
+  refuse_extras(app, words);
   for (const auto& command : commands)
-    if (command.app->parsed()) refuse_extras(*command.app);
+    if (command.app->parsed()) refuse_extras(*command.app, words);
 }
 
 /// What CLI11 says, in plain words where its own are not.
@@ -83,9 +87,10 @@ Command parse_command_line(int argc, const char* const* argv) {
   app.footer("Options of a command: see `lasius COMMAND --help`");
   const auto commands = add_subcommands(app);
   if (argc < 2) throw UsageError("no command\n\n" + app.help());
+  const std::vector<std::string_view> words(argv, argv + argc);
   if (argv[1][0] != '-') refuse_unknown_command(argv[1], commands);
   for (const auto& command : commands)
-    if (command.app->get_name() == argv[1]) refuse_empty_values(*command.app, {argv, argv + argc});
+    if (command.app->get_name() == argv[1]) refuse_empty_values(*command.app, words);
   app.allow_extras();
   try {
     app.parse(argc, argv);
@@ -95,10 +100,10 @@ Command parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::CallForVersion&) {
     return Text{std::string("lasius ") + LASIUS_VERSION + "\n"};
   } catch (const CLI::ParseError& fault) {
-    refuse_extras(app, commands);
+    refuse_extras(app, commands, words);
     throw UsageError(plain_words(fault.what()) + "; see --help");
   }
-  refuse_extras(app, commands);
+  refuse_extras(app, commands, words);
   for (const auto& command : commands)
     if (command.app->parsed()) return command.make();
   throw UsageError("no command\n\n" + app.help());

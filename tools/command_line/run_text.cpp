@@ -145,7 +145,12 @@ PolygonCommand make_polygon(const RunText& run, const PolygonText& text) {
   command.start = optional_point("--start", text.start);
   command.goal = optional_point("--goal", text.goal);
   command.with_optimum = run.gap;
-  if (!run.frame.empty()) choice_value("--frame", run.frame, kFrames);
+  if (!run.frame.empty()) {
+    if (kFrames[choice_value("--frame", run.frame, kFrames)] == "world")
+      throw UsageError("--frame world: " + run.map +
+                       " gives no frame, a polygon world is in its own coordinates; leave it out");
+    command.notes.emplace_back("--frame has no effect on a polygon world");
+  }
   refuse_radius(run.radius);
   if (run.unknown_free)
     command.notes.emplace_back("--unknown-free has no effect: a polygon world has no unknown part");

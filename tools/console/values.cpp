@@ -147,13 +147,20 @@ std::string whole_text(double value) {
              : to_text(value);
 }
 
+std::string decimal_text(double value, int decimals) {
+  constexpr double kMost = 1e100;  // results of 0.1.0 hold messages with nearly as many digits
+  return std::abs(value) < kMost ? printed("%.*f", decimals, value) : to_text(value);
+}
+
 std::string printed(const char* format, ...) {
-  std::array<char, 512> text;
-  std::va_list values;
+  std::va_list values, again;
   va_start(values, format);
-  std::vsnprintf(text.data(), text.size(), format, values);
+  va_copy(again, values);
+  std::string text(std::max(0, std::vsnprintf(nullptr, 0, format, values)), '\0');
+  std::vsnprintf(text.data(), text.size() + 1, format, again);
+  va_end(again);
   va_end(values);
-  return text.data();
+  return text;
 }
 
 std::string row_text(std::string_view name, const std::string& value) {

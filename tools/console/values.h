@@ -57,6 +57,9 @@ std::string finite_text(double value);
 /// The same of a whole number, in digits where they are exact.
 std::string whole_text(double value);
 
+/// A number with so many decimals; the shortest text where it has too many digits before them.
+std::string decimal_text(double value, int decimals);
+
 /// What printf would print.
 [[gnu::format(printf, 1, 2)]] std::string printed(const char* format, ...);
 

@@ -36,7 +36,7 @@ std::uint32_t packed(Colour colour) {
 
 /// File names may hold bytes that are no UTF-8, which cairo refuses: these become U+FFFD.
 std::string utf8(const std::string& text) {
-  return json::parsed(json::line(text)).get<std::string>();
+  return json::read(json::line(text), "a text").get<std::string>();
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ bool Task::has_path() const { return !std::isnan(result().length); }
 
 std::string Task::progress_note(const Progress& progress) const {
   if (!std::isfinite(progress.best_length)) return "no path yet";
-  const std::string text = printed("best %.3f", shown(progress.best_length));
+  const std::string text = "best " + decimal_text(shown(progress.best_length), 3);
   return unit().empty() ? text : text + " " + unit();
 }
 

@@ -1,12 +1,17 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
-#include "core/base/json_depth.h"
+#include "core/base/json_place.h"
+#include "core/io/json_values.h"
 #include "lasius/error.h"
 #include "lasius/version.h"
 #include "tools/arm/arm_task.h"
@@ -34,6 +39,11 @@ Error broken(Error::Place place, const std::string& problem) {
       "give a result that `lasius plan --json`, `lasius batch` or `lasius arm --json` printed");
 }
 
+/// A result among several, counted from 0, as messages name it.
+std::string nth(const std::string& file, std::size_t i) {
+  return file + ", result " + std::to_string(i + 1);
+}
+
 /// The objects of a file: one result, or one a line.
 std::vector<Saved> read_results(const std::string& file) {
   std::error_code ignored;
@@ -41,41 +51,72 @@ std::vector<Saved> read_results(const std::string& file) {
   if (!std::filesystem::is_directory(file, ignored)) stream.open(file, std::ios::binary);
   if (!stream.is_open())
     throw Error(ErrorCode::file_missing, {.file = file}, "cannot be opened", "name a saved result");
-  std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (const auto byte = too_deep(text))
-    throw broken({.file = file, .offset = static_cast<std::int64_t>(*byte)}, "nests too deep");
-  std::istringstream in(std::move(text));
+  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  const std::string_view text = bytes;
   std::vector<Saved> results;
-  try {
-    while (in >> std::ws && in.peek() != std::ifstream::traits_type::eof()) {
-      results.push_back({{}, in.tellg()});
-      in >> results.back().json;
-    }
-  } catch (const Json::exception& fault) {
-    in.clear();
-    const bool syntax = dynamic_cast<const Json::parse_error*>(&fault) != nullptr;
-    throw broken({.file = file, .offset = in.tellg()},
-                 "result " + std::to_string(results.size()) +
-                     (syntax ? " is not JSON up to here" : " holds a number that is too large"));
+  const auto next = [&](std::size_t from) {
+    return std::min(text.find_first_not_of(" \t\r\n", from), text.size());
+  };
+  for (std::size_t from = next(0); from < text.size();) {
+    const std::size_t end = from + JsonPlace::end_of_first(text.substr(from));
+    const std::size_t after = next(end);
+    const bool only = results.empty() && after == text.size();
+    results.push_back(
+        {json::read(text.substr(0, end), only ? file : nth(file, results.size()), from),
+         static_cast<std::int64_t>(from)});
+    from = after;
   }
   if (results.empty()) throw broken({.file = file, .offset = 0}, "holds no result");
   return results;
 }
 
+using Version = std::array<int, 3>;
+
+/// "1.2.3" as numbers; nothing where the text is none such.
+std::optional<Version> version_of(std::string_view text) {
+  Version version{};
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (std::size_t i = 0; i < version.size(); ++i) {
+    if (i > 0 && (at == end || *at++ != '.')) return std::nullopt;
+    const auto [stop, fault] = std::from_chars(at, end, version[i]);
+    if (fault != std::errc{}) return std::nullopt;
+    at = stop;
+  }
+  return at == end ? std::optional(version) : std::nullopt;
+}
+
+/// The version that wrote a result. @throws Error where it is missing, or none whose results this
+/// program knows.
+std::string checked_version(const Json& result, const Error::Place& place) {
+  constexpr const char* kFirst = "0.1.0";
+  if (!result.contains("version")) throw broken(place, "lacks its \"version\"");
+  const Json& version = result["version"];
+  if (version.is_string()) {
+    auto text = version.get<std::string>();
+    const auto numbers = version_of(text);
+    if (numbers && numbers >= version_of(kFirst) && numbers <= version_of(LASIUS_VERSION))
+      return text;
+  }
+  throw Error(ErrorCode::file_unsupported, place,
+              "its version is " + version.dump() + ", none from " + kFirst +
+                  " to " LASIUS_VERSION ", which this program can replay",
+              "verify it with the version that wrote it");
+}
+
 /// The first difference between a result and its replay, or nothing. What may differ is left out.
 std::string difference(Json recorded, Json replay) {
-  for (const char* free : {"threads", "elapsed_ms", "version"}) {
-    recorded.erase(free);
-    replay.erase(free);
-  }
+  for (const char* free : {"threads", "elapsed_ms", "version"})
+    if (recorded.contains(free)) replay[free] = recorded[free];
   for (const char* input : {"map", "robot", "scene"}) {
-    if (recorded.contains(input)) recorded[input].erase("file");
-    if (replay.contains(input)) replay[input].erase("file");
+    for (Json* of : {&recorded, &replay})
+      if (of->contains(input) && (*of)[input].is_object()) (*of)[input].erase("file");
   }
   // A limit or a signal may have cut off the search for an optimum.
   for (const auto& [optimum, gap] :
        {std::pair{"optimum", "optimum_gap"}, {"grid_optimum", "grid_optimum"}}) {
     if (!recorded.contains(optimum) || !recorded[optimum].is_null()) continue;
+    if (!recorded.contains(gap) || !recorded[gap].is_null()) return gap;
     for (const char* key : {optimum, gap}) {
       recorded.erase(key);
       replay.erase(key);
@@ -130,14 +171,14 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
   const std::string format = text_of(result, "format");
   if (format != kPlanFormat && format != kArmFormat)
     throw broken(place, std::string("is not of format ") + kPlanFormat + " or " + kArmFormat);
+  const std::string version = checked_version(result, place);
   const std::string status = text_of(result, "status");
   if (status == "limit" || status == "interrupted") {
     message(name + ": cannot be replayed: " + (status == "limit" ? "a time limit" : "a signal") +
             " ended it, and no clock runs twice the same");
     return kUsage;
   }
-  const std::string version = text_of(result, "version");
-  if (!version.empty() && version != LASIUS_VERSION && !command.quiet)
+  if (version != LASIUS_VERSION && !command.quiet)
     message(name + ": made by version " + version + ", replayed by " + LASIUS_VERSION);
   if (format == kArmFormat && !command.map.empty())
     throw UsageError("--map: " + name + " is of an arm, it has no map");
@@ -163,8 +204,7 @@ int run_verify(const VerifyCommand& command) {
   std::size_t equal = 0;
   const auto results = read_results(command.result);
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const std::string name =
-        results.size() > 1 ? command.result + ", result " + std::to_string(i + 1) : command.result;
+    const std::string name = results.size() > 1 ? nth(command.result, i) : command.result;
     const int one = verify(command, results[i], name, last_map, signals.token());
     if (one == kInterrupted) return one;
     if (one == kFound) ++equal;

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <stdexcept>
 
 #include "core/base/output.h"
 #include "core/io/json_values.h"
@@ -33,9 +34,15 @@ void put_curve(Json& json, const std::string& name, const std::vector<double>& c
 double known(const Json& json) { return json.is_null() ? kUnknown : json.get<double>(); }
 
 std::vector<double> curve_of(const Json& json, const std::string& name) {
-  std::vector<double> curve(json.at(name + "_size").get<std::size_t>(), kUnknown);
-  for (const Json& step : json.at(name))
-    std::fill(curve.begin() + step.at(0).get<std::ptrdiff_t>(), curve.end(), known(step.at(1)));
+  constexpr std::size_t kMost = 1 << 20;  // far more iterations than any study's
+  const auto size = json.at(name + "_size").get<std::size_t>();
+  if (size > kMost) throw std::runtime_error("a curve that is too long");
+  std::vector<double> curve(size, kUnknown);
+  for (const Json& step : json.at(name)) {
+    const auto from = step.at(0).get<std::size_t>();
+    if (from >= size) throw std::runtime_error("a step behind its curve");
+    std::fill(curve.begin() + static_cast<std::ptrdiff_t>(from), curve.end(), known(step.at(1)));
+  }
   return curve;
 }
 
@@ -69,7 +76,8 @@ std::optional<Run> read_run(const std::filesystem::path& file, const std::string
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;
   try {
-    const Json json = json::parsed(std::string(std::istreambuf_iterator<char>(in), {}));
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    const Json json = json::read(text, file.string());
     if (json.at("key") != kVersion + key) return std::nullopt;
     Run run = run_of(json);
     if (run.seed != seed) return std::nullopt;

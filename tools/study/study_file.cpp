@@ -120,7 +120,7 @@ Check check_of(const Json& claim) {
 }  // namespace
 
 Study parse_study(std::string_view text) {
-  const Json json = json::parsed(text);
+  const Json json = json::read(text, "a study");
   Study study{.name = json.at("name"),
               .summary = json.at("summary"),
               .source = text_of(json, "source"),

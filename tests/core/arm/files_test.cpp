@@ -1,12 +1,12 @@
 // Robots, scenes and meshes from text and files.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <span>
 #include <string>
 
 #include "core/arm/enclose.h"
@@ -14,128 +14,11 @@
 #include "core/arm/vec3.h"
 #include "lasius/error.h"
 #include "tests/core/arm/arms.h"
+#include "tests/core/arm/refusals.h"
 #include "tests/core/base/other_locale.h"
 
 namespace lasius::arm {
 namespace {
-
-constexpr const char* kUrdf = R"(<robot name="r">
-  <link name="a"/><link name="b"><collision><origin xyz="0 0 0.5"/>
-    <geometry><cylinder radius="0.1" length="1"/></geometry></collision></link>
-  <link name="c"><collision><geometry><sphere radius="0.2"/></geometry></collision></link>
-  <link name="d"/>
-  <joint name="j1" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 2"/></joint>
-  <joint name="f" type="fixed"><parent link="b"/><child link="c"/><origin xyz="0 0 1"/></joint>
-  <joint name="j2" type="prismatic"><parent link="c"/><child link="d"/>
-    <origin xyz="0 0 0.5" rpy="0 1.5707963267948966 0"/><axis xyz="0 0 1"/>
-    <limit lower="-0.2" upper="0.3" velocity="0.5" effort="1"/></joint>
-</robot>)";
-
-/// What stands in a text, what is put in its place, and the line that is then at fault.
-struct Spoilt {
-  std::string from, to;
-  std::int64_t line;
-};
-
-template <class Read>
-void expect_lines(std::span<const Spoilt> cases, const std::string& text, const Read& read) {
-  for (const auto& [from, to, line] : cases) {
-    std::string broken = text;
-    broken.replace(broken.find(from), from.size(), to);
-    try {
-      read(broken);
-      ADD_FAILURE() << broken;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.place().line, line) << error.what();
-    }
-  }
-}
-
-void expect_error(const std::string& text, ErrorCode code, const std::string& words) {
-  try {
-    parse_robot(text, "r.txt");
-    ADD_FAILURE() << "accepted: " << text.substr(0, 80);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), code) << error.what();
-    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-    EXPECT_FALSE(error.remedy().empty());
-  }
-}
-
-TEST(Urdf, AChainWithFixedJointsFolded) {
-  const Robot robot = parse_robot(kUrdf, "r.urdf");
-  ASSERT_EQ(robot.size(), 2);
-  EXPECT_EQ(robot.name, "r");
-  EXPECT_EQ(robot.joints[0].axis, Eigen::Vector3d(0, 0, 1));
-  EXPECT_GT(robot.joints[0].high, 6);
-  // The cylinder of b and the sphere of c, which is fixed to it.
-  ASSERT_EQ(robot.joints[0].capsules.size(), 2u);
-  EXPECT_EQ(robot.joints[0].capsules[0].to, Eigen::Vector3d(0, 0, 1));
-  EXPECT_EQ(robot.joints[0].capsules[1].from, Eigen::Vector3d(0, 0, 1));
-  EXPECT_DOUBLE_EQ(robot.joints[0].capsules[1].radius, 0.2);
-  const Joint& slide = robot.joints[1];
-  EXPECT_EQ(slide.kind, Joint::Kind::prismatic);
-  EXPECT_EQ(slide.frame.translation(), Eigen::Vector3d(0, 0, 1.5));
-  EXPECT_DOUBLE_EQ(slide.low, -0.2);
-  EXPECT_DOUBLE_EQ(slide.velocity, 0.5);
-  EXPECT_DOUBLE_EQ(slide.acceleration, 2);
-  // Slides along the world's x at 0.
-  EXPECT_LT(distance(tip_position(robot, joints({0.0, 0.3})), {0.3, 0, 1.5}), 1e-9);
-}
-
-TEST(Urdf, ChainsByName) {
-  const Robot part = parse_robot(kUrdf, "r.urdf", {.base = "b", .tip = "d"});
-  EXPECT_EQ(part.size(), 1);
-  EXPECT_EQ(part.base.size(), 2u);
-  EXPECT_THROW(parse_robot(kUrdf, "r.urdf", {.base = "", .tip = "e"}), Error);
-  EXPECT_THROW(parse_robot(kUrdf, "r.urdf", {.base = "d", .tip = "b"}), Error);
-  EXPECT_THROW(parse_robot(kUrdf, "r.urdf", {.base = "b", .tip = "c"}), Error);
-}
-
-TEST(Urdf, BadFiles) {
-  expect_error("<robot", ErrorCode::file_broken, "URDF");
-  expect_error("<a/>", ErrorCode::file_broken, "URDF");
-  std::string no_room = kUrdf;
-  no_room.replace(no_room.find("\"-0.2\""), 6, "\"0.4\"");
-  expect_error(no_room, ErrorCode::file_broken, "no room");
-  std::string huge = kUrdf;
-  huge.replace(huge.find("radius=\"0.1\""), 12, "radius=\"1e9\"");
-  expect_error(huge, ErrorCode::file_broken, "out of range");
-  for (const char* radius : {"x", "nan", "0", "-1"}) {
-    std::string no_size = kUrdf;
-    no_size.replace(no_size.find("radius=\"0.1\""), 12, "radius=\"" + std::string(radius) + "\"");
-    expect_error(no_size, ErrorCode::file_broken, "cannot be read");
-  }
-  std::string floating = kUrdf;
-  floating.replace(floating.find("prismatic"), 9, "floating");
-  expect_error(floating, ErrorCode::file_unsupported, "j2");
-  std::string mesh = kUrdf;
-  mesh.replace(mesh.find("<sphere radius=\"0.2\"/>"), 22, "<mesh filename=\"package://x/y.dae\"/>");
-  expect_error(mesh, ErrorCode::file_unsupported, "y.dae");
-}
-
-TEST(Urdf, FaultsAreNamedByLine) {
-  const Spoilt cases[] = {
-      {"radius=\"0.1\"", "radius=\"0\"", 2},
-      {"radius=\"0.2\"", "radius=\"0\"", 4},
-      {"0 0 2", "0 0 0", 6},
-      {"\"0.3\"", "\"-0.3\"", 8},
-      {"prismatic", "planar", 8},
-      {"velocity=\"0.5\"", "velocity=\"-2.5\"", 8},
-      {"type=\"prismatic\"", "type=\"prismatic", 8},
-      {"</joint>\n</robot>", "</robot>", 10},
-  };
-  expect_lines(cases, kUrdf, [](const std::string& text) { parse_robot(text, "r.urdf"); });
-}
-
-TEST(Urdf, AVelocityLimitOf0IsNone) {
-  std::string text = kUrdf;
-  text.replace(text.find("velocity=\"0.5\""), 14, "velocity=\"0\"");
-  EXPECT_EQ(parse_robot(text, "r.urdf").joints[1].velocity, 1);
-  std::string negative = kUrdf;
-  negative.replace(negative.find("0.5\" effort"), 3, "-2.5");
-  expect_error(negative, ErrorCode::file_broken, "joint \"j2\" has the velocity limit -2.5");
-}
 
 TEST(ShortRobot, WhatItsFieldsMean) {
   const Robot robot = parse_robot(R"({"format": "lasius-arm/1", "base": [0, 0, 1],
@@ -175,6 +58,7 @@ TEST(ShortRobot, BadFields) {
       {"null", "no \"format\""},
       {"{\n\"a\": \xff}", "line 2, byte 7: this is not JSON"},
       {"{\n\"a\": 1e999}", "line 2, byte 11: a number is too large"},
+      {"{\r\"a\": 1,\r\"a\": 2}", "line 3, byte 12: \"a\" is given again"},
   };
   for (const auto& [text, words] : cases) expect_error(text, ErrorCode::file_broken, words);
   expect_error(
@@ -228,7 +112,7 @@ std::string binary_stl(std::uint32_t claimed, const std::vector<float>& corners)
 using StlFile = Folder;
 
 TEST_F(StlFile, TextAndBinaryAreTheSame) {
-  const auto text = read_stl(write("a.stl", R"(solid s
+  const std::string ascii = R"(solid s
  facet normal 0 0 1
   outer loop
    vertex 0 0 0
@@ -237,7 +121,11 @@ TEST_F(StlFile, TextAndBinaryAreTheSame) {
   endloop
  endfacet
 endsolid s
-)"));
+)";
+  const auto text = read_stl(write("a.stl", ascii));
+  std::string only_cr = ascii;
+  std::ranges::replace(only_cr, '\n', '\r');
+  EXPECT_EQ(read_stl(write("c.stl", only_cr)), text);
   const auto binary = read_stl(write("b.stl", binary_stl(1, {0, 0, 0, 1, 0, 0, 0, 2.5f, 0})));
   ASSERT_EQ(text.size(), 1u);
   EXPECT_EQ(text, binary);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/base/did_you_mean.h"
 #include "lasius/lasius.h"
 
 namespace lasius {
@@ -40,6 +41,18 @@ TEST(Names, OfEveryEnumeration) {
   EXPECT_EQ(to_string(Reward::affine), "affine");
   EXPECT_EQ(to_string(static_cast<Status>(99)), "");
   EXPECT_EQ(to_string(static_cast<Update>(-1)), "");
+}
+
+TEST(DidYouMean, TheNearestByPrefixLettersAndCapitals) {
+  const std::vector<std::string_view> known{"--ants", "--algorithm", "--gap", "-v", "-V", "--all"};
+  const auto nearest = [&](std::string_view name) { return did_you_mean(name, known); };
+  EXPECT_EQ(nearest("--algo"), "did you mean \"--algorithm\"?");
+  EXPECT_EQ(nearest("--al"), "did you mean \"--all\"?") << "the shorter of two";
+  EXPECT_EQ(nearest("--atns"), "did you mean \"--ants\"?");
+  EXPECT_EQ(nearest("--GAP"), "did you mean \"--gap\"?");
+  EXPECT_EQ(nearest("--ALGO"), "did you mean \"--algorithm\"?");
+  EXPECT_EQ(nearest("-V"), "did you mean \"-V\"?");
+  EXPECT_EQ(nearest("-x"), "did you mean \"-v\"?") << "the first of equals";
 }
 
 }  // namespace

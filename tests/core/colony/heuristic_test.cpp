@@ -119,7 +119,7 @@ TEST(HeuristicRows, DistanceFieldsAreOfTheAntsNeighbours) {
     const auto length = ways(grid, goal, neighbours != Neighbours::four);
     for (const Cell c : {Cell{7, 3}, Cell{0, 2}, Cell{9, 5}, Cell{1, 5}}) {
       const auto row = row_of(grid, c, goal, with(Heuristic::distance_field, neighbours));
-      const auto moves = kernels::moves_of(static_cast<kernels::Neighbourhood>(neighbours));
+      const auto moves = moves_of(neighbours);
       double largest = 0;
       std::vector<double> expected;
       for (int k = 0; k < moves.count; ++k) {

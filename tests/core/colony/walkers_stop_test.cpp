@@ -39,8 +39,8 @@ void pacing_kernel(const kernels::WalkWorld& world, std::span<kernels::WalkSlot>
 }
 
 TEST(Walkers, LeaveNoCellMarkedThatWasBeingForgottenWhenTimeWasUp) {
-  const kernels::WalkWorld world = walk_world(
-      Params("as"), moves_of(Neighbours::eight), {1, 1}, {99, 99});
+  const kernels::WalkWorld world =
+      walk_world(Params("as"), moves_of(Neighbours::eight), {1, 1}, {99, 99});
   std::vector<Ant> ants(1);
   Walkers walkers;
   int arrived_late = 0, whole = 0;

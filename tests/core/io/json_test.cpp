@@ -146,7 +146,10 @@ TEST(Json, RefusesNumbersThatDoNotFit) {
 }
 
 TEST(Json, RefusesOtherTexts) {
-  EXPECT_NE(params_refusal("{").find("not an object"), std::string::npos);
+  EXPECT_NE(params_refusal("{").find("line 1, byte 1: this is not JSON"), std::string::npos);
+  EXPECT_NE(
+      params_refusal("{\"seed\": 1,\n\"seed\": 2}").find("line 2, byte 17: \"seed\" is given"),
+      std::string::npos);
   EXPECT_NE(params_refusal("[1]").find("not an object"), std::string::npos);
   EXPECT_NE(params_refusal(std::string(100, '[')).find("nests too deep"), std::string::npos);
   EXPECT_NE(params_refusal("{}").find("lacks \"algorithm\""), std::string::npos);

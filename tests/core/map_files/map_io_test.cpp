@@ -40,6 +40,7 @@ TEST_F(MapIo, ReadsMovingAi) {
   EXPECT_EQ(read("type octile\nheight 2\nwidth 5\nmap\n.GSOT\n@W...\n"), expected);
   EXPECT_EQ(read("type octile\r\nheight 2\r\nwidth 5\r\nmap\r\n.GSOT\r\n@W...\r\n"), expected)
       << "CR LF";
+  EXPECT_EQ(read("type octile\rheight 2\rwidth 5\rmap\r.GSOT\r@W...\r"), expected) << "CR";
   EXPECT_EQ(read("type octile\nwidth 5\nheight 2\nmap\n.GSOT\n@W..."), expected)
       << "width first, last line without its end";
   EXPECT_EQ(read("\xef\xbb\xbftype octile\nwidth 5\nheight 2\nmap\n.GSOT\n@W..."), expected)
@@ -54,6 +55,7 @@ TEST_F(MapIo, ReadsAsciiPbmWithAnySpacing) {
   EXPECT_EQ(read("P1 3 2 101010"), expected) << "no spaces between the bits";
   EXPECT_EQ(read("P1#a\n#b\n3#c\n2\t\v\f\r\n1#d 0\n01\n#e\n0 1 0 #f"), expected) << "comments";
   EXPECT_EQ(read("P1\r\n3 2\r\n101\r\n010\r\n"), expected) << "CR LF";
+  EXPECT_EQ(read("P1\r# c\r3 2\r101\r010\r"), expected) << "CR";
 }
 
 TEST_F(MapIo, ReadsBinaryPbm) {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -104,6 +105,57 @@ TEST(GeoJson, NamesWhatIsWrong) {
   expect_refusal(collection({boundary()}, R"("margin":"wide",)"), "margin");
 }
 
+TEST(GeoJson, NamesTheLineOfEachFault) {
+  // A member or a feature a line.
+  const std::string good = "{\"type\":\"FeatureCollection\",\n\"margin\":0,\n\"features\":[\n" +
+                           boundary() + ",\n" + feature("start", "Point", "[1,1]") + ",\n" +
+                           feature("obstacle", "Polygon", "[[[1,1],[5,1],\n[5,5],[1,1]]]") + "]}";
+  EXPECT_NO_THROW(parse_geojson(good, "w"));
+  struct Case {
+    std::string from, to;
+    std::int64_t line, offset;
+  };
+  const auto at = [&](const std::string& part) {
+    return static_cast<std::int64_t>(good.find(part));
+  };
+  for (const Case& c : {Case{"FeatureCollection", "Feature", 1, -1},
+                        {"\"features\"", "\"featurs\"", 1, -1},
+                        {"\"margin\":0", "\"margin\":-1", 1, -1},
+                        {"[1,1]}", "[1]}", 5, -1},
+                        {"\"obstacle\"", "\"wall\"", 6, -1},
+                        {"[5,1],", "[1,1],", 6, -1},
+                        {"[1,1]]]", "[1,1]]", 7, at("[1,1]]]") + 6},
+                        {"\"margin\":0", "\"type\":0", 2, at("\"margin\"") + 5},
+                        {"\"margin\":0", "\"margin\":1e999", 2, at("\"margin\"") + 13}}) {
+    std::string text = good;
+    text.replace(text.find(c.from), c.from.size(), c.to);
+    for (const bool only_cr : {false, true}) {
+      if (only_cr) std::ranges::replace(text, '\n', '\r');
+      try {
+        parse_geojson(text, "w");
+        ADD_FAILURE() << text;
+      } catch (const Error& error) {
+        EXPECT_EQ(error.place().line, c.line) << error.what();
+        EXPECT_EQ(error.place().offset, c.offset) << error.what();
+      }
+    }
+  }
+}
+
+TEST(GeoJson, EveryNameIsGivenOnce) {
+  expect_refusal(R"({"type":"FeatureCollection","type":"FeatureCollection","features":[]})",
+                 "line 1, byte 33: \"type\" is given again");
+  const std::string twice =
+      collection({boundary(), "{\"properties\":{\"role\":\"start\",\n\"role\":\"goal\"}}"});
+  const auto last = twice.find("\"role\":\"goal\"") + std::string("\"role").size();
+  expect_refusal(twice, "line 2, byte " + std::to_string(last) + ": \"role\" is given again");
+  EXPECT_NO_THROW(parse_geojson(collection({boundary()}, R"("x":{"x":1,"y":[{"x":2}]},)"), "w"));
+  expect_refusal(collection({boundary()}) + std::string("\0 more", 6), "a zero byte");
+  std::string members;
+  for (int i = 0; i <= 2000; ++i) members += "\"k" + std::to_string(i) + "\":0,";
+  expect_refusal(collection({boundary()}, members), "too many members");
+}
+
 TEST(GeoJson, NamesRingAndPointOfBadGeometry) {
   const std::string bow = "[[[1,1],[5,5],[5,1],[1,5],[1,1]]]";
   expect_refusal(
@@ -112,6 +164,24 @@ TEST(GeoJson, NamesRingAndPointOfBadGeometry) {
       "0 and 1");
   const std::string hole = "[[[1,1],[5,1],[5,5],[1,5],[1,1]],[[7,7],[8,7],[8,8],[7,7]]]";
   expect_refusal(collection({boundary(), feature("obstacle", "Polygon", hole)}), "on ring 1");
+}
+
+TEST(GeoJson, ARepairIsNotAdvisedWhereItWasAskedFor) {
+  const auto remedy = [](const std::string& text, bool repair) {
+    try {
+      parse_geojson(text, "w", {.repair = repair});
+    } catch (const Error& error) {
+      return error.remedy();
+    }
+    return std::string("was read");
+  };
+  const std::string far =
+      collection({feature("boundary", "Polygon", "[[[0,0],[1e13,0],[1,1],[0,0]]]")});
+  const std::string thin = collection({feature("boundary", "Polygon", "[[[0,0],[1,0],[0,0]]]")});
+  EXPECT_EQ(remedy(far, true), "correct the ring");
+  EXPECT_EQ(remedy(far, false), "correct the ring") << "no repair helps";
+  EXPECT_NE(remedy(thin, false).find("--repair"), std::string::npos);
+  EXPECT_EQ(remedy(thin, true).find("--repair"), std::string::npos);
 }
 
 TEST(GeoJson, RepairsOnRequest) {
@@ -223,6 +293,10 @@ TEST(Wkt, CollectionsAndComments) {
   const World folded = parse_wkt("POLYGON\n ((0 0, 9 0, 9 9, 0 9,\n 0 0))\nPOINT\r\n(1 1)", "w");
   EXPECT_EQ(folded.boundary.outer.size(), 4u);
   EXPECT_EQ(folded.start, world.start);
+  const World cr =
+      parse_wkt("# margin 2\r# by hand\rPOLYGON\r((0 0, 9 0, 9 9, 0 0))\rPOINT (1 1)", "w");
+  EXPECT_EQ(cr.margin, 2);
+  EXPECT_EQ(cr.start, world.start);
 }
 
 TEST(Wkt, OnlyACommentThatIsAMarginIsOne) {
@@ -252,6 +326,28 @@ TEST(Wkt, NamesWhatIsWrong) {
   expect_refusal(std::string(100, '('), "nested too deep", true);
 }
 
+TEST(Wkt, NamesLineAndByteWhereAGeometryBegins) {
+  struct Case {
+    const char* text;
+    std::int64_t line, offset;
+  };
+  for (const Case& c :
+       {Case{"POLYGON ((0 0, 1 0, 0 0))", 1, 0},
+        {"\n\n  POINT EMPTY", 3, 4},
+        {"# margin 1\n# margin -1\nPOINT (0 0)", 2, 11},
+        {"# here\r\nPOINT (0 0); POINT (0)", 2, 21},
+        {"# here\rPOINT (0 0)\rPOINT (0)", 3, 19},
+        {"POLYGON ((0 0, 9 0, 9 9, 0 0))\nPOLYGON ((0 0, 9 9,\n9 0, 0 9, 0 0))", 2, 31}}) {
+    try {
+      parse_wkt(c.text, "w");
+      ADD_FAILURE() << c.text;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.place().line, c.line) << error.what();
+      EXPECT_EQ(error.place().offset, c.offset) << error.what();
+    }
+  }
+}
+
 using WorldFile = Files;
 
 TEST_F(WorldFile, ReadsByContentAndReportsMissingFiles) {
@@ -264,6 +360,22 @@ TEST_F(WorldFile, ReadsByContentAndReportsMissingFiles) {
   EXPECT_EQ(read_world(name), world);
   std::ofstream(name) << " \n";
   EXPECT_THROW(read_world(name), Error);
+  for (const auto& [ending, content, says] : {std::tuple{".wkt", "((((", "no geometry"},
+                                              {".wkt", "null", "no geometry"},
+                                              {".geojson", "null", "no FeatureCollection"},
+                                              {".geojson", "((((", "not JSON"},
+                                              {".json", "POINT EMPTY", "is empty"},
+                                              {".wkt", "{}", "no FeatureCollection"}}) {
+    const std::string other = (folder / "lasius_world_test").string() + ending;
+    std::ofstream(other) << content;
+    try {
+      read_world(other);
+      ADD_FAILURE() << content;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what();
+    }
+    std::filesystem::remove(other);
+  }
   std::filesystem::remove(name);
   try {
     read_world(name);
