@@ -69,9 +69,9 @@ using Above = std::map<std::string_view, const Edge*>;
   std::string names = quoted(first->child);
   int count = 1;
   for (const Edge* at = next(first); at != first; at = next(at)) {
-    if (++count <= kMostNames) names = quoted(at->child) + ", " + names;
+    if (++count <= kMostNames) names.insert(0, quoted(at->child) + ", ");
   }
-  if (count > kMostNames) names = "..., " + names;
+  if (count > kMostNames) names.insert(0, "..., ");
   place.line = first->line;
   broken(place, "the links " + names + " are joined in a loop", "take one of its joints out");
 }

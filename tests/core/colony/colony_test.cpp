@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/colony/update.h"
+#include "core/grid/move_rule.h"
 #include "lasius/path.h"
 #include "tests/core/grid/centres.h"
 #include "tests/core/plan/planning.h"

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/grid/move_rule.h"
 #include "tests/worlds/random_grid.h"
 
 namespace lasius {

@@ -6,6 +6,7 @@
 #include "core/base/poller.h"
 #include "core/colony/walk_setup.h"
 #include "core/colony/walkers.h"
+#include "core/grid/move_rule.h"
 #include "tests/core/base/counting_time.h"
 
 namespace lasius {

@@ -366,7 +366,7 @@ TEST_F(WorldFile, ReadsByContentAndReportsMissingFiles) {
                                               {".geojson", "((((", "not JSON"},
                                               {".json", "POINT EMPTY", "is empty"},
                                               {".wkt", "{}", "no FeatureCollection"}}) {
-    const std::string other = (folder / "lasius_world_test").string() + ending;
+    const std::string other = path(std::string("other") + ending);
     std::ofstream(other) << content;
     try {
       read_world(other);
