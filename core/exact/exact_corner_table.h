@@ -108,6 +108,7 @@ class CornerTable {
 
   using Words = std::unique_ptr<std::uint64_t[]>;
   struct Segment {
+    explicit Segment(Words memory) : words(std::move(memory)) {}
     Words words;  // place << 32 | index; 0: empty
     std::size_t used = 0;
     int depth = 0;  // bits that all of it have in common
@@ -147,8 +148,7 @@ class CornerTable {
   // An empty one.
   Entry take_segment(int depth) {
     if (in_use_ == segments_.size()) {
-      segments_.push_back(std::make_unique<Segment>());
-      segments_.back()->words = make_words();
+      segments_.push_back(std::make_unique<Segment>(make_words()));
     }
     Segment& segment = *segments_[in_use_++];
     segment.used = 0;
