@@ -78,8 +78,8 @@ class BucketQueue {
   /// Items dealt out since the last call: work that a stop condition has to know of.
   std::int64_t take_dealt() noexcept { return std::exchange(dealt_, 0); }
 
-  std::int64_t bytes() const noexcept {
-    return static_cast<std::int64_t>(sizeof *this + items_.capacity() * sizeof(Item));
+  std::int64_t bytes() const noexcept {  ///< held beside the queue itself
+    return static_cast<std::int64_t>(items_.capacity() * sizeof(Item));
   }
 
  private:
