@@ -1,4 +1,4 @@
-// lasius_bench colony: speed, threads, area, latency of the colony.
+// lasius_bench colony: speed, threads, area, proofs of the colony.
 
 #include "bench/colony_figures.h"
 #include "bench/commands.h"
@@ -23,14 +23,13 @@ void run(const Options& options) {
   table.add(measure_threads(options.rounds));
   table.add(measure_area(options.rounds, options.side));
   table.add(measure_unreachable(options.plans, options.side / 4));
-  table.add(measure_overshoot(options.plans));
 }
 
 }  // namespace
 
 void add_colony_command(CLI::App& app) {
   const auto [command, options] =
-      add_command(app, "colony", "Speed, threads, area, latency of the colony", run);
+      add_command(app, "colony", "Speed, threads, area, proofs of the colony", run);
   add_number(command, "--rounds", options.rounds, "Rounds of each measurement", 1, 1000);
   add_number(command, "--side", options.side, "Side of the large map", 1024, Grid::kMaxSide);
   add_number(command, "--plans", options.plans, "Plans for latencies", 1, 100000);

@@ -36,8 +36,4 @@ std::vector<Figure> measure_area(int rounds, int side);
 /// Time of queries between cells that are not joined, on a map of 40% noise of that side.
 std::vector<Figure> measure_unreachable(int queries, int side);
 
-/// How far plans overrun deadlines of 2 to 40 ms on a map of 400 x 200, and longer ones on larger
-/// maps, of 0.1 to 2 s on 4096 x 4096.
-std::vector<Figure> measure_overshoot(int plans);
-
 }  // namespace lasius::bench

@@ -1,4 +1,5 @@
 #include <functional>
+#include <span>
 
 #include "bench/clocks.h"
 #include "bench/colony_figures.h"
@@ -52,7 +53,7 @@ class WalkOnly {
     world_ = walk_world(params, moves, c.start, c.goal);
     set_iteration(world_, params, moves, shape, weights, 0);
     field_.fill(world_);
-    walkers_.reset(c.grid.width(), c.grid.height(), 1, ants, params.polish != Polish::none);
+    walkers_.reset(c.grid.width(), c.grid.height(), 1, ants, params.polish != Polish::none, {});
     kernel_ = kernels::walk_table(chosen_isa()).walk[shape.index()];
   }
 
@@ -91,7 +92,8 @@ double plan_rate(const Planner& planner, Params params, std::uint64_t seed) {
   const Course& c = fan_course();
   const ProcessorStopwatch watch;
   planner.plan({c.start, c.goal}, params, &workspace, [&](const GridProgress&) {
-    for (const Ant& ant : workspace.impl().colony.ants) steps += ant.steps;
+    const std::span ants(workspace.impl().colony.ants);
+    for (const Ant& ant : ants.first(params.ants)) steps += ant.steps;
   });
   return static_cast<double>(steps) / watch.seconds();
 }

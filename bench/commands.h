@@ -18,6 +18,7 @@ void add_queries_command(CLI::App& app);
 void add_anytime_command(CLI::App& app);
 void add_exact_command(CLI::App& app);
 void add_colony_command(CLI::App& app);
+void add_overshoot_command(CLI::App& app);
 void add_quality_command(CLI::App& app);
 void add_validity_command(CLI::App& app);
 void add_polygons_command(CLI::App& app);  ///< only with GEOS

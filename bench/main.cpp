@@ -26,6 +26,7 @@ void lasius::bench::add_commands(CLI::App& app) {
   add_anytime_command(app);
   add_exact_command(app);
   add_colony_command(app);
+  add_overshoot_command(app);
   add_quality_command(app);
   add_validity_command(app);
 #ifdef LASIUS_HAVE_POLYGON

@@ -11,6 +11,7 @@ constexpr const char* kLines[] = {
     "anytime --sides 96 --queries 2",
     "exact --noise 96 --queries 4 --rounds 1",
     "colony --rounds 1 --side 1024 --plans 4",
+    "overshoot --generated 96 --cuts 2 --limit 2",
     "quality --seeds 1 --blobs 1 --no-fan",
     "validity --random 20 --side 96",
 #ifdef LASIUS_HAVE_POLYGON

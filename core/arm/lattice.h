@@ -104,11 +104,12 @@ class Lattice {
   Node nodes_, start_, goal_;
   Vec3 origin_, goal_position_;
 
-  ZeroArray<double> values_;          // joint values by point
-  ZeroArray<float> guidance_;         // 8 a point
-  ZeroArray<std::uint8_t> solved_;    // Answer by point: it has joint values
-  ZeroArray<std::uint8_t> position_;  // Answer by point: it is free
-  ZeroArray<std::uint8_t> edges_;     // Answer by edge: it is open
+  // What was worked out or asked so far.
+  mutable ZeroArray<double> values_;          // joint values by point
+  mutable ZeroArray<float> guidance_;         // 8 a point
+  mutable ZeroArray<std::uint8_t> solved_;    // Answer by point: it has joint values
+  mutable ZeroArray<std::uint8_t> position_;  // Answer by point: it is free
+  mutable ZeroArray<std::uint8_t> edges_;     // Answer by edge: it is open
   mutable std::atomic<std::int64_t> positions_asked_{0}, motions_asked_{0};
 };
 

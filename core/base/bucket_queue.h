@@ -77,9 +77,7 @@ class BucketQueue {
     return taken.index;
   }
 
-  std::int64_t bytes() const noexcept {
-    return static_cast<std::int64_t>(sizeof *this) + items_.bytes();
-  }
+  std::int64_t bytes() const noexcept { return items_.bytes(); }  ///< held beside the queue itself
 
  private:
   static constexpr int kWords = 128;

@@ -24,9 +24,7 @@ class GrowingList {
   std::size_t size() const noexcept { return size_; }
   T& operator[](std::size_t i) noexcept { return values_.data()[i]; }
   const T& operator[](std::size_t i) const noexcept { return values_.data()[i]; }
-  std::int64_t bytes() const noexcept {
-    return static_cast<std::int64_t>(values_.size() * sizeof(T));
-  }
+  std::int64_t bytes() const noexcept { return values_.bytes(); }  ///< memory held
 
  private:
   static constexpr std::size_t kSmallest = 64;

@@ -23,6 +23,8 @@ inline int thread_count(int wanted) noexcept {
 /// leads a team, the team does it.
 template <class Body>
 void parallel_for(int count, int threads, const Body& body) {
+  ThreadTeam* const team = ThreadTeam::led_here();
+  if (team == nullptr && count > 1) threads = region_threads(threads);
   if (threads <= 1 || count <= 1) {  // a team of one would cost more than a short walk
     for (int i = 0; i < count; ++i) body(i, 0);
     return;
@@ -37,7 +39,7 @@ void parallel_for(int count, int threads, const Body& body) {
       if (!failed.exchange(true)) error = std::current_exception();
     }
   };
-  if (ThreadTeam* const team = ThreadTeam::led_here()) {
+  if (team != nullptr) {
     using Call = decltype(call);
     team->share(
         count, threads,

@@ -1,5 +1,7 @@
 #include "core/base/thread_team.h"
 
+#include <unistd.h>
+
 namespace lasius {
 namespace {
 
@@ -24,7 +26,16 @@ void await_change(const std::atomic<T>& what, T value) noexcept {
   what.wait(value);
 }
 
+std::atomic<pid_t> region_process = 0;  // the one that had the first parallel region
+
 }  // namespace
+
+int region_threads(int wanted) noexcept {
+  if (wanted <= 1) return wanted;
+  const pid_t here = getpid();
+  pid_t first = 0;
+  return region_process.compare_exchange_strong(first, here) || first == here ? wanted : 1;
+}
 
 ThreadTeam* ThreadTeam::led_here() noexcept { return led; }
 

@@ -12,6 +12,11 @@
 
 namespace lasius {
 
+/// How many threads a parallel region that is about to begin may have: `wanted`, but 1 in a process
+/// that was forked from one that had such regions. GNU's OpenMP runtime would wait there for
+/// threads that a fork does not copy.
+LASIUS_EXPORT int region_threads(int wanted) noexcept;
+
 /// The threads of one OpenMP region, kept over many loops. One of them leads; it never waits for a
 /// thread that has not begun, so that on a busy machine a loop takes no longer than on one thread.
 /// (At the end of a region of its own OpenMP waits for all, for milliseconds without giving up its
@@ -52,6 +57,7 @@ class ThreadTeam {
 
 template <class Run>
 void ThreadTeam::lead(int threads, const Run& run) {
+  threads = region_threads(threads);
   if (threads <= 1) return run();
   ThreadTeam team;
   std::exception_ptr error;

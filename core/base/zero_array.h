@@ -2,31 +2,45 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdlib>
-#include <memory>
-#include <new>
+#include <type_traits>
+
+#include "core/base/held_bytes.h"
+#include "core/base/memory_block.h"
 
 namespace lasius {
 
 /// Memory that reads as zero and is mapped where it is first written.
 template <class T>
 class ZeroArray {
+  static_assert(std::is_trivially_copyable_v<T>);
+
  public:
   ZeroArray() = default;
-  explicit ZeroArray(std::int64_t size)
-      : data_(static_cast<T*>(std::calloc(static_cast<std::size_t>(size), sizeof(T)))) {
-    if (data_ == nullptr) throw std::bad_alloc();
+  /// @throws std::bad_alloc
+  explicit ZeroArray(std::int64_t size) : block_(static_cast<std::size_t>(size) * kSizeOf<T>) {}
+
+  /// At least `size` values, all zero. Those of a large array are given back, those of a small one
+  /// set to zero if it is `marked`. False when stopped: then it is marked, and to be renewed again.
+  bool renew(std::int64_t size, bool marked, Poller& poller) {
+    if ((marked || block_.paged()) && !block_.clear(poller)) return false;
+    if (size > this->size()) *this = ZeroArray(size);
+    return true;
   }
-  /// Is there any? Not before a size was given.
-  explicit operator bool() const noexcept { return data_ != nullptr; }
-  T& operator[](std::int64_t i) const noexcept { return data_.get()[i]; }
-  T* at(std::int64_t i) const noexcept { return data_.get() + i; }
+  /// As MemoryBlock::clear.
+  bool clear(Poller& poller) noexcept { return block_.clear(poller); }
+
+  std::int64_t size() const noexcept {
+    return static_cast<std::int64_t>(block_.size() / kSizeOf<T>);
+  }
+  T& operator[](std::int64_t i) noexcept { return *at(i); }
+  const T& operator[](std::int64_t i) const noexcept { return *at(i); }
+  T* at(std::int64_t i) noexcept { return static_cast<T*>(block_.data()) + i; }
+  const T* at(std::int64_t i) const noexcept { return static_cast<const T*>(block_.data()) + i; }
+
+  std::int64_t bytes() const noexcept { return block_.held(); }  ///< memory held
 
  private:
-  struct Free {
-    void operator()(T* p) const noexcept { std::free(p); }
-  };
-  std::unique_ptr<T[], Free> data_;
+  MemoryBlock block_;
 };
 
 }  // namespace lasius

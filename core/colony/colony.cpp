@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "core/base/kernel_choice.h"
@@ -56,10 +57,12 @@ class GridColony final : public ColonyWorld {
         tau0_(initial_pheromone(params, distance(request.start, request.goal))) {
     memory_.field.reset(grid, moves_, request.goal, params, untouched(), request.stop);
     memory_.walkers.reset(grid.width(), grid.height(), threads_, params.ants,
-                          params.polish != Polish::none);
+                          params.polish != Polish::none, request.stop);
     memory_.polisher.reset(grid_, request_, moves_, params_, threads_);
-    memory_.ants.resize(params.ants);
-    memory_.tours.resize(params.ants);
+    const auto ants = static_cast<std::size_t>(params.ants);
+    if (memory_.ants.size() < ants) memory_.ants.resize(ants);  // to free some may take long
+    ants_ = std::span(memory_.ants).first(ants);
+    memory_.tours.resize(ants);
     memory_.best_moves.clear();
     shape_ = walk_shape(params, moves_, memory_.field.mixture());
     kernel_ = kernels::walk_table(chosen_isa()).walk[shape_.index()];
@@ -80,12 +83,12 @@ class GridColony final : public ColonyWorld {
     all_walked_ = false;
     const StepWeights weights = schedule(params_, q);
     set_iteration(world_, params_, moves_, shape_, weights, q);
-    for (Ant& ant : memory_.ants) ant.arrived = false;
+    for (Ant& ant : ants_) ant.arrived = false;
     for (Tour& tour : memory_.tours) tour = {{}, kNaN};
     const int batch = params_.batch > 0 ? params_.batch : params_.ants;
     for (int first = 0; first < params_.ants; first += batch) {
       const int count = std::min(batch, params_.ants - first);
-      const auto ants = std::span(memory_.ants).subspan(first, count);
+      const auto ants = ants_.subspan(first, count);
       memory_.field.refresh(weights, threads_);
       memory_.field.fill(world_);
       const auto cause =
@@ -101,7 +104,7 @@ class GridColony final : public ColonyWorld {
   /// One thread lays the walks' trails meanwhile: they have nothing to do with the polish.
   void offer() override {
     if (ants_only_teach() && all_walked_) return;
-    offer(memory_.ants, memory_.tours, [this] {
+    offer(ants_, memory_.tours, [this] {
       if (all_walked_) lay_trails();
     });
   }
@@ -110,8 +113,7 @@ class GridColony final : public ColonyWorld {
     if (ants_only_teach()) {
       lay_trails();
       const Ant& ant = answer();
-      if (!ant.arrived)
-        return offer(memory_.ants, memory_.tours, {});  // no way is known, or no time left
+      if (!ant.arrived) return offer(ants_, memory_.tours, {});  // no way is known, or no time left
       const Tour tour = tour_of(ant);
       offer({&ant, 1}, {&tour, 1}, {});
     } else {
@@ -136,17 +138,21 @@ class GridColony final : public ColonyWorld {
     std::vector<Point> path() const override { return colony_.best_path_; }
     int ants() const override { return colony_.ants(); }
     std::vector<Cell> tour(int ant) const override {
-      return colony_.memory_.ants.at(ant).arrived ? walk(ant) : std::vector<Cell>{};
+      return walked(ant).arrived ? walk(ant) : std::vector<Cell>{};
     }
     std::vector<Cell> walk(int ant) const override {
       std::vector<Cell> cells;
-      along_tour(colony_.memory_.ants.at(ant).tour(), colony_.moves_, colony_.request_.start,
+      along_tour(walked(ant).tour(), colony_.moves_, colony_.request_.start,
                  [&](Cell c) { cells.push_back(c); });
       return cells;
     }
     double pheromone(Cell c) const override { return colony_.memory_.field.pheromone(c); }
 
    private:
+    const Ant& walked(int ant) const {
+      if (ant < 0 || ant >= ants()) throw std::out_of_range("there is no such ant");
+      return colony_.ants_[ant];
+    }
     const GridColony& colony_;
   };
 
@@ -166,12 +172,12 @@ class GridColony final : public ColonyWorld {
     AfterWalk work;
     const bool at_once = best_length_ == kInfinity && !ants_only_teach();
     work.ended = [this, first, at_once](int ant, int thread) {
-      memory_.tours[first + ant] = tour_of(memory_.ants[first + ant]);
-      if (at_once) memory_.polisher.polish_ahead(memory_.ants, first + ant, thread);
+      memory_.tours[first + ant] = tour_of(ants_[first + ant]);
+      if (at_once) memory_.polisher.polish_ahead(ants_, first + ant, thread);
     };
     if (!ants_only_teach()) {
       work.spare = [this, first](int ant, int thread) {
-        memory_.polisher.polish_ahead(memory_.ants, first + ant, thread);
+        memory_.polisher.polish_ahead(ants_, first + ant, thread);
       };
     }
     return work;
@@ -253,13 +259,14 @@ class GridColony final : public ColonyWorld {
   /// Q / L on the cells under straightened paths (Fan et al. 2004, step 3).
   void lay_straight_trails() {
     if (params_.straight_deposit == StraightDeposit::none) return;
+    constexpr int kStepsADeposit = 8;  // some make a tile
     Poller poller(request_.stop, Poller::kSteps);
     for (int a = 0; a < params_.ants; ++a) {
-      if (!memory_.ants[a].arrived) continue;
+      if (!ants_[a].arrived) continue;
       if (params_.straight_deposit == StraightDeposit::improving && a != improving_ant_) continue;
       const PolishedPath& path = memory_.polisher.paths()[a];
       for (const Cell c : path.raster) {
-        if (poller.stop_after(1)) return;
+        if (poller.stop_after(kStepsADeposit)) return;
         memory_.field.deposit(c, 0, params_.deposit / path.length);
       }
     }
@@ -271,6 +278,7 @@ class GridColony final : public ColonyWorld {
   const Request& request_;
   const Params& params_;
   ColonyMemory& memory_;
+  std::span<Ant> ants_;
   const Observer& observer_;
   int threads_;
   kernels::Moves moves_;

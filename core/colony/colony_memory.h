@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/held_bytes.h"
 #include "core/colony/field.h"
 #include "core/colony/polish.h"
 #include "core/colony/update.h"
@@ -14,13 +15,18 @@ namespace lasius {
 struct ColonyMemory {
   Field field;
   Walkers walkers;
-  std::vector<Ant> ants;
+  std::vector<Ant> ants;                 // perhaps more than are sent
   std::vector<Tour> tours;               // of the ants
   std::vector<int> ranking;              // of the ants
   std::vector<std::uint8_t> best_moves;  // of the best tour so far
   Ant answer;                            // of a colony whose ants only teach it
   std::vector<std::uint8_t> way;         // its moves, as they are found
   Polisher polisher;
+
+  std::int64_t bytes() const noexcept {
+    return field.bytes() + walkers.bytes() + held_bytes_of_all(ants) + answer.bytes() +
+           held_bytes(tours, ranking, best_moves, way) + polisher.bytes();
+  }
 };
 
 }  // namespace lasius

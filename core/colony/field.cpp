@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "core/base/held_bytes.h"
 #include "core/base/kernel_choice.h"
 #include "core/colony/field_tile.h"
 
@@ -20,6 +21,11 @@ constexpr double kRescaleAbove = 0x1p80;   // of stored values
 constexpr double kMostScale = 0x1p800;
 constexpr float kTiny = 0x1p-100f;  // stored values stay above: ratios stay defined
 constexpr int kInTile = kTileSide - 1;
+
+constexpr std::int64_t kAligned = 64 / sizeof(float);  // floats that alignment may cost
+float* aligned(float* p) noexcept {
+  return p + (-reinterpret_cast<std::uintptr_t>(p) % 64) / sizeof(float);
+}
 
 int in_tile(Cell c) noexcept { return (c.y & kInTile) * kTileSide + (c.x & kInTile); }
 
@@ -46,25 +52,21 @@ void Field::reset(const Grid& grid, const kernels::Moves& moves, Cell goal, cons
   all_stale_ = false;
   bound(0, std::numeric_limits<double>::infinity());
 
-  for (Tile* tile : used_) {
+  for (const int index : not_made_) rows_[index] = nullptr;
+  not_made_.clear();
+  constexpr int kWordsATile = 64;  // of work
+  Poller poller(stop);
+  for (; !used_.empty(); used_.pop_back()) {
+    if (poller.stop_after(kWordsATile)) return;
+    Tile* const tile = used_.back();
     rows_[tile->index] = nullptr;
     directory_[tile->index] = nullptr;
-  }
-  unused_.insert(unused_.end(), used_.begin(), used_.end());
-  used_.clear();
-  const std::tuple shape(mixture_, learned_, moves_.count, taus());
-  if (shape != pool_shape_) {
-    unused_.clear();
-    pool_.clear();
-    pool_shape_ = shape;
+    unused_.push_back(tile);
   }
   tiles_x_ = (grid.width() + kTileSide - 1) / kTileSide;
-  const auto tiles =
-      static_cast<std::size_t>(tiles_x_) * ((grid.height() + kTileSide - 1) / kTileSide);
-  if (directory_.size() < tiles) {
-    rows_.resize(tiles, nullptr);
-    directory_.resize(tiles, nullptr);
-  }
+  const auto tiles = std::int64_t{tiles_x_} * ((grid.height() + kTileSide - 1) / kTileSide);
+  if (rows_.size() < tiles) rows_ = ZeroArray<float*>(tiles);
+  if (directory_.size() < tiles) directory_ = ZeroArray<Tile*>(tiles);
 }
 
 Field::Tile* Field::find(Cell c) const noexcept {
@@ -72,27 +74,50 @@ Field::Tile* Field::find(Cell c) const noexcept {
 }
 
 float* Field::make_tile(void* field, int index) {
-  return static_cast<Field*>(field)->obtain(index).rows;
+  Field& f = *static_cast<Field*>(field);
+  const std::scoped_lock lock(f.making_);
+  if (f.rows_[index] != nullptr) return f.rows_[index];
+  return f.stop_.poll() == StopCondition::Cause::none ? f.obtain(index).rows
+                                                      : f.blocked_tile(index);
 }
 
+/// In the place of a tile that takes its time to be made.
+float* Field::blocked_tile(int index) {
+  const auto floats = static_cast<std::int64_t>(kTileCells * row_floats());
+  if (blocked_rows_.size() < floats + kAligned) {
+    blocked_rows_ = ZeroArray<float>(floats + kAligned);
+  }
+  not_made_.push_back(index);
+  float* const rows = aligned(blocked_rows_.at(0));
+  __atomic_store_n(&rows_[index], rows, __ATOMIC_RELEASE);
+  return rows;
+}
+
+/// Room for a tile of this plan's kind, and where what is in it.
+void Field::lay_out(Tile& tile) const {
+  const std::size_t row = row_floats();
+  const std::size_t floats = kTileCells * (row + moves_.count + taus() + learned_);
+  if (tile.room < floats) {
+    tile.storage = std::make_unique_for_overwrite<float[]>(floats + kAligned);
+    tile.room = floats;
+  }
+  tile.rows = aligned(tile.storage.get());
+  constexpr std::ptrdiff_t kCells = kTileCells;
+  tile.heuristic = tile.rows + kCells * row;
+  tile.tau = tile.heuristic + kCells * moves_.count;
+  tile.eta = tile.tau + kCells * taus();
+}
+
+/// Makes a tile that there is not. One thread at a time.
 Field::Tile& Field::obtain(int index) {
-  const std::scoped_lock lock(making_);
-  if (Tile* known = directory_[index]) return *known;
-  const std::size_t row = mixture_ ? 2 * moves_.count : moves_.count;
   if (unused_.empty()) {
-    auto made = std::make_unique<Tile>();
-    made->storage.resize(kTileCells * (row + moves_.count + taus() + learned_) + 16);
-    const auto address = reinterpret_cast<std::uintptr_t>(made->storage.data());
-    made->rows = made->storage.data() + (-address % 64) / sizeof(float);
-    constexpr std::ptrdiff_t kCells = kTileCells;
-    made->heuristic = made->rows + kCells * row;
-    made->tau = made->heuristic + kCells * moves_.count;
-    made->eta = made->tau + kCells * taus();
-    pool_.push_back(std::move(made));
+    pool_.push_back(std::make_unique<Tile>());
     unused_.reserve(pool_.capacity());  // for all of them, when the next plan starts
+    used_.reserve(pool_.capacity());
     unused_.push_back(pool_.back().get());
   }
   Tile& tile = *unused_.back();
+  lay_out(tile);
   unused_.pop_back();
   tile.index = index;
   tile.x0 = index % tiles_x_ * kTileSide;
@@ -205,15 +230,16 @@ void Field::bound(double least, double most) noexcept {
 }
 
 std::int64_t Field::bytes() const noexcept {
-  auto total = static_cast<std::int64_t>(directory_.size() * 2 * sizeof(void*));
+  std::int64_t total = rows_.bytes() + directory_.bytes() + blocked_rows_.bytes() +
+                       heuristic_.bytes() + held_bytes(not_made_, pool_, unused_, used_);
   for (const auto& tile : pool_) {
-    total += static_cast<std::int64_t>(tile->storage.size() * sizeof(float) + sizeof(Tile));
+    total += static_cast<std::int64_t>(tile->room * sizeof(float) + sizeof(Tile));
   }
   return total;
 }
 
 void Field::fill(kernels::WalkWorld& world) {
-  world.tiles = rows_.data();
+  world.tiles = rows_.at(0);
   world.tiles_x = tiles_x_;
   world.make_tile = &Field::make_tile;
   world.context = this;

@@ -5,9 +5,9 @@
 #include <memory>
 #include <mutex>
 #include <span>
-#include <tuple>
 #include <vector>
 
+#include "core/base/zero_array.h"
 #include "core/colony/heuristic.h"
 #include "core/params/schedule.h"
 #include "kernels/base/raise.h"
@@ -35,14 +35,15 @@ class Field {
 
   /// Forgets everything and gets ready for one plan; tau is `untouched` everywhere, eta 1. Tiles
   /// are kept for reuse. `grid` must outlive the field's use. What goes over all tiles is cut
-  /// short by `stop`; then only another reset makes the field whole again.
+  /// short by `stop`, this function too; then only another reset makes the field whole again.
   void reset(const Grid& grid, const kernels::Moves& moves, Cell goal, const Params& params,
              double untouched, const StopCondition& stop);
 
   /// Brings all rows up to date with the changes so far and this iteration's exponents.
   void refresh(const StepWeights& weights, int threads);
 
-  /// Completes what a walk reads: tiles and how to make one.
+  /// Completes what a walk reads: tiles and how to make one. Once the stop condition holds, no more
+  /// are made: a walk that comes to one finds every cell blocked.
   void fill(kernels::WalkWorld& world);
 
   /// Rows hold a part for pheromone and one for distance, for a mixture of rules.
@@ -83,6 +84,11 @@ class Field {
   Tile& obtain(int index);
   Tile& touch(Cell c);
   static float* make_tile(void* field, int index);
+  float* blocked_tile(int index);
+  std::size_t row_floats() const noexcept {
+    return static_cast<std::size_t>(mixture_ ? 2 * moves_.count : moves_.count);
+  }
+  void lay_out(Tile& tile) const;
   int taus() const noexcept { return params_.trail == Trail::arcs ? moves_.count : 1; }
   void fill_heuristic(Tile& tile) const;
   void fill_every_row(Tile& tile) const;
@@ -121,10 +127,11 @@ class Field {
   StepWeights weights_;
 
   int tiles_x_ = 0;
-  std::vector<float*> rows_;                 // by tile, what walks read; null where there is none
-  std::vector<Tile*> directory_;             // by tile
-  std::vector<std::unique_ptr<Tile>> pool_;  // every tile ever made, all of one shape:
-  std::tuple<bool, bool, int, int> pool_shape_;
+  ZeroArray<float*> rows_;                   // by tile, what walks read; null where there is none
+  ZeroArray<Tile*> directory_;               // by tile
+  ZeroArray<float> blocked_rows_;            // of a tile that was not made
+  std::vector<int> not_made_;                // such tiles, by index
+  std::vector<std::unique_ptr<Tile>> pool_;  // every tile ever made
   std::vector<Tile*> unused_;
   std::vector<Tile*> used_;
   std::mutex making_;

@@ -3,8 +3,9 @@
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 #include "core/base/parallel.h"
 #include "core/colony/field.h"
@@ -21,22 +22,27 @@ struct Field::Tile {
   Bits touched;        // cells changed since the reset
   bool any_changed = false;
   bool any_touched = false;
-  std::vector<float> storage;  // the arrays below, all row-major by cell
-  float* rows = nullptr;       // 64-byte aligned, see kernels::WalkWorld::tiles
-  float* heuristic = nullptr;  // B of each move
-  float* tau = nullptr;        // stored tau, one a cell or one a move
-  float* eta = nullptr;        // with Heuristic::learned
+  std::unique_ptr<float[]> storage;  // the arrays below, all row-major by cell
+  std::size_t room = 0;              // of it, in floats
+  float* rows = nullptr;             // 64-byte aligned, see kernels::WalkWorld::tiles
+  float* heuristic = nullptr;        // B of each move
+  float* tau = nullptr;              // stored tau, one a cell or one a move
+  float* eta = nullptr;              // with Heuristic::learned
 };
 
 template <class Action>
 void Field::for_all_tiles(int threads, const Action& action) {
   constexpr int kManyTiles = 64;  // fewer are not worth waking threads for
-  constexpr int kTilesAPoll = 16;
+  constexpr int kTilesAPoll = 4;
   const int tiles = static_cast<int>(used_.size());
   std::atomic<bool> stopped{false};
   parallel_for(tiles, tiles > kManyTiles ? threads : 1, [&](int i, int) {
-    if (i % kTilesAPoll == 0 && stop_.poll() != StopCondition::Cause::none) stopped = true;
-    if (!stopped) action(*used_[i]);
+    if (stopped) return;
+    if (i % kTilesAPoll == 0 && stop_.poll() != StopCondition::Cause::none) {
+      stopped = true;
+    } else {
+      action(*used_[i]);
+    }
   });
 }
 

@@ -29,8 +29,10 @@ void HeuristicRows::reset(const Grid& grid, const kernels::Moves& moves, Cell go
   goal_ = goal;
   params_ = params;
   raise_ = kernels::raise_row(chosen_isa());
+  Poller poller(stop);
+  if (!distances_.clear(poller)) return;
   distances_ = {};
-  if (params.heuristic == Heuristic::distance_field) measure_distances(stop);
+  if (params.heuristic == Heuristic::distance_field) measure_distances(poller);
 }
 
 void HeuristicRows::fill(Cell c, double beta, float* row) const {
@@ -85,7 +87,7 @@ double HeuristicRows::base(Cell c, Cell to, double farthest) const noexcept {
   return 1;
 }
 
-void HeuristicRows::measure_distances(const StopCondition& stop) {
+void HeuristicRows::measure_distances(Poller& poller) {
   // Dijkstra from the goal, over 4 or 8 neighbours under the corner rule. Moves can be walked both
   // ways: what closes a corner lies beside it.
   const auto steps = moves_of(moves_.count == 4 ? Neighbours::four : Neighbours::eight);
@@ -94,8 +96,8 @@ void HeuristicRows::measure_distances(const StopCondition& stop) {
   using Item = std::tuple<float, int, int>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> open;
   open.emplace(0.0f, goal_.y, goal_.x);
-  Poller poller(stop);
-  while (!open.empty() && !poller.stop_after(steps.count)) {
+  constexpr int kWordsACell = 64;  // of work
+  while (!open.empty() && !poller.stop_after(kWordsACell)) {
     const auto [length, y, x] = open.top();
     open.pop();
     const Cell c{x, y};

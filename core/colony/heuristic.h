@@ -1,6 +1,7 @@
 // The part of a move's weight that the pheromone has no say in.
 #pragma once
 
+#include "core/base/poller.h"
 #include "core/base/zero_array.h"
 #include "kernels/base/moves.h"
 #include "kernels/base/raise.h"
@@ -33,10 +34,12 @@ class HeuristicRows {
            params_.heuristic != Heuristic::learned;
   }
 
+  std::int64_t bytes() const noexcept { return distances_.bytes(); }  ///< memory held
+
  private:
   /// What is raised to beta, or to lambda with Heuristic::rescaled_distance.
   double base(Cell c, Cell to, double farthest) const noexcept;
-  void measure_distances(const StopCondition& stop);
+  void measure_distances(Poller& poller);
 
   const Grid* grid_ = nullptr;
   kernels::Moves moves_;

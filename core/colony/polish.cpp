@@ -5,28 +5,31 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/base/poller.h"
 #include "core/grid/move_rule.h"
 #include "lasius/path.h"
 
 namespace lasius {
-namespace {
 
-/// The cells of a tour, start first, and those that its moves cross.
-void swept_cells(std::span<const std::uint8_t> tour, const kernels::Moves& moves, Cell start,
-                 std::vector<Cell>& cells) {
-  cells.assign(1, start);
-  Cell c = start;
-  for (const int k : tour) {
-    const kernels::Move& move = moves[k];
-    for (int i = 0; i < move.swept_count; ++i) {
-      cells.push_back(c + move.swept[i]);
-    }
-    c = c + move.to;
-    cells.push_back(c);
+/// The cells of a tour, start first, and those that its moves cross; none when stopped.
+std::span<const Cell> Polisher::swept_cells(std::span<const std::uint8_t> tour,
+                                            GrowingArray<Cell>& cells) const {
+  std::size_t most = 1;  // cells a move
+  for (int k = 0; k < moves_->count; ++k) {
+    most = std::max<std::size_t>(most, 1 + (*moves_)[k].swept_count);
   }
+  cells.grow(1 + most * tour.size());
+  Poller poller(*stop_, Poller::kSteps);
+  Cell* end = cells.data();
+  Cell c = *end++ = start_;
+  for (const int k : tour) {
+    if (poller.stop_after(1)) return {};
+    const kernels::Move& move = (*moves_)[k];
+    for (int i = 0; i < move.swept_count; ++i) *end++ = c + move.swept[i];
+    c = *end++ = c + move.to;
+  }
+  return {cells.data(), end};
 }
-
-}  // namespace
 
 void Polisher::reset(const Grid& grid, const Request& request, const kernels::Moves& moves,
                      const Params& params, int threads) {
@@ -38,7 +41,8 @@ void Polisher::reset(const Grid& grid, const Request& request, const kernels::Mo
   corners_ = params.corners;
   threads_ = threads;
   if (static_cast<int>(scratch_.size()) < threads) scratch_.resize(threads);
-  paths_.resize(params.ants);
+  const auto ants = static_cast<std::size_t>(params.ants);
+  if (paths_.size() < ants) paths_.resize(ants);  // to free some may take long
   for (PolishedPath& path : paths_) path.made = false;
 }
 
@@ -66,14 +70,20 @@ void Polisher::make(const Ant& ant, Scratch& scratch, PolishedPath& path) const 
   if (polish_ == Polish::none || !ant.arrived) return;
   if (stop_->poll() != StopCondition::Cause::none) return;
 
-  swept_cells(ant.tour(), *moves_, start_, scratch.tour);
+  const auto tour = swept_cells(ant.tour(), scratch.cells);
+  if (tour.empty()) return;
   // Cells that the ant left again may shorten its way, too.
   const auto way =
-      scratch.maker.cut(*grid_, scratch.tour, moves_->count > 4, corners_, *stop_, ant.dead_ends());
+      scratch.maker.cut(*grid_, tour, moves_->count > 4, corners_, *stop_, ant.dead_ends());
+  if (way.empty()) return;
   scratch.maker.polish(*grid_, way, polish_, corners_, *stop_, path.points);
   const auto cells = scratch.maker.raster();
   path.raster.assign(cells.begin(), cells.end());
   path.length = path_length(path.points);
+}
+
+std::int64_t Polisher::bytes() const noexcept {
+  return held_bytes_of_all(scratch_) + held_bytes_of_all(paths_);
 }
 
 }  // namespace lasius

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/growing_array.h"
+#include "core/base/held_bytes.h"
 #include "core/colony/walkers.h"
 #include "core/smooth/path_maker.h"
 #include "kernels/walk/walk.h"
@@ -22,6 +24,8 @@ struct alignas(64) PolishedPath {
   std::vector<Point> points;  // the polyline
   std::vector<Cell> raster;   // the cells under it
   bool made = false;          // ahead of the others
+
+  std::int64_t bytes() const noexcept { return held_bytes(points, raster); }
 };
 
 /// Polishes the tours of one iteration, over threads.
@@ -32,22 +36,28 @@ class Polisher {
              const Params& params, int threads);
 
   /// Makes the path of every ant that arrived, unless tours are not to be polished. When stopped,
-  /// those under way get rougher but valid paths, the others none. One of the threads does what is
-  /// to be done `meanwhile`, if anything.
+  /// those whose loops are cut get rougher but valid paths, the others none. One of the threads
+  /// does what is to be done `meanwhile`, if anything.
   void polish(std::span<const Ant> ants, const std::function<void()>& meanwhile);
 
   /// Makes the path of one ant ahead of the call that makes the others, on thread `thread`; one
   /// that is made stays as it is.
   void polish_ahead(std::span<const Ant> ants, int ant, int thread);
 
-  /// By ant.
+  /// By ant; perhaps of more than there are.
   std::span<const PolishedPath> paths() const noexcept { return paths_; }
+
+  std::int64_t bytes() const noexcept;  ///< memory held
 
  private:
   struct alignas(64) Scratch {  // of one thread
-    std::vector<Cell> tour;
+    GrowingArray<Cell> cells;   // of a tour
     PathMaker maker;
+
+    std::int64_t bytes() const noexcept { return cells.bytes() + maker.bytes(); }
   };
+  std::span<const Cell> swept_cells(std::span<const std::uint8_t> tour,
+                                    GrowingArray<Cell>& cells) const;
   void make(const Ant& ant, Scratch& scratch, PolishedPath& path) const;
 
   const Grid* grid_ = nullptr;

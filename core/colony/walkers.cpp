@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/held_bytes.h"
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
 
@@ -13,22 +14,34 @@ using kernels::WalkSlot;
 using kernels::WalkState;
 using kernels::WalkWorld;
 
-void Walkers::reset(int width, int height, int threads, int ants, bool dead_wanted) {
-  if (width != width_ || height != height_) teams_.clear();
+void Walkers::reset(int width, int height, int threads, int ants, bool dead_wanted,
+                    const StopCondition& stop) {
   dead_wanted_ = dead_wanted;
   width_ = width;
   height_ = height;
   threads_ = std::clamp(ants / 2, 1, threads);  // more would idle
   if (static_cast<int>(teams_.size()) < threads_) teams_.resize(threads_);
-  for (Team& team : teams_) {
-    team.done.reserve(ants);
-    for (int i = 0; i < slots_for(ants); ++i) {
-      Slot& slot = team.slots[i];
-      if (slot.plane && !slot.marked) continue;
-      slot.plane = ZeroArray<std::uint64_t>(VisitedPlane::words_for(width, height));
+  // Those that are not needed this time give their memory back, too.
+  Poller poller(stop);
+  const auto words = VisitedPlane::words_for(width, height);
+  for (int t = 0; t < static_cast<int>(teams_.size()); ++t) {
+    teams_[t].done.reserve(ants);
+    for (int i = 0; i < kSlots; ++i) {
+      Slot& slot = teams_[t].slots[i];
+      const bool needed = t < threads_ && i < slots_for(ants);
+      if (!slot.plane.renew(needed ? words : 0, slot.marked, poller)) return;
       slot.marked = false;
     }
   }
+}
+
+std::int64_t Walkers::bytes() const noexcept {
+  std::int64_t bytes = held_bytes(teams_);
+  for (const Team& team : teams_) {
+    bytes += held_bytes(team.done);
+    for (const Slot& slot : team.slots) bytes += slot.plane.bytes() + slot.dead.bytes();
+  }
+  return bytes;
 }
 
 bool Walkers::Sending::cut_short() noexcept {
@@ -112,24 +125,18 @@ class Walkers::Worker {
     WalkSlot& slot = slots_[i];
     slot.state = WalkState::idle;
     --under_way_;
-    const bool cleared = !cut_short && forget(slot, team_.slots[i].plane.at(0));
+    const bool cleared = !cut_short && forget(slot, team_.slots[i].plane);
     team_.slots[i].marked = !cleared;
     return cleared;
   }
 
   /// Clears the plane of the cells that an ant entered; false when stopped.
-  bool forget(const WalkSlot& slot, std::uint64_t* plane) const {
+  bool forget(const WalkSlot& slot, ZeroArray<std::uint64_t>& plane) const {
     Poller poller(sending_.stop);
     // Clearing a cell costs about what sixteen words of a whole plane do.
     constexpr std::int64_t kWordsACell = 16;
-    const auto words = VisitedPlane::words_for(walkers_.width_, walkers_.height_);
-    if (words <= kWordsACell * (slot.move_count + slot.dead_count)) {
-      for (std::int64_t from = 0; from < words; from += Poller::kWords) {
-        const auto part = std::min(Poller::kWords, words - from);
-        std::fill_n(plane + from, part, 0);
-        if (poller.stop_after(part)) return false;
-      }
-      return true;
+    if (plane.size() <= kWordsACell * (slot.move_count + slot.dead_count)) {
+      return plane.clear(poller);
     }
     PackedCell c = slot.at;
     slot.visited.clear(c);

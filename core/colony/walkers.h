@@ -35,6 +35,7 @@ struct alignas(64) Ant {
   std::span<const kernels::PackedCell> dead_ends() const noexcept {
     return {dead.data(), static_cast<std::size_t>(dead_count)};
   }
+  std::int64_t bytes() const noexcept { return moves.bytes() + dead.bytes(); }  // memory held
 };
 
 /// Calls visit(cell) for every cell of a tour, the start first.
@@ -60,8 +61,10 @@ struct AfterWalk {
 class Walkers {
  public:
   /// Gets ready for a grid of this size. Address space is reserved by area, memory touched only
-  /// where ants go. Ants tell what cells they left again only if these are `dead_wanted`.
-  void reset(int width, int height, int threads, int ants, bool dead_wanted);
+  /// where ants go; of large planes it is given back here. Ants tell what cells they left again
+  /// only if these are `dead_wanted`. When stopped, another reset is to come before a walk.
+  void reset(int width, int height, int threads, int ants, bool dead_wanted,
+             const StopCondition& stop);
 
   /// Walks every ant until it has arrived or is lost, or `stop` says so; then ants still under way
   /// and those not yet sent have neither arrived nor ended, and `reset` is to be called before the
@@ -71,6 +74,8 @@ class Walkers {
   StopCondition::Cause walk(const kernels::WalkWorld& world, kernels::WalkFn kernel,
                             std::span<Ant> ants, int first, const StopCondition& stop,
                             const AfterWalk& after = {});
+
+  std::int64_t bytes() const noexcept;  ///< memory held
 
  private:
   // Ants that one thread advances together: two groups of eight, where they walk in lock-step.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/growing_list.h"
+#include "core/base/held_bytes.h"
 
 namespace lasius::exact {
 
@@ -96,7 +97,7 @@ class CornerTable {
   }
 
   std::int64_t bytes() const noexcept {
-    return corners_.bytes() +
+    return corners_.bytes() + held_bytes(segments_, directory_) +
            static_cast<std::int64_t>((segments_.size() + 1) * kSegment * sizeof(std::uint64_t));
   }
 

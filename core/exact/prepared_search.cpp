@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/held_bytes.h"
 #include "core/base/poller.h"
 #include "core/exact/corner_view.h"
 #include "core/grid/grid_view.h"
@@ -321,6 +322,10 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
 
 bool PreparedSearch::tell_improvement() {
   return improvements_.tell(lower_, upper_, [this](std::vector<Point>& path) { trace(path); });
+}
+
+std::int64_t PreparedSearch::bytes() const noexcept {
+  return nodes_.bytes() + frontier_.bytes() + held_bytes(start_corners_, goal_corners_, stack_);
 }
 
 kernels::HalfPoint PreparedSearch::place(std::uint32_t index) const noexcept {

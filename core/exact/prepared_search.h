@@ -46,6 +46,8 @@ class PreparedSearch {
   bool flood(const Grid& grid, const CornerGraph& graph, Cell start, const StopCondition& stop,
              std::vector<double>& lengths);
 
+  std::int64_t bytes() const noexcept;  ///< memory held
+
  private:
   // Of a corner. Only those with the search's own stamp mean anything.
   struct Node {

@@ -1,6 +1,7 @@
 #include "core/genetic/grid_ga.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -45,9 +46,9 @@ class GridGa final : public ColonyWorld {
         threads_(std::clamp(thread_count(params.threads), 1, params.population)) {
     const auto threads = static_cast<std::size_t>(threads_);
     if (memory.scratch.size() < threads) memory.scratch.resize(threads);
-    for (int t = 0; t < threads_; ++t) memory.scratch[t].routes.reset(grid, moves_);
-    memory.population.resize(static_cast<std::size_t>(params.population));
-    memory.children.resize(memory.population.size());
+    for (int t = 0; t < threads_; ++t) memory.scratch[t].routes.reset(grid, moves_, request.stop);
+    resize(memory.population);
+    resize(memory.children);
   }
 
   Result run() {
@@ -110,6 +111,15 @@ class GridGa final : public ColonyWorld {
     const std::vector<Point>& best_;
   };
 
+  /// Leaves too many where it is stopped before their memory is given back.
+  void resize(std::vector<Individual>& group) const {
+    const auto wanted = static_cast<std::size_t>(params_.population);
+    while (group.size() > wanted && request_.stop.poll() == StopCondition::Cause::none) {
+      group.pop_back();
+    }
+    if (group.size() < wanted) group.resize(wanted);
+  }
+
   static bool fitter(const Individual& a, const Individual& b) { return a.length < b.length; }
   static std::vector<Individual>::iterator fittest(std::vector<Individual>& group) {
     return std::min_element(group.begin(), group.end(), fitter);
@@ -135,12 +145,14 @@ class GridGa final : public ColonyWorld {
     made.tour = kNaN;
     made.length = kInfinity;
     if (scratch.draft.empty()) return;
-    const auto way = scratch.maker.cut(grid_, scratch.draft, moves_.neighbours > 4, moves_.corners,
-                                       request_.stop);
+    auto way = scratch.maker.cut(grid_, scratch.draft, moves_.neighbours > 4, moves_.corners,
+                                 request_.stop);
+    const bool stopped = way.empty();
+    if (stopped) way = scratch.draft;
     made.cells.assign(way.begin(), way.end());
     for (const Cell c : way) made.points.push_back(centre(c));
     made.tour = path_length(made.points);
-    if (params_.polish != Polish::none) {
+    if (params_.polish != Polish::none && !stopped) {
       scratch.maker.polish(grid_, way, params_.polish, moves_.corners, request_.stop, made.points);
     }
     made.length = path_length(made.points);
@@ -149,8 +161,8 @@ class GridGa final : public ColonyWorld {
   /// From the draft's last cell by way of a drawn cell to the goal; straight to the goal where
   /// draws meet obstacles only. Clears the draft when stopped.
   void go_on(Scratch& scratch, Draws& draws, Poller& poller) {
-    constexpr int kTries = 64;
-    for (int i = 0; i < kTries; ++i) {
+    constexpr int kTries = 64, kStepsATry = 256;
+    for (int i = 0; i < kTries && !poller.stop_after(kStepsATry); ++i) {
       const Cell via{draws.below(grid_.width()), draws.below(grid_.height())};
       if (grid_.blocked(via) || !joined_(via)) continue;
       scratch.routes.extend(scratch.draft, via, poller);
@@ -184,23 +196,34 @@ class GridGa final : public ColonyWorld {
     }
   }
 
+  /// Finds the cells inside both paths, in the mother's order; some of them only when stopped.
+  static void find_common(Scratch& scratch, const Individual& mother, const Individual& father,
+                          Poller& poller) {
+    constexpr std::int32_t kNone = -1;
+    std::vector<std::int32_t>& places = scratch.places;
+    places.assign(std::bit_ceil(2 * father.cells.size()), kNone);
+    const auto place = [&](Cell c) -> std::int32_t& {
+      std::size_t at = (pack(c) * std::uint64_t{0x9e3779b97f4a7c15}) >> 32;
+      for (;; ++at) {
+        std::int32_t& i = places[at & (places.size() - 1)];
+        if (i == kNone || father.cells[i] == c) return i;
+      }
+    };
+    scratch.common.clear();
+    const int fathers = static_cast<int>(father.cells.size());
+    for (int i = 1; i + 1 < fathers && !poller.stop_after(1); ++i) place(father.cells[i]) = i;
+    const int mothers = static_cast<int>(mother.cells.size());
+    for (int i = 1; i + 1 < mothers && !poller.stop_after(1); ++i) {
+      const std::int32_t at = place(mother.cells[i]);
+      if (at != kNone) scratch.common.emplace_back(i, at);
+    }
+  }
+
   /// Crosses the parents at a drawn common cell: the draft takes the first part of one and the
   /// second part of the other, its sibling the other way round.
   void cross(Scratch& scratch, const Individual& mother, const Individual& father, bool sibling,
-             Draws draws) {
-    scratch.places.clear();
-    scratch.common.clear();
-    const int fathers = static_cast<int>(father.cells.size());
-    for (int i = 1; i + 1 < fathers; ++i) scratch.places.emplace_back(pack(father.cells[i]), i);
-    std::sort(scratch.places.begin(), scratch.places.end());
-    const int mothers = static_cast<int>(mother.cells.size());
-    for (int i = 1; i + 1 < mothers; ++i) {
-      const std::uint32_t cell = pack(mother.cells[i]);
-      const auto at =
-          std::lower_bound(scratch.places.begin(), scratch.places.end(), std::pair{cell, 0});
-      if (at != scratch.places.end() && at->first == cell)
-        scratch.common.emplace_back(i, at->second);
-    }
+             Draws draws, Poller& poller) {
+    find_common(scratch, mother, father, poller);
     const Individual& head = sibling ? father : mother;
     const Individual& tail = sibling ? mother : father;
     scratch.draft = head.cells;
@@ -217,7 +240,8 @@ class GridGa final : public ColonyWorld {
     };
     const int pair = i / 2;
     cross(scratch, parent(2 * pair), parent(2 * pair + 1), i % 2 == 1,
-          Draws(params_.seed, Use::crossover, generation, pair));
+          Draws(params_.seed, Use::crossover, generation, pair), poller);
+    if (poller.stopped()) return scratch.draft.clear();
     Draws draws(params_.seed, Use::mutation, generation, i);
     if (!draws.chance(params_.mutation)) return;
     const int kept = 1 + draws.below(static_cast<int>(scratch.draft.size()) - 1);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/held_bytes.h"
 #include "core/genetic/grid_ga_route.h"
 #include "core/smooth/path_maker.h"
 #include "lasius/geometry.h"
@@ -18,6 +19,8 @@ struct alignas(64) Individual {
   double tour = 0;          // its length; NaN when stopped
   double length = std::numeric_limits<double>::infinity();  // after polish: less is fitter
   std::vector<Point> points;
+
+  std::int64_t bytes() const noexcept { return held_bytes(cells, points); }  // memory held
 };
 
 struct GridGaMemory {
@@ -25,13 +28,22 @@ struct GridGaMemory {
     RouteMaker routes;
     PathMaker maker;
     std::vector<Cell> draft;
-    std::vector<std::pair<std::uint32_t, int>> places;  // cell and its index in a path
-    std::vector<std::pair<int, int>> common;            // indices of a cell in both paths
+    std::vector<std::int32_t> places;         // indices in a path, hashed by cell
+    std::vector<std::pair<int, int>> common;  // indices of a cell in both paths
+
+    std::int64_t bytes() const noexcept {  // memory held
+      return routes.bytes() + maker.bytes() + held_bytes(draft, places, common);
+    }
   };
 
   std::vector<Scratch> scratch;
   std::vector<Individual> population, children;
   std::vector<int> parents, order;  // of tournaments
+
+  std::int64_t bytes() const noexcept {  // memory held
+    return held_bytes_of_all(scratch) + held_bytes_of_all(population) +
+           held_bytes_of_all(children) + held_bytes(parents, order);
+  }
 };
 
 }  // namespace lasius

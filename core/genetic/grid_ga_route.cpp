@@ -1,30 +1,32 @@
 #include "core/genetic/grid_ga_route.h"
 
-#include <algorithm>
-
 #include "core/base/poller.h"
 #include "core/grid/move_rule.h"
 
 namespace lasius {
 
-void RouteMaker::reset(const Grid& grid, const RouteMoves& moves) {
-  forget();
+void RouteMaker::reset(const Grid& grid, const RouteMoves& moves, const StopCondition& stop) {
   grid_ = &grid;
   moves_ = moves;
   words_ = grid.words();
+  Poller poller(stop);
   const std::int64_t room = std::int64_t{words_} * grid.height();
-  if (room > room_) entered_ = ZeroArray<std::uint64_t>(room);
-  room_ = std::max(room, room_);
+  if (entered_.renew(room, marked_count_ > 0, poller)) marked_count_ = 0;
 }
 
 void RouteMaker::mark(Cell c) {
-  marked_.push_back(c);
-  word_of(c) |= std::uint64_t{1} << (c.x & 63);
+  if (marked_count_ == marked_.size()) marked_.grow(2 * marked_count_ + 64);
+  marked_.data()[marked_count_++] = c;
+  entered_[word_of(c)] |= std::uint64_t{1} << (c.x & 63);
 }
 
-void RouteMaker::forget() noexcept {
-  for (const Cell c : marked_) word_of(c) = 0;
-  marked_.clear();
+/// Leaves all as it is when stopped: then no other walk follows.
+void RouteMaker::forget(Poller& poller) noexcept {
+  for (std::size_t i = 0; i < marked_count_; ++i) {
+    if (poller.stop_after(1)) return;
+    entered_[word_of(marked_.data()[i])] = 0;
+  }
+  marked_count_ = 0;
 }
 
 bool RouteMaker::legal(Cell at, int dx, int dy) const noexcept {
@@ -52,9 +54,10 @@ Cell RouteMaker::nearest_open(Cell at, Cell to) const noexcept {
 }
 
 bool RouteMaker::extend(std::vector<Cell>& route, Cell to, Poller& poller) {
+  constexpr int kStepsACell = 4;  // eight cells are looked at, each with those beside it
   const std::size_t first = route.size();
   mark(route.back());
-  while (route.back() != to && !poller.stop_after(1)) {
+  while (route.back() != to && !poller.stop_after(kStepsACell)) {
     const Cell at = route.back();
     const Cell next = nearest_open(at, to);
     if (next == at) {
@@ -65,7 +68,7 @@ bool RouteMaker::extend(std::vector<Cell>& route, Cell to, Poller& poller) {
     mark(next);
     route.push_back(next);
   }
-  forget();
+  forget(poller);
   if (route.back() == to) return true;
   route.resize(first);
   return false;

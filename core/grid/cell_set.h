@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/held_bytes.h"
 #include "lasius/geometry.h"
 
 namespace lasius {
@@ -58,6 +59,8 @@ class CellSet {
   std::span<const Tile> tiles() const noexcept { return tiles_; }
   /// Index of the tile with this key, or kNone.
   std::int32_t find(std::uint32_t key) const noexcept { return slots_[slot_of(key)]; }
+
+  std::int64_t bytes() const noexcept { return held_bytes(slots_, tiles_); }  ///< memory held
 
  private:
   static constexpr std::uint32_t kNoKey = ~std::uint32_t{0};  // no grid is so large

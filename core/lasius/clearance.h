@@ -25,7 +25,8 @@ struct ClearanceField {
 /// The clearance of every cell, by lower envelopes of parabolas (Felzenszwalb & Huttenlocher 2012)
 /// in integers: O(1) a cell, 4 bytes a cell.
 [[nodiscard]] LASIUS_EXPORT ClearanceField clearance(const Grid& grid);
-/// The same, or empty if stopped. The measure of work is a cell read, as wide as a word here.
+/// The same, or empty if stopped. The measure of work is a cell read, as wide as a word here; what
+/// was measured is given back then, in a tenth of a second for each gigabyte.
 [[nodiscard]] LASIUS_EXPORT std::optional<ClearanceField> clearance(const Grid& grid,
                                                                     const StopCondition& stop);
 
@@ -34,7 +35,8 @@ struct ClearanceField {
 /// O(1) a cell; beside the grids some rows of memory, whatever the radius.
 /// @throws Error(invalid_parameter) for a negative or not finite radius.
 [[nodiscard]] LASIUS_EXPORT Grid grow_obstacles(const Grid& grid, double radius);
-/// The same, or empty if stopped. The measure of work is a cell looked at.
+/// The same, or empty if stopped. The measure of work is a cell looked at; the new bitmap itself is
+/// not cut short, 1 ms for 13 million cells.
 [[nodiscard]] LASIUS_EXPORT std::optional<Grid> grow_obstacles(const Grid& grid, double radius,
                                                                const StopCondition& stop);
 

@@ -24,12 +24,23 @@ namespace lasius {
 /// allocate nothing but the result in a second call of the same size. A call without one gives its
 /// memory back before it returns, past a deadline, too: a tenth of a second for each gigabyte that
 /// ants have touched. A call that threw leaves nothing in it that a later one sees.
+///
+/// It holds what its largest calls took, whatever the map of the next one: the ants' tours, tiles
+/// of pheromone, the corners that `exact` reached. The cells that ants entered, a bit a cell and
+/// ant, are given back on large maps when the next colony begins.
 class LASIUS_EXPORT Workspace {
  public:
   Workspace();
   ~Workspace();
   Workspace(Workspace&&) noexcept;
   Workspace& operator=(Workspace&&) noexcept;
+
+  /// Memory held, in bytes; of large arrays the pages that were touched. Between two calls.
+  std::int64_t bytes() const noexcept;
+  /// Gives all of it back, in a tenth of a second for each gigabyte; the next call begins as with a
+  /// new Workspace. Between two calls. @throws std::bad_alloc, and is then as before.
+  void release();
+
   class Impl;                               ///< for the library itself
   Impl& impl() noexcept { return *impl_; }  ///< for the library itself
 
@@ -66,12 +77,15 @@ class LASIUS_EXPORT Planner {
 
   const Grid& grid() const noexcept;  ///< holds as long as the planner
 
-  /// Labels the components under a rule, if that is still to do; else the first plan that asks for
-  /// them does, on its own time. False when stopped.
+  /// Labels the components under a rule, if that is still to do: those of 8 neighbours, for
+  /// Corners::allow. Else the first call does that needs them, on its own time: a plan or a call of
+  /// `connected` between cells that 4 neighbours do not join, or `components`. Takes 0.6 ms for a
+  /// million cells, in dense noise 4 ms. False when stopped.
   bool label(Corners corners, const StopCondition& stop = {}) const;
 
   /// True when the cells are joined under the rule (4-connected for forbid and one_side,
-  /// 8-connected for allow). No work that grows with the map once the rule is labelled.
+  /// 8-connected for allow). No work that grows with the map once the rule is labelled; before, see
+  /// `label`, which can be stopped.
   bool connected(Cell a, Cell b, Corners corners = Corners::forbid) const;
 
   /// The free cell nearest to `c` (Euclidean, ties to the smaller row, then column), if there is
@@ -134,7 +148,7 @@ class LASIUS_EXPORT Planner {
   const Preparation& preparation() const noexcept;
 
   /// Pieces of free space, as paths under a rule can go: 4-connected, with Corners::allow
-  /// 8-connected, which are made when first asked for.
+  /// 8-connected. Labels these first, see `label`.
   std::int64_t components(Corners corners = Corners::forbid) const;
 
   /// Memory held, in bytes, by part.

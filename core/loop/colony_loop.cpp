@@ -23,7 +23,7 @@ void record(const ColonyWorld& world, Convergence& run) {
 /// The main loop.
 StopCondition::Cause loop(ColonyWorld& world, int iterations, const StopCondition& stop,
                           Convergence& run) {
-  auto cause = stop.poll();
+  auto cause = StopCondition::Cause::none;
   for (int q = 0; q < iterations && cause == StopCondition::Cause::none; ++q) {
     cause = world.send_ants(q);
     world.offer();
@@ -43,7 +43,8 @@ StopCondition::Cause loop(ColonyWorld& world, int iterations, const StopConditio
 
 StopCondition::Cause run_colony_loop(ColonyWorld& world, int iterations, const StopCondition& stop,
                                      Convergence& run) {
-  auto cause = StopCondition::Cause::none;
+  auto cause = stop.poll();  // before threads are woken
+  if (cause != StopCondition::Cause::none) return cause;
   ThreadTeam::lead(world.threads(), [&] { cause = loop(world, iterations, stop, run); });
   return cause;
 }

@@ -152,7 +152,7 @@ std::size_t plan_batch(const Planner& planner, std::span<const Request> requests
       sequencer.finish({*index, std::move(result), Clock::now() - begin});
     }
   };
-#pragma omp parallel num_threads(threads)
+#pragma omp parallel num_threads(region_threads(threads))
   {
     try {
       work();

@@ -20,6 +20,8 @@ Workspace::Workspace() : impl_(std::make_unique<Impl>()) {}
 Workspace::~Workspace() = default;
 Workspace::Workspace(Workspace&&) noexcept = default;
 Workspace& Workspace::operator=(Workspace&&) noexcept = default;
+std::int64_t Workspace::bytes() const noexcept { return impl_->bytes(); }
+void Workspace::release() { impl_ = std::make_unique<Impl>(); }
 
 Planner::Planner(Grid grid) : impl_(Impl::make(std::move(grid), {})) {}
 Planner::Planner(Grid grid, const PrepareOptions& options)
@@ -53,7 +55,7 @@ bool Planner::label(Corners corners, const StopCondition& stop) const {
 }
 
 bool Planner::connected(Cell a, Cell b, Corners corners) const {
-  return impl_->components(corners, {})->connected(impl_->grid, a, b);
+  return *impl_->connected(a, b, corners, {});
 }
 
 std::optional<Cell> Planner::nearest_free(Cell c) const {
@@ -155,13 +157,13 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
   const bool exact = algorithm.kind == Algorithm::Kind::exact;
   const bool squeezes = !exact && params.neighbours != Neighbours::four;
   const Corners corners = squeezes ? params.corners : Corners::forbid;
-  const Components* components = impl_->components(corners, request.stop);
+  const auto connected = impl_->connected(request.start, request.goal, corners, request.stop);
   Result result;
-  if (components == nullptr) {
+  if (!connected) {
     result.status = status_after(request.stop.poll(), Status::limit);
     return result;
   }
-  if (!components->connected(grid, request.start, request.goal)) {
+  if (!*connected) {
     return failed<Result>(Status::unreachable, Fault::disconnected,
                           "start " + cell_name(request.start) + " and goal " +
                               cell_name(request.goal) + " lie in different regions of free cells");
@@ -175,7 +177,9 @@ Result Planner::plan(const Request& request, const Params& params, Workspace* wo
       result = run_exact(grid, impl_->graph.get(), request, memory, observer);
       break;
     case Algorithm::Kind::genetic: {
-      const auto joined = [&](Cell c) { return components->connected(grid, request.start, c); };
+      const auto joined = [&](Cell c) {
+        return impl_->connected(request.start, c, corners, request.stop).value_or(false);
+      };
       result = run_grid_ga(grid, request, params, joined, memory.genetic, observer);
       break;
     }

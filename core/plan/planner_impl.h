@@ -60,6 +60,16 @@ class Planner::Impl {
     return &*made_eight_;
   }
 
+  /// Are the cells joined under a rule? Nothing if stopped. The pieces of 8 neighbours are made
+  /// only for cells that 4 neighbours do not join.
+  std::optional<bool> connected(Cell a, Cell b, Corners corners, const StopCondition& stop) const {
+    if (four.connected(grid, a, b)) return true;
+    if (corners != Corners::allow) return false;
+    const Components* const eight = components(corners, stop);
+    if (eight == nullptr) return std::nullopt;
+    return eight->connected(grid, a, b);
+  }
+
   /// Memory that components hold.
   std::int64_t component_bytes() const noexcept {
     const Components* const eight = eight_.load(std::memory_order_acquire);

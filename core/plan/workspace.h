@@ -1,6 +1,7 @@
 // The scratch memory behind lasius::Workspace.
 #pragma once
 
+#include "core/base/held_bytes.h"
 #include "core/colony/colony_memory.h"
 #include "core/exact/exact.h"
 #include "core/exact/prepared_search.h"
@@ -17,6 +18,11 @@ class Workspace::Impl {
   exact::PreparedSearch prepared;
   ExactSearch hurried;  ///< beside one of these, under a deadline
   ExactAnswer exact_answer;
+
+  std::int64_t bytes() const noexcept {
+    return static_cast<std::int64_t>(sizeof *this) + colony.bytes() + genetic.bytes() +
+           exact.bytes() + prepared.bytes() + hurried.bytes() + held_bytes(exact_answer.path);
+  }
 };
 
 }  // namespace lasius

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/held_bytes.h"
 #include "core/grid/cell_set.h"
 #include "kernels/base/packed_cell.h"
 #include "lasius/geometry.h"
@@ -31,6 +32,10 @@ class LoopCutter {
 
   /// The walk's cells and the further ones; some of them only, where `cut` was stopped.
   CellSet& entered() noexcept { return entered_; }
+
+  std::int64_t bytes() const noexcept {  ///< memory held
+    return entered_.bytes() + held_bytes(tiles_, queue_, way_);
+  }
 
  private:
   /// What the search knows of a tile of the set.

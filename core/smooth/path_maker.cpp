@@ -1,5 +1,6 @@
 #include "core/smooth/path_maker.h"
 
+#include "core/base/held_bytes.h"
 #include "core/base/poller.h"
 #include "lasius/path.h"
 
@@ -18,8 +19,7 @@ constexpr std::int64_t kWordsPerTile = 128;
 std::span<const Cell> PathMaker::cut(const Grid& grid, std::span<const Cell> walk, bool diagonal,
                                      Corners corners, const StopCondition& stop,
                                      std::span<const kernels::PackedCell> more) {
-  const auto way = cutter_.cut(grid, walk, diagonal, corners, stop, more);
-  return way.empty() ? walk : way;
+  return cutter_.cut(grid, walk, diagonal, corners, stop, more);
 }
 
 void PathMaker::polish(const Grid& grid, std::span<const Cell> way, Polish polish, Corners corners,
@@ -59,6 +59,11 @@ bool PathMaker::find_shortcut(const Grid& grid, std::span<const Cell> way, doubl
   search_.shortcut(grid, way.front(), way.back(), length * kShorter, entered,
                    kLeastWords + kWordsPerTile * tiles, stop, shortcut_);
   return !shortcut_.empty();
+}
+
+std::int64_t PathMaker::bytes() const noexcept {
+  return cutter_.bytes() + straightener_.bytes() + taut_string_.bytes() + search_.bytes() +
+         held_bytes(shortcut_);
 }
 
 }  // namespace lasius

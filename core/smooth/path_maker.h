@@ -1,6 +1,7 @@
 // From the cells of a walk to a path: loops cut, pulled straight or taut, shortcuts taken.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -20,7 +21,7 @@ namespace lasius {
 class PathMaker {
  public:
   /// The shortest way from a walk's first cell to its last within its cells and `more`, as
-  /// LoopCutter has it; the walk itself when stopped. Holds until the next call.
+  /// LoopCutter has it; empty when stopped. Holds until the next call.
   std::span<const Cell> cut(const Grid& grid, std::span<const Cell> walk, bool diagonal,
                             Corners corners, const StopCondition& stop,
                             std::span<const kernels::PackedCell> more = {});
@@ -32,6 +33,8 @@ class PathMaker {
 
   /// Cells under the last path, or under one of its class.
   std::span<const Cell> raster() const noexcept { return straightener_.cells(); }
+
+  std::int64_t bytes() const noexcept;  ///< memory held
 
  private:
   bool find_shortcut(const Grid& grid, std::span<const Cell> way, double length,

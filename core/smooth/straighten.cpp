@@ -99,7 +99,7 @@ bool settle(const kernels::BitmapView& map, Poller& poller, std::vector<Cell>& p
     };
     for (; i + 1 < polyline.size(); ++i) {
       const Cell a = polyline[kept - 1], b = polyline[i], c = polyline[i + 1];
-      if (poller.stop_after(std::abs(c.y - a.y) + 64)) {
+      if (poller.stop_after(4 * std::abs(c.y - a.y) + 256)) {
         close_up();
         return false;
       }
@@ -175,7 +175,7 @@ bool Straightener::connect(const kernels::BitmapView& map, Poller& poller, const
       const auto least = std::min_element(length.begin(), length.begin() + before.count);
       if (*least == kInfinity) break;
       const auto j = static_cast<int>(least - length.begin());
-      if (poller.stop_after(std::abs(to.y - before.cell[j].y) + 2)) return false;
+      if (poller.stop_after(std::abs(to.y - before.cell[j].y) + 16)) return false;
       if (sees(map, before.cell[j], to)) {
         layer.cell[reached] = to;
         layer.length[reached] = *least;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/held_bytes.h"
 #include "core/base/poller.h"
 #include "core/smooth/taut_string.h"
 #include "kernels/sight/sight_cone.h"
@@ -37,6 +38,10 @@ class Straightener {
 
   /// The taut string of its class, once `straighten` was through with three vertices or more.
   std::span<const Point> string() const noexcept { return taut_string_.path(); }
+
+  std::int64_t bytes() const noexcept {  ///< memory held
+    return taut_string_.bytes() + held_bytes(layers_, best_, pulled_, raster_) + cone_.bytes();
+  }
 
  private:
   /// Cells on every side of a corner of the taut string. With 2 a whole plan takes a third longer

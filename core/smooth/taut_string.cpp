@@ -61,7 +61,7 @@ void TautString::pull(const Grid& grid, Corners corners, const StopCondition& st
   Poller poller(stop);
   todo_.assign(input_.rbegin(), input_.rend());
   done_.clear();
-  while (!todo_.empty()) {
+  for (; !todo_.empty(); poller.stop_after(4)) {
     const Vertex c = todo_.back();
     if (!done_.empty() && done_.back().at == c.at) {
       done_.back().fixed = done_.back().fixed != c.fixed;  // there and back again

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/held_bytes.h"
 #include "kernels/sight/sight.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
@@ -25,6 +26,10 @@ class TautString {
            const StopCondition& stop = {});
 
   std::span<const Point> path() const noexcept { return points_; }
+
+  std::int64_t bytes() const noexcept {  ///< memory held
+    return held_bytes(input_, done_, todo_, chain_, corners_, points_);
+  }
 
  private:
   /// A vertex; fixed where the path squeezes between diagonal blocks, as Corners::allow lets it.

@@ -33,6 +33,10 @@ class SightCone {
     return work;
   }
 
+  std::int64_t bytes() const noexcept {  ///< memory held
+    return static_cast<std::int64_t>(rows_.capacity() * sizeof(Row));
+  }
+
  private:
   /// dx / dy of a ray, in half cells, dy > 0 away from the start's row.
   struct Slope {

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 #include "core/grid/move_rule.h"
@@ -193,8 +195,74 @@ TEST(Field, WhatGoesOverAllTilesPollsAndIsCutShort) {
   };
   const CountingTime enough(1000), none(0);
   EXPECT_FLOAT_EQ(weight_of_pheromone(enough), 1.0f / 16);  // alpha 4
-  EXPECT_EQ(enough.polls(), 256 / 16);
+  EXPECT_EQ(enough.polls(), 256 / 4);
   EXPECT_EQ(weight_of_pheromone(none), 1);
+}
+
+TEST(Field, MakesNoTileOnceTimeIsUp) {
+  const Grid grid(128, 128);
+  const auto moves = kernels::moves_of(kernels::Neighbourhood::four);
+  const CountingTime time(1);
+  Field field;
+  kernels::WalkWorld world;
+  field.reset(grid, moves, {100, 100}, Params{}, 1, time.is_up());
+  field.fill(world);
+  const float* made = world.make_tile(world.context, 0);
+  EXPECT_TRUE(std::any_of(made, made + kernels::kTileCells * 8, [](float w) { return w > 0; }));
+  for (const int tile : {1, 2, 1}) {  // here every cell is blocked
+    const float* rows = world.make_tile(world.context, tile);
+    EXPECT_EQ(rows, world.tiles[tile]);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(rows) % 64, 0u);
+    EXPECT_EQ(std::count(rows, rows + kernels::kTileCells * 8, 0.0f), kernels::kTileCells * 8);
+  }
+  EXPECT_EQ(field.tiles(), 1);
+  EXPECT_EQ(time.polls(), 3);
+  field.reset(grid, moves, {100, 100}, Params{}, 1, {});
+  field.fill(world);
+  EXPECT_EQ(world.tiles[1], nullptr);
+  EXPECT_EQ(row(field, {40, 3}, 8)[0], 1);
+}
+
+TEST(Field, AResetThatIsCutShortIsMadeUpFor) {
+  const Grid grid(2048, 2048);  // 4096 tiles
+  const auto moves = kernels::moves_of(kernels::Neighbourhood::four);
+  Field field;
+  for (const int looks : {0, 1}) {
+    field.reset(grid, moves, {2000, 2000}, Params{}, 1, {});
+    for (int y = 8; y < 2048; y += 32) {
+      for (int x = 8; x < 2048; x += 32) field.deposit({x, y}, 0, 1);
+    }
+    const auto bytes = field.bytes();
+    const CountingTime time(looks);
+    field.reset(grid, moves, {2000, 2000}, Params{}, 1, time.is_up());
+    EXPECT_EQ(time.polls(), looks + 1);
+    EXPECT_EQ(field.tiles(), 4096 - 1023 - 1024 * looks);  // a look each 1024 of them
+    field.reset(grid, moves, {2000, 2000}, Params{}, 1, {});
+    EXPECT_EQ(field.tiles(), 0);
+    EXPECT_EQ(field.bytes(), bytes);
+    EXPECT_EQ(field.tau({8, 8}, 0), 1);
+  }
+}
+
+TEST(Field, TilesServePlansOfEveryKind) {
+  const Grid grid(64, 64);
+  Field kept;
+  for (const char* algorithm : {"as", "fan2004", "cong2009", "lecture-grid", "as"}) {
+    const Params params(algorithm);
+    const auto neighbours = static_cast<kernels::Neighbourhood>(params.neighbours);
+    const auto moves = kernels::moves_of(neighbours);
+    Field fresh;
+    for (Field* field : {&kept, &fresh}) {
+      field->reset(grid, moves, {60, 60}, params, 1, {});
+      field->deposit({10, 10}, 1, 3);
+      field->refresh(schedule(params, 1), 1);
+    }
+    const int floats = fresh.mixture() ? 2 * moves.count : moves.count;
+    for (const Cell c : {Cell{9, 10}, Cell{10, 10}, Cell{30, 31}}) {
+      const float* expected = row(fresh, c, floats);
+      EXPECT_TRUE(std::equal(expected, expected + floats, row(kept, c, floats))) << algorithm;
+    }
+  }
 }
 
 TEST(Field, ManyIterationsNeitherOverflowNorForget) {

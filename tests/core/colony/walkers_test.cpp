@@ -61,7 +61,7 @@ TEST(Walkers, PollAtLeastEvery4096Steps) {
   set_iteration(world, params, moves, shape, weights, 0);
   field.fill(world);
   Walkers walkers;
-  walkers.reset(grid.width(), grid.height(), 1, params.ants, false);
+  walkers.reset(grid.width(), grid.height(), 1, params.ants, false, {});
   real_kernel = kernels::walk_table(chosen_isa()).walk[shape.index()];
   std::vector<Ant> ants(static_cast<std::size_t>(params.ants));
   const StepsBetweenLooks time;
@@ -141,7 +141,7 @@ using Tours = std::vector<std::vector<std::uint8_t>>;
 Tours tours(Walkers& walkers, kernels::Isa isa, int threads, int tiles = kTiles) {
   Square square(tiles);
   std::vector<Ant> ants(kAnts);
-  walkers.reset(kSide, kSide, threads, kAnts, false);
+  walkers.reset(kSide, kSide, threads, kAnts, false, {});
   walkers.walk(square.world, kernels::walk_table(isa).walk[square.shape.index()], ants, 0, {});
   Tours result;
   for (const Ant& ant : ants) {
@@ -173,7 +173,7 @@ TEST(Walkers, LeaveAntsThatAreCutShortAndWalkAsBeforeAfterAReset) {
     for (const int looks : {0, 1, 2, 3, 5}) {
       Square square(kTiles);
       std::vector<Ant> ants(kAnts);
-      walkers.reset(kSide, kSide, threads, kAnts, false);
+      walkers.reset(kSide, kSide, threads, kAnts, false, {});
       std::vector<int> ended(kAnts, 0);
       const CountingTime time(looks);
       const auto cause =
@@ -212,7 +212,7 @@ TEST(Walkers, LeaveAloneAntsThatWereCutShortWhileALongTourWasForgotten) {
   Square square(kTiles);
   std::vector<Ant> ants(kAnts);
   Walkers walkers;
-  walkers.reset(4096, 4096, 1, kAnts, false);  // to be cleared with eight looks at the clock
+  walkers.reset(4096, 4096, 1, kAnts, false, {});  // to be cleared with eight looks at the clock
   long_calls = 0;
   long_walking.clear();
   const CountingTime time(kLongCalls);  // a look a call, and the first of those
@@ -222,6 +222,63 @@ TEST(Walkers, LeaveAloneAntsThatWereCutShortWhileALongTourWasForgotten) {
   EXPECT_EQ(long_walking, (std::vector<std::uint32_t>{0}));  // its turn had passed
   for (int a = 0; a < kAnts; ++a) EXPECT_EQ(ants[a].arrived, a == 1);
   EXPECT_EQ(tours(walkers, chosen_isa(), 1).size(), kAnts);
+}
+
+// Its ants enter a cell in each page of their planes.
+void roaming_kernel(const kernels::WalkWorld&, std::span<kernels::WalkSlot> slots, int) noexcept {
+  for (kernels::WalkSlot& slot : slots) {
+    for (int y = 0; y < 4096; y += 256) {
+      for (int x = 0; x < 4096; x += 32) slot.visited.mark(kernels::pack(x, y));
+    }
+  }
+}
+
+// Never up; notes the most memory that was given back between two looks.
+class GivenBackBetweenLooks final : public TimeSource {
+ public:
+  explicit GivenBackBetweenLooks(const Walkers& walkers)
+      : walkers_(walkers), before_(walkers.bytes()) {}
+  Clock::time_point now() const noexcept override {
+    const std::int64_t bytes = walkers_.bytes();
+    most_ = std::max(most_, before_ - bytes);
+    before_ = bytes;
+    return {};
+  }
+  std::int64_t most() const noexcept { return most_; }
+
+ private:
+  const Walkers& walkers_;
+  mutable std::int64_t before_, most_ = 0;
+};
+
+TEST(Walkers, GiveThePagesOfLargePlanesBackAndLookAtTheClockMeanwhile) {
+  const Tours expected = [] {
+    Walkers fresh;
+    return tours(fresh, chosen_isa(), 1);
+  }();
+  Walkers walkers;
+  const auto roam = [&] {
+    Square square(kTiles);
+    std::vector<Ant> ants(kAnts);
+    const CountingTime time(0);
+    walkers.reset(4096, 4096, 1, kAnts, false, {});
+    walkers.walk(square.world, roaming_kernel, ants, 0, time.is_up());
+  };
+  roam();
+  const auto full = walkers.bytes();
+  EXPECT_GT(full, 16 * 4'000'000);
+  const CountingTime up(20);
+  walkers.reset(4096, 4096, 1, kAnts, false, up.is_up());
+  EXPECT_EQ(up.polls(), 21);
+  EXPECT_GT(walkers.bytes(), full / 2);
+  const GivenBackBetweenLooks time(walkers);
+  walkers.reset(4096, 4096, 1, kAnts, false,
+                {.deadline = Clock::time_point{} + std::chrono::hours(1), .time = &time});
+  EXPECT_GT(time.most(), 0);
+  EXPECT_LT(time.most(), 2 * 8 * Poller::kWords);
+  EXPECT_LT(walkers.bytes(), 100'000);
+  roam();
+  EXPECT_EQ(tours(walkers, chosen_isa(), 1), expected);  // in the same planes
 }
 
 std::atomic<bool> all_sent = false;
@@ -240,7 +297,7 @@ TEST(Walkers, GiveAThreadThatHasNoAntLeftThoseItHasWalked) {
   Square square(kTiles);
   std::vector<Ant> ants(kAnts);
   Walkers walkers;
-  walkers.reset(kSide, kSide, 2, kAnts, false);
+  walkers.reset(kSide, kSide, 2, kAnts, false, {});
   std::vector<int> ended(kAnts, 0), given(kAnts, 0);
   AfterWalk after;
   after.ended = [&](int ant, int thread) {
@@ -268,7 +325,7 @@ TEST(Walkers, GiveOneThreadAloneNothing) {
   Square square(kTiles);
   std::vector<Ant> ants(kAnts);
   Walkers walkers;
-  walkers.reset(kSide, kSide, 1, kAnts, false);
+  walkers.reset(kSide, kSide, 1, kAnts, false, {});
   walkers.walk(square.world, kernels::walk_table(kernels::Isa::scalar).walk[square.shape.index()],
                ants, 0, {}, {.spare = [](int, int) { FAIL(); }});
   for (const Ant& ant : ants) EXPECT_TRUE(ant.arrived);

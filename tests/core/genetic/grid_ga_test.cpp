@@ -12,6 +12,7 @@
 #include "lasius/generate.h"
 #include "lasius/path.h"
 #include "lasius/planner.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/oracle/visibility_graph.h"
 #include "tests/worlds/random_grid.h"
 
@@ -49,7 +50,7 @@ TEST(RouteMaker, StepsBackOutOfADeadEnd) {
                            "..#.",  //
                            "...."});
   RouteMaker maker;
-  maker.reset(grid, {.neighbours = 4, .corners = Corners::forbid});
+  maker.reset(grid, {.neighbours = 4, .corners = Corners::forbid}, {});
   StopCondition never;
   Poller poller(never, 1000);
   Cells route{{0, 2}};
@@ -59,7 +60,7 @@ TEST(RouteMaker, StepsBackOutOfADeadEnd) {
   // With row 3 closed, (1, 2) is a dead end, and the walk goes round the top.
   Grid closed = grid;
   for (int x = 1; x < 4; ++x) closed.set_blocked({x, 3});
-  maker.reset(closed, {.neighbours = 4, .corners = Corners::forbid});
+  maker.reset(closed, {.neighbours = 4, .corners = Corners::forbid}, {});
   route = {{0, 2}};
   ASSERT_TRUE(maker.extend(route, {3, 2}, poller));
   EXPECT_EQ(route, (Cells{{0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {3, 2}}));
@@ -69,7 +70,7 @@ TEST(RouteMaker, LeavesTheRouteWhereThereIsNoWay) {
   const Grid grid = drawn({"..#.",  //
                            "..#."});
   RouteMaker maker;
-  maker.reset(grid, {});
+  maker.reset(grid, {}, {});
   StopCondition never;
   Poller poller(never, 1000);
   Cells route{{0, 0}, {1, 0}};
@@ -80,6 +81,31 @@ TEST(RouteMaker, LeavesTheRouteWhereThereIsNoWay) {
   EXPECT_EQ(route, (Cells{{0, 0}, {1, 0}, {0, 1}}));
 }
 
+TEST(RouteMaker, WalksAsBeforeOnceItWasCutShortAndReset) {
+  for (const int side : {300, 3000}) {
+    const Grid grid(side, side);
+    StopCondition never;
+    Poller poller(never);
+    Cells expected{{0, 0}};
+    RouteMaker fresh, kept;
+    fresh.reset(grid, {}, never);
+    ASSERT_TRUE(fresh.extend(expected, {side - 1, side - 1}, poller));
+    for (const int cells : {1, 100, 299}) {
+      const CountingTime time(0);
+      const StopCondition up = time.is_up();
+      Poller until(up, 4 * cells);
+      Cells route{{0, 0}};
+      kept.reset(grid, {}, never);
+      EXPECT_FALSE(kept.extend(route, {side - 1, side - 1}, until));
+      EXPECT_EQ(route, (Cells{{0, 0}}));
+      kept.reset(grid, {}, never);
+      ASSERT_TRUE(kept.extend(route, {side - 1, side - 1}, poller));
+      EXPECT_EQ(route, expected);
+    }
+    EXPECT_LE(kept.bytes(), fresh.bytes());
+  }
+}
+
 TEST(RouteMaker, ObeysTheRuleOfCorners) {
   const Grid grid = drawn({".#",  //
                            ".."});
@@ -88,7 +114,7 @@ TEST(RouteMaker, ObeysTheRuleOfCorners) {
   const auto walk = [&](Corners corners) {
     Cells route{{0, 0}};
     RouteMaker maker;
-    maker.reset(grid, {8, corners});
+    maker.reset(grid, {8, corners}, {});
     EXPECT_TRUE(maker.extend(route, {1, 1}, poller));
     return route.size();
   };

@@ -221,6 +221,21 @@ TEST(Planner, UnreachableGoalsAreProvenUnderTheRuleInForce) {
   EXPECT_EQ(planner.plan(request, params).status, Status::unreachable);
 }
 
+TEST(Planner, CellsThatFourNeighboursJoinNeedNoLabelsOfEight) {
+  Grid grid(20, 20);
+  for (int y = 0; y < 20; ++y) grid.set_blocked({y, y});
+  const Planner planner(grid);
+  const auto four = planner.footprint().components;
+  Params params = quick("as");
+  params.corners = Corners::allow;
+  EXPECT_TRUE(planner.connected({10, 2}, {18, 3}, Corners::allow));
+  EXPECT_EQ(planner.plan({.start = {10, 2}, .goal = {18, 3}}, params).status, Status::solved);
+  EXPECT_EQ(planner.footprint().components, four);
+  EXPECT_FALSE(planner.connected({10, 2}, {2, 10}));
+  EXPECT_TRUE(planner.connected({10, 2}, {2, 10}, Corners::allow));
+  EXPECT_GT(planner.footprint().components, four);
+}
+
 TEST(Planner, UnreachableNeedsNoTimeAtAll) {
   // Any poll at all would end the call with another status.
   struct Expired : TimeSource {
