@@ -201,7 +201,7 @@ TEST(Field, WhatGoesOverAllTilesPollsAndIsCutShort) {
 
 TEST(Field, MakesNoTileOnceTimeIsUp) {
   const Grid grid(128, 128);
-  const auto moves = kernels::moves_of(kernels::Neighbourhood::four);
+  const auto moves = moves_of(Neighbours::four);
   const CountingTime time(1);
   Field field;
   kernels::WalkWorld world;
@@ -225,7 +225,7 @@ TEST(Field, MakesNoTileOnceTimeIsUp) {
 
 TEST(Field, AResetThatIsCutShortIsMadeUpFor) {
   const Grid grid(2048, 2048);  // 4096 tiles
-  const auto moves = kernels::moves_of(kernels::Neighbourhood::four);
+  const auto moves = moves_of(Neighbours::four);
   Field field;
   for (const int looks : {0, 1}) {
     field.reset(grid, moves, {2000, 2000}, Params{}, 1, {});
@@ -249,8 +249,7 @@ TEST(Field, TilesServePlansOfEveryKind) {
   Field kept;
   for (const char* algorithm : {"as", "fan2004", "cong2009", "lecture-grid", "as"}) {
     const Params params(algorithm);
-    const auto neighbours = static_cast<kernels::Neighbourhood>(params.neighbours);
-    const auto moves = kernels::moves_of(neighbours);
+    const auto moves = moves_of(params.neighbours);
     Field fresh;
     for (Field* field : {&kept, &fresh}) {
       field->reset(grid, moves, {60, 60}, params, 1, {});

@@ -46,7 +46,7 @@ TEST(Walkers, LeaveNoCellMarkedThatWasBeingForgottenWhenTimeWasUp) {
   Walkers walkers;
   int arrived_late = 0, whole = 0;
   for (int looks = 0; whole < 2 && looks < 1000; ++looks) {
-    walkers.reset(4096, 4096, 1, 1, false);  // so large that cells are cleared one by one
+    walkers.reset(4096, 4096, 1, 1, false, {});  // so large that cells are cleared one by one
     const CountingTime time(looks);
     const auto cause = walkers.walk(world, pacing_kernel, ants, 0, time.is_up());
     ASSERT_FALSE(found_marked) << looks;
