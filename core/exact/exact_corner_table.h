@@ -54,8 +54,6 @@ class CornerTable {
  public:
   static constexpr std::uint32_t kStart = 0;
 
-  CornerTable() : scratch_(make_words()) {}
-
   /// Forgets all; `width` of the map in cells.
   void reset(int width, const Corner& start) {
     tiles_ = (static_cast<std::uint32_t>(width) >> 3) + 1;
@@ -97,8 +95,11 @@ class CornerTable {
   }
 
   std::int64_t bytes() const noexcept {
-    return corners_.bytes() + held_bytes(segments_, directory_) +
-           static_cast<std::int64_t>((segments_.size() + 1) * kSegment * sizeof(std::uint64_t));
+    std::int64_t bytes = corners_.bytes() + held_bytes(segments_, directory_, scratch_);
+    for (const auto& segment : segments_) {
+      bytes += static_cast<std::int64_t>(sizeof(Segment)) + held_bytes(segment->words);
+    }
+    return bytes;
   }
 
  private:
@@ -107,10 +108,9 @@ class CornerTable {
   static constexpr std::size_t kSegment = std::size_t{8} << kRowBits;
   static constexpr std::uint64_t kMultiplier = 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio
 
-  using Words = std::unique_ptr<std::uint64_t[]>;
+  using Words = std::vector<std::uint64_t>;  // place << 32 | index; 0: empty
   struct Segment {
-    explicit Segment(Words memory) : words(std::move(memory)) {}
-    Words words;  // place << 32 | index; 0: empty
+    Words words;
     std::size_t used = 0;
     int depth = 0;  // bits that all of it have in common
   };
@@ -118,8 +118,6 @@ class CornerTable {
     std::uint64_t* words = nullptr;
     Segment* owner = nullptr;
   };
-
-  static Words make_words() { return Words(new std::uint64_t[kSegment]); }
 
   // Tile by tile, 8 x 8 lattice points each: below 2^31 for every map.
   std::uint64_t place_of(int x, int y) const noexcept {
@@ -146,16 +144,21 @@ class CornerTable {
     row_shift_ = 64 + 3 - std::countr_zero(slots);
   }
 
+  void empty(Words& words) {
+    words.resize(std::max(words.size(), slots_));
+    std::fill_n(words.begin(), slots_, 0);
+  }
+
   // An empty one.
   Entry take_segment(int depth) {
     if (in_use_ == segments_.size()) {
-      segments_.push_back(std::make_unique<Segment>(make_words()));
+      segments_.push_back(std::make_unique<Segment>());
     }
     Segment& segment = *segments_[in_use_++];
     segment.used = 0;
     segment.depth = depth;
-    std::fill_n(segment.words.get(), slots_, 0);
-    return {segment.words.get(), &segment};
+    empty(segment.words);
+    return {segment.words.data(), &segment};
   }
 
   void grow(Segment& segment) {
@@ -163,11 +166,15 @@ class CornerTable {
     std::swap(segment.words, scratch_);
     if (slots_ < kSegment) {
       set_slots(2 * slots_);
-      only_ = directory_[0].words = segment.words.get();
+      scratch_.resize(std::max(scratch_.size(), slots_));  // the next one to be grown into
     } else {
       split(segment);
     }
-    std::fill_n(segment.words.get(), slots_, 0);
+    empty(segment.words);
+    for (Entry& entry : directory_) {
+      if (entry.owner == &segment) entry.words = segment.words.data();
+    }
+    only_ = directory_[0].words;
     segment.used = 0;
     for (std::size_t i = 0; i < before; ++i) {
       const std::uint64_t word = scratch_[i];
@@ -186,9 +193,7 @@ class CornerTable {
     const Entry half = take_segment(++segment.depth);
     const std::size_t bit = std::size_t{1} << (depth_ - segment.depth);
     for (std::size_t i = 0; i < directory_.size(); ++i) {
-      if (directory_[i].owner != &segment) continue;
-      directory_[i].words = segment.words.get();
-      if ((i & bit) != 0) directory_[i] = half;
+      if (directory_[i].owner == &segment && (i & bit) != 0) directory_[i] = half;
     }
   }
 
