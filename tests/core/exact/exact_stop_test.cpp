@@ -132,6 +132,23 @@ TEST(ExactStop, PollsAtLeastEach65536Words) {
   EXPECT_LE(time.most(), 65536);
 }
 
+// Where blocks are dense, an expansion scans few words.
+TEST(ExactStop, ExpansionsAreWorkToo) {
+  const Planner planner(generate(MapKind::random, {600, 600, 0.35, 3}));
+  const Cell start = planner.nearest_free({20, 20}).value();
+  const Cell goal = planner.nearest_free({570, 580}).value();
+  ASSERT_TRUE(planner.connected(start, goal, Corners::forbid));
+  const CountingTime counted(1 << 30);
+  ExactSearch search;
+  ExactAnswer answer;
+  search.search(planner.grid(), start, goal, {}, counted.is_up(), answer);
+  const auto words = static_cast<double>(search.counters().words);
+  const auto expanded =
+      static_cast<double>(exact::kWordsPerExpansion * search.counters().expansions);
+  ASSERT_GT(expanded, 0.2 * words);
+  EXPECT_GT(8192.0 * counted.polls(), 0.95 * (words + expanded));
+}
+
 // On very long ways most corners wait beyond the buckets, and are looked at again each time these
 // start anew.
 TEST(ExactStop, APollerIsToldOfTheItemsThatAFrontierDealsOut) {
