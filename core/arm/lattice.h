@@ -120,7 +120,7 @@ class LatticePoller {
       : lattice_(lattice), poller_(stop, interval), interval_(interval), asked_(lattice.asked()) {}
 
   /// As Poller::stop_after.
-  bool stop_after(std::int64_t steps) noexcept {
+  bool stop_after(std::int64_t steps) {
     const auto asked = lattice_.asked();
     return poller_.stop_after(asked != std::exchange(asked_, asked) ? interval_ : steps);
   }

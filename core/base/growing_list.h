@@ -13,7 +13,7 @@ namespace lasius {
 template <class T>
 class GrowingList {
  public:
-  T& push_back(const T& value) {
+  T& push_back(T value) {
     if (size_ == values_.size()) values_.grow(std::max(kSmallest, 2 * size_));
     T& place = (*this)[size_++];
     place = value;

@@ -59,7 +59,7 @@ void MemoryBlock::grow(std::size_t bytes) {
   size_ = bytes;
 }
 
-bool MemoryBlock::clear(Poller& poller) noexcept {
+bool MemoryBlock::clear(Poller& poller) {
   constexpr std::size_t kPiece = Poller::kWords * sizeof(std::uint64_t);
   for (std::size_t from = 0; from < size_; from += kPiece) {
     const std::size_t part = std::min(kPiece, size_ - from);

@@ -36,7 +36,7 @@ class LASIUS_EXPORT MemoryBlock {
   void grow(std::size_t bytes);
 
   /// All bytes 0 again; pages are given back. False when stopped, with some of it done.
-  bool clear(Poller& poller) noexcept;
+  bool clear(Poller& poller);
 
   bool paged() const noexcept { return size_ >= kPaged; }
   std::size_t size() const noexcept { return size_; }  ///< in bytes

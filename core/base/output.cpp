@@ -20,11 +20,9 @@
 namespace lasius {
 namespace {
 
-std::string reason(int error = errno) { return std::generic_category().message(error); }
-
 [[noreturn]] void fail_at_end(const std::string& path, int error = errno) {
-  throw Error(ErrorCode::output_failed, {.file = path},
-              "could not be written whole (" + reason(error) + ")",
+  const std::string why = error == 0 ? "its text could not be made" : system_reason(error);
+  throw Error(ErrorCode::output_failed, {.file = path}, "could not be written whole (" + why + ")",
               error == EPIPE ? "keep its reader open" : "check the free space");
 }
 
@@ -184,7 +182,7 @@ class Temporary {
         name_ = std::move(name);
         return;
       }
-      if (errno != EEXIST) refuse_output(path_, reason());
+      if (errno != EEXIST) refuse_output(path_, system_reason(errno));
     }
   }
   void make_named() {
@@ -223,7 +221,7 @@ void write_file(const std::string& path, const std::function<void(std::ostream&)
   if (target.descriptor) return write_to(*target.descriptor, path, write);
   if (target.stream()) {
     const Descriptor file(::open(target.file.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
-    if (file.number() < 0) refuse_output(path, reason());
+    if (file.number() < 0) refuse_output(path, system_reason(errno));
     return write_to(file.number(), path, write);
   }
   Temporary temporary(target, path);

@@ -17,8 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason() { return std::generic_category().message(errno); }
-
 /// The number in /dev/fd/3 and the like, where /dev/stdout leads, too.
 std::optional<int> descriptor_of(const fs::path& path) {
   const fs::path folder = path.parent_path();
@@ -77,7 +75,7 @@ Target find_target(const std::string& path) {
     target.descriptor = descriptor_of(target.file);
     const bool there = (target.descriptor ? ::fstat(*target.descriptor, &status)
                                           : ::lstat(target.file.c_str(), &status)) == 0;
-    if (!there && (errno != ENOENT || target.descriptor)) refuse_output(path, reason());
+    if (!there && (errno != ENOENT || target.descriptor)) refuse_output(path, system_reason(errno));
     if (there && S_ISLNK(status.st_mode)) {
       std::error_code error;
       target.file = target.folder() / fs::read_symlink(target.file, error);
@@ -105,7 +103,7 @@ void check_target(const Target& target, const std::string& path) {
     if (S_ISDIR(target.status->st_mode)) refuse_output(path, "it is a folder");
     // The superuser may write any file; one that nobody may write is not meant to be.
     if ((target.status->st_mode & 0222) == 0) refuse_output(path, "it is read-only");
-    if (::access(target.file.c_str(), W_OK) != 0) refuse_output(path, reason());
+    if (::access(target.file.c_str(), W_OK) != 0) refuse_output(path, system_reason(errno));
     if (target.stream()) return;
   }
   const fs::path folder = target.folder();
@@ -113,7 +111,7 @@ void check_target(const Target& target, const std::string& path) {
   if (!fs::is_directory(folder, ignored))
     refuse_output(path, "there is no folder " + folder.string());
   if (::access(folder.c_str(), W_OK | X_OK) != 0)
-    refuse_output(path, folder.string() + ": " + reason());
+    refuse_output(path, folder.string() + ": " + system_reason(errno));
 }
 
 bool is_stream(const std::string& path) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 
 namespace lasius {
 
@@ -28,6 +29,9 @@ Target find_target(const std::string& path);
 
 /// @throws Error(output_failed) where the target of `path` cannot be written.
 void check_target(const Target& target, const std::string& path);
+
+/// What the system calls an `errno`.
+inline std::string system_reason(int error) { return std::generic_category().message(error); }
 
 /// "`path`: cannot be written: `why`". @throws Error(output_failed)
 [[noreturn]] void refuse_output(const std::string& path, const std::string& why);

@@ -20,14 +20,15 @@ class ZeroArray {
   explicit ZeroArray(std::int64_t size) : block_(static_cast<std::size_t>(size) * kSizeOf<T>) {}
 
   /// At least `size` values, all zero. Those of a large array are given back, those of a small one
-  /// set to zero if it is `marked`. False when stopped: then it is marked, and to be renewed again.
+  /// set to zero if it is `marked`. False when stopped: then values may be left, and it is to be
+  /// renewed again, as before.
   bool renew(std::int64_t size, bool marked, Poller& poller) {
     if ((marked || block_.paged()) && !block_.clear(poller)) return false;
     if (size > this->size()) *this = ZeroArray(size);
     return true;
   }
   /// As MemoryBlock::clear.
-  bool clear(Poller& poller) noexcept { return block_.clear(poller); }
+  bool clear(Poller& poller) { return block_.clear(poller); }
 
   std::int64_t size() const noexcept {
     return static_cast<std::int64_t>(block_.size() / kSizeOf<T>);

@@ -17,15 +17,15 @@ constexpr double kLate = 1 << 26;
 constexpr double kSmallShare = 1.0 / 64;
 // Work of one turn, about a millisecond.
 constexpr double kTurn = 1 << 17;
-constexpr std::int64_t kWordsPerPoll = 8192;
 // A gap that leaves the rest of the time to the exact search.
 constexpr double kSmallGap = 0.01;
 
 }  // namespace
 
-Anytime::Anytime(ExactSearch& hurried, const Grid& grid, Cell start, Cell goal,
+Anytime::Anytime(Memory& memory, const Grid& grid, Cell start, Cell goal,
                  const ExactOptions& options, const StopCondition& stop)
-    : hurried_(hurried),
+    : memory_(memory),
+      hurried_(memory.search),
       grid_(grid),
       start_(start),
       goal_(goal),
@@ -46,7 +46,7 @@ bool Anytime::tell(const std::vector<Point>& path, double length, double bound) 
   bound_ = std::max(bound_, bound);
   if (length >= length_) return true;
   length_ = length;
-  path_ = path;
+  memory_.path = path;
   return told_ == nullptr || (*told_)(path, length, bound_);
 }
 
@@ -62,9 +62,10 @@ StopCondition::Cause Anytime::turn(std::int64_t work) {
   owed_ = 0;
   const double bound = rounded_down(hurried_.lower());
   bool go_on = true;
-  if (std::isfinite(hurried_.upper())) {
-    hurried_.trace(traced_);
-    go_on = tell(traced_, path_length(traced_), bound);
+  if (hurried_.upper() < traced_) {
+    traced_ = hurried_.upper();
+    hurried_.trace(memory_.traced);
+    go_on = tell(memory_.traced, path_length(memory_.traced), bound);
   }
   bound_ = std::max(bound_, bound);
   resting_ = !more || length_ - bound_ <= kSmallGap * bound_;
@@ -73,7 +74,7 @@ StopCondition::Cause Anytime::turn(std::int64_t work) {
 
 void Anytime::merge(ExactAnswer& answer) const {
   if (answer.end != ExactEnd::stopped || !std::isfinite(length_)) return;
-  if (answer.path.empty() || length_ < answer.length) answer.path = path_;
+  if (answer.path.empty() || length_ < answer.length) answer.path = memory_.path;
   const double bound = std::max(answer.lower_bound, bound_);
   conclude(bound, path_length(answer.path), answer.cause, options_.target_gap, answer);
   if (!answer.optimal) answer.lower_bound = bound;  // which leaves room for rounding already

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/held_bytes.h"
 #include "core/base/poller.h"
 #include "core/exact/exact.h"
 #include "core/exact/exact_answer.h"
@@ -17,10 +18,19 @@ namespace lasius::exact {
 /// ends within a millisecond never gets here.
 class Anytime final : public Alternate {
  public:
-  /// Keeps references to `hurried`, whose memory is used, to the map and to the condition, and
-  /// `options.improved`, which is told of each shorter path of either search.
-  Anytime(ExactSearch& hurried, const Grid& grid, Cell start, Cell goal,
-          const ExactOptions& options, const StopCondition& stop);
+  /// What a workspace keeps from search to search.
+  struct Memory {
+    ExactSearch search;
+    // The best path of both searches. Kept, since the one that a search would trace later may be
+    // longer: its corners get other parents.
+    std::vector<Point> path, traced;
+    std::int64_t bytes() const noexcept { return search.bytes() + held_bytes(path, traced); }
+  };
+
+  /// Keeps references to `memory`, the map and the condition, and `options.improved`, which is told
+  /// of each shorter path of either search.
+  Anytime(Memory& memory, const Grid& grid, Cell start, Cell goal, const ExactOptions& options,
+          const StopCondition& stop);
   Anytime(const Anytime&) = delete;
   Anytime& operator=(const Anytime&) = delete;
 
@@ -34,6 +44,7 @@ class Anytime final : public Alternate {
  private:
   bool tell(const std::vector<Point>& path, double length, double bound);
 
+  Memory& memory_;
   ExactSearch& hurried_;
   const Grid& grid_;
   Cell start_, goal_;
@@ -45,9 +56,8 @@ class Anytime final : public Alternate {
   double owed_ = 0;
   double work_ = 0;
   bool begun_ = false, resting_ = false;
-  // The best path of both. Kept, since the one that a search would trace now may be longer: its
-  // corners get other parents.
-  std::vector<Point> path_, traced_;
+  double traced_ = std::numeric_limits<double>::infinity();  // upper bound when last traced
+  // Of the best path of both.
   double length_ = std::numeric_limits<double>::infinity();
   double bound_ = 0;
 };

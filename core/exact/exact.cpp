@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/held_bytes.h"
 #include "core/base/poller.h"
 #include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"
@@ -14,7 +15,9 @@ using exact::Corner;
 using exact::CornerTable;
 using exact::distance;
 using exact::kBucketWidth;
+using exact::kTrailBuckets;
 using exact::kWordsPerExpansion;
+using exact::kWordsPerPoll;
 
 namespace {
 
@@ -40,7 +43,6 @@ constexpr double kLongWay = 2048;  // cells
 constexpr double kWidestGap = 1e6;
 // What W of the bounding search takes of the target gap; the width of buckets has the rest.
 constexpr double kShareOfGap = 0.95;
-constexpr double kTrailBuckets = 1024;  // from the least key to the greatest that is wanted
 
 // How far ahead of a corner's bound its cone is scanned at first: a share of the straight distance
 // from start to goal (a larger one where any path in reach will do), and of what the lower bound
@@ -50,9 +52,6 @@ constexpr double kHorizon = 1.0 / 1024;
 constexpr double kBoundingHorizon = 1.0 / 64;
 constexpr double kHorizonOfRise = 4;
 constexpr int kMostScans = 4;
-
-// Work between two looks at the stop condition, 20 to 100 microseconds.
-constexpr std::int64_t kWordsPerPoll = 8192;
 
 }  // namespace
 
@@ -238,8 +237,8 @@ void ExactSearch::trace(std::vector<Point>& path) const {
 }
 
 std::int64_t ExactSearch::bytes() const noexcept {
-  return corners_.bytes() + frontier_.bytes() + weighted_frontier_.bytes() +
-         static_cast<std::int64_t>(stack_.capacity() * sizeof(kernels::Interval));
+  return corners_.bytes() + frontier_.bytes() + weighted_frontier_.bytes() + held_bytes(stack_) +
+         improvements_.bytes();
 }
 
 }  // namespace lasius

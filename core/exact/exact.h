@@ -19,8 +19,8 @@ namespace exact {
 /// What an expansion counts for, besides the words that it scans.
 constexpr std::int64_t kWordsPerExpansion = 16;
 
-/// Of both frontiers, in cells.
-constexpr double kBucketWidth = 0.03125;
+/// Buckets of a weighted frontier from the least key to the greatest that is wanted.
+constexpr double kTrailBuckets = 1024;
 
 /// What a search did, for benchmarks and tests.
 struct Counters {
@@ -81,7 +81,8 @@ class ExactSearch {
   /// A* (ARA*; Likhachev, Gordon & Thrun 2003). Neither cell sees the other.
   void begin_improving(const Grid& grid, Cell start, Cell goal);
   /// Goes on for about so much `work`, as in shortcut(), or until stopped. False when nothing is
-  /// left to do: the path is within a few hundredths of the optimum or there is none.
+  /// left to do: the path is within a hundredth of the optimum, or there is none, or it was
+  /// stopped.
   bool improve(std::int64_t work, Poller& poller);
   /// What came of it so far: the length of the best path, infinite without one, a length that no
   /// path is shorter than, and the path.
@@ -144,6 +145,7 @@ class ExactSearch {
   bool weighted_on_ = false;
   bool bounding_ = false;
   bool improving_ = false;  // the weighted frontier alone is used
+  bool cut_ = false;        // improving was stopped: what was left out might come first
   double weight_ = 1;
   std::vector<kernels::Interval> stack_;
   exact::Counters counters_;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/held_bytes.h"
 #include "core/base/poller.h"
 #include "kernels/sight/sight.h"
 #include "lasius/geometry.h"
@@ -94,6 +95,11 @@ class BackwardPath {
 /// A certified bound that leaves room for the rounding of what it was computed from.
 constexpr double rounded_down(double lower) noexcept { return lower * (1 - rounding(lower)); }
 
+/// Work between two looks at the stop condition, 20 to 100 microseconds.
+constexpr std::int64_t kWordsPerPoll = 8192;
+/// Of frontiers, in cells.
+constexpr double kBucketWidth = 0.03125;
+
 /// Tells whoever looks on of each shorter path, once.
 class Improvements {
  public:
@@ -106,14 +112,15 @@ class Improvements {
   bool tell(double lower, double upper, const Trace& trace) {
     if (told_ == nullptr || !(upper < least_)) return true;
     least_ = upper;
-    std::vector<Point> path;
-    trace(path);
-    return (*told_)(path, path_length(path), rounded_down(lower));
+    trace(path_);
+    return (*told_)(path_, path_length(path_), rounded_down(lower));
   }
+  std::int64_t bytes() const noexcept { return held_bytes(path_); }
 
  private:
   const OnImproved* told_ = nullptr;
   double least_ = 0;
+  std::vector<Point> path_;
 };
 
 /// Says what a search came to that ended with these bounds; `answer` holds the path if `upper` is

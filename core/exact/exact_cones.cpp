@@ -54,7 +54,7 @@ struct ExactSearch::Visitor {
            search.root_.length + std::sqrt(from_root_x * from_root_x + from_root_y * from_root_y);
   }
 
-  bool go_on(std::int64_t words) noexcept {
+  bool go_on(std::int64_t words) {
     search.counters_.words += words;
     return !search.poller_->stop_after(words);
   }

@@ -9,6 +9,7 @@ namespace lasius {
 using exact::Corner;
 using exact::CornerTable;
 using exact::kBucketWidth;
+using exact::kTrailBuckets;
 
 namespace {
 
@@ -18,13 +19,13 @@ constexpr double kFirstWeight = 2;
 constexpr double kShareOfGap = 0.5;
 constexpr double kLeastFall = 0.9;
 constexpr double kLeastWeight = 1.01;
-constexpr double kTrailBuckets = 1024;  // from the least key to the greatest that is wanted
 
 }  // namespace
 
 void ExactSearch::begin_improving(const Grid& grid, Cell start, Cell goal) {
   begin(grid, start, goal);
   improving_ = bounding_ = weighted_on_ = true;
+  cut_ = false;
   weight_ = kFirstWeight;
   corners_[CornerTable::kStart].weighed = false;
   weighted_frontier_.reset(lower_, std::max(kBucketWidth, lower_ / kTrailBuckets));
@@ -54,7 +55,7 @@ bool ExactSearch::lower_weight() {
 bool ExactSearch::improve(std::int64_t work, Poller& poller) {
   poller_ = &poller;
   const std::int64_t end = work_done() + work;
-  bool more = lower_ < upper_;
+  bool more = lower_ < upper_ && !cut_;
   while (more && !poller.stopped() && work_done() < end) {
     const double before = upper_;
     const double least = weighted_frontier_.advance(poller)
@@ -74,7 +75,8 @@ bool ExactSearch::improve(std::int64_t work, Poller& poller) {
     more = lower_ < upper_ && (on || lower_weight());
   }
   poller_ = nullptr;
-  return more;
+  cut_ = poller.stopped();
+  return more && !cut_;
 }
 
 }  // namespace lasius

@@ -15,12 +15,9 @@ namespace lasius::exact {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kBucketWidth = 0.03125;  // cells
 
-// Work between two looks at the stop condition, and of an expansion beside its edges, in words as
-// scans count them.
-constexpr std::int64_t kWordsPerPoll = 8192;
-constexpr std::int64_t kWordsPerExpansion = 4;
+// Work of an expansion beside its edges, in words as scans count them.
+constexpr std::int64_t kWordsPerNode = 4;
 
 // Expansions before a search takes a look from the goal: many short ones end earlier.
 constexpr std::int64_t kGlance = 4;
@@ -189,14 +186,14 @@ std::int64_t PreparedSearch::expand(std::uint32_t index) {
     graph_->landmarks().prefetch(edge.to());
   }
   for (const GraphEdge& edge : edges.first(taut)) follow(index, root, edge);
-  return kWordsPerExpansion + static_cast<std::int64_t>(taut);
+  return kWordsPerNode + static_cast<std::int64_t>(taut);
 }
 
 std::int64_t PreparedSearch::expand_all(std::uint32_t index) {
   nodes_[index].expanded = true;
   const GraphCorner& corner = graph_->corner(index);
   const Root root{corner.x(), corner.y(), nodes_[index].length};
-  std::int64_t work = kWordsPerExpansion;
+  std::int64_t work = kWordsPerNode;
   for (const Side side : {kColumn, kLine}) {
     for (const GraphEdge& edge : graph_->edges(index, side)) {
       follow(index, root, edge);
@@ -325,7 +322,8 @@ bool PreparedSearch::tell_improvement() {
 }
 
 std::int64_t PreparedSearch::bytes() const noexcept {
-  return nodes_.bytes() + frontier_.bytes() + held_bytes(start_corners_, goal_corners_, stack_);
+  return nodes_.bytes() + frontier_.bytes() + improvements_.bytes() +
+         held_bytes(start_corners_, goal_corners_, stack_);
 }
 
 kernels::HalfPoint PreparedSearch::place(std::uint32_t index) const noexcept {

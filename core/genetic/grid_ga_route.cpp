@@ -21,7 +21,7 @@ void RouteMaker::mark(Cell c) {
 }
 
 /// Leaves all as it is when stopped: then no other walk follows.
-void RouteMaker::forget(Poller& poller) noexcept {
+void RouteMaker::forget(Poller& poller) {
   for (std::size_t i = 0; i < marked_count_; ++i) {
     if (poller.stop_after(1)) return;
     entered_[word_of(marked_.data()[i])] = 0;

@@ -44,7 +44,7 @@ class RouteMaker {
   std::int64_t word_of(Cell c) const noexcept { return std::int64_t{c.y} * words_ + (c.x >> 6); }
   bool entered(Cell c) const noexcept { return (entered_[word_of(c)] >> (c.x & 63) & 1) != 0; }
   void mark(Cell c);
-  void forget(Poller& poller) noexcept;
+  void forget(Poller& poller);
 
   const Grid* grid_ = nullptr;
   RouteMoves moves_;

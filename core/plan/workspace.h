@@ -3,6 +3,7 @@
 
 #include "core/base/held_bytes.h"
 #include "core/colony/colony_memory.h"
+#include "core/exact/anytime.h"
 #include "core/exact/exact.h"
 #include "core/exact/prepared_search.h"
 #include "core/genetic/grid_ga_memory.h"
@@ -16,7 +17,7 @@ class Workspace::Impl {
   GridGaMemory genetic;
   ExactSearch exact;
   exact::PreparedSearch prepared;
-  ExactSearch hurried;  ///< beside one of these, under a deadline
+  exact::Anytime::Memory hurried;  ///< beside one of these
   ExactAnswer exact_answer;
 
   std::int64_t bytes() const noexcept {

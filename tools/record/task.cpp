@@ -157,6 +157,7 @@ int run(Task& task) {
   task.open();
   SignalWatcher signals;
   task.load(signals.token());
+  // Again: by now maps, robots and scenes have named more files.
   check_outputs(options.outputs, task.input_files());
   if (!options.messages.quiet) task.announce();
   watched_plan(task, signals.token());

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <random>
+#include <stdexcept>
+#include <stop_token>
 #include <vector>
 
 #include "lasius/generate.h"
@@ -57,19 +60,45 @@ TEST(Anytime, OnDenseNoiseAPathIsSoonThere) {
 }
 
 TEST(Anytime, ATokenIsEnoughForAPath) {
-  const Across across(MapKind::random, 2048, 0.35);
+  const Across across(MapKind::random, 1024, 0.35);
   std::stop_source source;
-  CountingTime time(1 << 30);
-  int improvements = 0;
-  const Observer once = [&](const GridProgress& progress) {
-    ++improvements;
-    progress.stop();
-  };
-  const Result cut = across.plan({.token = source.get_token()}, once);
-  EXPECT_EQ(cut.status, Status::interrupted);
-  EXPECT_EQ(improvements, 1);
-  ASSERT_FALSE(cut.path.empty());
-  EXPECT_GT(cut.length, cut.lower_bound.value());
+  const StopCondition stop{.token = source.get_token()};
+  exact::Anytime::Memory memory;
+  exact::Anytime anytime(memory, across.planner.grid(), across.start, across.goal, {}, stop);
+  constexpr std::int64_t kTurn = 1 << 20;  // words
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(anytime.turn(kTurn), StopCondition::Cause::none);
+  source.request_stop();
+  StopCondition::Cause cause{};
+  for (int i = 0; i < 100 && cause == StopCondition::Cause::none; ++i) cause = anytime.turn(kTurn);
+  EXPECT_EQ(cause, StopCondition::Cause::token);
+  ExactAnswer answer;
+  answer.end = ExactEnd::stopped;
+  answer.cause = cause;
+  anytime.merge(answer);
+  EXPECT_FALSE(path_fault(across.planner.grid(), answer.path).has_value());
+  EXPECT_LT(answer.length, 1.5 * answer.lower_bound);
+  EXPECT_EQ(answer.end, ExactEnd::stopped);
+}
+
+// Whichever search improves the path, and in the middle of whichever scan.
+TEST(Anytime, WhatAnObserverThrowsArrives) {
+  for (const MapKind kind : {MapKind::blobs, MapKind::maze, MapKind::rooms, MapKind::random}) {
+    const Across across(kind, 2048, kind == MapKind::random ? 0.35 : -1);
+    for (int n = 0; n < 5; ++n) {
+      const CountingTime time(1 << 30);
+      int told = 0;
+      const Observer observer = [&](const GridProgress&) {
+        if (told++ == n) throw std::runtime_error("enough");
+      };
+      try {
+        (void)across.plan(time.is_up(), observer);
+        EXPECT_LE(told, n);
+      } catch (const std::runtime_error& error) {
+        EXPECT_STREQ(error.what(), "enough");
+        EXPECT_EQ(told, n + 1);
+      }
+    }
+  }
 }
 
 // Cut anywhere: the later, the closer; never past the optimum.
@@ -164,6 +193,15 @@ TEST(Anytime, ImprovingEndsCloseToTheOptimum) {
   }
   EXPECT_GE(search.upper(), whole.length * (1 - 1e-12));
   EXPECT_LE(search.upper(), 1.02 * search.lower());
+  // After a stop nothing more is claimed.
+  search.begin_improving(across.planner.grid(), across.start, across.goal);
+  const CountingTime up(0);
+  const StopCondition stop = up.is_up();
+  Poller stopped(stop, 1);
+  EXPECT_FALSE(search.improve(1 << 12, stopped));
+  const double lower = search.lower();
+  EXPECT_FALSE(search.improve(1 << 20, poller));
+  EXPECT_EQ(search.lower(), lower);
 }
 
 }  // namespace
