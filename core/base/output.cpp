@@ -20,6 +20,8 @@
 namespace lasius {
 namespace {
 
+volatile std::sig_atomic_t waiting_for_reader = 0;  // a named pipe is being opened
+
 [[noreturn]] void fail_at_end(const std::string& path, int error = errno) {
   const std::string why = error == 0 ? "its text could not be made" : system_reason(error);
   throw Error(ErrorCode::output_failed, {.file = path}, "could not be written whole (" + why + ")",
@@ -220,14 +222,19 @@ void write_file(const std::string& path, const std::function<void(std::ostream&)
   check_target(target, path);
   if (target.descriptor) return write_to(*target.descriptor, path, write);
   if (target.stream()) {
+    waiting_for_reader = 1;
     const Descriptor file(::open(target.file.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
-    if (file.number() < 0) refuse_output(path, system_reason(errno));
+    const int error = errno;
+    waiting_for_reader = 0;
+    if (file.number() < 0) refuse_output(path, system_reason(error));
     return write_to(file.number(), path, write);
   }
   Temporary temporary(target, path);
   write_to(temporary.descriptor(), path, write);
   temporary.replace(target);
 }
+
+bool output_waits_for_reader() noexcept { return waiting_for_reader != 0; }
 
 void abandon_outputs() noexcept {
   NamesLock::take();

@@ -64,15 +64,19 @@ class WktReader {
     return false;
   }
 
-  /// "margin NUMBER" and nothing else is the robot's margin.
+  /// "margin NUMBER" and nothing else is the robot's margin. What only begins as a number, as
+  /// "1,5", is no remark: a robot must not lose its margin to it.
   void read_comment(std::string_view comment) {
     const auto words = words_of(comment);
     if (words.size() != 2 || words[0] != "margin") return;
     const std::string_view number = words[1];
     double margin = 0;
     const auto read = std::from_chars(number.data(), number.data() + number.size(), margin);
-    if (read.ec == std::errc::invalid_argument || read.ptr != number.data() + number.size()) return;
+    if (read.ec == std::errc::invalid_argument) return;
     begin_ = at_;
+    if (read.ptr != number.data() + number.size()) {
+      fail("margin " + std::string(number) + " is no number", "write it as in \"margin 1.5\"");
+    }
     maker_.set_margin(read.ec == std::errc() ? margin : HUGE_VAL, "");
   }
 

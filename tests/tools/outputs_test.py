@@ -247,6 +247,19 @@ class Ends(ProgramTest):
     LONG = ("plan", FAN, "--start", "14,14", "--goal", "380,179", "--iterations", "1000000000",
             "--progress", "always", "--threads", "1", "-o", "r.json", "-o", "r.png")
 
+    def test_a_pipe_that_nobody_reads(self):
+        os.mkfifo(self.path("pipe.json"))
+        process = self.start_program("plan", f"{MAPS}/grid20a.map", "--start", "0,0", "--goal", "19,19",
+                                     "-q", "-o", "pipe.json")
+        waits = ""
+        while waits != "wait_for_partner":
+            self.assertIsNone(process.poll())
+            with open(f"/proc/{process.pid}/wchan", encoding="ascii") as file:
+                waits = file.read()
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+
     def test_hang_up_at_fifty_moments(self):
         moments = random.Random(22)
         for run in range(50):

@@ -29,7 +29,8 @@ void end_at_once(int number) {
 }
 
 extern "C" void on_signal(int number) {
-  if (write_end < 0 || signals_seen != 0 || number == SIGQUIT) return end_at_once(number);
+  const bool at_once = write_end < 0 || signals_seen != 0 || output_waits_for_reader();
+  if (at_once || number == SIGQUIT) return end_at_once(number);
   signals_seen = 1;
   const int saved = errno;
   [[maybe_unused]] const auto written = ::write(write_end, &kStop, 1);

@@ -306,10 +306,12 @@ TEST(Wkt, OnlyACommentThatIsAMarginIsOne) {
   for (const char* is : {"# margin 5", "#margin 5\r", "# margin  5 ", "#\tmargin\t5"}) {
     EXPECT_EQ(margin(is), 5) << is;
   }
-  for (const char* no : {"# margin of the robot: 5", "# margin 5abc", "# margin", "# margins 5"}) {
+  for (const char* no : {"# margin of the robot: 5", "# margin", "# margins 5"}) {
     EXPECT_EQ(margin(no), 0) << no;
   }
   EXPECT_THROW(margin("# margin -1"), Error);
+  EXPECT_THROW(margin("# margin 5abc"), Error);
+  EXPECT_THROW(margin("# margin 1,5"), Error);
   EXPECT_THROW(margin("# margin 1e999"), Error);
   EXPECT_THROW(margin("# margin nan"), Error);
 }
