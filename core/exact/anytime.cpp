@@ -17,6 +17,9 @@ constexpr double kLate = 1 << 26;
 constexpr double kSmallShare = 1.0 / 64;
 // Work of one turn, about a millisecond.
 constexpr double kTurn = 1 << 17;
+// Under a deadline most of the time goes to a first path, in short turns: some are found at once.
+constexpr double kUrgentShare = 4;
+constexpr double kUrgentTurn = 1 << 14;
 // A gap that leaves the rest of the time to the exact search.
 constexpr double kSmallGap = 0.01;
 
@@ -51,8 +54,9 @@ bool Anytime::tell(const std::vector<Point>& path, double length, double bound) 
 }
 
 StopCondition::Cause Anytime::turn(std::int64_t work) {
-  owed_ += share_ * static_cast<double>(work);
-  if (resting_ || owed_ < kTurn) return StopCondition::Cause::none;
+  const bool urgent = share_ > kSmallShare && std::isinf(length_);
+  owed_ += (urgent ? kUrgentShare : share_) * static_cast<double>(work);
+  if (resting_ || owed_ < (urgent ? kUrgentTurn : kTurn)) return StopCondition::Cause::none;
   if (!begun_) hurried_.begin_improving(grid_, start_, goal_);
   begun_ = true;
   work_ += owed_;

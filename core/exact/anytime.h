@@ -15,7 +15,7 @@ namespace lasius::exact {
 /// Runs beside one exact search, plain or prepared, that can be stopped or is looked at. Both keep
 /// to themselves, so that a search which is not cut ends with the same path, bit for bit, as
 /// without; one that is cut has the shorter path and the higher bound of the two. A search that
-/// ends within a millisecond never gets here.
+/// ends within a tenth of a millisecond never gets here.
 class Anytime final : public Alternate {
  public:
   /// What a workspace keeps from search to search.
