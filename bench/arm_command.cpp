@@ -43,13 +43,12 @@ Case make_case(const arm::Robot& robot, const arm::GenerateOptions& options, int
   arm::Query query = arm::generate_query(robot, options);
   Case c{robot,
          std::move(query.scene),
-         {.start = std::move(query.start), .goal = query.goal, .motion = false},
-         {}};
+         {.start = std::move(query.start), .goals = {query.goal}, .motion = false},
+         arm::Params("goritov2020")};
   c.parameters.seed = options.seed;
   c.parameters.threads = 1;
   c.parameters.side = side;
-  c.parameters.pitch =
-      widest(arm::tip_position(robot, c.request.start), c.request.goal) / (0.6 * side);
+  c.parameters.pitch = widest(arm::tip_position(robot, c.request.start), query.goal) / (0.6 * side);
   return c;
 }
 

@@ -38,6 +38,9 @@ void lasius::bench::add_commands(CLI::App& app) {
 #ifdef LASIUS_HAVE_ARM
   add_arm_command(app);
 #endif
+#if defined(LASIUS_HAVE_ARM) && defined(LASIUS_HAVE_OMPL)
+  add_arm_peers_command(app);
+#endif
 }
 
 int main(int argc, char** argv) {

@@ -6,6 +6,7 @@
 #include "bench/commands.h"
 #include "bench/figure_table.h"
 #include "bench/peers/textbook_crossings.h"
+#include "bench/polygon_scales.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
 #include "tests/worlds/random_world.h"
@@ -19,12 +20,17 @@ using polygon::Planner;
 struct Options {
   int rounds = 50;
   int worlds = 200;
+  int scaled = 100;
 };
 
 /// 10 ants, 200 iterations, 9 lines, 11 values; both in turns, processor time.
 std::vector<Figure> measure_source_run(int rounds) {
   const Planner planner(polygon::read_world(LASIUS_MAPS_DIR "/maklink200.geojson"));
   Params parameters = polygon::Params("maklink-acs");
+  parameters.values = 11;
+  parameters.initial_pheromone = 0.0002;
+  parameters.routes = 1;
+  parameters.greedy = 0.85;
   std::vector<double> ours, none, textbook, ratios;
   int optimal = 0, textbook_optimal = 0;
   for (int i = 0; i < rounds; ++i) {
@@ -134,6 +140,8 @@ void run(const Options& options) {
   table.add(measure_source_run(options.rounds));
   table.add(measure_preparation(std::max(1, options.rounds / 10)));
   table.add(check_paths(options.worlds, faults));
+  table.add(measure_scales(options.scaled, faults));
+  table.add(check_discs(options.scaled, faults));
   if (faults > 0) throw CLI::RuntimeError(1);
 }
 
@@ -144,6 +152,8 @@ void add_polygons_command(CLI::App& app) {
       add_command(app, "polygons", "Planning among polygons: speed and validity", run);
   add_number(command, "--rounds", options.rounds, "Runs that are timed", 1, 10000);
   add_number(command, "--worlds", options.worlds, "Random worlds that are checked", 0, 1000000);
+  add_number(command, "--scaled", options.scaled,
+             "Random worlds that are scaled, and in which discs are swept", 0, 1000000);
 }
 
 }  // namespace lasius::bench

@@ -15,13 +15,16 @@ constexpr const char* kLines[] = {
     "quality --seeds 1 --blobs 1 --no-fan",
     "validity --random 20 --side 96",
 #ifdef LASIUS_HAVE_POLYGON
-    "polygons --rounds 2 --worlds 10",
+    "polygons --rounds 2 --worlds 10 --scaled 2",
 #endif
 #ifdef LASIUS_HAVE_OMPL
     "sampling --generated 96 --queries 1 --seeds 1 --cap 0.02",
 #endif
 #ifdef LASIUS_HAVE_ARM
     "arm --rounds 1 --scenes 2 --seeds 2",
+#endif
+#if defined(LASIUS_HAVE_ARM) && defined(LASIUS_HAVE_OMPL)
+    "arm-peers --queries 1 --proofs 1 --obstacles 2 --cap 0.05",
 #endif
 };
 

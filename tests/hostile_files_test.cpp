@@ -19,7 +19,7 @@
 #include "lasius/polygon_world.h"
 #include "tests/core/io/chunks.h"
 #include "tests/core/map_files/map_files.h"
-#include "tools/bitmap/queries.h"
+#include "tools/record/queries.h"
 #include "tools/study/run_file.h"
 
 namespace lasius {
@@ -39,6 +39,11 @@ constexpr bool kLimited = true;
 #endif
 
 enum Exit { kRead, kRefused, kTooMuch };
+
+const std::string kLinks =
+    "<robot name='r'><link name='a'/><link name='b'><collision><geometry><sphere radius='1'/>"
+    "</geometry></collision></link><joint type='continuous' name='j'><parent link='a'/>"
+    "<child link='b'/><axis xyz='0 0 1'/></joint>";
 
 using Read = std::function<void(const std::string& file)>;
 
@@ -73,7 +78,13 @@ void read_map_file(const std::string& file) { (void)read_any_map(file); }
 void read_world_file(const std::string& file) { (void)polygon::read_world(file); }
 void read_robot_file(const std::string& file) { (void)arm::read_robot(file); }
 void read_scene_file(const std::string& file) { (void)arm::read_scene(file); }
-void read_mesh_file(const std::string& file) { (void)arm::read_stl(file); }
+void read_mesh_file(const std::string& file) { (void)arm::read_mesh(file); }
+void read_srdf_file(const std::string& file) {
+  (void)arm::parse_robot(kLinks + "</robot>", "r.urdf", {.tip = "b", .srdf = file});
+}
+void read_limits_file(const std::string& file) {
+  (void)arm::parse_robot(kLinks + "</robot>", "r.urdf", {.tip = "b", .joint_limits = file});
+}
 void read_query_file(const std::string& file) { (void)tool::read_queries(file, 10, 6, true); }
 
 std::string times(std::size_t count, const std::string& part) {
@@ -235,6 +246,50 @@ TEST_F(HostileFiles, ScenesAndMeshes) {
   EXPECT_EXIT(read_and_exit(read_scene_file, scene, 100 * kTriangles),
               testing::ExitedWithCode(kRefused),
               "obstacles.54..file brings the scene's meshes to 5500000 triangles");
+}
+
+TEST_F(HostileFiles, MeshesOfOthers) {
+  const std::string says = "no triangles|cannot be read|too long|nest too deep";
+  for (const char* part : {"o a\n", "g a\n", "v 0 0 0\n", "vn 0 0 0\n", "vt 0 0\n", "usemtl a\n",
+                           "mtllib a\n", "f 1 1 1\n", "f\n", "s 1\n", "l 1 1\n", "\\\n"}) {
+    refused(read_mesh_file, "a.obj", filled("", part, ""), says);
+  }
+  taken(read_mesh_file, "a.obj", filled("v 0 0 0\nv 1 0 0\nv 0 1 0\n", "f 1 2 3\n", ""));
+  const std::string begin = "<COLLADA version='1.4.1'><asset/>";
+  for (const char* part :
+       {"<a/>", "<a>b</a>", "<library_geometries/>", "<a b=''/>", "<!---->",
+        "<library_visual_scenes><visual_scene/></library_visual_scenes>",
+        "<library_geometries><geometry id='g'/></library_geometries>",
+        "<library_nodes><node/></library_nodes>", "<library_images><image/></library_images>"}) {
+    refused(read_mesh_file, "a.dae", filled(begin, part, "</COLLADA>"), says);
+  }
+  for (const char* part : {"<a>", "<a b='/>'>", "<node>"}) {
+    refused(read_mesh_file, "a.dae", filled(begin, part, ""), says);
+  }
+  refused(read_mesh_file, "a.dae",
+          begin +
+              "<library_geometries><geometry id='g'><mesh><source id='p'><float_array id='a' "
+              "count='2000000000'>0 0</float_array></source></mesh></geometry>"
+              "</library_geometries></COLLADA>",
+          says);
+}
+
+TEST_F(HostileFiles, WhatGoesWithARobot) {
+  for (const char* part :
+       {"<a/>", "<group_state name='s'/>", "<!---->", "<disable_collisions link1='a' link2='b'/>",
+        "<disable_default_collisions link='b'/>"}) {
+    taken(read_srdf_file, "a.srdf", filled("<robot name='r'>", part, "</robot>"));
+  }
+  refused(read_srdf_file, "a.srdf", filled("<robot>", "<a>", ""), "nest too deep");
+  refused(read_limits_file, "a.yaml", filled("joint_limits: ", "[", ""), "larger|YAML");
+  std::string aliases = "a: &a [0,0,0,0,0,0,0,0,0]\n";
+  for (char c = 'b'; c < 'm'; ++c) {
+    aliases +=
+        std::string(1, c) + ": &" + c + " [" + times(9, "*" + std::string(1, c - 1) + ",") + "]\n";
+  }
+  taken(read_limits_file, "a.yaml", aliases);
+  refused(read_limits_file, "a.yaml", "joint_limits: " + times(30000, "["), "YAML|list of keys");
+  refused(read_limits_file, "a.yaml", "joint_limits: " + times(15000, "{a: "), "YAML|list of keys");
 }
 
 TEST_F(HostileFiles, Queries) {

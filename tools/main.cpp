@@ -24,6 +24,7 @@ int run(const VerifyCommand& command) { return run_verify(command); }
 int run(const StudyCommand& command) { return run_study(command); }
 int run(const ArmCommand& command) { return run_arm(command); }
 int run(const PolygonCommand& command) { return run_polygon(command); }
+int run(const PolygonBatchCommand& command) { return run_polygon_batch(command); }
 int run(const WorldInfoCommand& command) { return run_world_info(command); }
 
 int exit_code(ErrorCode code) {

@@ -7,6 +7,7 @@
 #include "core/arm/lattice_ants.h"
 #include "core/arm/lattice_trail.h"
 #include "core/arm/lattice_way.h"
+#include "core/base/number_text.h"
 #include "core/loop/colony_loop.h"
 #include "core/loop/run_status.h"
 #include "core/loop/trail_rules.h"
@@ -15,6 +16,8 @@ namespace lasius::arm {
 namespace {
 
 using Cause = StopCondition::Cause;
+
+constexpr double kRounding = 1e-9;
 
 /// A tour as the trail rules see it.
 struct Tour {
@@ -39,9 +42,10 @@ struct Tours {
 
 class ArmColony final : public ColonyWorld {
  public:
-  ArmColony(const Lattice& lattice, const Request& request, const Params& parameters,
-            const Observer& observer)
-      : lattice_(lattice),
+  ArmColony(const Robot& robot, const Lattice& lattice, const Request& request,
+            const Params& parameters, const Observer& observer)
+      : robot_(robot),
+        lattice_(lattice),
         request_(request),
         parameters_(parameters),
         observer_(observer),
@@ -53,6 +57,12 @@ class ArmColony final : public ColonyWorld {
         ants_(parameters.ants),
         tours_(parameters.ants) {
     if (parameters.line_ants > 0) seed_line();
+    if (parameters.scout) bound();
+    if (parameters.leash > 0) {
+      const auto moves = static_cast<double>(straight_moves(lattice).size());
+      leash_ = std::max(1LL, std::llround(parameters.leash * (1 + moves)));
+    }
+    walkers_.set_leash(leash_);
   }
 
   Result run() {
@@ -66,11 +76,11 @@ class ArmColony final : public ColonyWorld {
   // What the loop asks for.
   Cause send_ants(int q) override {
     trail_.refresh();
-    const Cause cause = walkers_.walk(q, ants_, request_.stop);
+    const Cause cause = walkers_.walk(q, ants_, request_.stop, scouted_);
     for (int a = 0; a < parameters_.ants; ++a) {
       const LatticeAnt& ant = ants_[a];
       result_.steps += ant.steps;
-      tours_[a] = {ant.moves, ant.arrived ? length(ant.moves.size()) : kNaN};
+      tours_[a] = {ant.moves, ant.arrived ? length(ant.moves) : kNaN};
     }
     return cause;
   }
@@ -110,33 +120,89 @@ class ArmColony final : public ColonyWorld {
     view.questions = lattice_.questions();
     view.lower_bound = bound_;
     const Cause cause = show(observer_, run, view);
-    if (lattice_.known_blocked(lattice_.goal())) settled_ = true;
+    if (lattice_.goals_blocked(false)) settled_ = true;
     if (parameters_.patience > 0 && !best_.empty() && idle_ >= parameters_.patience)
       settled_ = true;
     // Without an arrival it may be that there is no way: what was learned can tell.
-    if (run.arrived.back() == 0) bound();
-    if (request_.target_gap > 0 && !best_.empty() && idle_ == 0) {
+    if (run.arrived.back() == 0) seek();
+    // What is learned raises the bound, the best tour stays: now and then that is looked at, too.
+    constexpr int kLook = 4;
+    const bool look = idle_ == 0 || (parameters_.prove && run.iterations % kLook == 0);
+    const bool ends = request_.target_gap > 0 || parameters_.prove;
+    if (parameters_.scout || (ends && !best_.empty() && look)) {
       bound();
-      settled_ |= bound_ && best_length_ <= *bound_ * (1 + request_.target_gap);
+      const double gap =
+          parameters_.prove ? std::max(request_.target_gap, kRounding) : request_.target_gap;
+      settled_ |= ends && bound_ && best_length_ <= *bound_ * (1 + gap);
     }
-    settled_ |= unreachable_;
+    settled_ |= closed_;
+    result_.asked.push_back(lattice_.questions());
     return cause;
   }
 
  private:
-  double length(std::size_t moves) const { return static_cast<double>(moves) * lattice_.pitch(); }
+  double length(std::span<const std::uint8_t> moves) const {
+    double cost = 0;
+    Node at = lattice_.start();
+    for (const int move : moves) {
+      cost += lattice_.cost(at, move);
+      at = lattice_.to(at, move);
+    }
+    return cost * lattice_.unit();
+  }
 
   double tau0() const {
     if (parameters_.initial_pheromone > 0) return parameters_.initial_pheromone;
-    const double nearest = length(static_cast<std::size_t>(lattice_.manhattan(lattice_.start())));
-    return parameters_.ants / nearest;
+    return parameters_.ants / (nearest() * lattice_.unit());
   }
+
+  /// What is done after an iteration in which no ant arrived.
+  void seek() {
+    const bool tired = std::any_of(ants_.begin(), ants_.end(), [](auto& ant) { return ant.tired; });
+    if (!tired && !parameters_.scout) bound();
+    if (!best_.empty() || !tired) return;
+    leash_ *= 2;
+    walkers_.set_leash(leash_);
+    constexpr std::uint32_t kSeries = 1u << 30;  // of random values: goals have those below
+    for (int i = 0; i < parameters_.vias && !lattice_.spent(); ++i) {
+      if (request_.stop.poll() != Cause::none) return;
+      // Near the start, and anywhere.
+      const double share = std::ldexp(1, -static_cast<int>(vias_ % 3));
+      JointVector via = random_values(robot_, request_.start, parameters_.seed, kSeries, vias_++);
+      for (int j = 0; j < robot_.size(); ++j)
+        via[j] = request_.start[j] + share * (via[j] - request_.start[j]);
+      const int end = lattice_.end_by_way_of(via);
+      if (end < 0) continue;
+      detour_ = {request_.start, std::move(via), lattice_.end(end).q};
+      detour_end_ = end;
+      settled_ = true;
+      return;
+    }
+  }
+
+  /// The way past random joint values, which is none of the lattice's.
+  void take_detour() {
+    result_.status = Status::solved;
+    const End& end = lattice_.end(detour_end_);
+    result_.goal = end.goal;
+    result_.joints.resize(request_.start.size(), 3);
+    result_.tips.resize(3, 3);
+    result_.length = 0;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      result_.joints.col(i) = detour_[i];
+      result_.tips.col(i) = tip_position(robot_, detour_[i]);
+      if (i > 0) result_.length += lattice_.length_between(detour_[i - 1], detour_[i]);
+    }
+  }
+
+  double nearest() const { return lattice_.least(lattice_.start()); }
 
   void seed_line() {
     const auto moves = straight_moves(lattice_);
     Node at = lattice_.start();
+    const double length = static_cast<double>(moves.size()) * lattice_.pitch();
     for (const int move : moves) {
-      trail_.deposit(trail_.place(at, move), parameters_.line_ants / length(moves.size()));
+      trail_.deposit(trail_.place(at, move), parameters_.line_ants / length);
       at = lattice_.to(at, move);
     }
   }
@@ -145,29 +211,31 @@ class ArmColony final : public ColonyWorld {
     const KnownWay way = shortest_known_way(lattice_, Unknown::counts_as_free, request_.stop);
     if (way.cause != Cause::none) return;
     bound_at_ = lattice_.questions();
-    unreachable_ = !way.moves;
-    if (way.moves) bound_ = length(static_cast<std::size_t>(*way.moves));
+    closed_ = !way.cost;
+    if (parameters_.scout) scouted_ = way.moves;
+    if (way.cost) bound_ = *way.cost * lattice_.unit();
   }
 
   void finish(Cause cause) {
     const bool found = !best_.empty();
     result_.status = status_after(cause, found ? Status::solved : Status::no_path);
-    if (!found && unreachable_) {
-      result_.status = Status::unreachable;
-      result_.fault = Fault::disconnected;
-      result_.error = "every way from start to goal in this lattice is closed";
-    }
     // Where every way to it is closed, no ant may have tried the goal itself.
-    if (lattice_.known_blocked(lattice_.goal()) ||
-        (result_.status == Status::unreachable && !lattice_.position_free(lattice_.goal()))) {
+    if (lattice_.goals_blocked(!found && closed_)) {
       result_.status = Status::invalid;
       result_.fault = Fault::goal_blocked;
       result_.error = "the arm touches something at the goal";
     }
+    result_.questions = lattice_.questions();
+    if (result_.status == Status::no_path && detour_.empty())
+      result_.error = "not found in this lattice (pitch " + number_text(lattice_.pitch()) +
+                      " m, postures tried: " + std::to_string(lattice_.postures()) + ")" +
+                      (closed_ ? ", every way in it is closed; try a smaller pitch, more postures"
+                               : "; try more iterations");
+    if (!found && !detour_.empty()) take_detour();
     if (!found) return;
-    result_.lower_bound = bound_;
     result_.length = best_length_;
-    result_.optimal = bound_ && best_length_ <= *bound_;
+    if (bound_) result_.lower_bound = std::min(*bound_, best_length_);
+    result_.optimal = bound_ && best_length_ <= *bound_ * (1 + kRounding);
     const auto points = static_cast<Eigen::Index>(best_.size()) + 1;
     result_.joints.resize(request_.start.size(), points);
     result_.tips.resize(3, points);
@@ -177,8 +245,10 @@ class ArmColony final : public ColonyWorld {
       std::copy_n(lattice_.configuration(at), request_.start.size(), result_.joints.col(i).data());
       result_.tips.col(i) = Eigen::Vector3d(lattice_.position(at));
     }
+    result_.goal = lattice_.goal_of(at);
   }
 
+  const Robot& robot_;
   const Lattice& lattice_;
   const Request& request_;
   const Params& parameters_;
@@ -194,7 +264,12 @@ class ArmColony final : public ColonyWorld {
   double best_length_ = std::numeric_limits<double>::infinity();
   int idle_ = 0;  // iterations since it was found
   bool settled_ = false;
-  bool unreachable_ = false;
+  std::vector<int> scouted_;  // a shortest way as far as it is known
+  bool closed_ = false;       // every way is, as far as it is known
+  std::int64_t leash_ = 0;
+  std::uint32_t vias_ = 0;           // random joint values that were tried
+  std::vector<JointVector> detour_;  // start, such values, an end
+  int detour_end_ = -1;
   std::optional<double> bound_;
   Questions bound_at_{.positions = -1};  // what was known when it was computed
   Result result_;
@@ -202,9 +277,9 @@ class ArmColony final : public ColonyWorld {
 
 }  // namespace
 
-Result run_arm_colony(const Lattice& lattice, const Request& request, const Params& parameters,
-                      const Observer& observer) {
-  return ArmColony(lattice, request, parameters, observer).run();
+Result run_arm_colony(const Robot& robot, const Lattice& lattice, const Request& request,
+                      const Params& parameters, const Observer& observer) {
+  return ArmColony(robot, lattice, request, parameters, observer).run();
 }
 
 }  // namespace lasius::arm

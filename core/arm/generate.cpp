@@ -2,8 +2,8 @@
 #include <cmath>
 #include <optional>
 
-#include "core/arm/kinematics.h"
-#include "core/arm/vec3.h"
+#include "core/arm/robot/kinematics.h"
+#include "core/arm/robot/vec3.h"
 #include "kernels/base/random_stream.h"
 #include "lasius/arm_generate.h"
 #include "lasius/arm_sensor.h"
@@ -53,7 +53,8 @@ Stand draw_stand(Draw& draw, const Robot& robot) {
   for (int j = 0; j < robot.size(); ++j) {
     // A middle part of its range: the ends are full of self-contact.
     const Joint& joint = robot.joints[j];
-    const double middle = 0.5 * (joint.low + joint.high), half = 0.35 * (joint.high - joint.low);
+    const double middle = 0.5 * (joint.low + joint.high);
+    const double half = joint.continuous ? 3.14 : 0.35 * (joint.high - joint.low);
     stand.q[j] = draw.between(middle - half, middle + half);
   }
   stand.tip = tip_position(robot, stand.q);
@@ -93,6 +94,7 @@ std::optional<Query> attempt(const Robot& robot, const GenerateOptions& options,
   if (!sensor.position_free(start.q) || !sensor.position_free(goal.q)) return std::nullopt;
   query.start = start.q;
   query.goal = goal.tip;
+  query.goal_joints = goal.q;
   return query;
 }
 

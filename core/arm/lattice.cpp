@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
+#include <limits>
 #include <thread>
 
 #include "kernels/base/power.h"
@@ -11,78 +11,193 @@
 namespace lasius::arm {
 namespace {
 
-constexpr double kBend = 0.3;  // radians or metres
+constexpr double kBend = 0.3;     // radians or metres
+constexpr double kFarAway = 1e4;  // more than any joint turns
 
 /// Points of the padded box.
-Node count_nodes(const std::array<int, 3>& low, const std::array<int, 3>& high) {
+Node count_points(const Box& box) {
   Node count = 1;
-  for (int i = 0; i < 3; ++i) count *= high[i] - low[i] + 3;
+  for (int i = 0; i < 3; ++i) count *= box.high[i] - box.low[i] + 3;
   return count;
+}
+
+std::array<int, 3> rounded(Vec3 v) {
+  return {static_cast<int>(std::lround(v.x)), static_cast<int>(std::lround(v.y)),
+          static_cast<int>(std::lround(v.z))};
 }
 
 }  // namespace
 
-Lattice::Lattice(const Kinematics& kinematics, const Sensor& sensor, std::span<const double> start,
-                 double pitch, std::array<int, 3> low, std::array<int, 3> high,
-                 std::array<int, 3> goal, Vec3 goal_position, const Params& parameters)
+Lattice::Lattice(const Robot& robot, const Kinematics& kinematics, const Sensor& sensor,
+                 const JointVector& start, double pitch, const Box& box, Targets targets,
+                 const Params& parameters, const Questions& before)
     : kinematics_(kinematics),
       sensor_(sensor),
       joints_(kinematics.size()),
       pitch_(pitch),
       gamma_(parameters.gamma),
+      lines_(parameters.lines),
       joint_step_(parameters.joint_step),
-      low_(low),
-      high_(high),
-      goal_at_(goal),
-      nodes_(count_nodes(low, high)),
-      goal_position_(goal_position),
+      objective_(parameters.objective),
+      most_asked_(parameters.max_questions),
+      targets_(std::move(targets)),
+      box_(box),
+      most_postures_(parameters.postures),
+      end_move_(kTipMoves + (most_postures_ > 1 ? most_postures_ : 0)),
+      moves_(end_move_ + (targets_.ends.empty() ? 0 : 1)),
+      row_(std::max(moves_, 8)),
+      points_(count_points(box)),
+      first_end_(points_ * most_postures_),
+      nodes_(first_end_ + static_cast<Node>(targets_.ends.size())),
       values_(nodes_ * joints_),
-      guidance_(nodes_ * 8),
+      guidance_(nodes_ * row_),
+      nearby_(targets_.ends.empty() ? 0 : nodes_),
       solved_(nodes_),
       position_(nodes_),
-      edges_(3 * nodes_) {
-  const Node row = high[0] - low[0] + 3, layer = row * (high[1] - low[1] + 3);
+      edges_(moves_ * nodes_),
+      positions_asked_(before.positions),
+      motions_asked_(before.motions) {
+  const Node row = box.high[0] - box.low[0] + 3, layer = row * (box.high[1] - box.low[1] + 3);
   delta_ = {1, -1, row, -row, layer, -layer};
   start_ = node({0, 0, 0});
-  goal_ = node(goal);
+  for (const Joint& joint : robot.joints) slowness_.push_back(1 / joint.velocity);
   Kinematics::Poses poses;
-  kinematics_.place(start, poses);
+  kinematics_.place(as_span(start), poses);
   origin_ = kinematics_.tip(poses);
-  std::copy(start.begin(), start.end(), values_.at(start_ * joints_));
-  solved_[start_] = kYes;
+  for (std::size_t i = 0; i < targets_.ends.size(); ++i) {
+    const Node end = first_end_ + static_cast<Node>(i);
+    end_points_.push_back(rounded((1 / pitch_) * (targets_.ends[i].tip - origin_)));
+    enter(end, targets_.ends[i].q);
+    position_[end] = kYes;
+  }
+  seeds_.push_back({start, {0, 0, 0}});
+  enter(start_, start);
   fill_guidance(start_);
 }
 
+void Lattice::enter(Node v, const JointVector& q) {
+  std::copy(q.begin(), q.end(), values_.at(v * joints_));
+  solved_[v] = kYes;
+}
+
+void Lattice::add_posture(const JointVector& seed) {
+  if (postures() == most_postures_) return;
+  Kinematics::Poses poses;
+  kinematics_.place(as_span(seed), poses);
+  const auto at = rounded((1 / pitch_) * (kinematics_.tip(poses) - origin_));
+  for (int k = 0; k < postures(); ++k) {
+    const Node v = node(at) + k * points_;
+    if (configuration(v) != nullptr && largest_change(joint_values(v), seed) < joint_step_ / 2)
+      return;
+  }
+  seeds_.push_back({seed, at});
+}
+
 std::array<int, 3> Lattice::coordinates(Node v) const noexcept {
+  if (v >= first_end_) return end_points_[v - first_end_];
+  v %= points_;
   const Node row = delta_[2], layer = delta_[4];
-  return {static_cast<int>(v % row) - 1 + low_[0], static_cast<int>(v % layer / row) - 1 + low_[1],
-          static_cast<int>(v / layer) - 1 + low_[2]};
+  return {static_cast<int>(v % row) - 1 + box_.low[0],
+          static_cast<int>(v % layer / row) - 1 + box_.low[1],
+          static_cast<int>(v / layer) - 1 + box_.low[2]};
 }
 
 Node Lattice::node(std::array<int, 3> v) const noexcept {
-  return (v[0] - low_[0] + 1) + (v[1] - low_[1] + 1) * delta_[2] + (v[2] - low_[2] + 1) * delta_[4];
+  return (v[0] - box_.low[0] + 1) + (v[1] - box_.low[1] + 1) * delta_[2] +
+         (v[2] - box_.low[2] + 1) * delta_[4];
 }
 
 bool Lattice::outside(Node v) const noexcept {
   const auto at = coordinates(v);
   for (int i = 0; i < 3; ++i) {
-    if (at[i] < low_[i] || at[i] > high_[i]) return true;
+    if (at[i] < box_.low[i] || at[i] > box_.high[i]) return true;
   }
   return false;
 }
 
-int Lattice::manhattan(Node v) const noexcept {
+int Lattice::manhattan(Node v, const std::array<int, 3>& to) const noexcept {
   const auto at = coordinates(v);
   int moves = 0;
-  for (int i = 0; i < 3; ++i) moves += std::abs(at[i] - goal_at_[i]);
+  for (int i = 0; i < 3; ++i) moves += std::abs(at[i] - to[i]);
   return moves;
 }
 
+const std::array<int, 3>& Lattice::nearest_target(Node v) const noexcept {
+  const std::array<int, 3>* nearest = nullptr;
+  int least = 0;
+  const auto offer = [&](const std::array<int, 3>& at) {
+    const int moves = manhattan(v, at);
+    if (nearest != nullptr && moves >= least) return;
+    nearest = &at;
+    least = moves;
+  };
+  for (const auto& point : targets_.points) offer(point.at);
+  for (const auto& at : end_points_) offer(at);
+  return *nearest;
+}
+
+int Lattice::target_of(Node v) const noexcept {
+  if (v >= first_end_) return static_cast<int>(v - first_end_);
+  for (std::size_t i = 0; i < targets_.points.size(); ++i) {
+    if (v % points_ == node(targets_.points[i].at)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+int Lattice::goal_of(Node v) const noexcept {
+  const int target = target_of(v);
+  if (target < 0) return -1;
+  return v >= first_end_ ? targets_.ends[target].goal : targets_.points[target].goal;
+}
+
 Vec3 Lattice::position(Node v) const noexcept {
-  if (v == goal_) return goal_position_;
+  if (const int target = target_of(v); target >= 0)
+    return v >= first_end_ ? targets_.ends[target].tip : targets_.points[target].position;
   const auto [x, y, z] = coordinates(v);
   return origin_ +
          pitch_ * Vec3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+}
+
+double Lattice::apart(const double* a, const double* b) const noexcept {
+  double most = 0, sum = 0;
+  for (int j = 0; j < joints_; ++j) {
+    const double change = std::abs(b[j] - a[j]);
+    sum += change * change;
+    most = std::max(most, objective_ == Objective::duration ? change * slowness_[j] : change);
+  }
+  if (objective_ == Objective::joint) return std::sqrt(sum);
+  return objective_ == Objective::duration ? most : std::ceil(most / joint_step_);
+}
+
+double Lattice::cost(Node v, int move) const {
+  if (objective_ == Objective::length && move < kTipMoves) return 1;
+  const Node w = to(v, move);
+  const double cost = apart(configuration(v), configuration(w));
+  if (objective_ != Objective::length) return cost;
+  if (move < end_move_) return std::max(1.0, cost);
+  const int moves = manhattan(v, coordinates(w));
+  return is_line(v, move) ? moves + cost : std::max(1, moves);
+}
+
+double Lattice::least(Node v) const {
+  if (arrived(v)) return 0;
+  double least = std::numeric_limits<double>::infinity();
+  const auto offer = [&](double cost) { least = std::min(least, cost); };
+  if (objective_ == Objective::length) {
+    for (const auto& point : targets_.points) offer(manhattan(v, point.at));
+    for (const auto& at : end_points_) offer(std::max(1, manhattan(v, at)));
+    return least;
+  }
+  const double* q = configuration(v);
+  if (q == nullptr) return 0;
+  for (const auto& point : targets_.points) {
+    for (int k = 0; k < postures(); ++k) {
+      const double* end = configuration(node(point.at) + k * points_);
+      if (end != nullptr) offer(apart(q, end));
+    }
+  }
+  for (Node end = first_end_; end < nodes_; ++end) offer(apart(q, values_.at(end * joints_)));
+  return least;
 }
 
 template <class Find>
@@ -120,51 +235,107 @@ const double* Lattice::configuration(Node v) const {
   return yes ? values_.at(v * joints_) : nullptr;
 }
 
+bool Lattice::continued(Node v, Node from, double bend, std::span<const double> rest,
+                        JointArray& q) const {
+  const double* values = from < 0 ? seeds_[v / points_].q.data() : configuration(from);
+  if (values == nullptr) return false;
+  std::copy_n(values, joints_, q.begin());
+  const std::span span(q.data(), static_cast<std::size_t>(joints_));
+  kinematics_.bend(span, bend);
+  return kinematics_.reach_for(position(v), rest, span, most_postures_ > 1);
+}
+
 bool Lattice::solve(Node v, JointArray& q) const {
-  if (outside(v)) return false;
-  // Towards the start along the axis that is furthest from it; ties to x, then y.
-  const auto at = coordinates(v);
+  const auto posture = static_cast<std::size_t>(v / points_);
+  if (posture >= seeds_.size() || outside(v)) return false;
+  const Seed& seed = seeds_[posture];
+  // Towards the seed along the axis that is furthest from it; ties to x, then y.
+  auto at = coordinates(v);
+  for (int i = 0; i < 3; ++i) at[i] -= seed.at[i];
   std::array<int, 3> axes{0, 1, 2};
   std::stable_sort(axes.begin(), axes.end(),
                    [&](int a, int b) { return std::abs(at[a]) > std::abs(at[b]); });
   // Stretched out, an arm is drawn in by no small change of its joints: a second try bends it
-  // first.
+  // first; where there are other postures, near the seed only.
+  const bool near = std::abs(at[0]) + std::abs(at[1]) + std::abs(at[2]) <= 3;
   for (const double bend : {0.0, kBend}) {
-    JointArray rest;
-    std::copy_n(values_.at(start_ * joints_), joints_, rest.begin());
-    kinematics_.bend({rest.data(), static_cast<std::size_t>(joints_)}, bend);
+    if (bend > 0 && most_postures_ > 1 && !near) break;
+    JointArray values;
+    std::copy_n(seed.q.data(), joints_, values.begin());
+    const std::span rest(values.data(), static_cast<std::size_t>(joints_));
+    kinematics_.bend(rest, bend);
+    if (at[axes[0]] == 0 && continued(v, -1, bend, rest, q)) return true;
     for (const int axis : axes) {
       if (at[axis] == 0) break;
-      const Node parent = to(v, 2 * axis + (at[axis] > 0 ? 1 : 0));
-      const double* from = configuration(parent);
-      if (from == nullptr) continue;
-      std::copy_n(from, joints_, q.begin());
-      const std::span values(q.data(), static_cast<std::size_t>(joints_));
-      kinematics_.bend(values, bend);
-      if (kinematics_.reach_for(position(v), {rest.data(), values.size()}, values)) return true;
+      if (continued(v, to(v, 2 * axis + (at[axis] > 0 ? 1 : 0)), bend, rest, q)) return true;
     }
   }
   return false;
 }
 
-void Lattice::fill_guidance(Node v) const noexcept {
-  const auto at = coordinates(v);
-  double square = 0;
-  for (int i = 0; i < 3; ++i) square += (goal_at_[i] - at[i]) * (goal_at_[i] - at[i]);
-  for (int k = 0; k < kMoves; ++k) {
-    const double along = (k % 2 == 0 ? 1 : -1) * (goal_at_[k / 2] - at[k / 2]);
-    const double across = std::sqrt(std::max(square - along * along, 0.0));
-    const double theta = kernels::angle_between(1, 0, along, across);
-    guidance_[v * 8 + k] = static_cast<float>(kernels::power(1 / (1 + theta), gamma_));
+void Lattice::find_nearby(Node v) const noexcept {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < end_points_.size(); ++i) {
+    double change = largest_change(joint_values(v), targets_.ends[i].q);
+    // A short step comes before all lines.
+    if (change > joint_step_ || manhattan(v, end_points_[i]) > 1) change += kFarAway;
+    if (change >= least) continue;
+    least = change;
+    nearby_[v] = static_cast<std::int16_t>(i + 1);
   }
+  guidance_[v * row_ + end_move_] = least < kFarAway ? 1 : static_cast<float>(lines_);
 }
 
-bool Lattice::reachable_by_joints(Node a, Node b) const noexcept {
-  const double *p = values_.at(a * joints_), *q = values_.at(b * joints_);
-  for (int j = 0; j < joints_; ++j) {
-    if (std::abs(p[j] - q[j]) > joint_step_) return false;
+void Lattice::fill_guidance(Node v) const noexcept {
+  const auto at = coordinates(v), goal = nearest_target(v);
+  double square = 0;
+  for (int i = 0; i < 3; ++i) square += (goal[i] - at[i]) * (goal[i] - at[i]);
+  float* row = guidance_.at(v * row_);
+  const auto weight = [&](double along) {
+    const double across = std::sqrt(std::max(square - along * along, 0.0));
+    const double theta = kernels::angle_between(1, 0, along, across);
+    return static_cast<float>(kernels::power(1 / (1 + theta), gamma_));
+  };
+  for (int k = 0; k < kTipMoves; ++k)
+    row[k] = weight((k % 2 == 0 ? 1 : -1) * (goal[k / 2] - at[k / 2]));
+  if (moves_ == kTipMoves) return;
+  square = std::max(square, 1.0);
+  for (int k = kTipMoves; k < end_move_; ++k) {
+    row[k] = k - kTipMoves == v / points_ ? 0 : weight(0);
   }
-  return true;
+  if (end_move_ == moves_) return;
+  find_nearby(v);
+}
+
+/// Postures may change by any motion, which is seen to be free; moves of the tip are short ones.
+bool Lattice::reachable_by_joints(Node a, int move) const noexcept {
+  if (move >= kTipMoves) return true;
+  return largest_change(joint_values(a), joint_values(to(a, move))) <= joint_step_;
+}
+
+bool Lattice::has_target() const {
+  if (!targets_.ends.empty()) return true;
+  for (const auto& point : targets_.points) {
+    for (int k = 0; k < postures(); ++k) {
+      if (configuration(node(point.at) + k * points_) != nullptr) return true;
+    }
+  }
+  return false;
+}
+
+bool Lattice::goals_blocked(bool ask) const {
+  if (!targets_.ends.empty()) return false;
+  bool any = false;
+  for (const auto& point : targets_.points) {
+    for (int k = 0; k < postures(); ++k) {
+      const Node v = node(point.at) + k * points_;
+      if (load(solved_[v]) == kNo) continue;
+      if (ask && configuration(v) == nullptr) continue;
+      if (ask ? position_free(v) : !known_blocked(v)) return false;
+      any = true;
+    }
+  }
+  return any;
 }
 
 bool Lattice::position_free(Node v) const {
@@ -174,11 +345,32 @@ bool Lattice::position_free(Node v) const {
   });
 }
 
+int Lattice::end_by_way_of(const JointVector& via) const {
+  constexpr std::size_t kTried = 3;
+  positions_asked_.fetch_add(1, std::memory_order_relaxed);
+  if (!sensor_.position_free(via)) return -1;
+  const auto free = [&](const JointRef& from, const JointRef& to) {
+    if (spent()) return false;
+    motions_asked_.fetch_add(1, std::memory_order_relaxed);
+    return sensor_.motion_free(from, to);
+  };
+  if (!free(joint_values(start_), via)) return -1;
+  std::vector<std::pair<double, int>> nearest;
+  for (std::size_t i = 0; i < targets_.ends.size(); ++i)
+    nearest.emplace_back(largest_change(via, targets_.ends[i].q), static_cast<int>(i));
+  std::sort(nearest.begin(), nearest.end());
+  if (nearest.size() > kTried) nearest.resize(kTried);
+  for (const auto& [change, end] : nearest) {
+    if (free(via, targets_.ends[end].q)) return end;
+  }
+  return -1;
+}
+
 bool Lattice::open(Node v, int move) const {
   std::uint8_t& answer = edges_[edge(v, move)];
   if (const std::uint8_t known = load(answer); known == kYes || known == kNo) return known == kYes;
   const Node w = to(v, move);
-  const bool reachable = configuration(w) != nullptr && reachable_by_joints(v, w);
+  const bool reachable = configuration(w) != nullptr && reachable_by_joints(v, move);
   return answer_once(answer, [&] {
     if (!reachable || !position_free(w)) return false;
     // Always in the same direction, so that the answer does not depend on who comes first.
@@ -192,7 +384,7 @@ bool Lattice::maybe_open(Node v, int move) const {
   if (known == kYes || known == kNo) return known == kYes;
   const Node w = to(v, move);
   if (outside(w) || known_blocked(w)) return false;
-  return configuration(w) != nullptr && reachable_by_joints(v, w);
+  return configuration(w) != nullptr && reachable_by_joints(v, move);
 }
 
 }  // namespace lasius::arm

@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <span>
 #include <utility>
+#include <vector>
 
-#include "core/arm/kinematics.h"
+#include "core/arm/ends.h"
+#include "core/arm/robot/kinematics.h"
 #include "core/base/poller.h"
 #include "core/base/zero_array.h"
 #include "lasius/arm_plan.h"
@@ -15,47 +17,104 @@
 
 namespace lasius::arm {
 
-/// Moves of the tip: +x, -x, +y, -y, +z, -z.
-inline constexpr int kMoves = 6;
+/// Moves of the tip: +x, -x, +y, -y, +z, -z. After them, of a lattice of several postures, changes
+/// to posture 0, 1 ..; at last, where there are ends, the move to the one nearby.
+inline constexpr int kTipMoves = 6;
+inline constexpr int kMostMoves = kTipMoves + 16 + 1;
 
-/// A point of the lattice, by number; the points around the box have numbers too.
+/// A point of the lattice in one of its postures, by number; the points around the box have numbers
+/// too. After all these, the ends.
 using Node = std::int64_t;
 
-/// Lattice points are numbered row by row, with one layer around the box that no ant enters. What
-/// is found out about a point or an edge is kept, by whichever thread comes first; a thread that
-/// wants to know what another one is finding out waits for it. The answers depend on the world
-/// only, so it does not matter who asks.
+/// Where a way through a lattice may end.
+struct Targets {
+  /// A lattice point that was moved onto a position: any posture of it ends the way.
+  struct Point {
+    std::array<int, 3> at;
+    Vec3 position;
+    int goal;
+  };
+  std::vector<Point> points;
+  std::vector<End> ends;  // free ones
+};
+
+/// The box of a lattice, both bounds inclusive; the start is the point 0, within.
+struct Box {
+  std::array<int, 3> low, high;
+};
+
+/// Lattice points are numbered row by row, with one layer around the box that no ant enters, and
+/// once for each posture. A posture of a point is continued from that of the neighbour towards its
+/// seed: the start for posture 0. What is found out about a node or an edge is kept, by whichever
+/// thread comes first; a thread that wants to know what another one is finding out waits for it.
+/// The answers depend on the world only, so it does not matter who asks.
 class Lattice {
  public:
-  /// `low` and `high` bound the box, both inclusive, 0 within. The start is the point 0; `goal` is
-  /// moved onto `goal_position`.
-  Lattice(const Kinematics& kinematics, const Sensor& sensor, std::span<const double> start,
-          double pitch, std::array<int, 3> low, std::array<int, 3> high, std::array<int, 3> goal,
-          Vec3 goal_position, const Params& parameters);
+  Lattice(const Robot& robot, const Kinematics& kinematics, const Sensor& sensor,
+          const JointVector& start, double pitch, const Box& box, Targets targets,
+          const Params& parameters, const Questions& before = {});
 
   static constexpr Node kMostNodes = Node{1} << 24;
 
+  /// Another posture, with these joint values near the point where they bring the tip, unless it is
+  /// one that is there already, or there are as many as the parameters say.
+  void add_posture(const JointVector& seed);
+  int postures() const noexcept { return static_cast<int>(seeds_.size()); }
+
   Node nodes() const noexcept { return nodes_; }
   Node start() const noexcept { return start_; }
-  Node goal() const noexcept { return goal_; }
+  bool arrived(Node v) const noexcept { return target_of(v) >= 0; }
+  /// Which goal of the request a node reaches; -1: none.
+  int goal_of(Node v) const noexcept;
   double pitch() const noexcept { return pitch_; }
-  Node to(Node v, int move) const noexcept { return v + delta_[move]; }
+  int moves() const noexcept { return moves_; }
+  /// Precondition: the guidance of the move is not 0.
+  Node to(Node v, int move) const noexcept {
+    if (move < kTipMoves) return v + delta_[move];
+    return move == end_move_ ? first_end_ + nearby_[v] - 1
+                             : v % points_ + (move - kTipMoves) * points_;
+  }
   /// True for a point of the layer around the box.
   bool outside(Node v) const noexcept;
   std::array<int, 3> coordinates(Node v) const noexcept;
+  /// In posture 0.
   Node node(std::array<int, 3> v) const noexcept;
-  int manhattan(Node v) const noexcept;  ///< moves to the goal if nothing is in the way
 
-  /// The undirected edge of a move, by number; below 3 nodes().
+  /// What a move adds to the objective, in steps(): one for a move of the tip; for a change of
+  /// posture, and a move to an end, as many as joint steps it takes, one at least. Of the other
+  /// objectives in radians or seconds. Precondition: both ends have joint values.
+  double cost(Node v, int move) const;
+  /// A straight joint-space line to an end from afar, which the lattice itself has not: no bound
+  /// counts it.
+  bool is_line(Node v, int move) const noexcept {
+    return move == end_move_ && guidance(v)[move] < 1;
+  }
+  /// The least that the way on may cost.
+  double least(Node v) const;
+  /// True where a move of the tip costs one.
+  bool counts_moves() const noexcept { return objective_ == Objective::length; }
+  /// The length of a straight joint motion of which the tip's way does not count.
+  double length_between(const JointVector& a, const JointVector& b) const noexcept {
+    return apart(a.data(), b.data()) * unit();
+  }
+  /// The objective's unit, in metres, radians or seconds.
+  double unit() const noexcept { return objective_ == Objective::length ? pitch_ : 1; }
+
+  /// The target that is nearest on the lattice, as its point.
+  const std::array<int, 3>& nearest_target(Node v) const noexcept;
+
+  /// An undirected edge, by number; below moves() nodes().
   std::int64_t edge(Node v, int move) const noexcept {
-    return 3 * (move % 2 == 0 ? v : v + delta_[move]) + move / 2;
+    const Node w = to(v, move);
+    return v < w ? v * moves_ + move : w * moves_ + back(v, move);
   }
 
   Vec3 position(Node v) const noexcept;
   /// Joint values, null where there are none. Kinematics only.
   const double* configuration(Node v) const;
-  /// u^gamma of the moves out of a point whose configuration was asked for (eq. 9).
-  const float* guidance(Node v) const noexcept { return guidance_.at(v * 8); }
+  /// u^gamma of the moves out of a node whose configuration was asked for (eq. 9); 0 where there is
+  /// no such move.
+  const float* guidance(Node v) const noexcept { return guidance_.at(v * row_); }
 
   /// True when the move can be made. Asks the sensor what is not known. Precondition: `v` has a
   /// configuration that is free.
@@ -64,8 +123,17 @@ class Lattice {
   bool maybe_open(Node v, int move) const;
   /// True when the sensor was asked and said no.
   bool known_blocked(Node v) const noexcept { return load(position_[v]) == kNo; }
+  /// True when the tip gets to a goal in any posture, as far as kinematics tells.
+  bool has_target() const;
+  /// True when there is no end, and the goals are known to be blocked in every posture that they
+  /// have. `ask` the sensor about it.
+  bool goals_blocked(bool ask) const;
 
   bool position_free(Node v) const;
+  /// Tries straight motions from the start to `via`, and on to the ends nearest to it: the end, -1
+  /// where none was free. Each call asks.
+  int end_by_way_of(const JointVector& via) const;
+  const End& end(int number) const noexcept { return targets_.ends[number]; }
   Questions questions() const noexcept {
     return {.positions = positions_asked_, .motions = motions_asked_};
   }
@@ -74,6 +142,8 @@ class Lattice {
     return positions_asked_.load(std::memory_order_relaxed) +
            motions_asked_.load(std::memory_order_relaxed);
   }
+  /// True when the next move to be tried could ask more than may be asked.
+  bool spent() const noexcept { return most_asked_ > 0 && asked() + 2 > most_asked_; }
 
  private:
   enum Answer : std::uint8_t { kUnknown, kAsking, kYes, kNo };
@@ -85,30 +155,53 @@ class Lattice {
   template <class Find>
   static bool answer_once(std::uint8_t& answer, const Find& find);
 
-  /// As a sensor takes them, not copied. Precondition: the point has some.
+  /// As a sensor takes them, not copied. Precondition: the node has some.
   Eigen::Map<const JointVector> joint_values(Node v) const {
     return {values_.at(v * joints_), joints_};
   }
+  /// The same move from the other end.
+  int back(Node v, int move) const noexcept {
+    return move < kTipMoves ? move ^ 1 : kTipMoves + static_cast<int>(v / points_);
+  }
+  int manhattan(Node v, const std::array<int, 3>& to) const noexcept;
+  int target_of(Node v) const noexcept;
+  void enter(Node v, const JointVector& q);
   bool solve(Node v, JointArray& q) const;
-  bool reachable_by_joints(Node a, Node b) const noexcept;
+  bool continued(Node v, Node from, double bend, std::span<const double> rest, JointArray& q) const;
+  bool reachable_by_joints(Node a, int move) const noexcept;
   void fill_guidance(Node v) const noexcept;
+  void find_nearby(Node v) const noexcept;
+  double apart(const double* a, const double* b) const noexcept;
 
   const Kinematics& kinematics_;
   const Sensor& sensor_;
   int joints_;
   double pitch_;
   double gamma_;
+  double lines_;
   double joint_step_;
-  std::array<int, 3> low_, high_, goal_at_;
-  std::array<Node, kMoves> delta_;
-  Node nodes_, start_, goal_;
-  Vec3 origin_, goal_position_;
+  Objective objective_;
+  std::int64_t most_asked_;
+  Targets targets_;
+  std::vector<std::array<int, 3>> end_points_;  // next to each end
+  std::vector<double> slowness_;                // 1 / velocity, by joint
+  Box box_;
+  std::array<Node, kTipMoves> delta_;
+  int most_postures_, end_move_, moves_, row_;
+  Node points_, first_end_, nodes_, start_;
+  Vec3 origin_;
+  struct Seed {
+    JointVector q;
+    std::array<int, 3> at;
+  };
+  std::vector<Seed> seeds_;  // by posture
 
   // What was worked out or asked so far.
-  mutable ZeroArray<double> values_;          // joint values by point
-  mutable ZeroArray<float> guidance_;         // 8 a point
-  mutable ZeroArray<std::uint8_t> solved_;    // Answer by point: it has joint values
-  mutable ZeroArray<std::uint8_t> position_;  // Answer by point: it is free
+  mutable ZeroArray<double> values_;          // joint values by node
+  mutable ZeroArray<float> guidance_;         // row_ a node
+  mutable ZeroArray<std::int16_t> nearby_;    // number of the end nearby, from 1, by node
+  mutable ZeroArray<std::uint8_t> solved_;    // Answer by node: it has joint values
+  mutable ZeroArray<std::uint8_t> position_;  // Answer by node: it is free
   mutable ZeroArray<std::uint8_t> edges_;     // Answer by edge: it is open
   mutable std::atomic<std::int64_t> positions_asked_{0}, motions_asked_{0};
 };
@@ -122,10 +215,15 @@ class LatticePoller {
   /// As Poller::stop_after.
   bool stop_after(std::int64_t steps) {
     const auto asked = lattice_.asked();
-    return poller_.stop_after(asked != std::exchange(asked_, asked) ? interval_ : steps);
+    const bool any = asked != std::exchange(asked_, asked);
+    return poller_.stop_after(any ? interval_ : steps) || lattice_.spent();
   }
-  bool stopped() const noexcept { return poller_.stopped(); }
-  StopCondition::Cause cause() const noexcept { return poller_.cause(); }
+  bool stopped() const noexcept { return poller_.stopped() || lattice_.spent(); }
+  /// Questions that are spent count as a deadline.
+  StopCondition::Cause cause() const noexcept {
+    return poller_.stopped() || !lattice_.spent() ? poller_.cause()
+                                                  : StopCondition::Cause::deadline;
+  }
 
  private:
   const Lattice& lattice_;

@@ -21,20 +21,21 @@ LatticeAnts::LatticeAnts(const Lattice& lattice, const LatticeTrail& trail,
     : lattice_(lattice), trail_(trail), parameters_(parameters) {
   const int threads = std::clamp(parameters.ants / 2, 1, std::max(parameters.threads, 1));
   for (int i = 0; i < threads; ++i) {
-    teams_.push_back({ZeroArray<std::uint8_t>(lattice.nodes()), {}});
+    teams_.push_back({ZeroArray<std::uint8_t>(lattice.nodes()), {}, {}});
   }
 }
 
 StopCondition::Cause LatticeAnts::walk(int iteration, std::span<LatticeAnt> ants,
-                                       const StopCondition& stop) {
+                                       const StopCondition& stop, std::span<const int> scouted) {
   std::atomic<StopCondition::Cause> cause{StopCondition::Cause::none};
   const auto count = static_cast<int>(ants.size());
   parallel_for(count, static_cast<int>(teams_.size()), [&](int a, int thread) {
-    ants[a].arrived = false;
+    ants[a].arrived = ants[a].tired = false;
     ants[a].moves.clear();
     ants[a].steps = 0;
     if (cause != StopCondition::Cause::none) return;
-    const auto seen = walk_one(teams_[thread], iteration, a, ants[a], stop);
+    const auto seen = walk_one(teams_[thread], iteration, a, ants[a], stop,
+                               a == 0 ? scouted : std::span<const int>());
     if (seen != StopCondition::Cause::none) cause = seen;
   });
   return cause;
@@ -45,11 +46,12 @@ StopCondition::Cause LatticeAnts::walk(int iteration, std::span<LatticeAnt> ants
 /// when there is none, or when stopped.
 int LatticeAnts::draw_open_move(const Team& team, Node at, Dice& dice,
                                 LatticePoller& poller) const {
-  std::array<double, kMoves> weight;
+  std::array<double, kMostMoves> weights;
+  const std::span weight(weights.data(), static_cast<std::size_t>(lattice_.moves()));
   const float* guidance = lattice_.guidance(at);
-  for (int k = 0; k < kMoves; ++k) {
-    const bool visited = team.visited[lattice_.to(at, k)] != 0;
-    weight[k] = visited ? 0 : trail_.attraction(trail_.place(at, k)) * guidance[k];
+  for (int k = 0; k < lattice_.moves(); ++k) {
+    const bool closed = !(guidance[k] > 0) || team.visited[lattice_.to(at, k)] != 0;
+    weight[k] = closed ? 0 : trail_.attraction(trail_.place(at, k)) * guidance[k];
   }
   for (;;) {
     const int move = kernels::proportional_choice(weight, 0, dice.next());
@@ -60,7 +62,8 @@ int LatticeAnts::draw_open_move(const Team& team, Node at, Dice& dice,
 }
 
 StopCondition::Cause LatticeAnts::walk_one(Team& team, int iteration, int number, LatticeAnt& ant,
-                                           const StopCondition& stop) const {
+                                           const StopCondition& stop,
+                                           std::span<const int> scouted) const {
   constexpr int kSteps = 256;  // between two polls: kinematics takes its time
   static_assert(kSteps <= Poller::kSteps);
   // Many ants of few steps each would never spend the poller's budget.
@@ -71,6 +74,7 @@ StopCondition::Cause LatticeAnts::walk_one(Team& team, int iteration, int number
   Node at = lattice_.start();
   team.visited[at] = 1;
   team.entered.assign(1, at);
+  team.way.assign(1, at);
   struct Forget {
     Team& team;
     ~Forget() {
@@ -78,20 +82,31 @@ StopCondition::Cause LatticeAnts::walk_one(Team& team, int iteration, int number
     }
   } forget{team};
 
-  while (at != lattice_.goal()) {
+  while (!lattice_.arrived(at)) {
     if (poller.stop_after(1)) return poller.cause();
+    ant.tired = leash_ > 0 && ant.steps >= leash_;
+    if (ant.tired) return StopCondition::Cause::none;
     ++ant.steps;
-    const int move = draw_open_move(team, at, dice, poller);
+    int move = -1;
+    if (!scouted.empty() && lattice_.open(at, scouted.front())) {
+      move = scouted.front();
+      scouted = scouted.subspan(1);
+    } else {
+      scouted = {};
+      if (!poller.stop_after(0)) move = draw_open_move(team, at, dice, poller);
+    }
     if (poller.stopped()) return poller.cause();
     if (move >= 0) {
       at = lattice_.to(at, move);
       ant.moves.push_back(static_cast<std::uint8_t>(move));
       team.visited[at] = 1;
       team.entered.push_back(at);
+      team.way.push_back(at);
     } else if (ant.moves.empty() || parameters_.dead_end == DeadEnd::kill) {
       return StopCondition::Cause::none;  // lost
     } else {
-      at = lattice_.to(at, ant.moves.back() ^ 1);
+      team.way.pop_back();
+      at = team.way.back();
       ant.moves.pop_back();
     }
   }

@@ -21,8 +21,8 @@ LatticeTrail::LatticeTrail(const Lattice& lattice, Pheromone kind, double initia
       alpha_(alpha),
       scale_(initial),
       untouched_power_(power(1)),
-      stored_(kMoves * lattice.nodes()),
-      power_(kMoves * lattice.nodes()) {}
+      stored_(lattice.moves() * lattice.nodes()),
+      power_(lattice.moves() * lattice.nodes()) {}
 
 double LatticeTrail::power(double stored) const noexcept {
   if (alpha_ == 0) return 1;

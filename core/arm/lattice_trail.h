@@ -19,7 +19,7 @@ class LatticeTrail {
 
   /// What carries the pheromone of a move.
   std::int64_t place(Node v, int move) const noexcept {
-    return kind_ == Pheromone::arcs ? kMoves * v + move : lattice_.edge(v, move);
+    return kind_ == Pheromone::arcs ? lattice_.moves() * v + move : lattice_.edge(v, move);
   }
 
   // What trail_rules.h asks of a trail.

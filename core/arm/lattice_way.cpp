@@ -1,46 +1,115 @@
 #include "core/arm/lattice_way.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <queue>
 
 namespace lasius::arm {
+namespace {
 
-KnownWay shortest_known_way(const Lattice& lattice, Unknown unknown, const StopCondition& stop) {
-  // The estimate changes by one with each move, so a point's total is that of the one before it or
-  // two more: two stacks make the queue.
-  ZeroArray<std::uint8_t> closed(lattice.nodes());
-  struct Entry {
-    Node at;
-    std::int64_t moves;
-  };
-  std::vector<Entry> now, later;
-  now.push_back({lattice.start(), 0});
-  LatticePoller poller(lattice, stop, 1024);  // kinematics takes its time
-  while (!now.empty() || !later.empty()) {
-    if (now.empty()) now.swap(later);
-    const Entry entry = now.back();
-    now.pop_back();
-    if (closed[entry.at] != 0) continue;
-    closed[entry.at] = 1;
-    if (entry.at == lattice.goal()) return {.moves = entry.moves};
-    if (poller.stop_after(1)) return {.cause = poller.cause(), .moves = {}};
-    const int left = lattice.manhattan(entry.at);
-    for (int k = 0; k < kMoves; ++k) {
-      const Node next = lattice.to(entry.at, k);
-      if (closed[next] != 0) continue;
-      const bool open = unknown == Unknown::is_asked ? lattice.open(entry.at, k)
-                                                     : lattice.maybe_open(entry.at, k);
-      if (poller.stop_after(0)) return {.cause = poller.cause(), .moves = {}};
-      if (!open) continue;
-      (lattice.manhattan(next) < left ? now : later).push_back({next, entry.moves + 1});
+/// A way that may be gone on with over a move.
+struct Onward {
+  double total;         // at least, to a goal
+  double so_far;        // to `from`, or where it is `tried` over the move
+  std::int64_t number;  // of equals the last comes first
+  Node from;
+  int move;
+  bool tried;
+  friend bool operator<(const Onward& a, const Onward& b) {
+    return a.total != b.total ? a.total > b.total : a.number < b.number;
+  }
+};
+
+class WaySearch {
+ public:
+  WaySearch(const Lattice& lattice, Unknown unknown)
+      : lattice_(lattice), unknown_(unknown), from_(lattice.nodes()), by_(lattice.nodes()) {}
+
+  KnownWay run(const StopCondition& stop) {
+    LatticePoller poller(lattice_, stop, 1024);  // kinematics takes its time
+    settle(lattice_.start(), 0, lattice_.least(lattice_.start()));
+    while (!queue_.empty()) {
+      const Onward entry = queue_.top();
+      queue_.pop();
+      const Node at = lattice_.to(entry.from, entry.move);
+      if (by_[at] != 0 || at == lattice_.start()) continue;
+      if (poller.stop_after(1)) return {.cause = poller.cause()};
+      double so_far = entry.so_far;
+      if (!entry.tried) {
+        if (!open(entry.from, entry.move)) continue;
+        so_far += lattice_.cost(entry.from, entry.move);
+        const double total = std::max(entry.total, so_far + lattice_.least(at));
+        if (total > entry.total) {
+          queue_.push({total, so_far, number_++, entry.from, entry.move, true});
+          continue;
+        }
+      }
+      from_[at] = entry.from;
+      by_[at] = static_cast<std::uint8_t>(entry.move + 1);
+      if (lattice_.arrived(at)) return {.cost = so_far, .moves = moves_to(at)};
+      settle(at, so_far, entry.total);
+    }
+    return {};
+  }
+
+ private:
+  bool open(Node v, int move) const {
+    return unknown_ == Unknown::is_asked ? lattice_.open(v, move) : lattice_.maybe_open(v, move);
+  }
+
+  void settle(Node v, double so_far, double total) {
+    const float* guidance = lattice_.guidance(v);
+    for (int k = 0; k < lattice_.moves(); ++k) {
+      if (!(guidance[k] > 0) || lattice_.is_line(v, k)) continue;
+      const Node next = lattice_.to(v, k);
+      if (by_[next] != 0) continue;
+      const double least = lattice_.counts_moves() ? so_far + 1 + lattice_.least(next) : 0;
+      queue_.push({std::max(total, least), so_far, number_++, v, k, false});
     }
   }
-  return {};
+
+  std::vector<int> moves_to(Node at) const {
+    std::vector<int> moves;
+    for (; at != lattice_.start(); at = from_[at]) moves.push_back(by_[at] - 1);
+    std::reverse(moves.begin(), moves.end());
+    return moves;
+  }
+
+  const Lattice& lattice_;
+  Unknown unknown_;
+  ZeroArray<Node> from_;
+  ZeroArray<std::uint8_t> by_;  // the move, from 1; 0: not reached
+  std::priority_queue<Onward> queue_;
+  std::int64_t number_ = 0;
+};
+
+}  // namespace
+
+KnownWay shortest_known_way(const Lattice& lattice, Unknown unknown, const StopCondition& stop) {
+  return WaySearch(lattice, unknown).run(stop);
+}
+
+KnownWay shortest_tried_way(const Lattice& lattice, const StopCondition& stop) {
+  LatticePoller poller(lattice, stop, Poller::kSteps);
+  for (;;) {
+    KnownWay way = shortest_known_way(lattice, Unknown::counts_as_free, stop);
+    if (!way.cost) return way;
+    Node at = lattice.start();
+    bool open = true;
+    for (const int move : way.moves) {
+      open = lattice.open(at, move);
+      if (poller.stop_after(1)) return {.cause = poller.cause()};
+      if (!open) break;
+      at = lattice.to(at, move);
+    }
+    if (open) return way;
+  }
 }
 
 std::vector<int> straight_moves(const Lattice& lattice) {
-  const auto goal = lattice.coordinates(lattice.goal());
-  const int count = lattice.manhattan(lattice.start());
+  const auto goal = lattice.nearest_target(lattice.start());
+  const int count = std::abs(goal[0]) + std::abs(goal[1]) + std::abs(goal[2]);
   std::array<int, 3> done{};
   std::vector<int> moves;
   for (int i = 1; i <= count; ++i) {

@@ -10,20 +10,26 @@
 
 namespace lasius::arm {
 
-/// Moves of a shortest way from start to goal along edges that may be open; nothing without one.
+/// A cheapest way from start to a goal along edges that may be open; nothing without one.
 struct KnownWay {
   StopCondition::Cause cause = StopCondition::Cause::none;
-  std::optional<std::int64_t> moves;  ///< empty although not stopped: proven, there is no way
+  std::optional<double> cost = {};  ///< empty although not stopped: proven, there is no way
+  std::vector<int> moves = {};
 };
 
 enum class Unknown { counts_as_free, is_asked };
 
-/// A* with the Manhattan distance, which never overestimates. Where what was not tried counts as
-/// free no way is shorter; kinematics is worked out on the fly, the sensor is not asked.
+/// A* with the lattice's own estimate, which never is too high. An edge is looked at when the way
+/// over it is the next to go on with. Where what was not tried counts as free no way is cheaper;
+/// kinematics is worked out on the fly, the sensor is not asked.
 KnownWay shortest_known_way(const Lattice& lattice, Unknown unknown, const StopCondition& stop);
 
-/// The moves from start to goal that keep nearest to the straight line: each along the axis that
-/// lags most behind its share of the way. Asks nothing.
+/// The same with few questions: the cheapest way as far as it is known is tried edge by edge, and
+/// searched anew where one is closed (as LPA* and LazySP do).
+KnownWay shortest_tried_way(const Lattice& lattice, const StopCondition& stop);
+
+/// The moves from start to the nearest goal that keep nearest to the straight line: each along the
+/// axis that lags most behind its share of the way. Asks nothing.
 std::vector<int> straight_moves(const Lattice& lattice);
 
 }  // namespace lasius::arm

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/arm/vec3.h"
+#include "core/arm/robot/vec3.h"
 
 namespace lasius::arm {
 namespace {
@@ -65,6 +65,56 @@ void MeshTree::descend(int node, const Segment& s, double& least) const noexcept
   }
   descend(node + 1, s, least);
   descend(n.first, s, least);
+}
+
+double MeshTree::distance(const Block& block, double limit) const noexcept {
+  double least = limit;
+  if (!nodes_.empty()) descend(0, block, least);
+  return least;
+}
+
+void MeshTree::descend(int node, const Block& block, double& least) const noexcept {
+  const Node& n = nodes_[node];
+  const Block box{.pose = {.position = n.centre}, .half = n.half};
+  if (distance_between(block, box, least) >= least) return;
+  if (n.count > 0) {
+    for (int i = n.first; i < n.first + n.count; ++i) {
+      least = std::min(least, distance_between(block, triangles_[i], least));
+    }
+    return;
+  }
+  descend(node + 1, block, least);
+  descend(n.first, block, least);
+}
+
+double MeshTree::distance(const MeshTree& other, const Placement& pose,
+                          double limit) const noexcept {
+  double least = limit;
+  if (!nodes_.empty() && !other.nodes_.empty()) descend(0, other, 0, pose, least);
+  return least;
+}
+
+void MeshTree::descend(int node, const MeshTree& other, int others, const Placement& pose,
+                       double& least) const noexcept {
+  const Node &n = nodes_[node], &o = other.nodes_[others];
+  const Block box{.pose = {.position = n.centre}, .half = n.half};
+  const Block his{.pose = {pose.rotation, pose * o.centre}, .half = o.half};
+  if (distance_between(box, his, least) >= least) return;
+  if (n.count > 0 && o.count > 0) {
+    for (int k = o.first; k < o.first + o.count; ++k) {
+      const auto& [a, b, c] = other.triangles_[k];
+      const Triangle moved{pose * a, pose * b, pose * c};
+      for (int i = n.first; i < n.first + n.count; ++i) {
+        least = std::min(least, distance_between(triangles_[i], moved, least));
+      }
+    }
+  } else if (o.count > 0 || (n.count == 0 && length(n.half) >= length(o.half))) {
+    descend(node + 1, other, others, pose, least);
+    descend(n.first, other, others, pose, least);
+  } else {
+    descend(node, other, others + 1, pose, least);
+    descend(node, other, o.first, pose, least);
+  }
 }
 
 }  // namespace lasius::arm

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/arm/convex.h"
 #include "core/arm/proximity.h"
 
 namespace lasius::arm {
@@ -13,6 +14,10 @@ class MeshTree {
 
   /// Distance from the segment to the nearest triangle where that is below `limit`, else `limit`.
   double distance(const Segment& s, double limit) const noexcept;
+  /// The same from a block in this mesh's frame, as near as `distance_between` tells.
+  double distance(const Block& block, double limit) const noexcept;
+  /// The same from another mesh, whose frame is at `pose` in this one's.
+  double distance(const MeshTree& other, const Placement& pose, double limit) const noexcept;
 
  private:
   struct Node {
@@ -22,6 +27,9 @@ class MeshTree {
   };
   int build(int first, int count);
   void descend(int node, const Segment& s, double& least) const noexcept;
+  void descend(int node, const Block& block, double& least) const noexcept;
+  void descend(int node, const MeshTree& other, int others, const Placement& pose,
+               double& least) const noexcept;
 
   static constexpr int kLeaf = 4;
   std::vector<Triangle> triangles_;

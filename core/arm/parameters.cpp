@@ -52,18 +52,51 @@ constexpr std::array kEntries{
           Number{&Params::line_ants, 0, 1e6}},
     Table::choice<&Params::shortcut, kSwitch>("shortcut",
                                               "cut the lattice staircase before the trajectory"),
+    Entry{{"postures", "integer", "1 .. 16",
+           "joint values that a lattice point may have, K; 1: the source's one, continued", "1"},
+          Integer{&Params::postures, 1, 16}},
+    Table::choice<&Params::direct, kSwitch>("direct", "first try the straight joint-space line",
+                                            "off"),
+    Entry{{"lines", "number", "0 .. 0.99",
+           "weight of the straight joint-space line from where an ant is to a goal", "0"},
+          Number{&Params::lines, 0, 0.99}},
+    Entry{{"leash", "number", "0 .. 1e6",
+           "steps that an ant may take, in those of the shortest way; 0: any number", "0"},
+          Number{&Params::leash, 0, 1e6}},
+    Entry{{"vias", "integer", "0 .. 1000",
+           "random joint values tried to get past by, where ants ran out of steps", "0"},
+          Integer{&Params::vias, 0, 1000}},
+    Entry{{"refine", "integer", "0 .. 4", "halve the pitch so often where nothing is found", "0"},
+          Integer{&Params::refine, 0, 4}},
+    Table::choice<&Params::prove, kSwitch>("prove",
+                                           "stop when no way in the lattice can be shorter", "off"),
+    Table::choice<&Params::scout, kSwitch>(
+        "scout", "the first ant sets out on the shortest way that may be open", "off"),
+    Table::choice<&Params::objective, kObjectiveNames>("objective", "what is optimised", "length"),
+    Entry{{"max_questions", "integer", "0 .. 2000000000",
+           "questions that may be asked, the motion's included; 0: any number", "0"},
+          Integer{&Params::max_questions, 0, 2000000000}},
+    Entry{{"shortcuts", "integer", "0 .. 1000000",
+           "random straight motions tried to shorten the motion", "0"},
+          Integer{&Params::shortcuts, 0, 1000000}},
 };
 
 constexpr auto kInfos = Table::infos(kEntries);
 
-const std::array kAlgorithms{Algorithm{
-    Params::algorithm(),
-    "arms among unknown obstacles (lasius arm): ants in a lattice of tip positions, drawn "
-    "to pheromone and the direction of the goal",
+constexpr std::string_view kSource =
     "Goritov, Goncharov: Motion trajectory planning for a multi-link manipulator in an "
     "unknown environment based on ant colony optimization. Proceedings of TUSUR "
-    "University 23 (2), 2020",
-    kInfos}};
+    "University 23 (2), 2020";
+
+const std::array kAlgorithms{
+    Algorithm{"postures",
+              "arms among unknown obstacles (lasius arm): ants in a lattice of tip positions, "
+              "several postures a point; few questions",
+              kSource, kInfos},
+    Algorithm{"goritov2020",
+              "arms among unknown obstacles: the source's ants, one posture a lattice point, drawn "
+              "to pheromone and the direction of the goal",
+              kSource, kInfos}};
 
 constexpr std::array kLists{std::span<const Entry>(kEntries)};
 constexpr Table kTable(kLists);
@@ -74,6 +107,23 @@ std::span<const Algorithm> algorithms() noexcept { return kAlgorithms; }
 
 const Algorithm& find_algorithm(std::string_view name) {
   return lasius::find_algorithm(kAlgorithms, name);
+}
+
+Params::Params(std::string_view algorithm) : algorithm_(find_algorithm(algorithm).name) {
+  if (algorithm_ == "goritov2020") return;
+  ants = 2;
+  iterations = 200;
+  gamma = 8;
+  joint_step = 1.5;
+  postures = 6;
+  direct = true;
+  lines = 0.05;
+  leash = 2;
+  vias = 16;
+  refine = 1;
+  prove = true;
+  scout = true;
+  shortcuts = 100;
 }
 
 void set_parameter(Params& parameters, std::string_view name, std::string_view value) {

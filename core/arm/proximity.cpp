@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/arm/vec3.h"
+#include "core/arm/robot/vec3.h"
 
 namespace lasius::arm {
 namespace {

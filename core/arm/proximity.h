@@ -4,7 +4,7 @@
 // place, so a minimum is found by the sign of a derivative: no iteration can miss it.
 #pragma once
 
-#include "core/arm/vec3.h"
+#include "core/arm/robot/vec3.h"
 
 namespace lasius::arm {
 

@@ -11,15 +11,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <kdl/chain.hpp>
 #include <kdl/frames.hpp>
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "core/arm/kinematics.h"
-#include "core/arm/vec3.h"
+#include "core/arm/robot/kinematics.h"
+#include "core/arm/robot/vec3.h"
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
 
@@ -77,25 +79,6 @@ struct Placed {
   fcl::Transform3d at;
 };
 
-Placed place(const Obstacle& o) {
-  const fcl::Transform3d at(o.pose.matrix());
-  switch (o.shape) {
-    case Obstacle::Shape::box:
-      return {std::make_shared<fcl::Boxd>(o.size), at};
-    case Obstacle::Shape::sphere:
-      return {std::make_shared<fcl::Sphered>(o.radius), at};
-    case Obstacle::Shape::cylinder:
-      return {std::make_shared<fcl::Cylinderd>(o.radius, o.length), at};
-    case Obstacle::Shape::mesh:
-      break;
-  }
-  auto mesh = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
-  mesh->beginModel();
-  for (const auto& [a, b, c] : o.triangles) mesh->addTriangle(a, b, c);
-  mesh->endModel();
-  return {mesh, at};
-}
-
 /// The shortest turn of z to a direction. But for directions next to -z it is Eigen's
 /// FromTwoVectors to the bit, whose singular value decomposition for these takes long to compile.
 Eigen::Quaterniond turn_of_z(const Eigen::Vector3d& to) {
@@ -109,35 +92,70 @@ Eigen::Quaterniond turn_of_z(const Eigen::Vector3d& to) {
   return {s * 0.5, -v.y() * inverse, v.x() * inverse, 0};
 }
 
-/// A capsule in its body, as FCL has it: along z, about its middle.
-struct Link {
-  Shape shape;
-  fcl::Transform3d in_body;
-  int body;
-
-  Link(const Capsule& c, int b) : body(b) {
-    const Eigen::Vector3d d = c.to - c.from;
-    const double size = d.norm();
-    shape = std::make_shared<fcl::Capsuled>(c.radius, size);
-    in_body = fcl::Transform3d::Identity();
-    in_body.translation() = 0.5 * (c.from + c.to);
-    if (size > 0) in_body.linear() = turn_of_z(d).toRotationMatrix();
+/// A solid as FCL has it: what is long along z, about its middle.
+Placed place_shape(const Solid& s) {
+  fcl::Transform3d at(s.pose.matrix());
+  switch (s.shape) {
+    case Solid::Shape::box:
+      return {std::make_shared<fcl::Boxd>(s.size), at};
+    case Solid::Shape::sphere:
+      return {std::make_shared<fcl::Sphered>(s.radius), at};
+    case Solid::Shape::cylinder:
+      return {std::make_shared<fcl::Cylinderd>(s.radius, s.length), at};
+    case Solid::Shape::capsule: {
+      const double size = s.size.norm();
+      at.translation() = at * (0.5 * s.size);
+      if (size > 0) at.linear() = at.linear() * turn_of_z(s.size).toRotationMatrix();
+      return {std::make_shared<fcl::Capsuled>(s.radius, size), at};
+    }
+    case Solid::Shape::mesh:
+      break;
   }
+  auto mesh = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+  mesh->beginModel();
+  if (s.triangles != nullptr) {
+    for (const auto& [a, b, c] : *s.triangles) mesh->addTriangle(a, b, c);
+  }
+  mesh->endModel();
+  return {mesh, at};
+}
+
+Placed place(const Solid& s) {
+  const Placed placed = place_shape(s);
+  placed.shape->computeLocalAABB();
+  return placed;
+}
+
+/// In the frame of the body that its link moves with.
+struct Part {
+  Placed solid;
+  int link, body;
 };
 
-/// 0 where they touch.
+/// 0 where they touch, and where FCL finds no answer.
 double distance(const Placed& a, const Placed& b) {
   fcl::CollisionRequestd touch;
   fcl::CollisionResultd touched;
-  fcl::collide(a.shape.get(), a.at, b.shape.get(), b.at, touch, touched);
-  if (touched.isCollision()) return 0;
   const fcl::DistanceRequestd request;
   fcl::DistanceResultd result;
-  return fcl::distance(a.shape.get(), a.at, b.shape.get(), b.at, request, result);
+  try {
+    fcl::collide(a.shape.get(), a.at, b.shape.get(), b.at, touch, touched);
+    if (touched.isCollision()) return 0;
+    return std::max(0.0, fcl::distance(a.shape.get(), a.at, b.shape.get(), b.at, request, result));
+  } catch (const std::exception&) {
+    return 0;
+  }
+}
+
+/// No more than the distance, by balls around both.
+double balls_apart(const Placed& a, const Placed& b) {
+  return (a.at * a.shape->aabb_center - b.at * b.shape->aabb_center).norm() - a.shape->aabb_radius -
+         b.shape->aabb_radius;
 }
 
 bool may_touch(const Robot& robot, int a, int b) {
-  if (std::abs(a - b) <= 1) return true;
+  const Link &first = robot.links[a], &second = robot.links[b];
+  if (first.body == second.body || first.parent == b || second.parent == a) return true;
   return std::any_of(robot.may_touch.begin(), robot.may_touch.end(), [&](const auto& pair) {
     return (pair.first == a && pair.second == b) || (pair.first == b && pair.second == a);
   });
@@ -172,52 +190,165 @@ void check(const Robot& robot, const Scene& scene, const Trajectory& trajectory,
   }
 }
 
+/// Follows a trajectory with KDL and FCL.
+class Follower {
+ public:
+  Follower(const Robot& robot, const Scene& scene, const Trajectory& trajectory)
+      : robot_(robot), trajectory_(trajectory), chain_(make_chain(robot)) {
+    for (const Obstacle& o : scene.obstacles) obstacles_.push_back(place(o));
+    for (std::size_t i = 0; i < robot.links.size(); ++i) {
+      for (const Solid& solid : robot.links[i].solids) {
+        parts_.push_back({place(solid), static_cast<int>(i), robot.links[i].body});
+      }
+    }
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        if (!may_touch(robot, parts_[i].link, parts_[k].link)) pairs_.emplace_back(i, k);
+      }
+    }
+    set_levers();
+  }
+
+  Recheck follow(int samples) {
+    found_ = {.samples = samples, .nearest = std::numeric_limits<double>::infinity()};
+    Moment last;
+    for (int s = 0; s < samples; ++s) {
+      const double share = samples > 1 ? static_cast<double>(s) / (samples - 1) : 0;
+      const Moment now = look(share * trajectory_.duration());
+      const Vec3 tip = tip_position(robot_, now.state.q);
+      found_.tip_error = std::max(found_.tip_error, length(tip - now.tip));
+      found_.nearest = std::min(found_.nearest, now.nearest);
+      found_.contacts += now.nearest <= 0;
+      found_.limits += breaks_limit(robot_, now.state);
+      if (s > 0 && last.nearest > 0 && now.nearest > 0) {
+        found_.unproven += !is_free(last, now);
+      }
+      last = now;
+    }
+    return found_;
+  }
+
+ private:
+  static constexpr int kMostHalvings = 16;
+
+  struct Moment {
+    double time = 0;
+    double nearest = 0;
+    Trajectory::State state;
+    Vec3 tip;
+    Eigen::MatrixXd gaps;  // least between bodies, the first below the second; 0 stands still
+  };
+
+  /// How far any point moves at most while a joint turns by one radian, or slides by one metre.
+  void set_levers() {
+    std::vector<double> far(robot_.joints.size() + 1, 0);  // of what moves with a joint, and beyond
+    for (const Part& part : parts_) {
+      const Eigen::Vector3d middle = part.solid.at * part.solid.shape->aabb_center;
+      far[part.body] = std::max(far[part.body], middle.norm() + part.solid.shape->aabb_radius);
+    }
+    levers_.assign(robot_.joints.size(), 1);
+    double longest = 0;
+    for (std::size_t j = robot_.joints.size(); j-- > 0;) {
+      const Joint& joint = robot_.joints[j];
+      longest = std::max(longest, far[j + 1]);
+      if (joint.kind == Joint::Kind::revolute) {
+        levers_[j] = longest;
+      } else {
+        longest += std::max(std::abs(joint.low), std::abs(joint.high));
+      }
+      longest += joint.frame.translation().norm();
+    }
+    most_.setZero(robot_.size());
+    for (const auto& knot : trajectory_.knots()) most_ = most_.cwiseMax(knot.ddq.cwiseAbs());
+  }
+
+  Moment look(double time) const {
+    Moment now{time, std::numeric_limits<double>::infinity(), trajectory_.at(time), {}, {}};
+    now.gaps.setConstant(robot_.size() + 1, robot_.size() + 1, now.nearest);
+    std::vector<fcl::Transform3d> bodies{fcl::Transform3d::Identity()};
+    KDL::Frame at;
+    for (int j = 0; j < robot_.size(); ++j) {
+      at =
+          at * chain_.getSegment(2 * j).pose(0) * chain_.getSegment(2 * j + 1).pose(now.state.q[j]);
+      bodies.push_back(transform(at));
+    }
+    const KDL::Vector tip = at * vec(from_eigen(robot_.tip).position);
+    now.tip = {tip.x(), tip.y(), tip.z()};
+
+    std::vector<Placed> placed;
+    placed.reserve(parts_.size());
+    for (const Part& part : parts_) {
+      placed.push_back({part.solid.shape, bodies[part.body] * part.solid.at});
+    }
+    const auto measure = [&](const Placed& a, int body, const Placed& b, int other) {
+      double& least = now.gaps(std::min(body, other), std::max(body, other));
+      if (balls_apart(a, b) >= least) return;
+      least = std::min(least, distance(a, b));
+    };
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      if (parts_[i].body == 0) continue;
+      for (const Placed& o : obstacles_) measure(placed[i], parts_[i].body, o, 0);
+    }
+    for (const auto& [i, k] : pairs_) {
+      measure(placed[i], parts_[i].body, placed[k], parts_[k].body);
+    }
+    now.nearest = now.gaps.minCoeff();
+    return now;
+  }
+
+  /// Whether nothing that is apart at a moment touches where joints are up to `turn` from there: of
+  /// two bodies only the joints between them count.
+  bool stays_apart(const Moment& moment, const JointVector& turn) const {
+    for (int a = 0; a < robot_.size(); ++a) {
+      double nearing = 0;
+      for (int b = a + 1; b <= robot_.size(); ++b) {
+        nearing += levers_[b - 1] * turn[b - 1];
+        if (moment.gaps(a, b) <= nearing) return false;
+      }
+    }
+    return true;
+  }
+
+  /// The same for all that the trajectory does between two samples, knot by knot.
+  bool is_free(Moment from, const Moment& to) const {
+    for (const Trajectory::Knot& knot : trajectory_.knots()) {
+      if (knot.time <= from.time || knot.time >= to.time) continue;
+      Moment next = look(knot.time);
+      if (!is_free(from, next, kMostHalvings)) return false;
+      from = std::move(next);
+    }
+    return is_free(from, to, kMostHalvings);
+  }
+
+  /// Whether it can be shown that nothing touches between two moments, with no knot between them,
+  /// by looking between them as often as it takes.
+  bool is_free(const Moment& a, const Moment& b, int halvings) const {
+    if (!(a.nearest > 0 && b.nearest > 0)) return false;
+    // The joints stay within h^2 / 8 max |ddq| of the straight motion.
+    const double h = b.time - a.time;
+    const JointVector turn = 0.5 * (b.state.q - a.state.q).cwiseAbs() + h * h / 8 * most_;
+    if (stays_apart(a, turn) && stays_apart(b, turn)) return true;
+    if (halvings == 0) return false;
+    const Moment middle = look(a.time + 0.5 * h);
+    return is_free(a, middle, halvings - 1) && is_free(middle, b, halvings - 1);
+  }
+
+  const Robot& robot_;
+  const Trajectory& trajectory_;
+  KDL::Chain chain_;
+  std::vector<Placed> obstacles_;
+  std::vector<Part> parts_;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs_;  // of parts that must not touch
+  std::vector<double> levers_;                              // by joint
+  JointVector most_;                                        // |ddq| by joint
+  Recheck found_;
+};
+
 }  // namespace
 
 Recheck recheck(const Robot& robot, const Scene& scene, const Trajectory& trajectory, int samples) {
   check(robot, scene, trajectory, samples);
-  const KDL::Chain chain = make_chain(robot);
-  std::vector<Placed> obstacles;
-  for (const Obstacle& o : scene.obstacles) obstacles.push_back(place(o));
-  std::vector<Link> links;
-  for (int b = 0; b <= robot.size(); ++b) {
-    for (const Capsule& c : b == 0 ? robot.base : robot.joints[b - 1].capsules) {
-      links.emplace_back(c, b);
-    }
-  }
-
-  Recheck found{.samples = samples, .nearest = std::numeric_limits<double>::infinity()};
-  for (int s = 0; s < samples; ++s) {
-    const double share = samples > 1 ? static_cast<double>(s) / (samples - 1) : 0;
-    const Trajectory::State state = trajectory.at(share * trajectory.duration());
-    std::vector<fcl::Transform3d> bodies{fcl::Transform3d::Identity()};
-    KDL::Frame at;
-    for (int j = 0; j < robot.size(); ++j) {
-      at = at * chain.getSegment(2 * j).pose(0) * chain.getSegment(2 * j + 1).pose(state.q[j]);
-      bodies.push_back(transform(at));
-    }
-    const KDL::Vector tip = at * vec(robot.tip);
-    found.tip_error = std::max(found.tip_error,
-                               distance(tip_position(robot, state.q), {tip.x(), tip.y(), tip.z()}));
-
-    std::vector<Placed> placed;
-    placed.reserve(links.size());
-    for (const Link& link : links) placed.push_back({link.shape, bodies[link.body] * link.in_body});
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      if (links[i].body > 0) {
-        for (const Placed& o : obstacles) nearest = std::min(nearest, distance(placed[i], o));
-      }
-      for (std::size_t k = 0; k < i; ++k) {
-        if (may_touch(robot, links[i].body, links[k].body)) continue;
-        nearest = std::min(nearest, distance(placed[i], placed[k]));
-      }
-    }
-    found.nearest = std::min(found.nearest, nearest);
-    found.contacts += nearest <= 0;
-    found.limits += breaks_limit(robot, state);
-  }
-  return found;
+  return Follower(robot, scene, trajectory).follow(samples);
 }
 
 }  // namespace lasius::arm

@@ -1,131 +1,44 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "core/arm/kinematics.h"
-#include "core/arm/mesh_tree.h"
-#include "core/arm/proximity.h"
+#include "core/arm/part.h"
+#include "core/arm/robot/kinematics.h"
+#include "core/arm/robot/solid.h"
 #include "core/base/number_text.h"
 #include "lasius/arm_sensor.h"
 #include "lasius/error.h"
 
 namespace lasius::arm {
-namespace {
-
-/// A point that no point of the thing is further from than `radius`.
-struct Ball {
-  Vec3 centre;
-  double radius = 0;
-};
-
-double gap_between(const Ball& a, const Ball& b) noexcept {
-  return distance(a.centre, b.centre) - a.radius - b.radius;
-}
-
-/// Two bodies of the robot that must not touch; 0 is the base.
-struct BodyPair {
-  int first, second;
-};
-
-/// A capsule of a body, in the body's frame.
-struct Shape {
-  Segment axis;
-  double radius;
-  double half;  // of its axis
-
-  explicit Shape(const Capsule& c)
-      : axis{c.from, c.to}, radius(c.radius), half(0.5 * length(axis.to - axis.from)) {}
-};
-
-/// The same at its place.
-struct PlacedCapsule {
-  Segment axis;
-  double radius;
-  Ball ball;
-
-  PlacedCapsule() = default;
-  PlacedCapsule(const Placement& pose, const Shape& shape)
-      : axis{pose * shape.axis.from, pose * shape.axis.to},
-        radius(shape.radius),
-        ball{0.5 * (axis.from + axis.to), shape.half + shape.radius} {}
-};
-
-struct PlacedObstacle {
-  const Obstacle* obstacle;
-  Placement pose;
-  Vec3 size;
-  Ball ball;
-  std::optional<MeshTree> mesh;
-
-  explicit PlacedObstacle(const Obstacle& o)
-      : obstacle(&o), pose(from_eigen(o.pose)), size(o.size), ball{pose.position, 0} {
-    switch (o.shape) {
-      case Obstacle::Shape::box:
-        ball.radius = 0.5 * length(size);
-        break;
-      case Obstacle::Shape::sphere:
-        ball.radius = o.radius;
-        break;
-      case Obstacle::Shape::cylinder:
-        ball.radius = std::sqrt(o.radius * o.radius + 0.25 * o.length * o.length);
-        break;
-      case Obstacle::Shape::mesh: {
-        std::vector<Triangle> triangles;
-        for (const auto& [a, b, c] : o.triangles) {
-          triangles.push_back({a, b, c});
-          for (const Vec3 corner : triangles.back()) {
-            ball.radius = std::max(ball.radius, length(corner));
-          }
-        }
-        mesh.emplace(std::move(triangles));
-        break;
-      }
-    }
-  }
-
-  /// From a segment; for a mesh at most `limit` is told.
-  double distance(const Segment& s, double limit) const noexcept {
-    const Obstacle& o = *obstacle;
-    if (o.shape == Obstacle::Shape::sphere) return distance_to_point(s, pose.position) - o.radius;
-    const Segment local{rotate_back(pose.rotation, s.from - pose.position),
-                        rotate_back(pose.rotation, s.to - pose.position)};
-    switch (o.shape) {
-      case Obstacle::Shape::box:
-        return distance_to_box(local, 0.5 * size);
-      case Obstacle::Shape::cylinder:
-        return distance_to_cylinder(local, o.radius, 0.5 * o.length);
-      case Obstacle::Shape::sphere:  // above
-      case Obstacle::Shape::mesh:
-        break;
-    }
-    return mesh->distance(local, limit);
-  }
-};
-
-}  // namespace
 
 class SceneSensor::Impl {
  public:
   Impl(const Robot& robot, const Scene& scene, double clearance)
       : robot_(robot), scene_(scene), kinematics_(robot_), clearance_(clearance) {
-    for (const Obstacle& o : scene_.obstacles) obstacles_.emplace_back(o);
-    const int bodies = robot_.size() + 1;
-    for (int b = 0; b < bodies; ++b) {
-      first_.push_back(static_cast<int>(shapes_.size()));
-      for (const Capsule& c : capsules(b)) shapes_.emplace_back(c);
+    obstacles_.reserve(scene_.obstacles.size());  // what is placed points to it
+    for (const Obstacle& o : scene_.obstacles) {
+      obstacles_.emplace_back(o);
+      placed_.push_back(obstacles_.back().place({}));
     }
-    first_.push_back(static_cast<int>(shapes_.size()));
-    for (int b = 2; b < bodies; ++b) {
-      for (int a = 0; a + 1 < b; ++a) {
-        const std::pair pair{a, b}, mirrored{b, a};
-        const auto& free = robot_.may_touch;
-        const bool may = std::find(free.begin(), free.end(), pair) != free.end() ||
-                         std::find(free.begin(), free.end(), mirrored) != free.end();
-        if (!may) pairs_.push_back({a, b});
+    std::vector<int> first;  // part of each link, and the end
+    for (const Link& link : robot_.links) {
+      first.push_back(static_cast<int>(parts_.size()));
+      for (const Solid& solid : link.solids) {
+        parts_.emplace_back(solid);
+        link_.push_back(static_cast<int>(first.size()) - 1);
+        levers_.push_back(levers_of(robot_, link.body, extent(solid)));
+        capsules_ = capsules_ && solid.shape == Solid::Shape::capsule;
       }
     }
-    set_levers();
+    first.push_back(static_cast<int>(parts_.size()));
+    for (const auto& [a, b, check] : link_pairs(robot_)) {
+      if (check != LinkPair::Check::yes) continue;
+      for (int i = first[a]; i < first[a + 1]; ++i) {
+        for (int k = first[b]; k < first[b + 1]; ++k) pairs_.emplace_back(i, k);
+      }
+    }
   }
 
   /// Follows a motion; a position is one of no length. Where it is not free and `told` is given,
@@ -135,7 +48,7 @@ class SceneSensor::Impl {
     check_values(robot_, from);
     check_values(robot_, to);
     Frame frame;
-    const bool moves = set_speeds(from, to, frame.speed);
+    const bool moves = set_speeds(from, to, frame);
     JointArray q;
     for (double t = 0;;) {
       for (int j = 0; j < robot_.size(); ++j) q[j] = from[j] + t * (to[j] - from[j]);
@@ -150,57 +63,57 @@ class SceneSensor::Impl {
   double clearance() const noexcept { return clearance_; }
 
  private:
-  static constexpr int kMostCapsules = 128;
-
   struct Frame {
-    std::array<PlacedCapsule, kMostCapsules> capsules;
-    std::array<double, Robot::kMaxJoints + 1> speed{};  // of each body, per unit of t
+    std::vector<Part::Placed> parts;
+    std::vector<double> speed;    // of each part, per unit of t
+    std::vector<double> nearing;  // of each of `pairs_`: at most so fast
   };
 
-  const std::vector<Capsule>& capsules(int body) const {
-    return body == 0 ? robot_.base : robot_.joints[body - 1].capsules;
-  }
+  int body(int part) const noexcept { return robot_.links[link_[part]].body; }
+  std::string name(int part) const { return link_name(robot_, link_[part]); }
 
-  /// lever_[j][b]: no point of body b is further from the axis of joint j.
-  void set_levers() {
-    for (int b = 1; b <= robot_.size(); ++b) {
-      const auto lever = levers_of(robot_, b, extent(capsules(b)));
-      for (int j = 0; j < b; ++j) lever_[j][b] = lever[j];
-    }
+  /// How fast joints from `first` on move a part at most, in the frame before them.
+  double speed(std::span<const double> from, std::span<const double> to, int first,
+               int part) const noexcept {
+    double sum = 0;
+    for (int j = first; j < body(part); ++j) sum += std::abs(to[j] - from[j]) * levers_[part][j];
+    return sum;
   }
 
   /// False when nothing moves.
-  bool set_speeds(std::span<const double> from, std::span<const double> to,
-                  std::array<double, Robot::kMaxJoints + 1>& speed) const noexcept {
+  bool set_speeds(std::span<const double> from, std::span<const double> to, Frame& frame) const {
     double all = 0;
-    for (int b = 1; b <= robot_.size(); ++b) {
-      for (int j = 0; j < b; ++j) speed[b] += std::abs(to[j] - from[j]) * lever_[j][b];
-      all += speed[b];
+    for (int i = 0; i < static_cast<int>(parts_.size()); ++i) {
+      frame.speed.push_back(speed(from, to, 0, i));
+      all += frame.speed.back();
+    }
+    for (const auto& [a, b] : pairs_) {
+      const auto [first, last] = body(a) < body(b) ? std::pair(a, b) : std::pair(b, a);
+      // Only the joints between two links bring them nearer. Robots of capsules are followed more
+      // slowly, as they ever were: their saved results replay.
+      frame.nearing.push_back(capsules_ ? frame.speed[a] + frame.speed[b]
+                                        : speed(from, to, body(first), last));
     }
     return all > 0;
   }
 
-  void place(std::span<const double> q, Frame& frame) const noexcept {
+  void place(std::span<const double> q, Frame& frame) const {
     Kinematics::Poses poses;
     kinematics_.place(q, poses);
-    for (int b = 0; b <= robot_.size(); ++b) {
-      const Placement pose = b == 0 ? Placement{} : poses[b - 1];
-      for (int i = first_[b]; i < first_[b + 1]; ++i) {
-        frame.capsules[i] = PlacedCapsule(pose, shapes_[i]);
-      }
+    frame.parts.clear();
+    for (int i = 0; i < static_cast<int>(parts_.size()); ++i) {
+      frame.parts.push_back(parts_[i].place(body(i) == 0 ? Placement{} : poses[body(i) - 1]));
     }
   }
 
-  /// Shortens `step` so that two things that near each other at `speed` do not touch in it; false
-  /// where they do now. Their distance is at least `apart`, and `measure(enough)` wherever it is
-  /// below `enough`. Those that pass are twice the clearance apart: steps have a least length, and
-  /// the motion ends.
-  template <class Measure>
-  bool shorten(double apart, double speed, const Measure& measure, double& step) const {
+  /// Shortens `step` so that two parts that near each other at `speed` do not touch in it; false
+  /// where they do now. Those that pass are twice the clearance apart: steps have a least length,
+  /// and the motion ends.
+  bool shorten(const Part::Placed& a, const Part::Placed& b, double speed, double& step) const {
     // Nothing nearer than this matters: neither contact nor a shorter step.
     const double enough = std::max(2 * clearance_, clearance_ + step * speed);
-    if (apart >= enough) return true;
-    const double gap = measure(enough);
+    if (gap_between(a.ball, b.ball) >= enough) return true;
+    const double gap = distance_between(a, b, enough);
     if (gap >= enough) return true;
     if (gap < 2 * clearance_) return false;
     step = std::min(step, (gap - clearance_) / speed);
@@ -209,56 +122,39 @@ class SceneSensor::Impl {
 
   /// Shortens `step` to what all distances allow; false on contact.
   bool advance(const Frame& frame, double& step, std::string* told) const {
-    for (int b = 1; b <= robot_.size(); ++b) {
-      for (const PlacedObstacle& o : obstacles_) {
-        for (int i = first_[b]; i < first_[b + 1]; ++i) {
-          const PlacedCapsule& c = frame.capsules[i];
-          const auto measure = [&](double enough) {
-            return o.distance(c.axis, enough + c.radius) - c.radius;
-          };
-          if (shorten(gap_between(c.ball, o.ball), frame.speed[b], measure, step)) continue;
-          if (told != nullptr) *told = name(b) + " and " + name(o);
-          return false;
-        }
+    for (int i = 0; i < static_cast<int>(parts_.size()); ++i) {
+      if (body(i) == 0) continue;
+      for (std::size_t o = 0; o < placed_.size(); ++o) {
+        if (shorten(frame.parts[i], placed_[o], frame.speed[i], step)) continue;
+        if (told != nullptr) *told = name(i) + " and " + obstacle_name(o);
+        return false;
       }
     }
-    for (const BodyPair& pair : pairs_) {
-      const double speed = frame.speed[pair.first] + frame.speed[pair.second];
-      for (int i = first_[pair.first]; i < first_[pair.first + 1]; ++i) {
-        for (int k = first_[pair.second]; k < first_[pair.second + 1]; ++k) {
-          const PlacedCapsule &a = frame.capsules[i], &c = frame.capsules[k];
-          const auto measure = [&](double) {
-            return distance_to_segment(a.axis, c.axis) - a.radius - c.radius;
-          };
-          if (shorten(gap_between(a.ball, c.ball), speed, measure, step)) continue;
-          if (told != nullptr) *told = name(pair.first) + " and " + name(pair.second);
-          return false;
-        }
-      }
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+      const auto& [a, b] = pairs_[p];
+      if (shorten(frame.parts[a], frame.parts[b], frame.nearing[p], step)) continue;
+      if (told != nullptr) *told = name(a) + " and " + name(b);
+      return false;
     }
     return true;
   }
 
-  std::string name(int body) const {
-    if (body == 0) return "the base";
-    const std::string& joint = robot_.joints[body - 1].name;
-    return "link " + std::to_string(body) + (joint.empty() ? "" : " (after " + joint + ")");
-  }
-  std::string name(const PlacedObstacle& o) const {
-    const auto index = o.obstacle - scene_.obstacles.data() + 1;
-    return "obstacle " + std::to_string(index) +
-           (o.obstacle->name.empty() ? "" : " (" + o.obstacle->name + ")");
+  std::string obstacle_name(std::size_t index) const {
+    const std::string& name = scene_.obstacles[index].name;
+    return "obstacle " + std::to_string(index + 1) + (name.empty() ? "" : " (" + name + ")");
   }
 
   const Robot robot_;
   const Scene scene_;
   const Kinematics kinematics_;
   double clearance_;
-  std::vector<PlacedObstacle> obstacles_;
-  std::vector<Shape> shapes_;  // body by body
-  std::vector<int> first_;     // of each body in `shapes_`, and the end
-  std::vector<BodyPair> pairs_;
-  std::array<std::array<double, Robot::kMaxJoints + 1>, Robot::kMaxJoints> lever_{};
+  std::vector<Part> obstacles_;
+  std::vector<Part::Placed> placed_;        // the obstacles
+  std::vector<Part> parts_;                 // of the robot
+  std::vector<int> link_;                   // of each part
+  std::vector<JointArray> levers_;          // of each part: the joints' reach to any point of it
+  std::vector<std::pair<int, int>> pairs_;  // of parts that must not touch
+  bool capsules_ = true;                    // no other parts
 
   friend class SceneSensor;
 };

@@ -1,14 +1,16 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "core/arm/check_clearance.h"
-#include "core/arm/kinematics.h"
+#include "core/arm/robot/kinematics.h"
+#include "core/arm/robot/vec3.h"
 #include "core/arm/spline.h"
-#include "core/arm/vec3.h"
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
 #include "core/loop/run_status.h"
+#include "kernels/base/random_stream.h"
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
 
@@ -27,18 +29,24 @@ using Waypoints = std::vector<JointVector>;
 /// Asks the sensor, counts, and polls.
 class Asker {
  public:
-  Asker(const Sensor& sensor, const StopCondition& stop)
-      : sensor_(sensor), clearance_(sensor.clearance()), poller_(stop, 16) {
+  Asker(const Sensor& sensor, const TrajectoryOptions& options)
+      : sensor_(sensor),
+        clearance_(sensor.clearance()),
+        poller_(options.stop, 16),
+        most_(options.max_questions) {
     check_clearance(sensor);
   }
 
   bool motion_free(const JointRef& from, const JointRef& to) {
-    if (poller_.stop_after(1)) return false;
+    if (poller_.stop_after(1) || (spent_ |= asked_ >= most_)) return false;
     ++asked_;
     return sensor_.motion_free(from, to);
   }
-  bool stopped() const noexcept { return poller_.stopped(); }
-  StopCondition::Cause cause() const noexcept { return poller_.cause(); }
+  bool stopped() const noexcept { return poller_.stopped() || spent_; }
+  /// Questions that are spent count as a deadline.
+  StopCondition::Cause cause() const noexcept {
+    return spent_ && !poller_.stopped() ? StopCondition::Cause::deadline : poller_.cause();
+  }
   std::int64_t asked() const noexcept { return asked_; }
   double clearance() const noexcept { return clearance_; }
 
@@ -46,7 +54,9 @@ class Asker {
   const Sensor& sensor_;
   double clearance_;
   Poller poller_;
+  std::int64_t most_;
   std::int64_t asked_ = 0;
+  bool spent_ = false;
 };
 
 /// From each waypoint on to one as far ahead as a straight motion goes, found by doubling and
@@ -72,13 +82,55 @@ Waypoints shortened(Waypoints way, Asker& asker) {
   return way;
 }
 
+/// How far it is from one to the other: joint travel, or seconds where `quick`.
+double far(const Robot& robot, bool quick, const JointVector& a, const JointVector& b) {
+  double most = 0, sum = 0;
+  for (int j = 0; j < robot.size(); ++j) {
+    const double change = std::abs(b[j] - a[j]);
+    most = std::max(most, change / robot.joints[j].velocity);
+    sum += change * change;
+  }
+  return quick ? most : std::sqrt(sum);
+}
+
+/// Tries straight motions between two points drawn at random along the way (Geraerts & Overmars
+/// 2007), and keeps those that are free and shorter than the way between.
+Waypoints cut_at_random(const Robot& robot, const TrajectoryOptions& options, Waypoints way,
+                        Asker& asker) {
+  constexpr std::uint32_t kUse = 2;  // of random streams
+  constexpr double kLeastGain = 1e-3;
+  kernels::RandomStream words(options.seed, 0, 0, kUse);
+  for (int i = 0; i < options.shortcuts && way.size() > 2 && !asker.stopped(); ++i) {
+    std::vector<double> until{0};
+    for (std::size_t k = 1; k < way.size(); ++k)
+      until.push_back(until.back() + far(robot, options.quick, way[k - 1], way[k]));
+    std::array<double, 2> at{};
+    for (double& place : at) place = (words.next() + 0.5) * 0x1p-32 * until.back();
+    if (at[0] > at[1]) std::swap(at[0], at[1]);
+    std::array<std::size_t, 2> after{};
+    std::array<JointVector, 2> ends;
+    for (int e = 0; e < 2; ++e) {
+      const auto k = std::upper_bound(until.begin() + 1, until.end() - 1, at[e]) - until.begin();
+      const double share = (at[e] - until[k - 1]) / (until[k] - until[k - 1]);
+      after[e] = static_cast<std::size_t>(k);
+      ends[e].resize(robot.size());
+      for (int j = 0; j < robot.size(); ++j)
+        ends[e][j] = way[k - 1][j] + share * (way[k][j] - way[k - 1][j]);
+    }
+    const double gain = at[1] - at[0] - far(robot, options.quick, ends[0], ends[1]);
+    if (after[0] == after[1] || !(gain > kLeastGain * until.back())) continue;
+    if (!asker.motion_free(ends[0], ends[1])) continue;
+    Waypoints shorter(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(after[0]));
+    for (JointVector& end : ends) shorter.push_back(std::move(end));
+    shorter.insert(shorter.end(), way.begin() + static_cast<std::ptrdiff_t>(after[1]), way.end());
+    way = std::move(shorter);
+  }
+  return way;
+}
+
 /// The fastest that the joints' velocities allow on the straight.
 double fastest(const Robot& robot, const JointVector& a, const JointVector& b) {
-  double most = 1e-6;
-  for (int j = 0; j < robot.size(); ++j) {
-    most = std::max(most, std::abs(b[j] - a[j]) / robot.joints[j].velocity);
-  }
-  return most;
+  return std::max(1e-6, far(robot, true, a, b));
 }
 
 /// Stretches spans until the limits hold nearly everywhere, and then all of them until they do.
@@ -116,8 +168,8 @@ Trajectory within_limits(const Robot& robot, Course& course, const Make& make) {
 std::vector<double> levers(const Robot& robot) {
   std::vector<double> most(robot.joints.size(), 0);
   for (int body = 1; body <= robot.size(); ++body) {
-    double far = body == robot.size() ? length(robot.tip) : 0;
-    far = std::max(far, extent(robot.joints[body - 1].capsules));
+    double far = body == robot.size() ? length(from_eigen(robot.tip).position) : 0;
+    far = std::max(far, extent(robot, body));
     const auto lever = levers_of(robot, body, far);
     for (int j = 0; j < body; ++j) most[j] = std::max(most[j], lever[j]);
   }
@@ -229,8 +281,9 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
   for (const auto q : waypoints.colwise()) {
     if (way.empty() || q != way.back()) way.emplace_back(q);
   }
-  Asker asker(sensor, options.stop);
+  Asker asker(sensor, options);
   if (options.shortcut) way = shortened(std::move(way), asker);
+  way = cut_at_random(robot, options, std::move(way), asker);
   result.waypoints = static_cast<int>(way.size());
   if (way.size() == 1) {
     result.questions = asker.asked();

@@ -63,6 +63,9 @@ class GridColony final : public ColonyWorld {
     if (memory_.ants.size() < ants) memory_.ants.resize(ants);  // to free some may take long
     ants_ = std::span(memory_.ants).first(ants);
     memory_.tours.resize(ants);
+    memory_.raw_lengths.resize(ants);
+    if (params.walk_cut != WalkCut::none && std::ssize(memory_.cutters) < threads_)
+      memory_.cutters.resize(threads_);
     memory_.best_moves.clear();
     shape_ = walk_shape(params, moves_, memory_.field.mixture());
     kernel_ = kernels::walk_table(chosen_isa()).walk[shape_.index()];
@@ -85,6 +88,7 @@ class GridColony final : public ColonyWorld {
     set_iteration(world_, params_, moves_, shape_, weights, q);
     for (Ant& ant : ants_) ant.arrived = false;
     for (Tour& tour : memory_.tours) tour = {{}, kNaN};
+    std::ranges::fill(memory_.raw_lengths, kNaN);
     const int batch = params_.batch > 0 ? params_.batch : params_.ants;
     for (int first = 0; first < params_.ants; first += batch) {
       const int count = std::min(batch, params_.ants - first);
@@ -123,7 +127,10 @@ class GridColony final : public ColonyWorld {
 
   int ants() const override { return params_.ants; }
   int threads() const override { return threads_; }
-  double tour_length(int ant) const override { return memory_.tours[ant].length; }
+  double tour_length(int ant) const override { return memory_.raw_lengths[ant]; }
+  std::optional<Walked> walked(int ant) const override {
+    return Walked{memory_.tours[ant].length, ants_[ant].steps};
+  }
   double best_length() const override { return best_length_ < kInfinity ? best_length_ : kNaN; }
 
   StopCondition::Cause observe(const Convergence& run) override {
@@ -166,13 +173,26 @@ class GridColony final : public ColonyWorld {
     return {ant.tour(), ant.arrived ? raw_length(ant.tour(), moves_) : kNaN};
   }
 
+  /// The tour of an ant that has just ended, measured and cut; none where there was no time to.
+  Tour measured(int number, int thread) {
+    Ant& ant = ants_[number];
+    const Tour tour = tour_of(ant);
+    memory_.raw_lengths[number] = tour.length;
+    if (params_.walk_cut == WalkCut::none || !ant.arrived) return tour;
+    const auto count = memory_.cutters[thread].cut(grid_, params_.corners, moves_, request_.start,
+                                                   tour.moves, request_.stop, ant.cut);
+    if (count < 0) return tour;
+    const std::span<const std::uint8_t> left(ant.cut.data(), static_cast<std::size_t>(count));
+    return {left, raw_length(left, moves_)};
+  }
+
   /// Tours are measured as ants end, and polished while others still walk: by a thread that has no
   /// ant left, or at once as long as there is no answer.
   AfterWalk after_walk(int first) {
     AfterWalk work;
     const bool at_once = best_length_ == kInfinity && !ants_only_teach();
     work.ended = [this, first, at_once](int ant, int thread) {
-      memory_.tours[first + ant] = tour_of(ants_[first + ant]);
+      memory_.tours[first + ant] = measured(first + ant, thread);
       if (at_once) memory_.polisher.polish_ahead(ants_, first + ant, thread);
     };
     if (!ants_only_teach()) {
@@ -241,7 +261,7 @@ class GridColony final : public ColonyWorld {
     }
     if (improving_ant_ >= 0) best_path_ = paths[improving_ant_].points;
     if (!(shortest < best_length_)) return;
-    auto path = as_walked(ants[left]);
+    auto path = as_walked(tours[left]);
     const double length = path_length(path);
     if (!(length < best_length_)) return;  // by rounding it was
     improving_ant_ = left;
@@ -249,10 +269,10 @@ class GridColony final : public ColonyWorld {
     best_path_ = std::move(path);
   }
 
-  std::vector<Point> as_walked(const Ant& ant) const {
+  std::vector<Point> as_walked(const Tour& tour) const {
     std::vector<Point> path;
-    path.reserve(ant.tour().size() + 1);
-    along_tour(ant.tour(), moves_, request_.start, [&](Cell c) { path.push_back(centre(c)); });
+    path.reserve(tour.moves.size() + 1);
+    along_tour(tour.moves, moves_, request_.start, [&](Cell c) { path.push_back(centre(c)); });
     return path;
   }
 

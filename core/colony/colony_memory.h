@@ -8,6 +8,7 @@
 #include "core/colony/field.h"
 #include "core/colony/polish.h"
 #include "core/colony/update.h"
+#include "core/colony/walk_cutter.h"
 #include "core/colony/walkers.h"
 
 namespace lasius {
@@ -16,7 +17,9 @@ struct ColonyMemory {
   Field field;
   Walkers walkers;
   std::vector<Ant> ants;                 // perhaps more than are sent
-  std::vector<Tour> tours;               // of the ants
+  std::vector<Tour> tours;               // of the ants, cut if tours are
+  std::vector<double> raw_lengths;       // of the ants' tours, not cut
+  std::vector<WalkCutter> cutters;       // by thread
   std::vector<int> ranking;              // of the ants
   std::vector<std::uint8_t> best_moves;  // of the best tour so far
   Ant answer;                            // of a colony whose ants only teach it
@@ -25,7 +28,8 @@ struct ColonyMemory {
 
   std::int64_t bytes() const noexcept {
     return field.bytes() + walkers.bytes() + held_bytes_of_all(ants) + answer.bytes() +
-           held_bytes(tours, ranking, best_moves, way) + polisher.bytes();
+           held_bytes(tours, raw_lengths, ranking, best_moves, way) + polisher.bytes() +
+           held_bytes_of_all(cutters);
   }
 };
 

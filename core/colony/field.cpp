@@ -233,7 +233,7 @@ std::int64_t Field::bytes() const noexcept {
   std::int64_t total = rows_.bytes() + directory_.bytes() + blocked_rows_.bytes() +
                        heuristic_.bytes() + held_bytes(not_made_, pool_, unused_, used_);
   for (const auto& tile : pool_) {
-    total += static_cast<std::int64_t>(tile->room * sizeof(float) + sizeof(Tile));
+    total += static_cast<std::int64_t>((tile->room + kAligned) * sizeof(float) + sizeof(Tile));
   }
   return total;
 }

@@ -27,7 +27,8 @@ struct alignas(64) Ant {
   std::int64_t move_count = 0;
   GrowingArray<kernels::PackedCell> dead;  // cells entered and left again, where they are wanted
   std::int64_t dead_count = 0;
-  std::int64_t steps = 0;  // steps done, those taken back included
+  GrowingArray<std::uint8_t> cut;  // moves of the tour after the cut, where tours are cut
+  std::int64_t steps = 0;          // steps done, those taken back included
 
   std::span<const std::uint8_t> tour() const noexcept {
     return {moves.data(), static_cast<std::size_t>(move_count)};
@@ -35,7 +36,9 @@ struct alignas(64) Ant {
   std::span<const kernels::PackedCell> dead_ends() const noexcept {
     return {dead.data(), static_cast<std::size_t>(dead_count)};
   }
-  std::int64_t bytes() const noexcept { return moves.bytes() + dead.bytes(); }  // memory held
+  std::int64_t bytes() const noexcept {
+    return moves.bytes() + dead.bytes() + cut.bytes();
+  }  // memory held
 };
 
 /// Calls visit(cell) for every cell of a tour, the start first.

@@ -77,7 +77,11 @@ StopCondition::Cause Anytime::turn(std::int64_t work) {
 }
 
 void Anytime::merge(ExactAnswer& answer) const {
-  if (answer.end != ExactEnd::stopped || !std::isfinite(length_)) return;
+  if (answer.end != ExactEnd::stopped) return;
+  if (!std::isfinite(length_)) {  // neither has a path
+    answer.lower_bound = std::max(answer.lower_bound, bound_);
+    return;
+  }
   if (answer.path.empty() || length_ < answer.length) answer.path = memory_.path;
   const double bound = std::max(answer.lower_bound, bound_);
   conclude(bound, path_length(answer.path), answer.cause, options_.target_gap, answer);

@@ -220,8 +220,7 @@ void ExactSearch::shortcut(const Grid& grid, Cell start, Cell goal, double lengt
   std::uint32_t index = CornerTable::kStart;
   do {
     expand(index);
-    work -= kWordsPerExpansion;
-  } while (!poller.stop_after(kWordsPerExpansion) && counters_.words < work && next_corner(index));
+  } while (!poller.stop_after(kWordsPerExpansion) && work_done() < work && next_corner(index));
   poller_ = nullptr;
   if (upper_ < length) trace(path);
 }

@@ -32,12 +32,13 @@ bool fits(const Json& value) {
   return value.is_number_integer() && std::in_range<Whole>(value.get<std::int64_t>());
 }
 
-/// Whole numbers, each as wide as an int.
-std::vector<int> whole_numbers(const Json& object, const std::string& key) {
+/// Whole numbers, each as wide as the type.
+template <class Integer = int>
+std::vector<Integer> whole_numbers(const Json& object, const std::string& key) {
   const Json list = object.value(key, Json());
-  const bool good = list.is_array() && std::ranges::all_of(list, fits<int>);
+  const bool good = list.is_array() && std::ranges::all_of(list, fits<Integer>);
   if (!good) throw broken("holds \"" + key + "\": " + json::dumped(list));
-  return list.get<std::vector<int>>();
+  return list.get<std::vector<Integer>>();
 }
 
 /// A member as a value of C++.
@@ -142,6 +143,12 @@ Result result_from_json(std::string_view text) {
   result.best = curve(object, "best");
   result.mean = curve(object, "mean");
   result.arrived = whole_numbers(object, "arrived");
+  if (object.contains("steps")) {  // a colony's
+    result.raw_best = curve(object, "raw_best");
+    result.cut_mean = curve(object, "cut_mean");
+    result.cut_best = curve(object, "cut_best");
+    result.steps = whole_numbers<std::int64_t>(object, "steps");
+  }
   if (!member<Json>(object, "lower_bound").is_null())
     result.lower_bound = member<double>(object, "lower_bound");
   result.optimal = member<bool>(object, "optimal");

@@ -54,6 +54,11 @@ void add_convergence(Json& json, const Convergence& run) {
   json["best"] = numbers(run.best);
   json["mean"] = numbers(run.mean);
   json["arrived"] = run.arrived;
+  if (run.steps.empty()) return;
+  json["raw_best"] = numbers(run.raw_best);
+  json["cut_mean"] = numbers(run.cut_mean);
+  json["cut_best"] = numbers(run.cut_best);
+  json["steps"] = run.steps;
 }
 
 void add_proof(Json& json, const SearchResult& result) {

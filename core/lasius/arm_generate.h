@@ -21,6 +21,7 @@ struct Query {
   Scene scene;                                     ///< what stands around the arm
   JointVector start;                               ///< a value for each joint, free
   Eigen::Vector3d goal = Eigen::Vector3d::Zero();  ///< of the tip, at a free position of the arm
+  JointVector goal_joints;                         ///< that position
 };
 
 /// Boxes, spheres and cylinders within the arm's reach, a start and a goal: both are positions of

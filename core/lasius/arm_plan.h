@@ -1,4 +1,4 @@
-// The planner `goritov2020`: an ant colony in the lattice of tip positions around the start, which
+// The planner for arms: an ant colony in the lattice of tip positions around the start, which
 // learns of obstacles only by trying positions.
 #pragma once
 
@@ -34,21 +34,42 @@ constexpr std::string_view to_string(Pheromone value) noexcept {
   return name_of(value, kPheromoneNames);
 }
 
-/// Parameters of `goritov2020`, as given here those of its base set (Goritov & Goncharov 2020).
-struct Params {
-  /// The only algorithm there is.
-  static constexpr std::string_view algorithm() noexcept { return "goritov2020"; }
+/// What a way through the lattice is measured by.
+enum class Objective {
+  length,    ///< moves times pitch, metres: the source's L
+  joint,     ///< joint travel: the sum of |dq|, in radians and metres
+  duration,  ///< seconds that the joints' velocities ask for, straight from point to point
+};
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 3> kObjectiveNames{"length", "joint", "duration"};
+/// The name of a value.
+constexpr std::string_view to_string(Objective value) noexcept {
+  return name_of(value, kObjectiveNames);
+}
+
+/// Parameters of one plan. The constructor sets the values of an algorithm, which `algorithms()`
+/// lists: `postures`, the default, or `goritov2020`, the source's system and base set (Goritov &
+/// Goncharov 2020). Both read all of them; `postures` is other values, not another search.
+struct LASIUS_ARM_EXPORT Params {
+  /// Those of `postures`.
+  Params() : Params("postures") {}
+  /// @throws Error(invalid_parameter) for an unknown name, with the nearest known one.
+  explicit Params(std::string_view algorithm);
+  /// Its name. To ask another algorithm, make other Params.
+  const std::string& algorithm() const noexcept { return algorithm_; }
 
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
   int threads = 0;         ///< at most 1024; 0: as many as OpenMP gives; never changes the answer
 
+  // As given here, those of the source's base set.
   int ants = 64;         ///< m
-  int iterations = 100;  ///< T
-  // Random proportional rule: weight of a move = tau^alpha eta^beta u^gamma, with eta = 1 / weight
-  // of the edge and u = 1 / (1 + theta), theta the angle between the move and the way to the goal.
-  double alpha = 1;           ///< exponent of pheromone
-  double beta = 1;            ///< without effect: all edges that exist weigh the same
-  double gamma = 0.25;        ///< exponent of the direction to the goal
+  int iterations = 100;  ///< T, in each lattice
+  // Random proportional rule: weight of a move = tau^alpha eta^beta u^gamma, with eta = pitch /
+  // weight of the edge and u = 1 / (1 + theta), theta the angle between the move and the way to the
+  // goal; a change of posture counts as a move across.
+  double alpha = 1;     ///< exponent of pheromone
+  double beta = 1;      ///< of eta: without effect where no posture changes, all weigh a pitch
+  double gamma = 0.25;  ///< exponent of the direction to the goal
   double evaporation = 0.25;  ///< rho: share of pheromone lost in an iteration
   double elite_weight = 0;    ///< e: weight of the iteration's best tour
   /// tau0, at least 1e-12; 0: ants / Manhattan distance from start to goal.
@@ -63,6 +84,30 @@ struct Params {
   int patience = 0;         ///< stop after so many iterations without a shorter path; 0: never
   double line_ants = 0;     ///< ants whose deposits lie on the straight way before the first
   bool shortcut = true;     ///< leave out waypoints before the motion: TrajectoryOptions::shortcut
+
+  // What the source has not. With postures = 1 the goal is the lattice point next to it, moved onto
+  // it, as in the source; with more, it is joined by joint steps.
+  int postures = 1;     ///< K: joint values that a lattice point may have, 1 .. 16
+  bool direct = false;  ///< first try the straight joint-space line to each posture of the goals
+  /// Weight of the straight joint-space line to the nearest posture of the goals, from wherever an
+  /// ant is: 0 .. 0.99. Such lines are not of the lattice, no bound counts them.
+  double lines = 0;
+  /// Steps that an ant may take, in those of the shortest way there might be; 0: any number. Twice
+  /// as many after each iteration in which none arrived for want of steps,
+  double leash = 0;
+  int vias = 0;        ///< and then so many random joint values to try to get past by, 0 .. 1000
+  int refine = 0;      ///< halve the pitch so often where nothing is found, 0 .. 4
+  bool prove = false;  ///< stop when no way in the lattice can be shorter, as far as it is known
+  /// The first ant of an iteration sets out on the shortest way that may be open, as far as it is
+  /// known: what shows that there is none shorter is asked first.
+  bool scout = false;
+  Objective objective = Objective::length;  ///< what is optimised
+  /// Questions that may be asked, the motion's included; 0: any number. Otherwise one thread walks.
+  int max_questions = 0;
+  int shortcuts = 0;  ///< random shortcuts of the motion: TrajectoryOptions::shortcuts
+
+ private:
+  std::string algorithm_;
 };
 
 /// All parameters by name, with ranges, as `lasius algorithms` lists them; valid for ever.
@@ -80,11 +125,35 @@ LASIUS_ARM_EXPORT std::string get_parameter(const Params& parameters, std::strin
 /// @throws Error(invalid_parameter) for the first field out of range.
 LASIUS_ARM_EXPORT void validate(const Params& parameters);
 
+/// What the arm is to reach: a position of the tip, a pose of it, or joint values.
+struct LASIUS_ARM_EXPORT Goal {
+  /// What it says.
+  enum class Kind { position, pose, joints };
+  static constexpr double kTolerance = 1e-7;  ///< metres and radians, unless said otherwise
+
+  /// The tip at `position`, its orientation free.
+  Goal(const Eigen::Vector3d& position);
+  /// The same.
+  static Goal position(const Eigen::Vector3d& position) { return {position}; }
+  /// The tip's frame at `pose`, within tolerances of at least kTolerance: metres, and radians of
+  /// the turn between the two frames (pi or more: any orientation).
+  static Goal pose(const Pose& pose, double position_tolerance = kTolerance,
+                   double angle_tolerance = kTolerance);
+  /// A value for each joint; one that turns freely may get there by any number of turns.
+  static Goal joints(const JointRef& q);
+
+  Kind kind = Kind::position;              ///< which of the following counts
+  Pose target = Pose::Identity();          ///< of the tip, in the world
+  double position_tolerance = kTolerance;  ///< metres
+  double angle_tolerance = kTolerance;     ///< radians
+  JointVector values;                      ///< of the joints
+};
+
 /// One question.
 struct Request {
-  JointVector start;                               ///< a value for each joint
-  Eigen::Vector3d goal = Eigen::Vector3d::Zero();  ///< of the tip, its orientation is free
-  StopCondition stop = {};                         ///< of the search and the motion together
+  JointVector start;        ///< a value for each joint
+  std::vector<Goal> goals;  ///< any one of them is to be reached; at least one
+  StopCondition stop = {};  ///< of the search and the motion together
   double target_gap = 0;  ///< stop at this gap to what was learned so far, as a fraction; 0: never
   bool motion = true;     ///< make the motion, too; if not, the answer is waypoints
 };
@@ -97,19 +166,26 @@ struct Questions {
   friend bool operator==(const Questions&, const Questions&) = default;
 };
 
-/// One answer; `length` is moves times pitch, the source's L, in metres. Without a path `joints`
-/// and `tips` have no columns, and the trajectory is empty. Where the search is solved, `status` is
-/// that of the motion.
+/// One answer; `length` is in the unit of the objective: metres of lattice moves, radians (or
+/// metres) of the joints, seconds. Without a path `joints` and `tips` have no columns, and the
+/// trajectory is empty. Where the search is solved, `status` is that of the motion.
 struct Result : SearchResult {
   Eigen::MatrixXd joints;       ///< q^(0) .. q^(p), a column for each lattice point of the path
   Eigen::Matrix3Xd tips;        ///< where the tip is then, likewise
   Trajectory trajectory;        ///< the motion along `joints`; empty where none was asked for
   int waypoints = 0;            ///< of the motion, left after shortcutting
   bool stops = false;           ///< the motion rests at each waypoint: see TrajectoryResult
-  double pitch = 0;             ///< as used
+  int goal = -1;                ///< which of the request's was reached, from 0; -1: none
+  bool direct = false;          ///< the straight joint-space line was free: no lattice was searched
+  double tip_travel = 0;        ///< of the motion (without one, of `joints`), metres
+  double joint_travel = 0;      ///< likewise, the sum of |dq|
+  double duration = 0;          ///< of the motion, seconds
+  double pitch = 0;             ///< as used, in the last lattice
+  int postures = 0;             ///< that its points have at most
   std::array<int, 3> points{};  ///< of the lattice, by axis
   Questions questions;          ///< that the sensor was asked
-  std::int64_t steps = 0;       ///< of all ants, those taken back included
+  std::vector<Questions> asked;  ///< the same so far, after each iteration
+  std::int64_t steps = 0;        ///< of all ants, those taken back included
 };
 
 /// What an observer sees after each iteration.
@@ -129,7 +205,8 @@ using Observer = std::function<void(const ArmProgress&)>;
 /// values of a point are found by kinematics from those of the neighbour towards the start, along
 /// the axis with the largest |v_i| (or the next largest, where that one has none): a function of v
 /// alone. An edge is closed where an end has none, a joint would move further than `joint_step`, or
-/// the sensor says so.
+/// the sensor says so. With Params::postures a point has as many, the others continued from joint
+/// values that reach a goal or stand where the tip starts; see docs/theory.md.
 ///
 /// An ant draws among the neighbours that it has not visited, and tries what it drew: if the way is
 /// closed it draws again among the rest. That is the source's rule, and makes a walk depend on the
@@ -139,18 +216,24 @@ using Observer = std::function<void(const ArmProgress&)>;
 /// Robot, sensor and request are read during the call only; several plans may be made at a time.
 /// @throws Error(invalid_parameter) for a robot that `validate` refuses, parameters or a target gap
 ///         out of range, a lattice that is too large, or (for a motion) a sensor's clearance below
-///         its least; what the sensor or the observer throws. A bad start or goal is an answer:
-///         Status::invalid.
+///         its least; what the sensor or the observer throws. A bad start, or goals all of which
+///         are proven out of reach or blocked, are an answer: Status::invalid. That no way was
+///         found in the lattice is Status::no_path, with `error` saying what to change.
 LASIUS_ARM_EXPORT Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
                               const Params& parameters = {}, const Observer& observer = {});
 
 /// The shortest way in the same lattice when everything is known: A*, which asks the sensor about
-/// whatever it needs. A measure for `plan`, not a planner for unknown worlds. Status::solved with
-/// `length`, `lower_bound` and `questions`, Status::unreachable, or as `plan`; no joints, no tips,
-/// no motion.
+/// whatever it needs. A measure for `plan`, not a planner for unknown worlds: neither the straight
+/// joint-space line is tried nor the pitch refined. Status::solved with `length`, `lower_bound` and
+/// `questions`, Status::no_path, or as `plan`; no joints, no tips, no motion.
 LASIUS_ARM_EXPORT Result shortest_lattice_way(const Robot& robot, const Sensor& sensor,
                                               const Request& request,
                                               const Params& parameters = {});
+
+/// The same with few questions: the shortest way as far as it is known is tried edge by edge, and
+/// searched anew where one is closed.
+LASIUS_ARM_EXPORT Result lazy_lattice_way(const Robot& robot, const Sensor& sensor,
+                                          const Request& request, const Params& parameters = {});
 
 /// The way of the tip that keeps nearest to the straight line: Status::solved with its `length`
 /// where it is open, Status::no_path where something is in the way, or as `plan`. Likewise a

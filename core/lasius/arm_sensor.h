@@ -35,8 +35,9 @@ class LASIUS_ARM_EXPORT Sensor {
 
 /// A sensor that knows a scene.
 ///
-/// Distances are computed from the links' capsules: in closed form, to cylinders by bisection. A
-/// motion is followed by conservative advancement (Mirtich 1996): as far as no point of a link can
+/// Distances are those of the solids as they are, never above the true ones: a mesh is a surface,
+/// what is inside of it is free. Links that stand still are not checked against obstacles. A motion
+/// is followed by conservative advancement (Mirtich 1996): as far as no point of a link can
 /// have used up its distance, then measured again, so that what is called free is free all along.
 class LASIUS_ARM_EXPORT SceneSensor final : public Sensor {
  public:
@@ -51,7 +52,8 @@ class LASIUS_ARM_EXPORT SceneSensor final : public Sensor {
   bool motion_free(const JointRef& from, const JointRef& to) const override;
   double clearance() const override;
 
-  /// What is in the way at `q`, for people: "link 3 and obstacle 2 (post)"; empty where it is free.
+  /// What is in the way at `q`, for people: "the base and link 3 (after elbow)", or of a URDF's
+  /// links by their names; empty where it is free.
   std::string contact(const JointRef& q) const override;
 
   static constexpr double kClearance = 0.002;  ///< what is kept unless said otherwise, metres

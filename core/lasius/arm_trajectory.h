@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "lasius/arm_sensor.h"
@@ -48,7 +49,12 @@ class LASIUS_ARM_EXPORT Trajectory {
 
 /// How a motion is made.
 struct TrajectoryOptions {
-  bool shortcut = true;     ///< leave out waypoints that a straight joint motion can pass by
+  bool shortcut = true;  ///< leave out waypoints that a straight joint motion can pass by
+  /// Then try so many straight motions between two points of the way, drawn at random.
+  int shortcuts = 0;
+  std::uint64_t seed = 1;  ///< of the draws
+  bool quick = false;      ///< shortcuts save time, not joint travel
+  std::int64_t max_questions = std::numeric_limits<std::int64_t>::max();  ///< then it rests
   StopCondition stop = {};  ///< polled after every motion asked about
 };
 
@@ -77,11 +83,14 @@ LASIUS_ARM_EXPORT TrajectoryResult make_trajectory(
     const Robot& robot, const Sensor& sensor, const Eigen::Ref<const Eigen::MatrixXd>& waypoints,
     const TrajectoryOptions& options = {});
 
-/// What an independent check of a trajectory found: kinematics by KDL, collision by FCL, at
-/// `samples` times evenly spread. No kinematics or distance of the planner's takes part.
+/// What an independent check of a trajectory found: kinematics by KDL, collision of the solids by
+/// FCL, at `samples` times evenly spread, and between them as often as it takes to show by
+/// distances and speeds that nothing touches there. No kinematics or distance of the planner's
+/// takes part.
 struct Recheck {
   int samples = 0;       ///< times that were looked at
   int contacts = 0;      ///< samples at which a link touches an obstacle or another link
+  int unproven = 0;      ///< pieces between samples of which it was not shown that nothing touches
   int limits = 0;        ///< samples at which a limit of value, velocity or acceleration is broken
   double nearest = 0;    ///< least distance to an obstacle or another link, metres
   double tip_error = 0;  ///< largest distance between KDL's tip and ours

@@ -27,6 +27,18 @@ inline constexpr std::array<std::string_view, 3> kPolishNames{"none", "straight"
 /// The name of a value.
 constexpr std::string_view to_string(Polish value) noexcept { return name_of(value, kPolishNames); }
 
+/// What is left of a walk before it is measured, deposited and offered.
+enum class WalkCut {
+  none,       ///< all of it, but for steps that were taken back
+  own_cells,  ///< the shortest way over its own cells by the ant's moves
+};
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 2> kWalkCutNames{"none", "own-cells"};
+/// The name of a value.
+constexpr std::string_view to_string(WalkCut value) noexcept {
+  return name_of(value, kWalkCutNames);
+}
+
 /// What an ant does when every way on is closed.
 enum class DeadEnd {
   backtrack,  ///< step back; the cell stays tabu for this ant, the tour is what is left
@@ -165,6 +177,7 @@ struct LASIUS_EXPORT Params : TrailParams {
   Corners corners = Corners::forbid;         ///< rule for diagonal steps past blocked cells
   Polish polish = Polish::straight;          ///< what is done with each tour
   DeadEnd dead_end = DeadEnd::backtrack;     ///< where every way on is closed
+  WalkCut walk_cut = WalkCut::none;          ///< of every tour, before deposits
 
   // Random proportional rule: weight of a move = tau^alpha * visibility * heuristic.
   Selection selection = Selection::roulette;           ///< how a move is drawn
@@ -223,6 +236,8 @@ struct Parameter {
   std::string_view type;     ///< "integer", "number" or "choice"
   std::string_view range;    ///< "1 .. 1000000", "a|b|c"
   std::string_view summary;  ///< a line
+  /// Its value in results that were saved before it was there; empty: it always was.
+  std::string_view earlier = {};
 };
 
 /// One algorithm: its name, where it comes from, what it reads of Params.

@@ -32,7 +32,7 @@ class LASIUS_EXPORT Workspace {
  public:
   Workspace();
   ~Workspace();
-  Workspace(Workspace&&) noexcept;
+  Workspace(Workspace&&) noexcept;  ///< one that was moved from may only be assigned to or end
   Workspace& operator=(Workspace&&) noexcept;
 
   /// Memory held, in bytes; of large arrays the pages that were touched. Between two calls.

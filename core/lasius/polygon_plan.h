@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -22,20 +23,34 @@ namespace lasius::polygon {
 
 /// How obstacles grow at their corners.
 enum class Join {
-  mitre,  ///< the margin is kept everywhere
-  round,  ///< arcs are made of chords: at corners 99.5% of the margin is kept
-  bevel,  ///< corners are cut off: paths come nearer there
+  mitre,   ///< the margin is kept; corners reach up to 5 margins out, and may close passages
+  round,   ///< the margin is kept, and exceeded by less than 0.5% of it, at corners alone
+  bevel,   ///< corners are cut off: paths come nearer there
+  chords,  ///< what `round` was up to version 0.1: at corners 99.5% of the margin is kept
 };
 /// Their names, in the same order.
-inline constexpr std::array<std::string_view, 3> kJoinNames{"mitre", "round", "bevel"};
+inline constexpr std::array<std::string_view, 4> kJoinNames{"mitre", "round", "bevel", "chords"};
 /// The name of a value.
 constexpr std::string_view to_string(Join value) noexcept { return name_of(value, kJoinNames); }
 
-/// How the obstacles of a world grow by the robot's margin.
+/// What the margin does to the boundary.
+enum class Boundary {
+  shrink,  ///< the robot keeps the margin to it, as to obstacles
+  keep,    ///< paths may run along it
+};
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 2> kBoundaryNames{"shrink", "keep"};
+/// The name of a value.
+constexpr std::string_view to_string(Boundary value) noexcept {
+  return name_of(value, kBoundaryNames);
+}
+
+/// How a world grows by the robot's margin.
 struct GrowOptions {
   static constexpr double kMostMargin = 1e12;  ///< largest margin, in the world's unit
   std::optional<double> margin;                ///< in place of the world's own, 0 to kMostMargin
-  Join join = Join::mitre;                     ///< mitres of more than 5 margins are cut off
+  Join join = Join::round;                     ///< at corners, the boundary's too if it shrinks
+  Boundary boundary = Boundary::shrink;        ///< whether the boundary keeps the margin, too
 };
 
 /// Which best path the global update of `maklink-acs` deposits on.
@@ -64,22 +79,25 @@ struct LASIUS_POLYGON_EXPORT Params {
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
   int threads = 0;         ///< at most 1024; no effect, planning takes one: for the record alone
 
-  int ants = 10;             ///< m
-  int iterations = 200;      ///< NC; generations of the genetic algorithm
-  int values = 11;           ///< crossing points of a line: h = 0, 1 / (values - 1) .. 1
-  double beta = 2;           ///< exponent of visibility (1.1 - |h - h*|) / 1.1
-  double greedy = 0.85;      ///< q0
-  double evaporation = 0.1;  ///< rho of both updates
+  int ants = 10;  ///< m
+  /// Stands for a number that grows with `values`.
+  static constexpr int kUsualIterations = -1;
+  int iterations = kUsualIterations;  ///< NC, or generations; see iterations_of
+  int values = 21;                    ///< crossing points of a line: h = 0, 1 / (values - 1) .. 1
+  double beta = 2;                    ///< exponent of visibility (1.1 - |h - h*|) / 1.1
+  double greedy = 0.5;                ///< q0
+  double evaporation = 0.1;           ///< rho of both updates
   /// tau0; 0: 1 / (d L) with d lines and L of Dijkstra's path, the formula of ACS (Dorigo &
-  /// Gambardella 1997), which is 0.00022 on the source's world. A fixed one ties the balance of
+  /// Gambardella 1997), which is 0.00022 on the source's world. Its own 0.0002 ties the balance of
   /// old and new paths to the unit of length.
-  double initial_pheromone = 0.0002;
+  double initial_pheromone = 0;
   GlobalBest global_best = GlobalBest::so_far;  ///< which path the global update deposits on
   /// The run ends after so many iterations in a row in which all ants went the same way; 0: never.
   /// The source ends at the first; but ants that take the largest weight in 85% of choices agree by
   /// chance, long before the 175 iterations that it takes itself.
   int agreement = 10;
-  int routes = 1;  ///< line sequences that are searched, the shortest first; 1 is the source
+  /// Line sequences that are searched, the shortest first; the source: 1, as the genetic algorithm.
+  int routes = 5;
 
   int population = 50;     ///< chromosomes
   double crossover = 0.6;  ///< probability that two parents cross
@@ -106,6 +124,10 @@ LASIUS_POLYGON_EXPORT std::string get_parameter(const Params& parameters, std::s
 /// although the algorithm does not read it.
 LASIUS_POLYGON_EXPORT void validate(const Params& parameters);
 
+/// The iterations in force: 200 with up to 11 values, and in proportion more with more of them;
+/// 1000 of the genetic algorithm. What was set is left.
+LASIUS_POLYGON_EXPORT int iterations_of(const Params& parameters) noexcept;
+
 /// A free MAKLINK line, and the two convex regions of free space that it parts.
 struct Line {
   Point a;        ///< one end
@@ -121,7 +143,7 @@ struct Maklink {
   std::vector<Line> lines;                     ///< free ones, each between two regions
   std::vector<std::vector<Point>> regions;     ///< convex, counter-clockwise
   std::vector<std::vector<int>> region_lines;  ///< lines on the border of each region
-  std::vector<Polygon> free_space;             ///< boundary less grown obstacles, what was cut up
+  std::vector<Polygon> free_space;             ///< what was cut up, see Planner::free_space
 };
 
 /// One question.
@@ -150,6 +172,10 @@ struct Result : SearchResult {
   /// Of the same lines and values, by dynamic programming; none where the run was stopped first.
   std::optional<Crossing> discrete_optimum;
   std::optional<Crossing> sequence_optimum;  ///< of the same lines, any crossing points (funnel)
+  std::optional<double> optimum;             ///< length of the shortest path, where it was found
+  std::chrono::nanoseconds optimum_time{};   ///< what that took beside the algorithm itself
+  /// What mitre joins do to the answer, where they close what round ones leave open; or empty.
+  std::string note;
 };
 
 /// Called on the thread that called `plan`.
@@ -180,8 +206,15 @@ class LASIUS_POLYGON_EXPORT Planner {
   double margin() const noexcept;
   /// How obstacles were grown at their corners.
   Join join() const noexcept;
+  /// What the margin did to the boundary.
+  Boundary boundary() const noexcept;
   /// The graph; without obstacles one region and no lines.
   const Maklink& maklink() const noexcept;
+  /// What the margin leaves of the boundary's inside. For round joins the graph is drawn in a
+  /// little less, so that it has few lines: there corners reach up to twice the margin out, but for
+  /// those that would come near to others. Paths go straight on to a start or goal that lies
+  /// between.
+  const std::vector<Polygon>& free_space() const noexcept;
   /// Pieces of free space that are not joined.
   int components() const noexcept;
   /// Obstacles as grown and merged, clipped to the boundary.

@@ -1,6 +1,7 @@
 // How a search ended, in any world.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,11 @@ struct Convergence {
   std::vector<double> best;  ///< by iteration: shortest final path up to then; NaN if none
   std::vector<double> mean;  ///< by iteration: mean raw tour of the arrived ants; NaN if none
   std::vector<int> arrived;  ///< by iteration: ants that reached the goal
+  // Of colonies on bitmaps; empty elsewhere. NaN in an iteration in which no ant arrived.
+  std::vector<double> raw_best;     ///< by iteration: its shortest raw tour
+  std::vector<double> cut_mean;     ///< by iteration: mean of its tours after Params::walk_cut
+  std::vector<double> cut_best;     ///< by iteration: the shortest of them
+  std::vector<std::int64_t> steps;  ///< by iteration: moves of all ants, backward ones too
 };
 
 /// What the answers of all planners have in common. Without a path `length` is not a number.

@@ -1,22 +1,48 @@
 #include "core/loop/colony_loop.h"
 
+#include <algorithm>
+
 #include "core/base/thread_team.h"
 
 namespace lasius {
 namespace {
 
+/// Mean and least of lengths; not numbers where there were none.
+class Lengths {
+ public:
+  void add(double length) {
+    if (!(length > 0)) return;
+    sum_ += length;
+    least_ = ++count_ == 1 ? length : std::min(least_, length);
+  }
+  int count() const { return count_; }
+  double mean() const { return count_ > 0 ? sum_ / count_ : kNaN; }
+  double least() const { return least_; }
+
+ private:
+  double sum_ = 0, least_ = kNaN;
+  int count_ = 0;
+};
+
 void record(const ColonyWorld& world, Convergence& run) {
-  double sum = 0;
-  int arrived = 0;
+  Lengths raw, cut;
+  std::optional<std::int64_t> steps;
   for (int a = 0; a < world.ants(); ++a) {
-    const double length = world.tour_length(a);
-    if (!(length > 0)) continue;
-    sum += length;
-    ++arrived;
+    raw.add(world.tour_length(a));
+    const auto walked = world.walked(a);
+    if (!walked) continue;
+    cut.add(walked->cut_length);
+    steps = steps.value_or(0) + walked->steps;
   }
   run.best.push_back(world.best_length());
-  run.mean.push_back(arrived > 0 ? sum / arrived : kNaN);
-  run.arrived.push_back(arrived);
+  run.mean.push_back(raw.mean());
+  run.arrived.push_back(raw.count());
+  if (steps) {
+    run.raw_best.push_back(raw.least());
+    run.cut_mean.push_back(cut.mean());
+    run.cut_best.push_back(cut.least());
+    run.steps.push_back(*steps);
+  }
   ++run.iterations;
 }
 

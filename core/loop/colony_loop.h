@@ -1,7 +1,9 @@
 // The one loop that every ant algorithm runs, on a bitmap, among polygons or in a lattice.
 #pragma once
 
+#include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "lasius/export.h"
 #include "lasius/search_result.h"
@@ -30,6 +32,13 @@ class ColonyWorld {
   virtual int threads() const { return 1; }
   /// Length of an ant's raw tour, NaN unless it arrived.
   virtual double tour_length(int ant) const = 0;
+  /// What an ant walked: the length of its tour after the cut, NaN unless it arrived, and its
+  /// moves, backward ones too. Only of worlds whose runs record that.
+  struct Walked {
+    double cut_length;
+    std::int64_t steps;
+  };
+  virtual std::optional<Walked> walked(int) const { return std::nullopt; }
   /// Length of the best path so far, NaN without one.
   virtual double best_length() const = 0;
 

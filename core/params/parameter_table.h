@@ -151,9 +151,10 @@ class ParameterTable {
 
   /// The choice that the field `kMember` keeps as the index of its name.
   template <auto kMember, const auto& kNames>
-  static constexpr Entry choice(std::string_view name, std::string_view summary) {
+  static constexpr Entry choice(std::string_view name, std::string_view summary,
+                                std::string_view earlier = {}) {
     using Value = std::remove_reference_t<decltype(std::declval<Fields&>().*kMember)>;
-    return {{name, "choice", kJoined<kNames>, summary},
+    return {{name, "choice", kJoined<kNames>, summary, earlier},
             Choice{kNames, [](const Fields& fields) { return static_cast<int>(fields.*kMember); },
                    [](Fields& fields, int i) { fields.*kMember = static_cast<Value>(i); }}};
   }

@@ -27,6 +27,8 @@ constexpr std::array kColony{
     Table::choice<&Params::polish, kPolishNames>("polish", "what is done with each ant's tour"),
     Table::choice<&Params::dead_end, kDeadEndNames>("dead_end",
                                                     "what an ant does when every move is closed"),
+    Table::choice<&Params::walk_cut, kWalkCutNames>(
+        "walk_cut", "what is left of a tour before it is deposited or offered", "none"),
     Table::choice<&Params::selection, kSelectionNames>(
         "selection", "how a move is drawn from its row of weights"),
     Table::choice<&Params::trail, kTrailNames>("trail", "what carries pheromone"),

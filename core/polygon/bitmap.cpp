@@ -73,7 +73,7 @@ World from_grid(const Grid& grid, const WorldFrame& frame) {
 Map to_grid(const World& world, double resolution) {
   check_resolution(resolution);
   check(world);
-  const FreeSpace space = make_free_space(world, world.margin, Join::mitre);
+  const FreeSpace space = make_free_space(world, {.margin = world.margin}, Tangents::many);
   const auto box = bounds_of(world.boundary.outer);
   const Point low = box.low, high = box.high;
   const double wide = std::ceil((high.x - low.x) / resolution);

@@ -96,7 +96,7 @@ class CrossingColony final : public ColonyWorld {
 
   CrossingRun run() {
     CrossingRun run;
-    run.cause = run_colony_loop(*this, parameters_.iterations, control_.stop, run.curves);
+    run.cause = run_colony_loop(*this, iterations_of(parameters_), control_.stop, run.curves);
     if (best_choices_.empty() || start_.length <= best_tour_length_) {
       run.best = start_;
     } else {

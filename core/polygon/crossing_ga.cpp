@@ -37,7 +37,7 @@ class CrossingGa final : public ColonyWorld {
 
   CrossingRun run() {
     CrossingRun run;
-    run.cause = run_colony_loop(*this, parameters_.iterations, control_.stop, run.curves);
+    run.cause = run_colony_loop(*this, iterations_of(parameters_), control_.stop, run.curves);
     run.best = best_.genes.empty() || start_.length <= best_.length
                    ? start_
                    : cross_at(route_, std::move(best_.genes));

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/polygon/geos.h"
+#include "core/polygon/grow.h"
 #include "core/polygon/rings.h"
 #include "lasius/error.h"
 
@@ -13,8 +14,6 @@ namespace lasius::polygon {
 namespace {
 
 constexpr int kLatticeBits = 42;
-constexpr double kMitreLimit = 5;
-constexpr int kQuadrantSegments = 8;
 
 Lattice lattice_of(const World& world) {
   const auto [low, high] = bounds_of(world.boundary.outer);
@@ -31,21 +30,6 @@ Polygon scaled(const Lattice& lattice, const Polygon& polygon) {
     for (const Point p : hole) ring.push_back(lattice.scaled(p));
   }
   return result;
-}
-
-using BufferParams = Geos::Owned<GEOSBufferParams, GEOSBufferParams_destroy_r>;
-
-Geos::Geometry grown(const Geos& geos, Geos::Geometry obstacles, double margin, Join join) {
-  if (!(margin > 0)) return obstacles;
-  const auto context = geos.context();
-  const auto how = geos.own<BufferParams>(GEOSBufferParams_create_r(context));
-  GEOSBufferParams_setJoinStyle_r(context, how.get(),
-                                  join == Join::round   ? GEOSBUF_JOIN_ROUND
-                                  : join == Join::bevel ? GEOSBUF_JOIN_BEVEL
-                                                        : GEOSBUF_JOIN_MITRE);
-  GEOSBufferParams_setMitreLimit_r(context, how.get(), kMitreLimit);
-  GEOSBufferParams_setQuadrantSegments_r(context, how.get(), kQuadrantSegments);
-  return geos.own(GEOSBufferWithParams_r(context, obstacles.get(), how.get(), margin));
 }
 
 /// Adds a ring with free space on its left.
@@ -118,6 +102,16 @@ void remember(FreeSpace& space, const Polygon& p) {
   }
 }
 
+/// What lies so near to the boundary's box that its growth could reach it.
+Geos::Geometry clipped(const Geos& geos, const Geos::Geometry& obstacles, const Ring& boundary,
+                       double margin) {
+  auto [low, high] = bounds_of(boundary);
+  low = {low.x - 4 * margin, low.y - 4 * margin};
+  high = {high.x + 4 * margin, high.y + 4 * margin};
+  const auto box = geos.polygon({{low, {high.x, low.y}, high, {low.x, high.y}}, {}});
+  return geos.own(GEOSIntersection_r(geos.context(), obstacles.get(), box.get()));
+}
+
 /// Coordinates back in the world.
 std::vector<Polygon> unscaled(const FreeSpace& space, std::vector<Polygon> list) {
   const auto back = [&](Ring& ring) {
@@ -132,7 +126,7 @@ std::vector<Polygon> unscaled(const FreeSpace& space, std::vector<Polygon> list)
 
 }  // namespace
 
-FreeSpace make_free_space(const World& world, double margin, Join join) {
+FreeSpace make_free_space(const World& world, const GrowOptions& growth, Tangents tangents) {
   FreeSpace space;
   space.lattice = lattice_of(world);
   const Geos geos;
@@ -146,8 +140,13 @@ FreeSpace make_free_space(const World& world, double margin, Join join) {
   for (const Ring& hole : wall.holes) parts.push_back(geos.polygon({hole, {}}));
   Geos::Geometry obstacles = geos.collection(std::move(parts));
   obstacles = geos.own(GEOSUnaryUnion_r(context, obstacles.get()));
-  obstacles = grown(geos, std::move(obstacles), margin / space.lattice.spacing, join);
-  const Geos::Geometry boundary = geos.polygon({wall.outer, {}});
+  Geos::Geometry boundary = geos.polygon({wall.outer, {}});
+  if (const double margin = *growth.margin / space.lattice.spacing; margin > 0) {
+    if (tangents == Tangents::few) obstacles = clipped(geos, obstacles, wall.outer, margin);
+    auto [more, less] = grow(geos, std::move(obstacles), wall.outer, margin, growth, tangents);
+    obstacles = std::move(more);
+    boundary = std::move(less);
+  }
   // The overlay rounds to whole numbers and stays valid.
   obstacles = geos.own(GEOSIntersectionPrec_r(context, obstacles.get(), boundary.get(), 1));
   // Obstacles that only touch the boundary leave points and lines behind.

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "core/polygon/arcs.h"
 #include "core/polygon/lattice_point.h"
 #include "lasius/polygon_plan.h"
 
@@ -31,7 +32,7 @@ struct FreeSpace {
   }
 };
 
-/// @throws Error(invalid_parameter) where no free space is left.
-FreeSpace make_free_space(const World& world, double margin, Join join);
+/// `growth` names the margin. @throws Error(invalid_parameter) where no free space is left.
+FreeSpace make_free_space(const World& world, const GrowOptions& growth, Tangents tangents);
 
 }  // namespace lasius::polygon

@@ -11,13 +11,6 @@
 namespace lasius::polygon {
 namespace {
 
-double distance_to(Point a, Point b, Point p) {
-  const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
-  const double along = squared > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / squared : 0;
-  const double share = std::clamp(along, 0.0, 1.0);
-  return distance({a.x + share * dx, a.y + share * dy}, p);
-}
-
 std::vector<const Ring*> rings_of(const Polygon& polygon) {
   std::vector<const Ring*> rings{&polygon.outer};
   for (const Ring& hole : polygon.holes) rings.push_back(&hole);

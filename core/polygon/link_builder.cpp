@@ -18,10 +18,17 @@ double length_of(LatticePoint d) noexcept {
 }  // namespace
 
 LinkBuilder::LinkBuilder(FreeSpace& space, Poller& poller)
-    : space_(space), poller_(poller), fans_(space.corners.size()), edges_(space.corners.size()) {
+    : space_(space),
+      poller_(poller),
+      fans_(space.corners.size()),
+      edges_(space.corners.size()),
+      corner_cells_(net()),
+      edge_cells_(corner_cells_),
+      link_cells_(corner_cells_) {
   double longest = 1;
   for (int c = 0; c < static_cast<int>(space.corners.size()); ++c) {
     set_edge(c);
+    corner_cells_.add(c, at(c), at(c));
     const Edge& e = edges_[c];
     longest = std::max(longest, length_of(e.to - e.from));
     if (!space.corners[c].wall || (e.from.x != e.to.x && e.from.y != e.to.y)) continue;
@@ -35,6 +42,16 @@ LinkBuilder::LinkBuilder(FreeSpace& space, Poller& poller)
   if (poller.stopped()) return;
   remove_redundant();
   renumber();
+}
+
+/// A net over all corners, empty.
+Cells LinkBuilder::net() const {
+  LatticePoint low = at(0), high = low;
+  for (const Corner& c : space_.corners) {
+    low = {std::min(low.x, c.at.x), std::min(low.y, c.at.y)};
+    high = {std::max(high.x, c.at.x), std::max(high.y, c.at.y)};
+  }
+  return {low, high, space_.corners.size()};
 }
 
 /// In shells of growing radius: most corners are convex before the long lines are even listed.
@@ -84,33 +101,39 @@ LinkBuilder::Sector LinkBuilder::sector(int corner, LatticePoint d) const {
   return convex_turn(before, after) ? Sector::convex : Sector::reflex;
 }
 
-/// Whether the open segment meets no edge and no line. Those that end where it ends are left to
+/// Whether the segment meets an edge or a line, ends that they share aside: those are left to
 /// `sector`.
+bool LinkBuilder::crossed(LatticePoint from, LatticePoint to, const Edge& e) const {
+  if (e.high.x < std::min(from.x, to.x) || e.low.x > std::max(from.x, to.x) ||
+      e.high.y < std::min(from.y, to.y) || e.low.y > std::max(from.y, to.y)) {
+    return false;
+  }
+  if (e.from == from || e.from == to || e.to == from || e.to == to) return false;
+  return segments_meet(from, to, e.from, e.to);
+}
+
+/// Whether the open segment meets no edge and no line.
 bool LinkBuilder::clear(LatticePoint from, LatticePoint to, const Edge* ignored) const {
-  if (poller_.stop_after(static_cast<std::int64_t>(edges_.size() + links_.size()))) return false;
-  const LatticePoint low{std::min(from.x, to.x), std::min(from.y, to.y)};
-  const LatticePoint high{std::max(from.x, to.x), std::max(from.y, to.y)};
-  for (const Edge& e : edges_) {
-    if (e.high.x < low.x || e.low.x > high.x || e.high.y < low.y || e.low.y > high.y) continue;
-    if (e.from == from || e.from == to || e.to == from || e.to == to || &e == ignored) continue;
-    if (segments_meet(from, to, e.from, e.to)) return false;
-  }
-  for (const Link& l : links_) {
-    const LatticePoint a = at(l.a), b = at(l.b);
-    if (std::max(a.x, b.x) < low.x || std::min(a.x, b.x) > high.x || std::max(a.y, b.y) < low.y ||
-        std::min(a.y, b.y) > high.y) {
-      continue;
-    }
-    if (a == from || a == to || b == from || b == to) continue;
-    if (segments_meet(from, to, a, b)) return false;
-  }
-  return true;
+  std::int64_t looked_at = 1;
+  const auto passes = [&](const Edge& e) {
+    ++looked_at;
+    return &e == ignored || !crossed(from, to, e);
+  };
+  const bool free = edge_cells_.near(from, to, [&](int corner) {
+    return passes(edges_[corner]);
+  }) && link_cells_.near(from, to, [&](int link) {
+    return passes(edge_between(at(links_[link].a), at(links_[link].b)));
+  });
+  return !poller_.stop_after(looked_at) && free;
+}
+
+LinkBuilder::Edge LinkBuilder::edge_between(LatticePoint a, LatticePoint b) {
+  return {a, b, {std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
 void LinkBuilder::set_edge(int corner) {
-  const LatticePoint a = at(corner), b = at(space_.corners[corner].next);
-  edges_[corner] = {
-      a, b, {std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+  edges_[corner] = edge_between(at(corner), at(space_.corners[corner].next));
+  edge_cells_.add(corner, edges_[corner].from, edges_[corner].to);
 }
 
 LatticePoint LinkBuilder::foot(int corner, int wall) const {
@@ -123,20 +146,22 @@ std::vector<LinkBuilder::Candidate> LinkBuilder::candidates(double above, double
   const int count = static_cast<int>(space_.corners.size());
   for (int i = 0; i < count; ++i) {
     if (!reflex(i)) continue;
-    if (poller_.stop_after(count + static_cast<std::int64_t>(walls_.size()))) return list;
+    std::int64_t looked_at = 1 + static_cast<std::int64_t>(walls_.size());
     const auto consider = [&](LatticePoint target, int to, bool wall) {
       const double length = length_of(target - at(i));
       if (length > above && length <= upto) list.push_back({length, i, to, wall});
     };
-    for (int j = 0; j < count; ++j) {
+    corner_cells_.within(at(i), upto, [&](int j) {
+      ++looked_at;
       if (j != i) consider(at(j), j, false);
-    }
+    });
     for (int w = 0; w < static_cast<int>(walls_.size()); ++w) {
       const LatticePoint f = foot(i, w), a = at(walls_[w]), b = wall_ends_[w];
       if (f != a && f != b && f != at(i) && between(a.x, b.x, f.x) && between(a.y, b.y, f.y)) {
         consider(f, w, true);
       }
     }
+    if (poller_.stop_after(looked_at)) return list;
   }
   std::sort(list.begin(), list.end(), [](const Candidate& a, const Candidate& b) {
     if (a.length != b.length) return a.length < b.length;
@@ -173,6 +198,7 @@ void LinkBuilder::try_wall(int from, int wall) {
   space_.corners[next].previous = fresh;
   fans_.emplace_back();
   edges_.emplace_back();
+  corner_cells_.add(fresh, f, f);
   set_edge(corner);
   set_edge(fresh);
   add(from, fresh);
@@ -181,6 +207,7 @@ void LinkBuilder::try_wall(int from, int wall) {
 void LinkBuilder::add(int a, int b) {
   const int link = static_cast<int>(links_.size());
   links_.push_back({a, b});
+  link_cells_.add(link, at(a), at(b));
   for (const int corner : {a, b}) {
     auto& fan = fans_[corner];
     const LatticePoint first = at(space_.corners[corner].next) - at(corner);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/poller.h"
+#include "core/polygon/cells.h"
 #include "core/polygon/free_space.h"
 
 namespace lasius::polygon {
@@ -47,7 +48,10 @@ class LinkBuilder {
   bool reflex(int corner) const;
   Sector sector(int corner, LatticePoint direction) const;
   bool clear(LatticePoint from, LatticePoint to, const Edge* ignored) const;
+  bool crossed(LatticePoint from, LatticePoint to, const Edge& edge) const;
+  Cells net() const;
 
+  static Edge edge_between(LatticePoint a, LatticePoint b);
   void draw(double longest);
   void set_edge(int corner);
   std::vector<Candidate> candidates(double above, double upto) const;
@@ -64,7 +68,8 @@ class LinkBuilder {
   std::vector<Link> links_;
   std::vector<std::vector<int>> fans_;
   std::vector<Edge> edges_;  // from each corner to its next
-  std::vector<int> walls_;   // corners whose edge is a wall along an axis, before any foot
+  Cells corner_cells_, edge_cells_, link_cells_;
+  std::vector<int> walls_;  // corners whose edge is a wall along an axis, before any foot
   std::vector<LatticePoint> wall_ends_;
 };
 

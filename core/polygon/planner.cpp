@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <array>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -7,12 +7,12 @@
 #include "core/base/poller.h"
 #include "core/loop/run_status.h"
 #include "core/params/parameter_table.h"
-#include "core/polygon/crossing_colony.h"
 #include "core/polygon/free_space.h"
 #include "core/polygon/geometry_check.h"
 #include "core/polygon/regions.h"
 #include "core/polygon/rings.h"
 #include "core/polygon/route.h"
+#include "core/polygon/route_plan.h"
 #include "core/polygon/shortest_path.h"
 #include "lasius/error.h"
 #include "lasius/polygon_plan.h"
@@ -53,6 +53,24 @@ Maklink maklink_of(const Regions& regions) {
   return graph;
 }
 
+/// The piece of free space that holds a point, its border included; -1: none.
+int piece_of(const FreeSpace& space, Point p) {
+  for (std::size_t i = 0; i < space.pieces.size(); ++i) {
+    const Polygon& piece = space.pieces[i];
+    const auto in_it = [p](const Ring& hole) { return inside(hole, p); };
+    if (inside(piece.outer, p) && std::ranges::none_of(piece.holes, in_it))
+      return static_cast<int>(i);
+  }
+  return -1;
+}
+
+/// How many pieces there are, and ways around obstacles.
+std::pair<std::size_t, std::size_t> passages(const FreeSpace& space) {
+  std::size_t holes = 0;
+  for (const Polygon& piece : space.pieces) holes += piece.holes.size();
+  return {space.pieces.size(), holes};
+}
+
 /// The point of a segment nearest to p.
 Point nearest_on(Point a, Point b, Point p) {
   const double dx = b.x - a.x, dy = b.y - a.y;
@@ -61,42 +79,92 @@ Point nearest_on(Point a, Point b, Point p) {
   return share >= 1 ? b : Point{a.x + share * dx, a.y + share * dy};
 }
 
+/// On the grid a point of the border may fall just outside: then the free point of the grid that is
+/// nearest to it stands for it.
+Place place_in(const Regions& regions, Point p) {
+  Place place{p, regions.space().lattice.nearest(p), {}};
+  const double limit = std::ldexp(1.0, 44);
+  const Point s = regions.space().lattice.scaled(p);
+  if (!(std::abs(s.x) < limit && std::abs(s.y) < limit)) return place;
+  constexpr std::int64_t kReach = 2;
+  for (std::int64_t reach = 0; reach <= kReach; ++reach) {
+    for (std::int64_t dy = -reach; dy <= reach; ++dy) {
+      for (std::int64_t dx = -reach; dx <= reach; ++dx) {
+        if (std::max(std::abs(dx), std::abs(dy)) != reach) continue;
+        const LatticePoint at{place.at.x + dx, place.at.y + dy};
+        auto holding = regions.holding(at);
+        if (!holding.empty()) return {p, at, std::move(holding)};
+      }
+    }
+  }
+  return place;
+}
+
+/// The point of some areas' edges nearest to p, in a world with this boundary.
+Point nearest_edge(const std::vector<Polygon>& areas, const Ring& boundary, Point p) {
+  // Squared distances from p, but for that of p from q, the nearest point of the box around the
+  // world: else all points would be as near to a p that is far away, by rounding.
+  const auto [low, high] = bounds_of(boundary);
+  const Point q{std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y)};
+  const auto compared = [&](Point near) {
+    const double dx = near.x - q.x, dy = near.y - q.y;
+    return dx * (dx - 2 * (p.x - q.x)) + dy * (dy - 2 * (p.y - q.y));
+  };
+  Point best = areas.front().outer.front();
+  double least = std::numeric_limits<double>::infinity();
+  const auto look = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point near = nearest_on(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], p);
+      if (!(compared(near) < least)) continue;
+      least = compared(near);
+      best = near;
+    }
+  };
+  for (const Polygon& area : areas) {
+    look(area.outer);
+    for (const Ring& hole : area.holes) look(hole);
+  }
+  return best;
+}
+
+GrowOptions with_margin(GrowOptions options, double margin) {
+  options.margin = checked_margin(options.margin.value_or(margin));
+  return options;
+}
+
 }  // namespace
 
 class Planner::Impl {
  public:
-  Impl(const World& w, const GrowOptions& options, Poller poller)
+  Impl(const World& w, const GrowOptions& options, Poller& poller)
       : world(checked(w)),
-        margin(checked_margin(options.margin.value_or(w.margin))),
-        join(options.join),
-        regions(make_free_space(w, margin, join), poller),
-        whole(!poller.stopped()),
-        maklink(whole ? maklink_of(regions) : Maklink{}) {}
-
-  /// On the grid a point of the border may fall just outside: then the free point of the grid
-  /// that is nearest to it stands for it.
-  Place place(Point p) const {
-    Place place{p, regions.space().lattice.nearest(p), {}};
-    const double limit = std::ldexp(1.0, 44);
-    const Point s = regions.space().lattice.scaled(p);
-    if (!(std::abs(s.x) < limit && std::abs(s.y) < limit)) return place;
-    constexpr std::int64_t kReach = 2;
-    for (std::int64_t reach = 0; reach <= kReach; ++reach) {
-      for (std::int64_t dy = -reach; dy <= reach; ++dy) {
-        for (std::int64_t dx = -reach; dx <= reach; ++dx) {
-          if (std::max(std::abs(dx), std::abs(dy)) != reach) continue;
-          const LatticePoint at{place.at.x + dx, place.at.y + dy};
-          auto holding = regions.holding(at);
-          if (!holding.empty()) return {p, at, std::move(holding)};
-        }
-      }
+        growth(with_margin(options, w.margin)),
+        regions(make_free_space(w, growth, Tangents::many), poller) {
+    if (poller.stopped()) return;
+    const bool grows = *growth.margin > 0;
+    if (grows && growth.join == Join::round) {
+      few.emplace(make_free_space(w, growth, Tangents::few), poller);
+    } else if (grows && growth.join == Join::mitre) {
+      GrowOptions other = growth;
+      other.join = Join::round;
+      round = make_free_space(w, other, Tangents::many);
     }
-    return place;
+    if (poller.stopped()) return;
+    maklink = maklink_of(lined());
+    whole = true;
+  }
+
+  /// What lines are drawn in, and where a way from p enters it.
+  const Regions& lined() const { return few ? *few : regions; }
+  Place enter(Point p) const {
+    Place place = place_in(lined(), p);
+    if (!place.regions.empty()) return place;
+    return place_in(lined(), nearest_edge(few->space().pieces, world.boundary.outer, p));
   }
 
   /// The answer to a start or goal that is not free.
   Result blocked(bool at_start, Point p, Point nearest) const {
-    const bool inside = inside_boundary(p);
+    const bool inside = polygon::inside(world.boundary.outer, p);
     const Fault fault = at_start ? (inside ? Fault::start_blocked : Fault::start_outside)
                                  : (inside ? Fault::goal_blocked : Fault::goal_outside);
     auto result = failed<Result>(Status::invalid, fault,
@@ -107,28 +175,31 @@ class Planner::Impl {
     return result;
   }
 
-  /// Even-odd rule, on the input; the boundary itself is inside. Only for the words of a message.
-  bool inside_boundary(Point p) const {
-    bool inside = false;
-    const Ring& ring = world.boundary.outer;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
-      const bool between = std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
-                           std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
-      const double turn = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-      if (between && turn == 0) return true;
-      if ((a.y > p.y) == (b.y > p.y)) continue;
-      if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  /// What mitre joins take away from start and goal, or from the whole.
+  std::string note(const Result& answer, Point start, Point goal) const {
+    if (!round) return {};
+    const int from = piece_of(*round, start), to = piece_of(*round, goal);
+    if (answer.status == Status::invalid) {
+      const bool at_start = answer.fault == Fault::start_blocked;
+      if ((at_start ? from : to) < 0) return {};
+      return std::string("with round joins the ") + (at_start ? "start" : "goal") +
+             " is free: mitre joins reach farther than the margin";
     }
-    return inside;
+    if (answer.status == Status::unreachable && from >= 0 && from == to)
+      return "with round joins start and goal are joined: mitre joins close a passage that the "
+             "margin leaves open";
+    const FreeSpace& mine = regions.space();
+    if (passages(mine) == passages(*round)) return {};
+    return "mitre joins close passages that the margin leaves open; round joins do not";
   }
 
   const World world;
-  const double margin;
-  const Join join;
+  const GrowOptions growth;
   const Regions regions;
-  const bool whole;  ///< not cut short
-  const Maklink maklink;
+  std::optional<Regions> few;      ///< with few tangents, for round joins
+  std::optional<FreeSpace> round;  ///< beside that of mitre joins
+  Maklink maklink;
+  bool whole = false;  ///< not cut short
 };
 
 Planner::Planner(const World& world, const GrowOptions& options)
@@ -137,7 +208,8 @@ Planner::Planner(std::unique_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 
 std::optional<Planner> Planner::make(const World& world, const GrowOptions& options,
                                      const StopCondition& stop) {
-  auto made = std::make_unique<const Impl>(world, options, Poller(stop));
+  Poller poller(stop);
+  auto made = std::make_unique<const Impl>(world, options, poller);
   if (!made->whole) return std::nullopt;
   return Planner(std::move(made));
 }
@@ -147,41 +219,23 @@ Planner::Planner(Planner&&) noexcept = default;
 Planner& Planner::operator=(Planner&&) noexcept = default;
 
 const World& Planner::world() const noexcept { return impl_->world; }
-double Planner::margin() const noexcept { return impl_->margin; }
-Join Planner::join() const noexcept { return impl_->join; }
+double Planner::margin() const noexcept { return *impl_->growth.margin; }
+Join Planner::join() const noexcept { return impl_->growth.join; }
+Boundary Planner::boundary() const noexcept { return impl_->growth.boundary; }
 const Maklink& Planner::maklink() const noexcept { return impl_->maklink; }
+const std::vector<Polygon>& Planner::free_space() const noexcept {
+  return impl_->regions.space().pieces;
+}
 int Planner::components() const noexcept { return impl_->regions.pieces(); }
 const std::vector<Polygon>& Planner::grown_obstacles() const noexcept {
   return impl_->regions.space().obstacles;
 }
 
-bool Planner::free(Point p) const { return !impl_->place(p).regions.empty(); }
+bool Planner::free(Point p) const { return !place_in(impl_->regions, p).regions.empty(); }
 
 Point Planner::nearest_free(Point p) const {
   if (free(p)) return p;
-  // Squared distances from p, but for that of p from q, the nearest point of the box around the
-  // world: else all points would be as near to a p that is far away, by rounding.
-  const auto [low, high] = bounds_of(impl_->world.boundary.outer);
-  const Point q{std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y)};
-  const auto compared = [&](Point near) {
-    const double dx = near.x - q.x, dy = near.y - q.y;
-    return dx * (dx - 2 * (p.x - q.x)) + dy * (dy - 2 * (p.y - q.y));
-  };
-  Point best = impl_->maklink.free_space.front().outer.front();
-  double least = std::numeric_limits<double>::infinity();
-  const auto look = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point near = nearest_on(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], p);
-      if (!(compared(near) < least)) continue;
-      least = compared(near);
-      best = near;
-    }
-  };
-  for (const Polygon& piece : impl_->maklink.free_space) {
-    look(piece.outer);
-    for (const Ring& hole : piece.holes) look(hole);
-  }
-  return best;
+  return nearest_edge(impl_->regions.space().pieces, impl_->world.boundary.outer, p);
 }
 
 namespace {
@@ -190,6 +244,7 @@ namespace {
 Result stay(Point at) {
   auto result = already_there<Result>();
   result.path = {at};
+  result.optimum = 0;
   return result;
 }
 
@@ -207,74 +262,55 @@ Result apart(Point start, Point goal) {
                             " lie in different pieces of free space");
 }
 
-/// Dijkstra's route and what runs over it, route by route; the best one is kept.
-class RoutePlan {
- public:
-  RoutePlan(const Regions& regions, const Params& parameters, const Request& request,
-            const Observer& observer)
-      : regions_(regions),
-        parameters_(parameters),
-        request_(request),
-        observer_(observer),
-        poller_(request.stop) {}
+Point end_of(const char* what, const std::optional<Point>& asked,
+             const std::optional<Point>& written) {
+  const auto& point = asked ? asked : written;
+  if (point && std::isfinite(point->x) && std::isfinite(point->y)) return *point;
+  throw Error(ErrorCode::invalid_parameter, std::string("the world has no ") + what,
+              std::string("give a ") + what);
+}
 
-  void run(const Place& start, const Place& goal, double optimum, Result& result) {
-    const double enough = request_.target_gap > 0 ? optimum * (1 + request_.target_gap) : 0;
-    StopCondition::Cause cause = StopCondition::Cause::none;
-    midpoint_routes(regions_, start, goal, parameters_.routes, poller_, [&](const Route& route) {
-      cause = search(route, enough, result);
-      return cause == StopCondition::Cause::none && result.crossing.length > enough;
-    });
-    if (cause == StopCondition::Cause::none) cause = poller_.cause();
-    result.status = status_after(cause, Status::solved);
-    result.path = result.crossing.path;
-    result.length = result.crossing.length;
-  }
-
- private:
-  /// Says why the run on the route was cut short, or that it was not.
-  StopCondition::Cause search(const Route& route, double enough, Result& result) {
-    const Crossing dijkstra = cross_at(route, std::vector<double>(route.gates.size(), 0.5));
-    CrossingRun run{.best = dijkstra, .curves = {}};
-    if (!route.gates.empty()) {
-      const RunControl control{request_.stop, enough,
-                               [&](const Convergence& now) { return observe(now, result); }};
-      run = find_algorithm(parameters_.algorithm()).kind == Algorithm::Kind::genetic
-                ? run_crossing_ga(route, dijkstra, parameters_, control)
-                : run_crossing_colony(route, dijkstra, parameters_, control);
-      append(run.curves, result);
-    }
-    if (!result.dijkstra || run.best.length < result.crossing.length) {
-      result.dijkstra = dijkstra;
-      result.crossing = std::move(run.best);
-      result.discrete_optimum = discrete_optimum(route, parameters_.values, poller_);
-      result.sequence_optimum = sequence_optimum(route, regions_.space());
-    }
-    return run.cause;
-  }
-
-  StopCondition::Cause observe(const Convergence& run, const Result& result) const {
-    Progress view;
-    view.iteration = result.iterations;
-    if (result.dijkstra) view.best_length = result.crossing.length;
+Result exact(const ShortestPath& shortest, const Observer& observer) {
+  Result result;
+  result.status = status_after(shortest.cause, Status::solved);
+  result.lower_bound = shortest.lower_bound;
+  result.path = shortest.path;
+  result.length = shortest.path.empty() ? kNaN : shortest.length;
+  result.optimal = !shortest.path.empty();
+  if (observer && result.optimal) {
+    Progress view;  // the only path that the search finds is the last
+    view.best_length = result.length;
     view.lower_bound = result.lower_bound;
-    return show(observer_, run, view);
+    observer(view);
   }
+  return result;
+}
 
-  static void append(const Convergence& run, Result& result) {
-    for (const double best : run.best)
-      result.best.push_back(result.dijkstra ? std::min(best, result.crossing.length) : best);
-    result.mean.insert(result.mean.end(), run.mean.begin(), run.mean.end());
-    result.arrived.insert(result.arrived.end(), run.arrived.begin(), run.arrived.end());
-    result.iterations += run.iterations;
+/// Precondition: both ends are free.
+Result answer(const Planner::Impl& world, const Place& start, const Place& goal,
+              const Request& request, const Params& parameters, const Observer& observer) {
+  if (start.given == goal.given) return stay(start.given);
+  if (!joined(world.regions, start, goal)) return apart(start.given, goal.given);
+  const auto begin = std::chrono::steady_clock::now();
+  const ShortestPath shortest = shortest_path(world.regions, start, goal, request.stop);
+  const auto took = std::chrono::steady_clock::now() - begin;
+  Result result;
+  const auto from = world.enter(start.given), to = world.enter(goal.given);
+  if (find_algorithm(parameters.algorithm()).kind == Algorithm::Kind::exact ||
+      !joined(world.lined(), from, to)) {
+    result = exact(shortest, observer);
+  } else {
+    result.optimum_time = took;
+    result.lower_bound = shortest.lower_bound;
+    RoutePlan(world.lined(), {start.given, goal.given}, parameters, request, observer)
+        .run(from, to, shortest.lower_bound, result);
+    // Lengths are sums of rounded roots: a path may come out a hair below the bound.
+    result.lower_bound = std::min(*result.lower_bound, result.length);
+    result.optimal = result.length <= *result.lower_bound;
   }
-
-  const Regions& regions_;
-  const Params& parameters_;
-  const Request& request_;
-  const Observer& observer_;
-  Poller poller_;  // of what is not left to the runs
-};
+  if (!shortest.path.empty()) result.optimum = shortest.length;
+  return result;
+}
 
 }  // namespace
 
@@ -282,47 +318,18 @@ Result Planner::plan(const Request& request, const Params& parameters,
                      const Observer& observer) const {
   validate(parameters);
   check_target_gap(request.target_gap);
+  const Point start = end_of("start", request.start, impl_->world.start);
+  const Point goal = end_of("goal", request.goal, impl_->world.goal);
+  const Place from = place_in(impl_->regions, start), to = place_in(impl_->regions, goal);
   Result result;
-  constexpr std::string_view kStart = "start";
-  const auto find = [&](std::string_view what, const std::optional<Point>& asked,
-                        const std::optional<Point>& written) {
-    const auto& point = asked ? asked : written;
-    if (!point || !std::isfinite(point->x) || !std::isfinite(point->y)) {
-      throw Error(ErrorCode::invalid_parameter, "the world has no " + std::string(what),
-                  "give a " + std::string(what));
-    }
-    Place place = impl_->place(*point);
-    if (place.regions.empty())
-      result = impl_->blocked(what == kStart, *point, nearest_free(*point));
-    return place;
-  };
-  const Place start = find(kStart, request.start, impl_->world.start);
-  if (start.regions.empty()) return result;
-  const Place goal = find("goal", request.goal, impl_->world.goal);
-  if (goal.regions.empty()) return result;
-  if (start.given == goal.given) return stay(start.given);
-  const Regions& regions = impl_->regions;
-  if (!joined(regions, start, goal)) return apart(start.given, goal.given);
-
-  const ShortestPath shortest = shortest_path(regions, start, goal, request.stop);
-  result.lower_bound = shortest.lower_bound;
-  if (find_algorithm(parameters.algorithm()).kind == Algorithm::Kind::exact) {
-    result.status = status_after(shortest.cause, Status::solved);
-    result.path = shortest.path;
-    result.length = shortest.path.empty() ? kNaN : shortest.length;
-    result.optimal = !shortest.path.empty();
-    if (observer && result.optimal) {
-      Progress view;  // the only path that the search finds is the last
-      view.best_length = result.length;
-      view.lower_bound = result.lower_bound;
-      observer(view);
-    }
-    return result;
+  if (from.regions.empty()) {
+    result = impl_->blocked(true, start, nearest_free(start));
+  } else if (to.regions.empty()) {
+    result = impl_->blocked(false, goal, nearest_free(goal));
+  } else {
+    result = answer(*impl_, from, to, request, parameters, observer);
   }
-  RoutePlan(regions, parameters, request, observer).run(start, goal, shortest.lower_bound, result);
-  // Lengths are sums of rounded roots: a path may come out a hair below the bound.
-  result.lower_bound = std::min(*result.lower_bound, result.length);
-  result.optimal = result.length <= *result.lower_bound;
+  result.note = impl_->note(result, start, goal);
   return result;
 }
 

@@ -17,7 +17,7 @@ int main() {
 
   Params params;
   params.iterations = 20;
-  const Request request{.start = Eigen::Vector2d(0, 0.6), .goal = Eigen::Vector3d(0.3, 0.6, 0)};
+  const Request request{.start = Eigen::Vector2d(0, 0.6), .goals = {Eigen::Vector3d(0.3, 0.6, 0)}};
   const Result result = plan(robot, sensor, request, params);
   const Trajectory& motion = result.trajectory;
   std::cout << to_string(result.status) << ", " << result.questions.positions

@@ -24,10 +24,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (const auto scene = accepted([&] { return parse_scene(text, "nowhere/fuzz"); })) {
     validate(*scene);
   }
-  if (const auto robot = accepted([&] { return parse_robot(text, "nowhere/fuzz"); })) {
-    JointVector q(robot->size());
-    for (int j = 0; j < robot->size(); ++j) q[j] = robot->joints[j].low;
-    accepted([&] { return SceneSensor(*robot, {}).position_free(q); });
+  for (const Chain& chain : {Chain{}, Chain{.tip = "b", .use_visual = true}}) {
+    if (const auto robot = accepted([&] { return parse_robot(text, "nowhere/fuzz", chain); })) {
+      JointVector q(robot->size());
+      for (int j = 0; j < robot->size(); ++j) q[j] = robot->joints[j].low;
+      accepted([&] { return SceneSensor(*robot, {}).position_free(q); });
+    }
   }
   return 0;
 }

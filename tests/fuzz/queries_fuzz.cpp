@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "tests/fuzz/reading.h"
-#include "tools/bitmap/queries.h"
+#include "tools/record/queries.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace lasius;

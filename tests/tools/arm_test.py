@@ -4,6 +4,7 @@ import io
 import json
 import math
 import os
+import re
 import shutil
 import signal
 import unittest
@@ -31,17 +32,82 @@ TWO_JOINTS = """<robot name="two">
 </robot>
 """
 
+RESULTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "results")
+ROBOTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "core", "arm", "robots")
+
+
+UR5_START, UR5_GOAL = "0.1,-1.2,1.4,-1.5,0.2,0.3", "0.8,-1.5,1.2,-1,0.5,0"
+SRDF = """<?xml version="1.0"?>
+<robot name="ur5_gripper">
+  <group name="arm"><chain base_link="base_link" tip_link="tool0"/></group>
+  <group_state name="home" group="arm">
+    <joint name="shoulder_pan_joint" value="0.1"/><joint name="shoulder_lift_joint" value="-1.2"/>
+    <joint name="elbow_joint" value="1.4"/><joint name="wrist_1_joint" value="-1.5"/>
+    <joint name="wrist_2_joint" value="0.2"/><joint name="wrist_3_joint" value="0.3"/>
+  </group_state>
+  <group_state name="up" group="arm">
+    <joint name="shoulder_pan_joint" value="0.6"/><joint name="shoulder_lift_joint" value="-1.4"/>
+    <joint name="elbow_joint" value="0.9"/><joint name="wrist_1_joint" value="-1.2"/>
+    <joint name="wrist_2_joint" value="0.2"/><joint name="wrist_3_joint" value="0.3"/>
+  </group_state>
+  <disable_collisions link1="left_finger" link2="forearm_link" reason="Never"/>
+</robot>
+"""
+LIMITS = """joint_limits:
+  shoulder_pan_joint:
+    has_velocity_limits: true
+    max_velocity: 0.25
+    has_acceleration_limits: true
+    max_acceleration: 2.0
+"""
+
+
+def planar_tip(q):
+    angle, tip = 0, [0, 0, 0]
+    for value, length in zip(q, (0.4, 0.3, 0.2)):
+        angle += value
+        tip[0] += length * math.cos(angle)
+        tip[1] += length * math.sin(angle)
+    return tip
+
+
+def read_ros_trajectory(text):
+    """As a YAML reader sees it; where there is none, by the form in which it is written."""
+    try:
+        import yaml
+        return yaml.safe_load(text)
+    except ImportError:
+        pass
+    message, lines = {"joint_names": [], "points": []}, text.splitlines()
+    number = r"-?\d+\.\d+(?:e[-+]\d+)?"
+    for line in lines:
+        if match := re.fullmatch(r'  - "(.*)"', line):
+            message["joint_names"].append(match[1])
+        elif match := re.fullmatch(rf"  ([- ]) (\w+): \[((?:{number}(?:, )?)+)\]", line):
+            if match[1] == "-":
+                message["points"].append({})
+            message["points"][-1][match[2]] = [float(value) for value in match[3].split(", ")]
+        elif match := re.fullmatch(r"    time_from_start: {sec: (\d+), nanosec: (\d+)}", line):
+            message["points"][-1]["time_from_start"] = {"sec": int(match[1]),
+                                                        "nanosec": int(match[2])}
+        elif line not in ("joint_names:", "points:", "points: []"):
+            raise ValueError(line)
+    return message
+
+
 EMPTY = '{"format": "lasius-scene/1", "obstacles": []}'
 
 
 class Arm(ProgramTest):
     def arm(self, *arguments, robot=PLANAR, scene=FLAT, start="-0.3,0.5,0.5", goal="0.4,0.5,0",
             **options):
-        return self.run_program("arm", robot, "--scene", scene, "--start", start, "--goal", goal,
+        asked = () if goal is None else ("--goal", goal)
+        return self.run_program("arm", robot, "--scene", scene, "--start", start, *asked,
                                 *arguments, **options)
 
     def test_a_motion_with_all_that_json_promises(self):
-        run = self.arm("--json", "--iterations", "20", "--recheck", "200")
+        run = self.arm("--json", "--algorithm", "goritov2020", "--iterations", "20", "--recheck",
+                       "200")
         self.assertEqual(run.code, 0, run.err)
         result = run.json
         self.assertEqual(result["format"], "lasius-arm-plan/1")
@@ -55,7 +121,8 @@ class Arm(ProgramTest):
         self.assertLessEqual(result["lower_bound"], result["length"])
         self.assertGreater(result["questions"]["positions"], moves)
         self.assertEqual(result["recheck"]["samples"], 200)
-        self.assertEqual((result["recheck"]["contacts"], result["recheck"]["limits"]), (0, 0))
+        for key in ("contacts", "limits", "unproven"):
+            self.assertEqual(result["recheck"][key], 0)
         samples = result["trajectory"]["samples"]
         self.assertEqual(samples["q"][0], [-0.3, 0.5, 0.5])
         for end in (0, -1):
@@ -82,12 +149,84 @@ class Arm(ProgramTest):
         self.assertEqual((run.code, run.err), (0, ""))
         self.assertEqual(json.loads(self.read("m.json"))["status"], "solved")
         rows = list(csv.reader(io.StringIO(self.read("m.csv").decode())))
-        self.assertEqual(rows[0], ["t", "q1", "q2", "q3", "dq1", "dq2", "dq3", "ddq1", "ddq2",
-                                   "ddq3", "x", "y", "z"])
+        names = ["shoulder", "elbow", "wrist"]
+        self.assertEqual(rows[0], ["t", *names, *(name + "_velocity" for name in names),
+                                   *(name + "_acceleration" for name in names), "x", "y", "z"])
         self.assertTrue(all(len(row) == 13 for row in rows))
         self.assertGreater(self.png_size("m.png")[0], 1000)
         self.assertIn(b"<svg", self.read("m.svg")[:300])
         self.assertEqual(run.out.splitlines()[0], "solved")
+
+    def test_goals_of_every_kind(self):
+        def reached(*arguments):
+            run = self.arm("--json", *arguments, goal=None)
+            self.assertEqual(run.code, 0, run.err)
+            return run.json, run.json["trajectory"]["samples"]
+        result, samples = reached("--goal-joints", "-0.8,0.4,0.3")
+        for value, wanted in zip(samples["q"][-1], (-0.8, 0.4, 0.3)):
+            self.assertAlmostEqual(value, wanted)
+        self.assertEqual(result["goals"], [{"kind": "joints", "values": [-0.8, 0.4, 0.3]}])
+        self.assertEqual(result["goal_reached"], 0)
+        self.assertLess(math.dist(result["goal"], planar_tip((-0.8, 0.4, 0.3))), 1e-9)
+        result, samples = reached("--goal-pose", "0.4,0.5,0,0,0,2", "--angle-tolerance", "0.01",
+                                  "--position-tolerance", "1e-4")
+        self.assertLess(abs(sum(samples["q"][-1]) - 2), 0.011)
+        self.assertLess(math.dist(samples["tip"][-1], (0.4, 0.5, 0)), 1.1e-4)
+        self.assertEqual(result["goals"][0], {
+            "kind": "pose", "values": [0.4, 0.5, 0, 0, 0, 2], "position_tolerance": 1e-4,
+            "angle_tolerance": 0.01})
+        # Any one of several, in the order of the command line.
+        result, samples = reached("--goal-joints", "3,2.5,2", "--goal", "0.4,0.5,0",
+                                  "--goal", "0.8,0.2,0")
+        self.assertEqual([goal["kind"] for goal in result["goals"]],
+                         ["joints", "position", "position"])
+        self.assertIn(result["goal_reached"], (1, 2))
+        goal = result["goals"][result["goal_reached"]]["values"]
+        self.assertLess(math.dist(samples["tip"][-1], goal), 1e-6)
+        self.assertEqual(result["goal"], goal)
+
+    def test_effort_and_travel(self):
+        result = self.arm("--json", "--set", "direct=off").json
+        asked = result["questions"]["by_iteration"]
+        for name in ("positions", "motions"):
+            self.assertEqual(len(asked[name]), result["iterations"])
+            self.assertEqual(asked[name], sorted(asked[name]))
+            self.assertLessEqual(asked[name][-1], result["questions"][name])
+        self.assertFalse(result["direct"])
+        samples = result["trajectory"]["samples"]
+        self.assertEqual(result["duration"], result["trajectory"]["duration"])
+        for name, points in (("tip_travel", samples["tip"]), ("joint_travel", samples["q"])):
+            sampled = sum(math.dist(a, b) for a, b in zip(points, points[1:]))
+            self.assertGreater(result[name], 0.98 * sampled)
+        fewer = self.arm("--json", "--set", "direct=off", "--max-questions", "20")
+        counts = fewer.json["questions"]
+        self.assertLessEqual(counts["positions"] + counts["motions"] + counts["trajectory"], 20)
+        self.assertEqual((fewer.code, fewer.json["status"]), (6, "limit"))
+        self.assertIn("--max-questions ended the run", fewer.err)
+        self.write("fewer.json", fewer.out)
+        self.assertEqual(self.run_program("verify", "fewer.json").code, 0)
+        for objective, unit in (("joint", "rad"), ("duration", "s")):
+            run = self.arm("--json", "--objective", objective)
+            self.assertEqual((run.code, run.json["parameters"]["objective"]), (0, objective))
+
+    def test_a_ros_trajectory(self):
+        run = self.arm("-q", "--rate", "7", "-o", "m.yaml", "-o", "m.yml", "-o", "m.json")
+        self.assertEqual((run.code, run.err), (0, ""))
+        self.assertEqual(self.read("m.yaml"), self.read("m.yml"))
+        message = read_ros_trajectory(self.read("m.yaml").decode())
+        samples = json.loads(self.read("m.json"))["trajectory"]["samples"]
+        self.assertEqual(message["joint_names"], ["shoulder", "elbow", "wrist"])
+        self.assertEqual(len(message["points"]), len(samples["t"]))
+        for i, point in enumerate(message["points"]):
+            for key, name in (("positions", "q"), ("velocities", "dq"), ("accelerations", "ddq")):
+                self.assertEqual(point[key], samples[name][i])
+                self.assertTrue(all(isinstance(value, float) for value in point[key]))
+            time = point["time_from_start"]
+            self.assertLess(time["nanosec"], 10**9)
+            self.assertLess(abs(time["sec"] + 1e-9 * time["nanosec"] - samples["t"][i]), 1e-8)
+        run = self.arm("-q", "-o", "none.yaml", start="0.3,0,0")
+        self.assertEqual(run.code, 4)
+        self.assertEqual(read_ros_trajectory(self.read("none.yaml").decode())["points"], [])
 
     def test_a_urdf_chain(self):
         self.write("two.urdf", TWO_JOINTS)
@@ -130,7 +269,8 @@ class Arm(ProgramTest):
         self.assertIn("obstacle 1 (post)", run.json["error"])
         run = status(4, "invalid", goal="0.62,0.18,0")  # within the post: no ant could try it
         self.assertIn("at the goal", run.json["error"])
-        status(5, "unreachable", "--set", "joint_step=0.01")
+        run = status(6, "no_path", "--set", "joint_step=0.01", "--set", "direct=off")
+        self.assertIn("not found in this lattice", run.err)
         status(6, "no_path", "--set", "iterations=0")
         status(6, "limit", "--time-limit", "0")
         self.refused(self.arm("-o", "nowhere/m.json"), 7, "nowhere")
@@ -154,6 +294,15 @@ class Arm(ProgramTest):
             (["--clearance", "-1"], "--clearance"), (["--rate", "0"], "--rate"),
             (["--recheck", "x"], "--recheck"), (["--seed", "-1"], "--seed"),
             (["--base", "a"], "no URDF"), (["--side", "255"], "0 .. 254"),
+            (["--objective", "jont"], 'did you mean "joint"?'),
+            (["--goal-pos", "0,0,0,0,0,0"], 'did you mean "--goal-pose"?'),
+            (["--goal-pose", "0,0,0"], "--goal-pose"), (["--goal-joints", "0,0"], "3 joints"),
+            (["--angle-tolerance", "0"], "--angle-tolerance"),
+            (["--max-questions", "-1"], "max_questions"),
+            (["--allow-contact", "a"], "LINK,LINK"), (["--package", "a"], "NAME=DIR"),
+            (["--set-joint", "a=b"], "--set-joint a"), (["--set-joint", "=1"], "NAME=VALUE"),
+            (["--set-joint", "a=1", "--set-joint", "a=2"], "twice"),
+            (["--goal-state", "home"], "--srdf"), (["-o", "m.yalm"], 'did you mean ".yaml"?'),
         ]
         for arguments, words in cases:
             with self.subTest(arguments=arguments):
@@ -161,6 +310,8 @@ class Arm(ProgramTest):
         for goal in ("1,2", "1,2,3,4", "a,b,c", "1,,2", "nan,0,0", ""):
             with self.subTest(goal=goal):
                 self.refused(self.arm(goal=goal), 2, "--goal")
+        self.refused(self.arm(goal=None), 2, "--goal-pose")
+        self.refused(self.arm(start="home"), 2, "--start home", "--srdf")
         for start in ("0,0", "0,0,0,0"):
             with self.subTest(start=start):
                 self.refused(self.arm(start=start), 2, "--start", "3 joints")
@@ -201,6 +352,139 @@ class Arm(ProgramTest):
         self.write("flat.json", EMPTY)
         self.refused(self.run_program("verify", "planar.json"), 3, "flat.json",
                      result["scene"]["hash"])
+
+    def ur5(self, *arguments, start=UR5_START, **options):
+        self.write("empty.json", EMPTY)
+        return self.arm(*arguments, robot=os.path.join(ROBOTS, "ur5_gripper.urdf"),
+                        scene="empty.json", start=start, goal=None, **options)
+
+    def test_bodies_and_pairs_are_listed(self):
+        result = self.ur5("--tip", "tool0", "--goal-joints", UR5_GOAL, "--json").json
+        bodies = {body["name"]: body for body in result["robot"]["bodies"]}
+        self.assertEqual(bodies["left_finger"], {
+            "name": "left_finger", "moves_with": "wrist_3_joint", "solids": ["box"]})
+        self.assertIsNone(bodies["base_link"]["moves_with"])
+        self.assertEqual(result["robot"]["joint_names"][0], "shoulder_pan_joint")
+        checked = {frozenset(pair) for pair in result["robot"]["pairs_checked"]}
+        self.assertIn(frozenset(("left_finger", "forearm_link")), checked)
+        why = {frozenset(pair["links"]): pair["why"]
+               for pair in result["robot"]["pairs_not_checked"]}
+        self.assertEqual(why[frozenset(("left_finger", "gripper_base"))], "rigid")
+        self.assertEqual(why[frozenset(("base_link", "shoulder_link"))], "neighbours")
+        self.assertFalse(checked & set(why))
+        self.assertEqual(len(checked) + len(why), len(bodies) * (len(bodies) - 1) // 2)
+        told = self.ur5("--tip", "tool0", "--goal-joints", UR5_GOAL, "-v",
+                        "--allow-contact", "left_finger,forearm_link").err
+        self.assertIn("body left_finger, moves with wrist_3_joint: box", told)
+        self.assertIn("not checked, rigid", told)
+        self.assertRegex(told, "pair (left_finger, forearm_link|forearm_link, left_finger): "
+                               "not checked, allowed")
+
+    def test_states_pairs_and_limits_of_files(self):
+        self.write("ur5.srdf", SRDF)
+        self.write("limits.yaml", LIMITS)
+        more = ("--tip", "tool0", "--srdf", "ur5.srdf", "--joint-limits", "limits.yaml")
+        run = self.ur5(*more, "--goal-state", "up", "-q", "-o", "r.json", start="home")
+        self.assertEqual(run.code, 0, run.err)
+        result = json.loads(self.read("r.json"))
+        self.assertEqual((result["start_state"], result["goals"][0]["state"]), ("home", "up"))
+        self.assertEqual(result["start"], [0.1, -1.2, 1.4, -1.5, 0.2, 0.3])
+        named = {pair["why"] for pair in result["robot"]["pairs_not_checked"]
+                 if set(pair["links"]) == {"left_finger", "forearm_link"}}
+        self.assertEqual(named, {"allowed"})
+        speeds = [max(abs(row[j]) for row in result["trajectory"]["samples"]["dq"])
+                  for j in range(6)]
+        self.assertLessEqual(speeds[0], 0.25 + 1e-9)
+        self.assertLessEqual({"ur5.srdf", "limits.yaml"},
+                             {file["file"] for file in result["robot"]["files"]})
+        self.assertEqual(self.run_program("verify", "r.json").code, 0)
+        self.refused(self.ur5(*more, "--goal-state", "upp"), 2, 'did you mean "up"?')
+        self.refused(self.ur5(*more, "--goal-state", "up", "-o", "ur5.srdf"), 2, "ur5.srdf")
+        for file, ending in (("ur5.srdf", "json"), ("limits.yaml", "yaml")):
+            link = "link." + ending
+            os.symlink(file, self.path(link))
+            self.refused(self.ur5(*more, "--goal-state", "up", "-o", link), 2, file)
+        self.write("limits.yaml", LIMITS + "\n")
+        self.refused(self.run_program("verify", "r.json"), 3, "limits.yaml")
+
+    def test_what_is_assumed_is_told(self):
+        run = self.ur5("--tip", "tool0", "--goal-joints", UR5_GOAL, "--json")
+        notes = run.json["robot"]["notes"]
+        self.assertTrue(any("left_finger_joint" in note for note in notes), notes)
+        self.assertTrue(any("acceleration" in note for note in notes), notes)
+        for note in notes:
+            self.assertIn(note, run.err)
+        self.assertEqual(self.ur5("--tip", "tool0", "--goal-joints", UR5_GOAL, "-q").err, "")
+        run = self.ur5("--tip", "tool0", "--goal-joints", UR5_GOAL, "--json", "--set-joint",
+                       "left_finger_joint=0.02")
+        self.assertEqual(run.json["parameters"]["set_joint"], {"left_finger_joint": 0.02})
+        for arguments, words in ((["--set-joint", "left_finger_jont=0"], "left_finger_joint"),
+                                 (["--allow-contact", "left_fingr,forearm_link"], "left_finger"),
+                                 (["--srdf", "no.srdf"], "no.srdf"),
+                                 (["--joint-limits", "no.yaml"], "no.yaml")):
+            with self.subTest(arguments=arguments):
+                run = self.ur5("--tip", "tool0", "--goal-joints", UR5_GOAL, *arguments)
+                self.assertIn(run.code, (2, 3), run.err)
+                self.assertIn(words, run.err)
+
+    def test_meshes_in_packages(self):
+        self.write("empty.json", EMPTY)
+        def ask(*arguments):
+            return self.arm(*arguments, "--tip", "tool", robot=os.path.join(ROBOTS, "branch.urdf"),
+                            scene="empty.json", start="0.3,0.9,0.6,0", goal=None)
+        goal = ("--goal-joints", "-0.5,1.2,0.4,1")
+        self.refused(ask(*goal), 3, "--package")
+        shutil.copytree(ROBOTS, self.path("parts"))
+        run = ask(*goal, "--package", "parts=parts", "-q", "-o", "r.json", "-o", "r.png")
+        self.assertEqual(run.code, 0, run.err)
+        result = json.loads(self.read("r.json"))
+        self.assertEqual(result["robot"]["packages"], {"parts": "parts"})
+        meshes = {os.path.basename(file["file"]): file["hash"] for file in result["robot"]["files"]}
+        self.assertEqual(set(meshes), {"tool.obj", "wedge.stl"})
+        self.assertEqual(self.run_program("verify", "r.json").code, 0)
+        os.rename(self.path("parts/tool.obj"), self.path("parts/tool.json"))
+        os.symlink("tool.json", self.path("parts/tool.obj"))
+        self.refused(ask(*goal, "--package", "parts=parts", "-o", "parts/tool.json"), 2, "tool.json")
+        self.write("parts/tool.json", self.read("parts/tool.json").decode() + "# more\n")
+        self.refused(self.run_program("verify", "r.json"), 3, "tool.obj")
+
+    def test_robots_without_a_body(self):
+        bare = re.sub("<collision>.*?</collision>", "", TWO_JOINTS, flags=re.S)
+        self.write("empty.json", EMPTY)
+        def ask(text, *arguments):
+            self.write("bare.urdf", text)
+            return self.arm("--json", *arguments, robot="bare.urdf", scene="empty.json", start="0,1",
+                            goal="0.2,0.6,0")
+        refused = ask(bare)
+        self.refused(refused, 3, "--use-visual")
+        self.assertIn("--bodiless", refused.err)
+        run = ask(bare, "--bodiless")
+        self.assertEqual((run.code, run.json["parameters"]["bodiless"]), (0, True), run.err)
+        run = ask(TWO_JOINTS.replace("collision>", "visual>"), "--use-visual")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertEqual([body["name"] for body in run.json["robot"]["bodies"]],
+                         ["foot", "upper", "lower"])
+
+    def test_results_that_say_nothing_of_bodies(self):
+        for file in (PLANAR, FLAT, os.path.join(RESULTS, "planar3_early.json")):
+            shutil.copy(file, self.path(os.path.basename(file)))
+        early = json.loads(self.read("planar3_early.json"))
+        self.assertNotIn("bodies", early["robot"])
+        verified = self.run_program("verify", "planar3_early.json")
+        self.assertEqual((verified.code, verified.out),
+                         (0, "1 of 1 result is equal to the replay\n"), verified.err)
+        blocked = self.arm("--json", "--algorithm", "goritov2020", robot="planar3.json",
+                           scene="flat.json", start="0.3,0,0").json
+        lattice = {"pitch": 0.045, "points": [40, 40, 41]}
+        self.write("blocked.json", json.dumps({**blocked, "version": "0.2.0", "lattice": lattice,
+                                               "robot": early["robot"]}))
+        self.assertEqual(self.run_program("verify", "blocked.json").code, 0)
+        self.write("bad.json", json.dumps({**early, "joints": early["joints"][1:]}))
+        self.assertEqual(self.run_program("verify", "bad.json").code, 1)
+        self.write("planar3.json", TWO_JOINTS)
+        verified = self.run_program("verify", "planar3_early.json")
+        self.assertEqual((verified.code, verified.out), (1, "0 of 1 result is equal to the replay\n"))
+        self.assertIn("no list of bodies", verified.err)
 
     def test_a_long_motion_says_that_it_is_sampled_less_often(self):
         with open(PLANAR, encoding="utf-8") as file:

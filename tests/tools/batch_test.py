@@ -98,11 +98,6 @@ class Formats(ProgramTest):
         csv = [row.split(",")[3] for row in self.read("all.csv").decode().splitlines()[1:]]
         self.assertEqual(csv[:3], list(numbers[:3]))
 
-    def test_a_polygon_world_is_refused(self):
-        world = self.write("world.geojson", "{}")
-        self.refused(self.batch(HEADER, map_file=world), 2, "bitmaps", world)
-        self.assertNotIn(".geojson", self.run_program("batch", "--help").out)
-
 
 class Answers(ProgramTest):
     QUERIES = [((14, 14), (380, 179)), ((14, 14), (60, 40)), ((380, 179), (14, 14)),

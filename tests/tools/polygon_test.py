@@ -31,7 +31,7 @@ def collection(start=(20, 180), goal=(160, 90), margin=0, obstacles=None):
     return json.dumps({"type": "FeatureCollection", "margin": margin, "features": features})
 
 
-class PolygonTest(ProgramTest):
+class WorldTest(ProgramTest):
     algorithm = "exact"
 
     def setUp(self):
@@ -41,6 +41,8 @@ class PolygonTest(ProgramTest):
     def plan_world(self, *arguments, world="world.geojson"):
         return self.run_program("plan", world, *arguments)
 
+
+class PolygonTest(WorldTest):
     def test_shortest_path(self):
         run = self.plan_world()
         self.assertEqual((run.code, run.err), (0, ""))
@@ -53,12 +55,15 @@ class PolygonTest(ProgramTest):
         keys = ["format", "version", "map", "algorithm", "start", "goal", "seed", "threads",
                 "parameters", "status", "error", "length", "path", "iterations", "best", "mean",
                 "arrived", "lower_bound", "gap", "optimal", "optimum", "optimum_gap", "maklink",
-                "elapsed_ms"]
+                "note", "elapsed_ms"]
         for algorithm in ("exact", "maklink-acs", "real-ga"):
             with self.subTest(algorithm=algorithm):
-                run = self.plan_world("--algorithm", algorithm, "--json", "--gap")
+                run = self.plan_world("--algorithm", algorithm, "--json")
                 self.assertEqual((run.code, run.err), (0, ""))
                 result = run.json
+                asked = self.plan_world("--algorithm", algorithm, "--json", "--gap").json
+                self.assertEqual(asked["optimum"], result["optimum"])
+                self.assertIsNone(result["note"])
                 self.assertEqual(list(result), keys)
                 self.assertEqual(result["format"], "lasius-plan/1")
                 self.assertEqual(result["map"]["width"], 200)
@@ -81,12 +86,15 @@ class PolygonTest(ProgramTest):
 
     def test_options_override_the_world(self):
         run = self.plan_world("--start", "1.5,2.25", "--goal", "150,10.5", "--margin", "4",
-                              "--join", "round", "--json")
+                              "--join", "mitre", "--boundary", "keep", "--json")
         self.assertEqual(run.code, 0)
         self.assertEqual(run.json["start"], [1.5, 2.25])
         self.assertEqual(run.json["parameters"]["margin"], 4)
-        self.assertEqual(run.json["parameters"]["join"], "round")
+        self.assertEqual(run.json["parameters"]["join"], "mitre")
+        self.assertEqual(run.json["parameters"]["boundary"], "keep")
         grown = self.plan_world("--margin", "2", "--json").json
+        self.assertEqual(grown["parameters"]["join"], "round")
+        self.assertEqual(grown["parameters"]["boundary"], "shrink")
         self.assertGreater(grown["length"], OPTIMUM)
 
     def test_the_world_s_margin_counts(self):
@@ -114,6 +122,7 @@ class PolygonTest(ProgramTest):
             (["--algorithm", "real-ga", "--set", "populatoin=3"], "did you mean \"population\"?"),
             (["--algorithm", "maklink-acs", "--ants", "0"], "1 .. 1000000"),
             (["--join", "miter"], "did you mean \"mitre\"?"),
+            (["--boundary", "shrnk"], "did you mean \"shrink\"?"),
             (["--margin", "-1"], "--margin"),
             (["--start", "1"], "--start"),
             (["--radius", "1"], "--margin"),
@@ -136,10 +145,11 @@ class PolygonTest(ProgramTest):
         self.refused(run, 2, "maklink-acs plans among polygons")
         run = self.plan(map_file="small.map", start="0,0", goal="1,1")
         self.assertEqual(run.code, 0)
-        for option in (["--margin", "1"], ["--join", "round"], ["--repair"]):
-            run = self.run_program("plan", "small.map", "--start", "0,0", "--goal", "1,1", *option)
-            self.assertEqual(run.code, 2)
-            self.assertIn("polygon worlds", run.err)
+        self.write("q.tsv", "sx sy gx gy\n0 0 1 1\n")
+        for option in (["--margin", "1"], ["--join", "round"], ["--boundary", "keep"], ["--repair"]):
+            for command in (["plan", "small.map", "--start", "0,0", "--goal", "1,1"],
+                            ["batch", "small.map", "q.tsv"]):
+                self.refused(self.run_program(*command, *option), 2, "polygon worlds")
 
     def test_options_without_effect_are_named(self):
         run = self.plan_world("--ants", "3", "--polish", "taut", "--unknown-free", "--frame", "cell")
@@ -226,6 +236,8 @@ class PolygonTest(ProgramTest):
                           ["--algorithm", "real-ga", "--iterations", "40", "--gap"],
                           ["--algorithm", "maklink-acs", "--set", "routes=3", "--margin", "1.5",
                            "--join", "bevel", "--seed", "9007199254740991"],
+                          ["--margin", "1", "--boundary", "keep", "--join", "chords"],
+                          ["--margin", "1", "--algorithm", "maklink-acs"],
                           ["--start", "60,140"]):
             with self.subTest(arguments=arguments):
                 self.plan_world("--json", "-o", "r.json", *arguments)
@@ -263,7 +275,92 @@ class PolygonTest(ProgramTest):
         values = {p["name"]: p["default"] for p in acs["parameters"]}
         self.assertEqual([values[n] for n in ("ants", "iterations", "values", "beta", "greedy",
                                               "evaporation", "initial_pheromone")],
-                         [10, 200, 11, 2, 0.85, 0.1, 0.0002])
+                         [10, 400, 21, 2, 0.5, 0.1, 0])
+
+    def test_a_mitre_that_closes_a_passage_is_told(self):
+        spikes = [[[98, 0], [102, 0], [100, 96]], [[98, 200], [100, 104], [102, 200]]]
+        self.write("spikes.geojson", collection(margin=2, obstacles=spikes))
+        self.assertEqual(self.plan_world(world="spikes.geojson").code, 0)
+        run = self.plan_world("--join", "mitre", "--json", world="spikes.geojson")
+        self.assertEqual(run.code, 5)
+        self.assertIn("round joins start and goal are joined", run.json["note"])
+        self.assertIn(run.json["note"], run.err)
+        self.assertNotIn("note", self.plan_world("--join", "mitre", "-q", world="spikes.geojson").err)
+
+    def test_results_from_before_the_boundary_shrank(self):
+        """A result without "boundary" is of 0.1.0: round joins of chords, the boundary kept."""
+        made = {}
+        for join in ("chords", "mitre"):
+            result = self.plan_world("--margin", "3", "--join", join, "--boundary", "keep",
+                                     "--algorithm", "maklink-acs", "--json").json
+            for key in ("note", "optimum", "optimum_gap"):
+                del result[key]
+            del result["parameters"]["boundary"]
+            if join == "chords":
+                result["parameters"]["join"] = "round"
+            result["version"] = "0.1.0"
+            made[join] = result
+            self.write("old.json", json.dumps(result))
+            run = self.run_program("verify", "old.json")
+            self.assertEqual(run.code, 0, run.err)
+        self.assertNotEqual(made["chords"]["path"], made["mitre"]["path"])
+
+    def test_values_ask_for_iterations(self):
+        for arguments, iterations in ((["--set", "values=41"], 800), (["--set", "values=7"], 200),
+                                      (["--iterations", "30", "--set", "values=41"], 30)):
+            run = self.plan_world("--algorithm", "maklink-acs", "--json", *arguments)
+            self.assertEqual(run.json["parameters"]["iterations"], iterations)
+
+
+class PolygonBatch(WorldTest):
+    QUERIES = "name\tsx\tsy\tgx\tgy\na\t20\t180\t160\t90\nb\t1.5\t2.25\t150\t10.5\n" \
+              "blocked\t60\t140\t1\t1\noutside\t1\t1\t1e300\t0\nstay\t5\t5\t5\t5\n"
+
+    def batch(self, *arguments, world="world.geojson", queries=None):
+        self.write("q.tsv", self.QUERIES if queries is None else queries)
+        return self.run_program("batch", world, "q.tsv", *arguments)
+
+    def test_each_query_is_what_plan_gives(self):
+        self.write("open.geojson", collection(start=None, goal=None, margin=1.5))
+        for arguments in (["--algorithm", "maklink-acs", "--seed", "7", "--threads", "2"], []):
+            run = self.batch(*arguments, world="open.geojson")
+            self.assertEqual((run.code, run.err), (0, ""))
+            lines = run.lines
+            self.assertEqual([line["index"] for line in lines], [0, 1, 2, 3, 4])
+            self.assertEqual([line["status"] for line in lines],
+                             ["solved", "solved", "invalid", "invalid", "solved"])
+            for line in lines:
+                self.assertIsNone(line["note"])
+                start, goal = ([f"{v!r}" for v in line[end]] for end in ("start", "goal"))
+                one = self.plan_world("--json", "--start", ",".join(start), "--goal", ",".join(goal),
+                                      *arguments, world="open.geojson").json
+                for result in (one, line):
+                    for key in ("elapsed_ms", "threads", "index"):
+                        result.pop(key, None)
+                self.assertEqual(line, one)
+
+    def test_outputs_and_verify(self):
+        run = self.batch("--algorithm", "maklink-acs", "-o", "b.json", "-o", "b.csv", "-o", "b.svg")
+        self.assertEqual(run.code, 0, run.err)
+        with open(self.path("b.json"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), run.out)
+        with open(self.path("b.csv"), encoding="utf-8") as file:
+            rows = file.read().splitlines()
+        self.assertEqual(rows[0], "index,sx,sy,gx,gy,status,length,lower_bound,gap,iterations,elapsed_ms")
+        self.assertTrue(rows[2].startswith("1,1.5,2.25,150,10.5,solved,"))
+        with open(self.path("b.svg"), encoding="utf-8") as file:
+            self.assertIn("<svg", file.read(2000))
+        run = self.run_program("verify", "b.json")
+        self.assertEqual((run.code, run.out), (0, "5 of 5 results are equal to the replay\n"))
+
+    def test_broken_queries_print_nothing(self):
+        for queries, word in (("", "empty"), ("sx sy gx\n", "line 1"), ("sx sy gx gy\n1 1 2 x\n", "line 2"),
+                              ("sx sy gx gy\n1 1 2 inf\n", "line 2"), ("version 1\n", "scenario")):
+            self.refused(self.batch(queries=queries), 3, "q.tsv", word)
+        self.refused(self.run_program("batch", "missing.geojson", "q.tsv"), 3, "missing.geojson")
+        self.refused(self.run_program("batch", "world.geojson", "missing.tsv"), 3, "missing.tsv")
+        self.refused(self.batch("--frame", "world"), 2, "--frame world")
+        self.refused(self.batch("--radius", "1"), 2, "--margin")
 
 
 if __name__ == "__main__":

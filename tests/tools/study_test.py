@@ -40,14 +40,35 @@ class Study(ProgramTest):
         if "maklink" not in self.run_program("study", "list").out:
             self.skipTest("this lasius was built without polygon worlds")
         run = self.run_program("study", "maklink", "--seeds", "3", "-o", "m", "--maps", MAPS)
-        self.assertEqual((run.code, run.out, run.err), (0, "m/report.md\n", ""))
+        self.assertEqual((run.code, run.out), (0, "m/report.md\n"))
+        self.assertRegex(run.err, r"^lasius: maklink: 18 runs, about \d+ (s|min) with \d+ threads")
         with open(os.path.join(self.folder, "m", "runs.csv"), encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), 18)
         for row in rows:
             self.assertGreaterEqual(float(row["length"]), float(row["own_limit"]) * (1 - 1e-12))
         with open(os.path.join(self.folder, "m", "report.md"), encoding="utf-8") as file:
-            self.assertIn("crosses 9 (9)", file.read())
+            self.assertIn("What the source claims", file.read())
+        with open(os.path.join(self.folder, "m", "claims.csv"), encoding="utf-8") as file:
+            for row in csv.DictReader(file):
+                self.assertTrue(row["outcome"] and row["place"], row)
+        quiet = self.run_program("study", "maklink", "--seeds", "3", "-o", "m", "--maps", MAPS, "-q")
+        self.assertEqual((quiet.code, quiet.err), (0, ""))
+
+    def test_all_makes_one_table_and_can_be_stopped(self):
+        process = subprocess.Popen(
+            [PROGRAM, "study", "all", "--seeds", "1", "-o", "out", "--maps", MAPS, "-q"],
+            cwd=self.folder, env=environment({}), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        while process.poll() is None and not os.path.isdir(self.out("fan2004", "runs")):
+            pass
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate()
+        self.assertEqual((process.returncode, out), (130, b""), err)
+        with open(self.out("claims.md"), encoding="utf-8") as page:
+            text = page.read()
+        self.assertIn("| `fan2004` |", text)
+        self.assertIn("interrupted", text)
+        self.assertNotIn("| confirmed |", text)
 
     def test_goes_on_where_it_stopped_and_reports(self):
         process = subprocess.Popen([PROGRAM, *self.COMMAND], cwd=self.folder,
@@ -59,23 +80,27 @@ class Study(ProgramTest):
         out, err = process.communicate()
         self.assertEqual((process.returncode, out), (130, b""), err)
         self.assertIn(b"goes on", err)
-        self.assertFalse(os.path.exists(self.out("report.md")))
+        with open(self.out("report.md"), encoding="utf-8") as page:
+            text = page.read()
+        self.assertIn("Partial: interrupted", text)
+        self.assertNotIn("| confirmed |", text)
+        self.assertNotIn("| **refuted** |", text)
         kept = {f: os.stat(f).st_mtime_ns for f in self.runs()}
         self.assertTrue(kept)
 
         run = self.run_program(*self.COMMAND)
-        self.assertEqual((run.code, run.out, run.err), (0, "out/report.md\n", ""))
+        self.assertEqual((run.code, run.out), (0, "out/report.md\n"), run.err)
         for file, time_ns in kept.items():
             self.assertEqual(os.stat(file).st_mtime_ns, time_ns)
         with open(self.out("runs.csv"), encoding="utf-8") as table:
             self.assertEqual(len(list(csv.DictReader(table))), len(self.runs()))
         with open(self.out("report.md"), encoding="utf-8") as page:
             text = page.read()
-        for word in ("true optimum", "What the source claims", "terminal-index, index off"):
+        for word in ("true optimum", "What the source claims", "index off", "cannot decide with 1 seeds"):
             self.assertIn(word, text)
         for name in ("paths", "convergence"):
             for ending in ("svg", "png"):
-                picture = f"pictures/grid20-grid20a-{name}.{ending}"
+                picture = f"pictures/example-grid20a-{name}.{ending}"
                 self.assertIn(picture, text)
                 self.assertGreater(os.path.getsize(self.out(picture)), 1000)
 

@@ -33,6 +33,16 @@ class Verify(ProgramTest):
                 self.assertEqual(self.save(*arguments)["status"], "solved")
                 self.assertEqual(self.run_program("verify", "r.json").code, 0)
 
+    def test_a_parameter_that_came_later(self):
+        result = self.save("--algorithm", "as")
+        del result["parameters"]["walk_cut"]
+        result["version"] = "0.1.0"
+        self.write("r.json", json.dumps(result))
+        self.assertEqual(self.run_program("verify", "r.json").code, 0)
+        del result["parameters"]["ants"]
+        self.write("r.json", json.dumps(result))
+        self.refused(self.run_program("verify", "r.json"), 3, "parameters/ants")
+
     def test_an_optimum_that_was_cut_off_is_no_difference(self):
         result = self.save("--gap")
         self.write("r.json", json.dumps({**result, "optimum": None, "optimum_gap": None,

@@ -14,7 +14,8 @@ namespace {
 }  // namespace
 
 int run_arm(const ArmCommand&) { refuse(); }
-int run_arm_study(const StudyCommand&, const std::filesystem::path&) { refuse(); }
 std::unique_ptr<Task> recorded_arm(const Recorded&) { refuse(); }
+bool tells_no_bodies(const Json&) { refuse(); }
+std::string why_not_replayed(const Recorded&) { refuse(); }
 
 }  // namespace lasius::tool

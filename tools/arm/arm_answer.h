@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "lasius/arm.h"
@@ -15,17 +17,35 @@ inline Eigen::Map<const arm::JointVector> joint_vector(const std::vector<double>
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
+/// A file that was read, and the hash of its bytes (FNV-1a).
+using ReadFile = std::pair<std::string, std::uint64_t>;
+
 /// All that a run of `lasius arm` read and found.
 struct ArmAnswer {
   arm::Robot robot;
   arm::Scene scene;
-  std::uint64_t robot_hash = 0;  ///< of the files' bytes (FNV-1a)
-  std::uint64_t scene_hash = 0;
+  ReadFile robot_file, scene_file;
+  std::vector<ReadFile> robot_files, scene_files;  ///< that these name, or that came with them
+  arm::JointVector start;
+  std::vector<arm::Goal> goals;
   arm::Params parameters;
   double clearance = 0;
   arm::Result plan;
   std::optional<arm::Recheck> recheck;
   double elapsed_ms = 0;
 };
+
+/// Where the tip is at a goal.
+inline Eigen::Vector3d tip_of(const arm::Robot& robot, const arm::Goal& goal) {
+  if (goal.kind == arm::Goal::Kind::joints) return arm::tip_position(robot, goal.values);
+  return goal.target.translation();
+}
+
+/// The unit of a plan's length.
+inline const char* unit_of(arm::Objective objective) {
+  return objective == arm::Objective::duration ? "s"
+         : objective == arm::Objective::joint  ? "rad"
+                                               : "m";
+}
 
 }  // namespace lasius::tool

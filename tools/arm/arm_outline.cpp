@@ -15,31 +15,40 @@ double turn(Point a, Point b, Point c) {
 
 }  // namespace
 
-std::vector<Vector3d> outline(const arm::Obstacle& o) {
+std::vector<Vector3d> outline(const arm::Solid& o) {
   std::vector<Vector3d> points;
   const auto add = [&](const Vector3d& p) { points.emplace_back(o.pose * p); };
   constexpr int kParts = 32;
   const auto angle = [](int i) { return 2 * std::numbers::pi * i / kParts; };
   switch (o.shape) {
-    case arm::Obstacle::Shape::box:
+    case arm::Solid::Shape::box:
       for (const double x : {-0.5, 0.5})
         for (const double y : {-0.5, 0.5})
           for (const double z : {-0.5, 0.5}) add({x * o.size[0], y * o.size[1], z * o.size[2]});
       break;
-    case arm::Obstacle::Shape::sphere:
+    case arm::Solid::Shape::sphere:
       for (int i = 0; i < kParts; ++i) {
         const double c = o.radius * std::cos(angle(i)), s = o.radius * std::sin(angle(i));
         for (const Vector3d& p : {Vector3d(c, s, 0), Vector3d(c, 0, s), Vector3d(0, c, s)})
           points.emplace_back(o.pose.translation() + p);
       }
       break;
-    case arm::Obstacle::Shape::cylinder:
+    case arm::Solid::Shape::cylinder:
       for (int i = 0; i < kParts; ++i)
         for (const double z : {-0.5 * o.length, 0.5 * o.length})
           add({o.radius * std::cos(angle(i)), o.radius * std::sin(angle(i)), z});
       break;
-    case arm::Obstacle::Shape::mesh:
-      for (const auto& triangle : o.triangles)
+    case arm::Solid::Shape::capsule:
+      for (const Vector3d& end : {Vector3d(0, 0, 0), Vector3d(o.size)})
+        for (int i = 0; i < kParts; ++i) {
+          const double c = o.radius * std::cos(angle(i)), s = o.radius * std::sin(angle(i));
+          for (const Vector3d& p : {Vector3d(c, s, 0), Vector3d(c, 0, s), Vector3d(0, c, s)})
+            points.emplace_back(o.pose * end + p);
+        }
+      break;
+    case arm::Solid::Shape::mesh:
+      if (o.triangles == nullptr) break;
+      for (const auto& triangle : *o.triangles)
         for (const Vector3d& corner : triangle) add(corner);
       break;
   }

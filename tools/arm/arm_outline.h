@@ -1,4 +1,4 @@
-// Outlines of obstacles, as pictures show them from any side.
+// Outlines of solids, as pictures show them from any side.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace lasius::tool {
 
-/// Points of an obstacle's surface whose convex hull is its outline in every view along an axis.
-std::vector<Eigen::Vector3d> outline(const arm::Obstacle& obstacle);
+/// Points of a solid's surface whose convex hull is its outline in every view along an axis.
+std::vector<Eigen::Vector3d> outline(const arm::Solid& solid);
 
 /// The convex hull (Andrew's monotone chain), its corners in order.
 std::vector<Point> hull(std::vector<Point> points);

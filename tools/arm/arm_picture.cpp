@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "tools/arm/arm_outline.h"
+#include "tools/arm/arm_samples.h"
 #include "tools/draw/canvas.h"
 #include "tools/draw/chart.h"
 #include "tools/draw/colours.h"
@@ -28,14 +29,14 @@ constexpr double kMargin = 24, kTitle = 40, kView = 480, kBetween = 24, kCaption
 constexpr double kChart = 400;
 
 /// What a view looks along is left out: coordinates `across` and `up` are shown.
-struct View {
+struct Aspect {
   const char* name;
   int across;
   int up;
 };
-constexpr std::array<View, 3> kViews{View{"from above: x, y", 0, 1},
-                                     View{"from the front: x, z", 0, 2},
-                                     View{"from the side: y, z", 1, 2}};
+constexpr std::array<Aspect, 3> kViews{Aspect{"from above: x, y", 0, 1},
+                                       Aspect{"from the front: x, z", 0, 2},
+                                       Aspect{"from the side: y, z", 1, 2}};
 
 /// The part of space that all views show.
 struct Bounds {
@@ -50,7 +51,7 @@ struct Bounds {
 /// One view's place on the page: metres to pixels, both axes alike, up is up.
 class Frame {
  public:
-  Frame(const View& view, const Box& box, const Bounds& bounds)
+  Frame(const Aspect& view, const Box& box, const Bounds& bounds)
       : view_(view), scale_(box.width / (1.06 * bounds.widest())) {
     const double across = 0.5 * (bounds.low[view.across] + bounds.high[view.across]);
     const double up = 0.5 * (bounds.low[view.up] + bounds.high[view.up]);
@@ -65,7 +66,7 @@ class Frame {
   }
 
  private:
-  const View& view_;
+  const Aspect& view_;
   double scale_;
   Point origin_{};
 };
@@ -83,48 +84,64 @@ void draw_grid(Canvas& canvas, const Box& box, const Frame& frame) {
   for (const double x : ticks(low.x, high.x, 6)) {
     const double at = zero.x + (x * frame.scale());
     canvas.line({at, box.y}, {at, box.y + box.height}, kPaleGrid, 1);
-    canvas.text({at + 3, box.y + box.height - 5}, short_text(x), 12, Align::left, kInk);
+    const std::string label = short_text(x);
+    if (at + 5 + canvas.text_width(label, 12) < box.x + box.width)
+      canvas.text({at + 3, box.y + box.height - 5}, label, 12, Align::left, kInk);
   }
   for (const double y : ticks(low.y, high.y, 6)) {
     const double at = zero.y - (y * frame.scale());
     canvas.line({box.x, at}, {box.x + box.width, at}, kPaleGrid, 1);
-    canvas.text({box.x + 4, at - 3}, short_text(y), 12, Align::left, kInk);
+    // Not cut off above, nor on the labels below.
+    if (at > box.y + 16 && at < box.y + box.height - 20)
+      canvas.text({box.x + 4, at - 3}, short_text(y), 12, Align::left, kInk);
   }
 }
 
-void draw_capsule(Canvas& canvas, const Frame& frame, const arm::Capsule& capsule, Colour colour,
-                  double opacity) {
-  const Point ends[] = {frame.at(capsule.from), frame.at(capsule.to)};
-  canvas.stroke(ends, colour, std::max(2.0, 2 * capsule.radius * frame.scale()), opacity);
+void draw_solid(Canvas& canvas, const Frame& frame, const arm::Solid& solid, Colour colour,
+                double opacity) {
+  if (solid.shape == arm::Solid::Shape::capsule) {
+    const Point ends[] = {frame.at(solid.pose.translation()), frame.at(solid.pose * solid.size)};
+    canvas.stroke(ends, colour, std::max(2.0, 2 * solid.radius * frame.scale()), opacity);
+    return;
+  }
+  std::vector<Point> flat;
+  for (const Vector3d& p : outline(solid)) flat.push_back(frame.at(p));
+  canvas.area(hull(std::move(flat)), colour, opacity);
 }
 
 /// What moves of it.
 void draw_arm(Canvas& canvas, const Frame& frame, const arm::Robot& robot,
               const arm::JointVector& q, Colour colour, double opacity) {
-  const auto capsules = arm::place_capsules(robot, q);
-  for (std::size_t i = robot.base.size(); i < capsules.size(); ++i)
-    draw_capsule(canvas, frame, capsules[i], colour, opacity);
+  for (const arm::Link& link : arm::place_links(robot, q)) {
+    if (link.body == 0) continue;
+    for (const arm::Solid& solid : link.solids) draw_solid(canvas, frame, solid, colour, opacity);
+  }
 }
 
-/// A line through the middles of the links and the tip.
+/// A line through the joints and the tip.
 void draw_bones(Canvas& canvas, const Frame& frame, const arm::Robot& robot,
                 const arm::JointVector& q, Colour colour) {
   std::vector<Point> bones;
-  for (const arm::Capsule& c : arm::place_capsules(robot, q)) {
-    bones.push_back(frame.at(c.from));
-    bones.push_back(frame.at(c.to));
+  arm::Pose at = arm::Pose::Identity();
+  for (int i = 0; i < robot.size(); ++i) {
+    const arm::Joint& joint = robot.joints[i];
+    at = at * joint.frame;
+    bones.push_back(frame.at(at.translation()));
+    if (joint.kind == arm::Joint::Kind::revolute)
+      at.rotate(Eigen::AngleAxisd(q[i], joint.axis));
+    else
+      at.translate(Vector3d(q[i] * joint.axis));
   }
-  bones.push_back(frame.at(arm::tip_position(robot, q)));
+  bones.push_back(frame.at(at * robot.tip.translation()));
   canvas.stroke(bones, colour, 2.5, 1);
 }
 
 /// Poses to show, evenly in time: first and last are start and goal.
-std::vector<arm::JointVector> poses(const ArmAnswer& answer, const ArmCommand& command) {
+std::vector<arm::JointVector> poses(const ArmAnswer& answer) {
   constexpr int kPoses = 7;
   const arm::Trajectory& trajectory = answer.plan.trajectory;
   if (trajectory.empty()) {
-    if (command.start.size() == answer.robot.joints.size()) return {joint_vector(command.start)};
-    return {};
+    return {answer.start};
   }
   std::vector<arm::JointVector> list;
   for (int i = 0; i < kPoses; ++i)
@@ -142,23 +159,19 @@ std::vector<Vector3d> tip_path(const ArmAnswer& answer) {
   return path;
 }
 
-void draw_view(Canvas& canvas, const Box& box, const View& view, const Bounds& bounds,
-               const ArmCommand& command, const ArmAnswer& answer) {
+void draw_view(Canvas& canvas, const Box& box, const Aspect& view, const Bounds& bounds,
+               const ArmAnswer& answer) {
   const Frame frame(view, box, bounds);
   draw_grid(canvas, box, frame);
-  for (const auto& o : answer.scene.obstacles) {
-    std::vector<Point> flat;
-    for (const Vector3d& p : outline(o)) flat.push_back(frame.at(p));
-    canvas.area(hull(std::move(flat)), kObstacle, 0.35);
-  }
-  for (const arm::Capsule& c : answer.robot.base) draw_capsule(canvas, frame, c, kBase, 0.5);
-  const auto shown = poses(answer, command);
+  for (const auto& o : answer.scene.obstacles) draw_solid(canvas, frame, o, kObstacle, 0.35);
+  for (const arm::Link& link : answer.robot.links)
+    if (link.body == 0)
+      for (const arm::Solid& solid : link.solids) draw_solid(canvas, frame, solid, kBase, 0.5);
+  const auto shown = poses(answer);
   for (std::size_t i = 1; i + 1 < shown.size(); ++i)
     draw_arm(canvas, frame, answer.robot, shown[i], kGhost, 0.16);
-  if (!shown.empty()) {
-    draw_arm(canvas, frame, answer.robot, shown.front(), kStart, 0.35);
-    draw_bones(canvas, frame, answer.robot, shown.front(), kStart);
-  }
+  draw_arm(canvas, frame, answer.robot, shown.front(), kStart, 0.35);
+  draw_bones(canvas, frame, answer.robot, shown.front(), kStart);
   if (shown.size() > 1) {
     draw_arm(canvas, frame, answer.robot, shown.back(), kGoal, 0.35);
     draw_bones(canvas, frame, answer.robot, shown.back(), kGoal);
@@ -170,8 +183,9 @@ void draw_view(Canvas& canvas, const Box& box, const View& view, const Bounds& b
   };
   line(answer.plan.tips.colwise(), kLattice, 1.5);
   line(tip_path(answer), kTip, 3);
-  if (!shown.empty()) canvas.disc(frame.at(arm::tip_position(answer.robot, shown[0])), 6, kStart);
-  canvas.diamond(frame.at({command.goal[0], command.goal[1], command.goal[2]}), 8, kGoal);
+  canvas.disc(frame.at(arm::tip_position(answer.robot, shown[0])), 6, kStart);
+  for (const arm::Goal& goal : answer.goals)
+    canvas.diamond(frame.at(tip_of(answer.robot, goal)), 8, kGoal);
   canvas.frame(box, kInk, 1);
 }
 
@@ -183,11 +197,9 @@ study::LineChart joint_chart(const ArmAnswer& answer) {
                          .curves = {},
                          .lengths = false};
   const arm::Trajectory& trajectory = answer.plan.trajectory;
+  const auto names = joint_names(answer.robot);
   for (int j = 0; j < answer.robot.size(); ++j) {
-    const std::string& name = answer.robot.joints[j].name;
-    study::Curve curve{
-        .label = name.empty() ? std::string("q").append(std::to_string(j + 1)) : name,
-        .colour = study::palette(static_cast<std::size_t>(j))};
+    study::Curve curve{.label = names[j], .colour = study::palette(static_cast<std::size_t>(j))};
     for (int i = 0; i <= kSamples; ++i) {
       const double t = trajectory.duration() * i / kSamples;
       curve.x.push_back(t);
@@ -198,15 +210,31 @@ study::LineChart joint_chart(const ArmAnswer& answer) {
   return chart;
 }
 
-Bounds bounds_of(const ArmCommand& command, const ArmAnswer& answer) {
-  Bounds bounds;
-  for (const auto& q : poses(answer, command))
-    for (const auto& c : arm::place_capsules(answer.robot, q)) {
-      bounds.add(c.from, c.radius);
-      bounds.add(c.to, c.radius);
+/// So far, by iteration.
+study::LineChart question_chart(const std::vector<arm::Questions>& asked) {
+  study::Curve positions{.label = "positions", .colour = study::palette(1)};
+  study::Curve motions{.label = "motions", .colour = study::palette(0)};
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    for (auto* curve : {&positions, &motions}) {
+      curve->x.push_back(static_cast<double>(i + 1));
+      curve->y.push_back(
+          static_cast<double>(curve == &motions ? asked[i].motions : asked[i].positions));
     }
+  return {.title = "questions asked",
+          .x_label = "iteration",
+          .y_label = "questions so far",
+          .curves = {positions, motions},
+          .lengths = false};
+}
+
+Bounds bounds_of(const ArmAnswer& answer) {
+  Bounds bounds;
+  for (const auto& q : poses(answer))
+    for (const arm::Link& link : arm::place_links(answer.robot, q))
+      for (const arm::Solid& solid : link.solids)
+        for (const Vector3d& p : outline(solid)) bounds.add(p);
   for (const Eigen::Vector3d p : answer.plan.tips.colwise()) bounds.add(p);
-  bounds.add({command.goal[0], command.goal[1], command.goal[2]});
+  for (const arm::Goal& goal : answer.goals) bounds.add(tip_of(answer.robot, goal));
   // Obstacles far from the arm may be cut off.
   const Bounds arm = bounds;
   const double room = arm.widest();
@@ -225,10 +253,12 @@ std::string title(const ArmCommand& command, const ArmAnswer& answer) {
   std::string text = std::string(answer.parameters.algorithm()) + ": " + base(command.robot) +
                      " in " + base(command.scene) + ", seed " + std::to_string(command.seed) + ": ";
   if (answer.plan.tips.cols() == 0) return text + std::string(to_string(answer.plan.status));
-  std::array<char, 160> figures;
+  std::array<char, 200> figures;
   std::snprintf(
-      figures.data(), figures.size(), "lattice path %.3g m, %lld + %lld questions, motion %.2f s",
-      answer.plan.length, static_cast<long long>(answer.plan.questions.positions),
+      figures.data(), figures.size(),
+      "%s %.3g %s, asked of %lld positions and %lld motions, takes %.2f s",
+      answer.plan.direct ? "straight in joint space," : "lattice path", answer.plan.length,
+      unit_of(answer.parameters.objective), static_cast<long long>(answer.plan.questions.positions),
       static_cast<long long>(answer.plan.questions.motions), answer.plan.trajectory.duration());
   return text + figures.data();
 }
@@ -244,25 +274,26 @@ void write_arm_picture(const std::string& file, const ArmCommand& command,
   Canvas canvas(static_cast<int>(width), static_cast<int>(height));
   canvas.text({width / 2, kMargin + 20}, title(command, answer), 19, Align::centre, kInk, true);
 
-  const Bounds bounds = bounds_of(command, answer);
+  const Bounds bounds = bounds_of(answer);
   for (std::size_t i = 0; i < kViews.size(); ++i) {
     const Box box{kMargin + static_cast<double>(i) * (kView + kBetween), kMargin + kTitle, kView,
                   kView};
     canvas.clip(box);
-    draw_view(canvas, box, kViews[i], bounds, command, answer);
+    draw_view(canvas, box, kViews[i], bounds, answer);
     canvas.unclip();
     canvas.text({box.x + kView / 2, box.y + kView + 23}, kViews[i].name, 16, Align::centre, kInk);
   }
-  if (charts) {
-    const double half = (width - 2 * kMargin - kBetween) / 2;
-    const double top = kMargin + kTitle + kView + kCaption + kBetween / 2;
-    if (moves) study::draw(canvas, {kMargin, top, half, kChart}, joint_chart(answer));
-    if (!answer.plan.best.empty()) {
-      draw_convergence(
-          canvas, {kMargin + half + kBetween, top, half, kChart},
-          {answer.plan.best, answer.plan.mean, answer.plan.lower_bound, "m", "lower bound"});
-    }
-  }
+  const double top = kMargin + kTitle + kView + kCaption + kBetween / 2;
+  const auto chart_box = [&](int place) {
+    return Box{kMargin + place * (kView + kBetween), top, kView, kChart};
+  };
+  if (moves) study::draw(canvas, chart_box(0), joint_chart(answer));
+  if (!answer.plan.best.empty())
+    draw_convergence(canvas, chart_box(1),
+                     {answer.plan.best, answer.plan.mean, answer.plan.lower_bound,
+                      unit_of(answer.parameters.objective), "lower bound"});
+  if (!answer.plan.asked.empty())
+    study::draw(canvas, chart_box(2), question_chart(answer.plan.asked));
   canvas.save(file);
 }
 

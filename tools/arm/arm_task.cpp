@@ -1,81 +1,67 @@
 #include "tools/arm/arm_task.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tools/arm/arm_answer.h"
+#include "tools/arm/arm_json.h"
 #include "tools/arm/arm_picture.h"
+#include "tools/arm/arm_recorded.h"
+#include "tools/arm/arm_samples.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/parameters.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
 #include "tools/options/commands.h"
-#include "tools/record/recorded.h"
 
 namespace lasius::tool {
 namespace {
 
-constexpr double kMostSamples = 1e6;
-
-/// FNV-1a of a file that was just read.
-std::uint64_t file_hash(const std::string& file) {
+/// A file that was just read.
+ReadFile hashed(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   std::uint64_t hash = 0xcbf29ce484222325;
   for (char c = 0; in.get(c);) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return hash;
+  return {file, hash};
 }
 
-/// Samples a second of a trajectory: as many as wanted, kMostSamples in all at most.
-double sample_rate(const arm::Trajectory& trajectory, double wanted) {
-  return trajectory.duration() * wanted <= kMostSamples ? wanted
-                                                        : kMostSamples / trajectory.duration();
+std::vector<ReadFile> hashed(const std::vector<std::string>& files) {
+  std::vector<ReadFile> list;
+  for (const std::string& file : files) list.push_back(hashed(file));
+  return list;
 }
 
-/// Times at which a trajectory is told: so many a second, and its end.
-std::vector<double> sample_times(const arm::Trajectory& trajectory, double wanted) {
-  const double rate = sample_rate(trajectory, wanted);
-  const double count = std::floor(trajectory.duration() * rate);
-  std::vector<double> times;
-  for (double i = 0; i <= count; ++i) times.push_back(std::min(i / rate, trajectory.duration()));
-  if (times.back() < trajectory.duration()) times.push_back(trajectory.duration());
-  return times;
+/// The files that a scene names, each once.
+std::vector<std::string> files_of(const arm::Scene& scene) {
+  std::vector<std::string> files;
+  for (const arm::Obstacle& obstacle : scene.obstacles)
+    if (!obstacle.file.empty() && std::ranges::find(files, obstacle.file) == files.end())
+      files.push_back(obstacle.file);
+  return files;
 }
 
-Json position(const Eigen::Vector3d& p) { return {number(p.x()), number(p.y()), number(p.z())}; }
-
-Json joint_values(const arm::JointRef& q) {
-  return numbers(std::vector<double>(q.begin(), q.end()));
+/// The joint values of a state. @throws UsageError, with the nearest name.
+const arm::JointVector& state_of(const arm::Robot& robot, const std::string& option,
+                                 const std::string& name) {
+  if (robot.states.empty())
+    throw UsageError(option + " " + name +
+                     ": no states are known; give joint values, or --srdf with the robot's states");
+  std::vector<std::string_view> names;
+  for (const auto& [known, values] : robot.states) names.push_back(known);
+  return robot.states.at(std::string(names[choice_value(option, name, names)]));
 }
 
-Json trajectory_json(const ArmAnswer& answer, double rate) {
-  const arm::Trajectory& trajectory = answer.plan.trajectory;
-  if (trajectory.empty()) return nullptr;
-  Json knots = {{"t", Json::array()}, {"q", Json::array()}, {"ddq", Json::array()}};
-  for (const auto& knot : trajectory.knots()) {
-    knots["t"].push_back(number(knot.time));
-    knots["q"].push_back(joint_values(knot.q));
-    knots["ddq"].push_back(joint_values(knot.ddq));
-  }
-  Json samples = {{"t", Json::array()},
-                  {"q", Json::array()},
-                  {"dq", Json::array()},
-                  {"ddq", Json::array()},
-                  {"tip", Json::array()}};
-  for (const double t : sample_times(trajectory, rate)) {
-    const auto state = trajectory.at(t);
-    samples["t"].push_back(number(t));
-    samples["q"].push_back(joint_values(state.q));
-    samples["dq"].push_back(joint_values(state.dq));
-    samples["ddq"].push_back(joint_values(state.ddq));
-    samples["tip"].push_back(position(arm::tip_position(answer.robot, state.q)));
-  }
-  return {{"duration", number(trajectory.duration())},
-          {"waypoints", answer.plan.waypoints},
-          {"stops", answer.plan.stops},
-          {"knots", knots},
-          {"samples", samples}};
+arm::Pose pose_of(const std::vector<double>& v) {
+  using Eigen::AngleAxisd, Eigen::Vector3d;
+  arm::Pose pose = arm::Pose::Identity();
+  pose.translation() = Vector3d(v[0], v[1], v[2]);
+  pose.linear() = (AngleAxisd(v[5], Vector3d::UnitZ()) * AngleAxisd(v[4], Vector3d::UnitY()) *
+                   AngleAxisd(v[3], Vector3d::UnitX()))
+                      .toRotationMatrix();
+  return pose;
 }
 
 /// `lasius arm`.
@@ -86,21 +72,19 @@ class ArmTask : public Task {
   void open() override {
     found_.parameters =
         make_params<arm::Params>(command_, World::Kind::arm, arm::algorithms(), command_.notes);
-    found_.robot =
-        arm::read_robot(command_.robot, {.base = command_.base_link, .tip = command_.tip_link});
-    found_.robot_hash = file_hash(command_.robot);
-    const auto values = static_cast<std::int64_t>(command_.start.size());
-    if (values != found_.robot.size())
-      throw UsageError("--start gives " + counted(values, "joint value") + ", " + command_.robot +
-                       " has " + counted(found_.robot.size(), "joint"));
+    read_robot();
     found_.scene = arm::read_scene(command_.scene);
-    found_.scene_hash = file_hash(command_.scene);
+    found_.scene_file = hashed(command_.scene);
+    found_.scene_files = hashed(files_of(found_.scene));
     found_.clearance = command_.clearance > 0 ? command_.clearance : arm::SceneSensor::kClearance;
+    found_.start = joint_values("--start", command_.start, command_.start_state);
+    for (const ArmGoal& goal : command_.goals) found_.goals.push_back(goal_of(goal));
   }
   void announce() const override {
     Task::announce();
     if (!command_.messages.verbose) return;
     message(command_.robot + ": " + counted(found_.robot.size(), "joint"));
+    announce_bodies();
     message(command_.scene + ": " +
             counted(static_cast<std::int64_t>(found_.scene.obstacles.size()), "obstacle"));
     announce_algorithm(true);
@@ -108,9 +92,8 @@ class ArmTask : public Task {
   void plan(const StopCondition& stop, const Watch& watch) override {
     const arm::SceneSensor sensor(found_.robot, found_.scene, found_.clearance);
     const auto begin = Clock::now();
-    const auto& [x, y, z] = command_.goal;
-    const arm::Request request{.start = joint_vector(command_.start),
-                               .goal = {x, y, z},
+    const arm::Request request{.start = found_.start,
+                               .goals = found_.goals,
                                .stop = stop,
                                .target_gap = command_.target_gap};
     arm::Result& plan = found_.plan;
@@ -122,13 +105,15 @@ class ArmTask : public Task {
 
   const SearchOptions& options() const override { return command_; }
   std::vector<std::string> input_files() const override {
-    std::vector<std::string> files = found_.robot.meshes;
-    for (const auto& obstacle : found_.scene.obstacles) files.push_back(obstacle.file);
-    files.insert(files.end(), {command_.robot, command_.scene});
+    std::vector<std::string> files = files_of(found_.scene);
+    files.insert(files.end(), found_.robot.files.begin(), found_.robot.files.end());
+    for (const auto* file :
+         {&command_.robot, &command_.scene, &command_.srdf, &command_.joint_limits})
+      if (!file->empty()) files.push_back(*file);
     return files;
   }
   const Algorithm& algorithm() const override {
-    return arm::find_algorithm(arm::Params::algorithm());
+    return arm::find_algorithm(found_.parameters.algorithm());
   }
   std::string parameter(std::string_view name) const override {
     return get_parameter(found_.parameters, name);
@@ -137,8 +122,13 @@ class ArmTask : public Task {
 
   const SearchResult& result() const override { return found_.plan; }
   double elapsed_ms() const override { return found_.elapsed_ms; }
+  std::string limit() const override {
+    const auto& time = command_.time_limit;
+    const bool in_time = !time || found_.elapsed_ms < 1000 * *time;
+    return found_.parameters.max_questions > 0 && in_time ? "--max-questions" : Task::limit();
+  }
 
-  std::string unit() const override { return "m"; }
+  std::string unit() const override { return unit_of(found_.parameters.objective); }
   std::string progress_note(const Progress& progress) const override {
     const auto asked = static_cast<const arm::ArmProgress&>(progress).questions;
     return Task::progress_note(progress) + ", " +
@@ -160,30 +150,21 @@ class ArmTask : public Task {
     message("recheck: " + counted(found_.recheck->samples, "sample") + ", " +
             counted(found_.recheck->contacts, "contact") + ", " +
             counted(found_.recheck->limits, "broken limit") + ", nearest " +
-            to_text(found_.recheck->nearest) + " m");
+            to_text(found_.recheck->nearest) + " m; between them " +
+            (found_.recheck->unproven == 0
+                 ? "nothing is touched either"
+                 : counted(found_.recheck->unproven, "piece") + " could not be shown to be free"));
   }
   /// Of the tip, a lattice point a line.
   void write_path(std::ostream& out, const char* between) const override {
     for (const Eigen::Vector3d p : found_.plan.tips.colwise())
       out << to_text(p.x()) << between << to_text(p.y()) << between << to_text(p.z()) << "\n";
   }
-  /// Header, and a row a sample: t, q1.., dq1.., ddq1.., x, y, z.
   void write_csv(std::ostream& out) const override {
-    out << "t";
-    for (const char* name : {"q", "dq", "ddq"})
-      for (int j = 1; j <= found_.robot.size(); ++j) out << "," << name << j;
-    out << ",x,y,z\n";
-    const arm::Trajectory& trajectory = found_.plan.trajectory;
-    if (trajectory.empty()) return;
-    for (const double t : sample_times(trajectory, command_.rate)) {
-      const auto state = trajectory.at(t);
-      out << to_text(t);
-      for (const auto* values : {&state.q, &state.dq, &state.ddq})
-        for (const double value : *values) out << "," << to_text(value);
-      for (const double value : arm::tip_position(found_.robot, state.q))
-        out << "," << to_text(value);
-      out << "\n";
-    }
+    tool::write_csv(out, found_.robot, found_.plan.trajectory, command_.rate);
+  }
+  void write_yaml(std::ostream& out) const override {
+    write_ros_trajectory(out, found_.robot, found_.plan.trajectory, command_.rate);
   }
   void write_picture(const std::string& file) const override {
     write_arm_picture(file, command_, found_);
@@ -191,51 +172,112 @@ class ArmTask : public Task {
 
   const char* format() const override { return kArmFormat; }
   Json inputs() const override {
-    return {{"robot",
-             {{"file", command_.robot},
-              {"hash", hash_text(found_.robot_hash)},
-              {"base_link", text_or_null(command_.base_link)},
-              {"tip_link", text_or_null(command_.tip_link)},
-              {"name", found_.robot.name},
-              {"joints", found_.robot.size()}}},
-            {"scene",
-             {{"file", command_.scene},
-              {"hash", hash_text(found_.scene_hash)},
-              {"name", found_.scene.name},
-              {"obstacles", found_.scene.obstacles.size()}}}};
+    return {{"robot", robot_json(command_, found_)}, {"scene", scene_json(command_, found_)}};
   }
+  /// The goal is where the tip goes: at the goal that was reached, or else the first.
   std::pair<Json, Json> ends() const override {
-    return {numbers(command_.start), numbers({command_.goal.begin(), command_.goal.end()})};
+    const auto goal = static_cast<std::size_t>(std::max(0, found_.plan.goal));
+    return {joint_values_json(found_.start),
+            position_json(tip_of(found_.robot, found_.goals[goal]))};
   }
   void add_settings(Json& json) const override {
     json["clearance"] = number(found_.clearance);
     add_limits(json);
     json["rate"] = number(command_.rate);
+    json["use_visual"] = command_.visual;
+    json["bodiless"] = command_.bodiless;
+    json["allow_contact"] = command_.contacts;
+    json["set_joint"] = Json::object();
+    for (const auto& [name, value] : command_.joint_values) json["set_joint"][name] = number(value);
   }
   void add_path(Json& json) const override {
     const arm::Result& plan = found_.plan;
     json["path"] = nullptr;
     json["joints"] = nullptr;
-    for (const Eigen::Vector3d tip : plan.tips.colwise()) json["path"].push_back(position(tip));
-    for (const auto q : plan.joints.colwise()) json["joints"].push_back(joint_values(q));
-    json["lattice"] = {{"pitch", number(plan.pitch)}, {"points", plan.points}};
+    for (const Eigen::Vector3d tip : plan.tips.colwise())
+      json["path"].push_back(position_json(tip));
+    for (const auto q : plan.joints.colwise()) json["joints"].push_back(joint_values_json(q));
+    json["start_state"] = text_or_null(command_.start_state);
+    json["goals"] = goals_json(command_, found_);
+    const bool found = plan.joints.cols() > 0;
+    json["goal_reached"] = plan.goal >= 0 ? Json(plan.goal) : Json(nullptr);
+    json["direct"] = plan.direct;
+    json["tip_travel"] = found ? number(plan.tip_travel) : Json(nullptr);
+    json["joint_travel"] = found ? number(plan.joint_travel) : Json(nullptr);
+    json["duration"] = plan.trajectory.empty() ? Json(nullptr) : number(plan.duration);
+    json["lattice"] = {
+        {"pitch", number(plan.pitch)}, {"points", plan.points}, {"postures", plan.postures}};
   }
-  void add_effort(Json& json) const override {
-    json["questions"] = {{"positions", found_.plan.questions.positions},
-                         {"motions", found_.plan.questions.motions},
-                         {"trajectory", found_.plan.questions.trajectory}};
-  }
+  void add_effort(Json& json) const override { json["questions"] = questions_json(found_.plan); }
   void add_findings(Json& json) const override {
     json["trajectory"] = trajectory_json(found_, command_.rate);
     if (const auto& recheck = found_.recheck)
-      json["recheck"] = {{"samples", recheck->samples},
-                         {"contacts", recheck->contacts},
-                         {"limits", recheck->limits},
-                         {"nearest", number(recheck->nearest)},
-                         {"tip_error", number(recheck->tip_error)}};
+      json["recheck"] = {
+          {"samples", recheck->samples},   {"contacts", recheck->contacts},
+          {"limits", recheck->limits},     {"nearest", number(recheck->nearest)},
+          {"unproven", recheck->unproven}, {"tip_error", number(recheck->tip_error)}};
   }
 
  private:
+  void read_robot() {
+    found_.robot = arm::read_robot(command_.robot, {.base = command_.base_link,
+                                                    .tip = command_.tip_link,
+                                                    .set_joints = command_.joint_values,
+                                                    .srdf = command_.srdf,
+                                                    .joint_limits = command_.joint_limits,
+                                                    .allow_contact = command_.contacts,
+                                                    .packages = command_.packages,
+                                                    .use_visual = command_.visual,
+                                                    .bodiless = command_.bodiless});
+    found_.robot_file = hashed(command_.robot);
+    std::vector<std::string> files = found_.robot.files;
+    for (const auto* file : {&command_.srdf, &command_.joint_limits})
+      if (!file->empty() && std::ranges::find(files, *file) == files.end()) files.push_back(*file);
+    found_.robot_files = hashed(files);
+    command_.notes.insert(command_.notes.end(), found_.robot.notes.begin(),
+                          found_.robot.notes.end());
+  }
+  void announce_bodies() const {
+    const auto joints = joint_names(found_.robot);
+    const auto links = link_names(found_.robot);
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      const arm::Link& link = found_.robot.links[i];
+      std::string text = "body " + links[i] + ", " +
+                         (link.body == 0 ? "stands still" : "moves with " + joints[link.body - 1]);
+      for (const arm::Solid& solid : link.solids)
+        text +=
+            std::string(&solid == link.solids.data() ? ": " : ", ").append(to_string(solid.shape));
+      message(text);
+    }
+    for (const arm::LinkPair& pair : arm::link_pairs(found_.robot))
+      message("pair " + links[pair.first] + ", " + links[pair.second] + ": " +
+              (pair.check == arm::LinkPair::Check::yes ? "" : "not checked, ") +
+              std::string(to_string(pair.check)));
+  }
+  /// Those of a state, or as given. @throws UsageError
+  arm::JointVector joint_values(const std::string& option, const std::vector<double>& values,
+                                const std::string& state) const {
+    if (!state.empty()) return state_of(found_.robot, option, state);
+    const auto count = static_cast<std::int64_t>(values.size());
+    if (count != found_.robot.size())
+      throw UsageError(option + " gives " + counted(count, "joint value") + ", " + command_.robot +
+                       " has " + counted(found_.robot.size(), "joint"));
+    return joint_vector(values);
+  }
+  arm::Goal goal_of(const ArmGoal& goal) const {
+    switch (goal.kind) {
+      case ArmGoal::Kind::position:
+        break;
+      case ArmGoal::Kind::pose:
+        return arm::Goal::pose(pose_of(goal.values), command_.position_tolerance,
+                               command_.angle_tolerance);
+      case ArmGoal::Kind::joints:
+        return arm::Goal::joints(joint_values(goal.state.empty() ? "--goal-joints" : "--goal-state",
+                                              goal.values, goal.state));
+    }
+    return arm::Goal::position({goal.values[0], goal.values[1], goal.values[2]});
+  }
+
   ArmCommand command_;
   ArmAnswer found_;
 };
@@ -243,23 +285,7 @@ class ArmTask : public Task {
 }  // namespace
 
 std::unique_ptr<Task> recorded_arm(const Recorded& from) {
-  const Json& result = from.result;
-  ArmCommand command;
-  read_recorded(from, arm::find_algorithm(arm::Params::algorithm()), command);
-  command.robot = from.found(recorded<std::string>(result, "robot/file"));
-  command.scene = from.found(recorded<std::string>(result, "scene/file"));
-  command.base_link = recorded_optional<std::string>(result, "robot/base_link").value_or("");
-  command.tip_link = recorded_optional<std::string>(result, "robot/tip_link").value_or("");
-  command.start = recorded<std::vector<double>>(result, "start");
-  command.goal = recorded<std::array<double, 3>>(result, "goal");
-  command.clearance = recorded_real(result, "parameters/clearance", ArmCommand::kLeastClearance,
-                                    ArmCommand::kMostClearance);
-  command.rate =
-      recorded_real(result, "parameters/rate", ArmCommand::kLeastRate, ArmCommand::kMostRate);
-  if (result.contains("recheck"))
-    command.recheck =
-        static_cast<int>(recorded_integer(result, "recheck/samples", 1, ArmCommand::kMostRecheck));
-  return std::make_unique<ArmTask>(std::move(command));
+  return std::make_unique<ArmTask>(recorded_command(from));
 }
 
 int run_arm(const ArmCommand& command) {

@@ -9,7 +9,6 @@
 #include "tools/bitmap/bitmap_task.h"
 #include "tools/bitmap/map_file.h"
 #include "tools/bitmap/picture.h"
-#include "tools/bitmap/queries.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/parameters.h"
@@ -18,44 +17,12 @@
 #include "tools/console/streams.h"
 #include "tools/console/team.h"
 #include "tools/options/commands.h"
+#include "tools/record/batch_files.h"
 #include "tools/record/outputs.h"
+#include "tools/record/queries.h"
 
 namespace lasius::tool {
 namespace {
-
-/// What files need of a batch, kept only for the kinds that are asked for.
-class Collected {
- public:
-  Collected(const LoadedMap& map, const BitmapTask& task) : map_(map), task_(task) {
-    for (const auto& file : task.options().outputs) {
-      csv_ |= is_table(file);
-      paths_ |= is_picture(file);
-      json_ |= !is_table(file) && !is_picture(file);
-    }
-    if (csv_) rows_ = task.batch_header();
-  }
-
-  /// Adds the task's answer.
-  void add(const std::string& json_line) {
-    if (json_) lines_ += json_line;
-    if (csv_) rows_ += task_.batch_row();
-    if (paths_ && task_.has_path()) kept_.push_back(task_.result().path);
-  }
-
-  void write(const std::string& file) const {
-    write_output(file,
-                 {.json = [&](auto& out) { out << lines_; },
-                  .csv = [&](auto& out) { out << rows_; },
-                  .picture = [&] { write_batch_picture(file, map_, task_.options(), kept_); }});
-  }
-
- private:
-  const LoadedMap& map_;
-  const BitmapTask& task_;
-  bool json_ = false, csv_ = false, paths_ = false;
-  std::string lines_, rows_;
-  std::vector<std::vector<Point>> kept_;
-};
 
 /// What --gap adds to some queries; NaN where there is none.
 struct Optima {
@@ -110,7 +77,7 @@ int run_batch(const BatchCommand& command) {
 
   BatchOptions options{.threads = run.params.threads, .token = signals.token()};
   if (run.time_limit) options.time_limit = std::chrono::duration<double>(*run.time_limit);
-  Collected collected(map, task);
+  BatchFiles files(task);
   Delivery delivery(run.outputs);
   ProgressLine bar(wants_progress(run.messages), static_cast<std::int64_t>(queries.size()));
   // The optimum is asked beside each chunk, so that answers still stream.
@@ -132,12 +99,14 @@ int run_batch(const BatchCommand& command) {
       }
       task.take(std::move(answer));
       const std::string text = json_line(task);
-      collected.add(text);
+      files.add(task, text, task.end_texts(), task.result().path);
       delivery.print(text);
       bar.update(static_cast<std::int64_t>(index) + 1, "queries");
     });
   }
-  delivery.write([&](const std::string& output) { collected.write(output); });
+  delivery.write([&](const std::string& output) {
+    files.write(output, [&](const auto& paths) { write_batch_picture(output, map, run, paths); });
+  });
   return signals.interrupted() ? kInterrupted : kFound;
 }
 

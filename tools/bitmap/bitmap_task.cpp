@@ -168,27 +168,10 @@ void BitmapTask::write_picture(const std::string& file) const {
   write_plan_picture(file, *map_, options(), answer_, recorder_ ? &*recorder_ : nullptr);
 }
 
-std::string BitmapTask::batch_header() const {
-  const char* const m = in_metres() ? "_m" : "";
-  std::ostringstream out;
-  out << "index";
-  for (const char* column : {"sx", "sy", "gx", "gy"}) out << "," << column << m;
-  out << ",status,length" << m << ",lower_bound" << m << ",gap,iterations,elapsed_ms\n";
-  return out.str();
-}
-
-std::string BitmapTask::batch_row() const {
-  const auto coordinate = in_metres() ? to_text : whole_text;
-  std::ostringstream out;
-  out << index().value_or(0);
-  for (const Point p : {answer_.start.asked, answer_.goal.asked})
-    out << "," << coordinate(p.x) << "," << coordinate(p.y);
-  const double none = std::nan("");
-  out << "," << to_string(result().status) << "," << finite_text(shown(result().length)) << ","
-      << finite_text(shown(result().lower_bound.value_or(none))) << ","
-      << finite_text(result().gap().value_or(none)) << "," << result().iterations << ","
-      << to_text(elapsed_ms()) << "\n";
-  return out.str();
+std::vector<std::string> BitmapTask::end_texts() const {
+  const auto text = in_metres() ? to_text : whole_text;
+  const Point start = answer_.start.asked, goal = answer_.goal.asked;
+  return {text(start.x), text(start.y), text(goal.x), text(goal.y)};
 }
 
 Json BitmapTask::inputs() const {

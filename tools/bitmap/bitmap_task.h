@@ -40,9 +40,8 @@ class BitmapTask : public Task {
   void remark() const override;
   void write_path(std::ostream& out, const char* between) const override;
   void write_picture(const std::string& file) const override;
-  /// A batch as a table: header, and a line a query. Columns in metres end in _m.
-  std::string batch_header() const;
-  std::string batch_row() const;
+  /// Start and goal as they were asked for, a coordinate a text.
+  std::vector<std::string> end_texts() const;
 
   std::optional<std::size_t> index() const override { return answer_.index; }
   Json inputs() const override;

@@ -23,9 +23,12 @@ Messages make_messages(const SearchText& text) {
   return messages;
 }
 
+constexpr std::string_view kResultEndings[] = {".json", ".csv", ".svg", ".png"};
+constexpr std::string_view kArmEndings[] = {".json", ".csv", ".yaml", ".yml", ".svg", ".png"};
+
 /// Reads what all commands that plan have.
-void read_search(const SearchText& text, SearchOptions& options) {
-  static constexpr std::string_view kEndings[] = {".json", ".csv", ".svg", ".png"};
+void read_search(const SearchText& text, SearchOptions& options,
+                 std::span<const std::string_view> endings = kResultEndings) {
   options.algorithm = text.algorithm;
   for (const auto& [name, value] : text.named)
     if (!value.empty()) options.named.emplace_back(name, value);
@@ -37,7 +40,7 @@ void read_search(const SearchText& text, SearchOptions& options) {
   if (!text.target_gap.empty())
     options.target_gap = real_value("--target-gap", text.target_gap, 0, kNoLimit) / 100;
   options.json = text.json;
-  check_endings(text.outputs, kEndings);
+  check_endings(text.outputs, endings);
   options.outputs = text.outputs;
   options.messages = make_messages(text);
 }
@@ -47,13 +50,63 @@ std::optional<Point> optional_point(std::string_view option, const std::string& 
   return pair_value(option, text, false);
 }
 
+/// "A=B" or "A,B": what is before and after the first `between`. @throws UsageError
+std::pair<std::string, std::string> halves(const std::string& option, const std::string& text,
+                                           char between, const char* form) {
+  const auto at = text.find(between);
+  if (at == std::string::npos || at == 0 || at + 1 == text.size())
+    throw UsageError(option + " " + text + ": not of the form " + form);
+  return {text.substr(0, at), text.substr(at + 1)};
+}
+
+/// Not a name: a number, or several.
+bool is_numeric(const std::string& text) {
+  return text.find(',') != std::string::npos || parse_real(text).has_value();
+}
+
+ArmGoal arm_goal(const std::string& option, const std::string& text) {
+  if (option == "--goal-pose") return {ArmGoal::Kind::pose, reals_value(option, text, 6, 6), {}};
+  if (option == "--goal-joints")
+    return {ArmGoal::Kind::joints, reals_value(option, text, 1, 16), {}};
+  if (option == "--goal-state") return {ArmGoal::Kind::joints, {}, text};
+  return {ArmGoal::Kind::position, reals_value(option, text, 3, 3), {}};
+}
+
+/// What is to be known of the robot, beside its file.
+void read_robot_options(const ArmText& text, ArmCommand& arm) {
+  arm.robot = text.robot;
+  arm.base_link = text.base;
+  arm.tip_link = text.tip;
+  arm.srdf = text.srdf;
+  arm.joint_limits = text.joint_limits;
+  const auto once = [](const char* option, const std::string& name, bool first) {
+    if (!first) throw UsageError(std::string(option) + " " + name + " is given twice");
+  };
+  for (const auto& package : text.packages) {
+    const auto [name, folder] = halves("--package", package, '=', "NAME=DIR");
+    once("--package", name, arm.packages.emplace(name, folder).second);
+  }
+  for (const auto& contact : text.contacts)
+    arm.contacts.push_back(halves("--allow-contact", contact, ',', "LINK,LINK"));
+  for (const auto& joint : text.joint_values) {
+    const auto [name, value] = halves("--set-joint", joint, '=', "NAME=VALUE");
+    const double number = real_value("--set-joint " + name, value, -kNoLimit, kNoLimit);
+    once("--set-joint", name, arm.joint_values.emplace(name, number).second);
+  }
+  arm.visual = text.visual;
+  arm.bodiless = text.bodiless;
+}
+
 }  // namespace
 
 RunText::RunText() {
   named = {{"ants", ""}, {"iterations", ""}, {"neighbours", ""}, {"corners", ""}, {"polish", ""}};
 }
 
-ArmText::ArmText() { named = {{"ants", ""}, {"iterations", ""}, {"pitch", ""}, {"side", ""}}; }
+ArmText::ArmText() {
+  named = {{"ants", ""}, {"iterations", ""}, {"pitch", ""},
+           {"side", ""}, {"objective", ""},  {"max_questions", ""}};
+}
 
 std::string& SearchText::value_of(std::string_view name) {
   for (auto& [known, value] : named)
@@ -108,16 +161,24 @@ RunOptions make_run(const RunText& text) {
 
 ArmCommand make_arm(const ArmText& text) {
   ArmCommand arm;
-  read_search(text, arm);
+  read_search(text, arm, kArmEndings);
   arm.algorithm = algorithm_of(World::Kind::arm, text.algorithm);
-  if (text.plain) arm.named.emplace_back("shortcut", "off");
-  arm.robot = text.robot;
-  arm.base_link = text.base;
-  arm.tip_link = text.tip;
+  if (text.plain) arm.named.insert(arm.named.end(), {{"shortcut", "off"}, {"shortcuts", "0"}});
+  read_robot_options(text, arm);
   arm.scene = text.scene;
-  arm.start = reals_value("--start", text.start, 1, 16);
-  const auto goal = reals_value("--goal", text.goal, 3, 3);
-  arm.goal = {goal[0], goal[1], goal[2]};
+  if (is_numeric(text.start))
+    arm.start = reals_value("--start", text.start, 1, 16);
+  else
+    arm.start_state = text.start;
+  for (const auto& [option, value] : text.goals) arm.goals.push_back(arm_goal(option, value));
+  if (arm.goals.empty())
+    throw UsageError("a goal is required: --goal, --goal-pose, --goal-joints or --goal-state");
+  const auto tolerance = [](const char* option, const std::string& value, double& to) {
+    if (!value.empty())
+      to = real_value(option, value, ArmCommand::kLeastTolerance, ArmCommand::kMostTolerance);
+  };
+  tolerance("--position-tolerance", text.position_tolerance, arm.position_tolerance);
+  tolerance("--angle-tolerance", text.angle_tolerance, arm.angle_tolerance);
   if (!text.clearance.empty())
     arm.clearance = real_value("--clearance", text.clearance, ArmCommand::kLeastClearance,
                                ArmCommand::kMostClearance);
@@ -135,6 +196,8 @@ WorldOptions make_world_options(const std::string& file, const WorldText& text) 
     options.margin = real_value("--margin", text.margin, 0, WorldOptions::kMostMargin);
   if (!text.join.empty())
     options.join = static_cast<int>(choice_value("--join", text.join, kJoins));
+  if (!text.boundary.empty())
+    options.boundary = static_cast<int>(choice_value("--boundary", text.boundary, kBoundaries));
   return options;
 }
 
@@ -144,7 +207,7 @@ PolygonCommand make_polygon(const RunText& run, const PolygonText& text) {
   command.world = make_world_options(run.map, text.world);
   command.start = optional_point("--start", text.start);
   command.goal = optional_point("--goal", text.goal);
-  command.with_optimum = run.gap;
+  command.with_optimum = true;  // it is found beside
   if (!run.frame.empty()) {
     if (kFrames[choice_value("--frame", run.frame, kFrames)] == "world")
       throw UsageError("--frame world: " + run.map +
@@ -167,10 +230,11 @@ void refuse_radius(std::string_view radius) {
 }
 
 void refuse_world_options(const WorldText& text) {
-  const char* option = !text.margin.empty() ? "--margin"
-                       : !text.join.empty() ? "--join"
-                       : text.repair        ? "--repair"
-                                            : nullptr;
+  const char* option = !text.margin.empty()     ? "--margin"
+                       : !text.join.empty()     ? "--join"
+                       : !text.boundary.empty() ? "--boundary"
+                       : text.repair            ? "--repair"
+                                                : nullptr;
   if (option != nullptr)
     throw UsageError(std::string(option) +
                      " is for polygon worlds (.geojson, .json, .wkt); obstacles of a bitmap grow "

@@ -38,8 +38,12 @@ RunOptions make_run(const RunText& text);
 /// Options of arm.
 struct ArmText : SearchText {
   ArmText();
-  std::string robot, base, tip, scene, start, goal, clearance, rate, recheck;
-  bool plain = false;
+  std::string robot, base, tip, srdf, joint_limits, scene, start, clearance, rate, recheck;
+  std::string position_tolerance, angle_tolerance;
+  std::vector<std::string> packages, contacts, joint_values;
+  /// Option and value of each goal, as they follow each other.
+  std::vector<std::pair<std::string, std::string>> goals;
+  bool plain = false, visual = false, bodiless = false;
 };
 
 /// @throws UsageError. Values of parameters are looked at when the command runs.
@@ -47,7 +51,7 @@ ArmCommand make_arm(const ArmText& text);
 
 /// Options of polygon worlds, beside those of bitmaps.
 struct WorldText {
-  std::string margin, join;
+  std::string margin, join, boundary;
   bool repair = false;
 };
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string_view>
 
+#include "tools/command_line/option_kinds.h"
 #include "tools/command_line/run_text.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/threads.h"
@@ -30,7 +31,6 @@ constexpr const char* kPrepare =
     "Make the map's visibility graph for exact (at most 1 GB): worth it for many queries. Answers\n"
     "are as short as without; lasius info MAP --prepare shows what it costs";
 
-constexpr const char* kBitmapHelp = "Map: .map, PBM, PGM, PNG or ROS YAML";
 constexpr const char* kMapHelp =
     "Map: .map, PBM, PGM, PNG or ROS YAML; polygon world: .geojson, .json or .wkt";
 
@@ -42,56 +42,8 @@ constexpr const char* kOutputs =
     ".svg, .png  map, tracks, pheromone, path and convergence; for batch all paths; for polygon\n"
     "       worlds MAKLINK lines, midpoints, Dijkstra's path, path and convergence";
 
-void add_repeatable(CLI::App& app, const std::string& names, std::vector<std::string>& to,
-                    const std::string& help, const std::string& type) {
-  app.add_option(names, to, help)->type_name(type)->allow_extra_args(false);
-}
-
 /// An option that was given an empty value was not left out.
 std::string not_empty(const std::string& value) { return value.empty() ? "has no value" : ""; }
-
-void add_switch(CLI::App& app, const std::string& names, bool& to, const std::string& help) {
-  app.add_flag(names, to, help)->disable_flag_override();
-}
-
-/// What the options that all planning commands have mean to one of them.
-struct SearchHelp {
-  const char* time_limit;
-  const char* target_gap;
-  const char* json;
-  const char* outputs;
-};
-
-using AddOption = std::function<CLI::Option*(const char* names, std::string& to, const char* help,
-                                             const char* type)>;
-
-/// Adds options with a value to `app`.
-AddOption option_adder(CLI::App& app) {
-  return [&app](const char* names, std::string& to, const char* help, const char* type) {
-    return app.add_option(names, to, help)->type_name(type);
-  };
-}
-
-void add_search_options(CLI::App& app, SearchText& text, const SearchHelp& help) {
-  const AddOption option = option_adder(app);
-  option("--algorithm", text.algorithm, "Algorithm, as listed by `lasius algorithms`", "NAME");
-  add_repeatable(app, "--set", text.set,
-                 "Set any parameter of the algorithm (repeatable; wins over its own option)",
-                 "NAME=VALUE");
-  option("--ants", text.value_of("ants"), "Ants an iteration", "N");
-  option("--iterations", text.value_of("iterations"), "Iterations", "N");
-  option("--seed", text.seed, "Seed, from 0 to 2^53-1 (default 1)", "N");
-  option("--threads", text.threads,
-         "Threads (default LASIUS_THREADS, OMP_NUM_THREADS, all cores); never changes a result",
-         "N");
-  option("--time-limit", text.time_limit, help.time_limit, "SECONDS");
-  option("--target-gap", text.target_gap, help.target_gap, "PCT");
-  add_switch(app, "--json", text.json, help.json);
-  add_repeatable(app, "-o,--output", text.outputs, help.outputs, "FILE");
-  option("--progress", text.progress, "Progress on stderr", "auto|always|never");
-  add_switch(app, "-q,--quiet", text.quiet, "Print errors only");
-  add_switch(app, "-v,--verbose", text.verbose, "Print what is done");
-}
 
 void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
   const AddOption option = option_adder(app);
@@ -128,11 +80,15 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
 void add_world_options(CLI::App& app, WorldText& text) {
   const AddOption option = option_adder(app);
   option("--margin", text.margin,
-         "Polygon worlds: grow obstacles, not the boundary, by this in place of theirs", "R");
+         "Polygon worlds: obstacles grow by this in place of theirs, and the boundary shrinks",
+         "R");
   option("--join", text.join,
-         "Polygon worlds: corners of grown obstacles (default mitre; round keeps 99.5% of the\n"
-         "margin there, bevel less)",
-         "mitre|round|bevel");
+         "Polygon worlds: corners of grown obstacles (default round, the margin and at most 0.5% "
+         "more; mitre reaches farther and may close passages, bevel keeps less, chords 99.5%)",
+         "round|mitre|bevel|chords");
+  option("--boundary", text.boundary,
+         "Polygon worlds: whether the margin holds at the boundary, too (default shrink)",
+         "shrink|keep");
   add_switch(app, "--repair", text.repair, "Polygon worlds: repair geometry that is not valid");
 }
 
@@ -166,22 +122,25 @@ Subcommand add_plan(CLI::App& app) {
 Subcommand add_batch(CLI::App& app) {
   struct Raw {
     RunText run;
+    WorldText world;
     std::string queries;
   };
   auto raw = std::make_shared<Raw>();
   auto* batch = app.add_subcommand("batch", "Plan many paths on one map: JSON, one object a line");
-  add_run_options(*batch, raw->run, kBitmapHelp);
+  add_run_options(*batch, raw->run, kMapHelp);
+  add_world_options(*batch, raw->world);
   batch->footer(kBatchExits);
   option_adder (*batch)("QUERIES", raw->queries,
-                        "A MovingAI .scen, or a TSV with columns sx sy gx gy", "FILE")
+                        "A TSV with columns sx sy gx gy; of a bitmap also a MovingAI .scen", "FILE")
       ->required();
-  return {batch, [raw]() -> Command {
-            if (is_world(raw->run.map))
-              throw UsageError("batch plans on bitmaps; " + raw->run.map +
-                               " is a polygon world, ask `lasius plan`");
-            auto run = make_run(raw->run);
-            return BatchCommand{std::move(run), raw->queries};
-          }};
+  return {
+      batch, [raw]() -> Command {
+        if (is_world(raw->run.map))
+          return PolygonBatchCommand{make_polygon(raw->run, {raw->world, "", ""}), raw->queries};
+        refuse_world_options(raw->world);
+        auto run = make_run(raw->run);
+        return BatchCommand{std::move(run), raw->queries};
+      }};
 }
 
 Subcommand add_info(CLI::App& app) {
@@ -299,9 +258,13 @@ Subcommand add_study(CLI::App& app) {
       "study",
       "Repeat a source's experiments and set ours beside its figures; goes on where an "
       "earlier call stopped");
-  study->add_option("NAME", raw->name, "The study; list: what there is")->required();
+  study
+      ->add_option("NAME", raw->name,
+                   "The study; list: what there is; all: each of them, and one table of claims")
+      ->required();
   const AddOption option = option_adder(*study);
-  option("--seeds", raw->seeds, "Runs of each algorithm, seeds 1 to N (default 30)", "N");
+  option("--seeds", raw->seeds,
+         "Runs of each algorithm, seeds 1 to N (default: the study's own number)", "N");
   option("-o,--output", raw->folder, "Folder to write (default study-NAME)", "DIR");
   option("--threads", raw->threads, "Runs at a time", "N");
   option("--maps", raw->maps, "Folder of the maps, instead of the program's own", "DIR");
@@ -316,44 +279,6 @@ Subcommand add_study(CLI::App& app) {
             command.messages.quiet = raw->quiet;
             return command;
           }};
-}
-
-Subcommand add_arm(CLI::App& app) {
-  auto raw = std::make_shared<ArmText>();
-  auto* arm = app.add_subcommand("arm", "Plan an arm's motion among obstacles that it learns");
-  const AddOption option = option_adder(*arm);
-  option("ROBOT", raw->robot, "Robot: URDF, or JSON as in maps/arms", "FILE")->required();
-  option("--scene", raw->scene, "Obstacles: JSON as in maps/arms", "FILE")->required();
-  option("--start", raw->start, "Joint values, radians or metres", "Q1,Q2,...")->required();
-  option("--goal", raw->goal, "Where the tip goes, metres; orientation free", "X,Y,Z")->required();
-  option("--base", raw->base, "Link that a URDF's chain begins with (default the root)", "LINK");
-  option("--tip", raw->tip, "Link that it ends with (default the only leaf)", "LINK");
-  add_search_options(
-      *arm, *raw,
-      {.time_limit = "Stop after this time",
-       .target_gap = "Stop at this gap to the bound from what was learned (1 means 1%)",
-       .json = "Print one JSON object; its length is moves times pitch, as the source counts it",
-       .outputs = "Write a file, by its ending (repeatable):\n"
-                  ".json  what --json prints\n"
-                  ".csv   the trajectory: time, q, dq, ddq, tip\n"
-                  ".svg, .png  arm, obstacles, tip's path in three views, joints, convergence"});
-  option("--pitch", raw->value_of("pitch"),
-         "Distance of lattice points (default a twentieth of the reach)", "METRES");
-  option("--side", raw->value_of("side"), "Lattice points a side (default all in reach)", "N");
-  option("--clearance", raw->clearance, "Distance that is kept from everything (default 0.002)",
-         "METRES");
-  add_switch(*arm, "--no-shortcut", raw->plain, "Keep every lattice point of the path");
-  option("--rate", raw->rate, "Samples of the trajectory a second (default 100)", "HZ");
-  option("--recheck", raw->recheck,
-         "Check the trajectory at N times by KDL and FCL and say what they find", "N");
-  arm->footer(
-      "Exit codes: 0 a motion was returned; 1 internal error; 2 usage; 3 robot, scene or mesh is\n"
-      "missing or broken; 4 start or goal outside or blocked; 5 proven unreachable in the "
-      "lattice;\n"
-      "6 no path (limit or iterations spent); 7 an output cannot be written; 130 interrupted, "
-      "best\n"
-      "so far written.");
-  return {arm, [raw]() -> Command { return make_arm(*raw); }};
 }
 
 }  // namespace

@@ -21,4 +21,7 @@ struct Subcommand {
 /// All of them, added to the program's.
 std::vector<Subcommand> add_subcommands(CLI::App& app);
 
+/// `lasius arm`.
+Subcommand add_arm(CLI::App& app);
+
 }  // namespace lasius::tool

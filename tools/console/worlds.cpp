@@ -33,8 +33,8 @@ std::span<const World> worlds() {
 #ifdef LASIUS_WITH_ARM
       {World::Kind::arm, "arm_algorithms", "Arms, see `lasius arm --help`", "for arms", "",
        "; use `lasius arm`", arm::algorithms(),
-       [](const Algorithm&, std::string_view parameter) {
-         return arm::get_parameter(arm::Params{}, parameter);
+       [](const Algorithm& a, std::string_view parameter) {
+         return arm::get_parameter(arm::Params(a.name), parameter);
        }},
 #endif
 #ifdef LASIUS_WITH_POLYGON

@@ -67,6 +67,17 @@ void draw_curve(Canvas& canvas, const Axes& axes, const Curve& curve) {
   draw_curve(canvas, axes, curve.x, curve.y, true, curve.colour, 2.25);
 }
 
+/// The text, or as much of it as there is room for.
+std::string fitted(Canvas& canvas, const std::string& text, double width) {
+  if (canvas.text_width(text, kLabelSize) <= width) return text;
+  std::size_t kept = text.size();
+  const auto within = [&] { return (text[kept] & 0xc0) == 0x80; };  // a character of UTF-8
+  while (kept > 0 &&
+         (within() || canvas.text_width(text.substr(0, kept) + "...", kLabelSize) > width))
+    --kept;
+  return text.substr(0, kept) + "...";
+}
+
 void draw_legend(Canvas& canvas, const Box& box, const LineChart& chart) {
   const auto place = [&](std::size_t i) {
     return Point{box.x + static_cast<double>(i % kLegendColumns) * box.width / kLegendColumns,
@@ -76,7 +87,8 @@ void draw_legend(Canvas& canvas, const Box& box, const LineChart& chart) {
   for (const Curve& curve : chart.curves) {
     const Point at = place(i++);
     canvas.line(at, {at.x + 26, at.y}, curve.colour, curve.dots ? 4 : 2.5);
-    canvas.text({at.x + 34, at.y + 5}, curve.label, kLabelSize, Align::left, kInk);
+    canvas.text({at.x + 34, at.y + 5}, fitted(canvas, curve.label, box.width / kLegendColumns - 42),
+                kLabelSize, Align::left, kInk);
   }
   if (chart.level) {
     const Point at = place(i);

@@ -1,8 +1,6 @@
 // What each subcommand does. All return the exit code.
 #pragma once
 
-#include <filesystem>
-
 #include "tools/options/options.h"
 
 namespace lasius::tool {
@@ -14,12 +12,9 @@ int run_algorithms(const AlgorithmsCommand& command);
 int run_generate(const GenerateCommand& command);
 int run_verify(const VerifyCommand& command);
 int run_study(const StudyCommand& command);
-int run_maklink_study(const StudyCommand& command, const std::string& maps);
 int run_arm(const ArmCommand& command);
 int run_polygon(const PolygonCommand& command);
+int run_polygon_batch(const PolygonBatchCommand& command);
 int run_world_info(const WorldInfoCommand& command);
-
-/// `study goritov2020`; `maps` holds the folder arms.
-int run_arm_study(const StudyCommand& command, const std::filesystem::path& maps);
 
 }  // namespace lasius::tool

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -96,30 +97,51 @@ struct VerifyCommand {
 
 struct StudyCommand {
   std::string name;  ///< or "list"
-  int seeds = 30;
+  int seeds = 0;     ///< 0: the study's own number
   int threads = 1;
   std::string folder;  ///< of the report and its runs
   std::string maps;    ///< folder of the maps; empty: the program's own
   Messages messages = {};
 };
 
+/// What an arm is to reach.
+struct ArmGoal {
+  enum class Kind { position, pose, joints };
+  Kind kind = Kind::position;
+  std::vector<double> values;  ///< x, y, z; and roll, pitch, yaw; or a value for each joint
+  std::string state;           ///< name of the joint values; empty: `values` says them
+};
+inline constexpr std::array<std::string_view, 3> kGoalKinds{"position", "pose", "joints"};
+
 struct ArmCommand : SearchOptions {
   static constexpr double kLeastClearance = 1e-6, kMostClearance = 1;
   static constexpr double kLeastRate = 1e-3, kMostRate = 1e5;
+  static constexpr double kLeastTolerance = 1e-7, kMostTolerance = 10;
   static constexpr int kMostRecheck = 1000000;
 
   std::string robot;
   std::string base_link, tip_link;  ///< of a URDF's chain; empty: the root, the only leaf
+  std::string srdf, joint_limits;   ///< files; empty: none
+  std::map<std::string, std::string> packages;                ///< their folders by name
+  std::vector<std::pair<std::string, std::string>> contacts;  ///< links that may touch
+  std::map<std::string, double> joint_values;                 ///< of joints beside the chain
+  bool visual = false;    ///< visual geometry stands for collision geometry that is missing
+  bool bodiless = false;  ///< a robot without any body will do
   std::string scene;
   std::vector<double> start;  ///< a value for each joint
-  std::array<double, 3> goal{};
-  double clearance = 0;  ///< metres; 0: the sensor's own
-  double rate = 100;     ///< samples of the trajectory a second
-  int recheck = 0;       ///< samples of the independent check
+  std::string start_state;    ///< their name; empty: `start` says them
+  std::vector<ArmGoal> goals;
+  double position_tolerance = kLeastTolerance;  ///< metres, of poses
+  double angle_tolerance = kLeastTolerance;     ///< radians, likewise
+  double clearance = 0;                         ///< metres; 0: the sensor's own
+  double rate = 100;                            ///< samples of the trajectory a second
+  int recheck = 0;                              ///< samples of the independent check
 };
 
 /// Corners of grown obstacles, in the order of polygon::Join.
-inline constexpr std::array<std::string_view, 3> kJoins{"mitre", "round", "bevel"};
+inline constexpr std::array<std::string_view, 4> kJoins{"mitre", "round", "bevel", "chords"};
+/// What the margin does to the boundary, in the order of polygon::Boundary.
+inline constexpr std::array<std::string_view, 2> kBoundaries{"shrink", "keep"};
 
 /// A polygon world, and what the command line says in place of what it holds.
 struct WorldOptions {
@@ -127,13 +149,22 @@ struct WorldOptions {
   std::string file;
   bool repair = false;
   std::optional<double> margin;
-  int join = 0;  ///< index in kJoins
+  int join = 1;               ///< index in kJoins
+  int boundary = 0;           ///< index in kBoundaries
+  bool before_round = false;  ///< recorded when `round` was chords, and the boundary was kept
+  friend bool operator==(const WorldOptions&, const WorldOptions&) = default;
 };
 
 /// `plan` on a polygon world.
 struct PolygonCommand : SearchOptions {
   WorldOptions world;
   std::optional<Point> start, goal;  ///< in place of the world's
+};
+
+/// `batch` on a polygon world.
+struct PolygonBatchCommand {
+  PolygonCommand plan;
+  std::string queries;
 };
 
 struct WorldInfoCommand {
@@ -146,8 +177,8 @@ struct Text {
   std::string text;
 };
 
-using Command =
-    std::variant<Text, PlanCommand, BatchCommand, InfoCommand, AlgorithmsCommand, GenerateCommand,
-                 VerifyCommand, StudyCommand, ArmCommand, PolygonCommand, WorldInfoCommand>;
+using Command = std::variant<Text, PlanCommand, BatchCommand, InfoCommand, AlgorithmsCommand,
+                             GenerateCommand, VerifyCommand, StudyCommand, ArmCommand,
+                             PolygonCommand, PolygonBatchCommand, WorldInfoCommand>;
 
 }  // namespace lasius::tool

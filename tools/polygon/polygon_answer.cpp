@@ -10,6 +10,7 @@ namespace lasius::tool {
 namespace {
 
 static_assert(WorldOptions::kMostMargin == polygon::GrowOptions::kMostMargin);
+static_assert(kJoins == polygon::kJoinNames && kBoundaries == polygon::kBoundaryNames);
 
 }  // namespace
 
@@ -32,15 +33,16 @@ LoadedWorld load_world(const WorldOptions& options) {
   const auto ready_start = Clock::now();
   const auto make = [&] {
     try {
-      return polygon::Planner(
-          world, {.margin = options.margin, .join = static_cast<polygon::Join>(options.join)});
+      return polygon::Planner(world,
+                              {.margin = options.margin,
+                               .join = static_cast<polygon::Join>(options.join),
+                               .boundary = static_cast<polygon::Boundary>(options.boundary)});
     } catch (const Error& fault) {
       throw Error(ErrorCode::file_broken, {.file = options.file}, fault.problem(), fault.remedy());
     }
   };
   polygon::Planner planner = make();
-  return {.file = options.file,
-          .repair = options.repair,
+  return {.options = options,
           .hash = polygon::hash(world),
           .planner = std::move(planner),
           .read_ms = read_ms,
@@ -59,16 +61,22 @@ PolygonAnswer polygon_answer(const LoadedWorld& world, const PolygonCommand& com
                        .start = *(command.start ? command.start : world.planner.world().start),
                        .goal = *(command.goal ? command.goal : world.planner.world().goal),
                        .result = {},
-                       .optimum = {}};
+                       .optimum = {},
+                       .index = {}};
   answer.result = world.planner.plan(
       {.start = answer.start, .goal = answer.goal, .stop = stop, .target_gap = command.target_gap},
       parameters, observer);
-  answer.elapsed_ms = ms_since(begin);
-  if (command.with_optimum) {
-    const auto best = world.planner.plan(
-        {.start = answer.start, .goal = answer.goal, .stop = again(stop, command.time_limit)},
-        polygon::Params("exact"));
-    if (best.optimal) answer.optimum = best.length;
+  const std::chrono::duration<double, std::milli> beside = answer.result.optimum_time;
+  answer.elapsed_ms = std::max(0.0, ms_since(begin) - beside.count());
+  answer.optimum = answer.result.optimum;
+  // A limit may have cut the search for it short: it gets as much time again.
+  if (command.with_optimum && !answer.optimum) {
+    answer.optimum = world.planner
+                         .plan({.start = answer.start,
+                                .goal = answer.goal,
+                                .stop = again(stop, command.time_limit)},
+                               polygon::Params("exact"))
+                         .optimum;
   }
   return answer;
 }

@@ -13,8 +13,7 @@ namespace lasius::tool {
 
 /// A world made ready, and what it took.
 struct LoadedWorld {
-  std::string file;
-  bool repair = false;
+  WorldOptions options;    ///< what it was made of
   std::uint64_t hash = 0;  ///< of the world as read
   polygon::Planner planner;
   double read_ms = 0;
@@ -33,8 +32,9 @@ struct PolygonAnswer {
   polygon::Params parameters;
   Point start, goal;
   polygon::Result result;
-  double elapsed_ms = 0;
-  std::optional<double> optimum;  ///< with --gap, where it was found in time
+  double elapsed_ms = 0;             ///< without the search for the optimum, unless that is asked
+  std::optional<double> optimum;     ///< where it was found in time
+  std::optional<std::size_t> index;  ///< of a batch's query
 };
 
 /// @throws UsageError for unknown names; Error(invalid_parameter) for values.

@@ -50,9 +50,9 @@ double area(const polygon::Ring& ring) {
 }
 
 /// Free space in white on the grown obstacles' grey, the obstacles as drawn in a darker one.
-void draw_world(Canvas& canvas, const View& view, const LoadedWorld& world, const Box& box) {
+void draw_world(Canvas& canvas, const View& view, const LoadedWorld& world, const Box& box,
+                std::vector<polygon::Polygon> pieces) {
   canvas.fill(box, kPaleWall);
-  auto pieces = world.planner.maklink().free_space;
   std::ranges::stable_sort(
       pieces, [](const auto& a, const auto& b) { return area(a.outer) > area(b.outer); });
   for (const auto& piece : pieces) {
@@ -84,6 +84,10 @@ std::string path_caption(const PolygonAnswer& answer) {
   return text;
 }
 
+std::string file_name(const LoadedWorld& world) {
+  return std::filesystem::path(world.options.file).filename().string();
+}
+
 /// Panels in a row.
 Layout layout_of(const LoadedWorld& world, std::size_t panels) {
   constexpr double kLongSide = 620, kLeastSide = 40;
@@ -105,10 +109,10 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
   const auto& result = answer.result;
   std::vector<Panel> panels;
   // A panel with the world as its ground.
-  const auto add = [&](const std::string& caption, const auto& draw) {
-    panels.push_back({caption, [&world, &answer, draw](Canvas& canvas, const Box& box) {
+  const auto add = [&](const std::string& caption, const auto& pieces, const auto& draw) {
+    panels.push_back({caption, [&world, &answer, &pieces, draw](Canvas& canvas, const Box& box) {
                         const View view(world, box);
-                        draw_world(canvas, view, world, box);
+                        draw_world(canvas, view, world, box, pieces);
                         draw(canvas, view);
                         canvas.disc(view.at(answer.start), 7, kStart);
                         canvas.diamond(view.at(answer.goal), 9, kGoal);
@@ -118,8 +122,9 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
   if (result.dijkstra)
     add("MAKLINK lines, midpoints, Dijkstra's path, length " +
             study::fixed(result.dijkstra->length, 3),
+        world.planner.maklink().free_space,
         [&](Canvas& canvas, const View& view) { draw_graph(canvas, view, world, answer); });
-  add(path_caption(answer),
+  add(path_caption(answer), world.planner.free_space(),
       [&](Canvas& canvas, const View& view) { canvas.polyline(view.at(result.path), kPath, 3); });
   if (!result.best.empty())
     panels.push_back({"convergence",
@@ -130,10 +135,21 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
                       },
                       true});
   write_page(file,
-             answer.parameters.algorithm() + " on " +
-                 std::filesystem::path(world.file).filename().string() + ", seed " +
+             answer.parameters.algorithm() + " on " + file_name(world) + ", seed " +
                  std::to_string(answer.parameters.seed),
              layout_of(world, panels.size()), panels);
+}
+
+void write_paths_picture(const std::string& file, const LoadedWorld& world,
+                         const std::vector<std::vector<Point>>& paths) {
+  const std::string count = std::to_string(paths.size()) + " paths";
+  const Panel panel{count, [&](Canvas& canvas, const Box& box) {
+                      const View view(world, box);
+                      draw_world(canvas, view, world, box, world.planner.free_space());
+                      for (const auto& path : paths) canvas.polyline(view.at(path), kPath, 1.5);
+                      canvas.frame(box, kInk, 1);
+                    }};
+  write_page(file, count + " on " + file_name(world), layout_of(world, 1), {panel});
 }
 
 }  // namespace lasius::tool

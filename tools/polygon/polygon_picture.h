@@ -12,4 +12,8 @@ namespace lasius::tool {
 void write_polygon_picture(const std::string& file, const LoadedWorld& world,
                            const PolygonAnswer& answer);
 
+/// All paths of a batch.
+void write_paths_picture(const std::string& file, const LoadedWorld& world,
+                         const std::vector<std::vector<Point>>& paths);
+
 }  // namespace lasius::tool

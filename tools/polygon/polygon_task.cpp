@@ -1,15 +1,24 @@
 #include "tools/polygon/polygon_task.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "core/base/output.h"
+#include "tools/console/elapsed.h"
 #include "tools/console/exit_code.h"
+#include "tools/console/progress.h"
+#include "tools/console/signals.h"
 #include "tools/console/streams.h"
+#include "tools/console/team.h"
 #include "tools/console/values.h"
 #include "tools/console/worlds.h"
 #include "tools/options/commands.h"
 #include "tools/polygon/polygon_answer.h"
 #include "tools/polygon/polygon_picture.h"
+#include "tools/record/batch_files.h"
+#include "tools/record/outputs.h"
+#include "tools/record/queries.h"
 #include "tools/record/recorded.h"
 
 namespace lasius::tool {
@@ -19,14 +28,16 @@ Json crossing_length(const std::optional<polygon::Crossing>& crossing) {
   return crossing ? number(crossing->length) : Json(nullptr);
 }
 
-/// `plan` on a polygon world.
+/// `plan` on a polygon world, and each query of `batch`.
 class PolygonTask : public Task {
  public:
-  explicit PolygonTask(PolygonCommand command) : command_(std::move(command)) {}
+  /// `world` may be given, made of what the command says; else `open` makes it.
+  explicit PolygonTask(PolygonCommand command, SharedWorld world = {})
+      : command_(std::move(command)), world_(std::move(world)) {}
 
   void open() override {
     answer_.parameters = polygon_parameters(command_, command_.notes);
-    world_ = load_world(command_.world);
+    if (!world_) world_ = std::make_shared<LoadedWorld>(load_world(command_.world));
     const polygon::World& world = world_->planner.world();
     check_end("start", command_.start || world.start);
     check_end("goal", command_.goal || world.goal);
@@ -35,7 +46,7 @@ class PolygonTask : public Task {
     Task::announce();
     if (!options().messages.verbose) return;
     const polygon::Maklink& graph = world_->planner.maklink();
-    message(world_->file +
+    message(world_->options.file +
             printed(": %zu obstacles, %zu lines, %zu regions, hash %s, read in %.1f ms, ready "
                     "after %.1f ms",
                     world_->planner.world().obstacles.size(), graph.lines.size(),
@@ -44,8 +55,12 @@ class PolygonTask : public Task {
     announce_algorithm(false);
   }
   void plan(const StopCondition& stop, const Watch& watch) override {
-    answer_ = polygon_answer(*world_, command_, answer_.parameters, stop, watch);
+    const auto index = answer_.index;
+    take(polygon_answer(*world_, command_, answer_.parameters, stop, watch));
+    answer_.index = index;
   }
+  /// Takes an answer that was found elsewhere, or only its index.
+  void take(PolygonAnswer answer) { answer_ = std::move(answer); }
 
   const SearchOptions& options() const override { return command_; }
   std::vector<std::string> input_files() const override { return {command_.world.file}; }
@@ -56,12 +71,18 @@ class PolygonTask : public Task {
     return get_parameter(answer_.parameters, name);
   }
   std::int64_t iterations() const override {
-    return std::int64_t{answer_.parameters.iterations} * answer_.parameters.routes;
+    return std::int64_t{iterations_of(answer_.parameters)} * answer_.parameters.routes;
   }
 
   const SearchResult& result() const override { return answer_.result; }
+  const std::vector<Point>& path() const { return answer_.result.path; }
   std::optional<double> optimum() const override { return answer_.optimum; }
   double elapsed_ms() const override { return answer_.elapsed_ms; }
+
+  std::optional<std::size_t> index() const override { return answer_.index; }
+  void remark() const override {
+    if (!answer_.result.note.empty()) message(answer_.result.note);
+  }
 
   void write_path(std::ostream& out, const char* between) const override {
     for (const Point p : answer_.result.path)
@@ -74,7 +95,7 @@ class PolygonTask : public Task {
   Json inputs() const override {
     const Point low = world_->low(), high = world_->high();
     return {{"map",
-             {{"file", world_->file},
+             {{"file", world_->options.file},
               {"hash", hash_text(world_->hash)},
               {"width", number(high.x - low.x)},
               {"height", number(high.y - low.y)}}}};
@@ -85,8 +106,10 @@ class PolygonTask : public Task {
   void add_settings(Json& json) const override {
     add_limits(json);
     json["margin"] = number(world_->planner.margin());
-    json["join"] = kJoins[static_cast<std::size_t>(world_->planner.join())];
-    json["repair"] = world_->repair;
+    const WorldOptions& made = world_->options;
+    json["join"] = made.before_round ? recorded_join(made.join) : kJoins[made.join];
+    if (!made.before_round) json["boundary"] = kBoundaries[made.boundary];
+    json["repair"] = made.repair;
   }
   void add_path(Json& json) const override { json["path"] = points(answer_.result.path); }
   /// What the graph gave: sizes, the lines crossed, and the optima that bound the path.
@@ -102,41 +125,129 @@ class PolygonTask : public Task {
         {"dijkstra_path", found.dijkstra ? points(found.dijkstra->path) : Json(nullptr)},
         {"discrete_optimum", crossing_length(found.discrete_optimum)},
         {"sequence_optimum", crossing_length(found.sequence_optimum)}};
+    if (!world_->options.before_round) json["note"] = text_or_null(found.note);
   }
 
  private:
+  /// As it was called when the result was recorded.
+  static std::string_view recorded_join(int join) {
+    const bool chords = join == static_cast<int>(polygon::Join::chords);
+    return to_string(chords ? polygon::Join::round : static_cast<polygon::Join>(join));
+  }
+
   void check_end(const std::string& role, bool given) const {
     if (!given)
-      throw UsageError("--" + role + " is required: " + world_->file +
+      throw UsageError("--" + role + " is required: " + world_->options.file +
                        " has no feature with the role " + role);
   }
 
   PolygonCommand command_;
-  std::optional<LoadedWorld> world_;
+  SharedWorld world_;
   PolygonAnswer answer_;
 };
 
+/// The world of a result. One without "boundary" is older than that: `round` meant chords then.
+WorldOptions recorded_world(const Recorded& from) {
+  const Json& result = from.result;
+  WorldOptions world;
+  world.file = from.found(recorded<std::string>(result, "map/file"));
+  world.repair = recorded<bool>(result, "parameters/repair");
+  world.margin = recorded<double>(result, "parameters/margin");
+  const auto choice = [&](const char* name, std::span<const std::string_view> names) {
+    const auto key = std::string("parameters/") + name;
+    return static_cast<int>(choice_value(name, recorded<std::string>(result, key), names));
+  };
+  world.join = choice("join", kJoins);
+  world.before_round = !result["parameters"].contains("boundary");
+  if (!world.before_round) {
+    world.boundary = choice("boundary", kBoundaries);
+  } else {
+    world.boundary = static_cast<int>(polygon::Boundary::keep);
+    if (world.join == static_cast<int>(polygon::Join::round))
+      world.join = static_cast<int>(polygon::Join::chords);
+  }
+  return world;
+}
+
+/// Answers some queries, on all threads, in their order.
+std::vector<PolygonAnswer> answers_to(std::span<const QueryFile::Line> queries,
+                                      const PolygonCommand& command, const LoadedWorld& world,
+                                      const polygon::Params& parameters,
+                                      const std::stop_token& token) {
+  std::vector<PolygonAnswer> answers(queries.size());
+  const auto answer = [&](std::size_t i) {
+    PolygonCommand one = command;
+    one.start = queries[i].start;
+    one.goal = queries[i].goal;
+    answers[i] = polygon_answer(world, one, parameters,
+                                {.token = token, .deadline = deadline_after(command.time_limit)});
+  };
+  share_out(queries.size(), command.threads, [&] { return answer; });
+  return answers;
+}
+
 }  // namespace
 
-std::unique_ptr<Task> recorded_polygon(const Recorded& from) {
+std::unique_ptr<Task> recorded_polygon(const Recorded& from, SharedWorld& last) {
   const Json& result = from.result;
   PolygonCommand command;
   const auto name = recorded<std::string>(result, "algorithm");
   const auto known = algorithm_of(World::Kind::polygon, name);
   read_recorded(from, polygon::find_algorithm(known), command);
-  command.world.file = from.found(recorded<std::string>(result, "map/file"));
-  command.world.repair = recorded<bool>(result, "parameters/repair");
-  command.world.margin = recorded<double>(result, "parameters/margin");
-  command.world.join = static_cast<int>(
-      choice_value("join", recorded<std::string>(result, "parameters/join"), kJoins));
+  command.world = recorded_world(from);
   command.start = recorded_point(result, "start");
   command.goal = recorded_point(result, "goal");
-  return std::make_unique<PolygonTask>(std::move(command));
+  if (!last || last->options != command.world)
+    last = std::make_shared<LoadedWorld>(load_world(command.world));
+  auto task = std::make_unique<PolygonTask>(std::move(command), last);
+  if (result.contains("index")) {
+    PolygonAnswer asked;
+    asked.index = recorded<std::size_t>(result, "index");
+    task->take(std::move(asked));
+  }
+  return task;
 }
 
 int run_polygon(const PolygonCommand& command) {
   PolygonTask task(command);
   return run(task);
+}
+
+int run_polygon_batch(const PolygonBatchCommand& command) {
+  PolygonCommand plan = command.plan;
+  check_outputs(plan.outputs, {plan.world.file, command.queries});
+  SignalWatcher signals;
+  const polygon::Params parameters = polygon_parameters(plan, plan.notes);
+  const auto world = std::make_shared<LoadedWorld>(load_world(plan.world));
+  const auto queries = read_table(command.queries).queries;
+  PolygonTask task(plan, world);
+  PolygonAnswer asked;
+  asked.parameters = parameters;
+  task.take(asked);
+  if (!plan.messages.quiet) task.announce();
+  BatchFiles files(task);
+  Delivery delivery(plan.outputs);
+  ProgressLine bar(wants_progress(plan.messages), static_cast<std::int64_t>(queries.size()));
+  const std::size_t chunk = 16 * static_cast<std::size_t>(plan.threads);
+  for (std::size_t from = 0; from < queries.size() && !signals.interrupted(); from += chunk) {
+    const auto part = std::span(queries).subspan(from, std::min(chunk, queries.size() - from));
+    auto answers = answers_to(part, plan, *world, parameters, signals.token());
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      if (answers[i].result.status == Status::interrupted) break;
+      answers[i].index = from + i;
+      const Point start = answers[i].start, goal = answers[i].goal;
+      task.take(std::move(answers[i]));
+      const std::string text = json_line(task);
+      files.add(task, text, {to_text(start.x), to_text(start.y), to_text(goal.x), to_text(goal.y)},
+                task.path());
+      delivery.print(text);
+      bar.update(static_cast<std::int64_t>(from + i) + 1, "queries");
+    }
+  }
+  delivery.write([&](const std::string& output) {
+    files.write(output, [&](const auto& all) { write_paths_picture(output, *world, all); });
+  });
+  return signals.interrupted() ? kInterrupted : kFound;
 }
 
 }  // namespace lasius::tool

@@ -1,4 +1,4 @@
-// A result on a polygon world, made a question again.
+// `plan` and each query of `batch` on a polygon world.
 #pragma once
 
 #include <memory>
@@ -7,6 +7,10 @@
 
 namespace lasius::tool {
 
-std::unique_ptr<Task> recorded_polygon(const Recorded& recorded);
+struct LoadedWorld;
+using SharedWorld = std::shared_ptr<const LoadedWorld>;
+
+/// A result's question again. `last` keeps its world for the next: the lines of a batch share one.
+std::unique_ptr<Task> recorded_polygon(const Recorded& recorded, SharedWorld& last);
 
 }  // namespace lasius::tool

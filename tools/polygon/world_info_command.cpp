@@ -27,16 +27,18 @@ Json info_json(const LoadedWorld& loaded) {
   const Point low = loaded.low(), high = loaded.high();
   Json json = Json::object();
   json["format"] = "lasius-info/1";
-  json["file"] = loaded.file;
+  json["file"] = loaded.options.file;
   json["hash"] = hash_text(loaded.hash);
   json["width"] = number(high.x - low.x);
   json["height"] = number(high.y - low.y);
   json["origin"] = {number(low.x), number(low.y)};
   json["margin"] = number(planner.margin());
+  json["join"] = to_string(planner.join());
+  json["boundary"] = to_string(planner.boundary());
   json["obstacles"] = world.obstacles.size();
   json["corners"] = corners(world.obstacles);
   json["grown_obstacles"] = planner.grown_obstacles().size();
-  json["free_corners"] = corners(planner.maklink().free_space);
+  json["free_corners"] = corners(planner.free_space());
   json["components"] = planner.components();
   json["lines"] = planner.maklink().lines.size();
   json["regions"] = planner.maklink().regions.size();
@@ -62,7 +64,8 @@ std::string info_text(const Json& json) {
   row("size",
       dumped(json["width"]) + " x " + dumped(json["height"]) + " from " + place(json["origin"]));
   row("hash", json["hash"].get<std::string>());
-  row("margin", dumped(json["margin"]));
+  row("margin", dumped(json["margin"]) + ", " + json["join"].get<std::string>() +
+                    " joins, boundary: " + json["boundary"].get<std::string>());
   row("obstacles", dumped(json["obstacles"]) + " with " + count("corners", "corner") + ", " +
                        dumped(json["grown_obstacles"]) + " grown and merged");
   row("free space", count("components", "component") + ", " + count("free_corners", "corner"));

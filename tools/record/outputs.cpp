@@ -12,9 +12,15 @@ bool is_picture(std::string_view file) {
 
 bool is_table(std::string_view file) { return has_ending(file, ".csv"); }
 
+bool is_yaml(std::string_view file) {
+  return has_ending(file, ".yaml") || has_ending(file, ".yml");
+}
+
 void write_output(const std::string& file, const Forms& forms) {
   if (is_picture(file)) return forms.picture();
-  write_file(file, is_table(file) ? forms.csv : forms.json);
+  write_file(file, is_table(file)                ? forms.csv
+                   : is_yaml(file) && forms.yaml ? forms.yaml
+                                                 : forms.json);
 }
 
 void Delivery::print(const std::string& text) {

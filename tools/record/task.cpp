@@ -44,10 +44,11 @@ std::string explain(const Task& task) {
     case Status::solved:
       return {};
     case Status::limit:
-      return "the time limit ended the run" + after + held;
+      return task.limit() + " ended the run" + after + held;
     case Status::interrupted:
       return "interrupted" + after + held;
     case Status::no_path:
+      if (!task.error().empty()) return task.error();
       return "no path" + after + "; try more --iterations, " +
              (task.algorithm().has("ants") ? "more --ants " : "") + "or another --seed";
     case Status::unreachable:
@@ -92,21 +93,30 @@ void deliver(const Task& task) {
   delivery.write([&](const std::string& file) {
     write_output(file, {.json = [&](auto& out) { out << json_line(task); },
                         .csv = [&](auto& out) { task.write_csv(out); },
-                        .picture = [&] { task.write_picture(file); }});
+                        .picture = [&] { task.write_picture(file); },
+                        .yaml = [&](auto& out) { task.write_yaml(out); }});
     if (options.messages.verbose) message("wrote " + file);
   });
 }
 
 /// @throws Error(file_broken) where a file's hash is not the one that the result records.
+void check_hash(const std::string& role, const Json& input, const std::string& made_on) {
+  const auto hash = input["hash"].get<std::string>();
+  if (hash != made_on)
+    throw Error(ErrorCode::file_broken, {.file = input["file"].get<std::string>()},
+                "has hash " + hash + ", the result was made on " + made_on,
+                role == "map" ? "name the map of that time with --map"
+                              : "put the file of that time in its place");
+}
+
+/// The same of all inputs, and of the files that they name, as far as those are recorded.
 void check_inputs(const Json& inputs, const Json& result) {
   for (const auto& [role, input] : inputs.items()) {
-    const auto made_on = recorded<std::string>(result, role + "/hash");
-    const auto hash = input["hash"].get<std::string>();
-    if (hash != made_on)
-      throw Error(ErrorCode::file_broken, {.file = input["file"].get<std::string>()},
-                  "has hash " + hash + ", the result was made on " + made_on,
-                  role == "map" ? "name the map of that time with --map"
-                                : "put the file of that time in its place");
+    check_hash(role, input, recorded<std::string>(result, role + "/hash"));
+    if (!input.contains("files") || !result[role].contains("files")) continue;
+    const Json& files = result[role]["files"];
+    for (std::size_t i = 0; i < std::min(input["files"].size(), files.size()); ++i)
+      check_hash(role, input["files"][i], recorded<std::string>(files[i], "hash"));
   }
 }
 
@@ -207,7 +217,11 @@ void read_recorded(const Recorded& from, const Algorithm& algorithm, SearchOptio
   options.threads = from.threads;
   for (const Parameter& parameter : algorithm.parameters) {
     const std::string name(parameter.name);
-    options.named.emplace_back(name, parameter_text(value_at(from.result, "parameters/" + name)));
+    const bool later =
+        !parameter.earlier.empty() && !value_at(from.result, "parameters").contains(name);
+    options.named.emplace_back(name,
+                               later ? std::string(parameter.earlier)
+                                     : parameter_text(value_at(from.result, "parameters/" + name)));
   }
   options.target_gap = recorded_real(from.result, "parameters/target_gap", 0, kNoLimit);
   options.time_limit = recorded_optional<double>(from.result, "parameters/time_limit");

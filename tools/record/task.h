@@ -58,7 +58,8 @@ class Task {
   // What came of it.
   virtual const SearchResult& result() const = 0;
   virtual std::string error() const { return result().error; }
-  virtual std::optional<double> optimum() const { return {}; }  ///< found for --gap
+  virtual std::string limit() const { return "the time limit"; }  ///< that ended it as `limit`
+  virtual std::optional<double> optimum() const { return {}; }    ///< found for --gap
   virtual double elapsed_ms() const = 0;
   bool has_path() const;
 
@@ -72,6 +73,8 @@ class Task {
   virtual void write_path(std::ostream& out, const char* between) const = 0;
   /// The convergence by iteration; the path for algorithms without iterations.
   virtual void write_csv(std::ostream& out) const;
+  /// The motion for other programs; only for worlds whose outputs may end in .yaml.
+  virtual void write_yaml(std::ostream&) const {}
   virtual void write_picture(const std::string& file) const = 0;
 
   // What it adds to the JSON, in the order of the contract; Task writes the rest.

@@ -104,13 +104,32 @@ std::string checked_version(const Json& result, const Error::Place& place) {
               "verify it with the version that wrote it");
 }
 
+/// Leaves out of a replay what an early result did not tell.
+void keep_known(Json& replay, const Json& recorded) {
+  for (auto it = replay.begin(); it != replay.end();) {
+    const bool known = recorded.contains(it.key());
+    if (known && it->is_object() && recorded[it.key()].is_object())
+      keep_known(*it, recorded[it.key()]);
+    it = known ? std::next(it) : replay.erase(it);
+  }
+}
+
+/// Leaves out where an input was found.
+void forget_places(Json& input) {
+  if (!input.is_object()) return;
+  for (const char* key : {"file", "srdf", "joint_limits", "packages"}) input.erase(key);
+  if (!input.contains("files")) return;
+  for (Json& file : input["files"])
+    if (file.is_object()) file.erase("file");
+}
+
 /// The first difference between a result and its replay, or nothing. What may differ is left out.
 std::string difference(Json recorded, Json replay) {
   for (const char* free : {"threads", "elapsed_ms", "version"})
     if (recorded.contains(free)) replay[free] = recorded[free];
   for (const char* input : {"map", "robot", "scene"}) {
     for (Json* of : {&recorded, &replay})
-      if (of->contains(input) && (*of)[input].is_object()) (*of)[input].erase("file");
+      if (of->contains(input)) forget_places((*of)[input]);
   }
   // A limit or a signal may have cut off the search for an optimum.
   for (const auto& [optimum, gap] :
@@ -145,16 +164,29 @@ std::string text_of(const Json& recorded, const char* key) {
   return there ? recorded[key].get<std::string>() : std::string();
 }
 
-std::unique_ptr<Task> task_of(const Recorded& recorded, SharedMap& last_map) {
+/// What the result before was planned in, for the next: the lines of a batch share it.
+struct Last {
+  SharedMap map;
+  SharedWorld world;
+};
+
+std::unique_ptr<Task> task_of(const Recorded& recorded, Last& last) {
   if (text_of(recorded.result, "format") == kArmFormat) return recorded_arm(recorded);
   const bool world = is_world(tool::recorded<std::string>(recorded.result, "map/file"));
-  return world ? recorded_polygon(recorded) : recorded_bitmap(recorded, last_map);
+  return world ? recorded_polygon(recorded, last.world) : recorded_bitmap(recorded, last.map);
+}
+
+/// True where no clock took part: the number of questions was what ended it.
+bool ended_by_questions(const Json& result) {
+  const Json& given = value_at(result, "parameters");
+  return given.is_object() && given.contains("max_questions") && given["max_questions"] != 0 &&
+         value_at(given, "time_limit").is_null();
 }
 
 /// Plans again; whatever is wrong with the recorded inputs is named by the result's place.
-Json replay_of(const Error::Place& place, const Recorded& recorded, SharedMap& last_map) {
+Json replay_of(const Error::Place& place, const Recorded& recorded, Last& last) {
   try {
-    return replay(*task_of(recorded, last_map), recorded);
+    return replay(*task_of(recorded, last), recorded);
   } catch (const UsageError& fault) {
     throw broken(place, std::string("cannot be replayed: ") + fault.what());
   } catch (const Error& fault) {
@@ -164,8 +196,8 @@ Json replay_of(const Error::Place& place, const Recorded& recorded, SharedMap& l
 }
 
 /// Replays one result and says what is wrong. Its exit code.
-int verify(const VerifyCommand& command, const Saved& saved, const std::string& name,
-           SharedMap& last_map, const std::stop_token& token) {
+int verify(const VerifyCommand& command, const Saved& saved, const std::string& name, Last& last,
+           const std::stop_token& token) {
   const Json& result = saved.json;
   const Error::Place place{.file = name, .offset = saved.offset};
   const std::string format = text_of(result, "format");
@@ -173,8 +205,9 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
     throw broken(place, std::string("is not of format ") + kPlanFormat + " or " + kArmFormat);
   const std::string version = checked_version(result, place);
   const std::string status = text_of(result, "status");
-  if (status == "limit" || status == "interrupted") {
-    message(name + ": cannot be replayed: " + (status == "limit" ? "a time limit" : "a signal") +
+  const bool limit = status == "limit" && !ended_by_questions(result);
+  if (limit || status == "interrupted") {
+    message(name + ": cannot be replayed: " + (limit ? "a time limit" : "a signal") +
             " ended it, and no clock runs twice the same");
     return kUsage;
   }
@@ -182,13 +215,22 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
     message(name + ": made by version " + version + ", replayed by " + LASIUS_VERSION);
   if (format == kArmFormat && !command.map.empty())
     throw UsageError("--map: " + name + " is of an arm, it has no map");
-  const Json replay = replay_of(place,
-                                {.result = result,
-                                 .found = [&](const auto& file) { return found(command, file); },
-                                 .threads = command.threads,
-                                 .token = token},
-                                last_map);
+  const Recorded recorded{.result = result,
+                          .found = [&](const auto& file) { return found(command, file); },
+                          .threads = command.threads,
+                          .token = token};
+  const std::string why = format == kArmFormat ? why_not_replayed(recorded) : std::string();
+  if (!why.empty()) {
+    message(name + ": cannot be replayed: " + why);
+    return kInternal;
+  }
+  Json replay = replay_of(place, recorded, last);
   if (token.stop_requested()) return kInterrupted;
+  if (version != LASIUS_VERSION) keep_known(replay, result);
+  // They told of a lattice also where none was needed to answer.
+  if (format == kArmFormat && tells_no_bodies(result) && result.contains("lattice") &&
+      replay["lattice"]["points"] == Json({0, 0, 0}))
+    replay["lattice"] = result["lattice"];
   const std::string key = difference(result, replay);
   if (key.empty()) return kFound;
   message(std::string(name).append(": differs from its replay in '").append(key).append("'"));
@@ -199,13 +241,13 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
 
 int run_verify(const VerifyCommand& command) {
   SignalWatcher signals;
-  SharedMap last_map;
+  Last last;
   int code = kFound;
   std::size_t equal = 0;
   const auto results = read_results(command.result);
   for (std::size_t i = 0; i < results.size(); ++i) {
     const std::string name = results.size() > 1 ? nth(command.result, i) : command.result;
-    const int one = verify(command, results[i], name, last_map, signals.token());
+    const int one = verify(command, results[i], name, last, signals.token());
     if (one == kInterrupted) return one;
     if (one == kFound) ++equal;
     // A difference weighs more than a result that cannot be replayed.

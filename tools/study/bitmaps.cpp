@@ -1,5 +1,9 @@
 #include "tools/study/bitmaps.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
 #include "lasius/shortest_walk.h"
 #include "tools/study/map_source.h"
 
@@ -13,6 +17,22 @@ std::string question_key(const Grid& grid, const Question& question, const std::
   for (const int v : {question.start.x, question.start.y, question.goal.x, question.goal.y})
     key += ' ' + std::to_string(v);
   return key + ' ' + algorithm;
+}
+
+/// The share of an iteration's steps that lie within 10% of the distance from start to goal of the
+/// straight line between them.
+double share_near(const Question& question, const GridProgress& progress) {
+  const double dx = question.goal.x - question.start.x, dy = question.goal.y - question.start.y;
+  const double distance = std::hypot(dx, dy);
+  double near = 0, all = 0;
+  for (int ant = 0; ant < progress.ants(); ++ant) {
+    for (const Cell c : progress.walk(ant)) {
+      const double off = (c.x - question.start.x) * dy - (c.y - question.start.y) * dx;
+      near += std::abs(off) <= 0.1 * distance * distance;
+      ++all;
+    }
+  }
+  return all > 0 ? near / all : kUnknown;
 }
 
 }  // namespace
@@ -36,6 +56,7 @@ Bitmaps::Bitmaps(const Study& study, const std::filesystem::path& maps) {
     for (const Question& question : experiment.questions)
       if (!planners_.contains(question.map))
         planners_.emplace(question.map, Planner(load_map(question.map, maps)));
+  band_ = std::ranges::any_of(study.experiments, &Experiment::band);
 }
 
 Task Bitmaps::task(const Question& question, const Contender& contender) const {
@@ -45,21 +66,43 @@ Task Bitmaps::task(const Question& question, const Contender& contender) const {
   Task task =
       task_of(question_key(grid, question, params.algorithm()), params,
               parameters_of(algorithms(), params.algorithm()), grid.width() + grid.height());
-  task.run = [&planner, &question, params](std::uint64_t seed, const std::stop_token& stop,
-                                           Workspace& workspace) {
+  task.run = [&planner, &question, params, limit = shortest(question, params), band = band_](
+                 std::uint64_t seed, bool pilot, const std::stop_token& stop,
+                 Workspace& workspace) {
     Params seeded = params;
     seeded.seed = seed;
+    if (pilot) seeded.iterations = pilot_part(params.iterations);
+    Run run{.limit = limit};
+    Observer observer;
+    if (band)
+      observer = [&](const GridProgress& progress) {
+        run.band.push_back(share_near(question, progress));
+      };
     const double begin = thread_seconds();
-    Result result =
-        planner.plan({question.start, question.goal, {.token = stop}}, seeded, &workspace);
-    return Run{.status = result.status,
-               .length = result.length,
-               .iterations = result.iterations,
-               .seconds = thread_seconds() - begin,
-               .best = std::move(result.best),
-               .path = std::move(result.path)};
+    Result result = planner.plan({question.start, question.goal, {.token = stop}}, seeded,
+                                 &workspace, observer);
+    run.seconds = thread_seconds() - begin;
+    run.status = result.status;
+    run.length = result.length;
+    run.iterations = result.iterations;
+    run.best = std::move(result.best);
+    run.mean = std::move(result.mean);
+    run.raw_best = std::move(result.raw_best);
+    run.cut_mean = std::move(result.cut_mean);
+    run.cut_best = std::move(result.cut_best);
+    run.steps_by.assign(result.steps.begin(), result.steps.end());
+    run.steps = std::accumulate(result.steps.begin(), result.steps.end(), std::int64_t{0});
+    run.path = std::move(result.path);
+    return run;
   };
   return task;
+}
+
+/// The shortest walk of the contender's own moves.
+double Bitmaps::shortest(const Question& question, const Params& params) const {
+  return shortest_walk(planners_.at(question.map).grid(), question.start, question.goal,
+                       params.neighbours, params.corners)
+      .value_or(kUnknown);
 }
 
 std::optional<double> Bitmaps::optimum(const Question& question, const Truth& truth,

@@ -26,7 +26,10 @@ class Bitmaps final : public Domain {
                                 const StopCondition& stop) const override;
 
  private:
+  double shortest(const Question& question, const Params& params) const;
+
   std::map<std::string, Planner> planners_;
+  bool band_ = false;
 };
 
 }  // namespace lasius::study

@@ -1,232 +1,341 @@
 #include "tools/study/claims.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 #include "tools/draw/text.h"
+#include "tools/study/values.h"
 
 namespace lasius::study {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSignificant = 0.05;
+using Test = Claim::Test;
 
-/// Both samples of every question.
-using Pairs = std::vector<std::pair<const Sample*, const Sample*>>;
+/// Values of a and, where there is a control, of b, by question.
+struct Measured {
+  std::vector<Pair> pairs;
+  std::vector<const Sample*> a, b;
+  std::size_t seeds = SIZE_MAX;  ///< of the sample with the fewest runs
+  std::string obstacle;
+};
 
-Pairs pairs(const Findings& findings, const Experiments& experiments, const std::string& a,
-            const std::string& b) {
-  Pairs found;
-  for (const std::string& experiment : experiments)
-    for (const Sample* first : findings.of(experiment, a))
-      if (const Sample* second = findings.find(experiment, first->question->name, b))
-        found.emplace_back(first, second);
-  return found;
+/// The least of every `count` values; what is left over is dropped.
+std::vector<double> least_of(const std::vector<double>& values, int count) {
+  std::vector<double> least;
+  const auto group = static_cast<std::size_t>(count);
+  for (std::size_t i = 0; i + group <= values.size(); i += group)
+    least.push_back(*std::min_element(values.begin() + static_cast<std::ptrdiff_t>(i),
+                                      values.begin() + static_cast<std::ptrdiff_t>(i + group)));
+  return least;
 }
 
-std::vector<const Sample*> samples(const Findings& findings, const Experiments& experiments,
-                                   const std::string& contender) {
-  std::vector<const Sample*> found;
-  for (const std::string& experiment : experiments)
-    for (const Sample* sample : findings.of(experiment, contender)) found.push_back(sample);
-  return found;
+Measured measure(const Claim& claim, const Findings& findings) {
+  Measured all;
+  for (const std::string& experiment : claim.in) {
+    for (const Sample* a : findings.of(experiment, claim.a)) {
+      const Sample* const b =
+          claim.b.empty() ? a : findings.find(experiment, a->question->name, claim.b);
+      if (b == nullptr || a->runs.empty() || b->runs.empty()) continue;
+      const double budget = common_budget(claim.value, *a, *b);
+      const auto optimum = findings.optimum(*a->experiment, *a->question);
+      const auto values = [&](const Sample& sample) {
+        return sample.each(
+            [&](const Run& run) { return value_of(sample, run, claim.value, budget, optimum); });
+      };
+      all.seeds = std::min({all.seeds, a->runs.size(), b->runs.size()});
+      const int group = claim.value.best_of;
+      all.pairs.push_back({least_of(values(*a), group), {}});
+      if (!claim.b.empty()) all.pairs.back().b = least_of(values(*b), group);
+      if (all.pairs.back().a.empty() || (!claim.b.empty() && all.pairs.back().b.empty()))
+        all.obstacle = "needs " + std::to_string(group) + " seeds";
+      all.a.push_back(a);
+      all.b.push_back(b);
+      for (const auto* list : {&all.pairs.back().a, &all.pairs.back().b})
+        if (std::ranges::any_of(*list, [](double v) { return std::isnan(v); }))
+          all.obstacle = "not recorded by these planners";
+    }
+  }
+  if (all.pairs.empty())
+    all.obstacle = findings.whole ? "not run" : "interrupted before it was run";
+  if (all.obstacle.empty() && !findings.whole) all.obstacle = "interrupted: not all seeds were run";
+  return all;
 }
 
-/// The shortest length of the first `runs` runs; infinite without a path.
-double best_of(const Sample& sample, int runs) {
-  double best = kInfinity;
-  for (const Run& run : sample.runs)
-    if (run.seed <= static_cast<std::uint64_t>(runs) && run.solved())
-      best = std::min(best, run.length);
-  return best;
+/// All runs of both do the same: nothing can be told apart here.
+bool level(const Pair& pair) {
+  const double first = pair.a.front();
+  const auto same = [&](double v) {
+    return v == first ||
+           (std::isfinite(first) && std::abs(v - first) <= kSameLength * std::abs(first));
+  };
+  return std::ranges::all_of(pair.a, same) && std::ranges::all_of(pair.b, same);
 }
 
-std::string of(int part, std::size_t whole) {
+std::vector<Pair> scaled(std::vector<Pair> pairs, double factor) {
+  for (Pair& pair : pairs)
+    for (double& value : pair.a) value *= factor;
+  return pairs;
+}
+
+std::string of(int part, int whole) {
   return std::to_string(part) + " of " + std::to_string(whole);
 }
 
-double mean_length(const Sample& sample) {
-  const auto lengths = sample.lengths();
-  return lengths.size() == sample.runs.size() ? summarise(lengths).mean : kInfinity;
+std::string interval_text(const Interval& interval, int decimals) {
+  return " [" + fixed(interval.low, decimals) + ", " + fixed(interval.high, decimals) + "]";
 }
 
-Claim::Answer verdict(bool holds, std::string figures) {
-  return {holds ? Verdict::confirmed : Verdict::refuted, std::move(figures)};
+std::string number_text(double value) {
+  if (std::isinf(value)) return "never";
+  return fixed(value, std::abs(value) >= 100 ? 1 : std::abs(value) >= 0.01 ? 3 : 5);
 }
 
-const Claim::Answer kNotRun{Verdict::open, "not run"};
+/// Runs that come to an end: of an effort the expected running time to the target, all runs' cost
+/// by the number of successes (Hoos and Stuetzle 2004; Hansen et al. 2009).
+std::string success_text(const Claim& claim, const Measured& all, bool first) {
+  int hits = 0, runs = 0;
+  double cost = 0;
+  for (std::size_t q = 0; q < all.pairs.size(); ++q) {
+    const Sample& sample = first ? *all.a[q] : *all.b[q];
+    const auto& values = first ? all.pairs[q].a : all.pairs[q].b;
+    const double budget = common_budget(claim.value, *all.a[q], *all.b[q]);
+    for (std::size_t r = 0; r < values.size(); ++r) {
+      ++runs;
+      hits += std::isfinite(values[r]);
+      const double whole = spent(sample, sample.runs[r], claim.value.at,
+                                 static_cast<std::size_t>(sample.runs[r].iterations));
+      cost += std::isfinite(values[r]) ? values[r] : std::fmin(whole, budget);
+    }
+  }
+  if (claim.value.best_of > 1) return {};
+  if (hits == runs && claim.value.name != "effort") return {};
+  std::string text = "; " + (first ? claim.a : claim.b) + ": success in " + of(hits, runs) +
+                     interval_text(share_interval(hits, runs), 2);
+  if (claim.value.name == "effort")
+    text += ", expected running time " + (hits > 0 ? number_text(cost / hits) : "unbounded");
+  return text;
+}
 
-/// The first iteration after which a run's best length is the optimum; 0 if none is.
-int iteration_of(const Run& run, double optimum) {
-  for (std::size_t i = 0; i < run.best.size(); ++i)
-    if (run.best[i] <= optimum * (1 + kSameLength)) return static_cast<int>(i) + 1;
-  return 0;
+/// Tests of values of a times `factor` against b; which questions speak clearly for a side.
+struct Sides {
+  RankTest test;
+  int less = 0, greater = 0;  ///< clear after Bonferroni over the questions
+};
+Sides sides(const std::vector<Pair>& pairs) {
+  Sides found{.test = rank_test(pairs)};
+  for (const Pair& pair : pairs) {
+    const RankTest one = rank_test({&pair, 1});
+    const double count = 2.0 * static_cast<double>(pairs.size());
+    found.less += one.less * count < kSignificant;
+    found.greater += one.greater * count < kSignificant;
+  }
+  return found;
+}
+
+std::string medians_text(const std::vector<Pair>& pairs) {
+  constexpr std::size_t kMost = 3;
+  std::string text = "medians ";
+  for (std::size_t q = 0; q < std::min(kMost, pairs.size()); ++q)
+    text += (q > 0 ? ", " : "") + number_text(quantile(pairs[q].a, 0.5)) + " against " +
+            number_text(quantile(pairs[q].b, 0.5));
+  if (pairs.size() > kMost) text += " and others";
+  return text;
+}
+
+void compare(const Claim& claim, const Measured& all, std::vector<Pair> pairs, Evidence& evidence) {
+  const auto levels = std::erase_if(pairs, level);
+  evidence.questions = static_cast<int>(pairs.size());
+  if (pairs.empty()) {
+    evidence.obstacle =
+        "all runs of both do the same: " + number_text(all.pairs.front().a.front()) +
+        "; nothing to tell apart";
+    return;
+  }
+  const double ratio = median_ratio(pairs);
+  const Interval ratios = resampled_interval(pairs, median_ratio);
+  if (claim.test == Test::similar) {
+    const auto high = sides(scaled(pairs, 1 / (1 + claim.within)));
+    const auto low = sides(scaled(pairs, 1 / (1 - claim.within)));
+    evidence.p_for = std::max(high.test.less, low.test.greater);
+    evidence.p_against = std::min(1.0, 2 * std::min(high.test.greater, low.test.less));
+    evidence.effect = ratio;
+    evidence.interval = ratios;
+    evidence.mixed = (evidence.p_for < evidence.p_against ? high.greater + low.less
+                                                          : std::min(high.greater, low.less)) > 0;
+  } else {
+    const auto scaled_pairs = scaled(pairs, claim.factor);
+    const Sides s = sides(scaled_pairs);
+    evidence.p_for = s.test.less;
+    evidence.p_against = s.test.greater;
+    evidence.effect = s.test.effect;
+    evidence.interval = resampled_interval(
+        scaled_pairs, [](std::span<const Pair> drawn) { return share_less(drawn); });
+    evidence.mixed = (s.test.less < s.test.greater ? s.greater : s.less) > 0;
+    if (pairs.size() > 1)
+      evidence.figures = "clearly less on " + of(s.less, evidence.questions) +
+                         " questions, greater on " + std::to_string(s.greater) + "; ";
+  }
+  evidence.figures += medians_text(pairs);
+  if (std::isfinite(ratio))
+    evidence.figures += ", ratio " + fixed(ratio, 3) + interval_text(ratios, 3);
+  if (levels > 0)
+    evidence.figures += "; " + std::to_string(levels) + " more where all runs do the same";
+  evidence.figures += success_text(claim, all, true) + success_text(claim, all, false);
+}
+
+void count(const Claim& claim, const Measured& all, Evidence& evidence) {
+  int hits = 0, runs = 0;
+  std::vector<double> values;
+  for (const Pair& pair : all.pairs) {
+    for (const double value : pair.a) {
+      ++runs;
+      hits += value >= claim.from && value <= claim.to * (1 + kSameLength);
+      values.push_back(value);
+    }
+  }
+  evidence.questions = static_cast<int>(all.pairs.size());
+  evidence.p_for = binomial_above(hits, runs, claim.share);
+  evidence.p_against = binomial_below(hits, runs, claim.share);
+  evidence.effect = static_cast<double>(hits) / runs;
+  evidence.interval = share_interval(hits, runs);
+  evidence.neutral = claim.share;
+  evidence.figures = of(hits, runs) + " runs; median " + number_text(quantile(values, 0.5)) +
+                     ", quartiles " + number_text(quantile(values, 0.25)) + " to " +
+                     number_text(quantile(values, 0.75));
+}
+
+/// Runs in which what must hold does not: a fault of ours.
+int exceptions(const Claim& claim, const Findings& findings) {
+  int found = 0;
+  for (const std::string& experiment : claim.in) {
+    for (const Sample* a : findings.of(experiment, claim.a)) {
+      const Sample* const b =
+          claim.b.empty() ? nullptr : findings.find(experiment, a->question->name, claim.b);
+      for (std::size_t r = 0; r < a->runs.size(); ++r) {
+        const Run& run = a->runs[r];
+        if (b == nullptr)  // the best so far never rises
+          found += std::ranges::adjacent_find(run.best, std::less<>()) != run.best.end();
+        else if (r < b->runs.size() && claim.value.name == "limit")  // fewer choices
+          found += run.limit > b->runs[r].limit * (1 + kSameLength);
+        else if (r < b->runs.size())  // the same draws
+          found += run.length != b->runs[r].length && (run.solved() || b->runs[r].solved());
+      }
+    }
+  }
+  return found;
+}
+
+/// The range of the control is where the source puts it: runs on both sides, or most within.
+std::string missing_baseline(const Claim& claim, const Findings& findings) {
+  const Measured all = measure(claim, findings);
+  if (!all.obstacle.empty()) return claim.a + " " + all.obstacle;
+  std::vector<double> values;
+  for (const Pair& pair : all.pairs) values.insert(values.end(), pair.a.begin(), pair.a.end());
+  const double low = quantile(values, 0.25), high = quantile(values, 0.75);
+  if (low <= claim.to && high >= claim.from) return {};
+  return claim.a + ": " + value_text(claim.value) + " is " + number_text(low) + " to " +
+         number_text(high) + " in the middle half of the runs, by the source " +
+         number_text(claim.from) + " to " + number_text(claim.to);
+}
+
+Evidence weigh(const Study& study, const Claim& claim, const Findings& findings) {
+  Evidence evidence{.study = &study, .claim = &claim};
+  if (claim.test == Test::none || claim.test == Test::arithmetic) {
+    evidence.obstacle = claim.note;
+    if (claim.test == Test::arithmetic) evidence.questions = exceptions(claim, findings);
+    return evidence;
+  }
+  const Measured all = measure(claim, findings);
+  evidence.obstacle = all.obstacle;
+  if (all.pairs.empty()) return evidence;
+  evidence.seeds = static_cast<int>(all.seeds);
+  if (!evidence.obstacle.empty()) return evidence;
+  if (claim.test == Test::most)
+    count(claim, all, evidence);
+  else
+    compare(claim, all, all.pairs, evidence);
+  for (const Claim& control : claim.baseline)
+    if (auto missing = missing_baseline(control, findings); !missing.empty()) {
+      evidence.verdict = Verdict::no_baseline;
+      evidence.obstacle = std::move(missing);
+    }
+  return evidence;
+}
+
+/// The least two-sided p that so many seeds can give.
+double least_p(const Evidence& e, int seeds) {
+  seeds /= e.claim->value.best_of;
+  if (e.claim->test != Test::most) return least_rank_p(e.questions, seeds);
+  return std::min(1.0,
+                  2 * std::pow(std::max(e.claim->share, 1 - e.claim->share), e.questions * seeds));
+}
+
+Verdict verdict_of(const Evidence& e) {
+  const bool holds = e.p_for < e.p_against;
+  const auto& [low, high] = e.interval;
+  if (e.claim->test == Test::similar) {
+    const double least = 1 - e.claim->within, most = 1 + e.claim->within;
+    const bool inside = low >= least && high <= most, outside = low > most || high < least;
+    return holds && inside     ? Verdict::confirmed
+           : !holds && outside ? Verdict::refuted
+                               : Verdict::undecided;
+  }
+  return holds && low > e.neutral     ? Verdict::confirmed
+         : !holds && high < e.neutral ? Verdict::refuted
+                                      : Verdict::undecided;
 }
 
 }  // namespace
 
-std::vector<double> differences(const Sample& a, const Sample& b) {
-  std::vector<double> values;
-  for (std::size_t r = 0; r < std::min(a.runs.size(), b.runs.size()); ++r) {
-    const Run &first = a.runs[r], &second = b.runs[r];
-    if (!first.solved() || !second.solved()) {
-      values.push_back(first.solved() ? kInfinity : second.solved() ? -kInfinity : 0);
-      continue;
+std::string verdict_text(Verdict verdict) {
+  constexpr const char* kTexts[] = {"confirmed",
+                                    "**refuted**",
+                                    "undecided",
+                                    "baseline not reproduced",
+                                    "follows from arithmetic",
+                                    "not repeated"};
+  return kTexts[static_cast<int>(verdict)];
+}
+
+std::vector<Evidence> weigh(const Study& study, const Findings& findings) {
+  std::vector<Evidence> all;
+  for (const Claim& claim : study.claims) all.push_back(weigh(study, claim, findings));
+  return all;
+}
+
+void decide(std::span<Evidence> evidence) {
+  std::vector<double> p;
+  for (const Evidence& e : evidence)
+    if (e.tested()) p.push_back(std::min(1.0, 2 * std::min(e.p_for, e.p_against)));
+  const auto family = static_cast<double>(p.size());
+  p = holm(p);
+  auto next = p.begin();
+  for (Evidence& e : evidence) {
+    const auto note = [&](const std::string& text) {
+      e.figures = e.figures.empty() ? text : text + "; " + e.figures;
+    };
+    if (e.claim->test == Test::none) e.verdict = Verdict::none;
+    if (e.claim->test == Test::arithmetic) {
+      e.verdict = Verdict::arithmetic;
+      e.figures = e.obstacle + "; exceptions: " + std::to_string(e.questions);
+    } else if (!e.tested()) {
+      note(e.obstacle);
+    } else {
+      e.adjusted = *next++;
+      if (e.adjusted < kSignificant) {
+        if (e.mixed)
+          note("mixed: some question says the opposite");
+        else
+          e.verdict = verdict_of(e);
+      } else if (least_p(e, e.seeds) * family >= kSignificant) {
+        int more = e.seeds;
+        while (least_p(e, more) * family >= kSignificant) ++more;
+        note("cannot decide with " + std::to_string(e.seeds) + " seeds; " + std::to_string(more) +
+             " could");
+      }
     }
-    const double d = second.length - first.length;
-    values.push_back(std::abs(d) <= kSameLength * first.length ? 0 : d);
   }
-  return values;
-}
-
-SignedRank compare(const Sample& a, const Sample& b) { return signed_rank(differences(a, b)); }
-
-Check shorter_everywhere(Experiments experiments, std::string a, std::string b) {
-  return [=](const Findings& findings) {
-    const Pairs all = pairs(findings, experiments, a, b);
-    if (all.empty()) return kNotRun;
-    int shorter = 0, longer = 0;
-    std::vector<double> p;
-    std::vector<bool> ahead;
-    for (const auto& [first, second] : all) {
-      const SignedRank test = compare(*first, *second);
-      p.push_back(test.p);
-      ahead.push_back(test.effect > 0);
-      const double mean_a = mean_length(*first), mean_b = mean_length(*second);
-      shorter += mean_a < mean_b;
-      longer += mean_b < mean_a;
-    }
-    int clear = 0, clear_loss = 0;
-    const auto adjusted = holm(p);
-    for (std::size_t i = 0; i < p.size(); ++i)
-      if (adjusted[i] < kSignificant) ++(ahead[i] ? clear : clear_loss);
-    const int count = static_cast<int>(all.size());
-    return verdict(shorter == count,
-                   "shorter in the mean on " + of(shorter, all.size()) + ", longer on " +
-                       std::to_string(longer) + "; significant at 5% after Holm: " +
-                       std::to_string(clear) + " won, " + std::to_string(clear_loss) + " lost");
-  };
-}
-
-Check faster_everywhere(Experiments experiments, std::string a, std::string b, double factor) {
-  return [=](const Findings& findings) {
-    const Pairs all = pairs(findings, experiments, a, b);
-    if (all.empty()) return kNotRun;
-    double least = kInfinity, most = 0;
-    for (const auto& [first, second] : all) {
-      const double ratio = summarise(second->seconds()).median / summarise(first->seconds()).median;
-      least = std::min(least, ratio);
-      most = std::max(most, ratio);
-    }
-    return verdict(least >= factor, "median time of the other is " + fixed(least, 2) + " to " +
-                                        fixed(most, 2) + " times as long");
-  };
-}
-
-Check optimum_by(Experiments experiments, std::string contender, int median, int worst) {
-  return [=](const Findings& findings) {
-    std::vector<double> iterations;
-    int runs = 0;
-    for (const Sample* sample : samples(findings, experiments, contender)) {
-      const auto optimum = findings.optimum(*sample->experiment, *sample->question);
-      if (!optimum) return kNotRun;
-      for (const Run& run : sample->runs) {
-        ++runs;
-        if (const int at = iteration_of(run, *optimum)) iterations.push_back(at);
-      }
-    }
-    if (runs == 0) return kNotRun;
-    std::string figures =
-        "optimal in " + std::to_string(iterations.size()) + " of " + std::to_string(runs) + " runs";
-    if (iterations.empty()) return verdict(false, figures);
-    const Summary s = summarise(iterations);
-    figures += ", at iteration " + fixed(s.median, 1) + " in the median, " + fixed(s.most, 0) +
-               " at worst";
-    return verdict(s.count == runs && s.median <= median && s.most <= worst, figures);
-  };
-}
-
-Check best_is_optimal(Experiments experiments, std::string contender, int runs, int questions) {
-  return [=](const Findings& findings) {
-    int optimal = 0;
-    std::size_t known = 0;
-    for (const Sample* sample : samples(findings, experiments, contender)) {
-      const auto optimum = findings.optimum(*sample->experiment, *sample->question);
-      if (!optimum) continue;
-      ++known;
-      optimal += best_of(*sample, runs) <= *optimum * (1 + kSameLength);
-    }
-    if (known == 0) return kNotRun;
-    return verdict(optimal >= questions, "the best of " + std::to_string(runs) +
-                                             " runs is optimal on " + of(optimal, known));
-  };
-}
-
-Check best_never_longer(Experiments experiments, std::string a, std::string b, int runs) {
-  return [=](const Findings& findings) {
-    const Pairs all = pairs(findings, experiments, a, b);
-    if (all.empty()) return kNotRun;
-    int shorter = 0, longer = 0;
-    for (const auto& [first, second] : all) {
-      const double ours = best_of(*first, runs), theirs = best_of(*second, runs);
-      shorter += ours < theirs * (1 - kSameLength);
-      longer += ours > theirs * (1 + kSameLength);
-    }
-    return verdict(longer == 0, "best of " + std::to_string(runs) + " runs: shorter on " +
-                                    of(shorter, all.size()) + ", longer on " +
-                                    std::to_string(longer));
-  };
-}
-
-Check sooner_everywhere(Experiments experiments, std::string a, std::string b) {
-  return [=](const Findings& findings) {
-    const Pairs all = pairs(findings, experiments, a, b);
-    if (all.empty()) return kNotRun;
-    int sooner = 0;
-    std::vector<double> ours, theirs;
-    for (const auto& [first, second] : all) {
-      if (first->solved() == 0 || second->solved() == 0) continue;
-      ours.push_back(summarise(first->iterations_to_converge()).median);
-      theirs.push_back(summarise(second->iterations_to_converge()).median);
-      sooner += ours.back() < theirs.back();
-    }
-    if (ours.empty()) return verdict(false, "no question on which both find a path");
-    return verdict(sooner == static_cast<int>(all.size()),
-                   "sooner on " + of(sooner, all.size()) + "; median iterations over the maps " +
-                       fixed(quantile(ours, 0.5), 1) + " against " +
-                       fixed(quantile(theirs, 0.5), 1));
-  };
-}
-
-Check converged_by(Experiments experiments, std::string contender, int iteration) {
-  return [=](const Findings& findings) {
-    std::vector<double> all;
-    for (const Sample* sample : samples(findings, experiments, contender))
-      for (const double i : sample->iterations_to_converge()) all.push_back(i);
-    if (all.empty()) return kNotRun;
-    const auto by = std::count_if(all.begin(), all.end(), [=](double i) { return i <= iteration; });
-    return verdict(by == static_cast<std::ptrdiff_t>(all.size()),
-                   std::to_string(by) + " of " + std::to_string(all.size()) +
-                       " runs improve no more after iteration " + std::to_string(iteration) +
-                       "; the last improvement comes at iteration " +
-                       fixed(summarise(all).median, 1) + " in the median");
-  };
-}
-
-Check never_rises(Experiments experiments, std::string contender) {
-  return [=](const Findings& findings) {
-    int runs = 0, rises = 0;
-    for (const Sample* sample : samples(findings, experiments, contender)) {
-      for (const Run& run : sample->runs) {
-        ++runs;
-        rises += std::adjacent_find(run.best.begin(), run.best.end(),
-                                    [](double a, double b) { return b > a; }) != run.best.end();
-      }
-    }
-    if (runs == 0) return kNotRun;
-    return verdict(rises == 0,
-                   "rises in " + std::to_string(rises) + " of " + std::to_string(runs) + " runs");
-  };
 }
 
 }  // namespace lasius::study

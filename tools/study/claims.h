@@ -1,7 +1,7 @@
-// The kinds of sentences that sources write about their results, as checks of findings.
+// What the runs say of a source's claims.
 #pragma once
 
-#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,36 +10,43 @@
 
 namespace lasius::study {
 
-/// Two lengths that differ by less than this fraction are equal.
-inline constexpr double kSameLength = 1e-9;
+enum class Verdict {
+  confirmed,
+  refuted,
+  undecided,
+  no_baseline,  ///< its control does not do what the source says of it
+  arithmetic,   ///< holds by itself
+  none,         ///< was not repeated
+};
+/// As the tables say it.
+std::string verdict_text(Verdict verdict);
 
-/// Test of b's lengths minus a's, paired by seed: a positive effect says that `a` is shorter. A run
-/// without a path counts as infinitely long, two of them as equal.
-SignedRank compare(const Sample& a, const Sample& b);
-/// The paired differences themselves.
-std::vector<double> differences(const Sample& a, const Sample& b);
+/// A claim and the runs' evidence, and what follows from both.
+struct Evidence {
+  const Study* study = nullptr;
+  const Claim* claim = nullptr;
+  int seeds = 0;                    ///< of the contender with the fewest runs on a question
+  int questions = 0;                ///< that can decide
+  double p_for = 1, p_against = 1;  ///< one-sided
+  double effect =
+      kUnknown;            ///< A12; of `most` the share of runs; of `similar` the ratio of medians
+  Interval interval = {};  ///< of the effect, 95%
+  double neutral = 0.5;    ///< the effect that speaks for neither side
+  bool mixed = false;      ///< some question speaks clearly against the others
+  std::string figures = {};   ///< what was measured, in words
+  std::string obstacle = {};  ///< why nothing can be said; empty: the test was made
+  Verdict verdict = Verdict::undecided;
+  double adjusted = kUnknown;  ///< two-sided p after Holm
 
-using Check = std::function<Claim::Answer(const Findings&)>;
+  bool tested() const { return obstacle.empty() && questions > 0; }
+};
 
-/// Names of experiments whose questions count together.
-using Experiments = std::vector<std::string>;
+/// The evidence for each claim of a study, verdicts still open.
+std::vector<Evidence> weigh(const Study& study, const Findings& findings);
 
-/// `a` is shorter than `b` in the mean on every question; the figures tell how many of them are
-/// significant at 5% after Holm.
-Check shorter_everywhere(Experiments experiments, std::string a, std::string b);
-/// The best of the first `runs` runs of `a` is no longer than that of `b`, on every question.
-Check best_never_longer(Experiments experiments, std::string a, std::string b, int runs);
-/// `a` takes at most 1 / `factor` of the time of `b` on every question.
-Check faster_everywhere(Experiments experiments, std::string a, std::string b, double factor);
-/// `a` converges in fewer iterations than `b` in the median, on every question.
-Check sooner_everywhere(Experiments experiments, std::string a, std::string b);
-/// Every run finds the optimum, by iteration `median` in the median and `worst` at worst.
-Check optimum_by(Experiments experiments, std::string contender, int median, int worst);
-/// The best of the first `runs` runs on a question is optimal, on at least `questions` of them.
-Check best_is_optimal(Experiments experiments, std::string contender, int runs, int questions);
-/// No run improves after this iteration.
-Check converged_by(Experiments experiments, std::string contender, int iteration);
-/// The best length never rises from one iteration to the next, in any run.
-Check never_rises(Experiments experiments, std::string contender);
+/// Gives the verdicts, all tests of a report at once: p adjusted by Holm over them, 5%.
+/// A claim is confirmed or refuted where test and interval say so and no question speaks clearly
+/// against; else undecided, with the seeds that could decide where these could not.
+void decide(std::span<Evidence> evidence);
 
 }  // namespace lasius::study

@@ -1,37 +1,6 @@
 #include "tools/study/findings.h"
 
-#include <cmath>
-
 namespace lasius::study {
-
-int Run::converged() const {
-  if (best.empty() || !std::isfinite(best.back())) return 0;
-  std::size_t first = best.size();
-  while (first > 1 && best[first - 2] == best.back()) --first;
-  return static_cast<int>(first);
-}
-
-std::vector<double> Sample::lengths() const {
-  std::vector<double> values;
-  for (const Run& run : runs)
-    if (run.solved()) values.push_back(run.length);
-  return values;
-}
-
-std::vector<double> Sample::iterations_to_converge() const {
-  std::vector<double> values;
-  for (const Run& run : runs)
-    if (run.solved()) values.push_back(run.converged());
-  return values;
-}
-
-std::vector<double> Sample::seconds() const {
-  std::vector<double> values;
-  for (const Run& run : runs) values.push_back(run.seconds);
-  return values;
-}
-
-int Sample::solved() const { return static_cast<int>(lengths().size()); }
 
 const Sample* Findings::find(std::string_view experiment, std::string_view question,
                              std::string_view contender) const {

@@ -1,6 +1,7 @@
 // What the runs of a study found.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,23 +11,29 @@
 
 namespace lasius::study {
 
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Two lengths that differ by less than this fraction are equal.
+inline constexpr double kSameLength = 1e-9;
+
 /// One run, as its file keeps it.
 struct Run {
   std::uint64_t seed = 0;
   Status status = Status::no_path;
   double length = kUnknown;
   int iterations = 0;
-  double seconds = 0;        ///< processor time on one thread
-  std::vector<double> best;  ///< as in Result
+  double seconds = 0;             ///< processor time on one thread
+  std::vector<double> best = {};  ///< as in Result
   std::vector<double> mean = {};
-  std::vector<Point> path = {};  ///< on bitmaps
-  double limit = kUnknown;       ///< shortest length that its own discretisation allows
-  std::int64_t steps = 0;        ///< of all ants
-  std::int64_t checks = 0;       ///< positions and motions that were tried
+  // As in Convergence; empty where the planner does not tell.
+  std::vector<double> raw_best = {}, cut_mean = {}, cut_best = {}, steps_by = {};
+  std::vector<double> band = {};  ///< by iteration: share of steps near the straight line
+  std::vector<Point> path = {};   ///< on bitmaps
+  double limit = kUnknown;        ///< shortest length that its own moves or values allow
+  double reference = kUnknown;    ///< length of the path that it begins with, where there is one
+  std::int64_t steps = 0;         ///< of all ants
+  std::int64_t checks = 0;        ///< positions and motions that were tried
 
-  bool solved() const { return !path.empty(); }
-  /// Iterations done when the final length was first reached; 0 for algorithms without iterations.
-  int converged() const;
+  bool solved() const { return std::isfinite(length); }
 };
 
 /// All runs of one contender on one question, by seed.
@@ -37,11 +44,16 @@ struct Sample {
   int paths_an_iteration = 1;  ///< ants, or the population
   std::vector<Run> runs = {};
 
-  /// Of the solved runs, in the order of the seeds.
-  std::vector<double> lengths() const;
-  std::vector<double> iterations_to_converge() const;
-  std::vector<double> seconds() const;  ///< of all runs
-  int solved() const;
+  /// A value of each run; those without a path have an infinite length.
+  template <class Take>
+  std::vector<double> each(const Take& take) const {
+    std::vector<double> values;
+    for (const Run& run : runs) values.push_back(take(run));
+    return values;
+  }
+  std::vector<double> lengths() const {
+    return each([](const Run& r) { return r.solved() ? r.length : kInfinity; });
+  }
 };
 
 /// A contender that could not run, and why.
@@ -51,8 +63,9 @@ struct Absent {
 
 class Findings {
  public:
-  std::vector<Sample> samples;
+  std::vector<Sample> samples;  ///< with the runs that were done
   std::vector<Absent> absent;
+  bool whole = true;  ///< false after an interruption
   struct Optimum {
     const Question* question;
     const Experiment* experiment;

@@ -1,5 +1,7 @@
 #include "tools/study/markdown.h"
 
+#include <algorithm>
+
 #include "lasius/version.h"
 #include "tools/study/table.h"
 
@@ -7,36 +9,31 @@ namespace lasius::study {
 namespace {
 
 constexpr const char* kHowToRead =
-    R"(Lengths are in cells. Mean, sd and interval are over the runs that found a path; the interval is the
-2.5 to 97.5 percentile of 10 000 resampled means. A gap is (length - optimum) / optimum against the
-true optimum. Iterations to converge: the last one that improved a run's best length, median (least
-to most). Time is the median processor time of a run on one thread.
-
-Tests compare the first algorithm of a table with each other one, paired by seed: Wilcoxon's
-signed-rank test, two-sided, exact, p adjusted by Holm's method over the table; effect is the
-matched-pairs rank biserial correlation, from -1 to 1, positive where the first one is shorter;
-"longer by" is the median of the paired differences; a run without a path counts as infinitely
-long. "x10": the other algorithm has ten times the iterations.
+    R"(A claim is a hypothesis whose statistic, control and test stood in the study's file before the runs.
+Runs are independent, not paired by seed. "less": Mann and Whitney's test in the sum over the
+questions (of shares it is Fisher's exact test); A12 is the share of pairs of runs in which the first
+is less. "within": two such tests at the bounds; the effect is the ratio of medians. "in more than":
+a binomial test of the share of runs, with Clopper and Pearson's interval. The other intervals are
+percentiles of 2000 resamplings of the runs. p is two-sided, by Holm's method over all tests of the
+table; below 0.05 counts, where the interval agrees and no question speaks clearly against the
+others. Questions on which all runs of both do the same decide nothing. A run that does not get
+there counts as infinitely long; the expected running time is what all runs spent by the number of
+successes. "At equal steps": both are read where the more frugal of them ended.
 )";
 
-std::string claims_text(const Study& study, const Findings& findings) {
-  if (study.claims.empty()) return {};
-  Table table{{"claim", "verdict", "figures", "likely reason"}, {}};
-  for (const Claim& claim : study.claims) {
-    const auto answer = claim.check(findings);
-    table.rows.push_back({claim.text, verdict_text(answer.verdict), answer.figures,
-                          answer.verdict == Verdict::refuted ? claim.reason : ""});
-  }
-  return "## What the source claims\n\n" + table.markdown() + "\n";
-}
+constexpr const char* kHowToReadResults =
+    R"(Quartiles and medians are over all runs, one without a path counting as infinitely long ("-").
+Paths are those that ants or individuals built. Time is the median processor time of a run on one
+thread.
+)";
 
 std::string settings_text(const Experiment& experiment) {
-  Table table{{"algorithm", "settings over the defaults"}, {}};
+  Table table{{"name", "algorithm", "settings over the defaults"}, {}};
   for (const Contender& c : experiment.contenders) {
     std::string settings;
-    for (const auto& [name, value] : c.settings) settings += "`" + name + "=" + value + "` ";
-    if (c.budget > 1) settings += std::to_string(c.budget) + " times the iterations";
-    table.rows.push_back({c.label + " (`" + c.algorithm + "`)", settings});
+    for (const auto& [name, value] : c.settings)
+      settings.append("`").append(name).append("=").append(value).append("` ");
+    table.rows.push_back({c.name, c.label + " (`" + c.algorithm + "`)", settings});
   }
   return table.markdown();
 }
@@ -45,8 +42,6 @@ std::string section(const Experiment& experiment, const Findings& findings,
                     const std::vector<Figure>& figures) {
   std::string text = "## " + experiment.title + "\n\n" + experiment.text + "\n\n";
   text += result_table(findings, experiment).markdown() + "\n";
-  const auto tests = test_table(findings, experiment);
-  if (!tests.rows.empty()) text += tests.markdown() + "\n";
   for (const Figure& figure : figures) {
     if (figure.experiment != &experiment) continue;
     text += "![" + figure.caption + "](" + figure.file + ".png)\n\n" + figure.caption + " ([SVG](" +
@@ -58,23 +53,42 @@ std::string section(const Experiment& experiment, const Findings& findings,
 
 }  // namespace
 
-std::string verdict_text(Verdict verdict) {
-  constexpr const char* kTexts[] = {"confirmed", "**does not reproduce**", "open"};
-  return kTexts[static_cast<int>(verdict)];
-}
-
-std::string report_page(const Study& study, const Findings& findings, int seeds,
+std::string report_page(const Study& study, const Findings& findings,
+                        std::span<const Evidence> evidence, int seeds,
                         const std::vector<Figure>& figures) {
   std::string text = "# Study " + study.name + ": " + study.summary + "\n\n" + study.source +
-                     "\n\n" + std::to_string(seeds) + " seeds, lasius " LASIUS_VERSION ". " +
-                     study.text + "\n\n";
+                     "\n\n`lasius study " + study.name + " --seeds " + std::to_string(seeds) +
+                     "`, lasius " LASIUS_VERSION ". Lengths: " + study.unit + ". " + study.text +
+                     "\n\n";
+  if (!findings.whole) {
+    std::size_t done = 0;
+    for (const Sample& s : findings.samples) done += s.runs.size();
+    text += "**Partial: interrupted after " + std::to_string(done) + " of " +
+            std::to_string(findings.samples.size() * static_cast<std::size_t>(seeds)) +
+            " runs; no verdicts.**\n\n";
+  }
   for (const Absent& a : findings.absent)
     text += "Not run: " + a.contender + " in `" + a.experiment + "` (" + a.reason + ").\n\n";
-  text += claims_text(study, findings);
+  if (!evidence.empty())
+    text += "## What the source claims\n\n" + claim_table(evidence, false).markdown() + "\n";
   for (const Experiment& experiment : study.experiments)
     text += section(experiment, findings, figures);
-  return text + "## How to read the tables\n\n" + kHowToRead +
-         "\nEvery run: `runs.csv`; the tables: `results.csv`, `tests.csv`.\n";
+  return text + "## How to read the tables\n\n" + kHowToRead + "\n" + kHowToReadResults +
+         "\nEvery run: `runs.csv`; the tables: `claims.csv`, `results.csv`.\n";
+}
+
+std::string claims_page(std::span<const Evidence> evidence, const std::string& command) {
+  const auto count = [&](Verdict verdict) {
+    return std::to_string(std::ranges::count(evidence, verdict, &Evidence::verdict)) + " " +
+           verdict_text(verdict);
+  };
+  return "# The claims of all sources\n\n`" + command + "`, lasius " LASIUS_VERSION ": " +
+         count(Verdict::confirmed) + ", " + count(Verdict::refuted) + ", " +
+         count(Verdict::undecided) + ", " + count(Verdict::no_baseline) + ", " +
+         count(Verdict::arithmetic) + ", " + count(Verdict::none) +
+         ". A row's own command is `lasius study STUDY --seeds SEEDS`, whose report corrects over "
+         "its own rows only.\n\n" +
+         kHowToRead + "\n" + claim_table(evidence, true).markdown();
 }
 
 }  // namespace lasius::study

@@ -1,10 +1,11 @@
 // The report of a study as one Markdown page.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
-#include "tools/study/findings.h"
+#include "tools/study/claims.h"
 
 namespace lasius::study {
 
@@ -15,10 +16,12 @@ struct Figure {
   std::string caption;
 };
 
-/// As the tables of claims say it.
-std::string verdict_text(Verdict verdict);
-
-std::string report_page(const Study& study, const Findings& findings, int seeds,
+/// The evidence is that of the study's claims.
+std::string report_page(const Study& study, const Findings& findings,
+                        std::span<const Evidence> evidence, int seeds,
                         const std::vector<Figure>& figures);
+
+/// One table of the claims of several studies, and how to read it.
+std::string claims_page(std::span<const Evidence> evidence, const std::string& command);
 
 }  // namespace lasius::study

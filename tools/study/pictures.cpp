@@ -9,6 +9,7 @@
 #include "tools/study/files.h"
 #include "tools/study/map_source.h"
 #include "tools/study/statistics.h"
+#include "tools/study/values.h"
 
 namespace lasius::study {
 namespace {
@@ -16,32 +17,35 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kMargin = 20, kTitle = 34, kLegendLine = 22, kLegendText = 34, kLegendSize = 14;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The samples of a question with the equal budget: what is drawn.
+/// The samples of a question that have runs: what is drawn.
 std::vector<const Sample*> drawn(const Findings& findings, const Experiment& experiment,
                                  const Question& question) {
   std::vector<const Sample*> samples;
   for (const Contender& contender : experiment.contenders)
-    if (contender.budget == 1)
-      if (const Sample* s = findings.find(experiment.name, question.name, contender.name))
-        samples.push_back(s);
+    if (const Sample* s = findings.find(experiment.name, question.name, contender.name))
+      if (!s->runs.empty()) samples.push_back(s);
   return samples;
 }
 
-/// Median and quartiles over the runs of the best length, by paths built; a run without a path yet
+/// Median and quartiles over the runs of all samples, by paths built; a run without a path yet
 /// counts as infinitely long.
-Curve convergence(const Sample& sample, Colour colour) {
-  Curve curve{.label = sample.contender->label, .colour = colour};
+Curve curve_of(const std::vector<const Sample*>& samples, std::vector<double> Run::*values,
+               std::size_t number) {
+  Curve curve{.label = samples.front()->contender->label, .colour = palette(number)};
   std::size_t iterations = 0;
-  for (const Run& run : sample.runs) iterations = std::max(iterations, run.best.size());
+  for (const Sample* sample : samples)
+    for (const Run& run : sample->runs) iterations = std::max(iterations, (run.*values).size());
   for (std::size_t i = 0; i < iterations; ++i) {
     std::vector<double> lengths;
-    for (const Run& run : sample.runs) {
-      const double best = run.best.empty() ? kInfinity : run.best[std::min(i, run.best.size() - 1)];
-      lengths.push_back(std::isfinite(best) ? best : kInfinity);
+    for (const Sample* sample : samples) {
+      for (const Run& run : sample->runs) {
+        const auto& all = run.*values;
+        const double length = all.empty() ? kInfinity : all[std::min(i, all.size() - 1)];
+        lengths.push_back(std::isfinite(length) ? length : kInfinity);
+      }
     }
-    curve.x.push_back(static_cast<double>(i + 1) * sample.paths_an_iteration);
+    curve.x.push_back(static_cast<double>(i + 1) * samples.front()->paths_an_iteration);
     curve.y.push_back(quantile(lengths, 0.5));
     curve.low.push_back(quantile(lengths, 0.25));
     curve.high.push_back(quantile(lengths, 0.75));
@@ -49,16 +53,76 @@ Curve convergence(const Sample& sample, Colour colour) {
   return curve;
 }
 
-void draw_convergence(const Findings& findings, const Experiment& experiment,
-                      const Question& question, const fs::path& file) {
-  LineChart chart{.title = "Convergence on " + question.name + ": median and quartiles",
+LineChart chart_of(const std::string& title, const Study& study) {
+  return {.title = title + ": median and quartiles",
+          .x_label = "paths built",
+          .y_label = "length, " + study.unit};
+}
+
+/// Share of the runs within the experiment's target, by paths built.
+LineChart run_lengths(const std::vector<const Sample*>& samples, double optimum) {
+  const double target = samples.front()->experiment->target;
+  LineChart chart{.title = "Runs " + target_text(target),
                   .x_label = "paths built",
-                  .y_label = "best length so far, cells",
-                  .level = findings.optimum(experiment, question),
-                  .level_label = "true optimum"};
-  for (const Sample* sample : drawn(findings, experiment, question))
-    chart.curves.push_back(convergence(*sample, palette(chart.curves.size())));
-  save(chart_page({chart}, 920, 560), file);
+                  .y_label = "share of the runs",
+                  .lengths = false};
+  for (const Sample* sample : samples) {
+    Curve curve{.label = sample->contender->label, .colour = palette(chart.curves.size())};
+    auto efforts = sample->each([&](const Run& run) {
+      return value_of(*sample, run, {.name = "effort", .at = "paths", .target = target}, kUnknown,
+                      optimum);
+    });
+    std::ranges::sort(efforts);
+    double done = 0, most = 0;
+    for (const Run& run : sample->runs) most = std::max(most, 1.0 * run.iterations);
+    curve.x.push_back(0);
+    curve.y.push_back(0);
+    for (const double effort : efforts) {
+      if (!std::isfinite(effort)) break;
+      for (const double share : {done, done + 1 / static_cast<double>(efforts.size())}) {
+        curve.x.push_back(effort);
+        curve.y.push_back(done = share);
+      }
+    }
+    curve.x.push_back(most * sample->paths_an_iteration);
+    curve.y.push_back(done);
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart;
+}
+
+/// False where there is no course to draw: runs of one iteration.
+bool draw_convergence(const Study& study, const Findings& findings, const Experiment& experiment,
+                      const Question& question, const fs::path& file) {
+  LineChart chart = chart_of("Best length so far on " + question.name, study);
+  chart.level = findings.optimum(experiment, question);
+  chart.level_label = "true optimum";
+  const auto samples = drawn(findings, experiment, question);
+  for (const Sample* sample : samples)
+    chart.curves.push_back(curve_of({sample}, &Run::best, chart.curves.size()));
+  if (std::ranges::all_of(chart.curves, [](const Curve& c) { return c.x.size() < 2; }))
+    return false;
+  std::vector<LineChart> charts{std::move(chart)};
+  if (charts[0].level)
+    if (LineChart lengths = run_lengths(samples, *charts[0].level);
+        std::ranges::any_of(lengths.curves, [](const Curve& c) { return c.y.back() > 0; }))
+      charts.push_back(std::move(lengths));
+  save(chart_page(charts, 760, 560), file);
+  return true;
+}
+
+/// Best and mean tours of some contenders over all questions.
+void draw_chart(const Study& study, const Findings& findings, const Experiment& experiment,
+                const std::vector<std::string>& contenders, const fs::path& file) {
+  std::vector<LineChart> charts{chart_of("Best so far", study), chart_of("Mean tour", study)};
+  for (const std::string& name : contenders) {
+    const auto samples = findings.of(experiment.name, name);
+    if (samples.empty()) continue;
+    for (auto& chart : charts)
+      chart.curves.push_back(curve_of(samples, &chart == charts.data() ? &Run::best : &Run::mean,
+                                      chart.curves.size()));
+  }
+  save(chart_page(charts, 620, 420), file);
 }
 
 const Run* best_run(const Sample& sample) {
@@ -72,7 +136,7 @@ const Run* best_run(const Sample& sample) {
 std::string legend_of(const Sample& sample, const std::optional<double>& optimum) {
   const Run* const run = best_run(sample);
   if (run == nullptr) return sample.contender->label + ": no path";
-  const std::string text = sample.contender->label + ": " + fixed(run->length, 3);
+  std::string text = sample.contender->label + ": " + fixed(run->length, 3);
   if (!optimum) return text;
   return text + ", " + fixed(100 * (run->length / *optimum - 1), 2) + "% above the optimum";
 }
@@ -123,16 +187,24 @@ std::vector<Figure> draw_pictures(const Study& study, const Findings& findings,
   make_folder(folder / "pictures");
   std::vector<Figure> figures;
   for (const Experiment& experiment : study.experiments) {
+    for (const auto& [name, contenders] : experiment.charts) {
+      const std::string file = "pictures/" + experiment.name + "-" + name;
+      draw_chart(study, findings, experiment, contenders, folder / file);
+      figures.push_back({&experiment, file, "Best and mean tours, " + name});
+    }
+    if (!experiment.charts.empty()) continue;
     for (const Question& question : experiment.questions) {
       if (drawn(findings, experiment, question).empty()) continue;
       const std::string stem = "pictures/" + experiment.name + "-" + question.name;
-      const Grid grid = load_map(question.map, maps);
-      draw_paths(findings, experiment, question, grid, folder / (stem + "-paths"));
-      figures.push_back(
-          {&experiment, stem + "-paths", "Best paths of each algorithm on " + question.name});
-      draw_convergence(findings, experiment, question, folder / (stem + "-convergence"));
-      figures.push_back({&experiment, stem + "-convergence",
-                         "Best length so far by paths built on " + question.name});
+      if (study.world == World::bitmap) {
+        const Grid grid = load_map(question.map, maps);
+        draw_paths(findings, experiment, question, grid, folder / (stem + "-paths"));
+        figures.push_back(
+            {&experiment, stem + "-paths", "Best paths of each algorithm on " + question.name});
+      }
+      if (draw_convergence(study, findings, experiment, question, folder / (stem + "-convergence")))
+        figures.push_back({&experiment, stem + "-convergence",
+                           "Best length so far by paths built on " + question.name});
     }
   }
   return figures;

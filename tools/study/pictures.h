@@ -9,8 +9,9 @@
 
 namespace lasius::study {
 
-/// Draws, for every question of every experiment, the convergence and the best path of each
-/// contender, into `folder`/pictures as SVG and PNG. Returns the figures in the order of the page.
+/// Draws, for every question of every experiment, the convergence, the run lengths and on bitmaps
+/// the best path of each contender, or the experiment's own charts, into `folder`/pictures as SVG
+/// and PNG. Returns the figures in the order of the page.
 std::vector<Figure> draw_pictures(const Study& study, const Findings& findings,
                                   const std::filesystem::path& folder,
                                   const std::filesystem::path& maps);

@@ -18,6 +18,15 @@ namespace {
 using json::Json;
 using json::number;
 
+struct NamedCurve {
+  const char* name;
+  std::vector<double> Run::*curve;
+};
+constexpr NamedCurve kCurves[] = {{"best", &Run::best},         {"mean", &Run::mean},
+                                  {"raw_best", &Run::raw_best}, {"cut_mean", &Run::cut_mean},
+                                  {"cut_best", &Run::cut_best}, {"steps_by", &Run::steps_by},
+                                  {"band", &Run::band}};
+
 const std::string kVersion = "lasius " LASIUS_VERSION " ";
 
 /// A curve as its size and its steps, [index, value] where the value changes: most of it is flat.
@@ -60,9 +69,9 @@ Run run_of(const Json& json) {
   run.length = known(json.at("length"));
   run.iterations = json.at("iterations").get<int>();
   run.seconds = json.at("seconds").get<double>();
-  run.best = curve_of(json, "best");
-  run.mean = curve_of(json, "mean");
+  for (const auto& [name, curve] : kCurves) run.*curve = curve_of(json, name);
   run.limit = known(json.at("limit"));
+  run.reference = known(json.at("reference"));
   run.steps = json.at("steps").get<std::int64_t>();
   run.checks = json.at("checks").get<std::int64_t>();
   for (const Json& p : json.at("path")) run.path.push_back({p.at(0), p.at(1)});
@@ -95,9 +104,9 @@ void write_run(const std::filesystem::path& file, const std::string& key, const 
   json["length"] = number(run.length);
   json["iterations"] = run.iterations;
   json["seconds"] = run.seconds;
-  put_curve(json, "best", run.best);
-  put_curve(json, "mean", run.mean);
+  for (const auto& [name, curve] : kCurves) put_curve(json, name, run.*curve);
   json["limit"] = number(run.limit);
+  json["reference"] = number(run.reference);
   json["steps"] = run.steps;
   json["checks"] = run.checks;
   json["path"] = Json::array();

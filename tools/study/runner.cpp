@@ -2,6 +2,8 @@
 
 #include <time.h>
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 
@@ -26,7 +28,7 @@ struct Job {
 void list_jobs(const std::shared_ptr<const Task>& task, const RunnerOptions& options,
                Sample& sample, std::vector<Job>& jobs) {
   sample.paths_an_iteration = task->paths_an_iteration;
-  sample.runs.resize(static_cast<std::size_t>(options.seeds));
+  sample.runs.resize(static_cast<std::size_t>(options.seeds));  // seed 0: not done
   const fs::path folder = options.folder / "runs" / sample.experiment->name /
                           sample.question->name / sample.contender->name;
   make_folder(folder);
@@ -63,31 +65,51 @@ std::vector<Job> list_jobs(const Study& study, const Domain& domain, const Runne
   return jobs;
 }
 
-/// Works through the jobs over threads; false when stopped.
-bool work(std::vector<Job>& jobs, const RunnerOptions& options) {
+/// Processor seconds of a unit of work, by contender, from a part of its first job.
+std::map<const Contender*, double> paces(const std::vector<Job>& jobs,
+                                         const RunnerOptions& options) {
+  std::map<const Contender*, double> paces;
+  Workspace workspace;
+  for (const Job& job : jobs) {
+    auto& pace = paces[job.sample->contender];
+    if (pace > 0 || options.stop.stop_requested()) continue;
+    const double seconds = job.task->run(job.run + 1, true, options.stop, workspace).seconds;
+    pace = std::max(8 * seconds, 1e-6) / static_cast<double>(job.task->work);
+  }
+  return paces;
+}
+
+/// Works through the jobs over threads.
+void work(std::vector<Job>& jobs, const RunnerOptions& options) {
+  auto pace = paces(jobs, options);
+  const auto microseconds = [&](const Job& job) {
+    return static_cast<std::int64_t>(1e6 * pace[job.sample->contender] *
+                                     static_cast<double>(job.task->work)) +
+           1;
+  };
   // Long runs first: no thread is left alone with one at the end.
-  std::stable_sort(jobs.begin(), jobs.end(),
-                   [](const Job& a, const Job& b) { return a.task->work > b.task->work; });
+  std::ranges::stable_sort(jobs, std::greater<>(), microseconds);
   std::int64_t total = 0, done = 0;
-  for (const Job& job : jobs) total += job.task->work;
+  for (const Job& job : jobs) total += microseconds(job);
+  if (options.estimate)
+    options.estimate(jobs.size(), 1e-6 * static_cast<double>(total) / options.threads);
   std::mutex mutex;
   tool::share_out(jobs.size(), options.threads, [&] {
     return [&, workspace = Workspace()](std::size_t i) mutable {
       if (options.stop.stop_requested()) return;
       const Job& job = jobs[i];
-      Run run = job.task->run(job.run + 1, options.stop, workspace);
+      Run run = job.task->run(job.run + 1, false, options.stop, workspace);
       if (options.stop.stop_requested()) return;
       run.seed = job.run + 1;
       write_run(job.file, job.task->key, run);
       const std::scoped_lock lock(mutex);
       job.sample->runs[job.run] = std::move(run);
-      done += job.task->work;
+      done += microseconds(job);
       if (options.progress)
         options.progress(done, total,
                          job.sample->contender->label + " on " + job.sample->question->name);
     };
   });
-  return !options.stop.stop_requested();
 }
 
 }  // namespace
@@ -107,16 +129,17 @@ double thread_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-std::optional<Findings> run_study(const Study& study, const Domain& domain,
-                                  const RunnerOptions& options) {
+Findings run_study(const Study& study, const Domain& domain, const RunnerOptions& options) {
   Findings findings;
-  auto jobs = list_jobs(study, domain, options, findings);
-  if (!work(jobs, options)) return std::nullopt;
   for (const Experiment& experiment : study.experiments)
     for (const Question& question : experiment.questions)
       if (const auto length = domain.optimum(question, experiment.truth, {.token = options.stop}))
         findings.optima.push_back({&question, &experiment, *length});
-  if (options.stop.stop_requested()) return std::nullopt;
+  auto jobs = list_jobs(study, domain, options, findings);
+  if (!jobs.empty()) work(jobs, options);
+  for (Sample& sample : findings.samples)
+    if (std::erase_if(sample.runs, [](const Run& run) { return run.seed == 0; }) > 0)
+      findings.whole = false;
   return findings;
 }
 

@@ -19,8 +19,9 @@ struct Task {
   std::string key;             ///< all that decides a run but its seed and the library's version
   int paths_an_iteration = 1;  ///< ants, or the population
   std::int64_t work = 1;       ///< of one run, an estimate: path cells
-  /// One run on one thread; whatever it returns is dropped when a stop was requested.
-  std::function<Run(std::uint64_t seed, const std::stop_token&, Workspace&)> run;
+  /// One run on one thread, of all iterations or of `pilot_part` of them; whatever it returns is
+  /// dropped when a stop was requested.
+  std::function<Run(std::uint64_t seed, bool pilot, const std::stop_token&, Workspace&)> run;
 };
 
 /// What the questions of a study are about: bitmaps, polygons or arms.
@@ -35,12 +36,11 @@ class Domain {
                                         const StopCondition& stop) const;
 };
 
-/// Takes a contender's settings and its budget over `params`, its algorithm's defaults, on one
+/// Takes a contender's settings over `params`, its algorithm's defaults, on one
 /// thread. @throws Error(invalid_parameter)
 template <class AnyParams>
 AnyParams configured(AnyParams params, const Contender& contender) {
   for (const auto& [name, value] : contender.settings) set_parameter(params, name, value);
-  params.iterations *= contender.budget;
   params.threads = 1;
   validate(params);
   return params;
@@ -65,6 +65,9 @@ Task task_of(std::string about, const AnyParams& params, std::span<const Paramet
 std::span<const Parameter> parameters_of(std::span<const Algorithm> algorithms,
                                          std::string_view name);
 
+/// Iterations of a pilot, of so many.
+inline int pilot_part(int iterations) { return (iterations + 7) / 8; }
+
 /// Processor time of the calling thread: unlike the clock on the wall, it does not depend on what
 /// else runs.
 double thread_seconds();
@@ -74,14 +77,16 @@ struct RunnerOptions {
   int threads = 1;
   std::filesystem::path folder;  ///< run files are kept in its subfolder `runs`
   std::stop_token stop = {};
+  /// Called before the first run: how many there are, those kept from before left out, and about
+  /// how many seconds they take, from a part of the first run of each contender.
+  std::function<void(std::size_t runs, double seconds)> estimate = {};
   /// Called by one thread at a time after each run: work done and to do, runs kept from before
   /// left out, and what just ran.
   std::function<void(std::int64_t done, std::int64_t total, const std::string& note)> progress = {};
 };
 
-/// The findings, complete unless `stop` was requested: then runs in flight are dropped, and nothing
-/// is returned. The findings refer to `study`. @throws Error for an output that cannot be written.
-std::optional<Findings> run_study(const Study& study, const Domain& domain,
-                                  const RunnerOptions& options);
+/// The findings, whole unless `stop` was requested: then runs in flight are dropped. They refer to
+/// `study`. @throws Error for an output that cannot be written.
+Findings run_study(const Study& study, const Domain& domain, const RunnerOptions& options);
 
 }  // namespace lasius::study

@@ -2,24 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 namespace lasius::study {
 
-/// Location and spread of a sample of finite values.
-struct Summary {
-  int count = 0;
-  double mean = 0;
-  double sd = 0;  ///< with count - 1; 0 for a single value
-  double least = 0;
-  double median = 0;
-  double most = 0;
-};
-Summary summarise(std::span<const double> values);
-
 /// The quantile `share` in [0, 1], linear between the order statistics (type 7 of Hyndman and Fan
-/// 1996). Precondition: not empty.
+/// 1996). Values may be infinite. Precondition: not empty.
 double quantile(std::span<const double> values, double share);
 
 struct Interval {
@@ -27,20 +17,44 @@ struct Interval {
   double high = 0;
 };
 
-/// 95% interval of the mean: percentiles of 10 000 resampled means (Efron 1979), seeded, so that
-/// equal samples give equal intervals. Precondition: not empty; one value gives no width.
-Interval mean_interval(std::span<const double> values);
-
-/// Wilcoxon's signed-rank test of paired differences against a median of 0, two-sided.
-struct SignedRank {
-  int pairs = 0;      ///< differences that are not 0; zeros are dropped (Wilcoxon 1945)
-  double plus = 0;    ///< sum of the ranks of positive differences, ties at their mean rank
-  double minus = 0;   ///< the same of negative ones
-  double p = 1;       ///< exact for the ranks at hand up to 200 pairs, else by the normal law
-  double effect = 0;  ///< matched-pairs rank biserial (plus - minus) / (plus + minus)
+/// Independent runs of two contenders on one question.
+struct Pair {
+  std::vector<double> a, b;
 };
-/// Differences may be infinite: larger than every finite one. None may be NaN.
-SignedRank signed_rank(std::span<const double> differences);
+
+/// Mann and Whitney's test (1947) that values of a are less than those of b, in the sum over
+/// questions: exact for the ranks at hand, ties at their mean rank, up to 120 values, else by the
+/// normal law. On values of 0 and 1 it is Fisher's exact test. Values may be infinite.
+struct RankTest {
+  double less = 1;      ///< one-sided p: small where a is less
+  double greater = 1;   ///< small where a is greater
+  double effect = 0.5;  ///< Vargha and Delaney's A12 (2000): share of pairs in which a is less,
+                        ///< ties counted half; mean over the questions
+};
+RankTest rank_test(std::span<const Pair> questions);
+
+/// That effect alone.
+double share_less(std::span<const Pair> questions);
+
+/// The least two-sided p that the test can give, for samples of `seeds` without ties.
+double least_rank_p(int questions, int seeds);
+
+/// P(X <= k) and P(X >= k) of a binomial law.
+double binomial_below(int k, int n, double p);
+double binomial_above(int k, int n, double p);
+
+/// 95% interval of a share, k of n (Clopper and Pearson 1934). Precondition: 0 <= k <= n, n > 0.
+Interval share_interval(int k, int n);
+
+/// A figure of resampled questions.
+using Figure95 = std::function<double(std::span<const Pair>)>;
+/// 95% interval: percentiles of the figure over 2000 resamplings, runs drawn within contender and
+/// question (Efron 1979), from a counter-based stream: equal samples give equal intervals.
+Interval resampled_interval(std::span<const Pair> questions, const Figure95& figure);
+
+/// Ratio of the medians of a and b, the geometric mean over the questions; NaN where a median is
+/// not finite or not above 0.
+double median_ratio(std::span<const Pair> questions);
 
 /// p values adjusted for their number by Holm's step-down method (1979), in the given order.
 std::vector<double> holm(std::span<const double> p);

@@ -1,7 +1,6 @@
 // A study as data: which algorithms run on which questions, and what the source reports of them.
 #pragma once
 
-#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
@@ -21,11 +20,10 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 /// One algorithm with its settings. An algorithm that the library does not have is left out of the
 /// study, and the report says so.
 struct Contender {
-  std::string name;   ///< of files and columns: letters, digits and '-'
-  std::string label;  ///< in tables and legends
-  std::string algorithm;
+  std::string name = {};   ///< of files and columns: letters, digits and '-'
+  std::string label = {};  ///< in tables and legends
+  std::string algorithm = {};
   Settings settings = {};  ///< over its defaults
-  int budget = 1;          ///< times as many iterations
 };
 
 /// What the source reports of one contender on one question; kUnknown where it does not.
@@ -60,36 +58,59 @@ struct Experiment {
   std::vector<Contender> contenders =
       {};  ///< the first is the one that the others are compared with
   std::vector<Question> questions = {};
+  double target = 0.01;   ///< of run-length distributions: this close to the optimum, a fraction
   bool portrait = false;  ///< also draws tracks and pheromone of the first contender's first run
   bool by_ant =
-      false;  ///< also draws the first contender's tours ant by ant, for ants one at a time
+      false;          ///< also draws the first contender's tours ant by ant, for ants one at a time
+  bool band = false;  ///< also records the share of steps near the straight line, by iteration
+  /// Contenders that share a chart over all questions; none: a chart a question, of all of them.
+  std::vector<std::pair<std::string, std::vector<std::string>>> charts = {};
 };
 
-class Findings;
+/// A number that is taken of each run, by a name that `kValueNames` explains.
+struct Value {
+  std::string name = "length";
+  std::string at = "end";    ///< or a budget common to both: "steps", "time", "paths", "iterations"
+  double budget = kUnknown;  ///< that budget; unknown: what both contenders spend
+  double target = 0;         ///< of "effort": how close to the optimum, a fraction
+  int best_of = 1;           ///< the least of so many runs counts, by seed
+  bool own_limit = false;    ///< of "effort": to the run's own limit, not to the optimum
+};
 
-enum class Verdict { confirmed, refuted, open };
-
-/// A sentence of the source, and what the runs say of it.
+/// A hypothesis about the source, with its statistic and its control, fixed before the runs.
 struct Claim {
-  std::string text;
-  struct Answer {
-    Verdict verdict = Verdict::open;
-    std::string figures;
+  enum class Test {
+    less,        ///< `factor` times the value of a is less than that of b
+    similar,     ///< the values of a and b differ by at most the fraction `within`
+    most,        ///< more than `share` of a's runs have a value from `from` to `to`
+    arithmetic,  ///< it holds whatever the runs are: listed, with the number of exceptions
+    none,        ///< cannot be repeated: listed
   };
-  std::function<Answer(const Findings&)> check;
-  std::string reason = {};  ///< the likely reason, printed where it is not confirmed
+  std::string text, place;  ///< what the source says, and where
+  Test test = Test::none;
+  Value value = {};
+  std::vector<std::string> in = {};  ///< experiments, whose questions count together
+  std::string a = {}, b = {};
+  double factor = 1, within = 0, share = 0.5;
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
+  std::string note = {};  ///< of `arithmetic` and `none`: why
+  /// What the control has to show before it says anything of a; without: nothing.
+  std::vector<Claim> baseline = {};
 };
+
+enum class World { bitmap, polygon, arm };
 
 struct Study {
   std::string name;
   std::string summary;
   std::string source;
   std::string text;  ///< what is ours: maps, readings of the text
-  std::vector<Experiment> experiments;
-  std::vector<Claim> claims;
+  World world = World::bitmap;
+  std::string unit = "cells";
+  int seeds = 30;  ///< by default
+  std::vector<Experiment> experiments = {};
+  std::vector<Claim> claims = {};
 };
-
-/// The same contender with ten times the iterations, named NAME-x10.
-Contender tenfold(const Contender& contender);
 
 }  // namespace lasius::study

@@ -6,14 +6,12 @@
 #include <stdexcept>
 
 #include "core/io/json_values.h"
-#include "tools/study/claims.h"
+#include "tools/study/values.h"
 
 namespace lasius::study {
 namespace {
 
 using json::Json;
-
-constexpr std::string_view kTenfold = "-x10";
 
 /// A text, or the lines of one; empty where there is none.
 std::string text_of(const Json& object, const char* name) {
@@ -41,13 +39,18 @@ std::string filled(std::string text, const Json& words) {
 Contender contender_of(const Json& study, std::string name, const Json& words) {
   const Json& all = study.at("contenders");
   const auto found = std::ranges::find_if(all, [&](const Json& c) { return c.at("name") == name; });
-  if (found == all.end() && name.ends_with(kTenfold))
-    return tenfold(contender_of(study, name.substr(0, name.size() - kTenfold.size()), words));
   if (found == all.end()) throw std::invalid_argument("no contender " + name);
-  Contender contender{std::move(name), found->at("label"), found->at("algorithm")};
+  const std::string like = found->value("like", "");
+  Contender contender = like.empty() ? Contender{.algorithm = found->at("algorithm")}
+                                     : contender_of(study, like, words);
+  contender.name = std::move(name);
+  contender.label = found->value("label", contender.name);
   const Json settings = found->value("set", Json::object());
-  for (const auto& [parameter, value] : settings.items())
-    contender.settings.emplace_back(parameter, filled(value.get<std::string>(), words));
+  for (const auto& [parameter, value] : settings.items()) {
+    const std::string set = parameter;
+    std::erase_if(contender.settings, [&](const auto& s) { return s.first == set; });
+    contender.settings.emplace_back(set, filled(value.get<std::string>(), words));
+  }
   return contender;
 }
 
@@ -88,6 +91,13 @@ Truth truth_of(const std::string& optimum) {
   throw std::invalid_argument("no optimum " + optimum);
 }
 
+std::vector<std::pair<std::string, std::vector<std::string>>> charts_of(const Json& json) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> charts;
+  const Json list = json.value("charts", Json::object());
+  for (const auto& [name, contenders] : list.items()) charts.emplace_back(name, contenders);
+  return charts;
+}
+
 Experiment experiment_of(const Json& study, const Json& json) {
   const Json words = json.value("where", Json::object());
   return {.name = json.at("name"),
@@ -97,24 +107,76 @@ Experiment experiment_of(const Json& study, const Json& json) {
           .contenders = contenders_of(study, json, words),
           .questions = questions_of(json.contains("questions") ? json.at("questions")
                                                                : study.at("questions")),
+          .target = json.value("target", 0.01),
           .portrait = json.value("portrait", false),
-          .by_ant = json.value("by_ant", false)};
+          .by_ant = json.value("by_ant", false),
+          .band = json.value("band", false),
+          .charts = charts_of(json)};
 }
 
-Check check_of(const Json& claim) {
-  const std::string kind = claim.at("check");
-  const Experiments in = claim.at("in");
-  const std::string a = claim.at("a"), b = claim.value("b", "");
-  const auto number = [&](const char* name) { return claim.at(name).get<int>(); };
-  if (kind == "shorter_everywhere") return shorter_everywhere(in, a, b);
-  if (kind == "sooner_everywhere") return sooner_everywhere(in, a, b);
-  if (kind == "faster_everywhere") return faster_everywhere(in, a, b, claim.at("factor"));
-  if (kind == "best_never_longer") return best_never_longer(in, a, b, number("runs"));
-  if (kind == "best_is_optimal") return best_is_optimal(in, a, number("runs"), number("questions"));
-  if (kind == "optimum_by") return optimum_by(in, a, number("median"), number("worst"));
-  if (kind == "converged_by") return converged_by(in, a, number("iteration"));
-  if (kind == "never_rises") return never_rises(in, a);
-  throw std::invalid_argument("no check " + kind);
+Claim::Test test_of(const std::string& name) {
+  constexpr std::array<const char*, 5> kNames{"less", "similar", "most", "arithmetic", "none"};
+  const auto* const found = std::ranges::find(kNames, name);
+  if (found == kNames.end()) throw std::invalid_argument("no test " + name);
+  return static_cast<Claim::Test>(found - kNames.begin());
+}
+
+/// A claim against one control, or none.
+Claim claim_of(const Json& json, std::string control) {
+  Claim claim{.text = text_of(json, "text"), .place = json.value("place", "")};
+  claim.test = test_of(json.at("test"));
+  claim.note = text_of(json, "note");
+  if (claim.test == Claim::Test::none) return claim;
+  claim.in = json.at("in");
+  claim.a = json.at("a");
+  claim.b = std::move(control);
+  claim.value = {.name = json.value("value", "length"),
+                 .at = json.value("at", "end"),
+                 .budget = json.value("budget", kUnknown),
+                 .target = json.value("target", 0.0),
+                 .best_of = json.value("best_of", 1),
+                 .own_limit = json.value("own_limit", false)};
+  if (claim.test != Claim::Test::arithmetic) (void)value_text(claim.value);
+  claim.factor = json.value("factor", claim.factor);
+  claim.within = json.value("within", claim.within);
+  claim.share = json.value("share", claim.share);
+  claim.from = json.value("from", claim.from);
+  claim.to = json.value("to", claim.to);
+  return claim;
+}
+
+/// One for each control, and each experiment of `in_each`.
+std::vector<Claim> claims_of(const Json& json) {
+  std::vector<std::string> controls{""};
+  if (json.contains("b"))
+    controls = json.at("b").is_string() ? std::vector<std::string>{json.at("b")}
+                                        : json.at("b").get<std::vector<std::string>>();
+  std::vector<Claim> claims;
+  if (json.contains("in_each")) {
+    Json one = json;
+    one.erase("in_each");
+    for (const Json& experiment : json.at("in_each")) {
+      one["in"] = Json::array({experiment});
+      std::ranges::move(claims_of(one), std::back_inserter(claims));
+    }
+    return claims;
+  }
+  for (const std::string& control : controls) {
+    claims.push_back(claim_of(json, control));
+    if (!json.contains("baseline")) continue;
+    Json baseline = json.at("baseline");
+    baseline["in"] = json.at("in");
+    baseline["test"] = "most";
+    claims.back().baseline.push_back(claim_of(baseline, ""));
+  }
+  return claims;
+}
+
+World world_of(const std::string& name) {
+  if (name == "bitmap") return World::bitmap;
+  if (name == "polygon") return World::polygon;
+  if (name == "arm") return World::arm;
+  throw std::invalid_argument("no world " + name);
 }
 
 }  // namespace
@@ -125,21 +187,16 @@ Study parse_study(std::string_view text) {
               .summary = json.at("summary"),
               .source = text_of(json, "source"),
               .text = text_of(json, "text"),
+              .world = world_of(json.value("world", "bitmap")),
+              .unit = json.value("unit", "cells"),
+              .seeds = json.value("seeds", 30),
               .experiments = {},
               .claims = {}};
   for (const Json& experiment : json.at("experiments"))
     study.experiments.push_back(experiment_of(json, experiment));
   for (const Json& claim : json.value("claims", Json::array()))
-    study.claims.push_back({text_of(claim, "text"), check_of(claim), text_of(claim, "reason")});
+    for (Claim& one : claims_of(claim)) study.claims.push_back(std::move(one));
   return study;
-}
-
-Contender tenfold(const Contender& contender) {
-  Contender more = contender;
-  more.name += kTenfold;
-  more.label += " x10";
-  more.budget = 10;
-  return more;
 }
 
 }  // namespace lasius::study

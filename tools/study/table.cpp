@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "tools/draw/text.h"
-#include "tools/study/claims.h"
-#include "tools/study/statistics.h"
+#include "tools/study/values.h"
 
 namespace lasius::study {
 namespace {
@@ -16,6 +15,12 @@ const Published* published(const Sample& sample) {
   return nullptr;
 }
 
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
 std::string percent_text(double fraction, int decimals) {
   return fixed(100 * fraction, decimals) + "%";
 }
@@ -23,58 +28,74 @@ std::string percent_text(double fraction, int decimals) {
 /// Thousandths are needed where lengths are sums of 1 and sqrt(2), hundredths say enough elsewhere.
 std::string length_text(double length) { return fixed(length, length < 100 ? 3 : 2); }
 
+std::string range_text(const std::vector<double>& values, std::string (*text)(double)) {
+  return text(quantile(values, 0.25)) + " to " + text(quantile(values, 0.75));
+}
+
 std::vector<std::string> result_row(const Findings& findings, const Sample& sample) {
   const auto lengths = sample.lengths();
-  const auto iterations = sample.iterations_to_converge();
   const Published* const paper = published(sample);
   const auto optimum = findings.optimum(*sample.experiment, *sample.question);
   const int runs = static_cast<int>(sample.runs.size());
-  const int solved = static_cast<int>(lengths.size());
-
-  std::vector<std::string> row{sample.question->name, sample.contender->label,
-                               paper ? length_text(paper->length) : "-"};
-  if (solved > 0) {
-    const Summary s = summarise(lengths);
-    const Interval interval = mean_interval(lengths);
-    const int hits = optimum ? static_cast<int>(std::count_if(
-                                   lengths.begin(), lengths.end(),
-                                   [&](double l) { return l <= *optimum * (1 + kSameLength); }))
-                             : 0;
-    row.insert(row.end(), {length_text(s.least), length_text(s.mean), length_text(s.sd),
-                           length_text(interval.low) + " to " + length_text(interval.high),
-                           optimum ? percent_text(s.least / *optimum - 1, 2) : "-",
-                           optimum ? percent_text(s.mean / *optimum - 1, 2) : "-",
-                           optimum ? std::to_string(hits) : "-"});
-  } else {
-    row.insert(row.end(), 7, "-");
-  }
-  row.push_back(std::to_string(solved) + " of " + std::to_string(runs));
+  const double median = quantile(lengths, 0.5);
+  std::vector<std::string> row{sample.question->name,
+                               sample.contender->label,
+                               paper ? length_text(paper->length) : "-",
+                               length_text(quantile(lengths, 0)),
+                               length_text(median),
+                               range_text(lengths, length_text),
+                               optimum ? percent_text(median / *optimum - 1, 2) : "-",
+                               std::to_string(std::ranges::count_if(sample.runs, &Run::solved)) +
+                                   " of " + std::to_string(runs)};
+  const Value value{.name = "effort", .at = "paths", .target = sample.experiment->target};
+  const auto efforts =
+      sample.each([&](const Run& run) { return value_of(sample, run, value, kUnknown, optimum); });
+  const auto hits =
+      static_cast<int>(std::ranges::count_if(efforts, [](double e) { return std::isfinite(e); }));
+  const Interval share = share_interval(hits, runs);
+  double cost = 0;
+  for (std::size_t r = 0; r < efforts.size(); ++r)
+    cost += std::isfinite(efforts[r])
+                ? efforts[r]
+                : static_cast<double>(sample.runs[r].iterations) * sample.paths_an_iteration;
+  const auto whole = [](double v) { return std::isinf(v) ? std::string("never") : fixed(v, 0); };
+  row.push_back(optimum ? std::to_string(hits) + " [" + fixed(share.low, 2) + ", " +
+                              fixed(share.high, 2) + "]"
+                        : "-");
+  row.push_back(!optimum ? "-" : hits > 0 ? fixed(cost / hits, 0) : "unbounded");
+  row.push_back(optimum ? whole(quantile(efforts, 0.25)) + ", " + whole(quantile(efforts, 0.5)) +
+                              ", " + whole(quantile(efforts, 0.75))
+                        : "-");
   row.push_back(paper ? fixed(paper->iterations, 0) : "-");
-  if (solved > 0) {
-    const Summary s = summarise(iterations);
-    row.push_back(fixed(s.median, 1) + " (" + fixed(s.least, 0) + " to " + fixed(s.most, 0) + ")");
-  } else {
-    row.push_back("-");
-  }
   row.push_back(paper ? seconds_text(paper->seconds) : "-");
-  row.push_back(seconds_text(summarise(sample.seconds()).median));
+  row.push_back(seconds_text(quantile(sample.each([](const Run& r) { return r.seconds; }), 0.5)));
   return row;
 }
 
-/// Who is ahead, by how much, and how sure that is.
-std::vector<std::string> test_cells(const Sample& first, const Sample* other, double p) {
-  if (other == nullptr) return {"-", "-", "-", "-"};
-  const SignedRank test = compare(first, *other);
-  const double gain = quantile(differences(first, *other), 0.5);
-  const std::string winner = p >= 0.05 ? "undecided" : test.effect > 0 ? "won" : "lost";
-  const std::string gain_text = std::isfinite(gain) ? fixed(gain, 3)
-                                : gain > 0          ? "no path there"
-                                                    : "no path here";
-  return {gain_text, p_text(p), fixed(test.effect, 2), winner};
+std::string effect_text(const Evidence& e) {
+  if (!e.tested()) return "-";
+  const char* const what = e.claim->test == Claim::Test::most      ? "share "
+                           : e.claim->test == Claim::Test::similar ? "ratio "
+                                                                   : "A12 ";
+  return what + fixed(e.effect, 2) + " [" + fixed(e.interval.low, 2) + ", " +
+         fixed(e.interval.high, 2) + "]";
 }
 
-void append(std::vector<std::string>& row, std::vector<std::string> cells) {
-  row.insert(row.end(), cells.begin(), cells.end());
+/// The hypothesis: what of whom, on which experiments.
+std::string statistic_text(const Claim& claim) {
+  if (claim.test == Claim::Test::none || claim.test == Claim::Test::arithmetic) return "-";
+  std::string text = value_text(claim.value);
+  if (claim.test == Claim::Test::less && claim.factor != 1)
+    text = fixed(claim.factor, 2) + " times the " + text;
+  if (claim.test == Claim::Test::less) text += ": less";
+  if (claim.test == Claim::Test::similar) text += ": within " + fixed(100 * claim.within, 0) + "%";
+  if (claim.test == Claim::Test::most) {
+    const bool above = std::isfinite(claim.from), below = std::isfinite(claim.to);
+    text += above ? ": " + fixed(claim.from, 2) + (below ? " to " : " or more") : ": at most ";
+    if (below) text += fixed(claim.to, 2);
+    text += " in more than " + fixed(100 * claim.share, 0) + "% of the runs";
+  }
+  return text + " (" + claim.a + "; " + joined(claim.in) + ")";
 }
 
 }  // namespace
@@ -114,11 +135,12 @@ std::string Table::csv() const {
 }
 
 Table result_table(const Findings& findings, const Experiment& experiment) {
-  Table table{
-      {"question", "algorithm", "paper: length", "best", "mean", "sd", "95% interval of the mean",
-       "gap of the best", "gap of the mean", "optimal runs", "with a path", "paper: iterations",
-       "iterations to converge", "paper: time, s", "time, s"},
-      {}};
+  const std::string target = target_text(experiment.target);
+  Table table{{"question", "algorithm", "paper: length", "shortest", "median", "quartiles",
+               "gap of the median", "runs with a path", "runs " + target + " [95%]",
+               "expected paths until " + target, "paths of 25, 50, 75% of the runs",
+               "paper: iterations", "paper: time, s", "time, s"},
+              {}};
   for (const Question& question : experiment.questions) {
     if (const auto optimum = findings.optimum(experiment, question)) {
       std::vector<std::string> row(table.header.size(), "");
@@ -129,59 +151,57 @@ Table result_table(const Findings& findings, const Experiment& experiment) {
     }
     for (const Contender& contender : experiment.contenders)
       if (const Sample* s = findings.find(experiment.name, question.name, contender.name))
-        table.rows.push_back(result_row(findings, *s));
+        if (!s->runs.empty()) table.rows.push_back(result_row(findings, *s));
   }
   return table;
 }
 
-Table test_table(const Findings& findings, const Experiment& experiment) {
-  Table table{{"question", "against", "equal: longer by", "p", "effect", "verdict",
-               "x10: longer by", "p", "effect", "verdict"},
+Table claim_table(std::span<const Evidence> evidence, bool studies) {
+  Table table{{"claim", "place", "statistic", "control", "outcome", "effect [95%]", "p, Holm",
+               "seeds", "figures"},
               {}};
-  struct Row {
-    const Sample *first, *equal, *tenfold;
-  };
-  std::vector<Row> rows;
-  std::vector<double> p;
-  for (const Question& question : experiment.questions) {
-    const auto find = [&](const std::string& name) {
-      return findings.find(experiment.name, question.name, name);
-    };
-    const Sample* const first = find(experiment.contenders.front().name);
-    if (first == nullptr) continue;
-    for (const Contender& contender : experiment.contenders) {
-      const Sample* const equal = find(contender.name);
-      if (contender.budget > 1 || equal == nullptr || equal == first) continue;
-      rows.push_back({first, equal, find(tenfold(contender).name)});
-      for (const Sample* other : {rows.back().equal, rows.back().tenfold})
-        if (other != nullptr) p.push_back(compare(*first, *other).p);
-    }
+  if (studies) table.header.insert(table.header.begin(), "study");
+  for (const Evidence& e : evidence) {
+    const bool ran = e.seeds > 0;
+    table.rows.push_back({e.claim->text, e.claim->place, statistic_text(*e.claim),
+                          e.claim->b.empty() ? "-" : e.claim->b, verdict_text(e.verdict),
+                          effect_text(e), p_text(e.adjusted), ran ? std::to_string(e.seeds) : "-",
+                          e.figures});
+    if (studies) table.rows.back().insert(table.rows.back().begin(), '`' + e.study->name + '`');
   }
-  p = holm(p);
-  auto next = p.begin();
-  for (const Row& row : rows) {
-    std::vector<std::string> cells{row.first->question->name, row.equal->contender->label};
-    for (const Sample* other : {row.equal, row.tenfold})
-      append(cells, test_cells(*row.first, other, other != nullptr ? *next++ : 1));
-    table.rows.push_back(std::move(cells));
-  }
+  return table;
+}
+
+Table evidence_table(std::span<const Evidence> evidence) {
+  Table table{{"study", "claim", "place", "statistic", "control", "outcome", "effect", "low",
+               "high", "p_for", "p_against", "p_holm", "seeds", "questions", "figures", "command"},
+              {}};
+  for (const Evidence& e : evidence)
+    table.rows.push_back({e.study->name, e.claim->text, e.claim->place, statistic_text(*e.claim),
+                          e.claim->b, verdict_text(e.verdict), fixed(e.effect, 6),
+                          fixed(e.interval.low, 6), fixed(e.interval.high, 6), fixed(e.p_for, 9),
+                          fixed(e.p_against, 9), fixed(e.adjusted, 9), std::to_string(e.seeds),
+                          std::to_string(e.questions), e.figures,
+                          "lasius study " + e.study->name + " --seeds " + std::to_string(e.seeds)});
   return table;
 }
 
 Table run_table(const Findings& findings) {
-  Table table{{"experiment", "question", "contender", "algorithm", "seed", "status", "length",
-               "optimum", "iterations", "iterations_to_converge", "paths", "seconds"},
-              {}};
+  Table table{
+      {"experiment", "question", "contender", "algorithm", "seed", "status", "length", "optimum",
+       "own_limit", "iterations", "last_gain", "paths", "steps", "checks", "seconds"},
+      {}};
   for (const Sample& s : findings.samples) {
     const auto optimum = findings.optimum(*s.experiment, *s.question);
     for (const Run& run : s.runs) {
-      table.rows.push_back({s.experiment->name, s.question->name, s.contender->name,
-                            s.contender->algorithm, std::to_string(run.seed),
-                            std::string(to_string(run.status)), fixed(run.length, 9),
-                            optimum ? fixed(*optimum, 9) : "-", std::to_string(run.iterations),
-                            std::to_string(run.converged()),
-                            std::to_string(std::int64_t{run.iterations} * s.paths_an_iteration),
-                            fixed(run.seconds, 6)});
+      table.rows.push_back(
+          {s.experiment->name, s.question->name, s.contender->name, s.contender->algorithm,
+           std::to_string(run.seed), std::string(to_string(run.status)), fixed(run.length, 9),
+           fixed(optimum.value_or(kUnknown), 9), fixed(run.limit, 9),
+           std::to_string(run.iterations),
+           fixed(value_of(s, run, {.name = "last-gain"}, kUnknown, optimum), 0),
+           std::to_string(std::int64_t{run.iterations} * s.paths_an_iteration),
+           std::to_string(run.steps), std::to_string(run.checks), fixed(run.seconds, 6)});
     }
   }
   return table;

@@ -1,10 +1,11 @@
 // The tables of a study, one row as a list of texts: for Markdown and CSV alike.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
-#include "tools/study/findings.h"
+#include "tools/study/claims.h"
 
 namespace lasius::study {
 
@@ -19,11 +20,13 @@ struct Table {
 /// Paper and ours, a row a question and contender.
 Table result_table(const Findings& findings, const Experiment& experiment);
 
-/// The first contender against each other one, a row a question; equal and tenfold budget side by
-/// side.
-Table test_table(const Findings& findings, const Experiment& experiment);
+/// A row a claim. `studies`: claims of several studies, which a first column names.
+Table claim_table(std::span<const Evidence> evidence, bool studies);
 
 /// A row a run.
 Table run_table(const Findings& findings);
+
+/// A row a claim, with unrounded figures and the command that made them.
+Table evidence_table(std::span<const Evidence> evidence);
 
 }  // namespace lasius::study

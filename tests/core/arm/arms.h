@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/arm/vec3.h"
+#include "core/arm/robot/solid.h"
+#include "core/arm/robot/vec3.h"
 #include "lasius/arm_generate.h"
 #include "lasius/arm_plan.h"
 
@@ -42,18 +43,23 @@ inline Robot two_links() {
     joint.high = 3;
     joint.velocity = 2;
     joint.acceleration = 5;
-    joint.capsules = {{Vec3(), Vec3(length, 0, 0), 0.01}};
+    const int number = robot.size();
     robot.joints.push_back(joint);
+    robot.links.push_back({.name = {},
+                           .body = number + 1,
+                           .parent = number - 1,
+                           .solids = {capsule({}, {length, 0, 0}, 0.01)}});
   }
-  robot.tip = {0.4, 0, 0};
+  robot.tip.translation().x() = 0.4;
   return robot;
 }
 
 /// A question with a lattice of `side` points, most of them between start and goal.
 inline Params lattice_of(const Robot& robot, const Request& request, int side) {
-  const Vec3 from = tip_position(robot, request.start), to = request.goal;
+  const Vec3 from = tip_position(robot, request.start),
+             to = request.goals[0].target.translation().eval();
   const auto span = [](double a, double b) { return a < b ? b - a : a - b; };
-  Params parameters;
+  Params parameters("goritov2020");
   parameters.side = side;
   parameters.pitch =
       std::max({span(from.x, to.x), span(from.y, to.y), span(from.z, to.z)}) / (0.6 * side);

@@ -14,19 +14,21 @@
 namespace lasius::arm {
 namespace {
 
+constexpr Box kBox{{-2, -2, 0}, {2, 2, 0}};
+
 /// A lattice of the planar arm of 5 x 5 points about a bent position, nothing in the way.
 struct Plane {
   Robot robot = two_links();
   Nothing sensor;
   Kinematics arm{robot};
   JointVector start = joints({0.6, 1.2});
-  Params parameters;
+  Params parameters{"goritov2020"};
   std::array<int, 3> goal{2, 0, 0};
 
   Lattice lattice(std::array<int, 3> to) {
     const Vec3 from = tip_position(robot, start);
     const Vec3 at{from.x + 0.02 * to[0], from.y + 0.02 * to[1], from.z + 0.02 * to[2]};
-    return {arm, sensor, as_span(start), 0.02, {-2, -2, 0}, {2, 2, 0}, to, at, parameters};
+    return {robot, arm, sensor, start, 0.02, kBox, {{{to, at, 0}}, {}}, parameters};
   }
 };
 
@@ -93,8 +95,9 @@ class Addresses final : public Sensor {
 TEST(Lattice, SensorsReadItsOwnValuesNotCopies) {
   const Plane plane;
   const Addresses sensor;
-  const Lattice lattice(plane.arm, sensor, as_span(plane.start), 0.02, {-2, -2, 0}, {2, 2, 0},
-                        plane.goal, tip_position(plane.robot, plane.start), plane.parameters);
+  const Vec3 tip = tip_position(plane.robot, plane.start);
+  const Lattice lattice(plane.robot, plane.arm, sensor, plane.start, 0.02, kBox,
+                        {{{plane.goal, tip, 0}}, {}}, plane.parameters);
   const Node at = lattice.start(), next = lattice.to(at, 0);
   ASSERT_TRUE(lattice.open(at, 0));
   EXPECT_EQ(sensor.position, lattice.configuration(next));
@@ -116,18 +119,18 @@ TEST(LatticeAnts, FirstMovesFollowTheRandomProportionalRule) {
   LatticeAnts walkers(lattice, trail, plane.parameters);
   std::vector<LatticeAnt> ants(plane.parameters.ants);
   walkers.walk(0, ants, {});
-  std::array<int, kMoves> count{};
+  std::array<int, kTipMoves> count{};
   for (const LatticeAnt& ant : ants) {
     ASSERT_TRUE(ant.arrived);
     ++count[ant.moves.front()];
   }
   const double across = 1 / (1 + std::numbers::pi / 2), away = 1 / (1 + std::numbers::pi);
-  const std::array<double, kMoves> weight{1, away, 2.25 * across, across, 0, 0};
+  const std::array<double, kTipMoves> weight{1, away, 2.25 * across, across, 0, 0};
   // Steps taken back change a first move now and then: an ant that went -x may find itself walled
   // in by its own visits. On 5 x 5 points that is rare: 2% of room.
   double total = 0;
   for (const double w : weight) total += w;
-  for (int k = 0; k < kMoves; ++k) {
+  for (int k = 0; k < kTipMoves; ++k) {
     const double share = weight[k] / total;
     EXPECT_NEAR(count[k] / 40000.0, share, 0.02 + 5 * std::sqrt(share / 40000)) << k;
   }
@@ -194,7 +197,7 @@ TEST(LatticeTrail, EdgesShareTheirPheromoneArcsDoNot) {
   const Lattice lattice = plane.lattice({2, 0, 0});
   const LatticeTrail arcs(lattice, Pheromone::arcs, 1, 1), edges(lattice, Pheromone::edges, 1, 1);
   const Node a = lattice.start();
-  for (int k = 0; k < kMoves; ++k) {
+  for (int k = 0; k < kTipMoves; ++k) {
     const Node b = lattice.to(a, k);
     EXPECT_EQ(edges.place(a, k), edges.place(b, k ^ 1));
     EXPECT_NE(arcs.place(a, k), arcs.place(b, k ^ 1));

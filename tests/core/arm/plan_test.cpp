@@ -6,7 +6,7 @@
 #include <mutex>
 #include <set>
 
-#include "core/arm/vec3.h"
+#include "core/arm/robot/vec3.h"
 #include "lasius/error.h"
 #include "tests/core/arm/questions.h"
 
@@ -162,7 +162,7 @@ TEST(ArmPlan, ThePathIsWhatItSays) {
   const Eigen::Index last = r.joints.cols() - 1;
   ASSERT_EQ(r.tips.cols(), last + 1);
   EXPECT_EQ(r.joints.col(0), c.request.start);
-  EXPECT_EQ(r.tips.col(last), c.request.goal);
+  EXPECT_EQ(r.tips.col(last), c.request.goals[0].target.translation());
   EXPECT_NEAR(r.length, static_cast<double>(last) * r.pitch, 1e-12);
   for (Eigen::Index i = 0; i <= last; ++i) {
     EXPECT_LT((tip_position(c.robot, r.joints.col(i)) - r.tips.col(i)).norm(), 1e-6);
@@ -228,7 +228,7 @@ TEST(ArmPlan, AnArmThatIsStretchedOutIsDrawnIn) {
   const Nothing sensor;
   Request request;
   request.start = joints({0, 0, 0});
-  request.goal = {0.3, 0.4, 0};
+  request.goals = {Eigen::Vector3d(0.3, 0.4, 0)};
   EXPECT_EQ(plan(robot, sensor, request, {}).status, Status::solved);
 }
 

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/arm/mesh_tree.h"
-#include "core/arm/vec3.h"
+#include "core/arm/robot/vec3.h"
 #include "kernels/base/sine.h"
 
 namespace lasius::arm {
@@ -147,7 +147,7 @@ TEST(MeshTree, FindsTheNearestOfAllTriangles) {
     EXPECT_DOUBLE_EQ(tree.distance(s, 1e300), expected);
     EXPECT_DOUBLE_EQ(tree.distance(s, 0.5 * expected), 0.5 * expected);
   }
-  EXPECT_DOUBLE_EQ(MeshTree({}).distance({{}, {}}, 3), 3);
+  EXPECT_DOUBLE_EQ(MeshTree({}).distance(Segment{}, 3), 3);
 }
 
 }  // namespace

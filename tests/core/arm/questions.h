@@ -38,9 +38,9 @@ class Wall final : public Sensor {
 
 /// The two links, bent, move their tip by 0.2 against x.
 inline Request across(const Robot& robot) {
-  Request request{.start = joints({0.6, 1.2}), .goal = tip_position(robot, joints({0.6, 1.2}))};
-  request.goal.x() -= 0.2;
-  return request;
+  Eigen::Vector3d goal = tip_position(robot, joints({0.6, 1.2}));
+  goal.x() -= 0.2;
+  return {.start = joints({0.6, 1.2}), .goals = {goal}};
 }
 
 struct Case {
@@ -56,7 +56,7 @@ inline Case make_case(const char* robot, std::uint64_t seed, int obstacles, doub
   Query query = generate_query(c.robot, {.seed = seed, .obstacles = obstacles, .wall = wall});
   c.scene = std::move(query.scene);
   c.request.start = std::move(query.start);
-  c.request.goal = query.goal;
+  c.request.goals = {query.goal};
   c.parameters = lattice_of(c.robot, c.request, side);
   c.parameters.threads = 1;
   return c;

@@ -85,15 +85,17 @@ TEST(SceneSensor, MeshesLikeTheBoxTheyMake) {
   box.size = {0.2, 0.2, 0.2};
   Obstacle mesh = box;
   mesh.shape = Obstacle::Shape::mesh;
+  Triangles triangles;
   const auto corner = [](int i) {
     return Vec3{(i & 1) != 0 ? 0.1 : -0.1, (i & 2) != 0 ? 0.1 : -0.1, (i & 4) != 0 ? 0.1 : -0.1};
   };
   for (const auto& [a, b, c, d] :
        {std::array{0, 1, 3, 2}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
         std::array{2, 3, 7, 6}, std::array{0, 2, 6, 4}, std::array{1, 3, 7, 5}}) {
-    mesh.triangles.push_back({corner(a), corner(b), corner(c)});
-    mesh.triangles.push_back({corner(a), corner(c), corner(d)});
+    triangles.push_back({corner(a), corner(b), corner(c)});
+    triangles.push_back({corner(a), corner(c), corner(d)});
   }
+  mesh.triangles = std::make_shared<const Triangles>(std::move(triangles));
   const Robot robot = two_links();
   const SceneSensor by_box(robot, {"", {box}}), by_mesh(robot, {"", {mesh}});
   int free = 0;

@@ -324,7 +324,7 @@ TEST(Trajectory, FclFindsNoContactOnRandomScenes) {
       const Query query =
           generate_query(robot, {.seed = seed, .obstacles = 10, .wall = seed % 2 == 0 ? 0.8 : 0});
       const SceneSensor sensor(robot, query.scene);
-      const Request request{.start = query.start, .goal = query.goal, .motion = false};
+      const Request request{.start = query.start, .goals = {query.goal}, .motion = false};
       Params parameters = lattice_of(robot, request, 10);
       parameters.iterations = 20;
       const Result found = plan(robot, sensor, request, parameters);
@@ -353,6 +353,25 @@ TEST(Recheck, SeesContactsAndBrokenLimits) {
   const Trajectory hasty(
       {{0, joints({0, 0}), joints({0, 0})}, {0.01, joints({1, 0}), joints({0, 0})}});
   EXPECT_GT(recheck(robot, {}, hasty, 10).limits, 0);
+}
+
+TEST(Recheck, LooksBetweenItsSamples) {
+  // Swings over a thin rod between two samples, or stops before it.
+  const Robot robot = two_links();
+  Obstacle rod;
+  rod.pose.translation() = Eigen::Vector3d(0.3, 0.4, 0);
+  rod.size = {0.002, 0.002, 0.002};
+  const auto swing = [](double to) {
+    return Trajectory({{0, joints({0, 0}), joints({0, 0})}, {1, joints({to, 0}), joints({0, 0})}});
+  };
+  const Recheck over = recheck(robot, {"", {rod}}, swing(2), 2);
+  EXPECT_EQ(over.contacts, 0);
+  EXPECT_EQ(over.unproven, 1);
+  EXPECT_EQ(recheck(robot, {"", {rod}}, swing(0.85), 2).unproven, 0);
+  const Trajectory to_and_fro({{0, joints({0.8, 0}), joints({0, 0})},
+                               {1, joints({1, 0}), joints({0, 0})},
+                               {2, joints({0.8, 0}), joints({0, 0})}});
+  EXPECT_EQ(recheck(robot, {"", {rod}}, to_and_fro, 2).unproven, 1);
 }
 
 TEST(Recheck, RefusesWhatDoesNotFit) {

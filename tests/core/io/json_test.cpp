@@ -51,6 +51,10 @@ void expect_same(const Result& a, const Result& b) {
   expect_same(a.length, b.length);
   expect_same(a.best, b.best);
   expect_same(a.mean, b.mean);
+  expect_same(a.raw_best, b.raw_best);
+  expect_same(a.cut_mean, b.cut_mean);
+  expect_same(a.cut_best, b.cut_best);
+  EXPECT_EQ(a.steps, b.steps);
   expect_same(a.lower_bound.value_or(NAN), b.lower_bound.value_or(NAN));
   expect_same(a.gap().value_or(NAN), b.gap().value_or(NAN));
   ASSERT_EQ(a.path.size(), b.path.size());

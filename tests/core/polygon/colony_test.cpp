@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stop_token>
+#include <utility>
 
 #include "lasius/error.h"
 #include "tests/core/base/counting_time.h"
@@ -115,31 +117,70 @@ TEST(Stops, AnIterationIsCutShort) {
   EXPECT_EQ(cut.path, cut.dijkstra->path);
 }
 
-TEST(InitialPheromone, OfTheFamilyDoesNotDependOnTheUnit) {
-  World world = known_world();
-  const auto scaled = [&](double by) {
-    World other = world;
-    const auto grow = [&](Point& p) { p = {p.x * by, p.y * by}; };
-    for (Point& p : other.boundary.outer) grow(p);
-    for (Polygon& o : other.obstacles) {
-      for (Point& p : o.outer) grow(p);
-    }
-    grow(*other.start);
-    grow(*other.goal);
-    return other;
+World scaled(World world, double by) {
+  const auto grow = [by](Ring& ring) {
+    for (Point& p : ring) p = {p.x * by, p.y * by};
   };
-  Params parameters("maklink-acs");
-  parameters.initial_pheromone = 0;
-  const Result metres = Planner(world).plan({}, parameters);
-  const Result other = Planner(scaled(1024)).plan({}, parameters);
-  EXPECT_EQ(metres.crossing.values, other.crossing.values);
-  ASSERT_EQ(metres.mean.size(), other.mean.size());
-  for (std::size_t i = 0; i < metres.mean.size(); ++i) {
-    EXPECT_EQ(metres.mean[i] * 1024, other.mean[i]);
+  grow(world.boundary.outer);
+  for (Polygon& o : world.obstacles) grow(o.outer);
+  world.margin *= by;
+  return world;
+}
+
+TEST(Scale, APowerOfTwoChangesNoBitOfAnyAnswer) {
+  int planned = 0;
+  for (int i = 0; i < 6; ++i) {
+    World world = random_world(static_cast<std::uint64_t>(400 + i), 5 + 8 * i);
+    world.margin = i % 2 == 0 ? 0 : 0.7;
+    const Planner planner(world);
+    Dice dice(static_cast<std::uint64_t>(i));
+    const Point start = free_point(planner, dice), goal = free_point(planner, dice);
+    for (const Algorithm& algorithm : algorithms()) {
+      Params parameters(algorithm.name);
+      if (algorithm.name == "real-ga") parameters.iterations = 20;
+      const Result one = planner.plan({.start = start, .goal = goal}, parameters);
+      planned += one.path.empty() ? 0 : 1;
+      for (const int exponent : {-10, 3, 20}) {
+        const double by = std::ldexp(1.0, exponent);
+        const auto far = [by](Point p) { return Point{p.x * by, p.y * by}; };
+        const Result other =
+            Planner(scaled(world, by)).plan({.start = far(start), .goal = far(goal)}, parameters);
+        ASSERT_EQ(one.path.size(), other.path.size()) << algorithm.name << " " << exponent;
+        for (std::size_t k = 0; k < one.path.size(); ++k)
+          EXPECT_EQ(far(one.path[k]), other.path[k]) << algorithm.name << " " << exponent;
+        EXPECT_EQ(one.crossing.values, other.crossing.values);
+        EXPECT_EQ(one.iterations, other.iterations);
+      }
+    }
   }
-  parameters.initial_pheromone = Params("maklink-acs").initial_pheromone;
-  EXPECT_NE(Planner(world).plan({}, parameters).mean,
-            Planner(scaled(1024)).plan({}, parameters).mean);
+  EXPECT_GT(planned, 12);
+}
+
+TEST(Scale, ThePublishedPheromoneTiesTheColonyToTheUnit) {
+  Params parameters("maklink-acs");
+  parameters.initial_pheromone = 0.0002;
+  World far = scaled(known_world(), 1024);
+  far.start = Point{far.start->x * 1024, far.start->y * 1024};
+  far.goal = Point{far.goal->x * 1024, far.goal->y * 1024};
+  const Result metres = Planner(known_world()).plan({}, parameters);
+  EXPECT_NE(metres.mean, Planner(far).plan({}, parameters).mean);
+}
+
+TEST(Iterations, GrowWithTheValuesUnlessTheyWereSet) {
+  Params parameters("maklink-acs");
+  for (const auto& [values, iterations] : {std::pair{2, 200}, {11, 200}, {21, 400}, {41, 800}}) {
+    parameters.values = values;
+    EXPECT_EQ(iterations_of(parameters), iterations);
+    EXPECT_EQ(get_parameter(parameters, "iterations"), std::to_string(iterations));
+  }
+  parameters.iterations = 30;
+  parameters.agreement = 0;
+  parameters.routes = 1;
+  EXPECT_EQ(iterations_of(parameters), 30);
+  EXPECT_EQ(Planner(known_world()).plan({}, parameters).iterations, 30);
+  EXPECT_EQ(iterations_of(Params("real-ga")), 1000);
+  parameters.iterations = -2;
+  EXPECT_THROW(validate(parameters), Error);
 }
 
 TEST(TargetGap, EndsTheRun) {
@@ -157,6 +198,7 @@ TEST(Routes, MoreLineSequencesAreNeverWorse) {
     Dice dice(static_cast<std::uint64_t>(i));
     const Request request{.start = free_point(planner, dice), .goal = free_point(planner, dice)};
     Params parameters("maklink-acs");
+    parameters.routes = 1;
     const Result one = planner.plan(request, parameters);
     if (one.path.empty()) continue;
     ++searched;

@@ -56,6 +56,7 @@ TEST(Ants, DrawAndUpdateByTheFormulas) {
   parameters.iterations = 30;
   parameters.agreement = 0;
   parameters.greedy = 0.1;
+  parameters.routes = 1;
   int improved = 0;
   for (const GlobalBest global_best : {GlobalBest::so_far, GlobalBest::iteration}) {
     parameters.global_best = global_best;

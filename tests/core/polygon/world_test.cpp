@@ -15,6 +15,7 @@
 #include "lasius/generate.h"
 #include "lasius/polygon_plan.h"
 #include "tests/core/map_files/map_files.h"
+#include "tests/core/polygon/refusal.h"
 
 namespace lasius::polygon {
 namespace {
@@ -32,28 +33,11 @@ std::string collection(const std::vector<std::string>& features, const std::stri
 }
 std::string boundary() { return feature("boundary", "Polygon", kSquare); }
 
-/// What reading says; fails where it says nothing.
-std::string refusal(const std::string& text, bool wkt = false) {
-  try {
-    wkt ? parse_wkt(text, "w", {}) : parse_geojson(text, "w", {});
-  } catch (const Error& e) {
-    EXPECT_EQ(e.code(), ErrorCode::file_broken);
-    EXPECT_EQ(e.place().file, "w");
-    EXPECT_FALSE(e.remedy().empty());
-    return e.what();
-  }
-  ADD_FAILURE() << "was read: " << text;
-  return {};
-}
-
-void expect_refusal(const std::string& text, const std::string& part, bool wkt = false) {
-  const std::string what = refusal(text, wkt);
-  EXPECT_NE(what.find(part), std::string::npos) << what << "\nshould say: " << part;
-}
-
 TEST(PolygonNames, EveryChoiceHasOne) {
   EXPECT_EQ(to_string(Join::mitre), "mitre");
   EXPECT_EQ(to_string(Join::bevel), "bevel");
+  EXPECT_EQ(to_string(Join::chords), "chords");
+  EXPECT_EQ(to_string(Boundary::keep), "keep");
   EXPECT_EQ(to_string(GlobalBest::so_far), "so-far");
   EXPECT_EQ(to_string(GlobalBest::iteration), "iteration");
 }
@@ -192,19 +176,6 @@ TEST(GeoJson, RepairsOnRequest) {
   EXPECT_NO_THROW(check(world));
 }
 
-TEST(Wkt, ReadsWhatItWrites) {
-  World world;
-  world.boundary.outer = {{0, 0}, {10.1, 0}, {10, 10}, {0, 10}};
-  world.obstacles = {{{{1, 1}, {2, 1}, {2, 2}}, {}},
-                     {{{4, 4}, {8, 4}, {8, 8}, {4, 8}}, {{{5, 5}, {6, 5}, {6, 6}}}}};
-  world.start = Point{0.1, 0.2};
-  world.goal = Point{9, 9.3};
-  world.margin = 0.125;
-  EXPECT_EQ(parse_wkt(to_wkt(world), "w"), world);
-  EXPECT_EQ(parse_geojson(to_geojson(world), "w"), world);
-  EXPECT_EQ(hash(parse_wkt(to_wkt(world), "w")), hash(world));
-}
-
 TEST(World, TheHashIsOfEveryNumber) {
   World world;
   world.boundary = {{{0, 0}, {10, 0}, {10, 10}}, {{{1, 2}, {3, 2}, {3, 4}}}};
@@ -251,18 +222,6 @@ TEST(World, TheHashIsOfEveryNumber) {
   expect_another(other, "no obstacles");
 }
 
-TEST(Wkt, RefusesToWriteWhatItCouldNotRead) {
-  World world;
-  EXPECT_THROW(to_wkt(world), Error) << "no boundary";
-  world.boundary.outer = {{0, 0}, {4, 0}, {4, 4}};
-  world.goal = Point{3, 1};
-  EXPECT_THROW(to_wkt(world), Error) << "a goal without a start";
-  EXPECT_EQ(parse_geojson(to_geojson(world), "w"), world);
-  world.obstacles = {{{{1, 1}, {2, 1}}, {}}};
-  world.start = Point{2, 1};
-  EXPECT_THROW(to_wkt(world), Error) << "an obstacle of two corners";
-}
-
 TEST(World, IsRefusedWhereItsNumbersAreNone) {
   World good;
   good.boundary.outer = {{0, 0}, {4, 0}, {4, 4}};
@@ -280,74 +239,6 @@ TEST(World, IsRefusedWhereItsNumbersAreNone) {
   world.start = Point{3, 1};
   world.goal = Point{3, 1e13};
   EXPECT_THROW(check(world), Error);
-}
-
-TEST(Wkt, CollectionsAndComments) {
-  const World world = parse_wkt(
-      "# drawn by hand\nGEOMETRYCOLLECTION (POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0)),\n POINT (1 1),"
-      " MULTIPOLYGON (((2 2, 3 2, 3 3, 2 2)), ((5 5, 6 5, 6 6, 5 5))));\nPOINT (8 8)\n",
-      "w");
-  EXPECT_EQ(world.obstacles.size(), 2u);
-  EXPECT_EQ(world.start, (Point{1, 1}));
-  EXPECT_EQ(world.goal, (Point{8, 8}));
-  const World folded = parse_wkt("POLYGON\n ((0 0, 9 0, 9 9, 0 9,\n 0 0))\nPOINT\r\n(1 1)", "w");
-  EXPECT_EQ(folded.boundary.outer.size(), 4u);
-  EXPECT_EQ(folded.start, world.start);
-  const World cr =
-      parse_wkt("# margin 2\r# by hand\rPOLYGON\r((0 0, 9 0, 9 9, 0 0))\rPOINT (1 1)", "w");
-  EXPECT_EQ(cr.margin, 2);
-  EXPECT_EQ(cr.start, world.start);
-}
-
-TEST(Wkt, OnlyACommentThatIsAMarginIsOne) {
-  const auto margin = [](const std::string& comment) {
-    return parse_wkt(comment + "\nPOLYGON ((0 0, 9 0, 9 9, 0 0))", "w").margin;
-  };
-  for (const char* is : {"# margin 5", "#margin 5\r", "# margin  5 ", "#\tmargin\t5"}) {
-    EXPECT_EQ(margin(is), 5) << is;
-  }
-  for (const char* no : {"# margin of the robot: 5", "# margin", "# margins 5"}) {
-    EXPECT_EQ(margin(no), 0) << no;
-  }
-  EXPECT_THROW(margin("# margin -1"), Error);
-  EXPECT_THROW(margin("# margin 5abc"), Error);
-  EXPECT_THROW(margin("# margin 1,5"), Error);
-  EXPECT_THROW(margin("# margin 1e999"), Error);
-  EXPECT_THROW(margin("# margin nan"), Error);
-}
-
-TEST(Wkt, NamesWhatIsWrong) {
-  expect_refusal("MULTIPOLYGON (((0 0, 9 0, 9 9, 0 0)), ((20 0, 29 0, 29 9, 20 0)))",
-                 "geometry 0 is in several parts", true);
-  expect_refusal("POLYGON ((0 0, 1 0, 1 1, 0 0))\nPOLYGON ((0 0, 1 0", "line 2, byte 31", true);
-  expect_refusal("POLYGON ((0 0, 1 0, 1 1))", "line 1", true);
-  expect_refusal("LINESTRING (0 0, 1 1)", "neither polygon nor point", true);
-  expect_refusal("POINT (1 1)", "no boundary", true);
-  expect_refusal("POINT EMPTY", "empty", true);
-  expect_refusal("POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))", "Self-intersection", true);
-  expect_refusal(std::string(100, '('), "nested too deep", true);
-}
-
-TEST(Wkt, NamesLineAndByteWhereAGeometryBegins) {
-  struct Case {
-    const char* text;
-    std::int64_t line, offset;
-  };
-  for (const Case& c :
-       {Case{"POLYGON ((0 0, 1 0, 0 0))", 1, 0},
-        {"\n\n  POINT EMPTY", 3, 4},
-        {"# margin 1\n# margin -1\nPOINT (0 0)", 2, 11},
-        {"# here\r\nPOINT (0 0); POINT (0)", 2, 21},
-        {"# here\rPOINT (0 0)\rPOINT (0)", 3, 19},
-        {"POLYGON ((0 0, 9 0, 9 9, 0 0))\nPOLYGON ((0 0, 9 9,\n9 0, 0 9, 0 0))", 2, 31}}) {
-    try {
-      parse_wkt(c.text, "w");
-      ADD_FAILURE() << c.text;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.place().line, c.line) << error.what();
-      EXPECT_EQ(error.place().offset, c.offset) << error.what();
-    }
-  }
 }
 
 using WorldFile = Files;
@@ -399,31 +290,6 @@ TEST(Check, RefusesWorldsThatProgramsMade) {
   world.boundary.outer = {{0, 0}, {4, 0}, {4, std::numeric_limits<double>::quiet_NaN()}};
   EXPECT_THROW(check(world), Error);
   EXPECT_THROW(Planner{world}, Error);
-}
-
-TEST(Margin, GrowsClipsAndMerges) {
-  World world;
-  world.boundary.outer = {{-5, 0}, {20, 0}, {20, 10}, {-5, 10}};
-  world.obstacles = {{{{4, 4}, {6, 4}, {6, 6}, {4, 6}}, {}},
-                     {{{8, 4}, {10, 4}, {10, 6}, {8, 6}}, {}},
-                     {{{18, 8}, {25, 8}, {25, 15}, {18, 15}}, {}}};
-  const auto at = [&](double margin, Join join = Join::mitre) {
-    return Planner(world, {.margin = margin, .join = join});
-  };
-  EXPECT_EQ(at(0.5).grown_obstacles().size(), 3u);
-  EXPECT_EQ(at(1.5).grown_obstacles().size(), 2u);  // the two squares merge
-  EXPECT_TRUE(at(0.5).free({3.4, 3.4}));
-  EXPECT_FALSE(at(0.5).free({3.6, 3.6}));              // a mitre keeps the corner
-  EXPECT_TRUE(at(0.5, Join::round).free({3.6, 3.6}));  // 0.566 from the corner
-  EXPECT_TRUE(at(0.5, Join::bevel).free({3.7, 3.7}));  // 0.424 from it, behind the bevel
-  const Planner half = at(0.5);
-  for (const Polygon& p : half.grown_obstacles()) {
-    for (const Point q : p.outer) EXPECT_TRUE(q.x <= 20 && q.y <= 10);
-  }
-  EXPECT_EQ(at(4.5).components(), 2);  // nothing above or below the merged squares
-  EXPECT_THROW(at(50), Error);         // no free space
-  EXPECT_THROW(at(-1), Error);
-  EXPECT_THROW(at(1e308), Error);
 }
 
 TEST(Bitmap, BecomesAWorldAndBackAgain) {

@@ -4,6 +4,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <utility>
 
 #include "kernels/base/random_stream.h"
 
@@ -14,25 +17,30 @@ constexpr std::uint32_t share(double of_wheel) {
   return static_cast<std::uint32_t>(of_wheel * 0x1p32);
 }
 
+/// A word, and the choice that it makes.
+using Choices = std::initializer_list<std::pair<std::uint32_t, int>>;
+
+void expect_choices(const std::array<double, 4>& weights, double greedy, const Choices& choices) {
+  for (const auto& [word, choice] : choices)
+    EXPECT_EQ(proportional_choice(weights, greedy, word), choice) << word;
+}
+
 TEST(Proportional, SharesOfTheWheelByHand) {
-  // Weights 1, 0, 3, 4: shares 1/8, none, 3/8, 4/8.
-  const std::array<double, 4> weights{1, 0, 3, 4};
-  EXPECT_EQ(proportional_choice(weights, 0, 0), 0);
-  EXPECT_EQ(proportional_choice(weights, 0, share(0.124)), 0);
-  EXPECT_EQ(proportional_choice(weights, 0, share(0.125)), 2);
-  EXPECT_EQ(proportional_choice(weights, 0, share(0.499)), 2);
-  EXPECT_EQ(proportional_choice(weights, 0, share(0.5)), 3);
-  EXPECT_EQ(proportional_choice(weights, 0, 0xffffffff), 3);
+  // Shares 1/8, none, 3/8, 4/8.
+  expect_choices({1, 0, 3, 4}, 0,
+                 {{0, 0},
+                  {share(0.124), 0},
+                  {share(0.125), 2},
+                  {share(0.499), 2},
+                  {share(0.5), 3},
+                  {0xffffffff, 3}});
 }
 
 TEST(Proportional, TheGreedyShareTakesTheLargest) {
   // q0 = 0.5: words below one half are greedy, the others are spread over the wheel.
   const std::array<double, 4> weights{1, 4, 4, 1};
-  EXPECT_EQ(proportional_choice(weights, 0.5, 0), 1);
-  EXPECT_EQ(proportional_choice(weights, 0.5, share(0.499)), 1);
-  EXPECT_EQ(proportional_choice(weights, 0.5, share(0.5)), 0);
-  EXPECT_EQ(proportional_choice(weights, 0.5, share(0.96)), 3);
-  EXPECT_EQ(proportional_choice(weights, 1, 0xffffffff), 1);
+  expect_choices(weights, 0.5, {{0, 1}, {share(0.499), 1}, {share(0.5), 0}, {share(0.96), 3}});
+  expect_choices(weights, 1, {{0xffffffff, 1}});
 }
 
 TEST(Proportional, NothingOpen) {

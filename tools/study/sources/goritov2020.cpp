@@ -27,7 +27,7 @@ arm::GenerateOptions options_of(const std::string& source) {
 arm::Params parameters_for(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const double widest =
       std::max({std::abs(from[0] - to[0]), std::abs(from[1] - to[1]), std::abs(from[2] - to[2])});
-  arm::Params parameters;
+  arm::Params parameters("goritov2020");
   parameters.side = kSide;
   parameters.pitch = widest / (0.6 * kSide);
   parameters.threads = 1;
@@ -49,12 +49,12 @@ struct ArmScenes::Case {
  private:
   Case(const arm::Robot& robot, const arm::GenerateOptions& options, arm::Query query)
       : scene(std::move(query.scene)),
-        request{.start = std::move(query.start), .goal = query.goal, .motion = false},
-        parameters(parameters_for(arm::tip_position(robot, request.start), request.goal)),
+        request{.start = std::move(query.start), .goals = {query.goal}, .motion = false},
+        parameters(parameters_for(arm::tip_position(robot, request.start), query.goal)),
         sensor(robot, scene) {
     const arm::Result best = arm::shortest_lattice_way(robot, sensor, request, parameters);
     const arm::Result straight = arm::straight_lattice_way(robot, sensor, request, parameters);
-    const Eigen::Vector3d from = arm::tip_position(robot, request.start), to = request.goal;
+    const Eigen::Vector3d from = arm::tip_position(robot, request.start), to = query.goal;
     const auto moves = [&](double a, double b) {
       return std::round(std::abs(a - b) / parameters.pitch);
     };
@@ -84,9 +84,11 @@ Task ArmScenes::task(const Question& question, const Contender& contender) const
   const arm::Params params = configured(scene.parameters, contender);
   Task task =
       task_of(question.map, params, arm::find_algorithm(params.algorithm()).parameters, 3 * kSide);
-  task.run = [this, &scene, params](std::uint64_t seed, const std::stop_token& stop, Workspace&) {
+  task.run = [this, &scene, params](std::uint64_t seed, bool pilot, const std::stop_token& stop,
+                                    Workspace&) {
     arm::Params seeded = params;
     seeded.seed = seed;
+    if (pilot) seeded.iterations = pilot_part(params.iterations);
     arm::Request request = scene.request;
     request.stop.token = stop;
     const double begin = thread_seconds();
@@ -97,6 +99,7 @@ Task ArmScenes::task(const Question& question, const Contender& contender) const
             .seconds = thread_seconds() - begin,
             .best = std::move(result.best),
             .mean = std::move(result.mean),
+            .limit = 1,
             .steps = result.steps,
             .checks = result.questions.positions + result.questions.motions};
     for (auto* curve : {&run.best, &run.mean})
@@ -104,6 +107,11 @@ Task ArmScenes::task(const Question& question, const Contender& contender) const
     return run;
   };
   return task;
+}
+
+std::optional<double> ArmScenes::optimum(const Question&, const Truth&,
+                                         const StopCondition&) const {
+  return 1;  // lengths are shares of it
 }
 
 }  // namespace lasius::study

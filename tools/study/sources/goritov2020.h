@@ -6,7 +6,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "lasius/arm_generate.h"
 #include "lasius/arm_plan.h"
@@ -33,6 +32,8 @@ class ArmScenes final : public Domain {
   ~ArmScenes() override;
 
   Task task(const Question& question, const Contender& contender) const override;
+  std::optional<double> optimum(const Question& question, const Truth& truth,
+                                const StopCondition& stop) const override;
   const ArmGround& ground(const Question& question) const;
 
  private:
@@ -41,20 +42,5 @@ class ArmScenes final : public Domain {
   arm::Robot robot_;
   std::map<std::string, std::unique_ptr<const Case>> cases_;  // by the question's map
 };
-
-/// What carries pheromone: the two readings of the source, each an experiment of the study.
-inline constexpr std::array<const char*, 2> kReadings{"arcs", "edges"};
-
-/// A trend that the source reports, and what the runs say of it under one reading.
-struct ArmTrend {
-  std::string text;
-  std::array<Claim::Answer, 2> found;  ///< by reading
-};
-std::vector<ArmTrend> arm_trends(const Findings& findings);
-
-/// The report; `grounds` are those of the questions, `pictures` are file names beside it.
-std::string arm_report(const Study& study, const Findings& findings,
-                       const std::vector<ArmGround>& grounds,
-                       const std::vector<std::string>& pictures);
 
 }  // namespace lasius::study

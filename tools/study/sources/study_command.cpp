@@ -1,42 +1,66 @@
-// lasius study: the studies on bitmaps, and where the others begin.
+// lasius study: one study, or all of them.
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 
 #include "core/base/did_you_mean.h"
+#include "core/base/output.h"
 #include "tools/console/exit_code.h"
+#include "tools/console/progress.h"
+#include "tools/console/signals.h"
 #include "tools/console/streams.h"
-#include "tools/console/values.h"
+#include "tools/draw/text.h"
 #include "tools/options/commands.h"
 #include "tools/study/bitmaps.h"
-#include "tools/study/conduct.h"
 #include "tools/study/files.h"
 #include "tools/study/markdown.h"
 #include "tools/study/pictures.h"
 #include "tools/study/portrait.h"
 #include "tools/study/study_file.h"
 #include "tools/study/table.h"
+#ifdef LASIUS_WITH_POLYGON
+#include "tools/study/sources/maklink.h"
+#endif
+#ifdef LASIUS_WITH_ARM
+#include "tools/study/sources/goritov2020.h"
+#endif
 
 namespace lasius::tool {
 namespace {
 
 namespace fs = std::filesystem;
+using study::Evidence;
+using study::Findings;
+using study::Study;
+using study::World;
 
-constexpr std::string_view kMaklink = "maklink";       // among polygons
-constexpr std::string_view kArmStudy = "goritov2020";  // of arms
-
-std::vector<std::string_view> names() {
-  auto all = study::study_names();
-#ifndef LASIUS_WITH_POLYGON
-  std::erase(all, kMaklink);
+bool was_built(World world) {
+  bool built = world == World::bitmap;
+#ifdef LASIUS_WITH_POLYGON
+  built = built || world == World::polygon;
 #endif
-  return all;
+#ifdef LASIUS_WITH_ARM
+  built = built || world == World::arm;
+#endif
+  return built;
 }
 
-std::string list_text() {
-  std::string text;
-  for (const auto name : names())
-    text += std::string(name) + "\t" + study::make_study(name).summary + "\n";
-  return text;
+std::unique_ptr<study::Domain> make_domain(const Study& study, const fs::path& maps) {
+#ifdef LASIUS_WITH_POLYGON
+  if (study.world == World::polygon) return std::make_unique<study::MaklinkWorld>(study, maps);
+#endif
+#ifdef LASIUS_WITH_ARM
+  if (study.world == World::arm) return std::make_unique<study::ArmScenes>(study, maps);
+#endif
+  return std::make_unique<study::Bitmaps>(study, maps);
+}
+
+std::vector<Study> studies() {
+  std::vector<Study> all;
+  for (const auto name : study::study_names())
+    if (Study study = study::make_study(name); was_built(study.world))
+      all.push_back(std::move(study));
+  return all;
 }
 
 /// Maps are looked for in the option's folder, else beside the installed program, else in the
@@ -49,46 +73,128 @@ fs::path find_maps(const std::string& option) {
   return fs::is_directory(installed, ignored) ? installed : fs::path(LASIUS_SOURCE_MAPS);
 }
 
-void write_report(const study::Study& study, const study::Findings& findings,
-                  const StudyCommand& command, const fs::path& maps, const StopCondition& stop) {
-  const fs::path folder = command.folder;
-  auto figures = study::draw_pictures(study, findings, folder, maps);
-  for (auto& figure : study::draw_portraits(study, folder, maps, stop))
-    figures.push_back(std::move(figure));
-  std::string results, tests;
-  for (const study::Experiment& experiment : study.experiments) {
-    results += experiment.name + "\n" + result_table(findings, experiment).csv() + "\n";
-    tests += experiment.name + "\n" + test_table(findings, experiment).csv() + "\n";
+std::string duration_text(double seconds) {
+  if (seconds < 90) return study::fixed(std::max(1.0, seconds), 0) + " s";
+  if (seconds < 5400) return study::fixed(seconds / 60, 0) + " min";
+  return study::fixed(seconds / 3600, 1) + " h";
+}
+
+/// Runs studies one after another, until a signal comes.
+class Conduct {
+ public:
+  explicit Conduct(const StudyCommand& command)
+      : command_(command), maps_(find_maps(command.maps)) {}
+
+  bool interrupted() const { return signals_.token().stop_requested(); }
+
+  int seeds(const Study& study) const { return command_.seeds > 0 ? command_.seeds : study.seeds; }
+
+  /// Runs what is left of a study and writes its report, partial after a signal.
+  Findings run(const Study& study, const fs::path& folder) {
+    study::make_folder(folder);
+    for (const char* name : {"report.md", "runs.csv", "results.csv", "claims.csv"})
+      check_outputs({(folder / name).string()}, {});  // before hours of work
+    const auto domain = make_domain(study, maps_);
+    Findings findings = conduct(study, *domain, folder);
+    write(study, findings, folder);
+    return findings;
   }
-  study::write_text(folder / "runs.csv", run_table(findings).csv());
-  study::write_text(folder / "results.csv", results);
-  study::write_text(folder / "tests.csv", tests);
-  study::write_text(folder / "report.md", report_page(study, findings, command.seeds, figures));
+
+ private:
+  Findings conduct(const Study& study, const study::Domain& domain, const fs::path& folder) {
+    constexpr std::int64_t kParts = 1000;
+    ProgressLine bar(wants_progress(command_.messages), kParts);
+    const auto show = [&](std::int64_t done, std::int64_t total, const std::string& note) {
+      bar.update(done * kParts / std::max<std::int64_t>(total, 1), note);
+    };
+    const auto tell = [&](std::size_t runs, double seconds) {
+      if (!command_.messages.quiet)
+        message(study.name + ": " + std::to_string(runs) + " runs, about " +
+                duration_text(seconds) + " with " + std::to_string(command_.threads) +
+                " threads, by a part of one run of each");
+    };
+    return study::run_study(study, domain,
+                            {.seeds = seeds(study),
+                             .threads = command_.threads,
+                             .folder = folder,
+                             .stop = signals_.token(),
+                             .estimate = tell,
+                             .progress = show});
+  }
+
+  void write(const Study& study, const Findings& findings, const fs::path& folder) const {
+    auto evidence = study::weigh(study, findings);
+    study::decide(evidence);
+    std::vector<study::Figure> figures;
+    if (findings.whole) {
+      figures = study::draw_pictures(study, findings, folder, maps_);
+      for (auto& figure : study::draw_portraits(study, folder, maps_, {.token = signals_.token()}))
+        figures.push_back(std::move(figure));
+    }
+    std::string results;
+    for (const study::Experiment& experiment : study.experiments)
+      results += experiment.name + "\n" + result_table(findings, experiment).csv() + "\n";
+    study::write_text(folder / "runs.csv", run_table(findings).csv());
+    study::write_text(folder / "results.csv", results);
+    study::write_text(folder / "claims.csv", evidence_table(evidence).csv());
+    study::write_text(folder / "report.md",
+                      report_page(study, findings, evidence, seeds(study), figures));
+  }
+
+  const StudyCommand& command_;
+  fs::path maps_;
+  SignalWatcher signals_;
+};
+
+/// All studies, each in a folder of its own, and one table of their claims.
+fs::path conduct_all(Conduct& conduct, const std::vector<Study>& all, const StudyCommand& command) {
+  const fs::path folder = command.folder;
+  std::vector<Evidence> evidence;
+  std::vector<Findings> findings;
+  findings.reserve(all.size());
+  for (const Study& study : all) {
+    if (conduct.interrupted()) break;
+    findings.push_back(conduct.run(study, folder / study.name));
+    std::ranges::move(study::weigh(study, findings.back()), std::back_inserter(evidence));
+  }
+  study::decide(evidence);
+  std::string called = "lasius study all";
+  if (command.seeds > 0) called += " --seeds " + std::to_string(command.seeds);
+  study::write_text(folder / "claims.csv", evidence_table(evidence).csv());
+  study::write_text(folder / "claims.md", claims_page(evidence, called));
+  return folder / "claims.md";
 }
 
 }  // namespace
 
 int run_study(const StudyCommand& command) {
+  const auto all = studies();
+  std::string list;
+  std::vector<std::string_view> known{"list", "all"};
+  for (const Study& study : all) {
+    list += study.name + "\t" + study.summary + "\n";
+    known.push_back(study.name);
+  }
   if (command.name == "list") {
-    print(list_text());
+    print(list);
     return kFound;
   }
-  auto known = names();
-  if (std::ranges::find(known, command.name) == known.end()) {
-    known.push_back("list");
+  if (std::ranges::find(known, command.name) == known.end())
     throw UsageError("unknown study \"" + command.name + "\"; " +
                      did_you_mean(command.name, known));
+  const fs::path folder = command.folder;
+  Conduct conduct(command);
+  fs::path page = folder / "report.md";
+  if (command.name == "all")
+    page = conduct_all(conduct, all, command);
+  else
+    (void)conduct.run(*std::ranges::find(all, command.name, &Study::name), folder);
+  if (conduct.interrupted()) {
+    message("interrupted: " + page.string() + " is partial; the same command goes on from here");
+    return kInterrupted;
   }
-  const fs::path maps = find_maps(command.maps);
-#ifdef LASIUS_WITH_POLYGON
-  if (command.name == kMaklink) return run_maklink_study(command, maps.string());
-#endif
-  if (command.name == kArmStudy) return run_arm_study(command, maps);
-  const study::Study study = study::make_study(command.name);
-  return conduct(command, study, study::Bitmaps(study, maps),
-                 [&](const study::Findings& findings, const StopCondition& stop) {
-                   write_report(study, findings, command, maps, stop);
-                 });
+  print(page.string() + "\n");
+  return kFound;
 }
 
 }  // namespace lasius::tool

@@ -1,0 +1,270 @@
+// lasius_bench arm-peers: arms beside OMPL's RRT-Connect, and the questions that a proof takes.
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <string_view>
+
+#include "bench/clocks.h"
+#include "bench/commands.h"
+#include "bench/figure_table.h"
+#include "bench/peers/joint_space.h"
+#include "bench/report.h"
+#include "bench/statistics.h"
+#include "lasius/arm_generate.h"
+#include "lasius/arm_plan.h"
+#include "lasius/error.h"
+
+namespace lasius::bench {
+namespace {
+
+struct Options {
+  std::vector<std::string> robots;
+  std::vector<int> obstacles{0, 5, 15};
+  int queries = 20;
+  int proofs = 5;
+  double cap = 2;
+  std::uint64_t seed = 1;
+  std::string markdown;
+};
+
+/// A robot's name and itself; FILE, or FILE:BASE:TIP.
+struct Named {
+  std::string name;
+  arm::Robot robot;
+};
+
+Named read(const std::string& text) {
+  const auto first = text.find(':');
+  const auto second = first == std::string::npos ? first : text.find(':', first + 1);
+  const std::string file = text.substr(0, first);
+  arm::Chain chain;
+  if (second != std::string::npos)
+    chain = {.base = text.substr(first + 1, second - first - 1), .tip = text.substr(second + 1)};
+  const auto slash = file.find_last_of('/') + 1;
+  return {file.substr(slash, file.find_last_of('.') - slash), arm::read_robot(file, chain)};
+}
+
+/// All joints at the value nearest to 0 that their limits allow.
+arm::JointVector home(const arm::Robot& robot) {
+  arm::JointVector q(robot.size());
+  for (int i = 0; i < robot.size(); ++i)
+    q[i] = std::clamp(0.0, robot.joints[i].low, robot.joints[i].high);
+  return q;
+}
+
+/// Among obstacles every second question has a plate between start and goal, where that leaves any.
+arm::Query query_of(const arm::Robot& robot, int obstacles, std::uint64_t number) {
+  arm::GenerateOptions options{.seed = number, .obstacles = obstacles};
+  if (obstacles > 0 && number % 2 == 1) {
+    options.wall = 0.8;
+    try {
+      return arm::generate_query(robot, options);
+    } catch (const Error&) {
+      options.wall = 0;
+    }
+  }
+  return arm::generate_query(robot, options);
+}
+
+/// The goal is where the tip is at joint values that are free; every fourth question starts from
+/// home, where that is free.
+struct Case {
+  arm::Query query;
+  arm::SceneSensor sensor;
+  std::uint32_t seed;
+
+  Case(const arm::Robot& robot, int obstacles, std::uint64_t number)
+      : query(query_of(robot, obstacles, number)),
+        sensor(robot, query.scene),
+        seed(static_cast<std::uint32_t>(number)) {
+    const arm::JointVector q = home(robot);
+    if (number % 4 == 0 && sensor.position_free(q)) query.start = q;
+  }
+  arm::Request request() const { return {.start = query.start, .goals = {query.goal}}; }
+};
+
+arm::Params rival(std::string_view algorithm) {
+  arm::Params parameters(algorithm);
+  parameters.threads = 1;
+  return parameters;
+}
+
+/// Length in joint space of a motion in time.
+double travel(const arm::Trajectory& trajectory) {
+  constexpr int kPieces = 1000;
+  double sum = 0;
+  for (int i = 0; i < kPieces; ++i)
+    sum += (trajectory.at(trajectory.duration() * (i + 1) / kPieces).q -
+            trajectory.at(trajectory.duration() * i / kPieces).q)
+               .norm();
+  return sum;
+}
+
+/// What one planner did with all questions of a robot.
+struct Row {
+  std::string planner;
+  int solved = 0, unreachable = 0, outside = 0, contradicted = 0;
+  std::vector<double> seconds = {}, questions = {}, travel_ratios = {};
+};
+
+std::string median_text(const std::vector<double>& values) {
+  return values.empty() ? "" : short_number(median(values));
+}
+
+std::string cells(const Row& row) {
+  std::ostringstream out;
+  out << row.planner << " | " << row.solved << " | " << row.unreachable << " | " << row.outside
+      << " | " << row.contradicted << " | " << median_text(row.seconds) << " | "
+      << median_text(row.questions) << " | " << median_text(row.travel_ratios);
+  return out.str();
+}
+
+void ask(const arm::Robot& robot, const Case& c, double cap, std::vector<Row>& rows) {
+  std::optional<peers::JointTrial> peer;
+  const auto run_peer = [&](double seconds) {
+    return peers::run_rrt_connect(robot, c.sensor, c.query.start, c.query.goal, cap, seconds,
+                                  c.seed);
+  };
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+    arm::Params parameters = rival(rows[i].planner);
+    parameters.seed = c.seed;
+    arm::Request request = c.request();
+    request.stop.deadline = deadline_in(std::chrono::duration<double>(cap));
+    const Stopwatch watch;
+    const arm::Result found = arm::plan(robot, c.sensor, request, parameters);
+    const double seconds = watch.seconds();
+    peer = run_peer(seconds);
+    Row& row = rows[i];
+    const bool solved = found.joints.cols() > 0;
+    const bool outside = found.status == Status::invalid;
+    row.solved += solved;
+    row.unreachable += found.status == Status::unreachable;
+    row.outside += outside;
+    row.contradicted += peer->solved && (outside || found.status == Status::unreachable);
+    row.seconds.push_back(seconds);
+    if (!solved) continue;
+    row.questions.push_back(static_cast<double>(
+        found.questions.positions + found.questions.motions + found.questions.trajectory));
+    if (peer->solved && peer->shortened_travel > 0 && !found.trajectory.empty())
+      row.travel_ratios.push_back(travel(found.trajectory) / peer->shortened_travel);
+  }
+  Row& row = rows.back();
+  row.solved += peer->solved;
+  row.seconds.push_back(peer->seconds);
+  if (peer->solved) row.questions.push_back(static_cast<double>(peer->positions + peer->motions));
+}
+
+void compare(const Named& named, int obstacles, const Options& options, Output& out) {
+  std::vector<Row> rows;
+  for (const Algorithm& algorithm : arm::algorithms())
+    rows.push_back({.planner = std::string(algorithm.name)});
+  rows.push_back({.planner = "RRT-Connect"});
+  for (int i = 0; i < options.queries; ++i)
+    ask(named.robot, Case(named.robot, obstacles, options.seed + i), options.cap, rows);
+  for (const Row& row : rows)
+    out.write("| " + named.name + " | " + std::to_string(obstacles) + " | " + cells(row) + " |\n");
+}
+
+/// Questions until the way is proven to be its lattice's shortest, of those that get there.
+struct Proof {
+  std::string what;
+  arm::Params parameters;
+  bool known = false;  ///< by a search that knows where to ask, and gives one way
+  std::vector<double> first = {}, questions = {};
+};
+
+double asked(const arm::Questions& q) { return static_cast<double>(q.positions + q.motions); }
+
+std::vector<Proof> proofs() {
+  arm::Params colony = rival("postures");
+  colony.direct = false;
+  colony.refine = 0;
+  arm::Params trailless = colony;
+  trailless.alpha = 0;
+  const arm::Params source = rival("goritov2020");
+  return {{"colony", colony},
+          {"the same without trail (alpha 0)", trailless},
+          {"lazy shortest way, the same lattice", colony, true},
+          {"goritov2020, its lattice of one posture", source},
+          {"lazy shortest way in that", source, true}};
+}
+
+void ask(const arm::Robot& robot, const Case& c, double cap, Proof& proof) {
+  arm::Request request = c.request();
+  request.motion = false;
+  request.target_gap = 1e-9;
+  request.stop.deadline = deadline_in(std::chrono::duration<double>(cap));
+  proof.parameters.seed = c.seed;
+  const auto found = proof.known ? arm::lazy_lattice_way(robot, c.sensor, request, proof.parameters)
+                                 : arm::plan(robot, c.sensor, request, proof.parameters);
+  for (std::size_t i = 0; i < std::min(found.best.size(), found.asked.size()); ++i) {
+    if (!std::isfinite(found.best[i])) continue;
+    proof.first.push_back(asked(found.asked[i]));
+    break;
+  }
+  if (found.gap() && *found.gap() <= request.target_gap)
+    proof.questions.push_back(asked(found.questions));
+}
+
+void prove(const Named& named, int obstacles, const Options& options, Output& out) {
+  auto all = proofs();
+  for (int i = 0; i < options.proofs; ++i) {
+    const Case c(named.robot, obstacles, options.seed + i);
+    for (Proof& proof : all) ask(named.robot, c, options.cap, proof);
+  }
+  for (const Proof& proof : all)
+    out.write("| " + named.name + " | " + std::to_string(obstacles) + " | " + proof.what + " | " +
+              median_text(proof.first) + " | " + std::to_string(proof.questions.size()) + " | " +
+              median_text(proof.questions) + " |\n");
+}
+
+void run(const Options& options) {
+  std::vector<Named> robots;
+  for (const auto& robot : options.robots) robots.push_back(read(robot));
+  if (robots.empty())
+    for (const char* name : {"planar3", "industrial6", "redundant7"})
+      robots.push_back(read(std::string(LASIUS_MAPS_DIR "/arms/") + name + ".json"));
+  Output out(options.markdown);
+  const auto count = [&](int queries) {
+    return std::to_string(queries) + " questions each from seed " + std::to_string(options.seed);
+  };
+  out.write(
+      machine_line() + ". " + count(options.queries) + ", at most " + short_number(options.cap) +
+      " s, one thread; seconds, questions and joint travel are medians; joint travel is that "
+      "of the motion / of RRT-Connect's path, shortcut for as long as the motion took to "
+      "plan.\n\n| robot | obstacles | planner | solved | told unreachable | told invalid | of "
+      "both solved by RRT-Connect | seconds | questions | joint travel |\n"
+      "|---|--:|---|--:|--:|--:|--:|--:|--:|--:|\n");
+  const auto each = [&](const auto& measure) {
+    for (const Named& named : robots)
+      for (const int obstacles : options.obstacles) measure(named, obstacles, options, out);
+  };
+  each(compare);
+  out.write("\nQuestions until the way is proven to be the shortest of its lattice, " +
+            count(options.proofs) +
+            "; until the end of the iteration of a first path, and until the proof:\n\n"
+            "| robot | obstacles | search | first path | proven | proof |\n"
+            "|---|--:|---|--:|--:|--:|\n");
+  each(prove);
+}
+
+}  // namespace
+
+void add_arm_peers_command(CLI::App& app) {
+  const auto [command, options] =
+      add_command(app, "arm-peers", "Arms beside OMPL's RRT-Connect; questions to a proof", run);
+  command
+      .add_option("--robot", options.robots,
+                  "A robot's file, or FILE:BASE:TIP (repeatable; default the shipped ones)")
+      ->allow_extra_args(false);
+  command.add_option("--obstacles", options.obstacles, "Numbers of obstacles")->delimiter(',');
+  add_number(command, "--queries", options.queries, "Questions a robot and number", 1, 100000);
+  add_number(command, "--proofs", options.proofs, "The same for the proofs", 0, 100000);
+  add_number(command, "--cap", options.cap, "Seconds a question");
+  add_number(command, "--seed", options.seed, "Of the first question");
+  add_output(command, options.markdown);
+}
+
+}  // namespace lasius::bench

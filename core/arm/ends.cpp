@@ -1,0 +1,198 @@
+#include "core/arm/ends.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <optional>
+
+#include "core/base/number_text.h"
+#include "kernels/base/random_stream.h"
+
+namespace lasius::arm {
+namespace {
+
+std::string text(Vec3 p) {
+  return number_text(p.x) + "," + number_text(p.y) + "," + number_text(p.z);
+}
+
+std::string metres(double length) {
+  std::array<char, 32> digits;
+  std::snprintf(digits.data(), digits.size(), "%.4g", length);
+  return digits.data();
+}
+
+/// The normal of the plane in which the tip moves, whatever the joints do; nothing where it moves
+/// in all of space, or along a line.
+std::optional<Vec3> plane_of(const Kinematics& arm, const Kinematics::Poses& poses) {
+  constexpr double kParallel = 1e-9;
+  int first = 0;
+  while (first < arm.size() && arm.slides(first)) ++first;
+  if (first == arm.size()) return std::nullopt;
+  const Vec3 normal = arm.axis(first, poses);
+  for (int j = 0; j < arm.size(); ++j) {
+    const Vec3 axis = arm.axis(j, poses);
+    const double off = arm.slides(j) ? std::abs(dot(normal, axis)) : length(cross(normal, axis));
+    if (off > kParallel) return std::nullopt;
+  }
+  return normal;
+}
+
+std::string values_fault(const Robot& robot, const JointVector& q) {
+  if (q.size() != robot.size()) {
+    return "goal has " + std::to_string(q.size()) + " joint values, the robot needs " +
+           std::to_string(robot.size());
+  }
+  for (int j = 0; j < robot.size(); ++j) {
+    const Joint& joint = robot.joints[j];
+    if (q[j] >= joint.low && q[j] <= joint.high) continue;
+    return "goal: joint " + std::to_string(j + 1) + " is " + number_text(q[j]) +
+           ", its limits are " + number_text(joint.low) + " .. " + number_text(joint.high);
+  }
+  return {};
+}
+
+/// Turned by whole turns, as near to `start` as the limits let it: every joint, or those alone that
+/// turn freely.
+void turn_towards(const Robot& robot, const JointVector& start, bool all, JointVector& q) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  for (int j = 0; j < robot.size(); ++j) {
+    const Joint& joint = robot.joints[j];
+    if (joint.kind == Joint::Kind::prismatic || !(all || joint.continuous)) continue;
+    const double turned = q[j] + kTurn * std::round((start[j] - q[j]) / kTurn);
+    if (turned >= joint.low && turned <= joint.high) q[j] = turned;
+  }
+}
+
+/// Where attempt `number` begins: at the start, at the start bent, then anywhere.
+JointVector first_guess(const Robot& robot, const Kinematics& arm, const JointVector& start,
+                        std::uint64_t seed, int goal, int number) {
+  constexpr double kBend = 0.3;
+  if (number >= 3) {
+    return random_values(robot, start, seed, static_cast<std::uint32_t>(goal),
+                         static_cast<std::uint32_t>(number));
+  }
+  JointVector q = start;
+  arm.bend({q.data(), static_cast<std::size_t>(q.size())}, number == 2 ? -kBend : number * kBend);
+  return q;
+}
+
+}  // namespace
+
+JointVector random_values(const Robot& robot, const JointVector& start, std::uint64_t seed,
+                          std::uint32_t series, std::uint32_t number) {
+  constexpr std::uint32_t kUse = 1;  // of random streams: the ants' is 0
+  kernels::RandomStream words(seed, series, number, kUse);
+  JointVector q(robot.size());
+  for (int j = 0; j < robot.size(); ++j) {
+    const Joint& joint = robot.joints[j];
+    const double half = joint.continuous ? std::numbers::pi : 0.5 * (joint.high - joint.low);
+    const double middle = joint.continuous ? start[j] : 0.5 * (joint.low + joint.high);
+    q[j] =
+        std::clamp(middle + half * (2 * (words.next() + 0.5) * 0x1p-32 - 1), joint.low, joint.high);
+  }
+  return q;
+}
+
+double joint_travel(const JointRef& a, const JointRef& b) {
+  double sum = 0;
+  for (Eigen::Index j = 0; j < a.size(); ++j) sum += (b[j] - a[j]) * (b[j] - a[j]);
+  return std::sqrt(sum);
+}
+
+double largest_change(const JointRef& a, const JointRef& b) {
+  double most = 0;
+  for (Eigen::Index j = 0; j < a.size(); ++j) most = std::max(most, std::abs(a[j] - b[j]));
+  return most;
+}
+
+TipTarget tip_target(const Goal& goal) {
+  const bool any = goal.kind == Goal::Kind::position;
+  return {from_eigen(goal.target), any ? Goal::kTolerance : goal.position_tolerance,
+          any ? 2 * std::numbers::pi : goal.angle_tolerance};
+}
+
+bool is_at(const Kinematics& arm, const Goal& goal, std::span<const double> q) {
+  if (goal.kind != Goal::Kind::joints) return arm.is_at(tip_target(goal), q);
+  return largest_change(goal.values, Eigen::Map<const JointVector>(q.data(), arm.size())) <=
+         Goal::kTolerance;
+}
+
+std::string goal_fault(const Robot& robot, const Kinematics& arm, std::span<const double> start,
+                       const Goal& goal) {
+  if (goal.kind == Goal::Kind::joints) return values_fault(robot, goal.values);
+  const TipTarget target = tip_target(goal);
+  if (!(target.position_tolerance >= Goal::kTolerance &&
+        target.angle_tolerance >= Goal::kTolerance))
+    return "goal: its tolerances must be at least " + number_text(Goal::kTolerance);
+  const Eigen::Matrix3d turn = goal.target.linear();
+  if (!((turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-6))
+    return "goal: its orientation is no rotation";
+  const Vec3 at = target.at.position;
+  const std::string name = "goal " + text(at);
+  const double far = distance(at, arm.shoulder());
+  if (!(far <= arm.reach() + target.position_tolerance)) {
+    return name + " is outside: it is " + metres(far) +
+           " m from the arm's first joint, the arm reaches " + metres(arm.reach()) + " m";
+  }
+  if (far < arm.least_reach() - target.position_tolerance) {
+    return name + " is out of reach: it is " + metres(far) +
+           " m from the arm's first joint, the arm folds to " + metres(arm.least_reach()) + " m";
+  }
+  Kinematics::Poses poses;
+  arm.place(start, poses);
+  if (const auto normal = plane_of(arm, poses)) {
+    const double off = std::abs(dot(*normal, at - arm.tip(poses)));
+    if (off > target.position_tolerance) {
+      return name + " is out of reach: the joints move the tip in one plane, the goal is " +
+             metres(off) + " m off it";
+    }
+  }
+  return {};
+}
+
+std::vector<End> find_ends(const Robot& robot, const Kinematics& arm, const Request& request,
+                           std::span<const int> goals, std::uint64_t seed, int first, int attempts,
+                           int most, std::span<const End> known) {
+  std::vector<End> ends;
+  const JointVector& start = request.start;
+  const auto add = [&](JointVector q, int goal) {
+    Kinematics::Poses poses;
+    arm.place(as_span(q), poses);
+    ends.push_back({std::move(q), goal, arm.tip(poses)});
+  };
+  for (const int g : goals) {
+    const Goal& goal = request.goals[g];
+    if (goal.kind == Goal::Kind::joints) {
+      if (first > 0) continue;
+      JointVector q = goal.values;
+      turn_towards(robot, start, false, q);
+      add(std::move(q), g);
+      continue;
+    }
+    const TipTarget target = tip_target(goal);
+    const std::size_t before = ends.size();
+    for (int i = first; i < first + attempts && ends.size() < before + most; ++i) {
+      JointVector q = first_guess(robot, arm, start, seed, g, i);
+      const std::span<double> values(q.data(), static_cast<std::size_t>(q.size()));
+      if (!arm.reach_pose(target, values)) continue;
+      JointVector nearest = q;
+      turn_towards(robot, start, true, nearest);
+      if (arm.is_at(target, as_span(nearest))) q = nearest;
+      const auto same = [&](const End& other) {
+        return other.goal == g && largest_change(other.q, q) < kSamePosture;
+      };
+      if (std::none_of(ends.begin(), ends.end(), same) &&
+          std::none_of(known.begin(), known.end(), same)) {
+        add(std::move(q), g);
+      }
+    }
+  }
+  std::stable_sort(ends.begin(), ends.end(), [&](const End& a, const End& b) {
+    return joint_travel(a.q, start) < joint_travel(b.q, start);
+  });
+  return ends;
+}
+
+}  // namespace lasius::arm

@@ -1,0 +1,321 @@
+#include "core/arm/inquiry.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/base/number_text.h"
+#include "core/base/parallel.h"
+#include "core/loop/run_status.h"
+#include "core/params/parameter_table.h"
+#include "lasius/error.h"
+
+namespace lasius::arm {
+namespace {
+
+constexpr int kAttempts = 64;  // of inverse kinematics
+
+Result invalid(Fault fault, const std::string& why) {
+  return failed<Result>(Status::invalid, fault, why);
+}
+
+std::string joint_name(const Robot& robot, int j) {
+  const std::string& name = robot.joints[j].name;
+  return "joint " + std::to_string(j + 1) + (name.empty() ? "" : " (" + name + ")");
+}
+
+/// Why the arm cannot stand at `start`; empty where it can, as far as kinematics tells.
+std::string start_fault(const Robot& robot, const JointVector& start) {
+  if (start.size() != robot.size()) {
+    return "start has " + std::to_string(start.size()) + " joint values, the robot needs " +
+           std::to_string(robot.joints.size());
+  }
+  for (int j = 0; j < robot.size(); ++j) {
+    const Joint& joint = robot.joints[j];
+    if (start[j] >= joint.low && start[j] <= joint.high) continue;
+    return "start: " + joint_name(robot, j) + " is " + number_text(start[j]) + ", its limits are " +
+           number_text(joint.low) + " .. " + number_text(joint.high);
+  }
+  return {};
+}
+
+/// The box of the lattice: all that the arm can reach, or `side` points about the middle of start
+/// and the first target; start and targets within. Nothing where it has too many points.
+std::optional<Box> box_of(const Kinematics& arm, Vec3 from, double pitch, int side,
+                          std::span<const std::array<int, 3>> targets, int postures,
+                          double& nodes) {
+  const std::array<double, 3> start{from.x, from.y, from.z};
+  const Vec3 s = arm.shoulder();
+  const std::array<double, 3> shoulder{s.x, s.y, s.z};
+  Box box;
+  nodes = postures;
+  for (int i = 0; i < 3; ++i) {
+    if (side > 0) {
+      const int middle = targets[0][i] / 2;
+      box.low[i] = middle - (side - 1) / 2;
+      box.high[i] = box.low[i] + side - 1;
+    } else {
+      const auto most = [](double v) { return static_cast<int>(std::clamp(v, -1e6, 1e6)); };
+      box.low[i] = most(std::ceil((shoulder[i] - arm.reach() - start[i]) / pitch));
+      box.high[i] = most(std::floor((shoulder[i] + arm.reach() - start[i]) / pitch));
+    }
+    box.low[i] = std::min(box.low[i], 0);
+    box.high[i] = std::max(box.high[i], 0);
+    for (const auto& at : targets) {
+      box.low[i] = std::min(box.low[i], at[i]);
+      box.high[i] = std::max(box.high[i], at[i]);
+    }
+    nodes *= box.high[i] - box.low[i] + 3;
+  }
+  if (nodes > static_cast<double>(Lattice::kMostNodes)) return std::nullopt;
+  return box;
+}
+
+/// The lattice point next to a place; the tip starts at the point 0.
+std::array<int, 3> point_near(Vec3 from, Vec3 to, double pitch) {
+  const Vec3 way = (1 / pitch) * (to - from);
+  if (!(length(way) < 1e6)) {
+    throw Error(ErrorCode::invalid_parameter,
+                "pitch is " + number_text(pitch) + ", too small for this goal",
+                "take a larger one");
+  }
+  return {static_cast<int>(std::lround(way.x)), static_cast<int>(std::lround(way.y)),
+          static_cast<int>(std::lround(way.z))};
+}
+
+/// What a finer lattice found comes after what the ones before did.
+void append(Result more, Result& result) {
+  const auto join = [](auto& before, auto& after) {
+    after.insert(after.begin(), before.begin(), before.end());
+  };
+  join(result.best, more.best);
+  join(result.mean, more.mean);
+  join(result.arrived, more.arrived);
+  join(result.asked, more.asked);
+  more.iterations += result.iterations;
+  more.steps += result.steps;
+  result = std::move(more);
+}
+
+}  // namespace
+
+Inquiry::Inquiry(const Robot& robot, const Sensor& sensor, const Request& request,
+                 const Params& given)
+    : robot_(robot), sensor_(sensor), request_(request), parameters_(given) {
+  validate(robot);
+  validate(given);
+  check_target_gap(request.target_gap);
+  // What fits in the last questions must not depend on who comes first.
+  parameters_.threads = given.max_questions > 0 ? 1 : thread_count(given.threads);
+}
+
+Result Inquiry::answer(const Search& search) {
+  const std::string fault = start_fault(robot_, request_.start);
+  if (!fault.empty()) return invalid(Fault::start_outside, fault);
+  arm_.emplace(robot_);
+  if (parameters_.pitch == 0) parameters_.pitch = arm_->reach() / 20;
+  Kinematics::Poses poses;
+  arm_->place(as_span(request_.start), poses);
+  from_ = arm_->tip(poses);
+  Result result = to_goals(search);
+  if (result.points[0] == 0 && !goals_.empty()) tell_lattice(result);
+  result.questions.positions = std::max(result.questions.positions, asked_.positions);
+  result.questions.motions = std::max(result.questions.motions, asked_.motions);
+  return result;
+}
+
+Result Inquiry::to_goals(const Search& search) {
+  std::string faults = request_.goals.empty() ? "no goal is given" : "";
+  for (int g = 0; g < static_cast<int>(request_.goals.size()); ++g) {
+    std::string one = goal_fault(robot_, *arm_, as_span(request_.start), request_.goals[g]);
+    if (one.empty())
+      goals_.push_back(g);
+    else
+      faults += (faults.empty() ? "" : "; ") + one;
+  }
+  if (goals_.empty()) return invalid(Fault::goal_outside, faults);
+  if (!position_free(request_.start)) {
+    const std::string contact = sensor_.contact(request_.start);
+    return invalid(Fault::start_blocked, "the arm touches something at the start" +
+                                             (contact.empty() ? "" : ": " + contact));
+  }
+  for (const int g : goals_) {
+    if (is_at(*arm_, request_.goals[g], as_span(request_.start))) return stay(g);
+  }
+  if (auto done = find_targets()) return *std::move(done);
+  return search_lattices(search);
+}
+
+Result Inquiry::stay(int goal) const {
+  auto result = already_there<Result>();
+  result.joints = request_.start;
+  result.tips = Eigen::Vector3d(from_);
+  result.goal = goal;
+  return result;
+}
+
+bool Inquiry::position_free(const JointVector& q) {
+  ++asked_.positions;
+  return sensor_.position_free(q);
+}
+StopCondition::Cause Inquiry::cause() const {
+  const bool spent = parameters_.max_questions > 0 &&
+                     asked_.positions + asked_.motions >= parameters_.max_questions;
+  return spent ? StopCondition::Cause::deadline : request_.stop.poll();
+}
+
+std::optional<Result> Inquiry::find_targets() {
+  std::vector<int> wanted;
+  const auto points = targets_at(parameters_.pitch).points;
+  for (const int g : goals_) {
+    const bool point = std::any_of(points.begin(), points.end(),
+                                   [&](const Targets::Point& one) { return one.goal == g; });
+    if (parameters_.postures > 1 || parameters_.direct || !point) wanted.push_back(g);
+  }
+  if (wanted.empty()) return std::nullopt;
+  const int most = std::max(4, 4 * parameters_.postures);
+  ends_ = find_ends(robot_, *arm_, request_, wanted, parameters_.seed, 0, kAttempts, most);
+  const std::vector<End> first = ends_;
+  if (auto line = keep_free()) return line;
+  if (!ends_.empty() || ended()) return std::nullopt;
+  // Where all of them touch something, more are looked for before that is said.
+  ends_ = find_ends(robot_, *arm_, request_, wanted, parameters_.seed, kAttempts, 3 * kAttempts,
+                    3 * most, first);
+  const std::size_t found = first.size() + ends_.size();
+  if (auto line = keep_free()) return line;
+  if (!ends_.empty() || first.empty() || wanted.size() < goals_.size() || ended() ||
+      (parameters_.postures == 1 && is_point(wanted.front()))) {
+    return std::nullopt;
+  }
+  const std::string contact = sensor_.contact(first.front().q);
+  return invalid(Fault::goal_blocked, "the arm touches something at the goal, in each of " +
+                                          std::to_string(found) + " postures found" +
+                                          (contact.empty() ? "" : ": " + contact));
+}
+
+std::optional<Result> Inquiry::keep_free() {
+  std::vector<End> free;
+  for (End& end : ends_) {
+    if (ended() || !position_free(end.q)) continue;
+    if (parameters_.direct && !ended()) {
+      ++asked_.motions;
+      if (sensor_.motion_free(request_.start, end.q)) return along_line(end);
+    }
+    free.push_back(std::move(end));
+  }
+  ends_ = std::move(free);
+  return std::nullopt;
+}
+
+Result Inquiry::along_line(const End& end) const {
+  Result result;
+  result.status = Status::solved;
+  result.goal = end.goal;
+  result.direct = true;
+  result.joints.resize(request_.start.size(), 2);
+  result.joints << request_.start, end.q;
+  result.tips.resize(3, 2);
+  result.tips << Eigen::Vector3d(from_), Eigen::Vector3d(end.tip);
+  if (parameters_.objective == Objective::joint) {
+    result.length = joint_travel(request_.start, end.q);
+  } else if (parameters_.objective == Objective::duration) {
+    result.length = 0;
+    for (int j = 0; j < robot_.size(); ++j)
+      result.length = std::max(result.length,
+                               std::abs(end.q[j] - request_.start[j]) / robot_.joints[j].velocity);
+  } else {
+    const auto at = point_near(from_, end.tip, parameters_.pitch);
+    const int moves = std::abs(at[0]) + std::abs(at[1]) + std::abs(at[2]);
+    result.length =
+        parameters_.pitch *
+        std::max({1.0, static_cast<double>(moves),
+                  std::ceil(largest_change(request_.start, end.q) / parameters_.joint_step)});
+  }
+  return result;
+}
+
+Targets Inquiry::targets_at(double pitch) const {
+  Targets targets{{}, ends_};
+  for (const int g : goals_) {
+    if (!is_point(g)) continue;
+    const Vec3 position = request_.goals[g].target.translation().eval();
+    const auto at = point_near(from_, position, pitch);
+    const bool taken = std::any_of(targets.points.begin(), targets.points.end(),
+                                   [&](const auto& other) { return other.at == at; });
+    if (!taken && at != std::array<int, 3>{}) targets.points.push_back({at, position, g});
+  }
+  return targets;
+}
+
+Result Inquiry::search_lattices(const Search& search) {
+  Result result;
+  for (int level = 0; level <= parameters_.refine; ++level) {
+    const double pitch = std::ldexp(parameters_.pitch, -level);
+    Targets targets = targets_at(pitch);
+    std::vector<std::array<int, 3>> at;
+    for (const auto& point : targets.points) at.push_back(point.at);
+    for (const End& end : targets.ends) at.push_back(point_near(from_, end.tip, pitch));
+    if (at.empty() && ended()) {
+      result.status = status_after(cause(), Status::no_path);
+      return result;
+    }
+    if (at.empty()) {
+      result.error = "no joint values were found that reach the goal, in " +
+                     std::to_string(4 * kAttempts) + " attempts from random ones";
+      return result;
+    }
+    double nodes = 0;
+    const auto box =
+        box_of(*arm_, from_, pitch, parameters_.side << level, at, parameters_.postures, nodes);
+    if (!box && level > 0) return result;
+    if (!box) {
+      throw Error(ErrorCode::invalid_parameter,
+                  "pitch is " + number_text(pitch) + ", which makes a lattice of " +
+                      number_text(nodes) + " points in all postures",
+                  "take a larger pitch, less postures or a smaller side: at most " +
+                      std::to_string(Lattice::kMostNodes) + " fit");
+    }
+    Lattice lattice(robot_, *arm_, sensor_, request_.start, pitch, *box, std::move(targets),
+                    parameters_, asked_);
+    add_postures(lattice);
+    if (lattice.has_target()) {
+      append(search(lattice, parameters_), result);
+    } else {
+      result.error = "not found in this lattice (pitch " + number_text(pitch) +
+                     " m, postures tried: " + std::to_string(lattice.postures()) +
+                     "): joint values continued from the start do not reach the goal; try a "
+                     "smaller pitch, more postures";
+    }
+    asked_ = result.questions = lattice.questions();
+    result.pitch = pitch;
+    result.postures = lattice.postures();
+    for (int i = 0; i < 3; ++i) result.points[i] = box->high[i] - box->low[i] + 1;
+    if (result.status != Status::no_path) break;
+  }
+  return result;
+}
+
+void Inquiry::tell_lattice(Result& result) const {
+  const Goal& goal = request_.goals[goals_.front()];
+  const bool joints = goal.kind == Goal::Kind::joints;
+  const Vec3 to = joints ? from_ : Vec3(goal.target.translation().eval());
+  const std::array<std::array<int, 3>, 1> at{{point_near(from_, to, parameters_.pitch)}};
+  double nodes = 0;
+  result.pitch = parameters_.pitch;
+  const auto box = box_of(*arm_, from_, result.pitch, parameters_.side, at, 1, nodes);
+  for (int i = 0; box && i < 3; ++i) result.points[i] = box->high[i] - box->low[i] + 1;
+}
+
+void Inquiry::add_postures(Lattice& lattice) const {
+  if (parameters_.postures == 1) return;
+  for (const End& end : ends_) lattice.add_posture(end.q);
+  Request here{.start = request_.start, .goals = {Goal(Eigen::Vector3d(from_))}};
+  const std::array<int, 1> only{0};
+  for (const End& other : find_ends(robot_, *arm_, here, only, parameters_.seed, 0, kAttempts / 2,
+                                    2 * parameters_.postures)) {
+    lattice.add_posture(other.q);
+  }
+}
+
+}  // namespace lasius::arm

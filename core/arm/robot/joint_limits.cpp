@@ -1,0 +1,107 @@
+#include "core/arm/robot/joint_limits.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/arm/robot/xml_text.h"
+#include "core/base/number_text.h"
+#include "core/base/text_lines.h"
+#include "core/map_files/byte_reader.h"
+
+namespace lasius::arm {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// The values of one level of the file.
+class Level {
+ public:
+  Level(const YAML::Node& node, const std::string& file, std::string path)
+      : node_(node), file_(file), path_(std::move(path)) {
+    if (!node_.IsMap())
+      fail(node_, "is no list of keys and values", "see MoveIt's joint_limits.yaml");
+  }
+
+  double number(const std::string& key, double otherwise) const {
+    const YAML::Node value = node_[key];
+    if (!value.IsDefined()) return otherwise;
+    double number = 0;
+    if (!value.IsScalar() || !YAML::convert<double>::decode(value, number) ||
+        !std::isfinite(number)) {
+      fail(value, key + " is no finite number", "write it as " + key + ": 1.0");
+    }
+    return number;
+  }
+  /// Above 0, where the flag `has` is true.
+  double limit(const std::string& has, const std::string& key) const {
+    const double value = flag(has) ? number(key, kNone) : kNone;
+    if (value <= 0) fail(node_[key], key + " is " + number_text(value), "it must be above 0");
+    return value;
+  }
+  bool flag(const std::string& key) const {
+    const YAML::Node value = node_[key];
+    bool is = false;
+    if (!value.IsDefined()) return false;
+    if (!value.IsScalar() || !YAML::convert<bool>::decode(value, is)) {
+      fail(value, key + " is neither true nor false", "write it as " + key + ": true");
+    }
+    return is;
+  }
+  double factor(const std::string& key) const {
+    const double value = number(key, 1);
+    if (!(value > 0 && value <= 1)) {
+      fail(node_[key], key + " is " + number_text(value), "it must be above 0, at most 1");
+    }
+    return value;
+  }
+  YAML::Node at(const std::string& key) const { return node_[key]; }
+
+ private:
+  [[noreturn]] void fail(const YAML::Node& at, const std::string& problem,
+                         const std::string& remedy) const {
+    const YAML::Mark mark = at.IsDefined() ? at.Mark() : node_.Mark();
+    broken({.file = file_, .line = mark.is_null() ? 1 : mark.line + 1}, path_ + problem, remedy);
+  }
+
+  YAML::Node node_;
+  const std::string& file_;
+  std::string path_;
+};
+
+std::map<std::string, JointLimits> read_level(const YAML::Node& root, const std::string& file) {
+  const Level top(root, file, "the file ");
+  const double velocity = top.factor("default_velocity_scaling_factor");
+  const double acceleration = top.factor("default_acceleration_scaling_factor");
+  std::map<std::string, JointLimits> limits;
+  const YAML::Node joints = top.at("joint_limits");
+  if (!joints.IsDefined() || joints.IsNull()) return limits;
+  (void)Level(joints, file, "joint_limits ");
+  for (const auto& entry : joints) {
+    const std::string name = entry.first.Scalar();
+    const Level joint(entry.second, file, "joint_limits." + name + ": ");
+    const bool placed = joint.flag("has_position_limits");
+    limits[name] = {placed ? joint.number("min_position", kNone) : kNone,
+                    placed ? joint.number("max_position", kNone) : kNone,
+                    velocity * joint.limit("has_velocity_limits", "max_velocity"),
+                    acceleration * joint.limit("has_acceleration_limits", "max_acceleration")};
+  }
+  return limits;
+}
+
+}  // namespace
+
+std::map<std::string, JointLimits> read_joint_limits(const std::string& file) {
+  constexpr std::int64_t kMostBytes = 1 << 16;
+  std::string text = read_text(file, kMostBytes);
+  end_lines_in_lf(text);
+  try {
+    return read_level(YAML::Load(text), file);
+  } catch (const YAML::Exception& error) {
+    broken({.file = file, .line = error.mark.is_null() ? 1 : error.mark.line + 1},
+           "broken YAML: " + error.msg, "correct it");
+  }
+}
+
+}  // namespace lasius::arm

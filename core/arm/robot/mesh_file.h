@@ -1,0 +1,23 @@
+// Meshes named by other files.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "lasius/arm_robot.h"
+#include "lasius/error.h"
+
+namespace lasius::arm {
+
+/// Triangles that the meshes of one robot or scene may have in all, as the largest that is read.
+inline constexpr std::size_t kMostTriangles = 5'400'000;
+
+/// Where the mesh `name` is, its path relative to that of the file that names it.
+std::string mesh_path(const std::string& file, const std::string& name);
+
+/// The same of a name in URDF: a path, file://PATH or package://NAME/PATH. @throws
+/// Error(file_unsupported) at `place` for another scheme and for a package that is not known.
+std::string mesh_path(const Error::Place& place, const std::string& name,
+                      const std::map<std::string, std::string>& packages);
+
+}  // namespace lasius::arm

@@ -1,0 +1,241 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+
+#include "core/arm/robot/json_fields.h"
+#include "core/arm/robot/kinematics.h"
+#include "core/arm/robot/solid.h"
+#include "core/arm/robot/urdf.h"
+#include "core/arm/robot/vec3.h"
+#include "core/base/output.h"
+#include "core/map_files/byte_reader.h"
+#include "lasius/arm_robot.h"
+#include "lasius/error.h"
+
+namespace lasius::arm {
+namespace {
+
+constexpr double kMostTurn = 1000;  // radians
+
+Robot parse_short(std::string_view text, const std::string& file) {
+  const auto document = parse_json(text, file, "lasius-arm/1");
+  const JsonFields top(*document, text, file, "",
+                       {"format", "name", "base", "base_radius", "joints", "may_touch"});
+  Robot robot;
+  robot.name = top.text_or("name", "");
+  // The base is a post from the ground to the first joint.
+  const Vec3 base = top.vector_or("base", kFar, {});
+  const double base_radius = top.number_or("base_radius", 0, kFar, 0);
+  robot.links.emplace_back();
+  if (base_radius > 0) {
+    robot.links[0].solids = {capsule({base.x, base.y, 0}, {0, 0, base.z}, base_radius)};
+  }
+  Vec3 origin = base;
+  for (const JsonFields& fields :
+       top.list("joints", 1, Robot::kMaxJoints,
+                {"name", "type", "axis", "link", "radius", "limits", "velocity", "acceleration"})) {
+    Joint joint;
+    joint.name = fields.text_or("name", "");
+    const std::string type = fields.text_or("type", "revolute");
+    if (type != "revolute" && type != "prismatic") {
+      fields.fail("type", "is \"" + type + "\"", "it must be \"revolute\" or \"prismatic\"");
+    }
+    joint.kind = type == "prismatic" ? Joint::Kind::prismatic : Joint::Kind::revolute;
+    const Vec3 axis = fields.vector("axis", kFar);
+    if (!(length(axis) > 1e-9)) fields.fail("axis", "has no length", "as in [0, 0, 1]");
+    joint.axis = (1 / length(axis)) * axis;
+    std::tie(joint.low, joint.high) = fields.range("limits", kMostTurn);
+    joint.velocity = fields.number_or("velocity", 1e-6, 1e6, 1);
+    joint.acceleration = fields.number_or("acceleration", 1e-6, 1e6, 4);
+    joint.frame.translation() = Eigen::Vector3d(origin);
+    const Vec3 link = fields.vector("link", kFar);
+    const double radius = fields.number_or("radius", 0, kFar, 0);
+    const int number = robot.size();
+    robot.joints.push_back(std::move(joint));
+    robot.links.push_back({.name = {}, .body = number + 1, .parent = number, .solids = {}});
+    if (radius > 0) robot.links.back().solids = {capsule({}, link, radius)};
+    origin = link;
+  }
+  robot.tip.translation() = Eigen::Vector3d(origin);
+  robot.may_touch = top.pairs("may_touch", robot.size());
+  return robot;
+}
+
+void refuse(const std::string& problem, const std::string& remedy) {
+  throw Error(ErrorCode::invalid_parameter, problem, remedy);
+}
+
+bool finite(Vec3 v) { return std::isfinite(v.x + v.y + v.z) && length(v) <= 2 * kFar; }
+
+void check_rotation(const Pose& pose, const std::string& what) {
+  const Rotation r = from_eigen(pose).rotation;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      double product = 0;
+      for (int k = 0; k < 3; ++k) product += r[3 * i + k] * r[3 * j + k];
+      if (!(std::abs(product - (i == j)) < 1e-6)) {
+        refuse(what + ": its rotation is none", "its rows must be orthonormal");
+      }
+    }
+  }
+}
+
+void check_solid(const Solid& s, const std::string& what) {
+  const auto size = [&](double v, const char* name) {
+    if (!(v > 0 && v <= kFar)) {
+      refuse(what + ": its " + name + " is out of range", "above 0, at most 1000 m");
+    }
+  };
+  if (!finite(from_eigen(s.pose).position)) {
+    refuse(what + ": its position is out of range", "within 1000 m");
+  }
+  check_rotation(s.pose, what);
+  switch (s.shape) {
+    case Solid::Shape::box:
+      size(std::min({s.size[0], s.size[1], s.size[2]}), "size");
+      size(std::max({s.size[0], s.size[1], s.size[2]}), "size");
+      break;
+    case Solid::Shape::cylinder:
+      size(s.length, "length");
+      [[fallthrough]];
+    case Solid::Shape::sphere:
+      size(s.radius, "radius");
+      break;
+    case Solid::Shape::capsule:
+      if (s.radius != 0) size(s.radius, "radius");
+      if (!finite(s.size)) refuse(what + ": its size is out of range", "within 1000 m");
+      break;
+    case Solid::Shape::mesh:
+      if (s.triangles == nullptr) break;
+      for (const auto& triangle : *s.triangles) {
+        for (const Eigen::Vector3d& corner : triangle) {
+          if (!finite(corner)) refuse(what + ": a corner is out of range", "within 1000 m");
+        }
+      }
+      break;
+  }
+}
+
+void check_links(const Robot& robot) {
+  const int count = static_cast<int>(robot.links.size());
+  std::size_t solids = 0;
+  for (int i = 0; i < count; ++i) {
+    const Link& link = robot.links[i];
+    const std::string what = link_name(robot, i);
+    if (link.body < 0 || link.body > robot.size()) {
+      refuse(what + " moves with joint " + std::to_string(link.body),
+             "0 is the base, the last joint is " + std::to_string(robot.size()));
+    }
+    if (link.parent < -1 || link.parent >= count) {
+      refuse(what + " hangs on link " + std::to_string(link.parent),
+             "links are counted from 0, -1 is none");
+    }
+    for (const Solid& solid : link.solids) check_solid(solid, what);
+    solids += link.solids.size();
+  }
+  if (solids > Robot::kMaxSolids) {
+    refuse("the robot has " + std::to_string(solids) + " solids",
+           "at most " + std::to_string(Robot::kMaxSolids) + " are checked");
+  }
+  for (const auto& [a, b] : robot.may_touch) {
+    if (a < 0 || b < 0 || a >= count || b >= count) {
+      refuse("may_touch names links " + std::to_string(a) + " and " + std::to_string(b),
+             "links are counted from 0 to " + std::to_string(count - 1));
+    }
+  }
+}
+
+/// Where the body is that moves with each joint.
+std::vector<Placement> place(const Robot& robot, const JointRef& q) {
+  validate(robot);
+  check_values(robot, as_span(q));
+  Kinematics::Poses poses;
+  Kinematics(robot).place(as_span(q), poses);
+  return {poses.begin(), poses.begin() + robot.size()};
+}
+
+}  // namespace
+
+template <int AlignBytes, bool ByMalloc>
+bool compile_with_the_Eigen_alignment_of_lasius() noexcept {
+  return true;
+}
+template bool compile_with_the_Eigen_alignment_of_lasius<EIGEN_DEFAULT_ALIGN_BYTES,
+                                                         EIGEN_MALLOC_ALREADY_ALIGNED>() noexcept;
+
+Robot parse_robot(std::string_view text, const std::string& file, const Chain& chain) {
+  const auto first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  const char begins = first == std::string_view::npos ? '\0' : text[first];
+  const bool named = has_ending(file, ".urdf") || has_ending(file, ".xml");
+  if (begins == '<' || (named && begins != '{')) return parse_urdf(text, file, chain);
+  Robot robot = parse_short(text, file);
+  if (!chain.base.empty() || !chain.tip.empty() || !chain.set_joints.empty() ||
+      !chain.srdf.empty() || !chain.joint_limits.empty() || !chain.allow_contact.empty() ||
+      chain.use_visual || chain.bodiless) {
+    refuse("links or joints are named, but " + file + " is no URDF file",
+           "say it in the file; leave out what is for URDF");
+  }
+  return robot;
+}
+
+Robot read_robot(const std::string& path, const Chain& chain) {
+  constexpr std::int64_t kMostBytes = 16 << 20;
+  return parse_robot(read_text(path, kMostBytes), path, chain);
+}
+
+void validate(const Robot& robot) {
+  if (robot.joints.empty() || robot.size() > Robot::kMaxJoints) {
+    refuse("the robot has " + std::to_string(robot.joints.size()) + " joints",
+           "it must have 1 .. " + std::to_string(Robot::kMaxJoints));
+  }
+  for (int j = 0; j < robot.size(); ++j) {
+    const Joint& joint = robot.joints[j];
+    const std::string what = "joint " + std::to_string(j + 1);
+    if (!finite(from_eigen(joint.frame).position)) {
+      refuse(what + ": its origin is out of range", "within 1000 m");
+    }
+    check_rotation(joint.frame, what);
+    if (!(std::abs(length(joint.axis) - 1) < 1e-6)) {
+      refuse(what + ": its axis is not of length 1", "divide it by its length");
+    }
+    if (!(joint.low <= joint.high && joint.low >= -kMostTurn && joint.high <= kMostTurn)) {
+      refuse(what + ": its limits are not in order", "-1000 <= low <= high <= 1000");
+    }
+    if (!(joint.velocity > 0 && joint.velocity <= 1e6 && joint.acceleration > 0 &&
+          joint.acceleration <= 1e6)) {
+      refuse(what + ": velocity or acceleration is out of range", "above 0, at most 1e6");
+    }
+  }
+  if (!finite(from_eigen(robot.tip).position)) refuse("the tip is out of range", "within 1000 m");
+  check_rotation(robot.tip, "the tip");
+  check_links(robot);
+}
+
+void validate(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
+    check_solid(scene.obstacles[i], "obstacle " + std::to_string(i + 1));
+  }
+}
+
+Eigen::Vector3d tip_position(const Robot& robot, const JointRef& q) {
+  return place(robot, q).back() * from_eigen(robot.tip).position;
+}
+
+Pose tip_pose(const Robot& robot, const JointRef& q) {
+  return to_eigen(place(robot, q).back() * from_eigen(robot.tip));
+}
+
+std::vector<Link> place_links(const Robot& robot, const JointRef& q) {
+  const std::vector<Placement> poses = place(robot, q);
+  std::vector<Link> placed = robot.links;
+  for (Link& link : placed) {
+    if (link.body == 0) continue;
+    for (Solid& solid : link.solids) {
+      solid.pose = to_eigen(poses[link.body - 1] * from_eigen(solid.pose));
+    }
+  }
+  return placed;
+}
+
+}  // namespace lasius::arm

@@ -1,0 +1,101 @@
+#include "core/arm/robot/srdf.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/arm/robot/xml_text.h"
+#include "core/base/did_you_mean.h"
+#include "core/map_files/byte_reader.h"
+
+namespace lasius::arm {
+namespace {
+
+class Reader {
+ public:
+  Reader(const std::string& file, const std::vector<std::string_view>& links,
+         const std::vector<std::string_view>& joints)
+      : file_(file), links_(links), joints_(joints) {}
+
+  Srdf read(const TiXmlElement& root) {
+    found_.robot = attribute(&root, "name");
+    each(root, "disable_default_collisions",
+         [&](const TiXmlElement& at) { found_.disabled_links.insert(known(at, "link", links_)); });
+    for (auto* pairs : {&found_.disabled, &found_.enabled}) {
+      const bool off = pairs == &found_.disabled;
+      each(root, off ? "disable_collisions" : "enable_collisions", [&](const TiXmlElement& at) {
+        const std::string a = known(at, "link1", links_), b = known(at, "link2", links_);
+        pairs->emplace(std::min(a, b), std::max(a, b));
+      });
+    }
+    each(root, "group_state", [&](const TiXmlElement& at) { add_state(at); });
+    return std::move(found_);
+  }
+
+ private:
+  template <class Visit>
+  static void each(const TiXmlElement& in, const char* tag, const Visit& visit) {
+    for (const TiXmlElement* at = in.FirstChildElement(tag); at != nullptr;
+         at = at->NextSiblingElement(tag)) {
+      visit(*at);
+    }
+  }
+  Error::Place place(const TiXmlElement& at) const { return {.file = file_, .line = at.Row()}; }
+
+  std::string text(const TiXmlElement& at, const char* name) const {
+    std::string value = attribute(&at, name);
+    if (value.empty()) {
+      broken(place(at), "<" + at.ValueStr() + "> has no " + name,
+             std::string("write it as ") + name + "=\"...\"");
+    }
+    return value;
+  }
+  std::string known(const TiXmlElement& at, const char* name,
+                    const std::vector<std::string_view>& names) const {
+    std::string value = text(at, name);
+    if (std::ranges::find(names, value) == names.end()) {
+      broken(place(at), "the robot has no \"" + value + '"', did_you_mean(value, names));
+    }
+    return value;
+  }
+  void add_state(const TiXmlElement& at) {
+    Srdf::State state{text(at, "name"), attribute(&at, "group"), {}};
+    each(at, "joint", [&](const TiXmlElement& joint) {
+      const std::string name = known(joint, "name", joints_), value = text(joint, "value");
+      double number = 0;
+      const auto [end, fault] = std::from_chars(value.data(), value.data() + value.size(), number);
+      if (fault != std::errc() || end != value.data() + value.size() || !std::isfinite(number)) {
+        broken(place(joint), "the value \"" + value + "\" of joint \"" + name + "\" is no number",
+               "give one number");
+      }
+      state.values[name] = number;
+    });
+    found_.states.push_back(std::move(state));
+  }
+
+  const std::string& file_;
+  const std::vector<std::string_view>&links_, &joints_;
+  Srdf found_;
+};
+
+}  // namespace
+
+Srdf read_srdf(const std::string& file, const std::vector<std::string_view>& links,
+               const std::vector<std::string_view>& joints) {
+  constexpr std::int64_t kMostBytes = 4 << 20;
+  const std::string text = read_text(file, kMostBytes);
+  check_xml(text, file);
+  TiXmlDocument document;
+  document.Parse(text.c_str());
+  if (document.Error()) {
+    broken({.file = file, .line = document.ErrorRow()},
+           std::string("this is no XML (") + document.ErrorDesc() + ")", "correct it");
+  }
+  const TiXmlElement* const root = document.FirstChildElement("robot");
+  if (root == nullptr) {
+    broken({.file = file}, "there is no <robot>", "give the SRDF file of the robot");
+  }
+  return Reader(file, links, joints).read(*root);
+}
+
+}  // namespace lasius::arm

@@ -1,0 +1,100 @@
+#include <cmath>
+#include <cstring>
+#include <locale>
+#include <sstream>
+
+#include "core/arm/robot/vec3.h"
+#include "core/arm/robot/xml_text.h"
+#include "core/base/text_lines.h"
+#include "core/map_files/byte_reader.h"
+#include "lasius/arm_robot.h"
+#include "lasius/error.h"
+
+namespace lasius::arm {
+namespace {
+
+constexpr std::size_t kHead = 84;   // bytes before the first triangle of a binary file
+constexpr std::size_t kFacet = 50;  // bytes of one
+
+bool in_range(Vec3 v) {
+  return std::abs(v.x) <= kFar && std::abs(v.y) <= kFar && std::abs(v.z) <= kFar;
+}
+
+std::uint32_t count_of(const std::string& bytes) {
+  std::uint32_t count;
+  std::memcpy(&count, bytes.data() + kHead - 4, sizeof count);  // little endian, as this machine
+  return count;
+}
+
+Triangles parse_binary(const std::string& bytes, const std::string& file) {
+  Triangles triangles(count_of(bytes));
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const std::size_t offset = kHead + kFacet * i + 12 * (corner + 1);
+      float v[3];
+      std::memcpy(v, bytes.data() + offset, sizeof v);
+      triangles[i][corner] = Vec3(v[0], v[1], v[2]);
+      if (!in_range(triangles[i][corner])) {
+        broken({.file = file, .offset = static_cast<std::int64_t>(offset)},
+               "a corner is not within 1000 m", "scale the mesh");
+      }
+    }
+  }
+  return triangles;
+}
+
+Triangles parse_ascii(const std::string& text, const std::string& file) {
+  Triangles triangles;
+  std::istringstream lines(text);
+  std::string line;
+  std::size_t corner = 0;
+  bool solid = false;
+  for (std::int64_t number = 1; std::getline(lines, line); ++number) {
+    std::istringstream words(line);
+    words.imbue(std::locale::classic());
+    std::string word;
+    words >> word;
+    if (word == "solid" || word == "endsolid") solid = word == "solid";
+    if (word == "facet" && corner != 0) {
+      broken({.file = file, .line = number}, "a facet begins before the last one has 3 vertices",
+             "a facet has exactly 3");
+    }
+    if (word != "vertex") continue;
+    Vec3 v;
+    if (!(words >> v.x >> v.y >> v.z) || !in_range(v)) {
+      broken({.file = file, .line = number}, "a vertex is not three numbers within 1000 m",
+             "as in: vertex 0.1 0.2 0.3");
+    }
+    if (corner == 0) triangles.emplace_back();
+    triangles.back()[corner] = v;
+    corner = (corner + 1) % 3;
+  }
+  if (corner != 0) {
+    broken({.file = file}, "the last facet has fewer than 3 vertices", "a facet has exactly 3");
+  }
+  if (solid) broken({.file = file}, "the file ends before its endsolid", "save the mesh again");
+  return triangles;
+}
+
+}  // namespace
+
+Triangles read_stl(const std::string& path) {
+  constexpr std::int64_t kMostBytes = 256 << 20;
+  std::string bytes = read_text(path, kMostBytes);
+  const bool binary =
+      bytes.size() >= kHead && bytes.size() == kHead + kFacet * std::size_t{count_of(bytes)};
+  Triangles triangles;
+  if (binary) {
+    triangles = parse_binary(bytes, path);
+  } else if (bytes.starts_with("solid")) {
+    end_lines_in_lf(bytes);
+    triangles = parse_ascii(bytes, path);
+  } else {
+    broken({.file = path}, "this is no STL file: neither its text nor its size fits",
+           "save the mesh as binary or ASCII STL");
+  }
+  if (triangles.empty()) broken({.file = path}, "the mesh has no triangles", "save it again");
+  return triangles;
+}
+
+}  // namespace lasius::arm

@@ -1,0 +1,170 @@
+#include "core/arm/robot/urdf_file.h"
+
+#include <console_bridge/console.h>
+#include <tinyxml.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "core/arm/robot/xml_text.h"
+
+namespace lasius::arm {
+namespace {
+
+constexpr std::size_t kMostLinks = 2000;  // urdfdom lets go of a chain by recursion
+
+/// What urdfdom would print, kept: its first complaint is our reason.
+class Complaints final : public console_bridge::OutputHandler {
+ public:
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first_.empty()) first_ = text;
+  }
+  bool any() const { return !first_.empty(); }
+  std::string first() const { return first_.empty() ? "urdfdom does not say why" : first_; }
+
+ private:
+  std::string first_;
+};
+
+/// A joint, and the line of its tag.
+struct Edge {
+  std::string name, parent, child;
+  std::int64_t line;
+};
+
+std::string quoted(const std::string& name) { return '"' + name + '"'; }
+
+/// The joint above each link.
+using Above = std::map<std::string_view, const Edge*>;
+
+/// Tells the loop that a joint is in. Precondition: it is in one.
+[[noreturn]] void refuse_loop(const Edge& joint, const Above& above, Error::Place place) {
+  constexpr int kMostNames = 10;
+  const auto next = [&](const Edge* at) { return above.at(at->parent); };
+  const Edge* first = &joint;
+  for (const Edge* at = next(&joint); at != &joint; at = next(at)) {
+    if (at->line < first->line) first = at;
+  }
+  std::string names = quoted(first->child);
+  int count = 1;
+  for (const Edge* at = next(first); at != first; at = next(at)) {
+    if (++count <= kMostNames) names.insert(0, quoted(at->child) + ", ");
+  }
+  if (count > kMostNames) names.insert(0, "..., ");
+  place.line = first->line;
+  broken(place, "the links " + names + " are joined in a loop", "take one of its joints out");
+}
+
+/// urdfdom hangs each link on the last joint that names it, and lets links hang on one another.
+void check_tree(const std::vector<Edge>& joints, const Error::Place& whole) {
+  Above above;
+  for (const Edge& joint : joints) {
+    Error::Place place = whole;
+    place.line = joint.line;
+    if (joint.parent == joint.child) {
+      broken(place,
+             "joint " + quoted(joint.name) + " joins link " + quoted(joint.child) + " to itself",
+             "name another link as its parent or its child");
+    }
+    const auto [known, is_new] = above.emplace(joint.child, &joint);
+    if (!is_new) {
+      broken(place,
+             "link " + quoted(joint.child) + " is the child of two joints, " +
+                 quoted(known->second->name) + " (line " + std::to_string(known->second->line) +
+                 ") and " + quoted(joint.name),
+             "a link has one parent: take one of the two joints out");
+    }
+  }
+  std::set<std::string_view> hung;  // links that hang on a root
+  for (const Edge& joint : joints) {
+    std::vector<std::string_view> walk;
+    for (const Edge* at = &joint; at != nullptr && !hung.contains(at->child);) {
+      if (walk.size() == joints.size()) refuse_loop(*at, above, whole);
+      walk.push_back(at->child);
+      const auto next = above.find(at->parent);
+      at = next == above.end() ? nullptr : next->second;
+    }
+    hung.insert(walk.begin(), walk.end());
+  }
+}
+
+}  // namespace
+
+UrdfFile::UrdfFile(std::string_view text, std::string file) : file_(std::move(file)) {
+  check_xml(text, file_);
+  const std::string copy(text);
+  read_xml(copy);
+  parse(copy);
+}
+
+/// Notes the lines, which urdfdom does not keep, and where the XML is broken. What names no links,
+/// or names twice, is left to urdfdom to tell.
+void UrdfFile::read_xml(const std::string& text) {
+  TiXmlDocument document;
+  document.Parse(text.c_str());
+  if (document.Error()) broken_line_ = document.ErrorRow();
+  const TiXmlElement* const robot = document.FirstChildElement("robot");
+  if (document.Error() || robot == nullptr) return;
+  for (const TiXmlElement* at = robot->FirstChildElement(); at != nullptr;
+       at = at->NextSiblingElement()) {
+    if (at->ValueStr().starts_with("xacro:")) {
+      unsupported(line(at->Row()), "this is a xacro file, from which URDF is made",
+                  "make it first: xacro " + file_ + " > robot.urdf");
+    }
+  }
+  const auto each = [&](const char* tag, const auto& visit) {
+    for (const TiXmlElement* at = robot->FirstChildElement(tag); at != nullptr;
+         at = at->NextSiblingElement(tag)) {
+      visit(at);
+    }
+  };
+  each("link",
+       [&](const TiXmlElement* link) { links_.emplace(attribute(link, "name"), link->Row()); });
+  std::vector<Edge> joints;
+  bool told_by_urdfdom = false;
+  each("joint", [&](const TiXmlElement* joint) {
+    joints.push_back({attribute(joint, "name"),
+                      attribute(joint->FirstChildElement("parent"), "link"),
+                      attribute(joint->FirstChildElement("child"), "link"), joint->Row()});
+    const Edge& edge = joints.back();
+    const bool is_new = joints_.emplace(edge.name, edge.line).second;
+    told_by_urdfdom |= !is_new || edge.parent.empty() || edge.child.empty();
+  });
+  if (std::max(links_.size(), joints.size()) > kMostLinks) {
+    unsupported(whole(), "the robot has too many links",
+                "at most " + std::to_string(kMostLinks) + " are read");
+  }
+  if (!told_by_urdfdom) check_tree(joints, whole());
+}
+
+void UrdfFile::parse(const std::string& text) {
+  static std::mutex one_at_a_time;  // the handler is the program's
+  const std::scoped_lock lock(one_at_a_time);
+  Complaints complaints;
+  console_bridge::OutputHandler* const before = console_bridge::getOutputHandler();
+  console_bridge::useOutputHandler(&complaints);
+  std::string fault;
+  try {
+    model_ = urdf::parseURDF(text);
+  } catch (const std::exception& e) {
+    fault = e.what();
+  }
+  console_bridge::useOutputHandler(before);
+  if (model_ == nullptr) {
+    broken(broken_line_ < 0 ? whole() : line(broken_line_),
+           "this is no URDF (" + (fault.empty() ? complaints.first() : fault) + ")",
+           "check it with check_urdf");
+  }
+  // What the parser cannot read it leaves out: a link would pass through obstacles.
+  if (complaints.any()) {
+    broken(whole(), "a part of it cannot be read (" + complaints.first() + ")",
+           "check it with check_urdf");
+  }
+}
+
+}  // namespace lasius::arm

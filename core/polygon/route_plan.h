@@ -1,0 +1,41 @@
+// Line sequences searched one after the other, by ants or by the genetic algorithm.
+#pragma once
+
+#include "core/base/poller.h"
+#include "core/loop/colony_loop.h"
+#include "core/polygon/route.h"
+
+namespace lasius::polygon {
+
+/// The two ends of a path, which may lie where no line is drawn, beside an arc of few tangents.
+struct Ends {
+  Point start, goal;
+};
+
+/// Dijkstra's route and what runs over it, route by route; the best one is kept. Paths go straight
+/// on to the ends that are asked for.
+class RoutePlan {
+ public:
+  /// All of them must outlive it.
+  RoutePlan(const Regions& regions, const Ends& ends, const Params& parameters,
+            const Request& request, const Observer& observer);
+
+  /// `start` and `goal` lie in regions; `optimum` is the length of the world's shortest path.
+  void run(const Place& start, const Place& goal, double optimum, Result& result);
+
+ private:
+  StopCondition::Cause search(const Route& route, double enough, Result& result);
+  Crossing whole(Crossing crossing) const;
+  StopCondition::Cause observe(const Convergence& run, const Result& result) const;
+  void append(const Convergence& run, Result& result) const;
+
+  const Regions& regions_;
+  const Ends ends_;
+  double beside_ = 0;  // length of the straight pieces at the ends
+  const Params& parameters_;
+  const Request& request_;
+  const Observer& observer_;
+  Poller poller_;  // of what is not left to the runs
+};
+
+}  // namespace lasius::polygon

@@ -1,0 +1,234 @@
+// Robots, scenes and meshes from text and files.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <string>
+
+#include "core/arm/robot/vec3.h"
+#include "lasius/error.h"
+#include "tests/core/arm/arms.h"
+#include "tests/core/arm/refusals.h"
+#include "tests/core/arm/robot/folder.h"
+#include "tests/core/base/other_locale.h"
+
+namespace lasius::arm {
+namespace {
+
+TEST(ShortRobot, WhatItsFieldsMean) {
+  const Robot robot = parse_robot(R"({"format": "lasius-arm/1", "base": [0, 0, 1],
+      "base_radius": 0.2, "may_touch": [[0, 2]], "joints": [
+      {"axis": [0, 0, 3], "link": [1, 0, 0], "limits": [-1, 1]},
+      {"type": "prismatic", "axis": [1, 0, 0], "link": [0, 2, 0], "radius": 0.1,
+       "limits": [0, 1], "velocity": 0.5, "acceleration": 3}]})",
+                                  "r.json");
+  ASSERT_EQ(robot.size(), 2);
+  EXPECT_EQ(robot.joints[0].axis, Eigen::Vector3d(0, 0, 1));
+  ASSERT_EQ(robot.links.size(), 3u);
+  EXPECT_TRUE(robot.links[1].solids.empty()) << "no radius, no body";
+  EXPECT_EQ(robot.joints[1].frame.translation(), Eigen::Vector3d(1, 0, 0));
+  EXPECT_EQ(robot.links[0].solids.size(), 1u);
+  EXPECT_EQ(robot.may_touch.size(), 1u);
+  EXPECT_LT(distance(tip_position(robot, joints({0.0, 0.5})), {1.5, 2, 1}), 1e-12);
+}
+
+TEST(ShortRobot, BadFields) {
+  const auto joint = [](const std::string& fields) {
+    return "{\"format\": \"lasius-arm/1\", \"joints\": [{" + fields + "}]}";
+  };
+  const std::string good = R"("axis": [0, 0, 1], "link": [1, 0, 0], "limits": [-1, 1])";
+  EXPECT_NO_THROW(parse_robot(joint(good), "r.json"));
+  const std::pair<std::string, std::string> cases[] = {
+      {joint(good + R"(, "type": "round")"), "joints[0].type is \"round\""},
+      {joint(good + R"(, "velocity": 0)"), "joints[0].velocity is 0"},
+      {joint(good + R"(, "velocity": "fast")"), "not a number"},
+      {joint(good + R"(, "radius": -1)"), "joints[0].radius"},
+      {joint(R"("axis": [0, 0, 0], "link": [1, 0, 0], "limits": [-1, 1])"), "no length"},
+      {joint(R"("axis": [0, 0, 1], "link": [1, 0, 0], "limits": [1, -1])"), "above its second"},
+      {joint(R"("axis": [0, 0, 1], "link": [1e9, 0, 0], "limits": [-1, 1])"), "joints[0].link"},
+      {joint(R"("axis": [0, 0, 1], "link": [1, 0], "limits": [-1, 1])"), "list of 3"},
+      {R"({"format": "lasius-arm/1", "joints": 3})", "joints is not a list"},
+      {R"({"format": "lasius-arm/1", "joints": [3]})", "joints[0] is not an object"},
+      {R"({"format": "lasius-arm/1", "joints": [], "name": 3})", "name is not a text"},
+      {R"({"format": 3})", "format is 3"},
+      {"null", "no \"format\""},
+      {"{\n\"a\": \xff}", "line 2, byte 7: this is not JSON"},
+      {"{\n\"a\": 1e999}", "line 2, byte 11: a number is too large"},
+      {"{\r\"a\": 1,\r\"a\": 2}", "line 3, byte 12: \"a\" is given again"},
+  };
+  for (const auto& [text, words] : cases) expect_error(text, ErrorCode::file_broken, words);
+  expect_error(
+      R"({"format": "lasius-arm/1", "joints": [{)" + good + R"(}], "may_touch": [[0, 9]]})",
+      ErrorCode::file_broken, "may_touch");
+}
+
+std::string binary_stl(std::uint32_t claimed, const std::vector<float>& corners) {
+  std::string bytes(80, 'x');
+  bytes.append(reinterpret_cast<const char*>(&claimed), 4);
+  for (std::size_t i = 0; i + 9 <= corners.size(); i += 9) {
+    bytes.append(12, '\0');
+    bytes.append(reinterpret_cast<const char*>(corners.data() + i), 36);
+    bytes.append(2, '\0');
+  }
+  return bytes;
+}
+
+using StlFile = Folder;
+
+TEST_F(StlFile, TextAndBinaryAreTheSame) {
+  const std::string ascii = R"(solid s
+ facet normal 0 0 1
+  outer loop
+   vertex 0 0 0
+   vertex 1 0 0
+   vertex 0 2.5 0
+  endloop
+ endfacet
+endsolid s
+)";
+  const auto text = read_stl(write("a.stl", ascii));
+  std::string only_cr = ascii;
+  std::ranges::replace(only_cr, '\n', '\r');
+  EXPECT_EQ(read_stl(write("c.stl", only_cr)), text);
+  const auto binary = read_stl(write("b.stl", binary_stl(1, {0, 0, 0, 1, 0, 0, 0, 2.5f, 0})));
+  ASSERT_EQ(text.size(), 1u);
+  EXPECT_EQ(text, binary);
+  EXPECT_EQ(text[0][2], Eigen::Vector3d(0, 2.5, 0));
+  const OtherLocale other;
+  EXPECT_EQ(read_stl((folder_ / "a.stl").string()), text);
+}
+
+TEST_F(StlFile, BadOnes) {
+  const auto refused = [&](const std::string& bytes) {
+    EXPECT_THROW(read_stl(write("bad.stl", bytes)), Error) << bytes.substr(0, 40);
+  };
+  refused("");
+  refused("solid empty\nendsolid\n");
+  refused("solid s\nvertex 1 2\n");
+  refused("solid s\nvertex 1 2 x\n");
+  refused("solid s\nvertex 1 2 3\nvertex 1 2 3\n");
+  refused("solid s\nfacet\nvertex 1 2 3\nfacet\n");
+  refused("solid s\nvertex 1 2 1e9\nvertex 1 2 3\nvertex 1 2 3\n");
+  refused(binary_stl(2, {0, 0, 0, 1, 0, 0, 0, 1, 0}));
+  refused(binary_stl(0xffffffff, {0, 0, 0, 1, 0, 0, 0, 1, 0}));
+  refused(binary_stl(1, {0, 0, 0, 1, 0, 0, 0, std::nanf(""), 0}));
+  refused("a picture of a box");
+  EXPECT_THROW(read_stl((folder_ / "missing.stl").string()), Error);
+  EXPECT_THROW(read_stl(folder_.string()), Error);
+}
+
+TEST_F(StlFile, AMeshOfARobotMayBeMirroredButNotFlattened) {
+  write("M.STL", "solid s\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 1\nendsolid\n");
+  const auto scaled = [&](const std::string& scale) {
+    std::string text = kUrdf;
+    text.replace(text.find("<sphere radius=\"0.2\"/>"), 22,
+                 "<mesh filename=\"M.STL\" scale=\"" + scale + "\"/>");
+    return parse_robot(text, (folder_ / "r.urdf").string());
+  };
+  EXPECT_EQ(scaled("2 2 2").size(), 2);
+  EXPECT_EQ(scaled("1 -1 1").size(), 2);
+  EXPECT_EQ(scaled("1 1 1").files, std::vector{(folder_ / "M.STL").string()});
+  for (const char* scale : {"1 0 1", "1 1 nan"}) {
+    EXPECT_THROW(scaled(scale), Error) << scale;
+  }
+  try {
+    scaled("1 1 0");
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place().line, 4) << error.what();
+    EXPECT_NE(std::string(error.what()).find("is scaled by 0"), std::string::npos);
+  }
+}
+
+using AnyFile = Folder;
+
+TEST_F(AnyFile, SaysWhatIsWrongWithIt) {
+  const auto expect = [](const std::string& file, ErrorCode code, const std::string& words) {
+    for (const auto& read : {+[](const std::string& name) { read_robot(name); },
+                             +[](const std::string& name) { read_scene(name); },
+                             +[](const std::string& name) { read_stl(name); }}) {
+      try {
+        read(file);
+        ADD_FAILURE() << file << " was read";
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), code) << error.what();
+        EXPECT_EQ(error.place().file, file);
+        EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+      }
+    }
+  };
+  expect((folder_ / "none").string(), ErrorCode::file_missing, "cannot be opened");
+  expect(folder_.string(), ErrorCode::file_broken, "is a folder");
+  expect(write("empty", ""), ErrorCode::file_broken, "is empty");
+  const std::string large = write("large", "{");
+  std::filesystem::resize_file(large, (256 << 20) + 1);
+  expect(large, ErrorCode::file_unsupported, "is larger than");
+  const std::string unreadable = "/proc/self/mem";  // its first byte is on no page
+  expect(unreadable, ErrorCode::file_broken, "reading failed");
+}
+
+using SceneFile = Folder;
+
+// In texts of one number a line, so that lines tell which.
+TEST_F(SceneFile, FaultsAreNamedByLine) {
+  const std::string text = R"({
+    "format": "lasius-scene/1",
+    "obstacles": [
+      {"shape": "box", "size": [1, 2, 3]},
+      {"shape": "cylinder",
+       "radius": 0.1,
+       "length": 2,
+       "position": [1,
+                    2, 3]}]})";
+  EXPECT_EQ(parse_scene(text, "s.json").obstacles.size(), 2u);
+  const Spoilt cases[] = {
+      {"scene/1", "scene/7", 2}, {"\"size\"", "\"siez\"", 4},   {"cylinder", "cilinder", 5},
+      {"0.1", "-0.1", 6},        {"\"length\"", "\"long\"", 7}, {"2, 3]}]", "\"2\", 3]}]", 8},
+      {"\"length\": 2,", "", 5},
+  };
+  expect_lines(cases, text, [](const std::string& scene) { parse_scene(scene, "s.json"); });
+  std::string large = text;
+  const auto at = large.find("0.1");
+  large.replace(at, 3, "1e999");
+  try {
+    parse_scene(large, "s.json");
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place().offset, static_cast<std::int64_t>(at) + 4) << error.what();
+  }
+}
+
+TEST_F(SceneFile, AllShapes) {
+  write("m.stl", "solid s\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendsolid s\n");
+  const Scene scene = read_scene(write("s.json", R"({"format": "lasius-scene/1", "obstacles": [
+      {"shape": "box", "size": [1, 2, 3], "position": [1, 0, 0], "rpy": [0, 0, 1.5707963267948966]},
+      {"shape": "sphere", "radius": 0.5, "name": "ball"},
+      {"shape": "cylinder", "radius": 0.1, "length": 2},
+      {"shape": "mesh", "file": "m.stl", "scale": 2}]})"));
+  ASSERT_EQ(scene.obstacles.size(), 4u);
+  EXPECT_LT(distance(from_eigen(scene.obstacles[0].pose).rotation * Vec3{1, 0, 0}, {0, 1, 0}),
+            1e-12);
+  EXPECT_EQ(scene.obstacles[1].name, "ball");
+  EXPECT_DOUBLE_EQ(scene.obstacles[2].length, 2);
+  EXPECT_EQ(scene.obstacles[3].triangles->at(0)[1], Eigen::Vector3d(2, 0, 0));
+  EXPECT_EQ(scene.obstacles[3].file, (folder_ / "m.stl").string());
+  EXPECT_NO_THROW(validate(scene));
+}
+
+TEST(Generate, QuestionsAreFreeAndTheSameBySeed) {
+  const Robot robot = shipped("industrial6");
+  const Query a = generate_query(robot, {.seed = 3, .obstacles = 15, .wall = 1});
+  const Query b = generate_query(robot, {.seed = 3, .obstacles = 15, .wall = 1});
+  const Query c = generate_query(robot, {.seed = 4, .obstacles = 15, .wall = 1});
+  EXPECT_EQ(a.start, b.start);
+  EXPECT_EQ(a.goal, b.goal);
+  EXPECT_NE(a.start, c.start);
+  EXPECT_EQ(a.scene.obstacles.size(), 16u);
+  EXPECT_TRUE(SceneSensor(robot, a.scene).position_free(a.start));
+  EXPECT_THROW(generate_query(robot, {.obstacles = -1}), Error);
+  EXPECT_THROW(generate_query(robot, {.least_distance = 2}), Error);
+}
+
+}  // namespace
+}  // namespace lasius::arm

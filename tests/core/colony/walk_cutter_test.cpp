@@ -1,0 +1,174 @@
+#include "core/colony/walk_cutter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <random>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+#include "core/grid/move_rule.h"
+#include "lasius/planner.h"
+#include "tests/worlds/random_grid.h"
+
+namespace lasius {
+namespace {
+
+using Moves = std::vector<std::uint8_t>;
+
+/// A random walk by the moves of a neighbourhood.
+Moves random_tour(const Grid& grid, Corners corners, const kernels::Moves& moves, Cell start,
+                  int steps, std::mt19937& random) {
+  Moves tour;
+  if (grid.blocked(start)) return tour;
+  Cell c = start;
+  for (int i = 0; i < steps; ++i) {
+    const int k = random_in(0, moves.count - 1, random);
+    if (!move_exists(grid, corners, c, moves[k])) continue;
+    tour.push_back(static_cast<std::uint8_t>(k));
+    c = c + moves[k].to;
+  }
+  return tour;
+}
+
+Cell end_of(const kernels::Moves& moves, Cell start, const Moves& tour) {
+  for (const int k : tour) start = start + moves[k].to;
+  return start;
+}
+
+double length_of(const kernels::Moves& moves, const Moves& tour) {
+  double length = 0;
+  for (const int k : tour) length += moves[k].length;
+  return length;
+}
+
+/// Over the cells of the tour, by relaxing all of them until nothing changes.
+double shortest_within(const Grid& grid, Corners corners, const kernels::Moves& moves, Cell start,
+                       const Moves& tour) {
+  std::map<std::pair<int, int>, double> length{{{start.x, start.y}, 0}};
+  Cell c = start;
+  for (const int k : tour) {
+    c = c + moves[k].to;
+    length.try_emplace({c.x, c.y}, std::numeric_limits<double>::infinity());
+  }
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const auto& [at, so_far] : length) {
+      for (int k = 0; k < moves.count; ++k) {
+        const Cell from{at.first, at.second}, to = from + moves[k].to;
+        const auto found = length.find({to.x, to.y});
+        if (found == length.end() || !move_exists(grid, corners, from, moves[k])) continue;
+        if (!(so_far + moves[k].length < found->second - 1e-12)) continue;
+        found->second = so_far + moves[k].length;
+        changed = true;
+      }
+    }
+  }
+  return length.at({c.x, c.y});
+}
+
+Moves cut(WalkCutter& cutter, const Grid& grid, Corners corners, const kernels::Moves& moves,
+          Cell start, const Moves& tour) {
+  GrowingArray<std::uint8_t> way;
+  const auto count = cutter.cut(grid, corners, moves, start, tour, {}, way);
+  return {way.data(), way.data() + count};
+}
+
+TEST(WalkCutter, TheShortestWayOverTheTourByHand) {
+  // Right, down, left, down, right twice: the step to the left goes.
+  const Grid grid(8, 8);
+  const kernels::Moves moves = moves_of(Neighbours::four);
+  const auto by = [&](int dx, int dy) {
+    for (int k = 0; k < moves.count; ++k) {
+      if (moves[k].to.dx == dx && moves[k].to.dy == dy) return static_cast<std::uint8_t>(k);
+    }
+    return std::uint8_t{0xff};
+  };
+  const std::uint8_t right = by(1, 0), left = by(-1, 0), down = by(0, 1);
+  WalkCutter cutter;
+  EXPECT_EQ(
+      cut(cutter, grid, Corners::forbid, moves, {1, 1}, {right, down, left, down, right, right})
+          .size(),
+      4u);
+  EXPECT_EQ(cut(cutter, grid, Corners::forbid, moves, {1, 1}, {}), Moves{});
+}
+
+TEST(WalkCutter, IsTheShortestForEveryNeighbourhoodAndRule) {
+  std::mt19937 random(5);
+  WalkCutter cutter;
+  int shorter = 0;
+  for (int n = 0; n < 6; ++n) {
+    for (const Corners corners : {Corners::forbid, Corners::one_side, Corners::allow}) {
+      const kernels::Moves moves = moves_of(static_cast<Neighbours>(n));
+      for (int i = 0; i < 12; ++i) {
+        const Grid grid = random_grid(40, 30, 25, random);
+        const Cell start = random_cell(grid, random);
+        const Moves tour = random_tour(grid, corners, moves, start, 200, random);
+        const Moves way = cut(cutter, grid, corners, moves, start, tour);
+        ASSERT_EQ(end_of(moves, start, way), end_of(moves, start, tour));
+        Cell c = start;
+        for (const int k : way) {
+          ASSERT_TRUE(move_exists(grid, corners, c, moves[k]));
+          c = c + moves[k].to;
+        }
+        EXPECT_NEAR(length_of(moves, way), shortest_within(grid, corners, moves, start, tour),
+                    1e-9);
+        shorter += way.size() < tour.size();
+      }
+    }
+  }
+  EXPECT_GT(shorter, 100);
+}
+
+TEST(WalkCutter, AStopLeavesNoWay) {
+  const Grid grid(300, 300);
+  const kernels::Moves moves = moves_of(Neighbours::eight);
+  std::mt19937 random(3);
+  const Moves tour = random_tour(grid, Corners::forbid, moves, {150, 150}, 100000, random);
+  std::stop_source source;
+  source.request_stop();
+  GrowingArray<std::uint8_t> way;
+  EXPECT_EQ(WalkCutter().cut(grid, Corners::forbid, moves, {150, 150}, tour,
+                             {.token = source.get_token()}, way),
+            -1);
+}
+
+// Of every family: the mean stays that of raw tours, the best is that of cut ones.
+TEST(WalkCut, TheBestIsACutTourForAnyNumberOfThreads) {
+  std::mt19937 random(8);
+  const Planner planner(random_grid(60, 60, 20, random));
+  const Cell start = planner.nearest_free({1, 1}).value();
+  const Cell goal = planner.nearest_free({58, 58}).value();
+  for (const char* name : {"as", "eas", "ras", "mmas", "acs", "fan2004"}) {
+    Params params(name);
+    params.iterations = 10;
+    params.polish = Polish::none;
+    params.straight_deposit = StraightDeposit::none;
+    params.threads = 1;
+    const Result raw = planner.plan({.start = start, .goal = goal}, params);
+    params.walk_cut = WalkCut::own_cells;
+    const Result one = planner.plan({.start = start, .goal = goal}, params);
+    ASSERT_FALSE(one.path.empty()) << name;
+    EXPECT_EQ(one.mean.front(), raw.mean.front()) << name;  // nothing is learned yet
+    EXPECT_LT(one.best.front(), raw.best.front()) << name;
+    EXPECT_EQ(one.raw_best.front(), raw.cut_best.front()) << name;
+    EXPECT_EQ(raw.cut_mean, raw.mean) << name;
+    EXPECT_EQ(one.steps.front(), raw.steps.front()) << name;
+    EXPECT_LE(one.best.front(), one.cut_best.front() * (1 + 1e-12)) << name;
+    EXPECT_GE(one.cut_mean.front(), one.cut_best.front()) << name;
+    for (const int threads : {2, 5}) {
+      params.threads = threads;
+      const Result more = planner.plan({.start = start, .goal = goal}, params);
+      EXPECT_EQ(more.path, one.path) << name;
+      EXPECT_EQ(more.best, one.best) << name;
+      EXPECT_EQ(more.mean, one.mean) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lasius

@@ -1,0 +1,269 @@
+// Each verdict is given data that must turn it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tools/study/claims.h"
+#include "tools/study/study_file.h"
+#include "tools/study/values.h"
+
+namespace lasius::study {
+namespace {
+
+/// Two contenders, a and b, on some questions of the experiment e, with made-up runs.
+class Claims : public testing::Test {
+ protected:
+  explicit Claims(int questions = 2) {
+    Experiment e{.name = "e", .title = {}, .text = {}};
+    e.contenders = {{.name = "a"}, {.name = "b"}};
+    for (int q = 0; q < questions; ++q)
+      e.questions.push_back({.name = "q" + std::to_string(q), .map = {}, .start = {}, .goal = {}});
+    study_.experiments = {e};
+    const Experiment& kept = study_.experiments[0];
+    for (const Question& question : kept.questions) {
+      findings_.optima.push_back({&question, &kept, 10});
+      for (const Contender& contender : kept.contenders)
+        findings_.samples.push_back({&kept, &question, &contender});
+    }
+  }
+  /// Runs of a contender: each ends with a length of `lengths`, reached in its last iteration.
+  void runs(const std::string& contender, int question, const std::vector<double>& lengths,
+            int iterations = 10) {
+    for (Sample& s : findings_.samples) {
+      if (s.contender->name != contender || s.question->name != "q" + std::to_string(question))
+        continue;
+      s.runs.clear();
+      for (const double length : lengths) {
+        study::Run& run = s.runs.emplace_back();
+        run.seed = s.runs.size();
+        run.iterations = iterations;
+        run.seconds = iterations;
+        run.length = length;
+        run.best.assign(static_cast<std::size_t>(iterations), 100);
+        run.best.back() = length;
+        run.steps_by.assign(static_cast<std::size_t>(iterations), 5);
+        run.steps = 5 * iterations;
+      }
+    }
+  }
+  void both(const std::string& contender, const std::vector<double>& lengths) {
+    for (int q = 0; q < 2; ++q) runs(contender, q, lengths);
+  }
+  static Claim less() {
+    Claim claim{.text = "a is shorter", .place = {}, .test = Claim::Test::less};
+    claim.in = {"e"};
+    claim.a = "a";
+    claim.b = "b";
+    return claim;
+  }
+  Evidence judge(const Claim& claim, int others = 0) {
+    study_.claims.assign(static_cast<std::size_t>(others) + 1, claim);
+    auto evidence = weigh(study_, findings_);
+    decide(evidence);
+    return evidence.front();
+  }
+
+  static constexpr double kFailed = kUnknown;
+  const std::vector<double> low_{11, 12, 13, 14, 15, 16, 17, 18},
+      high_{21, 22, 23, 24, 25, 26, 27, 28};
+  const std::vector<double> between_{11, 21, 13, 23, 15, 25, 17, 27},
+      among_{12, 22, 14, 24, 16, 26, 18, 28};
+  Study study_{.name = "s", .summary = {}, .source = {}, .text = {}};
+  Findings findings_;
+};
+
+TEST_F(Claims, AreConfirmedAndRefutedByTheRuns) {
+  both("a", low_);
+  both("b", high_);
+  const Evidence e = judge(less());
+  EXPECT_EQ(e.verdict, Verdict::confirmed);
+  EXPECT_EQ(e.effect, 1);
+  EXPECT_GT(e.interval.low, 0.5);
+  both("a", high_);
+  both("b", low_);
+  EXPECT_EQ(judge(less()).verdict, Verdict::refuted);
+}
+
+TEST_F(Claims, AreNotDecidedByASign) {
+  both("a", between_);
+  both("b", among_);  // longer in the mean, on every question
+  EXPECT_EQ(judge(less()).verdict, Verdict::undecided);
+}
+
+TEST_F(Claims, OneTieDoesNotUndoWhatOthersShow) {
+  both("a", low_);
+  both("b", high_);
+  runs("a", 1, {10, 10, 10, 10, 10, 10, 10, 10});
+  runs("b", 1, {10, 10, 10, 10, 10, 10, 10, 10});
+  const Evidence e = judge(less());
+  EXPECT_EQ(e.verdict, Verdict::confirmed);
+  EXPECT_EQ(e.questions, 1);
+}
+
+TEST_F(Claims, WhereAllReachTheCeilingNothingIsDecided) {
+  both("a", {10, 10, 10, 10, 10, 10, 10, 10});
+  both("b", {10, 10, 10, 10, 10, 10, 10, 10});
+  const Evidence e = judge(less());
+  EXPECT_EQ(e.verdict, Verdict::undecided);
+  EXPECT_NE(e.figures.find("nothing to tell apart"), std::string::npos);
+}
+
+TEST_F(Claims, AQuestionThatSaysTheOppositeLeavesThemOpen) {
+  runs("a", 0, low_);
+  runs("b", 0, high_);
+  runs("a", 1, high_);
+  runs("b", 1, low_);
+  EXPECT_EQ(judge(less()).verdict, Verdict::undecided);
+}
+
+TEST_F(Claims, TooFewSeedsCannotDecideAndItIsSaidHowManyWould) {
+  for (const char* name : {"a", "b"}) runs(name, 1, {10, 10, 10});
+  runs("a", 0, {11, 12, 13});
+  runs("b", 0, {21, 22, 23});  // 2 / C(6, 3) = 0.1; C(8, 4): 0.029
+  const Evidence e = judge(less());
+  EXPECT_EQ(e.verdict, Verdict::undecided);
+  EXPECT_NE(e.figures.find("cannot decide with 3 seeds; 4 could"), std::string::npos) << e.figures;
+}
+
+TEST_F(Claims, TheCorrectionIsOverTheWholeReport) {
+  for (const char* name : {"a", "b"}) runs(name, 1, {10, 10, 10, 10});
+  runs("a", 0, {11, 12, 13, 14});
+  runs("b", 0, {21, 22, 23, 24});
+  EXPECT_EQ(judge(less()).verdict, Verdict::confirmed);  // p = 0.029
+  EXPECT_EQ(judge(less(), 1).verdict, Verdict::undecided);
+}
+
+TEST_F(Claims, FailedRunsCount) {
+  both("a", {11, kFailed, kFailed, kFailed, kFailed, kFailed, kFailed, kFailed});
+  both("b", high_);  // the one that arrives is shorter
+  const Evidence e = judge(less());
+  EXPECT_EQ(e.verdict, Verdict::refuted);
+  EXPECT_NE(e.figures.find("a: success in 2 of 16"), std::string::npos) << e.figures;
+}
+
+TEST_F(Claims, SoonerIsToTheSameTarget) {
+  Claim claim = less();
+  claim.value = {.name = "effort", .at = "steps", .target = 0.01};
+  for (int q = 0; q < 2; ++q) {
+    runs("a", q, {10, 10, 10, 10, 10, 10, 10, 10}, 8);
+    runs("b", q, {10, 10, 10, 10, 10, 10, 10, 10}, 10);
+  }
+  // Both end at 40 steps, where b has not arrived.
+  const Evidence e = judge(claim);
+  EXPECT_EQ(e.verdict, Verdict::confirmed);
+  EXPECT_NE(e.figures.find("a: success in 16 of 16 [0.79, 1.00], expected running time 40.000"),
+            std::string::npos)
+      << e.figures;
+  EXPECT_NE(e.figures.find("b: success in 0 of 16"), std::string::npos);
+  // A quick end without success is not sooner.
+  for (int q = 0; q < 2; ++q) runs("a", q, {50, 50, 50, 50, 50, 50, 50, 50}, 20);
+  EXPECT_EQ(judge(claim).verdict, Verdict::refuted);
+}
+
+TEST_F(Claims, AFactorHasToBeReached) {
+  Claim claim = less();
+  both("a", low_);
+  both("b", high_);
+  claim.factor = 1.1;
+  EXPECT_EQ(judge(claim).verdict, Verdict::confirmed);
+  claim.factor = 3;
+  EXPECT_EQ(judge(claim).verdict, Verdict::refuted);
+}
+
+TEST_F(Claims, SimilarNeedsEvidenceOfItsOwn) {
+  Claim claim = less();
+  claim.test = Claim::Test::similar;
+  claim.within = 0.05;
+  both("a", {20.1, 20.2, 20.3, 20.4, 20.5, 20.6, 20.7, 20.8});
+  both("b", {20.15, 20.25, 20.35, 20.45, 20.55, 20.65, 20.75, 20.85});
+  EXPECT_EQ(judge(claim).verdict, Verdict::confirmed);
+  both("b", high_);
+  both("a", between_);
+  EXPECT_EQ(judge(claim).verdict, Verdict::undecided);
+  both("a", low_);
+  EXPECT_EQ(judge(claim).verdict, Verdict::refuted);
+}
+
+TEST_F(Claims, MostCountsRuns) {
+  Claim claim = less();
+  claim.test = Claim::Test::most;
+  claim.b.clear();
+  claim.to = 20;
+  both("a", low_);
+  EXPECT_EQ(judge(claim).verdict, Verdict::confirmed);
+  both("a", between_);
+  EXPECT_EQ(judge(claim).verdict, Verdict::undecided);
+  both("a", high_);
+  EXPECT_EQ(judge(claim).verdict, Verdict::refuted);
+}
+
+TEST_F(Claims, NothingIsSaidWhereTheBaselineIsNotReproduced) {
+  Claim claim = less();
+  both("a", low_);
+  both("b", high_);
+  Claim baseline = less();
+  baseline.a = "b";
+  baseline.b.clear();
+  baseline.from = 20;
+  baseline.to = 30;
+  claim.baseline = {baseline};
+  EXPECT_EQ(judge(claim).verdict, Verdict::confirmed);
+  claim.baseline[0].from = 40;
+  claim.baseline[0].to = 80;
+  EXPECT_EQ(judge(claim).verdict, Verdict::no_baseline);
+}
+
+TEST_F(Claims, ArithmeticIsListedWithItsExceptions) {
+  Claim claim = less();
+  claim.test = Claim::Test::arithmetic;
+  claim.b.clear();
+  claim.note = "the least so far";
+  both("a", low_);
+  EXPECT_EQ(judge(claim).verdict, Verdict::arithmetic);
+  EXPECT_EQ(judge(claim).figures, "the least so far; exceptions: 0");
+  findings_.samples[0].runs[0].best = {5, 6};
+  EXPECT_EQ(judge(claim).figures, "the least so far; exceptions: 1");
+}
+
+TEST_F(Claims, APartialReportHasNoVerdicts) {
+  both("a", low_);
+  both("b", high_);
+  findings_.whole = false;
+  const Evidence e = judge(less());
+  EXPECT_EQ(e.verdict, Verdict::undecided);
+  EXPECT_NE(e.figures.find("interrupted"), std::string::npos);
+}
+
+TEST_F(Claims, WhatWasNotRecordedIsNotJudged) {
+  Claim claim = less();
+  claim.value.name = "cut-best";
+  both("a", low_);
+  both("b", high_);
+  EXPECT_NE(judge(claim).figures.find("not recorded"), std::string::npos);
+}
+
+TEST_F(Claims, WithoutToursNothingOscillates) {
+  study::Run run{.iterations = 4};
+  const auto rises = [&] {
+    return value_of(findings_.samples[0], run, {.name = "rises"}, kUnknown, {});
+  };
+  run.raw_best = {kUnknown, kUnknown, kUnknown, kUnknown};
+  EXPECT_EQ(rises(), std::numeric_limits<double>::infinity());
+  run.raw_best = {9, 8, kUnknown, 7};
+  EXPECT_EQ(rises(), 0);
+  run.raw_best = {9, 8, 9, 7};
+  EXPECT_DOUBLE_EQ(rises(), 1.0 / 3);
+}
+
+TEST(StudyFile, RefusesWhatItDoesNotKnow) {
+  const std::string begin = R"({"name": "s", "summary": "", "contenders": [], "experiments": [],
+      "claims": [{"text": "t", "in": [], "a": "x", )";
+  EXPECT_EQ(parse_study(begin + R"("test": "less", "b": ["y", "z"]}]})").claims.size(), 2u);
+  EXPECT_THROW((void)parse_study(begin + R"("test": "never_rises"}]})"), std::exception);
+  EXPECT_THROW((void)parse_study(begin + R"("test": "less", "value": "beauty"}]})"),
+               std::exception);
+  EXPECT_THROW((void)parse_study(begin + R"("test": "less", "at": "noon"}]})"), std::exception);
+}
+
+}  // namespace
+}  // namespace lasius::study

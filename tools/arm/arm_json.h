@@ -1,0 +1,29 @@
+// What a result of `lasius arm` says in JSON of its own: robot, goals, questions, motion.
+#pragma once
+
+#include "tools/arm/arm_answer.h"
+#include "tools/record/json_values.h"
+
+namespace lasius::tool {
+
+Json position_json(const Eigen::Vector3d& p);
+Json joint_values_json(const arm::JointRef& q);
+
+/// Files by role, with hashes; of the robot also its joints, what its body is, and which pairs of
+/// links are checked.
+Json robot_json(const ArmCommand& command, const ArmAnswer& answer);
+Json scene_json(const ArmCommand& command, const ArmAnswer& answer);
+
+/// What was asked for, goal by goal.
+Json goals_json(const ArmCommand& command, const ArmAnswer& answer);
+
+/// In all, and so far by iteration.
+Json questions_json(const arm::Result& plan);
+
+/// The motion as knots, and as samples, `rate` a second; null without one.
+Json trajectory_json(const ArmAnswer& answer, double rate);
+
+/// The reverse of goals_json, of a result. @throws UsageError
+std::vector<ArmGoal> recorded_goals(const Json& result);
+
+}  // namespace lasius::tool

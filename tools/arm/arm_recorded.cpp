@@ -1,0 +1,99 @@
+#include "tools/arm/arm_recorded.h"
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "lasius/arm_plan.h"
+#include "tools/arm/arm_json.h"
+#include "tools/arm/arm_task.h"
+#include "tools/console/exit_code.h"
+#include "tools/record/recorded.h"
+
+namespace lasius::tool {
+namespace {
+
+/// The result with the values that parameters of later versions had then.
+Json with_later_parameters(const Json& result, const Algorithm& algorithm) {
+  Json complete = result;
+  Json& values = complete["parameters"];
+  const arm::Params then(algorithm.name);
+  for (const Parameter& parameter : algorithm.parameters) {
+    const std::string name(parameter.name);
+    if (!values.contains(name)) values[name] = json::parameter(get_parameter(then, name));
+  }
+  return complete;
+}
+
+void read_robot(const Recorded& from, ArmCommand& command) {
+  const Json& result = from.result;
+  const auto file = [&](const std::string& key) {
+    const auto name = recorded_optional<std::string>(result, key);
+    return name ? from.found(*name) : std::string();
+  };
+  command.srdf = file("robot/srdf");
+  command.joint_limits = file("robot/joint_limits");
+  command.packages = recorded<std::map<std::string, std::string>>(result, "robot/packages");
+  for (auto& [name, folder] : command.packages) folder = from.found(folder);
+  using Pairs = std::vector<std::pair<std::string, std::string>>;
+  command.contacts = recorded<Pairs>(result, "parameters/allow_contact");
+  command.joint_values = recorded<std::map<std::string, double>>(result, "parameters/set_joint");
+  command.visual = recorded<bool>(result, "parameters/use_visual");
+  command.bodiless = recorded<bool>(result, "parameters/bodiless");
+}
+
+void read_goals(const Json& result, ArmCommand& command) {
+  command.start_state = recorded_optional<std::string>(result, "start_state").value_or("");
+  command.goals = recorded_goals(result);
+  for (const Json& goal : result["goals"]) {
+    if (!goal.contains("position_tolerance")) continue;
+    const auto tolerance = [&](const char* key) {
+      return recorded_real(goal, key, ArmCommand::kLeastTolerance, ArmCommand::kMostTolerance);
+    };
+    command.position_tolerance = tolerance("position_tolerance");
+    command.angle_tolerance = tolerance("angle_tolerance");
+  }
+}
+
+}  // namespace
+
+bool tells_no_bodies(const Json& result) { return !value_at(result, "robot").contains("bodies"); }
+
+std::string why_not_replayed(const Recorded& from) {
+  if (!tells_no_bodies(from.result)) return {};
+  std::ifstream robot(from.found(recorded<std::string>(from.result, "robot/file")));
+  char first = 0;
+  if (!(robot >> first) || first == '{') return {};  // what is wrong with it reading it tells
+  return "it holds no list of bodies: it was made before all of a URDF robot's body was seen, and "
+         "may touch what was left out; plan it again";
+}
+
+ArmCommand recorded_command(const Recorded& from) {
+  const Algorithm& algorithm = arm::find_algorithm(recorded<std::string>(from.result, "algorithm"));
+  const bool early = tells_no_bodies(from.result);
+  const Json result = early ? with_later_parameters(from.result, algorithm) : from.result;
+  const Recorded question{result, from.found, from.threads, from.token};
+  ArmCommand command;
+  read_recorded(question, algorithm, command);
+  command.robot = from.found(recorded<std::string>(result, "robot/file"));
+  command.scene = from.found(recorded<std::string>(result, "scene/file"));
+  command.base_link = recorded_optional<std::string>(result, "robot/base_link").value_or("");
+  command.tip_link = recorded_optional<std::string>(result, "robot/tip_link").value_or("");
+  command.start = recorded<std::vector<double>>(result, "start");
+  command.clearance = recorded_real(result, "parameters/clearance", ArmCommand::kLeastClearance,
+                                    ArmCommand::kMostClearance);
+  command.rate =
+      recorded_real(result, "parameters/rate", ArmCommand::kLeastRate, ArmCommand::kMostRate);
+  if (result.contains("recheck"))
+    command.recheck =
+        static_cast<int>(recorded_integer(result, "recheck/samples", 1, ArmCommand::kMostRecheck));
+  if (early) {
+    command.goals = recorded_goals(result);
+  } else {
+    read_goals(result, command);
+    read_robot(question, command);
+  }
+  return command;
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,47 @@
+#include "tools/record/batch_files.h"
+
+#include <cmath>
+#include <ostream>
+#include <sstream>
+
+#include "tools/console/values.h"
+#include "tools/record/outputs.h"
+
+namespace lasius::tool {
+
+BatchFiles::BatchFiles(const Task& task) {
+  for (const auto& file : task.options().outputs) {
+    csv_ |= is_table(file);
+    paths_ |= is_picture(file);
+    json_ |= !is_table(file) && !is_picture(file);
+  }
+  const std::string m = task.unit().empty() ? "" : "_" + task.unit();
+  rows_ = "index";
+  for (const char* column : {"sx", "sy", "gx", "gy"}) rows_ += std::string(",") + column + m;
+  rows_ += ",status,length" + m + ",lower_bound" + m + ",gap,iterations,elapsed_ms\n";
+}
+
+void BatchFiles::add(const Task& task, const std::string& json_line,
+                     const std::vector<std::string>& ends, const std::vector<Point>& path) {
+  if (json_) lines_ += json_line;
+  if (paths_ && task.has_path()) kept_.push_back(path);
+  if (!csv_) return;
+  const SearchResult& result = task.result();
+  const double none = std::nan("");
+  std::ostringstream row;
+  row << task.index().value_or(0);
+  for (const std::string& end : ends) row << "," << end;
+  row << "," << to_string(result.status) << "," << finite_text(task.shown(result.length)) << ","
+      << finite_text(task.shown(result.lower_bound.value_or(none))) << ","
+      << finite_text(result.gap().value_or(none)) << "," << result.iterations << ","
+      << to_text(task.elapsed_ms()) << "\n";
+  rows_ += row.str();
+}
+
+void BatchFiles::write(const std::string& file, const Draw& draw) const {
+  write_output(file, {.json = [&](auto& out) { out << lines_; },
+                      .csv = [&](auto& out) { out << rows_; },
+                      .picture = [&] { draw(kept_); }});
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,214 @@
+#include "tools/record/queries.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include "lasius/error.h"
+#include "tools/console/values.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\v\f";
+
+std::vector<std::string_view> split_blanks(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (auto from = line.find_first_not_of(kBlanks); from != std::string_view::npos;) {
+    const auto to = std::min(line.find_first_of(kBlanks, from), line.size());
+    fields.push_back(line.substr(from, to - from));
+    from = line.find_first_not_of(kBlanks, to);
+  }
+  return fields;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto fields = split_blanks(text);
+  if (fields.empty()) return {};
+  return {fields.front().data(),
+          static_cast<std::size_t>(fields.back().data() + fields.back().size() -
+                                   fields.front().data())};
+}
+
+std::vector<std::string_view> split_tabs(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (std::size_t from = 0; from <= line.size();) {
+    const auto to = std::min(line.find('\t', from), line.size());
+    fields.push_back(trimmed(line.substr(from, to - from)));
+    from = to + 1;
+  }
+  return fields;
+}
+
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // some editors begin a text with it
+
+/// The lines of a file that are not blank, with their numbers.
+class Lines {
+ public:
+  Lines(std::istream& in, const std::string& file) : file_(file), in_(in) {}
+
+  bool next() {
+    while (next_of_any()) {
+      if (number_++ == 0 && text_.starts_with(kByteOrderMark))
+        text_.remove_prefix(kByteOrderMark.size());
+      if (!trimmed(text_).empty()) return true;
+    }
+    if (in_.bad())
+      throw Error(ErrorCode::file_broken, {.file = file_, .line = number_}, "cannot be read on",
+                  "check the file and its disk");
+    return false;
+  }
+
+  std::string_view text() const { return text_; }
+
+  [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const {
+    throw Error(ErrorCode::file_broken, {.file = file_, .line = std::max<std::int64_t>(number_, 1)},
+                problem, remedy);
+  }
+
+  double coordinate(std::string_view name, std::string_view field, bool whole) const {
+    if (whole) {
+      if (const auto value = parse_whole(field)) return *value;
+    } else if (const auto value = parse_real(field)) {
+      return *value;
+    }
+    fail(std::string(name) + " is '" + std::string(field) + "'",
+         whole ? "give a whole number" : "give a finite number");
+  }
+
+ private:
+  /// The next line, be it blank; lines end in LF, CR LF or CR.
+  bool next_of_any() {
+    if (at_ >= block_.size()) {
+      if (!std::getline(in_, block_)) return false;
+      if (block_.ends_with('\r')) block_.pop_back();
+      at_ = 0;
+    }
+    const auto end = std::min(block_.find('\r', at_), block_.size());
+    text_ = std::string_view(block_).substr(at_, end - at_);
+    at_ = end + 1;
+    return true;
+  }
+
+  std::string file_;
+  std::istream& in_;
+  std::string block_;  ///< up to an LF
+  std::size_t at_ = 0;
+  std::string_view text_;
+  std::int64_t number_ = 0;
+};
+
+constexpr std::array<std::string_view, 4> kNames{"sx", "sy", "gx", "gy"};
+
+QueryFile::Line make_line(const std::array<double, 4>& values) {
+  return {{values[0], values[1]}, {values[2], values[3]}};
+}
+
+/// By the first line.
+bool is_scenario(const Lines& lines) {
+  const auto first = split_blanks(lines.text());
+  constexpr std::size_t kLeastColumns = 4;  // of a table, one of which may be its version
+  return first.front() == "version" && first.size() < kLeastColumns;
+}
+
+QueryFile read_scenario(Lines& lines, int width, int height) {
+  const auto version = split_blanks(lines.text());
+  if (version.size() != 2 || (version[1] != "1" && version[1] != "1.0"))
+    lines.fail("the first line is not 'version 1'", "only scenarios of version 1 are read");
+  QueryFile file{.queries = {}, .scenario = true};
+  while (lines.next()) {
+    const auto fields = split_blanks(lines.text());
+    if (fields.size() != 9)
+      lines.fail(std::to_string(fields.size()) + " fields instead of 9",
+                 "write: bucket map width height sx sy gx gy optimal");
+    if (!parse_whole(fields[0]) || !parse_real(fields[8]))
+      lines.fail("bucket or optimal length is not a number", "write numbers there");
+    const double w = lines.coordinate("width", fields[2], true);
+    const double h = lines.coordinate("height", fields[3], true);
+    if (w != width || h != height)
+      lines.fail("made for a map of " + to_text(w) + " x " + to_text(h) + ", this one has " +
+                     std::to_string(width) + " x " + std::to_string(height),
+                 "name the map that the scenario is for");
+    std::array<double, 4> values;
+    for (std::size_t i = 0; i < 4; ++i)
+      values[i] = lines.coordinate(kNames[i], fields[4 + i], true);
+    file.queries.push_back(make_line(values));
+  }
+  return file;
+}
+
+QueryFile read_rows(Lines& lines, bool whole) {
+  const bool tabs = lines.text().find('\t') != std::string_view::npos;
+  const std::string header_text(lines.text());
+  const auto header = tabs ? split_tabs(header_text) : split_blanks(header_text);
+  std::array<std::size_t, 4> column;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto found = std::find(header.begin(), header.end(), kNames[i]);
+    if (found == header.end())
+      lines.fail("neither 'version 1' nor a header with columns sx sy gx gy",
+                 "name a MovingAI .scen, or a TSV with such a header");
+    if (std::find(found + 1, header.end(), kNames[i]) != header.end())
+      lines.fail("two columns are named " + std::string(kNames[i]), "rename one of them");
+    column[i] = static_cast<std::size_t>(found - header.begin());
+  }
+  QueryFile file;
+  while (lines.next()) {
+    const auto fields = tabs ? split_tabs(lines.text()) : split_blanks(lines.text());
+    if (fields.size() != header.size())
+      lines.fail(std::to_string(fields.size()) + " fields, but the header has " +
+                     std::to_string(header.size()),
+                 "give every column a value");
+    std::array<double, 4> values;
+    for (std::size_t i = 0; i < 4; ++i)
+      values[i] = lines.coordinate(kNames[i], fields[column[i]], whole);
+    file.queries.push_back(make_line(values));
+  }
+  return file;
+}
+
+}  // namespace
+
+QueryFile read_queries(std::istream& in, const std::string& file, int width, int height,
+                       bool whole) {
+  Lines lines(in, file);
+  if (!lines.next())
+    lines.fail("is empty", "name a MovingAI .scen, or a TSV with columns sx sy gx gy");
+  if (is_scenario(lines)) return read_scenario(lines, width, height);
+  return read_rows(lines, whole);
+}
+
+namespace {
+
+std::ifstream opened(const std::string& file) {
+  std::ifstream in;
+  std::error_code ignored;
+  errno = 0;
+  if (!std::filesystem::is_directory(file, ignored)) in.open(file, std::ios::binary);
+  if (!in.is_open())
+    throw Error(ErrorCode::file_missing, {.file = file},
+                std::string("cannot be opened: ") + std::strerror(errno != 0 ? errno : EISDIR),
+                "name a .scen or .tsv file of queries");
+  return in;
+}
+
+}  // namespace
+
+QueryFile read_queries(const std::string& file, int width, int height, bool whole) {
+  auto in = opened(file);
+  return read_queries(in, file, width, height, whole);
+}
+
+QueryFile read_table(const std::string& file) {
+  auto in = opened(file);
+  Lines lines(in, file);
+  constexpr const char* kRemedy = "give a TSV with columns sx sy gx gy";
+  if (!lines.next()) lines.fail("is empty", kRemedy);
+  if (is_scenario(lines)) lines.fail("is a scenario, of a bitmap's cells", kRemedy);
+  return read_rows(lines, false);
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,36 @@
+// Files of queries: MovingAI scenarios, and tables with columns sx sy gx gy.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "lasius/geometry.h"
+
+namespace lasius::tool {
+
+struct QueryFile {
+  struct Line {
+    Point start, goal;
+  };
+  std::vector<Line> queries;
+  bool scenario = false;  ///< coordinates are cells whatever the frame
+};
+
+/// Reads all of a file before anything is returned.
+///   .scen  "version 1" or "version 1.0", then bucket map width height sx sy gx gy optimal a line,
+///          split at any blanks; the map's name is not looked at, its size must be width x height
+///   TSV    a header that names sx, sy, gx and gy among others, split at tabs; at any blanks where
+///          the header has no tab
+/// Coordinates are whole numbers of any size; in a TSV any finite ones unless `whole`.
+/// @throws Error(file_missing, file_broken) naming file and line.
+QueryFile read_queries(const std::string& file, int width, int height, bool whole);
+
+/// A TSV of finite coordinates, whatever a map's size; no scenario.
+QueryFile read_table(const std::string& file);
+
+/// The same from a stream; `file` is named in errors.
+QueryFile read_queries(std::istream& in, const std::string& file, int width, int height,
+                       bool whole);
+
+}  // namespace lasius::tool
