@@ -24,10 +24,10 @@
 namespace lasius {
 namespace {
 
+using MoveCounts = std::array<std::int64_t, kernels::kMaxMoves>;
+
 /// Length of a tour. Moves are counted by kind, so that the sum does not depend on their order.
-double raw_length(std::span<const std::uint8_t> tour, const kernels::Moves& moves) {
-  std::array<std::int64_t, kernels::kMaxMoves> count{};
-  for (const int k : tour) ++count[k];
+double length_of(MoveCounts count, const kernels::Moves& moves) {
   // Moves of one length, met first to last, make one product.
   double length = 0;
   for (int k = 0; k < moves.count; ++k) {
@@ -42,6 +42,37 @@ double raw_length(std::span<const std::uint8_t> tour, const kernels::Moves& move
   return length;
 }
 
+double length_of(std::span<const std::uint8_t> tour, const kernels::Moves& moves) {
+  MoveCounts count{};
+  for (const int k : tour) ++count[k];
+  return length_of(count, moves);
+}
+
+/// The band within a tenth of the distance from start to goal of the straight line between them.
+class Band {
+ public:
+  Band(Cell start, Cell goal, const kernels::Moves& moves) {
+    const std::int64_t dx = goal.x - start.x, dy = goal.y - start.y;
+    most_ = dx * dx + dy * dy;
+    for (int k = 0; k < moves.count; ++k)
+      aside_[k] = 10 * (moves[k].to.dx * dy - moves[k].to.dy * dx);
+  }
+  /// Cells of a tour from the start that lie within; counts its moves by kind, too.
+  std::int64_t count(std::span<const std::uint8_t> tour, MoveCounts& count) const {
+    std::int64_t off = 0, near = 1;
+    for (const int k : tour) {
+      ++count[k];
+      off += aside_[k];
+      near += off <= most_ && -off <= most_;
+    }
+    return near;
+  }
+
+ private:
+  std::int64_t most_;
+  std::array<std::int64_t, kernels::kMaxMoves> aside_{};  // ten times, by move
+};
+
 /// A colony on a bitmap.
 class GridColony final : public ColonyWorld {
  public:
@@ -54,10 +85,13 @@ class GridColony final : public ColonyWorld {
         observer_(observer),
         threads_(thread_count(params.threads)),
         moves_(moves_of(params.neighbours)),
+        band_(request.start, request.goal, moves_),
         tau0_(initial_pheromone(params, distance(request.start, request.goal))) {
     memory_.field.reset(grid, moves_, request.goal, params, untouched(), request.stop);
     memory_.walkers.reset(grid.width(), grid.height(), threads_, params.ants,
-                          params.polish != Polish::none, request.stop);
+                          params.polish == Polish::straight || params.polish == Polish::taut ||
+                              params.walk_cut == WalkCut::entered_cells,
+                          request.stop);
     memory_.polisher.reset(grid_, request_, moves_, params_, threads_);
     const auto ants = static_cast<std::size_t>(params.ants);
     if (memory_.ants.size() < ants) memory_.ants.resize(ants);  // to free some may take long
@@ -129,9 +163,17 @@ class GridColony final : public ColonyWorld {
   int threads() const override { return threads_; }
   double tour_length(int ant) const override { return memory_.raw_lengths[ant]; }
   std::optional<Walked> walked(int ant) const override {
-    return Walked{memory_.tours[ant].length, ants_[ant].steps};
+    const Ant& one = ants_[ant];
+    return Walked{memory_.tours[ant].length, one.steps, one.arrived ? one.move_count + 1 : 0,
+                  one.near};
   }
   double best_length() const override { return best_length_ < kInfinity ? best_length_ : kNaN; }
+
+  double trail_entropy() const override {
+    if (ants_only_teach()) return kNaN;
+    return lasius::trail_entropy(memory_.field, params_.trail, moves_, request_.start,
+                                 memory_.best_moves);
+  }
 
   StopCondition::Cause observe(const Convergence& run) override {
     return show(observer_, run, View(*this));
@@ -170,20 +212,28 @@ class GridColony final : public ColonyWorld {
   }
 
   Tour tour_of(const Ant& ant) const {
-    return {ant.tour(), ant.arrived ? raw_length(ant.tour(), moves_) : kNaN};
+    return {ant.tour(), ant.arrived ? length_of(ant.tour(), moves_) : kNaN};
   }
 
   /// The tour of an ant that has just ended, measured and cut; none where there was no time to.
   Tour measured(int number, int thread) {
     Ant& ant = ants_[number];
-    const Tour tour = tour_of(ant);
+    Tour tour{ant.tour(), kNaN};
+    ant.near = 0;
+    if (ant.arrived) {
+      MoveCounts count{};
+      ant.near = band_.count(tour.moves, count);
+      tour.length = length_of(count, moves_);
+    }
     memory_.raw_lengths[number] = tour.length;
+    ant.cut_count = -1;
     if (params_.walk_cut == WalkCut::none || !ant.arrived) return tour;
-    const auto count = memory_.cutters[thread].cut(grid_, params_.corners, moves_, request_.start,
-                                                   tour.moves, request_.stop, ant.cut);
-    if (count < 0) return tour;
-    const std::span<const std::uint8_t> left(ant.cut.data(), static_cast<std::size_t>(count));
-    return {left, raw_length(left, moves_)};
+    const bool entered = params_.walk_cut == WalkCut::entered_cells;
+    const auto more = entered ? ant.dead_ends() : std::span<const kernels::PackedCell>{};
+    ant.cut_count = memory_.cutters[thread].cut(grid_, params_.corners, moves_, request_.start,
+                                                tour.moves, more, request_.stop, ant.cut);
+    if (ant.cut_count < 0) return tour;
+    return {ant.left(), length_of(ant.left(), moves_)};
   }
 
   /// Tours are measured as ants end, and polished while others still walk: by a thread that has no
@@ -302,6 +352,7 @@ class GridColony final : public ColonyWorld {
   const Observer& observer_;
   int threads_;
   kernels::Moves moves_;
+  Band band_;
   double tau0_;
   kernels::WalkShape shape_;
   kernels::WalkFn kernel_ = nullptr;

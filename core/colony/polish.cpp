@@ -37,8 +37,7 @@ void Polisher::reset(const Grid& grid, const Request& request, const kernels::Mo
   moves_ = &moves;
   stop_ = &request.stop;
   start_ = request.start;
-  polish_ = params.polish;
-  corners_ = params.corners;
+  params_ = &params;
   threads_ = threads;
   if (static_cast<int>(scratch_.size()) < threads) scratch_.resize(threads);
   const auto ants = static_cast<std::size_t>(params.ants);
@@ -48,7 +47,7 @@ void Polisher::reset(const Grid& grid, const Request& request, const kernels::Mo
 
 void Polisher::polish(std::span<const Ant> ants, const std::function<void()>& meanwhile) {
   const auto count = static_cast<int>(ants.size());
-  const int threads = polish_ == Polish::none ? 1 : std::clamp(count / 2, 1, threads_);
+  const int threads = params_->polish == Polish::none ? 1 : std::clamp(count / 2, 1, threads_);
   parallel_for(count + 1, threads, [&](int i, int thread) {
     if (i == 0) {
       if (meanwhile) meanwhile();
@@ -67,16 +66,18 @@ void Polisher::make(const Ant& ant, Scratch& scratch, PolishedPath& path) const 
   path.points.clear();
   path.raster.clear();
   path.length = std::numeric_limits<double>::quiet_NaN();
-  if (polish_ == Polish::none || !ant.arrived) return;
+  if (params_->polish == Polish::none || !ant.arrived) return;
   if (stop_->poll() != StopCondition::Cause::none) return;
 
-  const auto tour = swept_cells(ant.tour(), scratch.cells);
-  if (tour.empty()) return;
-  // Cells that the ant left again may shorten its way, too.
-  const auto way =
-      scratch.maker.cut(*grid_, tour, moves_->count > 4, corners_, *stop_, ant.dead_ends());
+  const bool local = params_->polish == Polish::local;
+  auto way = swept_cells(local ? ant.left() : ant.tour(), scratch.cells);
   if (way.empty()) return;
-  scratch.maker.polish(*grid_, way, polish_, corners_, *stop_, path.points);
+  // Cells that the ant left again may shorten its way, too.
+  if (!local)
+    way = scratch.maker.cut(*grid_, way, moves_->count > 4, params_->corners, *stop_,
+                            ant.dead_ends());
+  if (way.empty()) return;
+  scratch.maker.polish(*grid_, way, *params_, *stop_, path.points);
   const auto cells = scratch.maker.raster();
   path.raster.assign(cells.begin(), cells.end());
   path.length = path_length(path.points);

@@ -31,7 +31,7 @@ struct alignas(64) PolishedPath {
 /// Polishes the tours of one iteration, over threads.
 class Polisher {
  public:
-  /// Gets ready for a run. Grid, request and moves must outlive it.
+  /// Gets ready for a run. All but the number of threads must outlive it.
   void reset(const Grid& grid, const Request& request, const kernels::Moves& moves,
              const Params& params, int threads);
 
@@ -64,8 +64,7 @@ class Polisher {
   const kernels::Moves* moves_ = nullptr;
   const StopCondition* stop_ = nullptr;
   Cell start_;
-  Polish polish_ = Polish::none;
-  Corners corners_ = Corners::forbid;
+  const Params* params_ = nullptr;
   int threads_ = 1;
   std::vector<Scratch> scratch_;
   std::vector<PolishedPath> paths_;

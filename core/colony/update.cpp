@@ -1,6 +1,7 @@
 #include "core/colony/update.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/base/poller.h"
@@ -130,6 +131,31 @@ void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell 
     way.push_back(static_cast<std::uint8_t>(best));
     c = c + moves[best].to;
   }
+}
+
+double trail_entropy(Field& field, Trail trail, const kernels::Moves& moves, Cell start,
+                     std::span<const std::uint8_t> tour) {
+  constexpr std::size_t kCells = 64;
+  const std::size_t stride = std::max<std::size_t>(1, tour.size() / kCells);
+  double sum = 0;
+  int cells = 0;
+  Cell c = start;
+  for (std::size_t i = 0; i < tour.size(); c = c + moves[tour[i++]].to) {
+    if (i % stride != 0) continue;
+    double total = 0, weighted = 0;
+    int choices = 0;
+    for (int k = 0; k < moves.count; ++k) {
+      if (!field.exists(c, k)) continue;
+      const double tau = trail == Trail::arcs ? field.tau(c, k) : field.tau(c + moves[k].to, 0);
+      ++choices;
+      total += tau;
+      if (tau > 0) weighted += tau * std::log2(tau);
+    }
+    if (choices < 2 || !(total > 0)) continue;
+    sum += std::max(0.0, std::log2(total) - weighted / total) / std::log2(choices);
+    ++cells;
+  }
+  return cells > 0 ? sum / cells : std::numeric_limits<double>::quiet_NaN();
 }
 
 double initial_pheromone(const Params& params, double straight_distance) noexcept {

@@ -47,4 +47,8 @@ void update_trail(Field& field, const Params& params, const Tours& tours,
 void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell goal,
                     const StopCondition& stop, std::vector<std::uint8_t>& way);
 
+/// How open the trail leaves the choice along a tour; see Convergence::trail_entropy.
+double trail_entropy(Field& field, Trail trail, const kernels::Moves& moves, Cell start,
+                     std::span<const std::uint8_t> tour);
+
 }  // namespace lasius

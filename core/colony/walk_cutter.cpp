@@ -1,7 +1,6 @@
 #include "core/colony/walk_cutter.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -17,9 +16,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 bool WalkCutter::collect(const kernels::Moves& moves, Cell start,
-                         std::span<const std::uint8_t> tour, const StopCondition& stop) {
+                         std::span<const std::uint8_t> tour,
+                         std::span<const kernels::PackedCell> more, const StopCondition& stop) {
   Poller poller(stop, Poller::kSteps);
-  cells_.reset(tour.size() + 1);
+  cells_.reset(tour.size() + more.size() + 1);
   Cell c = start;
   cells_.add(c);
   for (const int k : tour) {
@@ -27,27 +27,24 @@ bool WalkCutter::collect(const kernels::Moves& moves, Cell start,
     cells_.add(c);
     if (poller.stop_after(1)) return false;
   }
-  tiles_.clear();
-  std::int32_t first = 0;
-  for (const CellSet::Tile& from : cells_.tiles()) {
-    Tile& tile = tiles_.emplace_back();
-    tile.first = first;
-    first += std::popcount(from.cells);
-    const Cell corner = from.cell(0);
+  for (const kernels::PackedCell packed : more) {
+    cells_.add({kernels::packed_x(packed), kernels::packed_y(packed)});
+    if (poller.stop_after(1)) return false;
+  }
+  around_.clear();
+  nodes_.clear();
+  for (const CellSet::Tile& tile : cells_.tiles()) {
+    const Cell corner = tile.cell(0);
+    Around& around = around_.emplace_back();
     for (int i = 0; i < 9; ++i) {
       const Cell to{corner.x + 8 * (i % 3 - 1), corner.y + 8 * (i / 3 - 1)};
-      tile.around[i] = cells_.find(CellSet::key_of(to));
+      around[i] = cells_.find(CellSet::key_of(to));
     }
-    if (poller.stop_after(9)) return false;
+    nodes_.insert(nodes_.end(), 64, {kInfinity, 0, 0});
+    if (poller.stop_after(32)) return false;
   }
-  nodes_.assign(static_cast<std::size_t>(first), {kInfinity, 0, 0});
   for (auto& bucket : buckets_) bucket.clear();
   return true;
-}
-
-std::int32_t WalkCutter::number(Entry e) const noexcept {
-  const std::uint64_t below = (std::uint64_t{1} << e.bit) - 1;
-  return tiles_[e.tile].first + std::popcount(cells_.tiles()[e.tile].cells & below);
 }
 
 WalkCutter::Entry WalkCutter::entry(Cell c) const noexcept {
@@ -61,7 +58,7 @@ void WalkCutter::expand(const Grid& grid, Corners corners, const kernels::Moves&
   const Cell c = cells_.tiles()[from.tile].cell(from.bit);
   for (int k = 0; k < moves.count; ++k) {
     const int x = (from.bit & 7) + moves[k].to.dx, y = (from.bit >> 3) + moves[k].to.dy;
-    const std::int32_t tile = tiles_[from.tile].around[((y >> 3) + 1) * 3 + (x >> 3) + 1];
+    const std::int32_t tile = around_[from.tile][((y >> 3) + 1) * 3 + (x >> 3) + 1];
     if (tile == CellSet::kNone) continue;
     const Entry to{from.length + moves[k].length, tile, (y & 7) * 8 + (x & 7)};
     if ((cells_.tiles()[tile].cells >> to.bit & 1) == 0) continue;
@@ -74,8 +71,9 @@ void WalkCutter::expand(const Grid& grid, Corners corners, const kernels::Moves&
 
 std::int64_t WalkCutter::cut(const Grid& grid, Corners corners, const kernels::Moves& moves,
                              Cell start, std::span<const std::uint8_t> tour,
-                             const StopCondition& stop, GrowingArray<std::uint8_t>& way) {
-  if (!collect(moves, start, tour, stop)) return -1;
+                             std::span<const kernels::PackedCell> more, const StopCondition& stop,
+                             GrowingArray<std::uint8_t>& way) {
+  if (!collect(moves, start, tour, more, stop)) return -1;
   Cell end = start;
   for (const int k : tour) end = end + moves[k].to;
   const std::int32_t first = number(entry(start)), last = number(entry(end));
@@ -99,7 +97,7 @@ std::int64_t WalkCutter::cut(const Grid& grid, Corners corners, const kernels::M
 }
 
 std::int64_t WalkCutter::bytes() const noexcept {
-  std::int64_t bytes = cells_.bytes() + held_bytes(tiles_, nodes_);
+  std::int64_t bytes = cells_.bytes() + held_bytes(around_, nodes_);
   for (const auto& bucket : buckets_) bytes += held_bytes(bucket);
   return bytes;
 }

@@ -9,6 +9,7 @@
 #include "core/base/growing_array.h"
 #include "core/grid/cell_set.h"
 #include "kernels/base/moves.h"
+#include "kernels/base/packed_cell.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/moves.h"
@@ -16,28 +17,25 @@
 
 namespace lasius {
 
-/// The shortest way from a tour's start to its end over the tour's cells, by the ant's own moves:
-/// loops go, and detours past cells of its own. It knows of nothing else, neither of other ants nor
-/// of cells that the ant left again; so it is part of a walk, not a polish.
+/// The shortest way from a tour's start to its end over the ant's own cells, by its own moves:
+/// loops go, and detours past cells of its own. It knows nothing of other ants nor of the map
+/// beside those cells; so it is part of a walk, not a polish.
 ///
 /// Time and memory follow the tour, not the map. Buffers are reused from call to call; one object
 /// per thread.
 class WalkCutter {
  public:
   /// Writes the moves of that way into `way` and returns their number; -1 when stopped. The tour
-  /// begins at `start`, enters no cell twice and was made of `moves` under `corners`. Of ways of
-  /// equal length it takes one by a fixed order.
+  /// begins at `start`, enters no cell twice and was made of `moves` under `corners`; `more` are
+  /// further cells of the ant's. Of ways of equal length it takes one by a fixed order.
   std::int64_t cut(const Grid& grid, Corners corners, const kernels::Moves& moves, Cell start,
-                   std::span<const std::uint8_t> tour, const StopCondition& stop,
-                   GrowingArray<std::uint8_t>& way);
+                   std::span<const std::uint8_t> tour, std::span<const kernels::PackedCell> more,
+                   const StopCondition& stop, GrowingArray<std::uint8_t>& way);
 
   std::int64_t bytes() const noexcept;  ///< memory held
 
  private:
-  struct Tile {
-    std::int32_t first;                  // of its cells, by number
-    std::array<std::int32_t, 9> around;  // the tiles next to it and itself, row by row
-  };
+  using Around = std::array<std::int32_t, 9>;  // the tiles next to one and itself, row by row
   struct Node {
     double length;
     std::int32_t before;  // the node that it was reached from
@@ -50,8 +48,8 @@ class WalkCutter {
   };
 
   bool collect(const kernels::Moves& moves, Cell start, std::span<const std::uint8_t> tour,
-               const StopCondition& stop);
-  std::int32_t number(Entry e) const noexcept;
+               std::span<const kernels::PackedCell> more, const StopCondition& stop);
+  static std::int32_t number(Entry e) noexcept { return e.tile * 64 + e.bit; }
   Entry entry(Cell c) const noexcept;
   void expand(const Grid& grid, Corners corners, const kernels::Moves& moves, Entry from);
 
@@ -59,8 +57,8 @@ class WalkCutter {
   static constexpr int kBuckets = 6;
 
   CellSet cells_;
-  std::vector<Tile> tiles_;  // by index in the set
-  std::vector<Node> nodes_;
+  std::vector<Around> around_;  // by tile
+  std::vector<Node> nodes_;     // of every cell of the tiles: to count cells would take longer
   std::array<std::vector<Entry>, kBuckets> buckets_;
 };
 

@@ -27,11 +27,17 @@ struct alignas(64) Ant {
   std::int64_t move_count = 0;
   GrowingArray<kernels::PackedCell> dead;  // cells entered and left again, where they are wanted
   std::int64_t dead_count = 0;
-  GrowingArray<std::uint8_t> cut;  // moves of the tour after the cut, where tours are cut
+  GrowingArray<std::uint8_t> cut;  // moves of the tour after the cut
+  std::int64_t cut_count = -1;     // of these; -1 where the tour is not cut
   std::int64_t steps = 0;          // steps done, those taken back included
+  std::int64_t near = 0;           // cells of the tour near the straight line
 
   std::span<const std::uint8_t> tour() const noexcept {
     return {moves.data(), static_cast<std::size_t>(move_count)};
+  }
+  std::span<const std::uint8_t> left() const noexcept {  // of the tour, after the cut
+    if (cut_count < 0) return tour();
+    return {cut.data(), static_cast<std::size_t>(cut_count)};
   }
   std::span<const kernels::PackedCell> dead_ends() const noexcept {
     return {dead.data(), static_cast<std::size_t>(dead_count)};

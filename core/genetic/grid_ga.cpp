@@ -153,7 +153,7 @@ class GridGa final : public ColonyWorld {
     for (const Cell c : way) made.points.push_back(centre(c));
     made.tour = path_length(made.points);
     if (params_.polish != Polish::none && !stopped) {
-      scratch.maker.polish(grid_, way, params_.polish, moves_.corners, request_.stop, made.points);
+      scratch.maker.polish(grid_, way, params_, request_.stop, made.points);
     }
     made.length = path_length(made.points);
   }

@@ -148,6 +148,8 @@ Result result_from_json(std::string_view text) {
     result.cut_mean = curve(object, "cut_mean");
     result.cut_best = curve(object, "cut_best");
     result.steps = whole_numbers<std::int64_t>(object, "steps");
+    result.band = curve(object, "band");
+    result.trail_entropy = curve(object, "trail_entropy");
   }
   if (!member<Json>(object, "lower_bound").is_null())
     result.lower_bound = member<double>(object, "lower_bound");

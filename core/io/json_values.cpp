@@ -59,6 +59,8 @@ void add_convergence(Json& json, const Convergence& run) {
   json["cut_mean"] = numbers(run.cut_mean);
   json["cut_best"] = numbers(run.cut_best);
   json["steps"] = run.steps;
+  json["band"] = numbers(run.band);
+  json["trail_entropy"] = numbers(run.trail_entropy);
 }
 
 void add_proof(Json& json, const SearchResult& result) {

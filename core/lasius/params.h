@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lasius/enum_names.h"
 #include "lasius/export.h"
@@ -13,27 +14,32 @@
 
 namespace lasius {
 
-/// What is done with a walk before it is offered as the answer. Unless it is none, loops are cut
-/// inside the walk's cells first; and in the end a shortcut takes the path's place where one is
-/// found: a shorter path that bends only at corners of cells which the walk entered, those it left
-/// again included, or which the path goes over.
+/// What is done with a walk before it is offered as the answer. `local` is the one that a paper
+/// describes. `straight` and `taut` are ours: they cut loops inside the walk's cells first; and in
+/// the end a shortcut takes the path's place where one is found: a shorter path that bends only at
+/// corners of cells which the walk entered, those it left again included, or which the path goes
+/// over.
 enum class Polish {
   none,      ///< the walk as it is
   straight,  ///< straighten(): vertices are centres of cells
   taut,      ///< greedy_straighten(), then pull_taut(): vertices are corners
+  local,     ///< greedy_straighten() of stretches that stay within `straight_window` of the segment
+             ///< that replaces them (Fan et al. 2004, note 3)
 };
 /// Their names, in the same order.
-inline constexpr std::array<std::string_view, 3> kPolishNames{"none", "straight", "taut"};
+inline constexpr std::array<std::string_view, 4> kPolishNames{"none", "straight", "taut", "local"};
 /// The name of a value.
 constexpr std::string_view to_string(Polish value) noexcept { return name_of(value, kPolishNames); }
 
 /// What is left of a walk before it is measured, deposited and offered.
 enum class WalkCut {
-  none,       ///< all of it, but for steps that were taken back
-  own_cells,  ///< the shortest way over its own cells by the ant's moves
+  none,           ///< all of it, but for steps that were taken back
+  own_cells,      ///< the shortest way over its own cells by the ant's moves
+  entered_cells,  ///< the same over all cells that the ant entered, those it left again included
 };
 /// Their names, in the same order.
-inline constexpr std::array<std::string_view, 2> kWalkCutNames{"none", "own-cells"};
+inline constexpr std::array<std::string_view, 3> kWalkCutNames{"none", "own-cells",
+                                                               "entered-cells"};
 /// The name of a value.
 constexpr std::string_view to_string(WalkCut value) noexcept {
   return name_of(value, kWalkCutNames);
@@ -143,6 +149,16 @@ inline constexpr std::array<std::string_view, 2> kRewardNames{"factor", "affine"
 /// The name of a value.
 constexpr std::string_view to_string(Reward value) noexcept { return name_of(value, kRewardNames); }
 
+/// Whose numbers an algorithm starts with.
+enum class Preset {
+  usual,  ///< those that are right on maps; of a published system its own
+  book,   ///< of as, eas, ras, mmas and acs: the textbook's (Dorigo & Stuetzle 2004, box 3.1)
+};
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 2> kPresetNames{"usual", "book"};
+/// The name of a value.
+constexpr std::string_view to_string(Preset value) noexcept { return name_of(value, kPresetNames); }
+
 /// The numbers of the families' updates, in any world; each update says which of them it reads.
 struct TrailParams {
   double persistence = 0.7;   ///< share of pheromone that remains, at least 2^-60 of it
@@ -162,8 +178,9 @@ struct TrailParams {
 /// algorithm does not read must stay as the constructor left it: see validate().
 struct LASIUS_EXPORT Params : TrailParams {
   Params() : Params("exact") {}
-  /// @throws Error(invalid_parameter) for an unknown name, with the nearest known one.
-  explicit Params(std::string_view algorithm);
+  /// @throws Error(invalid_parameter) for an unknown name, with the nearest known one, and for a
+  /// preset that the algorithm does not have.
+  explicit Params(std::string_view algorithm, Preset preset = Preset::usual);
   /// Its name. To ask another algorithm, make other Params: a name without its numbers is none.
   const std::string& algorithm() const noexcept { return algorithm_; }
   friend bool operator==(const Params&, const Params&) = default;
@@ -175,9 +192,10 @@ struct LASIUS_EXPORT Params : TrailParams {
   int iterations = 120;                      ///< T
   Neighbours neighbours = Neighbours::four;  ///< moves from a cell
   Corners corners = Corners::forbid;         ///< rule for diagonal steps past blocked cells
-  Polish polish = Polish::straight;          ///< what is done with each tour
+  Polish polish = Polish::local;             ///< what is done with each tour
+  double straight_window = 10;               ///< D of Polish::local, cells
   DeadEnd dead_end = DeadEnd::backtrack;     ///< where every way on is closed
-  WalkCut walk_cut = WalkCut::none;          ///< of every tour, before deposits
+  WalkCut walk_cut = WalkCut::own_cells;     ///< of every tour, before deposits
 
   // Random proportional rule: weight of a move = tau^alpha * visibility * heuristic.
   Selection selection = Selection::roulette;           ///< how a move is drawn
@@ -199,13 +217,16 @@ struct LASIUS_EXPORT Params : TrailParams {
   double lambda = 2;  ///< exponent
 
   // Roulette between the rules (Fan et al. 2004, note 4): shares at iteration 0 and from
-  // `critical_time` on, linear between. Only their ratios count.
-  double pheromone_rule_first = 0;  ///< by pheromone alone, at iteration 0
-  double pheromone_rule = 0.1;      ///< the same from `critical_time` on
-  double distance_rule_first = 1;   ///< by visibility and heuristic alone, at iteration 0
-  double distance_rule = 0.1;       ///< the same from `critical_time` on
-  double combined_rule_first = 0;   ///< by the product, at iteration 0
-  double combined_rule = 0.8;       ///< the same from `critical_time` on
+  // `critical_time` on, linear between; that of distance alone goes on to its last value at
+  // `settling_time`. Only their ratios count.
+  double pheromone_rule_first = 0;    ///< by pheromone alone, at iteration 0
+  double pheromone_rule = 0.01;       ///< the same from `critical_time` on
+  double distance_rule_first = 1;     ///< by visibility and heuristic alone, at iteration 0
+  double distance_rule = 0.3;         ///< the same at `critical_time`
+  double distance_rule_last = 0.002;  ///< the same from `settling_time` on
+  int settling_time = 70;             ///< 0: the share at `critical_time` stays
+  double combined_rule_first = 0;     ///< by the product, at iteration 0
+  double combined_rule = 0.7;         ///< the same from `critical_time` on
 
   // Update: tau <- persistence * tau, then deposits. Its numbers are in TrailParams.
   Update update = Update::ant_system;  ///< how the trail changes
@@ -265,6 +286,13 @@ LASIUS_EXPORT std::span<const Algorithm> algorithms() noexcept;
 
 /// One of them. @throws Error(invalid_parameter) for an unknown name, with the nearest known one.
 LASIUS_EXPORT const Algorithm& find_algorithm(std::string_view name);
+
+/// The rules of a colony in a line each: weight of a move, choice, update. tau is pheromone, E the
+/// goal, d the distance, L the length of a tour; other words are parameters. Empty for others.
+LASIUS_EXPORT std::vector<std::string> formulas(const Params& params);
+
+/// Has the algorithm numbers of this preset? @throws as find_algorithm().
+LASIUS_EXPORT bool has_preset(std::string_view algorithm, Preset preset);
 
 /// Sets or gets one parameter by the name in `algorithms()`; numbers round-trip.
 /// @throws Error(invalid_parameter) for an unknown name (with the nearest), value or range.

@@ -8,6 +8,7 @@
 
 #include "lasius/export.h"
 #include "lasius/geometry.h"
+#include "lasius/search_result.h"
 
 namespace lasius {
 
@@ -20,6 +21,9 @@ class Progress {
   double mean_length = std::numeric_limits<double>::quiet_NaN();  ///< NaN if no ant arrived
   int arrived = 0;                                                ///< ants that reached the goal
   std::optional<double> lower_bound;  ///< certified, where the algorithm knows one by now
+  /// The curves so far, this iteration's entries last; among polygons those of the route at hand.
+  /// Null from an exact search.
+  const Convergence* curves = nullptr;
 
   /// Ends the search, where it has not ended by itself: its answer is the best so far, its status
   /// Status::interrupted.

@@ -22,6 +22,13 @@ struct Convergence {
   std::vector<double> cut_mean;     ///< by iteration: mean of its tours after Params::walk_cut
   std::vector<double> cut_best;     ///< by iteration: the shortest of them
   std::vector<std::int64_t> steps;  ///< by iteration: moves of all ants, backward ones too
+  /// By iteration: of the cells on its raw tours the share within a tenth of the distance from
+  /// start to goal of the straight line between them.
+  std::vector<double> band;
+  /// By iteration: how open the trail leaves the choice, 1 where all moves are alike and 0 where
+  /// one has all pheromone: entropy of the moves' pheromone over its greatest, mean over at most 64
+  /// cells spread over the best tour so far. NaN where there is no trail.
+  std::vector<double> trail_entropy;
 };
 
 /// What the answers of all planners have in common. Without a path `length` is not a number.

@@ -27,12 +27,15 @@ class Lengths {
 void record(const ColonyWorld& world, Convergence& run) {
   Lengths raw, cut;
   std::optional<std::int64_t> steps;
+  std::int64_t cells = 0, near = 0;
   for (int a = 0; a < world.ants(); ++a) {
     raw.add(world.tour_length(a));
     const auto walked = world.walked(a);
     if (!walked) continue;
     cut.add(walked->cut_length);
     steps = steps.value_or(0) + walked->steps;
+    cells += walked->cells;
+    near += walked->near;
   }
   run.best.push_back(world.best_length());
   run.mean.push_back(raw.mean());
@@ -42,6 +45,8 @@ void record(const ColonyWorld& world, Convergence& run) {
     run.cut_mean.push_back(cut.mean());
     run.cut_best.push_back(cut.least());
     run.steps.push_back(*steps);
+    run.band.push_back(cells > 0 ? static_cast<double>(near) / static_cast<double>(cells) : kNaN);
+    run.trail_entropy.push_back(world.trail_entropy());
   }
   ++run.iterations;
 }

@@ -32,13 +32,18 @@ class ColonyWorld {
   virtual int threads() const { return 1; }
   /// Length of an ant's raw tour, NaN unless it arrived.
   virtual double tour_length(int ant) const = 0;
-  /// What an ant walked: the length of its tour after the cut, NaN unless it arrived, and its
-  /// moves, backward ones too. Only of worlds whose runs record that.
+  /// What an ant walked: the length of its tour after the cut, NaN unless it arrived, its moves,
+  /// backward ones too, the cells of its raw tour and those near the straight line. Only of worlds
+  /// whose runs record that.
   struct Walked {
     double cut_length;
     std::int64_t steps;
+    std::int64_t cells;
+    std::int64_t near;
   };
   virtual std::optional<Walked> walked(int) const { return std::nullopt; }
+  /// How open the trail leaves the choice; see Convergence.
+  virtual double trail_entropy() const { return kNaN; }
   /// Length of the best path so far, NaN without one.
   virtual double best_length() const = 0;
 

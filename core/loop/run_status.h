@@ -69,6 +69,7 @@ StopCondition::Cause show(const SomeObserver& observer, const Convergence& run, 
   view.best_length = std::fmin(view.best_length, run.best.back());
   view.mean_length = run.mean.back();
   view.arrived = run.arrived.back();
+  view.curves = &run;
   observer(view);
   return view.stopped() ? StopCondition::Cause::token : StopCondition::Cause::none;
 }

@@ -25,6 +25,9 @@ constexpr std::array kColony{
     Table::choice<&Params::corners, kCornersNames>(
         "corners", "free side cells that a diagonal move needs: both, one, none"),
     Table::choice<&Params::polish, kPolishNames>("polish", "what is done with each ant's tour"),
+    Entry{{"straight_window", "number", "0 .. 1e6",
+           "local polish: how far from a segment a stretch may go that it replaces, cells", "10"},
+          Number{&Params::straight_window, 0, 1e6}},
     Table::choice<&Params::dead_end, kDeadEndNames>("dead_end",
                                                     "what an ant does when every move is closed"),
     Table::choice<&Params::walk_cut, kWalkCutNames>(
@@ -63,8 +66,14 @@ constexpr std::array kColony{
     Entry{{"distance_rule_first", "number", "0 .. 1000000",
            "share of steps by the heuristic alone at iteration 0"},
           Number{&Params::distance_rule_first, 0, 1e6}},
-    Entry{{"distance_rule", "number", "0 .. 1000000", "the same from the critical time on"},
+    Entry{{"distance_rule", "number", "0 .. 1000000", "the same at the critical time"},
           Number{&Params::distance_rule, 0, 1e6}},
+    Entry{
+        {"distance_rule_last", "number", "0 .. 1000000", "the same from the settling time on", "0"},
+        Number{&Params::distance_rule_last, 0, 1e6}},
+    Entry{{"settling_time", "integer", "0 .. 1000000000",
+           "iteration from which the share of the distance rule is its last one; 0: it stays", "0"},
+          Integer{&Params::settling_time, 0, 1000000000}},
     Entry{{"combined_rule_first", "number", "0 .. 1000000",
            "share of steps by the product of both at iteration 0"},
           Number{&Params::combined_rule_first, 0, 1e6}},
@@ -127,8 +136,8 @@ constexpr auto kColonyParameters = Table::infos(kColony);
 
 // What the genetic algorithm shares with the colonies, then its own.
 constexpr auto kGeneticParameters = [] {
-  constexpr std::array<std::string_view, 4> kShared{"iterations", "neighbours", "corners",
-                                                    "polish"};
+  constexpr std::array<std::string_view, 5> kShared{"iterations", "neighbours", "corners", "polish",
+                                                    "straight_window"};
   std::array<Parameter, kShared.size() + kGenetic.size()> list;
   auto next = list.begin();
   for (const Entry& e : kColony) {

@@ -14,46 +14,53 @@ namespace {
 /// Nothing to set: where it ends is in the request.
 void exact(Params&) {}
 
-/// Fan, Luo, Yi & Zhang 2004, section 4; omega, mu, lambda from note 1, exponents from note 2. The
-/// source gives no weights for the roulette between its rules and no Q and tau0: with a = min(1,
-/// q / mc) the shares are 0.1 a, 1 - 0.9 a and 0.8 a, and Q / tau0 = 100. It does not say what an
-/// ant does at a dead end: here it steps back. Its values are the defaults of Params.
+/// Fan, Luo, Yi & Zhang 2004, section 4; omega, mu, lambda from note 1, exponents from note 2. What
+/// the source leaves open was settled on generated maps, see docs/theory.md: the shares of its
+/// three rules, Q / tau0 = 100, deposits on tours cut to the ant's own cells, the window of the
+/// straightening, and ants that step back at dead ends. Its values are the defaults of Params.
 void fan2004(Params&) {}
 
-/// Ant system, Dorigo, Maniezzo & Colorni 1996, on 8 neighbours with pheromone on the arcs and
-/// visibility 1 / distance to the goal. alpha, beta and evaporation 0.3 are those that found the
-/// optima of Li, Wang and Ma's grids in each of 30 seeds; tau0 = m Q / L of the straight line.
-void ant_system(Params& p) {
+/// What the families share: 8 neighbours and nothing done with the walks.
+void family(Params& p) {
   p.neighbours = Neighbours::eight;
   p.trail = Trail::arcs;
   p.heuristic = Heuristic::inverse_distance;
   p.visibility = Visibility::none;
-  p.ants = 30;
-  p.iterations = 100;
-  p.alpha = p.alpha_first = 1;
-  p.beta = p.beta_first = 5;
   p.critical_time = 0;
   p.pheromone_rule_first = p.pheromone_rule = 0;
-  p.distance_rule_first = p.distance_rule = 0;
+  p.distance_rule_first = p.distance_rule = p.distance_rule_last = 0;
+  p.settling_time = 0;
   p.combined_rule_first = p.combined_rule = 1;
-  p.persistence = 0.7;
   p.initial_pheromone = 0;
   p.deposit = 1;
   p.straight_deposit = StraightDeposit::none;
   p.polish = Polish::none;
+  p.walk_cut = WalkCut::none;
+}
+
+/// Ant system, Dorigo, Maniezzo & Colorni 1996, on 8 neighbours with pheromone on the arcs and
+/// visibility 1 / distance to the goal. alpha, beta and evaporation 0.3 are those that found the
+/// optima of Li, Wang and Ma's grids in each of 30 seeds; tau0 = m Q / L of the straight line.
+void ant_system_book(Params& p) {
+  family(p);
+  p.ants = 30;
+  p.iterations = 100;
+  p.alpha = p.alpha_first = 1;
+  p.beta = p.beta_first = 5;
+  p.persistence = 0.7;
 }
 
 /// Elitist ant system: evaporation 0.5, e = the number of ants (Dorigo & Stuetzle 2004, box 3.1).
-void elitist(Params& p) {
-  ant_system(p);
+void elitist_book(Params& p) {
+  ant_system_book(p);
   p.update = Update::elitist;
   p.persistence = 0.5;
   p.elite_weight = p.ants;
 }
 
 /// Rank-based ant system: evaporation 0.1, w = 6 (Dorigo & Stuetzle 2004, box 3.1).
-void rank_based(Params& p) {
-  ant_system(p);
+void rank_based_book(Params& p) {
+  ant_system_book(p);
   p.update = Update::rank;
   p.persistence = 0.9;
   p.ranks = 6;
@@ -61,8 +68,8 @@ void rank_based(Params& p) {
 
 /// MAX-MIN ant system: evaporation 0.02, p_best = 0.05; the iteration's best deposits, the best so
 /// far every 5 iterations (Stuetzle & Hoos 2000; Dorigo & Stuetzle 2004, box 3.1).
-void max_min(Params& p) {
-  ant_system(p);
+void max_min_book(Params& p) {
+  ant_system_book(p);
   p.update = Update::max_min;
   p.persistence = 0.98;
   p.best_so_far_every = 5;
@@ -71,8 +78,8 @@ void max_min(Params& p) {
 
 /// Ant colony system: 10 ants, q0 = 0.9, evaporation and local evaporation 0.1 (Dorigo &
 /// Gambardella 1997). Its local update follows every step; here it follows every ant (batch = 1).
-void colony_system(Params& p) {
-  ant_system(p);
+void colony_system_book(Params& p) {
+  ant_system_book(p);
   p.update = Update::colony_system;
   p.ants = 10;
   p.greedy = 0.9;
@@ -81,10 +88,62 @@ void colony_system(Params& p) {
   p.batch = 1;
 }
 
+/// Ours, for maps: a tour of hundreds of moves is not one of thirty cities. Ten ants that wander
+/// (rescaled distance with omega = 1), whose tours are cut to the cells that they entered: loops no
+/// longer learn. Calibrated on generated maps, see docs/theory.md.
+void on_maps(Params& p) {
+  p.walk_cut = WalkCut::entered_cells;
+  p.heuristic = Heuristic::rescaled_distance;
+  p.omega = 1;
+  p.ants = 10;
+  p.iterations = 1000;
+  p.persistence = 0.9;
+}
+
+/// Its ants share the trail too evenly to close in by themselves: alpha rises.
+void ant_system(Params& p) {
+  ant_system_book(p);
+  on_maps(p);
+  p.trail = Trail::cells;
+  p.persistence = 0.8;
+  p.alpha_first = 0.5;
+  p.alpha = 1.5;
+  p.beta_first = p.beta;
+  p.critical_time = 300;
+}
+
+void elitist(Params& p) {
+  elitist_book(p);
+  on_maps(p);
+  p.trail = Trail::cells;
+  p.elite_weight = p.ants;
+}
+
+void rank_based(Params& p) {
+  rank_based_book(p);
+  on_maps(p);
+  p.trail = Trail::cells;
+}
+
+void max_min(Params& p) {
+  max_min_book(p);
+  on_maps(p);
+  p.best_so_far_every = 1;
+}
+
+/// Its best tour alone has a trail, hundreds of times tau0: a smaller alpha and fewer greedy steps
+/// leave others a chance.
+void colony_system(Params& p) {
+  colony_system_book(p);
+  on_maps(p);
+  p.alpha = p.alpha_first = 0.5;
+  p.greedy = 0.2;
+}
+
 /// Li, Wang & Ma, sections 2 and 3.1: alpha 0.9 on the terminal index, beta 1.5 on the distance,
 /// q = 0.8. Ants that are stuck die in the source; here they step back by default.
 void terminal_index(Params& p) {
-  ant_system(p);
+  ant_system_book(p);
   p.update = Update::terminal_index;
   p.selection = Selection::inverse_roulette;
   p.trail = Trail::cells;
@@ -99,7 +158,7 @@ void terminal_index(Params& p) {
 /// `ants` is how many walk before the map is updated (our extension). tau0 = 3, eta0 = 1; the
 /// number of ants is "a large number".
 void cong2009(Params& p) {
-  ant_system(p);
+  ant_system_book(p);
   p.neighbours = Neighbours::four;
   p.update = Update::learning;
   p.trail = Trail::cells;
@@ -119,7 +178,7 @@ void cong2009(Params& p) {
 /// 45 degrees); never straight back; the 5 "candidate" ants of its table read as the best ants of
 /// an iteration that deposit.
 void lecture_grid(Params& p) {
-  ant_system(p);
+  ant_system_book(p);
   p.update = Update::best_share;
   p.trail = Trail::cells;
   p.heuristic = Heuristic::uniform;
@@ -136,68 +195,75 @@ void lecture_grid(Params& p) {
 
 /// Ahn & Ramakrishna 2002; 8 neighbours as the colonies that it is compared with.
 void grid_ga(Params& p) {
+  p.polish = Polish::straight;
   p.neighbours = Neighbours::eight;
   p.iterations = 100;
 }
 
-struct Preset {
+struct Listed {
   Algorithm algorithm;
   void (*set)(Params&);
+  void (*set_book)(Params&) = nullptr;
 };
 
 /// Made on first use, so that Params may be made before main() begins.
 const auto& presets() {
   static const std::array list{
-      Preset{{"exact",
+      Listed{{"exact",
               "the shortest any-angle path, with a proof; before that the best path so far with a "
               "certified gap",
               "lasius: weighted A* and A* over taut corners, see docs/exact.md",
               {},
               Algorithm::Kind::exact},
              exact},
-      Preset{{"fan2004",
+      Listed{{"fan2004",
               "bitmaps of many irregular obstacles: pheromone, rescaled distance and their product "
               "mixed by roulette, exponents that vary with time, tours pulled straight",
               "Fan, Luo, Yi, Zhang: Path planning for robots based on ant colony optimization "
               "algorithm under complex environment. Control and Decision 19 (2), 2004",
               colony_parameters()},
              fan2004},
-      Preset{{"as", "ant system, the classic: visibility 1 / distance to the goal",
+      Listed{{"as", "ant system, the classic: visibility 1 / distance to the goal",
               "Dorigo, Maniezzo, Colorni: Ant System: optimization by a colony of cooperating "
               "agents. IEEE Trans. SMC-B 26 (1), 1996",
               colony_parameters()},
-             ant_system},
-      Preset{{"eas", "elitist ant system: the best tour so far deposits as well",
+             ant_system,
+             ant_system_book},
+      Listed{{"eas", "elitist ant system: the best tour so far deposits as well",
               "Dorigo, Stuetzle: Ant Colony Optimization. MIT Press, 2004, section 3.3.2",
               colony_parameters()},
-             elitist},
-      Preset{{"ras", "rank-based ant system: the best ants deposit, weighted by rank",
+             elitist,
+             elitist_book},
+      Listed{{"ras", "rank-based ant system: the best ants deposit, weighted by rank",
               "Bullnheimer, Hartl, Strauss: A new rank-based version of the Ant System. Central "
               "European J. for Operations Research 7 (1), 1999",
               colony_parameters()},
-             rank_based},
-      Preset{{"mmas", "MAX-MIN ant system: one best ant deposits, pheromone between bounds",
+             rank_based,
+             rank_based_book},
+      Listed{{"mmas", "MAX-MIN ant system: one best ant deposits, pheromone between bounds",
               "Stuetzle, Hoos: MAX-MIN Ant System. Future Generation Computer Systems 16 (8), 2000",
               colony_parameters()},
-             max_min},
-      Preset{{"acs", "ant colony system: pseudo-random proportional rule, local and global update",
+             max_min,
+             max_min_book},
+      Listed{{"acs", "ant colony system: pseudo-random proportional rule, local and global update",
               "Dorigo, Gambardella: Ant Colony System: a cooperative learning approach to the "
               "traveling salesman problem. IEEE Trans. Evolutionary Computation 1 (1), 1997",
               colony_parameters()},
-             colony_system},
-      Preset{{"terminal-index",
+             colony_system,
+             colony_system_book},
+      Listed{{"terminal-index",
               "the best known way from each cell in place of pheromone, moves discarded one by one",
               "Li, Wang, Ma: ant colony path planning with a terminal index", colony_parameters()},
              terminal_index},
-      Preset{{"cong2009", "one ant at a time, learned heuristic, penalties for dead ends",
+      Listed{{"cong2009", "one ant at a time, learned heuristic, penalties for dead ends",
               "Cong, Ponnambalam: Mobile robot path planning using ant colony optimization. "
               "IEEE/ASME Int. Conf. on Advanced Intelligent Mechatronics, 2009",
               colony_parameters()},
              cong2009},
-      Preset{{"lecture-grid", "heading change as heuristic, the best ants deposit",
+      Listed{{"lecture-grid", "heading change as heuristic, the best ants deposit",
               "lecture on ant algorithms for robot path planning, grid part", colony_parameters()},
              lecture_grid},
-      Preset{{"grid-ga",
+      Listed{{"grid-ga",
               "genetic algorithm, the comparator: paths of cells that cross where they meet",
               "Ahn, Ramakrishna: A genetic algorithm for shortest path routing problem and the "
               "sizing of populations. IEEE Trans. Evolutionary Computation 6 (6), 2002",
@@ -212,20 +278,37 @@ const auto& presets() {
 std::span<const Algorithm> algorithms() noexcept {
   static const auto list = [] {
     std::array<Algorithm, std::tuple_size_v<std::remove_cvref_t<decltype(presets())>>> all;
-    std::ranges::transform(presets(), all.begin(), &Preset::algorithm);
+    std::ranges::transform(presets(), all.begin(), &Listed::algorithm);
     return all;
   }();
   return list;
 }
 
+namespace {
+
+const Listed& listed(const Algorithm& algorithm) {
+  return presets()[static_cast<std::size_t>(&algorithm - algorithms().data())];
+}
+
+}  // namespace
+
 const Algorithm& find_algorithm(std::string_view name) {
   return find_algorithm(algorithms(), name);
 }
 
-Params::Params(std::string_view algorithm) {
+bool has_preset(std::string_view algorithm, Preset preset) {
+  return preset == Preset::usual || listed(find_algorithm(algorithm)).set_book != nullptr;
+}
+
+Params::Params(std::string_view algorithm, Preset preset) {
   const Algorithm& found = find_algorithm(algorithm);
   algorithm_ = found.name;
-  presets()[static_cast<std::size_t>(&found - algorithms().data())].set(*this);
+  const Listed& entry = listed(found);
+  if (preset == Preset::book && entry.set_book == nullptr) {
+    throw invalid_parameter(algorithm_ + " has no preset book",
+                            "only as, eas, ras, mmas and acs have the numbers of a textbook");
+  }
+  (preset == Preset::book ? entry.set_book : entry.set)(*this);
 }
 
 }  // namespace lasius

@@ -22,23 +22,30 @@ std::span<const Cell> PathMaker::cut(const Grid& grid, std::span<const Cell> wal
   return cutter_.cut(grid, walk, diagonal, corners, stop, more);
 }
 
-void PathMaker::polish(const Grid& grid, std::span<const Cell> way, Polish polish, Corners corners,
+void PathMaker::polish(const Grid& grid, std::span<const Cell> way, const Params& params,
                        const StopCondition& stop, std::vector<Point>& path) {
-  const bool straight = polish == Polish::straight;
+  path.clear();
+  const auto take_centres = [&] {
+    for (const Cell c : straightener_.vertices()) path.push_back(centre(c));
+  };
+  if (params.polish == Polish::local) {
+    straightener_.run(grid, way, stop, params.straight_window);
+    return take_centres();
+  }
+  const bool straight = params.polish == Polish::straight;
   straightener_.run(grid, way, stop);
   if (straight) {
     straightener_.straighten(grid, stop);
   } else {
-    taut_string_.run(grid, straightener_.vertices(), corners, stop);
+    taut_string_.run(grid, straightener_.vertices(), params.corners, stop);
   }
   const auto string = straight ? straightener_.string() : taut_string_.path();
   const bool shorter = straightener_.vertices().size() > 2 &&
                        stop.poll() == StopCondition::Cause::none &&
                        find_shortcut(grid, way, path_length(string), stop);
   if (shorter) straightener_.take(grid, shortcut_, stop);
-  path.clear();
   if (straight) {
-    for (const Cell c : straightener_.vertices()) path.push_back(centre(c));
+    take_centres();
   } else {
     const std::span<const Point> taut = shorter ? shortcut_ : string;
     path.assign(taut.begin(), taut.end());

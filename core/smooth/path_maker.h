@@ -27,8 +27,8 @@ class PathMaker {
                             std::span<const kernels::PackedCell> more = {});
 
   /// The path along `way`, which `cut` returned, as Polish states; rougher when stopped.
-  /// Precondition: `polish` is not none.
-  void polish(const Grid& grid, std::span<const Cell> way, Polish polish, Corners corners,
+  /// Precondition: `polish` is not none. For Polish::local any walk will do.
+  void polish(const Grid& grid, std::span<const Cell> way, const Params& params,
               const StopCondition& stop, std::vector<Point>& path);
 
   /// Cells under the last path, or under one of its class.

@@ -1,6 +1,7 @@
 #include "core/smooth/straighten.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <string>
@@ -58,10 +59,46 @@ void rasterise(const kernels::BitmapView& map, std::span<const Cell> polyline,
   }
 }
 
-// Greedy line of sight: each piece ends at the last cell before the first hidden one. False when
-// told to stop before the walk's end.
-bool pull(const kernels::BitmapView& map, std::span<const Cell> walk, kernels::SightCone& cone,
-          Poller& poller, std::vector<Cell>& polyline) {
+// Whether cells, seen one after another from a first one, stay within `window` of the segment from
+// it to the next: the directions in which a ray passes all of them so closely (the sleeve of Zhao &
+// Saalfeld, Auto-Carto 13, 1997), and that none lies farther ahead than the window allows.
+class Sleeve {
+ public:
+  Sleeve(Cell from, double window) : from_(from), window_(window) {}
+
+  // False for a cell whose segment leaves one before farther aside; otherwise it counts as one.
+  bool takes_next(Cell c) noexcept {
+    const double dx = c.x - from_.x, dy = c.y - from_.y;
+    const double square = dx * dx + dy * dy;
+    if (farthest_ > window_) {
+      const double least = farthest_ - window_;
+      if (square < least * least || right_x_ * dy - right_y_ * dx < 0 ||
+          dx * left_y_ - dy * left_x_ < 0)
+        return false;
+    }
+    if (!(square > window_ * window_)) return true;
+    // Tangents from the first cell to the circle of that radius around this one.
+    const double along = std::sqrt(square - window_ * window_);
+    const double rx = dx * along + dy * window_, ry = dy * along - dx * window_;
+    const double lx = dx * along - dy * window_, ly = dy * along + dx * window_;
+    const bool first = !(farthest_ > window_);
+    if (first || right_x_ * ry - right_y_ * rx > 0) right_x_ = rx, right_y_ = ry;
+    if (first || lx * left_y_ - ly * left_x_ > 0) left_x_ = lx, left_y_ = ly;
+    farthest_ = std::max(farthest_, std::sqrt(square));
+    return true;
+  }
+
+ private:
+  Cell from_;
+  double window_;
+  double farthest_ = 0;  // directions are bounded once a cell lay beyond the window
+  double right_x_ = 0, right_y_ = 0, left_x_ = 0, left_y_ = 0;
+};
+
+// Greedy line of sight: each piece ends at the last cell before the first hidden one, or before the
+// first whose segment would stray from the walk. False when told to stop before the walk's end.
+bool pull(const kernels::BitmapView& map, std::span<const Cell> walk, double window,
+          kernels::SightCone& cone, Poller& poller, std::vector<Cell>& polyline) {
   int lo = walk[0].x;
   int hi = lo;
   for (const Cell c : walk) {
@@ -73,7 +110,9 @@ bool pull(const kernels::BitmapView& map, std::span<const Cell> walk, kernels::S
   while (next < walk.size()) {
     const std::size_t anchor = next - 1;
     cone.start(map, walk[anchor].x, walk[anchor].y, lo, hi);
-    while (next < walk.size() && cone.sees_next(walk[next].x, walk[next].y)) {
+    Sleeve sleeve(walk[anchor], window);
+    while (next < walk.size() && (window == kInfinity || sleeve.takes_next(walk[next])) &&
+           cone.sees_next(walk[next].x, walk[next].y)) {
       ++next;
       if (poller.stop_after(cone.take_work())) return false;
     }
@@ -195,7 +234,7 @@ bool Straightener::pull_from_both_ends(const kernels::BitmapView& map, Poller& p
   for (int in_vain = 0; in_vain < 2; forth = !forth) {
     rasterise(map, best_, raster_);
     if (!forth) std::reverse(raster_.begin(), raster_.end());
-    if (!pull(map, raster_, cone_, poller, pulled_)) return false;
+    if (!pull(map, raster_, window_, cone_, poller, pulled_)) return false;
     if (!forth) std::reverse(pulled_.begin(), pulled_.end());
     in_vain = keep_if_shorter() ? 0 : in_vain + 1;
   }
@@ -210,12 +249,14 @@ bool Straightener::keep_if_shorter() {
   return true;
 }
 
-void Straightener::run(const Grid& grid, std::span<const Cell> walk, const StopCondition& stop) {
+void Straightener::run(const Grid& grid, std::span<const Cell> walk, const StopCondition& stop,
+                       double window) {
+  window_ = window;
   const kernels::BitmapView map = view_of(grid);
   Poller poller(stop);
   best_.assign(walk.begin(), walk.end());
   // The first pass only cuts short, whatever rounding says.
-  if (pull(map, walk, cone_, poller, pulled_)) best_.assign(pulled_.begin(), pulled_.end());
+  if (pull(map, walk, window, cone_, poller, pulled_)) best_.assign(pulled_.begin(), pulled_.end());
   length_ = length_of(best_);
   if (!poller.stopped()) pull_from_both_ends(map, poller);
   rasterise(map, best_, raster_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,8 +20,10 @@ namespace lasius {
 /// call. One per thread. The spans it returns hold until the next call.
 class Straightener {
  public:
-  /// Straightens a walk of at least one cell; see `greedy_straighten()` for what a walk is.
-  void run(const Grid& grid, std::span<const Cell> walk, const StopCondition& stop = {});
+  /// Straightens a walk of at least one cell; see `greedy_straighten()` for what a walk is. Each
+  /// pass replaces only stretches that stay within `window` of the segment, cells.
+  void run(const Grid& grid, std::span<const Cell> walk, const StopCondition& stop = {},
+           double window = std::numeric_limits<double>::infinity());
 
   /// Goes on from the polyline of `run`, as `straighten()` states.
   void straighten(const Grid& grid, const StopCondition& stop = {});
@@ -69,6 +72,7 @@ class Straightener {
   std::vector<Cell> pulled_;  // the polyline of one pass, in the pass's direction
   std::vector<Cell> raster_;  // the walk that a pass pulls, at the end the result's cells
   double length_ = 0;
+  double window_ = 0;
   kernels::SightCone cone_;
 };
 

@@ -1,17 +1,39 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/console/exit_code.h"
 #include "tools/console/streams.h"
+#include "tools/console/values.h"
 #include "tools/console/worlds.h"
 #include "tools/options/commands.h"
 #include "tools/record/json_values.h"
 
 namespace lasius::tool {
 namespace {
+
+std::vector<std::string> formulas_of(const World& world, const Algorithm& algorithm) {
+  if (world.kind != World::Kind::bitmap) return {};
+  return formulas(Params(algorithm.name));
+}
+
+/// Names and values of the textbook's parameters that are not the usual ones; empty where the
+/// algorithm has none.
+std::vector<std::pair<std::string_view, std::string>> book_values(const World& world,
+                                                                  const Algorithm& algorithm) {
+  std::vector<std::pair<std::string_view, std::string>> values;
+  if (world.kind != World::Kind::bitmap || !has_preset(algorithm.name, Preset::book)) return values;
+  const Params usual(algorithm.name), book(algorithm.name, Preset::book);
+  for (const auto& [name, type, range, summary, earlier] : algorithm.parameters) {
+    auto value = get_parameter(book, name);
+    if (value != get_parameter(usual, name)) values.emplace_back(name, std::move(value));
+  }
+  return values;
+}
 
 Json algorithm_json(const World& world, const Algorithm& algorithm) {
   Json list = Json::array();
@@ -22,16 +44,26 @@ Json algorithm_json(const World& world, const Algorithm& algorithm) {
     entry.update(range_json(parameter));
     list.push_back(entry);
   }
-  return {{"name", algorithm.name},
-          {"summary", algorithm.summary},
-          {"source", algorithm.source},
-          {"parameters", list}};
+  Json json = {{"name", algorithm.name},
+               {"summary", algorithm.summary},
+               {"source", algorithm.source},
+               {"formulas", formulas_of(world, algorithm)},
+               {"parameters", list}};
+  for (const auto& [name, value] : book_values(world, algorithm))
+    json["presets"]["book"][std::string(name)] = json::parameter(value);
+  return json;
 }
 
 std::string algorithm_text(const World& world, const Algorithm& algorithm) {
   constexpr std::size_t kColumn = 46;
   std::ostringstream text;
   text << algorithm.name << ": " << algorithm.summary << "\n  " << algorithm.source << "\n";
+  for (const std::string& formula : formulas_of(world, algorithm)) text << "  " << formula << "\n";
+  if (const auto book = book_values(world, algorithm); !book.empty()) {
+    text << "  --preset book:";
+    for (const auto& [name, value] : book) text << ' ' << name << '=' << value;
+    text << "\n";
+  }
   for (const auto& parameter : algorithm.parameters) {
     std::ostringstream left;
     left << "  " << parameter.name << "=" << world.default_text(algorithm, parameter.name) << "  ["
@@ -43,15 +75,29 @@ std::string algorithm_text(const World& world, const Algorithm& algorithm) {
   return text.str();
 }
 
+/// @throws UsageError with the nearest name.
+void check_known(const std::string& name) {
+  std::vector<std::string_view> known;
+  for (const World& world : worlds())
+    for (const Algorithm& algorithm : world.algorithms) known.push_back(algorithm.name);
+  choice_value("algorithms", name, known);
+}
+
 }  // namespace
 
 int run_algorithms(const AlgorithmsCommand& command) {
   Json json = {{"format", "lasius-algorithms/1"}};
   std::string text;
+  if (!command.name.empty()) check_known(command.name);
   for (const World& world : worlds()) {
+    const auto asked = [&](const Algorithm& a) {
+      return command.name.empty() || a.name == command.name;
+    };
+    if (std::ranges::none_of(world.algorithms, asked)) continue;
     if (!world.title.empty()) text.append("\n").append(world.title).append("\n");
     Json& list = json[std::string(world.key)] = Json::array();
     for (const Algorithm& algorithm : world.algorithms) {
+      if (!asked(algorithm)) continue;
       list.push_back(algorithm_json(world, algorithm));
       if (!text.empty()) text += '\n';
       text += algorithm_text(world, algorithm);

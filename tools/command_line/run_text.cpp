@@ -30,6 +30,8 @@ constexpr std::string_view kArmEndings[] = {".json", ".csv", ".yaml", ".yml", ".
 void read_search(const SearchText& text, SearchOptions& options,
                  std::span<const std::string_view> endings = kResultEndings) {
   options.algorithm = text.algorithm;
+  if (!text.preset.empty())
+    options.preset = static_cast<Preset>(choice_value("--preset", text.preset, kPresetNames));
   for (const auto& [name, value] : text.named)
     if (!value.empty()) options.named.emplace_back(name, value);
   options.settings = text.set;

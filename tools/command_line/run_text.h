@@ -15,7 +15,7 @@ namespace lasius::tool {
 
 /// What all of them have, as typed, before values are looked at.
 struct SearchText {
-  std::string algorithm, seed, threads, time_limit, target_gap, progress;
+  std::string algorithm, preset, seed, threads, time_limit, target_gap, progress;
   std::vector<std::string> set, outputs;
   /// Parameters with an option of their own: name as in `algorithms`, and value.
   std::vector<std::pair<std::string, std::string>> named;

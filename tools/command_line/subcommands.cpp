@@ -185,10 +185,12 @@ Subcommand add_info(CLI::App& app) {
 }
 
 Subcommand add_algorithms(CLI::App& app) {
-  auto json = std::make_shared<bool>(false);
-  auto* list = app.add_subcommand("algorithms", "List the algorithms and their parameters");
-  add_switch(*list, "--json", *json, "Print one JSON object");
-  return {list, [json]() -> Command { return AlgorithmsCommand{*json}; }};
+  auto raw = std::make_shared<AlgorithmsCommand>();
+  auto* list =
+      app.add_subcommand("algorithms", "List the algorithms, their formulas and parameters");
+  option_adder (*list)("NAME", raw->name, "Only this one", "NAME");
+  add_switch(*list, "--json", raw->json, "Print one JSON object");
+  return {list, [raw]() -> Command { return *raw; }};
 }
 
 Subcommand add_generate(CLI::App& app) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lasius/params.h"
+#include "tools/console/exit_code.h"
 #include "tools/console/worlds.h"
 #include "tools/options/options.h"
 
@@ -35,13 +36,18 @@ std::pair<std::string_view, std::string_view> setting_of(std::string_view settin
                                                          const Algorithm& algorithm,
                                                          std::span<const Algorithm> all);
 
-/// The values that an algorithm has until it is told others.
+/// The values that an algorithm has until it is told others. @throws UsageError for a preset that
+/// it does not have.
 template <class Params>
-Params params_of(std::string_view algorithm) {
-  if constexpr (std::constructible_from<Params, std::string_view>)
+Params params_of(std::string_view algorithm, Preset preset = Preset::usual) {
+  if constexpr (std::constructible_from<Params, std::string_view, Preset>) {
+    return Params(algorithm, preset);
+  } else {
+    if (preset != Preset::usual)
+      throw UsageError("--preset " + std::string(to_string(preset)) + ": " +
+                       std::string(algorithm) + " has none; as, eas, ras, mmas and acs have");
     return Params(algorithm);
-  else
-    return Params();
+  }
 }
 
 /// Holds a value that has no effect against what another algorithm takes.
@@ -64,7 +70,7 @@ template <class Params>
 Params make_params(const SearchOptions& options, World::Kind kind, std::span<const Algorithm> all,
                    std::vector<std::string>& notes) {
   const Algorithm& algorithm = named_algorithm(all, algorithm_of(kind, options.algorithm));
-  auto params = params_of<Params>(algorithm.name);
+  auto params = params_of<Params>(algorithm.name, options.preset);
   for (const auto& [name, value] : options.named) {
     if (algorithm.has(name)) {
       set_parameter(params, name, value);

@@ -41,6 +41,7 @@ struct Messages {
 /// The options of every command that plans.
 struct SearchOptions {
   std::string algorithm;                                   ///< empty: the world's first
+  Preset preset = Preset::usual;                           ///< of a colony on bitmaps
   std::vector<std::pair<std::string, std::string>> named;  ///< parameters with their own option
   std::vector<std::string> settings;                       ///< NAME=VALUE
   std::uint64_t seed = 1;
@@ -79,6 +80,7 @@ struct InfoCommand {
 };
 
 struct AlgorithmsCommand {
+  std::string name;  ///< the only one listed; empty: all
   bool json = false;
 };
 

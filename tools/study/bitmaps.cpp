@@ -19,26 +19,10 @@ std::string question_key(const Grid& grid, const Question& question, const std::
   return key + ' ' + algorithm;
 }
 
-/// The share of an iteration's steps that lie within 10% of the distance from start to goal of the
-/// straight line between them.
-double share_near(const Question& question, const GridProgress& progress) {
-  const double dx = question.goal.x - question.start.x, dy = question.goal.y - question.start.y;
-  const double distance = std::hypot(dx, dy);
-  double near = 0, all = 0;
-  for (int ant = 0; ant < progress.ants(); ++ant) {
-    for (const Cell c : progress.walk(ant)) {
-      const double off = (c.x - question.start.x) * dy - (c.y - question.start.y) * dx;
-      near += std::abs(off) <= 0.1 * distance * distance;
-      ++all;
-    }
-  }
-  return all > 0 ? near / all : kUnknown;
-}
-
 }  // namespace
 
 Params params_of(const Contender& contender) {
-  return configured(Params(contender.algorithm), contender);
+  return configured(Params(contender.algorithm, contender.preset), contender);
 }
 
 std::optional<double> true_optimum(const Planner& planner, const Question& question,
@@ -56,7 +40,6 @@ Bitmaps::Bitmaps(const Study& study, const std::filesystem::path& maps) {
     for (const Question& question : experiment.questions)
       if (!planners_.contains(question.map))
         planners_.emplace(question.map, Planner(load_map(question.map, maps)));
-  band_ = std::ranges::any_of(study.experiments, &Experiment::band);
 }
 
 Task Bitmaps::task(const Question& question, const Contender& contender) const {
@@ -66,21 +49,16 @@ Task Bitmaps::task(const Question& question, const Contender& contender) const {
   Task task =
       task_of(question_key(grid, question, params.algorithm()), params,
               parameters_of(algorithms(), params.algorithm()), grid.width() + grid.height());
-  task.run = [&planner, &question, params, limit = shortest(question, params), band = band_](
+  task.run = [&planner, &question, params, limit = shortest(question, params)](
                  std::uint64_t seed, bool pilot, const std::stop_token& stop,
                  Workspace& workspace) {
     Params seeded = params;
     seeded.seed = seed;
     if (pilot) seeded.iterations = pilot_part(params.iterations);
     Run run{.limit = limit};
-    Observer observer;
-    if (band)
-      observer = [&](const GridProgress& progress) {
-        run.band.push_back(share_near(question, progress));
-      };
     const double begin = thread_seconds();
-    Result result = planner.plan({question.start, question.goal, {.token = stop}}, seeded,
-                                 &workspace, observer);
+    Result result =
+        planner.plan({question.start, question.goal, {.token = stop}}, seeded, &workspace);
     run.seconds = thread_seconds() - begin;
     run.status = result.status;
     run.length = result.length;
@@ -90,6 +68,7 @@ Task Bitmaps::task(const Question& question, const Contender& contender) const {
     run.raw_best = std::move(result.raw_best);
     run.cut_mean = std::move(result.cut_mean);
     run.cut_best = std::move(result.cut_best);
+    run.band = std::move(result.band);
     run.steps_by.assign(result.steps.begin(), result.steps.end());
     run.steps = std::accumulate(result.steps.begin(), result.steps.end(), std::int64_t{0});
     run.path = std::move(result.path);

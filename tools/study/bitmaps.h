@@ -29,7 +29,6 @@ class Bitmaps final : public Domain {
   double shortest(const Question& question, const Params& params) const;
 
   std::map<std::string, Planner> planners_;
-  bool band_ = false;
 };
 
 }  // namespace lasius::study

@@ -23,6 +23,7 @@ struct Contender {
   std::string name = {};   ///< of files and columns: letters, digits and '-'
   std::string label = {};  ///< in tables and legends
   std::string algorithm = {};
+  Preset preset = Preset::usual;
   Settings settings = {};  ///< over its defaults
 };
 
@@ -61,8 +62,7 @@ struct Experiment {
   double target = 0.01;   ///< of run-length distributions: this close to the optimum, a fraction
   bool portrait = false;  ///< also draws tracks and pheromone of the first contender's first run
   bool by_ant =
-      false;          ///< also draws the first contender's tours ant by ant, for ants one at a time
-  bool band = false;  ///< also records the share of steps near the straight line, by iteration
+      false;  ///< also draws the first contender's tours ant by ant, for ants one at a time
   /// Contenders that share a chart over all questions; none: a chart a question, of all of them.
   std::vector<std::pair<std::string, std::vector<std::string>>> charts = {};
 };

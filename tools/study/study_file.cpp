@@ -44,6 +44,7 @@ Contender contender_of(const Json& study, std::string name, const Json& words) {
   Contender contender = like.empty() ? Contender{.algorithm = found->at("algorithm")}
                                      : contender_of(study, like, words);
   contender.name = std::move(name);
+  if (found->value("preset", "") == "book") contender.preset = Preset::book;
   contender.label = found->value("label", contender.name);
   const Json settings = found->value("set", Json::object());
   for (const auto& [parameter, value] : settings.items()) {
@@ -110,7 +111,6 @@ Experiment experiment_of(const Json& study, const Json& json) {
           .target = json.value("target", 0.01),
           .portrait = json.value("portrait", false),
           .by_ant = json.value("by_ant", false),
-          .band = json.value("band", false),
           .charts = charts_of(json)};
 }
 

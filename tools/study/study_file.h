@@ -19,13 +19,13 @@ Study make_study(std::string_view name);
 ///   name, summary, source, text
 ///   world        "bitmap" (default), "polygon" or "arm"; unit of lengths, default "cells"
 ///   seeds        runs of each contender, default 30
-///   contenders   list of {name, label, algorithm, set: {parameter: value}}, or of {name, label,
-///                like, set}: another one's, with other settings
+///   contenders   list of {name, label, algorithm, preset: "book", set: {parameter: value}}, or of
+///                {name, label, like, set}: another one's, with other settings
 ///   compare      names of contenders (default: all, in their order)
 ///   questions    list of {name, map, start, goal, published: {contender: {length, iterations,
 ///                seconds}}}
 ///   experiments  list of {name, title, text, optimum, where, compare, questions, target, charts,
-///                portrait, by_ant, band}, see Experiment; optimum is "any-angle" (default),
+///                portrait, by_ant}, see Experiment; optimum is "any-angle" (default),
 ///                "4 moves" or "8 moves"; compare and questions default to the study's; where
 ///                {WORD: text} says what $WORD stands for in the contenders' values and in the
 ///                experiment's text; charts {NAME: [contender]}

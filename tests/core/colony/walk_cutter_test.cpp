@@ -74,7 +74,7 @@ double shortest_within(const Grid& grid, Corners corners, const kernels::Moves& 
 Moves cut(WalkCutter& cutter, const Grid& grid, Corners corners, const kernels::Moves& moves,
           Cell start, const Moves& tour) {
   GrowingArray<std::uint8_t> way;
-  const auto count = cutter.cut(grid, corners, moves, start, tour, {}, way);
+  const auto count = cutter.cut(grid, corners, moves, start, tour, {}, {}, way);
   return {way.data(), way.data() + count};
 }
 
@@ -95,6 +95,12 @@ TEST(WalkCutter, TheShortestWayOverTheTourByHand) {
           .size(),
       4u);
   EXPECT_EQ(cut(cutter, grid, Corners::forbid, moves, {1, 1}, {}), Moves{});
+  // Down, right twice, up: two steps where the cell between was entered, too.
+  const Moves around{down, right, right, by(0, -1)};
+  const std::vector<kernels::PackedCell> more{kernels::pack(2, 1)};
+  GrowingArray<std::uint8_t> way;
+  EXPECT_EQ(cutter.cut(grid, Corners::forbid, moves, {1, 1}, around, {}, {}, way), 4);
+  EXPECT_EQ(cutter.cut(grid, Corners::forbid, moves, {1, 1}, around, more, {}, way), 2);
 }
 
 TEST(WalkCutter, IsTheShortestForEveryNeighbourhoodAndRule) {
@@ -132,7 +138,7 @@ TEST(WalkCutter, AStopLeavesNoWay) {
   std::stop_source source;
   source.request_stop();
   GrowingArray<std::uint8_t> way;
-  EXPECT_EQ(WalkCutter().cut(grid, Corners::forbid, moves, {150, 150}, tour,
+  EXPECT_EQ(WalkCutter().cut(grid, Corners::forbid, moves, {150, 150}, tour, {},
                              {.token = source.get_token()}, way),
             -1);
 }

@@ -53,6 +53,8 @@ void expect_same(const Result& a, const Result& b) {
   expect_same(a.mean, b.mean);
   expect_same(a.raw_best, b.raw_best);
   expect_same(a.cut_mean, b.cut_mean);
+  expect_same(a.band, b.band);
+  expect_same(a.trail_entropy, b.trail_entropy);
   expect_same(a.cut_best, b.cut_best);
   EXPECT_EQ(a.steps, b.steps);
   expect_same(a.lower_bound.value_or(NAN), b.lower_bound.value_or(NAN));

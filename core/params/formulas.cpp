@@ -1,0 +1,70 @@
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/params/schedule.h"
+#include "lasius/params.h"
+
+namespace lasius {
+namespace {
+
+constexpr std::array<std::string_view, 7> kHeuristicFormulas{
+    "1",
+    "((Dmax - d(j, E)) omega + mu)^lambda, Dmax the largest d around i",
+    "(1 / d(j, E))^beta",
+    "d(j, E)^beta",
+    "(1 / (1 + h / 45 degrees))^beta, h between the move and the way to E",
+    "eta(j)^beta",
+    "(1 / shortest way from j to E)^beta",
+};
+constexpr std::array<std::string_view, 3> kVisibilityFormulas{
+    "",
+    "(1 / length of the move)^beta",
+    "(1 / (1 + turn / 45 degrees))^beta, 0 straight back",
+};
+constexpr std::array<std::string_view, 8> kUpdateFormulas{
+    "tau <- persistence tau + sum over the arrived ants of deposit / L",
+    "tau <- persistence tau + sum over the arrived ants of deposit / L + elite_weight deposit / L "
+    "of "
+    "the best so far",
+    "tau <- persistence tau + sum over the ranks - 1 best, r = 1 .., of (ranks - r) deposit / L + "
+    "ranks deposit / L of the best so far",
+    "tau <- persistence tau + deposit / L of the iteration's best, every best_so_far_every-th time "
+    "of the best so far; tau within [tau_min, tau_max] by best_probability",
+    "on the best tour so far tau <- persistence tau + (1 - persistence) deposit / L; after an ant "
+    "has passed tau <- (1 - local_evaporation) tau + local_evaporation tau0",
+    "tau <- persistence tau + deposit / ants on the elite_ants best of the iteration",
+    "backwards along every arrived ant's tour K(c) <- min(K(c), K(next) + step)",
+    "after every ant tau <- persistence tau; on a tour that arrived tau <- tau (1 + reward rows / "
+    "L) "
+    "(affine: tau reward rows / L + 1), eta <- eta + rows / L; on the second half of a dead end "
+    "tau "
+    "and eta <- penalty times themselves",
+};
+
+}  // namespace
+
+std::vector<std::string> formulas(const Params& params) {
+  if (find_algorithm(params.algorithm()).kind != Algorithm::Kind::colony) return {};
+  const bool index = params.update == Update::terminal_index;
+  std::string weight = index ? "(K(j) - index_spread Kmin)^alpha" : "tau^alpha";
+  std::string distance(kHeuristicFormulas[static_cast<std::size_t>(params.heuristic)]);
+  if (params.visibility != Visibility::none) {
+    distance += distance == "1" ? " * " : ") * ";
+    if (distance.front() != '1') distance.insert(distance.begin(), '(');
+    distance += kVisibilityFormulas[static_cast<std::size_t>(params.visibility)];
+  }
+  std::vector<std::string> lines{"weight of the move from i to j: " + weight + " * " + distance};
+  lines.emplace_back(index
+                         ? "choice: moves are discarded in proportion to their weight until one "
+                           "is left"
+                         : "choice: in proportion to the weight among cells not yet entered; with "
+                           "probability `greedy` the largest");
+  if (mixes_rules(params))
+    lines.emplace_back("or, drawn by shares, by pheromone alone (tau^alpha) or by distance alone");
+  lines.push_back("update: " +
+                  std::string(kUpdateFormulas[static_cast<std::size_t>(params.update)]));
+  return lines;
+}
+
+}  // namespace lasius
