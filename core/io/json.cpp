@@ -149,6 +149,7 @@ Result result_from_json(std::string_view text) {
     result.cut_best = curve(object, "cut_best");
     result.steps = whole_numbers<std::int64_t>(object, "steps");
   }
+  if (object.contains("iteration_best")) result.iteration_best = curve(object, "iteration_best");
   if (!member<Json>(object, "lower_bound").is_null())
     result.lower_bound = member<double>(object, "lower_bound");
   result.optimal = member<bool>(object, "optimal");

@@ -6,6 +6,7 @@
 
 #include "tools/console/exit_code.h"
 #include "tools/console/streams.h"
+#include "tools/console/values.h"
 #include "tools/console/worlds.h"
 #include "tools/options/commands.h"
 #include "tools/record/json_values.h"
@@ -48,10 +49,18 @@ std::string algorithm_text(const World& world, const Algorithm& algorithm) {
 int run_algorithms(const AlgorithmsCommand& command) {
   Json json = {{"format", "lasius-algorithms/1"}};
   std::string text;
+  if (!command.name.empty()) {
+    std::vector<std::string_view> names;
+    for (const World& world : worlds())
+      for (const Algorithm& algorithm : world.algorithms) names.push_back(algorithm.name);
+    (void)choice_value("algorithm", command.name, names);
+  }
   for (const World& world : worlds()) {
-    if (!world.title.empty()) text.append("\n").append(world.title).append("\n");
+    if (!world.title.empty() && command.name.empty())
+      text.append("\n").append(world.title).append("\n");
     Json& list = json[std::string(world.key)] = Json::array();
     for (const Algorithm& algorithm : world.algorithms) {
+      if (!command.name.empty() && algorithm.name != command.name) continue;
       list.push_back(algorithm_json(world, algorithm));
       if (!text.empty()) text += '\n';
       text += algorithm_text(world, algorithm);

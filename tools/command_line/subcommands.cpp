@@ -185,10 +185,11 @@ Subcommand add_info(CLI::App& app) {
 }
 
 Subcommand add_algorithms(CLI::App& app) {
-  auto json = std::make_shared<bool>(false);
+  auto raw = std::make_shared<AlgorithmsCommand>();
   auto* list = app.add_subcommand("algorithms", "List the algorithms and their parameters");
-  add_switch(*list, "--json", *json, "Print one JSON object");
-  return {list, [json]() -> Command { return AlgorithmsCommand{*json}; }};
+  option_adder (*list)("[ALGORITHM]", raw->name, "This one alone", "NAME");
+  add_switch(*list, "--json", raw->json, "Print one JSON object");
+  return {list, [raw]() -> Command { return *raw; }};
 }
 
 Subcommand add_generate(CLI::App& app) {
