@@ -53,7 +53,7 @@ int run_algorithms(const AlgorithmsCommand& command) {
     std::vector<std::string_view> names;
     for (const World& world : worlds())
       for (const Algorithm& algorithm : world.algorithms) names.push_back(algorithm.name);
-    (void)choice_value("algorithm", command.name, names);
+    (void)choice_value("ALGORITHM", command.name, names);
   }
   for (const World& world : worlds()) {
     if (!world.title.empty() && command.name.empty())
