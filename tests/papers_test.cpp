@@ -12,6 +12,7 @@
 #include "core/params/schedule.h"
 #include "lasius/planner.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/worlds/random_grid.h"
 
 namespace lasius {
 namespace {
@@ -298,7 +299,40 @@ TEST(LectureGrid, TheBestAntsShareTheDeposit) {
   EXPECT_NEAR(trail.tau(6, 2), 0.45, 1e-6);
 }
 
+TEST(LectureGrid, EndsWhenAllAntsTakeOnePath) {
+  const Planner corridor(Grid(9, 1)), hall(Grid(9, 9));
+  Params params("lecture-grid");
+  const auto iterations = [&](const Planner& planner) {
+    const Result found = planner.plan({.start = {0, 0}, .goal = {8, 0}}, params);
+    EXPECT_EQ(found.status, Status::solved);
+    return found.iterations;
+  };
+  EXPECT_EQ(iterations(corridor), 1);
+  EXPECT_EQ(iterations(hall), 50);
+  params.agreement = 3;
+  EXPECT_EQ(iterations(corridor), 3);
+  params.ants = 1;  // alone
+  EXPECT_EQ(iterations(corridor), 50);
+  params.ants = 20;
+  params.agreement = 0;
+  EXPECT_EQ(iterations(corridor), 50);
+}
+
 // Li, Wang, Ma.
+
+TEST(TerminalIndex, AntsThatAreStuckDie) {
+  const Planner pocket(drawn({".....",     //
+                              "##.##",     //
+                              "##.##"}));  // some of 30 ants walk down
+  Params params("terminal-index");
+  params.iterations = 1;
+  const Request through{.start = {0, 0}, .goal = {4, 0}};
+  const int arrived = pocket.plan(through, params).arrived.at(0);
+  EXPECT_GT(arrived, 0);
+  EXPECT_LT(arrived, 30);
+  params.dead_end = DeadEnd::backtrack;
+  EXPECT_EQ(pocket.plan(through, params).arrived.at(0), 30);
+}
 
 TEST(TerminalIndex, IsTheLeastKnownWayToTheGoal) {
   // Two ways from (2, 2) to (4, 2): straight, 2; by (3, 1), 2 sqrt(2). Unknown cells stay at 99.
@@ -314,6 +348,103 @@ TEST(TerminalIndex, IsTheLeastKnownWayToTheGoal) {
   EXPECT_NEAR(trail.tau(3, 1), std::sqrt(2.0), 1e-5);
   EXPECT_NEAR(trail.tau(2, 2), 2, 1e-5);  // the smaller value is kept
   EXPECT_NEAR(trail.tau(9, 9), 99, 1e-4);
+}
+
+/// The index of a free grid after ants that walked `strokes` from `start` to `goal`.
+struct Index {
+  using Strokes = std::vector<std::pair<std::uint8_t, int>>;  // a move, and how often
+
+  Index(int size, Cell from, Cell to) : grid(size, size), start(from), goal(to) {
+    rows.field.reset(grid, rows.moves, goal, rows.params, 99, {});
+  }
+  /// The length of the tour that was learned from.
+  double learn(const Strokes& strokes) {
+    std::vector<std::uint8_t> walked;
+    double length = 0;
+    for (const auto& [move, times] : strokes) {
+      walked.insert(walked.end(), times, move);
+      length += times * rows.moves[move].length;
+    }
+    const Tour tour{walked, length};
+    std::vector<int> ranking;
+    update_trail(rows.field, rows.params,
+                 {.start = start,
+                  .moves = rows.moves,
+                  .ants = {&tour, 1},
+                  .best_so_far = tour,
+                  .rows = grid.height(),
+                  .ranking = ranking},
+                 {});
+    return length;
+  }
+  /// The length of the generation's answer.
+  double answer() {
+    std::vector<std::uint8_t> way;
+    best_known_way(rows.field, rows.moves, start, goal, {}, way);
+    double length = 0;
+    for (const int k : way) length += rows.moves[k].length;
+    return length;
+  }
+  double k(int x, int y) const { return rows.field.tau({x, y}, 0); }
+
+  Grid grid;
+  Cell start, goal;
+  Rows rows{grid, goal, Params("terminal-index")};
+};
+constexpr std::uint8_t kNW = 0, kN = 1, kNE = 2, kW = 3, kE = 4, kSW = 5, kS = 6, kSE = 7;
+
+// Figures 4 to 6 are lost: two ways with the printed values. Its digits are cut off, not rounded.
+TEST(TerminalIndex, JoinsTheGoodPartsOfTwoPathsOn4x4) {
+  Index index(4, {0, 3}, {3, 0});
+  index.learn({{kN, 2}, {kE, 1}, {kNE, 1}, {kE, 1}});
+  EXPECT_NEAR(index.k(1, 1), 2.41, 0.01);  // kept when the second way would make it 3
+  EXPECT_NEAR(index.k(0, 3), 5.41, 0.01);
+  index.learn({{kNE, 1}, {kN, 2}, {kE, 2}});
+  EXPECT_NEAR(index.k(3, 0), 0, 1e-6);
+  EXPECT_NEAR(index.k(2, 0), 1, 1e-6);
+  EXPECT_NEAR(index.k(1, 0), 2, 1e-6);
+  EXPECT_NEAR(index.k(1, 1), 2.41, 0.01);
+  EXPECT_NEAR(index.k(1, 2), 3.41, 0.01);
+  EXPECT_NEAR(index.k(0, 3), 4.82, 0.01);
+  EXPECT_NEAR(index.answer(), 4.82, 0.01);
+}
+
+// Figure 3's paths are lost, too: this is a reconstruction that meets every printed number. Node
+// 266 is (6, 13) from the bottom left, here (6, 6); the source calculates with 1.414.
+TEST(TerminalIndex, Figure3JoinsTwoLongPathsToTheOptimum) {
+  Index index(20, {0, 19}, {19, 0});
+  EXPECT_NEAR(index.learn({{kE, 1},
+                           {kN, 1},
+                           {kW, 1},
+                           {kN, 7},
+                           {kNE, 5},
+                           {kE, 1},
+                           {kSE, 1},
+                           {kS, 1},
+                           {kNE, 4},
+                           {kE, 3},
+                           {kNE, 4},
+                           {kE, 1}}),
+              35.80, 0.005);
+  EXPECT_NEAR(index.k(19, 0), 0, 1e-6);
+  EXPECT_NEAR(index.k(18, 0), 1, 1e-6);
+  EXPECT_NEAR(index.k(17, 1), 2.414, 0.001);
+  EXPECT_NEAR(index.k(6, 6), 17.726, 0.005);
+  EXPECT_NEAR(index.learn({{kE, 3},
+                           {kNE, 4},
+                           {kN, 7},
+                           {kNW, 1},
+                           {kSW, 1},
+                           {kN, 1},
+                           {kNE, 1},
+                           {kNE, 6},
+                           {kSE, 2},
+                           {kNE, 2},
+                           {kE, 3}}),
+              38.04, 0.005);
+  EXPECT_NEAR(index.k(6, 6), 17.14, 0.005);
+  EXPECT_NEAR(index.k(0, 19), 30.97, 0.005);
+  EXPECT_NEAR(index.answer(), 30.97, 0.005);
 }
 
 TEST(TerminalIndex, WeightsAreEquations8And9) {
@@ -340,6 +471,36 @@ TEST(Cong2009, SuccessMultipliesPheromoneAndTeachesTheHeuristic) {
   EXPECT_NEAR(trail.rows.field.eta({4, 2}), 6, 1e-6);
   EXPECT_NEAR(trail.tau(4, 5), 2.4, 1e-6);
   EXPECT_NEAR(trail.rows.field.eta({4, 5}), 1, 1e-6);
+}
+
+// The text's example, figures 1 to 4: 5 x 5 cells, a tour of distance 8. Step 9: first evaporation,
+// 0.8 * 3 = 2.4; then equation 3, read as 2.4 (1 + 1.2 * 5 / 8) = 4.2 or as 2.4 * 1.2 * 5 / 8 + 1 =
+// 2.8, and equation 4, 1 + 5 / 8 = 1.625. Other cells keep 2.4 and 1.
+TEST(Cong2009, EightMovesOn5x5ByEitherReadingOfEquation3) {
+  const Grid grid(5, 5);
+  for (const auto& [reading, taught] : {std::pair{Reward::factor, 4.2}, {Reward::affine, 2.8}}) {
+    Params params("cong2009");
+    params.reward_reading = reading;
+    Rows rows(grid, {4, 0}, params);
+    const std::vector<std::uint8_t> walked{2, 2, 2, 2, 0, 0, 0, 0};
+    const Tour tour{walked, 8};
+    std::vector<int> ranking;
+    update_trail(rows.field, params,
+                 {.start = {0, 4},
+                  .moves = rows.moves,
+                  .ants = {&tour, 1},
+                  .best_so_far = tour,
+                  .rows = 5,
+                  .ranking = ranking},
+                 {});
+    for (int y = 0; y < 5; ++y) {
+      for (int x = 0; x < 5; ++x) {
+        const bool on_tour = y == 4 || x == 4;
+        EXPECT_NEAR(rows.field.tau({x, y}, 0), on_tour ? taught : 2.4, 1e-6) << x << "," << y;
+        EXPECT_NEAR(rows.field.eta({x, y}), on_tour ? 1.625 : 1, 1e-6) << x << "," << y;
+      }
+    }
+  }
 }
 
 TEST(Cong2009, ADeadEndHalvesTheSecondHalfOfTheTour) {

@@ -1,4 +1,4 @@
-// What a planner asks of a sensor before it asks the first question.
+// What a planner checks before it asks the first question.
 #pragma once
 
 #include "lasius/arm_sensor.h"
@@ -7,5 +7,8 @@ namespace lasius::arm {
 
 /// @throws Error(invalid_parameter) for a clearance below Sensor::kLeastClearance.
 void check_clearance(const Sensor& sensor);
+
+/// @throws Error(invalid_parameter) unless it is a number of seconds from 0 up.
+void check_duration(double seconds);
 
 }  // namespace lasius::arm

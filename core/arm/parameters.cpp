@@ -110,7 +110,10 @@ const Algorithm& find_algorithm(std::string_view name) {
 }
 
 Params::Params(std::string_view algorithm) : algorithm_(find_algorithm(algorithm).name) {
-  if (algorithm_ == "goritov2020") return;
+  if (algorithm_ == "goritov2020") {
+    initial_pheromone = 0.01;  // "a small positive number", the same whatever m is
+    return;
+  }
   ants = 2;
   iterations = 200;
   gamma = 8;

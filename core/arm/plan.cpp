@@ -72,7 +72,10 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
   const auto search = [&](const Lattice& lattice, const Params& p) {
     return run_arm_colony(robot, lattice, request, p, observer);
   };
-  if (request.motion) check_clearance(sensor);
+  if (request.motion) {
+    check_clearance(sensor);
+    check_duration(request.duration);
+  }
   Result result = Inquiry(robot, sensor, request, parameters).answer(search);
   if (result.joints.cols() == 0) return result;
   if (request.motion) {
@@ -86,7 +89,8 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
                               .shortcuts = parameters.shortcuts,
                               .seed = parameters.seed,
                               .quick = parameters.objective == Objective::duration,
-                              .stop = stop};
+                              .stop = stop,
+                              .duration = request.duration};
     const Questions& asked = result.questions;
     if (parameters.max_questions > 0)
       options.max_questions = parameters.max_questions - asked.positions - asked.motions;

@@ -22,6 +22,12 @@ void check_clearance(const Sensor& sensor) {
               "it must be at least 0.000001 metres");
 }
 
+void check_duration(double seconds) {
+  if (seconds >= 0 && std::isfinite(seconds)) return;
+  throw Error(ErrorCode::invalid_parameter, "duration is " + number_text(seconds),
+              "it must be a number of seconds, or 0 for as few as the limits allow");
+}
+
 namespace {
 
 using Waypoints = std::vector<JointVector>;
@@ -164,6 +170,13 @@ Trajectory within_limits(const Robot& robot, Course& course, const Make& make) {
   return stretched(trajectory, worst * kHair);
 }
 
+/// The same motion, slower, to the last bit of its duration.
+Trajectory slowed(const Trajectory& fast, double duration) {
+  auto knots = stretched(fast, duration / fast.duration()).knots();
+  knots.back().time = duration;
+  return Trajectory(std::move(knots));
+}
+
 /// A bound for how far any point of the arm moves when joint j turns by one radian.
 std::vector<double> levers(const Robot& robot) {
   std::vector<double> most(robot.joints.size(), 0);
@@ -274,6 +287,7 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
                                  const TrajectoryOptions& options) {
   constexpr int kRounds = 6;
   validate(robot);
+  check_duration(options.duration);
   for (const auto q : waypoints.colwise()) check_values(robot, as_span(q));
   TrajectoryResult result;
   if (waypoints.cols() == 0) return result;
@@ -310,6 +324,8 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
     result.trajectory = within_limits(robot, course, stop_and_go);
     result.stops = true;
   }
+  if (options.duration > result.trajectory.duration())
+    result.trajectory = slowed(result.trajectory, options.duration);
   result.questions = asker.asked();
   result.status = status_after(asker.cause(), Status::solved);
   return result;

@@ -117,6 +117,7 @@ class GridColony final : public ColonyWorld {
   /// Sends all ants, batch by batch, and measures their tours.
   StopCondition::Cause send_ants(int q) override {
     iteration_ = q;
+    iteration_best_ = kNaN;
     all_walked_ = false;
     const StepWeights weights = schedule(params_, q);
     set_iteration(world_, params_, moves_, shape_, weights, q);
@@ -157,6 +158,7 @@ class GridColony final : public ColonyWorld {
     } else {
       lay_straight_trails();
     }
+    agreed_ = all_agree() ? agreed_ + 1 : 0;
   }
 
   int ants() const override { return params_.ants; }
@@ -168,6 +170,8 @@ class GridColony final : public ColonyWorld {
                   one.near};
   }
   double best_length() const override { return best_length_ < kInfinity ? best_length_ : kNaN; }
+  double iteration_best() const override { return iteration_best_; }
+  bool settled() const override { return params_.agreement > 0 && agreed_ >= params_.agreement; }
 
   double trail_entropy() const override {
     if (ants_only_teach()) return kNaN;
@@ -276,6 +280,14 @@ class GridColony final : public ColonyWorld {
 
   void lay_trails() { update_trail(memory_.field, params_, tours(0, params_.ants), request_.stop); }
 
+  /// Did two ants or more arrive, all by one way?
+  bool all_agree() const {
+    const auto& tours = memory_.tours;
+    return params_.ants > 1 && std::ranges::all_of(tours, [&](const Tour& tour) {
+             return tour.length > 0 && std::ranges::equal(tour.moves, tours[0].moves);
+           });
+  }
+
   /// The answer of the terminal index is read from what its ants taught it, where there is time.
   bool ants_only_teach() const { return params_.update == Update::terminal_index; }
 
@@ -301,6 +313,8 @@ class GridColony final : public ColonyWorld {
     int left = -1;
     double shortest = best_length_;
     for (int a = 0; a < static_cast<int>(ants.size()); ++a) {
+      iteration_best_ = std::fmin(iteration_best_,
+                                  std::isnan(paths[a].length) ? tours[a].length : paths[a].length);
       if (paths[a].length < best_length_) {
         improving_ant_ = a;
         best_length_ = paths[a].length;
@@ -360,6 +374,8 @@ class GridColony final : public ColonyWorld {
 
   int iteration_ = 0;
   bool all_walked_ = false;
+  double iteration_best_ = kNaN;
+  int agreed_ = 0;  // iterations in a row in which all ants took one way
   double best_tour_length_ = kInfinity;
   double best_length_ = kInfinity;  // the best path so far, polished
   std::vector<Point> best_path_;

@@ -151,6 +151,7 @@ Result result_from_json(std::string_view text) {
     result.band = curve(object, "band");
     result.trail_entropy = curve(object, "trail_entropy");
   }
+  if (object.contains("iteration_best")) result.iteration_best = curve(object, "iteration_best");
   if (!member<Json>(object, "lower_bound").is_null())
     result.lower_bound = member<double>(object, "lower_bound");
   result.optimal = member<bool>(object, "optimal");

@@ -58,6 +58,7 @@ void add_convergence(Json& json, const Convergence& run) {
   json["raw_best"] = numbers(run.raw_best);
   json["cut_mean"] = numbers(run.cut_mean);
   json["cut_best"] = numbers(run.cut_best);
+  json["iteration_best"] = numbers(run.iteration_best);
   json["steps"] = run.steps;
   json["band"] = numbers(run.band);
   json["trail_entropy"] = numbers(run.trail_entropy);

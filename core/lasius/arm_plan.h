@@ -72,7 +72,8 @@ struct LASIUS_ARM_EXPORT Params {
   double gamma = 0.25;  ///< exponent of the direction to the goal
   double evaporation = 0.25;  ///< rho: share of pheromone lost in an iteration
   double elite_weight = 0;    ///< e: weight of the iteration's best tour
-  /// tau0, at least 1e-12; 0: ants / Manhattan distance from start to goal.
+  /// tau0, at least 1e-12; 0: ants / Manhattan distance from start to goal. Of goritov2020 0.01:
+  /// the source's is "a small positive number", the same for any number of ants.
   double initial_pheromone = 0;
   Pheromone pheromone = Pheromone::arcs;  ///< what carries it
   DeadEnd dead_end = DeadEnd::backtrack;  ///< what an ant does when every move is closed
@@ -156,6 +157,7 @@ struct Request {
   StopCondition stop = {};  ///< of the search and the motion together
   double target_gap = 0;  ///< stop at this gap to what was learned so far, as a fraction; 0: never
   bool motion = true;     ///< make the motion, too; if not, the answer is waypoints
+  double duration = 0;    ///< TrajectoryOptions::duration, the source's T
 };
 
 /// Questions that the sensor was asked: by the search each once, then by the making of the motion.
@@ -215,10 +217,11 @@ using Observer = std::function<void(const ArmProgress&)>;
 ///
 /// Robot, sensor and request are read during the call only; several plans may be made at a time.
 /// @throws Error(invalid_parameter) for a robot that `validate` refuses, parameters or a target gap
-///         out of range, a lattice that is too large, or (for a motion) a sensor's clearance below
-///         its least; what the sensor or the observer throws. A bad start, or goals all of which
-///         are proven out of reach or blocked, are an answer: Status::invalid. That no way was
-///         found in the lattice is Status::no_path, with `error` saying what to change.
+///         out of range, a lattice that is too large, or (for a motion) a duration that is none or
+///         a sensor's clearance below its least; what the sensor or the observer throws. A bad
+///         start, or goals all of which are proven out of reach or blocked, are an answer:
+///         Status::invalid. That no way was found in the lattice is Status::no_path, with `error`
+///         saying what to change.
 LASIUS_ARM_EXPORT Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
                               const Params& parameters = {}, const Observer& observer = {});
 

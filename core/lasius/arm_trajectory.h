@@ -56,6 +56,8 @@ struct TrajectoryOptions {
   bool quick = false;      ///< shortcuts save time, not joint travel
   std::int64_t max_questions = std::numeric_limits<std::int64_t>::max();  ///< then it rests
   StopCondition stop = {};  ///< polled after every motion asked about
+  /// Seconds that the motion is to take; as few as the limits allow where that is more, or for 0.
+  double duration = 0;
 };
 
 /// A motion, and how it was found.
@@ -78,7 +80,8 @@ struct TrajectoryResult {
 /// straight motion there, and in the end, or when it is told to stop, it rests at each waypoint,
 /// which is always free.
 /// @throws Error(invalid_parameter) for a robot that `validate` refuses, waypoints that have not a
-///         number for each joint, and a sensor's clearance below its least; what the sensor throws.
+///         number for each joint, a duration that is none, and a sensor's clearance below its
+///         least; what the sensor throws.
 LASIUS_ARM_EXPORT TrajectoryResult make_trajectory(
     const Robot& robot, const Sensor& sensor, const Eigen::Ref<const Eigen::MatrixXd>& waypoints,
     const TrajectoryOptions& options = {});

@@ -233,7 +233,9 @@ struct LASIUS_EXPORT Params : TrailParams {
   double initial_pheromone = 1;        ///< tau0; 0: the family's own formula, see docs/theory.md
   /// Polish::none makes no straight paths, and so implies StraightDeposit::none.
   StraightDeposit straight_deposit = StraightDeposit::all;
-  int batch = 0;  ///< ants that walk before a local update; 0: all of them
+  int batch = 0;      ///< ants that walk before a local update; 0: all of them
+  int agreement = 0;  ///< iterations in a row in which all ants took one way that end the run; 0:
+                      ///< never. An ant alone agrees with nobody
 
   double unknown_index = 99;  ///< terminal index of a cell without one, on 20 x 20 cells
   double index_spread = 0.8;  ///< q of K'(c) = K(c) - q Kmin (Li, Wang & Ma, eq. 8)

@@ -18,9 +18,12 @@ struct Convergence {
   std::vector<double> mean;  ///< by iteration: mean raw tour of the arrived ants; NaN if none
   std::vector<int> arrived;  ///< by iteration: ants that reached the goal
   // Of colonies on bitmaps; empty elsewhere. NaN in an iteration in which no ant arrived.
-  std::vector<double> raw_best;     ///< by iteration: its shortest raw tour
-  std::vector<double> cut_mean;     ///< by iteration: mean of its tours after Params::walk_cut
-  std::vector<double> cut_best;     ///< by iteration: the shortest of them
+  std::vector<double> raw_best;  ///< by iteration: its shortest raw tour
+  std::vector<double> cut_mean;  ///< by iteration: mean of its tours after Params::walk_cut
+  std::vector<double> cut_best;  ///< by iteration: the shortest of them
+  /// By iteration: the shortest path that it offered, of its own: after polish; of `terminal-index`
+  /// the way along the index. `best` is the least so far.
+  std::vector<double> iteration_best;
   std::vector<std::int64_t> steps;  ///< by iteration: moves of all ants, backward ones too
   /// By iteration: of the cells on its raw tours the share within a tenth of the distance from
   /// start to goal of the straight line between them.

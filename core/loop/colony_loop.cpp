@@ -44,6 +44,7 @@ void record(const ColonyWorld& world, Convergence& run) {
     run.raw_best.push_back(raw.least());
     run.cut_mean.push_back(cut.mean());
     run.cut_best.push_back(cut.least());
+    run.iteration_best.push_back(world.iteration_best());
     run.steps.push_back(*steps);
     run.band.push_back(cells > 0 ? static_cast<double>(near) / static_cast<double>(cells) : kNaN);
     run.trail_entropy.push_back(world.trail_entropy());

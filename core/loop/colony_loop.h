@@ -47,6 +47,9 @@ class ColonyWorld {
   /// Length of the best path so far, NaN without one.
   virtual double best_length() const = 0;
 
+  /// Length of the shortest path that this iteration offered, NaN without one. Likewise.
+  virtual double iteration_best() const { return kNaN; }
+
   /// True when another iteration is of no use.
   virtual bool settled() const { return false; }
   /// Called after every iteration, its record the last of `run`. Says whether an observer asked to

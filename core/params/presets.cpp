@@ -141,7 +141,7 @@ void colony_system(Params& p) {
 }
 
 /// Li, Wang & Ma, sections 2 and 3.1: alpha 0.9 on the terminal index, beta 1.5 on the distance,
-/// q = 0.8. Ants that are stuck die in the source; here they step back by default.
+/// q = 0.8. An ant walks until it "can move no further": it dies.
 void terminal_index(Params& p) {
   ant_system_book(p);
   p.update = Update::terminal_index;
@@ -150,6 +150,7 @@ void terminal_index(Params& p) {
   p.heuristic = Heuristic::distance;
   p.alpha = p.alpha_first = 0.9;
   p.beta = p.beta_first = 1.5;
+  p.dead_end = DeadEnd::kill;
   p.index_spread = 0.8;
   p.unknown_index = 99;
 }
@@ -175,8 +176,8 @@ void cong2009(Params& p) {
 }
 
 /// The lecture's colony: eta = 1 / h with h the change of heading, regularised as 1 / (1 + turn /
-/// 45 degrees); never straight back; the 5 "candidate" ants of its table read as the best ants of
-/// an iteration that deposit.
+/// 45 degrees); never straight back. The best ant of an iteration deposits, as in its text; its
+/// table has 5 "candidate" ants. It ends when all ants take one way.
 void lecture_grid(Params& p) {
   ant_system_book(p);
   p.update = Update::best_share;
@@ -187,7 +188,8 @@ void lecture_grid(Params& p) {
   p.iterations = 50;
   p.alpha = p.alpha_first = 1;
   p.beta = p.beta_first = 0.5;
-  p.elite_ants = 5;
+  p.elite_ants = 1;
+  p.agreement = 1;
   p.persistence = 0.9;
   p.initial_pheromone = 0.5;
   p.deposit = 0.5;
@@ -251,16 +253,22 @@ const auto& presets() {
               colony_parameters()},
              colony_system,
              colony_system_book},
-      Listed{{"terminal-index",
-              "the best known way from each cell in place of pheromone, moves discarded one by one",
-              "Li, Wang, Ma: ant colony path planning with a terminal index", colony_parameters()},
-             terminal_index},
-      Listed{{"cong2009", "one ant at a time, learned heuristic, penalties for dead ends",
-              "Cong, Ponnambalam: Mobile robot path planning using ant colony optimization. "
-              "IEEE/ASME Int. Conf. on Advanced Intelligent Mechatronics, 2009",
-              colony_parameters()},
-             cong2009},
-      Listed{{"lecture-grid", "heading change as heuristic, the best ants deposit",
+      Listed{
+          {"terminal-index",
+           "the best known way from each cell in place of pheromone, moves discarded one by one; "
+           "its ants die in dead ends, so it is meant for maps like its source's 20 x 20 and 30 "
+           "x 30 cells, or dead_end=backtrack",
+           "Li, Wang, Ma: ant colony path planning with a terminal index", colony_parameters()},
+          terminal_index},
+      Listed{
+          {"cong2009",
+           "one ant at a time, learned heuristic, penalties for dead ends; its ants die there, so "
+           "it is meant for small maps",
+           "Cong, Ponnambalam: Mobile robot path planning using ant colony optimization. "
+           "IEEE/ASME Int. Conf. on Advanced Intelligent Mechatronics, 2009",
+           colony_parameters()},
+          cong2009},
+      Listed{{"lecture-grid", "heading change as heuristic, the iteration's best ant deposits",
               "lecture on ant algorithms for robot path planning, grid part", colony_parameters()},
              lecture_grid},
       Listed{{"grid-ga",

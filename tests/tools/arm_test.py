@@ -105,6 +105,25 @@ class Arm(ProgramTest):
         return self.run_program("arm", robot, "--scene", scene, "--start", start, *asked,
                                 *arguments, **options)
 
+    def test_the_source_goes_to_joint_values_in_the_time_prescribed(self):
+        goal = ("--goal-joints", "0.1,1.15,0.82", "--algorithm", "goritov2020", "--iterations", "9")
+        run = self.arm("--json", "-o", "slow.json", "--duration", "7", *goal, goal=None)
+        self.assertEqual(run.code, 0, run.err)
+        slow = run.json
+        self.assertEqual((slow["duration"], slow["parameters"]["duration"]), (7, 7))
+        self.assertEqual(slow["trajectory"]["knots"]["t"][-1], 7)
+        self.assertEqual(slow["joints"][-1], [0.1, 1.15, 0.82])
+        self.assertEqual(slow["parameters"]["initial_pheromone"], 0.01)
+        fast = self.arm("--json", *goal, goal=None).json
+        self.assertLess(fast["duration"], 7)
+        self.assertIsNone(fast["parameters"]["duration"])
+        self.assertEqual(fast["questions"], slow["questions"])
+        self.assertEqual(self.run_program("verify", "slow.json").code, 0)
+        hurried = self.arm("--json", "--duration", "0.01", *goal, goal=None)
+        self.assertEqual(hurried.json["duration"], fast["duration"])
+        self.assertIn("as the joints' limits ask, not 0.01 s", hurried.err)
+        self.refused(self.arm("--duration", "0"), 2, "--duration")
+
     def test_a_motion_with_all_that_json_promises(self):
         run = self.arm("--json", "--algorithm", "goritov2020", "--iterations", "20", "--recheck",
                        "200")

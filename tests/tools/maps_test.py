@@ -133,6 +133,15 @@ class Algorithms(ProgramTest):
         for word in ("fan2004:", "persistence=0.7", "[0 .. 1]", "forbid|one-side|allow"):
             self.assertIn(word, out)
 
+    def test_one_alone(self):
+        out = self.run_program("algorithms", "cong2009").out
+        self.assertTrue(out.startswith("cong2009: "), out)
+        self.assertIn("small maps", out)
+        self.assertNotIn("fan2004", out)
+        listed = self.run_program("algorithms", "as", "--json").json
+        self.assertEqual([entry["name"] for entry in listed["algorithms"]], ["as"])
+        self.refused(self.run_program("algorithms", "cong209"), 2, 'did you mean "cong2009"?')
+
 
 class Generate(ProgramTest):
     def test_equal_bits_from_equal_seeds_in_every_format(self):

@@ -41,10 +41,10 @@ class Study(ProgramTest):
             self.skipTest("this lasius was built without polygon worlds")
         run = self.run_program("study", "maklink", "--seeds", "3", "-o", "m", "--maps", MAPS)
         self.assertEqual((run.code, run.out), (0, "m/report.md\n"))
-        self.assertRegex(run.err, r"^lasius: maklink: 18 runs, about \d+ (s|min) with \d+ threads")
+        self.assertRegex(run.err, r"^lasius: maklink: 21 runs, about \d+ (s|min) with \d+ threads")
         with open(os.path.join(self.folder, "m", "runs.csv"), encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
-        self.assertEqual(len(rows), 18)
+        self.assertEqual(len(rows), 21)
         for row in rows:
             self.assertGreaterEqual(float(row["length"]), float(row["own_limit"]) * (1 - 1e-12))
         with open(os.path.join(self.folder, "m", "report.md"), encoding="utf-8") as file:

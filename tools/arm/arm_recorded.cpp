@@ -84,6 +84,10 @@ ArmCommand recorded_command(const Recorded& from) {
                                     ArmCommand::kMostClearance);
   command.rate =
       recorded_real(result, "parameters/rate", ArmCommand::kLeastRate, ArmCommand::kMostRate);
+  if (value_at(result, "parameters").contains("duration") &&
+      !value_at(result, "parameters/duration").is_null())
+    command.duration = recorded_real(result, "parameters/duration", ArmCommand::kLeastDuration,
+                                     ArmCommand::kMostDuration);
   if (result.contains("recheck"))
     command.recheck =
         static_cast<int>(recorded_integer(result, "recheck/samples", 1, ArmCommand::kMostRecheck));

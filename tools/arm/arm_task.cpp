@@ -95,7 +95,8 @@ class ArmTask : public Task {
     const arm::Request request{.start = found_.start,
                                .goals = found_.goals,
                                .stop = stop,
-                               .target_gap = command_.target_gap};
+                               .target_gap = command_.target_gap,
+                               .duration = command_.duration};
     arm::Result& plan = found_.plan;
     plan = arm::plan(found_.robot, sensor, request, found_.parameters, watch);
     found_.elapsed_ms = ms_since(begin);
@@ -142,6 +143,9 @@ class ArmTask : public Task {
           motion.status == Status::solved
               ? "the motion rests at each waypoint: no faster one between them was found free"
               : "the motion rests at each waypoint: there was no time to look for a faster one");
+    if (command_.duration > 0 && motion.duration > command_.duration)
+      message("the motion takes " + to_text(motion.duration) +
+              " s, as the joints' limits ask, not " + to_text(command_.duration) + " s");
     if (sample_rate(motion.trajectory, command_.rate) < command_.rate)
       message("the motion takes " + whole_text(motion.trajectory.duration()) +
               " s: it is sampled " + whole_text(kMostSamples) + " times in all, not " +
@@ -184,6 +188,7 @@ class ArmTask : public Task {
     json["clearance"] = number(found_.clearance);
     add_limits(json);
     json["rate"] = number(command_.rate);
+    json["duration"] = command_.duration > 0 ? number(command_.duration) : Json(nullptr);
     json["use_visual"] = command_.visual;
     json["bodiless"] = command_.bodiless;
     json["allow_contact"] = command_.contacts;

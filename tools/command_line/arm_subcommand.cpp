@@ -103,6 +103,10 @@ Subcommand add_arm(CLI::App& app) {
   option("--clearance", raw->clearance, "Distance that is kept from everything (default 0.002)",
          "METRES");
   add_switch(*arm, "--no-shortcut", raw->plain, "Keep every lattice point of the path");
+  option("--duration", raw->duration,
+         "Time that the motion is to take; more where the joints' limits ask for it (default as\n"
+         "little as they allow)",
+         "SECONDS");
   option("--rate", raw->rate, "Samples of the trajectory a second (default 100)", "HZ");
   option("--recheck", raw->recheck,
          "Check the trajectory at N times by KDL and FCL and say what they find", "N");

@@ -184,6 +184,9 @@ ArmCommand make_arm(const ArmText& text) {
   if (!text.clearance.empty())
     arm.clearance = real_value("--clearance", text.clearance, ArmCommand::kLeastClearance,
                                ArmCommand::kMostClearance);
+  if (!text.duration.empty())
+    arm.duration = real_value("--duration", text.duration, ArmCommand::kLeastDuration,
+                              ArmCommand::kMostDuration);
   if (!text.rate.empty())
     arm.rate = real_value("--rate", text.rate, ArmCommand::kLeastRate, ArmCommand::kMostRate);
   if (!text.recheck.empty())

@@ -38,7 +38,8 @@ RunOptions make_run(const RunText& text);
 /// Options of arm.
 struct ArmText : SearchText {
   ArmText();
-  std::string robot, base, tip, srdf, joint_limits, scene, start, clearance, rate, recheck;
+  std::string robot, base, tip, srdf, joint_limits, scene, start, clearance, rate, recheck,
+      duration;
   std::string position_tolerance, angle_tolerance;
   std::vector<std::string> packages, contacts, joint_values;
   /// Option and value of each goal, as they follow each other.

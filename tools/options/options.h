@@ -82,6 +82,7 @@ struct InfoCommand {
 struct AlgorithmsCommand {
   std::string name;  ///< the only one listed; empty: all
   bool json = false;
+  std::string name;  ///< of the only one; empty: all
 };
 
 struct GenerateCommand {
@@ -118,6 +119,7 @@ inline constexpr std::array<std::string_view, 3> kGoalKinds{"position", "pose", 
 struct ArmCommand : SearchOptions {
   static constexpr double kLeastClearance = 1e-6, kMostClearance = 1;
   static constexpr double kLeastRate = 1e-3, kMostRate = 1e5;
+  static constexpr double kLeastDuration = 1e-3, kMostDuration = 1e6;
   static constexpr double kLeastTolerance = 1e-7, kMostTolerance = 10;
   static constexpr int kMostRecheck = 1000000;
 
@@ -136,6 +138,7 @@ struct ArmCommand : SearchOptions {
   double position_tolerance = kLeastTolerance;  ///< metres, of poses
   double angle_tolerance = kLeastTolerance;     ///< radians, likewise
   double clearance = 0;                         ///< metres; 0: the sensor's own
+  double duration = 0;                          ///< seconds; 0: as few as the limits allow
   double rate = 100;                            ///< samples of the trajectory a second
   int recheck = 0;                              ///< samples of the independent check
 };

@@ -50,7 +50,10 @@ std::string explain(const Task& task) {
     case Status::no_path:
       if (!task.error().empty()) return task.error();
       return "no path" + after + "; try more --iterations, " +
-             (task.algorithm().has("ants") ? "more --ants " : "") + "or another --seed";
+             (task.algorithm().has("ants") ? "more --ants " : "") + "or another --seed" +
+             (task.algorithm().has("dead_end") && task.parameter("dead_end") == "kill"
+                  ? ", or --set dead_end=backtrack: its ants die where they are stuck"
+                  : "");
     case Status::unreachable:
     case Status::invalid:
       return task.error();

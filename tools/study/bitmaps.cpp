@@ -69,6 +69,7 @@ Task Bitmaps::task(const Question& question, const Contender& contender) const {
     run.cut_mean = std::move(result.cut_mean);
     run.cut_best = std::move(result.cut_best);
     run.band = std::move(result.band);
+    run.iteration_best = std::move(result.iteration_best);
     run.steps_by.assign(result.steps.begin(), result.steps.end());
     run.steps = std::accumulate(result.steps.begin(), result.steps.end(), std::int64_t{0});
     run.path = std::move(result.path);

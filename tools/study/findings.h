@@ -25,7 +25,8 @@ struct Run {
   std::vector<double> best = {};  ///< as in Result
   std::vector<double> mean = {};
   // As in Convergence; empty where the planner does not tell.
-  std::vector<double> raw_best = {}, cut_mean = {}, cut_best = {}, steps_by = {};
+  std::vector<double> raw_best = {}, cut_mean = {}, cut_best = {}, iteration_best = {},
+                      steps_by = {};
   std::vector<double> band = {};  ///< by iteration: share of steps near the straight line
   std::vector<Point> path = {};   ///< on bitmaps
   double limit = kUnknown;        ///< shortest length that its own moves or values allow

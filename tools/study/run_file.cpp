@@ -22,10 +22,11 @@ struct NamedCurve {
   const char* name;
   std::vector<double> Run::*curve;
 };
-constexpr NamedCurve kCurves[] = {{"best", &Run::best},         {"mean", &Run::mean},
-                                  {"raw_best", &Run::raw_best}, {"cut_mean", &Run::cut_mean},
-                                  {"cut_best", &Run::cut_best}, {"steps_by", &Run::steps_by},
-                                  {"band", &Run::band}};
+constexpr NamedCurve kCurves[] = {
+    {"best", &Run::best},         {"mean", &Run::mean},
+    {"raw_best", &Run::raw_best}, {"cut_mean", &Run::cut_mean},
+    {"cut_best", &Run::cut_best}, {"iteration_best", &Run::iteration_best},
+    {"steps_by", &Run::steps_by}, {"band", &Run::band}};
 
 const std::string kVersion = "lasius " LASIUS_VERSION " ";
 

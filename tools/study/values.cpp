@@ -30,6 +30,7 @@ constexpr std::array kValues{
     Named{"last-cut-gain", "iteration of the last improvement of the shortest cut tour"},
     Named{"frozen", "iteration from which the mean tour never changes"},
     Named{"rises", "share of iterations whose best tour is longer than the one before"},
+    Named{"answer-rises", "share of iterations whose own answer is longer than the one before"},
     Named{"effort", ""},
     Named{"spent", ""}};
 constexpr std::array kBudgets{Named{"end", "iterations"}, Named{"iterations", "iterations"},
@@ -187,6 +188,7 @@ double value_of(const Sample& sample, const Run& run, const Value& value, double
   if (name == "last-cut-gain") return last_gain(running_best(run.cut_best), count);
   if (name == "frozen") return frozen_from(run.mean);
   if (name == "rises") return rises(run.raw_best);
+  if (name == "answer-rises") return rises(run.iteration_best);
   if (name == "effort") return effort(sample, run, value, count, optimum);
   Value length = value;  // spread
   length.name = "length";

@@ -177,6 +177,32 @@ TEST(Trajectory, MeetsALimitAndBreaksNone) {
   }
 }
 
+TEST(Trajectory, TakesTheDurationThatIsAskedForUnlessTheLimitsForbid) {
+  const Robot robot = two_links();
+  const std::vector<JointVector> way{joints({0, 0}), joints({0.5, 0.5}), joints({-1, 2})};
+  const Nothing open;
+  const OnlyThese only(way);  // so that it rests at each waypoint
+  for (const Sensor* sensor :
+       {static_cast<const Sensor*>(&open), static_cast<const Sensor*>(&only)}) {
+    const auto fast = make_trajectory(robot, *sensor, columns(way));
+    const double least = fast.trajectory.duration();
+    const auto slow = make_trajectory(robot, *sensor, columns(way), {.duration = 10 * least});
+    EXPECT_EQ(slow.trajectory.duration(), 10 * least);
+    EXPECT_EQ(slow.stops, fast.stops);
+    expect_smooth(robot, slow.trajectory);
+    EXPECT_LE(limit_used(robot, slow.trajectory), 0.1 + 1e-9);
+    for (int i = 0; i <= 100; ++i) {
+      const auto q = slow.trajectory.at(least * i / 10).q;
+      EXPECT_LT((q - fast.trajectory.at(least * i / 100).q).norm(), 1e-9) << "the same curve";
+    }
+    EXPECT_EQ(make_trajectory(robot, *sensor, columns(way), {.duration = 0.5 * least})
+                  .trajectory.duration(),
+              least);
+  }
+  for (const double none : {-1.0, double{NAN}, double{INFINITY}})
+    EXPECT_THROW(make_trajectory(robot, open, columns(way), {.duration = none}), Error);
+}
+
 TEST(Trajectory, RestsAtEachWaypointWhereNothingElseIsFree) {
   const Robot robot = two_links();
   const std::vector<JointVector> way{joints({0, 0}), joints({0.5, 0.5}), joints({0.5, 1}),

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -67,6 +69,16 @@ TEST(Colony, LaysStraightenedPathsAsAsked) {
   expect(StraightDeposit::all, 0.7 + 50, 0.7 * 50.7 + 50);
 }
 
+/// The best so far is the least of what the iterations offered.
+void expect_best_of_iterations(const Result& found) {
+  ASSERT_EQ(found.iteration_best.size(), found.best.size());
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < found.best.size(); ++i) {
+    least = std::fmin(least, found.iteration_best[i]);
+    EXPECT_NEAR(found.best[i], least, 1e-9 * least) << i;
+  }
+}
+
 // The answer of the terminal index joins what several ants know, rather than be one ant's tour.
 TEST(Colony, OffersTheBestWayThatItsAntsKnowTogether) {
   const Planner planner(blobs());
@@ -80,8 +92,27 @@ TEST(Colony, OffersTheBestWayThatItsAntsKnowTogether) {
     EXPECT_LE(seen.best_length, seen.pheromone(request.start) * (1 + 1e-6));
     joined += seen.best_length < 0.99 * shortest_tour ? 1 : 0;
   };
-  (void)planner.plan(request, quick("terminal-index"), nullptr, look);
+  const Result found = planner.plan(request, quick("terminal-index"), nullptr, look);
   EXPECT_GT(joined, 5);
+  expect_best_of_iterations(found);
+  EXPECT_LT(found.iteration_best.front(), found.raw_best.front());  // an answer, no ant's tour
+}
+
+TEST(Colony, RecordsWhatEachIterationOffered) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  for (const Polish polish : {Polish::none, Polish::straight}) {
+    Params params = quick("lecture-grid");
+    params.polish = polish;
+    const Result found = planner.plan(request, params);
+    expect_best_of_iterations(found);
+    if (polish == Polish::none) {
+      EXPECT_EQ(found.iteration_best, found.cut_best);
+      EXPECT_FALSE(std::ranges::is_sorted(found.iteration_best, std::greater()));
+    } else {
+      EXPECT_LT(found.iteration_best.back(), found.cut_best.back());
+    }
+  }
 }
 
 TEST(BestKnownWay, FollowsTheLeastIndex) {

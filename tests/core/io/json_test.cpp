@@ -56,6 +56,7 @@ void expect_same(const Result& a, const Result& b) {
   expect_same(a.band, b.band);
   expect_same(a.trail_entropy, b.trail_entropy);
   expect_same(a.cut_best, b.cut_best);
+  expect_same(a.iteration_best, b.iteration_best);
   EXPECT_EQ(a.steps, b.steps);
   expect_same(a.lower_bound.value_or(NAN), b.lower_bound.value_or(NAN));
   expect_same(a.gap().value_or(NAN), b.gap().value_or(NAN));

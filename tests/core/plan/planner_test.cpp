@@ -96,6 +96,7 @@ TEST(Planner, GivesTheSamePlanWithEveryKernelAtTheEndsOfItsExponents) {
     for (const auto& [algorithm, settings] : cases) {
       Params params(algorithm);
       for (const auto& [name, value] : settings) set_parameter(params, name, value);
+      params.dead_end = DeadEnd::backtrack;
       params.ants = 20;
       params.iterations = 100;
       const auto plan = [&](const char* kernels) {

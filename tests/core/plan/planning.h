@@ -42,10 +42,8 @@ inline Params quick(std::string_view algorithm) {
   Params p(algorithm);
   if (find_algorithm(algorithm).has("iterations")) p.iterations = 15;
   p.threads = 1;
-  if (algorithm == "cong2009") {  // alone and mortal, ants seldom arrive on such maps
-    p.ants = 10;
-    p.dead_end = DeadEnd::backtrack;
-  }
+  p.dead_end = DeadEnd::backtrack;           // mortal ants seldom arrive on such maps
+  if (algorithm == "cong2009") p.ants = 10;  // where they walk alone
   return p;
 }
 

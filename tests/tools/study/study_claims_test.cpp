@@ -253,6 +253,8 @@ TEST_F(Claims, WithoutToursNothingOscillates) {
   EXPECT_EQ(rises(), 0);
   run.raw_best = {9, 8, 9, 7};
   EXPECT_DOUBLE_EQ(rises(), 1.0 / 3);
+  run.iteration_best = {9, 8, 8, 7};
+  EXPECT_EQ(value_of(findings_.samples[0], run, {.name = "answer-rises"}, kUnknown, {}), 0);
 }
 
 TEST(StudyFile, RefusesWhatItDoesNotKnow) {

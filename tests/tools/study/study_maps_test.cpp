@@ -77,7 +77,7 @@ TEST_P(Mazes, HaveLoopsAndASecondRoute) {
   EXPECT_LE(second, 1.1 * best);
 }
 
-TEST(Grid20a, HasTheOptimumOfTheWorkedExample) {
+TEST(Grid20a, HasTheLengthThatFigure3EndsWith) {
   const Grid grid = load_map("grid20a.map", kMaps);
   EXPECT_NEAR(shortest_walk(grid, {0, 19}, {19, 0}, Neighbours::eight).value(),
               14 + 12 * std::sqrt(2.0), 1e-9);
@@ -90,7 +90,7 @@ TEST(Workspaces, OptimaLieALittleBelowTheLecturesLengths) {
     for (const Question& q : e.questions) {
       if (q.published.empty()) continue;
       const Planner planner(load_map(q.map, kMaps));
-      const auto optimum = true_optimum(planner, q, e.truth, {});
+      const auto optimum = true_optimum(planner, q, {}, {});
       ASSERT_TRUE(optimum);
       EXPECT_LE(*optimum, q.published[0].length) << e.name << " " << q.name;
       EXPECT_GE(*optimum, 0.96 * q.published[0].length) << e.name << " " << q.name;
