@@ -103,6 +103,32 @@ class ProgramTest(unittest.TestCase):
         for word in words:
             self.assertIn(word, run.err)
 
+    def png_pixels(self, name):
+        """Rows of (red, green, blue) of a PNG of 8 bits a channel without a palette."""
+        width, height = self.png_size(name)
+        data = self.read(name)
+        channels = {2: 3, 6: 4}[data[25]]
+        position, packed = 8, b""
+        while position < len(data):
+            length, kind = struct.unpack(">I4s", data[position:position + 8])
+            packed += data[position + 8:position + 8 + length] if kind == b"IDAT" else b""
+            position += 12 + length
+        raw, size = zlib.decompress(packed), width * channels
+        above, rows = bytearray(size), []
+        for y in range(height):
+            start = y * (size + 1)
+            row = bytearray(raw[start + 1:start + 1 + size])
+            for i in range(size):
+                left = row[i - channels] if i >= channels else 0
+                corner = above[i - channels] if i >= channels else 0
+                guess = left + above[i] - corner
+                nearest = min((left, above[i], corner), key=lambda v: abs(guess - v))
+                row[i] = (row[i] + (0, left, above[i], (left + above[i]) // 2,
+                                    nearest)[raw[start]]) % 256
+            rows.append([tuple(row[i:i + 3]) for i in range(0, size, channels)])
+            above = row
+        return rows
+
     def png_size(self, name):
         """Width and height of a PNG whose every chunk is whole."""
         data = self.read(name)

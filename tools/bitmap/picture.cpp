@@ -101,7 +101,7 @@ struct Sheet {
       axes.x = {low.x, high.x};
       axes.y = {low.y, high.y};
     }
-    draw_plane_axes(canvas, axes, world ? "x, m" : "x, cells", world ? "y, m" : "y, cells");
+    draw_plane_axes(canvas, axes, world ? "x, m" : "x, cells", world ? "y, m" : "y, cells", !world);
   }
   /// What the window leaves out.
   std::string note() const {
@@ -183,8 +183,8 @@ void draw_tracks(Canvas& canvas, const Box& box, const Sheet& sheet,
 ColourScale track_scale(double most) { return {{1, std::max(2.0, most)}, true, ants_colour}; }
 
 /// The part of the values that tells cells apart: four decades below the most at most, and no more
-/// than what 95% of the values in these have. So neither a trail that has evaporated nor one that
-/// is nearly the same everywhere makes a picture of one colour.
+/// than what 95% of the values in these have, if these differ. So neither a trail that has
+/// evaporated nor one that is nearly the same everywhere makes a picture of one colour.
 ColourScale pheromone_scale(const Raster<float>& raster) {
   constexpr double kDecades = 1e-4;
   std::vector<float> values;
@@ -195,7 +195,8 @@ ColourScale pheromone_scale(const Raster<float>& raster) {
   // All ants meet at the start and goal: the few cells there would take a decade for themselves.
   const double high = values[std::min<std::size_t>(16, values.size() / 100)];
   const auto matter = std::ranges::count_if(values, [&](float v) { return v >= kDecades * high; });
-  const double low = values[static_cast<std::size_t>(0.95 * static_cast<double>(matter - 1))];
+  double low = values[static_cast<std::size_t>(matter * 95 / 100)];
+  if (low >= high) low = values[static_cast<std::size_t>(matter - 1)];
   return {{low, high}, high > 10 * low, trail_colour};
 }
 
@@ -207,7 +208,7 @@ void draw_pheromone(Canvas& canvas, const Box& box, const Sheet& sheet,
     const double held = chosen(values, recorder.cells_a_pixel(), columns, rows, std::greater<>());
     return held >= scale.range.low ? scale.at(held) : kUnread;
   });
-  draw_bar(canvas, {box.x, box.y + box.height + kPlaneBottom + 6}, box.width, scale);
+  draw_bar(canvas, box, scale);
 }
 
 /// From 0 to what 99% of the known indices have: some cells know a way of very many moves.
@@ -232,7 +233,7 @@ void draw_index(Canvas& canvas, const Box& box, const Sheet& sheet,
     const float index = chosen(values, recorder.cells_a_pixel(), columns, rows, std::less<>());
     return index < unknown ? scale.at(index) : kUnread;
   });
-  draw_bar(canvas, {box.x, box.y + box.height + kPlaneBottom + 6}, box.width, scale);
+  draw_bar(canvas, box, scale);
 }
 
 void draw_path(Canvas& canvas, const Box& box, const Sheet& sheet, const std::vector<Point>& path,
@@ -298,10 +299,11 @@ Panel pheromone_panel(const Sheet& sheet, const Answer& answer, const PictureRec
     caption = "terminal index" + after + ": best known way to the goal, cells; white: unknown; " +
               "longest 1% as the end of the scale";
   } else {
-    const ColourScale scale = pheromone_scale(recorder.pheromone().values);
-    caption = "pheromone" + after + (scale.logarithmic ? ", logarithmic; " : "; ") +
+    const auto [range, logarithmic, colour] = pheromone_scale(recorder.pheromone().values);
+    caption = "pheromone" + after + (logarithmic ? ", logarithmic; " : "; ") +
               (sheet.run.params.trail == Trail::arcs ? "the most on a cell's arcs; " : "") +
-              "white: less than " + short_number(scale.range.low);
+              (range.low < range.high ? "white: less than " : "the same on every cell: ") +
+              short_number(range.low);
   }
   return {.caption = std::move(caption),
           .draw =

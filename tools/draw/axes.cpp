@@ -26,6 +26,7 @@ std::vector<double> log_ticks(const Range& range) {
 
 /// A mark's number with the decimals that marks `step` apart need.
 std::string tick_label(double value, double step) {
+  if (std::abs(value) >= 1e9) return short_number(value);
   return study::fixed(value, step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
 }
 
@@ -48,6 +49,8 @@ void Range::add(double value) {
 
 std::vector<double> ticks(double low, double high, int count) {
   const double raw = (high - low) / std::max(count, 1);
+  // Too far from 0 to tell steps apart, or nothing to divide.
+  if (!(raw > 0) || !(std::max(std::abs(low), std::abs(high)) < 1e15 * raw)) return {};
   const double decade = std::pow(10, std::floor(std::log10(raw)));
   const double factor = raw / decade;
   const double step = decade * (factor <= 1 ? 1 : factor <= 2 ? 2 : factor <= 5 ? 5 : 10);
@@ -67,7 +70,7 @@ std::vector<double> axis_marks(const Range& range, bool logarithmic, int count) 
 
 std::string short_number(double value) {
   std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.5g", std::abs(value) < 1e-300 ? 0.0 : value);
+  std::snprintf(text.data(), text.size(), "%.4g", std::abs(value) < 1e-300 ? 0.0 : value);
   return text.data();
 }
 
@@ -107,12 +110,13 @@ void draw_columns(Canvas& canvas, const Axes& axes, int count, const std::string
 }
 
 void draw_plane_axes(Canvas& canvas, const Axes& axes, const std::string& across,
-                     const std::string& up) {
+                     const std::string& up, bool whole) {
   constexpr double kSize = 12, kTick = 4, kRoom = kPlaneLeft - 24;
   const Box& box = axes.box;
   const double bottom = box.y + box.height;
-  const auto marks = [](const Range& range, double pixels, double apart) {
-    return ticks(range.low, range.high, std::max(1, static_cast<int>(pixels / apart)));
+  const auto marks = [&](const Range& range, double pixels, double apart) {
+    const double most = whole ? std::min(pixels / apart, range.high - range.low) : pixels / apart;
+    return ticks(range.low, range.high, std::max(1, static_cast<int>(most)));
   };
   const auto columns = marks(rising(axes.x), box.width, 70);
   double free = 0;  // to the right of the last mark's text

@@ -49,9 +49,9 @@ void draw_columns(Canvas& canvas, const Axes& axes, int count, const std::string
                   bool whole);
 
 /// Frame, marks and names around a map or a view; they need kPlaneLeft to its left and
-/// kPlaneBottom below.
+/// kPlaneBottom below. `whole`: marks at whole numbers only.
 void draw_plane_axes(Canvas& canvas, const Axes& axes, const std::string& across,
-                     const std::string& up);
+                     const std::string& up, bool whole = false);
 inline constexpr double kPlaneLeft = 58, kPlaneBottom = 38;
 
 /// What y is, turned, `left` of the box.

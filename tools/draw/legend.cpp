@@ -121,7 +121,7 @@ void Legend::draw(Canvas& canvas, Point top_left) const {
 }
 
 double ColourScale::share(double value) const {
-  if (!(range.high > range.low)) return 1;
+  if (!(range.high > range.low)) return 0;
   const double share = logarithmic ? std::log(value / range.low) / std::log(range.high / range.low)
                                    : (value - range.low) / (range.high - range.low);
   return std::clamp(share, 0.0, 1.0);
@@ -142,7 +142,9 @@ Key scale_key(Canvas& canvas, const std::string& label, const ColourScale& scale
           width};
 }
 
-void draw_bar(Canvas& canvas, Point top_left, double width, const ColourScale& scale) {
+void draw_bar(Canvas& canvas, const Box& map, const ColourScale& scale) {
+  const double width = std::max(map.width, 240.0);
+  const Point top_left{map.x + (map.width - width) / 2, map.y + map.height + kPlaneBottom + 6};
   fill_bar(canvas, {top_left.x, top_left.y, width, 12}, scale);
   double free = -1e9;  // to the right of the last mark's text
   for (const double mark :

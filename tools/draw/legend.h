@@ -46,7 +46,7 @@ class Legend {
   double height_ = 0;
 };
 
-/// Values as colours; a range of one value has the last.
+/// Values as colours; a range of one value has the first.
 struct ColourScale {
   Range range;
   bool logarithmic = false;
@@ -57,8 +57,8 @@ struct ColourScale {
 };
 /// The scale between its ends, as a key; whole numbers.
 Key scale_key(Canvas& canvas, const std::string& label, const ColourScale& scale);
-/// The scale with marks below, `width` pixels; height: kBarHeight.
-void draw_bar(Canvas& canvas, Point top_left, double width, const ColourScale& scale);
+/// The scale with marks, kBarHeight pixels high, below a map and its axes.
+void draw_bar(Canvas& canvas, const Box& map, const ColourScale& scale);
 inline constexpr double kBarHeight = 34;
 
 }  // namespace lasius::tool

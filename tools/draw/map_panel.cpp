@@ -17,7 +17,7 @@ void paint_walls(Canvas& canvas, const Box& box, const Grid& grid) {
   canvas.image(pixels, box);
   tool::draw_plane_axes(canvas,
                         {.box = box, .x = {0, 1.0 * grid.width()}, .y = {1.0 * grid.height(), 0}},
-                        "x, cells", "y, cells");
+                        "x, cells", "y, cells", true);
 }
 
 void mark_ends(Canvas& canvas, const Box& box, double scale, Cell start, Cell goal) {

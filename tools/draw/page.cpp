@@ -11,13 +11,15 @@ namespace {
 constexpr double kMargin = 24, kGap = 22;
 constexpr double kTitleSize = 20, kNoteSize = 15, kCaptionSize = 16, kSmallCaptionSize = 14;
 
+constexpr double kLeastHeight = 60;  ///< of a map's place, for the names of its axes
+
 /// Sizes of a band's panels.
 struct Kind {
-  double least_width, least_height;  ///< of a place
-  double enlarged;                   ///< no side of a map is drawn larger, unless it has more cells
-  double captions;                   ///< height, as expected
+  double least_width;  ///< of a place
+  double enlarged;     ///< no side of a map is drawn larger, unless it has more cells
+  double captions;     ///< height, as expected
 };
-constexpr Kind kSmall{250, 0, 470, 46}, kLarge{440, 250, 900, 56};
+constexpr Kind kSmall{250, 470, 46}, kLarge{440, 900, 56};
 
 const Kind& kind_of(const Band& band) { return band.small ? kSmall : kLarge; }
 
@@ -40,17 +42,19 @@ double below(const Band& band) {
 Box place_of(const Page& page, const Band& band, double scale) {
   const Kind& kind = kind_of(band);
   return {0, 0, std::max(kind.least_width, std::floor(page.wide * scale) + kPlaneLeft + 8),
-          std::max(kind.least_height, std::floor(page.high * scale) + kPlaneBottom + below(band))};
+          std::max(kLeastHeight, std::floor(page.high * scale)) + kPlaneBottom + below(band)};
 }
 
-/// Of a line of panels without their captions: charts alone need not be as high as the map.
+/// Of a line of panels without their captions: a chart beside maps may need more than these, and
+/// charts alone less.
 double line_height(const Band& band, int first, int columns, const Box& place) {
-  constexpr double kCharts = 360;
-  const auto& row = band.rows.front();
-  const auto from = row.begin() + first;
-  const bool charts = std::all_of(from, row.begin() + std::min(first + columns, panels_in(band)),
-                                  [](const Panel& panel) { return panel.chart; });
-  return charts ? kCharts : place.height;
+  constexpr double kChart = 250, kCharts = 360;
+  const auto from = band.rows.front().begin() + first;
+  const int panels = std::min(columns, panels_in(band) - first);
+  const auto charts =
+      std::count_if(from, from + panels, [](const Panel& panel) { return panel.chart; });
+  if (charts == panels) return kCharts;
+  return charts > 0 ? std::max(kChart, place.height) : place.height;
 }
 
 /// Largest scale at which so many columns fit.
@@ -97,6 +101,7 @@ std::vector<Arrangement> arranged(const Page& page, double header) {
       band.scale = snapped(page, factor * band.scale);
       product *= band.scale;
     }
+    product *= tried.back().scale;  // the last band is what matters most
     if (product > best_product) {
       best_product = product;
       best = tried;
@@ -116,6 +121,11 @@ std::vector<Arrangement> arranged(const Page& page, double header) {
   };
   try_columns(try_columns, 0);
   return best;
+}
+
+/// a .. z, aa, bb ..
+std::string letters(std::size_t panel) {
+  return std::string(1 + panel / 26, static_cast<char>('a' + panel % 26));
 }
 
 /// A panel where it stands on the page.
@@ -158,11 +168,10 @@ std::vector<Placed> placed(Canvas& measure, const Page& page,
           Box box{x, y, wide, high};
           if (!panel.chart)
             box = {x + kPlaneLeft + std::floor((place.width - kPlaneLeft - 8 - map_width) / 2),
-                   y + std::floor((place.height - kPlaneBottom - below(band) - map_height) / 2),
-                   map_width, map_height};
+                   y + std::floor((high - kPlaneBottom - below(band) - map_height) / 2), map_width,
+                   map_height};
           std::string text = panel.caption;
-          if (panels > 1)
-            text = std::string("(") + static_cast<char>('a' + list.size() % 26) + ") " + text;
+          if (panels > 1) text = "(" + letters(list.size()) + ") " + text;
           captions = std::max(captions, draw_wrapped(measure, {}, text, size, wide, Align::centre));
           list.push_back({&panel, &band, box, {x + wide / 2, y + high + 4}, wide, std::move(text)});
         }
