@@ -77,7 +77,7 @@ void draw_band(Canvas& canvas, const Axes& axes, const Curve& curve) {
     add(i, curve.low, until(i));
     add(i, curve.low, curve.x[i]);
   }
-  if (!rim.empty()) canvas.area(rim, curve.colour, 0.18, false);
+  if (!rim.empty()) canvas.area(rim, curve.colour, 0.12, false);
 }
 
 void draw_curve(Canvas& canvas, const Axes& axes, const Curve& curve) {

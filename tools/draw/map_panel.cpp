@@ -7,13 +7,13 @@
 namespace lasius::study {
 
 void paint_walls(Canvas& canvas, const Box& box, const Grid& grid) {
-  constexpr Colour kWall{0.42, 0.45, 0.49};
   const int width = std::min(grid.width(), static_cast<int>(box.width));
   const int height = std::min(grid.height(), static_cast<int>(box.height));
   const auto share = tool::blocked_share(grid, tool::whole(grid), width, height);
   tool::Raster<Colour> pixels(width, height);
   for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) pixels.at(x, y) = tool::blend({1, 1, 1}, kWall, share.at(x, y));
+    for (int x = 0; x < width; ++x)
+      pixels.at(x, y) = tool::blend({1, 1, 1}, kMapWall, share.at(x, y));
   canvas.image(pixels, box);
   tool::draw_plane_axes(canvas,
                         {.box = box, .x = {0, 1.0 * grid.width()}, .y = {1.0 * grid.height(), 0}},

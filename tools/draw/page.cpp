@@ -63,7 +63,8 @@ double widest_scale(const Page& page, const Band& band, int columns) {
   const Kind& kind = kind_of(band);
   if (place < kind.least_width) return 0;
   const double most = kind.enlarged / std::max(page.wide, page.high);
-  return std::min((place - kPlaneLeft - 8) / page.wide, page.cells ? std::max(1.0, most) : most);
+  return std::min((place - kPlaneLeft - 8) / page.wide,
+                  page.cells && !band.small ? std::max(1.0, most) : most);
 }
 
 double snapped(const Page& page, double scale) {

@@ -137,9 +137,8 @@ const Run* best_run(const Sample& sample) {
 std::string legend_of(const Sample& sample, const std::optional<double>& optimum) {
   const Run* const run = best_run(sample);
   if (run == nullptr) return sample.contender->label + ": no path";
-  std::string text = sample.contender->label + ": " + fixed(run->length, 3);
-  if (!optimum) return text;
-  return text + ", " + fixed(100 * (run->length / *optimum - 1), 2) + "% above the optimum";
+  const std::string text = sample.contender->label + ": " + fixed(run->length, 3);
+  return optimum ? text + against(run->length, *optimum, "optimum", fixed(*optimum, 3)) : text;
 }
 
 /// The map with the best path of each contender, the first one on top; lengths below.
@@ -153,7 +152,8 @@ void draw_paths(const Findings& findings, const Experiment& experiment, const Qu
   std::vector<tool::Key> keys;
   for (const Sample* sample : samples)
     keys.push_back(tool::line_key(legend_of(*sample, optimum), palette(keys.size()), 3));
-  keys.insert(keys.end(), {tool::start_key(), tool::goal_key()});
+  keys.insert(keys.end(),
+              {tool::start_key(), tool::goal_key(), tool::area_key("blocked", kMapWall)});
   Canvas measure(1, 1);
   const tool::Legend legend(measure, std::move(keys), wide);
   const std::string title = "Best paths on " + question.name;
@@ -166,6 +166,7 @@ void draw_paths(const Findings& findings, const Experiment& experiment, const Qu
                 static_cast<int>(below + legend.height() + kMargin));
   tool::draw_wrapped(canvas, {kMargin + wide / 2, kMargin}, title, 17, wide, Align::centre, true);
   paint_walls(canvas, box, grid);
+  mark_ends(canvas, box, scale, question.start, question.goal);
   const auto page = [&](Point p) { return Point{box.x + p.x * scale, box.y + p.y * scale}; };
   for (std::size_t i = samples.size(); i-- > 0;) {
     if (const Run* const run = best_run(*samples[i])) {
@@ -176,7 +177,6 @@ void draw_paths(const Findings& findings, const Experiment& experiment, const Qu
     }
   }
   legend.draw(canvas, {kMargin, below});
-  mark_ends(canvas, box, scale, question.start, question.goal);
   save(canvas, file);
 }
 

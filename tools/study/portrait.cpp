@@ -74,8 +74,8 @@ void draw_walk(Canvas& canvas, const Box& box, const Grid& grid, const Question&
   std::vector<Point> points;
   for (const Cell c : walk)
     points.push_back({box.x + (c.x + 0.5) * scale, box.y + (c.y + 0.5) * scale});
-  canvas.polyline(points, colour, 3);
   mark_ends(canvas, box, scale, question.start, question.goal);
+  canvas.polyline(points, colour, 3);
   canvas.text({box.x + box.width / 2, box.y + box.height + tool::kPlaneBottom + 18}, caption, 15,
               Align::centre, kInk);
 }
@@ -90,7 +90,8 @@ Figure draw_ants(const Place& place, const StopCondition& stop) {
   const double high = kSide * grid.height() / grid.width();
   const double below = high + 2 * kEdge + tool::kPlaneBottom + 28;
   Canvas measure(1, 1);
-  const tool::Legend legend(measure, {tool::start_key(), tool::goal_key()}, kPlace);
+  const tool::Legend legend(
+      measure, {tool::start_key(), tool::goal_key(), tool::area_key("blocked", kMapWall)}, kPlace);
   Canvas canvas(static_cast<int>(2 * kPlace + 3 * kEdge),
                 static_cast<int>(below + legend.height() + kChart + 2 * kEdge));
   draw_walk(canvas, {kEdge + tool::kPlaneLeft, kEdge, kSide, high}, grid, place.question, ants.dead,
