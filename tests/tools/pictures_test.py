@@ -1,19 +1,16 @@
 """Pictures: there, whole, of the right size, with words for all that they show."""
 import os
 import unittest
-import xml.etree.ElementTree
 
-from program import MAPS, ProgramTest
+from program import MAPS, SVG, ProgramTest
 
 FAN = dict(map_file=os.path.join(MAPS, "fan400x200.map"), start="14,14", goal="380,179")
-SVG = "{http://www.w3.org/2000/svg}"
 GRID = dict(map_file=os.path.join(MAPS, "grid20a.map"), start="0,0", goal="19,19")
 
 
 class Pictures(ProgramTest):
     def svg(self, name):
-        root = xml.etree.ElementTree.fromstring(self.read(name))
-        self.assertEqual(root.tag, SVG + "svg")
+        root = self.svg_root(name)
         return root, (int(root.get("width").removesuffix("px")),
                       int(root.get("height").removesuffix("px")))
 
@@ -21,21 +18,11 @@ class Pictures(ProgramTest):
         """Panels that show the map."""
         return len(list(self.svg(name)[0].iter(SVG + "image")))
 
-    def words(self, name):
-        """All texts of a picture; words that a line ends between stand beside each other."""
-        text = self.svg(name)[0].find(SVG + "desc").text
-        self.assertNotIn("...", text)
-        return text.replace("\n", " ").replace("\u00a0", " ")
-
     def drawn(self, *arguments, algorithm="fan2004", **question):
         run = self.plan("--algorithm", algorithm, *arguments, "-q", "-o", "run.svg",
                         **(question or GRID))
         self.assertEqual(run.err, "")
         return self.words("run.svg")
-
-    def holds(self, text, *parts):
-        for part in parts:
-            self.assertIn(part, text)
 
     def test_both_kinds_have_the_same_size(self):
         run = self.plan("--iterations", "12", "-o", "run.svg", "-o", "run.png", **FAN)

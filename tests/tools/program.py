@@ -5,10 +5,12 @@ import struct
 import subprocess
 import tempfile
 import unittest
+import xml.etree.ElementTree
 import zlib
 
 PROGRAM = os.environ["LASIUS_PROGRAM"]
 MAPS = os.environ["LASIUS_MAPS_DIR"]
+SVG = "{http://www.w3.org/2000/svg}"
 
 # Free cells are dots. (0,0)-(9,5) is joined, (6,2) lies in a closed cell, (3,2) is blocked.
 SMALL_MAP = """type octile
@@ -102,6 +104,21 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(run.out, "")
         for word in words:
             self.assertIn(word, run.err)
+
+    def svg_root(self, name):
+        root = xml.etree.ElementTree.fromstring(self.read(name))
+        self.assertEqual(root.tag, SVG + "svg")
+        return root
+
+    def words(self, name):
+        """All texts of a picture, of which none is cut; lines are joined."""
+        text = self.svg_root(name).find(SVG + "desc").text
+        self.assertNotIn("...", text)
+        return text.replace("\n", " ").replace("\u00a0", " ")
+
+    def holds(self, text, *parts):
+        for part in parts:
+            self.assertIn(part, text)
 
     def png_pixels(self, name):
         """Rows of (red, green, blue) of a PNG of 8 bits a channel without a palette."""

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <utility>
 
 #include "tools/arm/arm_outline.h"
@@ -172,7 +173,7 @@ void draw_view(Canvas& canvas, const Box& box, const Aspect& view, const Bounds&
     for (const auto& p : points) flat.push_back(frame.at(p));
     if (flat.size() > 1) canvas.stroke(flat, colour, width, 1);
   };
-  line(answer.plan.tips.colwise(), kLattice, 1.5);
+  if (!answer.plan.direct) line(answer.plan.tips.colwise(), kLattice, 1.5);
   line(tip_path(answer), kTip, 3);
   for (const arm::Goal& goal : answer.goals)
     canvas.diamond(frame.at(tip_of(answer.robot, goal)), 10, kGoal);
@@ -192,9 +193,8 @@ std::vector<Key> keys_of(const ArmAnswer& answer) {
     keys.push_back(area_key("between, evenly in time", pale(kGhost, 0.35)));
     keys.push_back(line_key("way of the tip", kTip, 3));
   }
-  if (answer.plan.tips.cols() > 1)
-    keys.push_back(
-        line_key(answer.plan.direct ? "before smoothing" : "lattice path", kLattice, 1.5));
+  if (!answer.plan.direct && answer.plan.tips.cols() > 1)
+    keys.push_back(line_key("lattice path", kLattice, 1.5));
   keys.push_back(area_key("base", pale(kBase, 0.5)));
   if (!answer.scene.obstacles.empty()) keys.push_back(area_key("obstacle", pale(kObstacle, 0.5)));
   return keys;
@@ -280,7 +280,7 @@ void write_arm_picture(const std::string& file, const ArmCommand& command,
                        const ArmAnswer& answer) {
   const arm::Result& plan = answer.plan;
   const bool moves = !plan.trajectory.empty() && plan.trajectory.duration() > 0;
-  const bool charts = moves || !plan.best.empty();
+  const bool charts = moves || !plan.best.empty() || !plan.asked.empty();
   constexpr double kInner = 3 * kView + 2 * kBetween;
   const auto header = [&](Canvas& canvas) {
     double y = kMargin;
@@ -306,20 +306,25 @@ void write_arm_picture(const std::string& file, const ArmCommand& command,
                 kInk);
     left += kView + kBetween;
   }
+  std::vector<std::function<void(const Box&)>> drawings;
+  if (moves)
+    drawings.push_back([&](const Box& box) { study::draw(canvas, box, joint_chart(answer)); });
+  if (!plan.best.empty())
+    drawings.push_back([&](const Box& box) {
+      study::Course course{.best = {{"best lattice path so far", plan.best}},
+                           .tours = {{"mean tour of the ants", plan.mean}},
+                           .unit = unit_of(answer.parameters.objective)};
+      if (plan.lower_bound) course.levels = {{"lower bound", *plan.lower_bound}};
+      study::draw_course(canvas, box, course);
+    });
+  if (!plan.asked.empty())
+    drawings.push_back(
+        [&](const Box& box) { study::draw(canvas, box, question_chart(plan.asked)); });
+  // They share the width.
+  const double share = (kInner + kBetween) / static_cast<double>(drawings.size());
   left = kMargin;
-  // Charts stand beside each other without gaps where one has nothing to show.
-  const auto next_box = [&] {
-    return Box{std::exchange(left, left + kView + kBetween), below + kBetween / 2, kView, kChart};
-  };
-  if (moves) study::draw(canvas, next_box(), joint_chart(answer));
-  if (!plan.best.empty()) {
-    study::Course course{.best = {{"best lattice path so far", plan.best}},
-                         .tours = {{"mean tour of the ants", plan.mean}},
-                         .unit = unit_of(answer.parameters.objective)};
-    if (plan.lower_bound) course.levels = {{"lower bound", *plan.lower_bound}};
-    study::draw_course(canvas, next_box(), course);
-  }
-  if (!plan.asked.empty()) study::draw(canvas, next_box(), question_chart(plan.asked));
+  for (const auto& draw_chart : drawings)
+    draw_chart({std::exchange(left, left + share), below + kBetween / 2, share - kBetween, kChart});
   canvas.save(file);
 }
 

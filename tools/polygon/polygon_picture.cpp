@@ -144,23 +144,27 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
   add(path_caption(answer), world.planner.free_space(),
       [&](Canvas& canvas, const View& view) { canvas.polyline(view.at(result.path), kPath, 3); });
   if (!result.best.empty())
-    panels.push_back({"convergence",
-                      [&](Canvas& canvas, const Box& box) {
-                        study::Course course{.best = {{"best path so far", result.best}},
-                                             .tours = {{"mean tour of the ants", result.mean}},
-                                             .unit = "the world's units"};
-                        if (answer.optimum)
-                          course.levels.push_back(
-                              {"optimum " + study::fixed(*answer.optimum, 3), *answer.optimum});
-                        if (result.discrete_optimum)
-                          course.levels.push_back(
-                              {"optimum of its own crossings " +
-                                   study::fixed(result.discrete_optimum->length, 3),
-                               result.discrete_optimum->length,
-                               {0.55, 0.25, 0.6}});
-                        study::draw_course(canvas, box, course);
-                      },
-                      true});
+    panels.push_back(
+        {"convergence",
+         [&](Canvas& canvas, const Box& box) {
+           const bool genetic = polygon::find_algorithm(answer.parameters.algorithm()).kind ==
+                                Algorithm::Kind::genetic;
+           study::Course course{
+               .best = {{"best path so far", result.best}},
+               .tours = {{genetic ? "mean of the population" : "mean tour of the ants",
+                          result.mean}},
+               .unit = "the world's units"};
+           if (answer.optimum)
+             course.levels.push_back(
+                 {"optimum " + study::fixed(*answer.optimum, 3), *answer.optimum});
+           if (result.discrete_optimum)
+             course.levels.push_back({"optimum of its own crossings " +
+                                          study::fixed(result.discrete_optimum->length, 3),
+                                      result.discrete_optimum->length,
+                                      {0.55, 0.25, 0.6}});
+           study::draw_course(canvas, box, course);
+         },
+         true});
   page.bands.push_back({{std::move(panels)}});
   write_page(file, page);
 }
