@@ -1,20 +1,28 @@
-"""Pictures: there, whole, and of the right size."""
+"""Pictures: there, whole, of the right size, with words for all that they show."""
 import os
 import unittest
-import xml.etree.ElementTree
 
-from program import MAPS, ProgramTest
+from program import MAPS, SVG, ProgramTest
 
 FAN = dict(map_file=os.path.join(MAPS, "fan400x200.map"), start="14,14", goal="380,179")
-SVG = "{http://www.w3.org/2000/svg}"
+GRID = dict(map_file=os.path.join(MAPS, "grid20a.map"), start="0,0", goal="19,19")
 
 
 class Pictures(ProgramTest):
     def svg(self, name):
-        root = xml.etree.ElementTree.fromstring(self.read(name))
-        self.assertEqual(root.tag, SVG + "svg")
+        root = self.svg_root(name)
         return root, (int(root.get("width").removesuffix("px")),
                       int(root.get("height").removesuffix("px")))
+
+    def panels(self, name):
+        """Panels that show the map."""
+        return len(list(self.svg(name)[0].iter(SVG + "image")))
+
+    def drawn(self, *arguments, algorithm="fan2004", **question):
+        run = self.plan("--algorithm", algorithm, *arguments, "-q", "-o", "run.svg",
+                        **(question or GRID))
+        self.assertEqual(run.err, "")
+        return self.words("run.svg")
 
     def test_both_kinds_have_the_same_size(self):
         run = self.plan("--iterations", "12", "-o", "run.svg", "-o", "run.png", **FAN)
@@ -23,16 +31,86 @@ class Pictures(ProgramTest):
         self.assertEqual(self.png_size("run.png"), size)
         self.assertLessEqual(max(size), 2000)
         self.assertGreater(size[0], 1200)
-        # Tracks at 10 and, for 50 and 120 were not reached, at the end; pheromone; map.
-        self.assertEqual(len(list(root.iter(SVG + "image"))), 4)
+        # Tracks of 1, 10 (the critical time) and 12, alone and up to them; pheromone; path.
+        self.assertEqual(len(list(root.iter(SVG + "image"))), 8)
 
     def test_the_iterations_of_the_tracks_can_be_chosen(self):
         self.plan("--iterations", "12", "--tracks", "3,6,9,12", "-o", "run.svg", **FAN)
-        self.assertEqual(len(list(self.svg("run.svg")[0].iter(SVG + "image"))), 6)
+        self.assertEqual(self.panels("run.svg"), 10)
 
     def test_a_run_without_iterations_has_the_map_alone(self):
         self.plan("-o", "run.svg", goal="4,2")
-        self.assertEqual(len(list(self.svg("run.svg")[0].iter(SVG + "image"))), 1)
+        self.assertEqual(self.panels("run.svg"), 1)
+
+    def test_there_is_a_legend_for_everything(self):
+        text = self.drawn("--iterations", "12")
+        self.holds(text, "start", "goal", "blocked", "ants through a cell in one iteration",
+                   "in all up to it", "x, cells", "y, cells", "best path so far",
+                   "mean tour of the ants, as walked", "shortest tour of the iteration",
+                   "pheromone after iteration 12", "white: less than")
+        for iteration in (1, 10, 12):
+            self.holds(text, f"iteration {iteration} alone: 10 of 10 ants arrive, mean tour",
+                       f"all ants up to iteration {iteration}")
+
+    def test_the_mean_of_cut_tours_is_shown_where_walks_are_cut(self):
+        cut = "mean tour, cut to its own cells"
+        self.assertIn(cut, self.drawn("--set", "walk_cut=own-cells", "--iterations", "3"))
+        self.assertNotIn(cut, self.drawn("--set", "walk_cut=none", "--iterations", "3"))
+
+    def test_both_optima_are_named(self):
+        text = self.drawn("--gap", "--iterations", "3", algorithm="acs", **GRID)
+        self.holds(text, "any-angle optimum 31.21 cells", "optimum of its own moves 33.90 cells",
+                   "above the any-angle optimum 31.21 cells", "the optimum of the algorithm's own moves")
+        self.assertNotIn("optimum", self.drawn("--iterations", "3"))
+
+    def test_a_terminal_index_is_named_so(self):
+        text = self.drawn(algorithm="terminal-index", **GRID)
+        self.holds(text, "terminal index after iteration", "white: unknown")
+        self.assertNotIn("pheromone", text)
+
+    def test_a_genetic_algorithm_has_no_ants(self):
+        text = self.drawn(algorithm="grid-ga", **GRID)
+        self.assertEqual(self.panels("run.svg"), 1)
+        self.holds(text, "(a) path, length", "(b) convergence", "mean of the population")
+        for word in ("ant ", "ants", "pheromone", "tracks"):
+            self.assertNotIn(word, text)
+
+    def test_a_name_of_any_length_is_whole(self):
+        name = "m" * 150 + ".map"
+        self.write(name, self.read("small.map"))
+        self.assertIn(name, self.drawn(map_file=name, goal="9,5", algorithm="exact")
+                      .replace(" ", ""))
+
+    def test_why_there_is_no_path(self):
+        self.plan("-q", "-o", "run.svg", goal="4,2")
+        self.assertIn("no path: the goal is unreachable", self.words("run.svg"))
+
+    def test_an_unknown_border_is_left_out(self):
+        rows = [[205] * 80 for _ in range(50)]
+        for y in range(10, 30):
+            rows[y][20:50] = [0] + [254] * 28 + [0]
+        self.write("world.pgm", b"P5 80 50 255\n" + b"".join(map(bytes, rows)))
+        self.write("world.yaml", "image: world.pgm\nresolution: 0.5\norigin: [-3, 2, 0]\n"
+                   "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")
+        ends = dict(map_file="world.yaml", start="22,12", goal="45,25", algorithm="exact")
+        note = "cropped to columns 18 to 51, rows 7 to 32: the rest, 78% of the map, has no free cell"
+        self.assertIn(note + " (unknown or blocked)", self.drawn(**ends))
+        self.assertNotIn("cropped", self.drawn("--unknown-free", **ends))
+        ends.update(start="8.25,20.75", goal="19.75,14.25")
+        self.holds(self.drawn("--frame", "world", **ends), note, "x, m", "y, m")
+        self.assertNotIn("cropped", self.drawn(map_file="small.map", goal="9,5"))
+
+    def test_marks_hide_nothing_of_the_path(self):
+        self.plan("--algorithm", "exact", "-o", "run.png", goal="9,0")
+        pixels = self.png_pixels("run.png")
+        red = [(x, y) for y, row in enumerate(pixels) for x, p in enumerate(row)
+               if p[0] > 200 and max(p[1], p[2]) < 60]
+        # A line from the middle of the first cell of ten to that of the last, on 900 pixels; that of
+        # the legend is higher.
+        low = max(y for _, y in red)
+        line = sorted(x for x, y in red if y == low)
+        self.assertEqual(line, list(range(line[0], line[-1] + 1)))
+        self.assertAlmostEqual(len(line), 810, delta=6)
 
     def test_any_shape_of_map(self):
         for size in ("1x1", "300x1", "1x300", "2500x3", "3x2500", "2100x1500"):

@@ -225,8 +225,12 @@ class PolygonTest(WorldTest):
             with open(self.path("o.csv"), encoding="utf-8") as file:
                 head = file.readline().strip()
             self.assertEqual(head, "x,y" if algorithm == "exact" else "iteration,best,mean,arrived")
-            with open(self.path("o.svg"), encoding="utf-8") as file:
-                self.assertIn("<svg", file.read(2000))
+            text = self.words("o.svg")
+            self.holds(text, "start", "goal", "obstacle", "margin, or outside", "path, length",
+                       "x, the world's units", "y, the world's units")
+            for words in ("MAKLINK line", "its midpoint", "Dijkstra's path over midpoints",
+                          "best path so far", "mean tour of the ants", "optimum of its own crossings"):
+                self.assertEqual(words in text, algorithm != "exact", words)
             with open(self.path("o.png"), "rb") as file:
                 self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
         self.assertEqual(self.plan_world("-o", "no/such/o.json").code, 7)

@@ -5,10 +5,12 @@ import struct
 import subprocess
 import tempfile
 import unittest
+import xml.etree.ElementTree
 import zlib
 
 PROGRAM = os.environ["LASIUS_PROGRAM"]
 MAPS = os.environ["LASIUS_MAPS_DIR"]
+SVG = "{http://www.w3.org/2000/svg}"
 
 # Free cells are dots. (0,0)-(9,5) is joined, (6,2) lies in a closed cell, (3,2) is blocked.
 SMALL_MAP = """type octile
@@ -102,6 +104,47 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(run.out, "")
         for word in words:
             self.assertIn(word, run.err)
+
+    def svg_root(self, name):
+        root = xml.etree.ElementTree.fromstring(self.read(name))
+        self.assertEqual(root.tag, SVG + "svg")
+        return root
+
+    def words(self, name):
+        """All texts of a picture, of which none is cut; lines are joined."""
+        text = self.svg_root(name).find(SVG + "desc").text
+        self.assertNotIn("...", text)
+        return text.replace("\n", " ").replace("\u00a0", " ")
+
+    def holds(self, text, *parts):
+        for part in parts:
+            self.assertIn(part, text)
+
+    def png_pixels(self, name):
+        """Rows of (red, green, blue) of a PNG of 8 bits a channel without a palette."""
+        width, height = self.png_size(name)
+        data = self.read(name)
+        channels = {2: 3, 6: 4}[data[25]]
+        position, packed = 8, b""
+        while position < len(data):
+            length, kind = struct.unpack(">I4s", data[position:position + 8])
+            packed += data[position + 8:position + 8 + length] if kind == b"IDAT" else b""
+            position += 12 + length
+        raw, size = zlib.decompress(packed), width * channels
+        above, rows = bytearray(size), []
+        for y in range(height):
+            start = y * (size + 1)
+            row = bytearray(raw[start + 1:start + 1 + size])
+            for i in range(size):
+                left = row[i - channels] if i >= channels else 0
+                corner = above[i - channels] if i >= channels else 0
+                guess = left + above[i] - corner
+                nearest = min((left, above[i], corner), key=lambda v: abs(guess - v))
+                row[i] = (row[i] + (0, left, above[i], (left + above[i]) // 2,
+                                    nearest)[raw[start]]) % 256
+            rows.append([tuple(row[i:i + 3]) for i in range(0, size, channels)])
+            above = row
+        return rows
 
     def png_size(self, name):
         """Width and height of a PNG whose every chunk is whole."""

@@ -5,13 +5,14 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
+#include <functional>
+#include <utility>
 
 #include "tools/arm/arm_outline.h"
 #include "tools/arm/arm_samples.h"
 #include "tools/draw/canvas.h"
-#include "tools/draw/chart.h"
 #include "tools/draw/colours.h"
+#include "tools/draw/legend.h"
 #include "tools/draw/line_chart.h"
 
 namespace lasius::tool {
@@ -21,12 +22,12 @@ using Eigen::Vector3d;
 
 constexpr Colour kPaleGrid{0.9, 0.91, 0.93};
 constexpr Colour kObstacle{0.45, 0.48, 0.53};
-constexpr Colour kBase{0.3, 0.33, 0.38};
+constexpr Colour kBase{0.45, 0.3, 0.15};
 constexpr Colour kGhost{0.45, 0.6, 0.78};
 constexpr Colour kTip{0.8, 0.12, 0.12};
 constexpr Colour kLattice{0.35, 0.2, 0.5};
-constexpr double kMargin = 24, kTitle = 40, kView = 480, kBetween = 24, kCaption = 34;
-constexpr double kChart = 400;
+constexpr double kMargin = 24, kView = 480, kBetween = 24, kCaption = 34;
+constexpr double kChart = 470;
 
 /// What a view looks along is left out: coordinates `across` and `up` are shown.
 struct Aspect {
@@ -34,9 +35,8 @@ struct Aspect {
   int across;
   int up;
 };
-constexpr std::array<Aspect, 3> kViews{Aspect{"from above: x, y", 0, 1},
-                                       Aspect{"from the front: x, z", 0, 2},
-                                       Aspect{"from the side: y, z", 1, 2}};
+constexpr std::array<Aspect, 3> kViews{Aspect{"from above", 0, 1}, Aspect{"from the front", 0, 2},
+                                       Aspect{"from the side", 1, 2}};
 
 /// The part of space that all views show.
 struct Bounds {
@@ -71,30 +71,21 @@ class Frame {
   Point origin_{};
 };
 
-std::string short_text(double value) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%g", std::abs(value) < 1e-9 ? 0.0 : value);
-  return text.data();
-}
-
-void draw_grid(Canvas& canvas, const Box& box, const Frame& frame) {
+/// Pale lines, and the axes around them in metres.
+void draw_grid(Canvas& canvas, const Box& box, const Frame& frame, const Aspect& view) {
+  static constexpr const char* kNames[] = {"x, m", "y, m", "z, m"};
   const Point low = frame.metres({box.x, box.y + box.height});
   const Point high = frame.metres({box.x + box.width, box.y});
-  const Point zero = frame.at(Vector3d::Zero());
-  for (const double x : ticks(low.x, high.x, 6)) {
-    const double at = zero.x + (x * frame.scale());
+  const Axes axes{.box = box, .x = {low.x, high.x}, .y = {low.y, high.y}};
+  for (const double x : ticks(low.x, high.x, static_cast<int>(box.width / 70))) {
+    const double at = axes.at(x, low.y).x;
     canvas.line({at, box.y}, {at, box.y + box.height}, kPaleGrid, 1);
-    const std::string label = short_text(x);
-    if (at + 5 + canvas.text_width(label, 12) < box.x + box.width)
-      canvas.text({at + 3, box.y + box.height - 5}, label, 12, Align::left, kInk);
   }
-  for (const double y : ticks(low.y, high.y, 6)) {
-    const double at = zero.y - (y * frame.scale());
+  for (const double y : ticks(low.y, high.y, static_cast<int>(box.height / 45))) {
+    const double at = axes.at(low.x, y).y;
     canvas.line({box.x, at}, {box.x + box.width, at}, kPaleGrid, 1);
-    // Not cut off above, nor on the labels below.
-    if (at > box.y + 16 && at < box.y + box.height - 20)
-      canvas.text({box.x + 4, at - 3}, short_text(y), 12, Align::left, kInk);
   }
+  draw_plane_axes(canvas, axes, kNames[view.across], kNames[view.up]);
 }
 
 void draw_solid(Canvas& canvas, const Frame& frame, const arm::Solid& solid, Colour colour,
@@ -162,7 +153,8 @@ std::vector<Vector3d> tip_path(const ArmAnswer& answer) {
 void draw_view(Canvas& canvas, const Box& box, const Aspect& view, const Bounds& bounds,
                const ArmAnswer& answer) {
   const Frame frame(view, box, bounds);
-  draw_grid(canvas, box, frame);
+  draw_grid(canvas, box, frame, view);
+  canvas.clip(box);
   for (const auto& o : answer.scene.obstacles) draw_solid(canvas, frame, o, kObstacle, 0.35);
   for (const arm::Link& link : answer.robot.links)
     if (link.body == 0)
@@ -181,12 +173,31 @@ void draw_view(Canvas& canvas, const Box& box, const Aspect& view, const Bounds&
     for (const auto& p : points) flat.push_back(frame.at(p));
     if (flat.size() > 1) canvas.stroke(flat, colour, width, 1);
   };
-  line(answer.plan.tips.colwise(), kLattice, 1.5);
+  if (!answer.plan.direct) line(answer.plan.tips.colwise(), kLattice, 1.5);
   line(tip_path(answer), kTip, 3);
-  canvas.disc(frame.at(arm::tip_position(answer.robot, shown[0])), 6, kStart);
   for (const arm::Goal& goal : answer.goals)
-    canvas.diamond(frame.at(tip_of(answer.robot, goal)), 8, kGoal);
+    canvas.diamond(frame.at(tip_of(answer.robot, goal)), 10, kGoal);
+  canvas.ring(frame.at(arm::tip_position(answer.robot, shown[0])), 7, kStart);
+  canvas.unclip();
   canvas.frame(box, kInk, 1);
+}
+
+std::vector<Key> keys_of(const ArmAnswer& answer) {
+  const auto pale = [](Colour colour, double opacity) { return blend({1, 1, 1}, colour, opacity); };
+  std::vector<Key> keys{start_key(), goal_key()};
+  keys[0].label = "tip at the start";
+  keys[1].label = answer.goals.size() == 1 ? "goal of the tip" : "goals of the tip";
+  keys.push_back(area_key("arm at the start", pale(kStart, 0.5)));
+  if (!answer.plan.trajectory.empty()) {
+    keys.push_back(area_key("arm at the end", pale(kGoal, 0.5)));
+    keys.push_back(area_key("between, evenly in time", pale(kGhost, 0.35)));
+    keys.push_back(line_key("way of the tip", kTip, 3));
+  }
+  if (!answer.plan.direct && answer.plan.tips.cols() > 1)
+    keys.push_back(line_key("lattice path", kLattice, 1.5));
+  keys.push_back(area_key("base", pale(kBase, 0.5)));
+  if (!answer.scene.obstacles.empty()) keys.push_back(area_key("obstacle", pale(kObstacle, 0.5)));
+  return keys;
 }
 
 study::LineChart joint_chart(const ArmAnswer& answer) {
@@ -267,33 +278,53 @@ std::string title(const ArmCommand& command, const ArmAnswer& answer) {
 
 void write_arm_picture(const std::string& file, const ArmCommand& command,
                        const ArmAnswer& answer) {
-  const bool moves = !answer.plan.trajectory.empty() && answer.plan.trajectory.duration() > 0;
-  const bool charts = moves || !answer.plan.best.empty();
-  const double width = 2 * kMargin + 3 * kView + 2 * kBetween;
-  const double height = 2 * kMargin + kTitle + kView + kCaption + (charts ? kChart + kBetween : 0);
-  Canvas canvas(static_cast<int>(width), static_cast<int>(height));
-  canvas.text({width / 2, kMargin + 20}, title(command, answer), 19, Align::centre, kInk, true);
-
-  const Bounds bounds = bounds_of(answer);
-  for (std::size_t i = 0; i < kViews.size(); ++i) {
-    const Box box{kMargin + static_cast<double>(i) * (kView + kBetween), kMargin + kTitle, kView,
-                  kView};
-    canvas.clip(box);
-    draw_view(canvas, box, kViews[i], bounds, answer);
-    canvas.unclip();
-    canvas.text({box.x + kView / 2, box.y + kView + 23}, kViews[i].name, 16, Align::centre, kInk);
-  }
-  const double top = kMargin + kTitle + kView + kCaption + kBetween / 2;
-  const auto chart_box = [&](int place) {
-    return Box{kMargin + place * (kView + kBetween), top, kView, kChart};
+  const arm::Result& plan = answer.plan;
+  const bool moves = !plan.trajectory.empty() && plan.trajectory.duration() > 0;
+  const bool charts = moves || !plan.best.empty() || !plan.asked.empty();
+  constexpr double kInner = 3 * kView + 2 * kBetween;
+  const auto header = [&](Canvas& canvas) {
+    double y = kMargin;
+    y += draw_wrapped(canvas, {kMargin + kInner / 2, y}, title(command, answer), 19, kInner,
+                      Align::centre, true);
+    const Legend legend(canvas, keys_of(answer), kInner);
+    legend.draw(canvas, {kMargin, y + 8});
+    return y + legend.height() + 20;
   };
-  if (moves) study::draw(canvas, chart_box(0), joint_chart(answer));
-  if (!answer.plan.best.empty())
-    draw_convergence(canvas, chart_box(1),
-                     {answer.plan.best, answer.plan.mean, answer.plan.lower_bound,
-                      unit_of(answer.parameters.objective), "lower bound"});
-  if (!answer.plan.asked.empty())
-    study::draw(canvas, chart_box(2), question_chart(answer.plan.asked));
+  Canvas measure(1, 1);
+  const double top = header(measure);
+  const double side = kView - kPlaneLeft - 6;
+  const double below = top + side + kPlaneBottom + kCaption;
+  Canvas canvas(static_cast<int>(2 * kMargin + kInner),
+                static_cast<int>(below + kMargin + (charts ? kChart : 0)));
+  header(canvas);
+  const Bounds bounds = bounds_of(answer);
+  double left = kMargin;
+  for (const Aspect& view : kViews) {
+    const Box box{left + kPlaneLeft, top, side, side};
+    draw_view(canvas, box, view, bounds, answer);
+    canvas.text({box.x + side / 2, top + side + kPlaneBottom + 18}, view.name, 16, Align::centre,
+                kInk);
+    left += kView + kBetween;
+  }
+  std::vector<std::function<void(const Box&)>> drawings;
+  if (moves)
+    drawings.push_back([&](const Box& box) { study::draw(canvas, box, joint_chart(answer)); });
+  if (!plan.best.empty())
+    drawings.push_back([&](const Box& box) {
+      study::Course course{.best = {{"best lattice path so far", plan.best}},
+                           .tours = {{"mean tour of the ants", plan.mean}},
+                           .unit = unit_of(answer.parameters.objective)};
+      if (plan.lower_bound) course.levels = {{"lower bound", *plan.lower_bound}};
+      study::draw_course(canvas, box, course);
+    });
+  if (!plan.asked.empty())
+    drawings.push_back(
+        [&](const Box& box) { study::draw(canvas, box, question_chart(plan.asked)); });
+  // They share the width.
+  const double share = (kInner + kBetween) / static_cast<double>(drawings.size());
+  left = kMargin;
+  for (const auto& draw_chart : drawings)
+    draw_chart({std::exchange(left, left + share), below + kBetween / 2, share - kBetween, kChart});
   canvas.save(file);
 }
 

@@ -107,8 +107,8 @@ void BitmapTask::announce() const {
 
 void BitmapTask::plan(const StopCondition& stop, const Watch& watch) {
   const RunOptions& run = options();
-  if (moves_on_cells(run.params) && std::ranges::any_of(run.outputs, is_picture))
-    recorder_.emplace(map_->grid(), run.track_iterations, run.params.iterations);
+  if (algorithm().kind == Algorithm::Kind::colony && std::ranges::any_of(run.outputs, is_picture))
+    recorder_.emplace(map_->grid(), run.track_iterations, run.params);
   Observer observer;
   if (watch || recorder_)
     observer = [&](const GridProgress& progress) {

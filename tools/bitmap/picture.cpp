@@ -4,10 +4,12 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <span>
 
+#include "tools/console/parameters.h"
 #include "tools/draw/canvas.h"
-#include "tools/draw/chart.h"
 #include "tools/draw/colours.h"
+#include "tools/draw/line_chart.h"
 #include "tools/draw/page.h"
 #include "tools/draw/text.h"
 #include "tools/record/json_values.h"
@@ -15,98 +17,232 @@
 namespace lasius::tool {
 namespace {
 
-constexpr Colour kWall{0.2, 0.23, 0.27};
-constexpr Colour kTintedWall{0.98, 0.87, 0.68};  // under grey pheromone
-constexpr Colour kTrackFew{0.8, 0.88, 0.96};
-constexpr Colour kTrackSome{0.26, 0.57, 0.78};
-constexpr Colour kTrackMany{0.03, 0.19, 0.42};
+constexpr Colour kWall{0.58, 0.605, 0.64};
+constexpr Colour kUnread{1, 1, 1};
 
-/// One panel's map part: from cells to the page.
-class MapView {
- public:
-  MapView(const Grid& grid, const Box& box) : grid_(grid), box_(box) {}
-  Point at(Point p) const {
-    return {box_.x + p.x * box_.width / grid_.width(), box_.y + p.y * box_.height / grid_.height()};
+/// A colour between colours at even shares.
+Colour shade(std::span<const Colour> colours, double share) {
+  const double place = share * static_cast<double>(colours.size() - 1);
+  const auto i = std::min(static_cast<std::size_t>(place), colours.size() - 2);
+  return blend(colours[i], colours[i + 1], place - static_cast<double>(i));
+}
+Colour ants_colour(double share) {
+  static constexpr Colour kBlues[] = {{0.74, 0.85, 0.95}, {0.26, 0.57, 0.78}, {0.03, 0.16, 0.38}};
+  return shade(kBlues, share);
+}
+Colour trail_colour(double share) {
+  static constexpr Colour kHeat[] = {
+      {1, 0.98, 0.85}, {1, 0.8, 0.35}, {0.87, 0.32, 0.1}, {0.27, 0, 0.1}};
+  return shade(kHeat, share);
+}
+Colour index_colour(double share) {
+  static constexpr Colour kFar[] = {
+      {0.27, 0, 0.33}, {0.13, 0.45, 0.56}, {0.37, 0.79, 0.38}, {0.99, 0.9, 0.14}};
+  return shade(kFar, share);
+}
+
+/// The cells that are shown: all around free ones, start and goal, where that leaves out a tenth
+/// of the map or more.
+Window shown_of(const LoadedMap& map, const std::vector<Cell>& ends) {
+  const Grid& grid = map.grid();
+  Window free{{grid.width(), 0}, {grid.height(), 0}};
+  const auto take = [&](int x, int y) {
+    free.columns = {std::min(free.columns.from, x), std::max(free.columns.to, x + 1)};
+    free.rows = {std::min(free.rows.from, y), std::max(free.rows.to, y + 1)};
+  };
+  for (const Cell c : ends)
+    if (grid.contains(c)) take(c.x, c.y);
+  for (int y = 0; y < grid.height(); ++y) {
+    int x = 0;
+    while (x < grid.width() && !grid.free({x, y})) ++x;
+    if (x == grid.width()) continue;
+    take(x, y);
+    for (x = grid.width() - 1; x >= free.columns.to && !grid.free({x, y});) --x;
+    take(x, y);
   }
-  /// Pixels of the image behind: one a cell, or one a pixel of the page where cells are smaller.
-  int pixels_wide() const { return std::min(grid_.width(), static_cast<int>(box_.width)); }
-  int pixels_high() const { return std::min(grid_.height(), static_cast<int>(box_.height)); }
+  const Window all = whole(grid);
+  if (free.width() <= 0) return all;
+  const int room = static_cast<int>(std::ceil(map.radius)) +
+                   std::max(3, std::max(free.width(), free.height()) / 50);
+  const auto with_room = [room](const Span& side, int cells) {
+    return Span{std::max(0, side.from - room), std::min(cells, side.to + room)};
+  };
+  const Window window{with_room(free.columns, grid.width()), with_room(free.rows, grid.height())};
+  const double share = 1.0 * window.width() * window.height() / all.width() / all.height();
+  return share <= 0.9 ? window : all;
+}
 
- private:
-  const Grid& grid_;
-  Box box_;
+/// The map as all panels show it.
+struct Sheet {
+  const LoadedMap& map;
+  const RunOptions& run;
+  Window window;
+
+  const Grid& grid() const { return map.grid(); }
+  Point at(const Box& box, Point p) const {
+    return {box.x + (p.x - window.columns.from) * box.width / window.width(),
+            box.y + (p.y - window.rows.from) * box.height / window.height()};
+  }
+  bool metres() const { return run.frame == Frame::world; }
+  const char* unit() const { return metres() ? "m" : "cells"; }
+  std::string length(double cells, int decimals = 2) const {
+    // A line does not end between number and unit.
+    return study::fixed(map.length_in(run.frame, cells), decimals) + "\u00a0" + unit();
+  }
+  /// In cells; in metres of the world where the map is not turned in it.
+  void draw_axes(Canvas& canvas, const Box& box) const {
+    Axes axes{.box = box,
+              .x = {1.0 * window.columns.from, 1.0 * window.columns.to},
+              .y = {1.0 * window.rows.to, 1.0 * window.rows.from}};
+    const bool world = metres() && map.frame->yaw == 0;
+    if (world) {
+      const Point low = map.to_world({axes.x.low, axes.y.low});
+      const Point high = map.to_world({axes.x.high, axes.y.high});
+      axes.x = {low.x, high.x};
+      axes.y = {low.y, high.y};
+    }
+    draw_plane_axes(canvas, axes, world ? "x, m" : "x, cells", world ? "y, m" : "y, cells", !world);
+  }
+  /// What the window leaves out.
+  std::string note() const {
+    const Window all = whole(grid());
+    const double left = 1 - 1.0 * window.width() * window.height() / all.width() / all.height();
+    if (left <= 0) return {};
+    const auto span = [](const Span& side) {
+      return std::to_string(side.from) + " to " + std::to_string(side.to - 1);
+    };
+    return "cropped to columns " + span(window.columns) + ", rows " + span(window.rows) +
+           ": the rest, " + study::fixed(100 * left, 0) + "% of the map, has no free cell" +
+           (map.frame && !map.unknown_is_free ? " (unknown or blocked)" : "");
+  }
+  Page page(std::string title) const {
+    return {.title = std::move(title),
+            .note = note(),
+            .wide = 1.0 * window.width(),
+            .high = 1.0 * window.height()};
+  }
 };
 
 /// Paints walls over what `ground` says of the cells under a pixel. Walls never get so thin that
 /// they vanish.
-void paint_map(Canvas& canvas, const Box& box, const Grid& grid, Colour wall,
+void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet, Colour wall,
                const std::function<Colour(Span columns, Span rows)>& ground) {
-  const MapView view(grid, box);
-  const auto share = blocked_share(grid, view.pixels_wide(), view.pixels_high());
+  const Window& window = sheet.window;
+  // One pixel a cell, or one a pixel of the page where cells are smaller.
+  const auto share =
+      blocked_share(sheet.grid(), window, std::min(window.width(), static_cast<int>(box.width)),
+                    std::min(window.height(), static_cast<int>(box.height)));
   Raster<Colour> pixels(share.width, share.height);
   for (int y = 0; y < share.height; ++y) {
-    const Span rows = cells_under(y, share.height, grid.height());
+    const Span rows = cells_under(y, share.height, window.rows);
     for (int x = 0; x < share.width; ++x) {
       const double blocked = share.at(x, y);
       const double shown = blocked > 0 ? std::max(0.35, std::sqrt(blocked)) : 0;
-      const Span columns = cells_under(x, share.width, grid.width());
+      const Span columns = cells_under(x, share.width, window.columns);
       pixels.at(x, y) = blend(ground(columns, rows), wall, shown);
     }
   }
   canvas.image(pixels, box);
-  canvas.frame(box, kInk, 1);
+  sheet.draw_axes(canvas, box);
 }
 
 Colour free_ground(Span, Span) { return kFree; }
 
-/// The largest value of a recorder's raster over some cells.
-template <class T>
-T largest(const Raster<T>& raster, int cells_a_pixel, Span columns, Span rows) {
-  T most{};
+/// The value of a recorder's raster that `better` prefers over some cells; NaN is never preferred.
+template <class T, class Better>
+T chosen(const Raster<T>& raster, int cells_a_pixel, Span columns, Span rows,
+         const Better& better) {
+  T result = raster.at(columns.from / cells_a_pixel, rows.from / cells_a_pixel);
   for (int y = rows.from / cells_a_pixel; y <= (rows.to - 1) / cells_a_pixel; ++y)
-    for (int x = columns.from / cells_a_pixel; x <= (columns.to - 1) / cells_a_pixel; ++x)
-      most = std::max(most, raster.at(x, y));
-  return most;
+    for (int x = columns.from / cells_a_pixel; x <= (columns.to - 1) / cells_a_pixel; ++x) {
+      const T value = raster.at(x, y);
+      if (value == value && (result != result || better(value, result))) result = value;
+    }
+  return result;
 }
 
-void draw_tracks(Canvas& canvas, const Box& box, const Grid& grid,
-                 const Raster<std::uint32_t>& visits, int cells_a_pixel) {
-  const auto most = *std::max_element(visits.values.begin(), visits.values.end());
-  const double scale = 1 / std::log1p(std::max(1.0, static_cast<double>(most)));
-  paint_map(canvas, box, grid, kPaleWall, [&](Span columns, Span rows) {
-    const auto count = largest(visits, cells_a_pixel, columns, rows);
-    if (count == 0) return kFree;
-    const double share = std::log1p(static_cast<double>(count)) * scale;
-    return share < 0.5 ? blend(kTrackFew, kTrackSome, 2 * share)
-                       : blend(kTrackSome, kTrackMany, 2 * share - 1);
+void draw_marks(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& answer,
+                bool small) {
+  const double cell = box.width / sheet.window.width();
+  const double radius =
+      small ? std::clamp(0.6 * cell, 6.0, 9.0) : std::clamp(0.6 * cell, 8.0, 18.0);
+  const Cell start = answer.start.cell, goal = answer.goal.cell;
+  if (sheet.grid().contains(goal)) canvas.diamond(sheet.at(box, centre(goal)), radius + 3, kGoal);
+  if (sheet.grid().contains(start)) canvas.ring(sheet.at(box, centre(start)), radius, kStart);
+}
+
+void draw_tracks(Canvas& canvas, const Box& box, const Sheet& sheet,
+                 const Raster<std::uint32_t>& ants, int cells_a_pixel, const ColourScale& scale) {
+  paint_map(canvas, box, sheet, kWall, [&](Span columns, Span rows) {
+    const auto count = chosen(ants, cells_a_pixel, columns, rows, std::greater<>());
+    return count == 0 ? kFree : scale.at(count);
   });
 }
 
-/// White where there is least, black where there is most; four decades of grey between.
-void draw_pheromone(Canvas& canvas, const Box& box, const Grid& grid, const Raster<float>& values,
-                    int cells_a_pixel) {
-  constexpr double kDecades = 4;
-  const double most = *std::max_element(values.values.begin(), values.values.end());
-  paint_map(canvas, box, grid, kTintedWall, [&](Span columns, Span rows) {
-    const double value = largest(values, cells_a_pixel, columns, rows);
-    if (!(value > 0)) return kFree;
-    const double share = 1 + std::log10(value / most) / kDecades;
-    return blend(kFree, Colour{0, 0, 0}, std::clamp(share, 0.0, 1.0));
-  });
+/// From 1 ant a cell to the most.
+ColourScale track_scale(double most) { return {{1, std::max(2.0, most)}, true, ants_colour}; }
+
+/// The part of the values that tells cells apart: four decades below the most at most, and no more
+/// than what 95% of the values in these have, if these differ. So neither a trail that has
+/// evaporated nor one that is nearly the same everywhere makes a picture of one colour.
+ColourScale pheromone_scale(const Raster<float>& raster) {
+  constexpr double kDecades = 1e-4;
+  std::vector<float> values;
+  for (const float v : raster.values)
+    if (v > 0) values.push_back(v);
+  if (values.empty()) return {{0, 1}, false, trail_colour};
+  std::ranges::sort(values, std::greater<>());
+  // All ants meet at the start and goal: the few cells there would take a decade for themselves.
+  const double high = values[std::min<std::size_t>(16, values.size() / 100)];
+  const auto matter = std::ranges::count_if(values, [&](float v) { return v >= kDecades * high; });
+  double low = values[static_cast<std::size_t>(matter * 95 / 100)];
+  if (low >= high) low = values[static_cast<std::size_t>(matter - 1)];
+  return {{low, high}, high > 10 * low, trail_colour};
 }
 
-void draw_path(Canvas& canvas, const MapView& view, const std::vector<Point>& path, double width,
-               double rim) {
+void draw_pheromone(Canvas& canvas, const Box& box, const Sheet& sheet,
+                    const PictureRecorder& recorder) {
+  const auto& values = recorder.pheromone().values;
+  const ColourScale scale = pheromone_scale(values);
+  paint_map(canvas, box, sheet, kWall, [&](Span columns, Span rows) {
+    const double held = chosen(values, recorder.cells_a_pixel(), columns, rows, std::greater<>());
+    return held >= scale.range.low ? scale.at(held) : kUnread;
+  });
+  draw_bar(canvas, box, scale);
+}
+
+/// From 0 to what 99% of the known indices have: some cells know a way of very many moves.
+ColourScale index_scale(const Raster<float>& raster, float& unknown) {
+  std::vector<float> values;
+  for (const float v : raster.values)
+    if (v == v) values.push_back(v);
+  unknown = values.empty() ? 0 : *std::ranges::max_element(values);
+  std::erase(values, unknown);
+  if (values.empty()) return {{0, 1}, false, index_colour};
+  const auto place = values.begin() + std::ssize(values) * 99 / 100;
+  std::ranges::nth_element(values, place);
+  return {{0, std::max(1.0F, *place)}, false, index_colour};
+}
+
+void draw_index(Canvas& canvas, const Box& box, const Sheet& sheet,
+                const PictureRecorder& recorder) {
+  const auto& values = recorder.pheromone().values;
+  float unknown = 0;
+  const ColourScale scale = index_scale(values, unknown);
+  paint_map(canvas, box, sheet, kWall, [&](Span columns, Span rows) {
+    const float index = chosen(values, recorder.cells_a_pixel(), columns, rows, std::less<>());
+    return index < unknown ? scale.at(index) : kUnread;
+  });
+  draw_bar(canvas, box, scale);
+}
+
+void draw_path(Canvas& canvas, const Box& box, const Sheet& sheet, const std::vector<Point>& path,
+               double width, double rim) {
   std::vector<Point> points;
   points.reserve(path.size());
-  for (const Point p : path) points.push_back(view.at(p));
+  for (const Point p : path) points.push_back(sheet.at(box, p));
   if (rim > 0) canvas.polyline(points, {1, 1, 1}, width + 2 * rim);
   canvas.polyline(points, kPath, width);
-}
-
-void draw_marks(Canvas& canvas, const MapView& view, const Grid& grid, const Answer& answer) {
-  if (grid.contains(answer.start.cell)) canvas.disc(view.at(centre(answer.start.cell)), 7, kStart);
-  if (grid.contains(answer.goal.cell)) canvas.diamond(view.at(centre(answer.goal.cell)), 9, kGoal);
 }
 
 std::string plan_title(const LoadedMap& map, const RunOptions& run) {
@@ -115,75 +251,140 @@ std::string plan_title(const LoadedMap& map, const RunOptions& run) {
          std::to_string(run.params.seed);
 }
 
-std::string path_caption(const LoadedMap& map, Frame frame, const Answer& answer) {
+std::string path_caption(const Sheet& sheet, const Answer& answer) {
   const Result& result = answer.result;
-  if (result.path.empty()) return std::string(to_string(result.status)) + ": no path";
-  std::string text = "path, length ";
-  text += study::fixed(map.length_in(frame, result.length), 2);
-  if (frame == Frame::world) text += " m";
+  if (result.path.empty()) return study::no_path_text(result.status);
+  std::string text = "path, length " + sheet.length(result.length);
   if (result.optimal) return text + ", proven shortest";
-  if (answer.optimum && *answer.optimum > 0)
-    text += ", " + study::fixed(100 * *gap_to(answer.optimum, result.length), 2) +
-            "% above the optimum";
+  const auto compare = [&](const char* name, const std::optional<double>& optimum) {
+    if (optimum) text += study::against(result.length, *optimum, name, sheet.length(*optimum));
+  };
+  compare("any-angle optimum", answer.optimum);
+  if (moves_on_cells(sheet.run.params))
+    compare("optimum of the algorithm's own moves", answer.grid_optimum);
   return text;
+}
+
+/// Tracks of single iterations above those of all up to them.
+Band track_band(const Sheet& sheet, const Answer& answer, const PictureRecorder& recorder,
+                const std::vector<PictureRecorder::Tracks>& tracks, const ColourScale& now,
+                const ColourScale& so_far) {
+  Band band{.rows = {{}, {}}, .small = true};
+  for (const auto& kept : tracks) {
+    std::string caption =
+        "iteration " + std::to_string(kept.iterations) + " alone: " + std::to_string(kept.arrived) +
+        " of " + std::to_string(kept.ants) + (kept.ants == 1 ? " ant arrives" : " ants arrive");
+    if (kept.arrived > 0)
+      caption += ", mean tour " + sheet.length(kept.mean, sheet.metres() ? 2 : 0);
+    band.rows[0].push_back({caption, [&](Canvas& canvas, const Box& box) {
+                              draw_tracks(canvas, box, sheet, kept.raster(),
+                                          recorder.cells_a_pixel(), now);
+                              draw_marks(canvas, box, sheet, answer, true);
+                            }});
+    band.rows[1].push_back({"all ants up to iteration " + std::to_string(kept.iterations),
+                            [&](Canvas& canvas, const Box& box) {
+                              draw_tracks(canvas, box, sheet, kept.so_far, recorder.cells_a_pixel(),
+                                          so_far);
+                              draw_marks(canvas, box, sheet, answer, true);
+                            }});
+  }
+  return band;
+}
+
+Panel pheromone_panel(const Sheet& sheet, const Answer& answer, const PictureRecorder& recorder) {
+  const std::string after = " after iteration " + std::to_string(recorder.pheromone().iterations);
+  const bool index = sheet.run.params.update == Update::terminal_index;
+  std::string caption;
+  if (index) {
+    caption = "terminal index" + after + ": best known way to the goal, cells; white: unknown; " +
+              "longest 1% as the end of the scale";
+  } else {
+    const auto [range, logarithmic, colour] = pheromone_scale(recorder.pheromone().values);
+    caption = "pheromone" + after + (logarithmic ? ", logarithmic; " : "; ") +
+              (sheet.run.params.trail == Trail::arcs ? "the most on a cell's arcs; " : "") +
+              (range.low < range.high ? "white: less than " : "the same on every cell: ") +
+              short_number(range.low);
+  }
+  return {.caption = std::move(caption),
+          .draw =
+              [&, index](Canvas& canvas, const Box& box) {
+                (index ? draw_index : draw_pheromone)(canvas, box, sheet, recorder);
+                draw_marks(canvas, box, sheet, answer, false);
+              },
+          .below = kBarHeight + 8};
+}
+
+void draw_run(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& answer) {
+  const Result& result = answer.result;
+  const bool colony = find_algorithm(sheet.run.params.algorithm()).kind == Algorithm::Kind::colony;
+  const bool cut = sheet.run.params.walk_cut != WalkCut::none;
+  static const std::vector<double> kNone;
+  study::Course course{
+      .best = {{"best path so far", result.best}},
+      .tours = {{colony ? "mean tour of the ants, as walked" : "mean of the population",
+                 result.mean},
+                {"mean tour, cut to its own cells", cut ? result.cut_mean : kNone},
+                {"shortest tour of the iteration", cut ? result.cut_best : result.raw_best}},
+      .unit = sheet.unit(),
+      .scale = sheet.map.length_in(sheet.run.frame, 1)};
+  const auto level = [&](const char* name, const std::optional<double>& cells, Colour colour) {
+    if (cells)
+      course.levels.push_back(
+          {name + std::string(" ") + sheet.length(*cells), course.scale * *cells, colour});
+  };
+  level("any-angle optimum", answer.optimum, kInk);
+  level("optimum of its own moves", answer.grid_optimum, {0.55, 0.25, 0.6});
+  study::draw_course(canvas, box, course);
 }
 
 }  // namespace
 
 void write_plan_picture(const std::string& file, const LoadedMap& map, const RunOptions& run,
                         const Answer& answer, const PictureRecorder* recorder) {
-  const Grid& grid = map.grid();
+  const Sheet sheet{map, run, shown_of(map, {answer.start.cell, answer.goal.cell})};
   const auto tracks =
       recorder != nullptr ? recorder->tracks() : std::vector<PictureRecorder::Tracks>{};
-  std::vector<Panel> panels;
-  panels.reserve(tracks.size() + 3);
+  Page page = sheet.page(plan_title(map, run));
+  page.legend = {start_key(), goal_key(), area_key("blocked", kWall)};
+  if (!answer.result.path.empty()) page.legend.push_back(line_key("path", kPath, 3));
+  std::uint32_t most = 0;
   for (const auto& kept : tracks)
-    panels.push_back({"tracks of all ants up to iteration " + std::to_string(kept.iterations),
-                      [&](Canvas& canvas, const Box& box) {
-                        draw_tracks(canvas, box, grid, kept.visits, recorder->cells_a_pixel());
-                        draw_marks(canvas, MapView(grid, box), grid, answer);
-                      }});
+    for (const auto& visit : kept.now) most = std::max(most, visit.second);
+  const ColourScale now = track_scale(most);
+  const ColourScale so_far =
+      track_scale(tracks.empty() ? 1 : *std::ranges::max_element(tracks.back().so_far.values));
+  if (!tracks.empty()) {
+    Canvas measure(1, 1);
+    page.legend.push_back(scale_key(measure, "ants through a cell in one iteration", now));
+    page.legend.push_back(scale_key(measure, "in all up to it, both logarithmic", so_far));
+    page.bands.push_back(track_band(sheet, answer, *recorder, tracks, now, so_far));
+  }
+  std::vector<Panel> panels;
   if (recorder != nullptr && recorder->pheromone().iterations > 0)
-    panels.push_back(
-        {"pheromone after iteration " + std::to_string(recorder->pheromone().iterations),
-         [&](Canvas& canvas, const Box& box) {
-           draw_pheromone(canvas, box, grid, recorder->pheromone().values,
-                          recorder->cells_a_pixel());
-           draw_marks(canvas, MapView(grid, box), grid, answer);
-         }});
-  panels.push_back({path_caption(map, run.frame, answer), [&](Canvas& canvas, const Box& box) {
-                      const MapView view(grid, box);
-                      paint_map(canvas, box, grid, kWall, free_ground);
-                      draw_path(canvas, view, answer.result.path, 3, 1);
-                      draw_marks(canvas, view, grid, answer);
+    panels.push_back(pheromone_panel(sheet, answer, *recorder));
+  panels.push_back({path_caption(sheet, answer), [&](Canvas& canvas, const Box& box) {
+                      paint_map(canvas, box, sheet, kWall, free_ground);
+                      draw_marks(canvas, box, sheet, answer, false);
+                      draw_path(canvas, box, sheet, answer.result.path, 3, 1);
                     }});
   if (!answer.result.best.empty())
     panels.push_back({"convergence",
-                      [&](Canvas& canvas, const Box& box) {
-                        Convergence curves{answer.result.best, answer.result.mean, answer.optimum};
-                        const auto show = [&](double& cells) {
-                          cells = map.length_in(run.frame, cells);
-                        };
-                        std::ranges::for_each(curves.best, show);
-                        std::ranges::for_each(curves.mean, show);
-                        if (curves.optimum) show(*curves.optimum);
-                        if (run.frame == Frame::world) curves.unit = "metres";
-                        draw_convergence(canvas, box, curves);
-                      },
+                      [&](Canvas& canvas, const Box& box) { draw_run(canvas, box, sheet, answer); },
                       true});
-  write_page(file, plan_title(map, run),
-             map_layout(static_cast<int>(panels.size()), grid.width(), grid.height()), panels);
+  page.bands.push_back({{std::move(panels)}});
+  write_page(file, page);
 }
 
 void write_batch_picture(const std::string& file, const LoadedMap& map, const RunOptions& run,
                          const std::vector<std::vector<Point>>& paths) {
-  const Grid& grid = map.grid();
-  const Panel panel{std::to_string(paths.size()) + " paths", [&](Canvas& canvas, const Box& box) {
-                      const MapView view(grid, box);
-                      paint_map(canvas, box, grid, kWall, free_ground);
-                      for (const auto& path : paths) draw_path(canvas, view, path, 1.5, 0);
-                    }};
-  write_page(file, plan_title(map, run), map_layout(1, grid.width(), grid.height()), {panel});
+  const Sheet sheet{map, run, shown_of(map, {})};
+  Page page = sheet.page(plan_title(map, run));
+  page.legend = {area_key("blocked", kWall), line_key("path", kPath, 1.5)};
+  page.bands = {{{{{std::to_string(paths.size()) + " paths", [&](Canvas& canvas, const Box& box) {
+                      paint_map(canvas, box, sheet, kWall, free_ground);
+                      for (const auto& path : paths) draw_path(canvas, box, sheet, path, 1.5, 0);
+                    }}}}}};
+  write_page(file, page);
 }
 
 }  // namespace lasius::tool

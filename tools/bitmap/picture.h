@@ -11,8 +11,10 @@
 
 namespace lasius::tool {
 
-/// Panels: the tracks at the chosen iterations, the pheromone, the path on the map, and the
-/// convergence; only the path for algorithms without iterations. `recorder` may be null.
+/// Panels: of a colony the tracks of the chosen iterations, alone and up to them, and the pheromone
+/// or terminal index; the path on the map, and the convergence. Only what there is: the path alone
+/// for algorithms without iterations. `recorder` may be null. A border without free cells is left
+/// out, and that is said.
 void write_plan_picture(const std::string& file, const LoadedMap& map, const RunOptions& run,
                         const Answer& answer, const PictureRecorder* recorder);
 

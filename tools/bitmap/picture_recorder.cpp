@@ -1,6 +1,8 @@
 #include "tools/bitmap/picture_recorder.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace lasius::tool {
 namespace {
@@ -9,24 +11,49 @@ constexpr int kMostPixels = 2048;
 /// Up to so many cells the pheromone of every one is read, else only around the ants' tracks.
 constexpr std::int64_t kReadAll = std::int64_t{1} << 22;
 
+std::vector<int> usual(const Params& params) {
+  std::vector<int> chosen{1, params.critical_time > 0 ? params.critical_time : 10, 50,
+                          params.iterations};
+  std::ranges::sort(chosen);
+  const auto same = std::ranges::unique(chosen);
+  chosen.erase(same.begin(), same.end());
+  std::erase_if(chosen, [&](int i) { return i > params.iterations; });
+  return chosen;
+}
+
 }  // namespace
 
-PictureRecorder::PictureRecorder(const Grid& grid, std::vector<int> chosen, int last)
+Raster<std::uint32_t> PictureRecorder::Tracks::raster() const {
+  Raster<std::uint32_t> all(so_far.width, so_far.height);
+  for (const auto& [index, ants_there] : now) all.values[index] = ants_there;
+  return all;
+}
+
+PictureRecorder::PictureRecorder(const Grid& grid, std::vector<int> chosen, const Params& params)
     : grid_(grid),
-      chosen_(std::move(chosen)),
-      last_(last),
+      chosen_(chosen.empty() ? usual(params) : std::move(chosen)),
+      last_(params.iterations),
+      index_(params.update == Update::terminal_index),
       cells_a_pixel_((std::max(grid.width(), grid.height()) + kMostPixels - 1) / kMostPixels) {
   const auto pixels = [this](int cells) { return (cells + cells_a_pixel_ - 1) / cells_a_pixel_; };
-  visits_ = Raster<std::uint32_t>(pixels(grid.width()), pixels(grid.height()));
+  now_ = visits_ = Raster<std::uint32_t>(pixels(grid.width()), pixels(grid.height()));
 }
 
 void PictureRecorder::observe(const GridProgress& progress) {
   done_ = progress.iteration + 1;
+  newest_ = Tracks{done_, progress.ants(), progress.arrived, progress.mean_length, {}, {}};
   for (int ant = 0; ant < progress.ants(); ++ant)
-    for (const Cell c : progress.walk(ant))
-      ++visits_.at(c.x / cells_a_pixel_, c.y / cells_a_pixel_);
-  if (std::find(chosen_.begin(), chosen_.end(), done_) != chosen_.end())
-    kept_.push_back({done_, visits_});
+    for (const Cell c : progress.walk(ant)) {
+      const auto index = now_.index(c.x / cells_a_pixel_, c.y / cells_a_pixel_);
+      if (now_.values[index]++ == 0)
+        newest_->now.emplace_back(static_cast<std::uint32_t>(index), 0U);
+      ++visits_.values[index];
+    }
+  for (auto& [index, ants] : newest_->now) ants = std::exchange(now_.values[index], 0U);
+  if (std::find(chosen_.begin(), chosen_.end(), done_) != chosen_.end()) {
+    kept_.push_back(*newest_);
+    kept_.back().so_far = visits_;
+  }
   // A run may end before its last iteration: what is drawn then is at most some captures old.
   const auto now = std::chrono::steady_clock::now();
   if (done_ != last_ && now < next_capture_) return;
@@ -37,7 +64,8 @@ void PictureRecorder::observe(const GridProgress& progress) {
 
 void PictureRecorder::capture(const GridProgress& progress) {
   auto& values = pheromone_.values;
-  if (values.width == 0) values = Raster<float>(visits_.width, visits_.height);
+  if (values.width == 0)
+    values = Raster<float>(visits_.width, visits_.height, std::numeric_limits<float>::quiet_NaN());
   pheromone_.iterations = done_;
   const bool all = static_cast<std::int64_t>(grid_.width()) * grid_.height() <= kReadAll;
   for (int y = 0; y < values.height; ++y) {
@@ -45,11 +73,14 @@ void PictureRecorder::capture(const GridProgress& progress) {
     for (int x = 0; x < values.width; ++x) {
       if (!all && !touched_near(x, y)) continue;
       const int right = std::min((x + 1) * cells_a_pixel_, grid_.width());
-      double most = 0;
+      double shown = std::numeric_limits<double>::quiet_NaN();
       for (int r = y * cells_a_pixel_; r < bottom; ++r)
         for (int c = x * cells_a_pixel_; c < right; ++c)
-          if (grid_.free({c, r})) most = std::max(most, progress.pheromone({c, r}));
-      values.at(x, y) = static_cast<float>(most);
+          if (grid_.free({c, r})) {
+            const double held = progress.pheromone({c, r});
+            shown = index_ ? std::fmin(shown, held) : std::fmax(shown, held);
+          }
+      values.at(x, y) = static_cast<float>(shown);
     }
   }
 }
@@ -64,8 +95,10 @@ bool PictureRecorder::touched_near(int x, int y) const {
 std::vector<PictureRecorder::Tracks> PictureRecorder::tracks() const {
   auto tracks = kept_;
   const bool cut = done_ > 0 && !chosen_.empty() && chosen_.back() > done_;
-  if (cut && (tracks.empty() || tracks.back().iterations != done_))
-    tracks.push_back({done_, visits_});
+  if (cut && (tracks.empty() || tracks.back().iterations != done_)) {
+    tracks.push_back(*newest_);
+    tracks.back().so_far = visits_;
+  }
   return tracks;
 }
 

@@ -3,8 +3,11 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "lasius/params.h"
 #include "lasius/planner.h"
 #include "tools/draw/raster.h"
 
@@ -14,24 +17,32 @@ namespace lasius::tool {
 /// memory does not grow with the map.
 class PictureRecorder {
  public:
-  /// Ant visits by pixel, all iterations up to and with number `iterations`.
+  /// Ants by pixel: those of one iteration, and of all up to it.
   struct Tracks {
-    int iterations;
-    Raster<std::uint32_t> visits;
+    int iterations;  ///< its number, from 1
+    int ants, arrived;
+    double mean;  ///< tour of those that arrived; NaN if none
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> now;  ///< index of a pixel, ants there
+    Raster<std::uint32_t> so_far;
+    /// The ants of the iteration itself.
+    Raster<std::uint32_t> raster() const;
   };
-  /// Largest pheromone under each pixel after `iterations` iterations.
+  /// Largest pheromone, or least terminal index, under each pixel after `iterations` iterations;
+  /// NaN where no cell is free, or was read.
   struct Pheromone {
     int iterations = 0;
     Raster<float> values;
   };
 
-  /// `chosen`: after which iterations tracks are kept, rising; `last`: the run's last iteration.
-  PictureRecorder(const Grid& grid, std::vector<int> chosen, int last);
+  /// `chosen`: after which iterations tracks are kept, rising; empty: 1, the critical time or 10,
+  /// 50, and the last of `params`.
+  PictureRecorder(const Grid& grid, std::vector<int> chosen, const Params& params);
 
   void observe(const GridProgress& progress);
 
   /// The chosen iterations that the run reached; its last one where it ended before some.
   std::vector<Tracks> tracks() const;
+  /// Of a terminal-index run: the index.
   const Pheromone& pheromone() const { return pheromone_; }
   /// Both rasters: pixel (x, y) holds the cells (x, y) * cells_a_pixel() and up.
   int cells_a_pixel() const { return cells_a_pixel_; }
@@ -43,9 +54,12 @@ class PictureRecorder {
   const Grid& grid_;
   std::vector<int> chosen_;
   int last_;
+  bool index_;  ///< it is a terminal index that the cells hold
   int cells_a_pixel_;
   int done_ = 0;
-  Raster<std::uint32_t> visits_;
+  Raster<std::uint32_t> visits_;  ///< all so far
+  Raster<std::uint32_t> now_;     ///< scratch: 0 between two calls
+  std::optional<Tracks> newest_;  ///< without `so_far`
   std::vector<Tracks> kept_;
   Pheromone pheromone_;
   std::chrono::steady_clock::time_point next_capture_{};

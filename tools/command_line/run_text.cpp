@@ -157,7 +157,7 @@ RunOptions make_run(const RunText& text) {
     run.notes.push_back("--prepare has no effect: it is for exact, and for --gap");
   if (!text.tracks.empty() && std::ranges::none_of(run.outputs, is_picture))
     run.notes.push_back("--tracks has no effect without -o of a picture, .svg or .png");
-  run.track_iterations = list_value("--tracks", text.tracks.empty() ? "10,50,120" : text.tracks);
+  if (!text.tracks.empty()) run.track_iterations = list_value("--tracks", text.tracks);
   return run;
 }
 

@@ -74,7 +74,9 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
              "null where a time limit or a signal ended the search for it, or where --corners "
              "allow lets moves squeeze through where no path of the plane may");
   option("--tracks", text.tracks,
-         "Iterations after which a picture shows the tracks (default 10,50,120)", "N,N,...");
+         "Iterations of which a picture shows the tracks (default: 1, the critical time, 50, the "
+         "last)",
+         "N,N,...");
 }
 
 void add_world_options(CLI::App& app, WorldText& text) {

@@ -24,10 +24,16 @@ struct Range {
 /// Round numbers that cover [low, high] in about `count` steps, low < high.
 std::vector<double> ticks(double low, double high, int count);
 
+/// Round values within a range: on a logarithmic axis 1, 2, 5 times powers of ten.
+std::vector<double> axis_marks(const Range& range, bool logarithmic, int count);
+
+/// A number as "0.0025", "40" or "3e-07".
+std::string short_number(double value);
+
 /// Two axes around a box.
 struct Axes {
-  Box box;  ///< without labels
-  Range x, y;
+  Box box;                   ///< without labels
+  Range x, y;                ///< of a map or a view either may fall: low is left, and below
   bool logarithmic = false;  ///< y, for values of which some are many times others
 
   Point at(double px, double py) const;
@@ -41,6 +47,12 @@ void draw_rows(Canvas& canvas, const Axes& axes, int count);
 /// `whole`: at whole numbers only.
 void draw_columns(Canvas& canvas, const Axes& axes, int count, const std::string& label,
                   bool whole);
+
+/// Frame, marks and names around a map or a view; they need kPlaneLeft to its left and
+/// kPlaneBottom below. `whole`: marks at whole numbers only.
+void draw_plane_axes(Canvas& canvas, const Axes& axes, const std::string& across,
+                     const std::string& up, bool whole = false);
+inline constexpr double kPlaneLeft = 58, kPlaneBottom = 38;
 
 /// What y is, turned, `left` of the box.
 void draw_side_label(Canvas& canvas, const Box& box, double left, const std::string& label);

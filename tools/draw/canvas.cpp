@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <ostream>
+#include <sstream>
 #include <stdexcept>
 
 #include "core/base/output.h"
@@ -84,12 +84,13 @@ void Canvas::fill(const Box& box, Colour colour) {
   cairo_fill(context_.get());
 }
 
-void Canvas::area(std::span<const Point> points, Colour colour, double opacity) {
+void Canvas::area(std::span<const Point> points, Colour colour, double opacity, bool rim) {
   cairo_t* const c = context_.get();
   cairo_new_path(c);
   for (const Point p : points) cairo_line_to(c, p.x, p.y);
   cairo_close_path(c);
   cairo_set_source_rgba(c, colour.red, colour.green, colour.blue, opacity);
+  if (!rim) return cairo_fill(c);
   cairo_fill_preserve(c);
   ink(colour);
   cairo_set_line_width(c, 1);
@@ -127,6 +128,21 @@ void Canvas::disc(Point at, double radius, Colour colour) {
   rimmed(colour);
 }
 
+void Canvas::outlined(Colour colour) {
+  for (const auto& [line, width] : {std::pair(Colour{1, 1, 1}, 4.5), std::pair(colour, 2.25)}) {
+    ink(line);
+    cairo_set_line_width(context_.get(), width);
+    cairo_stroke_preserve(context_.get());
+  }
+  cairo_new_path(context_.get());
+}
+
+void Canvas::ring(Point at, double radius, Colour colour) {
+  cairo_new_path(context_.get());
+  cairo_arc(context_.get(), at.x, at.y, radius, 0, 2 * std::numbers::pi);
+  outlined(colour);
+}
+
 void Canvas::diamond(Point at, double radius, Colour colour) {
   cairo_t* const c = context_.get();
   cairo_new_path(c);
@@ -135,7 +151,7 @@ void Canvas::diamond(Point at, double radius, Colour colour) {
   cairo_line_to(c, at.x, at.y + radius);
   cairo_line_to(c, at.x - radius, at.y);
   cairo_close_path(c);
-  rimmed(colour);
+  outlined(colour);
 }
 
 void Canvas::image(const Raster<Colour>& pixels, const Box& box) {
@@ -178,6 +194,7 @@ double Canvas::text_width(const std::string& text, double size, bool bold) {
 
 void Canvas::text(Point at, const std::string& text, double size, Align align, Colour colour,
                   bool bold, bool turned) {
+  words_.push_back(text);
   const double width = text_width(text, size, bold);
   const double shift = align == Align::left ? 0 : align == Align::centre ? -width / 2 : -width;
   cairo_t* const c = context_.get();
@@ -190,10 +207,30 @@ void Canvas::text(Point at, const std::string& text, double size, Align align, C
   cairo_restore(c);
 }
 
+std::string Canvas::description() const {
+  std::string text = "<desc>\n";
+  for (const std::string& words : words_) {
+    for (const char c : utf8(words)) {
+      if (c == '&')
+        text += "&amp;";
+      else if (c == '<')
+        text += "&lt;";
+      else if (c == '>')
+        text += "&gt;";
+      else
+        text += static_cast<unsigned char>(c) < 0x20 ? '?' : c;  // XML has none of them
+    }
+    text += '\n';
+  }
+  return text + "</desc>\n";
+}
+
 void Canvas::save(const std::string& file) const {
   check(cairo_status(context_.get()));
-  write_file(file, [&](std::ostream& out) {
+  write_file(file, [&](std::ostream& stream) {
     const bool svg = has_ending(file, ".svg");
+    std::ostringstream whole;
+    std::ostream& out = svg ? whole : stream;
     const Surface surface(
         svg ? cairo_svg_surface_create_for_stream(to_stream, &out, width_, height_)
             : cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_, height_));
@@ -208,6 +245,11 @@ void Canvas::save(const std::string& file) const {
     if (!svg) check(cairo_surface_write_to_png_stream(surface.get(), to_stream, &out));
     cairo_surface_finish(surface.get());
     check(cairo_surface_status(surface.get()));
+    if (!svg) return;
+    const std::string drawn = whole.str();
+    const std::size_t head = drawn.find('>', drawn.find("<svg")) + 1;
+    stream << std::string_view(drawn).substr(0, head) << '\n'
+           << description() << std::string_view(drawn).substr(head);
   });
 }
 

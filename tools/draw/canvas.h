@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "lasius/geometry.h"
 #include "tools/draw/raster.h"
@@ -29,8 +30,8 @@ class Canvas {
   void dashed(Point from, Point to, Colour colour, double width);
   void frame(const Box& box, Colour colour, double width);
   void fill(const Box& box, Colour colour);
-  /// A closed area, `opacity` 0 .. 1, with a thin rim of the same colour.
-  void area(std::span<const Point> points, Colour colour, double opacity);
+  /// A closed area, `opacity` 0 .. 1, with or without a thin rim of the same colour.
+  void area(std::span<const Point> points, Colour colour, double opacity, bool rim = true);
   /// The same, `opacity` 0 .. 1. All lines have round ends and corners.
   void stroke(std::span<const Point> points, Colour colour, double width, double opacity);
   /// Until `unclip`, what is drawn outside of the box is left out.
@@ -38,7 +39,9 @@ class Canvas {
   void unclip();
   /// A filled circle with a white rim.
   void disc(Point at, double radius, Colour colour);
-  /// A filled square on its corner, with a white rim.
+  /// A circle and a square on its corner, as coloured lines with white rims: what is inside stays
+  /// visible.
+  void ring(Point at, double radius, Colour colour);
   void diamond(Point at, double radius, Colour colour);
   /// One colour a pixel, stretched over a box without smoothing where a pixel grows.
   void image(const Raster<Colour>& pixels, const Box& box);
@@ -47,7 +50,8 @@ class Canvas {
             bool bold = false, bool turned = false);
   double text_width(const std::string& text, double size, bool bold = false);
 
-  /// Writes the page by the file's ending, .svg or .png. @throws Error(output_failed).
+  /// Writes the page by the file's ending, .svg or .png; an SVG holds the words, which are drawn as
+  /// shapes, as its description, too. @throws Error(output_failed).
   void save(const std::string& file) const;
 
  private:
@@ -60,10 +64,13 @@ class Canvas {
 
   void ink(Colour colour);
   void rimmed(Colour colour);
+  void outlined(Colour colour);
+  std::string description() const;
   void select_font(double size, bool bold);
 
   int width_;
   int height_;
+  std::vector<std::string> words_;  ///< all texts drawn
   Surface page_;
   Context context_;
 };

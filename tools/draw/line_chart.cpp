@@ -6,6 +6,7 @@
 
 #include "tools/draw/axes.h"
 #include "tools/draw/colours.h"
+#include "tools/draw/legend.h"
 
 namespace lasius::study {
 namespace {
@@ -20,28 +21,36 @@ using tool::kInk;
 using tool::kLabelSize;
 using tool::Range;
 
-constexpr double kLeft = 84, kTop = 40, kBelowAxis = 54, kLegendLine = 22;
-constexpr int kLegendColumns = 2;
+constexpr double kLeft = 84, kTop = 40, kBelowAxis = 54;
+constexpr const char* kIteration = "iteration";  // a whole number
 
 /// From what matters: the lowest value up to the highest that a curve has after its first tenth.
 Range lengths_shown(const LineChart& chart) {
   Range range;
-  if (chart.level) range.add(*chart.level);
+  for (const auto& level : chart.levels) range.add(level.value);
   for (const Curve& curve : chart.curves) {
     if (curve.y.empty()) continue;
     const auto settled = curve.dots ? 0 : curve.y.size() / 10;
     for (std::size_t i = settled; i < curve.y.size(); ++i) range.add(curve.y[i]);
     for (std::size_t i = settled; i < curve.low.size(); ++i) range.add(curve.low[i]);
   }
-  if (!chart.lengths) {
-    for (const Curve& curve : chart.curves)
-      for (const double y : curve.y) range.add(y);
-    const double room = std::max(0.06 * (range.high - range.low), 1e-3);
-    return {range.low - room, range.high + room};
-  }
-  if (range.empty()) range = {0, 1};
+  if (range.empty()) return {0, 1};
   const double spread = std::max(range.high - range.low, 0.01 * std::max(1.0, range.high));
   return {std::max(0.0, range.low - 0.06 * spread), range.high + 0.1 * spread};
+}
+
+/// All values; whether the axis is logarithmic is decided here.
+Range all_shown(const LineChart& chart, bool& logarithmic) {
+  Range range;
+  for (const auto& level : chart.levels) range.add(level.value);
+  for (const Curve& curve : chart.curves)
+    for (const double y : curve.y) range.add(y);
+  if (range.empty()) return {0, 1};
+  logarithmic = chart.logarithmic && range.low > 0 && range.high > 3 * range.low;
+  if (logarithmic) return {range.low / 1.1, range.high * 1.1};
+  const double least = std::max(0.016, 0.1 * range.high);
+  const double room = 0.06 * std::max(range.high - range.low, least);
+  return {range.low - room, range.high + room};
 }
 
 Range span_of_x(const LineChart& chart) {
@@ -52,49 +61,43 @@ Range span_of_x(const LineChart& chart) {
   return range.low < range.high ? range : Range{0, 1};
 }
 
-void draw_curve(Canvas& canvas, const Axes& axes, const Curve& curve) {
-  if (curve.dots) {
-    for (std::size_t i = 0; i < curve.y.size(); ++i) {
-      if (!axes.shows(curve.y[i])) continue;
-      const Point p = axes.at(curve.x[i], curve.y[i]);
-      canvas.fill({p.x - 1.5, p.y - 1.5, 3, 3}, curve.colour);
-    }
-    return;
-  }
-  const Colour pale = tool::blend(curve.colour, {1, 1, 1}, 0.55);
-  draw_curve(canvas, axes, curve.x, curve.low, true, pale, 1);
-  draw_curve(canvas, axes, curve.x, curve.high, true, pale, 1);
-  draw_curve(canvas, axes, curve.x, curve.y, true, curve.colour, 2.25);
-}
-
-/// The text, or as much of it as there is room for.
-std::string fitted(Canvas& canvas, const std::string& text, double width) {
-  if (canvas.text_width(text, kLabelSize) <= width) return text;
-  std::size_t kept = text.size();
-  const auto within = [&] { return (text[kept] & 0xc0) == 0x80; };  // a character of UTF-8
-  while (kept > 0 &&
-         (within() || canvas.text_width(text.substr(0, kept) + "...", kLabelSize) > width))
-    --kept;
-  return text.substr(0, kept) + "...";
-}
-
-void draw_legend(Canvas& canvas, const Box& box, const LineChart& chart) {
-  const auto place = [&](std::size_t i) {
-    return Point{box.x + static_cast<double>(i % kLegendColumns) * box.width / kLegendColumns,
-                 box.y + static_cast<double>(i / kLegendColumns) * kLegendLine + 10};
+/// What lies between two stairs.
+void draw_band(Canvas& canvas, const Axes& axes, const Curve& curve) {
+  std::vector<Point> rim;
+  const auto add = [&](std::size_t i, const std::vector<double>& side, double x) {
+    const double y = std::isfinite(side[i]) ? side[i] : 2 * axes.y.high;
+    rim.push_back(axes.at(x, std::clamp(y, axes.y.low, axes.y.high)));
   };
-  std::size_t i = 0;
-  for (const Curve& curve : chart.curves) {
-    const Point at = place(i++);
-    canvas.line(at, {at.x + 26, at.y}, curve.colour, curve.dots ? 4 : 2.5);
-    canvas.text({at.x + 34, at.y + 5}, fitted(canvas, curve.label, box.width / kLegendColumns - 42),
-                kLabelSize, Align::left, kInk);
+  const auto until = [&](std::size_t i) { return curve.x[std::min(i + 1, curve.x.size() - 1)]; };
+  for (std::size_t i = 0; i < curve.high.size(); ++i) {
+    add(i, curve.high, curve.x[i]);
+    add(i, curve.high, until(i));
   }
-  if (chart.level) {
-    const Point at = place(i);
-    canvas.dashed(at, {at.x + 26, at.y}, kInk, 1.5);
-    canvas.text({at.x + 34, at.y + 5}, chart.level_label, kLabelSize, Align::left, kInk);
+  for (std::size_t i = curve.low.size(); i-- > 0;) {
+    add(i, curve.low, until(i));
+    add(i, curve.low, curve.x[i]);
   }
+  if (!rim.empty()) canvas.area(rim, curve.colour, 0.12, false);
+}
+
+void draw_curve(Canvas& canvas, const Axes& axes, const Curve& curve) {
+  if (!curve.dots)
+    return draw_curve(canvas, axes, curve.x, curve.y, curve.stairs, curve.colour, curve.width);
+  for (std::size_t i = 0; i < curve.y.size(); ++i) {
+    if (!axes.shows(curve.y[i])) continue;
+    const Point p = axes.at(curve.x[i], curve.y[i]);
+    canvas.fill({p.x - 1.5, p.y - 1.5, 3, 3}, curve.colour);
+  }
+}
+
+std::vector<tool::Key> keys_of(const LineChart& chart) {
+  std::vector<tool::Key> keys;
+  for (const Curve& curve : chart.curves)
+    keys.push_back(tool::line_key(curve.label, curve.colour, curve.dots ? 4 : 2.5));
+  if (chart.level_keys)
+    for (const auto& level : chart.levels)
+      keys.push_back(tool::dashed_key(level.label, level.colour));
+  return keys;
 }
 
 }  // namespace
@@ -112,24 +115,28 @@ Colour palette(std::size_t index) {
 }
 
 void draw(Canvas& canvas, const Box& box, const LineChart& chart) {
-  const std::size_t entries = chart.curves.size() + (chart.level ? 1 : 0);
-  const double legend =
-      static_cast<double>((entries + kLegendColumns - 1) / kLegendColumns) * kLegendLine;
-  const Axes axes{{box.x + kLeft, box.y + kTop, box.width - kLeft - 10,
-                   box.height - kTop - kBelowAxis - legend},
-                  span_of_x(chart),
-                  lengths_shown(chart)};
+  const double top = chart.title.empty() ? 8 : kTop, width = box.width - kLeft - 10;
+  const tool::Legend legend(canvas, keys_of(chart), width);
+  Axes axes{{box.x + kLeft, box.y + top, width,
+             std::max(20.0, box.height - top - kBelowAxis - legend.height())},
+            span_of_x(chart),
+            {}};
+  axes.y = chart.lengths ? lengths_shown(chart) : all_shown(chart, axes.logarithmic);
   const Box& inner = axes.box;
   canvas.text({box.x + box.width / 2, box.y + 22}, chart.title, 17, Align::centre, kInk, true);
-  draw_rows(canvas, axes, static_cast<int>(inner.height / 50));
-  draw_columns(canvas, axes, static_cast<int>(inner.width / 100), chart.x_label, false);
-  draw_side_label(canvas, inner, kLeft - 18, chart.y_label);
-  if (chart.level)
-    canvas.dashed(axes.at(axes.x.low, *chart.level), axes.at(axes.x.high, *chart.level), kInk, 1.5);
+  draw_rows(canvas, axes, std::max(3, static_cast<int>(inner.height / 50)));
+  draw_columns(canvas, axes, static_cast<int>(inner.width / 100), chart.x_label,
+               chart.x_label == kIteration);
+  draw_side_label(canvas, inner, kLeft - 18, chart.y_label + (axes.logarithmic ? " (log)" : ""));
+  for (const Curve& curve : chart.curves) draw_band(canvas, axes, curve);
+  for (const Level& level : chart.levels)
+    if (axes.shows(level.value))
+      canvas.dashed(axes.at(axes.x.low, level.value), axes.at(axes.x.high, level.value),
+                    level.colour, 1.5);
   for (auto curve = chart.curves.rbegin(); curve != chart.curves.rend(); ++curve)
     draw_curve(canvas, axes, *curve);
   canvas.frame(inner, kInk, 1);
-  draw_legend(canvas, {inner.x, inner.y + inner.height + kBelowAxis, inner.width, legend}, chart);
+  legend.draw(canvas, {inner.x, inner.y + inner.height + kBelowAxis});
 }
 
 Canvas chart_page(const std::vector<LineChart>& charts, int width, int height) {
@@ -142,6 +149,41 @@ Canvas chart_page(const std::vector<LineChart>& charts, int width, int height) {
     box.x += width + kMargin;
   }
   return canvas;
+}
+
+void draw_course(Canvas& canvas, const Box& box, const Course& course) {
+  static constexpr std::array<Colour, 3> kBest{
+      {{0.8, 0.15, 0.15}, {0.9, 0.62, 0.0}, {0.55, 0.3, 0.1}}};
+  static constexpr std::array<Colour, 3> kTours{
+      {{0.25, 0.45, 0.7}, {0.0, 0.62, 0.45}, {0.8, 0.47, 0.65}}};
+  const auto chart_of = [&](const std::vector<Course::Series>& all, const auto& colours) {
+    LineChart chart{.title = "",
+                    .x_label = kIteration,
+                    .y_label = "length, " + course.unit,
+                    .levels = course.levels,
+                    .lengths = false,
+                    .logarithmic = true,
+                    .level_keys = &all == &course.best};
+    for (const auto& [label, values] : all) {
+      if (values.empty()) continue;
+      Curve curve{.label = label,
+                  .colour = colours[chart.curves.size() % colours.size()],
+                  .stairs = false,
+                  .width = &all == &course.best ? 2.5 : 1.5};
+      for (const double value : values) {
+        curve.x.push_back(static_cast<double>(curve.x.size() + 1));
+        curve.y.push_back(course.scale * value);
+      }
+      chart.curves.push_back(std::move(curve));
+    }
+    return chart;
+  };
+  const bool beside = box.width > 2 * box.height;
+  Box part{box.x, box.y, beside ? std::floor(box.width / 2) : box.width,
+           beside ? box.height : std::floor(box.height / 2)};
+  draw(canvas, part, chart_of(course.best, kBest));
+  (beside ? part.x : part.y) += beside ? part.width : part.height;
+  draw(canvas, part, chart_of(course.tours, kTours));
 }
 
 }  // namespace lasius::study

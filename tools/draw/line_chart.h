@@ -16,19 +16,29 @@ struct Curve {
   std::vector<double> y = {};    ///< NaN or infinite where there is none
   std::vector<double> low = {};  ///< of a band around it; empty: none
   std::vector<double> high = {};
-  bool dots = false;  ///< points that are not joined
+  bool dots = false;    ///< points that are not joined
+  bool stairs = true;   ///< a value holds until the next; else joined by lines
+  double width = 2.25;  ///< pixels
+};
+
+/// A dashed line.
+struct Level {
+  std::string label;
+  double value;
+  tool::Colour colour{0.15, 0.17, 0.2};
 };
 
 struct LineChart {
-  std::string title, x_label, y_label;
+  std::string title, x_label, y_label;  ///< an empty title takes no room
   std::vector<Curve> curves = {};
-  std::optional<double> level = {};  ///< a dashed line
-  std::string level_label = {};
-  bool lengths = true;  ///< values are 0 or more, and far larger ones at first may be left out
+  std::vector<Level> levels = {};
+  bool lengths = true;       ///< values are 0 or more, and far larger ones at first may be left out
+  bool logarithmic = false;  ///< y, where some values are many times others
+  bool level_keys = true;    ///< the legend names the levels
 };
 
-/// Draws over the whole box: title, axes, curves, and the legend below. The vertical axis leaves
-/// out what lies far above the last values of the curves.
+/// Draws over the whole box: title, axes, curves, and the legend below. With `lengths` the vertical
+/// axis leaves out what lies far above the last values of the curves.
 void draw(tool::Canvas& canvas, const tool::Box& box, const LineChart& chart);
 
 /// A page of charts side by side, each of this size.
@@ -37,5 +47,19 @@ tool::Canvas chart_page(const std::vector<LineChart>& charts, int width, int hei
 /// The colour of curve or path number `index`, told apart by people who see colours differently
 /// (Okabe and Ito 2008).
 tool::Colour palette(std::size_t index);
+
+/// The course of a search, in two charts above or beside each other: the best so far, and an
+/// iteration's tours, each with the dashed levels.
+struct Course {
+  struct Series {
+    std::string label;
+    const std::vector<double>& values;  ///< by iteration; NaN where there is none
+  };
+  std::vector<Series> best, tours;  ///< a series without values is left out
+  std::vector<Level> levels = {};
+  std::string unit = "cells";
+  double scale = 1;  ///< of all values: units by what they are given in
+};
+void draw_course(tool::Canvas& canvas, const tool::Box& box, const Course& course);
 
 }  // namespace lasius::study

@@ -15,7 +15,10 @@ using tool::Canvas;
 using tool::Colour;
 using tool::kInk;
 
-/// The walls of a map, framed, over the whole box.
+inline constexpr Colour kMapWall{0.42, 0.45, 0.49};
+
+/// The walls of a map over the whole box, and axes around it: they take tool::kPlaneLeft and
+/// tool::kPlaneBottom.
 void paint_walls(Canvas& canvas, const Box& box, const Grid& grid);
 
 /// Start and goal, `scale` pixels a cell.

@@ -1,35 +1,42 @@
-// A page of panels, each with its letter and caption below.
+// A page of panels in bands, each panel with its letter and caption below.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "tools/draw/canvas.h"
+#include "tools/draw/legend.h"
 
 namespace lasius::tool {
 
-/// No side of a picture of a map is longer, in pixels.
+/// No side of a picture of a map is longer, in pixels, unless its captions take many lines.
 inline constexpr int kMostSide = 2000;
 
 struct Panel {
   std::string caption;
+  /// Of a map: onto the box, its axes around it. Of a chart: within the box.
   std::function<void(Canvas&, const Box&)> draw;
-  bool chart = false;  ///< fills its place; the others keep the map's shape
+  bool chart = false;
+  double below = 0;  ///< pixels that it takes below its axes
 };
 
-/// How panels are arranged; sides in pixels.
-struct Layout {
-  int columns = 1;
-  double map_width = 0, map_height = 0;
-  double place_width = 0, place_height = 0;  ///< of a panel, as large as the map at least
+/// Rows of equally many panels; those at the same place of each row stay above each other.
+struct Band {
+  std::vector<std::vector<Panel>> rows;
+  bool small = false;
 };
 
-/// The arrangement that shows a map of so many cells largest.
-Layout map_layout(int panels, int cells_wide, int cells_high);
+struct Page {
+  std::string title;
+  std::string note = {};  ///< below the title
+  std::vector<Key> legend = {};
+  double wide = 1, high = 1;     ///< what each map panel shows, in cells or the world's units
+  bool cells = true;             ///< cells are whole pixels where that makes no panel much smaller
+  std::vector<Band> bands = {};  ///< one or two
+};
 
-/// Writes the page by the file's ending. @throws Error(output_failed).
-void write_page(const std::string& file, const std::string& title, const Layout& layout,
-                const std::vector<Panel>& panels);
+/// Arranges the bands so that the maps are shown large, and writes the page by the file's ending.
+/// @throws Error(output_failed).
+void write_page(const std::string& file, const Page& page);
 
 }  // namespace lasius::tool

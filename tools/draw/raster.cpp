@@ -21,20 +21,23 @@ int count_blocked(const std::uint64_t* row, int from, int to) {
 
 }  // namespace
 
-Span cells_under(int pixel, int pixels, int cells) {
+Window whole(const Grid& grid) { return {{0, grid.width()}, {0, grid.height()}}; }
+
+Span cells_under(int pixel, int pixels, const Span& shown) {
   const auto edge = [&](int p) {
-    return static_cast<int>(static_cast<std::int64_t>(p) * cells / pixels);
+    return shown.from +
+           static_cast<int>(static_cast<std::int64_t>(p) * (shown.to - shown.from) / pixels);
   };
   const int from = edge(pixel);
   return {from, std::max(from + 1, edge(pixel + 1))};
 }
 
-Raster<float> blocked_share(const Grid& grid, int width, int height) {
+Raster<float> blocked_share(const Grid& grid, const Window& window, int width, int height) {
   Raster<float> share(width, height);
   for (int y = 0; y < height; ++y) {
-    const Span rows = cells_under(y, height, grid.height());
+    const Span rows = cells_under(y, height, window.rows);
     for (int x = 0; x < width; ++x) {
-      const Span columns = cells_under(x, width, grid.width());
+      const Span columns = cells_under(x, width, window.columns);
       int blocked = 0;
       for (int r = rows.from; r < rows.to; ++r)
         blocked += count_blocked(grid.row(r), columns.from, columns.to);

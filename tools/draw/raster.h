@@ -34,11 +34,20 @@ struct Span {
   int to = 0;
 };
 
-/// The cells under pixel `pixel` of `pixels` along a side of `cells` cells: at least one.
-Span cells_under(int pixel, int pixels, int cells);
+/// The cells of `shown` under pixel `pixel` of `pixels`: at least one.
+Span cells_under(int pixel, int pixels, const Span& shown);
+
+/// Cells of a map that are shown.
+struct Window {
+  Span columns, rows;
+
+  int width() const { return columns.to - columns.from; }
+  int height() const { return rows.to - rows.from; }
+};
+Window whole(const Grid& grid);
 
 /// Share of blocked cells under each pixel, in [0, 1].
-Raster<float> blocked_share(const Grid& grid, int width, int height);
+Raster<float> blocked_share(const Grid& grid, const Window& window, int width, int height);
 
 struct Colour {
   double red, green, blue;

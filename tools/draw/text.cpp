@@ -24,4 +24,31 @@ std::string seconds_text(double seconds) {
   return fixed(seconds, std::max(0, std::min(decimals, 5)));
 }
 
+std::string against(double length, double optimum, const std::string& name,
+                    const std::string& shown) {
+  const double gap = 100 * (length / optimum - 1);
+  if (!std::isfinite(gap)) return {};
+  const std::string percent = fixed(std::abs(gap), 2);
+  const std::string how =
+      percent == "0.00" ? "equal to" : percent + (gap < 0 ? "% below" : "% above");
+  return ", " + how + " the " + name + " " + shown;
+}
+
+std::string no_path_text(Status status) {
+  switch (status) {
+    case Status::limit:
+      return "no path within the time limit";
+    case Status::interrupted:
+      return "no path before the interruption";
+    case Status::unreachable:
+      return "no path: the goal is unreachable, proven";
+    case Status::invalid:
+      return "no path: start or goal is outside or blocked";
+    case Status::solved:
+    case Status::no_path:
+      break;
+  }
+  return "no path found in all iterations";
+}
+
 }  // namespace lasius::study

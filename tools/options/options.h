@@ -60,7 +60,7 @@ struct RunOptions : SearchOptions {
   MapOptions map;
   Params params;
   Frame frame = Frame::cell;
-  std::vector<int> track_iterations;  ///< of the pictures, rising, from 1
+  std::vector<int> track_iterations;  ///< of the pictures, rising, from 1; empty: the usual
 };
 
 struct PlanCommand {

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "tools/draw/canvas.h"
-#include "tools/draw/chart.h"
 #include "tools/draw/colours.h"
+#include "tools/draw/line_chart.h"
 #include "tools/draw/page.h"
 #include "tools/draw/text.h"
 
@@ -24,6 +24,10 @@ class View {
   View(const LoadedWorld& world, const Box& box) : low_(world.low()), box_(box) {
     const Point high = world.high();
     scale_ = std::min(box.width / (high.x - low_.x), box.height / (high.y - low_.y));
+    axes_ = {.box = box, .x = {low_.x, high.x}, .y = {low_.y, high.y}};
+  }
+  void draw_axes(Canvas& canvas) const {
+    draw_plane_axes(canvas, axes_, "x, the world's units", "y, the world's units");
   }
   Point at(Point p) const {
     return {box_.x + (p.x - low_.x) * scale_, box_.y + box_.height - (p.y - low_.y) * scale_};
@@ -38,6 +42,7 @@ class View {
   Point low_;
   Box box_;
   double scale_;
+  Axes axes_;
 };
 
 double area(const polygon::Ring& ring) {
@@ -77,10 +82,15 @@ void draw_graph(Canvas& canvas, const View& view, const LoadedWorld& world,
 
 std::string path_caption(const PolygonAnswer& answer) {
   const auto& result = answer.result;
-  if (result.path.empty()) return std::string(to_string(result.status)) + ": no path";
+  if (result.path.empty()) return study::no_path_text(result.status);
   std::string text = "path, length " + study::fixed(result.length, 3);
   if (result.optimal) return text + ", proven shortest";
-  if (result.gap()) text += ", " + study::fixed(100 * *result.gap(), 3) + "% above the optimum";
+  const auto compare = [&](const char* name, double optimum) {
+    text += study::against(result.length, optimum, name, study::fixed(optimum, 3));
+  };
+  if (answer.optimum) compare("optimum", *answer.optimum);
+  if (result.discrete_optimum)
+    compare("optimum of the algorithm's own crossings", result.discrete_optimum->length);
   return text;
 }
 
@@ -88,18 +98,13 @@ std::string file_name(const LoadedWorld& world) {
   return std::filesystem::path(world.options.file).filename().string();
 }
 
-/// Panels in a row.
-Layout layout_of(const LoadedWorld& world, std::size_t panels) {
-  constexpr double kLongSide = 620, kLeastSide = 40;
+Page page_of(const LoadedWorld& world, std::string title) {
   const Point low = world.low(), high = world.high();
-  const double scale = kLongSide / std::max(high.x - low.x, high.y - low.y);
-  const double width = std::max(kLeastSide, scale * (high.x - low.x));
-  const double height = std::max(kLeastSide, scale * (high.y - low.y));
-  return {.columns = static_cast<int>(panels),
-          .map_width = width,
-          .map_height = height,
-          .place_width = std::max(width, 420.0),
-          .place_height = std::max(height, 320.0)};
+  return {.title = std::move(title),
+          .legend = {area_key("obstacle", kWall), area_key("margin, or outside", kPaleWall)},
+          .wide = high.x - low.x,
+          .high = high.y - low.y,
+          .cells = false};
 }
 
 }  // namespace
@@ -113,43 +118,69 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
     panels.push_back({caption, [&world, &answer, &pieces, draw](Canvas& canvas, const Box& box) {
                         const View view(world, box);
                         draw_world(canvas, view, world, box, pieces);
+                        canvas.diamond(view.at(answer.goal), 11, kGoal);
+                        canvas.ring(view.at(answer.start), 8, kStart);
                         draw(canvas, view);
-                        canvas.disc(view.at(answer.start), 7, kStart);
-                        canvas.diamond(view.at(answer.goal), 9, kGoal);
-                        canvas.frame(box, kInk, 1);
+                        view.draw_axes(canvas);
                       }});
   };
-  if (result.dijkstra)
+  Page page = page_of(world, answer.parameters.algorithm() + " on " + file_name(world) + ", seed " +
+                                 std::to_string(answer.parameters.seed));
+  page.legend.insert(page.legend.begin(), {start_key(), goal_key()});
+  if (result.dijkstra) {
+    page.legend.push_back(dashed_key("MAKLINK line", kLine));
+    page.legend.push_back({"its midpoint",
+                           [](Canvas& canvas, Point p) {
+                             canvas.disc({p.x + 4, p.y}, 3, kMidpoint);
+                           },
+                           8});
+    page.legend.push_back(line_key("Dijkstra's path over midpoints", kDijkstra, 2.5));
     add("MAKLINK lines, midpoints, Dijkstra's path, length " +
             study::fixed(result.dijkstra->length, 3),
         world.planner.maklink().free_space,
         [&](Canvas& canvas, const View& view) { draw_graph(canvas, view, world, answer); });
+  }
+  if (!result.path.empty()) page.legend.push_back(line_key("path", kPath, 3));
   add(path_caption(answer), world.planner.free_space(),
       [&](Canvas& canvas, const View& view) { canvas.polyline(view.at(result.path), kPath, 3); });
   if (!result.best.empty())
-    panels.push_back({"convergence",
-                      [&](Canvas& canvas, const Box& box) {
-                        draw_convergence(
-                            canvas, box,
-                            {result.best, result.mean, result.lower_bound, "the world's units"});
-                      },
-                      true});
-  write_page(file,
-             answer.parameters.algorithm() + " on " + file_name(world) + ", seed " +
-                 std::to_string(answer.parameters.seed),
-             layout_of(world, panels.size()), panels);
+    panels.push_back(
+        {"convergence",
+         [&](Canvas& canvas, const Box& box) {
+           const bool genetic = polygon::find_algorithm(answer.parameters.algorithm()).kind ==
+                                Algorithm::Kind::genetic;
+           study::Course course{
+               .best = {{"best path so far", result.best}},
+               .tours = {{genetic ? "mean of the population" : "mean tour of the ants",
+                          result.mean}},
+               .unit = "the world's units"};
+           if (answer.optimum)
+             course.levels.push_back(
+                 {"optimum " + study::fixed(*answer.optimum, 3), *answer.optimum});
+           if (result.discrete_optimum)
+             course.levels.push_back({"optimum of its own crossings " +
+                                          study::fixed(result.discrete_optimum->length, 3),
+                                      result.discrete_optimum->length,
+                                      {0.55, 0.25, 0.6}});
+           study::draw_course(canvas, box, course);
+         },
+         true});
+  page.bands.push_back({{std::move(panels)}});
+  write_page(file, page);
 }
 
 void write_paths_picture(const std::string& file, const LoadedWorld& world,
                          const std::vector<std::vector<Point>>& paths) {
   const std::string count = std::to_string(paths.size()) + " paths";
-  const Panel panel{count, [&](Canvas& canvas, const Box& box) {
+  Page page = page_of(world, count + " on " + file_name(world));
+  page.legend.push_back(line_key("path", kPath, 1.5));
+  page.bands = {{{{{count, [&](Canvas& canvas, const Box& box) {
                       const View view(world, box);
                       draw_world(canvas, view, world, box, world.planner.free_space());
                       for (const auto& path : paths) canvas.polyline(view.at(path), kPath, 1.5);
-                      canvas.frame(box, kInk, 1);
-                    }};
-  write_page(file, count + " on " + file_name(world), layout_of(world, 1), {panel});
+                      view.draw_axes(canvas);
+                    }}}}}};
+  write_page(file, page);
 }
 
 }  // namespace lasius::tool

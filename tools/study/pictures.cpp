@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/draw/legend.h"
 #include "tools/draw/line_chart.h"
 #include "tools/draw/map_panel.h"
 #include "tools/draw/text.h"
@@ -16,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMargin = 20, kTitle = 34, kLegendLine = 22, kLegendText = 34, kLegendSize = 14;
+constexpr double kMargin = 20;
 
 /// The samples of a question that have runs: what is drawn.
 std::vector<const Sample*> drawn(const Findings& findings, const Experiment& experiment,
@@ -54,7 +55,7 @@ Curve curve_of(const std::vector<const Sample*>& samples, std::vector<double> Ru
 }
 
 LineChart chart_of(const std::string& title, const Study& study) {
-  return {.title = title + ": median and quartiles",
+  return {.title = title + ": median, band of the quartiles",
           .x_label = "paths built",
           .y_label = "length, " + study.unit};
 }
@@ -95,16 +96,16 @@ LineChart run_lengths(const std::vector<const Sample*>& samples, double optimum)
 bool draw_convergence(const Study& study, const Findings& findings, const Experiment& experiment,
                       const Question& question, const fs::path& file) {
   LineChart chart = chart_of("Best length so far on " + question.name, study);
-  chart.level = findings.optimum(experiment, question);
-  chart.level_label = "true optimum";
+  const auto optimum = findings.optimum(experiment, question);
+  if (optimum) chart.levels = {{"true optimum", *optimum}};
   const auto samples = drawn(findings, experiment, question);
   for (const Sample* sample : samples)
     chart.curves.push_back(curve_of({sample}, &Run::best, chart.curves.size()));
   if (std::ranges::all_of(chart.curves, [](const Curve& c) { return c.x.size() < 2; }))
     return false;
   std::vector<LineChart> charts{std::move(chart)};
-  if (charts[0].level)
-    if (LineChart lengths = run_lengths(samples, *charts[0].level);
+  if (optimum)
+    if (LineChart lengths = run_lengths(samples, *optimum);
         std::ranges::any_of(lengths.curves, [](const Curve& c) { return c.y.back() > 0; }))
       charts.push_back(std::move(lengths));
   save(chart_page(charts, 760, 560), file);
@@ -136,9 +137,8 @@ const Run* best_run(const Sample& sample) {
 std::string legend_of(const Sample& sample, const std::optional<double>& optimum) {
   const Run* const run = best_run(sample);
   if (run == nullptr) return sample.contender->label + ": no path";
-  std::string text = sample.contender->label + ": " + fixed(run->length, 3);
-  if (!optimum) return text;
-  return text + ", " + fixed(100 * (run->length / *optimum - 1), 2) + "% above the optimum";
+  const std::string text = sample.contender->label + ": " + fixed(run->length, 3);
+  return optimum ? text + against(run->length, *optimum, "optimum", fixed(*optimum, 3)) : text;
 }
 
 /// The map with the best path of each contender, the first one on top; lengths below.
@@ -146,24 +146,27 @@ void draw_paths(const Findings& findings, const Experiment& experiment, const Qu
                 const Grid& grid, const fs::path& file) {
   const auto samples = drawn(findings, experiment, question);
   const auto optimum = findings.optimum(experiment, question);
-  std::vector<std::string> legends;
-  Canvas measure(1, 1);
-  double widest = 0;
-  for (const Sample* sample : samples) {
-    legends.push_back(legend_of(*sample, optimum));
-    widest = std::max(widest, measure.text_width(legends.back(), kLegendSize));
-  }
   double scale = std::min(1100.0 / grid.width(), 800.0 / grid.height());
   if (scale > 1) scale = std::floor(scale);
-  const double wide = std::max({420.0, grid.width() * scale, kLegendText + widest});
-  const double legend = static_cast<double>(samples.size()) * kLegendLine;
-  const Box box{kMargin + (wide - grid.width() * scale) / 2, kMargin + kTitle, grid.width() * scale,
-                grid.height() * scale};
+  const double wide = std::max(560.0, grid.width() * scale + tool::kPlaneLeft);
+  std::vector<tool::Key> keys;
+  for (const Sample* sample : samples)
+    keys.push_back(tool::line_key(legend_of(*sample, optimum), palette(keys.size()), 3));
+  keys.insert(keys.end(),
+              {tool::start_key(), tool::goal_key(), tool::area_key("blocked", kMapWall)});
+  Canvas measure(1, 1);
+  const tool::Legend legend(measure, std::move(keys), wide);
+  const std::string title = "Best paths on " + question.name;
+  const double above =
+      kMargin + tool::draw_wrapped(measure, {}, title, 17, wide, Align::centre, true) + 8;
+  const Box box{kMargin + tool::kPlaneLeft + (wide - tool::kPlaneLeft - grid.width() * scale) / 2,
+                above, grid.width() * scale, grid.height() * scale};
+  const double below = box.y + box.height + tool::kPlaneBottom + 8;
   Canvas canvas(static_cast<int>(wide + 2 * kMargin),
-                static_cast<int>(box.y + box.height + 16 + legend + kMargin));
-  canvas.text({kMargin + wide / 2, kMargin + 18}, "Best paths on " + question.name, 17,
-              Align::centre, kInk, true);
+                static_cast<int>(below + legend.height() + kMargin));
+  tool::draw_wrapped(canvas, {kMargin + wide / 2, kMargin}, title, 17, wide, Align::centre, true);
   paint_walls(canvas, box, grid);
+  mark_ends(canvas, box, scale, question.start, question.goal);
   const auto page = [&](Point p) { return Point{box.x + p.x * scale, box.y + p.y * scale}; };
   for (std::size_t i = samples.size(); i-- > 0;) {
     if (const Run* const run = best_run(*samples[i])) {
@@ -172,11 +175,8 @@ void draw_paths(const Findings& findings, const Experiment& experiment, const Qu
       // Wider below: equal paths stay visible as bands.
       canvas.polyline(points, palette(i), 3 + 2.5 * static_cast<double>(i));
     }
-    const double y = box.y + box.height + 26 + static_cast<double>(i) * kLegendLine;
-    canvas.line({kMargin, y}, {kMargin + 26, y}, palette(i), 3);
-    canvas.text({kMargin + kLegendText, y + 5}, legends[i], kLegendSize, Align::left, kInk);
   }
-  mark_ends(canvas, box, scale, question.start, question.goal);
+  legend.draw(canvas, {kMargin, below});
   save(canvas, file);
 }
 

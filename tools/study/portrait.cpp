@@ -6,6 +6,7 @@
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/picture.h"
 #include "tools/bitmap/picture_recorder.h"
+#include "tools/draw/legend.h"
 #include "tools/draw/line_chart.h"
 #include "tools/draw/map_panel.h"
 #include "tools/study/bitmaps.h"
@@ -30,9 +31,8 @@ Figure draw_run(const Place& place, const StopCondition& stop) {
   tool::RunOptions run;
   run.map.file = (place.maps / place.question.map).string();
   run.params = place.params;
-  run.track_iterations = {10, 50, 120};
   const tool::LoadedMap map = tool::load_map(run.map);
-  tool::PictureRecorder recorder(map.grid(), run.track_iterations, run.params.iterations);
+  tool::PictureRecorder recorder(map.grid(), run.track_iterations, run.params);
   const auto at = [&](Cell c) { return tool::to_place(map, {1.0 * c.x, 1.0 * c.y}, run.frame); };
   const tool::Answer found =
       tool::answer(map, run, at(place.question.start), at(place.question.goal), stop,
@@ -42,7 +42,8 @@ Figure draw_run(const Place& place, const StopCondition& stop) {
                              &recorder);
   return {&place.experiment, place.stem(),
           "One run of " + place.label() +
-              " (seed 1): accumulated tracks, pheromone, path and convergence"};
+              " (seed 1): tracks of single iterations and of all up to them, pheromone, path and "
+              "convergence"};
 }
 
 /// What is kept of the ants of a run, one an iteration.
@@ -73,9 +74,10 @@ void draw_walk(Canvas& canvas, const Box& box, const Grid& grid, const Question&
   std::vector<Point> points;
   for (const Cell c : walk)
     points.push_back({box.x + (c.x + 0.5) * scale, box.y + (c.y + 0.5) * scale});
-  canvas.polyline(points, colour, 3);
   mark_ends(canvas, box, scale, question.start, question.goal);
-  canvas.text({box.x + box.width / 2, box.y + box.height + 24}, caption, 15, Align::centre, kInk);
+  canvas.polyline(points, colour, 3);
+  canvas.text({box.x + box.width / 2, box.y + box.height + tool::kPlaneBottom + 18}, caption, 15,
+              Align::centre, kInk);
 }
 
 Figure draw_ants(const Place& place, const StopCondition& stop) {
@@ -83,22 +85,28 @@ Figure draw_ants(const Place& place, const StopCondition& stop) {
   Ants ants;
   (void)planner.plan({place.question.start, place.question.goal, stop}, place.params, nullptr,
                      [&](const GridProgress& progress) { ants.observe(progress); });
-  constexpr double kEdge = 20, kSide = 420, kChart = 420;
-  Canvas canvas(static_cast<int>(2 * kSide + 3 * kEdge),
-                static_cast<int>(kSide + kChart + 3 * kEdge + 30));
+  constexpr double kEdge = 20, kSide = 420, kChart = 420, kPlace = tool::kPlaneLeft + kSide;
   const Grid& grid = planner.grid();
   const double high = kSide * grid.height() / grid.width();
-  draw_walk(canvas, {kEdge, kEdge, kSide, high}, grid, place.question, ants.dead, palette(1),
-            "ant " + std::to_string(ants.dead_ant) + " dies in a dead end");
-  draw_walk(canvas, {2 * kEdge + kSide, kEdge, kSide, high}, grid, place.question, ants.arrived,
-            palette(0), "ant " + std::to_string(ants.arrived_ant) + " arrives");
+  const double below = high + 2 * kEdge + tool::kPlaneBottom + 28;
+  Canvas measure(1, 1);
+  const tool::Legend legend(
+      measure, {tool::start_key(), tool::goal_key(), tool::area_key("blocked", kMapWall)}, kPlace);
+  Canvas canvas(static_cast<int>(2 * kPlace + 3 * kEdge),
+                static_cast<int>(below + legend.height() + kChart + 2 * kEdge));
+  draw_walk(canvas, {kEdge + tool::kPlaneLeft, kEdge, kSide, high}, grid, place.question, ants.dead,
+            palette(1), "ant " + std::to_string(ants.dead_ant) + " dies in a dead end");
+  draw_walk(canvas, {2 * kEdge + kPlace + tool::kPlaneLeft, kEdge, kSide, high}, grid,
+            place.question, ants.arrived, palette(0),
+            "ant " + std::to_string(ants.arrived_ant) + " arrives");
+  legend.draw(canvas, {kEdge + tool::kPlaneLeft, below});
   LineChart chart{.title = "Tours of " + place.label() + " on " + place.question.name,
                   .x_label = "ant",
                   .y_label = "length, cells"};
   chart.curves.push_back(
       {.label = "ants that arrive", .colour = palette(0), .x = ants.number, .y = ants.tour});
   chart.curves.back().dots = true;
-  draw(canvas, {kEdge, high + 2 * kEdge + 24, 2 * kSide + kEdge, kChart}, chart);
+  draw(canvas, {kEdge, below + legend.height() + kEdge, 2 * kPlace + kEdge, kChart}, chart);
   save(canvas, place.folder / place.stem());
   return {
       &place.experiment, place.stem(),
