@@ -189,9 +189,11 @@ std::optional<Result> Inquiry::find_targets() {
     return std::nullopt;
   }
   const std::string contact = sensor_.contact(first.front().q);
-  return invalid(Fault::goal_blocked, "the arm touches something at the goal, in each of " +
-                                          std::to_string(found) + " postures found" +
-                                          (contact.empty() ? "" : ": " + contact));
+  return invalid(
+      Fault::goal_blocked,
+      "the arm touches something at the goal, in " +
+          (found == 1 ? "the only posture" : "each of " + std::to_string(found) + " postures") +
+          " found" + (contact.empty() ? "" : ": " + contact));
 }
 
 std::optional<Result> Inquiry::keep_free() {
@@ -262,7 +264,8 @@ Result Inquiry::search_lattices(const Search& search) {
     }
     if (at.empty()) {
       result.error = "no joint values were found that reach the goal, in " +
-                     std::to_string(4 * kAttempts) + " attempts from random ones";
+                     std::to_string(4 * kAttempts) +
+                     " attempts from random ones; try larger tolerances, or another orientation";
       return result;
     }
     double nodes = 0;

@@ -273,6 +273,33 @@ TEST(ArmPostures, EveryPostureThatTouchesIsAFaultOfTheGoal) {
   EXPECT_NE(r.error.find("in each of 2 postures found"), std::string::npos) << r.error;
 }
 
+TEST(ArmPostures, NoPosturesAreLookedForOnceToldToStop) {
+  const Robot robot = two_links();
+  std::stop_source source;
+  Request request = across(robot);
+  request.stop.token = source.get_token();
+  const std::array<int, 1> only{0};
+  const auto found = [&] {
+    return find_ends(robot, Kinematics(robot), request, only, 1, 0, 64, 8).size();
+  };
+  EXPECT_EQ(found(), 2u);
+  source.request_stop();
+  EXPECT_EQ(found(), 0u);
+}
+
+TEST(ArmPostures, AGoalOfJointValuesHasOnePosture) {
+  const Robot robot = two_links();
+  Obstacle ball;
+  ball.shape = Solid::Shape::sphere;
+  ball.radius = 0.05;
+  const JointVector goal = joints({1, 0.5});
+  ball.pose.translation() = tip_position(robot, goal);
+  const Result r = plan(robot, SceneSensor(robot, {"", {ball}}),
+                        {.start = joints({-1, 0.5}), .goals = {Goal::joints(goal)}});
+  EXPECT_EQ(r.fault, Fault::goal_blocked);
+  EXPECT_NE(r.error.find("in the only posture found"), std::string::npos) << r.error;
+}
+
 TEST(ArmPostures, GoalsThatCannotBeAreRefused) {
   const Robot robot = two_links();
   const auto error = [&](std::vector<Goal> goals) {
@@ -282,6 +309,8 @@ TEST(ArmPostures, GoalsThatCannotBeAreRefused) {
     return r.error;
   };
   EXPECT_EQ(error({}), "no goal is given");
+  EXPECT_NE(error({Eigen::Vector3d(0.900001, 0, 0)}).find("it is 0.900001 m from"),
+            std::string::npos);
   EXPECT_NE(error({Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(4, 0, 0)}).find("; goal 4,0,0"),
             std::string::npos);
   EXPECT_NE(error({Goal::joints(joints({1}))}).find("1 joint values"), std::string::npos);
