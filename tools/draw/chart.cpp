@@ -40,9 +40,8 @@ void draw_plot(Canvas& canvas, const Plot& plot) {
   if (none) range.add(1);
   const bool logarithmic = range.low > 0 && range.high > 3 * range.low;
   const Box& box = plot.box;
-  const Axes axes{box,
-                  {1, std::max(2.0, static_cast<double>(plot.values.size()))},
-                  padded(range, logarithmic),
+  const auto count = static_cast<double>(plot.values.size());
+  const Axes axes{box, count > 1 ? Range{1, count} : Range{0.5, 1.5}, padded(range, logarithmic),
                   logarithmic};
   if (none)
     canvas.text({box.x + box.width / 2, box.y + box.height / 2}, "no ant has arrived", kLabelSize,
@@ -60,6 +59,7 @@ void draw_plot(Canvas& canvas, const Plot& plot) {
   std::vector<double> iterations(plot.values.size());
   std::iota(iterations.begin(), iterations.end(), 1.0);
   draw_curve(canvas, axes, iterations, plot.values, false, plot.colour, plot.width);
+  if (count == 1 && !none) canvas.disc(axes.at(1, plot.values[0]), 4, plot.colour);
   canvas.frame(box, kInk, 1);
   const double width = canvas.text_width(name, kLabelSize + 1);
   canvas.text({box.x + box.width - 10, box.y + 20}, name, kLabelSize + 1, Align::right, kInk);

@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "core/arm/ends.h"
 #include "tests/core/arm/questions.h"
@@ -285,6 +289,62 @@ TEST(ArmPostures, NoPosturesAreLookedForOnceToldToStop) {
   EXPECT_EQ(found(), 2u);
   source.request_stop();
   EXPECT_EQ(found(), 0u);
+}
+
+TEST(ArmPostures, JointsAreTurnedByWholeTurnsTowardsTheStart) {
+  Robot robot = two_links();
+  for (Joint& joint : robot.joints) joint.low = -6, joint.high = 6;
+  const Request request = across(robot);
+  const std::array<int, 1> only{0};
+  const auto ends = find_ends(robot, Kinematics(robot), request, only, 1, 0, 64, 8);
+  ASSERT_EQ(ends.size(), 2u) << "and none is told twice";
+  for (const End& end : ends) EXPECT_LE(largest_change(end.q, request.start), 3.1416);
+}
+
+/// Stands anywhere, moves nowhere.
+class Stuck final : public Sensor {
+ public:
+  bool position_free(const JointRef&) const override { return true; }
+  bool motion_free(const JointRef&, const JointRef&) const override { return false; }
+  double clearance() const override { return 0.001; }
+};
+
+TEST(ArmPostures, StraightLinesCountAsQuestions) {
+  const Robot robot = two_links();
+  Request request{.start = joints({0, 0.5}), .goals = {}};
+  for (int i = 1; i < 10; ++i) request.goals.push_back(Goal::joints(joints({0.25 * i, 0.5})));
+  for (const int most : {1, 2, 3, 4, 7, 12}) {
+    Params p;
+    p.max_questions = most;
+    const Result r = plan(robot, Stuck(), request, p);
+    EXPECT_EQ(r.status, Status::limit);
+    EXPECT_EQ(r.questions.positions + r.questions.motions, most);
+  }
+}
+
+/// All is free but some positions.
+class Without final : public Sensor {
+ public:
+  explicit Without(std::vector<End> ends) : ends_(std::move(ends)) {}
+  bool position_free(const JointRef& q) const override {
+    return std::ranges::none_of(ends_, [&](const End& end) { return end.q == q; });
+  }
+  bool motion_free(const JointRef&, const JointRef&) const override { return true; }
+  double clearance() const override { return 0.001; }
+
+ private:
+  std::vector<End> ends_;
+};
+
+TEST(ArmPostures, MorePosturesAreLookedForWhereTheFirstAllTouch) {
+  const Robot robot = shipped("redundant7");
+  const JointVector start = JointVector::Constant(7, 0.3), there = JointVector::Constant(7, 0.7);
+  const Request request{.start = start, .goals = {tip_position(robot, there)}};
+  const std::array<int, 1> only{0};
+  const auto first = find_ends(robot, Kinematics(robot), request, only, 1, 0, 64, 24);
+  ASSERT_GT(first.size(), 4u);
+  const Result r = plan(robot, Without(first), request);
+  EXPECT_TRUE(r.direct) << r.error;
 }
 
 TEST(ArmPostures, AGoalOfJointValuesHasOnePosture) {

@@ -1,6 +1,7 @@
 // What of a URDF is the robot's body, and which pairs of links are checked.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -171,6 +172,21 @@ TEST(Body, LinksWithoutGeometryAreCollapsed) {
   const Robot whole =
       chain("<collision><geometry><sphere radius=\"0.01\"/></geometry></collision>");
   EXPECT_EQ(SceneSensor(whole, {}).contact(joints({0, 0})), "link \"a\" and link \"c\"");
+}
+
+TEST(Body, WhatIsAboveTheBaseStandsWhereItsJointsPutIt) {
+  const std::string text = R"(<robot name="r"><link name="rail"><collision>
+    <geometry><sphere radius="0.1"/></geometry></collision></link><link name="a"/><link name="b"/>
+    <joint name="turret" type="revolute"><parent link="rail"/><child link="a"/>
+      <origin xyz="1 0 0.2"/><axis xyz="0 0 1"/><limit lower="0" upper="1" velocity="1" effort="1"/>
+    </joint>
+    <joint name="j" type="revolute"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/>
+      <limit lower="0" upper="1" velocity="1" effort="1"/></joint></robot>)";
+  const Robot robot = parse_robot(text, "r.urdf", {.base = "a", .set_joints = {{"turret", 0.5}}});
+  ASSERT_EQ(robot.links.size(), 1u);
+  EXPECT_EQ(robot.links[0].body, 0);
+  const Eigen::Vector3d at = robot.links[0].solids[0].pose.translation();
+  EXPECT_TRUE(at.isApprox(Eigen::Vector3d(-std::cos(0.5), std::sin(0.5), -0.2))) << at.transpose();
 }
 
 TEST(Body, ARobotWithoutCollisionGeometryIsRefused) {
