@@ -210,6 +210,13 @@ std::optional<Result> Inquiry::keep_free() {
   return std::nullopt;
 }
 
+bool Inquiry::all_touch() {
+  const std::vector<End> ends =
+      find_ends(robot_, *arm_, request_, goals_, parameters_.seed, 0, kAttempts, kAttempts);
+  const auto free = [&](const End& end) { return ended() || position_free(end.q); };
+  return std::ranges::none_of(ends, free) && !ended();
+}
+
 Result Inquiry::along_line(const End& end) const {
   Result result;
   result.status = Status::solved;
@@ -285,12 +292,18 @@ Result Inquiry::search_lattices(const Search& search) {
     if (lattice.has_target()) {
       append(search(lattice, parameters_), result);
     } else {
-      result.error = "not found in this lattice (pitch " + number_text(pitch) +
-                     " m, postures tried: " + std::to_string(lattice.postures()) +
-                     "): joint values continued from the start do not reach the goal; try a "
+      result.error = lattice.not_found() +
+                     ": joint values continued from the start do not reach the goal; try a "
                      "smaller pitch, more postures";
     }
-    asked_ = result.questions = lattice.questions();
+    asked_ = lattice.questions();
+    if (result.fault == Fault::goal_blocked && !all_touch()) {
+      result.fault = Fault::none;
+      result.status = status_after(cause(), Status::no_path);
+      result.error = lattice.not_found() +
+                     ", the posture tried at the goal touches something; try more postures";
+    }
+    result.questions = asked_;
     result.pitch = pitch;
     result.postures = lattice.postures();
     for (int i = 0; i < 3; ++i) result.points[i] = box->high[i] - box->low[i] + 1;

@@ -301,6 +301,26 @@ TEST(ArmPostures, JointsAreTurnedByWholeTurnsTowardsTheStart) {
   for (const End& end : ends) EXPECT_LE(largest_change(end.q, request.start), 3.1416);
 }
 
+TEST(ArmPostures, AGoalIsNotBlockedWhereOneOfItsPosturesIs) {
+  const Robot robot = two_links();
+  const Request request = across(robot);
+  const std::array<int, 1> only{0};
+  const auto ends = find_ends(robot, Kinematics(robot), request, only, 1, 0, 64, 8);
+  ASSERT_EQ(ends.size(), 2u);
+  Obstacle ball;  // on the forearm as it comes to the goal from the start
+  ball.shape = Solid::Shape::sphere;
+  ball.radius = 0.01;
+  const Solid forearm = place_links(robot, ends[0].q)[1].solids[0];
+  ball.pose.translation() = forearm.pose * (0.5 * forearm.size);
+  const SceneSensor sensor(robot, {"", {ball}});
+  ASSERT_FALSE(sensor.position_free(ends[0].q));
+  ASSERT_TRUE(sensor.position_free(ends[1].q));
+  const Result r = plan(robot, sensor, request, Params("goritov2020"));
+  EXPECT_EQ(r.status, Status::no_path) << r.error;
+  EXPECT_EQ(r.fault, Fault::none);
+  EXPECT_NE(r.error.find("try more postures"), std::string::npos) << r.error;
+}
+
 /// Stands anywhere, moves nowhere.
 class Stuck final : public Sensor {
  public:
