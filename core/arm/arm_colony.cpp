@@ -7,7 +7,6 @@
 #include "core/arm/lattice_ants.h"
 #include "core/arm/lattice_trail.h"
 #include "core/arm/lattice_way.h"
-#include "core/base/number_text.h"
 #include "core/loop/colony_loop.h"
 #include "core/loop/run_status.h"
 #include "core/loop/trail_rules.h"
@@ -227,8 +226,7 @@ class ArmColony final : public ColonyWorld {
     }
     result_.questions = lattice_.questions();
     if (result_.status == Status::no_path && detour_.empty())
-      result_.error = "not found in this lattice (pitch " + number_text(lattice_.pitch()) +
-                      " m, postures tried: " + std::to_string(lattice_.postures()) + ")" +
+      result_.error = lattice_.not_found() +
                       (closed_ ? ", every way in it is closed; try a smaller pitch, more postures"
                                : "; try more iterations");
     if (!found && !detour_.empty()) take_detour();

@@ -6,8 +6,11 @@
 #include <cstdio>
 #include <numbers>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "core/base/number_text.h"
+#include "core/base/poller.h"
 #include "kernels/base/random_stream.h"
 
 namespace lasius::arm {
@@ -17,10 +20,15 @@ std::string text(Vec3 p) {
   return number_text(p.x) + "," + number_text(p.y) + "," + number_text(p.z);
 }
 
-std::string metres(double length) {
-  std::array<char, 32> digits;
-  std::snprintf(digits.data(), digits.size(), "%.4g", length);
-  return digits.data();
+/// Two lengths, the first with as many digits as tell it from the second.
+std::pair<std::string, std::string> metres(double length, double than) {
+  std::array<char, 32> digits, others;
+  for (int count = 4; count <= 17; ++count) {
+    std::snprintf(digits.data(), digits.size(), "%.*g", count, length);
+    std::snprintf(others.data(), others.size(), "%.*g", count, than);
+    if (std::string_view(digits.data()) != others.data()) break;
+  }
+  return {digits.data(), others.data()};
 }
 
 /// The normal of the plane in which the tip moves, whatever the joints do; nothing where it moves
@@ -133,12 +141,14 @@ std::string goal_fault(const Robot& robot, const Kinematics& arm, std::span<cons
   const std::string name = "goal " + text(at);
   const double far = distance(at, arm.shoulder());
   if (!(far <= arm.reach() + target.position_tolerance)) {
-    return name + " is outside: it is " + metres(far) +
-           " m from the arm's first joint, the arm reaches " + metres(arm.reach()) + " m";
+    const auto [away, most] = metres(far, arm.reach());
+    return name + " is outside: it is " + away + " m from the arm's first joint, the arm reaches " +
+           most + " m";
   }
   if (far < arm.least_reach() - target.position_tolerance) {
-    return name + " is out of reach: it is " + metres(far) +
-           " m from the arm's first joint, the arm folds to " + metres(arm.least_reach()) + " m";
+    const auto [away, least] = metres(far, arm.least_reach());
+    return name + " is out of reach: it is " + away +
+           " m from the arm's first joint, the arm folds to " + least + " m";
   }
   Kinematics::Poses poses;
   arm.place(start, poses);
@@ -146,7 +156,7 @@ std::string goal_fault(const Robot& robot, const Kinematics& arm, std::span<cons
     const double off = std::abs(dot(*normal, at - arm.tip(poses)));
     if (off > target.position_tolerance) {
       return name + " is out of reach: the joints move the tip in one plane, the goal is " +
-             metres(off) + " m off it";
+             metres(off, 0).first + " m off it";
     }
   }
   return {};
@@ -157,6 +167,7 @@ std::vector<End> find_ends(const Robot& robot, const Kinematics& arm, const Requ
                            int most, std::span<const End> known) {
   std::vector<End> ends;
   const JointVector& start = request.start;
+  Poller poller(request.stop, 1);
   const auto add = [&](JointVector q, int goal) {
     Kinematics::Poses poses;
     arm.place(as_span(q), poses);
@@ -174,6 +185,7 @@ std::vector<End> find_ends(const Robot& robot, const Kinematics& arm, const Requ
     const TipTarget target = tip_target(goal);
     const std::size_t before = ends.size();
     for (int i = first; i < first + attempts && ends.size() < before + most; ++i) {
+      if (poller.stop_after(1)) break;
       JointVector q = first_guess(robot, arm, start, seed, g, i);
       const std::span<double> values(q.data(), static_cast<std::size_t>(q.size()));
       if (!arm.reach_pose(target, values)) continue;

@@ -31,7 +31,7 @@ bool is_at(const Kinematics& arm, const Goal& goal, std::span<const double> q);
 /// inverse kinematics makes of the start, of the start bent, and of random values within the
 /// limits, `attempts` in all from number `first` on, as long as there are less than `most`. No two
 /// are within kSamePosture, nor of one that is `known`; joints that may turn by whole turns are as
-/// near to the start as they can.
+/// near to the start as they can. Those so far where the request is told to stop.
 std::vector<End> find_ends(const Robot& robot, const Kinematics& arm, const Request& request,
                            std::span<const int> goals, std::uint64_t seed, int first, int attempts,
                            int most, std::span<const End> known = {});

@@ -189,9 +189,11 @@ std::optional<Result> Inquiry::find_targets() {
     return std::nullopt;
   }
   const std::string contact = sensor_.contact(first.front().q);
-  return invalid(Fault::goal_blocked, "the arm touches something at the goal, in each of " +
-                                          std::to_string(found) + " postures found" +
-                                          (contact.empty() ? "" : ": " + contact));
+  return invalid(
+      Fault::goal_blocked,
+      "the arm touches something at the goal, in " +
+          (found == 1 ? "the only posture" : "each of " + std::to_string(found) + " postures") +
+          " found" + (contact.empty() ? "" : ": " + contact));
 }
 
 std::optional<Result> Inquiry::keep_free() {
@@ -206,6 +208,13 @@ std::optional<Result> Inquiry::keep_free() {
   }
   ends_ = std::move(free);
   return std::nullopt;
+}
+
+bool Inquiry::all_touch() {
+  const std::vector<End> ends =
+      find_ends(robot_, *arm_, request_, goals_, parameters_.seed, 0, kAttempts, kAttempts);
+  const auto free = [&](const End& end) { return ended() || position_free(end.q); };
+  return std::ranges::none_of(ends, free) && !ended();
 }
 
 Result Inquiry::along_line(const End& end) const {
@@ -262,7 +271,8 @@ Result Inquiry::search_lattices(const Search& search) {
     }
     if (at.empty()) {
       result.error = "no joint values were found that reach the goal, in " +
-                     std::to_string(4 * kAttempts) + " attempts from random ones";
+                     std::to_string(4 * kAttempts) +
+                     " attempts from random ones; try larger tolerances, or another orientation";
       return result;
     }
     double nodes = 0;
@@ -282,12 +292,18 @@ Result Inquiry::search_lattices(const Search& search) {
     if (lattice.has_target()) {
       append(search(lattice, parameters_), result);
     } else {
-      result.error = "not found in this lattice (pitch " + number_text(pitch) +
-                     " m, postures tried: " + std::to_string(lattice.postures()) +
-                     "): joint values continued from the start do not reach the goal; try a "
+      result.error = lattice.not_found() +
+                     ": joint values continued from the start do not reach the goal; try a "
                      "smaller pitch, more postures";
     }
-    asked_ = result.questions = lattice.questions();
+    asked_ = lattice.questions();
+    if (result.fault == Fault::goal_blocked && !all_touch()) {
+      result.fault = Fault::none;
+      result.status = status_after(cause(), Status::no_path);
+      result.error = lattice.not_found() +
+                     ", the posture tried at the goal touches something; try more postures";
+    }
+    result.questions = asked_;
     result.pitch = pitch;
     result.postures = lattice.postures();
     for (int i = 0; i < 3; ++i) result.points[i] = box->high[i] - box->low[i] + 1;

@@ -36,6 +36,8 @@ class Inquiry {
   std::optional<Result> find_targets();
   /// Drops the ends that are not free. The answer, where a straight line to one is.
   std::optional<Result> keep_free();
+  /// False where some posture at the goals is free, or there was no time to look for one.
+  bool all_touch();
   /// The straight joint-space line. Its length is the moves that the tip would need, or the joint
   /// steps where those are more.
   Result along_line(const End& end) const;

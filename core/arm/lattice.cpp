@@ -6,6 +6,7 @@
 #include <limits>
 #include <thread>
 
+#include "core/base/number_text.h"
 #include "kernels/base/power.h"
 
 namespace lasius::arm {
@@ -336,6 +337,11 @@ bool Lattice::goals_blocked(bool ask) const {
     }
   }
   return any;
+}
+
+std::string Lattice::not_found() const {
+  return "not found in this lattice (pitch " + number_text(pitch_) +
+         " m, postures tried: " + std::to_string(postures()) + ")";
 }
 
 bool Lattice::position_free(Node v) const {

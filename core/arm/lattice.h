@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -128,6 +129,8 @@ class Lattice {
   /// True when there is no end, and the goals are known to be blocked in every posture that they
   /// have. `ask` the sensor about it.
   bool goals_blocked(bool ask) const;
+  /// Where no way was found, for people.
+  std::string not_found() const;
 
   bool position_free(Node v) const;
   /// Tries straight motions from the start to `via`, and on to the ends nearest to it: the end, -1

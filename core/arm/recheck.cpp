@@ -22,6 +22,7 @@
 
 #include "core/arm/robot/kinematics.h"
 #include "core/arm/robot/vec3.h"
+#include "core/base/poller.h"
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
 
@@ -193,8 +194,9 @@ void check(const Robot& robot, const Scene& scene, const Trajectory& trajectory,
 /// Follows a trajectory with KDL and FCL.
 class Follower {
  public:
-  Follower(const Robot& robot, const Scene& scene, const Trajectory& trajectory)
-      : robot_(robot), trajectory_(trajectory), chain_(make_chain(robot)) {
+  Follower(const Robot& robot, const Scene& scene, const Trajectory& trajectory,
+           const StopCondition& stop)
+      : robot_(robot), trajectory_(trajectory), chain_(make_chain(robot)), poller_(stop, 16) {
     for (const Obstacle& o : scene.obstacles) obstacles_.push_back(place(o));
     for (std::size_t i = 0; i < robot.links.size(); ++i) {
       for (const Solid& solid : robot.links[i].solids) {
@@ -210,9 +212,10 @@ class Follower {
   }
 
   Recheck follow(int samples) {
-    found_ = {.samples = samples, .nearest = std::numeric_limits<double>::infinity()};
+    found_ = {.nearest = std::numeric_limits<double>::infinity()};
     Moment last;
-    for (int s = 0; s < samples; ++s) {
+    for (int s = 0; s < samples; ++s, ++found_.samples) {
+      if (poller_.stop_after(1)) break;
       const double share = samples > 1 ? static_cast<double>(s) / (samples - 1) : 0;
       const Moment now = look(share * trajectory_.duration());
       const Vec3 tip = tip_position(robot_, now.state.q);
@@ -221,7 +224,9 @@ class Follower {
       found_.contacts += now.nearest <= 0;
       found_.limits += breaks_limit(robot_, now.state);
       if (s > 0 && last.nearest > 0 && now.nearest > 0) {
-        found_.unproven += !is_free(last, now);
+        const bool free = is_free(last, now);
+        if (poller_.stopped()) break;
+        found_.unproven += !free;
       }
       last = now;
     }
@@ -310,7 +315,7 @@ class Follower {
   }
 
   /// The same for all that the trajectory does between two samples, knot by knot.
-  bool is_free(Moment from, const Moment& to) const {
+  bool is_free(Moment from, const Moment& to) {
     for (const Trajectory::Knot& knot : trajectory_.knots()) {
       if (knot.time <= from.time || knot.time >= to.time) continue;
       Moment next = look(knot.time);
@@ -322,13 +327,13 @@ class Follower {
 
   /// Whether it can be shown that nothing touches between two moments, with no knot between them,
   /// by looking between them as often as it takes.
-  bool is_free(const Moment& a, const Moment& b, int halvings) const {
+  bool is_free(const Moment& a, const Moment& b, int halvings) {
     if (!(a.nearest > 0 && b.nearest > 0)) return false;
     // The joints stay within h^2 / 8 max |ddq| of the straight motion.
     const double h = b.time - a.time;
     const JointVector turn = 0.5 * (b.state.q - a.state.q).cwiseAbs() + h * h / 8 * most_;
     if (stays_apart(a, turn) && stays_apart(b, turn)) return true;
-    if (halvings == 0) return false;
+    if (halvings == 0 || poller_.stop_after(1)) return false;
     const Moment middle = look(a.time + 0.5 * h);
     return is_free(a, middle, halvings - 1) && is_free(middle, b, halvings - 1);
   }
@@ -341,14 +346,16 @@ class Follower {
   std::vector<std::pair<std::size_t, std::size_t>> pairs_;  // of parts that must not touch
   std::vector<double> levers_;                              // by joint
   JointVector most_;                                        // |ddq| by joint
+  Poller poller_;
   Recheck found_;
 };
 
 }  // namespace
 
-Recheck recheck(const Robot& robot, const Scene& scene, const Trajectory& trajectory, int samples) {
+Recheck recheck(const Robot& robot, const Scene& scene, const Trajectory& trajectory, int samples,
+                const StopCondition& stop) {
   check(robot, scene, trajectory, samples);
-  return Follower(robot, scene, trajectory).follow(samples);
+  return Follower(robot, scene, trajectory, stop).follow(samples);
 }
 
 }  // namespace lasius::arm

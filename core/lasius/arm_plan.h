@@ -37,7 +37,7 @@ constexpr std::string_view to_string(Pheromone value) noexcept {
 /// What a way through the lattice is measured by.
 enum class Objective {
   length,    ///< moves times pitch, metres: the source's L
-  joint,     ///< joint travel: the sum of |dq|, in radians and metres
+  joint,     ///< joint travel: how long the way is in joint space, radians and metres alike
   duration,  ///< seconds that the joints' velocities ask for, straight from point to point
 };
 /// Their names, in the same order.
@@ -67,9 +67,9 @@ struct LASIUS_ARM_EXPORT Params {
   // Random proportional rule: weight of a move = tau^alpha eta^beta u^gamma, with eta = pitch /
   // weight of the edge and u = 1 / (1 + theta), theta the angle between the move and the way to the
   // goal; a change of posture counts as a move across.
-  double alpha = 1;     ///< exponent of pheromone
-  double beta = 1;      ///< of eta: without effect where no posture changes, all weigh a pitch
-  double gamma = 0.25;  ///< exponent of the direction to the goal
+  double alpha = 1;           ///< exponent of pheromone
+  double beta = 1;            ///< of eta: without effect, a move is drawn as if all weighed a pitch
+  double gamma = 0.25;        ///< exponent of the direction to the goal
   double evaporation = 0.25;  ///< rho: share of pheromone lost in an iteration
   double elite_weight = 0;    ///< e: weight of the iteration's best tour
   /// tau0, at least 1e-12; 0: ants / Manhattan distance from start to goal. Of goritov2020 0.01:
@@ -180,7 +180,7 @@ struct Result : SearchResult {
   int goal = -1;                ///< which of the request's was reached, from 0; -1: none
   bool direct = false;          ///< the straight joint-space line was free: no lattice was searched
   double tip_travel = 0;        ///< of the motion (without one, of `joints`), metres
-  double joint_travel = 0;      ///< likewise, the sum of |dq|
+  double joint_travel = 0;      ///< likewise, how long the way is in joint space
   double duration = 0;          ///< of the motion, seconds
   double pitch = 0;             ///< as used, in the last lattice
   int postures = 0;             ///< that its points have at most

@@ -91,7 +91,7 @@ LASIUS_ARM_EXPORT TrajectoryResult make_trajectory(
 /// distances and speeds that nothing touches there. No kinematics or distance of the planner's
 /// takes part.
 struct Recheck {
-  int samples = 0;       ///< times that were looked at
+  int samples = 0;       ///< times that were looked at; fewer than asked for where it was stopped
   int contacts = 0;      ///< samples at which a link touches an obstacle or another link
   int unproven = 0;      ///< pieces between samples of which it was not shown that nothing touches
   int limits = 0;        ///< samples at which a limit of value, velocity or acceleration is broken
@@ -102,6 +102,7 @@ struct Recheck {
 /// @throws Error(invalid_parameter) for a robot or scene that `validate` refuses, a trajectory that
 ///         is empty or not of this robot's joints, and less than one sample.
 LASIUS_ARM_EXPORT Recheck recheck(const Robot& robot, const Scene& scene,
-                                  const Trajectory& trajectory, int samples = 1000);
+                                  const Trajectory& trajectory, int samples = 1000,
+                                  const StopCondition& stop = {});
 
 }  // namespace lasius::arm

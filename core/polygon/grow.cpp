@@ -71,14 +71,13 @@ Grown round_grown(const Geos& geos, const Geos::Geometry& obstacles, const Ring&
     for (const Ring& hole : p.holes) rings.push_back(turned(hole, false));
     parts.push_back(geos.polygon(p));
   }
-  if (shrinks) rings.push_back(turned(boundary, false));
+  rings.push_back(turned(boundary, false));  // also where it stays: few tangents keep off it
   const Arcs arcs = arcs_of(rings, margin, tangents);
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    const bool of_boundary = shrinks && r + 1 == rings.size();
-    append_strips(rings[r], arcs[r], margin, geos, of_boundary ? strips : parts);
-  }
+  for (std::size_t r = 0; r + 1 < rings.size(); ++r)
+    append_strips(rings[r], arcs[r], margin, geos, parts);
   auto inside = geos.polygon({boundary, {}});
   if (shrinks) {
+    append_strips(rings.back(), arcs.back(), margin, geos, strips);
     const auto taken = merged(geos, std::move(strips));
     inside = geos.own(GEOSDifferencePrec_r(geos.context(), inside.get(), taken.get(), 1));
   }

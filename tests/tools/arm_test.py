@@ -369,6 +369,10 @@ class Arm(ProgramTest):
                 self.refused(self.run_program("verify", "bad.json"), 3, "parameters/" + name)
         self.write("bad.json", json.dumps({**result, "recheck": {"samples": 0}}))
         self.refused(self.run_program("verify", "bad.json"), 3, "recheck/samples")
+        goal = result["goals"][0]
+        for goals in ([], [{**goal, "values": [1, 2]}], [{**goal, "kind": "pose"}]):
+            self.write("bad.json", json.dumps({**result, "goals": goals}))
+            self.refused(self.run_program("verify", "bad.json"), 3, '"goals')
         self.refused(self.run_program("verify", "planar.json", "--map", "small.map"), 2, "--map")
         self.write("flat.json", EMPTY)
         self.refused(self.run_program("verify", "planar.json"), 3, "flat.json",
@@ -551,6 +555,16 @@ class Arm(ProgramTest):
                 self.refused(self.arm(scene="bad.json"), 3, words)
         self.refused(self.arm(robot="missing.json"), 3, "missing.json", "cannot be opened")
         self.refused(self.arm(scene="missing.json"), 3, "missing.json", "cannot be opened")
+
+    def test_a_recheck_is_interrupted(self):
+        run = self.start_program("arm", PLANAR, "--scene", FLAT, "--start", "-0.3,0.5,0.5",
+                                 "--goal", "0.4,0.5,0", "--set", "direct=off", "--recheck",
+                                 "1000000", "--json", "--progress", "always")
+        self.assertTrue(run.stderr.read(1))  # after the first of few iterations
+        run.send_signal(signal.SIGINT)
+        out, err = run.communicate(timeout=60)
+        self.assertEqual(run.returncode, 130)
+        self.assertNotIn("recheck", json.loads(out))
 
     def test_interrupted(self):
         run = self.start_program("arm", PLANAR, "--scene", FLAT, "--start", "-0.3,0.5,0.5",

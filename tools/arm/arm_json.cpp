@@ -150,12 +150,15 @@ std::vector<ArmGoal> recorded_goals(const Json& result) {
   }
   std::vector<ArmGoal> goals;
   for (const Json& goal : recorded<std::vector<Json>>(result, "goals")) {
-    const auto kind =
-        choice_value("\"goals/kind\"", recorded<std::string>(goal, "kind"), kGoalKinds);
-    goals.push_back({static_cast<ArmGoal::Kind>(kind),
-                     recorded<std::vector<double>>(goal, "values"),
+    const auto kind = static_cast<ArmGoal::Kind>(
+        choice_value("\"goals/kind\"", recorded<std::string>(goal, "kind"), kGoalKinds));
+    goals.push_back({kind, recorded<std::vector<double>>(goal, "values"),
                      goal.contains("state") ? recorded<std::string>(goal, "state") : ""});
+    const std::size_t count = goals.back().values.size();
+    if (kind != ArmGoal::Kind::joints && count != (kind == ArmGoal::Kind::pose ? 6 : 3))
+      throw UsageError("\"goals/values\" is " + dumped(goal["values"]));
   }
+  if (goals.empty()) throw UsageError("\"goals\" is []");
   return goals;
 }
 

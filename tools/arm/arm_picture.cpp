@@ -221,16 +221,19 @@ study::LineChart joint_chart(const ArmAnswer& answer) {
   return chart;
 }
 
-/// So far, by iteration.
+/// So far, by iteration: a step from the start of each to its end. Precondition: there is one.
 study::LineChart question_chart(const std::vector<arm::Questions>& asked) {
   study::Curve positions{.label = "positions", .colour = study::palette(1)};
   study::Curve motions{.label = "motions", .colour = study::palette(0)};
-  for (std::size_t i = 0; i < asked.size(); ++i)
-    for (auto* curve : {&positions, &motions}) {
-      curve->x.push_back(static_cast<double>(i + 1));
-      curve->y.push_back(
-          static_cast<double>(curve == &motions ? asked[i].motions : asked[i].positions));
-    }
+  const auto add = [&](double x, const arm::Questions& count) {
+    positions.x.push_back(x);
+    motions.x.push_back(x);
+    positions.y.push_back(static_cast<double>(count.positions));
+    motions.y.push_back(static_cast<double>(count.motions));
+  };
+  add(0, {});
+  for (std::size_t i = 0; i < asked.size(); ++i) add(static_cast<double>(i), asked[i]);
+  add(static_cast<double>(asked.size()), asked.back());
   return {.title = "questions asked",
           .x_label = "iteration",
           .y_label = "questions so far",
@@ -267,7 +270,7 @@ std::string title(const ArmCommand& command, const ArmAnswer& answer) {
   std::array<char, 200> figures;
   std::snprintf(
       figures.data(), figures.size(),
-      "%s %.3g %s, asked of %lld positions and %lld motions, takes %.2f s",
+      "%s %.3g %s, %lld positions and %lld motions asked, takes %.2f s",
       answer.plan.direct ? "straight in joint space," : "lattice path", answer.plan.length,
       unit_of(answer.parameters.objective), static_cast<long long>(answer.plan.questions.positions),
       static_cast<long long>(answer.plan.questions.motions), answer.plan.trajectory.duration());

@@ -60,7 +60,10 @@ arm::Pose pose_of(const std::vector<double>& v) {
   pose.translation() = Vector3d(v[0], v[1], v[2]);
   pose.linear() = (AngleAxisd(v[5], Vector3d::UnitZ()) * AngleAxisd(v[4], Vector3d::UnitY()) *
                    AngleAxisd(v[3], Vector3d::UnitX()))
-                      .toRotationMatrix();
+                      .toRotationMatrix()
+                      .unaryExpr([](double entry) {  // rounded: another C library gives the same
+                        return std::round(entry * 0x1p40) * 0x1p-40;
+                      });
   return pose;
 }
 
@@ -100,8 +103,10 @@ class ArmTask : public Task {
     arm::Result& plan = found_.plan;
     plan = arm::plan(found_.robot, sensor, request, found_.parameters, watch);
     found_.elapsed_ms = ms_since(begin);
-    if (command_.recheck > 0 && !plan.trajectory.empty())
-      found_.recheck = arm::recheck(found_.robot, found_.scene, plan.trajectory, command_.recheck);
+    if (command_.recheck <= 0 || plan.trajectory.empty()) return;
+    const auto recheck = arm::recheck(found_.robot, found_.scene, plan.trajectory, command_.recheck,
+                                      {.token = stop.token});
+    if (recheck.samples == command_.recheck) found_.recheck = recheck;
   }
 
   const SearchOptions& options() const override { return command_; }
@@ -150,6 +155,8 @@ class ArmTask : public Task {
       message("the motion takes " + whole_text(motion.trajectory.duration()) +
               " s: it is sampled " + whole_text(kMostSamples) + " times in all, not " +
               whole_text(command_.rate) + " times a second");
+    if (command_.recheck > 0 && !found_.recheck && !motion.trajectory.empty())
+      message("the recheck was interrupted");
     if (!found_.recheck || command_.json) return;
     message("recheck: " + counted(found_.recheck->samples, "sample") + ", " +
             counted(found_.recheck->contacts, "contact") + ", " +

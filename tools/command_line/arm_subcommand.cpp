@@ -112,11 +112,10 @@ Subcommand add_arm(CLI::App& app) {
          "Check the trajectory at N times by KDL and FCL and say what they find", "N");
   arm->footer(
       "Exit codes: 0 a motion was returned; 1 internal error; 2 usage; 3 robot, scene or another\n"
-      "file is missing or broken; 4 start or goal outside or blocked; 5 proven unreachable by this "
-      "arm;\n"
-      "6 none found in the lattice, or a limit is spent; 7 an output cannot be written; 130 "
-      "interrupted,\n"
-      "best so far written.");
+      "file is missing or broken; 4 start or goal outside, blocked, or proven out of reach; 6 "
+      "none\n"
+      "found, or a limit is spent; 7 an output cannot be written; 130 interrupted, best so far\n"
+      "written. That a goal in reach has no way (5) is never proven.");
   return {arm, [raw, arm]() -> Command {
             raw->goals = in_order(*arm);
             return make_arm(*raw);

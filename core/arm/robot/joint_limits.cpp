@@ -2,10 +2,12 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/arm/robot/xml_text.h"
+#include "core/base/did_you_mean.h"
 #include "core/base/number_text.h"
 #include "core/base/text_lines.h"
 #include "core/map_files/byte_reader.h"
@@ -36,7 +38,9 @@ class Level {
   }
   /// Above 0, where the flag `has` is true.
   double limit(const std::string& has, const std::string& key) const {
-    const double value = flag(has) ? number(key, kNone) : kNone;
+    if (!flag(has)) return kNone;
+    const double value = number(key, kNone);
+    if (std::isnan(value)) fail(node_[has], key + " is missing", "give it, or leave out " + has);
     if (value <= 0) fail(node_[key], key + " is " + number_text(value), "it must be above 0");
     return value;
   }
@@ -58,46 +62,55 @@ class Level {
   }
   YAML::Node at(const std::string& key) const { return node_[key]; }
 
- private:
   [[noreturn]] void fail(const YAML::Node& at, const std::string& problem,
                          const std::string& remedy) const {
     const YAML::Mark mark = at.IsDefined() ? at.Mark() : node_.Mark();
     broken({.file = file_, .line = mark.is_null() ? 1 : mark.line + 1}, path_ + problem, remedy);
   }
 
+ private:
   YAML::Node node_;
   const std::string& file_;
   std::string path_;
 };
 
-std::map<std::string, JointLimits> read_level(const YAML::Node& root, const std::string& file) {
+JointLimitsFile read_level(const YAML::Node& root, const std::string& file,
+                           const std::vector<std::string_view>& known) {
   const Level top(root, file, "the file ");
-  const double velocity = top.factor("default_velocity_scaling_factor");
-  const double acceleration = top.factor("default_acceleration_scaling_factor");
-  std::map<std::string, JointLimits> limits;
+  JointLimitsFile limits;
+  limits.velocity = top.factor("default_velocity_scaling_factor");
+  limits.acceleration = top.factor("default_acceleration_scaling_factor");
   const YAML::Node joints = top.at("joint_limits");
-  if (!joints.IsDefined() || joints.IsNull()) return limits;
-  (void)Level(joints, file, "joint_limits ");
+  if (!joints.IsDefined()) top.fail(root, "has no joint_limits", "see MoveIt's joint_limits.yaml");
+  if (joints.IsNull()) return limits;
+  const Level list(joints, file, "joint_limits ");
   for (const auto& entry : joints) {
     const std::string name = entry.first.Scalar();
+    if (std::ranges::find(known, name) == known.end())
+      list.fail(entry.first, "names \"" + name + "\", which the robot has not",
+                known.empty() ? "it has no joints" : did_you_mean(name, known));
+    if (limits.joints.contains(name))
+      list.fail(entry.first, "names \"" + name + "\" twice", "leave one of them out");
     const Level joint(entry.second, file, "joint_limits." + name + ": ");
     const bool placed = joint.flag("has_position_limits");
-    limits[name] = {placed ? joint.number("min_position", kNone) : kNone,
-                    placed ? joint.number("max_position", kNone) : kNone,
-                    velocity * joint.limit("has_velocity_limits", "max_velocity"),
-                    acceleration * joint.limit("has_acceleration_limits", "max_acceleration")};
+    limits.joints[name] = {
+        placed ? joint.number("min_position", kNone) : kNone,
+        placed ? joint.number("max_position", kNone) : kNone,
+        limits.velocity * joint.limit("has_velocity_limits", "max_velocity"),
+        limits.acceleration * joint.limit("has_acceleration_limits", "max_acceleration")};
   }
   return limits;
 }
 
 }  // namespace
 
-std::map<std::string, JointLimits> read_joint_limits(const std::string& file) {
+JointLimitsFile read_joint_limits(const std::string& file,
+                                  const std::vector<std::string_view>& joints) {
   constexpr std::int64_t kMostBytes = 1 << 16;
   std::string text = read_text(file, kMostBytes);
   end_lines_in_lf(text);
   try {
-    return read_level(YAML::Load(text), file);
+    return read_level(YAML::Load(text), file, joints);
   } catch (const YAML::Exception& error) {
     broken({.file = file, .line = error.mark.is_null() ? 1 : error.mark.line + 1},
            "broken YAML: " + error.msg, "correct it");

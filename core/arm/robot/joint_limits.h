@@ -3,6 +3,8 @@
 
 #include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace lasius::arm {
 
@@ -11,7 +13,14 @@ struct JointLimits {
   double low, high, velocity, acceleration;
 };
 
-/// By the names of joints, factors applied. @throws Error(file_missing, file_broken).
-std::map<std::string, JointLimits> read_joint_limits(const std::string& file);
+struct JointLimitsFile {
+  std::map<std::string, JointLimits> joints;  ///< by their names, factors applied
+  double velocity = 1, acceleration = 1;      ///< factors of what the file leaves to others
+};
+
+/// @throws Error(file_missing, file_broken) with the line, also for a joint that is not among
+/// these.
+JointLimitsFile read_joint_limits(const std::string& file,
+                                  const std::vector<std::string_view>& joints);
 
 }  // namespace lasius::arm

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/arm/robot/xml_text.h"
-#include "core/base/did_you_mean.h"
 #include "core/map_files/byte_reader.h"
 
 namespace lasius::arm {
@@ -20,11 +19,11 @@ class Reader {
   Srdf read(const TiXmlElement& root) {
     found_.robot = attribute(&root, "name");
     each(root, "disable_default_collisions",
-         [&](const TiXmlElement& at) { found_.disabled_links.insert(known(at, "link", links_)); });
+         [&](const TiXmlElement& at) { found_.disabled_links.insert(named(at, "link", links_)); });
     for (auto* pairs : {&found_.disabled, &found_.enabled}) {
       const bool off = pairs == &found_.disabled;
       each(root, off ? "disable_collisions" : "enable_collisions", [&](const TiXmlElement& at) {
-        const std::string a = known(at, "link1", links_), b = known(at, "link2", links_);
+        const std::string a = named(at, "link1", links_), b = named(at, "link2", links_);
         pairs->emplace(std::min(a, b), std::max(a, b));
       });
     }
@@ -50,18 +49,17 @@ class Reader {
     }
     return value;
   }
-  std::string known(const TiXmlElement& at, const char* name,
-                    const std::vector<std::string_view>& names) const {
+  /// A name, which is kept where none of the robot's is that.
+  std::string named(const TiXmlElement& at, const char* name,
+                    const std::vector<std::string_view>& names) {
     std::string value = text(at, name);
-    if (std::ranges::find(names, value) == names.end()) {
-      broken(place(at), "the robot has no \"" + value + '"', did_you_mean(value, names));
-    }
+    if (std::ranges::find(names, value) == names.end()) found_.unknown.insert(value);
     return value;
   }
   void add_state(const TiXmlElement& at) {
     Srdf::State state{text(at, "name"), attribute(&at, "group"), {}};
     each(at, "joint", [&](const TiXmlElement& joint) {
-      const std::string name = known(joint, "name", joints_), value = text(joint, "value");
+      const std::string name = named(joint, "name", joints_), value = text(joint, "value");
       double number = 0;
       const auto [end, fault] = std::from_chars(value.data(), value.data() + value.size(), number);
       if (fault != std::errc() || end != value.data() + value.size() || !std::isfinite(number)) {

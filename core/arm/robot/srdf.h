@@ -22,6 +22,7 @@ struct Srdf {
   /// Pairs, the first below the second, and links that may touch all but those of enabled pairs.
   std::set<std::pair<std::string, std::string>> disabled, enabled;
   std::set<std::string> disabled_links;
+  std::set<std::string> unknown;  ///< links and joints that the robot has not, as MoveIt skips them
 
   bool may_touch(const std::string& a, const std::string& b) const {
     const std::pair pair(std::min(a, b), std::max(a, b));
@@ -30,8 +31,7 @@ struct Srdf {
   }
 };
 
-/// @throws Error(file_missing, file_broken) with the line, also for a link or joint that is not
-/// among these.
+/// Of a robot of these links and joints. @throws Error(file_missing, file_broken) with the line.
 Srdf read_srdf(const std::string& file, const std::vector<std::string_view>& links,
                const std::vector<std::string_view>& joints);
 

@@ -54,9 +54,8 @@ class RobotMaker {
         base_(chain.base.empty() ? model_.getRoot() : find_link(chain.base, "base ")),
         tip_(chain.tip.empty() ? only_leaf() : find_link(chain.tip, "tip ")) {
     if (!chain.joint_limits.empty()) {
-      limits_ = read_joint_limits(chain.joint_limits);
+      limits_ = read_joint_limits(chain.joint_limits, names_of(model_.joints_));
       robot_.files.push_back(chain.joint_limits);
-      for (const auto& [name, limit] : limits_) find_joint(name);
     }
     for (const auto& [name, value] : chain.set_joints) find_joint(name);
   }
@@ -106,7 +105,7 @@ class RobotMaker {
   const urdf::ModelInterface& model_;
   const Chain& chain_;
   LinkPtr base_, tip_;
-  JointLimitsByName limits_;
+  JointLimitsFile limits_;
   std::map<std::string, Place, std::less<>> places_;  // by link
   std::map<std::string, int, std::less<>> numbers_;   // of links that have a body
   Robot robot_;
@@ -148,8 +147,8 @@ void RobotMaker::place_chain() {
     if (moves(joint)) {
       robot_.joints.push_back(moving_joint(joint, at, source_, limits_, robot_.notes));
       at = {};
-      const auto limit = limits_.find(joint.name);
-      if (limit == limits_.end() || std::isnan(limit->second.acceleration)) {
+      const auto limit = limits_.joints.find(joint.name);
+      if (limit == limits_.joints.end() || std::isnan(limit->second.acceleration)) {
         invented.push_back(joint.name);
       }
     } else if (joint.type != urdf::Joint::FIXED) {
@@ -298,6 +297,10 @@ void RobotMaker::allow_contacts() {
   robot_.files.push_back(chain_.srdf);
   if (srdf.robot != model_.getName()) {
     robot_.notes.push_back("the SRDF is of a robot of another name: " + in_quotes(srdf.robot));
+  }
+  if (!srdf.unknown.empty()) {
+    robot_.notes.push_back("the SRDF names what the robot has not: " +
+                           listed({srdf.unknown.begin(), srdf.unknown.end()}));
   }
   for (const auto& [a, first] : numbers_) {
     for (const auto& [b, second] : numbers_) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/arm/robot/xml_text.h"
+#include "core/base/text_lines.h"
 
 namespace lasius::arm {
 namespace {
@@ -102,6 +103,11 @@ UrdfFile::UrdfFile(std::string_view text, std::string file) : file_(std::move(fi
   parse(copy);
 }
 
+void UrdfFile::refuse_xacro(std::int64_t row) const {
+  unsupported(line(row), "this is a xacro file, from which URDF is made",
+              "make it first: xacro " + file_ + " > robot.urdf");
+}
+
 /// Notes the lines, which urdfdom does not keep, and where the XML is broken. What names no links,
 /// or names twice, is left to urdfdom to tell.
 void UrdfFile::read_xml(const std::string& text) {
@@ -112,10 +118,7 @@ void UrdfFile::read_xml(const std::string& text) {
   if (document.Error() || robot == nullptr) return;
   for (const TiXmlElement* at = robot->FirstChildElement(); at != nullptr;
        at = at->NextSiblingElement()) {
-    if (at->ValueStr().starts_with("xacro:")) {
-      unsupported(line(at->Row()), "this is a xacro file, from which URDF is made",
-                  "make it first: xacro " + file_ + " > robot.urdf");
-    }
+    if (at->ValueStr().starts_with("xacro:")) refuse_xacro(at->Row());
   }
   const auto each = [&](const char* tag, const auto& visit) {
     for (const TiXmlElement* at = robot->FirstChildElement(tag); at != nullptr;
@@ -155,6 +158,8 @@ void UrdfFile::parse(const std::string& text) {
     fault = e.what();
   }
   console_bridge::useOutputHandler(before);
+  const auto expression = text.find("${");
+  if (model_ == nullptr && expression != text.npos) refuse_xacro(line_at(text, expression));
   if (model_ == nullptr) {
     broken(broken_line_ < 0 ? whole() : line(broken_line_),
            "this is no URDF (" + (fault.empty() ? complaints.first() : fault) + ")",

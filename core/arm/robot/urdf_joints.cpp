@@ -14,7 +14,7 @@ bool moves(const urdf::Joint& joint) {
          joint.type == urdf::Joint::PRISMATIC;
 }
 
-std::pair<double, double> range_of(const urdf::Joint& joint, const JointLimitsByName& limits) {
+std::pair<double, double> range_of(const urdf::Joint& joint, const JointLimitsFile& limits) {
   constexpr double kTurns = 1000;
   const bool continuous = joint.type == urdf::Joint::CONTINUOUS;
   double low = continuous ? -kTurns : 0, high = continuous ? kTurns : 0;
@@ -28,7 +28,7 @@ std::pair<double, double> range_of(const urdf::Joint& joint, const JointLimitsBy
     low = std::max(low, safety->soft_lower_limit);
     high = std::min(high, safety->soft_upper_limit);
   }
-  if (const auto limit = limits.find(joint.name); limit != limits.end()) {
+  if (const auto limit = limits.joints.find(joint.name); limit != limits.joints.end()) {
     low = std::fmax(low, limit->second.low);
     high = std::fmin(high, limit->second.high);
   }
@@ -36,7 +36,7 @@ std::pair<double, double> range_of(const urdf::Joint& joint, const JointLimitsBy
 }
 
 Joint moving_joint(const urdf::Joint& joint, const Placement& at, const UrdfFile& source,
-                   const JointLimitsByName& limits, std::vector<std::string>& notes) {
+                   const JointLimitsFile& limits, std::vector<std::string>& notes) {
   Joint made;
   made.name = joint.name;
   made.frame = to_eigen(at);
@@ -54,24 +54,25 @@ Joint moving_joint(const urdf::Joint& joint, const Placement& at, const UrdfFile
            "joint \"" + joint.name + "\" has limits that leave it no room",
            "give it a <limit> with lower below upper, and soft limits within");
   }
-  const auto limit = limits.find(joint.name);
-  const bool given = limit != limits.end() && !std::isnan(limit->second.velocity);
+  const auto limit = limits.joints.find(joint.name);
+  const bool listed = limit != limits.joints.end();
+  const bool given = listed && !std::isnan(limit->second.velocity);
   if (given) {
     made.velocity = limit->second.velocity;
   } else if (joint.limits == nullptr) {
-    made.velocity = 1;
+    made.velocity = limits.velocity;
     notes.push_back("joint " + in_quotes(joint.name) +
-                    " has no velocity limit: 1 a second is taken");
+                    " has no velocity limit: " + number_text(made.velocity) + " a second is taken");
   } else {
-    made.velocity = joint.limits->velocity;
+    made.velocity = limits.velocity * joint.limits->velocity;
   }
   if (!(made.velocity > 0)) {
     broken(source.joint(joint.name),
            "joint \"" + joint.name + "\" has the velocity limit " + number_text(made.velocity),
            "give it one above 0 here or in a joint_limits.yaml");
   }
-  made.acceleration = 4 * made.velocity;
-  if (limit != limits.end() && !std::isnan(limit->second.acceleration)) {
+  made.acceleration = limits.acceleration * 4 * made.velocity;
+  if (listed && !std::isnan(limit->second.acceleration)) {
     made.acceleration = limit->second.acceleration;
   }
   return made;

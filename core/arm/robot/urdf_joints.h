@@ -12,19 +12,17 @@
 
 namespace lasius::arm {
 
-using JointLimitsByName = std::map<std::string, JointLimits>;
-
 inline std::string in_quotes(const std::string& name) { return '"' + name + '"'; }
 
 /// It turns or slides.
 bool moves(const urdf::Joint& joint);
 
 /// The tightest of all limits that are given; a thousand either way where there is none.
-std::pair<double, double> range_of(const urdf::Joint& joint, const JointLimitsByName& limits);
+std::pair<double, double> range_of(const urdf::Joint& joint, const JointLimitsFile& limits);
 
 /// A joint that moves, `at` its frame at value 0; what is assumed of it is added to `notes`.
 /// @throws Error at its line where its axis or limits are none.
 Joint moving_joint(const urdf::Joint& joint, const Placement& at, const UrdfFile& source,
-                   const JointLimitsByName& limits, std::vector<std::string>& notes);
+                   const JointLimitsFile& limits, std::vector<std::string>& notes);
 
 }  // namespace lasius::arm

@@ -157,5 +157,26 @@ TEST(Part, AMeshIsAsFarAsTheBoxThatItMakes) {
   EXPECT_GT(apart, 250);
 }
 
+// Else what touches would be passed over.
+TEST(Part, BallsAreNeverFurtherApartThanWhatTheyHold) {
+  Draw draw;
+  Solid probe;
+  probe.shape = Solid::Shape::sphere;
+  probe.radius = 1e-6;
+  for (int i = 0; i < 5000; ++i) {
+    Solid solid;
+    solid.pose = to_eigen(draw.pose(0.3));
+    solid.shape = static_cast<Solid::Shape>(i % 5);
+    solid.size = Vec3(draw.between(0.01, 0.5), draw.between(0.01, 0.5), draw.between(0.01, 0.5));
+    solid.radius = draw.between(0.01, 0.5);
+    solid.length = draw.between(0.01, 0.5);
+    solid.triangles = std::make_shared<const Triangles>(cube(draw.between(0.05, 0.3)));
+    probe.pose.translation() = Eigen::Vector3d(draw.point(1));
+    const Part part(solid), point(probe);
+    const auto a = part.place({}), b = point.place({});
+    EXPECT_LE(gap_between(a.ball, b.ball), distance_between(a, b, 10) + 2e-6) << i;
+  }
+}
+
 }  // namespace
 }  // namespace lasius::arm

@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "core/arm/ends.h"
 #include "tests/core/arm/questions.h"
@@ -273,6 +277,109 @@ TEST(ArmPostures, EveryPostureThatTouchesIsAFaultOfTheGoal) {
   EXPECT_NE(r.error.find("in each of 2 postures found"), std::string::npos) << r.error;
 }
 
+TEST(ArmPostures, NoPosturesAreLookedForOnceToldToStop) {
+  const Robot robot = two_links();
+  std::stop_source source;
+  Request request = across(robot);
+  request.stop.token = source.get_token();
+  const std::array<int, 1> only{0};
+  const auto found = [&] {
+    return find_ends(robot, Kinematics(robot), request, only, 1, 0, 64, 8).size();
+  };
+  EXPECT_EQ(found(), 2u);
+  source.request_stop();
+  EXPECT_EQ(found(), 0u);
+}
+
+TEST(ArmPostures, JointsAreTurnedByWholeTurnsTowardsTheStart) {
+  Robot robot = two_links();
+  for (Joint& joint : robot.joints) joint.low = -6, joint.high = 6;
+  const Request request = across(robot);
+  const std::array<int, 1> only{0};
+  const auto ends = find_ends(robot, Kinematics(robot), request, only, 1, 0, 64, 8);
+  ASSERT_EQ(ends.size(), 2u) << "and none is told twice";
+  for (const End& end : ends) EXPECT_LE(largest_change(end.q, request.start), 3.1416);
+}
+
+TEST(ArmPostures, AGoalIsNotBlockedWhereOneOfItsPosturesIs) {
+  const Robot robot = two_links();
+  const Request request = across(robot);
+  const std::array<int, 1> only{0};
+  const auto ends = find_ends(robot, Kinematics(robot), request, only, 1, 0, 64, 8);
+  ASSERT_EQ(ends.size(), 2u);
+  Obstacle ball;  // on the forearm as it comes to the goal from the start
+  ball.shape = Solid::Shape::sphere;
+  ball.radius = 0.01;
+  const Solid forearm = place_links(robot, ends[0].q)[1].solids[0];
+  ball.pose.translation() = forearm.pose * (0.5 * forearm.size);
+  const SceneSensor sensor(robot, {"", {ball}});
+  ASSERT_FALSE(sensor.position_free(ends[0].q));
+  ASSERT_TRUE(sensor.position_free(ends[1].q));
+  const Result r = plan(robot, sensor, request, Params("goritov2020"));
+  EXPECT_EQ(r.status, Status::no_path) << r.error;
+  EXPECT_EQ(r.fault, Fault::none);
+  EXPECT_NE(r.error.find("try more postures"), std::string::npos) << r.error;
+}
+
+/// Stands anywhere, moves nowhere.
+class Stuck final : public Sensor {
+ public:
+  bool position_free(const JointRef&) const override { return true; }
+  bool motion_free(const JointRef&, const JointRef&) const override { return false; }
+  double clearance() const override { return 0.001; }
+};
+
+TEST(ArmPostures, StraightLinesCountAsQuestions) {
+  const Robot robot = two_links();
+  Request request{.start = joints({0, 0.5}), .goals = {}};
+  for (int i = 1; i < 10; ++i) request.goals.push_back(Goal::joints(joints({0.25 * i, 0.5})));
+  for (const int most : {1, 2, 3, 4, 7, 12}) {
+    Params p;
+    p.max_questions = most;
+    const Result r = plan(robot, Stuck(), request, p);
+    EXPECT_EQ(r.status, Status::limit);
+    EXPECT_EQ(r.questions.positions + r.questions.motions, most);
+  }
+}
+
+/// All is free but some positions.
+class Without final : public Sensor {
+ public:
+  explicit Without(std::vector<End> ends) : ends_(std::move(ends)) {}
+  bool position_free(const JointRef& q) const override {
+    return std::ranges::none_of(ends_, [&](const End& end) { return end.q == q; });
+  }
+  bool motion_free(const JointRef&, const JointRef&) const override { return true; }
+  double clearance() const override { return 0.001; }
+
+ private:
+  std::vector<End> ends_;
+};
+
+TEST(ArmPostures, MorePosturesAreLookedForWhereTheFirstAllTouch) {
+  const Robot robot = shipped("redundant7");
+  const JointVector start = JointVector::Constant(7, 0.3), there = JointVector::Constant(7, 0.7);
+  const Request request{.start = start, .goals = {tip_position(robot, there)}};
+  const std::array<int, 1> only{0};
+  const auto first = find_ends(robot, Kinematics(robot), request, only, 1, 0, 64, 24);
+  ASSERT_GT(first.size(), 4u);
+  const Result r = plan(robot, Without(first), request);
+  EXPECT_TRUE(r.direct) << r.error;
+}
+
+TEST(ArmPostures, AGoalOfJointValuesHasOnePosture) {
+  const Robot robot = two_links();
+  Obstacle ball;
+  ball.shape = Solid::Shape::sphere;
+  ball.radius = 0.05;
+  const JointVector goal = joints({1, 0.5});
+  ball.pose.translation() = tip_position(robot, goal);
+  const Result r = plan(robot, SceneSensor(robot, {"", {ball}}),
+                        {.start = joints({-1, 0.5}), .goals = {Goal::joints(goal)}});
+  EXPECT_EQ(r.fault, Fault::goal_blocked);
+  EXPECT_NE(r.error.find("in the only posture found"), std::string::npos) << r.error;
+}
+
 TEST(ArmPostures, GoalsThatCannotBeAreRefused) {
   const Robot robot = two_links();
   const auto error = [&](std::vector<Goal> goals) {
@@ -282,6 +389,8 @@ TEST(ArmPostures, GoalsThatCannotBeAreRefused) {
     return r.error;
   };
   EXPECT_EQ(error({}), "no goal is given");
+  EXPECT_NE(error({Eigen::Vector3d(0.900001, 0, 0)}).find("it is 0.900001 m from"),
+            std::string::npos);
   EXPECT_NE(error({Eigen::Vector3d(3, 0, 0), Eigen::Vector3d(4, 0, 0)}).find("; goal 4,0,0"),
             std::string::npos);
   EXPECT_NE(error({Goal::joints(joints({1}))}).find("1 joint values"), std::string::npos);

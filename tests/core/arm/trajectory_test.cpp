@@ -400,6 +400,14 @@ TEST(Recheck, LooksBetweenItsSamples) {
   EXPECT_EQ(recheck(robot, {"", {rod}}, to_and_fro, 2).unproven, 1);
 }
 
+TEST(Recheck, EndsWhenToldTo) {
+  const Trajectory still({{0, joints({0, 0}), joints({0, 0})}});
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_LT(recheck(two_links(), {}, still, 100, {.token = source.get_token()}).samples, 100);
+  EXPECT_EQ(recheck(two_links(), {}, still, 100).samples, 100);
+}
+
 TEST(Recheck, RefusesWhatDoesNotFit) {
   const Robot robot = two_links();
   const Trajectory still({{0, joints({0, 0}), joints({0, 0})}});

@@ -167,6 +167,21 @@ TEST(Margin, LinesLeadThroughEveryPassage) {
   }
 }
 
+// Lines are drawn with fewer tangents around corners; no room is lost by it.
+TEST(Margin, RoomBetweenACornerAndABoundaryThatIsKept) {
+  World world;
+  world.boundary.outer = {{11, -0.5}, {13, -0.5}, {13, 0.5}, {11, 0.5}};
+  world.obstacles = {{{{0, 0}, {-20, 20}, {-20, -20}}, {}}};
+  world.start = {11.2, 0};
+  world.goal = {12.8, 0};
+  const Planner planner(world, {.margin = 10, .boundary = Boundary::keep});
+  for (const char* name : {"exact", "maklink-acs"}) {
+    const Result r = planner.plan({}, Params(name));
+    EXPECT_EQ(r.status, Status::solved) << name;
+    EXPECT_NEAR(r.length, 1.6, 1e-9) << name;
+  }
+}
+
 TEST(Margin, NothingIsUnreachableThatADiscReaches) {
   int reached = 0;
   for (int i = 0; i < 12; ++i) {

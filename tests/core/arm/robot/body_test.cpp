@@ -1,6 +1,7 @@
 // What of a URDF is the robot's body, and which pairs of links are checked.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -173,6 +174,21 @@ TEST(Body, LinksWithoutGeometryAreCollapsed) {
   EXPECT_EQ(SceneSensor(whole, {}).contact(joints({0, 0})), "link \"a\" and link \"c\"");
 }
 
+TEST(Body, WhatIsAboveTheBaseStandsWhereItsJointsPutIt) {
+  const std::string text = R"(<robot name="r"><link name="rail"><collision>
+    <geometry><sphere radius="0.1"/></geometry></collision></link><link name="a"/><link name="b"/>
+    <joint name="turret" type="revolute"><parent link="rail"/><child link="a"/>
+      <origin xyz="1 0 0.2"/><axis xyz="0 0 1"/><limit lower="0" upper="1" velocity="1" effort="1"/>
+    </joint>
+    <joint name="j" type="revolute"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/>
+      <limit lower="0" upper="1" velocity="1" effort="1"/></joint></robot>)";
+  const Robot robot = parse_robot(text, "r.urdf", {.base = "a", .set_joints = {{"turret", 0.5}}});
+  ASSERT_EQ(robot.links.size(), 1u);
+  EXPECT_EQ(robot.links[0].body, 0);
+  const Eigen::Vector3d at = robot.links[0].solids[0].pose.translation();
+  EXPECT_TRUE(at.isApprox(Eigen::Vector3d(-std::cos(0.5), std::sin(0.5), -0.2))) << at.transpose();
+}
+
 TEST(Body, ARobotWithoutCollisionGeometryIsRefused) {
   std::string text = kUrdf;
   for (auto at = text.find("collision"); at != text.npos; at = text.find("collision", at)) {
@@ -229,11 +245,19 @@ TEST_F(FilesOfRobot, Srdf) {
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
     }
   };
-  refused("<disable_collisions link1=\"a\" link2=\"bb\"/>", 2, "did you mean \"b\"?");
   refused("<disable_collisions link1=\"a\"/>", 2, "has no link2");
-  refused("<group_state name=\"x\">\n<joint name=\"j3\" value=\"1\"/></group_state>", 3, "j3");
   refused("<group_state name=\"x\">\n<joint name=\"j1\" value=\"one\"/></group_state>", 3, "one");
   refused("<group_state name=\"x\">", 2, "no XML");
+  const std::string all = "<robot name=\"r\"><disable_default_collisions link=\"b\"/>";
+  EXPECT_EQ(read(all + "</robot>").may_touch, (std::vector{std::pair{0, 1}}));
+  EXPECT_TRUE(read(all + "<enable_collisions link1=\"c\" link2=\"b\"/></robot>").may_touch.empty());
+  // As MoveIt does; a pair whose name is wrong stays checked.
+  const Robot other = read(R"(<robot name="r"><disable_collisions link1="c" link2="hand"/>
+    <group_state name="home" group="arm"><joint name="j1" value="0.5"/>
+      <joint name="j2" value="-0.1"/><joint name="j3" value="1"/></group_state></robot>)");
+  EXPECT_TRUE(other.may_touch.empty());
+  EXPECT_EQ(other.states.at("home"), joints({0.5, -0.1}));
+  EXPECT_TRUE(holds(other.notes, "the SRDF names what the robot has not: hand, j3"));
 }
 
 TEST_F(FilesOfRobot, JointLimits) {
@@ -270,7 +294,19 @@ joint_limits:
   refused("joint_limits:\n  j1:\n    has_velocity_limits: 7\n", 3, "neither true nor false");
   refused("joint_limits:\n  j1: 3\n", 2, "no list of keys");
   refused("joint_limits:\n  j1: [\n", 3, "broken YAML");
-  refused("joint_limits:\n  j9: {has_velocity_limits: false}\n", -1, "did you mean");
+  refused("joint_limits:\n  j9: {has_velocity_limits: false}\n", 2, "did you mean");
+  refused("joint_limits:\n  j1: {}\n  j1: {}\n", 3, "names \"j1\" twice");
+  refused("joint_limits:\n  j1:\n    has_velocity_limits: true\n", 3, "max_velocity is missing");
+  refused("velocity: 3\n", 1, "has no joint_limits");
+  // The factors are of all joints, those too of which the file says nothing else.
+  const Robot slow = read(
+      "default_velocity_scaling_factor: 0.5\ndefault_acceleration_scaling_factor: 0.25\n"
+      "joint_limits:\n");
+  const Robot fast = parse_robot(kUrdf, "r.urdf");
+  for (int j = 0; j < 2; ++j) {
+    EXPECT_DOUBLE_EQ(slow.joints[j].velocity, 0.5 * fast.joints[j].velocity);
+    EXPECT_DOUBLE_EQ(slow.joints[j].acceleration, 0.125 * fast.joints[j].acceleration);
+  }
 }
 
 TEST_F(FilesOfRobot, SoftLimitsAreTheTighterOnes) {

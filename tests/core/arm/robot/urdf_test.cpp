@@ -81,6 +81,7 @@ TEST(Urdf, FaultsAreNamedByLine) {
       {"prismatic", "planar", 8},
       {"velocity=\"0.5\"", "velocity=\"-2.5\"", 8},
       {"<link name=\"d\"/>", "<xacro:include filename=\"d\"/>", 5},
+      {"0 0 2", "${height} 0 2", 6},
       {"type=\"prismatic\"", "type=\"prismatic", 8},
       {"</joint>\n</robot>", "</robot>", 10},
       {"<parent link=\"a\"/>", "<parent link=\"b\"/>", 6},
