@@ -82,7 +82,6 @@ struct InfoCommand {
 struct AlgorithmsCommand {
   std::string name;  ///< the only one listed; empty: all
   bool json = false;
-  std::string name;  ///< of the only one; empty: all
 };
 
 struct GenerateCommand {
