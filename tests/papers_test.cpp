@@ -168,9 +168,11 @@ TEST(AntSystem, PheromoneLiesOnTheArcsWalked) {
 
 constexpr std::uint8_t kEast = 4, kNorthEast = 2;
 
-struct Trail20 {
-  explicit Trail20(Params p, double tau0 = 1) : params(std::move(p)), rows(grid, {10, 2}, params) {
-    rows.field.reset(grid, rows.moves, {10, 2}, params, tau0, {});
+struct WalkedGrid {
+  explicit WalkedGrid(Params p, double tau0 = 1, int size = 20, Cell from = {2, 2},
+                      Cell to = {10, 2})
+      : grid(size, size), start(from), goal(to), params(std::move(p)), rows(grid, goal, params) {
+    rows.field.reset(grid, rows.moves, goal, params, tau0, {});
   }
   void walk(std::vector<std::uint8_t> moves, bool arrived = true) {
     walked.push_back(std::move(moves));
@@ -184,18 +186,19 @@ struct Trail20 {
     std::vector<int> ranking;
     const Tour none{{}, std::nan("")};
     update_trail(rows.field, params,
-                 {.start = {2, 2},
+                 {.start = start,
                   .moves = rows.moves,
                   .ants = ants,
                   .best_so_far = best_so_far < 0 ? none : ants[best_so_far],
                   .iteration = iteration,
-                  .rows = 20,
+                  .rows = grid.height(),
                   .ranking = ranking},
                  stop);
   }
   double tau(int x, int y, int move = 0) const { return rows.field.tau({x, y}, move); }
 
-  Grid grid{20, 20};
+  Grid grid;
+  Cell start, goal;
   Params params;
   Rows rows;
   std::vector<std::vector<std::uint8_t>> walked;
@@ -209,7 +212,7 @@ TEST(AntSystem, AnUpdateIsCutShort) {
   Params params("as");
   params.persistence = 1;
   params.deposit = 10000.0 / 4096;
-  Trail20 trail(params);
+  WalkedGrid trail(params);
   std::vector<std::uint8_t> moves;
   for (int i = 0; i < 5000; ++i) moves.insert(moves.end(), {kEast, kWest});
   trail.walk(moves);
@@ -222,7 +225,7 @@ TEST(AntSystem, AnUpdateIsCutShort) {
 
 TEST(Elitist, TheBestTourSoFarDepositsAgain) {
   // Evaporation 0.5, e = 30, Q = 1: 0.5 + 1/2 on the tour of length 2, and 30/2 more as the best.
-  Trail20 trail(Params("eas"));
+  WalkedGrid trail(Params("eas"));
   trail.walk({kEast, kEast});
   trail.walk({kNorthEast});
   trail.update(0);
@@ -234,7 +237,7 @@ TEST(RankBased, WeightsFallWithTheRank) {
   // w = 3: rank 1 deposits 2/L, rank 2 1/L, rank 3 nothing, the best so far 3/L; evaporation 0.1.
   Params p("ras");
   p.ranks = 3;
-  Trail20 trail(p);
+  WalkedGrid trail(p);
   trail.walk({kEast, kEast, kEast, kEast});  // rank 3
   trail.walk({kNorthEast});                  // rank 1 and best so far
   trail.walk({kEast, kEast});                // rank 2
@@ -247,7 +250,7 @@ TEST(RankBased, WeightsFallWithTheRank) {
 TEST(MaxMin, PheromoneStaysBetweenItsBounds) {
   // Best tour of 4 moves, L = 4, evaporation 0.02: tau_max = 1 / (0.02 * 4) = 12.5; p^(1/4) =
   // 0.05^0.25 = 0.472871, mean choice 4: tau_min = 12.5 * 0.527129 / (3 * 0.472871) = 4.644734.
-  Trail20 trail(Params("mmas"), 100);
+  WalkedGrid trail(Params("mmas"), 100);
   trail.walk({kEast, kEast, kEast, kEast});
   trail.update(0);
   EXPECT_NEAR(trail.tau(2, 2, kEast), 12.5, 1e-4);
@@ -259,7 +262,7 @@ TEST(MaxMin, PheromoneStaysBetweenItsBounds) {
 
 TEST(AntColonySystem, OnlyTheBestTourChangesGlobally) {
   // tau <- 0.9 * 1 + 0.1 * (1 / 2) = 0.95 on the best tour, 1 elsewhere.
-  Trail20 trail(Params("acs"));
+  WalkedGrid trail(Params("acs"));
   trail.walk({kEast, kEast});
   trail.walk({kNorthEast, kNorthEast, kNorthEast});
   trail.update(0);
@@ -269,7 +272,7 @@ TEST(AntColonySystem, OnlyTheBestTourChangesGlobally) {
 
 TEST(AntColonySystem, CrossedArcsReturnTowardTau0) {
   // xi = 0.1, tau0 = 0.2: tau <- 0.9 * 1 + 0.1 * 0.2 = 0.92.
-  Trail20 trail(Params("acs"));
+  WalkedGrid trail(Params("acs"));
   const std::vector<std::uint8_t> moves{kEast};
   const Tour tour{moves, 1};
   std::vector<int> ranking;
@@ -288,7 +291,7 @@ TEST(LectureGrid, TheBestAntsShareTheDeposit) {
   // Evaporation 0.1, tau0 0.5, Q = 0.5, 3 ants of which 2 deposit: 0.45 + 0.5 / 3.
   Params p("lecture-grid");
   p.elite_ants = 2;
-  Trail20 trail(p, 0.5);
+  WalkedGrid trail(p, 0.5);
   trail.walk({kEast, kEast});
   trail.walk({kEast, kEast, kEast, kEast});
   trail.walk({kNorthEast});
@@ -336,7 +339,7 @@ TEST(TerminalIndex, AntsThatAreStuckDie) {
 
 TEST(TerminalIndex, IsTheLeastKnownWayToTheGoal) {
   // Two ways from (2, 2) to (4, 2): straight, 2; by (3, 1), 2 sqrt(2). Unknown cells stay at 99.
-  Trail20 trail(Params("terminal-index"), 99);
+  WalkedGrid trail(Params("terminal-index"), 99);
   constexpr std::uint8_t kSouthEast = 7;
   trail.walk({kNorthEast, kSouthEast});
   trail.update();
@@ -350,107 +353,83 @@ TEST(TerminalIndex, IsTheLeastKnownWayToTheGoal) {
   EXPECT_NEAR(trail.tau(9, 9), 99, 1e-4);
 }
 
-/// The index of a free grid after ants that walked `strokes` from `start` to `goal`.
-struct Index {
-  using Strokes = std::vector<std::pair<std::uint8_t, int>>;  // a move, and how often
+/// An ant that made each of the moves so often teaches the index: the length of its tour.
+double learn(WalkedGrid& index, const std::vector<std::pair<std::uint8_t, int>>& strokes) {
+  std::vector<std::uint8_t> moves;
+  for (const auto& [move, times] : strokes) moves.insert(moves.end(), times, move);
+  index.walk(moves);
+  index.update();
+  return index.lengths.back();
+}
 
-  Index(int size, Cell from, Cell to) : grid(size, size), start(from), goal(to) {
-    rows.field.reset(grid, rows.moves, goal, rows.params, 99, {});
-  }
-  /// The length of the tour that was learned from.
-  double learn(const Strokes& strokes) {
-    std::vector<std::uint8_t> walked;
-    double length = 0;
-    for (const auto& [move, times] : strokes) {
-      walked.insert(walked.end(), times, move);
-      length += times * rows.moves[move].length;
-    }
-    const Tour tour{walked, length};
-    std::vector<int> ranking;
-    update_trail(rows.field, rows.params,
-                 {.start = start,
-                  .moves = rows.moves,
-                  .ants = {&tour, 1},
-                  .best_so_far = tour,
-                  .rows = grid.height(),
-                  .ranking = ranking},
-                 {});
-    return length;
-  }
-  /// The length of the generation's answer.
-  double answer() {
-    std::vector<std::uint8_t> way;
-    best_known_way(rows.field, rows.moves, start, goal, {}, way);
-    double length = 0;
-    for (const int k : way) length += rows.moves[k].length;
-    return length;
-  }
-  double k(int x, int y) const { return rows.field.tau({x, y}, 0); }
-
-  Grid grid;
-  Cell start, goal;
-  Rows rows{grid, goal, Params("terminal-index")};
-};
+/// The length of the generation's answer.
+double answer(WalkedGrid& index) {
+  std::vector<std::uint8_t> way;
+  best_known_way(index.rows.field, index.rows.moves, index.start, index.goal, {}, way);
+  double length = 0;
+  for (const int k : way) length += index.rows.moves[k].length;
+  return length;
+}
 constexpr std::uint8_t kNW = 0, kN = 1, kNE = 2, kW = 3, kE = 4, kSW = 5, kS = 6, kSE = 7;
 
 // Figures 4 to 6 are lost: two ways with the printed values. Its digits are cut off, not rounded.
 TEST(TerminalIndex, JoinsTheGoodPartsOfTwoPathsOn4x4) {
-  Index index(4, {0, 3}, {3, 0});
-  index.learn({{kN, 2}, {kE, 1}, {kNE, 1}, {kE, 1}});
-  EXPECT_NEAR(index.k(1, 1), 2.41, 0.01);  // kept when the second way would make it 3
-  EXPECT_NEAR(index.k(0, 3), 5.41, 0.01);
-  index.learn({{kNE, 1}, {kN, 2}, {kE, 2}});
-  EXPECT_NEAR(index.k(3, 0), 0, 1e-6);
-  EXPECT_NEAR(index.k(2, 0), 1, 1e-6);
-  EXPECT_NEAR(index.k(1, 0), 2, 1e-6);
-  EXPECT_NEAR(index.k(1, 1), 2.41, 0.01);
-  EXPECT_NEAR(index.k(1, 2), 3.41, 0.01);
-  EXPECT_NEAR(index.k(0, 3), 4.82, 0.01);
-  EXPECT_NEAR(index.answer(), 4.82, 0.01);
+  WalkedGrid index(Params("terminal-index"), 99, 4, {0, 3}, {3, 0});
+  learn(index, {{kN, 2}, {kE, 1}, {kNE, 1}, {kE, 1}});
+  EXPECT_NEAR(index.tau(1, 1), 2.41, 0.01);  // kept when the second way would make it 3
+  EXPECT_NEAR(index.tau(0, 3), 5.41, 0.01);
+  learn(index, {{kNE, 1}, {kN, 2}, {kE, 2}});
+  EXPECT_NEAR(index.tau(3, 0), 0, 1e-6);
+  EXPECT_NEAR(index.tau(2, 0), 1, 1e-6);
+  EXPECT_NEAR(index.tau(1, 0), 2, 1e-6);
+  EXPECT_NEAR(index.tau(1, 1), 2.41, 0.01);
+  EXPECT_NEAR(index.tau(1, 2), 3.41, 0.01);
+  EXPECT_NEAR(index.tau(0, 3), 4.82, 0.01);
+  EXPECT_NEAR(answer(index), 4.82, 0.01);
 }
 
 // Figure 3's paths are lost, too: this is a reconstruction that meets every printed number. Node
 // 266 is (6, 13) from the bottom left, here (6, 6); the source calculates with 1.414.
 TEST(TerminalIndex, Figure3JoinsTwoLongPathsToTheOptimum) {
-  Index index(20, {0, 19}, {19, 0});
-  EXPECT_NEAR(index.learn({{kE, 1},
-                           {kN, 1},
-                           {kW, 1},
-                           {kN, 7},
-                           {kNE, 5},
-                           {kE, 1},
-                           {kSE, 1},
-                           {kS, 1},
-                           {kNE, 4},
-                           {kE, 3},
-                           {kNE, 4},
-                           {kE, 1}}),
+  WalkedGrid index(Params("terminal-index"), 99, 20, {0, 19}, {19, 0});
+  EXPECT_NEAR(learn(index, {{kE, 1},
+                            {kN, 1},
+                            {kW, 1},
+                            {kN, 7},
+                            {kNE, 5},
+                            {kE, 1},
+                            {kSE, 1},
+                            {kS, 1},
+                            {kNE, 4},
+                            {kE, 3},
+                            {kNE, 4},
+                            {kE, 1}}),
               35.80, 0.005);
-  EXPECT_NEAR(index.k(19, 0), 0, 1e-6);
-  EXPECT_NEAR(index.k(18, 0), 1, 1e-6);
-  EXPECT_NEAR(index.k(17, 1), 2.414, 0.001);
-  EXPECT_NEAR(index.k(6, 6), 17.726, 0.005);
-  EXPECT_NEAR(index.learn({{kE, 3},
-                           {kNE, 4},
-                           {kN, 7},
-                           {kNW, 1},
-                           {kSW, 1},
-                           {kN, 1},
-                           {kNE, 1},
-                           {kNE, 6},
-                           {kSE, 2},
-                           {kNE, 2},
-                           {kE, 3}}),
+  EXPECT_NEAR(index.tau(19, 0), 0, 1e-6);
+  EXPECT_NEAR(index.tau(18, 0), 1, 1e-6);
+  EXPECT_NEAR(index.tau(17, 1), 2.414, 0.001);
+  EXPECT_NEAR(index.tau(6, 6), 17.726, 0.005);
+  EXPECT_NEAR(learn(index, {{kE, 3},
+                            {kNE, 4},
+                            {kN, 7},
+                            {kNW, 1},
+                            {kSW, 1},
+                            {kN, 1},
+                            {kNE, 1},
+                            {kNE, 6},
+                            {kSE, 2},
+                            {kNE, 2},
+                            {kE, 3}}),
               38.04, 0.005);
-  EXPECT_NEAR(index.k(6, 6), 17.14, 0.005);
-  EXPECT_NEAR(index.k(0, 19), 30.97, 0.005);
-  EXPECT_NEAR(index.answer(), 30.97, 0.005);
+  EXPECT_NEAR(index.tau(6, 6), 17.14, 0.005);
+  EXPECT_NEAR(index.tau(0, 19), 30.97, 0.005);
+  EXPECT_NEAR(answer(index), 30.97, 0.005);
 }
 
 TEST(TerminalIndex, WeightsAreEquations8And9) {
   // At (3, 2), goal (10, 2): K(4, 2) = 0 is Kmin, so K' = K; unknown 99. East: the least weight.
   // Rows hold one over it.
-  Trail20 trail(Params("terminal-index"), 99);
+  WalkedGrid trail(Params("terminal-index"), 99);
   trail.walk({kEast, kEast});
   trail.update();
   trail.rows.field.refresh(schedule(trail.params, 1), 1);
@@ -464,7 +443,7 @@ TEST(TerminalIndex, WeightsAreEquations8And9) {
 
 TEST(Cong2009, SuccessMultipliesPheromoneAndTeachesTheHeuristic) {
   // tau <- 0.8 * 3 = 2.4, then * (1 + 1.2 * 20 / 4) = 16.8; eta <- 1 + 20 / 4 = 6.
-  Trail20 trail(Params("cong2009"), 3);
+  WalkedGrid trail(Params("cong2009"), 3);
   trail.walk({2, 2, 2, 2});
   trail.update(0);
   EXPECT_NEAR(trail.tau(4, 2), 16.8, 1e-5);
@@ -477,34 +456,24 @@ TEST(Cong2009, SuccessMultipliesPheromoneAndTeachesTheHeuristic) {
 // 0.8 * 3 = 2.4; then equation 3, read as 2.4 (1 + 1.2 * 5 / 8) = 4.2 or as 2.4 * 1.2 * 5 / 8 + 1 =
 // 2.8, and equation 4, 1 + 5 / 8 = 1.625. Other cells keep 2.4 and 1.
 TEST(Cong2009, EightMovesOn5x5ByEitherReadingOfEquation3) {
-  const Grid grid(5, 5);
   for (const auto& [reading, taught] : {std::pair{Reward::factor, 4.2}, {Reward::affine, 2.8}}) {
     Params params("cong2009");
     params.reward_reading = reading;
-    Rows rows(grid, {4, 0}, params);
-    const std::vector<std::uint8_t> walked{2, 2, 2, 2, 0, 0, 0, 0};
-    const Tour tour{walked, 8};
-    std::vector<int> ranking;
-    update_trail(rows.field, params,
-                 {.start = {0, 4},
-                  .moves = rows.moves,
-                  .ants = {&tour, 1},
-                  .best_so_far = tour,
-                  .rows = 5,
-                  .ranking = ranking},
-                 {});
+    WalkedGrid trail(params, 3, 5, {0, 4}, {4, 0});
+    trail.walk({2, 2, 2, 2, 0, 0, 0, 0});
+    trail.update();
     for (int y = 0; y < 5; ++y) {
       for (int x = 0; x < 5; ++x) {
         const bool on_tour = y == 4 || x == 4;
-        EXPECT_NEAR(rows.field.tau({x, y}, 0), on_tour ? taught : 2.4, 1e-6) << x << "," << y;
-        EXPECT_NEAR(rows.field.eta({x, y}), on_tour ? 1.625 : 1, 1e-6) << x << "," << y;
+        EXPECT_NEAR(trail.tau(x, y), on_tour ? taught : 2.4, 1e-6) << x << "," << y;
+        EXPECT_NEAR(trail.rows.field.eta({x, y}), on_tour ? 1.625 : 1, 1e-6) << x << "," << y;
       }
     }
   }
 }
 
 TEST(Cong2009, ADeadEndHalvesTheSecondHalfOfTheTour) {
-  Trail20 trail(Params("cong2009"), 3);
+  WalkedGrid trail(Params("cong2009"), 3);
   trail.walk({2, 2, 2, 2}, false);
   trail.update();
   EXPECT_NEAR(trail.tau(3, 2), 2.4, 1e-6);

@@ -176,6 +176,11 @@ int run(Task& task) {
   watched_plan(task, signals.token());
   const std::string why = explain(task);
   if (!why.empty() && (!task.has_path() || !options.messages.quiet)) message(why);
+  const int done = task.result().iterations;
+  if (options.messages.verbose && task.result().status == Status::solved && task.iterates() &&
+      done < task.iterations())
+    message("ended by its own rule after " + counted(done, "iteration") + " of " +
+            std::to_string(task.iterations()));
   if (!options.messages.quiet) task.remark();
   deliver(task);
   return signals.interrupted() ? kInterrupted : exit_code(task);  // --gap may be what was cut off
