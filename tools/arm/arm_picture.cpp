@@ -20,7 +20,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr Colour kPaleGrid{0.9, 0.91, 0.93};
 constexpr Colour kObstacle{0.45, 0.48, 0.53};
 constexpr Colour kBase{0.45, 0.3, 0.15};
 constexpr Colour kGhost{0.45, 0.6, 0.78};
@@ -70,23 +69,6 @@ class Frame {
   double scale_;
   Point origin_{};
 };
-
-/// Pale lines, and the axes around them in metres.
-void draw_grid(Canvas& canvas, const Box& box, const Frame& frame, const Aspect& view) {
-  static constexpr const char* kNames[] = {"x, m", "y, m", "z, m"};
-  const Point low = frame.metres({box.x, box.y + box.height});
-  const Point high = frame.metres({box.x + box.width, box.y});
-  const Axes axes{.box = box, .x = {low.x, high.x}, .y = {low.y, high.y}};
-  for (const double x : ticks(low.x, high.x, static_cast<int>(box.width / 70))) {
-    const double at = axes.at(x, low.y).x;
-    canvas.line({at, box.y}, {at, box.y + box.height}, kPaleGrid, 1);
-  }
-  for (const double y : ticks(low.y, high.y, static_cast<int>(box.height / 45))) {
-    const double at = axes.at(low.x, y).y;
-    canvas.line({box.x, at}, {box.x + box.width, at}, kPaleGrid, 1);
-  }
-  draw_plane_axes(canvas, axes, kNames[view.across], kNames[view.up]);
-}
 
 void draw_solid(Canvas& canvas, const Frame& frame, const arm::Solid& solid, Colour colour,
                 double opacity) {
@@ -153,7 +135,11 @@ std::vector<Vector3d> tip_path(const ArmAnswer& answer) {
 void draw_view(Canvas& canvas, const Box& box, const Aspect& view, const Bounds& bounds,
                const ArmAnswer& answer) {
   const Frame frame(view, box, bounds);
-  draw_grid(canvas, box, frame, view);
+  static constexpr const char* kNames[] = {"x, m", "y, m", "z, m"};
+  const Point low = frame.metres({box.x, box.y + box.height});
+  const Point high = frame.metres({box.x + box.width, box.y});
+  draw_axes(canvas, {.box = box, .x = {low.x, high.x}, .y = {low.y, high.y}}, kNames[view.across],
+            kNames[view.up], true);
   canvas.clip(box);
   for (const auto& o : answer.scene.obstacles) draw_solid(canvas, frame, o, kObstacle, 0.35);
   for (const arm::Link& link : answer.robot.links)
@@ -184,9 +170,9 @@ void draw_view(Canvas& canvas, const Box& box, const Aspect& view, const Bounds&
 
 std::vector<Key> keys_of(const ArmAnswer& answer) {
   const auto pale = [](Colour colour, double opacity) { return blend({1, 1, 1}, colour, opacity); };
-  std::vector<Key> keys{start_key(), goal_key()};
-  keys[0].label = "tip at the start";
-  keys[1].label = answer.goals.size() == 1 ? "goal of the tip" : "goals of the tip";
+  std::vector<Key> keys{
+      start_key("tip at the start"),
+      goal_key(answer.goals.size() == 1 ? "goal of the tip" : "goals of the tip")};
   keys.push_back(area_key("arm at the start", pale(kStart, 0.5)));
   if (!answer.plan.trajectory.empty()) {
     keys.push_back(area_key("arm at the end", pale(kGoal, 0.5)));
@@ -285,27 +271,21 @@ void write_arm_picture(const std::string& file, const ArmCommand& command,
   const bool moves = !plan.trajectory.empty() && plan.trajectory.duration() > 0;
   const bool charts = moves || !plan.best.empty() || !plan.asked.empty();
   constexpr double kInner = 3 * kView + 2 * kBetween;
-  const auto header = [&](Canvas& canvas) {
-    double y = kMargin;
-    y += draw_wrapped(canvas, {kMargin + kInner / 2, y}, title(command, answer), 19, kInner,
-                      Align::centre, true);
-    const Legend legend(canvas, keys_of(answer), kInner);
-    legend.draw(canvas, {kMargin, y + 8});
-    return y + legend.height() + 20;
-  };
-  Canvas measure(1, 1);
-  const double top = header(measure);
-  const double side = kView - kPlaneLeft - 6;
-  const double below = top + side + kPlaneBottom + kCaption;
-  Canvas canvas(static_cast<int>(2 * kMargin + kInner),
-                static_cast<int>(below + kMargin + (charts ? kChart : 0)));
-  header(canvas);
+  Canvas canvas;
+  double top = kMargin;
+  top += draw_wrapped(canvas, {kMargin + kInner / 2, top}, title(command, answer), 19, kInner,
+                      Align::centre, true) +
+         8;
+  top += draw_legend(canvas, {kMargin, top}, kInner, keys_of(answer)) + 12;
+  const double side = kView - kAxisLeft - 6;
+  const double below = top + side + kAxisBottom + kCaption;
+  canvas.resize(2 * kMargin + kInner, below + kMargin + (charts ? kChart : 0));
   const Bounds bounds = bounds_of(answer);
   double left = kMargin;
   for (const Aspect& view : kViews) {
-    const Box box{left + kPlaneLeft, top, side, side};
+    const Box box{left + kAxisLeft, top, side, side};
     draw_view(canvas, box, view, bounds, answer);
-    canvas.text({box.x + side / 2, top + side + kPlaneBottom + 18}, view.name, 16, Align::centre,
+    canvas.text({box.x + side / 2, top + side + kAxisBottom + 18}, view.name, 16, Align::centre,
                 kInk);
     left += kView + kBetween;
   }

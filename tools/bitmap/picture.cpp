@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
-#include <span>
+#include <limits>
 
 #include "tools/console/parameters.h"
 #include "tools/draw/canvas.h"
@@ -18,28 +18,11 @@ namespace lasius::tool {
 namespace {
 
 constexpr Colour kWall{0.58, 0.605, 0.64};
-constexpr Colour kUnread{1, 1, 1};
 
-/// A colour between colours at even shares.
-Colour shade(std::span<const Colour> colours, double share) {
-  const double place = share * static_cast<double>(colours.size() - 1);
-  const auto i = std::min(static_cast<std::size_t>(place), colours.size() - 2);
-  return blend(colours[i], colours[i + 1], place - static_cast<double>(i));
-}
-Colour ants_colour(double share) {
-  static constexpr Colour kBlues[] = {{0.74, 0.85, 0.95}, {0.26, 0.57, 0.78}, {0.03, 0.16, 0.38}};
-  return shade(kBlues, share);
-}
-Colour trail_colour(double share) {
-  static constexpr Colour kHeat[] = {
-      {1, 0.98, 0.85}, {1, 0.8, 0.35}, {0.87, 0.32, 0.1}, {0.27, 0, 0.1}};
-  return shade(kHeat, share);
-}
-Colour index_colour(double share) {
-  static constexpr Colour kFar[] = {
-      {0.27, 0, 0.33}, {0.13, 0.45, 0.56}, {0.37, 0.79, 0.38}, {0.99, 0.9, 0.14}};
-  return shade(kFar, share);
-}
+constexpr Colour kAnts[] = {{0.74, 0.85, 0.95}, {0.26, 0.57, 0.78}, {0.03, 0.16, 0.38}};
+constexpr Colour kHeat[] = {{1, 0.98, 0.85}, {1, 0.8, 0.35}, {0.87, 0.32, 0.1}, {0.27, 0, 0.1}};
+constexpr Colour kFar[] = {
+    {0.27, 0, 0.33}, {0.13, 0.45, 0.56}, {0.37, 0.79, 0.38}, {0.99, 0.9, 0.14}};
 
 /// The cells that are shown: all around free ones, start and goal, where that leaves out a tenth
 /// of the map or more.
@@ -52,14 +35,9 @@ Window shown_of(const LoadedMap& map, const std::vector<Cell>& ends) {
   };
   for (const Cell c : ends)
     if (grid.contains(c)) take(c.x, c.y);
-  for (int y = 0; y < grid.height(); ++y) {
-    int x = 0;
-    while (x < grid.width() && !grid.free({x, y})) ++x;
-    if (x == grid.width()) continue;
-    take(x, y);
-    for (x = grid.width() - 1; x >= free.columns.to && !grid.free({x, y});) --x;
-    take(x, y);
-  }
+  for (int y = 0; y < grid.height(); ++y)
+    for (int x = 0; x < grid.width(); ++x)
+      if (grid.free({x, y})) take(x, y);
   const Window all = whole(grid);
   if (free.width() <= 0) return all;
   const int room = static_cast<int>(std::ceil(map.radius)) +
@@ -90,18 +68,20 @@ struct Sheet {
     return study::fixed(map.length_in(run.frame, cells), decimals) + "\u00a0" + unit();
   }
   /// In cells; in metres of the world where the map is not turned in it.
-  void draw_axes(Canvas& canvas, const Box& box) const {
+  void frame(Canvas& canvas, const Box& box) const {
+    const bool world = metres() && map.frame->yaw == 0;
     Axes axes{.box = box,
               .x = {1.0 * window.columns.from, 1.0 * window.columns.to},
-              .y = {1.0 * window.rows.to, 1.0 * window.rows.from}};
-    const bool world = metres() && map.frame->yaw == 0;
+              .y = {1.0 * window.rows.to, 1.0 * window.rows.from},
+              .whole_x = !world,
+              .whole_y = !world};
     if (world) {
       const Point low = map.to_world({axes.x.low, axes.y.low});
       const Point high = map.to_world({axes.x.high, axes.y.high});
       axes.x = {low.x, high.x};
       axes.y = {low.y, high.y};
     }
-    draw_plane_axes(canvas, axes, world ? "x, m" : "x, cells", world ? "y, m" : "y, cells", !world);
+    draw_axes(canvas, axes, world ? "x, m" : "x, cells", world ? "y, m" : "y, cells", false);
   }
   /// What the window leaves out.
   std::string note() const {
@@ -143,7 +123,7 @@ void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet, Colour wall,
     }
   }
   canvas.image(pixels, box);
-  sheet.draw_axes(canvas, box);
+  sheet.frame(canvas, box);
 }
 
 Colour free_ground(Span, Span) { return kFree; }
@@ -180,60 +160,38 @@ void draw_tracks(Canvas& canvas, const Box& box, const Sheet& sheet,
 }
 
 /// From 1 ant a cell to the most.
-ColourScale track_scale(double most) { return {{1, std::max(2.0, most)}, true, ants_colour}; }
+ColourScale track_scale(double most) { return {{1, std::max(2.0, most)}, true, kAnts}; }
 
-/// The part of the values that tells cells apart: four decades below the most at most, and no more
-/// than what 95% of the values in these have, if these differ. So neither a trail that has
-/// evaporated nor one that is nearly the same everywhere makes a picture of one colour.
-ColourScale pheromone_scale(const Raster<float>& raster) {
+/// What of a trail has colours: values in [least, below).
+struct TrailScale {
+  ColourScale colours;
+  double least = 0, below = std::numeric_limits<double>::infinity();
+};
+
+/// The part of the pheromone that tells cells apart: four decades below the most at most, and no
+/// more than what 95% of the values in these have, if these differ. So neither a trail that has
+/// evaporated nor one that is nearly the same everywhere makes a picture of one colour. Of an index
+/// all that is known, the longest 1% as one colour.
+TrailScale trail_scale(const Raster<float>& raster, bool index) {
   constexpr double kDecades = 1e-4;
   std::vector<float> values;
   for (const float v : raster.values)
     if (v > 0) values.push_back(v);
-  if (values.empty()) return {{0, 1}, false, trail_colour};
+  if (values.empty()) return {{{0, 1}, false, kHeat}};
   std::ranges::sort(values, std::greater<>());
+  if (index) {
+    const double unknown = values.front();
+    const auto known = std::ranges::find_if(values, [&](float v) { return v < unknown; });
+    const auto skipped = (values.end() - known) / 100;
+    const double most = known == values.end() ? 1 : *(known + skipped);
+    return {{{0, std::max(1.0, most)}, false, kFar}, 0, unknown};
+  }
   // All ants meet at the start and goal: the few cells there would take a decade for themselves.
   const double high = values[std::min<std::size_t>(16, values.size() / 100)];
   const auto matter = std::ranges::count_if(values, [&](float v) { return v >= kDecades * high; });
   double low = values[static_cast<std::size_t>(matter * 95 / 100)];
   if (low >= high) low = values[static_cast<std::size_t>(matter - 1)];
-  return {{low, high}, high > 10 * low, trail_colour};
-}
-
-void draw_pheromone(Canvas& canvas, const Box& box, const Sheet& sheet,
-                    const PictureRecorder& recorder) {
-  const auto& values = recorder.pheromone().values;
-  const ColourScale scale = pheromone_scale(values);
-  paint_map(canvas, box, sheet, kWall, [&](Span columns, Span rows) {
-    const double held = chosen(values, recorder.cells_a_pixel(), columns, rows, std::greater<>());
-    return held >= scale.range.low ? scale.at(held) : kUnread;
-  });
-  draw_bar(canvas, box, scale);
-}
-
-/// From 0 to what 99% of the known indices have: some cells know a way of very many moves.
-ColourScale index_scale(const Raster<float>& raster, float& unknown) {
-  std::vector<float> values;
-  for (const float v : raster.values)
-    if (v == v) values.push_back(v);
-  unknown = values.empty() ? 0 : *std::ranges::max_element(values);
-  std::erase(values, unknown);
-  if (values.empty()) return {{0, 1}, false, index_colour};
-  const auto place = values.begin() + std::ssize(values) * 99 / 100;
-  std::ranges::nth_element(values, place);
-  return {{0, std::max(1.0F, *place)}, false, index_colour};
-}
-
-void draw_index(Canvas& canvas, const Box& box, const Sheet& sheet,
-                const PictureRecorder& recorder) {
-  const auto& values = recorder.pheromone().values;
-  float unknown = 0;
-  const ColourScale scale = index_scale(values, unknown);
-  paint_map(canvas, box, sheet, kWall, [&](Span columns, Span rows) {
-    const float index = chosen(values, recorder.cells_a_pixel(), columns, rows, std::less<>());
-    return index < unknown ? scale.at(index) : kUnread;
-  });
-  draw_bar(canvas, box, scale);
+  return {{{low, high}, high > 10 * low, kHeat}, low};
 }
 
 void draw_path(Canvas& canvas, const Box& box, const Sheet& sheet, const std::vector<Point>& path,
@@ -277,8 +235,8 @@ Band track_band(const Sheet& sheet, const Answer& answer, const PictureRecorder&
     if (kept.arrived > 0)
       caption += ", mean tour " + sheet.length(kept.mean, sheet.metres() ? 2 : 0);
     band.rows[0].push_back({caption, [&](Canvas& canvas, const Box& box) {
-                              draw_tracks(canvas, box, sheet, kept.raster(),
-                                          recorder.cells_a_pixel(), now);
+                              draw_tracks(canvas, box, sheet, kept.now, recorder.cells_a_pixel(),
+                                          now);
                               draw_marks(canvas, box, sheet, answer, true);
                             }});
     band.rows[1].push_back({"all ants up to iteration " + std::to_string(kept.iterations),
@@ -291,27 +249,33 @@ Band track_band(const Sheet& sheet, const Answer& answer, const PictureRecorder&
   return band;
 }
 
-Panel pheromone_panel(const Sheet& sheet, const Answer& answer, const PictureRecorder& recorder) {
-  const std::string after = " after iteration " + std::to_string(recorder.pheromone().iterations);
-  const bool index = sheet.run.params.update == Update::terminal_index;
-  std::string caption;
-  if (index) {
-    caption = "terminal index" + after + ": best known way to the goal, cells; white: unknown; " +
-              "longest 1% as the end of the scale";
-  } else {
-    const auto [range, logarithmic, colour] = pheromone_scale(recorder.pheromone().values);
-    caption = "pheromone" + after + (logarithmic ? ", logarithmic; " : "; ") +
-              (sheet.run.params.trail == Trail::arcs ? "the most on a cell's arcs; " : "") +
-              (range.low < range.high ? "white: less than " : "the same on every cell: ") +
-              short_number(range.low);
-  }
-  return {.caption = std::move(caption),
-          .draw =
-              [&, index](Canvas& canvas, const Box& box) {
-                (index ? draw_index : draw_pheromone)(canvas, box, sheet, recorder);
-                draw_marks(canvas, box, sheet, answer, false);
-              },
-          .below = kBarHeight + 8};
+Panel trail_panel(const Sheet& sheet, const Answer& answer, const PictureRecorder& recorder) {
+  const Params& params = sheet.run.params;
+  const auto& trail = recorder.pheromone();
+  const bool index = params.update == Update::terminal_index;
+  const TrailScale scale = trail_scale(trail.values, index);
+  const Range& range = scale.colours.range;
+  std::string caption = (index ? "terminal index" : "pheromone") +
+                        std::string(" after iteration ") + std::to_string(trail.iterations);
+  if (index)
+    caption +=
+        ": best known way to the goal, cells; white: unknown; longest 1% as the end of the scale";
+  else
+    caption += std::string(scale.colours.logarithmic ? ", logarithmic; " : "; ") +
+               (params.trail == Trail::arcs ? "the most on a cell's arcs; " : "") +
+               (range.low < range.high ? "white: less than " : "the same on every cell: ") +
+               short_number(range.low);
+  const auto draw = [&, index, scale](Canvas& canvas, const Box& box) {
+    paint_map(canvas, box, sheet, kWall, [&](Span columns, Span rows) {
+      const int side = recorder.cells_a_pixel();
+      const double value = index ? chosen(trail.values, side, columns, rows, std::less<>())
+                                 : chosen(trail.values, side, columns, rows, std::greater<>());
+      return value >= scale.least && value < scale.below ? scale.colours.at(value) : kFree;
+    });
+    draw_bar(canvas, box, scale.colours);
+    draw_marks(canvas, box, sheet, answer, false);
+  };
+  return {.caption = std::move(caption), .draw = draw, .below = kBarHeight};
 }
 
 void draw_run(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& answer) {
@@ -348,20 +312,18 @@ void write_plan_picture(const std::string& file, const LoadedMap& map, const Run
   page.legend = {start_key(), goal_key(), area_key("blocked", kWall)};
   if (!answer.result.path.empty()) page.legend.push_back(line_key("path", kPath, 3));
   std::uint32_t most = 0;
-  for (const auto& kept : tracks)
-    for (const auto& visit : kept.now) most = std::max(most, visit.second);
+  for (const auto& kept : tracks) most = std::max(most, *std::ranges::max_element(kept.now.values));
   const ColourScale now = track_scale(most);
   const ColourScale so_far =
       track_scale(tracks.empty() ? 1 : *std::ranges::max_element(tracks.back().so_far.values));
   if (!tracks.empty()) {
-    Canvas measure(1, 1);
-    page.legend.push_back(scale_key(measure, "ants through a cell in one iteration", now));
-    page.legend.push_back(scale_key(measure, "in all up to it, both logarithmic", so_far));
+    page.legend.push_back(scale_key("ants through a cell in one iteration", now));
+    page.legend.push_back(scale_key("in all up to it, both logarithmic", so_far));
     page.bands.push_back(track_band(sheet, answer, *recorder, tracks, now, so_far));
   }
   std::vector<Panel> panels;
   if (recorder != nullptr && recorder->pheromone().iterations > 0)
-    panels.push_back(pheromone_panel(sheet, answer, *recorder));
+    panels.push_back(trail_panel(sheet, answer, *recorder));
   panels.push_back({path_caption(sheet, answer), [&](Canvas& canvas, const Box& box) {
                       paint_map(canvas, box, sheet, kWall, free_ground);
                       draw_marks(canvas, box, sheet, answer, false);

@@ -23,12 +23,6 @@ std::vector<int> usual(const Params& params) {
 
 }  // namespace
 
-Raster<std::uint32_t> PictureRecorder::Tracks::raster() const {
-  Raster<std::uint32_t> all(so_far.width, so_far.height);
-  for (const auto& [index, ants_there] : now) all.values[index] = ants_there;
-  return all;
-}
-
 PictureRecorder::PictureRecorder(const Grid& grid, std::vector<int> chosen, const Params& params)
     : grid_(grid),
       chosen_(chosen.empty() ? usual(params) : std::move(chosen)),
@@ -36,24 +30,21 @@ PictureRecorder::PictureRecorder(const Grid& grid, std::vector<int> chosen, cons
       index_(params.update == Update::terminal_index),
       cells_a_pixel_((std::max(grid.width(), grid.height()) + kMostPixels - 1) / kMostPixels) {
   const auto pixels = [this](int cells) { return (cells + cells_a_pixel_ - 1) / cells_a_pixel_; };
-  now_ = visits_ = Raster<std::uint32_t>(pixels(grid.width()), pixels(grid.height()));
+  newest_.now = newest_.so_far = Raster<std::uint32_t>(pixels(grid.width()), pixels(grid.height()));
 }
 
 void PictureRecorder::observe(const GridProgress& progress) {
   done_ = progress.iteration + 1;
-  newest_ = Tracks{done_, progress.ants(), progress.arrived, progress.mean_length, {}, {}};
+  newest_.iterations = done_;
+  newest_.ants = progress.ants();
+  newest_.arrived = progress.arrived;
+  newest_.mean = progress.mean_length;
+  std::ranges::fill(newest_.now.values, 0U);
   for (int ant = 0; ant < progress.ants(); ++ant)
-    for (const Cell c : progress.walk(ant)) {
-      const auto index = now_.index(c.x / cells_a_pixel_, c.y / cells_a_pixel_);
-      if (now_.values[index]++ == 0)
-        newest_->now.emplace_back(static_cast<std::uint32_t>(index), 0U);
-      ++visits_.values[index];
-    }
-  for (auto& [index, ants] : newest_->now) ants = std::exchange(now_.values[index], 0U);
-  if (std::find(chosen_.begin(), chosen_.end(), done_) != chosen_.end()) {
-    kept_.push_back(*newest_);
-    kept_.back().so_far = visits_;
-  }
+    for (const Cell c : progress.walk(ant))
+      for (auto* ants : {&newest_.now, &newest_.so_far})
+        ++ants->at(c.x / cells_a_pixel_, c.y / cells_a_pixel_);
+  if (std::ranges::find(chosen_, done_) != chosen_.end()) kept_.push_back(newest_);
   // A run may end before its last iteration: what is drawn then is at most some captures old.
   const auto now = std::chrono::steady_clock::now();
   if (done_ != last_ && now < next_capture_) return;
@@ -65,7 +56,8 @@ void PictureRecorder::observe(const GridProgress& progress) {
 void PictureRecorder::capture(const GridProgress& progress) {
   auto& values = pheromone_.values;
   if (values.width == 0)
-    values = Raster<float>(visits_.width, visits_.height, std::numeric_limits<float>::quiet_NaN());
+    values = Raster<float>(newest_.now.width, newest_.now.height,
+                           std::numeric_limits<float>::quiet_NaN());
   pheromone_.iterations = done_;
   const bool all = static_cast<std::int64_t>(grid_.width()) * grid_.height() <= kReadAll;
   for (int y = 0; y < values.height; ++y) {
@@ -86,19 +78,16 @@ void PictureRecorder::capture(const GridProgress& progress) {
 }
 
 bool PictureRecorder::touched_near(int x, int y) const {
-  for (int j = std::max(0, y - 1); j <= std::min(visits_.height - 1, y + 1); ++j)
-    for (int i = std::max(0, x - 1); i <= std::min(visits_.width - 1, x + 1); ++i)
-      if (visits_.at(i, j) > 0) return true;
+  for (int j = std::max(0, y - 1); j <= std::min(newest_.now.height - 1, y + 1); ++j)
+    for (int i = std::max(0, x - 1); i <= std::min(newest_.now.width - 1, x + 1); ++i)
+      if (newest_.so_far.at(i, j) > 0) return true;
   return false;
 }
 
 std::vector<PictureRecorder::Tracks> PictureRecorder::tracks() const {
   auto tracks = kept_;
   const bool cut = done_ > 0 && !chosen_.empty() && chosen_.back() > done_;
-  if (cut && (tracks.empty() || tracks.back().iterations != done_)) {
-    tracks.push_back(*newest_);
-    tracks.back().so_far = visits_;
-  }
+  if (cut && (tracks.empty() || tracks.back().iterations != done_)) tracks.push_back(newest_);
   return tracks;
 }
 

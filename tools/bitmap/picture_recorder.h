@@ -3,8 +3,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "lasius/params.h"
@@ -22,10 +20,7 @@ class PictureRecorder {
     int iterations;  ///< its number, from 1
     int ants, arrived;
     double mean;  ///< tour of those that arrived; NaN if none
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> now;  ///< index of a pixel, ants there
-    Raster<std::uint32_t> so_far;
-    /// The ants of the iteration itself.
-    Raster<std::uint32_t> raster() const;
+    Raster<std::uint32_t> now, so_far;
   };
   /// Largest pheromone, or least terminal index, under each pixel after `iterations` iterations;
   /// NaN where no cell is free, or was read.
@@ -57,9 +52,7 @@ class PictureRecorder {
   bool index_;  ///< it is a terminal index that the cells hold
   int cells_a_pixel_;
   int done_ = 0;
-  Raster<std::uint32_t> visits_;  ///< all so far
-  Raster<std::uint32_t> now_;     ///< scratch: 0 between two calls
-  std::optional<Tracks> newest_;  ///< without `so_far`
+  Tracks newest_;
   std::vector<Tracks> kept_;
   Pheromone pheromone_;
   std::chrono::steady_clock::time_point next_capture_{};

@@ -34,11 +34,6 @@ double step_of(const std::vector<double>& marks) {
   return marks.size() > 1 ? marks[1] - marks[0] : 1;
 }
 
-/// The same whichever way the range runs.
-Range rising(const Range& range) {
-  return {std::min(range.low, range.high), std::max(range.low, range.high)};
-}
-
 }  // namespace
 
 void Range::add(double value) {
@@ -74,83 +69,59 @@ std::string short_number(double value) {
   return text.data();
 }
 
+double share_of(const Range& range, bool logarithmic, double value) {
+  return logarithmic ? std::log(value / range.low) / std::log(range.high / range.low)
+                     : (value - range.low) / (range.high - range.low);
+}
+
 Point Axes::at(double px, double py) const {
-  const double rise = logarithmic ? std::log(py / y.low) / std::log(y.high / y.low)
-                                  : (py - y.low) / (y.high - y.low);
-  return {box.x + (px - x.low) / (x.high - x.low) * box.width,
-          box.y + box.height - rise * box.height};
+  return {box.x + share_of(x, false, px) * box.width,
+          box.y + box.height - share_of(y, logarithmic, py) * box.height};
 }
 
-void draw_rows(Canvas& canvas, const Axes& axes, int count) {
-  const auto marks = axis_marks(axes.y, axes.logarithmic, count);
-  const double left = axes.box.x;
-  for (const double mark : marks) {
-    const double y = axes.at(axes.x.low, mark).y;
-    canvas.line({left, y}, {left + axes.box.width, y}, kGrid, 1);
-    const bool decades = axes.logarithmic && axes.y.high > 5 * axes.y.low;
-    canvas.text({left - 8, y + 5}, tick_label(mark, decades ? mark : step_of(marks)), kLabelSize,
-                Align::right, kInk);
-  }
-}
-
-void draw_columns(Canvas& canvas, const Axes& axes, int count, const std::string& label,
-                  bool whole) {
-  const auto marks = ticks(axes.x.low, axes.x.high, count);
-  const double step = whole ? 1 : step_of(marks);
-  const double bottom = axes.box.y + axes.box.height;
-  for (const double mark : marks) {
-    if (whole && mark != std::floor(mark)) continue;
-    const double x = axes.at(mark, axes.y.low).x;
-    canvas.line({x, bottom}, {x, bottom - 5}, kInk, 1);
-    if (!label.empty())
-      canvas.text({x, bottom + 20}, tick_label(mark, step), kLabelSize, Align::centre, kInk);
-  }
-  canvas.text({axes.box.x + axes.box.width / 2, bottom + 42}, label, kLabelSize + 1, Align::centre,
-              kInk);
-}
-
-void draw_plane_axes(Canvas& canvas, const Axes& axes, const std::string& across,
-                     const std::string& up, bool whole) {
-  constexpr double kSize = 12, kTick = 4, kRoom = kPlaneLeft - 24;
+void draw_axes(Canvas& canvas, const Axes& axes, const std::string& across, const std::string& up,
+               bool grid) {
+  constexpr double kTick = 4, kRoom = kAxisLeft - 26, kNameSize = 13;
   const Box& box = axes.box;
-  const double bottom = box.y + box.height;
-  const auto marks = [&](const Range& range, double pixels, double apart) {
-    const double most = whole ? std::min(pixels / apart, range.high - range.low) : pixels / apart;
-    return ticks(range.low, range.high, std::max(1, static_cast<int>(most)));
+  const double bottom = box.y + box.height, right = box.x + box.width;
+  const Range x{std::min(axes.x.low, axes.x.high), std::max(axes.x.low, axes.x.high)};
+  const Range y{std::min(axes.y.low, axes.y.high), std::max(axes.y.low, axes.y.high)};
+  const auto count = [](const Range& range, bool whole, double pixels, double apart, int least) {
+    const int most = std::max(least, static_cast<int>(pixels / apart));
+    return whole && range.high - range.low < most ? static_cast<int>(range.high - range.low) : most;
   };
-  const auto columns = marks(rising(axes.x), box.width, 70);
+  const auto columns = axis_marks(x, false, count(x, axes.whole_x, box.width, 75, 1));
+  const auto rows =
+      axis_marks(y, axes.logarithmic, count(y, axes.whole_y, box.height, 45, grid ? 3 : 1));
   double free = 0;  // to the right of the last mark's text
   for (const double mark : columns) {
-    const double x = axes.at(mark, axes.y.low).x;
+    const double at = axes.at(mark, axes.y.low).x;
+    if (grid) canvas.line({at, box.y}, {at, bottom}, kGrid, 1);
+    canvas.line({at, bottom}, {at, bottom + kTick}, kInk, 1);
     const std::string text = tick_label(mark, step_of(columns));
-    const double half = canvas.text_width(text, kSize) / 2;
-    canvas.line({x, bottom}, {x, bottom + kTick}, kInk, 1);
-    if (x - half < free) continue;
-    canvas.text({x, bottom + 17}, text, kSize, Align::centre, kInk);
-    free = x + half + 5;
+    const double half = canvas.text_width(text, kMarkSize) / 2;
+    if (at - half < free) continue;
+    canvas.text({at, bottom + 17}, text, kMarkSize, Align::centre, kInk);
+    free = at + half + 5;
   }
-  const auto rows = marks(rising(axes.y), box.height, 45);
+  const bool decades = axes.logarithmic && y.high > 5 * y.low;
   double last = -1e9;
   for (const double mark : rows) {
-    const double y = axes.at(axes.x.low, mark).y;
-    const std::string text = tick_label(mark, step_of(rows));
-    canvas.line({box.x - kTick, y}, {box.x, y}, kInk, 1);
-    if (std::abs(y - last) < kSize) continue;
-    last = y;
-    const double size = std::min(kSize, kSize * kRoom / canvas.text_width(text, kSize));
-    canvas.text({box.x - 7, y + 4}, text, size, Align::right, kInk);
+    const double at = axes.at(axes.x.low, mark).y;
+    if (grid) canvas.line({box.x, at}, {right, at}, kGrid, 1);
+    canvas.line({box.x - kTick, at}, {box.x, at}, kInk, 1);
+    if (std::abs(at - last) < kMarkSize) continue;
+    last = at;
+    const std::string text = tick_label(mark, decades ? mark : step_of(rows));
+    const double size = std::min(kMarkSize, kMarkSize * kRoom / canvas.text_width(text, kMarkSize));
+    canvas.text({box.x - 7, at + 4}, text, size, Align::right, kInk);
   }
   canvas.frame(box, kInk, 1);
-  canvas.text({box.x + box.width / 2, bottom + 33}, across, kSize, Align::centre, kInk);
-  canvas.text({box.x - kPlaneLeft + 12, box.y + box.height / 2}, up, kSize, Align::centre, kInk,
+  canvas.text({box.x + box.width / 2, bottom + 34}, across, kNameSize, Align::centre, kInk);
+  const double name = std::min(
+      kNameSize, kNameSize * std::max(box.height, 60.0) / canvas.text_width(up, kNameSize));
+  canvas.text({box.x - kAxisLeft + 14, box.y + box.height / 2}, up, name, Align::centre, kInk,
               false, true);
-}
-
-void draw_side_label(Canvas& canvas, const Box& box, double left, const std::string& label) {
-  const double size = std::min(
-      kLabelSize + 1, (kLabelSize + 1) * box.height / canvas.text_width(label, kLabelSize + 1));
-  canvas.text({box.x - left, box.y + box.height / 2}, label, size, Align::centre, kInk, false,
-              true);
 }
 
 void draw_curve(Canvas& canvas, const Axes& axes, const std::vector<double>& x,

@@ -9,7 +9,7 @@
 
 namespace lasius::tool {
 
-inline constexpr double kLabelSize = 14;  ///< of the text at marks and curves
+inline constexpr double kLabelSize = 14;  ///< of the text of legends
 
 /// What an axis shows.
 struct Range {
@@ -30,32 +30,26 @@ std::vector<double> axis_marks(const Range& range, bool logarithmic, int count);
 /// A number as "0.0025", "40" or "3e-07".
 std::string short_number(double value);
 
+/// Where a value lies in a range: 0 at its low end, 1 at its high one.
+double share_of(const Range& range, bool logarithmic, double value);
+
 /// Two axes around a box.
 struct Axes {
-  Box box;                   ///< without labels
-  Range x, y;                ///< of a map or a view either may fall: low is left, and below
-  bool logarithmic = false;  ///< y, for values of which some are many times others
+  Box box;                                ///< without labels
+  Range x, y;                             ///< of a map either may fall: low is left, and below
+  bool logarithmic = false;               ///< y, for values of which some are many times others
+  bool whole_x = false, whole_y = false;  ///< marks at whole numbers only
 
   Point at(double px, double py) const;
   bool shows(double py) const { return py >= y.low && py <= y.high; }
 };
 
-/// Lines at about `count` round values of y, their labels to the left.
-void draw_rows(Canvas& canvas, const Axes& axes, int count);
-
-/// Marks at about `count` round values of x, and what x is. An empty label: marks alone.
-/// `whole`: at whole numbers only.
-void draw_columns(Canvas& canvas, const Axes& axes, int count, const std::string& label,
-                  bool whole);
-
-/// Frame, marks and names around a map or a view; they need kPlaneLeft to its left and
-/// kPlaneBottom below. `whole`: marks at whole numbers only.
-void draw_plane_axes(Canvas& canvas, const Axes& axes, const std::string& across,
-                     const std::string& up, bool whole = false);
-inline constexpr double kPlaneLeft = 58, kPlaneBottom = 38;
-
-/// What y is, turned, `left` of the box.
-void draw_side_label(Canvas& canvas, const Box& box, double left, const std::string& label);
+/// Frame, marks and names around the box: they need kAxisLeft to its left and kAxisBottom below.
+/// `grid`: lines through the box at the marks.
+void draw_axes(Canvas& canvas, const Axes& axes, const std::string& across, const std::string& up,
+               bool grid);
+inline constexpr double kAxisLeft = 64, kAxisBottom = 40;
+inline constexpr double kMarkSize = 12.5;  ///< of the text at marks
 
 /// The stretches of a curve that the axes show; as stairs a value holds until the next.
 void draw_curve(Canvas& canvas, const Axes& axes, const std::vector<double>& x,

@@ -41,13 +41,16 @@ std::string utf8(const std::string& text) {
 
 }  // namespace
 
-Canvas::Canvas(int width, int height) : width_(width), height_(height) {
-  const cairo_rectangle_t extents{0, 0, static_cast<double>(width), static_cast<double>(height)};
-  page_.reset(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &extents));
+Canvas::Canvas() {
+  page_.reset(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, nullptr));
   context_.reset(cairo_create(page_.get()));
-  fill({0, 0, extents.width, extents.height}, {1, 1, 1});
   cairo_set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
   cairo_set_line_cap(context_.get(), CAIRO_LINE_CAP_ROUND);
+}
+
+void Canvas::resize(double width, double height) {
+  width_ = std::floor(width);
+  height_ = std::floor(height);
 }
 
 void Canvas::ink(Colour colour) {
@@ -233,11 +236,14 @@ void Canvas::save(const std::string& file) const {
     std::ostream& out = svg ? whole : stream;
     const Surface surface(
         svg ? cairo_svg_surface_create_for_stream(to_stream, &out, width_, height_)
-            : cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_, height_));
+            : cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width_),
+                                         static_cast<int>(height_)));
     check(cairo_surface_status(surface.get()));
     if (svg) cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
     {
       const Context copy(cairo_create(surface.get()));
+      cairo_set_source_rgb(copy.get(), 1, 1, 1);
+      cairo_paint(copy.get());
       cairo_set_source_surface(copy.get(), page_.get(), 0, 0);
       cairo_paint(copy.get());
       check(cairo_status(copy.get()));

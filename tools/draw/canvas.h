@@ -23,7 +23,9 @@ enum class Align { left, centre, right };
 /// kinds of file.
 class Canvas {
  public:
-  Canvas(int width, int height);
+  Canvas();
+  /// Of the page, once all is drawn and it is known.
+  void resize(double width, double height);
 
   void line(Point from, Point to, Colour colour, double width);
   void polyline(std::span<const Point> points, Colour colour, double width);
@@ -68,8 +70,7 @@ class Canvas {
   std::string description() const;
   void select_font(double size, bool bold);
 
-  int width_;
-  int height_;
+  double width_ = 1, height_ = 1;
   std::vector<std::string> words_;  ///< all texts drawn
   Surface page_;
   Context context_;

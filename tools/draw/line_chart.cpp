@@ -21,36 +21,23 @@ using tool::kInk;
 using tool::kLabelSize;
 using tool::Range;
 
-constexpr double kLeft = 84, kTop = 40, kBelowAxis = 54;
 constexpr const char* kIteration = "iteration";  // a whole number
 
-/// From what matters: the lowest value up to the highest that a curve has after its first tenth.
-Range lengths_shown(const LineChart& chart) {
+/// All values, or with `lengths` what matters: up to the highest that a curve has after its first
+/// tenth. Whether the axis is logarithmic is decided here.
+Range shown(const LineChart& chart, bool& logarithmic) {
   Range range;
-  for (const auto& level : chart.levels) range.add(level.value);
+  for (const Level& level : chart.levels) range.add(level.value);
   for (const Curve& curve : chart.curves) {
-    if (curve.y.empty()) continue;
-    const auto settled = curve.dots ? 0 : curve.y.size() / 10;
+    const auto settled = chart.lengths && !curve.dots ? curve.y.size() / 10 : 0;
     for (std::size_t i = settled; i < curve.y.size(); ++i) range.add(curve.y[i]);
     for (std::size_t i = settled; i < curve.low.size(); ++i) range.add(curve.low[i]);
   }
   if (range.empty()) return {0, 1};
-  const double spread = std::max(range.high - range.low, 0.01 * std::max(1.0, range.high));
-  return {std::max(0.0, range.low - 0.06 * spread), range.high + 0.1 * spread};
-}
-
-/// All values; whether the axis is logarithmic is decided here.
-Range all_shown(const LineChart& chart, bool& logarithmic) {
-  Range range;
-  for (const auto& level : chart.levels) range.add(level.value);
-  for (const Curve& curve : chart.curves)
-    for (const double y : curve.y) range.add(y);
-  if (range.empty()) return {0, 1};
   logarithmic = chart.logarithmic && range.low > 0 && range.high > 3 * range.low;
   if (logarithmic) return {range.low / 1.1, range.high * 1.1};
-  const double least = std::max(0.016, 0.1 * range.high);
-  const double room = 0.06 * std::max(range.high - range.low, least);
-  return {range.low - room, range.high + room};
+  const double room = 0.06 * std::max({range.high - range.low, 0.016, 0.02 * range.high});
+  return {chart.lengths ? std::max(0.0, range.low - room) : range.low - room, range.high + room};
 }
 
 Range span_of_x(const LineChart& chart) {
@@ -115,19 +102,19 @@ Colour palette(std::size_t index) {
 }
 
 void draw(Canvas& canvas, const Box& box, const LineChart& chart) {
-  const double top = chart.title.empty() ? 8 : kTop, width = box.width - kLeft - 10;
-  const tool::Legend legend(canvas, keys_of(chart), width);
-  Axes axes{{box.x + kLeft, box.y + top, width,
-             std::max(20.0, box.height - top - kBelowAxis - legend.height())},
-            span_of_x(chart),
-            {}};
-  axes.y = chart.lengths ? lengths_shown(chart) : all_shown(chart, axes.logarithmic);
-  const Box& inner = axes.box;
-  canvas.text({box.x + box.width / 2, box.y + 22}, chart.title, 17, Align::centre, kInk, true);
-  draw_rows(canvas, axes, std::max(3, static_cast<int>(inner.height / 50)));
-  draw_columns(canvas, axes, static_cast<int>(inner.width / 100), chart.x_label,
-               chart.x_label == kIteration);
-  draw_side_label(canvas, inner, kLeft - 18, chart.y_label + (axes.logarithmic ? " (log)" : ""));
+  constexpr double kTitle = 32, kBelow = tool::kAxisBottom + 10;
+  const double top = box.y + (chart.title.empty() ? 8 : kTitle);
+  const double width = box.width - tool::kAxisLeft - 10;
+  const auto keys = keys_of(chart);
+  Canvas measure;
+  const double bottom = box.y + box.height - tool::draw_legend(measure, {}, width, keys) - kBelow;
+  Axes axes{.box = {box.x + tool::kAxisLeft, top, width, std::max(20.0, bottom - top)},
+            .x = span_of_x(chart),
+            .y = {},
+            .whole_x = chart.x_label == kIteration};
+  axes.y = shown(chart, axes.logarithmic);
+  canvas.text({box.x + box.width / 2, box.y + 18}, chart.title, 17, Align::centre, kInk, true);
+  draw_axes(canvas, axes, chart.x_label, chart.y_label + (axes.logarithmic ? " (log)" : ""), true);
   for (const Curve& curve : chart.curves) draw_band(canvas, axes, curve);
   for (const Level& level : chart.levels)
     if (axes.shows(level.value))
@@ -135,14 +122,14 @@ void draw(Canvas& canvas, const Box& box, const LineChart& chart) {
                     level.colour, 1.5);
   for (auto curve = chart.curves.rbegin(); curve != chart.curves.rend(); ++curve)
     draw_curve(canvas, axes, *curve);
-  canvas.frame(inner, kInk, 1);
-  legend.draw(canvas, {inner.x, inner.y + inner.height + kBelowAxis});
+  tool::draw_legend(canvas, {axes.box.x, bottom + kBelow}, width, keys);
 }
 
 Canvas chart_page(const std::vector<LineChart>& charts, int width, int height) {
   constexpr int kMargin = 20;
   const int count = static_cast<int>(charts.size());
-  Canvas canvas(count * (width + kMargin) + kMargin, height + 2 * kMargin);
+  Canvas canvas;
+  canvas.resize(count * (width + kMargin) + kMargin, height + 2 * kMargin);
   Box box{kMargin, kMargin, 1.0 * width, 1.0 * height};
   for (const LineChart& chart : charts) {
     draw(canvas, box, chart);

@@ -15,9 +15,13 @@ void paint_walls(Canvas& canvas, const Box& box, const Grid& grid) {
     for (int x = 0; x < width; ++x)
       pixels.at(x, y) = tool::blend({1, 1, 1}, kMapWall, share.at(x, y));
   canvas.image(pixels, box);
-  tool::draw_plane_axes(canvas,
-                        {.box = box, .x = {0, 1.0 * grid.width()}, .y = {1.0 * grid.height(), 0}},
-                        "x, cells", "y, cells", true);
+  tool::draw_axes(canvas,
+                  {.box = box,
+                   .x = {0, 1.0 * grid.width()},
+                   .y = {1.0 * grid.height(), 0},
+                   .whole_x = true,
+                   .whole_y = true},
+                  "x, cells", "y, cells", false);
 }
 
 void mark_ends(Canvas& canvas, const Box& box, double scale, Cell start, Cell goal) {

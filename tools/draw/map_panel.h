@@ -17,8 +17,8 @@ using tool::kInk;
 
 inline constexpr Colour kMapWall{0.42, 0.45, 0.49};
 
-/// The walls of a map over the whole box, and axes around it: they take tool::kPlaneLeft and
-/// tool::kPlaneBottom.
+/// The walls of a map over the whole box, and axes around it: they take tool::kAxisLeft and
+/// tool::kAxisBottom.
 void paint_walls(Canvas& canvas, const Box& box, const Grid& grid);
 
 /// Start and goal, `scale` pixels a cell.

@@ -27,7 +27,7 @@ class View {
     axes_ = {.box = box, .x = {low_.x, high.x}, .y = {low_.y, high.y}};
   }
   void draw_axes(Canvas& canvas) const {
-    draw_plane_axes(canvas, axes_, "x, the world's units", "y, the world's units");
+    tool::draw_axes(canvas, axes_, "x, the world's units", "y, the world's units", false);
   }
   Point at(Point p) const {
     return {box_.x + (p.x - low_.x) * scale_, box_.y + box_.height - (p.y - low_.y) * scale_};

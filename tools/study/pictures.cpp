@@ -148,23 +148,22 @@ void draw_paths(const Findings& findings, const Experiment& experiment, const Qu
   const auto optimum = findings.optimum(experiment, question);
   double scale = std::min(1100.0 / grid.width(), 800.0 / grid.height());
   if (scale > 1) scale = std::floor(scale);
-  const double wide = std::max(560.0, grid.width() * scale + tool::kPlaneLeft);
+  const double wide = std::max(560.0, grid.width() * scale + tool::kAxisLeft);
   std::vector<tool::Key> keys;
   for (const Sample* sample : samples)
     keys.push_back(tool::line_key(legend_of(*sample, optimum), palette(keys.size()), 3));
   keys.insert(keys.end(),
               {tool::start_key(), tool::goal_key(), tool::area_key("blocked", kMapWall)});
-  Canvas measure(1, 1);
-  const tool::Legend legend(measure, std::move(keys), wide);
-  const std::string title = "Best paths on " + question.name;
+  Canvas canvas;
   const double above =
-      kMargin + tool::draw_wrapped(measure, {}, title, 17, wide, Align::centre, true) + 8;
-  const Box box{kMargin + tool::kPlaneLeft + (wide - tool::kPlaneLeft - grid.width() * scale) / 2,
+      kMargin + 8 +
+      tool::draw_wrapped(canvas, {kMargin + wide / 2, kMargin}, "Best paths on " + question.name,
+                         17, wide, Align::centre, true);
+  const Box box{kMargin + tool::kAxisLeft + (wide - tool::kAxisLeft - grid.width() * scale) / 2,
                 above, grid.width() * scale, grid.height() * scale};
-  const double below = box.y + box.height + tool::kPlaneBottom + 8;
-  Canvas canvas(static_cast<int>(wide + 2 * kMargin),
-                static_cast<int>(below + legend.height() + kMargin));
-  tool::draw_wrapped(canvas, {kMargin + wide / 2, kMargin}, title, 17, wide, Align::centre, true);
+  const double below = box.y + box.height + tool::kAxisBottom + 8;
+  canvas.resize(wide + 2 * kMargin,
+                below + tool::draw_legend(canvas, {kMargin, below}, wide, keys) + kMargin);
   paint_walls(canvas, box, grid);
   mark_ends(canvas, box, scale, question.start, question.goal);
   const auto page = [&](Point p) { return Point{box.x + p.x * scale, box.y + p.y * scale}; };
@@ -176,7 +175,6 @@ void draw_paths(const Findings& findings, const Experiment& experiment, const Qu
       canvas.polyline(points, palette(i), 3 + 2.5 * static_cast<double>(i));
     }
   }
-  legend.draw(canvas, {kMargin, below});
   save(canvas, file);
 }
 

@@ -76,7 +76,7 @@ void draw_walk(Canvas& canvas, const Box& box, const Grid& grid, const Question&
     points.push_back({box.x + (c.x + 0.5) * scale, box.y + (c.y + 0.5) * scale});
   mark_ends(canvas, box, scale, question.start, question.goal);
   canvas.polyline(points, colour, 3);
-  canvas.text({box.x + box.width / 2, box.y + box.height + tool::kPlaneBottom + 18}, caption, 15,
+  canvas.text({box.x + box.width / 2, box.y + box.height + tool::kAxisBottom + 18}, caption, 15,
               Align::centre, kInk);
 }
 
@@ -85,28 +85,27 @@ Figure draw_ants(const Place& place, const StopCondition& stop) {
   Ants ants;
   (void)planner.plan({place.question.start, place.question.goal, stop}, place.params, nullptr,
                      [&](const GridProgress& progress) { ants.observe(progress); });
-  constexpr double kEdge = 20, kSide = 420, kChart = 420, kPlace = tool::kPlaneLeft + kSide;
+  constexpr double kEdge = 20, kSide = 420, kChart = 420, kPlace = tool::kAxisLeft + kSide;
   const Grid& grid = planner.grid();
   const double high = kSide * grid.height() / grid.width();
-  const double below = high + 2 * kEdge + tool::kPlaneBottom + 28;
-  Canvas measure(1, 1);
-  const tool::Legend legend(
-      measure, {tool::start_key(), tool::goal_key(), tool::area_key("blocked", kMapWall)}, kPlace);
-  Canvas canvas(static_cast<int>(2 * kPlace + 3 * kEdge),
-                static_cast<int>(below + legend.height() + kChart + 2 * kEdge));
-  draw_walk(canvas, {kEdge + tool::kPlaneLeft, kEdge, kSide, high}, grid, place.question, ants.dead,
+  const double below = high + 2 * kEdge + tool::kAxisBottom + 28;
+  Canvas canvas;
+  draw_walk(canvas, {kEdge + tool::kAxisLeft, kEdge, kSide, high}, grid, place.question, ants.dead,
             palette(1), "ant " + std::to_string(ants.dead_ant) + " dies in a dead end");
-  draw_walk(canvas, {2 * kEdge + kPlace + tool::kPlaneLeft, kEdge, kSide, high}, grid,
+  draw_walk(canvas, {2 * kEdge + kPlace + tool::kAxisLeft, kEdge, kSide, high}, grid,
             place.question, ants.arrived, palette(0),
             "ant " + std::to_string(ants.arrived_ant) + " arrives");
-  legend.draw(canvas, {kEdge + tool::kPlaneLeft, below});
+  const double keys =
+      tool::draw_legend(canvas, {kEdge + tool::kAxisLeft, below}, kPlace,
+                        {tool::start_key(), tool::goal_key(), tool::area_key("blocked", kMapWall)});
+  canvas.resize(2 * kPlace + 3 * kEdge, below + keys + kChart + 2 * kEdge);
   LineChart chart{.title = "Tours of " + place.label() + " on " + place.question.name,
                   .x_label = "ant",
                   .y_label = "length, cells"};
   chart.curves.push_back(
       {.label = "ants that arrive", .colour = palette(0), .x = ants.number, .y = ants.tour});
   chart.curves.back().dots = true;
-  draw(canvas, {kEdge, below + legend.height() + kEdge, 2 * kPlace + kEdge, kChart}, chart);
+  draw(canvas, {kEdge, below + keys + kEdge, 2 * kPlace + kEdge, kChart}, chart);
   save(canvas, place.folder / place.stem());
   return {
       &place.experiment, place.stem(),
