@@ -8,20 +8,25 @@
 namespace lasius {
 namespace {
 
-constexpr std::array<std::string_view, 7> kHeuristicFormulas{
-    "1",
-    "((Dmax - d(j, E)) omega + mu)^lambda, Dmax the largest d around i",
-    "(1 / d(j, E))^beta",
-    "d(j, E)^beta",
-    "(1 / (1 + h / 45 degrees))^beta, h between the move and the way to E",
-    "eta(j)^beta",
-    "(1 / shortest way from j to E)^beta",
+struct Factor {
+  std::string_view formula;
+  std::string_view where = {};
 };
-constexpr std::array<std::string_view, 3> kVisibilityFormulas{
-    "",
-    "(1 / length of the move)^beta",
-    "(1 / (1 + turn / 45 degrees))^beta, 0 straight back",
-};
+
+constexpr std::array<Factor, 7> kHeuristics{{
+    {""},
+    {"((Dmax - d(j, E)) omega + mu)^lambda", "Dmax the largest d around i"},
+    {"(1 / d(j, E))^beta"},
+    {"d(j, E)^beta"},
+    {"(1 / (1 + h / 45 degrees))^beta", "h between the move and the way to E"},
+    {"eta(j)^beta"},
+    {"(1 / D(j))^beta", "D the shortest way from j to E"},
+}};
+constexpr std::array<Factor, 3> kVisibilities{{
+    {""},
+    {"(1 / s)^beta", "s the length of the move"},
+    {"(1 / (1 + turn / 45 degrees))^beta", "0 straight back"},
+}};
 constexpr std::array<std::string_view, 8> kUpdateFormulas{
     "tau <- persistence tau + sum over the arrived ants of deposit / L",
     "tau <- persistence tau + sum over the arrived ants of deposit / L + elite_weight deposit / L "
@@ -47,14 +52,13 @@ constexpr std::array<std::string_view, 8> kUpdateFormulas{
 std::vector<std::string> formulas(const Params& params) {
   if (find_algorithm(params.algorithm()).kind != Algorithm::Kind::colony) return {};
   const bool index = params.update == Update::terminal_index;
-  std::string weight = index ? "(K(j) - index_spread Kmin)^alpha" : "tau^alpha";
-  std::string distance(kHeuristicFormulas[static_cast<std::size_t>(params.heuristic)]);
-  if (params.visibility != Visibility::none) {
-    distance += distance == "1" ? " * " : ") * ";
-    if (distance.front() != '1') distance.insert(distance.begin(), '(');
-    distance += kVisibilityFormulas[static_cast<std::size_t>(params.visibility)];
+  std::string weight = index ? "(K(j) - index_spread Kmin)^alpha" : "tau^alpha", where;
+  for (const Factor& factor : {kHeuristics[static_cast<std::size_t>(params.heuristic)],
+                               kVisibilities[static_cast<std::size_t>(params.visibility)]}) {
+    if (!factor.formula.empty()) weight.append(" * ").append(factor.formula);
+    if (!factor.where.empty()) where.append("; ").append(factor.where);
   }
-  std::vector<std::string> lines{"weight of the move from i to j: " + weight + " * " + distance};
+  std::vector<std::string> lines{"weight of the move from i to j: " + weight + where};
   lines.emplace_back(index
                          ? "choice: moves are discarded in proportion to their weight until one "
                            "is left"
