@@ -48,7 +48,7 @@ class ArmColony final : public ColonyWorld {
         request_(request),
         parameters_(parameters),
         observer_(observer),
-        rules_{.persistence = 1 - parameters.evaporation,
+        rules_{.persistence = parameters.persistence,
                .deposit = 1,
                .elite_weight = parameters.elite_weight},
         trail_(lattice, parameters.pheromone, tau0(), parameters.alpha),

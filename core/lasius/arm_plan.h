@@ -70,7 +70,7 @@ struct LASIUS_ARM_EXPORT Params {
   double alpha = 1;           ///< exponent of pheromone
   double beta = 1;            ///< of eta: without effect, a move is drawn as if all weighed a pitch
   double gamma = 0.25;        ///< exponent of the direction to the goal
-  double evaporation = 0.25;  ///< rho: share of pheromone lost in an iteration
+  double persistence = 0.75;  ///< share of pheromone that remains: 1 - rho
   double elite_weight = 0;    ///< e: weight of the iteration's best tour
   /// tau0, at least 1e-12; 0: ants / Manhattan distance from start to goal. Of goritov2020 0.01:
   /// the source's is "a small positive number", the same for any number of ants.

@@ -86,7 +86,7 @@ struct LASIUS_POLYGON_EXPORT Params {
   int values = 21;                    ///< crossing points of a line: h = 0, 1 / (values - 1) .. 1
   double beta = 2;                    ///< exponent of visibility (1.1 - |h - h*|) / 1.1
   double greedy = 0.5;                ///< q0
-  double evaporation = 0.1;           ///< rho of both updates
+  double persistence = 0.9;           ///< of both updates: 1 - rho
   /// tau0; 0: 1 / (d L) with d lines and L of Dijkstra's path, the formula of ACS (Dorigo &
   /// Gambardella 1997), which is 0.00022 on the source's world. Its own 0.0002 ties the balance of
   /// old and new paths to the unit of length.

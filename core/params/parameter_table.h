@@ -25,6 +25,9 @@ inline Error invalid_parameter(std::string problem, std::string remedy) {
   return {ErrorCode::invalid_parameter, std::move(problem), std::move(remedy)};
 }
 
+/// What a colony keeps of its pheromone, and the other word for it.
+inline constexpr std::string_view kPersistence = "persistence", kEvaporation = "evaporation";
+
 /// Less than this a colony could lose among its smallest numbers.
 inline constexpr double kLeastPheromone = 1e-12;
 
@@ -171,8 +174,22 @@ class ParameterTable {
   constexpr explicit ParameterTable(std::span<const std::span<const Entry>> lists)
       : lists_(lists) {}
 
+  /// "evaporation" sets the persistence to 1 less it, where there is one.
   /// @throws Error(invalid_parameter) for an unknown name, a value that is none or out of range.
   void set(Fields& fields, std::string_view name, std::string_view text) const {
+    if (name == kEvaporation || name == "rho") {
+      const Entry& kept = entry(kPersistence);
+      if (name == "rho") {
+        throw invalid_parameter(
+            "rho is the share lost in some sources and the share kept in others",
+            "set persistence, the share kept, or evaporation, the share lost");
+      }
+      const Parameter lost{kEvaporation, kept.info.type, kept.info.range, ""};
+      const auto& number = std::get<Number>(kept.value);
+      number.set(fields, lost, text);
+      fields.*number.member = 1 - fields.*number.member;
+      return;
+    }
     const Entry& e = entry(name);
     std::visit([&](const auto& value) { value.set(fields, e.info, text); }, e.value);
   }

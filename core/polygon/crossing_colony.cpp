@@ -68,6 +68,9 @@ struct Tours {
   }
 };
 
+/// rho = 1 - persistence as it was meant: 1 - 0.9 is 0.1, not 0.09999999999999998.
+double share_lost(double persistence) { return std::round((1 - persistence) * 1e15) / 1e15; }
+
 class CrossingColony final : public ColonyWorld {
  public:
   CrossingColony(const Route& route, const Crossing& start, const Params& parameters,
@@ -76,9 +79,9 @@ class CrossingColony final : public ColonyWorld {
         start_(start),
         parameters_(parameters),
         control_(control),
-        rules_{.persistence = 1 - parameters.evaporation,
+        rules_{.persistence = parameters.persistence,
                .deposit = 1,
-               .local_evaporation = parameters.evaporation},
+               .local_evaporation = share_lost(parameters.persistence)},
         gates_(static_cast<int>(route.gates.size())),
         tau0_(parameters.initial_pheromone > 0 ? parameters.initial_pheromone
                                                : 1 / (gates_ * start.length)),

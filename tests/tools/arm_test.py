@@ -583,9 +583,9 @@ class Arm(ProgramTest):
         names = {a["name"]: a for a in self.run_program("algorithms", "--json").json["arm_algorithms"]}
         parameters = {p["name"]: p for p in names["goritov2020"]["parameters"]}
         defaults = {name: parameters[name]["default"]
-                    for name in ("alpha", "beta", "gamma", "evaporation", "ants", "iterations",
+                    for name in ("alpha", "beta", "gamma", "persistence", "ants", "iterations",
                                  "elite_weight")}
-        self.assertEqual(defaults, {"alpha": 1, "beta": 1, "gamma": 0.25, "evaporation": 0.25,
+        self.assertEqual(defaults, {"alpha": 1, "beta": 1, "gamma": 0.25, "persistence": 0.75,
                                     "ants": 64, "iterations": 100, "elite_weight": 0})
 
 

@@ -278,7 +278,7 @@ class PolygonTest(WorldTest):
         acs = listed[names.index("maklink-acs")]
         values = {p["name"]: p["default"] for p in acs["parameters"]}
         self.assertEqual([values[n] for n in ("ants", "iterations", "values", "beta", "greedy",
-                                              "evaporation", "initial_pheromone")],
+                                              "persistence", "initial_pheromone")],
                          [10, 400, 21, 2, 0.5, 0.1, 0])
 
     def test_a_mitre_that_closes_a_passage_is_told(self):

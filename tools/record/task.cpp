@@ -223,10 +223,16 @@ void read_recorded(const Recorded& from, const Algorithm& algorithm, SearchOptio
   options.algorithm = algorithm.name;
   options.seed = recorded_seed(from.result);
   options.threads = from.threads;
+  const Json& values = value_at(from.result, "parameters");
   for (const Parameter& parameter : algorithm.parameters) {
     const std::string name(parameter.name);
-    const bool later =
-        !parameter.earlier.empty() && !value_at(from.result, "parameters").contains(name);
+    // The word of arms and polygons until 0.3.0.
+    if (name == "persistence" && !values.contains(name) && values.contains("evaporation")) {
+      const double lost = recorded_real(from.result, "parameters/evaporation", 0, 1);
+      options.named.emplace_back(name, number_text(1 - lost));
+      continue;
+    }
+    const bool later = !parameter.earlier.empty() && !values.contains(name);
     options.named.emplace_back(name,
                                later ? std::string(parameter.earlier)
                                      : parameter_text(value_at(from.result, "parameters/" + name)));

@@ -226,7 +226,12 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
   }
   Json replay = replay_of(place, recorded, last);
   if (token.stop_requested()) return kInterrupted;
-  if (version != LASIUS_VERSION) keep_known(replay, result);
+  if (version != LASIUS_VERSION) {
+    keep_known(replay, result);
+    // Told as persistence since 0.3.0.
+    if (const Json& told = value_at(result, "parameters"); told.contains("evaporation"))
+      replay["parameters"]["evaporation"] = told["evaporation"];
+  }
   // They told of a lattice also where none was needed to answer.
   if (format == kArmFormat && tells_no_bodies(result) && result.contains("lattice") &&
       replay["lattice"]["points"] == Json({0, 0, 0}))

@@ -106,8 +106,8 @@ TEST(ArmPlan, BadParametersAreRefused) {
   refused([](Params& p) { p.ants = 0; });
   refused([](Params& p) { p.iterations = -1; });
   refused([](Params& p) { p.alpha = 9; });
-  refused([](Params& p) { p.evaporation = 1.1; });
-  refused([](Params& p) { p.evaporation = std::nan(""); });
+  refused([](Params& p) { p.persistence = 1.1; });
+  refused([](Params& p) { p.persistence = std::nan(""); });
   refused([](Params& p) { p.seed = std::uint64_t{1} << 53; });
   refused([](Params& p) { p.initial_pheromone = 1e-310; });
   refused([](Params& p) { p.pitch = 1e-5; });  // too many points
@@ -146,7 +146,7 @@ TEST(ArmPlan, TheLeastPheromoneUnderTheStrongestEvaporation) {
   p.pitch = 0.05;
   p.side = 11;
   p.initial_pheromone = 1e-12;
-  p.evaporation = 1;
+  p.persistence = 0;
   p.alpha = 8;
   EXPECT_EQ(plan(robot, Nothing(), across(robot), p).iterations, p.iterations);
 }

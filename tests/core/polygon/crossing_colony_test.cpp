@@ -17,7 +17,7 @@ namespace {
 /// The curve of mean lengths where ants cross one line, a draw an ant: the formulas as they stand.
 std::vector<double> means_by_the_formulas(const std::vector<double>& lengths, const Params& p) {
   const int values = static_cast<int>(lengths.size());
-  const double rho = p.evaporation, tau0 = p.initial_pheromone;
+  const double rho = 0.1, tau0 = p.initial_pheromone;
   std::vector<double> tau(lengths.size(), tau0), weights(lengths.size()), means;
   const auto h = [&](int k) { return static_cast<double>(k) / (values - 1); };
   double best_h = 0.5;  // Dijkstra's
