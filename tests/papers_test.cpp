@@ -51,12 +51,22 @@ TEST(Fan2004, TheFirstGenerationUsesDistanceAlone) {
   EXPECT_EQ(shares[kernels::kCombinedRule], 0);
 }
 
-TEST(Fan2004, SharesOfTheRulesChangeUntilTheCriticalTime) {
-  // a = 0.4: pheromone 0.1 a, distance 1 - 0.9 a, combined 0.8 a.
-  const auto shares = schedule(Params("fan2004"), 4).rule_shares;
-  EXPECT_DOUBLE_EQ(shares[kernels::kPheromoneRule], 0.04);
-  EXPECT_DOUBLE_EQ(shares[kernels::kDistanceRule], 0.64);
-  EXPECT_DOUBLE_EQ(shares[kernels::kCombinedRule], 0.32);
+TEST(Fan2004, SharesOfTheRulesChangeUntilTheCriticalTimeAndSettle) {
+  // a = 0.4: pheromone 0.01 a, distance 1 - 0.7 a, combined 0.7 a.
+  const auto early = schedule(Params("fan2004"), 4).rule_shares;
+  EXPECT_DOUBLE_EQ(early[kernels::kPheromoneRule], 0.004);
+  EXPECT_DOUBLE_EQ(early[kernels::kDistanceRule], 0.72);
+  EXPECT_DOUBLE_EQ(early[kernels::kCombinedRule], 0.28);
+  // From 10 to 70 the distance rule falls from 0.3 to 0.002: at 40 it is half way.
+  EXPECT_DOUBLE_EQ(schedule(Params("fan2004"), 10).rule_shares[kernels::kDistanceRule], 0.3);
+  const auto half = schedule(Params("fan2004"), 40).rule_shares;
+  EXPECT_DOUBLE_EQ(half[kernels::kDistanceRule], 0.151);
+  EXPECT_DOUBLE_EQ(half[kernels::kCombinedRule], 0.7);
+  for (const int q : {70, 71, 119}) {
+    const auto late = schedule(Params("fan2004"), q).rule_shares;
+    EXPECT_DOUBLE_EQ(late[kernels::kPheromoneRule], 0.01);
+    EXPECT_DOUBLE_EQ(late[kernels::kDistanceRule], 0.002);
+  }
 }
 
 struct Rows {
@@ -140,7 +150,7 @@ TEST(Fan2004, DepositsItsTourAndItsStraightenedPath) {
 
 TEST(AntSystem, VisibilityIsOneOverTheDistanceToTheGoal) {
   const Grid grid(20, 20);
-  Rows rows(grid, {10, 4}, Params("as"));  // beta = 5
+  Rows rows(grid, {10, 4}, Params("as", Preset::book));  // beta = 5
   const float* w = rows.of({3, 4});
   // E leads to distance 6, the largest weight; W to 8: (6 / 8)^5 = 0.2373.
   EXPECT_EQ(w[4], 1);
@@ -150,7 +160,7 @@ TEST(AntSystem, VisibilityIsOneOverTheDistanceToTheGoal) {
 
 TEST(AntSystem, PheromoneLiesOnTheArcsWalked) {
   Grid grid(5, 1);
-  Params p("as");
+  Params p("as", Preset::book);
   p.ants = 1;
   p.iterations = 1;
   p.initial_pheromone = 1;
@@ -209,7 +219,7 @@ TEST(AntSystem, AnUpdateIsCutShort) {
   // To and fro 10000 times, Q / L = 1/4096; time is up at the second look, before move 8192: half
   // of 8191 moves, rounded up, leave (2, 2).
   constexpr std::uint8_t kWest = 3;
-  Params params("as");
+  Params params("as", Preset::book);
   params.persistence = 1;
   params.deposit = 10000.0 / 4096;
   WalkedGrid trail(params);
@@ -225,7 +235,7 @@ TEST(AntSystem, AnUpdateIsCutShort) {
 
 TEST(Elitist, TheBestTourSoFarDepositsAgain) {
   // Evaporation 0.5, e = 30, Q = 1: 0.5 + 1/2 on the tour of length 2, and 30/2 more as the best.
-  WalkedGrid trail(Params("eas"));
+  WalkedGrid trail(Params("eas", Preset::book));
   trail.walk({kEast, kEast});
   trail.walk({kNorthEast});
   trail.update(0);
@@ -235,7 +245,7 @@ TEST(Elitist, TheBestTourSoFarDepositsAgain) {
 
 TEST(RankBased, WeightsFallWithTheRank) {
   // w = 3: rank 1 deposits 2/L, rank 2 1/L, rank 3 nothing, the best so far 3/L; evaporation 0.1.
-  Params p("ras");
+  Params p("ras", Preset::book);
   p.ranks = 3;
   WalkedGrid trail(p);
   trail.walk({kEast, kEast, kEast, kEast});  // rank 3
@@ -250,7 +260,7 @@ TEST(RankBased, WeightsFallWithTheRank) {
 TEST(MaxMin, PheromoneStaysBetweenItsBounds) {
   // Best tour of 4 moves, L = 4, evaporation 0.02: tau_max = 1 / (0.02 * 4) = 12.5; p^(1/4) =
   // 0.05^0.25 = 0.472871, mean choice 4: tau_min = 12.5 * 0.527129 / (3 * 0.472871) = 4.644734.
-  WalkedGrid trail(Params("mmas"), 100);
+  WalkedGrid trail(Params("mmas", Preset::book), 100);
   trail.walk({kEast, kEast, kEast, kEast});
   trail.update(0);
   EXPECT_NEAR(trail.tau(2, 2, kEast), 12.5, 1e-4);
@@ -262,7 +272,7 @@ TEST(MaxMin, PheromoneStaysBetweenItsBounds) {
 
 TEST(AntColonySystem, OnlyTheBestTourChangesGlobally) {
   // tau <- 0.9 * 1 + 0.1 * (1 / 2) = 0.95 on the best tour, 1 elsewhere.
-  WalkedGrid trail(Params("acs"));
+  WalkedGrid trail(Params("acs", Preset::book));
   trail.walk({kEast, kEast});
   trail.walk({kNorthEast, kNorthEast, kNorthEast});
   trail.update(0);
@@ -272,7 +282,7 @@ TEST(AntColonySystem, OnlyTheBestTourChangesGlobally) {
 
 TEST(AntColonySystem, CrossedArcsReturnTowardTau0) {
   // xi = 0.1, tau0 = 0.2: tau <- 0.9 * 1 + 0.1 * 0.2 = 0.92.
-  WalkedGrid trail(Params("acs"));
+  WalkedGrid trail(Params("acs", Preset::book));
   const std::vector<std::uint8_t> moves{kEast};
   const Tour tour{moves, 1};
   std::vector<int> ranking;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/base/number_text.h"
 #include "core/base/output.h"
 #include "lasius/error.h"
 #include "lasius/version.h"

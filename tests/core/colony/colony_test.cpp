@@ -115,6 +115,50 @@ TEST(Colony, RecordsWhatEachIterationOffered) {
   }
 }
 
+TEST(Colony, TheBandIsCountedAlongTheRawTour) {
+  // From (0, 0) to (20, 0) a tenth of the distance is 2 rows. A wall to row 3 at column 10: the way
+  // to the gap and back has cells in rows 3 and 4, and those above them in the band.
+  Grid grid(21, 5);
+  for (int y = 0; y < 4; ++y) grid.set_blocked({10, y});
+  Params params("as");
+  params.iterations = 3;
+  const Request request{.start = {0, 0}, .goal = {20, 0}};
+  std::vector<double> shares;
+  const Result result =
+      Planner(grid).plan(request, params, nullptr, [&](const GridProgress& progress) {
+        double near = 0, all = 0;
+        for (int ant = 0; ant < progress.ants(); ++ant) {
+          for (const Cell c : progress.tour(ant)) {
+            near += c.y <= 2;
+            ++all;
+          }
+        }
+        shares.push_back(near / all);
+        EXPECT_EQ(progress.curves->band.back(), shares.back());
+      });
+  EXPECT_EQ(result.band, shares);
+  EXPECT_LT(shares.front(), 1);
+  EXPECT_GT(shares.front(), 0);
+}
+
+TEST(TrailEntropy, IsThatOfTheMovesAlongTheTour) {
+  // One move of a tour from a cell with two ways: tau 3 and 1 make 2 - 0.75 log2 3 = 0.811278 bits.
+  Grid grid(3, 2);
+  grid.set_blocked({2, 1});
+  Params params("as", Preset::book);
+  params.neighbours = Neighbours::four;
+  const kernels::Moves moves = moves_of(Neighbours::four);
+  Field field;
+  field.reset(grid, moves, {2, 0}, params, 1, {});
+  std::uint8_t east = 0;
+  while (moves[east].to.dx != 1) ++east;
+  const std::vector<std::uint8_t> tour{east};
+  EXPECT_EQ(trail_entropy(field, Trail::arcs, moves, {0, 0}, tour), 1);
+  field.set_tau({0, 0}, east, 3);
+  EXPECT_NEAR(trail_entropy(field, Trail::arcs, moves, {0, 0}, tour), 0.811278, 1e-6);
+  EXPECT_TRUE(std::isnan(trail_entropy(field, Trail::arcs, moves, {0, 0}, {})));
+}
+
 TEST(BestKnownWay, FollowsTheLeastIndex) {
   // Two tours from (2, 2) to (6, 2) that meet at (4, 1): one is short before it, one behind it.
   constexpr std::uint8_t kNorth = 1, kNorthEast = 2, kEast = 4, kSouth = 6, kSouthEast = 7;

@@ -98,10 +98,11 @@ TEST(Params, ValidateNamesTheField) {
 }
 
 TEST(Params, ANameComesWithItsNumbers) {
-  const Params acs("acs");
+  const Params acs("acs", Preset::book);
   EXPECT_EQ(acs.algorithm(), "acs");
   EXPECT_EQ(acs.update, Update::colony_system);
   EXPECT_EQ(acs.greedy, 0.9);
+  EXPECT_NE(acs, Params("acs"));
   EXPECT_EQ(Params().algorithm(), "exact");
   try {
     Params misspelt("ass");
@@ -109,6 +110,50 @@ TEST(Params, ANameComesWithItsNumbers) {
   } catch (const Error& e) {
     EXPECT_EQ(e.code(), ErrorCode::invalid_parameter);
     EXPECT_NE(std::string(e.what()).find("\"as\""), std::string::npos);
+  }
+}
+
+TEST(Params, OnlyFamiliesHaveABook) {
+  for (const Algorithm& algorithm : algorithms()) {
+    const bool family =
+        std::string_view("as eas ras mmas acs").find(algorithm.name) != std::string_view::npos;
+    EXPECT_EQ(has_preset(algorithm.name, Preset::book), family) << algorithm.name;
+    if (family) {
+      validate(Params(algorithm.name, Preset::book));
+    } else {
+      EXPECT_THROW(Params(algorithm.name, Preset::book), Error) << algorithm.name;
+    }
+  }
+}
+
+TEST(Params, EvaporationIsTheOtherWordForPersistence) {
+  Params params("as");
+  set_parameter(params, "evaporation", "0.25");
+  EXPECT_EQ(params.persistence, 0.75);
+  EXPECT_THROW(set_parameter(params, "evaporation", "1.5"), Error);
+  try {
+    set_parameter(params, "rho", "0.1");
+    FAIL() << "nothing thrown";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("evaporation"), std::string::npos);
+    EXPECT_NE(std::string(e.what()).find("persistence"), std::string::npos);
+  }
+}
+
+TEST(Params, FormulasAreThoseOfTheRulesInForce) {
+  EXPECT_TRUE(formulas(Params("exact")).empty());
+  Params params("as", Preset::book);
+  EXPECT_EQ(formulas(params).front(),
+            "weight of the move from i to j: tau^alpha * (1 / d(j, E))^beta");
+  params.heuristic = Heuristic::rescaled_distance;
+  params.visibility = Visibility::inverse_step;
+  EXPECT_EQ(
+      formulas(params).front(),
+      "weight of the move from i to j: tau^alpha * ((Dmax - d(j, E)) omega + mu)^lambda * (1 / "
+      "s)^beta; Dmax the largest d around i; s the length of the move");
+  for (const Algorithm& algorithm : algorithms()) {
+    if (algorithm.kind != Algorithm::Kind::colony) continue;
+    EXPECT_NE(formulas(Params(algorithm.name)).back().find("update: "), std::string::npos);
   }
 }
 

@@ -35,8 +35,47 @@ std::vector<Point> made(PathMaker& maker, const Grid& grid, const Walk& walk, Po
                         const StopCondition& stop = {}) {
   std::vector<Point> path;
   const auto way = maker.cut(grid, walk, false, Corners::forbid, stop);
-  maker.polish(grid, way, polish, Corners::forbid, stop, path);
+  Params params("fan2004");
+  params.polish = polish;
+  maker.polish(grid, way, params, stop, path);
   return path;
+}
+
+std::vector<Point> made_locally(const Grid& grid, const Walk& walk, double window) {
+  Params params("fan2004");
+  params.polish = Polish::local;
+  params.straight_window = window;
+  std::vector<Point> path;
+  PathMaker().polish(grid, walk, params, {}, path);
+  return path;
+}
+
+// A walk that leaves the row of its ends by 7 cells over 10 of 30 columns.
+TEST(LocalPolish, TheWindowSaysHowFarAStretchMayStray) {
+  const Grid grid(40, 20);
+  const Walk walk = through({{0, 5}, {10, 5}, {10, 12}, {20, 12}, {20, 5}, {30, 5}});
+  const std::vector<Point> straight{{0.5, 5.5}, {30.5, 5.5}};
+  EXPECT_EQ(made_locally(grid, walk, 8), straight);
+  // Too narrow for the whole: some bend stays, and more of the walk with every cell less.
+  double before = 30;
+  for (const double window : {5.0, 3.0, 1.0, 0.0}) {
+    const double length = path_length(made_locally(grid, walk, window));
+    EXPECT_GT(length, before) << window;
+    before = length;
+  }
+  EXPECT_DOUBLE_EQ(before, 44);  // 0: nothing but what lies on one line
+}
+
+TEST(LocalPolish, AWideWindowIsGreedyStraightening) {
+  std::mt19937 random(7);
+  for (int i = 0; i < 40; ++i) {
+    const Grid grid = random_grid(50, 40, 20, random);
+    const Walk walk = random_walk(grid, 300, false, Corners::forbid, random);
+    if (walk.size() < 2) continue;
+    std::vector<Point> greedy;
+    for (const Cell c : greedy_straighten(grid, walk)) greedy.push_back(centre(c));
+    EXPECT_EQ(made_locally(grid, walk, 1000), greedy);
+  }
 }
 
 // A wall between start and goal; the walk looks round its near end, but goes round the far one.

@@ -23,8 +23,9 @@ class StudyRunner : public Files {
   }
 
   static Study study() {
-    const Contender slow{"as", "as", "as", {{"iterations", "6"}, {"ants", "5"}}};
-    const Contender ga{"ga", "grid-ga", "grid-ga", {{"iterations", "6"}, {"population", "5"}}};
+    const Contender slow{"as", "as", "as", Preset::book, {{"iterations", "6"}, {"ants", "5"}}};
+    const Contender ga{
+        "ga", "grid-ga", "grid-ga", Preset::usual, {{"iterations", "6"}, {"population", "5"}}};
     Contender more = ga;
     more.name = "ga-x10";
     more.settings[0].second = "60";
