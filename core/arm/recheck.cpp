@@ -121,7 +121,7 @@ Placed place_shape(const Solid& s) {
 }
 
 Placed place(const Solid& s) {
-  const Placed placed = place_shape(s);
+  Placed placed = place_shape(s);
   placed.shape->computeLocalAABB();
   return placed;
 }

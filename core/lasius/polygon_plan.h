@@ -126,7 +126,7 @@ LASIUS_POLYGON_EXPORT void validate(const Params& parameters);
 
 /// The iterations in force: 200 with up to 11 values, and in proportion more with more of them;
 /// 1000 of the genetic algorithm. What was set is left.
-LASIUS_POLYGON_EXPORT int iterations_of(const Params& parameters) noexcept;
+LASIUS_POLYGON_EXPORT int iterations_of(const Params& parameters);
 
 /// A free MAKLINK line, and the two convex regions of free space that it parts.
 struct Line {

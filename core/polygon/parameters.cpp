@@ -87,7 +87,7 @@ Params settled(Params parameters) {
 
 }  // namespace
 
-int iterations_of(const Params& parameters) noexcept {
+int iterations_of(const Params& parameters) {
   if (parameters.iterations != Params::kUsualIterations) return parameters.iterations;
   // The source's genetic algorithm takes 912 generations on average, its ants 175 iterations with
   // 11 values, steps of a tenth.

@@ -22,8 +22,8 @@ double share_left(double size, double tolerance) noexcept {
 /// The turn from one frame to another as a vector: its axis, as long as its angle.
 Vec3 turn_between(const Rotation& from, const Rotation& to) noexcept {
   Rotation turn;  // to * from^T
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
       turn[3 * i + j] = to[3 * i] * from[3 * j] + to[3 * i + 1] * from[3 * j + 1] +
                         to[3 * i + 2] * from[3 * j + 2];
     }

@@ -65,7 +65,7 @@ std::string link_name(const Robot& robot, int link) {
   const Link& of = robot.links[link];
   if (!of.name.empty()) return "link \"" + of.name + '"';
   if (of.body == 0) return "the base";
-  const std::string number = "link " + std::to_string(of.body);
+  std::string number = "link " + std::to_string(of.body);
   if (of.body > robot.size() || robot.joints[of.body - 1].name.empty()) return number;
   return number + " (after " + robot.joints[of.body - 1].name + ")";
 }

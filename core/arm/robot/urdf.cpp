@@ -28,6 +28,7 @@ using LinkPtr = urdf::LinkConstSharedPtr;
 template <class Map>
 std::vector<std::string_view> names_of(const Map& map) {
   std::vector<std::string_view> names;
+  names.reserve(map.size());
   for (const auto& entry : map) names.push_back(entry.first);
   return names;
 }

@@ -278,7 +278,7 @@ TEST_F(FilesOfRobot, SoftLimitsAreTheTighterOnes) {
   text.replace(text.find("effort=\"1\"/>"), 12,
                "effort=\"1\"/><safety_controller k_velocity=\"1\" soft_lower_limit=\"-0.1\" "
                "soft_upper_limit=\"9\"/>");
-  const Joint& joint = parse_robot(text, "r.urdf").joints[1];
+  const Joint joint = parse_robot(text, "r.urdf").joints[1];
   EXPECT_EQ(joint.low, -0.1);
   EXPECT_EQ(joint.high, 0.3);
 }
