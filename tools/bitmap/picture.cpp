@@ -57,9 +57,13 @@ struct Sheet {
   Window window;
 
   const Grid& grid() const { return map.grid(); }
-  Point at(const Box& box, Point p) const {
-    return {box.x + (p.x - window.columns.from) * box.width / window.width(),
-            box.y + (p.y - window.rows.from) * box.height / window.height()};
+  /// In cells.
+  Axes axes(const Box& box) const {
+    return {.box = box,
+            .x = {1.0 * window.columns.from, 1.0 * window.columns.to},
+            .y = {1.0 * window.rows.to, 1.0 * window.rows.from},
+            .whole_x = true,
+            .whole_y = true};
   }
   bool metres() const { return run.frame == Frame::world; }
   const char* unit() const { return metres() ? "m" : "cells"; }
@@ -70,11 +74,8 @@ struct Sheet {
   /// In cells; in metres of the world where the map is not turned in it.
   void frame(Canvas& canvas, const Box& box) const {
     const bool world = metres() && map.frame->yaw == 0;
-    Axes axes{.box = box,
-              .x = {1.0 * window.columns.from, 1.0 * window.columns.to},
-              .y = {1.0 * window.rows.to, 1.0 * window.rows.from},
-              .whole_x = !world,
-              .whole_y = !world};
+    Axes axes = this->axes(box);
+    axes.whole_x = axes.whole_y = !world;
     if (world) {
       const Point low = map.to_world({axes.x.low, axes.y.low});
       const Point high = map.to_world({axes.x.high, axes.y.high});
@@ -146,9 +147,12 @@ void draw_marks(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer
   const double cell = box.width / sheet.window.width();
   const double radius =
       small ? std::clamp(0.6 * cell, 6.0, 9.0) : std::clamp(0.6 * cell, 8.0, 18.0);
-  const Cell start = answer.start.cell, goal = answer.goal.cell;
-  if (sheet.grid().contains(goal)) canvas.diamond(sheet.at(box, centre(goal)), radius + 3, kGoal);
-  if (sheet.grid().contains(start)) canvas.ring(sheet.at(box, centre(start)), radius, kStart);
+  const Axes axes = sheet.axes(box);
+  const Point start = centre(answer.start.cell), goal = centre(answer.goal.cell);
+  if (sheet.grid().contains(answer.goal.cell))
+    canvas.diamond(axes.at(goal.x, goal.y), radius + 3, kGoal);
+  if (sheet.grid().contains(answer.start.cell))
+    canvas.ring(axes.at(start.x, start.y), radius, kStart);
 }
 
 void draw_tracks(Canvas& canvas, const Box& box, const Sheet& sheet,
@@ -196,9 +200,7 @@ TrailScale trail_scale(const Raster<float>& raster, bool index) {
 
 void draw_path(Canvas& canvas, const Box& box, const Sheet& sheet, const std::vector<Point>& path,
                double width, double rim) {
-  std::vector<Point> points;
-  points.reserve(path.size());
-  for (const Point p : path) points.push_back(sheet.at(box, p));
+  const auto points = sheet.axes(box).at(path);
   if (rim > 0) canvas.polyline(points, {1, 1, 1}, width + 2 * rim);
   canvas.polyline(points, kPath, width);
 }
