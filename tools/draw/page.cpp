@@ -20,7 +20,7 @@ struct Kind {
   double text;
 };
 const Kind& kind_of(const Band& band) {
-  static constexpr Kind kSmall{250, 470, 46, 14}, kLarge{440, 900, 62, 16};
+  static constexpr Kind kSmall{250, 440, 46, 14}, kLarge{440, 900, 62, 16};
   return band.small ? kSmall : kLarge;
 }
 
