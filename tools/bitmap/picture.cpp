@@ -106,7 +106,7 @@ struct Sheet {
 
 /// Paints walls over what `ground` says of the cells under a pixel. Walls never get so thin that
 /// they vanish.
-void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet, Colour wall,
+void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet,
                const std::function<Colour(Span columns, Span rows)>& ground) {
   const Window& window = sheet.window;
   // One pixel a cell, or one a pixel of the page where cells are smaller.
@@ -120,7 +120,7 @@ void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet, Colour wall,
       const double blocked = share.at(x, y);
       const double shown = blocked > 0 ? std::max(0.35, std::sqrt(blocked)) : 0;
       const Span columns = cells_under(x, share.width, window.columns);
-      pixels.at(x, y) = blend(ground(columns, rows), wall, shown);
+      pixels.at(x, y) = blend(ground(columns, rows), kWall, shown);
     }
   }
   canvas.image(pixels, box);
@@ -153,14 +153,6 @@ void draw_marks(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer
     canvas.diamond(axes.at(goal.x, goal.y), radius + 3, kGoal);
   if (sheet.grid().contains(answer.start.cell))
     canvas.ring(axes.at(start.x, start.y), radius, kStart);
-}
-
-void draw_tracks(Canvas& canvas, const Box& box, const Sheet& sheet,
-                 const Raster<std::uint32_t>& ants, int cells_a_pixel, const ColourScale& scale) {
-  paint_map(canvas, box, sheet, kWall, [&](Span columns, Span rows) {
-    const auto count = chosen(ants, cells_a_pixel, columns, rows, std::greater<>());
-    return count == 0 ? kFree : scale.at(count);
-  });
 }
 
 /// From 1 ant a cell to the most.
@@ -231,22 +223,24 @@ Band track_band(const Sheet& sheet, const Answer& answer, const PictureRecorder&
                 const ColourScale& so_far) {
   Band band{.rows = {{}, {}}, .small = true};
   for (const auto& kept : tracks) {
-    std::string caption =
-        "iteration " + std::to_string(kept.iterations) + " alone: " + std::to_string(kept.arrived) +
-        " of " + std::to_string(kept.ants) + (kept.ants == 1 ? " ant arrives" : " ants arrive");
-    if (kept.arrived > 0)
-      caption += ", mean tour " + sheet.length(kept.mean, sheet.metres() ? 2 : 0);
-    band.rows[0].push_back({caption, [&](Canvas& canvas, const Box& box) {
-                              draw_tracks(canvas, box, sheet, kept.now, recorder.cells_a_pixel(),
-                                          now);
-                              draw_marks(canvas, box, sheet, answer, true);
-                            }});
-    band.rows[1].push_back({"all ants up to iteration " + std::to_string(kept.iterations),
-                            [&](Canvas& canvas, const Box& box) {
-                              draw_tracks(canvas, box, sheet, kept.so_far, recorder.cells_a_pixel(),
-                                          so_far);
-                              draw_marks(canvas, box, sheet, answer, true);
-                            }});
+    const auto add = [&](std::size_t row, std::string caption, const Raster<std::uint32_t>& ants,
+                         const ColourScale& scale) {
+      const auto draw = [&](Canvas& canvas, const Box& box) {
+        paint_map(canvas, box, sheet, [&](Span columns, Span rows) {
+          const auto count =
+              chosen(ants, recorder.cells_a_pixel(), columns, rows, std::greater<>());
+          return count == 0 ? kFree : scale.at(count);
+        });
+        draw_marks(canvas, box, sheet, answer, true);
+      };
+      band.rows[row].push_back({std::move(caption), draw});
+    };
+    const std::string number = std::to_string(kept.iterations);
+    std::string alone = "iteration " + number + " alone: " + std::to_string(kept.arrived) + " of " +
+                        std::to_string(kept.ants) + (kept.ants == 1 ? " ant" : " ants") + " arrive";
+    if (kept.arrived > 0) alone += ", mean tour " + sheet.length(kept.mean, sheet.metres() ? 2 : 0);
+    add(0, std::move(alone), kept.now, now);
+    add(1, "all ants up to iteration " + number, kept.so_far, so_far);
   }
   return band;
 }
@@ -268,7 +262,7 @@ Panel trail_panel(const Sheet& sheet, const Answer& answer, const PictureRecorde
                (range.low < range.high ? "white: less than " : "the same on every cell: ") +
                short_number(range.low);
   const auto draw = [&, index, scale](Canvas& canvas, const Box& box) {
-    paint_map(canvas, box, sheet, kWall, [&](Span columns, Span rows) {
+    paint_map(canvas, box, sheet, [&](Span columns, Span rows) {
       const int side = recorder.cells_a_pixel();
       const double value = index ? chosen(trail.values, side, columns, rows, std::less<>())
                                  : chosen(trail.values, side, columns, rows, std::greater<>());
@@ -327,7 +321,7 @@ void write_plan_picture(const std::string& file, const LoadedMap& map, const Run
   if (recorder != nullptr && recorder->pheromone().iterations > 0)
     panels.push_back(trail_panel(sheet, answer, *recorder));
   panels.push_back({path_caption(sheet, answer), [&](Canvas& canvas, const Box& box) {
-                      paint_map(canvas, box, sheet, kWall, free_ground);
+                      paint_map(canvas, box, sheet, free_ground);
                       draw_marks(canvas, box, sheet, answer, false);
                       draw_path(canvas, box, sheet, answer.result.path, 3, 1);
                     }});
@@ -345,7 +339,7 @@ void write_batch_picture(const std::string& file, const LoadedMap& map, const Ru
   Page page = sheet.page(plan_title(map, run));
   page.legend = {area_key("blocked", kWall), line_key("path", kPath, 1.5)};
   page.bands = {{{{{std::to_string(paths.size()) + " paths", [&](Canvas& canvas, const Box& box) {
-                      paint_map(canvas, box, sheet, kWall, free_ground);
+                      paint_map(canvas, box, sheet, free_ground);
                       for (const auto& path : paths) draw_path(canvas, box, sheet, path, 1.5, 0);
                     }}}}}};
   write_page(file, page);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tools/draw/colours.h"
 #include "tools/draw/text.h"
