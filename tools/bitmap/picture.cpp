@@ -156,7 +156,9 @@ void draw_marks(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer
 }
 
 /// From 1 ant a cell to the most.
-ColourScale track_scale(double most) { return {{1, std::max(2.0, most)}, true, kAnts}; }
+ColourScale track_scale(double most) {
+  return most > 1 ? ColourScale{{1, most}, true, kAnts} : ColourScale{{0, 1}, false, kAnts};
+}
 
 /// What of a trail has colours: values in [least, below).
 struct TrailScale {
@@ -278,13 +280,14 @@ void draw_run(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& 
   const Result& result = answer.result;
   const bool colony = find_algorithm(sheet.run.params.algorithm()).kind == Algorithm::Kind::colony;
   const bool cut = sheet.run.params.walk_cut != WalkCut::none;
+  const auto& shortest = cut ? result.cut_best : result.raw_best;
   static const std::vector<double> kNone;
   study::Course course{
       .best = {{"best path so far", result.best}},
       .tours = {{colony ? "mean tour of the ants, as walked" : "mean of the population",
                  result.mean},
                 {"mean tour, cut to its own cells", cut ? result.cut_mean : kNone},
-                {"shortest tour of the iteration", cut ? result.cut_best : result.raw_best}},
+                {"shortest tour of the iteration", sheet.run.params.ants > 1 ? shortest : kNone}},
       .unit = sheet.unit(),
       .scale = sheet.map.length_in(sheet.run.frame, 1)};
   const auto level = [&](const char* name, const std::optional<double>& cells, Colour colour) {
