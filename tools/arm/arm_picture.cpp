@@ -12,8 +12,8 @@
 #include "tools/arm/arm_samples.h"
 #include "tools/draw/canvas.h"
 #include "tools/draw/colours.h"
-#include "tools/draw/legend.h"
 #include "tools/draw/line_chart.h"
+#include "tools/draw/page.h"
 
 namespace lasius::tool {
 namespace {
@@ -25,8 +25,6 @@ constexpr Colour kBase{0.45, 0.3, 0.15};
 constexpr Colour kGhost{0.45, 0.6, 0.78};
 constexpr Colour kTip{0.8, 0.12, 0.12};
 constexpr Colour kLattice{0.35, 0.2, 0.5};
-constexpr double kMargin = 24, kView = 480, kBetween = 24, kCaption = 34;
-constexpr double kChart = 470;
 
 /// What a view looks along is left out: coordinates `across` and `up` are shown.
 struct Aspect {
@@ -47,27 +45,22 @@ struct Bounds {
   double widest() const { return std::max((high - low).maxCoeff(), 0.01); }
 };
 
-/// One view's place on the page: metres to pixels, both axes alike, up is up.
-class Frame {
- public:
-  Frame(const Aspect& view, const Box& box, const Bounds& bounds)
-      : view_(view), scale_(box.width / (1.06 * bounds.widest())) {
-    const double across = 0.5 * (bounds.low[view.across] + bounds.high[view.across]);
-    const double up = 0.5 * (bounds.low[view.up] + bounds.high[view.up]);
-    origin_ = {box.x + box.width / 2 - scale_ * across, box.y + box.height / 2 + scale_ * up};
-  }
-  Point at(const Vector3d& p) const {
-    return {origin_.x + scale_ * p[view_.across], origin_.y - scale_ * p[view_.up]};
-  }
-  double scale() const { return scale_; }
-  Point metres(Point page) const {
-    return {(page.x - origin_.x) / scale_, (origin_.y - page.y) / scale_};
-  }
+/// One view's place on the page, in metres, both axes alike.
+struct Frame {
+  const Aspect& view;
+  Axes axes;
 
- private:
-  const Aspect& view_;
-  double scale_;
-  Point origin_{};
+  Frame(const Aspect& seen, const Box& box, const Bounds& bounds)
+      : view(seen), axes{.box = box, .x = {}, .y = {}} {
+    const auto around = [&](int axis) {
+      const double middle = 0.5 * (bounds.low[axis] + bounds.high[axis]);
+      return Range{middle - 0.53 * bounds.widest(), middle + 0.53 * bounds.widest()};
+    };
+    axes.x = around(view.across);
+    axes.y = around(view.up);
+  }
+  Point at(const Vector3d& p) const { return axes.at(p[view.across], p[view.up]); }
+  double scale() const { return axes.box.width / (axes.x.high - axes.x.low); }
 };
 
 void draw_solid(Canvas& canvas, const Frame& frame, const arm::Solid& solid, Colour colour,
@@ -136,10 +129,7 @@ void draw_view(Canvas& canvas, const Box& box, const Aspect& view, const Bounds&
                const ArmAnswer& answer) {
   const Frame frame(view, box, bounds);
   static constexpr const char* kNames[] = {"x, m", "y, m", "z, m"};
-  const Point low = frame.metres({box.x, box.y + box.height});
-  const Point high = frame.metres({box.x + box.width, box.y});
-  draw_axes(canvas, {.box = box, .x = {low.x, high.x}, .y = {low.y, high.y}}, kNames[view.across],
-            kNames[view.up], true);
+  draw_axes(canvas, frame.axes, kNames[view.across], kNames[view.up], true);
   canvas.clip(box);
   for (const auto& o : answer.scene.obstacles) draw_solid(canvas, frame, o, kObstacle, 0.35);
   for (const arm::Link& link : answer.robot.links)
@@ -269,31 +259,17 @@ void write_arm_picture(const std::string& file, const ArmCommand& command,
                        const ArmAnswer& answer) {
   const arm::Result& plan = answer.plan;
   const bool moves = !plan.trajectory.empty() && plan.trajectory.duration() > 0;
-  const bool charts = moves || !plan.best.empty() || !plan.asked.empty();
-  constexpr double kInner = 3 * kView + 2 * kBetween;
-  Canvas canvas;
-  double top = kMargin;
-  top += draw_wrapped(canvas, {kMargin + kInner / 2, top}, title(command, answer), 19, kInner,
-                      Align::centre, true) +
-         8;
-  top += draw_legend(canvas, {kMargin, top}, kInner, keys_of(answer)) + 12;
-  const double side = kView - kAxisLeft - 6;
-  const double below = top + side + kAxisBottom + kCaption;
-  canvas.resize(2 * kMargin + kInner, below + kMargin + (charts ? kChart : 0));
   const Bounds bounds = bounds_of(answer);
-  double left = kMargin;
-  for (const Aspect& view : kViews) {
-    const Box box{left + kAxisLeft, top, side, side};
-    draw_view(canvas, box, view, bounds, answer);
-    canvas.text({box.x + side / 2, top + side + kAxisBottom + 18}, view.name, 16, Align::centre,
-                kInk);
-    left += kView + kBetween;
-  }
-  std::vector<std::function<void(const Box&)>> drawings;
+  std::vector<Panel> views, charts;
+  for (const Aspect& view : kViews)
+    views.push_back({view.name, [&](Canvas& canvas, const Box& box) {
+                       draw_view(canvas, box, view, bounds, answer);
+                     }});
+  const auto add = [&](const auto& draw_chart) { charts.push_back({"", draw_chart, true}); };
   if (moves)
-    drawings.push_back([&](const Box& box) { study::draw(canvas, box, joint_chart(answer)); });
+    add([&](Canvas& canvas, const Box& box) { study::draw(canvas, box, joint_chart(answer)); });
   if (!plan.best.empty())
-    drawings.push_back([&](const Box& box) {
+    add([&](Canvas& canvas, const Box& box) {
       study::Course course{.best = {{"best lattice path so far", plan.best}},
                            .tours = {{"mean tour of the ants", plan.mean}},
                            .unit = unit_of(answer.parameters.objective)};
@@ -301,14 +277,16 @@ void write_arm_picture(const std::string& file, const ArmCommand& command,
       study::draw_course(canvas, box, course);
     });
   if (!plan.asked.empty())
-    drawings.push_back(
-        [&](const Box& box) { study::draw(canvas, box, question_chart(plan.asked)); });
-  // They share the width.
-  const double share = (kInner + kBetween) / static_cast<double>(drawings.size());
-  left = kMargin;
-  for (const auto& draw_chart : drawings)
-    draw_chart({std::exchange(left, left + share), below + kBetween / 2, share - kBetween, kChart});
-  canvas.save(file);
+    add([&](Canvas& canvas, const Box& box) {
+      study::draw(canvas, box, question_chart(plan.asked));
+    });
+  Page page{.title = title(command, answer),
+            .legend = keys_of(answer),
+            .cells = false,
+            .bands = {{.rows = {std::move(views)}, .small = true, .columns = 3}}};
+  if (!charts.empty())
+    page.bands.push_back({.rows = {std::move(charts)}, .small = true, .columns = 3});
+  write_page(file, page);
 }
 
 }  // namespace lasius::tool

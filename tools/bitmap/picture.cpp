@@ -57,9 +57,13 @@ struct Sheet {
   Window window;
 
   const Grid& grid() const { return map.grid(); }
-  Point at(const Box& box, Point p) const {
-    return {box.x + (p.x - window.columns.from) * box.width / window.width(),
-            box.y + (p.y - window.rows.from) * box.height / window.height()};
+  /// In cells.
+  Axes axes(const Box& box) const {
+    return {.box = box,
+            .x = {1.0 * window.columns.from, 1.0 * window.columns.to},
+            .y = {1.0 * window.rows.to, 1.0 * window.rows.from},
+            .whole_x = true,
+            .whole_y = true};
   }
   bool metres() const { return run.frame == Frame::world; }
   const char* unit() const { return metres() ? "m" : "cells"; }
@@ -70,11 +74,8 @@ struct Sheet {
   /// In cells; in metres of the world where the map is not turned in it.
   void frame(Canvas& canvas, const Box& box) const {
     const bool world = metres() && map.frame->yaw == 0;
-    Axes axes{.box = box,
-              .x = {1.0 * window.columns.from, 1.0 * window.columns.to},
-              .y = {1.0 * window.rows.to, 1.0 * window.rows.from},
-              .whole_x = !world,
-              .whole_y = !world};
+    Axes axes = this->axes(box);
+    axes.whole_x = axes.whole_y = !world;
     if (world) {
       const Point low = map.to_world({axes.x.low, axes.y.low});
       const Point high = map.to_world({axes.x.high, axes.y.high});
@@ -105,7 +106,7 @@ struct Sheet {
 
 /// Paints walls over what `ground` says of the cells under a pixel. Walls never get so thin that
 /// they vanish.
-void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet, Colour wall,
+void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet,
                const std::function<Colour(Span columns, Span rows)>& ground) {
   const Window& window = sheet.window;
   // One pixel a cell, or one a pixel of the page where cells are smaller.
@@ -119,7 +120,7 @@ void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet, Colour wall,
       const double blocked = share.at(x, y);
       const double shown = blocked > 0 ? std::max(0.35, std::sqrt(blocked)) : 0;
       const Span columns = cells_under(x, share.width, window.columns);
-      pixels.at(x, y) = blend(ground(columns, rows), wall, shown);
+      pixels.at(x, y) = blend(ground(columns, rows), kWall, shown);
     }
   }
   canvas.image(pixels, box);
@@ -146,21 +147,18 @@ void draw_marks(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer
   const double cell = box.width / sheet.window.width();
   const double radius =
       small ? std::clamp(0.6 * cell, 6.0, 9.0) : std::clamp(0.6 * cell, 8.0, 18.0);
-  const Cell start = answer.start.cell, goal = answer.goal.cell;
-  if (sheet.grid().contains(goal)) canvas.diamond(sheet.at(box, centre(goal)), radius + 3, kGoal);
-  if (sheet.grid().contains(start)) canvas.ring(sheet.at(box, centre(start)), radius, kStart);
-}
-
-void draw_tracks(Canvas& canvas, const Box& box, const Sheet& sheet,
-                 const Raster<std::uint32_t>& ants, int cells_a_pixel, const ColourScale& scale) {
-  paint_map(canvas, box, sheet, kWall, [&](Span columns, Span rows) {
-    const auto count = chosen(ants, cells_a_pixel, columns, rows, std::greater<>());
-    return count == 0 ? kFree : scale.at(count);
-  });
+  const Axes axes = sheet.axes(box);
+  const Point start = centre(answer.start.cell), goal = centre(answer.goal.cell);
+  if (sheet.grid().contains(answer.goal.cell))
+    canvas.diamond(axes.at(goal.x, goal.y), radius + 3, kGoal);
+  if (sheet.grid().contains(answer.start.cell))
+    canvas.ring(axes.at(start.x, start.y), radius, kStart);
 }
 
 /// From 1 ant a cell to the most.
-ColourScale track_scale(double most) { return {{1, std::max(2.0, most)}, true, kAnts}; }
+ColourScale track_scale(double most) {
+  return most > 1 ? ColourScale{{1, most}, true, kAnts} : ColourScale{{0, 1}, false, kAnts};
+}
 
 /// What of a trail has colours: values in [least, below).
 struct TrailScale {
@@ -196,9 +194,7 @@ TrailScale trail_scale(const Raster<float>& raster, bool index) {
 
 void draw_path(Canvas& canvas, const Box& box, const Sheet& sheet, const std::vector<Point>& path,
                double width, double rim) {
-  std::vector<Point> points;
-  points.reserve(path.size());
-  for (const Point p : path) points.push_back(sheet.at(box, p));
+  const auto points = sheet.axes(box).at(path);
   if (rim > 0) canvas.polyline(points, {1, 1, 1}, width + 2 * rim);
   canvas.polyline(points, kPath, width);
 }
@@ -229,22 +225,24 @@ Band track_band(const Sheet& sheet, const Answer& answer, const PictureRecorder&
                 const ColourScale& so_far) {
   Band band{.rows = {{}, {}}, .small = true};
   for (const auto& kept : tracks) {
-    std::string caption =
-        "iteration " + std::to_string(kept.iterations) + " alone: " + std::to_string(kept.arrived) +
-        " of " + std::to_string(kept.ants) + (kept.ants == 1 ? " ant arrives" : " ants arrive");
-    if (kept.arrived > 0)
-      caption += ", mean tour " + sheet.length(kept.mean, sheet.metres() ? 2 : 0);
-    band.rows[0].push_back({caption, [&](Canvas& canvas, const Box& box) {
-                              draw_tracks(canvas, box, sheet, kept.now, recorder.cells_a_pixel(),
-                                          now);
-                              draw_marks(canvas, box, sheet, answer, true);
-                            }});
-    band.rows[1].push_back({"all ants up to iteration " + std::to_string(kept.iterations),
-                            [&](Canvas& canvas, const Box& box) {
-                              draw_tracks(canvas, box, sheet, kept.so_far, recorder.cells_a_pixel(),
-                                          so_far);
-                              draw_marks(canvas, box, sheet, answer, true);
-                            }});
+    const auto add = [&](std::size_t row, std::string caption, const Raster<std::uint32_t>& ants,
+                         const ColourScale& scale) {
+      const auto draw = [&](Canvas& canvas, const Box& box) {
+        paint_map(canvas, box, sheet, [&](Span columns, Span rows) {
+          const auto count =
+              chosen(ants, recorder.cells_a_pixel(), columns, rows, std::greater<>());
+          return count == 0 ? kFree : scale.at(count);
+        });
+        draw_marks(canvas, box, sheet, answer, true);
+      };
+      band.rows[row].push_back({std::move(caption), draw});
+    };
+    const std::string number = std::to_string(kept.iterations);
+    std::string alone = "iteration " + number + " alone: " + std::to_string(kept.arrived) + " of " +
+                        std::to_string(kept.ants) + (kept.ants == 1 ? " ant" : " ants") + " arrive";
+    if (kept.arrived > 0) alone += ", mean tour " + sheet.length(kept.mean, sheet.metres() ? 2 : 0);
+    add(0, std::move(alone), kept.now, now);
+    add(1, "all ants up to iteration " + number, kept.so_far, so_far);
   }
   return band;
 }
@@ -266,7 +264,7 @@ Panel trail_panel(const Sheet& sheet, const Answer& answer, const PictureRecorde
                (range.low < range.high ? "white: less than " : "the same on every cell: ") +
                short_number(range.low);
   const auto draw = [&, index, scale](Canvas& canvas, const Box& box) {
-    paint_map(canvas, box, sheet, kWall, [&](Span columns, Span rows) {
+    paint_map(canvas, box, sheet, [&](Span columns, Span rows) {
       const int side = recorder.cells_a_pixel();
       const double value = index ? chosen(trail.values, side, columns, rows, std::less<>())
                                  : chosen(trail.values, side, columns, rows, std::greater<>());
@@ -282,13 +280,14 @@ void draw_run(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& 
   const Result& result = answer.result;
   const bool colony = find_algorithm(sheet.run.params.algorithm()).kind == Algorithm::Kind::colony;
   const bool cut = sheet.run.params.walk_cut != WalkCut::none;
+  const auto& shortest = cut ? result.cut_best : result.raw_best;
   static const std::vector<double> kNone;
   study::Course course{
       .best = {{"best path so far", result.best}},
       .tours = {{colony ? "mean tour of the ants, as walked" : "mean of the population",
                  result.mean},
                 {"mean tour, cut to its own cells", cut ? result.cut_mean : kNone},
-                {"shortest tour of the iteration", cut ? result.cut_best : result.raw_best}},
+                {"shortest tour of the iteration", sheet.run.params.ants > 1 ? shortest : kNone}},
       .unit = sheet.unit(),
       .scale = sheet.map.length_in(sheet.run.frame, 1)};
   const auto level = [&](const char* name, const std::optional<double>& cells, Colour colour) {
@@ -325,7 +324,7 @@ void write_plan_picture(const std::string& file, const LoadedMap& map, const Run
   if (recorder != nullptr && recorder->pheromone().iterations > 0)
     panels.push_back(trail_panel(sheet, answer, *recorder));
   panels.push_back({path_caption(sheet, answer), [&](Canvas& canvas, const Box& box) {
-                      paint_map(canvas, box, sheet, kWall, free_ground);
+                      paint_map(canvas, box, sheet, free_ground);
                       draw_marks(canvas, box, sheet, answer, false);
                       draw_path(canvas, box, sheet, answer.result.path, 3, 1);
                     }});
@@ -343,7 +342,7 @@ void write_batch_picture(const std::string& file, const LoadedMap& map, const Ru
   Page page = sheet.page(plan_title(map, run));
   page.legend = {area_key("blocked", kWall), line_key("path", kPath, 1.5)};
   page.bands = {{{{{std::to_string(paths.size()) + " paths", [&](Canvas& canvas, const Box& box) {
-                      paint_map(canvas, box, sheet, kWall, free_ground);
+                      paint_map(canvas, box, sheet, free_ground);
                       for (const auto& path : paths) draw_path(canvas, box, sheet, path, 1.5, 0);
                     }}}}}};
   write_page(file, page);

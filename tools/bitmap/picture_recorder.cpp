@@ -15,8 +15,7 @@ std::vector<int> usual(const Params& params) {
   std::vector<int> chosen{1, params.critical_time > 0 ? params.critical_time : 10, 50,
                           params.iterations};
   std::ranges::sort(chosen);
-  const auto same = std::ranges::unique(chosen);
-  chosen.erase(same.begin(), same.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   std::erase_if(chosen, [&](int i) { return i > params.iterations; });
   return chosen;
 }

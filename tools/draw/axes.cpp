@@ -79,9 +79,15 @@ Point Axes::at(double px, double py) const {
           box.y + box.height - share_of(y, logarithmic, py) * box.height};
 }
 
+std::vector<Point> Axes::at(std::span<const Point> points) const {
+  std::vector<Point> page;
+  for (const Point p : points) page.push_back(at(p.x, p.y));
+  return page;
+}
+
 void draw_axes(Canvas& canvas, const Axes& axes, const std::string& across, const std::string& up,
                bool grid) {
-  constexpr double kTick = 4, kRoom = kAxisLeft - 26, kNameSize = 13;
+  constexpr double kTick = 4, kRoom = kAxisLeft - 30, kNameSize = 13;
   const Box& box = axes.box;
   const double bottom = box.y + box.height, right = box.x + box.width;
   const Range x{std::min(axes.x.low, axes.x.high), std::max(axes.x.low, axes.x.high)};
@@ -120,7 +126,7 @@ void draw_axes(Canvas& canvas, const Axes& axes, const std::string& across, cons
   canvas.text({box.x + box.width / 2, bottom + 34}, across, kNameSize, Align::centre, kInk);
   const double name = std::min(
       kNameSize, kNameSize * std::max(box.height, 60.0) / canvas.text_width(up, kNameSize));
-  canvas.text({box.x - kAxisLeft + 14, box.y + box.height / 2}, up, name, Align::centre, kInk,
+  canvas.text({box.x - kAxisLeft + 11, box.y + box.height / 2}, up, name, Align::centre, kInk,
               false, true);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,7 @@ struct Axes {
   bool whole_x = false, whole_y = false;  ///< marks at whole numbers only
 
   Point at(double px, double py) const;
+  std::vector<Point> at(std::span<const Point> points) const;
   bool shows(double py) const { return py >= y.low && py <= y.high; }
 };
 

@@ -42,7 +42,9 @@ std::string utf8(const std::string& text) {
 }  // namespace
 
 Canvas::Canvas() {
-  page_.reset(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, nullptr));
+  // Bounded, as cairo's SVG wants it: no page is larger.
+  const cairo_rectangle_t most{0, 0, 8192, 32767};
+  page_.reset(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &most));
   context_.reset(cairo_create(page_.get()));
   cairo_set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
   cairo_set_line_cap(context_.get(), CAIRO_LINE_CAP_ROUND);

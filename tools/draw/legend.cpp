@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tools/draw/colours.h"
 #include "tools/draw/text.h"
@@ -104,15 +105,16 @@ Key goal_key(const std::string& label) {
 }
 
 Key scale_key(const std::string& label, const ColourScale& scale) {
-  constexpr double kBar = 110, kWidth = 2 * 46 + kBar;
+  constexpr double kBar = 110, kDigit = 9;
+  const std::string low = study::fixed(scale.range.low, 0),
+                    high = study::fixed(scale.range.high, 0);
+  const double bar = kDigit * static_cast<double>(low.size()) + 5, after = bar + kBar + 5;
   const auto symbol = [=](Canvas& canvas, Point p) {
-    canvas.text({p.x + 40, p.y + 5}, study::fixed(scale.range.low, 0), kLabelSize, Align::right,
-                kInk);
-    fill_bar(canvas, {p.x + 46, p.y - 7, kBar, 14}, scale);
-    canvas.text({p.x + 52 + kBar, p.y + 5}, study::fixed(scale.range.high, 0), kLabelSize,
-                Align::left, kInk);
+    canvas.text({p.x, p.y + 5}, low, kLabelSize, Align::left, kInk);
+    fill_bar(canvas, {p.x + bar, p.y - 7, kBar, 14}, scale);
+    canvas.text({p.x + after, p.y + 5}, high, kLabelSize, Align::left, kInk);
   };
-  return {label, symbol, kWidth};
+  return {label, symbol, after + kDigit * static_cast<double>(high.size())};
 }
 
 double draw_legend(Canvas& canvas, Point top_left, double width, const std::vector<Key>& keys) {

@@ -125,19 +125,6 @@ void draw(Canvas& canvas, const Box& box, const LineChart& chart) {
   tool::draw_legend(canvas, {axes.box.x, bottom + kBelow}, width, keys);
 }
 
-Canvas chart_page(const std::vector<LineChart>& charts, int width, int height) {
-  constexpr int kMargin = 20;
-  const int count = static_cast<int>(charts.size());
-  Canvas canvas;
-  canvas.resize(count * (width + kMargin) + kMargin, height + 2 * kMargin);
-  Box box{kMargin, kMargin, 1.0 * width, 1.0 * height};
-  for (const LineChart& chart : charts) {
-    draw(canvas, box, chart);
-    box.x += width + kMargin;
-  }
-  return canvas;
-}
-
 void draw_course(Canvas& canvas, const Box& box, const Course& course) {
   static constexpr std::array<Colour, 3> kBest{
       {{0.8, 0.15, 0.15}, {0.9, 0.62, 0.0}, {0.55, 0.3, 0.1}}};

@@ -41,9 +41,6 @@ struct LineChart {
 /// axis leaves out what lies far above the last values of the curves.
 void draw(tool::Canvas& canvas, const tool::Box& box, const LineChart& chart);
 
-/// A page of charts side by side, each of this size.
-tool::Canvas chart_page(const std::vector<LineChart>& charts, int width, int height);
-
 /// The colour of curve or path number `index`, told apart by people who see colours differently
 /// (Okabe and Ito 2008).
 tool::Colour palette(std::size_t index);

@@ -1,30 +1,24 @@
-// Maps on the pages of a study.
+// What the pages of a study show.
 #pragma once
 
 #include <filesystem>
 
 #include "lasius/grid.h"
-#include "tools/draw/canvas.h"
-#include "tools/draw/colours.h"
+#include "tools/draw/line_chart.h"
+#include "tools/draw/page.h"
 
 namespace lasius::study {
 
-using tool::Align;
-using tool::Box;
-using tool::Canvas;
-using tool::Colour;
-using tool::kInk;
-
-inline constexpr Colour kMapWall{0.42, 0.45, 0.49};
-
-/// The walls of a map over the whole box, and axes around it: they take tool::kAxisLeft and
-/// tool::kAxisBottom.
-void paint_walls(Canvas& canvas, const Box& box, const Grid& grid);
-
-/// Start and goal, `scale` pixels a cell.
-void mark_ends(Canvas& canvas, const Box& box, double scale, Cell start, Cell goal);
+/// Walls, start and goal of a map over the whole box, and axes around it, which are returned: what
+/// is drawn by them comes above.
+tool::Axes draw_map(tool::Canvas& canvas, const tool::Box& box, const Grid& grid, Cell start,
+                    Cell goal);
+/// What stands for these.
+std::vector<tool::Key> map_keys();
 
 /// Writes FILE.svg and FILE.png.
-void save(const Canvas& canvas, const std::filesystem::path& file);
+void save(const tool::Page& page, const std::filesystem::path& file);
+/// The same, of charts side by side.
+void save(const std::vector<LineChart>& charts, const std::filesystem::path& file);
 
 }  // namespace lasius::study

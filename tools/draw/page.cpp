@@ -9,6 +9,7 @@ namespace lasius::tool {
 namespace {
 
 constexpr double kMargin = 24, kGap = 22, kRight = 8;  ///< kRight: of a map, for its last mark
+constexpr double kLeastHeight = 60;                    ///< of a map's place
 constexpr double kHeader = 90;                         // as expected
 
 /// Sizes of a band's panels.
@@ -19,7 +20,7 @@ struct Kind {
   double text;
 };
 const Kind& kind_of(const Band& band) {
-  static constexpr Kind kSmall{250, 470, 46, 14}, kLarge{440, 900, 62, 16};
+  static constexpr Kind kSmall{250, 440, 46, 14}, kLarge{440, 900, 62, 16};
   return band.small ? kSmall : kLarge;
 }
 
@@ -33,7 +34,6 @@ int panels_in(const Band& band) { return static_cast<int>(band.rows.front().size
 
 /// Of a panel's place, without its caption; kept wide and high enough for the names of axes.
 Box place_of(const Page& page, const Band& band, double scale) {
-  constexpr double kLeastHeight = 60;
   double below = 0;
   for (const Panel& panel : band.rows.front()) below = std::max(below, panel.below);
   return {0, 0,
@@ -44,7 +44,7 @@ Box place_of(const Page& page, const Band& band, double scale) {
 /// Of a line of panels without their captions: a chart beside maps may need more than these, and
 /// charts alone less.
 double line_height(const Band& band, int first, int columns, const Box& place) {
-  constexpr double kChart = 250, kCharts = 360;
+  constexpr double kChart = 250, kCharts = 420;
   const auto from = band.rows.front().begin() + first;
   const int panels = std::min(columns, panels_in(band) - first);
   const auto charts =
@@ -100,9 +100,11 @@ std::vector<Arrangement> arranged(const Page& page) {
     }
   };
   const Band &front = page.bands.front(), &back = page.bands.back();
-  for (int few = 1; few <= panels_in(front); ++few)
-    for (int many = 1; many <= panels_in(back); ++many) {
+  for (int few = 1; few <= std::max(front.columns, panels_in(front)); ++few)
+    for (int many = 1; many <= std::max(back.columns, panels_in(back)); ++many) {
       if (page.bands.size() == 1 && many != few) continue;
+      if (front.columns > 0 && few != front.columns) continue;
+      if (back.columns > 0 && many != back.columns) continue;
       tried.front() = {few, widest_scale(page, front, few)};
       tried.back() = {many, widest_scale(page, back, many)};
       if (tried.front().scale > 0 && tried.back().scale > 0) judge();
@@ -151,11 +153,11 @@ void write_page(const std::string& file, const Page& page) {
           const int places = panel.chart && i + 1 == panels_in(band) ? first + columns - i : 1;
           const double width = places * (place.width + kGap) - kGap;
           const double spare = place.width - kAxisLeft - kRight - wide;
-          const double above = std::max(0.0, line - kAxisBottom - panel.below - high) / 2;
+          const double above = (line - place.height + std::max(0.0, kLeastHeight - high)) / 2;
           panel.draw(canvas, panel.chart ? Box{x, y, width, line}
                                          : Box{x + kAxisLeft + std::floor(spare / 2),
                                                y + std::floor(above), wide, high});
-          const std::string letter = panels > 1 ? letters(number++) : "";
+          const std::string letter = panels > 1 && !panel.caption.empty() ? letters(number++) : "";
           captions = std::max(
               captions, draw_wrapped(canvas, {x + width / 2, y + line + 4}, letter + panel.caption,
                                      kind_of(band).text, width, Align::centre));

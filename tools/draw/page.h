@@ -24,6 +24,7 @@ struct Panel {
 struct Band {
   std::vector<std::vector<Panel>> rows;
   bool small = false;
+  int columns = 0;  ///< 0: as many as show the maps large
 };
 
 struct Page {

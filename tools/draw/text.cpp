@@ -26,11 +26,11 @@ std::string seconds_text(double seconds) {
 
 std::string against(double length, double optimum, const std::string& name,
                     const std::string& shown) {
-  const double gap = 100 * (length / optimum - 1);
+  const double gap = 100 * (length / optimum - 1), size = std::abs(gap);
   if (!std::isfinite(gap)) return {};
-  const std::string percent = fixed(std::abs(gap), 2);
   const std::string how =
-      percent == "0.00" ? "equal to" : percent + (gap < 0 ? "% below" : "% above");
+      size < 1e-6 ? "equal to"
+                  : fixed(size, size < 0.01 ? 5 : 2) + (gap < 0 ? "% below" : "% above");
   return ", " + how + " the " + name + " " + shown;
 }
 

@@ -18,32 +18,10 @@ constexpr Colour kLine{0.26, 0.57, 0.78};
 constexpr Colour kMidpoint{0.03, 0.19, 0.42};
 constexpr Colour kDijkstra{0.55, 0.3, 0.65};
 
-/// The world's place on the page, y up.
-class View {
- public:
-  View(const LoadedWorld& world, const Box& box) : low_(world.low()), box_(box) {
-    const Point high = world.high();
-    scale_ = std::min(box.width / (high.x - low_.x), box.height / (high.y - low_.y));
-    axes_ = {.box = box, .x = {low_.x, high.x}, .y = {low_.y, high.y}};
-  }
-  void draw_axes(Canvas& canvas) const {
-    tool::draw_axes(canvas, axes_, "x, the world's units", "y, the world's units", false);
-  }
-  Point at(Point p) const {
-    return {box_.x + (p.x - low_.x) * scale_, box_.y + box_.height - (p.y - low_.y) * scale_};
-  }
-  std::vector<Point> at(const std::vector<Point>& points) const {
-    std::vector<Point> result;
-    for (const Point p : points) result.push_back(at(p));
-    return result;
-  }
-
- private:
-  Point low_;
-  Box box_;
-  double scale_;
-  Axes axes_;
-};
+Axes axes_of(const LoadedWorld& world, const Box& box) {
+  const Point low = world.low(), high = world.high();
+  return {.box = box, .x = {low.x, high.x}, .y = {low.y, high.y}};
+}
 
 double area(const polygon::Ring& ring) {
   double sum = 0;
@@ -54,30 +32,33 @@ double area(const polygon::Ring& ring) {
   return std::abs(sum);
 }
 
-/// Free space in white on the grown obstacles' grey, the obstacles as drawn in a darker one.
-void draw_world(Canvas& canvas, const View& view, const LoadedWorld& world, const Box& box,
+/// Free space in white on the grown obstacles' grey, the obstacles as drawn in a darker one; the
+/// axes around it.
+void draw_world(Canvas& canvas, const Axes& axes, const LoadedWorld& world,
                 std::vector<polygon::Polygon> pieces) {
-  canvas.fill(box, kPaleWall);
+  canvas.fill(axes.box, kPaleWall);
   std::ranges::stable_sort(
       pieces, [](const auto& a, const auto& b) { return area(a.outer) > area(b.outer); });
   for (const auto& piece : pieces) {
-    canvas.area(view.at(piece.outer), kFree, 1);
-    for (const auto& hole : piece.holes) canvas.area(view.at(hole), kPaleWall, 1);
+    canvas.area(axes.at(piece.outer), kFree, 1);
+    for (const auto& hole : piece.holes) canvas.area(axes.at(hole), kPaleWall, 1);
   }
-  canvas.clip(box);
+  canvas.clip(axes.box);
   for (const auto& obstacle : world.planner.world().obstacles)
-    if (obstacle.holes.empty()) canvas.area(view.at(obstacle.outer), kWall, 1);
+    if (obstacle.holes.empty()) canvas.area(axes.at(obstacle.outer), kWall, 1);
   canvas.unclip();
+  draw_axes(canvas, axes, "x, the world's units", "y, the world's units", false);
 }
 
-void draw_graph(Canvas& canvas, const View& view, const LoadedWorld& world,
+void draw_graph(Canvas& canvas, const Axes& axes, const LoadedWorld& world,
                 const PolygonAnswer& answer) {
   for (const auto& line : world.planner.maklink().lines) {
-    canvas.dashed(view.at(line.a), view.at(line.b), kLine, 1.2);
-    canvas.disc(view.at(line.midpoint()), 3, kMidpoint);
+    canvas.dashed(axes.at(line.a.x, line.a.y), axes.at(line.b.x, line.b.y), kLine, 1.2);
+    const Point midpoint = line.midpoint();
+    canvas.disc(axes.at(midpoint.x, midpoint.y), 3, kMidpoint);
   }
   if (answer.result.dijkstra)
-    canvas.polyline(view.at(answer.result.dijkstra->path), kDijkstra, 2.5);
+    canvas.polyline(axes.at(answer.result.dijkstra->path), kDijkstra, 2.5);
 }
 
 std::string path_caption(const PolygonAnswer& answer) {
@@ -116,12 +97,11 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
   // A panel with the world as its ground.
   const auto add = [&](const std::string& caption, const auto& pieces, const auto& draw) {
     panels.push_back({caption, [&world, &answer, &pieces, draw](Canvas& canvas, const Box& box) {
-                        const View view(world, box);
-                        draw_world(canvas, view, world, box, pieces);
-                        canvas.diamond(view.at(answer.goal), 11, kGoal);
-                        canvas.ring(view.at(answer.start), 8, kStart);
-                        draw(canvas, view);
-                        view.draw_axes(canvas);
+                        const Axes axes = axes_of(world, box);
+                        draw_world(canvas, axes, world, pieces);
+                        canvas.diamond(axes.at(answer.goal.x, answer.goal.y), 11, kGoal);
+                        canvas.ring(axes.at(answer.start.x, answer.start.y), 8, kStart);
+                        draw(canvas, axes);
                       }});
   };
   Page page = page_of(world, answer.parameters.algorithm() + " on " + file_name(world) + ", seed " +
@@ -138,11 +118,11 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
     add("MAKLINK lines, midpoints, Dijkstra's path, length " +
             study::fixed(result.dijkstra->length, 3),
         world.planner.maklink().free_space,
-        [&](Canvas& canvas, const View& view) { draw_graph(canvas, view, world, answer); });
+        [&](Canvas& canvas, const Axes& axes) { draw_graph(canvas, axes, world, answer); });
   }
   if (!result.path.empty()) page.legend.push_back(line_key("path", kPath, 3));
   add(path_caption(answer), world.planner.free_space(),
-      [&](Canvas& canvas, const View& view) { canvas.polyline(view.at(result.path), kPath, 3); });
+      [&](Canvas& canvas, const Axes& axes) { canvas.polyline(axes.at(result.path), kPath, 3); });
   if (!result.best.empty())
     panels.push_back(
         {"convergence",
@@ -175,10 +155,9 @@ void write_paths_picture(const std::string& file, const LoadedWorld& world,
   Page page = page_of(world, count + " on " + file_name(world));
   page.legend.push_back(line_key("path", kPath, 1.5));
   page.bands = {{{{{count, [&](Canvas& canvas, const Box& box) {
-                      const View view(world, box);
-                      draw_world(canvas, view, world, box, world.planner.free_space());
-                      for (const auto& path : paths) canvas.polyline(view.at(path), kPath, 1.5);
-                      view.draw_axes(canvas);
+                      const Axes axes = axes_of(world, box);
+                      draw_world(canvas, axes, world, world.planner.free_space());
+                      for (const auto& path : paths) canvas.polyline(axes.at(path), kPath, 1.5);
                     }}}}}};
   write_page(file, page);
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/draw/legend.h"
 #include "tools/draw/line_chart.h"
 #include "tools/draw/map_panel.h"
 #include "tools/draw/text.h"
@@ -16,8 +15,6 @@ namespace lasius::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kMargin = 20;
 
 /// The samples of a question that have runs: what is drawn.
 std::vector<const Sample*> drawn(const Findings& findings, const Experiment& experiment,
@@ -108,7 +105,7 @@ bool draw_convergence(const Study& study, const Findings& findings, const Experi
     if (LineChart lengths = run_lengths(samples, *optimum);
         std::ranges::any_of(lengths.curves, [](const Curve& c) { return c.y.back() > 0; }))
       charts.push_back(std::move(lengths));
-  save(chart_page(charts, 760, 560), file);
+  save(charts, file);
   return true;
 }
 
@@ -123,7 +120,7 @@ void draw_chart(const Study& study, const Findings& findings, const Experiment& 
       chart.curves.push_back(curve_of(samples, &chart == charts.data() ? &Run::best : &Run::mean,
                                       chart.curves.size()));
   }
-  save(chart_page(charts, 620, 420), file);
+  save(charts, file);
 }
 
 const Run* best_run(const Sample& sample) {
@@ -146,36 +143,22 @@ void draw_paths(const Findings& findings, const Experiment& experiment, const Qu
                 const Grid& grid, const fs::path& file) {
   const auto samples = drawn(findings, experiment, question);
   const auto optimum = findings.optimum(experiment, question);
-  double scale = std::min(1100.0 / grid.width(), 800.0 / grid.height());
-  if (scale > 1) scale = std::floor(scale);
-  const double wide = std::max(560.0, grid.width() * scale + tool::kAxisLeft);
   std::vector<tool::Key> keys;
   for (const Sample* sample : samples)
     keys.push_back(tool::line_key(legend_of(*sample, optimum), palette(keys.size()), 3));
-  keys.insert(keys.end(),
-              {tool::start_key(), tool::goal_key(), tool::area_key("blocked", kMapWall)});
-  Canvas canvas;
-  const double above =
-      kMargin + 8 +
-      tool::draw_wrapped(canvas, {kMargin + wide / 2, kMargin}, "Best paths on " + question.name,
-                         17, wide, Align::centre, true);
-  const Box box{kMargin + tool::kAxisLeft + (wide - tool::kAxisLeft - grid.width() * scale) / 2,
-                above, grid.width() * scale, grid.height() * scale};
-  const double below = box.y + box.height + tool::kAxisBottom + 8;
-  canvas.resize(wide + 2 * kMargin,
-                below + tool::draw_legend(canvas, {kMargin, below}, wide, keys) + kMargin);
-  paint_walls(canvas, box, grid);
-  mark_ends(canvas, box, scale, question.start, question.goal);
-  const auto page = [&](Point p) { return Point{box.x + p.x * scale, box.y + p.y * scale}; };
-  for (std::size_t i = samples.size(); i-- > 0;) {
-    if (const Run* const run = best_run(*samples[i])) {
-      std::vector<Point> points;
-      for (const Point p : run->path) points.push_back(page(p));
-      // Wider below: equal paths stay visible as bands.
-      canvas.polyline(points, palette(i), 3 + 2.5 * static_cast<double>(i));
-    }
-  }
-  save(canvas, file);
+  std::ranges::copy(map_keys(), std::back_inserter(keys));
+  const auto draw = [&](tool::Canvas& canvas, const tool::Box& box) {
+    const tool::Axes axes = draw_map(canvas, box, grid, question.start, question.goal);
+    for (std::size_t i = samples.size(); i-- > 0;)
+      if (const Run* const run = best_run(*samples[i]))  // wider below: equal paths stay visible
+        canvas.polyline(axes.at(run->path), palette(i), 3 + 2.5 * static_cast<double>(i));
+  };
+  save(tool::Page{.title = "Best paths on " + question.name,
+                  .legend = keys,
+                  .wide = 1.0 * grid.width(),
+                  .high = 1.0 * grid.height(),
+                  .bands = {{.rows = {{{"", draw}}}}}},
+       file);
 }
 
 }  // namespace

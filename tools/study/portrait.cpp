@@ -6,7 +6,6 @@
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/picture.h"
 #include "tools/bitmap/picture_recorder.h"
-#include "tools/draw/legend.h"
 #include "tools/draw/line_chart.h"
 #include "tools/draw/map_panel.h"
 #include "tools/study/bitmaps.h"
@@ -67,46 +66,42 @@ struct Ants {
   }
 };
 
-void draw_walk(Canvas& canvas, const Box& box, const Grid& grid, const Question& question,
-               const std::vector<Cell>& walk, Colour colour, const std::string& caption) {
-  const double scale = box.width / grid.width();
-  paint_walls(canvas, box, grid);
-  std::vector<Point> points;
-  for (const Cell c : walk)
-    points.push_back({box.x + (c.x + 0.5) * scale, box.y + (c.y + 0.5) * scale});
-  mark_ends(canvas, box, scale, question.start, question.goal);
-  canvas.polyline(points, colour, 3);
-  canvas.text({box.x + box.width / 2, box.y + box.height + tool::kAxisBottom + 18}, caption, 15,
-              Align::centre, kInk);
-}
-
 Figure draw_ants(const Place& place, const StopCondition& stop) {
   const Planner planner(load_map(place.question.map, place.maps));
   Ants ants;
   (void)planner.plan({place.question.start, place.question.goal, stop}, place.params, nullptr,
                      [&](const GridProgress& progress) { ants.observe(progress); });
-  constexpr double kEdge = 20, kSide = 420, kChart = 420, kPlace = tool::kAxisLeft + kSide;
   const Grid& grid = planner.grid();
-  const double high = kSide * grid.height() / grid.width();
-  const double below = high + 2 * kEdge + tool::kAxisBottom + 28;
-  Canvas canvas;
-  draw_walk(canvas, {kEdge + tool::kAxisLeft, kEdge, kSide, high}, grid, place.question, ants.dead,
-            palette(1), "ant " + std::to_string(ants.dead_ant) + " dies in a dead end");
-  draw_walk(canvas, {2 * kEdge + kPlace + tool::kAxisLeft, kEdge, kSide, high}, grid,
-            place.question, ants.arrived, palette(0),
-            "ant " + std::to_string(ants.arrived_ant) + " arrives");
-  const double keys =
-      tool::draw_legend(canvas, {kEdge + tool::kAxisLeft, below}, kPlace,
-                        {tool::start_key(), tool::goal_key(), tool::area_key("blocked", kMapWall)});
-  canvas.resize(2 * kPlace + 3 * kEdge, below + keys + kChart + 2 * kEdge);
+  const auto walk = [&](const std::vector<Cell>& cells, std::size_t colour, std::string caption) {
+    const auto draw = [&, colour](tool::Canvas& canvas, const tool::Box& box) {
+      std::vector<Point> points;
+      for (const Cell c : cells) points.push_back(centre(c));
+      const auto axes = draw_map(canvas, box, grid, place.question.start, place.question.goal);
+      canvas.polyline(axes.at(points), palette(colour), 3);
+    };
+    return tool::Panel{std::move(caption), draw};
+  };
   LineChart chart{.title = "Tours of " + place.label() + " on " + place.question.name,
                   .x_label = "ant",
                   .y_label = "length, cells"};
   chart.curves.push_back(
       {.label = "ants that arrive", .colour = palette(0), .x = ants.number, .y = ants.tour});
   chart.curves.back().dots = true;
-  draw(canvas, {kEdge, below + keys + kEdge, 2 * kPlace + kEdge, kChart}, chart);
-  save(canvas, place.folder / place.stem());
+  const auto tours = [&](tool::Canvas& canvas, const tool::Box& box) { draw(canvas, box, chart); };
+  save(
+      tool::Page{
+          .title = "",
+          .legend = map_keys(),
+          .wide = 1.0 * grid.width(),
+          .high = 1.0 * grid.height(),
+          .bands = {{.rows = {{walk(ants.dead, 1,
+                                    "ant " + std::to_string(ants.dead_ant) + " dies in a dead end"),
+                               walk(ants.arrived, 0,
+                                    "ant " + std::to_string(ants.arrived_ant) + " arrives"),
+                               {"", tours, true}}},
+                     .small = true,
+                     .columns = 2}}},
+      place.folder / place.stem());
   return {
       &place.experiment, place.stem(),
       "One run of " + place.label() + " (seed 1): a dead end, a success, and the tours ant by ant"};
