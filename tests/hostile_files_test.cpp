@@ -282,7 +282,7 @@ TEST_F(HostileFiles, WhatGoesWithARobot) {
   }
   refused(read_srdf_file, "a.srdf", filled("<robot>", "<a>", ""), "nest too deep");
   refused(read_limits_file, "a.yaml", filled("joint_limits: ", "[", ""), "larger|YAML");
-  std::string aliases = "a: &a [0,0,0,0,0,0,0,0,0]\n";
+  std::string aliases = "joint_limits: {}\na: &a [0,0,0,0,0,0,0,0,0]\n";
   for (char c = 'b'; c < 'm'; ++c) {
     aliases +=
         std::string(1, c) + ": &" + c + " [" + times(9, "*" + std::string(1, c - 1) + ",") + "]\n";

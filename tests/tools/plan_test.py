@@ -9,7 +9,7 @@ from program import MAPS, ProgramTest
 KEYS = ["format", "version", "map", "algorithm", "start", "goal", "seed", "threads", "parameters",
         "status", "error", "length", "path", "iterations", "best", "mean", "arrived",
         "lower_bound", "gap", "optimal", "elapsed_ms"]
-WALKS = ["raw_best", "cut_mean", "cut_best", "iteration_best", "steps"]  # of a colony's iterations
+WALKS = ["raw_best", "cut_mean", "cut_best", "iteration_best", "steps", "band", "trail_entropy"]  # of a colony's iterations
 WITH_WALKS = KEYS[:17] + WALKS + KEYS[17:]
 FAN = dict(map_file=os.path.join(MAPS, "fan400x200.map"), start="14,14", goal="380,179")
 

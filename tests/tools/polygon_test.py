@@ -279,7 +279,7 @@ class PolygonTest(WorldTest):
         values = {p["name"]: p["default"] for p in acs["parameters"]}
         self.assertEqual([values[n] for n in ("ants", "iterations", "values", "beta", "greedy",
                                               "persistence", "initial_pheromone")],
-                         [10, 400, 21, 2, 0.5, 0.1, 0])
+                         [10, 400, 21, 2, 0.5, 0.9, 0])
 
     def test_a_mitre_that_closes_a_passage_is_told(self):
         spikes = [[[98, 0], [102, 0], [100, 96]], [[98, 200], [100, 104], [102, 200]]]

@@ -34,7 +34,7 @@ class Verify(ProgramTest):
                 self.assertEqual(self.run_program("verify", "r.json").code, 0)
 
     def test_a_parameter_that_came_later(self):
-        result = self.save("--algorithm", "as")
+        result = self.save("--algorithm", "as", "--preset", "book")
         del result["parameters"]["walk_cut"]
         result["version"] = "0.1.0"
         self.write("r.json", json.dumps(result))

@@ -114,6 +114,19 @@ void keep_known(Json& replay, const Json& recorded) {
   }
 }
 
+/// Tells persistence as results before 0.3.0 did.
+void tell_evaporation(Json& replay, const Json& recorded) {
+  if (!recorded.contains("evaporation") || recorded.contains("persistence")) return;
+  Json told = Json::object();
+  for (const auto& [name, value] : replay.items()) {
+    if (name == "persistence")
+      told["evaporation"] = recorded["evaporation"];
+    else
+      told[name] = value;
+  }
+  replay = std::move(told);
+}
+
 /// Leaves out where an input was found.
 void forget_places(Json& input) {
   if (!input.is_object()) return;
@@ -227,10 +240,8 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
   Json replay = replay_of(place, recorded, last);
   if (token.stop_requested()) return kInterrupted;
   if (version != LASIUS_VERSION) {
+    tell_evaporation(replay["parameters"], value_at(result, "parameters"));
     keep_known(replay, result);
-    // Told as persistence since 0.3.0.
-    if (const Json& told = value_at(result, "parameters"); told.contains("evaporation"))
-      replay["parameters"]["evaporation"] = told["evaporation"];
   }
   // They told of a lattice also where none was needed to answer.
   if (format == kArmFormat && tells_no_bodies(result) && result.contains("lattice") &&

@@ -128,7 +128,7 @@ TEST(Field, ASingleRuleHoldsTheProductOfBothParts) {
   const Grid grid = noisy(64, 64, 0.2, 4);
   Params mixture, single;
   single.pheromone_rule_first = single.pheromone_rule = 0;
-  single.distance_rule_first = single.distance_rule = 0;
+  single.distance_rule_first = single.distance_rule = single.distance_rule_last = 0;
   single.combined_rule_first = 1;
   Field two, one;
   two.reset(grid, moves_of(Neighbours::four), {50, 50}, mixture, 1, {});

@@ -16,7 +16,7 @@ class Polishing : public testing::Test {
  protected:
   Polishing() {
     request_.stop.token = source_.get_token();
-    polisher_.reset(grid_, request_, moves_, Params("fan2004"), 2);
+    polisher_.reset(grid_, request_, moves_, params_, 2);
   }
 
   /// An ant that arrived by these moves.
@@ -37,6 +37,7 @@ class Polishing : public testing::Test {
 
   const Grid grid_{20, 20};
   const kernels::Moves moves_ = moves_of(Neighbours::four);
+  const Params params_{"fan2004"};
   Request request_{.start = {2, 3}, .goal = {4, 4}};
   std::stop_source source_;
   Polisher polisher_;

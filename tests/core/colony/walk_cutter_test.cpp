@@ -155,6 +155,7 @@ TEST(WalkCut, TheBestIsACutTourForAnyNumberOfThreads) {
     params.polish = Polish::none;
     params.straight_deposit = StraightDeposit::none;
     params.threads = 1;
+    params.walk_cut = WalkCut::none;
     const Result raw = planner.plan({.start = start, .goal = goal}, params);
     params.walk_cut = WalkCut::own_cells;
     const Result one = planner.plan({.start = start, .goal = goal}, params);
@@ -166,6 +167,10 @@ TEST(WalkCut, TheBestIsACutTourForAnyNumberOfThreads) {
     EXPECT_EQ(one.steps.front(), raw.steps.front()) << name;
     EXPECT_LE(one.best.front(), one.cut_best.front() * (1 + 1e-12)) << name;
     EXPECT_GE(one.cut_mean.front(), one.cut_best.front()) << name;
+    params.walk_cut = WalkCut::entered_cells;
+    const Result entered = planner.plan({.start = start, .goal = goal}, params);
+    EXPECT_LT(entered.cut_mean.front(), one.cut_mean.front()) << name;
+    params.walk_cut = WalkCut::own_cells;
     for (const int threads : {2, 5}) {
       params.threads = threads;
       const Result more = planner.plan({.start = start, .goal = goal}, params);

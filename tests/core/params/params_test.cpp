@@ -51,7 +51,7 @@ TEST(Params, MistypedNamesAreAnsweredWithTheNearest) {
   EXPECT_EQ(message_of([&] { Params("fan2044"); }),
             "unknown algorithm \"fan2044\"; did you mean \"fan2004\"?");
   EXPECT_EQ(message_of([&] { set_parameter(p, "polish", "strait"); }),
-            "polish is \"strait\"; did you mean \"straight\"? It must be none|straight|taut");
+            "polish is \"strait\"; did you mean \"straight\"? It must be none|straight|taut|local");
 }
 
 TEST(Params, EveryRangeIsTheOneThatIsTold) { expect_ranges<Params>(algorithms()); }

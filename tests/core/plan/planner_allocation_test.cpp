@@ -22,11 +22,11 @@ INSTANTIATE_TEST_SUITE_P(PlannerAllocation, EveryColony, testing::ValuesIn(colon
 struct Bounds {
   int least, most;
 };
-/// How often a plan allocates: the result's eight curves, an entry an iteration, as they double;
+/// How often a plan allocates: the result's ten curves, an entry an iteration, as they double;
 /// its path once, and perhaps again with each better one.
 Bounds allocations_for(const Result& result) {
   const auto entries = static_cast<unsigned>(result.iterations);
-  const int once = 8 * (1 + std::bit_width(entries - 1)) + 1;
+  const int once = 10 * (1 + std::bit_width(entries - 1)) + 1;
   int better = 0;
   for (std::size_t q = 1; q < entries; ++q) better += result.best[q] < result.best[q - 1];
   return {once, once + better};
