@@ -100,16 +100,20 @@ void on_maps(Params& p) {
   p.persistence = 0.9;
 }
 
-/// Its ants share the trail too evenly to close in by themselves: alpha rises.
+/// Lets ants wander first: alpha rises.
+void close_in(Params& p) {
+  p.alpha_first = 0.5;
+  p.alpha = 1.5;
+  p.critical_time = 100;
+}
+
+/// Its ants share the trail too evenly to close in by themselves.
 void ant_system(Params& p) {
   ant_system_book(p);
   on_maps(p);
   p.trail = Trail::cells;
-  p.persistence = 0.8;
-  p.alpha_first = 0.5;
-  p.alpha = 1.5;
-  p.beta_first = p.beta;
-  p.critical_time = 300;
+  p.persistence = 0.7;
+  close_in(p);
 }
 
 void elitist(Params& p) {
@@ -131,13 +135,14 @@ void max_min(Params& p) {
   p.best_so_far_every = 1;
 }
 
-/// Its best tour alone has a trail, hundreds of times tau0: a smaller alpha and fewer greedy steps
-/// leave others a chance.
+/// Its best tour alone has a trail, hundreds of times tau0: a small alpha at first and fewer greedy
+/// steps leave others a chance.
 void colony_system(Params& p) {
   colony_system_book(p);
   on_maps(p);
-  p.alpha = p.alpha_first = 0.5;
+  p.persistence = 0.8;
   p.greedy = 0.2;
+  close_in(p);
 }
 
 /// Li, Wang & Ma, sections 2 and 3.1: alpha 0.9 on the terminal index, beta 1.5 on the distance,
