@@ -175,8 +175,9 @@ class Json(ProgramTest):
     def test_gap_adds_the_optimum(self):
         result = self.plan("--json", "--gap").json
         self.assertEqual([key for key in result if key not in WITH_WALKS],
-                         ["optimum", "optimum_gap", "grid_optimum"])
+                         ["optimum", "optimum_gap", "grid_optimum", "grid_gap"])
         self.assertEqual(result["grid_optimum"], 14)  # by 4 moves
+        self.assertAlmostEqual(result["grid_gap"], min(result["cut_best"]) / 14 - 1, places=12)
 
     def test_gap_adds_the_optimum_of_the_own_moves(self):
         fan = self.plan("--json", "--gap", "--iterations", "2", **FAN).json
@@ -209,7 +210,8 @@ class Json(ProgramTest):
     def test_gap_is_told_beside_the_text(self):
         run = self.plan("--gap", "--iterations", "2", **FAN)
         self.assertEqual(run.out.splitlines()[0], "solved")
-        self.assertRegex(run.err, r"optimum [0-9.]+ .*, by its own moves [0-9.]+")
+        self.assertRegex(run.err, r"optimum [0-9.]+ .*, by its own moves [0-9.]+ "
+                         r"\(its shortest tour: \+[0-9.]+%\)")
         self.assertEqual(self.plan("--gap", "-q", "--iterations", "2", **FAN).err, "")
 
 

@@ -1,8 +1,13 @@
 #include "tools/bitmap/answer.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "lasius/shortest_walk.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"
+#include "tools/record/json_values.h"
 
 namespace lasius::tool {
 namespace {
@@ -59,6 +64,15 @@ std::optional<double> shortest_by_own_moves(const LoadedMap& map, const RunOptio
   if (!joined) return std::nullopt;
   return shortest_walk(grid, query.start, query.goal, run.params.neighbours, run.params.corners,
                        stop);
+}
+
+std::optional<double> grid_gap(const Answer& answer) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const double tour : answer.result.cut_best) shortest = std::fmin(shortest, tour);
+  if (!std::isfinite(shortest)) return std::nullopt;
+  const auto gap = gap_to(answer.grid_optimum, shortest);
+  if (!gap) return std::nullopt;
+  return std::max(0.0, *gap);  // sums of the same moves may differ by rounding
 }
 
 Params optimum_params(const RunOptions& run) {

@@ -155,7 +155,11 @@ void BitmapTask::remark() const {
     return part + printed(" (the path: %+.3f%%)", 100 * *gap_to(optimum, result().length));
   };
   std::string text = any_angle ? against("optimum", *any_angle) : "optimum unknown";
-  if (by_moves) text += ", " + against("by its own moves", *by_moves);
+  if (by_moves) {
+    const auto gap = grid_gap(answer_);
+    text += ", by its own moves " + decimal_text(shown(*by_moves), 6) + (in_metres() ? " m" : "");
+    if (gap) text += printed(" (its shortest tour: %+.3f%%)", 100 * *gap);
+  }
   message(text);
 }
 
@@ -204,7 +208,9 @@ void BitmapTask::add_path(Json& json) const {
 }
 
 void BitmapTask::add_findings(Json& json) const {
-  if (options().with_optimum) json["grid_optimum"] = optional_number(answer_.grid_optimum);
+  if (!options().with_optimum) return;
+  json["grid_optimum"] = optional_number(answer_.grid_optimum);
+  if (!result().cut_best.empty()) json["grid_gap"] = optional_number(grid_gap(answer_));
 }
 
 std::unique_ptr<Task> recorded_bitmap(const Recorded& from, SharedMap& last) {

@@ -210,12 +210,15 @@ std::string path_caption(const Sheet& sheet, const Answer& answer) {
   if (result.path.empty()) return study::no_path_text(result.status);
   std::string text = "path, length " + sheet.length(result.length);
   if (result.optimal) return text + ", proven shortest";
-  const auto compare = [&](const char* name, const std::optional<double>& optimum) {
-    if (optimum) text += study::against(result.length, *optimum, name, sheet.length(*optimum));
+  const auto compare = [&](double length, const char* name, const std::optional<double>& optimum) {
+    if (optimum) text += study::against(length, *optimum, name, sheet.length(*optimum));
   };
-  compare("any-angle optimum", answer.optimum);
-  if (moves_on_cells(sheet.run.params))
-    compare("optimum of the algorithm's own moves", answer.grid_optimum);
+  compare(result.length, "any-angle optimum", answer.optimum);
+  if (const auto gap = grid_gap(answer)) {
+    text += "; shortest tour";
+    compare(*answer.grid_optimum * (1 + *gap), "optimum of the algorithm's own moves",
+            answer.grid_optimum);
+  }
   return text;
 }
 

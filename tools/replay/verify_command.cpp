@@ -146,9 +146,11 @@ std::string difference(Json recorded, Json replay) {
   }
   // A limit or a signal may have cut off the search for an optimum.
   for (const auto& [optimum, gap] :
-       {std::pair{"optimum", "optimum_gap"}, {"grid_optimum", "grid_optimum"}}) {
+       {std::pair{"optimum", "optimum_gap"}, {"grid_optimum", "grid_gap"}}) {
     if (!recorded.contains(optimum) || !recorded[optimum].is_null()) continue;
-    if (!recorded.contains(gap) || !recorded[gap].is_null()) return gap;
+    if (recorded.contains(gap) != replay.contains(gap) ||
+        (recorded.contains(gap) && !recorded[gap].is_null()))
+      return gap;
     for (const char* key : {optimum, gap}) {
       recorded.erase(key);
       replay.erase(key);
