@@ -13,7 +13,7 @@ struct Factor {
   std::string_view where = {};
 };
 
-constexpr std::array<Factor, 7> kHeuristics{{
+constexpr std::array<Factor, kHeuristicNames.size()> kHeuristics{{
     {""},
     {"((Dmax - d(j, E)) omega + mu)^lambda", "Dmax the largest d around i"},
     {"(1 / d(j, E))^beta"},
@@ -22,16 +22,15 @@ constexpr std::array<Factor, 7> kHeuristics{{
     {"eta(j)^beta"},
     {"(1 / D(j))^beta", "D the shortest way from j to E"},
 }};
-constexpr std::array<Factor, 3> kVisibilities{{
+constexpr std::array<Factor, kVisibilityNames.size()> kVisibilities{{
     {""},
     {"(1 / s)^beta", "s the length of the move"},
     {"(1 / (1 + turn / 45 degrees))^beta", "0 straight back"},
 }};
-constexpr std::array<std::string_view, 8> kUpdateFormulas{
+constexpr std::array<std::string_view, kUpdateNames.size()> kUpdateFormulas{
     "tau <- persistence tau + sum over the arrived ants of deposit / L",
     "tau <- persistence tau + sum over the arrived ants of deposit / L + elite_weight deposit / L "
-    "of "
-    "the best so far",
+    "of the best so far",
     "tau <- persistence tau + sum over the ranks - 1 best, r = 1 .., of (ranks - r) deposit / L + "
     "ranks deposit / L of the best so far",
     "tau <- persistence tau + deposit / L of the iteration's best, every best_so_far_every-th time "
@@ -41,11 +40,13 @@ constexpr std::array<std::string_view, 8> kUpdateFormulas{
     "tau <- persistence tau + deposit / ants on the elite_ants best of the iteration",
     "backwards along every arrived ant's tour K(c) <- min(K(c), K(next) + step)",
     "after every ant tau <- persistence tau; on a tour that arrived tau <- tau (1 + reward rows / "
-    "L) "
-    "(affine: tau reward rows / L + 1), eta <- eta + rows / L; on the second half of a dead end "
-    "tau "
-    "and eta <- penalty times themselves",
+    "L) (affine: tau reward rows / L + 1), eta <- eta + rows / L; on the second half of a dead end "
+    "tau and eta <- penalty times themselves",
 };
+
+// Each case has its own.
+static_assert(!kHeuristics.back().formula.empty() && !kVisibilities.back().formula.empty() &&
+              !kUpdateFormulas.back().empty());
 
 }  // namespace
 
