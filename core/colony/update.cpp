@@ -1,12 +1,12 @@
 #include "core/colony/update.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "core/base/poller.h"
 #include "core/grid/move_rule.h"
 #include "core/loop/trail_rules.h"
+#include "kernels/base/power.h"
 
 namespace lasius {
 namespace {
@@ -136,7 +136,7 @@ void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell 
 double trail_entropy(Field& field, Trail trail, const kernels::Moves& moves, Cell start,
                      std::span<const std::uint8_t> tour) {
   constexpr std::size_t kCells = 64;
-  const std::size_t stride = std::max<std::size_t>(1, tour.size() / kCells);
+  const std::size_t stride = std::max<std::size_t>(1, (tour.size() + kCells - 1) / kCells);
   double sum = 0;
   int cells = 0;
   Cell c = start;
@@ -149,10 +149,11 @@ double trail_entropy(Field& field, Trail trail, const kernels::Moves& moves, Cel
       const double tau = trail == Trail::arcs ? field.tau(c, k) : field.tau(c + moves[k].to, 0);
       ++choices;
       total += tau;
-      if (tau > 0) weighted += tau * std::log2(tau);
+      if (tau >= 0x1p-1000) weighted += tau * kernels::log2_of(tau);
     }
-    if (choices < 2 || !(total > 0)) continue;
-    sum += std::max(0.0, std::log2(total) - weighted / total) / std::log2(choices);
+    if (choices < 2 || !(total >= 0x1p-1000)) continue;
+    sum += std::clamp((kernels::log2_of(total) - weighted / total) / kernels::log2_of(choices), 0.0,
+                      1.0);
     ++cells;
   }
   return cells > 0 ? sum / cells : std::numeric_limits<double>::quiet_NaN();

@@ -23,8 +23,8 @@ enum class Polish {
   none,      ///< the walk as it is
   straight,  ///< straighten(): vertices are centres of cells
   taut,      ///< greedy_straighten(), then pull_taut(): vertices are corners
-  local,     ///< greedy_straighten() of stretches that stay within `straight_window` of the segment
-             ///< that replaces them (Fan et al. 2004, note 3)
+  local,     ///< greedy_straighten(), of which each pass replaces only stretches that stay within
+             ///< `straight_window` of the segment (Fan et al. 2004, note 3)
 };
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 4> kPolishNames{"none", "straight", "taut", "local"};

@@ -21,7 +21,8 @@ class Progress {
   double mean_length = std::numeric_limits<double>::quiet_NaN();  ///< NaN if no ant arrived
   int arrived = 0;                                                ///< ants that reached the goal
   std::optional<double> lower_bound;  ///< certified, where the algorithm knows one by now
-  /// The curves so far, this iteration's entries last; among polygons those of the route at hand.
+  /// The curves so far, this iteration's entries last; among polygons those of the route at hand;
+  /// they hold until the observer returns.
   /// Null from an exact search.
   const Convergence* curves = nullptr;
 

@@ -26,7 +26,7 @@ struct Convergence {
   std::vector<double> iteration_best;
   std::vector<std::int64_t> steps;  ///< by iteration: moves of all ants, backward ones too
   /// By iteration: of the cells on its raw tours the share within a tenth of the distance from
-  /// start to goal of the straight line between them.
+  /// start to goal of the straight line through both.
   std::vector<double> band;
   /// By iteration: how open the trail leaves the choice, 1 where all moves are alike and 0 where
   /// one has all pheromone: entropy of the moves' pheromone over its greatest, mean over at most 64

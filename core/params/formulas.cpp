@@ -69,6 +69,8 @@ std::vector<std::string> formulas(const Params& params) {
     lines.emplace_back("or, drawn by shares, by pheromone alone (tau^alpha) or by distance alone");
   lines.push_back("update: " +
                   std::string(kUpdateFormulas[static_cast<std::size_t>(params.update)]));
+  if (params.polish != Polish::none && params.straight_deposit != StraightDeposit::none)
+    lines.emplace_back("and deposit / S on the cells under straightened paths of length S");
   return lines;
 }
 

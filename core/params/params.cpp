@@ -46,7 +46,9 @@ constexpr std::array kColony{
     Entry{{"greedy", "number", "0 .. 1", "share of steps that take the largest weight, q0"},
           Number{&Params::greedy, 0, 1}},
     Entry{{"critical_time", "integer", "0 .. 1000000000",
-           "iteration from which exponents and shares are constant, mc; 0: always"},
+           "iteration from which exponents and shares are constant, but for the distance rule's "
+           "until "
+           "settling_time, mc; 0: always"},
           Integer{&Params::critical_time, 0, 1000000000}},
     Entry{{"alpha_first", "number", "0 .. 20", "alpha at iteration 0"},
           Number{&Params::alpha_first, 0, 20}},
@@ -193,7 +195,9 @@ void validate(const Params& params) {
   const double first =
       params.pheromone_rule_first + params.distance_rule_first + params.combined_rule_first;
   const double last = params.pheromone_rule + params.distance_rule + params.combined_rule;
-  if (!(last > 0) || (params.critical_time > 0 && !(first > 0))) {
+  const double end = params.pheromone_rule + params.distance_rule_last + params.combined_rule;
+  if (!(last > 0) || (params.critical_time > 0 && !(first > 0)) ||
+      (params.settling_time > 0 && !(end > 0))) {
     throw invalid_parameter("the shares of the pheromone, distance and combined rules are all 0",
                             "give one of them a share above 0");
   }
@@ -202,6 +206,12 @@ void validate(const Params& params) {
     if (value == 0 || value >= kLeastPheromone) continue;
     throw invalid_parameter(std::string(name) + " is positive, but below 1e-12",
                             "give both pheromones larger values: only their ratio counts");
+  }
+  if (params.settling_time > 0 && params.settling_time <= params.critical_time) {
+    throw invalid_parameter("settling_time is " + std::to_string(params.settling_time) +
+                                ", not after critical_time, " +
+                                std::to_string(params.critical_time),
+                            "set it to more, or to 0 for a share that stays");
   }
   const bool mixture = mixes_rules(params);
   const bool inverse = params.selection == Selection::inverse_roulette;

@@ -230,7 +230,7 @@ const auto& presets() {
               "algorithm under complex environment. Control and Decision 19 (2), 2004",
               colony_parameters()},
              fan2004},
-      Listed{{"as", "ant system, the classic: visibility 1 / distance to the goal",
+      Listed{{"as", "ant system, the classic: every ant that arrives deposits",
               "Dorigo, Maniezzo, Colorni: Ant System: optimization by a colony of cooperating "
               "agents. IEEE Trans. SMC-B 26 (1), 1996",
               colony_parameters()},

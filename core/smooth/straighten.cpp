@@ -59,9 +59,9 @@ void rasterise(const kernels::BitmapView& map, std::span<const Cell> polyline,
   }
 }
 
-// Whether cells, seen one after another from a first one, stay within `window` of the segment from
-// it to the next: the directions in which a ray passes all of them so closely (the sleeve of Zhao &
-// Saalfeld, Auto-Carto 13, 1997), and that none lies farther ahead than the window allows.
+// Whether cells, seen one after another from a first one, stay within `window` of the line from it
+// to the next: the directions in which a ray passes all of them so closely (the sleeve of Zhao &
+// Saalfeld, Auto-Carto 13, 1997), and that none lies farther beyond the next than that.
 class Sleeve {
  public:
   Sleeve(Cell from, double window) : from_(from), window_(window) {}

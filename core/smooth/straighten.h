@@ -21,7 +21,9 @@ namespace lasius {
 class Straightener {
  public:
   /// Straightens a walk of at least one cell; see `greedy_straighten()` for what a walk is. Each
-  /// pass replaces only stretches that stay within `window` of the segment, cells.
+  /// pass replaces only stretches, of what the pass before left, that keep within `window` cells of
+  /// the segment's line and go no farther than that beyond its end; so many passes may together go
+  /// farther from the walk.
   void run(const Grid& grid, std::span<const Cell> walk, const StopCondition& stop = {},
            double window = std::numeric_limits<double>::infinity());
 

@@ -53,7 +53,7 @@ class Pictures(ProgramTest):
                        f"all ants up to iteration {iteration}")
 
     def test_the_mean_of_cut_tours_is_shown_where_walks_are_cut(self):
-        cut = "mean tour, cut to its own cells"
+        cut = "mean tour after the cut"
         self.assertIn(cut, self.drawn("--set", "walk_cut=own-cells", "--iterations", "3"))
         self.assertNotIn(cut, self.drawn("--set", "walk_cut=none", "--iterations", "3"))
 

@@ -178,6 +178,12 @@ class Json(ProgramTest):
                          ["optimum", "optimum_gap", "grid_optimum", "grid_gap"])
         self.assertEqual(result["grid_optimum"], 14)  # by 4 moves
         self.assertAlmostEqual(result["grid_gap"], min(result["cut_best"]) / 14 - 1, places=12)
+        for name in ("grid-ga", "terminal-index"):  # the walk of one, the answer of many ants
+            walk = self.plan("--json", "--gap", "--algorithm", name, "--polish", "none",
+                             map_file=os.path.join(MAPS, "grid20a.map"), start="0,0",
+                             goal="19,19").json
+            self.assertAlmostEqual(walk["grid_gap"], walk["length"] / walk["grid_optimum"] - 1,
+                                   places=12)
 
     def test_gap_adds_the_optimum_of_the_own_moves(self):
         fan = self.plan("--json", "--gap", "--iterations", "2", **FAN).json
@@ -211,7 +217,7 @@ class Json(ProgramTest):
         run = self.plan("--gap", "--iterations", "2", **FAN)
         self.assertEqual(run.out.splitlines()[0], "solved")
         self.assertRegex(run.err, r"optimum [0-9.]+ .*, by its own moves [0-9.]+ "
-                         r"\(its shortest tour: \+[0-9.]+%\)")
+                         r"\(the shortest walk: \+[0-9.]+%\)")
         self.assertEqual(self.plan("--gap", "-q", "--iterations", "2", **FAN).err, "")
 
 

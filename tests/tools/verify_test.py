@@ -39,6 +39,20 @@ class Verify(ProgramTest):
         result["version"] = "0.1.0"
         self.write("r.json", json.dumps(result))
         self.assertEqual(self.run_program("verify", "r.json").code, 0)
+        # fan2004 as it was until 0.2.0, with shares that do not settle and no cut.
+        result = self.save("--algorithm", "fan2004", "--polish", "straight",
+                           *(text for setting in ("walk_cut=none", "pheromone_rule=0.1",
+                                                  "distance_rule=0.1", "combined_rule=0.8",
+                                                  "settling_time=0", "distance_rule_last=0")
+                             for text in ("--set", setting)))
+        for name in ("walk_cut", "straight_window", "distance_rule_last", "settling_time",
+                     "agreement"):
+            del result["parameters"][name]
+        for name in ("band", "trail_entropy", "iteration_best"):
+            del result[name]
+        result["version"] = "0.2.0"
+        self.write("r.json", json.dumps(result))
+        self.assertEqual(self.run_program("verify", "r.json").code, 0)
         del result["parameters"]["ants"]
         self.write("r.json", json.dumps(result))
         self.refused(self.run_program("verify", "r.json"), 3, "parameters/ants")
@@ -46,7 +60,7 @@ class Verify(ProgramTest):
     def test_an_optimum_that_was_cut_off_is_no_difference(self):
         result = self.save("--gap")
         self.write("r.json", json.dumps({**result, "optimum": None, "optimum_gap": None,
-                                         "grid_optimum": None}))
+                                         "grid_optimum": None, "grid_gap": None}))
         self.assertEqual(self.run_program("verify", "r.json").code, 0)
         self.write("r.json", json.dumps({**result, "optimum": result["optimum"] - 1}))
         run = self.run_program("verify", "r.json")

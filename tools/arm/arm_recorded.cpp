@@ -20,6 +20,7 @@ Json with_later_parameters(const Json& result, const Algorithm& algorithm) {
   const arm::Params then(algorithm.name);
   for (const Parameter& parameter : algorithm.parameters) {
     const std::string name(parameter.name);
+    if (name == "persistence" && values.contains("evaporation")) continue;  // read_recorded() does
     if (!values.contains(name)) values[name] = json::parameter(get_parameter(then, name));
   }
   return complete;

@@ -34,9 +34,9 @@ Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, c
 std::optional<double> shortest_by_own_moves(const LoadedMap& map, const RunOptions& run,
                                             const Request& query, const StopCondition& stop);
 
-/// The gap of the shortest tour of any ant to the optimum of its own moves; a polished path has
-/// nothing to do with that. None where no ant has arrived, or the optimum is not known.
-std::optional<double> grid_gap(const Answer& answer);
+/// The gap of the shortest walk found, after the cut and before polish, to the optimum of the
+/// algorithm's own moves. None where no ant has arrived, or the optimum is not known.
+std::optional<double> grid_gap(const Answer& answer, const Params& params);
 
 /// Fills in what --gap asks for, from the shortest path of all and, of an algorithm that moves on
 /// cells, the shortest walk by its own moves, as far as they are known.

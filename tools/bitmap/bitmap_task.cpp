@@ -156,9 +156,9 @@ void BitmapTask::remark() const {
   };
   std::string text = any_angle ? against("optimum", *any_angle) : "optimum unknown";
   if (by_moves) {
-    const auto gap = grid_gap(answer_);
+    const auto gap = grid_gap(answer_, command_.run.params);
     text += ", by its own moves " + decimal_text(shown(*by_moves), 6) + (in_metres() ? " m" : "");
-    if (gap) text += printed(" (its shortest tour: %+.3f%%)", 100 * *gap);
+    if (gap) text += printed(" (the shortest walk: %+.3f%%)", 100 * *gap);
   }
   message(text);
 }
@@ -210,7 +210,8 @@ void BitmapTask::add_path(Json& json) const {
 void BitmapTask::add_findings(Json& json) const {
   if (!options().with_optimum) return;
   json["grid_optimum"] = optional_number(answer_.grid_optimum);
-  if (!result().cut_best.empty()) json["grid_gap"] = optional_number(grid_gap(answer_));
+  if (moves_on_cells(command_.run.params))
+    json["grid_gap"] = optional_number(grid_gap(answer_, command_.run.params));
 }
 
 std::unique_ptr<Task> recorded_bitmap(const Recorded& from, SharedMap& last) {

@@ -214,8 +214,8 @@ std::string path_caption(const Sheet& sheet, const Answer& answer) {
     if (optimum) text += study::against(length, *optimum, name, sheet.length(*optimum));
   };
   compare(result.length, "any-angle optimum", answer.optimum);
-  if (const auto gap = grid_gap(answer)) {
-    text += "; shortest tour";
+  if (const auto gap = grid_gap(answer, sheet.run.params)) {
+    text += "; shortest walk";
     compare(*answer.grid_optimum * (1 + *gap), "optimum of the algorithm's own moves",
             answer.grid_optimum);
   }
@@ -289,7 +289,7 @@ void draw_run(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& 
       .best = {{"best path so far", result.best}},
       .tours = {{colony ? "mean tour of the ants, as walked" : "mean of the population",
                  result.mean},
-                {"mean tour, cut to its own cells", cut ? result.cut_mean : kNone},
+                {"mean tour after the cut", cut ? result.cut_mean : kNone},
                 {"shortest tour of the iteration", sheet.run.params.ants > 1 ? shortest : kNone}},
       .unit = sheet.unit(),
       .scale = sheet.map.length_in(sheet.run.frame, 1)};

@@ -20,9 +20,6 @@ AddOption option_adder(CLI::App& app) {
 void add_search_options(CLI::App& app, SearchText& text, const SearchHelp& help) {
   const AddOption option = option_adder(app);
   option("--algorithm", text.algorithm, "Algorithm, as listed by `lasius algorithms`", "NAME");
-  option("--preset", text.preset,
-         "Numbers to start with: usual, or of as, eas, ras, mmas and acs the textbook's",
-         "usual|book");
   add_repeatable(app, "--set", text.set,
                  "Set any parameter of the algorithm (repeatable; wins over its own option)",
                  "NAME=VALUE");

@@ -58,7 +58,11 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
   option("--neighbours", text.value_of("neighbours"), "Moves from a cell", "4|8|16|16k|24|32");
   option("--corners", text.value_of("corners"), "Diagonal steps past blocked cells",
          "forbid|one-side|allow");
-  option("--polish", text.value_of("polish"), "What is done with a path", "none|straight|taut");
+  option("--preset", text.preset,
+         "Numbers to start with: usual, or of as, eas, ras, mmas and acs the textbook's",
+         "usual|book");
+  option("--polish", text.value_of("polish"), "What is done with a path",
+         "none|straight|taut|local");
   option("--frame", text.frame,
          "Coordinates in cells, or in metres of a ROS map's frame; a cell holds its left and lower "
          "edge there",

@@ -36,8 +36,8 @@ std::pair<std::string_view, std::string_view> setting_of(std::string_view settin
                                                          const Algorithm& algorithm,
                                                          std::span<const Algorithm> all);
 
-/// The values that an algorithm has until it is told others. @throws UsageError for a preset that
-/// it does not have.
+/// The values that an algorithm has until it is told others. @throws UsageError or Error for a
+/// preset that it does not have.
 template <class Params>
 Params params_of(std::string_view algorithm, Preset preset = Preset::usual) {
   if constexpr (std::constructible_from<Params, std::string_view, Preset>) {

@@ -32,7 +32,7 @@ TEST(Colony, UpdatesLocallyAfterEachAnt) {
   // xi = 0.1, persistence 0.9, Q = 1. The first ants find tau0; 0.9 * 0.01 + 0.1 / 4 = 0.034. Then
   // 0.9 * 0.034 + 0.1 * 0.01 = 0.0316 and 0.9 * 0.0316 + 0.001 = 0.02944, and 0.9 * 0.02944 +
   // 0.025.
-  Params params("acs");
+  Params params("acs", Preset::book);
   params.ants = 2;
   params.initial_pheromone = 0.01;
   const auto tau = corridor(params, 2);

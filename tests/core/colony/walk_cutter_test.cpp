@@ -169,7 +169,9 @@ TEST(WalkCut, TheBestIsACutTourForAnyNumberOfThreads) {
     EXPECT_GE(one.cut_mean.front(), one.cut_best.front()) << name;
     params.walk_cut = WalkCut::entered_cells;
     const Result entered = planner.plan({.start = start, .goal = goal}, params);
-    EXPECT_LE(entered.cut_mean.front(), one.cut_mean.front()) << name;
+    if (params.neighbours == Neighbours::eight) {  // with 4 the first ants stepped back in vain
+      EXPECT_LT(entered.cut_mean.front(), one.cut_mean.front()) << name;
+    }
     params.walk_cut = WalkCut::own_cells;
     for (const int threads : {2, 5}) {
       params.threads = threads;

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 
 #include "lasius/error.h"
 #include "tests/core/params/parameter_ends.h"
@@ -94,6 +97,13 @@ TEST(Params, ValidateNamesTheField) {
             std::string::npos);
   EXPECT_NE(message([](Params& p) { p.polish = static_cast<Polish>(7); }).find("polish"),
             std::string::npos);
+  EXPECT_NE(message([](Params& p) { p.settling_time = 10; }).find("settling_time is 10, not after"),
+            std::string::npos);
+  EXPECT_NE(message([](Params& p) {
+              p.pheromone_rule = p.combined_rule = p.distance_rule_last = 0;
+              p.distance_rule = 1;
+            }).find("shares"),
+            std::string::npos);
   EXPECT_EQ(message([](Params& p) { p.deposit = 1e-320; }).find("deposit is positive, but"), 0u);
 }
 
@@ -151,9 +161,13 @@ TEST(Params, FormulasAreThoseOfTheRulesInForce) {
       formulas(params).front(),
       "weight of the move from i to j: tau^alpha * ((Dmax - d(j, E)) omega + mu)^lambda * (1 / "
       "s)^beta; Dmax the largest d around i; s the length of the move");
+  EXPECT_EQ(formulas(params).back(),
+            "update: tau <- persistence tau + sum over the arrived ants of deposit / L");
+  EXPECT_EQ(formulas(Params("fan2004")).back(),
+            "and deposit / S on the cells under straightened paths of length S");
   for (const Algorithm& algorithm : algorithms()) {
     if (algorithm.kind != Algorithm::Kind::colony) continue;
-    EXPECT_NE(formulas(Params(algorithm.name)).back().find("update: "), std::string::npos);
+    EXPECT_GE(formulas(Params(algorithm.name)).size(), 3u) << algorithm.name;
   }
 }
 
