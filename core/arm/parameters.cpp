@@ -1,4 +1,6 @@
 #include <array>
+#include <string>
+#include <vector>
 
 #include "core/params/parameter_table.h"
 #include "lasius/arm_plan.h"
@@ -131,6 +133,17 @@ Params::Params(std::string_view algorithm) : algorithm_(find_algorithm(algorithm
 
 void set_parameter(Params& parameters, std::string_view name, std::string_view value) {
   kTable.set(parameters, name, value);
+}
+
+std::vector<std::string> formulas(const Params& parameters) {
+  if (find_algorithm(parameters.algorithm()).kind != Algorithm::Kind::colony) return {};
+  return {
+      "weight of the move from v to w: tau^alpha * (1 / s)^beta * (1 / (1 + theta))^gamma; s the "
+      "length of the move, theta the angle between it and the way to the goal, radians",
+      "choice: in proportion to the weight among points not yet visited",
+      "update: tau <- persistence tau + sum over the arrived ants of 1 / L + elite_weight / L of "
+      "the "
+      "iteration's best"};
 }
 
 std::string get_parameter(const Params& parameters, std::string_view name) {

@@ -122,6 +122,8 @@ LASIUS_ARM_EXPORT void set_parameter(Params& parameters, std::string_view name,
 /// The value as text, which set_parameter reads. @throws Error(invalid_parameter) for an unknown
 /// name, with the nearest.
 LASIUS_ARM_EXPORT std::string get_parameter(const Params& parameters, std::string_view name);
+/// The rules of a colony in a line each, see lasius::formulas(); empty for others.
+LASIUS_ARM_EXPORT std::vector<std::string> formulas(const Params& parameters);
 /// Checks every field.
 /// @throws Error(invalid_parameter) for the first field out of range.
 LASIUS_ARM_EXPORT void validate(const Params& parameters);

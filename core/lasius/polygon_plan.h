@@ -119,6 +119,8 @@ LASIUS_POLYGON_EXPORT void set_parameter(Params& parameters, std::string_view na
 /// The value as text, which set_parameter reads. @throws Error(invalid_parameter) for an unknown
 /// name, with the nearest.
 LASIUS_POLYGON_EXPORT std::string get_parameter(const Params& parameters, std::string_view name);
+/// The rules of a colony in a line each, see lasius::formulas(); empty for others.
+LASIUS_POLYGON_EXPORT std::vector<std::string> formulas(const Params& parameters);
 /// Checks every field.
 /// @throws Error(invalid_parameter) for the first field that is out of range, or was changed
 /// although the algorithm does not read it.

@@ -581,6 +581,7 @@ class Arm(ProgramTest):
 
     def test_listed(self):
         names = {a["name"]: a for a in self.run_program("algorithms", "--json").json["arm_algorithms"]}
+        self.assertIn("theta", names["goritov2020"]["formulas"][0])
         parameters = {p["name"]: p for p in names["goritov2020"]["parameters"]}
         defaults = {name: parameters[name]["default"]
                     for name in ("alpha", "beta", "gamma", "persistence", "ants", "iterations",

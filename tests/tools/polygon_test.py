@@ -276,6 +276,9 @@ class PolygonTest(WorldTest):
         self.assertEqual(names, ["exact", "maklink-acs", "real-ga"])
         self.assertIn("maklink-acs", self.run_program("algorithms").out)
         acs = listed[names.index("maklink-acs")]
+        self.assertEqual([bool(algorithm["formulas"]) for algorithm in listed],
+                         [False, True, False])
+        self.assertIn("(1.1 - |h - h*|) / 1.1", acs["formulas"][0])
         values = {p["name"]: p["default"] for p in acs["parameters"]}
         self.assertEqual([values[n] for n in ("ants", "iterations", "values", "beta", "greedy",
                                               "persistence", "initial_pheromone")],

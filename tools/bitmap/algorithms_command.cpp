@@ -16,11 +16,6 @@
 namespace lasius::tool {
 namespace {
 
-std::vector<std::string> formulas_of(const World& world, const Algorithm& algorithm) {
-  if (world.kind != World::Kind::bitmap) return {};
-  return formulas(Params(algorithm.name));
-}
-
 /// Names and values of the textbook's parameters that are not the usual ones; empty where the
 /// algorithm has none.
 std::vector<std::pair<std::string_view, std::string>> book_values(const World& world,
@@ -47,7 +42,7 @@ Json algorithm_json(const World& world, const Algorithm& algorithm) {
   Json json = {{"name", algorithm.name},
                {"summary", algorithm.summary},
                {"source", algorithm.source},
-               {"formulas", formulas_of(world, algorithm)},
+               {"formulas", world.formulas(algorithm)},
                {"parameters", list}};
   for (const auto& [name, value] : book_values(world, algorithm))
     json["presets"]["book"][std::string(name)] = json::parameter(value);
@@ -58,7 +53,7 @@ std::string algorithm_text(const World& world, const Algorithm& algorithm) {
   constexpr std::size_t kColumn = 46;
   std::ostringstream text;
   text << algorithm.name << ": " << algorithm.summary << "\n  " << algorithm.source << "\n";
-  for (const std::string& formula : formulas_of(world, algorithm)) text << "  " << formula << "\n";
+  for (const std::string& formula : world.formulas(algorithm)) text << "  " << formula << "\n";
   if (const auto book = book_values(world, algorithm); !book.empty()) {
     text << "  --preset book:";
     for (const auto& [name, value] : book) text << ' ' << name << '=' << value;
@@ -79,7 +74,8 @@ std::string algorithm_text(const World& world, const Algorithm& algorithm) {
 void check_known(const std::string& name) {
   std::vector<std::string_view> known;
   for (const World& world : worlds())
-    for (const Algorithm& algorithm : world.algorithms) known.push_back(algorithm.name);
+    for (const Algorithm& algorithm : world.algorithms)
+      if (std::ranges::find(known, algorithm.name) == known.end()) known.push_back(algorithm.name);
   choice_value("algorithms", name, known);
 }
 

@@ -155,7 +155,10 @@ RunOptions make_run(const RunText& text) {
   map.threads = run.threads;
   if (text.prepare && !map.prepare)
     run.notes.push_back("--prepare has no effect: it is for exact, and for --gap");
-  if (!text.tracks.empty() && std::ranges::none_of(run.outputs, is_picture))
+  const bool ants = find_algorithm(run.params.algorithm()).kind == Algorithm::Kind::colony;
+  if (!text.tracks.empty() && !ants)
+    run.notes.push_back("--tracks has no effect: " + run.params.algorithm() + " has no ants");
+  else if (!text.tracks.empty() && std::ranges::none_of(run.outputs, is_picture))
     run.notes.push_back("--tracks has no effect without -o of a picture, .svg or .png");
   if (!text.tracks.empty()) run.track_iterations = list_value("--tracks", text.tracks);
   return run;

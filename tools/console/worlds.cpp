@@ -29,20 +29,23 @@ std::span<const World> worlds() {
       {World::Kind::bitmap, "algorithms", "", "on bitmaps", "", "", algorithms(),
        [](const Algorithm& a, std::string_view parameter) {
          return get_parameter(Params(a.name), parameter);
-       }},
+       },
+       [](const Algorithm& a) { return lasius::formulas(Params(a.name)); }},
 #ifdef LASIUS_WITH_ARM
       {World::Kind::arm, "arm_algorithms", "Arms, see `lasius arm --help`", "for arms", "",
        "; use `lasius arm`", arm::algorithms(),
        [](const Algorithm& a, std::string_view parameter) {
          return arm::get_parameter(arm::Params(a.name), parameter);
-       }},
+       },
+       [](const Algorithm& a) { return arm::formulas(arm::Params(a.name)); }},
 #endif
 #ifdef LASIUS_WITH_POLYGON
       {World::Kind::polygon, "polygon_algorithms", "Polygon worlds, by `lasius plan WORLD.geojson`",
        "among polygons", " (.geojson, .json, .wkt)", "", polygon::algorithms(),
        [](const Algorithm& a, std::string_view parameter) {
          return polygon::get_parameter(polygon::Params(a.name), parameter);
-       }},
+       },
+       [](const Algorithm& a) { return polygon::formulas(polygon::Params(a.name)); }},
 #endif
   };
   return kAll;

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lasius/params.h"
 
@@ -20,6 +21,7 @@ struct World {
   std::string_view advice;  ///< for those who ask one of them elsewhere
   std::span<const Algorithm> algorithms;
   std::string (*default_text)(const Algorithm&, std::string_view parameter);
+  std::vector<std::string> (*formulas)(const Algorithm&);
 };
 
 /// Those that this program was built with, bitmaps first.
