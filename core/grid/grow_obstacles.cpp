@@ -1,3 +1,5 @@
+#include "core/grid/grow_obstacles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,23 +14,6 @@
 
 namespace lasius {
 namespace {
-
-// How many columns to each side a blocked cell k rows away blocks, by k: with distances as in
-// clearance.h, (2 columns - 1)^2 + (2k - 1)^2 <= 4 radius^2.
-std::vector<int> spans_by_row(const Grid& grid, double radius) {
-  // Past the longest side everything is blocked, and nothing overflows.
-  const double reach = std::min(radius, static_cast<double>(Grid::kMaxSide));
-  const auto limit = static_cast<std::int64_t>(4 * reach * reach);
-  std::vector<int> spans;
-  for (std::int64_t rows = 0; rows <= grid.height(); ++rows) {
-    const std::int64_t up = std::max<std::int64_t>(0, 2 * rows - 1);
-    if (up * up > limit) break;
-    // The root is right to the last bit for numbers below 2^52.
-    const auto across = static_cast<std::int64_t>(std::sqrt(static_cast<double>(limit - up * up)));
-    spans.push_back(static_cast<int>((across + 1) / 2));
-  }
-  return spans;
-}
 
 // Walks down the rows and knows, for every column, the blocked cells nearest above and below
 // within `reach` rows. Rows -1 and `height` are blocked.
@@ -92,15 +77,41 @@ class NearestRows {
 
 }  // namespace
 
-Grid grow_obstacles(const Grid& grid, double radius) { return *grow_obstacles(grid, radius, {}); }
-
-std::optional<Grid> grow_obstacles(const Grid& grid, double radius, const StopCondition& stop) {
+// With distances as in clearance.h, (2 columns - 1)^2 + (2 rows - 1)^2 <= 4 radius^2.
+Growth::Growth(const Grid& grid, double radius) {
   if (!(radius >= 0 && std::isfinite(radius))) {
     throw Error(ErrorCode::invalid_parameter, "radius is " + number_text(radius),
                 "it must be 0 or more cells");
   }
-  const std::vector<int> spans = spans_by_row(grid, radius);
-  const int reach = static_cast<int>(spans.size()) - 1;
+  // Past the longest side everything is blocked, and nothing overflows.
+  const double reach = std::min(radius, static_cast<double>(Grid::kMaxSide));
+  const auto limit = static_cast<std::int64_t>(4 * reach * reach);
+  for (std::int64_t rows = 0; rows <= grid.height(); ++rows) {
+    const std::int64_t up = std::max<std::int64_t>(0, 2 * rows - 1);
+    if (up * up > limit) break;
+    // The root is right to the last bit for numbers below 2^52.
+    const auto across = static_cast<std::int64_t>(std::sqrt(static_cast<double>(limit - up * up)));
+    columns_.push_back(static_cast<int>((across + 1) / 2));
+  }
+}
+
+bool Growth::blocked(const Grid& map, Cell cell) const noexcept {
+  for (int rows = -reach(); rows <= reach(); ++rows) {
+    const int y = cell.y + rows;
+    const int columns = columns_[static_cast<std::size_t>(std::abs(rows))];
+    const int low = cell.x - columns, high = cell.x + columns;
+    if (y < 0 || y >= map.height() || low < 0 || high >= map.width()) return true;
+    if (!kernels::row_free(map.row(y), low, high)) return true;
+  }
+  return false;
+}
+
+Grid grow_obstacles(const Grid& grid, double radius) { return *grow_obstacles(grid, radius, {}); }
+
+std::optional<Grid> grow_obstacles(const Grid& grid, double radius, const StopCondition& stop) {
+  const Growth growth(grid, radius);
+  const std::vector<int>& spans = growth.columns_by_row();
+  const int reach = growth.reach();
   const int width = grid.width();
   NearestRows nearest(grid, reach, stop);
   std::vector<int> span(width);

@@ -6,13 +6,13 @@
 #include <mutex>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "core/exact/corner_graph.h"
 #include "core/grid/components.h"
 #include "core/params/parameter_table.h"
+#include "core/plan/answer.h"
 #include "lasius/planner.h"
 
 namespace lasius {
@@ -88,12 +88,5 @@ class Planner::Impl {
   mutable std::optional<Components> made_eight_;
   mutable std::atomic<const Components*> eight_ = nullptr;  ///< null until they are kept
 };
-
-/// A cell in messages.
-inline std::string cell_name(Cell c) {
-  std::string text = "(";
-  text += std::to_string(c.x) + ", " + std::to_string(c.y);
-  return text += ')';
-}
 
 }  // namespace lasius

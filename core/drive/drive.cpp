@@ -1,0 +1,309 @@
+#include "lasius/drive.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "core/base/number_text.h"
+#include "core/drive/retreat.h"
+#include "core/drive/sensor.h"
+#include "core/drive/world.h"
+#include "core/loop/run_status.h"
+#include "core/params/parameter_table.h"
+#include "core/plan/answer.h"
+#include "lasius/error.h"
+
+namespace lasius {
+namespace {
+
+using Milliseconds = std::chrono::duration<double, std::milli>;
+
+void check(const Grid& map, const Grid& truth, const DriveOptions& options) {
+  if (map.width() != truth.width() || map.height() != truth.height()) {
+    throw Error(ErrorCode::invalid_parameter,
+                "the world is " + std::to_string(truth.width()) + " x " +
+                    std::to_string(truth.height()) + " cells, the map " +
+                    std::to_string(map.width()) + " x " + std::to_string(map.height()),
+                "give both for the same place, in cells of the same size");
+  }
+  const auto above = [](double value, double least, const char* name, const char* remedy) {
+    if (value >= least) return;
+    throw Error(ErrorCode::invalid_parameter, std::string(name) + " is " + number_text(value),
+                remedy);
+  };
+  above(options.sense, 1, "sense", "it must be at least 1 cell");
+  above(options.seconds_per_tick, std::numeric_limits<double>::min(), "seconds_per_tick",
+        "it must be above 0");
+  above(static_cast<double>(options.max_ticks), 0, "max_ticks", "it must be 0 or more");
+}
+
+/// A robot under way. See drive() for its rules.
+class Drive {
+ public:
+  Drive(const Grid& map, const Grid& truth, Cell start, Cell goal, const Changes& changes,
+        const DriveOptions& options, const StopCondition& stop, const DriveObserver& observer)
+      : map_(map),
+        options_(options),
+        stop_(stop),
+        observer_(observer),
+        corners_(corners_of_paths(options.navigator.params)),
+        world_(truth, changes, options.navigator.radius),
+        navigator_(map, goal, options.navigator),
+        robot_(start),
+        before_(start) {}
+
+  DriveResult run() {
+    result_.track = {robot_};
+    while (!ended_) tick();
+    result_.ticks = tick_;
+    result_.deferred_changes = world_.deferrals();
+    return std::move(result_);
+  }
+
+ private:
+  enum class Found { way, none, not_yet };
+
+  void tick() {
+    world_.advance(tick_, {before_, robot_});
+    news_.clear();
+    replanned_ = false;
+    if (tick_ == 0 && blocked_at_start()) return;
+    planning_ = {};
+    look();
+    const Found found = robot_ == navigator_.goal() ? Found::way : find_way();
+    result_.planning_ms += planning_.count();
+    if (ended_) return;
+    show(found);
+    if (robot_ == navigator_.goal()) return end(Status::solved);
+    if (const auto cause = stop_.poll(); cause != StopCondition::Cause::none) {
+      return end(status_after(cause, Status::limit));
+    }
+    if (tick_ == options_.max_ticks) return end(Status::limit);
+    go(next_cell(found));
+    ++tick_;
+  }
+
+  void end(Status status, std::string error = {}) {
+    ended_ = true;
+    result_.status = status;
+    result_.error = std::move(error);
+  }
+
+  /// A start or goal that is blocked or outside ends the drive before it begins.
+  bool blocked_at_start() {
+    const Cell goal = navigator_.goal();
+    const bool bad_start = world_.passable().blocked(robot_);
+    if (!bad_start) look();
+    if (!bad_start && navigator_.passable().free(goal)) return false;
+    const Cell cell = bad_start ? robot_ : goal;
+    const bool inside = world_.now().contains(cell);
+    end(Status::invalid, std::string(bad_start ? "start " : "goal ") + cell_name(cell) +
+                             (inside ? " is blocked" : " is outside the map"));
+    result_.fault = bad_start ? (inside ? Fault::start_blocked : Fault::start_outside)
+                              : (inside ? Fault::goal_blocked : Fault::goal_outside);
+    return true;
+  }
+
+  void look() {
+    sense(world_.now(), navigator_.map(), robot_, options_.sense, world_.growth(), seen_);
+    learn(seen_.blocked, true);
+    learn(seen_.free, false);
+  }
+  void learn(const std::vector<Cell>& cells, bool blocked) {
+    if (cells.empty()) return;
+    result_.seen += static_cast<std::int64_t>(cells.size());
+    news_.insert(news_.end(), cells.begin(), cells.end());
+    const auto begin = Clock::now();
+    navigator_.observe(cells, blocked);
+    planning_ += Clock::now() - begin;
+  }
+
+  /// One question to the navigator, within the tick's time.
+  void ask() {
+    StopCondition stop = stop_;
+    if (std::isfinite(options_.seconds_per_tick)) {
+      const std::chrono::duration<double> left(options_.seconds_per_tick -
+                                               planning_.count() / 1000);
+      stop.deadline = std::min(stop.deadline, deadline_in(left));
+    }
+    const auto begin = Clock::now();
+    way_ = &navigator_.step(robot_, stop);
+    planning_ += Clock::now() - begin;
+    if (!way_->replanned) return;
+    if (replanned_) result_.replans.pop_back();  // of the same tick
+    replanned_ = true;
+    result_.replans.push_back({tick_, planning_.count(), way_->length});
+  }
+
+  Found find_way() {
+    ask();
+    if (way_->path.empty() && proven() && doubt()) {
+      look();
+      ask();
+    }
+    if (!way_->path.empty()) {
+      waited_ = attempts_ = 0;
+      return Found::way;
+    }
+    if (!proven()) return Found::not_yet;
+    if (hopeless()) {
+      end(Status::unreachable, way_->error);
+      result_.fault = way_->fault;
+    }
+    return Found::none;
+  }
+  /// That no way leads to the goal, on what is known.
+  bool proven() const noexcept {
+    return way_->status == Status::unreachable || way_->status == Status::invalid;
+  }
+
+  /// Nothing that is learned, or that is to come, can make a way. To ask what is there spares the
+  /// robot to look everywhere again; it learns nothing else from it.
+  bool hopeless() {
+    if (world_.to_change()) return false;
+    return !world_.changed() || !joined(World::Without::all_obstacles);
+  }
+  bool joined(World::Without without) const {
+    return world_.joined(robot_, navigator_.goal(), corners_, without);
+  }
+
+  /// Forgets what may not hold any more: first the obstacles that were learned; where that does not
+  /// help though there is a way, all of them. False if there is nothing to doubt.
+  bool doubt() {
+    if (!world_.changed() || hopeless()) return false;
+    std::vector<Cell> stale;
+    for_each_learned([&](Cell cell) {
+      if (!sees(world_.now(), robot_, cell) || beyond(cell)) stale.push_back(cell);
+    });
+    if (!stale.empty()) {
+      navigator_.observe(stale, false);
+      if (navigator_.connected(robot_, navigator_.goal())) return true;
+    }
+    const bool wait_first = world_.to_change() || world_.stirs();
+    if ((wait_first && waited_ < kPatience) || !joined(World::Without::nothing)) {
+      return !stale.empty();
+    }
+    navigator_.observe(Rectangle{0, 0, map_.width(), map_.height()}, false);
+    return true;
+  }
+  bool beyond(Cell cell) const noexcept {
+    const double dx = cell.x - robot_.x, dy = cell.y - robot_.y;
+    return dx * dx + dy * dy > options_.sense * options_.sense;
+  }
+  /// Calls visit(cell) for cells that are known to be blocked, but were not from the beginning.
+  template <class Visit>
+  void for_each_learned(const Visit& visit) const {
+    for (int y = 0; y < map_.height(); ++y) {
+      for (int word = 0; word < map_.words(); ++word) {
+        auto bits = navigator_.map().row(y)[word] & ~map_.row(y)[word];
+        for (; bits != 0; bits &= bits - 1) visit(Cell{word * 64 + std::countr_zero(bits), y});
+      }
+    }
+  }
+
+  /// The cell to be in at the next tick; the robot's own for a wait.
+  Cell next_cell(Found found) {
+    if (found == Found::way) return way_->walk.size() > 1 ? way_->walk[1] : robot_;
+    if (found == Found::not_yet) return robot_;
+    if (++waited_ % kPatience == 0 && !world_.to_change() &&
+        !joined(World::Without::those_that_move) && ++attempts_ > kAttempts) {
+      end(Status::no_path, "trapped: moving obstacles stand in the way for good");
+      return robot_;
+    }
+    if (waited_ % kPatience == 0) {
+      const auto turn = options_.navigator.params.seed + static_cast<std::uint64_t>(tick_);
+      retreat_ = find_retreat(navigator_.passable(), corners_, robot_, turn);
+    }
+    if (retreat_.empty()) return robot_;
+    const Cell to = retreat_.back();
+    retreat_.pop_back();
+    return to;
+  }
+
+  void go(Cell to) {
+    before_ = robot_;
+    if (ended_) return;
+    const Grid& passable = world_.passable();
+    const auto side_free = [&](Cell c) { return corners_ == Corners::allow || passable.free(c); };
+    if (passable.blocked(to) || !side_free({to.x, robot_.y}) || !side_free({robot_.x, to.y})) {
+      bump(to);
+      to = robot_;
+    }
+    if (to == robot_) {
+      ++result_.waits;
+    } else {
+      result_.length += to.x != robot_.x && to.y != robot_.y ? std::sqrt(2.0) : 1.0;
+    }
+    robot_ = to;
+    result_.track.push_back(to);
+  }
+
+  /// What was not seen, but is in the way, is felt.
+  void bump(Cell to) {
+    retreat_.clear();
+    const HeldCells wanted(robot_, to);
+    std::vector<Cell> felt;
+    const int reach = world_.growth().reach() + 1;
+    for (int y = robot_.y - reach; y <= robot_.y + reach; ++y) {
+      for (int x = robot_.x - reach; x <= robot_.x + reach; ++x) {
+        const Cell cell{x, y};
+        if (!world_.now().contains(cell) || world_.now().free(cell)) continue;
+        if (std::any_of(wanted.cells().begin(), wanted.cells().end(),
+                        [&](Cell held) { return world_.growth().blocks(held, cell); })) {
+          felt.push_back(cell);
+        }
+      }
+    }
+    learn(felt, true);
+  }
+
+  void show(Found found) {
+    if (!observer_) return;
+    DriveTick view;
+    view.tick = tick_;
+    view.robot = robot_;
+    view.world = &world_.now();
+    view.robot_knows = &navigator_;
+    view.way = found == Found::way && robot_ != navigator_.goal() ? way_ : nullptr;
+    view.obstacles = world_.obstacles();
+    view.news = news_;
+    view.replanned = replanned_;
+    observer_(view);
+  }
+
+  static constexpr int kPatience = 16;  // ticks without a way, then the robot moves aside
+  static constexpr int kAttempts = 64;  // to move aside for what waits for the robot
+
+  const Grid& map_;
+  const DriveOptions& options_;
+  const StopCondition& stop_;
+  const DriveObserver& observer_;
+  const Corners corners_;
+  World world_;
+  Navigator navigator_;
+  Cell robot_, before_;  // before its last move
+  std::int64_t tick_ = 0;
+  const Way* way_ = nullptr;
+  News seen_;
+  std::vector<Cell> news_;
+  bool replanned_ = false;
+  Milliseconds planning_{};
+  int waited_ = 0, attempts_ = 0;
+  std::vector<Cell> retreat_;  // the next cell last
+  bool ended_ = false;
+  DriveResult result_;
+};
+
+}  // namespace
+
+DriveResult drive(const Grid& map, const Grid& truth, Cell start, Cell goal, const Changes& changes,
+                  const DriveOptions& options, const StopCondition& stop,
+                  const DriveObserver& observer) {
+  check(map, truth, options);
+  return Drive(map, truth, start, goal, changes, options, stop, observer).run();
+}
+
+}  // namespace lasius

@@ -1,0 +1,97 @@
+#include "core/drive/edited_map.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "core/base/held_bytes.h"
+#include "lasius/clearance.h"
+
+namespace lasius {
+namespace {
+
+auto part_of(Cell c) noexcept { return std::pair(c.y >> 6, c.x >> 6); }
+
+Rectangle round(std::span<const Cell> cells) noexcept {
+  int left = cells[0].x, right = left, top = cells[0].y, bottom = top;
+  for (const Cell c : cells) {
+    left = std::min(left, c.x);
+    right = std::max(right, c.x);
+    top = std::min(top, c.y);
+    bottom = std::max(bottom, c.y);
+  }
+  return {left, top, right - left + 1, bottom - top + 1};
+}
+
+std::int64_t bytes_of(const Grid& grid) noexcept {
+  return static_cast<std::int64_t>(grid.stride()) * (grid.height() + 2) * 8;
+}
+
+}  // namespace
+
+EditedMap::EditedMap(Grid map, double radius) : map_(std::move(map)), growth_(map_, radius) {
+  if (radius > 0) grown_ = grow_obstacles(map_, radius);
+}
+
+void EditedMap::set(std::span<const Cell> cells, bool blocked, const OnChange& changed) {
+  differing_.clear();
+  for (const Cell c : cells) {
+    if (map_.contains(c) && map_.blocked(c) != blocked) differing_.push_back(c);
+  }
+  apply(blocked, changed);
+}
+
+void EditedMap::set(const Rectangle& part, bool blocked, const OnChange& changed) {
+  differing_.clear();
+  const int right =
+      static_cast<int>(std::min<std::int64_t>(std::int64_t{part.x} + part.width, map_.width()));
+  const int bottom =
+      static_cast<int>(std::min<std::int64_t>(std::int64_t{part.y} + part.height, map_.height()));
+  for (int y = std::max(part.y, 0); y < bottom; ++y) {
+    for (int x = std::max(part.x, 0); x < right; ++x) {
+      if (map_.blocked({x, y}) != blocked) differing_.push_back({x, y});
+    }
+  }
+  apply(blocked, changed);
+}
+
+void EditedMap::apply(bool blocked, const OnChange& changed) {
+  std::sort(differing_.begin(), differing_.end(), [](Cell a, Cell b) {
+    return std::tuple(part_of(a), a.y, a.x) < std::tuple(part_of(b), b.y, b.x);
+  });
+  differing_.erase(std::unique(differing_.begin(), differing_.end()), differing_.end());
+  for (auto begin = differing_.begin(); begin != differing_.end();) {
+    const auto end = std::find_if(begin, differing_.end(),
+                                  [&](Cell c) { return part_of(c) != part_of(*begin); });
+    const std::span<const Cell> cells(begin, end);
+    for (const Cell c : cells) map_.set_blocked(c, blocked);
+    if (grown_) {
+      grow(round(cells), blocked, changed);
+    } else {
+      changed(round(cells), cells);
+    }
+    begin = end;
+  }
+}
+
+void EditedMap::grow(const Rectangle& part, bool blocked, const OnChange& changed) {
+  const int reach = growth_.reach();
+  grown_cells_.clear();
+  for (int y = std::max(part.y - reach, 0);
+       y < std::min(part.y + part.height + reach, map_.height()); ++y) {
+    for (int x = std::max(part.x - reach, 0);
+         x < std::min(part.x + part.width + reach, map_.width()); ++x) {
+      const Cell cell{x, y};
+      if (grown_->blocked(cell) == blocked || growth_.blocked(map_, cell) != blocked) continue;
+      grown_->set_blocked(cell, blocked);
+      grown_cells_.push_back(cell);
+    }
+  }
+  if (!grown_cells_.empty()) changed(round(grown_cells_), grown_cells_);
+}
+
+std::int64_t EditedMap::bytes() const noexcept {
+  return bytes_of(map_) + (grown_ ? bytes_of(*grown_) : 0) + held_bytes(differing_, grown_cells_);
+}
+
+}  // namespace lasius

@@ -1,0 +1,191 @@
+#include "lasius/navigator.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "core/base/held_bytes.h"
+#include "core/drive/edited_map.h"
+#include "core/drive/path_walker.h"
+#include "core/grid/components.h"
+#include "core/params/parameter_table.h"
+#include "core/plan/answer.h"
+#include "core/plan/workspace.h"
+
+namespace lasius {
+namespace {
+
+using Connectivity = Components::Connectivity;
+
+/// The components of a map that is edited, brought up to date when they are asked for.
+class LiveComponents {
+ public:
+  explicit LiveComponents(Connectivity connectivity) : connectivity_(connectivity) {}
+
+  void changed(std::span<const Cell> cells) {
+    if (components_) pending_.insert(pending_.end(), cells.begin(), cells.end());
+  }
+  /// Nothing if stopped; the next call goes on.
+  std::optional<bool> connected(const Grid& grid, Cell a, Cell b, const StopCondition& stop) {
+    if (!components_) {
+      components_ = Components::make(grid, connectivity_, stop);
+    } else if (!pending_.empty()) {
+      auto updated = components_->updated(grid, pending_, stop);
+      if (!updated) return std::nullopt;
+      components_ = std::move(updated);
+      pending_.clear();
+    }
+    if (!components_) return std::nullopt;
+    return components_->connected(grid, a, b);
+  }
+  std::int64_t bytes() const noexcept {
+    return (components_ ? components_->bytes() : 0) + held_bytes(pending_);
+  }
+
+ private:
+  Connectivity connectivity_;
+  std::optional<Components> components_;
+  std::vector<Cell> pending_;
+};
+
+double distance(Cell a, Cell b) noexcept {
+  const double dx = a.x - b.x, dy = a.y - b.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+}  // namespace
+
+class Navigator::Impl {
+ public:
+  Impl(Grid grid, Cell to, const NavigatorOptions& given)
+      : goal(to), options(given), map(std::move(grid), given.radius) {
+    validate(options.params);
+    const Algorithm& algorithm = find_algorithm(options.params.algorithm());
+    check_certifies(algorithm, options.target_gap);
+    colony = algorithm.kind == Algorithm::Kind::colony;
+    corners = corners_of_paths(options.params);
+    if (options.prepare) prepare(*options.prepare);
+  }
+
+  void prepare(const PrepareOptions& how) {
+    check_threads(how.threads);
+    const auto begin = Clock::now();
+    graph = exact::CornerGraph::make(map.passable(), how, preparation);
+    preparation.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  }
+
+  const EditedMap::OnChange on_change = [this](const Rectangle& part, std::span<const Cell> cells) {
+    four.changed(cells);
+    eight.changed(cells);
+    changed(part);
+    if (holds)
+      holds = std::none_of(cells.begin(), cells.end(), [this](Cell c) {
+        return map.passable().blocked(c) ? walker.touches_rest(c) : shortens(c);
+      });
+  };
+  /// What else knows the map is told of a rectangle of it.
+  void changed(const Rectangle&) {
+    if (graph) {
+      graph.reset();
+      preparation = {};
+    }
+  }
+
+  /// Might a way over a cell that has become free be shorter than what is left of this one? There
+  /// is none shorter through it where the straight distances to both ends are as long together.
+  bool shortens(Cell cell) const noexcept {
+    if (way.path.empty()) return true;
+    // Of the cell any point may be met, and of the robot's cell.
+    constexpr double kSlack = 4;
+    return distance(at, cell) + distance(cell, goal) < walker.rest() + kSlack;
+  }
+
+  void plan(Cell robot, const StopCondition& stop) {
+    const PlanningMap known{
+        .grid = map.passable(),
+        .graph = graph.get(),
+        .connected = [&](Cell a, Cell b, Corners rule) { return connected(a, b, rule, stop); }};
+    const Request request{
+        .start = robot, .goal = goal, .stop = stop, .target_gap = options.target_gap};
+    static_cast<Result&>(way) = answer(known, request, options.params, &workspace, {});
+    way.replanned = true;
+    way.walk.clear();
+    walker.begin(way.path);
+    holds = way.status == Status::solved || way.status == Status::unreachable ||
+            way.status == Status::invalid;
+  }
+
+  std::optional<bool> connected(Cell a, Cell b, Corners rule, const StopCondition& stop) {
+    const auto joined = four.connected(map.passable(), a, b, stop);
+    if (rule != Corners::allow || joined != false) return joined;
+    return eight.connected(map.passable(), a, b, stop);
+  }
+
+  const Way& step(Cell robot, const StopCondition& stop) {
+    way.replanned = false;
+    const auto here = std::find(way.walk.begin(), way.walk.end(), robot);
+    const bool on_way = way.path.empty() ? robot == at : here != way.walk.end();
+    const bool goes_on = colony && options.search_on && robot != goal;
+    at = robot;
+    if (!holds || !on_way || goes_on) {
+      plan(robot, stop);
+    } else {
+      way.walk.erase(way.walk.begin(), here);
+    }
+    if (!way.path.empty() && way.walk.size() < 2) {
+      walker.next(map.passable(), corners, robot, way.walk);
+    }
+    return way;
+  }
+
+  Cell goal;
+  NavigatorOptions options;
+  EditedMap map;
+  bool colony;
+  Corners corners;
+  LiveComponents four{Connectivity::four}, eight{Connectivity::eight};
+  std::shared_ptr<const exact::CornerGraph> graph;
+  Preparation preparation;
+  Workspace workspace;
+  PathWalker walker;
+  Way way;
+  bool holds = false;  ///< the way, as far as is known
+  Cell at{-1, -1};     ///< where the robot was in the last step
+};
+
+Navigator::Navigator(Grid map, Cell goal, const NavigatorOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(map), goal, options)) {}
+Navigator::~Navigator() = default;
+Navigator::Navigator(Navigator&&) noexcept = default;
+Navigator& Navigator::operator=(Navigator&&) noexcept = default;
+
+void Navigator::observe(const Rectangle& part, bool blocked) {
+  impl_->map.set(part, blocked, impl_->on_change);
+}
+void Navigator::observe(std::span<const Cell> cells, bool blocked) {
+  impl_->map.set(cells, blocked, impl_->on_change);
+}
+const Way& Navigator::step(Cell robot, const StopCondition& stop) {
+  return impl_->step(robot, stop);
+}
+
+Cell Navigator::goal() const noexcept { return impl_->goal; }
+void Navigator::set_goal(Cell goal) {
+  if (goal == impl_->goal) return;
+  impl_->goal = goal;
+  forget();
+}
+void Navigator::forget() { impl_->holds = false; }
+
+const Grid& Navigator::map() const noexcept { return impl_->map.map(); }
+const Grid& Navigator::passable() const noexcept { return impl_->map.passable(); }
+bool Navigator::connected(Cell a, Cell b) { return *impl_->connected(a, b, impl_->corners, {}); }
+const Preparation& Navigator::preparation() const noexcept { return impl_->preparation; }
+std::int64_t Navigator::bytes() const noexcept {
+  const Impl& i = *impl_;
+  return i.map.bytes() + i.four.bytes() + i.eight.bytes() + i.preparation.bytes +
+         i.workspace.bytes() + held_bytes(i.way.path, i.way.walk);
+}
+
+}  // namespace lasius

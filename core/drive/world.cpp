@@ -1,0 +1,161 @@
+#include "core/drive/world.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "core/drive/changes_check.h"
+#include "core/grid/components.h"
+#include "lasius/clearance.h"
+
+namespace lasius {
+namespace {
+
+int sign(int value) noexcept { return (value > 0) - (value < 0); }
+
+template <class Visit>
+void for_each_cell(const Rectangle& part, const Visit& visit) {
+  for (int y = part.y; y < part.y + part.height; ++y) {
+    for (int x = part.x; x < part.x + part.width; ++x) visit(Cell{x, y});
+  }
+}
+
+}  // namespace
+
+World::World(const Grid& truth, const Changes& changes, double radius)
+    : still_(truth), map_(truth, radius), radius_(radius), changes_(changes.cells) {
+  check_changes(changes, truth.width(), truth.height());
+  const auto sooner = [](const auto& a, const auto& b) { return a.tick < b.tick; };
+  std::stable_sort(changes_.begin(), changes_.end(), sooner);
+  for (const MovingObstacle& o : changes.obstacles) movers_.push_back({o, o.track.front()});
+  std::stable_sort(movers_.begin(), movers_.end(),
+                   [](const Mover& a, const Mover& b) { return a.what.tick < b.what.tick; });
+}
+
+void World::advance(std::int64_t tick, const HeldCells& robot) {
+  to_block_.clear();
+  to_free_.clear();
+  for (const Cell cell : std::exchange(deferred_, {})) set_still(cell, true, robot);
+  for (; next_ < changes_.size() && changes_[next_].tick <= tick; ++next_) {
+    change(changes_[next_], robot);
+  }
+  for (Mover& mover : movers_) {
+    if (mover.what.tick <= tick) move(mover, robot);
+  }
+  show_all();
+}
+
+void World::change(const Change& change, const HeldCells& robot) {
+  changed_ = true;
+  for_each_cell(change.part, [&](Cell cell) { set_still(cell, change.blocked, robot); });
+}
+
+void World::set_still(Cell cell, bool blocked, const HeldCells& robot) {
+  // The last word on a cell counts.
+  if (!deferred_.empty()) std::erase(deferred_, cell);
+  if (still_.blocked(cell) == blocked) return;
+  if (blocked && hits(cell, robot)) {
+    deferred_.push_back(cell);
+    ++deferrals_;
+    return;
+  }
+  still_.set_blocked(cell, blocked);
+  show(cell);
+}
+
+void World::move(Mover& mover, const HeldCells& robot) {
+  if (!mover.there) {
+    if (hits(mover.cells(mover.at), robot)) return;
+    mover.there = true;
+    ++appeared_;
+    cover(mover.cells(mover.at), 1);
+    return;
+  }
+  mover.waits = false;
+  if (!mover.travels()) return;
+  for (mover.moves += mover.what.speed; mover.moves >= 1; mover.moves -= 1) {
+    if (!step(mover, robot)) {
+      mover.moves = 0;
+      mover.waits = true;
+      return;
+    }
+  }
+}
+
+// One move towards the next point of the track; false if the robot is in the way.
+bool World::step(Mover& mover, const HeldCells& robot) {
+  const auto& track = mover.what.track;
+  for (std::size_t turns = 0; mover.at == track[mover.towards]; ++turns) {
+    if (turns > 2 * track.size()) return true;  // all its points are one
+    if (mover.towards == 0) mover.back = false;
+    if (mover.towards + 1 == track.size()) mover.back = true;
+    mover.towards += mover.back ? std::size_t{0} - 1 : 1;
+  }
+  const Cell to = track[mover.towards];
+  const Cell next{mover.at.x + sign(to.x - mover.at.x), mover.at.y + sign(to.y - mover.at.y)};
+  if (hits(mover.cells(next), robot)) return false;
+  cover(mover.cells(mover.at), -1);
+  mover.at = next;
+  cover(mover.cells(next), 1);
+  return true;
+}
+
+bool World::hits(const Rectangle& part, const HeldCells& robot) const noexcept {
+  return std::any_of(robot.cells().begin(), robot.cells().end(), [&](Cell held) {
+    const Cell nearest{std::clamp(held.x, part.x, part.x + part.width - 1),
+                       std::clamp(held.y, part.y, part.y + part.height - 1)};
+    return map_.growth().blocks(held, nearest);
+  });
+}
+bool World::hits(Cell cell, const HeldCells& robot) const noexcept {
+  return hits({cell.x, cell.y, 1, 1}, robot);
+}
+
+void World::cover(const Rectangle& part, int by) {
+  for_each_cell(part, [&](Cell cell) {
+    if ((covers_[key(cell)] += by) == 0) covers_.erase(key(cell));
+    show(cell);
+  });
+}
+
+void World::show(Cell cell) { to_free_.push_back(cell); }
+
+// Cells to be shown are told apart at the end, when the last word on each is known.
+void World::show_all() {
+  std::erase_if(to_free_, [&](Cell cell) {
+    const bool blocked = still_.blocked(cell) || covers_.contains(key(cell));
+    if (blocked) to_block_.push_back(cell);
+    return blocked;
+  });
+  const EditedMap::OnChange nobody = [](const Rectangle&, std::span<const Cell>) {};
+  map_.set(to_free_, false, nobody);
+  map_.set(to_block_, true, nobody);
+}
+
+std::vector<Rectangle> World::obstacles() const {
+  std::vector<Rectangle> there;
+  for (const Mover& mover : movers_) {
+    if (mover.there) there.push_back(mover.cells(mover.at));
+  }
+  return there;
+}
+
+bool World::stirs() const noexcept {
+  return std::any_of(movers_.begin(), movers_.end(), [](const Mover& m) { return m.travels(); });
+}
+
+bool World::joined(Cell from, Cell to, Corners corners, Without without) const {
+  Grid grid = still_;
+  for (const Mover& mover : movers_) {
+    const bool moves = mover.travels() && !mover.waits;
+    if (!mover.there || without == Without::all_obstacles) continue;
+    if (moves && without == Without::those_that_move) continue;
+    grid.fill(mover.cells(mover.at), true);
+  }
+  if (radius_ > 0) grid = grow_obstacles(grid, radius_);
+  const auto how =
+      corners == Corners::allow ? Components::Connectivity::eight : Components::Connectivity::four;
+  return Components(grid, how).connected(grid, from, to);
+}
+
+}  // namespace lasius

@@ -1,0 +1,98 @@
+// What is really there, tick by tick.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "core/drive/edited_map.h"
+#include "lasius/drive.h"
+#include "lasius/grid.h"
+
+namespace lasius {
+
+/// The cells that a robot's centre may be in during a move: where it was, where it is, and for a
+/// diagonal move the two cells beside.
+class HeldCells {
+ public:
+  HeldCells(Cell from, Cell to) noexcept : cells_{{from, to, {from.x, to.y}, {to.x, from.y}}} {}
+  std::span<const Cell> cells() const noexcept { return cells_; }
+
+ private:
+  std::array<Cell, 4> cells_;
+};
+
+class World {
+ public:
+  /// @throws Error(invalid_parameter) for changes that are not inside the map.
+  World(const Grid& truth, const Changes& changes, double radius);
+
+  /// The changes of a tick take place, and obstacles move; not onto what the robot holds.
+  void advance(std::int64_t tick, const HeldCells& robot);
+
+  const Grid& now() const noexcept { return map_.map(); }
+  /// Where the robot's centre may be.
+  const Grid& passable() const noexcept { return map_.passable(); }
+  const Growth& growth() const noexcept { return map_.growth(); }
+
+  /// Moving obstacles that have appeared, where they are.
+  std::vector<Rectangle> obstacles() const;
+  /// Something has changed, or there is a moving obstacle.
+  bool changed() const noexcept { return changed_ || appeared_ > 0; }
+  /// Changes are still to come, deferred ones too.
+  bool to_change() const noexcept {
+    return next_ < changes_.size() || !deferred_.empty() || appeared_ < movers_.size();
+  }
+  /// An obstacle moves by itself, or waits for the robot.
+  bool stirs() const noexcept;
+  std::int64_t deferrals() const noexcept { return deferrals_; }
+
+  /// Can the robot get from cell to cell as things stand? Looks at the whole map.
+  enum class Without { nothing, those_that_move, all_obstacles };
+  bool joined(Cell from, Cell to, Corners corners, Without without) const;
+
+ private:
+  struct Mover {
+    MovingObstacle what;
+    Cell at;
+    std::size_t towards = 0;  // point of the track
+    bool back = false;        // on the way to the first one
+    double moves = 0;         // not made yet
+    bool there = false, waits = false;
+
+    bool travels() const noexcept { return there && what.speed > 0 && what.track.size() > 1; }
+    Rectangle cells(Cell corner) const noexcept {
+      return {corner.x, corner.y, what.width, what.height};
+    }
+  };
+
+  void change(const Change& change, const HeldCells& robot);
+  void set_still(Cell cell, bool blocked, const HeldCells& robot);
+  void move(Mover& mover, const HeldCells& robot);
+  bool step(Mover& mover, const HeldCells& robot);
+  bool hits(const Rectangle& part, const HeldCells& robot) const noexcept;
+  bool hits(Cell cell, const HeldCells& robot) const noexcept;
+  void cover(const Rectangle& part, int by);
+  void show(Cell cell);
+  void show_all();
+  static std::uint32_t key(Cell c) noexcept {
+    return static_cast<std::uint32_t>(c.y) << 16 | static_cast<std::uint32_t>(c.x);
+  }
+
+  Grid still_;     // without moving obstacles
+  EditedMap map_;  // with them
+  double radius_;
+  std::vector<Change> changes_;  // by tick
+  std::size_t next_ = 0;
+  std::vector<Mover> movers_;  // by the tick in which they appear
+  std::size_t appeared_ = 0;
+  std::unordered_map<std::uint32_t, int> covers_;  // obstacles that cover a cell
+  std::vector<Cell> deferred_;                     // to be blocked
+  std::vector<Cell> to_block_, to_free_;           // of map_, in the tick in hand
+  std::int64_t deferrals_ = 0;
+  bool changed_ = false;
+};
+
+}  // namespace lasius

@@ -1,0 +1,36 @@
+// Obstacles grown by a radius, cell by cell and where a map has changed.
+#pragma once
+
+#include <cstdlib>
+#include <vector>
+
+#include "core/grid/grid_view.h"
+#include "kernels/sight/sight.h"
+#include "lasius/geometry.h"
+#include "lasius/grid.h"
+
+namespace lasius {
+
+/// Which cells a blocked one blocks, as grow_obstacles() has it.
+class Growth {
+ public:
+  /// @throws Error(invalid_parameter) for a negative or not finite radius.
+  Growth(const Grid& grid, double radius);
+
+  /// How many columns to each side a blocked cell k rows away blocks, by k.
+  const std::vector<int>& columns_by_row() const noexcept { return columns_; }
+  /// Rows, and columns, that it reaches to each side.
+  int reach() const noexcept { return static_cast<int>(columns_.size()) - 1; }
+  /// True when one of two cells is blocked if the other one is.
+  bool blocks(Cell a, Cell b) const noexcept {
+    const int rows = std::abs(a.y - b.y);
+    return rows <= reach() && std::abs(a.x - b.x) <= columns_[static_cast<std::size_t>(rows)];
+  }
+  /// True when a cell of the map is blocked in the grown one: by a blocked cell or by the outside.
+  bool blocked(const Grid& map, Cell cell) const noexcept;
+
+ private:
+  std::vector<int> columns_;
+};
+
+}  // namespace lasius

@@ -1,0 +1,136 @@
+// A drive through a world that is not as the map has it, and that changes: simulated, tick by tick.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lasius/export.h"
+#include "lasius/geometry.h"
+#include "lasius/grid.h"
+#include "lasius/navigator.h"
+#include "lasius/status.h"
+#include "lasius/stop.h"
+
+namespace lasius {
+
+/// At the beginning of a tick the cells of a rectangle become blocked or free.
+struct Change {
+  std::int64_t tick = 0;  ///< 0 or more
+  Rectangle part;         ///< inside the map
+  bool blocked = true;    ///< else free
+  friend bool operator==(const Change&, const Change&) = default;
+};
+
+/// A rectangle of blocked cells that moves from one point of its track to the next, to the last
+/// one and back again, for ever. It passes over blocked cells and over others of its kind, but
+/// never onto the robot: it waits.
+struct MovingObstacle {
+  std::int64_t tick = 0;    ///< when it appears, 0 or more; later, should the robot stand there
+  int width = 1;            ///< columns, at least 1
+  int height = 1;           ///< rows, at least 1
+  double speed = 0;         ///< moves to one of the eight neighbours a tick, 0 .. 64
+  std::vector<Cell> track;  ///< its top left cell at each point, inside the map; at least one
+  friend bool operator==(const MovingObstacle&, const MovingObstacle&) = default;
+};
+
+/// What happens to a world.
+struct Changes {
+  std::vector<Change> cells;              ///< of one tick in this order
+  std::vector<MovingObstacle> obstacles;  /// they move in this order
+  friend bool operator==(const Changes&, const Changes&) = default;
+};
+
+/// Reads changes from text, one a line; numbers are parted by blanks or commas, `#` begins a
+/// comment:
+///
+///     TICK X Y blocked|free                  one cell
+///     TICK X Y W H blocked|free              a rectangle
+///     TICK move W H SPEED X Y [X Y]...       a moving obstacle and its track
+///
+/// @param name   of the file, for messages
+/// @param width  of the map, like `height`
+/// @throws Error(file_broken) with the line, for text that is none of these and for what does not
+/// lie inside the map.
+LASIUS_EXPORT Changes read_changes(std::string_view text, const std::string& name, int width,
+                                   int height);
+/// Reads a file of changes. @throws likewise, and Error(file_missing).
+LASIUS_EXPORT Changes read_changes_file(const std::string& path, int width, int height);
+
+/// How to drive.
+struct DriveOptions {
+  NavigatorOptions navigator = {};
+  /// The robot sees cells whose centre is at most so far from its own, in cells: a free one where
+  /// `visible` holds between the centres, a blocked one at whose edge it sees a free cell, or
+  /// stands. At least 1.
+  double sense = 20;
+  std::int64_t max_ticks = 1'000'000;  ///< the drive ends as Status::limit
+  /// Time for planning in a tick, in seconds, above 0: a search that takes longer ends with the
+  /// best way so far. Drives can be replayed only where it is infinite.
+  double seconds_per_tick = std::numeric_limits<double>::infinity();
+};
+
+/// A way that was planned.
+struct Replan {
+  std::int64_t tick = 0;
+  double ms = 0;      ///< spent on planning in this tick
+  double length = 0;  ///< of the way that came of it, in cells; not a number where there is none
+};
+
+/// How a drive went.
+struct DriveResult {
+  /// Status::solved on arrival; Status::unreachable: proven on what is known at last;
+  /// Status::no_path: moving obstacles stand in the way for good, "trapped"; Status::limit: no
+  /// ticks or time left; Status::interrupted; Status::invalid: start or goal blocked or outside at
+  /// the beginning.
+  Status status = Status::no_path;
+  Fault fault = Fault::none;          ///< why it is invalid or unreachable
+  std::string error;                  ///< the same in a sentence; empty for none
+  std::vector<Cell> track;            ///< where the robot was at each tick, the start first
+  std::int64_t ticks = 0;             ///< moves and waits: track.size() - 1
+  std::vector<Replan> replans;        ///< in order
+  std::int64_t seen = 0;              ///< cells learned to be other than they were known
+  double length = 0;                  ///< travelled, in cells
+  double planning_ms = 0;             ///< in all ticks
+  std::int64_t waits = 0;             ///< ticks in which the robot stood
+  std::int64_t deferred_changes = 0;  ///< put off, since the robot stood there
+};
+
+/// A tick as an observer sees it, after the robot has seen and planned, before it moves.
+class DriveTick {
+ public:
+  std::int64_t tick = 0;
+  Cell robot;
+  const Grid* world = nullptr;  ///< what is there, moving obstacles too
+  const Navigator* robot_knows = nullptr;
+  const Way* way = nullptr;          ///< null where none was asked for, in a wait
+  std::vector<Rectangle> obstacles;  ///< where the moving ones are, those that have appeared
+  std::vector<Cell> news;            ///< cells that the robot learned in this tick
+  bool replanned = false;            ///< the way was planned in this tick
+};
+/// Called at each tick, and once more on arrival.
+using DriveObserver = std::function<void(const DriveTick&)>;
+
+/// Drives a robot from `start` to `goal`, one move to one of the eight neighbours a tick, or none.
+///
+/// In each tick changes take place and obstacles move, then the robot sees, plans, and moves to the
+/// next cell of its way. It never enters a cell that is blocked at that tick, nor cuts a corner
+/// between two cells of which one is blocked; with a radius the same holds for its disc. What would
+/// block a cell that the robot covers, or has covered on its last move, waits: a change is deferred
+/// to the first tick at which it can be made, an obstacle stands. So neither do they swap.
+///
+/// Where no way is known, the robot doubts what it does not see now, where the world has changed
+/// since it began: cells that it had learned to be blocked may be free again. While obstacles move,
+/// or changes are to come, it waits, and gives way to what waits for it.
+/// @param map    what the robot knows in the beginning
+/// @param truth  what is there, of the same size
+/// @throws Error(invalid_parameter) for sizes that differ, changes outside the map, and options out
+/// of range; what the observer throws.
+LASIUS_EXPORT DriveResult drive(const Grid& map, const Grid& truth, Cell start, Cell goal,
+                                const Changes& changes = {}, const DriveOptions& options = {},
+                                const StopCondition& stop = {}, const DriveObserver& observer = {});
+
+}  // namespace lasius

@@ -1,0 +1,95 @@
+// Planning for a robot that drives: the map changes under it, and each step asks for the next way.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "lasius/export.h"
+#include "lasius/geometry.h"
+#include "lasius/grid.h"
+#include "lasius/params.h"
+#include "lasius/preparation.h"
+#include "lasius/result.h"
+#include "lasius/stop.h"
+
+namespace lasius {
+
+/// How a Navigator plans.
+struct NavigatorOptions {
+  Params params = {};  ///< the algorithm: `exact`, or any other
+  /// Of the robot, in cells: it keeps this far from blocked cells and from the outside, as
+  /// grow_obstacles() has it. 0: a point.
+  double radius = 0;
+  /// Prepares the map for `exact`, see Planner; the visibility graph is then kept up to date.
+  std::optional<PrepareOptions> prepare = {};
+  double target_gap = 0;  ///< as in Request
+  /// A colony goes on searching in every step; else only where the way has to be planned anew.
+  /// Without effect on other algorithms.
+  bool search_on = false;
+};
+
+/// The way that a robot is to go on.
+struct Way : Result {
+  /// The way was planned in this step; else it is the one of an earlier step, which still holds:
+  /// `path`, `length` and what else a Result tells are those of the plan.
+  bool replanned = false;
+  /// The next cells, by moves to one of the eight neighbours, the robot's own first. They are cells
+  /// that the path touches. At most 64 moves; the rest comes with later steps. Empty without a
+  /// path.
+  std::vector<Cell> walk;
+};
+
+/// A planner that belongs to a robot: it has one map, tells it what it sees, and asks for a way
+/// again and again. What an observation costs depends on what has changed, not on the size of the
+/// map; a way that what has changed neither blocks nor can shorten is kept.
+///
+/// The answers of `exact` are as short and as certain as a new Planner's. A colony goes on with the
+/// pheromone that it has, repaired around the change; forget() makes it begin anew.
+///
+/// Not thread-safe: one thread at a time, save where a function says so. Deterministic in the
+/// sequence of calls, as Planner::plan.
+class LASIUS_EXPORT Navigator {
+ public:
+  /// Labels the map's components, grows obstacles where the robot has a radius, and prepares the
+  /// map if asked to. Start and goal may be blocked or outside: the answer tells.
+  /// @throws Error(invalid_parameter) for parameters, a radius or a gap that are out of range.
+  Navigator(Grid map, Cell goal, const NavigatorOptions& options = {});
+  ~Navigator();
+  Navigator(Navigator&&) noexcept;  ///< one that was moved from may only be assigned to or end
+  Navigator& operator=(Navigator&&) noexcept;
+
+  /// All cells of a rectangle are blocked, or free. What lies outside the map is ignored.
+  void observe(const Rectangle& part, bool blocked);
+  /// Each of these cells is blocked, or free. What lies outside the map is ignored.
+  void observe(std::span<const Cell> cells, bool blocked);
+
+  /// The way to the goal from where the robot is now. Never throws for what the world is like:
+  /// Status::unreachable and Status::invalid (the robot's cell or the goal has become blocked) are
+  /// answers, and the next step may find another one.
+  /// Holds until the next call of any member that is not const.
+  const Way& step(Cell robot, const StopCondition& stop = {});
+
+  Cell goal() const noexcept;
+  void set_goal(Cell goal);  ///< the trail of a colony that led to another goal is forgotten
+  /// A colony's trail, and the way kept so far, are forgotten.
+  void forget();
+
+  /// The map as it is known now, the robot a point on it: obstacles are not grown here.
+  const Grid& map() const noexcept;
+  /// Where the robot's centre may be: the map with its obstacles grown.
+  const Grid& passable() const noexcept;
+  /// True when the robot could get from one cell to the other, as far as is known.
+  bool connected(Cell a, Cell b);
+  /// What has become of the visibility graph.
+  const Preparation& preparation() const noexcept;
+  std::int64_t bytes() const noexcept;  ///< memory held
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lasius

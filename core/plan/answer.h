@@ -1,0 +1,38 @@
+// One question about a map, answered by any algorithm.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "core/exact/corner_graph.h"
+#include "lasius/planner.h"
+
+namespace lasius {
+
+/// A map, and what its owner knows about it.
+struct PlanningMap {
+  const Grid& grid;
+  const exact::CornerGraph* graph = nullptr;  ///< of `grid`; null if not prepared
+  /// Are two free cells joined under a rule? Nothing if stopped.
+  std::function<std::optional<bool>(Cell, Cell, Corners)> connected;
+  /// Runs the colony in the owner's way; empty: a new one a question, run_colony().
+  std::function<Result(const Request&, const Observer&)> colony = {};
+};
+
+/// What Planner::plan answers, and throws.
+Result answer(const PlanningMap& map, const Request& request, const Params& params,
+              Workspace* workspace, const Observer& observer);
+
+/// The rule of corners that paths obey: any-angle paths never squeeze, and with 4 neighbours no
+/// corner is ever passed.
+Corners corners_of_paths(const Params& params);
+
+/// A cell in messages.
+inline std::string cell_name(Cell c) {
+  std::string text = "(";
+  text += std::to_string(c.x) + ", " + std::to_string(c.y);
+  return text += ')';
+}
+
+}  // namespace lasius
