@@ -146,6 +146,7 @@ class Drive {
     }
     if (!way_->path.empty()) {
       waited_ = attempts_ = 0;
+      retreat_.clear();
       return Found::way;
     }
     if (!proven()) return Found::not_yet;
@@ -170,22 +171,25 @@ class Drive {
     return world_.joined(robot_, navigator_.goal(), corners_, without);
   }
 
-  /// Forgets what may not hold any more: first the obstacles that were learned; where that does not
-  /// help though there is a way, all of them. False if there is nothing to doubt.
+  /// Forgets what may not hold any more: the obstacles that were learned before the last change;
+  /// where that does not help though there is a way, or time and again did not, all of them. False
+  /// if there is nothing to doubt.
   bool doubt() {
     if (!world_.changed() || hopeless()) return false;
-    std::vector<Cell> stale;
-    for_each_learned([&](Cell cell) {
-      if (!sees(world_.now(), robot_, cell) || beyond(cell)) stale.push_back(cell);
-    });
-    if (!stale.empty()) {
+    const bool again = world_.changed_at() < doubted_at_ || ++doubts_ % kDoubts == 0;
+    bool any = false;
+    if (!again) {
+      std::vector<Cell> stale;
+      for_each_learned([&](Cell cell) {
+        if (!sees(world_.now(), robot_, cell) || beyond(cell)) stale.push_back(cell);
+      });
+      doubted_at_ = tick_ + 1;
+      any = !stale.empty();
       navigator_.observe(stale, false);
-      if (navigator_.connected(robot_, navigator_.goal())) return true;
+      if (any && navigator_.connected(robot_, navigator_.goal())) return true;
     }
     const bool wait_first = world_.to_change() || world_.stirs();
-    if ((wait_first && waited_ < kPatience) || !joined(World::Without::nothing)) {
-      return !stale.empty();
-    }
+    if ((wait_first && waited_ < kPatience) || !joined(World::Without::nothing)) return any;
     navigator_.observe(Rectangle{0, 0, map_.width(), map_.height()}, false);
     return true;
   }
@@ -276,6 +280,7 @@ class Drive {
 
   static constexpr int kPatience = 16;  // ticks without a way, then the robot moves aside
   static constexpr int kAttempts = 64;  // to move aside for what waits for the robot
+  static constexpr int kDoubts = 64;    // of what was learned, then of the whole map
 
   const Grid& map_;
   const DriveOptions& options_;
@@ -291,7 +296,8 @@ class Drive {
   std::vector<Cell> news_;
   bool replanned_ = false;
   Milliseconds planning_{};
-  int waited_ = 0, attempts_ = 0;
+  int waited_ = 0, attempts_ = 0, doubts_ = 0;
+  std::int64_t doubted_at_ = 0;  // tick
   std::vector<Cell> retreat_;  // the next cell last
   bool ended_ = false;
   DriveResult result_;

@@ -81,7 +81,7 @@ class Navigator::Impl {
     changed(part);
     if (holds)
       holds = std::none_of(cells.begin(), cells.end(), [this](Cell c) {
-        return map.passable().blocked(c) ? walker.touches_rest(c) : shortens(c);
+        return map.passable().blocked(c) ? walker.touches_rest(c) || beside_walk(c) : shortens(c);
       });
   };
   /// What else knows the map is told of a rectangle of it.
@@ -90,6 +90,15 @@ class Navigator::Impl {
       graph.reset();
       preparation = {};
     }
+  }
+
+  /// Does the walk pass a cell by a diagonal move?
+  bool beside_walk(Cell cell) const noexcept {
+    for (std::size_t i = 1; i < way.walk.size(); ++i) {
+      const Cell a = way.walk[i - 1], b = way.walk[i];
+      if (cell == Cell{a.x, b.y} || cell == Cell{b.x, a.y}) return true;
+    }
+    return false;
   }
 
   /// Might a way over a cell that has become free be shorter than what is left of this one? There

@@ -42,6 +42,7 @@ void World::advance(std::int64_t tick, const HeldCells& robot) {
   for (Mover& mover : movers_) {
     if (mover.what.tick <= tick) move(mover, robot);
   }
+  if (!to_free_.empty()) changed_at_ = tick;
   show_all();
 }
 

@@ -41,10 +41,10 @@ class World {
   std::vector<Rectangle> obstacles() const;
   /// Something has changed, or there is a moving obstacle.
   bool changed() const noexcept { return changed_ || appeared_ > 0; }
-  /// Changes are still to come, deferred ones too.
-  bool to_change() const noexcept {
-    return next_ < changes_.size() || !deferred_.empty() || appeared_ < movers_.size();
-  }
+  /// The last tick at which anything changed or moved.
+  std::int64_t changed_at() const noexcept { return changed_at_; }
+  /// Changes are still to come that might open a way: deferred ones do not.
+  bool to_change() const noexcept { return next_ < changes_.size(); }
   /// An obstacle moves by itself, or waits for the robot.
   bool stirs() const noexcept;
   std::int64_t deferrals() const noexcept { return deferrals_; }
@@ -93,6 +93,7 @@ class World {
   std::vector<Cell> to_block_, to_free_;           // of map_, in the tick in hand
   std::int64_t deferrals_ = 0;
   bool changed_ = false;
+  std::int64_t changed_at_ = 0;
 };
 
 }  // namespace lasius

@@ -1,0 +1,216 @@
+#include "lasius/drive.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "lasius/error.h"
+#include "lasius/shortest_walk.h"
+#include "tests/core/drive/random_world.h"
+#include "tests/oracle/drive_checker.h"
+
+namespace lasius {
+namespace {
+
+/// A map from rows of '.' and '@'.
+Grid drawn(const std::vector<std::string>& rows) {
+  Grid grid(static_cast<int>(rows[0].size()), static_cast<int>(rows.size()));
+  for (int y = 0; y < grid.height(); ++y) {
+    for (int x = 0; x < grid.width(); ++x) grid.set_blocked({x, y}, rows[y][x] == '@');
+  }
+  return grid;
+}
+
+std::vector<Cell> row_of_cells(int from, int to, int y) {
+  std::vector<Cell> cells;
+  for (int x = from; x <= to; ++x) cells.push_back({x, y});
+  return cells;
+}
+
+TEST(Drive, GoesStraightWhereNothingIsInTheWay) {
+  const Grid map(9, 3);
+  const DriveResult r = drive(map, map, {1, 1}, {7, 1});
+  EXPECT_EQ(r.status, Status::solved);
+  EXPECT_EQ(r.track, row_of_cells(1, 7, 1));
+  EXPECT_EQ(r.ticks, 6);
+  EXPECT_EQ(r.length, 6);
+  EXPECT_EQ(r.seen, 0);
+  ASSERT_EQ(r.replans.size(), 1u);
+  EXPECT_EQ(r.replans[0].tick, 0);
+  EXPECT_EQ(r.replans[0].length, 6);
+}
+
+TEST(Drive, IsThereAtOnceWhereStartIsGoal) {
+  const Grid map(3, 3);
+  const DriveResult r = drive(map, map, {1, 1}, {1, 1});
+  EXPECT_EQ(r.status, Status::solved);
+  EXPECT_EQ(r.track, std::vector<Cell>({{1, 1}}));
+  EXPECT_EQ(r.length, 0);
+}
+
+TEST(Drive, LearnsAWallWhenItIsInSight) {
+  const Grid truth = drawn({".........",  //
+                            "....@....",  //
+                            "....@....",  //
+                            "....@...."});
+  const Grid map(9, 4);
+  DriveOptions options;
+  options.sense = 2;
+  const DriveResult r = drive(map, truth, {0, 2}, {8, 2}, {}, options);
+  EXPECT_EQ(r.status, Status::solved);
+  EXPECT_EQ(r.seen, 2);  // the third stays behind the second, farther than 2 cells
+  EXPECT_GT(r.replans.size(), 1u);
+  EXPECT_GT(r.replans.back().tick, 0);
+}
+
+TEST(Drive, AnObstacleHidesWhatIsBehind) {
+  const Grid truth = drawn({"@@@@@@@",  //
+                            ".@.....",  //
+                            "@@@@@@@"});
+  const Grid map(7, 3);
+  const DriveResult r = drive(map, truth, {0, 1}, {6, 1});
+  EXPECT_EQ(r.status, Status::unreachable);
+  EXPECT_EQ(r.seen, 3);  // of the walls the cells beside the robot, no more
+  EXPECT_EQ(r.ticks, 0);
+}
+
+TEST(Drive, UnreachableOnTheMapIsAnAnswerAtOnce) {
+  const Grid map = drawn({"..@..", "..@..", "..@.."});
+  const DriveResult r = drive(map, map, {0, 0}, {4, 2});
+  EXPECT_EQ(r.status, Status::unreachable);
+  EXPECT_EQ(r.fault, Fault::disconnected);
+  EXPECT_NE(r.error, "");
+}
+
+TEST(Drive, WaitsForADoorThatOpens) {
+  const Grid map = drawn({"..@..", "..@..", "..@.."});
+  Changes changes;
+  changes.cells = {{.tick = 30, .part = {2, 1, 1, 1}, .blocked = false}};
+  const DriveResult r = drive(map, map, {0, 0}, {4, 2}, changes);
+  EXPECT_EQ(r.status, Status::solved);
+  EXPECT_GE(r.ticks, 33);
+  EXPECT_GT(r.waits, 0);
+}
+
+TEST(Drive, AChangeOfTheRobotsCellIsDeferred) {
+  const Grid map(5, 1);
+  Changes changes;
+  changes.cells = {{.tick = 2, .part = {2, 0, 1, 1}, .blocked = true}};
+  const DriveResult r = drive(map, map, {0, 0}, {4, 0}, changes);
+  EXPECT_EQ(r.status, Status::solved);
+  EXPECT_EQ(r.track, row_of_cells(0, 4, 0));
+  EXPECT_EQ(r.deferred_changes, 2);  // while it stands there, and while it leaves
+}
+
+TEST(Drive, TrappedByWhatNeverGoesAway) {
+  const Grid map(7, 1);
+  Changes changes;
+  changes.obstacles = {{.tick = 0, .speed = 0, .track = {{3, 0}}}};
+  const DriveResult r = drive(map, map, {0, 0}, {6, 0}, changes);
+  EXPECT_EQ(r.status, Status::no_path);
+  EXPECT_TRUE(r.error.starts_with("trapped")) << r.error;
+}
+
+TEST(Drive, GivesWayInACorridor) {
+  const Grid map = drawn({".....@@@@@@@@",  //
+                          ".............",  //
+                          ".....@@@@@@@@"});
+  Changes changes;
+  changes.obstacles = {{.tick = 0, .speed = 1, .track = {{11, 1}, {1, 1}}}};
+  const DriveResult r = drive(map, map, {6, 1}, {12, 1}, changes);
+  EXPECT_EQ(r.status, Status::solved);
+  EXPECT_EQ(DriveChecker(map, changes, 0).fault(r.track), "");
+}
+
+TEST(Drive, BlockedEndsAreToldApart) {
+  const Grid map = drawn({"@..", "...", "..@"});
+  EXPECT_EQ(drive(map, map, {0, 0}, {1, 1}).fault, Fault::start_blocked);
+  EXPECT_EQ(drive(map, map, {1, 1}, {2, 2}).fault, Fault::goal_blocked);
+  EXPECT_EQ(drive(map, map, {1, 1}, {3, 2}).fault, Fault::goal_outside);
+  EXPECT_EQ(drive(map, map, {-1, 1}, {1, 1}).fault, Fault::start_outside);
+  EXPECT_EQ(drive(map, map, {-1, 1}, {1, 1}).status, Status::invalid);
+}
+
+TEST(Drive, RefusesWhatMakesNoSense) {
+  const Grid map(4, 4);
+  const auto refuses = [&](const Changes& changes, const DriveOptions& options) {
+    EXPECT_THROW((void)drive(map, map, {0, 0}, {3, 3}, changes, options), Error);
+  };
+  EXPECT_THROW((void)drive(map, Grid(4, 5), {0, 0}, {3, 3}), Error);
+  refuses({.cells = {{.tick = 0, .part = {3, 3, 2, 1}}}, .obstacles = {}}, {});
+  refuses({.cells = {{.tick = -1, .part = {3, 3, 1, 1}}}, .obstacles = {}}, {});
+  refuses({.cells = {}, .obstacles = {{.speed = 1, .track = {}}}}, {});
+  refuses({.cells = {}, .obstacles = {{.speed = -1, .track = {{0, 0}}}}}, {});
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  refuses({}, {.sense = 0.5});
+  refuses({}, {.sense = nan});
+  refuses({}, {.max_ticks = -1});
+  refuses({}, {.seconds_per_tick = 0});
+  refuses({}, {.navigator = {.radius = -1}});
+}
+
+TEST(Drive, EndsByTicksTokenAndDeadline) {
+  const Grid map(9, 3);
+  EXPECT_EQ(drive(map, map, {1, 1}, {7, 1}, {}, {.max_ticks = 3}).status, Status::limit);
+  EXPECT_EQ(drive(map, map, {1, 1}, {7, 1}, {}, {.max_ticks = 3}).track.size(), 4u);
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_EQ(drive(map, map, {1, 1}, {7, 1}, {}, {}, {.token = source.get_token()}).status,
+            Status::interrupted);
+  EXPECT_EQ(drive(map, map, {1, 1}, {7, 1}, {}, {}, {.deadline = Clock::time_point::min()}).status,
+            Status::limit);
+}
+
+TEST(Drive, NeverCollidesInRandomWorlds) {
+  int solved = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const RandomWorld w = draw_world(seed, false);
+    const DriveResult r = drive(w.map, w.truth, w.start, w.goal, w.changes, w.options);
+    if (r.status == Status::invalid) continue;
+    const double radius = w.options.navigator.radius;
+    EXPECT_EQ(DriveChecker(w.truth, w.changes, radius).fault(r.track), "") << "seed " << seed;
+    solved += r.status == Status::solved;
+  }
+  EXPECT_GT(solved, 100);
+}
+
+TEST(Drive, ArrivesWhereTheTruthIsFixedAndJoined) {
+  int joined = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    const RandomWorld w = draw_world(1000 + seed, true);
+    const DriveResult r = drive(w.map, w.truth, w.start, w.goal, w.changes, w.options);
+    if (r.status == Status::invalid) continue;
+    DriveChecker checker(w.truth, w.changes, w.options.navigator.radius);
+    EXPECT_EQ(checker.fault(r.track), "") << "seed " << seed;
+    if (r.status == Status::solved) {
+      ++joined;
+      continue;
+    }
+    // It may give up at once where the map was wrong and nothing has changed; else not where a way
+    // is left.
+    if (w.changes.cells.empty()) continue;
+    EXPECT_EQ(r.status, Status::unreachable) << "seed " << seed;
+    EXPECT_FALSE(checker.joined(r.track.back(), w.goal)) << "seed " << seed;
+  }
+  EXPECT_GT(joined, 200);
+}
+
+TEST(Drive, IsTheSameOnAnyNumberOfThreads) {
+  RandomWorld w = draw_world(7, false);
+  w.options.navigator.params = Params("acs");
+  w.options.navigator.params.iterations = 5;
+  w.options.max_ticks = 60;
+  DriveResult first;
+  for (const int threads : {1, 2, 5}) {
+    w.options.navigator.params.threads = threads;
+    DriveResult r = drive(w.map, w.truth, w.start, w.goal, w.changes, w.options);
+    if (threads == 1) first = r;
+    EXPECT_EQ(r.track, first.track);
+    EXPECT_EQ(r.replans.size(), first.replans.size());
+  }
+  EXPECT_GT(first.track.size(), 1u);
+}
+
+}  // namespace
+}  // namespace lasius
