@@ -79,10 +79,11 @@ class Navigator::Impl {
     four.changed(cells);
     eight.changed(cells);
     changed(part);
-    if (holds)
+    if (holds) {
       holds = std::none_of(cells.begin(), cells.end(), [this](Cell c) {
-        return map.passable().blocked(c) ? walker.touches_rest(c) || beside_walk(c) : shortens(c);
+        return map.passable().blocked(c) ? breaks(c) : shortens(c);
       });
+    }
   };
   /// What else knows the map is told of a rectangle of it.
   void changed(const Rectangle&) {
@@ -92,6 +93,11 @@ class Navigator::Impl {
     }
   }
 
+  /// Does a cell that has become blocked make the way impossible, or the fault another one?
+  bool breaks(Cell cell) const noexcept {
+    if (way.path.empty()) return cell == at || cell == goal;
+    return walker.touches_rest(cell) || beside_walk(cell);
+  }
   /// Does the walk pass a cell by a diagonal move?
   bool beside_walk(Cell cell) const noexcept {
     for (std::size_t i = 1; i < way.walk.size(); ++i) {
