@@ -39,8 +39,9 @@ void for_each_tile(const Grid& grid, const Rectangle& part, const Visit& visit) 
 
 // An update under way.
 struct Components::Work {
+  Work(const StopCondition& stop, bool begun) : poller(stop, kInterval), all(begun) {}
   Poller poller;
-  bool all;                          // what an update left that was stopped: no outline is trusted
+  bool all;  // an update was stopped: what outlines were before is not known
   std::vector<std::uint32_t> stale;  // blocks of the level that is next
   TileLabels labels;
   BlockJoin join;
@@ -75,7 +76,7 @@ int Components::columns(std::size_t level) const noexcept {
 
 bool Components::update(const Grid& edited, std::span<const Rectangle> changed,
                         const StopCondition& stop) {
-  Work work{.poller = Poller(stop, kInterval), .all = !pending_.empty()};
+  Work work(stop, !pending_.empty());
   pending_.insert(pending_.end(), changed.begin(), changed.end());
   relabel(edited, work);
   for (std::size_t level = 0; level < blocks_.size(); ++level) rejoin(edited, level, work);

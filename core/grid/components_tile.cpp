@@ -25,12 +25,11 @@ Row free_column(const Grid& grid, const TileBox& box, int column) noexcept {
   return free;
 }
 
-// Calls visit(i) for each contact of two lines of free cells that face each other, `length` cells
-// long. With 4 neighbours, cell i begins a run of cells that are free in both lines. With 8, both
-// lines have a free one of the cells i and i + 1, and one of the lines has another run than before.
+// Calls visit(i) for each contact of two lines of free cells that face each other. With 4
+// neighbours, cell i begins a run of cells that are free in both lines. With 8, both lines have a
+// free one of the cells i and i + 1, and one of the lines has another run than before.
 template <typename Visit>
-void for_each_contact(const Row& own, const Row& facing, int length, bool eight,
-                      const Visit& visit) {
+void for_each_contact(const Row& own, const Row& facing, bool eight, const Visit& visit) {
   const auto with_next = [](const Row& row, int i) {
     return row[i] | row[i] >> 1 | (i == kWords - 1 ? 0 : row[i + 1] << 63);
   };
@@ -40,7 +39,6 @@ void for_each_contact(const Row& own, const Row& facing, int length, bool eight,
     std::uint64_t contacts = both & ~(both << 1 | before);
     if (eight) {
       contacts = with_next(own, i) & with_next(facing, i) & ~(i == 0 ? both & ~1u : both);
-      if (i == (length - 1) >> 6) contacts &= ~(std::uint64_t{1} << ((length - 1) & 63));
     }
     before = both >> 63;
     for (; contacts != 0; contacts &= contacts - 1) visit(i * 64 + std::countr_zero(contacts));
@@ -107,20 +105,19 @@ void outline_tile(const Grid& grid, const TileBox& box, std::span<const std::uin
   });
   const int right = box.width - 1;
   const int bottom = box.height - 1;
-  const auto add_side = [&](Side& side, const Row& own, const Row& facing, int length, Cell from,
-                            int dx, int dy) {
-    for_each_contact(own, facing, length, eight, [&](int i) {
+  const auto add_side = [&](Side& side, const Row& own, const Row& facing, Cell from, int dx,
+                            int dy) {
+    for_each_contact(own, facing, eight, [&](int i) {
       if (!bit(own, i)) ++i;
       side.add(around[box.border_position(from.x + dx * i, from.y + dy * i)], 1);
     });
   };
   const auto column = [&](int x) { return free_column(grid, box, x); };
   auto& [north, east, south, west] = outline.sides;
-  add_side(north, box.free_row(grid, 0), box.free_row(grid, -1), box.width, {0, 0}, 1, 0);
-  add_side(east, column(right), column(right + 1), box.height, {right, 0}, 0, 1);
-  add_side(south, box.free_row(grid, bottom), box.free_row(grid, bottom + 1), box.width,
-           {0, bottom}, 1, 0);
-  add_side(west, column(0), column(-1), box.height, {0, 0}, 0, 1);
+  add_side(north, box.free_row(grid, 0), box.free_row(grid, -1), {0, 0}, 1, 0);
+  add_side(east, column(right), column(right + 1), {right, 0}, 0, 1);
+  add_side(south, box.free_row(grid, bottom), box.free_row(grid, bottom + 1), {0, bottom}, 1, 0);
+  add_side(west, column(0), column(-1), {0, 0}, 0, 1);
   if (!eight) return;
   for (const int i : {0, 1, 2, 3}) {
     const Cell c{i % 2 * right, i / 2 * bottom};
