@@ -175,53 +175,80 @@ void Components::rejoin(const Grid& grid, std::size_t level, Work& work) {
   }
 }
 
-// Where a cell belongs.
+// Where a cell belongs: to a piece of a block around its tile, unless it is shut in the tile.
 struct Components::Home {
   enum class Met { piece, nothing, other } met;
-  Piece piece;  // of the block around its tile
+  std::size_t level;
+  Piece piece;
 };
+
+const Components::Block& Components::block(std::size_t level, Cell tile) const noexcept {
+  return blocks_[level][(tile.y >> (level + 1)) * columns(level) + (tile.x >> (level + 1))];
+}
+
+// The piece of the smallest block in which all pieces of a tile are one, if they are few and
+// joined.
+std::optional<Components::Home> Components::only_piece(Cell tile) const noexcept {
+  std::array<Piece, 16> pieces;
+  const std::vector<Piece>& up = tiles_[part(0, tile)].up;
+  if (up.empty() || up.size() > pieces.size()) return std::nullopt;
+  auto end = std::copy(up.begin(), up.end(), pieces.begin());
+  for (std::size_t level = 0; level < blocks_.size(); ++level) {
+    std::sort(pieces.begin(), end);
+    end = std::unique(pieces.begin(), end);
+    if (end - pieces.begin() == 1) return Home{Home::Met::piece, level, pieces[0]};
+    const Block& around = block(level, tile);
+    if (end[-1] >= around.outline.open) return std::nullopt;
+    std::transform(pieces.begin(), end, pieces.begin(), [&](Piece p) { return around.up[p]; });
+  }
+  return std::nullopt;
+}
 
 Components::Home Components::home(const Grid& grid, Cell c, Cell other) const noexcept {
   using Met = Home::Met;
   const Cell at{c.x / kTile, c.y / kTile};
   const Tile& tile = tiles_[part(0, at)];
-  const auto is_first = [&tile](Piece piece) { return piece == tile.up[0]; };
-  if (tile.inside == 0 && std::all_of(tile.up.begin(), tile.up.end(), is_first)) {
-    return {Met::piece, tile.up[0]};
-  }
+  const auto only = only_piece(at);
+  if (only && tile.inside == 0) return *only;
   const TileBox box = TileBox::at(grid, at.x, at.y);
   const FloodEnd end = flood(grid, box, connectivity_ == Connectivity::eight, c, other);
-  if (end.met == FloodEnd::Met::other) return {Met::other, 0};
-  if (end.met == FloodEnd::Met::nothing) return {Met::nothing, 0};
+  if (end.met == FloodEnd::Met::other) return {Met::other, 0, 0};
+  if (end.met == FloodEnd::Met::nothing) return {Met::nothing, 0, 0};
+  if (only) return *only;
   int found = 0;
   for_each_run(border_of(grid, box), tile.marks.data(), [&](int, int last, int piece) {
     found = piece;
     return last < end.position;
   });
-  return {Met::piece, tile.up[found]};
+  return {Met::piece, 0, tile.up[found]};
 }
 
 bool Components::connected(const Grid& grid, Cell a, Cell b) const noexcept {
   if (grid.blocked(a) || grid.blocked(b)) return false;
-  const Home home_a = home(grid, a, b);
+  Home home_a = home(grid, a, b);
   if (home_a.met != Home::Met::piece) return home_a.met == Home::Met::other;
-  const Home home_b = home(grid, b, a);
+  Home home_b = home(grid, b, a);
   if (home_b.met != Home::Met::piece) return home_b.met == Home::Met::other;
-  Piece piece_a = home_a.piece;
-  Piece piece_b = home_b.piece;
-  a = {a.x / kTile, a.y / kTile};
-  b = {b.x / kTile, b.y / kTile};
-  for (std::size_t level = 0; level < blocks_.size(); ++level) {
-    a = {a.x / 2, a.y / 2};
-    b = {b.x / 2, b.y / 2};
-    if (a == b && piece_a == piece_b) return true;
-    const Block& block_a = blocks_[level][a.y * columns(level) + a.x];
-    const Block& block_b = blocks_[level][b.y * columns(level) + b.x];
-    if (piece_a >= block_a.outline.open || piece_b >= block_b.outline.open) return false;
-    piece_a = block_a.up[piece_a];
-    piece_b = block_b.up[piece_b];
+  const Cell tile_a{a.x / kTile, a.y / kTile};
+  const Cell tile_b{b.x / kTile, b.y / kTile};
+  // Climbs one level; false if nothing of the piece is beyond.
+  const auto climb = [this](Home& home, Cell tile) {
+    const Block& around = block(home.level++, tile);
+    if (home.piece >= around.outline.open) return false;
+    home.piece = around.up[home.piece];
+    return true;
+  };
+  while (home_a.level < home_b.level) {
+    if (!climb(home_a, tile_a)) return false;
   }
-  return false;
+  while (home_b.level < home_a.level) {
+    if (!climb(home_b, tile_b)) return false;
+  }
+  for (;;) {
+    const bool same = &block(home_a.level, tile_a) == &block(home_b.level, tile_b);
+    if (same && home_a.piece == home_b.piece) return true;
+    if (!climb(home_a, tile_a) || !climb(home_b, tile_b)) return false;
+  }
 }
 
 Components Components::updated(const Grid& edited, std::span<const Cell> changed) const {

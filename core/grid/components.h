@@ -78,6 +78,8 @@ class LASIUS_EXPORT Components {
   void relabel(const Grid& grid, Work& work);
   void rejoin(const Grid& grid, std::size_t level, Work& work);
   std::ptrdiff_t part(std::size_t level, Cell at) const noexcept;
+  const Block& block(std::size_t level, Cell tile) const noexcept;  // the one around a tile
+  std::optional<Home> only_piece(Cell tile) const noexcept;
   Home home(const Grid& grid, Cell c, Cell other) const noexcept;
 
   Connectivity connectivity_ = Connectivity::four;
