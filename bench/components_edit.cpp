@@ -30,8 +30,6 @@ void components_edit(benchmark::State& state, MapKind kind) {
   state.counters["median us"] = median(times);
   state.counters["p99 us"] = quantile(times, 0.99);
   state.counters["worst us"] = largest(times);
-  state.counters["bits a cell"] =
-      8.0 * static_cast<double>(components.bytes()) / side / static_cast<double>(side);
 }
 
 void sides(benchmark::internal::Benchmark* bench) {

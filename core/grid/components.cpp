@@ -212,8 +212,9 @@ Components::Home Components::home(const Grid& grid, Cell c, Cell other) const no
   if (only && tile.inside == 0) return *only;
   const TileBox box = TileBox::at(grid, at.x, at.y);
   const FloodEnd end = flood(grid, box, connectivity_ == Connectivity::eight, c, other);
-  if (end.met == FloodEnd::Met::other) return {Met::other, 0, 0};
-  if (end.met == FloodEnd::Met::nothing) return {Met::nothing, 0, 0};
+  if (end.met != FloodEnd::Met::border) {
+    return {end.met == FloodEnd::Met::other ? Met::other : Met::nothing, 0, 0};
+  }
   if (only) return *only;
   int found = 0;
   for_each_run(border_of(grid, box), tile.marks.data(), [&](int, int last, int piece) {
@@ -238,21 +239,14 @@ bool Components::connected(const Grid& grid, Cell a, Cell b) const noexcept {
     home.piece = around.up[home.piece];
     return true;
   };
-  while (home_a.level < home_b.level) {
-    if (!climb(home_a, tile_a)) return false;
-  }
-  while (home_b.level < home_a.level) {
-    if (!climb(home_b, tile_b)) return false;
-  }
   for (;;) {
-    const bool same = &block(home_a.level, tile_a) == &block(home_b.level, tile_b);
-    if (same && home_a.piece == home_b.piece) return true;
-    if (!climb(home_a, tile_a) || !climb(home_b, tile_b)) return false;
+    if (home_a.level == home_b.level && home_a.piece == home_b.piece &&
+        &block(home_a.level, tile_a) == &block(home_b.level, tile_b)) {
+      return true;
+    }
+    if (!(home_a.level <= home_b.level ? climb(home_a, tile_a) : climb(home_b, tile_b)))
+      return false;
   }
-}
-
-Components Components::updated(const Grid& edited, std::span<const Cell> changed) const {
-  return *updated(edited, changed, {});
 }
 
 std::optional<Components> Components::updated(const Grid& edited, std::span<const Cell> changed,
@@ -274,7 +268,10 @@ std::int64_t Components::bytes() const noexcept {
   for (const Tile& tile : tiles_) sum += held(tile.marks) + held(tile.up);
   for (const auto& level : blocks_) {
     sum += held(level);
-    for (const Block& block : level) sum += held(block.up) + block.outline.bytes();
+    for (const Block& block : level) {
+      sum += held(block.up);
+      for (const Side& side : block.outline.sides) sum += side.bytes();
+    }
   }
   return sum;
 }

@@ -31,12 +31,6 @@ void Outline::clear() noexcept {
   open = 0;
 }
 
-std::int64_t Outline::bytes() const noexcept {
-  std::int64_t sum = 0;
-  for (const Side& side : sides) sum += side.bytes();
-  return sum;
-}
-
 std::uint32_t BlockJoin::find(std::uint32_t i) noexcept {
   while (parents_[i] != i) {
     parents_[i] = parents_[parents_[i]];

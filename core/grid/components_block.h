@@ -68,7 +68,6 @@ struct Outline {
   std::uint32_t open = 0;  ///< pieces that reach beyond are 0 to open - 1
 
   void clear() noexcept;
-  std::int64_t bytes() const noexcept;  ///< of the sides
   friend bool operator==(const Outline&, const Outline&) = default;
 };
 

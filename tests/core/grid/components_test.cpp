@@ -192,11 +192,8 @@ TEST(Components, UpdatesEqualAFreshBuildAndBreadthFirstSearch) {
     for (const auto connectivity : kBoth) {
       Components components(grid, connectivity);
       for (int update = 0; update < 30; ++update) {
-        std::vector<Rectangle> changed;
-        for (int i = random_in(0, 3, random); i >= 0; --i) {
-          changed.push_back(random_edit(grid, random));
-        }
-        if (update % 7 == 0) changed.push_back({0, 0, 0, 0});
+        std::vector<Rectangle> changed(1);  // an empty one
+        for (int i = update % 4; i >= 0; --i) changed.push_back(random_edit(grid, random));
         ASSERT_TRUE(components.update(grid, changed));
         ASSERT_EQ(components, Components(grid, connectivity));
       }
@@ -237,8 +234,7 @@ TEST(Components, AnUpdateThatWasStoppedIsDoneByTheNext) {
     if (!components.update(grid, changed, time.is_up())) {
       ++stops;
       if (polls % 2 == 0) continue;  // two or more in a row
-      changed.assign(1, random_edit(grid, random));
-      ASSERT_TRUE(components.update(grid, changed));
+      ASSERT_TRUE(components.update(grid, {}));
     }
     ASSERT_EQ(components, Components(grid, Connectivity::eight));
     expect_equal(grid, components, Connectivity::eight, random, 10);
