@@ -215,7 +215,7 @@ void compare(const Options& options) {
             << short_number(mean(ways)) << " in the mean over maps.\n";
 }
 
-/// Milliseconds of an edit of ten cells, until the robot may ask for a way again.
+/// Time of edits of ten cells, until it is known again what is joined to what.
 void edit(const QuerySource& source, const Options& options) {
   const QuerySet set = load(source, 1);
   NavigatorOptions how;
@@ -231,10 +231,10 @@ void edit(const QuerySource& source, const Options& options) {
   for (int i = 0; i < options.edits; ++i) {
     const Rectangle part{below(set.grid.width() - 5), below(set.grid.height() - 2), 5, 2};
     const bool blocked = below(2) == 0;
-    const Stopwatch watch;
+    const ThreadStopwatch watch;
     navigator.observe(part, blocked);
     (void)navigator.connected(set.queries[0].start, set.queries[0].goal);
-    times.push_back(watch.microseconds());
+    times.push_back(1e6 * watch.seconds());
   }
   std::cout << "| " << set.name << " | " << short_number(median(times)) << " | "
             << short_number(quantile(times, 0.99)) << " | " << short_number(largest(times)) << " | "
@@ -246,7 +246,8 @@ void measure_edits(const Options& options) {
   std::cout
       << machine_line() << ". " << options.edits << " edits of 5 x 2 cells, seed "
       << options.maps.seed << (options.prepare ? ", prepared" : "")
-      << ": microseconds until the map can be asked again, and bytes that it holds more "
+      << ": microseconds of processor time until the map can be asked again, and bytes that it "
+         "holds more "
          "after each in the mean.\n\n| map | median | p99 | max | bytes |\n|---|--:|--:|--:|--:|"
       << std::endl;
   for (const QuerySource& source : generated_sources(options.edit_sides, options.maps.seed)) {
