@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kDStarLite = "dstar-lite";
 constexpr double kSense = 15;
-constexpr std::int64_t kMaxTicks = 3000;
+constexpr std::int64_t kMaxTicks = 1000;
 
 /// How a contender drives.
 struct Policy {
@@ -81,7 +81,7 @@ OnlineDrives::OnlineDrives(const Study& study, std::filesystem::path maps)
 Task OnlineDrives::task(const Question& question, const Contender& contender) const {
   const Policy policy = policy_of(contender);
   const Params& params = policy.options.navigator.params;
-  constexpr std::int64_t kTicks = 400;
+  constexpr std::int64_t kTicks = 200;
   Task task = task_of(question.map + ' ' + contender.algorithm, params,
                       parameters_of(algorithms(), params.algorithm()), kTicks);
   for (const auto& [name, value] : contender.settings) task.key += ' ' + name + '=' + value;

@@ -30,7 +30,7 @@ constexpr int kTries = 20;  // for each of them, until one leaves a way
 
 /// Shelves in rows, and the aisles between them.
 struct Warehouse {
-  static constexpr int kWidth = 192, kHeight = 144, kAisle = 7;
+  static constexpr int kWidth = 144, kHeight = 128, kAisle = 7;
   int shelf_width, shelf_height;
 
   explicit Warehouse(Draws& draws)
@@ -59,6 +59,17 @@ struct Warehouse {
             .track = {{x(), turn_y}, {turn_x, turn_y}, {turn_x, y()}}};
   }
 };
+
+/// A map with sides of at most 200 cells, one cell for each square of k x k: blocked if any is.
+Grid shrunk(const Grid& grid) {
+  constexpr int kMost = 200;
+  const int k = (std::max(grid.width(), grid.height()) + kMost - 1) / kMost;
+  Grid small((grid.width() + k - 1) / k, (grid.height() + k - 1) / k);
+  for (int y = 0; y < grid.height(); ++y)
+    for (int x = 0; x < grid.width(); ++x)
+      if (grid.blocked({x, y})) small.set_blocked({x / k, y / k});
+  return small;
+}
 
 bool joined(const Grid& grid, Cell a, Cell b) {
   return grid.free(a) && grid.free(b) && Planner(grid).connected(a, b);
@@ -142,9 +153,9 @@ void put_pallets(OnlineWorld& world, Draws& draws) {
 
 std::string made_of(const std::string& family, int number) {
   const std::string seed = ' ' + std::to_string(number);
-  if (family == "city") return "city 192x192 0.4" + seed;
-  if (family == "rooms") return "rooms 192x192 0.1" + seed;
-  if (family == "noise") return "random 160x160 0.15" + seed;
+  if (family == "city") return "city 128x128 0.4" + seed;
+  if (family == "rooms") return "rooms 128x128 0.1" + seed;
+  if (family == "noise") return "random 128x128 0.15" + seed;
   throw Error(ErrorCode::invalid_parameter, "no world is made by \"" + family + "\"",
               "say city, rooms, warehouse, noise or file, and a number");
 }
@@ -159,9 +170,10 @@ OnlineWorld make_online_world(const std::string& words, std::uint64_t seed,
   in >> family >> number >> file;
   Draws of_map(static_cast<std::uint64_t>(number)), of_seed(1000 + seed);
   const Warehouse warehouse(of_map);
-  const Grid known = family == "warehouse"
-                         ? warehouse.map()
-                         : load_map(family == "file" ? file : made_of(family, number), maps);
+  const Grid known =
+      family == "warehouse"
+          ? warehouse.map()
+          : shrunk(load_map(family == "file" ? file : made_of(family, number), maps));
   OnlineWorld world{known, known, {}, {}, {}};
   draw_ends(world, of_map);
   const auto close = [&](int count) {
