@@ -50,7 +50,9 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
   option("MAP", text.map, map_help, "FILE")->required();
   add_search_options(
       app, text,
-      {.time_limit = "Stop after this time, counted once the map is prepared; for batch by query. "
+      {.seed = "Seed, from 0 to 2^53-1 (default 1). A-B: every query with each of these seeds, a "
+               "JSON object a line, from plan too",
+       .time_limit = "Stop after this time, counted once the map is prepared; for batch by query. "
                      "Each optimum of --gap may take as long again",
        .target_gap = "Stop at this certified gap, for algorithms that certify one (1 means 1%)",
        .json = "Print one JSON object (batch always does, one a query)",
@@ -113,7 +115,11 @@ Subcommand add_plan(CLI::App& app) {
   plan->footer(kPlanExits);
   return {plan, [raw]() -> Command {
             const PolygonText& text = raw->polygon;
-            if (is_world(raw->run.map)) return make_polygon(raw->run, text);
+            if (is_world(raw->run.map)) {
+              auto polygon = make_polygon(raw->run, text);
+              if (polygon.seeds > 1) return PolygonBatchCommand{std::move(polygon), ""};
+              return polygon;
+            }
             refuse_world_options(text.world);
             auto run = make_run(raw->run);
             const bool cells = run.frame == Frame::cell;
@@ -121,6 +127,7 @@ Subcommand add_plan(CLI::App& app) {
             if (text.goal.empty()) throw UsageError("--goal is required; see --help");
             const Point start = pair_value("--start", text.start, cells);
             const Point goal = pair_value("--goal", text.goal, cells);
+            if (run.seeds > 1) return BatchCommand{std::move(run), "", start, goal};
             return PlanCommand{std::move(run), start, goal};
           }};
 }
@@ -145,7 +152,7 @@ Subcommand add_batch(CLI::App& app) {
           return PolygonBatchCommand{make_polygon(raw->run, {raw->world, "", ""}), raw->queries};
         refuse_world_options(raw->world);
         auto run = make_run(raw->run);
-        return BatchCommand{std::move(run), raw->queries};
+        return BatchCommand{.run = std::move(run), .queries = raw->queries};
       }};
 }
 
