@@ -73,7 +73,7 @@ class BoxView {
   // Goes on by a row, from `line`.
   void cut(const Beam& beam, const char* row, int line, int covered) {
     const int last = static_cast<int>(std::min<double>(beam.right + beam.most, border_));
-    for (int c = std::max(static_cast<int>(std::floor(beam.left)), covered);; ) {
+    for (int c = std::max(static_cast<int>(std::floor(beam.left)), covered);;) {
       c = kernels::next_cell<S, false>(row, c, last);
       if (c > last || c >= beam.right) return;
       const int end = kernels::next_cell<S, true>(row, c, last);
@@ -111,8 +111,8 @@ class BoxView {
       const int last = static_cast<int>(std::floor(std::min<double>(beam.right, border_)));
       for (int base = static_cast<int>(std::ceil(beam.left)) - 1; base < last;
            base += B::kValid - 1, ++words) {
-        for (std::uint64_t found = corners(behind, ahead, base) &
-                                   B::to(std::min(last - base, B::kValid - 1));
+        for (std::uint64_t found =
+                 corners(behind, ahead, base) & B::to(std::min(last - base, B::kValid - 1));
              found != 0; found &= ~B::only(B::first(found))) {
           sink_.corner(S * (base + B::first(found)), line0_ + down_ * line);
         }

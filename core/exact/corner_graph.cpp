@@ -122,7 +122,7 @@ void CornerGraph::Builder::mark_corners() {
 void CornerGraph::Builder::list_corners() {
   CornerGraph& g = *graph_;
   g.ranks_.reserve(static_cast<std::size_t>(tiles()));
-  g.corners_.reserve(room_for_edits(static_cast<std::size_t>(corner_count_)));
+  g.corners_.reserve(room_for_edits(static_cast<std::uint32_t>(corner_count_)));
   for (std::int64_t t = 0; t < tiles(); ++t) {
     const std::uint64_t all = g.tiles_[t];
     if (!go_on(1 + 2 * std::popcount(all))) return;

@@ -131,6 +131,11 @@ class CornerGraph {
   /// corners in ten, when the graph was made; infinite without landmarks.
   double detour() const noexcept { return detour_; }
 
+  /// What is kept for each corner has memory reserved for so many; pages that are not written are
+  /// not taken.
+  static constexpr std::uint32_t room_for_edits(std::uint32_t corners) noexcept {
+    return corners + corners / 8 + 4096;
+  }
   std::int64_t edge_count() const noexcept { return edge_count_; }
   std::int64_t bytes() const noexcept;
 
@@ -141,17 +146,15 @@ class CornerGraph {
   class Builder;
   class Mender;
 
-  // So much memory is reserved: pages that are not written are not taken.
-  static std::size_t room_for_edits(std::size_t corners) noexcept {
-    return corners + corners / 8 + 4096;
-  }
-
   // Edges of kChunk corners. An edit may leave gaps between those of one corner and the next.
   struct Chunk {
     std::unique_ptr<GraphEdge[]> edges;
     std::uint32_t used = 0, capacity = 0;
   };
 
+  bool has_corner(int x, int y) const noexcept {
+    return (tiles_[static_cast<std::int64_t>(tile_of(x, y))] >> place_of(x, y) & 1) != 0;
+  }
   std::size_t tile_of(int x, int y) const noexcept {
     return static_cast<std::size_t>(y >> 3) * tiles_across_ + static_cast<std::size_t>(x >> 3);
   }

@@ -52,8 +52,8 @@ void view_from_centre(const kernels::BitmapView& map, const Ellipse& ellipse,
 /// be told of as well.
 template <int S, class Sink>
 void view_quadrant(const kernels::BitmapView& map, const Quadrant& quadrant,
-                   const QuadrantCone& cone, bool along_line,
-                   std::vector<kernels::Interval>& stack, Sink& sink) {
+                   const QuadrantCone& cone, bool along_line, std::vector<kernels::Interval>& stack,
+                   Sink& sink) {
   const int x = quadrant.x, y = quadrant.y;
   const kernels::ConeFrame frame = kernels::frame_at<S>(map, 2 * x, 2 * y, quadrant.down);
   const Ellipse everything{{2 * x, 2 * y}, {2 * x, 2 * y}, std::numeric_limits<double>::infinity()};

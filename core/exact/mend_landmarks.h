@@ -1,0 +1,60 @@
+// Landmarks after an edit of the map: what they know bounds again.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/exact/corner_graph.h"
+
+namespace lasius::exact {
+
+struct NewEdge {
+  std::uint32_t from;
+  GraphEdge edge;
+};
+
+/// Restores what Landmarks promise along new edges. A corner that was not there before takes the
+/// least number that its neighbours allow. Where a new edge is shorter than what the numbers of its
+/// ends differ by, the smaller one is raised, and so on towards the landmark: the corners near its
+/// shortest way to here, seldom many. Else the larger one is lowered, and so on behind it. If both
+/// are too many corners, the landmark is given up.
+class LandmarkMender {
+ public:
+  LandmarkMender(const CornerGraph& graph, Landmarks& landmarks)
+      : graph_(graph), landmarks_(landmarks) {}
+
+  void mend(std::span<const NewEdge> edges);
+
+  /// The same for all landmarks and all edges of these corners, whatever work it takes, by raising
+  /// alone. All edges between others are as promised.
+  void raise_all(std::span<const std::uint32_t> corners);
+
+ private:
+  static constexpr std::size_t kMostCorners = 4096;  // looked at, for a landmark
+
+  float& known(std::uint32_t corner) { return landmarks_.at(corner, landmark_); }
+  float way(std::uint32_t from, const GraphEdge& edge) const noexcept {
+    const GraphCorner& corner = graph_.corner(from);
+    return landmarks_.way(corner.x() - edge.x, corner.y() - edge.y);
+  }
+  void set(std::uint32_t corner, float value);
+  bool reach_unknown(std::span<const NewEdge> edges);
+  template <bool kRaise>
+  void offer(std::uint32_t from, std::uint32_t to, float way);
+  template <bool kRaise>
+  bool spread(std::size_t most);
+  template <bool kRaise>
+  bool restore(std::span<const NewEdge> edges);
+  void undo(std::size_t kept);
+
+  const CornerGraph& graph_;
+  Landmarks& landmarks_;
+  std::size_t landmark_ = 0;  // in hand
+  std::vector<std::uint32_t> queue_;
+  std::vector<std::uint32_t> reached_;                        // that were not known
+  std::vector<std::pair<std::uint32_t, float>> overwritten_;  // in that order
+};
+
+}  // namespace lasius::exact
