@@ -11,6 +11,47 @@
 
 namespace lasius::exact {
 
+/// Two rows of cells, around the grid line between them.
+template <int S>
+struct CornerWindow {
+  using B = kernels::Bits<S>;
+
+  CornerWindow(const char* above, const char* below, int base) noexcept
+      : a(B::window(above, base)),
+        b(B::window(below, base)),
+        a1(B::previous(a)),
+        b1(B::previous(b)) {}
+
+  /// Lattice points where exactly one cell is blocked, from index 1 to `last`.
+  template <class Sink>
+  void report(int last, int base, int y, Sink& sink) const {
+    std::uint64_t found = ((a ^ b) & ~(a1 | b1)) | ((a1 ^ b1) & ~(a | b));
+    found &= B::from(1) & B::to(last);
+    for (; found != 0; found &= ~B::only(B::first(found))) {
+      sink.corner(S * (base + B::first(found)), y);
+    }
+  }
+  /// Where a path along the line ends, as in scan_line.
+  std::uint64_t ends() const noexcept { return ((a & b) | (a1 & b) | (a & b1)) & B::from(1); }
+
+  std::uint64_t a, b, a1, b1;
+};
+
+/// Along grid line y, from column u = S * x on: the one way that a corner sees through no width,
+/// between blocked cells above and others below.
+template <int S, class Sink>
+void view_along_line(const kernels::BitmapView& map, int y, int u, Sink& sink) {
+  using B = kernels::Bits<S>;
+  const char* above = kernels::bytes_of(map.row(y - 1));
+  const char* below = kernels::bytes_of(map.row(y));
+  for (int base = u - 1;; base += B::kValid - 1) {
+    const CornerWindow<S> window(above, below, base);
+    const std::uint64_t ends = window.ends() & B::to(B::kValid - 1);
+    window.report(ends != 0 ? B::first(ends) : B::kValid - 1, base, y, sink);
+    if (ends != 0 || !sink.go_on(1)) return;
+  }
+}
+
 /// Rays from a box through one gap: columns that they reach of a line, and slopes, columns a line.
 struct Beam {
   double left, right;
@@ -111,23 +152,14 @@ class BoxView {
       const int last = static_cast<int>(std::floor(std::min<double>(beam.right, border_)));
       for (int base = static_cast<int>(std::ceil(beam.left)) - 1; base < last;
            base += B::kValid - 1, ++words) {
-        for (std::uint64_t found =
-                 corners(behind, ahead, base) & B::to(std::min(last - base, B::kValid - 1));
-             found != 0; found &= ~B::only(B::first(found))) {
-          sink_.corner(S * (base + B::first(found)), line0_ + down_ * line);
-        }
+        const CornerWindow<S> window(behind, ahead, base);
+        window.report(std::min(last - base, B::kValid - 1), base, line0_ + down_ * line, sink_);
       }
     }
     return sink_.go_on(words);
   }
 
   using B = kernels::Bits<S>;
-  // Lattice points where exactly one cell is blocked, from index 1 on.
-  static std::uint64_t corners(const char* behind, const char* ahead, int base) noexcept {
-    const std::uint64_t a = B::window(behind, base), b = B::window(ahead, base);
-    const std::uint64_t a1 = B::previous(a), b1 = B::previous(b);
-    return (((a ^ b) & ~(a1 | b1)) | ((a1 ^ b1) & ~(a | b))) & B::from(1);
-  }
 
   const kernels::BitmapView map_;
   const int down_, line0_, lines_;
@@ -144,6 +176,10 @@ void view_from_box(const kernels::BitmapView& map, const LatticeBox& box, Sink& 
   for (const int down : {1, -1}) {
     BoxView<1, Sink>(map, box, down, sink).run();
     BoxView<-1, Sink>(map, box, down, sink).run();
+  }
+  for (int y = box.y0; y <= box.y1; ++y) {
+    view_along_line<1>(map, y, box.x1, sink);
+    view_along_line<-1>(map, y, -box.x0, sink);
   }
 }
 

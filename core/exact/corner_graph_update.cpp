@@ -171,10 +171,14 @@ bool CornerGraph::Mender::look_again(std::uint32_t index, Side side) {
     edges_.insert(edges_.end(), before.begin(), before.end());
     return false;
   }
+  const auto before_cone = [&](const GraphEdge& edge) {
+    const std::int64_t along = quadrant.along(edge.x), away = quadrant.away(edge.y);
+    return side == kColumn ? cone.is_steeper(along, away) : cone.is_flatter(along, away);
+  };
   const auto in_cone = [&](const GraphEdge& edge) {
     return cone.holds(quadrant.along(edge.x), quadrant.away(edge.y));
   };
-  const auto first = std::find_if(before.begin(), before.end(), in_cone);
+  const auto first = std::find_if_not(before.begin(), before.end(), before_cone);
   const auto last = std::find_if_not(first, before.end(), in_cone);
   edges_.insert(edges_.end(), before.begin(), first);
   const auto seen = static_cast<std::ptrdiff_t>(edges_.size());

@@ -26,7 +26,14 @@ struct QuadrantCone {
   std::int64_t away0 = 0, away1 = 1;
 
   bool holds(std::int64_t along, std::int64_t away) const noexcept {
-    return along * away1 >= along0 * away && along * away0 <= along1 * away;
+    return !is_steeper(along, away) && !is_flatter(along, away);
+  }
+  /// Does a direction lie between the quadrant's vertical (horizontal) side and the cone?
+  bool is_steeper(std::int64_t along, std::int64_t away) const noexcept {
+    return along * away1 < along0 * away;
+  }
+  bool is_flatter(std::int64_t along, std::int64_t away) const noexcept {
+    return along * away0 > along1 * away;
   }
   bool has_line() const noexcept { return away0 == 0; }
   /// Slopes of a scan that covers the cone: through lattice points a column and a line beside it.

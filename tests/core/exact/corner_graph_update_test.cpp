@@ -37,12 +37,10 @@ std::vector<Edge> edges_of(const CornerGraph& graph, std::uint32_t i) {
 }
 
 void expect_equal(const CornerGraph& graph, const CornerGraph& fresh) {
-  ASSERT_EQ(graph.edge_count(), fresh.edge_count());
   std::int64_t edges = 0;
   for (std::uint32_t i = 0; i < graph.size(); ++i) {
     edges += static_cast<std::int64_t>(graph.edges(i).size());
   }
-  ASSERT_EQ(edges, fresh.edge_count()) << "edges of corners that are none";
   for (std::uint32_t i = 0; i < fresh.size(); ++i) {
     const GraphCorner& c = fresh.corner(i);
     const std::uint32_t there = graph.index(c.x(), c.y());
@@ -55,6 +53,8 @@ void expect_equal(const CornerGraph& graph, const CornerGraph& fresh) {
       ASSERT_EQ(graph.index(e.x, e.y), e.to());
     }
   }
+  EXPECT_EQ(edges, fresh.edge_count()) << "edges of corners that are none";
+  EXPECT_EQ(graph.edge_count(), fresh.edge_count());
 }
 
 // What makes the bounds of landmarks true.
@@ -69,7 +69,9 @@ void expect_no_edge_shorter_than_landmarks_say(const CornerGraph& graph, int& kn
         ASSERT_EQ(std::isnan(here), std::isnan(there));
         if (std::isnan(here)) continue;
         const double length = std::hypot(e.x - graph.corner(v).x(), e.y - graph.corner(v).y());
-        ASSERT_LE(std::abs(here - there), length);
+        ASSERT_LE(std::abs(here - there), length)
+            << i << " at " << graph.corner(v).x() << ' ' << graph.corner(v).y() << " to " << e.x
+            << ' ' << e.y;
         ++known;
       }
     }
@@ -140,6 +142,7 @@ TEST_P(CornerGraphUpdate, HasTheEdgesOfAFreshGraph) {
       const Rectangle part = edit(grid, GetParam().most, random);
       ASSERT_TRUE(graph->update(grid, part));
       const auto fresh = graph_of(grid);
+      SCOPED_TRACE(std::to_string(part.x) + " " + std::to_string(part.y) + " " + std::to_string(part.width) + " " + std::to_string(part.height));
       expect_equal(*graph, *fresh);
       expect_no_edge_shorter_than_landmarks_say(*graph, known);
       if (i == 0) expect_no_edge_shorter_than_landmarks_say(*fresh, known);
@@ -187,7 +190,8 @@ TEST(CornerGraphUpdate, LandmarksReachWhatAnEditJoins) {
     expect_no_edge_shorter_than_landmarks_say(*graph, known);
     EXPECT_GT(known, 0);
     EXPECT_TRUE(graph->landmarks().bounds(0));
-    if (!shut) EXPECT_FALSE(std::isnan(graph->landmarks().distances(graph->index(40, 10))[0]));
+    const float behind = graph->landmarks().distances(graph->index(40, 10))[0];
+    EXPECT_TRUE(shut || !std::isnan(behind));
   }
 }
 
