@@ -14,6 +14,7 @@ namespace lasius::exact {
 namespace {
 
 constexpr std::int64_t kWordsPerCorner = 64;  // of work, beside the rows scanned
+constexpr std::size_t kWordsPerEdge = 16;     // of looking for the way back
 
 }  // namespace
 
@@ -36,6 +37,7 @@ class CornerGraph::Builder {
       mark_corners();
       list_corners();
       scan();
+      if (!stopped_ && !too_large_) list_one_ways();
       graph_->edge_count_ = graph_->edge_room_ = edges_;
     }
     report.state = too_large_ ? Preparation::State::too_large : Preparation::State::stopped;
@@ -55,6 +57,7 @@ class CornerGraph::Builder {
   void mark_corners();
   void list_corners();
   void scan();
+  void list_one_ways();
   void scan_chunk(std::size_t chunk, CornerSight& sight);
 
   // False if stopped; `words` is what was done since the last call.
@@ -71,7 +74,8 @@ class CornerGraph::Builder {
     const auto chunks = (corner_count_ + kChunk - 1) >> kChunkBits;
     return tiles() * 12 +
            corner_count_ *
-               static_cast<std::int64_t>(sizeof(GraphCorner) + sizeof(Landmarks::Distances)) +
+               static_cast<std::int64_t>(sizeof(GraphCorner) + sizeof(Landmarks::Distances) +
+                                         sizeof(std::uint32_t)) +
            chunks * static_cast<std::int64_t>(sizeof(Chunk));
   }
 
@@ -178,16 +182,48 @@ void CornerGraph::Builder::scan() {
   });
 }
 
+// Found by all threads, listed in the order of the corners.
+void CornerGraph::Builder::list_one_ways() {
+  CornerGraph& g = *graph_;
+  std::vector<std::vector<DirectedEdge>> found(g.chunks_.size());
+  std::vector<Poller> pollers(static_cast<std::size_t>(threads_), Poller(options_.stop));
+  parallel_for(static_cast<int>(found.size()), threads_, [&](int chunk, int thread) {
+    const std::uint32_t begin = static_cast<std::uint32_t>(chunk) << kChunkBits;
+    for (std::uint32_t v = begin; v < std::min(begin + kChunk, g.size()) && !stopped_; ++v) {
+      for (const GraphEdge& edge : g.edges(v)) {
+        if (!g.leads_back(v, edge)) found[static_cast<std::size_t>(chunk)].push_back({v, edge});
+      }
+      const auto work = static_cast<std::int64_t>(kWordsPerEdge * g.edges(v).size());
+      if (pollers[static_cast<std::size_t>(thread)].stop_after(work)) stopped_ = true;
+    }
+  });
+  if (stopped_) return;
+  std::size_t count = 1;
+  for (const auto& edges : found) count += edges.size();
+  const auto bytes = static_cast<std::int64_t>(count * sizeof(OneWay));
+  too_large_ = fixed_bytes_ + edges_ * static_cast<std::int64_t>(sizeof(GraphEdge)) + bytes >
+               options_.max_bytes;
+  if (too_large_) return;
+  g.one_way_.reserve(room_for_edits(g.size()));
+  g.one_way_.resize(g.size());
+  g.one_ways_.reserve(count + room_for_edits(0));
+  g.one_ways_.push_back({});
+  for (const auto& edges : found) {
+    for (const DirectedEdge& e : edges) g.add_one_way(e.from, e.edge.to());
+  }
+}
+
 std::shared_ptr<CornerGraph> CornerGraph::make(const Grid& grid, const PrepareOptions& options,
                                                Preparation& report) {
   return Builder(grid, options).run(grid, report);
 }
 
 std::int64_t CornerGraph::bytes() const noexcept {
-  return static_cast<std::int64_t>(ranks_.size() * (sizeof(std::uint64_t) + sizeof(std::uint32_t)) +
-                                   renumbered_.size() * sizeof(renumbered_[0]) +
-                                   corners_.size() * sizeof(GraphCorner) +
-                                   chunks_.size() * sizeof(chunks_[0])) +
+  return static_cast<std::int64_t>(
+             ranks_.size() * (sizeof(std::uint64_t) + sizeof(std::uint32_t)) +
+             renumbered_.size() * sizeof(renumbered_[0]) + corners_.size() * sizeof(GraphCorner) +
+             chunks_.size() * sizeof(chunks_[0]) + one_way_.size() * sizeof(one_way_[0]) +
+             one_ways_.size() * sizeof(one_ways_[0])) +
          edge_room_ * static_cast<std::int64_t>(sizeof(GraphEdge)) + landmarks_.bytes();
 }
 

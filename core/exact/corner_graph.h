@@ -76,6 +76,12 @@ struct GraphEdge {
 };
 static_assert(sizeof(GraphEdge) == 8);
 
+/// An edge and where it comes from: one that an edit brings or takes, say.
+struct DirectedEdge {
+  std::uint32_t from;
+  GraphEdge edge;
+};
+
 /// The tangent visibility graph of a map: an edge joins two corners that see each other where a
 /// taut path may come along at both ends. Corners are numbered tile by tile, 8 x 8 lattice points
 /// each; after edits some numbers stand for no corner.
@@ -125,6 +131,14 @@ class CornerGraph {
     const GraphEdge* all = chunks_[i >> kChunkBits].edges.get();
     return {all + c.first, all + c.last};
   }
+  /// Calls f(from) for each corner from which an edge leads here that does not lead back: where a
+  /// path can only go straight on, or sight has no width.
+  template <class F>
+  void for_each_one_way(std::uint32_t to, F&& f) const {
+    for (std::uint32_t i = one_way_[to]; i != 0; i = one_ways_[i].next) {
+      if (leads(one_ways_[i].from, to)) f(one_ways_[i].from);
+    }
+  }
   const Landmarks& landmarks() const noexcept { return landmarks_; }
 
   /// How many times its straight distance the way from a landmark to a corner is at most, for nine
@@ -152,6 +166,30 @@ class CornerGraph {
     std::uint32_t used = 0, capacity = 0;
   };
 
+  // Edges by where they lead: all that do not lead back, and maybe others that are no more.
+  struct OneWay {
+    std::uint32_t from, next;
+  };
+
+  bool leads(std::uint32_t from, std::uint32_t to) const noexcept {
+    for (const GraphEdge& edge : edges(from)) {
+      if (edge.to() == to) return true;
+    }
+    return false;
+  }
+  bool leads_back(std::uint32_t from, const GraphEdge& edge) const noexcept {
+    for (const GraphEdge& back : edges(edge.to(), edge.side() == kLine ? kColumn : kLine)) {
+      if (back.to() == from) return true;
+    }
+    return false;
+  }
+  void add_one_way(std::uint32_t from, std::uint32_t to) {
+    for (std::uint32_t i = one_way_[to]; i != 0; i = one_ways_[i].next) {
+      if (one_ways_[i].from == from) return;
+    }
+    one_ways_.push_back({from, one_way_[to]});
+    one_way_[to] = static_cast<std::uint32_t>(one_ways_.size() - 1);
+  }
   bool has_corner(int x, int y) const noexcept {
     return (tiles_[static_cast<std::int64_t>(tile_of(x, y))] >> place_of(x, y) & 1) != 0;
   }
@@ -167,6 +205,8 @@ class CornerGraph {
   std::vector<GraphCorner> corners_;
   std::vector<std::uint32_t> spare_;  // numbers of no corner
   std::vector<Chunk> chunks_;
+  std::vector<std::uint32_t> one_way_;  // by corner, the first that leads here; 0: none
+  std::vector<OneWay> one_ways_;
   std::int64_t edge_count_ = 0;
   std::int64_t edge_room_ = 0;  // of all chunks
   Landmarks landmarks_;

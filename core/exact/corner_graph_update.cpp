@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "core/base/poller.h"
@@ -33,6 +34,7 @@ class CornerGraph::Mender {
       look_again(corner);
       if (poller_.stop_after(kWordsPerCorner)) return false;
     }
+    list_one_ways();
     LandmarkMender(graph_, graph_.landmarks_).mend(new_edges_);
     return !poller_.stopped();
   }
@@ -60,6 +62,9 @@ class CornerGraph::Mender {
   void drop_corner(std::uint32_t index);
   void look_again(std::uint32_t index);
   bool look_again(std::uint32_t index, Side side);
+  void compare(std::uint32_t index, std::span<const GraphEdge> before,
+               std::span<const GraphEdge> now);
+  void list_one_ways();
   void store(std::uint32_t index, std::uint32_t middle);
   void repack(Chunk& chunk, std::uint32_t first_corner, std::uint32_t more);
 
@@ -72,7 +77,7 @@ class CornerGraph::Mender {
   CornerSight sight_;
   std::vector<std::uint32_t> watchers_;
   std::vector<GraphEdge> edges_;  // of the corner in hand
-  std::vector<NewEdge> new_edges_;
+  std::vector<DirectedEdge> new_edges_, lost_edges_;
 };
 
 // Corners outside the box that may see it. Their numbers are those from before.
@@ -134,11 +139,13 @@ void CornerGraph::Mender::add_corner(const GraphCorner& corner) {
   if (g.spare_.empty()) {
     g.spare_.push_back(g.size());
     g.corners_.emplace_back();
+    g.one_way_.emplace_back();
     if (g.chunks_.size() << kChunkBits < g.corners_.size()) g.chunks_.emplace_back();
   }
   const std::uint32_t index = g.spare_.back();
   g.spare_.pop_back();
   g.corners_[index] = corner;
+  g.one_way_[index] = 0;
   g.landmarks_.forget(index);
   const std::uint32_t place = g.ranks_[g.tile_of(corner.x(), corner.y())] & ~kRenumbered;
   g.renumbered_[place][static_cast<std::size_t>(place_of(corner.x(), corner.y()))] = index;
@@ -187,13 +194,30 @@ bool CornerGraph::Mender::look_again(std::uint32_t index, Side side) {
     edges_.emplace_back(corner, graph_.corner(to), to);
   }
   const bool same = std::equal(first, last, edges_.begin() + seen, edges_.end());
-  if (!same) {
-    for (auto edge = edges_.begin() + seen; edge != edges_.end(); ++edge) {
-      if (std::find(first, last, *edge) == last) new_edges_.push_back({index, *edge});
-    }
-  }
+  if (!same) compare(index, {first, last}, {edges_.begin() + seen, edges_.end()});
   edges_.insert(edges_.end(), last, before.end());
   return !same;
+}
+
+void CornerGraph::Mender::compare(std::uint32_t index, std::span<const GraphEdge> before,
+                                  std::span<const GraphEdge> now) {
+  const auto add_missing = [&](const auto& from, const auto& in, std::vector<DirectedEdge>& list) {
+    for (const GraphEdge& edge : from) {
+      if (std::find(in.begin(), in.end(), edge) == in.end()) list.push_back({index, edge});
+    }
+  };
+  add_missing(now, before, new_edges_);
+  add_missing(before, now, lost_edges_);
+}
+
+// Once all edges are what they are to be.
+void CornerGraph::Mender::list_one_ways() {
+  for (const DirectedEdge& e : new_edges_) {
+    if (!graph_.leads(e.edge.to(), e.from)) graph_.add_one_way(e.from, e.edge.to());
+  }
+  for (const DirectedEdge& e : lost_edges_) {
+    if (graph_.leads(e.edge.to(), e.from)) graph_.add_one_way(e.edge.to(), e.from);
+  }
 }
 
 void CornerGraph::Mender::store(std::uint32_t index, std::uint32_t middle) {

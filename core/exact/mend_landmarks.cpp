@@ -6,7 +6,7 @@
 
 namespace lasius::exact {
 
-void LandmarkMender::mend(std::span<const NewEdge> edges) {
+void LandmarkMender::mend(std::span<const DirectedEdge> edges) {
   if (edges.empty()) return;
   for (landmark_ = 0; landmark_ < landmarks_.cells().size(); ++landmark_) {
     if (!landmarks_.bounds(landmark_)) continue;
@@ -27,9 +27,8 @@ void LandmarkMender::raise_all(std::span<const std::uint32_t> corners) {
   for (landmark_ = 0; landmark_ < landmarks_.cells().size(); ++landmark_) {
     queue_.clear();
     for (const std::uint32_t corner : corners) {
-      for (const GraphEdge& edge : graph_.edges(corner)) {
-        offer<true>(edge.to(), corner, way(corner, edge));
-      }
+      for_each_neighbour(corner,
+                         [&](std::uint32_t other, float way) { offer<true>(other, corner, way); });
     }
     spread<true>(std::numeric_limits<std::size_t>::max());
   }
@@ -50,10 +49,10 @@ void LandmarkMender::undo(std::size_t kept) {
 }
 
 // From what is known along new edges to all that is not. False if that is too much.
-bool LandmarkMender::reach_unknown(std::span<const NewEdge> edges) {
+bool LandmarkMender::reach_unknown(std::span<const DirectedEdge> edges) {
   queue_.clear();
   reached_.clear();
-  for (const NewEdge& e : edges) {
+  for (const DirectedEdge& e : edges) {
     const std::uint32_t to = e.edge.to();
     if (std::isnan(known(e.from)) && !std::isnan(known(to))) queue_.push_back(e.from);
     if (!std::isnan(known(e.from)) && std::isnan(known(to))) queue_.push_back(to);
@@ -63,14 +62,13 @@ bool LandmarkMender::reach_unknown(std::span<const NewEdge> edges) {
     if (!std::isnan(known(corner))) continue;
     if (reached_.size() == kMostCorners) return false;
     float least = landmarks_.most();
-    for (const GraphEdge& edge : graph_.edges(corner)) {
-      const float there = known(edge.to());
-      if (std::isnan(there)) {
-        queue_.push_back(edge.to());
+    for_each_neighbour(corner, [&](std::uint32_t other, float way) {
+      if (std::isnan(known(other))) {
+        queue_.push_back(other);
       } else {
-        least = std::min(least, there + way(corner, edge));
+        least = std::min(least, known(other) + way);
       }
-    }
+    });
     set(corner, least);
     reached_.push_back(corner);
   }
@@ -91,24 +89,22 @@ bool LandmarkMender::spread(std::size_t most) {
   for (std::size_t next = 0; next < queue_.size(); ++next) {
     if (next == most) return false;
     const std::uint32_t corner = queue_[next];
-    for (const GraphEdge& edge : graph_.edges(corner)) {
-      offer<kRaise>(corner, edge.to(), way(corner, edge));
-    }
+    for_each_neighbour(corner,
+                       [&](std::uint32_t other, float way) { offer<kRaise>(corner, other, way); });
   }
   return true;
 }
 
 template <bool kRaise>
-bool LandmarkMender::restore(std::span<const NewEdge> edges) {
+bool LandmarkMender::restore(std::span<const DirectedEdge> edges) {
   queue_.clear();
-  const auto check = [&](std::uint32_t from, const GraphEdge& edge) {
-    const float length = way(from, edge);
-    offer<kRaise>(from, edge.to(), length);
-    offer<kRaise>(edge.to(), from, length);
+  const auto check = [&](std::uint32_t a, std::uint32_t b, float way) {
+    offer<kRaise>(a, b, way);
+    offer<kRaise>(b, a, way);
   };
-  for (const NewEdge& e : edges) check(e.from, e.edge);
+  for (const DirectedEdge& e : edges) check(e.from, e.edge.to(), way(e.from, e.edge.to()));
   for (const std::uint32_t corner : reached_) {
-    for (const GraphEdge& edge : graph_.edges(corner)) check(corner, edge);
+    for_each_neighbour(corner, [&](std::uint32_t other, float way) { check(corner, other, way); });
   }
   return spread<kRaise>(kMostCorners);
 }

@@ -10,11 +10,6 @@
 
 namespace lasius::exact {
 
-struct NewEdge {
-  std::uint32_t from;
-  GraphEdge edge;
-};
-
 /// Restores what Landmarks promise along new edges. A corner that was not there before takes the
 /// least number that its neighbours allow. Where a new edge is shorter than what the numbers of its
 /// ends differ by, the smaller one is raised, and so on towards the landmark: the corners near its
@@ -25,7 +20,7 @@ class LandmarkMender {
   LandmarkMender(const CornerGraph& graph, Landmarks& landmarks)
       : graph_(graph), landmarks_(landmarks) {}
 
-  void mend(std::span<const NewEdge> edges);
+  void mend(std::span<const DirectedEdge> edges);
 
   /// The same for all landmarks and all edges of these corners, whatever work it takes, by raising
   /// alone. All edges between others are as promised.
@@ -35,18 +30,27 @@ class LandmarkMender {
   static constexpr std::size_t kMostCorners = 4096;  // looked at, for a landmark
 
   float& known(std::uint32_t corner) { return landmarks_.at(corner, landmark_); }
-  float way(std::uint32_t from, const GraphEdge& edge) const noexcept {
-    const GraphCorner& corner = graph_.corner(from);
-    return landmarks_.way(corner.x() - edge.x, corner.y() - edge.y);
+  float way(std::uint32_t from, std::uint32_t to) const noexcept {
+    const GraphCorner &a = graph_.corner(from), &b = graph_.corner(to);
+    return landmarks_.way(a.x() - b.x(), a.y() - b.y());
+  }
+  // f(other, way) for each corner that an edge joins with this one.
+  template <class F>
+  void for_each_neighbour(std::uint32_t corner, F&& f) const {
+    const int x = graph_.corner(corner).x(), y = graph_.corner(corner).y();
+    for (const GraphEdge& edge : graph_.edges(corner)) {
+      f(edge.to(), landmarks_.way(x - edge.x, y - edge.y));
+    }
+    graph_.for_each_one_way(corner, [&](std::uint32_t from) { f(from, way(from, corner)); });
   }
   void set(std::uint32_t corner, float value);
-  bool reach_unknown(std::span<const NewEdge> edges);
+  bool reach_unknown(std::span<const DirectedEdge> edges);
   template <bool kRaise>
   void offer(std::uint32_t from, std::uint32_t to, float way);
   template <bool kRaise>
   bool spread(std::size_t most);
   template <bool kRaise>
-  bool restore(std::span<const NewEdge> edges);
+  bool restore(std::span<const DirectedEdge> edges);
   void undo(std::size_t kept);
 
   const CornerGraph& graph_;
