@@ -16,10 +16,11 @@ void LandmarkMender::mend(std::span<const DirectedEdge> edges) {
       continue;
     }
     const std::size_t kept = overwritten_.size();
-    if (restore<true>(edges)) continue;
+    if (restore<false>(edges, kFewCorners)) continue;
     undo(kept);
-    if (restore<false>(edges)) continue;
-    landmarks_.give_up(landmark_);
+    if (restore<true>(edges, kMostCorners)) continue;
+    undo(kept);
+    if (!restore<false>(edges, kMostCorners)) landmarks_.give_up(landmark_);
   }
 }
 
@@ -96,7 +97,7 @@ bool LandmarkMender::spread(std::size_t most) {
 }
 
 template <bool kRaise>
-bool LandmarkMender::restore(std::span<const DirectedEdge> edges) {
+bool LandmarkMender::restore(std::span<const DirectedEdge> edges, std::size_t most) {
   queue_.clear();
   const auto check = [&](std::uint32_t a, std::uint32_t b, float way) {
     offer<kRaise>(a, b, way);
@@ -106,7 +107,7 @@ bool LandmarkMender::restore(std::span<const DirectedEdge> edges) {
   for (const std::uint32_t corner : reached_) {
     for_each_neighbour(corner, [&](std::uint32_t other, float way) { check(corner, other, way); });
   }
-  return spread<kRaise>(kMostCorners);
+  return spread<kRaise>(most);
 }
 
 }  // namespace lasius::exact

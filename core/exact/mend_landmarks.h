@@ -11,10 +11,11 @@
 namespace lasius::exact {
 
 /// Restores what Landmarks promise along new edges. A corner that was not there before takes the
-/// least number that its neighbours allow. Where a new edge is shorter than what the numbers of its
-/// ends differ by, the smaller one is raised, and so on towards the landmark: the corners near its
-/// shortest way to here, seldom many. Else the larger one is lowered, and so on behind it. If both
-/// are too many corners, the landmark is given up.
+/// largest number that its neighbours allow. Where a new edge is shorter than what the numbers of
+/// its ends differ by, the larger one is lowered, and so on behind it, which keeps distances what
+/// they are. If those are more than a few corners, the smaller one is raised, and so on towards the
+/// landmark: the corners near its shortest way to here, which are fewer, mostly. If both are too
+/// many, the landmark is given up.
 class LandmarkMender {
  public:
   LandmarkMender(const CornerGraph& graph, Landmarks& landmarks)
@@ -27,7 +28,8 @@ class LandmarkMender {
   void raise_all(std::span<const std::uint32_t> corners);
 
  private:
-  static constexpr std::size_t kMostCorners = 4096;  // looked at, for a landmark
+  static constexpr std::size_t kFewCorners = 256;    // looked at, for a landmark
+  static constexpr std::size_t kMostCorners = 8192;  // likewise
 
   float& known(std::uint32_t corner) { return landmarks_.at(corner, landmark_); }
   float way(std::uint32_t from, std::uint32_t to) const noexcept {
@@ -50,7 +52,7 @@ class LandmarkMender {
   template <bool kRaise>
   bool spread(std::size_t most);
   template <bool kRaise>
-  bool restore(std::span<const DirectedEdge> edges);
+  bool restore(std::span<const DirectedEdge> edges, std::size_t most);
   void undo(std::size_t kept);
 
   const CornerGraph& graph_;
