@@ -1,5 +1,8 @@
-// The colony on a bitmap: what the one loop asks of it, composed from parameters.
+// The colony on a bitmap, composed from parameters: run once, or again and again on a map that
+// changes.
 #pragma once
+
+#include <memory>
 
 #include "core/colony/colony_memory.h"
 #include "lasius/params.h"
@@ -13,5 +16,39 @@ namespace lasius {
 /// joined and not equal.
 Result run_colony(const Grid& grid, const Request& request, const Params& params,
                   ColonyMemory& memory, const Observer& observer);
+
+/// A colony that keeps its trail while its map changes and its start moves. One thread at a time
+/// uses an object; a colony itself walks on Params::threads, which change nothing.
+///
+/// Iterations are counted on from run to run, whatever changes: schedules of alpha, beta and the
+/// rules go on, and so do the ants' random numbers. So results depend on seed, parameters and the
+/// sequence of calls alone. The first run gives what run_colony() gives.
+class SurvivingColony {
+ public:
+  /// `grid`, edited by its owner between calls, must outlive the object and keep its size; `params`
+  /// are a colony's, valid.
+  SurvivingColony(const Grid& grid, Cell goal, const Params& params);
+  ~SurvivingColony();
+  SurvivingColony(const SurvivingColony&) = delete;
+  SurvivingColony& operator=(const SurvivingColony&) = delete;
+
+  /// Up to `iterations` more, from `start`, which is free, joined to the goal and not equal to it.
+  /// The result's path is the best since the start last moved or a change spoilt it; from a start
+  /// that the best tour passes, the rest of that is offered before ants walk. Curves are this
+  /// run's; an observer's Progress::iteration counts all. After a deadline, passes over the trail
+  /// are completed, since it is needed again: up to some tens of ns a cell that ants know.
+  Result run(Cell start, int iterations, const StopCondition& stop = {},
+             const Observer& observer = {});
+
+  /// To be called when cells of `part` have been edited, before the next run; any number of times.
+  void changed(const Rectangle& part);
+
+  /// Blank again, as a new object.
+  void forget();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace lasius

@@ -39,6 +39,7 @@ void Field::reset(const Grid& grid, const kernels::Moves& moves, Cell goal, cons
   grid_ = &grid;
   stop_ = stop;
   moves_ = moves;
+  goal_ = goal;
   raise_ = kernels::raise_row(chosen_isa());
   params_ = params;
   mixture_ = mixes_rules(params);

@@ -39,6 +39,10 @@ class Field {
   void reset(const Grid& grid, const kernels::Moves& moves, Cell goal, const Params& params,
              double untouched, const StopCondition& stop);
 
+  /// Cells of `part` were blocked or freed: moves into, past and out of them exist as the grid has
+  /// it. Pheromone stays. Works through the whole map with Heuristic::distance_field.
+  void edited(const Rectangle& part);
+
   /// Brings all rows up to date with the changes so far and this iteration's exponents.
   void refresh(const StepWeights& weights, int threads);
 
@@ -118,6 +122,7 @@ class Field {
   const Grid* grid_ = nullptr;
   StopCondition stop_;
   kernels::Moves moves_;
+  Cell goal_;
   Params params_;
   HeuristicRows heuristic_;
   kernels::RaiseFn raise_ = nullptr;

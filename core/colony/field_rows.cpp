@@ -213,6 +213,19 @@ void Field::read_index(const Tile& tile, int cell, Count moves, double* index) c
   }
 }
 
+void Field::edited(const Rectangle& part) {
+  const bool everywhere = params_.heuristic == Heuristic::distance_field;
+  if (everywhere) heuristic_.reset(*grid_, moves_, goal_, params_, stop_);
+  for_all_tiles(1, [&](Tile& tile) {
+    const bool beside =
+        tile.x0 < part.x + part.width + reach_ && tile.y0 < part.y + part.height + reach_ &&
+        part.x < tile.x0 + kTileSide + reach_ && part.y < tile.y0 + kTileSide + reach_;
+    if (!beside && !everywhere) return;
+    fill_heuristic(tile);
+    fill_every_row(tile);
+  });
+}
+
 void Field::refresh(const StepWeights& weights, int threads) {
   const bool heuristic = weights.beta != weights_.beta && heuristic_.depends_on_beta();
   // Bounds make rows drift without a deposit; so do new exponents.
