@@ -23,9 +23,9 @@ namespace {
 struct Options {
   int worlds = 30;
   std::uint64_t seed = 1;
-  std::string algorithm = "mmas";
+  std::string algorithm = "ras";  // constant exponents: blank and surviving differ in the trail
   int train = 200;
-  double budget = 2e7;
+  double budget = 4e6;
   double within = 0.02;
   std::string markdown;
 };

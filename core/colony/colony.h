@@ -41,6 +41,17 @@ class SurvivingColony {
              const Observer& observer = {});
 
   /// To be called when cells of `part` have been edited, before the next run; any number of times.
+  /// `part` lies in the grid and is not empty, the goal stays free. Moves and heuristic are the
+  /// grid's again; the best tour and the best path go where they are blocked, and so do their
+  /// deposits; MAX-MIN bounds stay until an ant arrives. Pheromone elsewhere stays as it is.
+  ///
+  /// Where free cells of `part` might make a way shorter than the best tour, by the straight
+  /// distances from start and goal to them, tau nears the tour's level beside them,
+  ///     tau <- (1 - g) tau + g most,   g = 0.3 max(0, 1 - d / R),
+  /// d the distance from `part`, R its longer side, most the largest tau on the best tour; and that
+  /// tour deposits no longer, though its path is still offered. After Guntsch & Middendorf 2001
+  /// (resets in proportion to nearness); share and radius are ours, see docs/theory.md. A terminal
+  /// index forgets instead what leads nowhere, see forget_lost_ways().
   void changed(const Rectangle& part);
 
   /// Blank again, as a new object.

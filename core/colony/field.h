@@ -43,6 +43,10 @@ class Field {
   /// it. Pheromone stays. Works through the whole map with Heuristic::distance_field.
   void edited(const Rectangle& part);
 
+  /// tau <- (1 - g) tau + g level beside `part`, where tiles are: g falls from `share` on its cells
+  /// to 0 at `radius` cells from them.
+  void equalise(const Rectangle& part, double radius, double share, double level);
+
   /// Brings all rows up to date with the changes so far and this iteration's exponents.
   void refresh(const StepWeights& weights, int threads);
 
@@ -67,6 +71,9 @@ class Field {
   /// Raises tau where it was never changed, and the rows next to it. `value` is above the old one.
   void raise_untouched(double value);
   double untouched() const noexcept { return untouched_ * scale_; }
+
+  /// tau of a cell is again what it is where nothing was ever changed.
+  void forget(Cell c);
 
   /// True when the move leads somewhere.
   bool exists(Cell c, int move);

@@ -262,10 +262,10 @@ void Field::refresh_tile(Tile& tile, bool touched) const {
       const Tile* from = find({tile.x0 + tx * kTileSide, tile.y0 + ty * kTileSide});
       if (from == nullptr || !(touched ? from->any_touched : from->any_changed)) continue;
       any = true;
-      const auto& source = touched ? from->touched : from->changed;
       const int first = ty < 0 ? kTileSide - kPad : 0, last = ty > 0 ? kPad : kTileSide;
       for (int y = first; y < last; ++y) {
-        const std::uint64_t word = source[y];
+        // Of a cell that was forgotten only the change tells.
+        const std::uint64_t word = from->changed[y] | (touched ? from->touched[y] : 0);
         bits[y + ty * kTileSide + kPad] |= tx < 0   ? word >> (kTileSide - kPad)
                                            : tx > 0 ? word << (kTileSide + kPad)
                                                     : word << kPad;

@@ -56,6 +56,7 @@ class GridColony final : public ColonyWorld {
     shape_ = walk_shape(params_, moves_, memory_.field.mixture());
     kernel_ = kernels::walk_table(chosen_isa()).walk[shape_.index()];
     first_iteration_ = agreed_ = 0;
+    trail_level_ = 0;
     drop_best_tour();
     drop_best_path();
   }
@@ -74,6 +75,11 @@ class GridColony final : public ColonyWorld {
   /// Fits what is remembered to cells that have changed.
   void changed(const Rectangle& part) {
     memory_.field.edited(part);
+    if (ants_only_teach()) {
+      forget_lost_ways(memory_.field, grid_, params_.corners, moves_, request_.goal, part);
+    } else if (may_shorten(part)) {
+      reopen(part);
+    }
     agreed_ = 0;
     if (!walkable(memory_.best_moves)) drop_best_tour();
     const Corners corners =
@@ -212,6 +218,32 @@ class GridColony final : public ColonyWorld {
       --ahead;
     }
     return 0;
+  }
+
+  /// Could a way through free cells of `part` be shorter than the best tour?
+  bool may_shorten(const Rectangle& part) const {
+    if (!(distance(request_.start, part) + distance(request_.goal, part) < best_tour_length_))
+      return false;
+    for (int y = part.y; y < part.y + part.height; ++y) {
+      for (int x = part.x; x < part.x + part.width; ++x) {
+        if (grid_.free({x, y})) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Lets ants leave the trail beside an opening: it becomes more alike there, and the best tour
+  /// renews it no longer.
+  void reopen(const Rectangle& part) {
+    constexpr double kShare = 0.3;  // see docs/theory.md
+    Cell c = request_.start;
+    for (double most = 0; const int k : memory_.best_moves) {
+      trail_level_ = most = std::max(most, memory_.field.tau(c, k));
+      c = c + moves_[k].to;
+    }
+    if (trail_level_ > 0)
+      memory_.field.equalise(part, std::max(part.width, part.height), kShare, trail_level_);
+    drop_best_tour();
   }
 
   /// Can a tour's moves still be made?
@@ -404,6 +436,7 @@ class GridColony final : public ColonyWorld {
   double iteration_best_ = kNaN;
   int agreed_ = 0;  // iterations in a row in which all ants took one way
   double best_tour_length_ = kInfinity;
+  double trail_level_ = 0;          // most tau on the best tour when it was last needed
   double best_length_ = kInfinity;  // the best path so far, polished
   std::vector<Point> best_path_;
   int improving_ant_ = -1;  // who found it, if in this iteration
