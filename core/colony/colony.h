@@ -36,7 +36,7 @@ class SurvivingColony {
   /// The result's path is the best since the start last moved or a change spoilt it; from a start
   /// that the best tour passes, the rest of that is offered before ants walk. Curves are this
   /// run's; an observer's Progress::iteration counts all. After a deadline, passes over the trail
-  /// are completed, since it is needed again: up to some tens of ns a cell that ants know.
+  /// are completed, since it is needed again: they take longer the more cells ants know.
   Result run(Cell start, int iterations, const StopCondition& stop = {},
              const Observer& observer = {});
 
