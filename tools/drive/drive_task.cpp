@@ -12,6 +12,7 @@
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
 #include "tools/drive/drive_answer.h"
+#include "tools/drive/drive_picture.h"
 #include "tools/options/commands.h"
 #include "tools/record/outputs.h"
 #include "tools/record/recorded.h"
@@ -76,6 +77,7 @@ class DriveTask : public Task {
 
   DriveCommand command_;
   DriveAnswer answer_{};
+  std::optional<DriveRecorder> recorder_;
   SearchResult result_;
 };
 
@@ -132,16 +134,23 @@ DriveOptions DriveTask::drive_options(const StopCondition& stop) const {
   return drive;
 }
 
+Progress progress_of(const DriveTick& tick) {
+  Progress progress;
+  progress.iteration = static_cast<int>(tick.tick);
+  if (tick.way != nullptr) progress.best_length = tick.way->length;
+  return progress;
+}
+
 void DriveTask::plan(const StopCondition& stop, const Watch& watch) {
-  DriveObserver observer;
-  if (watch)
-    observer = [&](const DriveTick& tick) {
-      Progress progress;
-      progress.iteration = static_cast<int>(tick.tick);
-      if (tick.way != nullptr) progress.best_length = tick.way->length;
-      watch(progress);
-    };
   DriveAnswer& answer = answer_;
+  if (std::ranges::any_of(options().outputs, is_picture))
+    recorder_.emplace(answer.map.grid(), answer.sense);
+  DriveObserver observer;
+  if (watch || recorder_)
+    observer = [&](const DriveTick& tick) {
+      if (watch) watch(progress_of(tick));
+      if (recorder_) recorder_->observe(tick);
+    };
   const auto begin = Clock::now();
   answer.result = drive(answer.map.grid(), answer.truth().grid(), answer.start.cell,
                         answer.goal.cell, answer.changes, drive_options(stop), stop, observer);
@@ -249,7 +258,9 @@ void DriveTask::write_csv(std::ostream& out) const {
   if (has_path()) write_path(out, ",");
 }
 
-void DriveTask::write_picture(const std::string&) const {}
+void DriveTask::write_picture(const std::string& file) const {
+  write_drive_picture(file, options(), answer_, *recorder_);
+}
 
 Json DriveTask::inputs() const {
   Json changes;
