@@ -29,6 +29,7 @@ void lasius::bench::add_commands(CLI::App& app) {
   add_overshoot_command(app);
   add_quality_command(app);
   add_validity_command(app);
+  add_drive_command(app);
 #ifdef LASIUS_HAVE_POLYGON
   add_polygons_command(app);
 #endif

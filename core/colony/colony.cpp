@@ -294,8 +294,8 @@ class GridColony final : public ColonyWorld {
   /// The generation's answer as one more ant.
   const Ant& answer() {
     Ant& ant = memory_.answer;
-    best_known_way(memory_.field, moves_, request_.start, request_.goal, request_.stop,
-                   memory_.way);
+    best_known_way(memory_.field, moves_, request_.start, request_.goal, params_.index_answer,
+                   request_.stop, memory_.way);
     ant.moves.grow(memory_.way.size());
     std::copy(memory_.way.begin(), memory_.way.end(), ant.moves.data());
     ant.move_count = static_cast<std::int64_t>(memory_.way.size());

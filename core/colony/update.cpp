@@ -106,7 +106,8 @@ void learning(Field& field, const Params& params, const GridTours& tours) {
 }  // namespace
 
 void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell goal,
-                    const StopCondition& stop, std::vector<std::uint8_t>& way) {
+                    IndexAnswer reading, const StopCondition& stop,
+                    std::vector<std::uint8_t>& way) {
   way.clear();
   const double unknown = field.untouched();
   if (field.tau(start, 0) >= unknown) return;
@@ -120,12 +121,14 @@ void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell 
     if (!(here < before)) return way.clear();
     before = here;
     int best = 0;
-    double least = std::numeric_limits<double>::infinity();
+    double largest = -std::numeric_limits<double>::infinity();
     for (int k = 0; k < moves.count; ++k) {
       if (!field.exists(c, k)) continue;
-      const double through = field.tau(c + moves[k].to, 0) + moves[k].length;
-      if (through >= least) continue;
-      least = through;
+      const double there = field.tau(c + moves[k].to, 0), step = moves[k].length;
+      const double gradient =
+          reading == IndexAnswer::steepest ? (here - there) / step : -(there + step);
+      if (gradient <= largest) continue;
+      largest = gradient;
       best = k;
     }
     way.push_back(static_cast<std::uint8_t>(best));

@@ -41,11 +41,11 @@ void update_locally(Field& field, const Params& params, double tau0, const Tours
 void update_trail(Field& field, const Params& params, const Tours& tours,
                   const StopCondition& stop);
 
-/// The generation's answer of the terminal index: from the start always to the cell of least
-/// K + step, ties to the first move (Li, Wang & Ma, section 2.2). Empty while the start has none,
-/// or when stopped.
+/// The generation's answer of the terminal index: from the start always along the largest gradient,
+/// as `reading` has it, ties to the first move (Li, Wang & Ma, section 2.2). Empty while the start
+/// has no index, or when stopped.
 void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell goal,
-                    const StopCondition& stop, std::vector<std::uint8_t>& way);
+                    IndexAnswer reading, const StopCondition& stop, std::vector<std::uint8_t>& way);
 
 /// How open the trail leaves the choice along a tour; see Convergence::trail_entropy.
 double trail_entropy(Field& field, Trail trail, const kernels::Moves& moves, Cell start,

@@ -23,30 +23,36 @@ class LiveComponents {
  public:
   explicit LiveComponents(Connectivity connectivity) : connectivity_(connectivity) {}
 
-  void changed(std::span<const Cell> cells) {
-    if (components_) pending_.insert(pending_.end(), cells.begin(), cells.end());
+  /// `grid` has the change already.
+  void changed(const Grid& grid, const Rectangle& part) {
+    if (!components_) return;
+    changed_.push_back(part);
+    constexpr std::size_t kMost = 256;  // where nobody asks
+    if (changed_.size() == kMost) (void)update(grid, {});
   }
   /// Nothing if stopped; the next call goes on.
   std::optional<bool> connected(const Grid& grid, Cell a, Cell b, const StopCondition& stop) {
-    if (!components_) {
-      components_ = Components::make(grid, connectivity_, stop);
-    } else if (!pending_.empty()) {
-      auto updated = components_->updated(grid, pending_, stop);
-      if (!updated) return std::nullopt;
-      components_ = std::move(updated);
-      pending_.clear();
-    }
-    if (!components_) return std::nullopt;
+    if (!components_) components_ = Components::make(grid, connectivity_, stop);
+    if (!components_ || !update(grid, stop)) return std::nullopt;
     return components_->connected(grid, a, b);
   }
   std::int64_t bytes() const noexcept {
-    return (components_ ? components_->bytes() : 0) + held_bytes(pending_);
+    return (components_ ? components_->bytes() : 0) + held_bytes(changed_);
   }
 
  private:
+  bool update(const Grid& grid, const StopCondition& stop) {
+    if (!changed_.empty() || !up_to_date_) {
+      up_to_date_ = components_->update(grid, changed_, stop);
+      changed_.clear();  // if it was stopped, they are kept there
+    }
+    return up_to_date_;
+  }
+
   Connectivity connectivity_;
   std::optional<Components> components_;
-  std::vector<Cell> pending_;
+  std::vector<Rectangle> changed_;
+  bool up_to_date_ = true;
 };
 
 double distance(Cell a, Cell b) noexcept {
@@ -76,13 +82,14 @@ class Navigator::Impl {
   }
 
   const EditedMap::OnChange on_change = [this](const Rectangle& part, std::span<const Cell> cells) {
-    four.changed(cells);
-    eight.changed(cells);
+    four.changed(map.passable(), part);
+    eight.changed(map.passable(), part);
     changed(part);
-    if (holds)
+    if (holds) {
       holds = std::none_of(cells.begin(), cells.end(), [this](Cell c) {
-        return map.passable().blocked(c) ? walker.touches_rest(c) || beside_walk(c) : shortens(c);
+        return map.passable().blocked(c) ? breaks(c) : shortens(c);
       });
+    }
   };
   /// What else knows the map is told of a rectangle of it.
   void changed(const Rectangle&) {
@@ -92,6 +99,11 @@ class Navigator::Impl {
     }
   }
 
+  /// Does a cell that has become blocked make the way impossible, or the fault another one?
+  bool breaks(Cell cell) const noexcept {
+    if (way.path.empty()) return cell == at || cell == goal;
+    return walker.touches_rest(cell) || beside_walk(cell);
+  }
   /// Does the walk pass a cell by a diagonal move?
   bool beside_walk(Cell cell) const noexcept {
     for (std::size_t i = 1; i < way.walk.size(); ++i) {

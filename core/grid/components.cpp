@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <iterator>
 #include <utility>
 
 #include "core/base/poller.h"
@@ -12,54 +10,43 @@
 namespace lasius {
 namespace {
 
-// Union-find over the border components of all tiles; the smallest index of a set is its root.
-class Sets {
- public:
-  explicit Sets(std::size_t most) { parents_.reserve(most); }
-  /// Adds sets of one, up to index `size` - 1.
-  void grow(std::uint32_t size) {
-    for (auto i = static_cast<std::uint32_t>(parents_.size()); i < size; ++i) parents_.push_back(i);
-  }
-  std::uint32_t find(std::uint32_t i) noexcept {
-    while (parents_[i] != i) {
-      parents_[i] = parents_[parents_[i]];
-      i = parents_[i];
-    }
-    return i;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) noexcept {
-    a = find(a);
-    b = find(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parents_;
-};
-
-constexpr std::uint32_t kNone = 0xffffffff;
-constexpr int kSide = Components::kTile;
-using Side = std::array<std::uint32_t, kSide>;
-
 // What a tile counts as, read whole or along its border: four times its words, since in noise the
-// runs of a word cost more than the word. One more never is too much between two polls.
-constexpr std::int64_t kTileWork = std::int64_t{4} * kSide * TileBox::kWords;
-constexpr std::int64_t kInterval = Poller::kWords - kTileWork;
+// runs of a word cost more than the word. A block counts as its pieces, at most 2^16; one more of
+// either never is too much between two polls.
+constexpr std::int64_t kTileWork = std::int64_t{4} * Components::kTile * TileBox::kWords;
+constexpr std::int64_t kInterval = Poller::kWords / 2;
 
-// Joins the components of cells that face each other along a line; cells past `length` are kNone.
-void join_lines(Sets& sets, const std::uint32_t* one, const std::uint32_t* two, int length) {
-  for (int i = 0; i < length; ++i) {
-    if (one[i] != kNone && two[i] != kNone) sets.unite(one[i], two[i]);
+// Of a rectangle of cells, the tiles, and of each the sides that it touches as bits of
+// Outline::Direction.
+template <typename Visit>
+void for_each_tile(const Grid& grid, const Rectangle& part, const Visit& visit) {
+  if (part.width == 0 || part.height == 0) return;
+  const int right = part.x + part.width - 1;
+  const int bottom = part.y + part.height - 1;
+  for (int y = part.y / Components::kTile; y <= bottom / Components::kTile; ++y) {
+    for (int x = part.x / Components::kTile; x <= right / Components::kTile; ++x) {
+      const TileBox box = TileBox::at(grid, x, y);
+      const bool sides[] = {part.y <= box.y, right >= box.x + box.width - 1,
+                            bottom >= box.y + box.height - 1, part.x <= box.x};
+      unsigned touched = 0;
+      for (int i = 0; i < 4; ++i) touched |= static_cast<unsigned>(sides[i]) << i;
+      visit(Cell{x, y}, touched);
+    }
   }
 }
 
 }  // namespace
 
-std::uint32_t Components::id(std::uint32_t index) const noexcept {
-  const std::uint8_t* bytes = ids_.data() + std::size_t{3} * index;
-  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 |
-         static_cast<std::uint32_t>(bytes[2]) << 16;
-}
+// An update under way.
+struct Components::Work {
+  Work(const StopCondition& stop, bool begun) : poller(stop, kInterval), all(begun) {}
+  Poller poller;
+  bool all;  // an update was stopped: what outlines were before is not known
+  std::vector<std::uint32_t> stale;  // blocks of the level that is next
+  TileLabels labels;
+  BlockJoin join;
+  std::array<Outline, 4> outlines;  // of tiles
+};
 
 Components::Components(const Grid& grid, Connectivity connectivity)
     : Components(*make(grid, connectivity, {})) {}
@@ -70,179 +57,223 @@ std::optional<Components> Components::make(const Grid& grid, Connectivity connec
   made->connectivity_ = connectivity;
   made->tiles_x_ = (grid.width() + kTile - 1) / kTile;
   made->tiles_y_ = (grid.height() + kTile - 1) / kTile;
-  auto& tiles = made->tiles_;
-  auto& marks = made->marks_;
-  Poller poller(stop, kInterval);
-  TileLabels labels;
-  std::uint32_t ids = 0;
-  for (int y = 0; y < made->tiles_y_; ++y) {
-    for (int x = 0; x < made->tiles_x_; ++x) {
-      labels.label(grid, TileBox::at(grid, x, y), connectivity == Connectivity::eight);
-      tiles.push_back({ids, static_cast<std::uint32_t>(marks.size()),
-                       static_cast<std::uint32_t>(labels.inside_components()), 0});
-      marks.insert(marks.end(), labels.marks().begin(), labels.marks().end());
-      ids += static_cast<std::uint32_t>(labels.border_components());
-      if (poller.stop_after(kTileWork)) return std::nullopt;
-    }
-  }
-  tiles.push_back({ids, static_cast<std::uint32_t>(marks.size()), 0, 0});
-  if (!made->join(grid, poller)) made.reset();
+  made->tiles_.resize(static_cast<std::size_t>(made->tiles_x_) * made->tiles_y_);
+  int x = made->tiles_x_;
+  int y = made->tiles_y_;
+  do {
+    x = (x + 1) / 2;
+    y = (y + 1) / 2;
+    made->blocks_.emplace_back(static_cast<std::size_t>(x) * y);
+  } while (x > 1 || y > 1);
+  made->pending_.push_back({0, 0, grid.width(), grid.height()});
+  if (!made->update(grid, {}, stop)) made.reset();
   return made;
 }
 
-// Finds the ids, all tiles' border components being known; false when stopped.
-bool Components::join(const Grid& grid, Poller& poller) {
-  const std::uint32_t size = tiles_.back().first_id;
-  Sets sets(size);
-  // Components along the bottom of the tiles above, and right of the tile before; both with a
-  // cell of none at either end, for diagonal steps.
-  std::vector<std::uint32_t> above(tiles_x_ * kSide + 2, kNone);
-  std::vector<std::uint32_t> bottom = above;
-  std::vector<std::uint32_t> before(kSide + 2, kNone);
-  const bool eight = connectivity_ == Connectivity::eight;
-  std::array<std::uint32_t, 1024> around;
-  for (int ty = 0; ty < tiles_y_; ++ty) {
-    std::fill(before.begin(), before.end(), kNone);
-    for (int tx = 0; tx < tiles_x_; ++tx) {
-      const TileBox box = TileBox::at(grid, tx, ty);
-      const Tile& tile = tiles_[ty * tiles_x_ + tx];
-      sets.grow(tiles_[ty * tiles_x_ + tx + 1].first_id);
-      around.fill(kNone);
-      for_each_run(border_of(grid, box), marks_.data() + tile.first_mark,
-                   [&](int first, int last, int component) {
-                     std::fill(around.begin() + first, around.begin() + last + 1,
-                               tile.first_id + static_cast<std::uint32_t>(component));
-                     return true;
-                   });
-      Side left;
-      for (int y = 0; y < box.height; ++y) left[y] = around[box.border_position(0, y)];
-      for (int d = eight ? -1 : 0; d <= (eight ? 1 : 0); ++d) {
-        join_lines(sets, around.data(), above.data() + 1 + box.x + d, box.width);
-        join_lines(sets, left.data(), before.data() + 1 + d, box.height);
-      }
-      std::fill(before.begin(), before.end(), kNone);
-      for (int y = 0; y < box.height; ++y) {
-        before[1 + y] = around[box.border_position(box.width - 1, y)];
-      }
-      for (int x = 0; x < box.width; ++x) {
-        bottom[1 + box.x + x] = around[box.border_position(x, box.height - 1)];
-      }
-      if (poller.stop_after(kTileWork)) return false;
-    }
-    above.swap(bottom);
-  }
-  ids_.clear();
-  ids_.reserve(std::size_t{3} * size);
-  count_ = 0;
-  for (std::size_t i = 0; i + 1 < tiles_.size(); ++i) {
-    Tile& tile = tiles_[i];
-    count_ += tile.inside;
-    tile.alike = 1;
-    for (std::uint32_t j = tile.first_id; j < tiles_[i + 1].first_id; ++j) {
-      const std::uint32_t root = sets.find(j);
-      count_ += root == j;
-      for (int byte = 0; byte < 3; ++byte) ids_.push_back((root >> (8 * byte)) & 0xff);
-      if (id(j) != id(tile.first_id)) tile.alike = 0;
-    }
-    if (poller.stop_after(kTileWork)) return false;
-  }
-  marks_.shrink_to_fit();
-  tiles_.shrink_to_fit();
+int Components::columns(std::size_t level) const noexcept {
+  return ((tiles_x_ - 1) >> (level + 1)) + 1;
+}
+
+bool Components::update(const Grid& edited, std::span<const Rectangle> changed,
+                        const StopCondition& stop) {
+  Work work(stop, !pending_.empty());
+  pending_.insert(pending_.end(), changed.begin(), changed.end());
+  relabel(edited, work);
+  for (std::size_t level = 0; level < blocks_.size(); ++level) rejoin(edited, level, work);
+  if (work.poller.stopped()) return false;
+  pending_.clear();
   return true;
 }
 
+// Labels the tiles that hold pending rectangles; the blocks around those with other borders, and
+// around their neighbours where facing cells changed, are stale.
+void Components::relabel(const Grid& grid, Work& work) {
+  std::vector<std::pair<std::uint32_t, unsigned>> touched;
+  for (const Rectangle& part : pending_) {
+    for_each_tile(grid, part, [&](Cell at, unsigned sides) {
+      touched.emplace_back(at.y * tiles_x_ + at.x, sides);
+    });
+  }
+  std::sort(touched.begin(), touched.end());
+  const auto is_stale = [&](Cell tile) {
+    if (tile.x < 0 || tile.y < 0 || tile.x >= tiles_x_ || tile.y >= tiles_y_) return;
+    work.stale.push_back(tile.y / 2 * columns(0) + tile.x / 2);
+  };
+  for (std::size_t i = 0; i < touched.size() && !work.poller.stopped();) {
+    const std::uint32_t index = touched[i].first;
+    unsigned sides = 0;
+    for (; i < touched.size() && touched[i].first == index; ++i) sides |= touched[i].second;
+    const Cell at{static_cast<int>(index) % tiles_x_, static_cast<int>(index) / tiles_x_};
+    work.labels.label(grid, TileBox::at(grid, at.x, at.y), connectivity_ == Connectivity::eight);
+    Tile& tile = tiles_[index];
+    const auto inside = static_cast<std::uint32_t>(work.labels.inside_components());
+    count_ += std::int64_t{inside} - tile.inside;
+    tile.inside = inside;
+    const auto marks = work.labels.marks();
+    if (work.all || sides != 0 || !std::ranges::equal(tile.marks, marks)) {
+      tile.marks.assign(marks.begin(), marks.end());
+      is_stale(at);
+    }
+    constexpr Cell kBeside[] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
+    for (int side = 0; side < 4; ++side) {
+      const Cell step = kBeside[side];
+      if ((sides >> side & 1) != 0) is_stale({at.x + step.x, at.y + step.y});
+    }
+    work.poller.stop_after(kTileWork);
+  }
+}
+
+// The index of a block's part, a tile or a smaller block; outside the map -1.
+std::ptrdiff_t Components::part(std::size_t level, Cell at) const noexcept {
+  const int across = level == 0 ? tiles_x_ : columns(level - 1);
+  const auto size = level == 0 ? std::ssize(tiles_) : std::ssize(blocks_[level - 1]);
+  const auto index = static_cast<std::ptrdiff_t>(at.y) * across + at.x;
+  return at.x < across && index < size ? index : -1;
+}
+
+// Joins the stale blocks of a level; those around the ones whose outlines change are stale then.
+void Components::rejoin(const Grid& grid, std::size_t level, Work& work) {
+  const bool eight = connectivity_ == Connectivity::eight;
+  std::vector<std::uint32_t> stale;
+  stale.swap(work.stale);
+  std::sort(stale.begin(), stale.end());
+  stale.erase(std::unique(stale.begin(), stale.end()), stale.end());
+  for (const std::uint32_t index : stale) {
+    if (work.poller.stopped()) return;
+    const int x = static_cast<int>(index) % columns(level);
+    const int y = static_cast<int>(index) / columns(level);
+    std::array<std::ptrdiff_t, 4> parts;
+    BlockJoin::Parts outlines;
+    for (int i = 0; i < 4; ++i) {
+      const Cell at{2 * x + i % 2, 2 * y + i / 2};
+      parts[i] = part(level, at);
+      outlines[i] = &work.outlines[i];
+      if (parts[i] < 0) {
+        work.outlines[i].clear();
+      } else if (level == 0) {
+        outline_tile(grid, TileBox::at(grid, at.x, at.y), tiles_[parts[i]].marks, eight,
+                     work.outlines[i]);
+      } else {
+        outlines[i] = &blocks_[level - 1][parts[i]].outline;
+      }
+    }
+    work.join.join(outlines, eight);
+    for (int i = 0; i < 4; ++i) {
+      if (parts[i] < 0) continue;
+      const auto up = work.join.up(i);
+      (level == 0 ? tiles_[parts[i]].up : blocks_[level - 1][parts[i]].up)
+          .assign(up.begin(), up.end());
+    }
+    Block& block = blocks_[level][index];
+    count_ += std::int64_t{work.join.closed()} - block.closed;
+    block.closed = work.join.closed();
+    if (work.all || block.outline != work.join.outline()) {
+      block.outline = work.join.outline();
+      if (level + 1 < blocks_.size()) work.stale.push_back(y / 2 * columns(level + 1) + x / 2);
+    }
+    work.poller.stop_after(level == 0 ? 4 * kTileWork : work.join.pieces());
+  }
+}
+
+// Where a cell belongs: to a piece of a block around its tile, unless it is shut in the tile.
 struct Components::Home {
-  std::uint32_t id;  // kNone: shut in its tile
-  bool met_other;
+  enum class Met { piece, nothing, other } met;
+  std::size_t level;
+  Piece piece;
 };
 
+const Components::Block& Components::block(std::size_t level, Cell tile) const noexcept {
+  return blocks_[level][(tile.y >> (level + 1)) * columns(level) + (tile.x >> (level + 1))];
+}
+
+// The piece of the smallest block in which all pieces of a tile are one, if they are few and
+// joined.
+std::optional<Components::Home> Components::only_piece(Cell tile) const noexcept {
+  std::array<Piece, 16> pieces;
+  const std::vector<Piece>& up = tiles_[part(0, tile)].up;
+  if (up.empty() || up.size() > pieces.size()) return std::nullopt;
+  auto end = std::copy(up.begin(), up.end(), pieces.begin());
+  for (std::size_t level = 0; level < blocks_.size(); ++level) {
+    std::sort(pieces.begin(), end);
+    end = std::unique(pieces.begin(), end);
+    if (end - pieces.begin() == 1) return Home{Home::Met::piece, level, pieces[0]};
+    const Block& around = block(level, tile);
+    if (end[-1] >= around.outline.open) return std::nullopt;
+    std::transform(pieces.begin(), end, pieces.begin(), [&](Piece p) { return around.up[p]; });
+  }
+  return std::nullopt;
+}
+
 Components::Home Components::home(const Grid& grid, Cell c, Cell other) const noexcept {
-  const int tile_x = c.x / kTile;
-  const int tile_y = c.y / kTile;
-  const std::size_t index = static_cast<std::size_t>(tile_y) * tiles_x_ + tile_x;
-  const Tile& tile = tiles_[index];
-  if (tile.inside == 0 && tile.alike != 0) return {id(tile.first_id), false};
-  const TileBox box = TileBox::at(grid, tile_x, tile_y);
+  using Met = Home::Met;
+  const Cell at{c.x / kTile, c.y / kTile};
+  const Tile& tile = tiles_[part(0, at)];
+  const auto only = only_piece(at);
+  if (only && tile.inside == 0) return *only;
+  const TileBox box = TileBox::at(grid, at.x, at.y);
   const FloodEnd end = flood(grid, box, connectivity_ == Connectivity::eight, c, other);
-  if (end.met != FloodEnd::Met::border) return {kNone, end.met == FloodEnd::Met::other};
-  if (tile.alike != 0) return {id(tile.first_id), false};
-  std::uint32_t found = kNone;
-  for_each_run(border_of(grid, box), marks_.data() + tile.first_mark,
-               [&](int, int last, int component) {
-                 if (last < end.position) return true;
-                 found = id(tile.first_id + static_cast<std::uint32_t>(component));
-                 return false;
-               });
-  return {found, false};
+  if (end.met != FloodEnd::Met::border) {
+    return {end.met == FloodEnd::Met::other ? Met::other : Met::nothing, 0, 0};
+  }
+  if (only) return *only;
+  int found = 0;
+  for_each_run(border_of(grid, box), tile.marks.data(), [&](int, int last, int piece) {
+    found = piece;
+    return last < end.position;
+  });
+  return {Met::piece, 0, tile.up[found]};
 }
 
 bool Components::connected(const Grid& grid, Cell a, Cell b) const noexcept {
   if (grid.blocked(a) || grid.blocked(b)) return false;
-  const Home home_a = home(grid, a, b);
-  if (home_a.met_other || home_a.id == kNone) return home_a.met_other;
-  const Home home_b = home(grid, b, a);
-  return home_b.met_other || home_b.id == home_a.id;
-}
-
-Components Components::updated(const Grid& edited, std::span<const Cell> changed) const {
-  return *updated(edited, changed, {});
+  Home home_a = home(grid, a, b);
+  if (home_a.met != Home::Met::piece) return home_a.met == Home::Met::other;
+  Home home_b = home(grid, b, a);
+  if (home_b.met != Home::Met::piece) return home_b.met == Home::Met::other;
+  const Cell tile_a{a.x / kTile, a.y / kTile};
+  const Cell tile_b{b.x / kTile, b.y / kTile};
+  // Climbs one level; false if nothing of the piece is beyond.
+  const auto climb = [this](Home& home, Cell tile) {
+    const Block& around = block(home.level++, tile);
+    if (home.piece >= around.outline.open) return false;
+    home.piece = around.up[home.piece];
+    return true;
+  };
+  for (;;) {
+    if (home_a.level == home_b.level && home_a.piece == home_b.piece &&
+        &block(home_a.level, tile_a) == &block(home_b.level, tile_b)) {
+      return true;
+    }
+    if (!(home_a.level <= home_b.level ? climb(home_a, tile_a) : climb(home_b, tile_b)))
+      return false;
+  }
 }
 
 std::optional<Components> Components::updated(const Grid& edited, std::span<const Cell> changed,
                                               const StopCondition& stop) const {
-  std::vector<char> dirty(tiles_.size(), 0);
-  bool same_borders = true;
-  for (const Cell c : changed) {
-    const int tile_x = c.x / kTile;
-    const int tile_y = c.y / kTile;
-    const TileBox box = TileBox::at(edited, tile_x, tile_y);
-    dirty[tile_y * tiles_x_ + tile_x] = 1;
-    same_borders = same_borders && c.x > box.x && c.x < box.x + box.width - 1 && c.y > box.y &&
-                   c.y < box.y + box.height - 1;
-  }
-  Components result;
-  result.connectivity_ = connectivity_;
-  result.tiles_x_ = tiles_x_;
-  result.tiles_y_ = tiles_y_;
-  result.count_ = count_;
-  result.tiles_ = tiles_;
-  Poller poller(stop, kInterval);
-  TileLabels labels;
-  std::uint32_t ids = 0;
-  for (int i = 0; i < tiles_x_ * tiles_y_; ++i) {
-    const Tile& old = tiles_[i];
-    Tile& tile = result.tiles_[i];
-    auto marks =
-        std::span(marks_).subspan(old.first_mark, tiles_[i + 1].first_mark - old.first_mark);
-    std::uint32_t count = tiles_[i + 1].first_id - old.first_id;
-    tile.first_id = ids;
-    tile.first_mark = static_cast<std::uint32_t>(result.marks_.size());
-    if (dirty[i] != 0) {
-      labels.label(edited, TileBox::at(edited, i % tiles_x_, i / tiles_x_),
-                   connectivity_ == Connectivity::eight);
-      same_borders = same_borders && std::ranges::equal(marks, labels.marks());
-      marks = labels.marks();
-      count = static_cast<std::uint32_t>(labels.border_components());
-      tile.inside = static_cast<std::uint32_t>(labels.inside_components());
-      result.count_ += static_cast<std::int64_t>(tile.inside) - old.inside;
-    }
-    result.marks_.insert(result.marks_.end(), marks.begin(), marks.end());
-    ids += count;
-    if (poller.stop_after(dirty[i] != 0 ? kTileWork : std::ssize(marks))) return std::nullopt;
-  }
-  result.tiles_.back() = {ids, static_cast<std::uint32_t>(result.marks_.size()), 0, 0};
-  if (same_borders) {
-    result.ids_ = ids_;
-    result.marks_.shrink_to_fit();
-  } else if (!result.join(edited, poller)) {
-    return std::nullopt;
-  }
-  return result;
+  std::vector<Rectangle> parts;
+  for (const Cell c : changed) parts.push_back({c.x, c.y, 1, 1});
+  std::optional<Components> next(*this);
+  if (!next->update(edited, parts, stop)) next.reset();
+  return next;
 }
 
 std::int64_t Components::bytes() const noexcept {
-  return static_cast<std::int64_t>(sizeof(*this) + tiles_.capacity() * sizeof(Tile) +
-                                   ids_.capacity() + marks_.capacity() * sizeof(std::uint64_t));
+  auto sum = static_cast<std::int64_t>(sizeof *this + tiles_.capacity() * sizeof(Tile) +
+                                       blocks_.capacity() * sizeof(std::vector<Block>) +
+                                       pending_.capacity() * sizeof(Rectangle));
+  const auto held = [](const auto& values) {
+    return static_cast<std::int64_t>(values.capacity() * sizeof values[0]);
+  };
+  for (const Tile& tile : tiles_) sum += held(tile.marks) + held(tile.up);
+  for (const auto& level : blocks_) {
+    sum += held(level);
+    for (const Block& block : level) {
+      sum += held(block.up);
+      for (const Side& side : block.outline.sides) sum += side.bytes();
+    }
+  }
+  return sum;
 }
 
 }  // namespace lasius

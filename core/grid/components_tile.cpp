@@ -15,6 +15,36 @@ constexpr std::uint16_t kNone = 0xffff;
 
 bool bit(const Row& row, int x) noexcept { return (row[x >> 6] >> (x & 63) & 1) != 0; }
 
+// Free cells of a column of a tile, or of one beside it.
+Row free_column(const Grid& grid, const TileBox& box, int column) noexcept {
+  const int x = box.x + column;
+  Row free{};
+  for (int y = 0; y < box.height; ++y) {
+    free[y >> 6] |= (~grid.row(box.y + y)[x >> 6] >> (x & 63) & 1) << (y & 63);
+  }
+  return free;
+}
+
+// Calls visit(i) for each contact of two lines of free cells that face each other. With 4
+// neighbours, cell i begins a run of cells that are free in both lines. With 8, both lines have a
+// free one of the cells i and i + 1, and one of the lines has another run than before.
+template <typename Visit>
+void for_each_contact(const Row& own, const Row& facing, bool eight, const Visit& visit) {
+  const auto with_next = [](const Row& row, int i) {
+    return row[i] | row[i] >> 1 | (i == kWords - 1 ? 0 : row[i + 1] << 63);
+  };
+  std::uint64_t before = 0;
+  for (int i = 0; i < kWords; ++i) {
+    const std::uint64_t both = own[i] & facing[i];
+    std::uint64_t contacts = both & ~(both << 1 | before);
+    if (eight) {
+      contacts = with_next(own, i) & with_next(facing, i) & ~(i == 0 ? both & ~1u : both);
+    }
+    before = both >> 63;
+    for (; contacts != 0; contacts &= contacts - 1) visit(i * 64 + std::countr_zero(contacts));
+  }
+}
+
 }  // namespace
 
 TileBox TileBox::at(const Grid& grid, int tile_x, int tile_y) noexcept {
@@ -63,7 +93,43 @@ Border border_of(const Grid& grid, const TileBox& box) noexcept {
   return border;
 }
 
-TileLabels::TileLabels() : runs_(kMostRuns), parents_(kMostRuns), marked_(kMostRuns) {}
+void outline_tile(const Grid& grid, const TileBox& box, std::span<const std::uint64_t> marks,
+                  bool eight, Outline& outline) {
+  outline.clear();
+  std::array<Piece, 1024> around;
+  around.fill(Side::kNone);
+  for_each_run(border_of(grid, box), marks.data(), [&](int first, int last, int piece) {
+    std::fill(around.begin() + first, around.begin() + last + 1, static_cast<Piece>(piece));
+    outline.open = std::max(outline.open, static_cast<std::uint32_t>(piece) + 1);
+    return true;
+  });
+  const int right = box.width - 1;
+  const int bottom = box.height - 1;
+  const auto add_side = [&](Side& side, const Row& own, const Row& facing, Cell from, int dx,
+                            int dy) {
+    for_each_contact(own, facing, eight, [&](int i) {
+      if (!bit(own, i)) ++i;
+      side.add(around[box.border_position(from.x + dx * i, from.y + dy * i)], 1);
+    });
+  };
+  const auto column = [&](int x) { return free_column(grid, box, x); };
+  auto& [north, east, south, west] = outline.sides;
+  add_side(north, box.free_row(grid, 0), box.free_row(grid, -1), {0, 0}, 1, 0);
+  add_side(east, column(right), column(right + 1), {right, 0}, 0, 1);
+  add_side(south, box.free_row(grid, bottom), box.free_row(grid, bottom + 1), {0, bottom}, 1, 0);
+  add_side(west, column(0), column(-1), {0, 0}, 0, 1);
+  if (!eight) return;
+  for (const int i : {0, 1, 2, 3}) {
+    const Cell c{i % 2 * right, i / 2 * bottom};
+    const Cell beyond{box.x + c.x + (i % 2 == 0 ? -1 : 1), box.y + c.y + (i / 2 == 0 ? -1 : 1)};
+    if (grid.contains(beyond)) outline.corners[i] = around[box.border_position(c.x, c.y)];
+  }
+}
+
+TileLabels::TileLabels()
+    : runs_(std::make_unique_for_overwrite<Run[]>(kMostRuns)),
+      parents_(std::make_unique_for_overwrite<std::uint16_t[]>(kMostRuns)),
+      marked_(std::make_unique_for_overwrite<std::uint8_t[]>(kMostRuns)) {}
 
 int TileLabels::find(int run) noexcept {
   while (parents_[run] != run) {
@@ -163,10 +229,10 @@ void TileLabels::mark_border(const TileBox& box) {
     marks_[i / 32] |= std::uint64_t{mark} << (i % 32 * 2);
     return 1;
   };
+  for (int i = 0; i < count; ++i) marked_[runs[i]] = 0;
   border_components_ = 0;
   for (int i = 0; i < count; ++i) border_components_ += mark_new(i, kFirstRun);
   for (int i = count - 1; i >= 0; --i) mark_new(i, kLastRun);
-  for (int i = 0; i < count; ++i) marked_[runs[i]] = 0;
 }
 
 namespace {

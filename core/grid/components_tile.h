@@ -4,10 +4,12 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/grid/components.h"
+#include "core/grid/components_block.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 
@@ -70,6 +72,10 @@ void for_each_run(const Border& border, const std::uint64_t* marks, const Visit&
   }
 }
 
+/// The outline of a tile with these marks; its facing neighbours' cells are read, too.
+void outline_tile(const Grid& grid, const TileBox& box, std::span<const std::uint64_t> marks,
+                  bool eight, Outline& outline);
+
 /// Labels the components of one tile, run by run with union-find. Reused from tile to tile.
 class TileLabels {
  public:
@@ -90,10 +96,10 @@ class TileLabels {
   void unite_row(int row, int reach) noexcept;
   void mark_border(const TileBox& box);
 
-  std::vector<Run> runs_;
-  std::vector<std::uint16_t> parents_;                  // smaller or equal, per run
+  std::unique_ptr<Run[]> runs_;
+  std::unique_ptr<std::uint16_t[]> parents_;            // smaller or equal, per run
   std::array<std::int32_t, TileBox::kSide + 1> first_;  // run of each row
-  std::vector<std::uint8_t> marked_;                    // scratch, per run, zero between calls
+  std::unique_ptr<std::uint8_t[]> marked_;              // scratch, per run
   std::vector<std::uint64_t> marks_;
   int run_count_ = 0;
   int components_ = 0;

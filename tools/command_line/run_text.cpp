@@ -26,6 +26,18 @@ Messages make_messages(const SearchText& text) {
 constexpr std::string_view kDriveEndings[] = {".json", ".csv", ".svg", ".png", ".gif"};
 constexpr std::string_view kArmEndings[] = {".json", ".csv", ".yaml", ".yml", ".svg", ".png"};
 
+/// "N", or "A-B": seeds from A to B.
+void read_seeds(const std::string& text, SearchOptions& options) {
+  const auto dash = text.find('-', 1);
+  options.seed = seed_value(text.substr(0, dash));
+  if (dash == std::string::npos) return;
+  const auto first = static_cast<std::int64_t>(options.seed);
+  const std::int64_t last =
+      integer_value("--seed A-B", text.substr(dash + 1), first,
+                    std::min(kMaxExactInteger, first + SearchOptions::kMostSeeds - 1));
+  options.seeds = static_cast<int>(last - first) + 1;
+}
+
 /// Reads what all commands that plan have.
 void read_search(const SearchText& text, SearchOptions& options,
                  std::span<const std::string_view> endings = kResultEndings) {
@@ -35,7 +47,7 @@ void read_search(const SearchText& text, SearchOptions& options,
   for (const auto& [name, value] : text.named)
     if (!value.empty()) options.named.emplace_back(name, value);
   options.settings = text.set;
-  options.seed = seed_value(text.seed);
+  read_seeds(text.seed, options);
   options.threads = thread_count(text.threads);
   if (!text.time_limit.empty())
     options.time_limit = real_value("--time-limit", text.time_limit, 0, kNoLimit);
@@ -177,6 +189,8 @@ DriveCommand make_drive(const DriveText& text) {
   if (is_world(text.map)) throw UsageError(text.map + ": drives are on bitmaps only");
   DriveCommand drive{make_plan(text.ends, make_run(text, kDriveEndings))};
   RunOptions& run = drive.run;
+  if (run.seeds > 1)
+    throw UsageError("--seed " + text.seed + ": one drive has one seed; a range is for plan");
   if (run.with_optimum)
     run.notes.emplace_back("--gap has no effect: a drive always tells the optimum of its moves");
   if (!text.tracks.empty())
@@ -196,6 +210,9 @@ DriveCommand make_drive(const DriveText& text) {
 ArmCommand make_arm(const ArmText& text) {
   ArmCommand arm;
   read_search(text, arm, kArmEndings);
+  if (arm.seeds > 1)
+    throw UsageError("--seed " + text.seed +
+                     ": arm takes one seed; several are for plan and batch");
   arm.algorithm = algorithm_of(World::Kind::arm, text.algorithm);
   if (text.plain) arm.named.insert(arm.named.end(), {{"shortcut", "off"}, {"shortcuts", "0"}});
   read_robot_options(text, arm);

@@ -63,6 +63,9 @@ constexpr const char* kDriveOutputs =
     ".gif   a film of at most 300 pictures";
 
 constexpr SearchHelp kRunHelp = {
+    .seed =
+        "Seed, from 0 to 2^53-1 (default 1). A-B: every query with each of these seeds, a "
+        "JSON object a line, from plan too",
     .time_limit =
         "Stop after this time, counted once the map is prepared; for batch by query. "
         "Each optimum of --gap may take as long again",
@@ -134,9 +137,16 @@ Subcommand add_plan(CLI::App& app) {
   plan->footer(kPlanExits);
   return {plan, [raw]() -> Command {
             const PolygonText& text = raw->polygon;
-            if (is_world(raw->run.map)) return make_polygon(raw->run, text);
+            if (is_world(raw->run.map)) {
+              auto polygon = make_polygon(raw->run, text);
+              if (polygon.seeds > 1) return PolygonBatchCommand{std::move(polygon), ""};
+              return polygon;
+            }
             refuse_world_options(text.world);
-            return make_plan(text.ends, make_run(raw->run));
+            auto plan = make_plan(text.ends, make_run(raw->run));
+            if (plan.run.seeds > 1)
+              return BatchCommand{std::move(plan.run), "", plan.start, plan.goal};
+            return plan;
           }};
 }
 
@@ -157,7 +167,8 @@ Subcommand add_drive(CLI::App& app) {
          "How far the robot sees, in cells (metres with --frame world; default 20 cells)", "R");
   option("--max-ticks", raw->max_ticks, "Moves and waits at most (default 1000000)", "N");
   add_run_options(*drive, *raw, "Map that the robot knows: .map, PBM, PGM, PNG or ROS YAML",
-                  {.time_limit = "Stop the drive after this time",
+                  {.seed = "Seed, from 0 to 2^53-1 (default 1)",
+                   .time_limit = "Stop the drive after this time",
                    .target_gap = "Plan no further than to this certified gap (1 means 1%)",
                    .json = "Print one JSON object",
                    .outputs = kDriveOutputs});
@@ -184,7 +195,7 @@ Subcommand add_batch(CLI::App& app) {
               return PolygonBatchCommand{make_polygon(raw->run, {raw->world, {}}), raw->queries};
             refuse_world_options(raw->world);
             auto run = make_run(raw->run);
-            return BatchCommand{std::move(run), raw->queries};
+            return BatchCommand{.run = std::move(run), .queries = raw->queries};
           }};
 }
 

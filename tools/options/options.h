@@ -44,7 +44,9 @@ struct SearchOptions {
   Preset preset = Preset::usual;                           ///< of a colony on bitmaps
   std::vector<std::pair<std::string, std::string>> named;  ///< parameters with their own option
   std::vector<std::string> settings;                       ///< NAME=VALUE
+  static constexpr int kMostSeeds = 100000;
   std::uint64_t seed = 1;
+  int seeds = 1;  ///< runs of `plan` and `batch`, with `seed` and those after it
   int threads = 1;
   double target_gap = 0;             ///< fraction
   std::optional<double> time_limit;  ///< seconds
@@ -78,9 +80,11 @@ struct DriveCommand : PlanCommand {
   std::int64_t max_ticks = 1'000'000;
 };
 
+/// `batch`; or `plan` with several seeds.
 struct BatchCommand {
   RunOptions run;
-  std::string queries;
+  std::string queries;    ///< a file; empty: the one query of `plan`
+  Point start{}, goal{};  ///< of that
 };
 
 struct InfoCommand {
@@ -178,7 +182,7 @@ struct PolygonCommand : SearchOptions {
 /// `batch` on a polygon world.
 struct PolygonBatchCommand {
   PolygonCommand plan;
-  std::string queries;
+  std::string queries;  ///< a file; empty: the one that `plan` asks
 };
 
 struct WorldInfoCommand {

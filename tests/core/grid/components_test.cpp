@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "tests/core/base/counting_time.h"
 #include "tests/worlds/random_grid.h"
 
 namespace lasius {
@@ -167,6 +168,78 @@ TEST(Components, AnEditEqualsAFreshBuild) {
       expect_equal(grid, components, connectivity, random, 20);
     }
   }
+}
+
+// A cell, a brush of a few cells on a tile's border or anywhere, or a wall; what it changes.
+Rectangle random_edit(Grid& grid, std::mt19937& random) {
+  constexpr int kLongest[] = {1, 4, 20, 700};
+  Cell c = random_cell(grid, random);
+  if (random() % 2 == 0) c.x = std::max(c.x / 256 * 256 - random_in(0, 1, random), 0);
+  if (random() % 2 == 0) c.y = std::max(c.y / 256 * 256 - random_in(0, 1, random), 0);
+  const int width = random_in(1, kLongest[random() % 4], random);
+  const int height = width > 20 ? random_in(1, 2, random) : random_in(1, 20, random);
+  const Rectangle part{c.x, c.y, std::min(width, grid.width() - c.x),
+                       std::min(height, grid.height() - c.y)};
+  grid.fill(part, random() % 2 == 0);
+  return part;
+}
+
+TEST(Components, UpdatesEqualAFreshBuildAndBreadthFirstSearch) {
+  std::mt19937 random(5);
+  constexpr int kSides[] = {1, 200, 256, 257, 511, 513, 700, 1025, 1300};
+  for (int round = 0; round < 24; ++round) {
+    Grid grid = random_grid(kSides[random() % 9], kSides[random() % 9], 7 * (round % 9), random);
+    for (const auto connectivity : kBoth) {
+      Components components(grid, connectivity);
+      for (int update = 0; update < 30; ++update) {
+        std::vector<Rectangle> changed(1);  // an empty one
+        for (int i = update % 4; i >= 0; --i) changed.push_back(random_edit(grid, random));
+        ASSERT_TRUE(components.update(grid, changed));
+        ASSERT_EQ(components, Components(grid, connectivity));
+      }
+      expect_equal(grid, components, connectivity, random, 30);
+    }
+  }
+}
+
+// A door in a wall right across the map: what an edit changes reaches up to the largest block.
+TEST(Components, ADoorJoinsAndPartsHalvesOfTheMap) {
+  for (const auto connectivity : kBoth) {
+    for (const int wall : {700, 767, 768, 1024}) {
+      Grid grid(1600, 2000);
+      grid.fill({wall, 0, 1, 2000}, true);
+      Components components(grid, connectivity);
+      EXPECT_EQ(components.count(), 2);
+      for (const int y : {0, 255, 256, 1023, 1024, 1999}) {
+        for (const bool open : {true, false}) {
+          grid.set_blocked({wall, y}, !open);
+          ASSERT_TRUE(components.update(grid, std::vector<Rectangle>{{wall, y, 1, 1}}));
+          EXPECT_EQ(components.connected(grid, {0, 1999}, {1599, 0}), open);
+          EXPECT_EQ(components.count(), open ? 1 : 2);
+        }
+      }
+    }
+  }
+}
+
+TEST(Components, AnUpdateThatWasStoppedIsDoneByTheNext) {
+  std::mt19937 random(6);
+  Grid grid = random_grid(1600, 1400, 40, random);
+  Components components(grid, Connectivity::eight);
+  int stops = 0;
+  for (int polls = 0; polls < 12; ++polls) {
+    std::vector<Rectangle> changed;
+    for (int i = 0; i < 15; ++i) changed.push_back(random_edit(grid, random));
+    const CountingTime time(polls);
+    if (!components.update(grid, changed, time.is_up())) {
+      ++stops;
+      if (polls % 2 == 0) continue;  // two or more in a row
+      ASSERT_TRUE(components.update(grid, {}));
+    }
+    ASSERT_EQ(components, Components(grid, Connectivity::eight));
+    expect_equal(grid, components, Connectivity::eight, random, 10);
+  }
+  EXPECT_GT(stops, 2);
 }
 
 TEST(Components, StaySmallOnTheWorstMaps) {

@@ -44,8 +44,8 @@ struct Work {
 void PrintTo(const Work& work, std::ostream* out) { *out << work.name; }
 
 Work labelling(Connectivity connectivity) {
-  // Tiles count as 4096 words: read, joined, and their ids written.
-  return {connectivity == Connectivity::four ? "LabellingFour" : "LabellingEight", 3 * 64 * 4096,
+  // Tiles count as 4096 words: read, and read along their borders.
+  return {connectivity == Connectivity::four ? "LabellingFour" : "LabellingEight", 2 * 64 * 4096,
           [connectivity](const StopCondition& stop) {
             const auto made = Components::make(noise(), connectivity, stop);
             return made && *made == Components(noise(), connectivity);
@@ -60,7 +60,7 @@ std::vector<Cell> edited_cells() {
 }
 
 Work relabelling() {
-  return {"Relabelling", 3 * 64 * 4096, [](const StopCondition& stop) {
+  return {"Relabelling", 64 * 4096, [](const StopCondition& stop) {
             const Components before(noise(), Connectivity::four);
             const auto cells = edited_cells();
             Grid now = noise();

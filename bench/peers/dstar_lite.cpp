@@ -1,0 +1,209 @@
+#include "bench/peers/dstar_lite.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "bench/peers/move_grid.h"
+#include "bench/peers/octile_costs.h"
+
+namespace lasius::peers {
+namespace {
+
+constexpr std::uint32_t kFar = std::numeric_limits<std::uint32_t>::max();
+constexpr OctileCosts kCosts = kOctileCosts[1];
+
+constexpr std::uint32_t plus(std::uint32_t a, std::uint32_t b) noexcept {
+  return a == kFar || b == kFar ? kFar : a + b;
+}
+
+}  // namespace
+
+DStarLite::DStarLite(Grid map, Cell robot, Cell goal)
+    : map_(std::move(map)),
+      robot_(index(robot)),
+      goal_(index(goal)),
+      moves_(static_cast<std::size_t>(map_.width()) * map_.height()),
+      nodes_(moves_.size(), Node{kFar, kFar, 0}),
+      heap_(1) {
+  for (Index i = 0; i < moves_.size(); ++i) moves_[i] = legal_moves(cell(i));
+  nodes_[goal_].rhs = 0;
+  update(goal_);
+}
+
+std::uint8_t DStarLite::legal_moves(Cell c) const noexcept {
+  if (map_.blocked(c)) return 0;
+  unsigned moves = 0;
+  for (int k = 0; k < 8; ++k) {
+    const Cell to{c.x + kMoveX[k], c.y + kMoveY[k]};
+    const bool open = map_.free(to) && map_.free({to.x, c.y}) && map_.free({c.x, to.y});
+    moves |= static_cast<unsigned>(open) << k;
+  }
+  return static_cast<std::uint8_t>(moves);
+}
+
+DStarLite::Cost DStarLite::cost(int move) const noexcept {
+  return move < 4 ? kCosts.straight : kCosts.diagonal;
+}
+
+DStarLite::Cost DStarLite::heuristic(Index i) const noexcept {
+  const Cell c = cell(i);
+  return kCosts.distance(c.x, c.y, cell(robot_));
+}
+
+DStarLite::Key DStarLite::key(Index i) const noexcept {
+  const std::int64_t least = std::min(nodes_[i].g, nodes_[i].rhs);
+  return {least + heuristic(i) + km_, least};
+}
+
+DStarLite::Cost DStarLite::best_rhs(Index i) const noexcept {
+  if (i == goal_) return 0;
+  Cost best = kFar;
+  for (int k = 0; k < 8; ++k) {
+    if ((moves_[i] >> k & 1) == 0) continue;
+    const auto to = static_cast<Index>(static_cast<int>(i) + kMoveY[k] * map_.width() + kMoveX[k]);
+    best = std::min(best, plus(cost(k), nodes_[to].g));
+  }
+  return best;
+}
+
+// UpdateVertex of the paper.
+void DStarLite::update(Index i) {
+  if (nodes_[i].g != nodes_[i].rhs) {
+    set_key(i, key(i));
+  } else if (nodes_[i].place != 0) {
+    remove(i);
+  }
+}
+
+void DStarLite::expand(Index u) {
+  ++expansions_;
+  Node& node = nodes_[u];
+  const bool lowered = node.g > node.rhs;
+  const Cost before = node.g;
+  node.g = lowered ? node.rhs : kFar;
+  if (lowered) {
+    remove(u);
+  } else {
+    update(u);
+  }
+  for (int k = 0; k < 8; ++k) {
+    if ((moves_[u] >> k & 1) == 0) continue;  // moves are legal both ways
+    const auto s = static_cast<Index>(static_cast<int>(u) + kMoveY[k] * map_.width() + kMoveX[k]);
+    if (s == goal_) continue;
+    if (lowered) {
+      nodes_[s].rhs = std::min(nodes_[s].rhs, plus(cost(k), node.g));
+    } else if (nodes_[s].rhs == plus(cost(k), before)) {
+      nodes_[s].rhs = best_rhs(s);
+    }
+    update(s);
+  }
+}
+
+// ComputeShortestPath of the paper.
+void DStarLite::search() {
+  while (heap_.size() > 1 &&
+         (heap_[1].first < key(robot_) || nodes_[robot_].rhs > nodes_[robot_].g)) {
+    const auto [old, u] = heap_[1];
+    const Key now = key(u);
+    if (old < now) {
+      set_key(u, now);
+    } else {
+      expand(u);
+    }
+  }
+}
+
+double DStarLite::plan(Cell robot) {
+  // Keys in the heap are of where the robot was; k_m keeps them below those of where it is.
+  km_ += kCosts.distance(robot.x, robot.y, cell(robot_));
+  robot_ = index(robot);
+  search();
+  const Cost length = nodes_[robot_].rhs;
+  return length == kFar ? std::numeric_limits<double>::infinity()
+                        : static_cast<double>(length) / kCosts.straight;
+}
+
+Cell DStarLite::next() const {
+  Cost best = kFar;
+  Index to = robot_;
+  for (int k = 0; k < 8 && robot_ != goal_; ++k) {
+    if ((moves_[robot_] >> k & 1) == 0) continue;
+    const auto s =
+        static_cast<Index>(static_cast<int>(robot_) + kMoveY[k] * map_.width() + kMoveX[k]);
+    const Cost length = plus(cost(k), nodes_[s].g);
+    if (length < best) {
+      best = length;
+      to = s;
+    }
+  }
+  return cell(to);
+}
+
+void DStarLite::observe(std::span<const Cell> cells, bool blocked) {
+  for (const Cell c : cells) map_.set_blocked(c, blocked);
+  for (const Cell c : cells) {
+    for (int y = c.y - 1; y <= c.y + 1; ++y) {
+      for (int x = c.x - 1; x <= c.x + 1; ++x) {
+        if (map_.contains({x, y})) moves_[index({x, y})] = legal_moves({x, y});
+      }
+    }
+  }
+  for (const Cell c : cells) {
+    for (int y = c.y - 1; y <= c.y + 1; ++y) {
+      for (int x = c.x - 1; x <= c.x + 1; ++x) {
+        if (!map_.contains({x, y})) continue;
+        const Index i = index({x, y});
+        nodes_[i].rhs = best_rhs(i);
+        update(i);
+      }
+    }
+  }
+}
+
+void DStarLite::put(std::size_t place, const std::pair<Key, Index>& entry) noexcept {
+  heap_[place] = entry;
+  nodes_[entry.second].place = static_cast<std::uint32_t>(place);
+}
+
+void DStarLite::sift_up(std::size_t place) {
+  const auto entry = heap_[place];
+  for (; place > 1 && entry.first < heap_[place / 2].first; place /= 2)
+    put(place, heap_[place / 2]);
+  put(place, entry);
+}
+
+void DStarLite::sift_down(std::size_t place) {
+  const auto entry = heap_[place];
+  while (2 * place < heap_.size()) {
+    std::size_t child = 2 * place;
+    if (child + 1 < heap_.size() && heap_[child + 1].first < heap_[child].first) ++child;
+    if (!(heap_[child].first < entry.first)) break;
+    put(place, heap_[child]);
+    place = child;
+  }
+  put(place, entry);
+}
+
+void DStarLite::remove(Index i) {
+  const std::size_t place = nodes_[i].place;
+  nodes_[i].place = 0;
+  const auto last = heap_.back();
+  heap_.pop_back();
+  if (place == heap_.size()) return;
+  put(place, last);
+  sift_up(place);
+  sift_down(nodes_[last.second].place);
+}
+
+void DStarLite::set_key(Index i, const Key& key) {
+  if (nodes_[i].place == 0) {
+    heap_.emplace_back(key, i);
+    sift_up(heap_.size() - 1);
+  } else {
+    heap_[nodes_[i].place].first = key;
+    sift_up(nodes_[i].place);
+    sift_down(nodes_[i].place);
+  }
+}
+
+}  // namespace lasius::peers

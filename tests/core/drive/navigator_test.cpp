@@ -1,0 +1,203 @@
+#include "lasius/navigator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "lasius/clearance.h"
+#include "lasius/error.h"
+#include "lasius/path.h"
+#include "lasius/planner.h"
+#include "tests/core/drive/random_world.h"
+#include "tests/core/plan/planning.h"
+
+namespace lasius {
+namespace {
+
+/// The walk begins at the robot, moves as a king does, cuts no corner, and touches the path.
+void expect_walkable(const Navigator& navigator, Cell robot, const Way& way) {
+  ASSERT_FALSE(way.walk.empty());
+  EXPECT_EQ(way.walk.front(), robot);
+  if (robot != navigator.goal()) {
+    EXPECT_GT(way.walk.size(), 1u);
+  }
+  const Grid& grid = navigator.passable();
+  for (std::size_t i = 1; i < way.walk.size(); ++i) {
+    const Cell a = way.walk[i - 1], b = way.walk[i];
+    EXPECT_LE(std::abs(a.x - b.x), 1);
+    EXPECT_LE(std::abs(a.y - b.y), 1);
+    EXPECT_NE(a, b);
+    EXPECT_TRUE(grid.free(b) && grid.free({a.x, b.y}) && grid.free({b.x, a.y}));
+  }
+}
+
+/// Edits at random; after each the way must be as good as a fresh planner's, from where the robot
+/// was when it was planned.
+int compare_with_fresh_planners(const NavigatorOptions& options, int worlds, int edits) {
+  int ways = 0;
+  for (int seed = 0; seed < worlds; ++seed) {
+    Draw draw(static_cast<std::uint64_t>(seed));
+    const Grid map = draw_map(draw, 20 + draw.below(60), 20 + draw.below(60));
+    Navigator navigator(map, draw_free(draw, map), options);
+    Cell robot = draw_free(draw, map);
+    for (int i = 0; i < edits; ++i) {
+      const bool blocked = draw.one_in(2);
+      if (draw.one_in(2)) {
+        navigator.observe(draw_part(draw, map, 6), blocked);
+      } else {
+        std::vector<Cell> cells;
+        for (int n = draw.below(10); n >= 0; --n) {
+          cells.push_back({draw.below(map.width()), draw.below(map.height())});
+        }
+        navigator.observe(cells, blocked);
+      }
+      EXPECT_EQ(navigator.passable(), grow_obstacles(navigator.map(), options.radius));
+      const Way& way = navigator.step(robot);
+      const Result fresh = Planner(navigator.passable()).plan({robot, navigator.goal()});
+      EXPECT_EQ(way.status, fresh.status) << "seed " << seed << ", edit " << i;
+      EXPECT_EQ(way.fault, fresh.fault);
+      if (fresh.path.empty()) {
+        EXPECT_TRUE(way.path.empty());
+        EXPECT_TRUE(way.walk.empty());
+        continue;
+      }
+      ++ways;
+      // A kept way may be another one of the same length.
+      EXPECT_NEAR(way.length, fresh.length, 1e-9 * fresh.length) << "seed " << seed;
+      EXPECT_EQ(path_fault(navigator.passable(), way.path), std::nullopt);
+      expect_walkable(navigator, robot, way);
+      // To stand still lets the next way be compared, too; to go on, its walk.
+      if (draw.one_in(4)) {
+        for (std::size_t step = 1; step < way.walk.size(); ++step) {
+          robot = way.walk[step];
+          EXPECT_FALSE(navigator.step(robot).replanned);
+          if (draw.one_in(8)) break;
+        }
+        // From here a way is asked for anew, since a kept one is as it was planned.
+        navigator.forget();
+      }
+    }
+  }
+  return ways;
+}
+
+TEST(Navigator, IsAsGoodAsAFreshPlannerAfterEveryEdit) {
+  EXPECT_GT(compare_with_fresh_planners({}, 60, 80), 2000);
+}
+
+TEST(Navigator, IsAsGoodAsAFreshPlannerForARobotWithARadius) {
+  EXPECT_GT(compare_with_fresh_planners({.radius = 1.2}, 40, 40), 200);
+}
+
+TEST(Navigator, IsAsGoodOnAPreparedMap) {
+  NavigatorOptions options;
+  options.prepare.emplace();
+  EXPECT_GT(compare_with_fresh_planners(options, 30, 60), 700);
+}
+
+TEST(Navigator, WalksToTheGoalPieceByPiece) {
+  const Grid map = blobs(300, 200);
+  const Planner planner(map);
+  const Request ends = far_apart(planner);
+  Navigator navigator(map, ends.goal);
+  Cell robot = ends.start;
+  double travelled = 0;
+  int replans = 0;
+  for (int moves = 0; robot != ends.goal && moves < 2000; ++moves) {
+    const Way& way = navigator.step(robot);
+    replans += way.replanned ? 1 : 0;
+    ASSERT_GT(way.walk.size(), 1u);
+    travelled += std::hypot(way.walk[1].x - robot.x, way.walk[1].y - robot.y);
+    robot = way.walk[1];
+  }
+  EXPECT_EQ(robot, ends.goal);
+  EXPECT_EQ(replans, 1);
+  // Walks of eight neighbours are at most 8.3% longer than what they follow.
+  EXPECT_LT(travelled, 1.12 * planner.plan(ends).length);
+}
+
+TEST(Navigator, KeepsAWayThatAnEditDoesNotConcern) {
+  Navigator navigator(Grid(100, 100), {90, 10});
+  EXPECT_TRUE(navigator.step({10, 10}).replanned);
+  EXPECT_FALSE(navigator.step({10, 10}).replanned);
+  navigator.observe(Rectangle{30, 60, 5, 5}, true);
+  EXPECT_FALSE(navigator.step({10, 10}).replanned);
+  navigator.observe(Rectangle{30, 60, 5, 5}, false);
+  EXPECT_FALSE(navigator.step({10, 10}).replanned);
+  navigator.observe(Rectangle{50, 8, 1, 5}, true);
+  EXPECT_TRUE(navigator.step({10, 10}).replanned);
+  EXPECT_GT(navigator.step({10, 10}).length, 80);
+  navigator.observe(Rectangle{50, 8, 1, 5}, false);
+  EXPECT_TRUE(navigator.step({10, 10}).replanned);
+  EXPECT_EQ(navigator.step({10, 10}).length, 80);
+}
+
+TEST(Navigator, AHostileWorldIsAnAnswer) {
+  Navigator navigator(Grid(9, 9), {8, 8});
+  navigator.observe(Rectangle{4, 0, 1, 9}, true);
+  EXPECT_EQ(navigator.step({0, 0}).status, Status::unreachable);
+  EXPECT_FALSE(navigator.connected({0, 0}, {8, 8}));
+  navigator.observe(std::vector<Cell>{{0, 0}}, true);
+  EXPECT_EQ(navigator.step({0, 0}).fault, Fault::start_blocked);
+  navigator.observe(std::vector<Cell>{{8, 8}, {-1, 3}, {9, 9}}, true);
+  EXPECT_EQ(navigator.step({1, 1}).fault, Fault::goal_blocked);
+  EXPECT_EQ(navigator.step({-5, 1}).fault, Fault::start_outside);
+  navigator.set_goal({20, 20});
+  EXPECT_EQ(navigator.step({1, 1}).fault, Fault::goal_outside);
+  navigator.observe(Rectangle{-10, -10, 100, 100}, false);
+  navigator.set_goal({8, 8});
+  EXPECT_EQ(navigator.step({0, 0}).status, Status::solved);
+}
+
+TEST(Navigator, EveryColonyDrives) {
+  for (const char* name : colonies()) {
+    Navigator navigator(blobs(60, 40), Cell{55, 35}, {.params = quick(name)});
+    if (navigator.map().blocked({55, 35})) navigator.observe(Rectangle{54, 34, 3, 3}, false);
+    navigator.observe(Rectangle{2, 2, 3, 3}, false);
+    const Way& way = navigator.step({3, 3});
+    if (way.path.empty()) continue;  // mortal ants
+    expect_walkable(navigator, {3, 3}, way);
+    const Cell middle = way.walk[way.walk.size() / 2];
+    navigator.observe(std::vector<Cell>{middle}, true);
+    const Way& next = navigator.step({3, 3});
+    EXPECT_TRUE(next.replanned) << name;
+    if (next.path.empty()) continue;
+    const Corners rule = quick(name).corners;
+    EXPECT_EQ(path_fault(navigator.map(), next.path, rule), std::nullopt) << name;
+  }
+}
+
+TEST(Navigator, RefusesBadOptions) {
+  EXPECT_THROW(Navigator(Grid(3, 3), {0, 0}, {.radius = -1}), Error);
+  EXPECT_THROW(Navigator(Grid(3, 3), {0, 0}, {.target_gap = -1}), Error);
+  EXPECT_THROW(Navigator(Grid(3, 3), {0, 0}, {.params = Params("acs"), .target_gap = 0.1}), Error);
+  Params bad("acs");
+  bad.ants = 0;
+  EXPECT_THROW(Navigator(Grid(3, 3), {0, 0}, {.params = bad}), Error);
+}
+
+TEST(Navigator, HoldsNoMoreMemoryAfterManyEdits) {
+  const Grid map = blobs(200, 200);
+  const Request ends = far_apart(Planner(map));
+  Navigator navigator(map, ends.goal);
+  Draw draw(5);
+  std::int64_t early = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Rectangle part = draw_part(draw, map, 4);
+    navigator.observe(part, true);
+    navigator.observe(part, false);
+    for (int y = part.y; y < part.y + part.height; ++y) {
+      for (int x = part.x; x < part.x + part.width; ++x) {
+        navigator.observe(std::vector<Cell>{{x, y}}, map.blocked({x, y}));
+      }
+    }
+    if (i % 10 == 0) (void)navigator.step(ends.start);
+    if (i == 10'000) early = navigator.bytes();
+  }
+  EXPECT_EQ(navigator.map(), map);
+  EXPECT_LE(navigator.bytes(), early + early / 10);
+}
+
+}  // namespace
+}  // namespace lasius
