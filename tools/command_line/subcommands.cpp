@@ -143,10 +143,10 @@ Subcommand add_plan(CLI::App& app) {
               return polygon;
             }
             refuse_world_options(text.world);
-            auto plan = make_plan(text.ends, make_run(raw->run));
-            if (plan.run.seeds > 1)
-              return BatchCommand{std::move(plan.run), "", plan.start, plan.goal};
-            return plan;
+            auto query = make_plan(text.ends, make_run(raw->run));
+            if (query.run.seeds > 1)
+              return BatchCommand{std::move(query.run), "", query.start, query.goal};
+            return query;
           }};
 }
 

@@ -13,6 +13,8 @@
 #include "tools/console/values.h"
 #include "tools/drive/drive_answer.h"
 #include "tools/drive/drive_picture.h"
+#include "tools/drive/film.h"
+#include "tools/drive/gif.h"
 #include "tools/options/commands.h"
 #include "tools/record/outputs.h"
 #include "tools/record/recorded.h"
@@ -57,6 +59,7 @@ class DriveTask : public Task {
   void write_path(std::ostream& out, const char* between) const override;
   void write_csv(std::ostream& out) const override;
   void write_picture(const std::string& file) const override;
+  void write_film(std::ostream& out) const override { film_->write(out); }
 
   const char* format() const override { return kDriveFormat; }
   Json inputs() const override;
@@ -78,6 +81,7 @@ class DriveTask : public Task {
   DriveCommand command_;
   DriveAnswer answer_{};
   std::optional<DriveRecorder> recorder_;
+  std::optional<Film> film_;
   SearchResult result_;
 };
 
@@ -95,6 +99,7 @@ LoadedMap read_world(MapOptions options, const std::string& file, const LoadedMa
 
 void DriveTask::load(const std::stop_token&) {
   const RunOptions& run = options();
+  if (std::ranges::any_of(run.outputs, is_film)) check_films();
   DriveAnswer& answer = answer_;
   answer.map = read_map(run.map, run.frame);
   MapOptions alike = run.map;
@@ -143,13 +148,16 @@ Progress progress_of(const DriveTick& tick) {
 
 void DriveTask::plan(const StopCondition& stop, const Watch& watch) {
   DriveAnswer& answer = answer_;
-  if (std::ranges::any_of(options().outputs, is_picture))
+  const bool filmed = std::ranges::any_of(options().outputs, is_film);
+  if (filmed || std::ranges::any_of(options().outputs, is_picture))
     recorder_.emplace(answer.map.grid(), answer.sense);
+  if (filmed) film_.emplace(answer.map.grid(), answer.goal.cell);
   DriveObserver observer;
   if (watch || recorder_)
     observer = [&](const DriveTick& tick) {
       if (watch) watch(progress_of(tick));
       if (recorder_) recorder_->observe(tick);
+      if (film_) film_->observe(tick, *recorder_);
     };
   const auto begin = Clock::now();
   answer.result = drive(answer.map.grid(), answer.truth().grid(), answer.start.cell,
