@@ -36,7 +36,7 @@ std::array<Colour, kColours> palette() {
     for (const Colour& wall : walls)
       for (int shade = 1; shade <= kShades; ++shade)
         colours[next++] = blend(below, wall, 1.0 * shade / kShades);
-  colours[kTrack] = {0.95, 0.6, 0.6};
+  colours[kTrack] = {0.92, 0.45, 0.45};
   colours[kWay] = kStart;
   colours[kMover] = {0.55, 0.2, 0.65};
   colours[kRobot] = kPath;
@@ -71,8 +71,8 @@ void Film::observe(const DriveTick& tick, const DriveRecorder& recorder) {
   const bool arrived = tick.robot == goal_;
   if (tick.tick % stride_ != 0 && !arrived) return;
   if (tick.tick % stride_ == 0 && frames_.size() == kMostFrames) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < frames_.size(); i += 2) frames_[kept++] = std::move(frames_[i]);
+    std::size_t kept = 1;
+    for (std::size_t i = 2; i < frames_.size(); i += 2) frames_[kept++] = std::move(frames_[i]);
     frames_.resize(kept);
     stride_ *= 2;
     if (tick.tick % stride_ != 0 && !arrived) return;
