@@ -1,6 +1,7 @@
 """drive: arrives without touching anything, records it, replays it, and shows it."""
 import json
 import os
+import signal
 import unittest
 
 from gif import read_film
@@ -117,6 +118,27 @@ class Drive(ProgramTest):
         for file in ("f.gif", "f.png"):
             self.assertEqual(self.drive("-o", file, goal="3,2").code, 4)
             self.assertGreater(len(self.read(file)), 0)
+
+    def test_a_signal_ends_a_drive_with_what_was_driven(self):
+        # What goes up and down the lane lets nobody through.
+        self.write("lane.map", "type octile\nheight 1\nwidth 9\nmap\n.........\n")
+        self.write("c.txt", "0 move 1 1 0.5 2 0 7 0\n")
+        process = self.start_program("drive", "lane.map", "--start", "0,0", "--goal", "8,0",
+                                     "--changes", "c.txt", "--max-ticks", "1000000000", "--json",
+                                     "-o", "r.json", "-o", "r.png", "--progress", "always")
+        seen = b""
+        while b"tick " not in seen:
+            seen += process.stderr.read(1)
+            self.assertIsNone(process.poll(), seen)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        self.assertIn(b"interrupted after", err)
+        result = json.loads(out)
+        self.assertEqual(result["status"], "interrupted")
+        self.assertEqual(len(result["track"]), result["ticks"] + 1)
+        self.assertEqual(self.read("r.json"), out)
+        self.assertGreater(min(self.png_size("r.png")), 100)
 
     def refused_status(self, run, code, status, *words):
         self.assertEqual((run.code, run.json["status"]), (code, status), run.err)
