@@ -84,21 +84,13 @@ class Navigator::Impl {
   const EditedMap::OnChange on_change = [this](const Rectangle& part, std::span<const Cell> cells) {
     four.changed(map.passable(), part);
     eight.changed(map.passable(), part);
-    changed(part);
+    if (graph) graph->update(map.passable(), part);
     if (holds) {
       holds = std::none_of(cells.begin(), cells.end(), [this](Cell c) {
         return map.passable().blocked(c) ? breaks(c) : shortens(c);
       });
     }
   };
-  /// What else knows the map is told of a rectangle of it.
-  void changed(const Rectangle&) {
-    if (graph) {
-      graph.reset();
-      preparation = {};
-    }
-  }
-
   /// Does a cell that has become blocked make the way impossible, or the fault another one?
   bool breaks(Cell cell) const noexcept {
     if (way.path.empty()) return cell == at || cell == goal;
@@ -166,7 +158,7 @@ class Navigator::Impl {
   bool colony;
   Corners corners;
   LiveComponents four{Connectivity::four}, eight{Connectivity::eight};
-  std::shared_ptr<const exact::CornerGraph> graph;
+  std::shared_ptr<exact::CornerGraph> graph;
   Preparation preparation;
   Workspace workspace;
   PathWalker walker;
@@ -202,10 +194,17 @@ void Navigator::forget() { impl_->holds = false; }
 const Grid& Navigator::map() const noexcept { return impl_->map.map(); }
 const Grid& Navigator::passable() const noexcept { return impl_->map.passable(); }
 bool Navigator::connected(Cell a, Cell b) { return *impl_->connected(a, b, impl_->corners, {}); }
-const Preparation& Navigator::preparation() const noexcept { return impl_->preparation; }
+Preparation Navigator::preparation() const noexcept {
+  Preparation now = impl_->preparation;
+  if (impl_->graph) {
+    now.edges = impl_->graph->edge_count();
+    now.bytes = impl_->graph->bytes();
+  }
+  return now;
+}
 std::int64_t Navigator::bytes() const noexcept {
   const Impl& i = *impl_;
-  return i.map.bytes() + i.four.bytes() + i.eight.bytes() + i.preparation.bytes +
+  return i.map.bytes() + i.four.bytes() + i.eight.bytes() + preparation().bytes +
          i.workspace.bytes() + held_bytes(i.way.path, i.way.walk);
 }
 

@@ -83,8 +83,8 @@ class LASIUS_EXPORT Navigator {
   const Grid& passable() const noexcept;
   /// True when the robot could get from one cell to the other, as far as is known.
   bool connected(Cell a, Cell b);
-  /// What has become of the visibility graph.
-  const Preparation& preparation() const noexcept;
+  /// What came of the visibility graph; its edges and bytes are those of now.
+  Preparation preparation() const noexcept;
   std::int64_t bytes() const noexcept;  ///< memory held
 
  private:
