@@ -84,7 +84,8 @@ void draw_track(Canvas& canvas, const Axes& axes, const Sheet& sheet, const Driv
   const double cell = axes.box.width / sheet.window.width();
   for (const Replan& replan : result.replans) {
     const Point at = track[static_cast<std::size_t>(replan.tick)];
-    canvas.disc(axes.at(at.x, at.y), std::clamp(0.35 * cell, 3.0, 5.0), kInk);
+    const Point dot = axes.at(at.x, at.y);  // without a rim: the next may be beside it
+    canvas.line(dot, dot, kInk, std::clamp(0.7 * cell, 5.0, 9.0));
   }
 }
 
@@ -106,7 +107,7 @@ std::vector<Key> keys(const DriveAnswer& answer, const Walls& walls) {
                         goal_key(),
                         line_key("track", kPath, 2.5),
                         {"a way was planned", [](Canvas& canvas, Point left) {
-                           canvas.disc({left.x + 13, left.y}, 4, kInk);
+                           canvas.line({left.x + 13, left.y}, {left.x + 13, left.y}, kInk, 7);
                          }}};
   const auto any = [](const Grid& grid) {
     return grid.count_free() < std::int64_t{1} * grid.width() * grid.height();
