@@ -23,7 +23,7 @@ Messages make_messages(const SearchText& text) {
   return messages;
 }
 
-constexpr std::string_view kResultEndings[] = {".json", ".csv", ".svg", ".png"};
+constexpr std::string_view kDriveEndings[] = {".json", ".csv", ".svg", ".png", ".gif"};
 constexpr std::string_view kArmEndings[] = {".json", ".csv", ".yaml", ".yml", ".svg", ".png"};
 
 /// "N", or "A-B": seeds from A to B.
@@ -145,9 +145,9 @@ void check_endings(const std::vector<std::string>& files,
   }
 }
 
-RunOptions make_run(const RunText& text) {
+RunOptions make_run(const RunText& text, std::span<const std::string_view> endings) {
   RunOptions run;
-  read_search(text, run);
+  read_search(text, run, endings);
   run.params = make_params<Params>(run, World::Kind::bitmap, algorithms(), run.notes);
   const bool certifies = !moves_on_cells(run.params);
   if (!text.frame.empty())
@@ -174,6 +174,37 @@ RunOptions make_run(const RunText& text) {
     run.notes.push_back("--tracks has no effect without -o of a picture, .svg or .png");
   if (!text.tracks.empty()) run.track_iterations = list_value("--tracks", text.tracks);
   return run;
+}
+
+PlanCommand make_plan(const EndsText& ends, RunOptions run) {
+  const bool cells = run.frame == Frame::cell;
+  if (ends.start.empty()) throw UsageError("--start is required; see --help");
+  if (ends.goal.empty()) throw UsageError("--goal is required; see --help");
+  const Point start = pair_value("--start", ends.start, cells);
+  const Point goal = pair_value("--goal", ends.goal, cells);
+  return {std::move(run), start, goal};
+}
+
+DriveCommand make_drive(const DriveText& text) {
+  if (is_world(text.map)) throw UsageError(text.map + ": drives are on bitmaps only");
+  DriveCommand drive{make_plan(text.ends, make_run(text, kDriveEndings))};
+  RunOptions& run = drive.run;
+  if (run.seeds > 1)
+    throw UsageError("--seed " + text.seed + ": one drive has one seed; a range is for plan");
+  if (run.with_optimum)
+    run.notes.emplace_back("--gap has no effect: a drive always tells the optimum of its moves");
+  if (!text.tracks.empty())
+    run.notes.emplace_back("--tracks has no effect: a drive's picture shows the robot's track");
+  run.map.prepare = text.prepare && !moves_on_cells(run.params);
+  drive.world = text.world;
+  drive.changes = text.changes;
+  if (!text.sense.empty())
+    drive.sense =
+        real_value("--sense", text.sense, run.map.radius_metres ? 0 : DriveCommand::kLeastSense,
+                   DriveCommand::kMostSense);
+  if (!text.max_ticks.empty())
+    drive.max_ticks = integer_value("--max-ticks", text.max_ticks, 0, DriveCommand::kMostTicks);
+  return drive;
 }
 
 ArmCommand make_arm(const ArmText& text) {
@@ -228,8 +259,8 @@ PolygonCommand make_polygon(const RunText& run, const PolygonText& text) {
   PolygonCommand command;
   read_search(run, command);
   command.world = make_world_options(run.map, text.world);
-  command.start = optional_point("--start", text.start);
-  command.goal = optional_point("--goal", text.goal);
+  command.start = optional_point("--start", text.ends.start);
+  command.goal = optional_point("--goal", text.ends.goal);
   command.with_optimum = true;  // it is found beside
   if (!run.frame.empty()) {
     if (kFrames[choice_value("--frame", run.frame, kFrames)] == "world")

@@ -70,6 +70,16 @@ struct PlanCommand {
   Point start, goal;  ///< cells, or metres in the world frame
 };
 
+struct DriveCommand : PlanCommand {
+  static constexpr double kLeastSense = 1, kMostSense = 1e6;
+  static constexpr std::int64_t kMostTicks = 1'000'000'000;
+
+  std::string world = {};            ///< map of what is there; empty: as the map has it
+  std::string changes = {};          ///< empty: none
+  std::optional<double> sense = {};  ///< as MapOptions::radius
+  std::int64_t max_ticks = 1'000'000;
+};
+
 /// `batch`; or `plan` with several seeds.
 struct BatchCommand {
   RunOptions run;
@@ -185,8 +195,8 @@ struct Text {
   std::string text;
 };
 
-using Command = std::variant<Text, PlanCommand, BatchCommand, InfoCommand, AlgorithmsCommand,
-                             GenerateCommand, VerifyCommand, StudyCommand, ArmCommand,
-                             PolygonCommand, PolygonBatchCommand, WorldInfoCommand>;
+using Command = std::variant<Text, PlanCommand, DriveCommand, BatchCommand, InfoCommand,
+                             AlgorithmsCommand, GenerateCommand, VerifyCommand, StudyCommand,
+                             ArmCommand, PolygonCommand, PolygonBatchCommand, WorldInfoCommand>;
 
 }  // namespace lasius::tool

@@ -155,7 +155,7 @@ class PolygonTask : public Task {
 WorldOptions recorded_world(const Recorded& from) {
   const Json& result = from.result;
   WorldOptions world;
-  world.file = from.found(recorded<std::string>(result, "map/file"));
+  world.file = from.map_file();
   world.repair = recorded<bool>(result, "parameters/repair");
   world.margin = recorded<double>(result, "parameters/margin");
   const auto choice = [&](const char* name, std::span<const std::string_view> names) {
