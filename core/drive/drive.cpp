@@ -43,7 +43,8 @@ void check(const Grid& map, const Grid& truth, const DriveOptions& options) {
 /// A robot under way. See drive() for its rules.
 class Drive {
  public:
-  Drive(const Grid& map, const Grid& truth, Cell start, Cell goal, const Changes& changes,
+  /// `map` is what the pilot knows now.
+  Drive(const Grid& map, const Grid& truth, Cell start, Pilot& pilot, const Changes& changes,
         const DriveOptions& options, const StopCondition& stop, const DriveObserver& observer)
       : map_(map),
         options_(options),
@@ -51,7 +52,7 @@ class Drive {
         observer_(observer),
         corners_(corners_of_paths(options.navigator.params)),
         world_(truth, changes, options.navigator.radius),
-        navigator_(map, goal, options.navigator),
+        pilot_(pilot),
         robot_(start),
         before_(start) {}
 
@@ -73,11 +74,11 @@ class Drive {
     if (tick_ == 0 && blocked_at_start()) return;
     planning_ = {};
     look();
-    const Found found = robot_ == navigator_.goal() ? Found::way : find_way();
+    const Found found = robot_ == pilot_.goal() ? Found::way : find_way();
     result_.planning_ms += planning_.count();
     if (ended_) return;
     show(found);
-    if (robot_ == navigator_.goal()) return end(Status::solved);
+    if (robot_ == pilot_.goal()) return end(Status::solved);
     if (const auto cause = stop_.poll(); cause != StopCondition::Cause::none) {
       return end(status_after(cause, Status::limit));
     }
@@ -94,10 +95,10 @@ class Drive {
 
   /// A start or goal that is blocked or outside ends the drive before it begins.
   bool blocked_at_start() {
-    const Cell goal = navigator_.goal();
+    const Cell goal = pilot_.goal();
     const bool bad_start = world_.passable().blocked(robot_);
     if (!bad_start) look();
-    if (!bad_start && navigator_.passable().free(goal)) return false;
+    if (!bad_start && pilot_.passable().free(goal)) return false;
     const Cell cell = bad_start ? robot_ : goal;
     const bool inside = world_.now().contains(cell);
     end(Status::invalid, std::string(bad_start ? "start " : "goal ") + cell_name(cell) +
@@ -108,7 +109,7 @@ class Drive {
   }
 
   void look() {
-    sense(world_.now(), navigator_.map(), robot_, options_.sense, world_.growth(), seen_);
+    sense(world_.now(), pilot_.map(), robot_, options_.sense, world_.growth(), seen_);
     learn(seen_.blocked, true);
     learn(seen_.free, false);
   }
@@ -117,11 +118,11 @@ class Drive {
     result_.seen += static_cast<std::int64_t>(cells.size());
     news_.insert(news_.end(), cells.begin(), cells.end());
     const auto begin = Clock::now();
-    navigator_.observe(cells, blocked);
+    pilot_.observe(cells, blocked);
     planning_ += Clock::now() - begin;
   }
 
-  /// One question to the navigator, within the tick's time.
+  /// One question to the pilot, within the tick's time.
   void ask() {
     StopCondition stop = stop_;
     if (std::isfinite(options_.seconds_per_tick)) {
@@ -130,7 +131,7 @@ class Drive {
       stop.deadline = std::min(stop.deadline, deadline_in(left));
     }
     const auto begin = Clock::now();
-    way_ = &navigator_.step(robot_, stop);
+    way_ = &pilot_.step(robot_, stop);
     planning_ += Clock::now() - begin;
     if (!way_->replanned) return;
     if (replanned_) result_.replans.pop_back();  // of the same tick
@@ -168,7 +169,7 @@ class Drive {
     return !world_.changed() || !joined(World::Without::all_obstacles);
   }
   bool joined(World::Without without) const {
-    return world_.joined(robot_, navigator_.goal(), corners_, without);
+    return world_.joined(robot_, pilot_.goal(), corners_, without);
   }
 
   /// Forgets what may not hold any more: the obstacles that were learned before the last change;
@@ -185,12 +186,12 @@ class Drive {
       });
       doubted_at_ = tick_ + 1;
       any = !stale.empty();
-      navigator_.observe(stale, false);
-      if (any && navigator_.connected(robot_, navigator_.goal())) return true;
+      pilot_.observe(stale, false);
+      if (any && pilot_.connected(robot_, pilot_.goal())) return true;
     }
     const bool wait_first = world_.to_change() || world_.stirs();
     if ((wait_first && waited_ < kPatience) || !joined(World::Without::nothing)) return any;
-    navigator_.observe(Rectangle{0, 0, map_.width(), map_.height()}, false);
+    pilot_.observe(Rectangle{0, 0, map_.width(), map_.height()}, false);
     return true;
   }
   bool beyond(Cell cell) const noexcept {
@@ -202,7 +203,7 @@ class Drive {
   void for_each_learned(const Visit& visit) const {
     for (int y = 0; y < map_.height(); ++y) {
       for (int word = 0; word < map_.words(); ++word) {
-        auto bits = navigator_.map().row(y)[word] & ~map_.row(y)[word];
+        auto bits = pilot_.map().row(y)[word] & ~map_.row(y)[word];
         for (; bits != 0; bits &= bits - 1) visit(Cell{word * 64 + std::countr_zero(bits), y});
       }
     }
@@ -219,7 +220,7 @@ class Drive {
     }
     if (waited_ % kPatience == 0) {
       const auto turn = options_.navigator.params.seed + static_cast<std::uint64_t>(tick_);
-      retreat_ = find_retreat(navigator_.passable(), corners_, robot_, turn);
+      retreat_ = find_retreat(pilot_.passable(), corners_, robot_, turn);
     }
     if (retreat_.empty()) return robot_;
     const Cell to = retreat_.back();
@@ -270,8 +271,8 @@ class Drive {
     view.tick = tick_;
     view.robot = robot_;
     view.world = &world_.now();
-    view.robot_knows = &navigator_;
-    view.way = found == Found::way && robot_ != navigator_.goal() ? way_ : nullptr;
+    view.robot_knows = &pilot_;
+    view.way = found == Found::way && robot_ != pilot_.goal() ? way_ : nullptr;
     view.obstacles = world_.obstacles();
     view.news = news_;
     view.replanned = replanned_;
@@ -288,7 +289,7 @@ class Drive {
   const DriveObserver& observer_;
   const Corners corners_;
   World world_;
-  Navigator navigator_;
+  Pilot& pilot_;
   Cell robot_, before_;  // before its last move
   std::int64_t tick_ = 0;
   const Way* way_ = nullptr;
@@ -298,7 +299,7 @@ class Drive {
   Milliseconds planning_{};
   int waited_ = 0, attempts_ = 0, doubts_ = 0;
   std::int64_t doubted_at_ = 0;  // tick
-  std::vector<Cell> retreat_;  // the next cell last
+  std::vector<Cell> retreat_;    // the next cell last
   bool ended_ = false;
   DriveResult result_;
 };
@@ -309,7 +310,16 @@ DriveResult drive(const Grid& map, const Grid& truth, Cell start, Cell goal, con
                   const DriveOptions& options, const StopCondition& stop,
                   const DriveObserver& observer) {
   check(map, truth, options);
-  return Drive(map, truth, start, goal, changes, options, stop, observer).run();
+  Navigator navigator(map, goal, options.navigator);
+  return Drive(map, truth, start, navigator, changes, options, stop, observer).run();
+}
+
+DriveResult drive(Pilot& pilot, const Grid& truth, Cell start, const Changes& changes,
+                  const DriveOptions& options, const StopCondition& stop,
+                  const DriveObserver& observer) {
+  const Grid map = pilot.map();
+  check(map, truth, options);
+  return Drive(map, truth, start, pilot, changes, options, stop, observer).run();
 }
 
 }  // namespace lasius

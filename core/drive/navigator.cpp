@@ -228,6 +228,8 @@ class Navigator::Impl {
   Cell at{-1, -1};     ///< where the robot was in the last step
 };
 
+Pilot::~Pilot() = default;
+
 Navigator::Navigator(Grid map, Cell goal, const NavigatorOptions& options)
     : impl_(std::make_unique<Impl>(std::move(map), goal, options)) {}
 Navigator::~Navigator() = default;

@@ -105,7 +105,7 @@ class DriveTick {
   std::int64_t tick = 0;
   Cell robot;
   const Grid* world = nullptr;  ///< what is there, moving obstacles too
-  const Navigator* robot_knows = nullptr;
+  const Pilot* robot_knows = nullptr;
   const Way* way = nullptr;          ///< null where none was asked for, in a wait
   std::vector<Rectangle> obstacles;  ///< where the moving ones are, those that have appeared
   std::vector<Cell> news;            ///< cells that the robot learned in this tick
@@ -130,6 +130,13 @@ using DriveObserver = std::function<void(const DriveTick&)>;
 /// @throws Error(invalid_parameter) for sizes that differ, changes outside the map, and options out
 /// of range; what the observer throws.
 LASIUS_EXPORT DriveResult drive(const Grid& map, const Grid& truth, Cell start, Cell goal,
+                                const Changes& changes = {}, const DriveOptions& options = {},
+                                const StopCondition& stop = {}, const DriveObserver& observer = {});
+
+/// The same with a planner that is there already, to its goal; it knows what it has observed. Of
+/// `options.navigator` the robot's radius, the rule of corners and the seed count.
+/// @throws likewise.
+LASIUS_EXPORT DriveResult drive(Pilot& pilot, const Grid& truth, Cell start,
                                 const Changes& changes = {}, const DriveOptions& options = {},
                                 const StopCondition& stop = {}, const DriveObserver& observer = {});
 

@@ -42,6 +42,30 @@ struct Way : Result {
   std::vector<Cell> walk;
 };
 
+/// What drive() needs of a planner that belongs to a robot: a Navigator, or another to compare
+/// with.
+class LASIUS_EXPORT Pilot {
+ public:
+  virtual ~Pilot();
+  /// All cells of a rectangle are blocked, or free. What lies outside the map is ignored.
+  virtual void observe(const Rectangle& part, bool blocked) = 0;
+  /// Each of these cells is blocked, or free. What lies outside the map is ignored.
+  virtual void observe(std::span<const Cell> cells, bool blocked) = 0;
+  /// The way to the goal from where the robot is now; without one, Status::unreachable or
+  /// Status::invalid where that is proven. drive() asks for `status`, `path` (only whether it is
+  /// empty), `walk`, `length`, `replanned`, `fault` and `error`. Holds until the next call of any
+  /// member that is not const.
+  virtual const Way& step(Cell robot, const StopCondition& stop = {}) = 0;
+
+  virtual Cell goal() const noexcept = 0;
+  /// The map as it is known now, the robot a point on it: obstacles are not grown here.
+  virtual const Grid& map() const noexcept = 0;
+  /// Where the robot's centre may be: the map with its obstacles grown.
+  virtual const Grid& passable() const noexcept = 0;
+  /// True when the robot could get from one cell to the other, as far as is known.
+  virtual bool connected(Cell a, Cell b) = 0;
+};
+
 /// A planner that belongs to a robot: it has one map, tells it what it sees, and asks for a way
 /// again and again. What an observation costs depends on what has changed, not on the size of the
 /// map; a way that what has changed neither blocks nor can shorten is kept.
@@ -51,38 +75,33 @@ struct Way : Result {
 ///
 /// Not thread-safe: one thread at a time, save where a function says so. Deterministic in the
 /// sequence of calls, as Planner::plan.
-class LASIUS_EXPORT Navigator {
+class LASIUS_EXPORT Navigator final : public Pilot {
  public:
   /// Labels the map's components, grows obstacles where the robot has a radius, and prepares the
   /// map if asked to. Start and goal may be blocked or outside: the answer tells.
   /// @throws Error(invalid_parameter) for parameters, a radius or a gap that are out of range.
   Navigator(Grid map, Cell goal, const NavigatorOptions& options = {});
-  ~Navigator();
+  ~Navigator() override;
   Navigator(Navigator&&) noexcept;  ///< one that was moved from may only be assigned to or end
   Navigator& operator=(Navigator&&) noexcept;
 
-  /// All cells of a rectangle are blocked, or free. What lies outside the map is ignored.
-  void observe(const Rectangle& part, bool blocked);
-  /// Each of these cells is blocked, or free. What lies outside the map is ignored.
-  void observe(std::span<const Cell> cells, bool blocked);
+  void observe(const Rectangle& part, bool blocked) override;
+  void observe(std::span<const Cell> cells, bool blocked) override;
 
   /// The way to the goal from where the robot is now. Never throws for what the world is like:
   /// Status::unreachable and Status::invalid (the robot's cell or the goal has become blocked) are
   /// answers, and the next step may find another one.
   /// Holds until the next call of any member that is not const.
-  const Way& step(Cell robot, const StopCondition& stop = {});
+  const Way& step(Cell robot, const StopCondition& stop = {}) override;
 
-  Cell goal() const noexcept;
+  Cell goal() const noexcept override;
   void set_goal(Cell goal);  ///< the trail of a colony that led to another goal is forgotten
   /// A colony's trail, and the way kept so far, are forgotten.
   void forget();
 
-  /// The map as it is known now, the robot a point on it: obstacles are not grown here.
-  const Grid& map() const noexcept;
-  /// Where the robot's centre may be: the map with its obstacles grown.
-  const Grid& passable() const noexcept;
-  /// True when the robot could get from one cell to the other, as far as is known.
-  bool connected(Cell a, Cell b);
+  const Grid& map() const noexcept override;
+  const Grid& passable() const noexcept override;
+  bool connected(Cell a, Cell b) override;
   /// What came of the visibility graph; its edges and bytes are those of now.
   Preparation preparation() const noexcept;
   std::int64_t bytes() const noexcept;  ///< memory held

@@ -24,7 +24,7 @@ struct Task {
   std::function<Run(std::uint64_t seed, bool pilot, const std::stop_token&, Workspace&)> run;
 };
 
-/// What the questions of a study are about: bitmaps, polygons or arms.
+/// What the questions of a study are about: bitmaps, polygons, arms or drives.
 class Domain {
  public:
   virtual ~Domain() = default;

@@ -35,11 +35,12 @@ struct Published {
   double seconds = kUnknown;
 };
 
-/// One start and goal on one map, among the polygons of one world, or of an arm in one scene.
+/// One start and goal on one map, among the polygons of one world, of an arm in one scene, or of a
+/// drive.
 struct Question {
   std::string name;  ///< of files
   std::string map;   ///< a file of maps/, or what is generated
-  Cell start, goal;  ///< on a map; worlds and scenes have their own
+  Cell start, goal;  ///< on a map; worlds, scenes and drives have their own
   std::vector<Published> published = {};
 };
 
@@ -99,7 +100,7 @@ struct Claim {
   std::vector<Claim> baseline = {};
 };
 
-enum class World { bitmap, polygon, arm };
+enum class World { bitmap, polygon, arm, online };
 
 struct Study {
   std::string name;

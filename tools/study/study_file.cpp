@@ -176,6 +176,7 @@ World world_of(const std::string& name) {
   if (name == "bitmap") return World::bitmap;
   if (name == "polygon") return World::polygon;
   if (name == "arm") return World::arm;
+  if (name == "online") return World::online;
   throw std::invalid_argument("no world " + name);
 }
 

@@ -16,6 +16,7 @@
 #include "tools/study/markdown.h"
 #include "tools/study/pictures.h"
 #include "tools/study/portrait.h"
+#include "tools/study/sources/online.h"
 #include "tools/study/study_file.h"
 #include "tools/study/table.h"
 #ifdef LASIUS_WITH_POLYGON
@@ -35,7 +36,7 @@ using study::Study;
 using study::World;
 
 bool was_built(World world) {
-  bool built = world == World::bitmap;
+  bool built = world == World::bitmap || world == World::online;
 #ifdef LASIUS_WITH_POLYGON
   built = built || world == World::polygon;
 #endif
@@ -52,6 +53,7 @@ std::unique_ptr<study::Domain> make_domain(const Study& study, const fs::path& m
 #ifdef LASIUS_WITH_ARM
   if (study.world == World::arm) return std::make_unique<study::ArmScenes>(study, maps);
 #endif
+  if (study.world == World::online) return std::make_unique<study::OnlineDrives>(study, maps);
   return std::make_unique<study::Bitmaps>(study, maps);
 }
 
