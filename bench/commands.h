@@ -17,11 +17,13 @@ namespace lasius::bench {
 void add_queries_command(CLI::App& app);
 void add_anytime_command(CLI::App& app);
 void add_exact_command(CLI::App& app);
+void add_edits_command(CLI::App& app);
 void add_colony_command(CLI::App& app);
 void add_overshoot_command(CLI::App& app);
 void add_quality_command(CLI::App& app);
 void add_validity_command(CLI::App& app);
 void add_drive_command(CLI::App& app);
+void add_survive_command(CLI::App& app);
 void add_polygons_command(CLI::App& app);   ///< only with GEOS
 void add_sampling_command(CLI::App& app);   ///< only with OMPL
 void add_arm_command(CLI::App& app);        ///< only with lasius::arm

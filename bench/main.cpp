@@ -25,11 +25,13 @@ void lasius::bench::add_commands(CLI::App& app) {
   add_queries_command(app);
   add_anytime_command(app);
   add_exact_command(app);
+  add_edits_command(app);
   add_colony_command(app);
   add_overshoot_command(app);
   add_quality_command(app);
   add_validity_command(app);
   add_drive_command(app);
+  add_survive_command(app);
 #ifdef LASIUS_HAVE_POLYGON
   add_polygons_command(app);
 #endif

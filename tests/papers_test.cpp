@@ -375,7 +375,8 @@ double learn(WalkedGrid& index, const std::vector<std::pair<std::uint8_t, int>>&
 /// The length of the generation's answer.
 double answer(WalkedGrid& index) {
   std::vector<std::uint8_t> way;
-  best_known_way(index.rows.field, index.rows.moves, index.start, index.goal, {}, way);
+  best_known_way(index.rows.field, index.rows.moves, index.start, index.goal,
+                 IndexAnswer::least_way, {}, way);
   double length = 0;
   for (const int k : way) length += index.rows.moves[k].length;
   return length;

@@ -16,6 +16,7 @@ int run(const Text& text) {
   return kFound;
 }
 int run(const PlanCommand& command) { return run_plan(command); }
+int run(const DriveCommand& command) { return run_drive(command); }
 int run(const BatchCommand& command) { return run_batch(command); }
 int run(const InfoCommand& command) { return run_info(command); }
 int run(const AlgorithmsCommand& command) { return run_algorithms(command); }

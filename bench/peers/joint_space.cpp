@@ -1,8 +1,6 @@
 #include "bench/peers/joint_space.h"
 
-#include <ompl/base/MotionValidator.h>
 #include <ompl/base/ProblemDefinition.h>
-#include <ompl/base/SpaceInformation.h>
 #include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/PathGeometric.h>
@@ -15,6 +13,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+
+#include "bench/peers/motions.h"
 
 namespace lasius::peers {
 namespace {
@@ -51,25 +51,6 @@ class Counter {
  private:
   const arm::Sensor* sensor_;
   int joints_;
-};
-
-class ArmMotions final : public ob::MotionValidator {
- public:
-  ArmMotions(const ob::SpaceInformationPtr& space, const Counter& counter)
-      : ob::MotionValidator(space), counter_(&counter) {}
-  bool checkMotion(const ob::State* a, const ob::State* b) const override {
-    return counter_->free(a, b);
-  }
-  bool checkMotion(const ob::State* a, const ob::State* b,
-                   std::pair<ob::State*, double>& last) const override {
-    if (checkMotion(a, b)) return true;
-    last.second = 0;
-    if (last.first != nullptr) si_->copyState(last.first, a);
-    return false;
-  }
-
- private:
-  const Counter* counter_;
 };
 
 // All joint values with the tip at a position.
@@ -150,7 +131,10 @@ JointTrial run_rrt_connect(const arm::Robot& robot, const arm::Sensor& sensor,
   const Counter counter(sensor, robot.size());
   information->setStateValidityChecker(
       [&](const ob::State* q) { return space->satisfiesBounds(q) && counter.free(q); });
-  information->setMotionValidator(std::make_shared<ArmMotions>(information, counter));
+  const auto free = [&counter](const ob::State* a, const ob::State* b) {
+    return counter.free(a, b);
+  };
+  information->setMotionValidator(std::make_shared<Motions<decltype(free)>>(information, free));
   information->setup();
   const auto problem = std::make_shared<ob::ProblemDefinition>(information);
   ob::ScopedState<Space> from(space);

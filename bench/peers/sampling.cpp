@@ -1,8 +1,6 @@
 #include "bench/peers/sampling.h"
 
-#include <ompl/base/MotionValidator.h>
 #include <ompl/base/ProblemDefinition.h>
-#include <ompl/base/SpaceInformation.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/PathGeometric.h>
@@ -17,6 +15,7 @@
 #include <chrono>
 #include <limits>
 
+#include "bench/peers/motions.h"
 #include "bench/peers/segment.h"
 
 namespace lasius::peers {
@@ -36,26 +35,6 @@ Point point_of(const ob::State* state) {
   return {values[0], values[1]};
 }
 
-class BitmapMotions final : public ob::MotionValidator {
- public:
-  BitmapMotions(const ob::SpaceInformationPtr& space, const Grid& grid)
-      : ob::MotionValidator(space), grid_(&grid) {}
-  bool checkMotion(const ob::State* a, const ob::State* b) const override {
-    return segment_clear(*grid_, point_of(a), point_of(b));
-  }
-  // Planners that ask how far a motion is free get its middle, where that helps.
-  bool checkMotion(const ob::State* a, const ob::State* b,
-                   std::pair<ob::State*, double>& last) const override {
-    if (checkMotion(a, b)) return true;
-    last.second = 0;
-    if (last.first != nullptr) si_->copyState(last.first, a);
-    return false;
-  }
-
- private:
-  const Grid* grid_;
-};
-
 // One query set up for OMPL, with the clock and the best path so far.
 class Trial {
  public:
@@ -71,7 +50,10 @@ class Trial {
       const Point p = point_of(state);
       return grid.free({static_cast<int>(p.x), static_cast<int>(p.y)});
     });
-    information_->setMotionValidator(std::make_shared<BitmapMotions>(information_, grid));
+    const auto free = [&grid](const ob::State* a, const ob::State* b) {
+      return segment_clear(grid, point_of(a), point_of(b));
+    };
+    information_->setMotionValidator(std::make_shared<Motions<decltype(free)>>(information_, free));
     information_->setup();
     problem_ = std::make_shared<ob::ProblemDefinition>(information_);
     problem_->setOptimizationObjective(

@@ -1,5 +1,8 @@
-// The colony on a bitmap: what the one loop asks of it, composed from parameters.
+// The colony on a bitmap, composed from parameters: run once, or again and again on a map that
+// changes.
 #pragma once
+
+#include <memory>
 
 #include "core/colony/colony_memory.h"
 #include "lasius/params.h"
@@ -13,5 +16,50 @@ namespace lasius {
 /// joined and not equal.
 Result run_colony(const Grid& grid, const Request& request, const Params& params,
                   ColonyMemory& memory, const Observer& observer);
+
+/// A colony that keeps its trail while its map changes and its start moves. One thread at a time
+/// uses an object; a colony itself walks on Params::threads, which change nothing.
+///
+/// Iterations are counted on from run to run, whatever changes: schedules of alpha, beta and the
+/// rules go on, and so do the ants' random numbers. So results depend on seed, parameters and the
+/// sequence of calls alone. The first run gives what run_colony() gives.
+class SurvivingColony {
+ public:
+  /// `grid`, edited by its owner between calls, must outlive the object and keep its size; `params`
+  /// are a colony's, valid.
+  SurvivingColony(const Grid& grid, Cell goal, const Params& params);
+  ~SurvivingColony();
+  SurvivingColony(const SurvivingColony&) = delete;
+  SurvivingColony& operator=(const SurvivingColony&) = delete;
+
+  /// Up to `iterations` more, from `start`, which is free, joined to the goal and not equal to it.
+  /// The result's path is the best since the start last moved or a change spoilt it; from a start
+  /// that the best tour passes, the rest of that is offered before ants walk. Curves are this
+  /// run's; an observer's Progress::iteration counts all. After a deadline, passes over the trail
+  /// are completed, since it is needed again: they take longer the more cells ants know.
+  Result run(Cell start, int iterations, const StopCondition& stop = {},
+             const Observer& observer = {});
+
+  /// To be called when cells of `part` have been edited, before the next run; any number of times.
+  /// `part` lies in the grid and is not empty, the goal stays free. Moves and heuristic are the
+  /// grid's again; the best tour and the best path go where they are blocked, and so do their
+  /// deposits; MAX-MIN bounds stay until an ant arrives. Pheromone elsewhere stays as it is.
+  ///
+  /// Where free cells of `part` might make a way shorter than the best tour, by the straight
+  /// distances from start and goal to them, tau nears the tour's level beside them,
+  ///     tau <- (1 - g) tau + g most,   g = 0.3 max(0, 1 - d / R),
+  /// d the distance from `part`, R its longer side, most the largest tau on the best tour; and that
+  /// tour deposits no longer, though its path is still offered. After Guntsch & Middendorf 2001
+  /// (resets in proportion to nearness); share and radius are ours, see docs/theory.md. A terminal
+  /// index forgets instead what leads nowhere, see forget_lost_ways().
+  void changed(const Rectangle& part);
+
+  /// Blank again, as a new object.
+  void forget();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace lasius

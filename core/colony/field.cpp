@@ -8,6 +8,7 @@
 #include "core/base/held_bytes.h"
 #include "core/base/kernel_choice.h"
 #include "core/colony/field_tile.h"
+#include "core/grid/cell_distance.h"
 
 namespace lasius {
 namespace {
@@ -39,6 +40,7 @@ void Field::reset(const Grid& grid, const kernels::Moves& moves, Cell goal, cons
   grid_ = &grid;
   stop_ = stop;
   moves_ = moves;
+  goal_ = goal;
   raise_ = kernels::raise_row(chosen_isa());
   params_ = params;
   mixture_ = mixes_rules(params);
@@ -171,6 +173,17 @@ void Field::store(float& stored, double value) {
   stored = std::max(static_cast<float>(scaled), kTiny);
 }
 
+void Field::equalise(const Rectangle& part, double radius, double share, double level) {
+  for_all_tiles(1, [&](Tile& tile) {
+    for (int i = 0; i < static_cast<int>(kTileCells); ++i) {
+      const Cell c{tile.x0 + i % kTileSide, tile.y0 + i / kTileSide};
+      const double g = share * (1 - distance(c, part) / radius);
+      if (!(g > 0) || !grid_->contains(c)) continue;
+      for (int k = 0; k < taus(); ++k) set_tau(c, k, (1 - g) * tau(c, k) + g * level);
+    }
+  });
+}
+
 void Field::raise_untouched(double value) {
   untouched_ = static_cast<float>(value * per_scale_);
   for_all_tiles(1, [&](Tile& tile) {
@@ -180,6 +193,12 @@ void Field::raise_untouched(double value) {
     }
   });
   all_stale_ = true;
+}
+
+void Field::forget(Cell c) {
+  Tile& tile = touch(c);
+  std::fill_n(tile.tau + std::ptrdiff_t{in_tile(c)} * taus(), taus(), untouched_);
+  tile.touched[c.y & kInTile] &= ~(std::uint32_t{1} << (c.x & kInTile));
 }
 
 bool Field::exists(Cell c, int move) {

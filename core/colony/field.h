@@ -39,6 +39,14 @@ class Field {
   void reset(const Grid& grid, const kernels::Moves& moves, Cell goal, const Params& params,
              double untouched, const StopCondition& stop);
 
+  /// Cells of `part` were blocked or freed: moves into, past and out of them exist as the grid has
+  /// it. Pheromone stays. Works through the whole map with Heuristic::distance_field.
+  void edited(const Rectangle& part);
+
+  /// tau <- (1 - g) tau + g level beside `part`, where tiles are: g falls from `share` on its cells
+  /// to 0 at `radius` cells from them.
+  void equalise(const Rectangle& part, double radius, double share, double level);
+
   /// Brings all rows up to date with the changes so far and this iteration's exponents.
   void refresh(const StepWeights& weights, int threads);
 
@@ -63,6 +71,9 @@ class Field {
   /// Raises tau where it was never changed, and the rows next to it. `value` is above the old one.
   void raise_untouched(double value);
   double untouched() const noexcept { return untouched_ * scale_; }
+
+  /// tau of a cell is again what it is where nothing was ever changed.
+  void forget(Cell c);
 
   /// True when the move leads somewhere.
   bool exists(Cell c, int move);
@@ -118,6 +129,7 @@ class Field {
   const Grid* grid_ = nullptr;
   StopCondition stop_;
   kernels::Moves moves_;
+  Cell goal_;
   Params params_;
   HeuristicRows heuristic_;
   kernels::RaiseFn raise_ = nullptr;

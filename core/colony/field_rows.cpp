@@ -213,6 +213,19 @@ void Field::read_index(const Tile& tile, int cell, Count moves, double* index) c
   }
 }
 
+void Field::edited(const Rectangle& part) {
+  const bool everywhere = params_.heuristic == Heuristic::distance_field;
+  if (everywhere) heuristic_.reset(*grid_, moves_, goal_, params_, stop_);
+  for_all_tiles(1, [&](Tile& tile) {
+    const bool beside =
+        tile.x0 < part.x + part.width + reach_ && tile.y0 < part.y + part.height + reach_ &&
+        part.x < tile.x0 + kTileSide + reach_ && part.y < tile.y0 + kTileSide + reach_;
+    if (!beside && !everywhere) return;
+    fill_heuristic(tile);
+    fill_every_row(tile);
+  });
+}
+
 void Field::refresh(const StepWeights& weights, int threads) {
   const bool heuristic = weights.beta != weights_.beta && heuristic_.depends_on_beta();
   // Bounds make rows drift without a deposit; so do new exponents.
@@ -249,10 +262,10 @@ void Field::refresh_tile(Tile& tile, bool touched) const {
       const Tile* from = find({tile.x0 + tx * kTileSide, tile.y0 + ty * kTileSide});
       if (from == nullptr || !(touched ? from->any_touched : from->any_changed)) continue;
       any = true;
-      const auto& source = touched ? from->touched : from->changed;
       const int first = ty < 0 ? kTileSide - kPad : 0, last = ty > 0 ? kPad : kTileSide;
       for (int y = first; y < last; ++y) {
-        const std::uint64_t word = source[y];
+        // Of a cell that was forgotten only the change tells.
+        const std::uint64_t word = from->changed[y] | (touched ? from->touched[y] : 0);
         bits[y + ty * kTileSide + kPad] |= tx < 0   ? word >> (kTileSide - kPad)
                                            : tx > 0 ? word << (kTileSide + kPad)
                                                     : word << kPad;

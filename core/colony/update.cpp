@@ -1,7 +1,11 @@
 #include "core/colony/update.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <queue>
+#include <tuple>
+#include <vector>
 
 #include "core/base/poller.h"
 #include "core/grid/move_rule.h"
@@ -106,7 +110,8 @@ void learning(Field& field, const Params& params, const GridTours& tours) {
 }  // namespace
 
 void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell goal,
-                    const StopCondition& stop, std::vector<std::uint8_t>& way) {
+                    IndexAnswer reading, const StopCondition& stop,
+                    std::vector<std::uint8_t>& way) {
   way.clear();
   const double unknown = field.untouched();
   if (field.tau(start, 0) >= unknown) return;
@@ -120,16 +125,52 @@ void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell 
     if (!(here < before)) return way.clear();
     before = here;
     int best = 0;
-    double least = std::numeric_limits<double>::infinity();
+    double largest = -std::numeric_limits<double>::infinity();
     for (int k = 0; k < moves.count; ++k) {
       if (!field.exists(c, k)) continue;
-      const double through = field.tau(c + moves[k].to, 0) + moves[k].length;
-      if (through >= least) continue;
-      least = through;
+      const double there = field.tau(c + moves[k].to, 0), step = moves[k].length;
+      const double gradient =
+          reading == IndexAnswer::steepest ? (here - there) / step : -(there + step);
+      if (gradient <= largest) continue;
+      largest = gradient;
       best = k;
     }
     way.push_back(static_cast<std::uint8_t>(best));
     c = c + moves[best].to;
+  }
+}
+
+void forget_lost_ways(Field& field, const Grid& grid, Corners corners, const kernels::Moves& moves,
+                      Cell goal, const Rectangle& part) {
+  const double unknown = field.untouched();
+  // By K: what holds a cell up has a smaller one, and is settled before.
+  using Item = std::tuple<double, int, int>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> doubtful;
+  const auto doubt = [&](Cell c, double above) {
+    if (!grid.contains(c) || c == goal) return;
+    const double k = field.tau(c, 0);
+    if (k > above && k < unknown) doubtful.emplace(k, c.y, c.x);
+  };
+  const auto held_up = [&](Cell c, double k) {
+    constexpr double kRounding = 1 + 0x1p-20;  // K is stored as a float
+    return grid.free(c) && std::any_of(moves.move.begin(), moves.move.begin() + moves.count,
+                                       [&](const kernels::Move& move) {
+                                         if (!move_exists(grid, corners, c, move)) return false;
+                                         const double next = field.tau(c + move.to, 0);
+                                         return next < k && next + move.length <= k * kRounding;
+                                       });
+  };
+  constexpr int kReach = kernels::kMaxReach;
+  for (int y = part.y - kReach; y < part.y + part.height + kReach; ++y) {
+    for (int x = part.x - kReach; x < part.x + part.width + kReach; ++x) doubt({x, y}, 0);
+  }
+  while (!doubtful.empty()) {
+    const auto [k, y, x] = doubtful.top();
+    doubtful.pop();
+    const Cell c{x, y};
+    if (field.tau(c, 0) != k || held_up(c, k)) continue;
+    field.forget(c);
+    for (int m = 0; m < moves.count; ++m) doubt(c + moves[m].to, k);
   }
 }
 

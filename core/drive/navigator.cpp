@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/held_bytes.h"
+#include "core/colony/colony.h"
 #include "core/drive/edited_map.h"
 #include "core/drive/path_walker.h"
 #include "core/grid/components.h"
@@ -55,6 +56,46 @@ class LiveComponents {
   bool up_to_date_ = true;
 };
 
+/// A colony and what it was not told yet: changes beside each other in one, since each is repaired.
+class LiveColony {
+ public:
+  LiveColony(const Grid& grid, Cell goal, const Params& params)
+      : colony_(grid, goal, params), iterations_(params.iterations) {}
+
+  void changed(const Rectangle& part) {
+    if (!changed_.empty()) {
+      Rectangle& last = changed_.back();
+      const Rectangle both = round(last, part);
+      if (area(both) <= 4 * (area(last) + area(part))) {
+        last = both;
+        return;
+      }
+    }
+    changed_.push_back(part);
+  }
+  Result run(const Request& request, const Observer& observer) {
+    for (const Rectangle& part : changed_) colony_.changed(part);
+    changed_.clear();
+    return colony_.run(request.start, iterations_, request.stop, observer);
+  }
+  void forget() {
+    changed_.clear();
+    colony_.forget();
+  }
+
+ private:
+  static std::int64_t area(const Rectangle& r) noexcept { return std::int64_t{r.width} * r.height; }
+  static Rectangle round(const Rectangle& a, const Rectangle& b) noexcept {
+    const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
+    return {left, top, std::max(a.x + a.width, b.x + b.width) - left,
+            std::max(a.y + a.height, b.y + b.height) - top};
+  }
+
+  SurvivingColony colony_;
+  int iterations_;
+  std::vector<Rectangle> changed_;
+};
+
 double distance(Cell a, Cell b) noexcept {
   const double dx = a.x - b.x, dy = a.y - b.y;
   return std::sqrt(dx * dx + dy * dy);
@@ -69,9 +110,16 @@ class Navigator::Impl {
     validate(options.params);
     const Algorithm& algorithm = find_algorithm(options.params.algorithm());
     check_certifies(algorithm, options.target_gap);
-    colony = algorithm.kind == Algorithm::Kind::colony;
+    is_colony = algorithm.kind == Algorithm::Kind::colony;
     corners = corners_of_paths(options.params);
+    aim();
     if (options.prepare) prepare(*options.prepare);
+  }
+
+  /// A trail leads to one goal.
+  void aim() {
+    if (is_colony) colony.emplace(map.passable(), goal, options.params);
+    holds = false;
   }
 
   void prepare(const PrepareOptions& how) {
@@ -84,21 +132,14 @@ class Navigator::Impl {
   const EditedMap::OnChange on_change = [this](const Rectangle& part, std::span<const Cell> cells) {
     four.changed(map.passable(), part);
     eight.changed(map.passable(), part);
-    changed(part);
+    if (graph) graph->update(map.passable(), part);
+    if (colony) colony->changed(part);
     if (holds) {
       holds = std::none_of(cells.begin(), cells.end(), [this](Cell c) {
         return map.passable().blocked(c) ? breaks(c) : shortens(c);
       });
     }
   };
-  /// What else knows the map is told of a rectangle of it.
-  void changed(const Rectangle&) {
-    if (graph) {
-      graph.reset();
-      preparation = {};
-    }
-  }
-
   /// Does a cell that has become blocked make the way impossible, or the fault another one?
   bool breaks(Cell cell) const noexcept {
     if (way.path.empty()) return cell == at || cell == goal;
@@ -122,14 +163,23 @@ class Navigator::Impl {
     return distance(at, cell) + distance(cell, goal) < walker.rest() + kSlack;
   }
 
-  void plan(Cell robot, const StopCondition& stop) {
-    const PlanningMap known{
+  Result ask(Cell robot, const StopCondition& stop) {
+    PlanningMap known{
         .grid = map.passable(),
         .graph = graph.get(),
         .connected = [&](Cell a, Cell b, Corners rule) { return connected(a, b, rule, stop); }};
+    if (colony) {
+      known.colony = [&](const Request& request, const Observer& observer) {
+        return colony->run(request, observer);
+      };
+    }
     const Request request{
         .start = robot, .goal = goal, .stop = stop, .target_gap = options.target_gap};
-    static_cast<Result&>(way) = answer(known, request, options.params, &workspace, {});
+    return answer(known, request, options.params, &workspace, {});
+  }
+
+  void take(Result&& result) {
+    static_cast<Result&>(way) = std::move(result);
     way.replanned = true;
     way.walk.clear();
     walker.begin(way.path);
@@ -147,12 +197,14 @@ class Navigator::Impl {
     way.replanned = false;
     const auto here = std::find(way.walk.begin(), way.walk.end(), robot);
     const bool on_way = way.path.empty() ? robot == at : here != way.walk.end();
-    const bool goes_on = colony && options.search_on && robot != goal;
+    const bool go_on = holds && on_way;
     at = robot;
-    if (!holds || !on_way || goes_on) {
-      plan(robot, stop);
-    } else {
-      way.walk.erase(way.walk.begin(), here);
+    if (go_on) way.walk.erase(way.walk.begin(), here);
+    if (!go_on) {
+      take(ask(robot, stop));
+    } else if (is_colony && options.search_on && robot != goal) {
+      Result result = ask(robot, stop);
+      if (!result.path.empty() && result.length < walker.rest()) take(std::move(result));
     }
     if (!way.path.empty() && way.walk.size() < 2) {
       walker.next(map.passable(), corners, robot, way.walk);
@@ -163,10 +215,11 @@ class Navigator::Impl {
   Cell goal;
   NavigatorOptions options;
   EditedMap map;
-  bool colony;
+  bool is_colony;
   Corners corners;
+  std::optional<LiveColony> colony;
   LiveComponents four{Connectivity::four}, eight{Connectivity::eight};
-  std::shared_ptr<const exact::CornerGraph> graph;
+  std::shared_ptr<exact::CornerGraph> graph;
   Preparation preparation;
   Workspace workspace;
   PathWalker walker;
@@ -197,17 +250,27 @@ Cell Navigator::goal() const noexcept { return impl_->goal; }
 void Navigator::set_goal(Cell goal) {
   if (goal == impl_->goal) return;
   impl_->goal = goal;
-  forget();
+  impl_->aim();
 }
-void Navigator::forget() { impl_->holds = false; }
+void Navigator::forget() {
+  impl_->holds = false;
+  if (impl_->colony) impl_->colony->forget();
+}
 
 const Grid& Navigator::map() const noexcept { return impl_->map.map(); }
 const Grid& Navigator::passable() const noexcept { return impl_->map.passable(); }
 bool Navigator::connected(Cell a, Cell b) { return *impl_->connected(a, b, impl_->corners, {}); }
-const Preparation& Navigator::preparation() const noexcept { return impl_->preparation; }
+Preparation Navigator::preparation() const noexcept {
+  Preparation now = impl_->preparation;
+  if (impl_->graph) {
+    now.edges = impl_->graph->edge_count();
+    now.bytes = impl_->graph->bytes();
+  }
+  return now;
+}
 std::int64_t Navigator::bytes() const noexcept {
   const Impl& i = *impl_;
-  return i.map.bytes() + i.four.bytes() + i.eight.bytes() + i.preparation.bytes +
+  return i.map.bytes() + i.four.bytes() + i.eight.bytes() + preparation().bytes +
          i.workspace.bytes() + held_bytes(i.way.path, i.way.walk);
 }
 

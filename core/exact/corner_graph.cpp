@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdlib>
 
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
-#include "core/exact/corner_view.h"
+#include "core/exact/corner_sight.h"
 #include "core/exact/place_landmarks.h"
 #include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"
@@ -15,43 +14,7 @@ namespace lasius::exact {
 namespace {
 
 constexpr std::int64_t kWordsPerCorner = 64;  // of work, beside the rows scanned
-
-// The corners that one corner sees on one side, put in order.
-class alignas(64) Sight {
- public:
-  explicit Sight(const StopCondition& stop) : poller_(stop) {}
-
-  void corner(int x, int y) { seen_.push_back({x, y}); }
-  bool go_on(std::int64_t words) { return !poller_.stop_after(words); }
-
-  // From the block's edge on, the nearer of two in the same direction first.
-  std::span<const kernels::HalfPoint> from(const kernels::BitmapView& map, const GraphCorner& c,
-                                           Side side) {
-    seen_.clear();
-    const int right = side == kColumn ? -c.block_x() : c.block_x();
-    const int down = side == kColumn ? c.block_y() : -c.block_y();
-    const bool line = side == kLine;
-    if (right > 0) {
-      view_quadrant<1>(map, c.x(), c.y(), down, line, stack_, *this);
-    } else {
-      view_quadrant<-1>(map, c.x(), c.y(), down, line, stack_, *this);
-    }
-    const auto before = [&](kernels::HalfPoint a, kernels::HalfPoint b) {
-      const std::int64_t ax = std::abs(a.x - c.x()), ay = std::abs(a.y - c.y());
-      const std::int64_t bx = std::abs(b.x - c.x()), by = std::abs(b.y - c.y());
-      const std::int64_t turn = line ? ay * bx - by * ax : ax * by - bx * ay;
-      return turn != 0 ? turn < 0 : ax + ay < bx + by;
-    };
-    std::sort(seen_.begin(), seen_.end(), before);
-    seen_.erase(std::unique(seen_.begin(), seen_.end()), seen_.end());
-    return seen_;
-  }
-
- private:
-  Poller poller_;
-  std::vector<kernels::Interval> stack_;
-  std::vector<kernels::HalfPoint> seen_;
-};
+constexpr std::size_t kWordsPerEdge = 16;     // of looking for the way back
 
 }  // namespace
 
@@ -64,7 +27,7 @@ class CornerGraph::Builder {
         poller_(options.stop),
         graph_(std::make_shared<CornerGraph>()) {}
 
-  std::shared_ptr<const CornerGraph> run(const Grid& grid, Preparation& report) {
+  std::shared_ptr<CornerGraph> run(const Grid& grid, Preparation& report) {
     count_corners();
     report.vertices = stopped_ ? 0 : corner_count_;
     report.edges = report.bytes = 0;
@@ -74,7 +37,8 @@ class CornerGraph::Builder {
       mark_corners();
       list_corners();
       scan();
-      graph_->edge_count_ = edges_;
+      if (!stopped_ && !too_large_) list_one_ways();
+      graph_->edge_count_ = graph_->edge_room_ = edges_;
     }
     report.state = too_large_ ? Preparation::State::too_large : Preparation::State::stopped;
     if (too_large_ || stopped_) return nullptr;
@@ -93,7 +57,8 @@ class CornerGraph::Builder {
   void mark_corners();
   void list_corners();
   void scan();
-  void scan_chunk(std::size_t chunk, Sight& sight);
+  void list_one_ways();
+  void scan_chunk(std::size_t chunk, CornerSight& sight);
 
   // False if stopped; `words` is what was done since the last call.
   bool go_on(std::int64_t words) {
@@ -109,8 +74,9 @@ class CornerGraph::Builder {
     const auto chunks = (corner_count_ + kChunk - 1) >> kChunkBits;
     return tiles() * 12 +
            corner_count_ *
-               static_cast<std::int64_t>(sizeof(GraphCorner) + sizeof(Landmarks::Distances)) +
-           chunks * 8;
+               static_cast<std::int64_t>(sizeof(GraphCorner) + sizeof(Landmarks::Distances) +
+                                         sizeof(std::uint32_t)) +
+           chunks * static_cast<std::int64_t>(sizeof(Chunk));
   }
 
   const kernels::BitmapView map_;
@@ -160,7 +126,7 @@ void CornerGraph::Builder::mark_corners() {
 void CornerGraph::Builder::list_corners() {
   CornerGraph& g = *graph_;
   g.ranks_.reserve(static_cast<std::size_t>(tiles()));
-  g.corners_.reserve(static_cast<std::size_t>(corner_count_));
+  g.corners_.reserve(room_for_edits(static_cast<std::uint32_t>(corner_count_)));
   for (std::int64_t t = 0; t < tiles(); ++t) {
     const std::uint64_t all = g.tiles_[t];
     if (!go_on(1 + 2 * std::popcount(all))) return;
@@ -178,7 +144,7 @@ void CornerGraph::Builder::list_corners() {
   g.chunks_.resize((g.corners_.size() + kChunk - 1) >> kChunkBits);
 }
 
-void CornerGraph::Builder::scan_chunk(std::size_t chunk, Sight& sight) {
+void CornerGraph::Builder::scan_chunk(std::size_t chunk, CornerSight& sight) {
   CornerGraph& g = *graph_;
   std::vector<GraphEdge> edges;
   const std::size_t begin = chunk << kChunkBits;
@@ -189,11 +155,9 @@ void CornerGraph::Builder::scan_chunk(std::size_t chunk, Sight& sight) {
     corner.first = count();
     for (const Side side : {kColumn, kLine}) {
       if (side == kLine) corner.middle = count();
-      for (const auto [x, y] : sight.from(map_, corner, side)) {
+      for (const auto [x, y] : sight.from(map_, corner.quadrant(side), side)) {
         const std::uint32_t to = g.index(x, y);
-        const Side onward = g.corners_[to].side_from(2 * corner.x(), 2 * corner.y());
-        edges.push_back({to | (onward == kLine ? GraphEdge::kSideBit : 0),
-                         static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)});
+        edges.emplace_back(corner, g.corners_[to], to);
       }
     }
     corner.last = count();
@@ -205,30 +169,62 @@ void CornerGraph::Builder::scan_chunk(std::size_t chunk, Sight& sight) {
     too_large_ = true;
     return;
   }
-  g.chunks_[chunk] = std::make_unique_for_overwrite<GraphEdge[]>(edges.size());
-  std::copy(edges.begin(), edges.end(), g.chunks_[chunk].get());
+  g.chunks_[chunk] = {std::make_unique_for_overwrite<GraphEdge[]>(edges.size()), count(), count()};
+  std::copy(edges.begin(), edges.end(), g.chunks_[chunk].edges.get());
 }
 
 // Each chunk is a function of the map alone, so it does not matter who scans it.
 void CornerGraph::Builder::scan() {
-  std::vector<Sight> team(static_cast<std::size_t>(threads_), Sight(options_.stop));
+  std::vector<CornerSight> team(static_cast<std::size_t>(threads_), CornerSight(options_.stop));
   parallel_for(static_cast<int>(graph_->chunks_.size()), threads_, [&](int chunk, int thread) {
     if (stopped_ || too_large_) return;
     scan_chunk(static_cast<std::size_t>(chunk), team[static_cast<std::size_t>(thread)]);
   });
 }
 
-std::shared_ptr<const CornerGraph> CornerGraph::make(const Grid& grid,
-                                                     const PrepareOptions& options,
-                                                     Preparation& report) {
+// Found by all threads, listed in the order of the corners.
+void CornerGraph::Builder::list_one_ways() {
+  CornerGraph& g = *graph_;
+  std::vector<std::vector<DirectedEdge>> found(g.chunks_.size());
+  std::vector<Poller> pollers(static_cast<std::size_t>(threads_), Poller(options_.stop));
+  parallel_for(static_cast<int>(found.size()), threads_, [&](int chunk, int thread) {
+    const std::uint32_t begin = static_cast<std::uint32_t>(chunk) << kChunkBits;
+    for (std::uint32_t v = begin; v < std::min(begin + kChunk, g.size()) && !stopped_; ++v) {
+      for (const GraphEdge& edge : g.edges(v)) {
+        if (!g.leads_back(v, edge)) found[static_cast<std::size_t>(chunk)].push_back({v, edge});
+      }
+      const auto work = static_cast<std::int64_t>(kWordsPerEdge * g.edges(v).size());
+      if (pollers[static_cast<std::size_t>(thread)].stop_after(work)) stopped_ = true;
+    }
+  });
+  if (stopped_) return;
+  std::size_t count = 1;
+  for (const auto& edges : found) count += edges.size();
+  const auto bytes = static_cast<std::int64_t>(count * sizeof(OneWay));
+  too_large_ = fixed_bytes_ + edges_ * static_cast<std::int64_t>(sizeof(GraphEdge)) + bytes >
+               options_.max_bytes;
+  if (too_large_) return;
+  g.one_way_.reserve(room_for_edits(g.size()));
+  g.one_way_.resize(g.size());
+  g.one_ways_.reserve(count + room_for_edits(0));
+  g.one_ways_.push_back({});
+  for (const auto& edges : found) {
+    for (const DirectedEdge& e : edges) g.add_one_way(e.from, e.edge.to());
+  }
+}
+
+std::shared_ptr<CornerGraph> CornerGraph::make(const Grid& grid, const PrepareOptions& options,
+                                               Preparation& report) {
   return Builder(grid, options).run(grid, report);
 }
 
 std::int64_t CornerGraph::bytes() const noexcept {
-  return static_cast<std::int64_t>(ranks_.size() * (sizeof(std::uint64_t) + sizeof(std::uint32_t)) +
-                                   corners_.size() * sizeof(GraphCorner) +
-                                   chunks_.size() * sizeof(chunks_[0])) +
-         edge_count_ * static_cast<std::int64_t>(sizeof(GraphEdge)) + landmarks_.bytes();
+  return static_cast<std::int64_t>(
+             ranks_.size() * (sizeof(std::uint64_t) + sizeof(std::uint32_t)) +
+             renumbered_.size() * sizeof(renumbered_[0]) + corners_.size() * sizeof(GraphCorner) +
+             chunks_.size() * sizeof(chunks_[0]) + one_way_.size() * sizeof(one_way_[0]) +
+             one_ways_.size() * sizeof(one_ways_[0])) +
+         edge_room_ * static_cast<std::int64_t>(sizeof(GraphEdge)) + landmarks_.bytes();
 }
 
 }  // namespace lasius::exact

@@ -1,6 +1,7 @@
 // The corners of a map, and which of them see each other along edges of taut paths.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -10,15 +11,11 @@
 
 #include "core/base/zero_array.h"
 #include "core/exact/corner_landmarks.h"
+#include "core/exact/quadrant.h"
 #include "lasius/grid.h"
 #include "lasius/preparation.h"
 
 namespace lasius::exact {
-
-/// A path bends at a corner around its block, from one side of it to the other. A side is the
-/// closed quadrant beside the block where a path goes on along the block's vertical edge (column)
-/// or along its horizontal edge (line); the two are opposite quadrants.
-enum Side : std::uint32_t { kColumn = 0, kLine = 1 };
 
 /// A lattice point where exactly one of the four cells is blocked, and where its edges are in its
 /// chunk. Corners lie inside the map, so that their coordinates take 15 bits.
@@ -35,6 +32,10 @@ class GraphCorner {
   int block_x() const noexcept { return (x_ & kBlock) != 0 ? 1 : -1; }
   int block_y() const noexcept { return (y_ & kBlock) != 0 ? 1 : -1; }
 
+  Quadrant quadrant(Side side) const noexcept {
+    const int towards = side == kColumn ? 1 : -1;
+    return {x(), y(), -towards * block_x(), towards * block_y()};
+  }
   /// The side on which a taut path leaves that came straight from (x, y), in half cells, through
   /// the opposite one.
   Side side_from(int x, int y) const noexcept {
@@ -62,62 +63,152 @@ struct GraphEdge {
   std::uint32_t to_and_side = 0;
   std::uint16_t x = 0, y = 0;
 
+  GraphEdge() = default;
+  GraphEdge(const GraphCorner& from, const GraphCorner& to, std::uint32_t number) noexcept
+      : to_and_side(number | (to.side_from(2 * from.x(), 2 * from.y()) == kLine ? kSideBit : 0)),
+        x(static_cast<std::uint16_t>(to.x())),
+        y(static_cast<std::uint16_t>(to.y())) {}
+  friend bool operator==(const GraphEdge&, const GraphEdge&) = default;
+
   std::uint32_t to() const noexcept { return to_and_side & ~kSideBit; }
   Side side() const noexcept { return (to_and_side & kSideBit) != 0 ? kLine : kColumn; }
   static constexpr std::uint32_t kSideBit = std::uint32_t{1} << 31;
 };
 static_assert(sizeof(GraphEdge) == 8);
 
+/// An edge and where it comes from: one that an edit brings or takes, say.
+struct DirectedEdge {
+  std::uint32_t from;
+  GraphEdge edge;
+};
+
 /// The tangent visibility graph of a map: an edge joins two corners that see each other where a
-/// taut path may come along at both ends. Immutable. Corners are numbered tile by tile, 8 x 8
-/// lattice points each.
+/// taut path may come along at both ends. Corners are numbered tile by tile, 8 x 8 lattice points
+/// each; after edits some numbers stand for no corner.
 class CornerGraph {
  public:
   /// Scans from every corner, in parallel; the result does not depend on the threads. Null if it
   /// would take more than the bytes allowed, or was stopped: `report` tells.
-  static std::shared_ptr<const CornerGraph> make(const Grid& grid, const PrepareOptions& options,
-                                                 Preparation& report);
+  static std::shared_ptr<CornerGraph> make(const Grid& grid, const PrepareOptions& options,
+                                           Preparation& report);
 
+  /// Brings the graph up to date with `grid`, the map that it was made of, but for cells of this
+  /// rectangle, which may have changed. It then has the edges that a graph made anew has, while
+  /// other corners keep their numbers. Landmarks bound what they did, or somewhat less; one that
+  /// would take too much work to mend is given up.
+  ///
+  /// Takes time by how many corners see the rectangle, and how far they see beyond it. Corners that
+  /// see nothing of it are not looked at, nor is memory for all corners. Returns false if stopped:
+  /// then the graph is of no map, and is to be made anew. Deterministic, one thread; nobody may
+  /// search at the same time.
+  bool update(const Grid& grid, const Rectangle& changed, const StopCondition& stop = {});
+
+  /// Numbers of corners, and those that are none any more: they have no edges.
   std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(corners_.size()); }
   const GraphCorner& corner(std::uint32_t i) const noexcept { return corners_[i]; }
   /// The corner at a lattice point that is one.
   std::uint32_t index(int x, int y) const noexcept {
     const std::size_t tile = tile_of(x, y);
-    const std::uint64_t before = (std::uint64_t{1} << ((y & 7) << 3 | (x & 7))) - 1;
+    const int place = place_of(x, y);
+    const std::uint32_t rank = ranks_[tile];
+    if ((rank & kRenumbered) != 0) {
+      return renumbered_[rank & ~kRenumbered][static_cast<std::size_t>(place)];
+    }
+    const std::uint64_t before = (std::uint64_t{1} << place) - 1;
     const std::uint64_t here = tiles_[static_cast<std::int64_t>(tile)];
-    return ranks_[tile] + static_cast<std::uint32_t>(std::popcount(here & before));
+    return rank + static_cast<std::uint32_t>(std::popcount(here & before));
   }
   /// What a corner sees on one side, from the block's edge on.
   std::span<const GraphEdge> edges(std::uint32_t i, Side side) const noexcept {
     const GraphCorner& c = corners_[i];
-    const GraphEdge* all = chunks_[i >> kChunkBits].get();
+    const GraphEdge* all = chunks_[i >> kChunkBits].edges.get();
     return side == kColumn ? std::span(all + c.first, all + c.middle)
                            : std::span(all + c.middle, all + c.last);
+  }
+  /// On both sides.
+  std::span<const GraphEdge> edges(std::uint32_t i) const noexcept {
+    const GraphCorner& c = corners_[i];
+    const GraphEdge* all = chunks_[i >> kChunkBits].edges.get();
+    return {all + c.first, all + c.last};
+  }
+  /// Calls f(from) for each corner from which an edge leads here that does not lead back: where a
+  /// path can only go straight on, or sight has no width.
+  template <class F>
+  void for_each_one_way(std::uint32_t to, F&& f) const {
+    for (std::uint32_t i = one_way_[to]; i != 0; i = one_ways_[i].next) {
+      if (leads(one_ways_[i].from, to)) f(one_ways_[i].from);
+    }
   }
   const Landmarks& landmarks() const noexcept { return landmarks_; }
 
   /// How many times its straight distance the way from a landmark to a corner is at most, for nine
-  /// corners in ten; infinite without landmarks.
+  /// corners in ten, when the graph was made; infinite without landmarks.
   double detour() const noexcept { return detour_; }
 
+  /// What is kept for each corner has memory reserved for so many; pages that are not written are
+  /// not taken.
+  static constexpr std::uint32_t room_for_edits(std::uint32_t corners) noexcept {
+    return corners + corners / 8 + 4096;
+  }
   std::int64_t edge_count() const noexcept { return edge_count_; }
   std::int64_t bytes() const noexcept;
 
  private:
-  static constexpr int kChunkBits = 8;
+  static constexpr int kChunkBits = 6;
   static constexpr std::uint32_t kChunk = std::uint32_t{1} << kChunkBits;  // corners
+  static constexpr std::uint32_t kRenumbered = std::uint32_t{1} << 31;
   class Builder;
+  class Mender;
 
+  // Edges of kChunk corners. An edit may leave gaps between those of one corner and the next.
+  struct Chunk {
+    std::unique_ptr<GraphEdge[]> edges;
+    std::uint32_t used = 0, capacity = 0;
+  };
+
+  // Edges by where they lead: all that do not lead back, and maybe others that are no more.
+  struct OneWay {
+    std::uint32_t from, next;
+  };
+
+  bool leads(std::uint32_t from, std::uint32_t to) const noexcept {
+    for (const GraphEdge& edge : edges(from)) {
+      if (edge.to() == to) return true;
+    }
+    return false;
+  }
+  bool leads_back(std::uint32_t from, const GraphEdge& edge) const noexcept {
+    for (const GraphEdge& back : edges(edge.to(), edge.side() == kLine ? kColumn : kLine)) {
+      if (back.to() == from) return true;
+    }
+    return false;
+  }
+  void add_one_way(std::uint32_t from, std::uint32_t to) {
+    for (std::uint32_t i = one_way_[to]; i != 0; i = one_ways_[i].next) {
+      if (one_ways_[i].from == from) return;
+    }
+    one_ways_.push_back({from, one_way_[to]});
+    one_way_[to] = static_cast<std::uint32_t>(one_ways_.size() - 1);
+  }
+  bool has_corner(int x, int y) const noexcept {
+    return (tiles_[static_cast<std::int64_t>(tile_of(x, y))] >> place_of(x, y) & 1) != 0;
+  }
   std::size_t tile_of(int x, int y) const noexcept {
     return static_cast<std::size_t>(y >> 3) * tiles_across_ + static_cast<std::size_t>(x >> 3);
   }
+  static int place_of(int x, int y) noexcept { return (y & 7) << 3 | (x & 7); }
 
   std::size_t tiles_across_ = 0;
   ZeroArray<std::uint64_t> tiles_;    // a bit for each corner
-  std::vector<std::uint32_t> ranks_;  // corners before a tile
+  std::vector<std::uint32_t> ranks_;  // corners before a tile, or kRenumbered and a place in:
+  std::vector<std::array<std::uint32_t, 64>> renumbered_;  // corners of a tile's lattice points
   std::vector<GraphCorner> corners_;
-  std::vector<std::unique_ptr<GraphEdge[]>> chunks_;
+  std::vector<std::uint32_t> spare_;  // numbers of no corner
+  std::vector<Chunk> chunks_;
+  std::vector<std::uint32_t> one_way_;  // by corner, the first that leads here; 0: none
+  std::vector<OneWay> one_ways_;
   std::int64_t edge_count_ = 0;
+  std::int64_t edge_room_ = 0;  // of all chunks
   Landmarks landmarks_;
   double detour_ = std::numeric_limits<double>::infinity();
 };

@@ -11,40 +11,77 @@
 
 namespace lasius::exact {
 
-/// Landmarks L and their distances |L v| from the corners v of a map, along shortest paths. The
-/// distance from a corner to a goal t is at least | |L t| - |L v| |.
+/// Landmarks L, and for each a number p(v) for each corner v such that |p(v) - p(w)| <= |vw| for
+/// every edge vw of the graph. When the map is prepared these are distances from L along shortest
+/// paths; after edits they are as near to that as the edges allow.
 ///
-/// Kept distances are floats, off by at most 2^-23 of themselves; those of a goal, made from them
-/// and rounded once more, by 2^-22. With |L v| <= |L t| + |v t| the difference is off by less than
-/// 2^-21 |L t| + 2^-21 |v t|: the first is taken off in Goal, the second in bound().
+/// From a corner v where a shortest path bends it goes to a goal t along edges of the graph to a
+/// corner w that t sees. So |vt| = |vw| + |wt|, and p(w) is from p(v) - |vw| to p(v) + |vw|. With
+/// low, the least of p(w) + |wt| over all corners that t sees, and high, the largest of
+/// p(w) - |wt|, follows |vt| >= low - p(v) and |vt| >= p(v) - high.
+///
+/// All p are multiples of a grain, a power of two, and lengths of edges count as rounded down to
+/// such. So sums and differences are exact in floats, and no edit adds to what rounding takes off.
+/// Low and high are off by at most 2^-23 of themselves, a difference by as much once more:
+/// 2^-21 of each is taken off, in Goal and in bound().
 class Landmarks {
  public:
   static constexpr int kCount = 8;
-  /// Not a number where a landmark is missing or cannot be reached: then it bounds nothing.
+  /// Not a number where a landmark is missing or cannot be reached: then it bounds nothing. Along
+  /// edges all are known or none.
   using Distances = std::array<float, kCount>;
   static constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
-  /// How far a goal is from the landmarks, at least and at most.
+  /// What corners in sight of a goal know: the least p + length and the largest p - length.
   struct Goal {
     Distances low, high;
     Goal() noexcept {
       low.fill(kUnknown);
       high.fill(kUnknown);
     }
-    void set(std::size_t landmark, double distance) noexcept {
-      low[landmark] = static_cast<float>(distance * (1 - kSlack));
-      high[landmark] = static_cast<float>(distance * (1 + kSlack));
+    void set(std::size_t landmark, double least, double largest) noexcept {
+      low[landmark] = static_cast<float>(least - kSlack * std::abs(least));
+      high[landmark] = static_cast<float>(largest + kSlack * std::abs(largest));
     }
   };
 
+  /// The grain for numbers up to `most`.
+  static double grain(double most) noexcept { return std::ldexp(1, std::ilogb(most) - kDigits); }
+  /// A length rounded down to grains.
+  static double whole_grains(double length, double grain) noexcept {
+    return static_cast<double>(static_cast<std::int64_t>(length / grain)) * grain;
+  }
+
   Landmarks() = default;
-  Landmarks(std::vector<Cell> cells, std::vector<Distances> distances)
-      : cells_(std::move(cells)), distances_(std::move(distances)) {}
+  Landmarks(std::vector<Cell> cells, std::vector<Distances> distances, double grain)
+      : grain_(grain), cells_(std::move(cells)), distances_(std::move(distances)) {
+    bounds_.fill(true);
+  }
 
   bool empty() const noexcept { return cells_.empty(); }
   /// A landmark is the centre of a cell.
   const std::vector<Cell>& cells() const noexcept { return cells_; }
   const Distances& distances(std::uint32_t corner) const noexcept { return distances_[corner]; }
+  float& at(std::uint32_t corner, std::size_t landmark) noexcept {
+    return distances_[corner][landmark];
+  }
+
+  /// The length of an edge, and the most that a number may be, in whole grains.
+  float way(int x, int y) const noexcept {
+    const double dx = x, dy = y;
+    return static_cast<float>(whole_grains(std::sqrt(dx * dx + dy * dy), grain_));
+  }
+  float most() const noexcept { return static_cast<float>(std::ldexp(grain_, kDigits + 1)); }
+
+  /// A new corner, of which nothing is known yet; at most one past the last.
+  void forget(std::uint32_t corner) {
+    if (empty()) return;
+    if (corner == distances_.size()) distances_.emplace_back();
+    distances_[corner].fill(kUnknown);
+  }
+  /// False once a landmark was given up: it is to be left out of goals.
+  bool bounds(std::size_t landmark) const noexcept { return bounds_[landmark]; }
+  void give_up(std::size_t landmark) noexcept { bounds_[landmark] = false; }
 
   void prefetch(std::uint32_t corner) const noexcept {
     __builtin_prefetch(distances_.data() + corner);
@@ -72,9 +109,12 @@ class Landmarks {
 
  private:
   static constexpr double kSlack = 1.0 / (1 << 21);
+  static constexpr int kDigits = 23;  // of a float, after the first
   static constexpr std::size_t kLanes = 4;
   static_assert(kCount % kLanes == 0);
 
+  double grain_ = 1;
+  std::array<bool, kCount> bounds_{};
   std::vector<Cell> cells_;
   std::vector<Distances> distances_;  // by corner
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/exact/ellipse_limits.h"
+#include "core/exact/quadrant.h"
 #include "kernels/sight/scan_cone.h"
 #include "kernels/sight/scan_line.h"
 
@@ -46,20 +47,23 @@ void view_from_centre(const kernels::BitmapView& map, const Ellipse& ellipse,
   }
 }
 
-/// All from lattice point (x, y) into the quadrant towards larger u = S * x and `down`.
-/// `along_line` adds what is seen on the quadrant's horizontal side, which a cone leaves out.
+/// All in a cone of a quadrant, from its root. S is the quadrant's `right`. `along_line` adds what
+/// is seen on the quadrant's horizontal side, which a scan leaves out. A little beside the cone may
+/// be told of as well.
 template <int S, class Sink>
-void view_quadrant(const kernels::BitmapView& map, int x, int y, int down, bool along_line,
-                   std::vector<kernels::Interval>& stack, Sink& sink) {
-  const kernels::ConeFrame frame = kernels::frame_at<S>(map, 2 * x, 2 * y, down);
+void view_quadrant(const kernels::BitmapView& map, const Quadrant& quadrant,
+                   const QuadrantCone& cone, bool along_line, std::vector<kernels::Interval>& stack,
+                   Sink& sink) {
+  const int x = quadrant.x, y = quadrant.y;
+  const kernels::ConeFrame frame = kernels::frame_at<S>(map, 2 * x, 2 * y, quadrant.down);
   const Ellipse everything{{2 * x, 2 * y}, {2 * x, 2 * y}, std::numeric_limits<double>::infinity()};
   View<S, Sink> view{frame, everything, sink};
-  if (along_line) {
+  if (along_line && cone.has_line()) {
     const auto report = [&](int column, bool) { sink.corner(S * column, y); };
     kernels::scan_line<S>(
         map, y, S * x, [&] { return view.limits().last_column; }, report);
   }
-  kernels::ConeScan<S, View<S, Sink>>(frame, stack, view).from_corner(0, kernels::kLevelSlope);
+  kernels::ConeScan<S, View<S, Sink>>(frame, stack, view).from_corner(cone.left(), cone.right());
 }
 
 }  // namespace lasius::exact

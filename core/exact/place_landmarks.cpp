@@ -8,6 +8,7 @@
 #include "core/base/poller.h"
 #include "core/exact/corner_graph.h"
 #include "core/exact/corner_view.h"
+#include "core/exact/mend_landmarks.h"
 #include "core/exact/prepared_search.h"
 #include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"
@@ -32,7 +33,11 @@ class Placement {
 
   // False if stopped.
   bool run() {
-    if (!forget_distances() || !flood_largest_region()) return false;
+    const double sides = grid_.width() + grid_.height();
+    grain = Landmarks::grain(sides);
+    if (!forget_distances() || !flood_largest_region() || !find_farthest()) return false;
+    // No two corners of the region are farther from each other.
+    if (farthest_ != kNone) grain = Landmarks::grain(std::max(sides, 2 * nearest_[farthest_] + 1));
     for (std::size_t i = 0; i < Landmarks::kCount; ++i) {
       if (!find_farthest()) return false;
       if (farthest_ == kNone) break;
@@ -51,17 +56,18 @@ class Placement {
 
   std::vector<Cell> cells;
   std::vector<Landmarks::Distances> distances;
+  double grain = 0;
 
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-  bool flood(Cell from) { return !search_.flood(grid_, graph_, from, stop_, lengths_); }
+  bool flood(Cell from) { return !search_.flood(grid_, graph_, from, grain, stop_, lengths_); }
 
   // This and the next two: false if stopped.
   bool forget_distances() {
     Landmarks::Distances unknown;
     unknown.fill(Landmarks::kUnknown);
-    distances.reserve(graph_.size());
+    distances.reserve(CornerGraph::room_for_edits(graph_.size()));
     while (distances.size() < graph_.size()) {
       if (poller_.stop_after(kWords)) return false;
       distances.push_back(unknown);
@@ -119,11 +125,11 @@ class alignas(64) LookAcross {
   bool from(std::uint32_t index, Landmarks::Distances& result) {
     corner_ = graph_.corner(index);
     result_ = &result;
-    const int down = -corner_.block_y();
-    if (corner_.block_x() < 0) {
-      view_quadrant<1>(map_, corner_.x(), corner_.y(), down, true, stack_, *this);
+    const Quadrant across{corner_.x(), corner_.y(), -corner_.block_x(), -corner_.block_y()};
+    if (across.right > 0) {
+      view_quadrant<1>(map_, across, {}, true, stack_, *this);
     } else {
-      view_quadrant<-1>(map_, corner_.x(), corner_.y(), down, true, stack_, *this);
+      view_quadrant<-1>(map_, across, {}, true, stack_, *this);
     }
     look_along_column();
     look_at_landmarks();
@@ -139,8 +145,10 @@ class alignas(64) LookAcross {
 
  private:
   void shorten(std::size_t i, double length) {
+    if (std::isnan(length)) return;
     float& known = (*result_)[i];
-    if (!(known <= length) && !std::isnan(length)) known = static_cast<float>(length);
+    length = Landmarks::whole_grains(length, placed_.grain);
+    if (!(known <= length)) known = static_cast<float>(length);
   }
 
   // The quadrant's vertical side. Blocks on either side may touch it, which ends a cone, and from
@@ -209,7 +217,7 @@ Landmarks place_landmarks(const Grid& grid, const CornerGraph& graph, int thread
   if (!placed.run()) return {};
   // Looks read what the floods found, so that their order does not matter.
   std::vector<Landmarks::Distances> distances;
-  distances.reserve(placed.distances.size());
+  distances.reserve(placed.distances.capacity());
   Poller poller(stop);
   for (const Landmarks::Distances& known : placed.distances) {
     if (poller.stop_after(kWords)) return {};
@@ -226,7 +234,14 @@ Landmarks place_landmarks(const Grid& grid, const CornerGraph& graph, int thread
       if (!look.from(v, distances[v])) return;
     }
   });
-  return {std::move(placed.cells), std::move(distances)};
+  std::vector<std::uint32_t> shortened;
+  for (std::uint32_t v = 0; v < graph.size(); ++v) {
+    if (poller.stop_after(kWords)) return {};
+    if (distances[v] != placed.distances[v]) shortened.push_back(v);
+  }
+  Landmarks landmarks(std::move(placed.cells), std::move(distances), placed.grain);
+  LandmarkMender(graph, landmarks).raise_all(shortened);
+  return landmarks;
 }
 
 }  // namespace lasius::exact

@@ -52,7 +52,7 @@ void PreparedSearch::begin(const Grid& grid, const CornerGraph& graph, Cell star
   mode_ = Mode::glance;
   told_to_stop_ = false;
   if (nodes_size_ < graph.size() || stamp_ > kLastStamp) {
-    nodes_size_ = std::max(nodes_size_, graph.size());
+    nodes_size_ = std::max(nodes_size_, CornerGraph::room_for_edits(graph.size()));
     nodes_ = ZeroArray<Node>(nodes_size_);
     stamp_ = 0;
   }
@@ -91,31 +91,31 @@ void PreparedSearch::leave_start() {
   for (const std::uint32_t index : start_corners_) {
     const GraphCorner& corner = graph_->corner(index);
     const int x = corner.x(), y = corner.y();
-    const double length = distance(start_, x, y);
+    double length = distance(start_, x, y);
+    if (mode_ == Mode::flood) length = Landmarks::whole_grains(length, grain_);
     if (too_long(length, x, y)) continue;
     reach(kStart, length, index, x, y, corner.side_from(start_.x, start_.y));
   }
 }
 
-// How far the goal is from the landmarks: straight, or over a corner that it sees.
+// See Landmarks: what the corners know that the goal sees.
 void PreparedSearch::measure_landmarks() {
   const Landmarks& landmarks = graph_->landmarks();
   goal_distances_ = {};
-  std::array<double, Landmarks::kCount> least;
+  if (landmarks.empty()) return;
+  std::array<double, Landmarks::kCount> least, largest;
   least.fill(kInfinity);
+  largest.fill(-kInfinity);
   for (const std::uint32_t index : goal_corners_) {
     const Landmarks::Distances& here = landmarks.distances(index);
+    const double way = nodes_[index].to_goal;
     for (std::size_t i = 0; i < least.size(); ++i) {
-      const double length = here[i] + nodes_[index].to_goal;
-      if (length < least[i]) least[i] = length;
+      if (here[i] + way < least[i]) least[i] = here[i] + way;
+      if (here[i] - way > largest[i]) largest[i] = here[i] - way;
     }
   }
-  for (std::size_t i = 0; i < landmarks.cells().size(); ++i) {
-    const kernels::HalfPoint at = half(landmarks.cells()[i]);
-    if (kernels::sees(map_, at, goal_)) {
-      least[i] = exact::distance(at.x, at.y, goal_.x, goal_.y);
-    }
-    if (least[i] < kInfinity) goal_distances_.set(i, least[i]);
+  for (std::size_t i = 0; i < least.size(); ++i) {
+    if (landmarks.bounds(i) && least[i] < kInfinity) goal_distances_.set(i, least[i], largest[i]);
   }
 }
 
@@ -192,15 +192,14 @@ std::int64_t PreparedSearch::expand(std::uint32_t index) {
 std::int64_t PreparedSearch::expand_all(std::uint32_t index) {
   nodes_[index].expanded = true;
   const GraphCorner& corner = graph_->corner(index);
-  const Root root{corner.x(), corner.y(), nodes_[index].length};
-  std::int64_t work = kWordsPerNode;
-  for (const Side side : {kColumn, kLine}) {
-    for (const GraphEdge& edge : graph_->edges(index, side)) {
-      follow(index, root, edge);
-      ++work;
-    }
+  const double before = nodes_[index].length;
+  const auto edges = graph_->edges(index);
+  for (const GraphEdge& edge : edges) {
+    const double x = edge.x - corner.x(), y = edge.y - corner.y();
+    const double way = Landmarks::whole_grains(std::sqrt(x * x + y * y), grain_);
+    reach(index, before + way, edge.to(), edge.x, edge.y, edge.side());
   }
-  return work;
+  return kWordsPerNode + static_cast<std::int64_t>(edges.size());
 }
 
 // Takes the best corner of the frontier; false when none can lead to a shorter path, or stopped.
@@ -295,9 +294,10 @@ void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Cell sta
            options.target_gap, answer);
 }
 
-bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell start,
+bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell start, double grain,
                            const StopCondition& stop, std::vector<double>& lengths) {
   Poller poller(stop);
+  grain_ = grain;
   begin(grid, graph, start, poller);
   mode_ = Mode::flood;
   horizon_ = kInfinity;

@@ -42,9 +42,10 @@ class PreparedSearch {
               const ExactOptions& options, const StopCondition& stop, ExactAnswer& answer);
 
   /// The lengths of the shortest ways over edges of the graph, taut or not, from the centre of a
-  /// free cell to all corners; infinite where there is none. Returns true if stopped.
-  bool flood(const Grid& grid, const CornerGraph& graph, Cell start, const StopCondition& stop,
-             std::vector<double>& lengths);
+  /// free cell to all corners, each edge rounded down to grains; infinite where there is none.
+  /// Returns true if stopped.
+  bool flood(const Grid& grid, const CornerGraph& graph, Cell start, double grain,
+             const StopCondition& stop, std::vector<double>& lengths);
 
   std::int64_t bytes() const noexcept;  ///< memory held
 
@@ -106,6 +107,7 @@ class PreparedSearch {
   Mode mode_ = Mode::glance;
   double straight_ = 0;  // distance from start to goal
   double horizon_ = 0;   // paths that are longer do not matter yet
+  double grain_ = 0;     // of a flood
   double lower_ = 0;
   double upper_ = 0;        // length of the best path
   std::uint32_t last_ = 0;  // its last corner

@@ -1,6 +1,7 @@
 // How far apart cells are.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -13,6 +14,12 @@ namespace lasius {
 inline double distance(Cell a, Cell b) noexcept {
   const double dx = b.x - a.x, dy = b.y - a.y;
   return std::sqrt(dx * dx + dy * dy);
+}
+
+/// From a cell's centre to that of the nearest cell of a rectangle that is not empty.
+inline double distance(Cell c, const Rectangle& part) noexcept {
+  return distance(c, Cell{std::clamp(c.x, part.x, part.x + part.width - 1),
+                          std::clamp(c.y, part.y, part.y + part.height - 1)});
 }
 
 /// Of the polyline through these centres.

@@ -102,8 +102,8 @@ class LASIUS_EXPORT Navigator final : public Pilot {
   const Grid& map() const noexcept override;
   const Grid& passable() const noexcept override;
   bool connected(Cell a, Cell b) override;
-  /// What has become of the visibility graph.
-  const Preparation& preparation() const noexcept;
+  /// What came of the visibility graph; its edges and bytes are those of now.
+  Preparation preparation() const noexcept;
   std::int64_t bytes() const noexcept;  ///< memory held
 
  private:

@@ -139,6 +139,19 @@ constexpr std::string_view to_string(Selection value) noexcept {
   return name_of(value, kSelectionNames);
 }
 
+/// Which move has "the largest gradient" that the terminal index's answer follows (Li, Wang & Ma):
+/// j at distance s from c.
+enum class IndexAnswer {
+  least_way,  ///< least K(j) + s
+  steepest,   ///< largest (K(c) - K(j)) / s
+};
+/// Their names, in the same order.
+inline constexpr std::array<std::string_view, 2> kIndexAnswerNames{"least-way", "steepest"};
+/// The name of a value.
+constexpr std::string_view to_string(IndexAnswer value) noexcept {
+  return name_of(value, kIndexAnswerNames);
+}
+
 /// Cong & Ponnambalam 2009, eq. 3 is broken in print: which reading to take.
 enum class Reward {
   factor,  ///< tau <- tau (1 + reward rows / L)
@@ -239,6 +252,7 @@ struct LASIUS_EXPORT Params : TrailParams {
 
   double unknown_index = 99;  ///< terminal index of a cell without one, on 20 x 20 cells
   double index_spread = 0.8;  ///< q of K'(c) = K(c) - q Kmin (Li, Wang & Ma, eq. 8)
+  IndexAnswer index_answer = IndexAnswer::least_way;  ///< of "the largest gradient"
 
   double reward = 1.2;                     ///< Update::learning, on success
   Reward reward_reading = Reward::factor;  ///< of the formula broken in print

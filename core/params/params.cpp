@@ -119,6 +119,9 @@ constexpr std::array kColony{
           Number{&Params::unknown_index, 1, 1e6}},
     Entry{{"index_spread", "number", "0 .. 1", "q of K' = K - q Kmin (terminal-index)"},
           Number{&Params::index_spread, 0, 1}},
+    Table::choice<&Params::index_answer, kIndexAnswerNames>(
+        "index_answer",
+        "reading of \"the largest gradient\" that an answer follows (terminal-index)", "least-way"),
     Entry{{"reward", "number", "0 .. 1e6", "factor of the reward (learning)"},
           Number{&Params::reward, 0, 1e6}},
     Table::choice<&Params::reward_reading, kRewardNames>("reward_reading",

@@ -20,8 +20,11 @@ void exact(Params&) {}
 /// straightening, and ants that step back at dead ends. Its values are the defaults of Params.
 void fan2004(Params&) {}
 
-/// What the families share: 8 neighbours and nothing done with the walks.
-void family(Params& p) {
+/// Ant system, Dorigo, Maniezzo & Colorni 1996, on 8 neighbours with pheromone on the arcs and
+/// visibility 1 / distance to the goal, nothing done with the walks; the other families begin with
+/// it. alpha, beta and evaporation 0.3 are those that found the optima of Li, Wang and Ma's grids
+/// in each of 30 seeds; tau0 = m Q / L of the straight line.
+void ant_system_book(Params& p) {
   p.neighbours = Neighbours::eight;
   p.trail = Trail::arcs;
   p.heuristic = Heuristic::inverse_distance;
@@ -36,13 +39,6 @@ void family(Params& p) {
   p.straight_deposit = StraightDeposit::none;
   p.polish = Polish::none;
   p.walk_cut = WalkCut::none;
-}
-
-/// Ant system, Dorigo, Maniezzo & Colorni 1996, on 8 neighbours with pheromone on the arcs and
-/// visibility 1 / distance to the goal. alpha, beta and evaporation 0.3 are those that found the
-/// optima of Li, Wang and Ma's grids in each of 30 seeds; tau0 = m Q / L of the straight line.
-void ant_system_book(Params& p) {
-  family(p);
   p.ants = 30;
   p.iterations = 100;
   p.alpha = p.alpha_first = 1;

@@ -20,6 +20,11 @@ void check(std::span<const Request> requests, const Params& params, const BatchO
     throw invalid_parameter("time_limit is " + std::to_string(options.time_limit->count()) + " s",
                             "it must be 0 or more, or none");
   }
+  constexpr int kMostSeeds = 1 << 20;
+  if (options.seeds < 1 || options.seeds > kMostSeeds)
+    throw invalid_parameter("seeds is " + std::to_string(options.seeds),
+                            "it must be from 1 to " + std::to_string(kMostSeeds));
+  check_seed(params.seed + static_cast<std::uint64_t>(options.seeds) - 1);
   const Algorithm& algorithm = find_algorithm(params.algorithm());
   for (const Request& request : requests) check_certifies(algorithm, request.target_gap);
 }
@@ -40,7 +45,7 @@ class EitherToken {
   std::stop_callback<Relay> first_, second_;
 };
 
-/// Hands out requests in order, and gives their answers on in order.
+/// Hands out tasks in order, a request and a seed each, and gives their answers on in order.
 class Sequencer {
  public:
   Sequencer(std::size_t count, std::size_t window, const std::stop_token& token,
@@ -52,7 +57,7 @@ class Sequencer {
 
   std::stop_token token() const noexcept { return stop_.get_token(); }
 
-  /// The next request to begin, or nothing. Waits while it is too far ahead of the oldest answer.
+  /// The next task to begin, or nothing. Waits while it is too far ahead of the oldest answer.
   std::optional<std::size_t> next() {
     std::unique_lock lock(mutex_);
     moved_.wait(lock, [this] { return begun_ - received_ < waiting_.size() || fault_; });
@@ -60,9 +65,9 @@ class Sequencer {
     return begun_++;
   }
 
-  void finish(BatchAnswer answer) {
+  void finish(std::size_t task, BatchAnswer answer) {
     std::unique_lock lock(mutex_);
-    auto& slot = waiting_[answer.index % waiting_.size()];
+    auto& slot = waiting_[task % waiting_.size()];
     slot = std::move(answer);
     if (!receiving_) give_on(lock);
   }
@@ -119,7 +124,7 @@ class Sequencer {
   std::size_t received_ = 0;
   bool receiving_ = false;
   std::exception_ptr fault_;
-  std::vector<std::optional<BatchAnswer>> waiting_;  // ring: index modulo its size
+  std::vector<std::optional<BatchAnswer>> waiting_;  // ring: task modulo its size
 };
 
 }  // namespace
@@ -134,13 +139,17 @@ std::size_t plan_batch(const Planner& planner, std::span<const Request> requests
   Params single = params;
   single.threads = 1;
   const int threads = thread_count(options.threads);
-  Sequencer sequencer(requests.size(), 64 + 8 * static_cast<std::size_t>(threads), options.token,
-                      receive);
+  const auto seeds = static_cast<std::size_t>(options.seeds);
+  Sequencer sequencer(requests.size() * seeds, 64 + 8 * static_cast<std::size_t>(threads),
+                      options.token, receive);
 
   const auto work = [&] {
     Workspace workspace;
-    while (const auto index = sequencer.next()) {
-      Request request = requests[*index];
+    Params mine = single;
+    while (const auto task = sequencer.next()) {
+      const std::size_t index = *task / seeds;
+      mine.seed = params.seed + *task % seeds;
+      Request request = requests[index];
       std::optional<EitherToken> either;
       if (request.stop.token.stop_possible()) either.emplace(request.stop.token, sequencer.token());
       request.stop.token = either ? either->get() : sequencer.token();
@@ -148,8 +157,8 @@ std::size_t plan_batch(const Planner& planner, std::span<const Request> requests
         request.stop.deadline = std::min(request.stop.deadline, deadline_in(*options.time_limit));
       }
       const auto begin = Clock::now();
-      Result result = planner.plan(request, single, &workspace);
-      sequencer.finish({*index, std::move(result), Clock::now() - begin});
+      Result result = planner.plan(request, mine, &workspace);
+      sequencer.finish(*task, {index, mine.seed, std::move(result), Clock::now() - begin});
     }
   };
 #pragma omp parallel num_threads(region_threads(threads))
@@ -166,7 +175,7 @@ std::size_t plan_batch(const Planner& planner, std::span<const Request> requests
 std::vector<BatchAnswer> plan_batch(const Planner& planner, std::span<const Request> requests,
                                     const Params& params, const BatchOptions& options) {
   std::vector<BatchAnswer> answers;
-  answers.reserve(requests.size());
+  answers.reserve(requests.size() * static_cast<std::size_t>(std::max(options.seeds, 1)));
   plan_batch(planner, requests, params, options,
              [&](const BatchAnswer& answer) { answers.push_back(answer); });
   return answers;

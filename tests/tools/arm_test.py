@@ -314,6 +314,7 @@ class Arm(ProgramTest):
             (["--set", "ants"], "NAME=VALUE"), (["--pitch", "1e-9"], "pitch"),
             (["--clearance", "-1"], "--clearance"), (["--rate", "0"], "--rate"),
             (["--recheck", "x"], "--recheck"), (["--seed", "-1"], "--seed"),
+            (["--seed", "1-20"], "arm takes one seed"),
             (["--base", "a"], "no URDF"), (["--side", "255"], "0 .. 254"),
             (["--objective", "jont"], 'did you mean "joint"?'),
             (["--goal-pos", "0,0,0,0,0,0"], 'did you mean "--goal-pose"?'),

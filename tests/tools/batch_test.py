@@ -121,6 +121,33 @@ class Answers(ProgramTest):
             self.assertEqual(without(line, "index", "threads", "elapsed_ms"),
                              without(single, "threads", "elapsed_ms"))
 
+    def test_a_range_of_seeds_gives_what_each_of_them_gives(self):
+        options = ("--algorithm", "as", "--iterations", "3", "--gap")
+        lines = self.run_program("batch", FAN, "q.tsv", *options, "--seed", "4-6").lines
+        self.assertEqual([(q["index"], q["seed"]) for q in lines],
+                         [(i, s) for i in range(len(self.QUERIES)) for s in (4, 5, 6)])
+        (sx, sy), (gx, gy) = self.QUERIES[1]
+        ends = {"map_file": FAN, "start": f"{sx},{sy}", "goal": f"{gx},{gy}"}
+        run = self.plan(*options, "--seed", "4-6", "-o", "s.csv", "-o", "s.json", "-o", "s.svg", **ends)
+        self.assertEqual((run.code, self.read("s.json").decode()), (0, run.out))
+        for line, of_batch in zip(run.lines, lines[3:6], strict=True):
+            single = self.plan(*options, "--json", "--seed", str(line["seed"]), **ends).json
+            for found in (line, of_batch):
+                self.assertEqual(without(found, "index", "threads", "elapsed_ms"),
+                                 without(single, "threads", "elapsed_ms"))
+        self.assertEqual(len({str(line["path"]) for line in run.lines}), 3)
+        header, *rows = [row.split(",") for row in self.read("s.csv").decode().splitlines()]
+        columns = [dict(zip(header, row, strict=True)) for row in rows]
+        self.assertEqual([(int(c["seed"]), float(c["optimum"]), float(c["optimum_gap"])) for c in columns],
+                         [(q["seed"], q["optimum"], q["optimum_gap"]) for q in run.lines])
+        self.svg_root("s.svg")
+        self.assertEqual(self.run_program("verify", "s.json").code, 0)
+
+    def test_ranges_of_seeds_that_are_none(self):
+        for seeds in ("3-2", "1-", "1-x", "1-100001", "9007199254740990-9007199254740992", "1-2-3"):
+            self.refused(self.plan("--seed", seeds), 2, "--seed")
+        self.assertEqual(self.plan("--seed", "3-3").out.splitlines()[0], "solved")
+
     def test_a_squeeze_has_no_optimum_as_plan_has_none(self):
         self.write("diagonal.map", "type octile\nheight 3\nwidth 3\nmap\n..@\n.@.\n...\n")
         self.write("one.tsv", "sx sy gx gy\n1 0 2 1\n")

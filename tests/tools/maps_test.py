@@ -234,7 +234,8 @@ class WorldFrame(ProgramTest):
         run = self.run_program("batch", "world.yaml", "q.tsv", "--frame", "world", "-o", "all.csv")
         head, row = [row.split(",") for row in self.read("all.csv").decode().splitlines()]
         self.assertEqual(head, ["index", "sx_m", "sy_m", "gx_m", "gy_m", "status", "length_m",
-                                "lower_bound_m", "gap", "iterations", "elapsed_ms"])
+                                "lower_bound_m", "gap", "iterations", "elapsed_ms",
+                                "seed", "optimum_m", "optimum_gap"])
         self.assertEqual([float(n) for n in row[1:5]], [*start, *goal])
         self.assertEqual([float(n) for n in row[6:9]], [3.5, 3.5, 0])
         self.assertEqual(len(run.lines[0]["path_world"]), len(run.lines[0]["path"]))

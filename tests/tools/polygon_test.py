@@ -353,12 +353,27 @@ class PolygonBatch(WorldTest):
             self.assertEqual(file.read(), run.out)
         with open(self.path("b.csv"), encoding="utf-8") as file:
             rows = file.read().splitlines()
-        self.assertEqual(rows[0], "index,sx,sy,gx,gy,status,length,lower_bound,gap,iterations,elapsed_ms")
+        self.assertEqual(rows[0], "index,sx,sy,gx,gy,status,length,lower_bound,gap,iterations,elapsed_ms,"
+                                  "seed,optimum,optimum_gap")
         self.assertTrue(rows[2].startswith("1,1.5,2.25,150,10.5,solved,"))
         with open(self.path("b.svg"), encoding="utf-8") as file:
             self.assertIn("<svg", file.read(2000))
         run = self.run_program("verify", "b.json")
         self.assertEqual((run.code, run.out), (0, "5 of 5 results are equal to the replay\n"))
+
+    def test_a_range_of_seeds_gives_what_each_of_them_gives(self):
+        options = ("--algorithm", "real-ga", "--iterations", "3")
+        run = self.batch(*options, "--seed", "5-6", "-o", "b.json", "-o", "b.csv")
+        self.assertEqual([(q["index"], q["seed"]) for q in run.lines],
+                         [(i, s) for i in range(5) for s in (5, 6)])
+        rows = [row.split(",") for row in self.read("b.csv").decode().splitlines()]
+        self.assertEqual([row[rows[0].index("seed")] for row in rows[1:]], ["5", "6"] * 5)
+        self.assertEqual(self.run_program("verify", "b.json").code, 0)
+        of_plan = self.plan_world(*options, "--seed", "5-6").lines  # the world's own start and goal
+        self.assertEqual([q["length"] for q in of_plan], [q["length"] for q in run.lines[:2]])
+        self.assertNotEqual(of_plan[0]["length"], of_plan[1]["length"])
+        self.write("open.geojson", collection(start=None))
+        self.refused(self.plan_world("--seed", "5-6", world="open.geojson"), 2, "--start is required")
 
     def test_broken_queries_print_nothing(self):
         for queries, word in (("", "empty"), ("sx sy gx\n", "line 1"), ("sx sy gx gy\n1 1 2 x\n", "line 2"),

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tools/arm/arm_answer.h"
@@ -21,12 +20,7 @@ namespace lasius::tool {
 namespace {
 
 /// A file that was just read.
-ReadFile hashed(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (char c = 0; in.get(c);) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return {file, hash};
-}
+ReadFile hashed(const std::string& file) { return {file, file_hash(file)}; }
 
 std::vector<ReadFile> hashed(const std::vector<std::string>& files) {
   std::vector<ReadFile> list;

@@ -30,7 +30,8 @@ struct Optima {
 };
 
 Optima optima(const LoadedMap& map, const RunOptions& run, std::span<const Request> queries,
-              const BatchOptions& options) {
+              BatchOptions options) {
+  options.seeds = 1;
   Optima found;
   found.any_angle.assign(queries.size(), std::nan(""));
   std::vector<Request> exact(queries.begin(), queries.end());
@@ -52,6 +53,32 @@ std::optional<double> known(double value) {
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
+/// The command's queries: a file's, or its own one.
+QueryFile queries_of(const BatchCommand& command, const LoadedMap& map) {
+  if (command.queries.empty()) return {.queries = {{command.start, command.goal}}};
+  return read_queries(command.queries, map.width, map.height, command.run.frame == Frame::cell);
+}
+
+/// Start and goal of a line.
+std::pair<Place, Place> ends_of(const QueryFile& file, std::size_t line, const LoadedMap& map,
+                                Frame frame) {
+  const auto [start, goal] = file.queries[line];
+  const auto place = file.scenario ? place_of : to_place;
+  return {place(map, start, frame), place(map, goal, frame)};
+}
+
+std::vector<Request> requests_of(const QueryFile& file, const LoadedMap& map,
+                                 const RunOptions& run) {
+  std::vector<Request> requests;
+  for (std::size_t i = 0; i < file.queries.size(); ++i) {
+    const auto [start, goal] = ends_of(file, i, map, run.frame);
+    requests.push_back({.start = start.cell,
+                        .goal = goal.cell,
+                        .target_gap = moves_on_cells(run.params) ? 0 : run.target_gap});
+  }
+  return requests;
+}
+
 }  // namespace
 
 int run_batch(const BatchCommand& command) {
@@ -62,24 +89,18 @@ int run_batch(const BatchCommand& command) {
       load_map(run.map, run.frame, run.params.corners, signals.token()));
   const LoadedMap& map = *shared;
   check_outputs(run.outputs, {map.image});
-  const QueryFile file =
-      read_queries(command.queries, map.width, map.height, run.frame == Frame::cell);
+  const QueryFile file = queries_of(command, map);
   BitmapTask task({.run = run, .start = {}, .goal = {}}, shared);
   if (!run.messages.quiet) task.announce();
-  const auto place = [&](Point point) {
-    return file.scenario ? place_of(map, point, run.frame) : to_place(map, point, run.frame);
-  };
-  std::vector<Request> queries;
-  for (const auto& line : file.queries)
-    queries.push_back({.start = place(line.start).cell,
-                       .goal = place(line.goal).cell,
-                       .target_gap = moves_on_cells(run.params) ? 0 : run.target_gap});
+  const std::vector<Request> queries = requests_of(file, map, run);
 
-  BatchOptions options{.threads = run.params.threads, .token = signals.token()};
+  BatchOptions options{.threads = run.params.threads, .token = signals.token(), .seeds = run.seeds};
   if (run.time_limit) options.time_limit = std::chrono::duration<double>(*run.time_limit);
   BatchFiles files(task);
   Delivery delivery(run.outputs);
-  ProgressLine bar(wants_progress(run.messages), static_cast<std::int64_t>(queries.size()));
+  const auto total = static_cast<std::int64_t>(queries.size()) * run.seeds;
+  ProgressLine bar(wants_progress(run.messages), total);
+  std::int64_t done = 0;
   // The optimum is asked beside each chunk, so that answers still stream.
   const std::size_t chunk = run.with_optimum ? 256 : queries.size();
   for (std::size_t from = 0; from < queries.size() && !signals.interrupted(); from += chunk) {
@@ -88,8 +109,9 @@ int run_batch(const BatchCommand& command) {
     if (run.with_optimum) best = optima(map, run, part, options);
     plan_batch(*map.planner, part, run.params, options, [&](const BatchAnswer& found) {
       const std::size_t index = from + found.index;
-      Answer answer{.start = place(file.queries[index].start),
-                    .goal = place(file.queries[index].goal),
+      const auto [start, goal] = ends_of(file, index, map, run.frame);
+      Answer answer{.start = start,
+                    .goal = goal,
                     .result = found.result,
                     .elapsed_ms = std::chrono::duration<double, std::milli>(found.elapsed).count(),
                     .index = index};
@@ -97,11 +119,12 @@ int run_batch(const BatchCommand& command) {
         set_optima(run, known(best.any_angle[found.index]), known(best.by_moves[found.index]),
                    answer);
       }
+      task.set_seed(found.seed);
       task.take(std::move(answer));
       const std::string text = json_line(task);
       files.add(task, text, task.end_texts(), task.result().path);
       delivery.print(text);
-      bar.update(static_cast<std::int64_t>(index) + 1, "queries");
+      bar.update(++done, "queries");
     });
   }
   delivery.write([&](const std::string& output) {

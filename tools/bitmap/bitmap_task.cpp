@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tools/bitmap/map_record.h"
 #include "tools/bitmap/picture.h"
 #include "tools/console/parameters.h"
 #include "tools/console/streams.h"
@@ -24,46 +25,14 @@ bool is_search(const LoadedMap& map, Corners corners, Cell start, Cell goal,
          map.planner->connected(start, goal, corners);
 }
 
-/// Why a start or goal is invalid, with its place as it was given, and in metres too the free cell
-/// that is nearest.
+/// Why a start or goal is invalid.
 std::string invalid_text(const LoadedMap& map, Frame frame, const Answer& answer) {
   const Result& result = answer.result;
   const bool at_start =
       result.fault == Fault::start_blocked || result.fault == Fault::start_outside;
   const bool outside = result.fault == Fault::start_outside || result.fault == Fault::goal_outside;
-  const Place& place = at_start ? answer.start : answer.goal;
-  const auto [x, y] = place.number;
-  const std::string named =
-      std::string("(").append(whole_text(x)).append(", ").append(whole_text(y)).append(")");
-  std::string text = at_start ? "start " : "goal ";
-  if (frame == Frame::world) {
-    text += to_text(place.asked.x) + "," + to_text(place.asked.y) + " m, in cell " + named + ",";
-  } else {
-    text += named;
-  }
-  text += outside ? " is outside the map" : " is blocked";
-  const auto& free = result.nearest_free;
-  if (!free) return map.grid().count_free() == 0 ? text + "; the map has no free cell" : text;
-  text += "; the nearest free cell is (" + std::to_string(free->x) + ", " +
-          std::to_string(free->y) + ")";
-  if (frame == Frame::cell) return text;
-  const Point metres = map.to_world(centre(*free));
-  return text + ", its centre at " + decimal_text(metres.x, 3) + "," + decimal_text(metres.y, 3) +
-         " m";
-}
-
-Json cell_json(const Place& place) {
-  const auto [x, y] = place.number;
-  return Json::array({json::parameter(whole_text(x)), json::parameter(whole_text(y))});
-}
-
-/// A start or goal as it was given: a cell, or metres.
-Point recorded_end(const Json& result, const std::string& key, Frame frame) {
-  if (frame == Frame::world) return recorded_point(result, key + "_world");
-  const Point cell = recorded_point(result, key);
-  if (cell.x != std::floor(cell.x) || cell.y != std::floor(cell.y))
-    throw UsageError("\"" + key + "\" is no cell");
-  return cell;
+  return fault_text(map, frame, at_start ? "start" : "goal", at_start ? answer.start : answer.goal,
+                    outside, result.nearest_free);
 }
 
 }  // namespace
@@ -178,13 +147,7 @@ std::vector<std::string> BitmapTask::end_texts() const {
   return {text(start.x), text(start.y), text(goal.x), text(goal.y)};
 }
 
-Json BitmapTask::inputs() const {
-  return {{"map",
-           {{"file", map_->file},
-            {"hash", hash_text(map_->hash)},
-            {"width", map_->width},
-            {"height", map_->height}}}};
-}
+Json BitmapTask::inputs() const { return {{"map", map_json(*map_)}}; }
 
 std::pair<Json, Json> BitmapTask::ends() const {
   return {cell_json(answer_.start), cell_json(answer_.goal)};
@@ -192,10 +155,7 @@ std::pair<Json, Json> BitmapTask::ends() const {
 
 void BitmapTask::add_settings(Json& json) const {
   add_limits(json);
-  json["radius"] = number(map_->radius);
-  json["unknown"] = map_->unknown_is_free ? "free" : "blocked";
-  if (map_->prepare) json["prepare"] = true;
-  json["frame"] = kFrames[in_metres() ? 1 : 0];
+  add_map_settings(json, *map_, options().frame);
 }
 
 void BitmapTask::add_path(Json& json) const {
@@ -215,22 +175,8 @@ void BitmapTask::add_findings(Json& json) const {
 }
 
 std::unique_ptr<Task> recorded_bitmap(const Recorded& from, SharedMap& last) {
-  const Json& result = from.result;
-  PlanCommand command;
-  RunOptions& run = command.run;
-  const auto name = recorded<std::string>(result, "algorithm");
-  read_recorded(from, find_algorithm(algorithm_of(World::Kind::bitmap, name)), run);
-  std::vector<std::string> notes;
-  run.params = make_params<Params>(run, World::Kind::bitmap, algorithms(), notes);
-  run.map.file = from.found(recorded<std::string>(result, "map/file"));
-  run.map.threads = from.threads;
-  run.map.radius = recorded<double>(result, "parameters/radius");
-  run.map.unknown_is_free = recorded<std::string>(result, "parameters/unknown") == "free";
-  if (result["parameters"].contains("prepare"))
-    run.map.prepare = recorded<bool>(result, "parameters/prepare");
-  if (recorded<std::string>(result, "parameters/frame") == kFrames[1]) run.frame = Frame::world;
-  command.start = recorded_end(result, "start", run.frame);
-  command.goal = recorded_end(result, "goal", run.frame);
+  PlanCommand command = recorded_plan(from);
+  const RunOptions& run = command.run;
   const bool same = last && last->file == run.map.file && last->radius == run.map.radius &&
                     last->unknown_is_free == run.map.unknown_is_free &&
                     last->prepare == run.map.prepare;
@@ -238,7 +184,8 @@ std::unique_ptr<Task> recorded_bitmap(const Recorded& from, SharedMap& last) {
     last =
         std::make_shared<LoadedMap>(load_map(run.map, run.frame, run.params.corners, from.token));
   auto task = std::make_unique<BitmapTask>(std::move(command), last);
-  if (result.contains("index")) task->take({.index = recorded<std::size_t>(result, "index")});
+  if (from.result.contains("index"))
+    task->take({.index = recorded<std::size_t>(from.result, "index")});
   return task;
 }
 

@@ -21,6 +21,7 @@ class BitmapTask : public Task {
   void load(const std::stop_token& token) override;
   void announce() const override;
   void plan(const StopCondition& stop, const Watch& watch) override;
+  void set_seed(std::uint64_t seed) { command_.run.seed = command_.run.params.seed = seed; }
   /// Takes an answer that was found elsewhere.
   void take(Answer answer) { answer_ = std::move(answer); }
 

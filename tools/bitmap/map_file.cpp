@@ -45,8 +45,7 @@ std::optional<Planner> make_planner(Grid& grid, const MapOptions& options, Corne
 
 }  // namespace
 
-LoadedMap load_map(const MapOptions& options, Frame frame, Corners corners,
-                   const std::stop_token& token) {
+LoadedMap read_map(const MapOptions& options, Frame frame) {
   const auto start = Clock::now();
   Map read = read_any_map(options.file, {.unknown_is_free = options.unknown_is_free});
   if (frame == Frame::world && !read.frame)
@@ -64,13 +63,23 @@ LoadedMap load_map(const MapOptions& options, Frame frame, Corners corners,
                 .frame = read.frame,
                 .unknown_is_free = options.unknown_is_free,
                 .radius = radius,
-                .prepare = options.prepare};
-  const StopCondition stop{.token = token};
-  const bool whole = grow(read.grid, map.radius, stop);
+                .prepare = options.prepare,
+                .grid_alone = std::move(read.grid)};
   map.read_ms = ms_since(start);
+  return map;
+}
+
+LoadedMap load_map(const MapOptions& options, Frame frame, Corners corners,
+                   const std::stop_token& token) {
+  LoadedMap map = read_map(options, frame);
+  Grid& grid = *map.grid_alone;
+  const StopCondition stop{.token = token};
+  const auto start = Clock::now();
+  const bool whole = grow(grid, map.radius, stop);
+  map.read_ms += ms_since(start);
   const auto ready_start = Clock::now();
-  if (whole) map.planner = make_planner(read.grid, options, corners, stop);
-  if (!map.planner) map.grid_alone = std::move(read.grid);
+  if (whole) map.planner = make_planner(grid, options, corners, stop);
+  if (map.planner) map.grid_alone.reset();
   map.ready_ms = ms_since(ready_start);
   return map;
 }
@@ -96,6 +105,28 @@ Place to_place(const LoadedMap& map, Point point, Frame frame) {
     number = {finite(std::floor(cells.x)), finite(std::ceil(cells.y) - 1)};
   }
   return {{clamped(number.x), clamped(number.y)}, number, point};
+}
+
+std::string fault_text(const LoadedMap& map, Frame frame, const char* name, const Place& place,
+                       bool outside, const std::optional<Cell>& nearest_free) {
+  const auto [x, y] = place.number;
+  const std::string named =
+      std::string("(").append(whole_text(x)).append(", ").append(whole_text(y)).append(")");
+  std::string text = name + std::string(" ");
+  if (frame == Frame::world) {
+    text += to_text(place.asked.x) + "," + to_text(place.asked.y) + " m, in cell " + named + ",";
+  } else {
+    text += named;
+  }
+  text += outside ? " is outside the map" : " is blocked";
+  if (!nearest_free)
+    return map.grid().count_free() == 0 ? text + "; the map has no free cell" : text;
+  text += "; the nearest free cell is (" + std::to_string(nearest_free->x) + ", " +
+          std::to_string(nearest_free->y) + ")";
+  if (frame == Frame::cell) return text;
+  const Point metres = map.to_world(centre(*nearest_free));
+  return text + ", its centre at " + decimal_text(metres.x, 3) + "," + decimal_text(metres.y, 3) +
+         " m";
 }
 
 Place place_of(const LoadedMap& map, Point cell, Frame frame) {

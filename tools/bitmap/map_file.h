@@ -41,9 +41,12 @@ struct LoadedMap {
   }
 };
 
-/// Reads a map and makes it ready for plans under a rule of corners. `token` ends what follows the
-/// reading.
+/// Reads a map without growing obstacles: no planner, `radius` as asked for.
 /// @throws Error; UsageError where metres are asked for and the file gives no frame.
+LoadedMap read_map(const MapOptions& options, Frame frame);
+
+/// Reads a map and makes it ready for plans under a rule of corners. `token` ends what follows the
+/// reading. @throws as read_map.
 LoadedMap load_map(const MapOptions& options, Frame frame = Frame::cell,
                    Corners corners = Corners::forbid, const std::stop_token& token = {});
 
@@ -61,6 +64,10 @@ struct Place {
 /// holds its left and its lower edge, in the map's own axes: so the world frame's origin is in the
 /// first.
 Place to_place(const LoadedMap& map, Point point, Frame frame);
+
+/// Why a place is invalid, as it was given, and in metres too the free cell that is nearest.
+std::string fault_text(const LoadedMap& map, Frame frame, const char* name, const Place& place,
+                       bool outside, const std::optional<Cell>& nearest_free);
 
 /// The place of a cell, as if it had been given in `frame`.
 Place place_of(const LoadedMap& map, Point cell, Frame frame);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 
+#include "tools/bitmap/sheet.h"
 #include "tools/console/parameters.h"
 #include "tools/draw/canvas.h"
 #include "tools/draw/colours.h"
@@ -17,117 +18,10 @@
 namespace lasius::tool {
 namespace {
 
-constexpr Colour kWall{0.58, 0.605, 0.64};
-
 constexpr Colour kAnts[] = {{0.74, 0.85, 0.95}, {0.26, 0.57, 0.78}, {0.03, 0.16, 0.38}};
 constexpr Colour kHeat[] = {{1, 0.98, 0.85}, {1, 0.8, 0.35}, {0.87, 0.32, 0.1}, {0.27, 0, 0.1}};
 constexpr Colour kFar[] = {
     {0.27, 0, 0.33}, {0.13, 0.45, 0.56}, {0.37, 0.79, 0.38}, {0.99, 0.9, 0.14}};
-
-/// The cells that are shown: all around free ones, start and goal, where that leaves out a tenth
-/// of the map or more.
-Window shown_of(const LoadedMap& map, const std::vector<Cell>& ends) {
-  const Grid& grid = map.grid();
-  Window free{{grid.width(), 0}, {grid.height(), 0}};
-  const auto take = [&](int x, int y) {
-    free.columns = {std::min(free.columns.from, x), std::max(free.columns.to, x + 1)};
-    free.rows = {std::min(free.rows.from, y), std::max(free.rows.to, y + 1)};
-  };
-  for (const Cell c : ends)
-    if (grid.contains(c)) take(c.x, c.y);
-  for (int y = 0; y < grid.height(); ++y)
-    for (int x = 0; x < grid.width(); ++x)
-      if (grid.free({x, y})) take(x, y);
-  const Window all = whole(grid);
-  if (free.width() <= 0) return all;
-  const int room = static_cast<int>(std::ceil(map.radius)) +
-                   std::max(3, std::max(free.width(), free.height()) / 50);
-  const auto with_room = [room](const Span& side, int cells) {
-    return Span{std::max(0, side.from - room), std::min(cells, side.to + room)};
-  };
-  const Window window{with_room(free.columns, grid.width()), with_room(free.rows, grid.height())};
-  const double share = 1.0 * window.width() * window.height() / all.width() / all.height();
-  return share <= 0.9 ? window : all;
-}
-
-/// The map as all panels show it.
-struct Sheet {
-  const LoadedMap& map;
-  const RunOptions& run;
-  Window window;
-
-  const Grid& grid() const { return map.grid(); }
-  /// In cells.
-  Axes axes(const Box& box) const {
-    return {.box = box,
-            .x = {1.0 * window.columns.from, 1.0 * window.columns.to},
-            .y = {1.0 * window.rows.to, 1.0 * window.rows.from},
-            .whole_x = true,
-            .whole_y = true};
-  }
-  bool metres() const { return run.frame == Frame::world; }
-  const char* unit() const { return metres() ? "m" : "cells"; }
-  std::string length(double cells, int decimals = 2) const {
-    // A line does not end between number and unit.
-    return study::fixed(map.length_in(run.frame, cells), decimals) + "\u00a0" + unit();
-  }
-  /// In cells; in metres of the world where the map is not turned in it.
-  void frame(Canvas& canvas, const Box& box) const {
-    const bool world = metres() && map.frame->yaw == 0;
-    Axes axes = this->axes(box);
-    axes.whole_x = axes.whole_y = !world;
-    if (world) {
-      const Point low = map.to_world({axes.x.low, axes.y.low});
-      const Point high = map.to_world({axes.x.high, axes.y.high});
-      axes.x = {low.x, high.x};
-      axes.y = {low.y, high.y};
-    }
-    draw_axes(canvas, axes, world ? "x, m" : "x, cells", world ? "y, m" : "y, cells", false);
-  }
-  /// What the window leaves out.
-  std::string note() const {
-    const Window all = whole(grid());
-    const double left = 1 - 1.0 * window.width() * window.height() / all.width() / all.height();
-    if (left <= 0) return {};
-    const auto span = [](const Span& side) {
-      return std::to_string(side.from) + " to " + std::to_string(side.to - 1);
-    };
-    return "cropped to columns " + span(window.columns) + ", rows " + span(window.rows) +
-           ": the rest, " + study::fixed(100 * left, 0) + "% of the map, has no free cell" +
-           (map.frame && !map.unknown_is_free ? " (unknown or blocked)" : "");
-  }
-  Page page(std::string title) const {
-    return {.title = std::move(title),
-            .note = note(),
-            .wide = 1.0 * window.width(),
-            .high = 1.0 * window.height()};
-  }
-};
-
-/// Paints walls over what `ground` says of the cells under a pixel. Walls never get so thin that
-/// they vanish.
-void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet,
-               const std::function<Colour(Span columns, Span rows)>& ground) {
-  const Window& window = sheet.window;
-  // One pixel a cell, or one a pixel of the page where cells are smaller.
-  const auto share =
-      blocked_share(sheet.grid(), window, std::min(window.width(), static_cast<int>(box.width)),
-                    std::min(window.height(), static_cast<int>(box.height)));
-  Raster<Colour> pixels(share.width, share.height);
-  for (int y = 0; y < share.height; ++y) {
-    const Span rows = cells_under(y, share.height, window.rows);
-    for (int x = 0; x < share.width; ++x) {
-      const double blocked = share.at(x, y);
-      const double shown = blocked > 0 ? std::max(0.35, std::sqrt(blocked)) : 0;
-      const Span columns = cells_under(x, share.width, window.columns);
-      pixels.at(x, y) = blend(ground(columns, rows), kWall, shown);
-    }
-  }
-  canvas.image(pixels, box);
-  sheet.frame(canvas, box);
-}
-
-Colour free_ground(Span, Span) { return kFree; }
 
 /// The value of a recorder's raster that `better` prefers over some cells; NaN is never preferred.
 template <class T, class Better>
@@ -140,19 +34,6 @@ T chosen(const Raster<T>& raster, int cells_a_pixel, Span columns, Span rows,
       if (value == value && (result != result || better(value, result))) result = value;
     }
   return result;
-}
-
-void draw_marks(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& answer,
-                bool small) {
-  const double cell = box.width / sheet.window.width();
-  const double radius =
-      small ? std::clamp(0.6 * cell, 6.0, 9.0) : std::clamp(0.6 * cell, 8.0, 18.0);
-  const Axes axes = sheet.axes(box);
-  const Point start = centre(answer.start.cell), goal = centre(answer.goal.cell);
-  if (sheet.grid().contains(answer.goal.cell))
-    canvas.diamond(axes.at(goal.x, goal.y), radius + 3, kGoal);
-  if (sheet.grid().contains(answer.start.cell))
-    canvas.ring(axes.at(start.x, start.y), radius, kStart);
 }
 
 /// From 1 ant a cell to the most.
@@ -192,19 +73,6 @@ TrailScale trail_scale(const Raster<float>& raster, bool index) {
   return {{{low, high}, high > 10 * low, kHeat}, low};
 }
 
-void draw_path(Canvas& canvas, const Box& box, const Sheet& sheet, const std::vector<Point>& path,
-               double width, double rim) {
-  const auto points = sheet.axes(box).at(path);
-  if (rim > 0) canvas.polyline(points, {1, 1, 1}, width + 2 * rim);
-  canvas.polyline(points, kPath, width);
-}
-
-std::string plan_title(const LoadedMap& map, const RunOptions& run) {
-  return run.params.algorithm() + " on " + std::filesystem::path(map.file).filename().string() +
-         ", " + std::to_string(map.width) + " x " + std::to_string(map.height) + " cells, seed " +
-         std::to_string(run.params.seed);
-}
-
 std::string path_caption(const Sheet& sheet, const Answer& answer) {
   const Result& result = answer.result;
   if (result.path.empty()) return study::no_path_text(result.status);
@@ -236,7 +104,7 @@ Band track_band(const Sheet& sheet, const Answer& answer, const PictureRecorder&
               chosen(ants, recorder.cells_a_pixel(), columns, rows, std::greater<>());
           return count == 0 ? kFree : scale.at(count);
         });
-        draw_marks(canvas, box, sheet, answer, true);
+        draw_marks(canvas, box, sheet, answer.start.cell, answer.goal.cell, true);
       };
       band.rows[row].push_back({std::move(caption), draw});
     };
@@ -274,7 +142,7 @@ Panel trail_panel(const Sheet& sheet, const Answer& answer, const PictureRecorde
       return value >= scale.least && value < scale.below ? scale.colours.at(value) : kFree;
     });
     draw_bar(canvas, box, scale.colours);
-    draw_marks(canvas, box, sheet, answer, false);
+    draw_marks(canvas, box, sheet, answer.start.cell, answer.goal.cell, false);
   };
   return {.caption = std::move(caption), .draw = draw, .below = kBarHeight};
 }
@@ -307,10 +175,10 @@ void draw_run(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& 
 
 void write_plan_picture(const std::string& file, const LoadedMap& map, const RunOptions& run,
                         const Answer& answer, const PictureRecorder* recorder) {
-  const Sheet sheet{map, run, shown_of(map, {answer.start.cell, answer.goal.cell})};
+  const Sheet sheet{map, map.grid(), run, shown_of(map, {answer.start.cell, answer.goal.cell})};
   const auto tracks =
       recorder != nullptr ? recorder->tracks() : std::vector<PictureRecorder::Tracks>{};
-  Page page = sheet.page(plan_title(map, run));
+  Page page = sheet.page(map_title(map, run));
   page.legend = {start_key(), goal_key(), area_key("blocked", kWall)};
   if (!answer.result.path.empty()) page.legend.push_back(line_key("path", kPath, 3));
   std::uint32_t most = 0;
@@ -328,7 +196,7 @@ void write_plan_picture(const std::string& file, const LoadedMap& map, const Run
     panels.push_back(trail_panel(sheet, answer, *recorder));
   panels.push_back({path_caption(sheet, answer), [&](Canvas& canvas, const Box& box) {
                       paint_map(canvas, box, sheet, free_ground);
-                      draw_marks(canvas, box, sheet, answer, false);
+                      draw_marks(canvas, box, sheet, answer.start.cell, answer.goal.cell, false);
                       draw_path(canvas, box, sheet, answer.result.path, 3, 1);
                     }});
   if (!answer.result.best.empty())
@@ -341,8 +209,8 @@ void write_plan_picture(const std::string& file, const LoadedMap& map, const Run
 
 void write_batch_picture(const std::string& file, const LoadedMap& map, const RunOptions& run,
                          const std::vector<std::vector<Point>>& paths) {
-  const Sheet sheet{map, run, shown_of(map, {})};
-  Page page = sheet.page(plan_title(map, run));
+  const Sheet sheet{map, map.grid(), run, shown_of(map, {})};
+  Page page = sheet.page(map_title(map, run));
   page.legend = {area_key("blocked", kWall), line_key("path", kPath, 1.5)};
   page.bands = {{{{{std::to_string(paths.size()) + " paths", [&](Canvas& canvas, const Box& box) {
                       paint_map(canvas, box, sheet, free_ground);

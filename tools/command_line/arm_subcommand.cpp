@@ -82,7 +82,8 @@ Subcommand add_arm(CLI::App& app) {
   add_robot_options(*arm, *raw);
   add_search_options(
       *arm, *raw,
-      {.time_limit = "Stop after this time",
+      {.seed = "Seed, from 0 to 2^53-1 (default 1)",
+       .time_limit = "Stop after this time",
        .target_gap = "Stop at this gap to the bound from what was learned (1 means 1%)",
        .json = "Print one JSON object; its length is that of --objective",
        .outputs = "Write a file, by its ending (repeatable):\n"

@@ -25,7 +25,7 @@ void add_search_options(CLI::App& app, SearchText& text, const SearchHelp& help)
                  "NAME=VALUE");
   option("--ants", text.value_of("ants"), "Ants an iteration", "N");
   option("--iterations", text.value_of("iterations"), "Iterations", "N");
-  option("--seed", text.seed, "Seed, from 0 to 2^53-1 (default 1)", "N");
+  option("--seed", text.seed, help.seed, "N");
   option("--threads", text.threads,
          "Threads (default LASIUS_THREADS, OMP_NUM_THREADS, all cores); never changes a result",
          "N");

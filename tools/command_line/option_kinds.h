@@ -25,6 +25,7 @@ AddOption option_adder(CLI::App& app);
 
 /// What the options that all planning commands have mean to one of them.
 struct SearchHelp {
+  const char* seed;
   const char* time_limit;
   const char* target_gap;
   const char* json;

@@ -23,8 +23,20 @@ Messages make_messages(const SearchText& text) {
   return messages;
 }
 
-constexpr std::string_view kResultEndings[] = {".json", ".csv", ".svg", ".png"};
+constexpr std::string_view kDriveEndings[] = {".json", ".csv", ".svg", ".png", ".gif"};
 constexpr std::string_view kArmEndings[] = {".json", ".csv", ".yaml", ".yml", ".svg", ".png"};
+
+/// "N", or "A-B": seeds from A to B.
+void read_seeds(const std::string& text, SearchOptions& options) {
+  const auto dash = text.find('-', 1);
+  options.seed = seed_value(text.substr(0, dash));
+  if (dash == std::string::npos) return;
+  const auto first = static_cast<std::int64_t>(options.seed);
+  const std::int64_t last =
+      integer_value("--seed A-B", text.substr(dash + 1), first,
+                    std::min(kMaxExactInteger, first + SearchOptions::kMostSeeds - 1));
+  options.seeds = static_cast<int>(last - first) + 1;
+}
 
 /// Reads what all commands that plan have.
 void read_search(const SearchText& text, SearchOptions& options,
@@ -35,7 +47,7 @@ void read_search(const SearchText& text, SearchOptions& options,
   for (const auto& [name, value] : text.named)
     if (!value.empty()) options.named.emplace_back(name, value);
   options.settings = text.set;
-  options.seed = seed_value(text.seed);
+  read_seeds(text.seed, options);
   options.threads = thread_count(text.threads);
   if (!text.time_limit.empty())
     options.time_limit = real_value("--time-limit", text.time_limit, 0, kNoLimit);
@@ -133,9 +145,9 @@ void check_endings(const std::vector<std::string>& files,
   }
 }
 
-RunOptions make_run(const RunText& text) {
+RunOptions make_run(const RunText& text, std::span<const std::string_view> endings) {
   RunOptions run;
-  read_search(text, run);
+  read_search(text, run, endings);
   run.params = make_params<Params>(run, World::Kind::bitmap, algorithms(), run.notes);
   const bool certifies = !moves_on_cells(run.params);
   if (!text.frame.empty())
@@ -164,9 +176,43 @@ RunOptions make_run(const RunText& text) {
   return run;
 }
 
+PlanCommand make_plan(const EndsText& ends, RunOptions run) {
+  const bool cells = run.frame == Frame::cell;
+  if (ends.start.empty()) throw UsageError("--start is required; see --help");
+  if (ends.goal.empty()) throw UsageError("--goal is required; see --help");
+  const Point start = pair_value("--start", ends.start, cells);
+  const Point goal = pair_value("--goal", ends.goal, cells);
+  return {std::move(run), start, goal};
+}
+
+DriveCommand make_drive(const DriveText& text) {
+  if (is_world(text.map)) throw UsageError(text.map + ": drives are on bitmaps only");
+  DriveCommand drive{make_plan(text.ends, make_run(text, kDriveEndings))};
+  RunOptions& run = drive.run;
+  if (run.seeds > 1)
+    throw UsageError("--seed " + text.seed + ": one drive has one seed; a range is for plan");
+  if (run.with_optimum)
+    run.notes.emplace_back("--gap has no effect: a drive always tells the optimum of its moves");
+  if (!text.tracks.empty())
+    run.notes.emplace_back("--tracks has no effect: a drive's picture shows the robot's track");
+  run.map.prepare = text.prepare && !moves_on_cells(run.params);
+  drive.world = text.world;
+  drive.changes = text.changes;
+  if (!text.sense.empty())
+    drive.sense =
+        real_value("--sense", text.sense, run.map.radius_metres ? 0 : DriveCommand::kLeastSense,
+                   DriveCommand::kMostSense);
+  if (!text.max_ticks.empty())
+    drive.max_ticks = integer_value("--max-ticks", text.max_ticks, 0, DriveCommand::kMostTicks);
+  return drive;
+}
+
 ArmCommand make_arm(const ArmText& text) {
   ArmCommand arm;
   read_search(text, arm, kArmEndings);
+  if (arm.seeds > 1)
+    throw UsageError("--seed " + text.seed +
+                     ": arm takes one seed; several are for plan and batch");
   arm.algorithm = algorithm_of(World::Kind::arm, text.algorithm);
   if (text.plain) arm.named.insert(arm.named.end(), {{"shortcut", "off"}, {"shortcuts", "0"}});
   read_robot_options(text, arm);
@@ -213,8 +259,8 @@ PolygonCommand make_polygon(const RunText& run, const PolygonText& text) {
   PolygonCommand command;
   read_search(run, command);
   command.world = make_world_options(run.map, text.world);
-  command.start = optional_point("--start", text.start);
-  command.goal = optional_point("--goal", text.goal);
+  command.start = optional_point("--start", text.ends.start);
+  command.goal = optional_point("--goal", text.ends.goal);
   command.with_optimum = true;  // it is found beside
   if (!run.frame.empty()) {
     if (kFrames[choice_value("--frame", run.frame, kFrames)] == "world")

@@ -32,8 +32,25 @@ struct RunText : SearchText {
   bool unknown_free = false, prepare = false, gap = false;
 };
 
+inline constexpr std::array<std::string_view, 4> kResultEndings{".json", ".csv", ".svg", ".png"};
+
 /// @throws UsageError; Error(invalid_parameter) for a value that the library refuses.
-RunOptions make_run(const RunText& text);
+RunOptions make_run(const RunText& text,
+                    std::span<const std::string_view> endings = kResultEndings);
+
+/// Options of plan and drive on bitmaps.
+struct EndsText {
+  std::string start, goal;
+};
+PlanCommand make_plan(const EndsText& ends, RunOptions run);
+
+/// Options of drive.
+struct DriveText : RunText {
+  EndsText ends;
+  std::string world, changes, sense, max_ticks;
+};
+/// @throws as make_run
+DriveCommand make_drive(const DriveText& text);
 
 /// Options of arm.
 struct ArmText : SearchText {
@@ -58,7 +75,7 @@ struct WorldText {
 
 struct PolygonText {
   WorldText world;
-  std::string start, goal;
+  EndsText ends;
 };
 
 /// @throws UsageError

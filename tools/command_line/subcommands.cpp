@@ -27,6 +27,16 @@ constexpr const char* kBatchExits =
     "be\n"
     "written; 130 interrupted, whole lines only. A scenario's coordinates are cells in any frame.";
 
+constexpr const char* kDriveExits =
+    "Exit codes: 0 the robot arrived; 1 internal error; 2 usage; 3 map, world or changes are "
+    "missing "
+    "or\n"
+    "broken; 4 start or goal outside or blocked; 5 proven unreachable on what is known at last; 6 "
+    "not\n"
+    "arrived (trapped, or a limit spent); 7 an output cannot be written; 130 interrupted, the "
+    "drive "
+    "so\nfar written.";
+
 constexpr const char* kPrepare =
     "Make the map's visibility graph for exact (at most 1 GB): worth it for many queries. Answers\n"
     "are as short as without; lasius info MAP --prepare shows what it costs";
@@ -45,16 +55,29 @@ constexpr const char* kOutputs =
 /// An option that was given an empty value was not left out.
 std::string not_empty(const std::string& value) { return value.empty() ? "has no value" : ""; }
 
-void add_run_options(CLI::App& app, RunText& text, const char* map_help) {
+constexpr const char* kDriveOutputs =
+    "Write a file, by its ending (repeatable):\n"
+    ".json  what --json prints\n"
+    ".csv   x,y of the track, one cell a tick; with --frame world x_m,y_m\n"
+    ".svg, .png  the track over the world: what was seen when, where ways were planned\n"
+    ".gif   a film of at most 300 pictures";
+
+constexpr SearchHelp kRunHelp = {
+    .seed =
+        "Seed, from 0 to 2^53-1 (default 1). A-B: every query with each of these seeds, a "
+        "JSON object a line, from plan too",
+    .time_limit =
+        "Stop after this time, counted once the map is prepared; for batch by query. "
+        "Each optimum of --gap may take as long again",
+    .target_gap = "Stop at this certified gap, for algorithms that certify one (1 means 1%)",
+    .json = "Print one JSON object (batch always does, one a query)",
+    .outputs = kOutputs};
+
+void add_run_options(CLI::App& app, RunText& text, const char* map_help,
+                     const SearchHelp& help = kRunHelp) {
   const AddOption option = option_adder(app);
   option("MAP", text.map, map_help, "FILE")->required();
-  add_search_options(
-      app, text,
-      {.time_limit = "Stop after this time, counted once the map is prepared; for batch by query. "
-                     "Each optimum of --gap may take as long again",
-       .target_gap = "Stop at this certified gap, for algorithms that certify one (1 means 1%)",
-       .json = "Print one JSON object (batch always does, one a query)",
-       .outputs = kOutputs});
+  add_search_options(app, text, help);
   option("--neighbours", text.value_of("neighbours"), "Moves from a cell", "4|8|16|16k|24|32");
   option("--corners", text.value_of("corners"), "Diagonal steps past blocked cells",
          "forbid|one-side|allow");
@@ -106,23 +129,51 @@ Subcommand add_plan(CLI::App& app) {
   auto raw = std::make_shared<Raw>();
   auto* plan = app.add_subcommand("plan", "Plan one path");
   const AddOption option = option_adder(*plan);
-  option("--start", raw->polygon.start, "Where the path starts; a polygon world may say", "X,Y");
-  option("--goal", raw->polygon.goal, "Where it ends; likewise", "X,Y");
+  option("--start", raw->polygon.ends.start, "Where the path starts; a polygon world may say",
+         "X,Y");
+  option("--goal", raw->polygon.ends.goal, "Where it ends; likewise", "X,Y");
   add_run_options(*plan, raw->run, kMapHelp);
   add_world_options(*plan, raw->polygon.world);
   plan->footer(kPlanExits);
   return {plan, [raw]() -> Command {
             const PolygonText& text = raw->polygon;
-            if (is_world(raw->run.map)) return make_polygon(raw->run, text);
+            if (is_world(raw->run.map)) {
+              auto polygon = make_polygon(raw->run, text);
+              if (polygon.seeds > 1) return PolygonBatchCommand{std::move(polygon), ""};
+              return polygon;
+            }
             refuse_world_options(text.world);
-            auto run = make_run(raw->run);
-            const bool cells = run.frame == Frame::cell;
-            if (text.start.empty()) throw UsageError("--start is required; see --help");
-            if (text.goal.empty()) throw UsageError("--goal is required; see --help");
-            const Point start = pair_value("--start", text.start, cells);
-            const Point goal = pair_value("--goal", text.goal, cells);
-            return PlanCommand{std::move(run), start, goal};
+            auto query = make_plan(text.ends, make_run(raw->run));
+            if (query.run.seeds > 1)
+              return BatchCommand{std::move(query.run), "", query.start, query.goal};
+            return query;
           }};
+}
+
+Subcommand add_drive(CLI::App& app) {
+  auto raw = std::make_shared<DriveText>();
+  auto* drive = app.add_subcommand(
+      "drive", "Drive a robot through a world that is not as its map has it, and changes");
+  const AddOption option = option_adder(*drive);
+  option("--start", raw->ends.start, "Where the robot starts", "X,Y");
+  option("--goal", raw->ends.goal, "Where it is to go", "X,Y");
+  option("--world", raw->world, "What is really there, as large as MAP (default as MAP has it)",
+         "FILE");
+  option("--changes", raw->changes,
+         "What changes under way, a line each: TICK X Y [W H] blocked|free, or\n"
+         "TICK move W H SPEED X Y [X Y]... for an obstacle that moves",
+         "FILE");
+  option("--sense", raw->sense,
+         "How far the robot sees, in cells (metres with --frame world; default 20 cells)", "R");
+  option("--max-ticks", raw->max_ticks, "Moves and waits at most (default 1000000)", "N");
+  add_run_options(*drive, *raw, "Map that the robot knows: .map, PBM, PGM, PNG or ROS YAML",
+                  {.seed = "Seed, from 0 to 2^53-1 (default 1)",
+                   .time_limit = "Stop the drive after this time",
+                   .target_gap = "Plan no further than to this certified gap (1 means 1%)",
+                   .json = "Print one JSON object",
+                   .outputs = kDriveOutputs});
+  drive->footer(kDriveExits);
+  return {drive, [raw]() -> Command { return make_drive(*raw); }};
 }
 
 Subcommand add_batch(CLI::App& app) {
@@ -139,14 +190,13 @@ Subcommand add_batch(CLI::App& app) {
   option_adder (*batch)("QUERIES", raw->queries,
                         "A TSV with columns sx sy gx gy; of a bitmap also a MovingAI .scen", "FILE")
       ->required();
-  return {
-      batch, [raw]() -> Command {
-        if (is_world(raw->run.map))
-          return PolygonBatchCommand{make_polygon(raw->run, {raw->world, "", ""}), raw->queries};
-        refuse_world_options(raw->world);
-        auto run = make_run(raw->run);
-        return BatchCommand{std::move(run), raw->queries};
-      }};
+  return {batch, [raw]() -> Command {
+            if (is_world(raw->run.map))
+              return PolygonBatchCommand{make_polygon(raw->run, {raw->world, {}}), raw->queries};
+            refuse_world_options(raw->world);
+            auto run = make_run(raw->run);
+            return BatchCommand{.run = std::move(run), .queries = raw->queries};
+          }};
 }
 
 Subcommand add_info(CLI::App& app) {
@@ -238,10 +288,10 @@ Subcommand add_verify(CLI::App& app) {
   auto raw = std::make_shared<Raw>();
   auto* verify = app.add_subcommand(
       "verify",
-      "Replay saved results from their recorded inputs and compare all but threads, elapsed_ms, "
+      "Replay saved results from their recorded inputs and compare all but threads, times, "
       "version and optima of --gap that were not found in time");
   const AddOption option = option_adder(*verify);
-  option("RESULT", raw->result, "A result of plan or arm, or the lines of batch", "FILE")
+  option("RESULT", raw->result, "A result of plan, drive or arm, or the lines of batch", "FILE")
       ->required();
   option("--map", raw->map, "The map, where it is no longer where it was", "FILE");
   option("--threads", raw->threads, "Threads of the replay", "N");
@@ -292,9 +342,9 @@ Subcommand add_study(CLI::App& app) {
 }  // namespace
 
 std::vector<Subcommand> add_subcommands(CLI::App& app) {
-  std::vector<Subcommand> commands{add_plan(app),       add_batch(app),    add_info(app),
-                                   add_algorithms(app), add_generate(app), add_verify(app),
-                                   add_study(app),      add_arm(app)};
+  std::vector<Subcommand> commands{add_plan(app),   add_drive(app),      add_batch(app),
+                                   add_info(app),   add_algorithms(app), add_generate(app),
+                                   add_verify(app), add_study(app),      add_arm(app)};
   for (auto& command : commands) {
     command.app->allow_extras();
     for (CLI::Option* option : command.app->get_options({}))

@@ -6,6 +6,7 @@
 namespace lasius::tool {
 
 int run_plan(const PlanCommand& command);
+int run_drive(const DriveCommand& command);
 int run_batch(const BatchCommand& command);
 int run_info(const InfoCommand& command);
 int run_algorithms(const AlgorithmsCommand& command);

@@ -44,7 +44,9 @@ struct SearchOptions {
   Preset preset = Preset::usual;                           ///< of a colony on bitmaps
   std::vector<std::pair<std::string, std::string>> named;  ///< parameters with their own option
   std::vector<std::string> settings;                       ///< NAME=VALUE
+  static constexpr int kMostSeeds = 100000;
   std::uint64_t seed = 1;
+  int seeds = 1;  ///< runs of `plan` and `batch`, with `seed` and those after it
   int threads = 1;
   double target_gap = 0;             ///< fraction
   std::optional<double> time_limit;  ///< seconds
@@ -68,9 +70,21 @@ struct PlanCommand {
   Point start, goal;  ///< cells, or metres in the world frame
 };
 
+struct DriveCommand : PlanCommand {
+  static constexpr double kLeastSense = 1, kMostSense = 1e6;
+  static constexpr std::int64_t kMostTicks = 1'000'000'000;
+
+  std::string world = {};            ///< map of what is there; empty: as the map has it
+  std::string changes = {};          ///< empty: none
+  std::optional<double> sense = {};  ///< as MapOptions::radius
+  std::int64_t max_ticks = 1'000'000;
+};
+
+/// `batch`; or `plan` with several seeds.
 struct BatchCommand {
   RunOptions run;
-  std::string queries;
+  std::string queries;    ///< a file; empty: the one query of `plan`
+  Point start{}, goal{};  ///< of that
 };
 
 struct InfoCommand {
@@ -168,7 +182,7 @@ struct PolygonCommand : SearchOptions {
 /// `batch` on a polygon world.
 struct PolygonBatchCommand {
   PolygonCommand plan;
-  std::string queries;
+  std::string queries;  ///< a file; empty: the one that `plan` asks
 };
 
 struct WorldInfoCommand {
@@ -181,8 +195,8 @@ struct Text {
   std::string text;
 };
 
-using Command = std::variant<Text, PlanCommand, BatchCommand, InfoCommand, AlgorithmsCommand,
-                             GenerateCommand, VerifyCommand, StudyCommand, ArmCommand,
-                             PolygonCommand, PolygonBatchCommand, WorldInfoCommand>;
+using Command = std::variant<Text, PlanCommand, DriveCommand, BatchCommand, InfoCommand,
+                             AlgorithmsCommand, GenerateCommand, VerifyCommand, StudyCommand,
+                             ArmCommand, PolygonCommand, PolygonBatchCommand, WorldInfoCommand>;
 
 }  // namespace lasius::tool

@@ -28,6 +28,17 @@ Json crossing_length(const std::optional<polygon::Crossing>& crossing) {
   return crossing ? number(crossing->length) : Json(nullptr);
 }
 
+/// @throws UsageError where neither the command nor the world says where to start or end.
+void check_ends(const PolygonCommand& command, const polygon::World& world) {
+  const auto check = [&](const std::string& role, bool given) {
+    if (!given)
+      throw UsageError("--" + role + " is required: " + command.world.file +
+                       " has no feature with the role " + role);
+  };
+  check("start", command.start || world.start);
+  check("goal", command.goal || world.goal);
+}
+
 /// `plan` on a polygon world, and each query of `batch`.
 class PolygonTask : public Task {
  public:
@@ -39,8 +50,7 @@ class PolygonTask : public Task {
     answer_.parameters = polygon_parameters(command_, command_.notes);
     if (!world_) world_ = std::make_shared<LoadedWorld>(load_world(command_.world));
     const polygon::World& world = world_->planner.world();
-    check_end("start", command_.start || world.start);
-    check_end("goal", command_.goal || world.goal);
+    check_ends(command_, world);
   }
   void announce() const override {
     Task::announce();
@@ -59,6 +69,7 @@ class PolygonTask : public Task {
     take(polygon_answer(*world_, command_, answer_.parameters, stop, watch));
     answer_.index = index;
   }
+  void set_seed(std::uint64_t seed) { command_.seed = seed; }
   /// Takes an answer that was found elsewhere, or only its index.
   void take(PolygonAnswer answer) { answer_ = std::move(answer); }
 
@@ -135,12 +146,6 @@ class PolygonTask : public Task {
     return to_string(chords ? polygon::Join::round : static_cast<polygon::Join>(join));
   }
 
-  void check_end(const std::string& role, bool given) const {
-    if (!given)
-      throw UsageError("--" + role + " is required: " + world_->options.file +
-                       " has no feature with the role " + role);
-  }
-
   PolygonCommand command_;
   SharedWorld world_;
   PolygonAnswer answer_;
@@ -150,7 +155,7 @@ class PolygonTask : public Task {
 WorldOptions recorded_world(const Recorded& from) {
   const Json& result = from.result;
   WorldOptions world;
-  world.file = from.found(recorded<std::string>(result, "map/file"));
+  world.file = from.map_file();
   world.repair = recorded<bool>(result, "parameters/repair");
   world.margin = recorded<double>(result, "parameters/margin");
   const auto choice = [&](const char* name, std::span<const std::string_view> names) {
@@ -169,20 +174,34 @@ WorldOptions recorded_world(const Recorded& from) {
   return world;
 }
 
-/// Answers some queries, on all threads, in their order.
-std::vector<PolygonAnswer> answers_to(std::span<const QueryFile::Line> queries,
-                                      const PolygonCommand& command, const LoadedWorld& world,
-                                      const polygon::Params& parameters,
+/// The command's queries: a file's, or its own one.
+std::vector<QueryFile::Line> queries_of(const PolygonBatchCommand& command,
+                                        const polygon::World& world) {
+  if (!command.queries.empty()) return read_table(command.queries).queries;
+  const PolygonCommand& plan = command.plan;
+  check_ends(plan, world);
+  return {{plan.start ? *plan.start : *world.start, plan.goal ? *plan.goal : *world.goal}};
+}
+
+/// Answers queries `from` to `to`, counted once a seed, on all threads, in their order.
+std::vector<PolygonAnswer> answers_to(std::span<const QueryFile::Line> queries, std::size_t from,
+                                      std::size_t to, const PolygonCommand& command,
+                                      const LoadedWorld& world, const polygon::Params& parameters,
                                       const std::stop_token& token) {
-  std::vector<PolygonAnswer> answers(queries.size());
+  std::vector<PolygonAnswer> answers(to - from);
+  const auto seeds = static_cast<std::size_t>(command.seeds);
   const auto answer = [&](std::size_t i) {
+    const std::size_t index = (from + i) / seeds;
     PolygonCommand one = command;
-    one.start = queries[i].start;
-    one.goal = queries[i].goal;
-    answers[i] = polygon_answer(world, one, parameters,
+    one.start = queries[index].start;
+    one.goal = queries[index].goal;
+    polygon::Params mine = parameters;
+    mine.seed += (from + i) % seeds;
+    answers[i] = polygon_answer(world, one, mine,
                                 {.token = token, .deadline = deadline_after(command.time_limit)});
+    answers[i].index = index;
   };
-  share_out(queries.size(), command.threads, [&] { return answer; });
+  share_out(answers.size(), command.threads, [&] { return answer; });
   return answers;
 }
 
@@ -219,7 +238,7 @@ int run_polygon_batch(const PolygonBatchCommand& command) {
   SignalWatcher signals;
   const polygon::Params parameters = polygon_parameters(plan, plan.notes);
   const auto world = std::make_shared<LoadedWorld>(load_world(plan.world));
-  const auto queries = read_table(command.queries).queries;
+  const auto queries = queries_of(command, world->planner.world());
   PolygonTask task(plan, world);
   PolygonAnswer asked;
   asked.parameters = parameters;
@@ -227,15 +246,16 @@ int run_polygon_batch(const PolygonBatchCommand& command) {
   if (!plan.messages.quiet) task.announce();
   BatchFiles files(task);
   Delivery delivery(plan.outputs);
-  ProgressLine bar(wants_progress(plan.messages), static_cast<std::int64_t>(queries.size()));
+  const std::size_t total = queries.size() * static_cast<std::size_t>(plan.seeds);
+  ProgressLine bar(wants_progress(plan.messages), static_cast<std::int64_t>(total));
   const std::size_t chunk = 16 * static_cast<std::size_t>(plan.threads);
-  for (std::size_t from = 0; from < queries.size() && !signals.interrupted(); from += chunk) {
-    const auto part = std::span(queries).subspan(from, std::min(chunk, queries.size() - from));
-    auto answers = answers_to(part, plan, *world, parameters, signals.token());
+  for (std::size_t from = 0; from < total && !signals.interrupted(); from += chunk) {
+    auto answers = answers_to(queries, from, std::min(from + chunk, total), plan, *world,
+                              parameters, signals.token());
     for (std::size_t i = 0; i < answers.size(); ++i) {
       if (answers[i].result.status == Status::interrupted) break;
-      answers[i].index = from + i;
       const Point start = answers[i].start, goal = answers[i].goal;
+      task.set_seed(answers[i].parameters.seed);
       task.take(std::move(answers[i]));
       const std::string text = json_line(task);
       files.add(task, text, {to_text(start.x), to_text(start.y), to_text(goal.x), to_text(goal.y)},

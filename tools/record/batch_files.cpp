@@ -18,7 +18,8 @@ BatchFiles::BatchFiles(const Task& task) {
   const std::string m = task.unit().empty() ? "" : "_" + task.unit();
   rows_ = "index";
   for (const char* column : {"sx", "sy", "gx", "gy"}) rows_ += std::string(",") + column + m;
-  rows_ += ",status,length" + m + ",lower_bound" + m + ",gap,iterations,elapsed_ms\n";
+  rows_ += ",status,length" + m + ",lower_bound" + m + ",gap,iterations,elapsed_ms,seed,optimum" +
+           m + ",optimum_gap\n";
 }
 
 void BatchFiles::add(const Task& task, const std::string& json_line,
@@ -34,7 +35,9 @@ void BatchFiles::add(const Task& task, const std::string& json_line,
   row << "," << to_string(result.status) << "," << finite_text(task.shown(result.length)) << ","
       << finite_text(task.shown(result.lower_bound.value_or(none))) << ","
       << finite_text(result.gap().value_or(none)) << "," << result.iterations << ","
-      << to_text(task.elapsed_ms()) << "\n";
+      << to_text(task.elapsed_ms()) << "," << task.options().seed << ","
+      << finite_text(task.shown(task.optimum().value_or(none))) << ","
+      << finite_text(gap_to(task.optimum(), result.length).value_or(none)) << "\n";
   rows_ += row.str();
 }
 

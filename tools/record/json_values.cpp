@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tools/console/values.h"
@@ -34,6 +35,13 @@ Json range_json(const Parameter& parameter) {
     from = bar + 1;
   }
   return object;
+}
+
+std::uint64_t file_hash(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (char c = 0; in.get(c);) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
 }
 
 std::string hash_text(std::uint64_t hash) {

@@ -16,10 +16,13 @@ bool is_yaml(std::string_view file) {
   return has_ending(file, ".yaml") || has_ending(file, ".yml");
 }
 
+bool is_film(std::string_view file) { return has_ending(file, ".gif"); }
+
 void write_output(const std::string& file, const Forms& forms) {
   if (is_picture(file)) return forms.picture();
   write_file(file, is_table(file)                ? forms.csv
                    : is_yaml(file) && forms.yaml ? forms.yaml
+                   : is_film(file) && forms.film ? forms.film
                                                  : forms.json);
 }
 

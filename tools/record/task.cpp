@@ -33,24 +33,25 @@ int exit_code(const Task& task) {
     case Status::no_path:
       break;
   }
-  return task.has_path() ? kFound : kNoPath;
+  return task.found() ? kFound : kNoPath;
+}
+
+std::string after(const Task& task) {
+  return task.iterates() ? " after " + counted(task.result().iterations, "iteration") : "";
 }
 
 /// One sentence for people: why a run has no path, or is not final; empty for `solved`.
 std::string explain(const Task& task) {
-  const std::string after =
-      task.iterates() ? " after " + counted(task.result().iterations, "iteration") : "";
-  const std::string held = task.has_path() ? ", the best path so far is kept" : ", no path yet";
   switch (task.result().status) {
     case Status::solved:
       return {};
     case Status::limit:
-      return task.limit() + " ended the run" + after + held;
+      return task.limit() + " ended the run" + task.reached();
     case Status::interrupted:
-      return "interrupted" + after + held;
+      return "interrupted" + task.reached();
     case Status::no_path:
       if (!task.error().empty()) return task.error();
-      return "no path" + after + "; try more --iterations, " +
+      return "no path" + after(task) + "; try more --iterations, " +
              (task.algorithm().has("ants") ? "more --ants " : "") + "or another --seed" +
              (task.algorithm().has("dead_end") && task.parameter("dead_end") == "kill"
                   ? ", or --set dead_end=backtrack: its ants die where they are stuck"
@@ -98,7 +99,8 @@ void deliver(const Task& task) {
     write_output(file, {.json = [&](auto& out) { out << json_line(task); },
                         .csv = [&](auto& out) { task.write_csv(out); },
                         .picture = [&] { task.write_picture(file); },
-                        .yaml = [&](auto& out) { task.write_yaml(out); }});
+                        .yaml = [&](auto& out) { task.write_yaml(out); },
+                        .film = [&](auto& out) { task.write_film(out); }});
     if (options.messages.verbose) message("wrote " + file);
   });
 }
@@ -116,6 +118,7 @@ void check_hash(const std::string& role, const Json& input, const std::string& m
 /// The same of all inputs, and of the files that they name, as far as those are recorded.
 void check_inputs(const Json& inputs, const Json& result) {
   for (const auto& [role, input] : inputs.items()) {
+    if (input.is_null()) continue;
     check_hash(role, input, recorded<std::string>(result, role + "/hash"));
     if (!input.contains("files") || !result[role].contains("files")) continue;
     const Json& files = result[role]["files"];
@@ -133,6 +136,10 @@ void Task::announce() const {
 }
 
 bool Task::has_path() const { return !std::isnan(result().length); }
+
+std::string Task::reached() const {
+  return after(*this) + (has_path() ? ", the best path so far is kept" : ", no path yet");
+}
 
 std::string Task::progress_note(const Progress& progress) const {
   if (!std::isfinite(progress.best_length)) return "no path yet";
@@ -176,7 +183,7 @@ int run(Task& task) {
   if (!options.messages.quiet) task.announce();
   watched_plan(task, signals.token());
   const std::string why = explain(task);
-  if (!why.empty() && (!task.has_path() || !options.messages.quiet)) message(why);
+  if (!why.empty() && (!task.found() || !options.messages.quiet)) message(why);
   const int done = task.result().iterations;
   if (options.messages.verbose && task.result().status == Status::solved && task.iterates() &&
       done < task.iterations())
@@ -187,11 +194,27 @@ int run(Task& task) {
   return signals.interrupted() ? kInterrupted : exit_code(task);  // --gap may be what was cut off
 }
 
+void Task::add_answer(Json& json) const {
+  json["length"] = number(result().length);
+  add_path(json);
+  add_convergence(json, result());
+  add_effort(json);
+  add_proof(json, result());
+  if (options().with_optimum) {
+    json["optimum"] = optional_number(optimum());
+    json["optimum_gap"] = optional_number(gap_to(optimum(), result().length));
+  }
+  add_findings(json);
+}
+
+std::string Recorded::map_file() const {
+  return map.empty() ? found(recorded<std::string>(result, "map/file")) : map;
+}
+
 std::string json_line(const Task& task) { return line(result_json(task)); }
 
 Json result_json(const Task& task) {
   const SearchOptions& options = task.options();
-  const SearchResult& result = task.result();
   Json json = {{"format", task.format()}, {"version", LASIUS_VERSION}};
   if (const auto index = task.index()) json["index"] = *index;
   json.update(task.inputs());
@@ -204,18 +227,9 @@ Json result_json(const Task& task) {
   json["parameters"] =
       parameters(task.algorithm(), [&](std::string_view name) { return task.parameter(name); });
   task.add_settings(json["parameters"]);
-  json["status"] = to_string(result.status);
+  json["status"] = to_string(task.result().status);
   json["error"] = text_or_null(task.error());
-  json["length"] = number(result.length);
-  task.add_path(json);
-  add_convergence(json, result);
-  task.add_effort(json);
-  add_proof(json, result);
-  if (options.with_optimum) {
-    json["optimum"] = optional_number(task.optimum());
-    json["optimum_gap"] = optional_number(gap_to(task.optimum(), result.length));
-  }
-  task.add_findings(json);
+  task.add_answer(json);
   json["elapsed_ms"] = number(task.elapsed_ms());
   return json;
 }

@@ -23,6 +23,7 @@ namespace lasius::tool {
 
 inline constexpr const char* kPlanFormat = "lasius-plan/1";
 inline constexpr const char* kArmFormat = "lasius-arm-plan/1";
+inline constexpr const char* kDriveFormat = "lasius-drive/1";
 
 /// One question. The first four functions are its life, called in their order; the others tell of
 /// it, those of the result after plan(). A new kind of world is one class that writes the pure
@@ -53,7 +54,7 @@ class Task {
   virtual const Algorithm& algorithm() const = 0;
   virtual std::string parameter(std::string_view name) const = 0;  ///< its value
   virtual std::int64_t iterations() const = 0;                     ///< at most
-  bool iterates() const { return algorithm().has("iterations"); }
+  virtual bool iterates() const { return algorithm().has("iterations"); }
 
   // What came of it.
   virtual const SearchResult& result() const = 0;
@@ -62,6 +63,10 @@ class Task {
   virtual std::optional<double> optimum() const { return {}; }    ///< found for --gap
   virtual double elapsed_ms() const = 0;
   bool has_path() const;
+  /// What was asked for is there: else the exit code is that of no path.
+  virtual bool found() const { return has_path(); }
+  /// How far a run came that something ended, as in " after 7 iterations, no path yet".
+  virtual std::string reached() const;
 
   // How it is shown. Lengths are in cells or the world's unit, unless `unit` says other.
   virtual double shown(double length) const { return length; }
@@ -76,6 +81,8 @@ class Task {
   /// The motion for other programs; only for worlds whose outputs may end in .yaml.
   virtual void write_yaml(std::ostream&) const {}
   virtual void write_picture(const std::string& file) const = 0;
+  /// Only for tasks whose outputs may end in .gif.
+  virtual void write_film(std::ostream&) const {}
 
   // What it adds to the JSON, in the order of the contract; Task writes the rest.
   virtual const char* format() const { return kPlanFormat; }
@@ -84,6 +91,8 @@ class Task {
   virtual std::pair<Json, Json> ends() const = 0;  ///< start and goal
   /// Beside the algorithm's parameters: all that decides the result; add_limits is part of it.
   virtual void add_settings(Json& json) const = 0;
+  /// What came of it, from "length" on.
+  virtual void add_answer(Json& json) const;
   /// "path", and what goes with it.
   virtual void add_path(Json& json) const = 0;
   /// Between the curves and the bound: what the search took.
@@ -111,6 +120,9 @@ struct Recorded {
   std::function<std::string(const std::string&)> found;  ///< where a file is that it names
   int threads = 1;
   std::stop_token token;
+  std::string map = {};  ///< in place of the map that it names; empty: none
+
+  std::string map_file() const;
 };
 
 /// The inputs of planning that all results record. @throws UsageError for what is missing.

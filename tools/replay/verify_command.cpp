@@ -20,6 +20,7 @@
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
 #include "tools/console/worlds.h"
+#include "tools/drive/drive_task.h"
 #include "tools/options/commands.h"
 #include "tools/polygon/polygon_task.h"
 #include "tools/record/recorded.h"
@@ -36,7 +37,8 @@ struct Saved {
 Error broken(Error::Place place, const std::string& problem) {
   return Error(
       ErrorCode::file_broken, std::move(place), problem,
-      "give a result that `lasius plan --json`, `lasius batch` or `lasius arm --json` printed");
+      "give a result that `lasius plan --json`, `lasius batch`, `lasius drive --json` or `lasius "
+      "arm --json` printed");
 }
 
 /// A result among several, counted from 0, as messages name it.
@@ -136,22 +138,32 @@ void forget_places(Json& input) {
     if (file.is_object()) file.erase("file");
 }
 
+/// Leaves out how long each plan of a drive took.
+void forget_times(Json& result) {
+  if (!result.contains("replans") || !result["replans"].is_array()) return;
+  for (Json& replan : result["replans"])
+    if (replan.is_object()) replan.erase("ms");
+}
+
 /// The first difference between a result and its replay, or nothing. What may differ is left out.
 std::string difference(Json recorded, Json replay) {
   for (const char* free : {"threads", "elapsed_ms", "version"})
     if (recorded.contains(free)) replay[free] = recorded[free];
-  for (const char* input : {"map", "robot", "scene"}) {
+  forget_times(recorded);
+  forget_times(replay);
+  for (const char* input : {"map", "world", "changes", "robot", "scene"}) {
     for (Json* of : {&recorded, &replay})
       if (of->contains(input)) forget_places((*of)[input]);
   }
   // A limit or a signal may have cut off the search for an optimum.
-  for (const auto& [optimum, gap] :
-       {std::pair{"optimum", "optimum_gap"}, {"grid_optimum", "grid_gap"}}) {
-    if (!recorded.contains(optimum) || !recorded[optimum].is_null()) continue;
-    if (recorded.contains(gap) != replay.contains(gap) ||
-        (recorded.contains(gap) && !recorded[gap].is_null()))
-      return gap;
-    for (const char* key : {optimum, gap}) {
+  using Keys = std::vector<const char*>;
+  for (const Keys& keys :
+       {Keys{"optimum", "optimum_gap", "ratio"}, Keys{"grid_optimum", "grid_gap"}}) {
+    if (!recorded.contains(keys.front()) || !recorded[keys.front()].is_null()) continue;
+    for (const char* key : keys) {
+      if (recorded.contains(key) != replay.contains(key) ||
+          (recorded.contains(key) && !recorded[key].is_null()))
+        return key;
       recorded.erase(key);
       replay.erase(key);
     }
@@ -163,11 +175,9 @@ std::string difference(Json recorded, Json replay) {
   return {};
 }
 
-/// Where a result says that a file is, or there seen from the result's folder; --map says
-/// otherwise.
+/// Where a result says that a file is, or there seen from the result's folder.
 std::string found(const VerifyCommand& command, const std::string& file) {
   namespace fs = std::filesystem;
-  if (!command.map.empty()) return command.map;
   std::error_code ignored;
   const fs::path beside = fs::path(command.result).parent_path() / file;
   return !fs::exists(file, ignored) && fs::exists(beside, ignored) ? beside.string() : file;
@@ -186,16 +196,20 @@ struct Last {
 };
 
 std::unique_ptr<Task> task_of(const Recorded& recorded, Last& last) {
-  if (text_of(recorded.result, "format") == kArmFormat) return recorded_arm(recorded);
+  const std::string format = text_of(recorded.result, "format");
+  if (format == kArmFormat) return recorded_arm(recorded);
+  if (format == kDriveFormat) return recorded_drive(recorded);
   const bool world = is_world(tool::recorded<std::string>(recorded.result, "map/file"));
   return world ? recorded_polygon(recorded, last.world) : recorded_bitmap(recorded, last.map);
 }
 
-/// True where no clock took part: the number of questions was what ended it.
-bool ended_by_questions(const Json& result) {
+/// True where no clock took part: the number of questions, or of ticks, was what ended it.
+bool ended_by_count(const Json& result) {
   const Json& given = value_at(result, "parameters");
-  return given.is_object() && given.contains("max_questions") && given["max_questions"] != 0 &&
-         value_at(given, "time_limit").is_null();
+  const bool counted =
+      given.is_object() && ((given.contains("max_questions") && given["max_questions"] != 0) ||
+                            given.contains("max_ticks"));
+  return counted && value_at(given, "time_limit").is_null();
 }
 
 /// Plans again; whatever is wrong with the recorded inputs is named by the result's place.
@@ -216,11 +230,12 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
   const Json& result = saved.json;
   const Error::Place place{.file = name, .offset = saved.offset};
   const std::string format = text_of(result, "format");
-  if (format != kPlanFormat && format != kArmFormat)
-    throw broken(place, std::string("is not of format ") + kPlanFormat + " or " + kArmFormat);
+  if (format != kPlanFormat && format != kArmFormat && format != kDriveFormat)
+    throw broken(place, std::string("is not of format ") + kPlanFormat + ", " + kArmFormat +
+                            " or " + kDriveFormat);
   const std::string version = checked_version(result, place);
   const std::string status = text_of(result, "status");
-  const bool limit = status == "limit" && !ended_by_questions(result);
+  const bool limit = status == "limit" && !ended_by_count(result);
   if (limit || status == "interrupted") {
     message(name + ": cannot be replayed: " + (limit ? "a time limit" : "a signal") +
             " ended it, and no clock runs twice the same");
@@ -233,7 +248,8 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
   const Recorded recorded{.result = result,
                           .found = [&](const auto& file) { return found(command, file); },
                           .threads = command.threads,
-                          .token = token};
+                          .token = token,
+                          .map = command.map};
   const std::string why = format == kArmFormat ? why_not_replayed(recorded) : std::string();
   if (!why.empty()) {
     message(name + ": cannot be replayed: " + why);

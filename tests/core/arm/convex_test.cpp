@@ -5,39 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "core/arm/mesh_tree.h"
 #include "core/arm/part.h"
+#include "tests/core/arm/draw.h"
 
 namespace lasius::arm {
 namespace {
-
-class Draw {
- public:
-  double between(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-  bool coin() { return between(0, 1) < 0.5; }
-  Vec3 point(double half) {
-    return {between(-half, half), between(-half, half), between(-half, half)};
-  }
-  /// Every third one is parallel to the axes, where faces and edges meet as a whole.
-  Placement pose(double half) {
-    const Vec3 at = point(half);
-    return {between(0, 3) < 1 ? kNoRotation : roll_pitch_yaw(point(3)), at};
-  }
-  Block block() {
-    Block b{.pose = pose(1), .half = {between(0.01, 0.6), between(0.01, 0.6), between(0.01, 0.6)}};
-    if (coin()) return b;
-    b.round = b.half.x;
-    b.half.x = b.half.y = 0;
-    return b;
-  }
-
- private:
-  std::mt19937 engine_{11};
-};
 
 /// The point of a block that is nearest to p.
 Vec3 nearest(const Block& b, Vec3 p) {
@@ -128,6 +102,18 @@ Triangles cube(double half) {
   return triangles;
 }
 
+/// One of the five shapes in turn, its centre at most `away` from the origin along each axis.
+Solid random_solid(Draw& draw, int i, double away, double most_radius) {
+  Solid solid;
+  solid.pose = to_eigen(draw.pose(away));
+  solid.shape = static_cast<Solid::Shape>(i % 5);
+  solid.size = Vec3(draw.between(0.01, 0.5), draw.between(0.01, 0.5), draw.between(0.01, 0.5));
+  solid.radius = draw.between(0.01, most_radius);
+  solid.length = draw.between(0.01, 0.5);
+  solid.triangles = std::make_shared<const Triangles>(cube(draw.between(0.05, 0.3)));
+  return solid;
+}
+
 TEST(Part, AMeshIsAsFarAsTheBoxThatItMakes) {
   Draw draw;
   Solid box, mesh;
@@ -138,14 +124,7 @@ TEST(Part, AMeshIsAsFarAsTheBoxThatItMakes) {
   for (int i = 0; i < 500; ++i) {
     const Placement at = draw.pose(0.8);
     box.pose = mesh.pose = to_eigen(at);
-    Solid other;
-    other.pose = to_eigen(draw.pose(0.8));
-    other.shape = static_cast<Solid::Shape>(i % 5);
-    other.size = Vec3(draw.between(0.01, 0.5), draw.between(0.01, 0.5), draw.between(0.01, 0.5));
-    other.radius = draw.between(0.01, 0.3);
-    other.length = draw.between(0.01, 0.5);
-    other.triangles = std::make_shared<const Triangles>(cube(draw.between(0.05, 0.3)));
-    const Part by_box(box), by_mesh(mesh), to(other);
+    const Part by_box(box), by_mesh(mesh), to(random_solid(draw, i, 0.8, 0.3));
     const double expected = distance_between(by_box.place({}), to.place({}), 10);
     const double found = distance_between(by_mesh.place({}), to.place({}), 10);
     if (expected <= 0) continue;  // one may be inside the other
@@ -164,13 +143,7 @@ TEST(Part, BallsAreNeverFurtherApartThanWhatTheyHold) {
   probe.shape = Solid::Shape::sphere;
   probe.radius = 1e-6;
   for (int i = 0; i < 5000; ++i) {
-    Solid solid;
-    solid.pose = to_eigen(draw.pose(0.3));
-    solid.shape = static_cast<Solid::Shape>(i % 5);
-    solid.size = Vec3(draw.between(0.01, 0.5), draw.between(0.01, 0.5), draw.between(0.01, 0.5));
-    solid.radius = draw.between(0.01, 0.5);
-    solid.length = draw.between(0.01, 0.5);
-    solid.triangles = std::make_shared<const Triangles>(cube(draw.between(0.05, 0.3)));
+    const Solid solid = random_solid(draw, i, 0.3, 0.5);
     probe.pose.translation() = Eigen::Vector3d(draw.point(1));
     const Part part(solid), point(probe);
     const auto a = part.place({}), b = point.place({});

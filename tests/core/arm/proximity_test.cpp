@@ -4,27 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "core/arm/mesh_tree.h"
 #include "core/arm/robot/vec3.h"
 #include "kernels/base/sine.h"
+#include "tests/core/arm/draw.h"
 
 namespace lasius::arm {
 namespace {
-
-class Draw {
- public:
-  double between(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-  Vec3 point(double half) {
-    return {between(-half, half), between(-half, half), between(-half, half)};
-  }
-
- private:
-  std::mt19937 engine_{7};
-};
 
 /// Least distance from points along the segment, by a function of one point: never below the true
 /// one, and above it by at most half a step.

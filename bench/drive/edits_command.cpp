@@ -1,0 +1,121 @@
+// lasius_bench edits: a prepared map that changes, a few cells at a time.
+#include <cmath>
+#include <iostream>
+#include <random>
+
+#include "bench/clocks.h"
+#include "bench/commands.h"
+#include "bench/query_set.h"
+#include "bench/report.h"
+#include "bench/statistics.h"
+#include "core/exact/corner_graph.h"
+#include "core/exact/prepared_search.h"
+
+namespace lasius::bench {
+namespace {
+
+struct Options {
+  MapOptions maps;
+  std::size_t count = 100;
+  int rounds = 5;
+  int edits = 1000;
+  int cells = 10;
+  int side = 5;
+};
+
+// Blocks or frees cells of a square, so many of them as long as there are any.
+Rectangle edit(Grid& grid, const Options& options, std::mt19937_64& random) {
+  const int side = options.side;
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  const Rectangle part{below(grid.width() - side + 1), below(grid.height() - side + 1), side, side};
+  const bool blocked = random() % 2 == 0;
+  for (int changed = 0, tries = 0; changed < options.cells && tries < 1000; ++tries) {
+    const Cell cell{part.x + below(side), part.y + below(side)};
+    if (grid.blocked(cell) == blocked) continue;
+    grid.set_blocked(cell, blocked);
+    ++changed;
+  }
+  return part;
+}
+
+// Microseconds of processor time a query, mean; medians over the rounds, but for one to warm up.
+double mean_time(const QuerySet& set, const exact::CornerGraph& graph, int rounds,
+                 std::vector<double>& lengths) {
+  exact::PreparedSearch search;
+  ExactAnswer answer;
+  double sum = 0;
+  lengths.clear();
+  for (const Query& query : set.queries) {
+    if (set.grid.blocked(query.start) || set.grid.blocked(query.goal)) continue;
+    std::vector<double> times;
+    for (int round = 0; round <= rounds; ++round) {
+      const ThreadStopwatch watch;
+      search.search(set.grid, graph, query.start, query.goal, {}, {}, answer);
+      if (round > 0) times.push_back(1e6 * watch.seconds());
+    }
+    sum += median(times);
+    lengths.push_back(answer.length);
+  }
+  return sum / static_cast<double>(lengths.size());
+}
+
+void write_row(QuerySet set, const Options& options) {
+  Preparation report;
+  const PrepareOptions prepare{.max_bytes = std::int64_t{4} << 30};
+  const Stopwatch watch;
+  const auto graph = exact::CornerGraph::make(set.grid, prepare, report);
+  const double prepared = watch.seconds();
+  if (graph == nullptr) return;
+  std::vector<double> lengths, fresh_lengths, times;
+  const double before = mean_time(set, *graph, options.rounds, lengths);
+  std::mt19937_64 random(options.maps.seed);
+  for (int i = 0; i < options.edits; ++i) {
+    const Rectangle part = edit(set.grid, options, random);
+    const Stopwatch spent;
+    graph->update(set.grid, part);
+    times.push_back(spent.microseconds());
+  }
+  const auto fresh = exact::CornerGraph::make(set.grid, prepare, report);
+  const double anew = mean_time(set, *fresh, options.rounds, fresh_lengths);
+  const double after = mean_time(set, *graph, options.rounds, lengths);
+  int differ = 0, landmarks = 0;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    differ += std::abs(lengths[i] - fresh_lengths[i]) > 1e-9 * fresh_lengths[i];
+  }
+  for (std::size_t i = 0; i < graph->landmarks().cells().size(); ++i) {
+    landmarks += graph->landmarks().bounds(i);
+  }
+  std::cout << "| " << set.name << " | " << short_number(prepared) << " | "
+            << short_number(median(times)) << " | " << short_number(quantile(times, 0.99)) << " | "
+            << short_number(largest(times)) << " | " << short_number(before) << " | "
+            << short_number(anew) << " | " << short_number(after) << " | " << landmarks << " | "
+            << differ + (graph->edge_count() != fresh->edge_count()) << " |" << std::endl;
+}
+
+void run(const Options& options) {
+  std::cout << machine_line() << ". " << options.edits << " edits of up to " << options.cells
+            << " cells in a square of " << options.side << ", blocked or freed; "
+            << options.maps.seed << " is the seed; " << options.count
+            << " queries, median of rounds: " << options.rounds << ".\n\n"
+            << "| map | prepared, s | edit, us, median | 99% | most | query, us, before | on a "
+               "fresh graph | on the edited one | landmarks left | differences |\n"
+            << "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+  for (const QuerySource& source : sources_of(options.maps)) {
+    write_row(load(source, options.count), options);
+  }
+}
+
+}  // namespace
+
+void add_edits_command(CLI::App& app) {
+  const auto [command, options] =
+      add_command(app, "edits", "A prepared map that changes: edits and queries", run);
+  add_map_options(command, options.maps);
+  add_number(command, "--queries", options.count, "Queries a map; 0: all of its table");
+  add_number(command, "--rounds", options.rounds, "Rounds of each query", 1, 1000);
+  add_number(command, "--edits", options.edits, "Edits of each map", 1);
+  add_number(command, "--cells", options.cells, "Cells that an edit changes, at most", 1);
+  add_number(command, "--side", options.side, "Of the square that they are in", 1, 1000);
+}
+
+}  // namespace lasius::bench

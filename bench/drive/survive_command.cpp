@@ -1,0 +1,220 @@
+// lasius_bench survive: what a trail that survives a change of the map is worth.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "bench/commands.h"
+#include "bench/figure_table.h"
+#include "bench/report.h"
+#include "bench/statistics.h"
+#include "core/colony/colony.h"
+#include "lasius/planner.h"
+#include "lasius/shortest_walk.h"
+
+namespace lasius::bench {
+namespace {
+
+struct Options {
+  int worlds = 30;
+  std::uint64_t seed = 1;
+  std::string algorithm = "ras";  // constant exponents: blank and surviving differ in the trail
+  int train = 200;
+  double budget = 4e6;
+  double within = 0.02;
+  std::string markdown;
+};
+
+using Random = std::mt19937_64;
+
+int between(Random& random, int least, int most) {  // the same with any standard library
+  return least + static_cast<int>(random() % static_cast<std::uint64_t>(most - least + 1));
+}
+
+/// A map, a question, and a rectangle that is blocked or freed.
+struct World {
+  MapKind kind;
+  Grid grid;
+  Cell start, goal;
+  Rectangle part = {};
+
+  std::optional<double> optimum(const Params& params) const {
+    return shortest_walk(grid, start, goal, params.neighbours, params.corners);
+  }
+  Rectangle around(Cell c, int width, int height) const {
+    const int x = std::clamp(c.x - width / 2, 0, grid.width() - width);
+    const int y = std::clamp(c.y - height / 2, 0, grid.height() - height);
+    return {x, y, width, height};
+  }
+};
+
+/// The i-th map and a question across at least half of it.
+World make_world(int i, Random& random) {
+  constexpr std::array kinds{MapKind::rooms, MapKind::city, MapKind::blobs, MapKind::random};
+  const MapKind kind = kinds[static_cast<std::size_t>(i / 2) % kinds.size()];
+  const int side = 128 + 32 * between(random, 0, 4);
+  World world{kind, generate(kind, {.width = side, .height = side, .seed = random()}), {}, {}};
+  const Planner planner(world.grid);
+  const auto cell = [&] {
+    return Cell{between(random, 0, side - 1), between(random, 0, side - 1)};
+  };
+  do {
+    world.start = cell();
+    world.goal = cell();
+  } while (std::hypot(world.goal.x - world.start.x, world.goal.y - world.start.y) < side / 2.0 ||
+           world.grid.blocked(world.start) || world.grid.blocked(world.goal) ||
+           !planner.connected(world.start, world.goal));
+  return world;
+}
+
+/// Blocks 7 x 7 to 23 x 23 cells on a way that is known; false where that leaves no way.
+bool block(World& world, const Params& params, Random& random, const std::vector<Cell>& way) {
+  const int last = static_cast<int>(way.size()) - 1, side = between(random, 7, 23);
+  world.part = world.around(way[between(random, last / 5, last * 4 / 5)], side, side);
+  Grid grid = world.grid;
+  world.grid.fill(world.part, true);
+  if (world.optimum(params)) return true;
+  world.grid = std::move(grid);
+  return false;
+}
+
+/// Lays a bar of 3 cells across, to be taken away: false where it does not make the optimum at
+/// least 1 / 0.95 times as long.
+bool bar(World& world, const Params& params, Random& random) {
+  const int side = world.grid.width(), length = between(random, side / 4, side * 3 / 4);
+  const Cell middle{(world.start.x + world.goal.x) / 2 + between(random, -side / 5, side / 5),
+                    (world.start.y + world.goal.y) / 2 + between(random, -side / 5, side / 5)};
+  const bool upright =
+      std::abs(world.goal.x - world.start.x) > std::abs(world.goal.y - world.start.y);
+  world.part = world.around(middle, upright ? 3 : length, upright ? length : 3);
+  const Grid grid = world.grid;
+  world.grid.fill(world.part, false);
+  const auto open = world.optimum(params);
+  world.grid.fill(world.part, true);
+  const auto closed = world.optimum(params);
+  if (open && closed && *open <= 0.95 * *closed) return true;
+  world.grid = grid;
+  return false;
+}
+
+/// Steps of a colony until its shortest cut tour of an iteration is at most `length`; infinite
+/// where that takes more than `budget`.
+double steps_until(SurvivingColony& colony, const World& world, double length, double budget) {
+  double steps = 0;
+  bool there = false;
+  colony.run(world.start, 1 << 30, {}, [&](const GridProgress& seen) {
+    steps += static_cast<double>(seen.curves->steps.back());
+    there = seen.curves->cut_best.back() <= length;
+    if (there || steps >= budget) seen.stop();
+  });
+  return there ? steps : std::numeric_limits<double>::infinity();
+}
+
+/// What came of one world.
+struct Outcome {
+  World world;
+  bool blocks;
+  double before, after;     // optima
+  double surviving, blank;  // steps
+  double ratio() const {
+    if (std::isinf(surviving) && std::isinf(blank)) return 1;  // neither within the budget
+    return surviving / blank;
+  }
+};
+
+Outcome run_world(int i, const Options& options) {
+  Params params(options.algorithm);
+  params.seed = options.seed + static_cast<std::uint64_t>(i);
+  params.threads = 1;
+  Random random(1'000'003 * options.seed + static_cast<std::uint64_t>(i));
+  const bool blocks = i % 2 == 0;
+  for (;;) {
+    World world = make_world(i, random);
+    const auto tries = [](const auto& change) {
+      for (int n = 0; n < 100; ++n) {
+        if (change()) return true;
+      }
+      return false;
+    };
+    if (!blocks && !tries([&] { return bar(world, params, random); })) continue;
+    const double before = world.optimum(params).value();
+    SurvivingColony surviving(world.grid, world.goal, params);
+    std::vector<Cell> way;
+    const Result trained = surviving.run(world.start, options.train);
+    for (const Point p : trained.path)
+      way.push_back({static_cast<int>(p.x), static_cast<int>(p.y)});
+    if (blocks && (way.empty() || !tries([&] { return block(world, params, random, way); })))
+      continue;
+    if (!blocks) world.grid.fill(world.part, false);
+    surviving.changed(world.part);
+    const double after = world.optimum(params).value();
+    SurvivingColony blank(world.grid, world.goal, params);
+    const double near = (1 + options.within) * after;
+    return {world,
+            blocks,
+            before,
+            after,
+            steps_until(surviving, world, near, options.budget),
+            steps_until(blank, world, near, options.budget)};
+  }
+}
+
+/// Ranks, from 0, of the order statistics that hold the median in at least 95 of 100 samples of n.
+std::pair<int, int> median_ranks(int n) {
+  double below = 0, term = std::pow(0.5, n);
+  int k = 0;
+  for (; below + term <= 0.025; ++k) {
+    below += term;
+    term *= static_cast<double>(n - k) / (k + 1);
+  }
+  return {std::max(k - 1, 0), std::min(n - k, n - 1)};
+}
+
+void run(const Options& options) {
+  Output output(options.markdown);
+  output.write(machine_line() + ". `" + options.algorithm + "`, " + std::to_string(options.train) +
+               " iterations before the change; then steps until a cut tour is within " +
+               short_number(100 * options.within) + "% of the optimum, inf after " +
+               short_number(options.budget) + "; seed " + std::to_string(options.seed) +
+               ".\n\n| map | change | optimum before | after | surviving, steps | blank, steps | "
+               "ratio |\n|---|---|--:|--:|--:|--:|--:|\n");
+  std::vector<double> ratios;
+  for (int i = 0; i < options.worlds; ++i) {
+    const Outcome o = run_world(i, options);
+    ratios.push_back(o.ratio());
+    output.write("| " + std::string(to_string(o.world.kind)) + " " +
+                 std::to_string(o.world.grid.width()) + " | " + (o.blocks ? "block " : "open ") +
+                 std::to_string(o.world.part.width) + " x " + std::to_string(o.world.part.height) +
+                 " | " + short_number(o.before) + " | " + short_number(o.after) + " | " +
+                 short_number(o.surviving) + " | " + short_number(o.blank) + " | " +
+                 short_number(ratios.back()) + " |\n");
+  }
+  std::ranges::sort(ratios);
+  const auto [low, high] = median_ranks(options.worlds);
+  const auto worse = std::ranges::count_if(ratios, [](double r) { return r > 1; });
+  output.write("\nRatio, median " + short_number(median(ratios)) + " [" +
+               short_number(ratios[low]) + ", " + short_number(ratios[high]) +
+               "] (order statistics, 95%); worse on " + std::to_string(worse) + " of " +
+               std::to_string(options.worlds) + ". Aim: at most 0.5, worse on at most 3.\n");
+}
+
+}  // namespace
+
+void add_survive_command(CLI::App& app) {
+  const auto [command, options] = add_command(
+      app, "survive", "What a trail that survives a change of the map saves a colony", run);
+  add_number(command, "--worlds", options.worlds, "Generated worlds", 1, 10000);
+  add_number(command, "--seed", options.seed, "Of worlds and ants", 1, 1e9);
+  command.add_option("--algorithm", options.algorithm, "The colony")->capture_default_str();
+  add_number(command, "--train", options.train, "Iterations before the change", 1, 1e6);
+  add_number(command, "--budget", options.budget, "Steps after the change", 1, 1e12);
+  add_number(command, "--within", options.within, "Of the optimum, as a fraction", 0, 10);
+  add_output(command, options.markdown);
+}
+
+}  // namespace lasius::bench

@@ -1,0 +1,445 @@
+// The world of a colony on a bitmap, as the loop sees it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "core/base/kernel_choice.h"
+#include "core/base/parallel.h"
+#include "core/base/poller.h"
+#include "core/colony/colony_memory.h"
+#include "core/colony/tour_measures.h"
+#include "core/colony/update.h"
+#include "core/colony/walk_setup.h"
+#include "core/grid/cell_distance.h"
+#include "core/grid/move_rule.h"
+#include "core/loop/colony_loop.h"
+#include "core/loop/run_status.h"
+#include "core/params/schedule.h"
+#include "lasius/path.h"
+#include "lasius/progress.h"
+#include "lasius/request.h"
+
+namespace lasius {
+
+/// A colony on a bitmap. Its grid and its start may change between runs.
+class GridColony final : public ColonyWorld {
+ public:
+  GridColony(const Grid& grid, const Params& params, ColonyMemory& memory)
+      : grid_(grid),
+        params_(params),
+        memory_(memory),
+        threads_(thread_count(params.threads)),
+        moves_(moves_of(params.neighbours)) {
+    const auto ants = static_cast<std::size_t>(params.ants);
+    if (memory_.ants.size() < ants) memory_.ants.resize(ants);  // to free some may take long
+    ants_ = std::span(memory_.ants).first(ants);
+    memory_.tours.resize(ants);
+    memory_.raw_lengths.resize(ants);
+    if (params.walk_cut != WalkCut::none && std::ssize(memory_.cutters) < threads_)
+      memory_.cutters.resize(threads_);
+  }
+
+  /// Makes the trail blank for questions like this one; its stop condition, if any, may leave the
+  /// trail in pieces.
+  void begin(const Request& request) {
+    request_ = request;
+    tau0_ = initial_pheromone(params_, distance(request.start, request.goal));
+    memory_.field.reset(grid_, moves_, request.goal, params_, untouched(), request.stop);
+    shape_ = walk_shape(params_, moves_, memory_.field.mixture());
+    kernel_ = kernels::walk_table(chosen_isa()).walk[shape_.index()];
+    first_iteration_ = agreed_ = 0;
+    trail_level_ = 0;
+    drop_best_tour();
+    drop_best_path();
+  }
+
+  /// Goes on from `request.start`, with the trail as it is.
+  Result run(const Request& request, int iterations, const Observer& observer) {
+    set_out(request, observer);
+    Convergence run;
+    const auto cause = run_colony_loop(*this, iterations, request_.stop, run);
+    first_iteration_ += run.iterations;
+    return result_after(cause, std::move(run), std::move(best_path_));
+  }
+  /// What `run` gave away, for the next one.
+  void keep_path(const std::vector<Point>& path) { best_path_ = path; }
+
+  /// Fits what is remembered to cells that have changed.
+  void changed(const Rectangle& part) {
+    memory_.field.edited(part);
+    if (ants_only_teach()) {
+      forget_lost_ways(memory_.field, grid_, params_.corners, moves_, request_.goal, part);
+    } else if (may_shorten(part)) {
+      reopen(part);
+    }
+    agreed_ = 0;
+    if (!walkable(memory_.best_moves)) drop_best_tour();
+    const Corners corners =
+        params_.neighbours == Neighbours::four ? Corners::forbid : params_.corners;
+    if (path_fault(grid_, best_path_, corners)) drop_best_path();
+  }
+
+  // What the loop asks for.
+
+  /// Sends all ants, batch by batch, and measures their tours.
+  StopCondition::Cause send_ants(int q) override {
+    q += first_iteration_;
+    iteration_ = q;
+    iteration_best_ = kNaN;
+    all_walked_ = false;
+    const StepWeights weights = schedule(params_, q);
+    set_iteration(world_, params_, moves_, shape_, weights, q);
+    for (Ant& ant : ants_) ant.arrived = false;
+    for (Tour& tour : memory_.tours) tour = {{}, kNaN};
+    std::ranges::fill(memory_.raw_lengths, kNaN);
+    const int batch = params_.batch > 0 ? params_.batch : params_.ants;
+    for (int first = 0; first < params_.ants; first += batch) {
+      const int count = std::min(batch, params_.ants - first);
+      const auto ants = ants_.subspan(first, count);
+      memory_.field.refresh(weights, threads_);
+      memory_.field.fill(world_);
+      const auto cause =
+          memory_.walkers.walk(world_, kernel_, ants, first, request_.stop, after_walk(first));
+      if (cause != StopCondition::Cause::none) return cause;
+      note_best(first, count);
+      update_locally(memory_.field, params_, tau0_, tours(first, count), request_.stop);
+    }
+    all_walked_ = true;
+    return StopCondition::Cause::none;
+  }
+
+  /// One thread lays the walks' trails meanwhile: they have nothing to do with the polish.
+  void offer() override {
+    if (ants_only_teach() && all_walked_) return;
+    offer(ants_, memory_.tours, [this] {
+      if (all_walked_) lay_trails();
+    });
+  }
+
+  void update(int) override {
+    if (ants_only_teach()) {
+      lay_trails();
+      best_known_way(memory_.field, moves_, request_.start, request_.goal, params_.index_answer,
+                     request_.stop, memory_.way);
+      const Ant& ant = as_ant(memory_.way);
+      if (!ant.arrived) return offer(ants_, memory_.tours, {});  // no way is known, or no time left
+      offer_alone(ant);
+    } else {
+      lay_straight_trails();
+    }
+    agreed_ = all_agree() ? agreed_ + 1 : 0;
+  }
+
+  int ants() const override { return params_.ants; }
+  int threads() const override { return threads_; }
+  double tour_length(int ant) const override { return memory_.raw_lengths[ant]; }
+  std::optional<Walked> walked(int ant) const override {
+    const Ant& one = ants_[ant];
+    return Walked{memory_.tours[ant].length, one.steps, one.arrived ? one.move_count + 1 : 0,
+                  one.near};
+  }
+  double best_length() const override { return best_length_ < kInfinity ? best_length_ : kNaN; }
+  double iteration_best() const override { return iteration_best_; }
+  bool settled() const override { return params_.agreement > 0 && agreed_ >= params_.agreement; }
+
+  double trail_entropy() const override {
+    if (ants_only_teach()) return kNaN;
+    return lasius::trail_entropy(memory_.field, params_.trail, moves_, request_.start,
+                                 memory_.best_moves);
+  }
+
+  StopCondition::Cause observe(const Convergence& run) override {
+    View view(*this);
+    view.iteration = first_iteration_;
+    return show(*observer_, run, view);
+  }
+
+ private:
+  /// What an observer sees.
+  class View final : public GridProgress {
+   public:
+    explicit View(const GridColony& colony) : colony_(colony) {}
+    std::vector<Point> path() const override { return colony_.best_path_; }
+    int ants() const override { return colony_.ants(); }
+    std::vector<Cell> tour(int ant) const override {
+      return walked(ant).arrived ? walk(ant) : std::vector<Cell>{};
+    }
+    std::vector<Cell> walk(int ant) const override {
+      std::vector<Cell> cells;
+      along_tour(walked(ant).tour(), colony_.moves_, colony_.request_.start,
+                 [&](Cell c) { cells.push_back(c); });
+      return cells;
+    }
+    double pheromone(Cell c) const override { return colony_.memory_.field.pheromone(c); }
+
+   private:
+    const Ant& walked(int ant) const {
+      if (ant < 0 || ant >= ants()) throw std::out_of_range("there is no such ant");
+      return colony_.ants_[ant];
+    }
+    const GridColony& colony_;
+  };
+
+  /// Gets ready for a run. A best tour that passes the new start goes on from there.
+  void set_out(const Request& request, const Observer& observer) {
+    if (request.start != request_.start) {
+      const auto ahead = moves_ahead(request.start);
+      drop_best_path();
+      memory_.best_moves.erase(memory_.best_moves.begin(), memory_.best_moves.end() - ahead);
+      best_tour_length_ = ahead > 0 ? length_of(memory_.best_moves, moves_) : kInfinity;
+    }
+    request_ = request;
+    observer_ = &observer;
+    band_ = Band(request.start, request.goal, moves_);
+    world_ = walk_world(params_, moves_, request.start, request.goal);
+    memory_.walkers.reset(grid_.width(), grid_.height(), threads_, params_.ants,
+                          params_.polish == Polish::straight || params_.polish == Polish::taut ||
+                              params_.walk_cut == WalkCut::entered_cells,
+                          request_.stop);
+    memory_.polisher.reset(grid_, request_, moves_, params_, threads_);
+    if (best_path_.empty() && !memory_.best_moves.empty()) offer_alone(as_ant(memory_.best_moves));
+  }
+
+  /// Moves of the best tour from a cell on; 0 where it does not pass.
+  std::ptrdiff_t moves_ahead(Cell from) const {
+    auto ahead = std::ssize(memory_.best_moves);
+    Cell c = request_.start;
+    for (const int k : memory_.best_moves) {
+      if (c == from) return ahead;
+      c = c + moves_[k].to;
+      --ahead;
+    }
+    return 0;
+  }
+
+  /// Could a way through free cells of `part` be shorter than the best tour?
+  bool may_shorten(const Rectangle& part) const {
+    if (!(distance(request_.start, part) + distance(request_.goal, part) < best_tour_length_))
+      return false;
+    for (int y = part.y; y < part.y + part.height; ++y) {
+      for (int x = part.x; x < part.x + part.width; ++x) {
+        if (grid_.free({x, y})) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Lets ants leave the trail beside an opening: it becomes more alike there, and the best tour
+  /// renews it no longer.
+  void reopen(const Rectangle& part) {
+    constexpr double kShare = 0.3;  // see docs/theory.md
+    Cell c = request_.start;
+    for (double most = 0; const int k : memory_.best_moves) {
+      trail_level_ = most = std::max(most, memory_.field.tau(c, k));
+      c = c + moves_[k].to;
+    }
+    if (trail_level_ > 0)
+      memory_.field.equalise(part, std::max(part.width, part.height), kShare, trail_level_);
+    drop_best_tour();
+  }
+
+  /// Can a tour's moves still be made?
+  bool walkable(std::span<const std::uint8_t> tour) const {
+    Cell c = request_.start;
+    return std::ranges::all_of(tour, [&](int k) {
+      const Cell from = std::exchange(c, c + moves_[k].to);
+      return move_exists(grid_, params_.corners, from, moves_[k]);
+    });
+  }
+
+  void drop_best_tour() {
+    memory_.best_moves.clear();
+    best_tour_length_ = kInfinity;
+  }
+  void drop_best_path() {
+    best_path_.clear();
+    best_length_ = kInfinity;
+  }
+
+  /// tau where no ant has been; the terminal index of unknown cells grows with the map.
+  double untouched() const {
+    if (params_.update != Update::terminal_index) return tau0_;
+    return params_.unknown_index * std::max(grid_.width(), grid_.height()) / 20;
+  }
+
+  Tour tour_of(const Ant& ant) const {
+    return {ant.tour(), ant.arrived ? length_of(ant.tour(), moves_) : kNaN};
+  }
+
+  /// The tour of an ant that has just ended, measured and cut; none where there was no time to.
+  Tour measured(int number, int thread) {
+    Ant& ant = ants_[number];
+    Tour tour{ant.tour(), kNaN};
+    ant.near = 0;
+    if (ant.arrived) {
+      MoveCounts count{};
+      ant.near = band_.count(tour.moves, count);
+      tour.length = length_of(count, moves_);
+    }
+    memory_.raw_lengths[number] = tour.length;
+    ant.cut_count = -1;
+    if (params_.walk_cut == WalkCut::none || !ant.arrived) return tour;
+    const bool entered = params_.walk_cut == WalkCut::entered_cells;
+    const auto more = entered ? ant.dead_ends() : std::span<const kernels::PackedCell>{};
+    ant.cut_count = memory_.cutters[thread].cut(grid_, params_.corners, moves_, request_.start,
+                                                tour.moves, more, request_.stop, ant.cut);
+    if (ant.cut_count < 0) return tour;
+    return {ant.left(), length_of(ant.left(), moves_)};
+  }
+
+  /// Tours are measured as ants end, and polished while others still walk: by a thread that has no
+  /// ant left, or at once as long as there is no answer.
+  AfterWalk after_walk(int first) {
+    AfterWalk work;
+    const bool at_once = best_length_ == kInfinity && !ants_only_teach();
+    work.ended = [this, first, at_once](int ant, int thread) {
+      memory_.tours[first + ant] = measured(first + ant, thread);
+      if (at_once) memory_.polisher.polish_ahead(ants_, first + ant, thread);
+    };
+    if (!ants_only_teach()) {
+      work.spare = [this, first](int ant, int thread) {
+        memory_.polisher.polish_ahead(ants_, first + ant, thread);
+      };
+    }
+    return work;
+  }
+
+  void note_best(int first, int count) {
+    const Tour* best = nullptr;
+    for (const Tour& tour : std::span(memory_.tours).subspan(first, count)) {
+      if (!(tour.length < best_tour_length_)) continue;
+      best = &tour;
+      best_tour_length_ = tour.length;
+    }
+    if (best != nullptr) memory_.best_moves.assign(best->moves.begin(), best->moves.end());
+  }
+
+  Tours tours(int first, int count) const {
+    return {
+        .start = request_.start,
+        .moves = moves_,
+        .ants = std::span(memory_.tours).subspan(first, count),
+        .best_so_far = {memory_.best_moves, memory_.best_moves.empty() ? kNaN : best_tour_length_},
+        .iteration = iteration_,
+        .rows = grid_.height(),
+        .ranking = memory_.ranking};
+  }
+
+  void lay_trails() { update_trail(memory_.field, params_, tours(0, params_.ants), request_.stop); }
+
+  /// Did two ants or more arrive, all by one way?
+  bool all_agree() const {
+    const auto& tours = memory_.tours;
+    return params_.ants > 1 && std::ranges::all_of(tours, [&](const Tour& tour) {
+             return tour.length > 0 && std::ranges::equal(tour.moves, tours[0].moves);
+           });
+  }
+
+  /// The answer of the terminal index is read from what its ants taught it, where there is time.
+  bool ants_only_teach() const { return params_.update == Update::terminal_index; }
+
+  /// A way that no ant of this iteration has gone, as one more ant.
+  const Ant& as_ant(std::span<const std::uint8_t> way) {
+    Ant& ant = memory_.answer;
+    ant.moves.grow(way.size());
+    std::ranges::copy(way, ant.moves.data());
+    ant.move_count = std::ssize(way);
+    ant.arrived = !way.empty();
+    return ant;
+  }
+
+  void offer_alone(const Ant& ant) {
+    const Tour tour = tour_of(ant);
+    offer({&ant, 1}, {&tour, 1}, {});
+  }
+
+  /// Polishes the tours and offers every path as the best one, ties to the lower index. Of tours
+  /// that are not polished, by choice or for lack of time, the shortest is offered.
+  void offer(std::span<const Ant> ants, std::span<const Tour> tours,
+             const std::function<void()>& meanwhile) {
+    memory_.polisher.polish(ants, meanwhile);
+    const auto paths = memory_.polisher.paths();
+    improving_ant_ = -1;
+    int left = -1;
+    double shortest = best_length_;
+    for (int a = 0; a < static_cast<int>(ants.size()); ++a) {
+      iteration_best_ = std::fmin(iteration_best_,
+                                  std::isnan(paths[a].length) ? tours[a].length : paths[a].length);
+      if (paths[a].length < best_length_) {
+        improving_ant_ = a;
+        best_length_ = paths[a].length;
+      } else if (std::isnan(paths[a].length) && tours[a].length < shortest) {
+        left = a;
+        shortest = tours[a].length;
+      }
+    }
+    if (improving_ant_ >= 0) best_path_ = paths[improving_ant_].points;
+    if (!(shortest < best_length_)) return;
+    auto path = as_walked(tours[left]);
+    const double length = path_length(path);
+    if (!(length < best_length_)) return;  // by rounding it was
+    improving_ant_ = left;
+    best_length_ = length;
+    best_path_ = std::move(path);
+  }
+
+  std::vector<Point> as_walked(const Tour& tour) const {
+    std::vector<Point> path;
+    path.reserve(tour.moves.size() + 1);
+    along_tour(tour.moves, moves_, request_.start, [&](Cell c) { path.push_back(centre(c)); });
+    return path;
+  }
+
+  /// Q / L on the cells under straightened paths (Fan et al. 2004, step 3).
+  void lay_straight_trails() {
+    if (params_.straight_deposit == StraightDeposit::none) return;
+    constexpr int kStepsADeposit = 8;  // some make a tile
+    Poller poller(request_.stop, Poller::kSteps);
+    for (int a = 0; a < params_.ants; ++a) {
+      if (!ants_[a].arrived) continue;
+      if (params_.straight_deposit == StraightDeposit::improving && a != improving_ant_) continue;
+      const PolishedPath& path = memory_.polisher.paths()[a];
+      for (const Cell c : path.raster) {
+        if (poller.stop_after(kStepsADeposit)) return;
+        memory_.field.deposit(c, 0, params_.deposit / path.length);
+      }
+    }
+  }
+
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  const Grid& grid_;
+  Request request_;
+  const Params& params_;
+  ColonyMemory& memory_;
+  std::span<Ant> ants_;
+  const Observer* observer_ = nullptr;
+  int threads_;
+  kernels::Moves moves_;
+  Band band_;
+  double tau0_ = 0;
+  kernels::WalkShape shape_;
+  kernels::WalkFn kernel_ = nullptr;
+  kernels::WalkWorld world_;
+
+  int first_iteration_ = 0;  // of this run
+  int iteration_ = 0;
+  bool all_walked_ = false;
+  double iteration_best_ = kNaN;
+  int agreed_ = 0;  // iterations in a row in which all ants took one way
+  double best_tour_length_ = kInfinity;
+  double trail_level_ = 0;          // most tau on the best tour when it was last needed
+  double best_length_ = kInfinity;  // the best path so far, polished
+  std::vector<Point> best_path_;
+  int improving_ant_ = -1;  // who found it, if in this iteration
+};
+
+}  // namespace lasius

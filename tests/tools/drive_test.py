@@ -1,0 +1,221 @@
+"""drive: arrives without touching anything, records it, replays it, and shows it."""
+import json
+import os
+import signal
+import unittest
+
+from gif import read_film
+from program import MAPS, ProgramTest
+
+# What small.map does not tell: its gap in row 4 is shut, one in row 2 is open.
+TRUTH = """type octile
+height 6
+width 10
+map
+..........
+...@@@@@@.
+...@..@.@.
+...@@@@@@.
+....@@@@@@
+..........
+"""
+
+
+def solid(text):
+    """Blocked cells of a map's text."""
+    rows = text.split("map\n", 1)[1].split("\n")
+    return {(x, y) for y, row in enumerate(rows) for x, c in enumerate(row) if c == "@"}
+
+
+class Drive(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("truth.map", TRUTH)
+
+    def drive(self, *arguments, start="0,0", goal="9,5", map_file="small.map"):
+        return self.run_program("drive", map_file, "--start", start, "--goal", goal, *arguments)
+
+    def check_track(self, result, blocked_at, size=(10, 6)):
+        """Each move to one of the eight neighbours, free at its tick, no corner cut."""
+        track = [tuple(cell) for cell in result["track"]]
+        self.assertEqual(track[0], tuple(result["start"]))
+        self.assertEqual(len(track), result["ticks"] + 1)
+        length = 0
+        for tick, ((x, y), (to_x, to_y)) in enumerate(zip(track, track[1:])):
+            self.assertLessEqual(max(abs(to_x - x), abs(to_y - y)), 1)
+            for cell in ((to_x, to_y), (to_x, y), (x, to_y)):
+                self.assertNotIn(cell, blocked_at(tick))
+                self.assertTrue(0 <= cell[0] < size[0] and 0 <= cell[1] < size[1])
+            # Nor does anything come onto the robot.
+            self.assertNotIn((to_x, to_y), blocked_at(tick + 1))
+            length += (abs(to_x - x) + abs(to_y - y)) ** 0.5
+        self.assertAlmostEqual(length, result["length"], places=9)
+        self.assertEqual(sum(a == b for a, b in zip(track, track[1:])), result["waits"])
+
+    def test_an_unknown_wall_is_learned_and_gone_round(self):
+        run = self.drive("--world", "truth.map", "--sense", "1", "--json", start="9,2")
+        self.assertEqual((run.code, run.err), (0, ""))
+        result = run.json
+        self.assertEqual(list(result), [
+            "format", "version", "map", "world", "changes", "algorithm", "start", "goal", "seed",
+            "threads", "parameters", "status", "error", "track", "ticks", "replans", "seen",
+            "length", "optimum", "ratio", "waits", "deferred", "elapsed_ms"])
+        self.assertEqual(result["format"], "lasius-drive/1")
+        self.assertEqual((result["status"], result["error"]), ("solved", None))
+        self.assertEqual(result["track"][-1], [9, 5])
+        self.check_track(result, lambda tick: solid(TRUTH))
+        # To (9, 3) and the shut gap, and back again round the west end.
+        self.assertGreater(result["ratio"], 1)
+        self.assertAlmostEqual(result["ratio"], result["length"] / result["optimum"])
+        self.assertGreater(result["seen"], 0)
+        self.assertEqual(result["replans"][0]["tick"], 0)
+        self.assertGreaterEqual(len(result["replans"]), 2)
+        for replan in result["replans"]:
+            self.assertEqual(set(replan), {"tick", "ms", "length"})
+        self.assertEqual(result["parameters"]["sense"], 1)
+        self.assertIsNone(result["changes"])
+
+    def test_without_a_world_the_map_is_the_truth(self):
+        result = self.drive("--json").json
+        self.assertIsNone(result["world"])
+        self.assertEqual((result["seen"], len(result["replans"])), (0, 1))
+        # By (2, 2), (2, 4) and (3, 5): no corner of the walls is cut.
+        self.assertAlmostEqual(result["optimum"], 8 + 3 * 2 ** 0.5)
+
+    def test_a_door_that_opens_and_one_that_shuts(self):
+        self.write("shut.map", TRUTH)
+        self.write("c.txt", "# the east\n1 0 4 4 1 blocked\n12, 9 4 free\n")
+        result = self.drive("--world", "shut.map", "--changes", "c.txt", "--json").json
+        west = {(x, 4) for x in range(4)}
+
+        def blocked(tick):
+            there = solid(TRUTH) | (west if tick >= 1 else set())
+            return there - {(9, 4)} if tick >= 12 else there
+        self.assertEqual(result["status"], "solved")
+        self.check_track(result, blocked)
+        self.assertGreaterEqual(result["ticks"], 12)
+
+    def test_a_moving_obstacle_is_given_way(self):
+        self.write("lane.map", "type octile\nheight 3\nwidth 12\nmap\n" + "............\n" * 3)
+        self.write("c.txt", "0 move 1 2 1 11 0 0 0\n")
+        result = self.drive("--changes", "c.txt", "--json", goal="10,0", map_file="lane.map").json
+        self.assertEqual(result["status"], "solved")
+        # It waits for nobody: the lane is wide enough for the robot beside it.
+        self.check_track(result, lambda tick: {(11 - tick, y) for y in (0, 1)}, size=(12, 3))
+        self.assertTrue(any(y == 2 for _, y in result["track"]))
+
+    def test_how_a_drive_ends(self):
+        self.refused_status(self.drive("--json", goal="4,2"), 5, "unreachable")
+        self.refused_status(self.drive("--json", goal="3,2"), 4, "invalid", "goal (3, 2) is blocked",
+                            "nearest free cell is (2, 2)")
+        self.refused_status(self.drive("--json", goal="10,2"), 4, "invalid", "outside")
+        self.refused_status(self.drive("--json", "--max-ticks", "3"), 6, "limit")
+        self.refused_status(self.drive("--json", "--time-limit", "0"), 6, "limit")
+        self.write("c.txt", "0 move 1 1 0 9 4\n")
+        self.write("shut.map", TRUTH.replace("....@@@@@@", "@@@@@@@@@."))
+        trapped = self.drive("--json", "--world", "shut.map", "--changes", "c.txt")
+        self.refused_status(trapped, 6, "no_path", "trapped")
+        for file in ("f.gif", "f.png"):
+            self.assertEqual(self.drive("-o", file, goal="3,2").code, 4)
+            self.assertGreater(len(self.read(file)), 0)
+
+    def test_a_signal_ends_a_drive_with_what_was_driven(self):
+        # What goes up and down the lane lets nobody through.
+        self.write("lane.map", "type octile\nheight 1\nwidth 9\nmap\n.........\n")
+        self.write("c.txt", "0 move 1 1 0.5 2 0 7 0\n")
+        process = self.start_program("drive", "lane.map", "--start", "0,0", "--goal", "8,0",
+                                     "--changes", "c.txt", "--max-ticks", "1000000000", "--json",
+                                     "-o", "r.json", "-o", "r.png", "--progress", "always")
+        seen = b""
+        while b"tick " not in seen:
+            seen += process.stderr.read(1)
+            self.assertIsNone(process.poll(), seen)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        self.assertIn(b"interrupted after", err)
+        result = json.loads(out)
+        self.assertEqual(result["status"], "interrupted")
+        self.assertEqual(len(result["track"]), result["ticks"] + 1)
+        self.assertEqual(self.read("r.json"), out)
+        self.assertGreater(min(self.png_size("r.png")), 100)
+
+    def refused_status(self, run, code, status, *words):
+        self.assertEqual((run.code, run.json["status"]), (code, status), run.err)
+        for word in words:
+            self.assertIn(word, run.json["error"])
+
+    def test_what_the_command_line_refuses(self):
+        self.refused(self.drive("--sence", "3"), 2, "--sense")
+        self.refused(self.drive("--sense", "0"), 2, "--sense")
+        self.refused(self.drive("--seed", "1-3"), 2, "--seed")
+        self.refused(self.drive("-o", "x.webm"), 2, ".gif")
+        self.refused(self.drive("--world", "no.map"), 3, "no.map")
+        self.refused(self.drive(map_file="world.json"), 2, "world.json")
+        self.write("wide.map", "type octile\nheight 1\nwidth 12\nmap\n............\n")
+        self.refused(self.drive("--world", "wide.map"), 3, "wide.map", "12 x 1", "10 x 6")
+
+    def test_broken_changes_name_file_and_line(self):
+        for line, word in (("5 1 1 blokced", "blocked"), ("1 2", "words"), ("-1 1 1 free", "-1"),
+                           ("0 9 9 free", "inside"), ("0 move 1 1 fast 1 1", "speed"),
+                           ("0 move 1 1 65 1 1", "speed"), ("0 1 1 3 0 free", "none")):
+            self.write("c.txt", "# a comment\n\n" + line + "\n")
+            self.refused(self.drive("--changes", "c.txt"), 3, "c.txt, line 3", word)
+        self.refused(self.drive("--changes", "no.txt"), 3, "no.txt")
+
+    def test_text_and_table(self):
+        run = self.drive("-o", "t.csv", "--radius", "0.3")
+        lines = run.out.splitlines()
+        self.assertEqual(lines[0], "solved")
+        self.assertEqual(lines[2:], [line.replace(",", " ")
+                                     for line in self.read("t.csv").decode().splitlines()[1:]])
+        self.assertEqual((lines[2], lines[-1]), ("0 0", "9 5"))
+        self.assertIn("1.0000 of the optimum", run.err)
+
+    def test_a_recorded_drive_is_replayed(self):
+        self.write("c.txt", "4 9 0 blocked\n9 9 0 free\n0 move 1 1 0.5 0 3 2 3\n")
+        for more in ([], ["--algorithm", "fan2004", "--iterations", "4"], ["--max-ticks", "5"]):
+            self.drive("--world", "truth.map", "--changes", "c.txt", "--sense", "2", *more,
+                       "-o", "r.json", "-q", start="9,2")
+            for threads in ("1", "2"):
+                run = self.run_program("verify", "r.json", "--threads", threads)
+                self.assertEqual((run.code, run.err), (0, ""))
+        saved = json.loads(self.read("r.json"))
+        for key, value in (("seen", 1), ("track", saved["track"][:-1]), ("start", [8, 0])):
+            self.write("t.json", json.dumps({**saved, key: value}))
+            self.assertEqual(self.run_program("verify", "t.json").code, 1, key)
+        self.write("c.txt", "4 9 0 blocked\n")
+        self.refused(self.run_program("verify", "r.json"), 3, "c.txt", "hash")
+        self.drive("--time-limit", "0", "-o", "r.json")
+        self.assertEqual(self.run_program("verify", "r.json").code, 2)
+
+    def test_pictures(self):
+        self.write("c.txt", "3 9 0 blocked\n0 move 1 1 0.5 0 3 2 3\n")
+        self.drive("--world", "truth.map", "--changes", "c.txt", "--sense", "2", "-o", "p.svg",
+                   "-o", "p.png", start="9,2")
+        self.holds(self.words("p.svg"), "a way was planned", "never learned", "moving obstacle",
+                   "through truth.map")
+        self.assertLessEqual(max(self.png_size("p.png")), 2000)
+
+    def test_a_film_shows_the_robot_at_each_tick(self):
+        result = self.drive("--json", "-o", "f.gif").json
+        width, height, frames = read_film(self.read("f.gif"))
+        self.assertEqual((width, height, len(frames)), (500, 300, result["ticks"] + 1))
+        robot = frames[0][25][25]  # 50 pixels a cell
+        for (x, y), frame in zip(result["track"], frames):
+            self.assertEqual(frame[50 * y + 25][50 * x + 25], robot)
+        red, green, blue = robot
+        self.assertGreater(red, green + blue)
+
+    def test_a_long_film_is_thinned(self):
+        fan = os.path.join(MAPS, "fan400x200.map")
+        result = self.drive("--json", "-o", "f.gif", start="14,14", goal="380,179",
+                            map_file=fan).json
+        self.assertGreater(result["ticks"], 300)
+        width, height, frames = read_film(self.read("f.gif"))
+        self.assertEqual((width, height), (400, 200))
+        self.assertTrue(150 <= len(frames) <= 301, len(frames))
+
+
+if __name__ == "__main__":
+    unittest.main()

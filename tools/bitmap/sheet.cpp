@@ -1,0 +1,129 @@
+#include "tools/bitmap/sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "tools/draw/axes.h"
+#include "tools/draw/colours.h"
+#include "tools/draw/text.h"
+
+namespace lasius::tool {
+
+Window shown_of(const LoadedMap& map, const std::vector<Cell>& ends) {
+  const Grid& grid = map.grid();
+  Window free{{grid.width(), 0}, {grid.height(), 0}};
+  const auto take = [&](int x, int y) {
+    free.columns = {std::min(free.columns.from, x), std::max(free.columns.to, x + 1)};
+    free.rows = {std::min(free.rows.from, y), std::max(free.rows.to, y + 1)};
+  };
+  for (const Cell c : ends)
+    if (grid.contains(c)) take(c.x, c.y);
+  for (int y = 0; y < grid.height(); ++y)
+    for (int x = 0; x < grid.width(); ++x)
+      if (grid.free({x, y})) take(x, y);
+  const Window all = whole(grid);
+  if (free.width() <= 0) return all;
+  const int room = static_cast<int>(std::ceil(map.radius)) +
+                   std::max(3, std::max(free.width(), free.height()) / 50);
+  const auto with_room = [room](const Span& side, int cells) {
+    return Span{std::max(0, side.from - room), std::min(cells, side.to + room)};
+  };
+  const Window window{with_room(free.columns, grid.width()), with_room(free.rows, grid.height())};
+  const double share = 1.0 * window.width() * window.height() / all.width() / all.height();
+  return share <= 0.9 ? window : all;
+}
+
+Axes Sheet::axes(const Box& box) const {
+  return {.box = box,
+          .x = {1.0 * window.columns.from, 1.0 * window.columns.to},
+          .y = {1.0 * window.rows.to, 1.0 * window.rows.from},
+          .whole_x = true,
+          .whole_y = true};
+}
+
+std::string Sheet::length(double cells, int decimals) const {
+  // A line does not end between number and unit.
+  return study::fixed(map.length_in(run.frame, cells), decimals) + "\u00a0" + unit();
+}
+
+void Sheet::frame(Canvas& canvas, const Box& box) const {
+  const bool world = metres() && map.frame->yaw == 0;
+  Axes axes = this->axes(box);
+  axes.whole_x = axes.whole_y = !world;
+  if (world) {
+    const Point low = map.to_world({axes.x.low, axes.y.low});
+    const Point high = map.to_world({axes.x.high, axes.y.high});
+    axes.x = {low.x, high.x};
+    axes.y = {low.y, high.y};
+  }
+  draw_axes(canvas, axes, world ? "x, m" : "x, cells", world ? "y, m" : "y, cells", false);
+}
+
+std::string Sheet::note() const {
+  const Window all = whole(grid);
+  const double left = 1 - 1.0 * window.width() * window.height() / all.width() / all.height();
+  if (left <= 0) return {};
+  const auto span = [](const Span& side) {
+    return std::to_string(side.from) + " to " + std::to_string(side.to - 1);
+  };
+  return "cropped to columns " + span(window.columns) + ", rows " + span(window.rows) +
+         ": the rest, " + study::fixed(100 * left, 0) + "% of the map, has no free cell" +
+         (map.frame && !map.unknown_is_free ? " (unknown or blocked)" : "");
+}
+
+Page Sheet::page(std::string title) const {
+  return {.title = std::move(title),
+          .note = note(),
+          .wide = 1.0 * window.width(),
+          .high = 1.0 * window.height()};
+}
+
+std::string map_title(const LoadedMap& map, const RunOptions& run) {
+  return run.params.algorithm() + " on " + std::filesystem::path(map.file).filename().string() +
+         ", " + std::to_string(map.width) + " x " + std::to_string(map.height) + " cells, seed " +
+         std::to_string(run.params.seed);
+}
+
+double wall_strength(double blocked) {
+  return blocked > 0 ? std::max(0.35, std::sqrt(blocked)) : 0;
+}
+
+void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet,
+               const std::function<Colour(Span columns, Span rows)>& ground) {
+  const Window& window = sheet.window;
+  // One pixel a cell, or one a pixel of the page where cells are smaller.
+  const auto share =
+      blocked_share(sheet.grid, window, std::min(window.width(), static_cast<int>(box.width)),
+                    std::min(window.height(), static_cast<int>(box.height)));
+  Raster<Colour> pixels(share.width, share.height);
+  for (int y = 0; y < share.height; ++y) {
+    const Span rows = cells_under(y, share.height, window.rows);
+    for (int x = 0; x < share.width; ++x) {
+      const Span columns = cells_under(x, share.width, window.columns);
+      pixels.at(x, y) = blend(ground(columns, rows), kWall, wall_strength(share.at(x, y)));
+    }
+  }
+  canvas.image(pixels, box);
+  sheet.frame(canvas, box);
+}
+
+void draw_marks(Canvas& canvas, const Box& box, const Sheet& sheet, Cell from, Cell to,
+                bool small) {
+  const double cell = box.width / sheet.window.width();
+  const double radius =
+      small ? std::clamp(0.6 * cell, 6.0, 9.0) : std::clamp(0.6 * cell, 8.0, 18.0);
+  const Axes axes = sheet.axes(box);
+  const Point start = centre(from), goal = centre(to);
+  if (sheet.grid.contains(to)) canvas.diamond(axes.at(goal.x, goal.y), radius + 3, kGoal);
+  if (sheet.grid.contains(from)) canvas.ring(axes.at(start.x, start.y), radius, kStart);
+}
+
+void draw_path(Canvas& canvas, const Box& box, const Sheet& sheet, const std::vector<Point>& path,
+               double width, double rim) {
+  const auto points = sheet.axes(box).at(path);
+  if (rim > 0) canvas.polyline(points, {1, 1, 1}, width + 2 * rim);
+  canvas.polyline(points, kPath, width);
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,55 @@
+// The map as all panels of a picture of a run on a bitmap show it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tools/bitmap/map_file.h"
+#include "tools/draw/canvas.h"
+#include "tools/draw/colours.h"
+#include "tools/draw/page.h"
+#include "tools/options/options.h"
+
+namespace lasius::tool {
+
+inline constexpr Colour kWall{0.58, 0.605, 0.64};
+
+/// The cells that are shown: all around free ones, start and goal, where that leaves out a tenth
+/// of the map or more.
+Window shown_of(const LoadedMap& map, const std::vector<Cell>& ends);
+
+struct Sheet {
+  const LoadedMap& map;
+  const Grid& grid;  ///< whose walls are painted
+  const RunOptions& run;
+  Window window;
+
+  Axes axes(const Box& box) const;  ///< in cells
+  bool metres() const { return run.frame == Frame::world; }
+  const char* unit() const { return metres() ? "m" : "cells"; }
+  std::string length(double cells, int decimals = 2) const;
+  /// In cells; in metres of the world where the map is not turned in it.
+  void frame(Canvas& canvas, const Box& box) const;
+  std::string note() const;  ///< what the window leaves out
+  Page page(std::string title) const;
+};
+
+/// What is drawn on: "on" a map of so many cells, and the seed.
+std::string map_title(const LoadedMap& map, const RunOptions& run);
+
+/// Paints walls over what `ground` says of the cells under a pixel. Walls never get so thin that
+/// they vanish.
+void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet,
+               const std::function<Colour(Span columns, Span rows)>& ground);
+/// How strongly a share of blocked cells under a pixel is shown, 0 .. 1.
+double wall_strength(double blocked);
+
+inline Colour free_ground(Span, Span) { return kFree; }
+
+void draw_marks(Canvas& canvas, const Box& box, const Sheet& sheet, Cell start, Cell goal,
+                bool small);
+void draw_path(Canvas& canvas, const Box& box, const Sheet& sheet, const std::vector<Point>& path,
+               double width, double rim);
+
+}  // namespace lasius::tool

@@ -1,0 +1,37 @@
+// A drive, with all that is told of it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "lasius/drive.h"
+#include "tools/bitmap/map_file.h"
+#include "tools/options/options.h"
+
+namespace lasius::tool {
+
+struct DriveAnswer {
+  LoadedMap map;
+  std::optional<LoadedMap> world;  ///< nothing: as the map has it
+  Changes changes;
+  std::uint64_t changes_hash = 0;
+  Place start, goal;
+  double sense = 0;  ///< cells
+  DriveResult result;
+  double elapsed_ms = 0;  ///< of the drive
+  /// The shortest walk by the robot's own moves through the world as it is at tick 0, where there
+  /// is one and it was found in time.
+  std::optional<double> optimum;
+
+  const LoadedMap& truth() const { return world ? *world : map; }
+  /// Length travelled by the optimum, of a drive that arrived.
+  std::optional<double> ratio() const {
+    if (result.status != Status::solved || !optimum || !(*optimum > 0)) return std::nullopt;
+    return result.length / *optimum;
+  }
+};
+
+/// The world with its changes up to a tick, without moving obstacles; those that were put off too.
+Grid world_at(const DriveAnswer& answer, std::int64_t tick);
+
+}  // namespace lasius::tool

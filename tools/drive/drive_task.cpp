@@ -1,0 +1,347 @@
+#include "tools/drive/drive_task.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "lasius/clearance.h"
+#include "lasius/error.h"
+#include "lasius/shortest_walk.h"
+#include "tools/bitmap/map_record.h"
+#include "tools/console/elapsed.h"
+#include "tools/console/parameters.h"
+#include "tools/console/streams.h"
+#include "tools/console/values.h"
+#include "tools/drive/drive_answer.h"
+#include "tools/drive/drive_picture.h"
+#include "tools/drive/film.h"
+#include "tools/drive/gif.h"
+#include "tools/options/commands.h"
+#include "tools/record/outputs.h"
+#include "tools/record/recorded.h"
+
+namespace lasius::tool {
+namespace {
+
+/// `lasius drive`. Its SearchResult has the length travelled, also of a drive that did not arrive.
+class DriveTask : public Task {
+ public:
+  explicit DriveTask(DriveCommand command) : command_(std::move(command)) {}
+
+  void load(const std::stop_token& token) override;
+  void announce() const override;
+  void plan(const StopCondition& stop, const Watch& watch) override;
+
+  const RunOptions& options() const override { return command_.run; }
+  std::vector<std::string> input_files() const override;
+  const Algorithm& algorithm() const override {
+    return find_algorithm(options().params.algorithm());
+  }
+  std::string parameter(std::string_view name) const override {
+    return get_parameter(options().params, name);
+  }
+  std::int64_t iterations() const override { return 0; }
+  bool iterates() const override { return false; }
+
+  const SearchResult& result() const override { return result_; }
+  std::string error() const override;
+  std::string limit() const override;
+  std::optional<double> optimum() const override { return answer_.optimum; }
+  double elapsed_ms() const override { return answer_.elapsed_ms; }
+  bool found() const override { return result_.status == Status::solved; }
+  std::string reached() const override;
+
+  double shown(double length) const override {
+    return answer_.map.length_in(options().frame, length);
+  }
+  std::string unit() const override { return in_metres() ? "m" : ""; }
+  std::string progress_note(const Progress& progress) const override;
+  void remark() const override;
+  void write_path(std::ostream& out, const char* between) const override;
+  void write_csv(std::ostream& out) const override;
+  void write_picture(const std::string& file) const override;
+  void write_film(std::ostream& out) const override { film_->write(out); }
+
+  const char* format() const override { return kDriveFormat; }
+  Json inputs() const override;
+  std::pair<Json, Json> ends() const override {
+    return {cell_json(answer_.start), cell_json(answer_.goal)};
+  }
+  void add_settings(Json& json) const override;
+  void add_answer(Json& json) const override;
+  void add_path(Json& json) const override;
+
+ private:
+  bool in_metres() const { return options().frame == Frame::world; }
+  DriveOptions drive_options(const StopCondition& stop) const;
+  Corners corners() const;
+  void look_for_optimum(const StopCondition& stop);
+  std::string invalid_text() const;
+  std::vector<Point> centres_in_metres() const;
+
+  DriveCommand command_;
+  DriveAnswer answer_{};
+  std::optional<DriveRecorder> recorder_;
+  std::optional<Film> film_;
+  SearchResult result_;
+};
+
+/// @throws Error(file_broken) unless it is as large as the map.
+LoadedMap read_world(MapOptions options, const std::string& file, const LoadedMap& map) {
+  options.file = file;
+  LoadedMap world = read_map(options, Frame::cell);
+  if (world.width != map.width || world.height != map.height)
+    throw Error(ErrorCode::file_broken, {.file = file},
+                printed("is %d x %d cells, the map %d x %d", world.width, world.height, map.width,
+                        map.height),
+                "give both for the same place, in cells of the same size");
+  return world;
+}
+
+void DriveTask::load(const std::stop_token&) {
+  const RunOptions& run = options();
+  if (std::ranges::any_of(run.outputs, is_film)) check_films();
+  DriveAnswer& answer = answer_;
+  answer.map = read_map(run.map, run.frame);
+  MapOptions alike = run.map;
+  alike.radius_metres = false;  // the world's file need not tell of metres
+  if (!command_.world.empty()) answer.world = read_world(alike, command_.world, answer.map);
+  if (!command_.changes.empty()) {
+    answer.changes = read_changes_file(command_.changes, answer.map.width, answer.map.height);
+    answer.changes_hash = file_hash(command_.changes);
+  }
+  answer.start = to_place(answer.map, command_.start, run.frame);
+  answer.goal = to_place(answer.map, command_.goal, run.frame);
+  answer.sense = command_.sense.value_or(DriveOptions{}.sense);
+  if (command_.sense && run.map.radius_metres) answer.sense /= answer.map.frame->resolution;
+}
+
+void DriveTask::announce() const {
+  Task::announce();
+  if (!options().messages.verbose) return;
+  const auto read = [](const LoadedMap& map) {
+    message(map.file + printed(": %d x %d cells, hash %s, read in %.1f ms", map.width, map.height,
+                               hash_text(map.hash).c_str(), map.read_ms));
+  };
+  read(answer_.map);
+  if (answer_.world) read(*answer_.world);
+  announce_algorithm(true);
+}
+
+DriveOptions DriveTask::drive_options(const StopCondition& stop) const {
+  DriveOptions drive;
+  drive.navigator.params = options().params;
+  drive.navigator.radius = answer_.map.radius;
+  if (answer_.map.prepare)
+    drive.navigator.prepare = PrepareOptions{.threads = options().map.threads, .stop = stop};
+  drive.navigator.target_gap = moves_on_cells(options().params) ? 0 : options().target_gap;
+  drive.sense = answer_.sense;
+  drive.max_ticks = command_.max_ticks;
+  return drive;
+}
+
+Progress progress_of(const DriveTick& tick) {
+  Progress progress;
+  progress.iteration = static_cast<int>(tick.tick);
+  if (tick.way != nullptr) progress.best_length = tick.way->length;
+  return progress;
+}
+
+void DriveTask::plan(const StopCondition& stop, const Watch& watch) {
+  DriveAnswer& answer = answer_;
+  const bool filmed = std::ranges::any_of(options().outputs, is_film);
+  if (filmed || std::ranges::any_of(options().outputs, is_picture))
+    recorder_.emplace(answer.map.grid(), answer.sense);
+  if (filmed) film_.emplace(answer.map.grid(), answer.goal.cell);
+  DriveObserver observer;
+  if (watch || recorder_)
+    observer = [&](const DriveTick& tick) {
+      if (watch) watch(progress_of(tick));
+      if (recorder_) recorder_->observe(tick);
+      if (film_) film_->observe(tick, *recorder_);
+    };
+  const auto begin = Clock::now();
+  answer.result = drive(answer.map.grid(), answer.truth().grid(), answer.start.cell,
+                        answer.goal.cell, answer.changes, drive_options(stop), stop, observer);
+  answer.elapsed_ms = ms_since(begin);
+  result_.status = answer.result.status;
+  result_.fault = answer.result.fault;
+  if (result_.status == Status::invalid) return;
+  result_.length = answer.result.length;
+  look_for_optimum(again(stop, options().time_limit));
+}
+
+/// By which the robot moves, whatever its paths are made of.
+Corners DriveTask::corners() const {
+  const Params& params = options().params;
+  const bool squeezes = moves_on_cells(params) && params.neighbours != Neighbours::four;
+  return squeezes && params.corners == Corners::allow ? Corners::allow : Corners::forbid;
+}
+
+void DriveTask::look_for_optimum(const StopCondition& stop) {
+  auto grown = grow_obstacles(world_at(answer_, 0), answer_.map.radius, stop);
+  if (grown)
+    answer_.optimum = shortest_walk(*grown, answer_.start.cell, answer_.goal.cell,
+                                    Neighbours::eight, corners(), stop);
+}
+
+std::vector<std::string> DriveTask::input_files() const {
+  std::vector<std::string> files{options().map.file, answer_.map.image, command_.world,
+                                 command_.changes};
+  if (answer_.world) files.push_back(answer_.world->image);
+  return files;
+}
+
+std::string DriveTask::error() const {
+  const DriveResult& result = answer_.result;
+  if (result.status != Status::invalid && result.status != Status::unreachable) return result.error;
+  std::string text = result.status == Status::invalid ? invalid_text() : result.error;
+  if (answer_.map.radius > 0)  // why a cell that looks free is not
+    text.append(" (obstacles grown by ").append(to_text(answer_.map.radius)).append(" cells)");
+  return text;
+}
+
+std::string DriveTask::invalid_text() const {
+  const Fault fault = answer_.result.fault;
+  const bool at_start = fault == Fault::start_blocked || fault == Fault::start_outside;
+  const bool outside = fault == Fault::start_outside || fault == Fault::goal_outside;
+  const Place& place = at_start ? answer_.start : answer_.goal;
+  // What is free there as the robot's first look has it: in the world, and for a goal on the map.
+  Grid free = world_at(answer_, 0);
+  if (!at_start)
+    for (int y = 0; y < free.height(); ++y)
+      for (int x = 0; x < free.width(); ++x)
+        if (answer_.map.grid().blocked({x, y})) free.set_blocked({x, y});
+  const Planner planner(grow_obstacles(free, answer_.map.radius));
+  return fault_text(answer_.map, options().frame, at_start ? "start" : "goal", place, outside,
+                    planner.nearest_free(place.cell));
+}
+
+std::string DriveTask::limit() const {
+  return answer_.result.ticks >= command_.max_ticks ? "--max-ticks" : "the time limit";
+}
+
+std::string DriveTask::reached() const {
+  const Cell at = answer_.result.track.back();
+  return " after " + counted(answer_.result.ticks, "tick") +
+         printed(", with the robot at (%d, %d)", at.x, at.y);
+}
+
+std::string DriveTask::progress_note(const Progress& progress) const {
+  std::string text = "tick " + std::to_string(progress.iteration);
+  if (progress.best_length == progress.best_length)
+    text += ", " + decimal_text(shown(progress.best_length), 1) + " " +
+            (in_metres() ? "m" : "cells") + " to go";
+  return text;
+}
+
+void DriveTask::remark() const {
+  if (options().json || !has_path()) return;
+  const DriveResult& result = answer_.result;
+  std::string text = counted(result.ticks, "tick") + ", " +
+                     counted(static_cast<std::int64_t>(result.replans.size()), "plan") + ", " +
+                     counted(result.seen, "cell") + " learned, " + counted(result.waits, "wait");
+  if (const auto ratio = answer_.ratio())
+    text += "; " + decimal_text(*ratio, 4) + " of the optimum, " +
+            decimal_text(shown(*answer_.optimum), 3) + (in_metres() ? " m" : "");
+  message(text);
+}
+
+std::vector<Point> DriveTask::centres_in_metres() const {
+  std::vector<Point> points;
+  for (const Cell c : answer_.result.track) points.push_back(answer_.map.to_world(centre(c)));
+  return points;
+}
+
+void DriveTask::write_path(std::ostream& out, const char* between) const {
+  if (in_metres()) {
+    for (const Point p : centres_in_metres())
+      out << to_text(p.x) << between << to_text(p.y) << "\n";
+  } else {
+    for (const Cell c : answer_.result.track) out << c.x << between << c.y << "\n";
+  }
+}
+
+void DriveTask::write_csv(std::ostream& out) const {
+  out << (in_metres() ? "x_m,y_m\n" : "x,y\n");
+  if (has_path()) write_path(out, ",");
+}
+
+void DriveTask::write_picture(const std::string& file) const {
+  write_drive_picture(file, options(), answer_, *recorder_);
+}
+
+Json DriveTask::inputs() const {
+  Json changes;
+  if (!command_.changes.empty())
+    changes = {{"file", command_.changes}, {"hash", hash_text(answer_.changes_hash)}};
+  return {{"map", map_json(answer_.map)},
+          {"world", answer_.world ? map_json(*answer_.world) : Json()},
+          {"changes", std::move(changes)}};
+}
+
+void DriveTask::add_settings(Json& json) const {
+  add_limits(json);
+  add_map_settings(json, answer_.map, options().frame);
+  json["sense"] = number(answer_.sense);
+  json["max_ticks"] = command_.max_ticks;
+}
+
+void DriveTask::add_answer(Json& json) const {
+  const DriveResult& result = answer_.result;
+  add_path(json);
+  json["ticks"] = result.ticks;
+  json["replans"] = Json::array();
+  for (const Replan& replan : result.replans)
+    json["replans"].push_back(
+        {{"tick", replan.tick}, {"ms", number(replan.ms)}, {"length", number(replan.length)}});
+  json["seen"] = result.seen;
+  json["length"] = number(result_.length);
+  if (in_metres()) json["length_m"] = number(shown(result_.length));
+  json["optimum"] = optional_number(answer_.optimum);
+  json["ratio"] = optional_number(answer_.ratio());
+  json["waits"] = result.waits;
+  json["deferred"] = result.deferred_changes;
+}
+
+void DriveTask::add_path(Json& json) const {
+  Json& track = json["track"];
+  if (has_path())
+    for (const Cell c : answer_.result.track) track.push_back({c.x, c.y});
+  if (!in_metres()) return;
+  json["start_world"] = point(answer_.start.asked);
+  json["goal_world"] = point(answer_.goal.asked);
+  json["track_world"] = has_path() ? points(centres_in_metres()) : Json();
+}
+
+}  // namespace
+
+Grid world_at(const DriveAnswer& answer, std::int64_t tick) {
+  auto changes = answer.changes.cells;
+  std::ranges::stable_sort(changes, {}, &Change::tick);
+  Grid grid = answer.truth().grid();
+  for (const Change& change : changes)
+    if (change.tick <= tick) grid.fill(change.part, change.blocked);
+  return grid;
+}
+
+std::unique_ptr<Task> recorded_drive(const Recorded& from) {
+  DriveCommand command{recorded_plan(from)};
+  const auto file = [&](const char* role) -> std::string {
+    if (value_at(from.result, role).is_null()) return {};
+    return from.found(recorded<std::string>(from.result, role + std::string("/file")));
+  };
+  command.world = file("world");
+  command.changes = file("changes");
+  command.sense = recorded_real(from.result, "parameters/sense", DriveCommand::kLeastSense,
+                                DriveCommand::kMostSense);
+  command.max_ticks =
+      recorded_integer(from.result, "parameters/max_ticks", 0, DriveCommand::kMostTicks);
+  return std::make_unique<DriveTask>(std::move(command));
+}
+
+int run_drive(const DriveCommand& command) {
+  DriveTask task(command);
+  return run(task);
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,154 @@
+#include "tools/drive/film.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tools/draw/colours.h"
+#include "tools/drive/gif.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr int kShades = 4;  // of walls that fill a pixel in part
+
+/// Numbers of colours: first the two of free cells, then kShades for each kind of wall on both.
+enum Special : std::uint8_t { kUnseen, kSeen, kWalls };
+enum Wall : std::uint8_t { kKnown, kUnknown, kBelieved, kWallKinds };
+enum Mark : std::uint8_t {
+  kTrack = kWalls + 2 * kWallKinds * kShades,
+  kWay,
+  kMover,
+  kRobot,
+  kTarget,
+  kColours
+};
+
+std::array<Colour, kColours> palette() {
+  std::array<Colour, kColours> colours{};
+  const std::array<Colour, 2> free{Colour{0.87, 0.89, 0.92}, kFree};
+  const std::array<Colour, kWallKinds> walls{
+      Colour{0.3, 0.33, 0.37}, {0.93, 0.55, 0.57}, {0.98, 0.8, 0.55}};
+  colours[kUnseen] = free[0];
+  colours[kSeen] = free[1];
+  std::size_t next = kWalls;
+  for (const Colour& below : free)
+    for (const Colour& wall : walls)
+      for (int shade = 1; shade <= kShades; ++shade)
+        colours[next++] = blend(below, wall, 1.0 * shade / kShades);
+  colours[kTrack] = {0.92, 0.45, 0.45};
+  colours[kWay] = kStart;
+  colours[kMover] = {0.55, 0.2, 0.65};
+  colours[kRobot] = kPath;
+  colours[kTarget] = kGoal;
+  return colours;
+}
+
+/// The colour of a pixel by the shares of its cells that are blocked, known to be, or both.
+std::uint8_t colour_of(bool seen, double there, double known) {
+  const double most = std::max(there, known);
+  if (most <= 0) return seen ? kSeen : kUnseen;
+  const Wall kind = there > 0 && known > 0 ? kKnown : there > 0 ? kUnknown : kBelieved;
+  const int shade = std::max(1, static_cast<int>(std::ceil(kShades * std::sqrt(most))));
+  return static_cast<std::uint8_t>(kWalls + (seen ? kWallKinds * kShades : 0) + kind * kShades +
+                                   shade - 1);
+}
+
+}  // namespace
+
+Film::Film(const Grid& map, Cell goal) : goal_(goal) {
+  const double most = kMostSide, cells = std::max(map.width(), map.height());
+  scale_ = cells < most ? std::floor(most / cells) : most / cells;
+  const auto pixels = [&](int side) {
+    return std::max(1, static_cast<int>(std::floor(scale_ * side)));
+  };
+  width_ = pixels(map.width());
+  height_ = pixels(map.height());
+}
+
+void Film::observe(const DriveTick& tick, const DriveRecorder& recorder) {
+  track_.push_back(centre(tick.robot));
+  const bool arrived = tick.robot == goal_;
+  if (tick.tick % stride_ != 0 && !arrived) return;
+  if (tick.tick % stride_ == 0 && frames_.size() == kMostFrames) {
+    std::size_t kept = 1;
+    for (std::size_t i = 2; i < frames_.size(); i += 2) frames_[kept++] = std::move(frames_[i]);
+    frames_.resize(kept);
+    stride_ *= 2;
+    if (tick.tick % stride_ != 0 && !arrived) return;
+  }
+  frames_.push_back(drawn(tick, recorder));
+}
+
+Film::Frame Film::drawn(const DriveTick& tick, const DriveRecorder& recorder) const {
+  Frame frame(width_, height_, kUnseen);
+  draw_cells(frame, tick, recorder);
+  for (std::size_t i = 1; i < track_.size(); ++i)
+    draw_line(frame, track_[i - 1], track_[i], kTrack);
+  if (tick.way != nullptr)
+    for (std::size_t i = 1; i < tick.way->path.size(); ++i)
+      draw_line(frame, tick.way->path[i - 1], tick.way->path[i], kWay);
+  for (const Rectangle& r : tick.obstacles) {
+    const Span columns = pixels(r.x, r.width, width_), rows = pixels(r.y, r.height, height_);
+    for (int y = rows.from; y < rows.to; ++y)
+      for (int x = columns.from; x < columns.to; ++x) frame.at(x, y) = kMover;
+  }
+  draw_disc(frame, centre(goal_), std::clamp(0.5 * scale_, 3.0, 8.0), kTarget);
+  draw_disc(frame, centre(tick.robot), std::clamp(0.5 * scale_, 3.0, 8.0), kRobot);
+  return frame;
+}
+
+/// Under some cells, at least one.
+Span Film::pixels(int cell, int cells, int side) const {
+  const int from = std::min(side - 1, static_cast<int>(scale_ * cell));
+  return {from, std::clamp(static_cast<int>(scale_ * (cell + cells)), from + 1, side)};
+}
+
+void Film::draw_cells(Frame& frame, const DriveTick& tick, const DriveRecorder& recorder) const {
+  const Grid& there = *tick.world;
+  const Grid& known = tick.robot_knows->map();
+  const int columns = std::min(width_, there.width()), rows = std::min(height_, there.height());
+  const Window all = whole(there);
+  const auto there_share = blocked_share(there, all, columns, rows);
+  const auto known_share = blocked_share(known, all, columns, rows);
+  Frame cells(columns, rows);
+  for (int y = 0; y < rows; ++y) {
+    const Span down = cells_under(y, rows, all.rows);
+    for (int x = 0; x < columns; ++x) {
+      const Span across = cells_under(x, columns, all.columns);
+      const bool seen = recorder.latest(recorder.seen(), across, down) >= 0;
+      cells.at(x, y) = colour_of(seen, there_share.at(x, y), known_share.at(x, y));
+    }
+  }
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x)
+      frame.at(x, y) = cells.at(x * columns / width_, y * rows / height_);
+}
+
+void Film::draw_line(Frame& frame, Point from, Point to, std::uint8_t colour) const {
+  const double dx = to.x - from.x, dy = to.y - from.y;
+  const int steps = 1 + static_cast<int>(2 * scale_ * std::max(std::abs(dx), std::abs(dy)));
+  for (int i = 0; i <= steps; ++i)
+    draw_disc(frame, {from.x + dx * i / steps, from.y + dy * i / steps},
+              std::clamp(0.12 * scale_, 0.7, 1.5), colour);
+}
+
+void Film::draw_disc(Frame& frame, Point at, double radius, std::uint8_t colour) const {
+  const double x = at.x * scale_ - 0.5, y = at.y * scale_ - 0.5;
+  const auto low = [&](double middle) {
+    return std::max(0, static_cast<int>(std::ceil(middle - radius)));
+  };
+  for (int row = low(y); row <= std::min(height_ - 1.0, y + radius); ++row)
+    for (int column = low(x); column <= std::min(width_ - 1.0, x + radius); ++column)
+      if ((column - x) * (column - x) + (row - y) * (row - y) <= radius * radius)
+        frame.at(column, row) = colour;
+}
+
+void Film::write(std::ostream& out) const {
+  constexpr int kHundredths = 6;
+  // A drive that never began has no tick.
+  write_gif(out, palette(),
+            frames_.empty() ? std::vector{Frame(width_, height_, kUnseen)} : frames_, kHundredths);
+}
+
+}  // namespace lasius::tool
