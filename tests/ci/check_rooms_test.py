@@ -45,6 +45,15 @@ class CheckRooms(TreeTest):
         self.write("core/grid/grid.cpp", "#include <lasius/planner.h>\n")
         self.fails('core/grid may not include "lasius/planner.h"')
 
+    def test_a_header_of_a_folder_that_is_no_room(self):
+        include = '#include "bench/peer.h"\n'
+        self.write("core/plan/peer.cpp", include)
+        self.fails('core/plan/peer.cpp:1: "bench/peer.h" is in no room')
+        self.write(".ci/rooms", ROOMS + "bench/peer.h in core/plan\n")
+        self.assert_passes("check_rooms")
+        self.write("core/grid/peer.cpp", include)
+        self.fails('core/grid/peer.cpp:1: core/grid may not include "bench/peer.h" of core/plan')
+
     def test_an_arrow_is_not_passed_on(self):
         self.write("core/plan/search.cpp", '#include "kernels/walk/walk.h"\n')
         self.fails('core/plan may not include "kernels/walk/walk.h" of kernels/walk')
