@@ -213,12 +213,13 @@ class Drive {
   Cell next_cell(Found found) {
     if (found == Found::way) return way_->walk.size() > 1 ? way_->walk[1] : robot_;
     if (found == Found::not_yet) return robot_;
-    if (++waited_ % kPatience == 0 && !world_.to_change() &&
-        !joined(World::Without::those_that_move) && ++attempts_ > kAttempts) {
+    ++waited_;
+    const bool aside = waited_ % kPatience == 0;
+    if (aside && !world_.to_change() && trapped()) {
       end(Status::no_path, "trapped: moving obstacles stand in the way for good");
       return robot_;
     }
-    if (waited_ % kPatience == 0) {
+    if (aside) {
       const auto turn = options_.navigator.params.seed + static_cast<std::uint64_t>(tick_);
       retreat_ = find_retreat(pilot_.passable(), corners_, robot_, turn);
     }
@@ -226,6 +227,13 @@ class Drive {
     const Cell to = retreat_.back();
     retreat_.pop_back();
     return to;
+  }
+
+  /// Obstacles that wait for the robot, or never move, close all ways, wherever it went aside; or
+  /// those that move have left none open for long.
+  bool trapped() {
+    if (waited_ >= kLongWait) return true;
+    return !joined(World::Without::those_that_move) && ++attempts_ > kAttempts;
   }
 
   void go(Cell to) {
@@ -281,7 +289,8 @@ class Drive {
 
   static constexpr int kPatience = 16;  // ticks without a way, then the robot moves aside
   static constexpr int kAttempts = 64;  // to move aside for what waits for the robot
-  static constexpr int kDoubts = 64;    // of what was learned, then of the whole map
+  static constexpr int kLongWait = 1 << 14;
+  static constexpr int kDoubts = 64;  // of what was learned, then of the whole map
 
   const Grid& map_;
   const DriveOptions& options_;

@@ -37,7 +37,7 @@ struct Way : Result {
   /// `path`, `length` and what else a Result tells are those of the plan.
   bool replanned = false;
   /// The next cells, by moves to one of the eight neighbours, the robot's own first. They are cells
-  /// that the path touches. At most 64 moves; the rest comes with later steps. Empty without a
+  /// that the path touches. Some dozens of moves; the rest comes with later steps. Empty without a
   /// path.
   std::vector<Cell> walk;
 };

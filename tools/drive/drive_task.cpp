@@ -132,7 +132,8 @@ DriveOptions DriveTask::drive_options(const StopCondition& stop) const {
   drive.navigator.params = options().params;
   drive.navigator.radius = answer_.map.radius;
   if (answer_.map.prepare)
-    drive.navigator.prepare = PrepareOptions{.threads = options().map.threads, .stop = stop};
+    drive.navigator.prepare =
+        PrepareOptions{.threads = options().map.threads, .stop = {.token = stop.token}};
   drive.navigator.target_gap = moves_on_cells(options().params) ? 0 : options().target_gap;
   drive.sense = answer_.sense;
   drive.max_ticks = command_.max_ticks;
@@ -160,8 +161,11 @@ void DriveTask::plan(const StopCondition& stop, const Watch& watch) {
       if (film_) film_->observe(tick, *recorder_);
     };
   const auto begin = Clock::now();
-  answer.result = drive(answer.map.grid(), answer.truth().grid(), answer.start.cell,
-                        answer.goal.cell, answer.changes, drive_options(stop), stop, observer);
+  const DriveOptions how = drive_options(stop);
+  Navigator navigator(answer.map.grid(), answer.goal.cell, how.navigator);
+  // Time counts from when the map is prepared.
+  answer.result = drive(navigator, answer.truth().grid(), answer.start.cell, answer.changes, how,
+                        again(stop, options().time_limit), observer);
   answer.elapsed_ms = ms_since(begin);
   result_.status = answer.result.status;
   result_.fault = answer.result.fault;

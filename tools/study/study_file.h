@@ -17,9 +17,9 @@ Study make_study(std::string_view name);
 
 /// A study from JSON. An object with
 ///   name, summary, source, text
-///   world        "bitmap" (default), "polygon", "arm" or "online"; unit of lengths, default "cells"
-///   seeds        runs of each contender, default 30
-///   contenders   list of {name, label, algorithm, preset: "book", set: {parameter: value}}, or of
+///   world        "bitmap" (default), "polygon", "arm" or "online"; unit of lengths, default
+///   "cells" seeds        runs of each contender, default 30 contenders   list of {name, label,
+///   algorithm, preset: "book", set: {parameter: value}}, or of
 ///                {name, label, like, set}: another one's, with other settings
 ///   compare      names of contenders (default: all, in their order)
 ///   questions    list of {name, map, start, goal, published: {contender: {length, iterations,

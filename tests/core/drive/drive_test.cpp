@@ -164,21 +164,24 @@ TEST(Drive, EndsByTicksTokenAndDeadline) {
 
 TEST(Drive, NeverCollidesInRandomWorlds) {
   int solved = 0;
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  std::int64_t ticks = 0;
+  for (std::uint64_t seed = 0; seed < worlds(300); ++seed) {
     const RandomWorld w = draw_world(seed, false);
     const DriveResult r = drive(w.map, w.truth, w.start, w.goal, w.changes, w.options);
     if (r.status == Status::invalid) continue;
     const double radius = w.options.navigator.radius;
     EXPECT_EQ(DriveChecker(w.truth, w.changes, radius).fault(r.track), "") << "seed " << seed;
     solved += r.status == Status::solved;
+    ticks += r.ticks;
   }
+  RecordProperty("ticks", std::to_string(ticks));
   EXPECT_GT(solved, 100);
 }
 
 TEST(Drive, ArrivesWhereTheTruthIsFixedAndJoined) {
   int joined = 0;
-  for (std::uint64_t seed = 0; seed < 400; ++seed) {
-    const RandomWorld w = draw_world(1000 + seed, true);
+  for (std::uint64_t seed = 0; seed < worlds(400); ++seed) {
+    const RandomWorld w = draw_world((1 << 20) + seed, true);
     const DriveResult r = drive(w.map, w.truth, w.start, w.goal, w.changes, w.options);
     if (r.status == Status::invalid) continue;
     DriveChecker checker(w.truth, w.changes, w.options.navigator.radius);
@@ -193,6 +196,7 @@ TEST(Drive, ArrivesWhereTheTruthIsFixedAndJoined) {
     EXPECT_EQ(r.status, Status::unreachable) << "seed " << seed;
     EXPECT_FALSE(checker.joined(r.track.back(), w.goal)) << "seed " << seed;
   }
+  RecordProperty("arrived", joined);
   EXPECT_GT(joined, 200);
 }
 

@@ -1,13 +1,21 @@
 // Worlds that change, drawn at random.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 
 #include "lasius/drive.h"
 #include "lasius/generate.h"
 
 namespace lasius {
+
+/// How many worlds to drive through: LASIUS_DRIVES times as many as usual.
+inline std::uint64_t worlds(std::uint64_t usual) {
+  const char* const times = std::getenv("LASIUS_DRIVES");
+  return times == nullptr ? usual : usual * std::strtoull(times, nullptr, 10);
+}
 
 /// A map that is wrong, the truth, what happens, and a drive through it.
 struct RandomWorld {
