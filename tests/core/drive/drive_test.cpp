@@ -41,6 +41,21 @@ TEST(Drive, GoesStraightWhereNothingIsInTheWay) {
   EXPECT_EQ(r.replans[0].length, 6);
 }
 
+TEST(Drive, WithANavigatorThatIsThereAlready) {
+  int arrived = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const RandomWorld w = draw_world(seed, false);
+    Navigator navigator(w.map, w.goal, w.options.navigator);
+    const DriveResult own = drive(navigator, w.truth, w.start, w.changes, w.options);
+    const DriveResult r = drive(w.map, w.truth, w.start, w.goal, w.changes, w.options);
+    EXPECT_EQ(own.track, r.track) << "seed " << seed;
+    EXPECT_EQ(own.status, r.status) << "seed " << seed;
+    EXPECT_EQ(own.replans.size(), r.replans.size()) << "seed " << seed;
+    arrived += r.status == Status::solved;
+  }
+  EXPECT_GT(arrived, 0);
+}
+
 TEST(Drive, IsThereAtOnceWhereStartIsGoal) {
   const Grid map(3, 3);
   const DriveResult r = drive(map, map, {1, 1}, {1, 1});
