@@ -40,7 +40,7 @@ struct MovingObstacle {
 /// What happens to a world.
 struct Changes {
   std::vector<Change> cells;              ///< of one tick in this order
-  std::vector<MovingObstacle> obstacles;  /// they move in this order
+  std::vector<MovingObstacle> obstacles;  ///< they move in this order
   friend bool operator==(const Changes&, const Changes&) = default;
 };
 
@@ -62,7 +62,7 @@ LASIUS_EXPORT Changes read_changes_file(const std::string& path, int width, int 
 
 /// How to drive.
 struct DriveOptions {
-  NavigatorOptions navigator = {};
+  NavigatorOptions navigator = {};  ///< how it plans, and its radius
   /// The robot sees cells whose centre is at most so far from its own, in cells: a free one where
   /// `visible` holds between the centres, a blocked one at whose edge it sees a free cell, or
   /// stands. At least 1.
@@ -75,8 +75,8 @@ struct DriveOptions {
 
 /// A way that was planned.
 struct Replan {
-  std::int64_t tick = 0;
-  double ms = 0;      ///< spent on planning in this tick
+  std::int64_t tick = 0;  ///< when
+  double ms = 0;          ///< spent on planning in this tick
   double length = 0;  ///< of the way that came of it, in cells; not a number where there is none
 };
 
@@ -100,16 +100,15 @@ struct DriveResult {
 };
 
 /// A tick as an observer sees it, after the robot has seen and planned, before it moves.
-class DriveTick {
- public:
-  std::int64_t tick = 0;
-  Cell robot;
-  const Grid* world = nullptr;  ///< what is there, moving obstacles too
-  const Pilot* robot_knows = nullptr;
-  const Way* way = nullptr;          ///< null where none was asked for, in a wait
-  std::vector<Rectangle> obstacles;  ///< where the moving ones are, those that have appeared
-  std::vector<Cell> news;            ///< cells that the robot learned in this tick
-  bool replanned = false;            ///< the way was planned in this tick
+struct DriveTick {
+  std::int64_t tick = 0;               ///< from 0
+  Cell robot;                          ///< where it is
+  const Grid* world = nullptr;         ///< what is there, moving obstacles too
+  const Pilot* robot_knows = nullptr;  ///< its planner, with its map
+  const Way* way = nullptr;            ///< null where none was asked for, in a wait
+  std::vector<Rectangle> obstacles;    ///< where the moving ones are, those that have appeared
+  std::vector<Cell> news;              ///< cells that the robot learned in this tick
+  bool replanned = false;              ///< the way was planned in this tick
 };
 /// Called at each tick, and once more on arrival.
 using DriveObserver = std::function<void(const DriveTick&)>;

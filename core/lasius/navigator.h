@@ -57,7 +57,7 @@ class LASIUS_EXPORT Pilot {
   /// member that is not const.
   virtual const Way& step(Cell robot, const StopCondition& stop = {}) = 0;
 
-  virtual Cell goal() const noexcept = 0;
+  virtual Cell goal() const noexcept = 0;  ///< where it leads
   /// The map as it is known now, the robot a point on it: obstacles are not grown here.
   virtual const Grid& map() const noexcept = 0;
   /// Where the robot's centre may be: the map with its obstacles grown.
@@ -94,7 +94,7 @@ class LASIUS_EXPORT Navigator final : public Pilot {
   /// Holds until the next call of any member that is not const.
   const Way& step(Cell robot, const StopCondition& stop = {}) override;
 
-  Cell goal() const noexcept override;
+  Cell goal() const noexcept override;  ///< of the map or not
   void set_goal(Cell goal);  ///< the trail of a colony that led to another goal is forgotten
   /// A colony's trail, and the way kept so far, are forgotten.
   void forget();
