@@ -34,7 +34,7 @@ bool touches(Point a, Point b, Cell cell) noexcept {
   if (std::max(p.y, q.y) < top || std::min(p.y, q.y) > top + 2) return false;
   bool above = false, below = false;
   for (int corner = 0; corner < 4; ++corner) {
-    const std::int64_t x = left + 2 * (corner & 1), y = top + (corner & 2);
+    const std::int64_t x = left + std::int64_t{2} * (corner & 1), y = top + (corner & 2);
     const std::int64_t side = (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x);
     above |= side >= 0;
     below |= side <= 0;

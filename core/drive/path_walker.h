@@ -1,6 +1,7 @@
 // A path of the plane as a walk of cells.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -54,7 +55,7 @@ class PathWalker {
   int line_ = 0;                                 // of segment_, from its first
   Cell corner_;                                  // of the box
   std::vector<Node> nodes_;
-  std::vector<std::int32_t> slots_ = std::vector<std::int32_t>(kBox * kBox, -1);
+  std::vector<std::int32_t> slots_ = std::vector<std::int32_t>(std::size_t{kBox} * kBox, -1);
 };
 
 }  // namespace lasius
