@@ -152,7 +152,8 @@ class Drive {
     }
     if (!proven()) return Found::not_yet;
     if (hopeless()) {
-      end(Status::unreachable, way_->error);
+      end(Status::unreachable, "as far as is known, no way leads from " + cell_name(robot_) +
+                                   " to the goal " + cell_name(pilot_.goal()));
       result_.fault = way_->fault;
     }
     return Found::none;

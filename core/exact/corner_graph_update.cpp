@@ -22,7 +22,6 @@ class CornerGraph::Mender {
         map_(view_of(grid)),
         box_(lattice_box(changed, 0)),
         around_(lattice_box(changed, 1)),
-        stop_(stop),
         poller_(stop),
         sight_(stop) {}
 
@@ -72,7 +71,6 @@ class CornerGraph::Mender {
   const kernels::BitmapView map_;
   const LatticeBox box_;     // lattice points whose cells may have changed
   const LatticeBox around_;  // and those a cell around
-  const StopCondition& stop_;
   Poller poller_;
   CornerSight sight_;
   std::vector<std::uint32_t> watchers_;
