@@ -47,12 +47,16 @@ void EditedMap::set(const Rectangle& part, bool blocked, const OnChange& changed
       static_cast<int>(std::min<std::int64_t>(std::int64_t{part.x} + part.width, map_.width()));
   const int bottom =
       static_cast<int>(std::min<std::int64_t>(std::int64_t{part.y} + part.height, map_.height()));
+  // Part by part, so that a large rectangle takes no more memory than a row of parts.
   for (int y = std::max(part.y, 0); y < bottom; ++y) {
     for (int x = std::max(part.x, 0); x < right; ++x) {
       if (map_.blocked({x, y}) != blocked) differing_.push_back({x, y});
     }
+    if ((y & 63) == 63 || y + 1 == bottom) {
+      apply(blocked, changed);
+      differing_.clear();
+    }
   }
-  apply(blocked, changed);
 }
 
 void EditedMap::apply(bool blocked, const OnChange& changed) {
