@@ -69,21 +69,23 @@ class Drive {
 
   void tick() {
     world_.advance(tick_, {before_, robot_});
-    news_.clear();
     replanned_ = false;
     if (tick_ == 0 && blocked_at_start()) return;
-    planning_ = {};
     look();
     const Found found = robot_ == pilot_.goal() ? Found::way : find_way();
     result_.planning_ms += planning_.count();
+    planning_ = {};
     if (ended_) return;
     show(found);
+    news_.clear();  // what is felt in the move is news of the next tick
     if (robot_ == pilot_.goal()) return end(Status::solved);
     if (const auto cause = stop_.poll(); cause != StopCondition::Cause::none) {
       return end(status_after(cause, Status::limit));
     }
     if (tick_ == options_.max_ticks) return end(Status::limit);
-    go(next_cell(found));
+    const Cell to = next_cell(found);
+    if (ended_) return;
+    go(to);
     ++tick_;
   }
 
@@ -239,7 +241,6 @@ class Drive {
 
   void go(Cell to) {
     before_ = robot_;
-    if (ended_) return;
     const Grid& passable = world_.passable();
     const auto side_free = [&](Cell c) { return corners_ == Corners::allow || passable.free(c); };
     if (passable.blocked(to) || !side_free({to.x, robot_.y}) || !side_free({robot_.x, to.y})) {

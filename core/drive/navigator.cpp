@@ -24,6 +24,7 @@ class LiveComponents {
  public:
   explicit LiveComponents(Connectivity connectivity) : connectivity_(connectivity) {}
 
+  void label(const Grid& grid) { components_.emplace(grid, connectivity_); }
   /// `grid` has the change already.
   void changed(const Grid& grid, const Rectangle& part) {
     if (!components_) return;
@@ -72,6 +73,11 @@ class LiveColony {
       }
     }
     changed_.push_back(part);
+    constexpr std::size_t kMost = 256;  // where nobody asks
+    if (changed_.size() < kMost) return;
+    Rectangle all = part;
+    for (const Rectangle& one : changed_) all = round(all, one);
+    changed_.assign(1, all);
   }
   Result run(const Request& request, const Observer& observer) {
     for (const Rectangle& part : changed_) colony_.changed(part);
@@ -112,6 +118,8 @@ class Navigator::Impl {
     check_certifies(algorithm, options.target_gap);
     is_colony = algorithm.kind == Algorithm::Kind::colony;
     corners = corners_of_paths(options.params);
+    four.label(map.passable());
+    if (corners == Corners::allow) eight.label(map.passable());
     aim();
     if (options.prepare) prepare(*options.prepare);
   }
@@ -207,7 +215,10 @@ class Navigator::Impl {
       if (!result.path.empty() && result.length < walker.rest()) take(std::move(result));
     }
     if (!way.path.empty() && way.walk.size() < 2) {
-      walker.next(map.passable(), corners, robot, way.walk);
+      // Beside a corner that may be cut a path touches the other side, too.
+      const Corners rule = corners == Corners::allow ? Corners::allow : Corners::forbid;
+      walker.next(map.passable(), rule, robot, way.walk);
+      if (way.walk.size() < 2 && robot != goal) holds = false;
     }
     return way;
   }

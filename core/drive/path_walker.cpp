@@ -91,26 +91,32 @@ std::int32_t& PathWalker::slot(Cell cell) noexcept {
 }
 
 void PathWalker::add(const Grid& grid, Cell cell) {
-  if (grid.blocked(cell) || slot(cell) >= 0) return;
-  slot(cell) = static_cast<std::int32_t>(nodes_.size());
-  nodes_.push_back({cell, std::numeric_limits<double>::infinity(), -1, false});
+  const int dx = cell.x - corner_.x, dy = cell.y - corner_.y;
+  if (dx < 0 || dy < 0 || dx >= kBox || dy >= kBox || grid.blocked(cell)) return;
+  if (slot(cell) < 0) {
+    slot(cell) = static_cast<std::int32_t>(nodes_.size());
+    nodes_.push_back({cell, std::numeric_limits<double>::infinity(), -1, false});
+  }
+  last_line_.push_back(slot(cell));
 }
 
 // The free cells of the next lines. True if the path ends there. Each line is at most one cell from
-// the one before, so that the box holds them.
+// the one before, so that the box holds them. The next piece begins with the last line of this one.
 bool PathWalker::gather(const Grid& grid, Cell from) {
   nodes_.clear();
   corner_ = {from.x - kBox / 2, from.y - kBox / 2};
   add(grid, from);
   begun_segment_ = segment_;
-  for (int left = kLines; segment_ + 1 < path_.size(); ++segment_, line_ = 0) {
-    const Lines lines(path_[segment_], path_[segment_ + 1]);
-    for (; line_ < lines.count; ++line_, --left) {
-      if (left == 0) {
-        --line_;  // where this piece ends the next one begins
-        return false;
-      }
-      lines.visit(line_, [&](Cell cell) { add(grid, cell); });
+  std::size_t segment = segment_;
+  int line = line_;
+  for (int left = kLines; segment + 1 < path_.size(); ++segment, line = 0) {
+    const Lines lines(path_[segment], path_[segment + 1]);
+    for (; line < lines.count; ++line, --left) {
+      if (left == 0) return false;
+      last_line_.clear();
+      lines.visit(line, [&](Cell cell) { add(grid, cell); });
+      segment_ = segment;
+      line_ = line;
     }
   }
   return true;
@@ -152,13 +158,12 @@ void PathWalker::next(const Grid& grid, Corners corners, Cell from, std::vector<
   if (path_.size() < 2) return;
   const bool whole = gather(grid, from);
   search(grid, corners);
-  // The last node that was reached; of a whole path its end.
-  auto end = static_cast<std::int32_t>(nodes_.size()) - 1;
-  if (whole) {
-    const Cell goal{static_cast<int>(path_.back().x), static_cast<int>(path_.back().y)};
-    while (end > 0 && nodes_[end].cell != goal) --end;
+  // A cell of the last line; of a whole path its end.
+  std::int32_t end = 0;
+  const Cell goal{static_cast<int>(path_.back().x), static_cast<int>(path_.back().y)};
+  for (const std::int32_t node : last_line_) {
+    if (nodes_[node].done && (!whole || nodes_[node].cell == goal)) end = node;
   }
-  while (end > 0 && !nodes_[end].done) --end;
   walk.clear();
   for (std::int32_t at = end; at >= 0; at = nodes_[at].parent) walk.push_back(nodes_[at].cell);
   std::reverse(walk.begin(), walk.end());

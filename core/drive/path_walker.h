@@ -55,6 +55,7 @@ class PathWalker {
   int line_ = 0;                                 // of segment_, from its first
   Cell corner_;                                  // of the box
   std::vector<Node> nodes_;
+  std::vector<std::int32_t> last_line_;  // nodes of the line in hand
   std::vector<std::int32_t> slots_ = std::vector<std::int32_t>(std::size_t{kBox} * kBox, -1);
 };
 

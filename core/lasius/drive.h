@@ -110,16 +110,17 @@ struct DriveTick {
   std::vector<Cell> news;              ///< cells that the robot learned in this tick
   bool replanned = false;              ///< the way was planned in this tick
 };
-/// Called at each tick, and once more on arrival.
+/// Called at each tick and on arrival, but not at one that ends without a way.
 using DriveObserver = std::function<void(const DriveTick&)>;
 
 /// Drives a robot from `start` to `goal`, one move to one of the eight neighbours a tick, or none.
 ///
 /// In each tick changes take place and obstacles move, then the robot sees, plans, and moves to the
 /// next cell of its way. It never enters a cell that is blocked at that tick, nor cuts a corner
-/// between two cells of which one is blocked; with a radius the same holds for its disc. What would
-/// block a cell that the robot covers, or has covered on its last move, waits: a change is deferred
-/// to the first tick at which it can be made, an obstacle stands. So neither do they swap.
+/// between two cells of which one is blocked, unless Params::corners of a colony allows all; with a
+/// radius the same holds for its disc. What would block a cell that the robot covers, or has
+/// covered on its last move, waits: a change is deferred to the first tick at which it can be made,
+/// an obstacle stands. So neither do they swap.
 ///
 /// Where no way is known, the robot doubts what it does not see now, where the world has changed
 /// since it began: cells that it had learned to be blocked may be free again. While obstacles move,

@@ -104,7 +104,7 @@ class LASIUS_EXPORT Navigator final : public Pilot {
   bool connected(Cell a, Cell b) override;
   /// What came of the visibility graph; its edges and bytes are those of now.
   Preparation preparation() const noexcept;
-  std::int64_t bytes() const noexcept;  ///< memory held
+  std::int64_t bytes() const noexcept;  ///< memory held, a colony's trail not counted
 
  private:
   class Impl;

@@ -125,6 +125,7 @@ TEST(Drive, TrappedByWhatNeverGoesAway) {
   const DriveResult r = drive(map, map, {0, 0}, {6, 0}, changes);
   EXPECT_EQ(r.status, Status::no_path);
   EXPECT_TRUE(r.error.starts_with("trapped")) << r.error;
+  EXPECT_EQ(r.track.size(), static_cast<std::size_t>(r.ticks) + 1);
 }
 
 TEST(Drive, GivesWayInACorridor) {
