@@ -171,8 +171,17 @@ class Drive {
     if (world_.to_change()) return false;
     return !world_.changed() || !joined(World::Without::all_obstacles);
   }
-  bool joined(World::Without without) const {
-    return world_.joined(robot_, pilot_.goal(), corners_, without);
+  /// Looks at the whole map; without obstacles only where that has changed, or the robot moved.
+  bool joined(World::Without without) {
+    if (without != World::Without::all_obstacles) {
+      return world_.joined(robot_, pilot_.goal(), corners_, without);
+    }
+    if (joined_at_ != world_.still_changed_at() || joined_from_ != robot_) {
+      joined_at_ = world_.still_changed_at();
+      joined_from_ = robot_;
+      joined_ = world_.joined(robot_, pilot_.goal(), corners_, without);
+    }
+    return joined_;
   }
 
   /// Forgets what may not hold any more: the obstacles that were learned before the last change;
@@ -310,7 +319,10 @@ class Drive {
   Milliseconds planning_{};
   int waited_ = 0, attempts_ = 0, doubts_ = 0;
   std::int64_t doubted_at_ = 0;  // tick
-  std::vector<Cell> retreat_;    // the next cell last
+  std::int64_t joined_at_ = -1;  // tick of the last change then
+  Cell joined_from_;
+  bool joined_ = false;
+  std::vector<Cell> retreat_;  // the next cell last
   bool ended_ = false;
   DriveResult result_;
 };

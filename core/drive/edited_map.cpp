@@ -42,6 +42,7 @@ void EditedMap::set(std::span<const Cell> cells, bool blocked, const OnChange& c
 }
 
 void EditedMap::set(const Rectangle& part, bool blocked, const OnChange& changed) {
+  if (part.width <= 0 || part.height <= 0) return;
   differing_.clear();
   const int right =
       static_cast<int>(std::min<std::int64_t>(std::int64_t{part.x} + part.width, map_.width()));

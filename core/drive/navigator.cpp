@@ -150,7 +150,7 @@ class Navigator::Impl {
   };
   /// Does a cell that has become blocked make the way impossible, or the fault another one?
   bool breaks(Cell cell) const noexcept {
-    if (way.path.empty()) return cell == at || cell == goal;
+    if (way.path.empty()) return cell == at || cell == goal || cell == way.nearest_free;
     return walker.touches_rest(cell) || beside_walk(cell);
   }
   /// Does the walk pass a cell by a diagonal move?

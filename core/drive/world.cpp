@@ -33,6 +33,7 @@ World::World(const Grid& truth, const Changes& changes, double radius)
 }
 
 void World::advance(std::int64_t tick, const HeldCells& robot) {
+  tick_ = tick;
   to_block_.clear();
   to_free_.clear();
   for (const Cell cell : std::exchange(deferred_, {})) set_still(cell, true, robot);
@@ -61,6 +62,7 @@ void World::set_still(Cell cell, bool blocked, const HeldCells& robot) {
     return;
   }
   still_.set_blocked(cell, blocked);
+  still_changed_at_ = tick_;
   show(cell);
 }
 

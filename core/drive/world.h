@@ -43,6 +43,8 @@ class World {
   bool changed() const noexcept { return changed_ || appeared_ > 0; }
   /// The last tick at which anything changed or moved.
   std::int64_t changed_at() const noexcept { return changed_at_; }
+  /// The same, of moving obstacles not.
+  std::int64_t still_changed_at() const noexcept { return still_changed_at_; }
   /// Changes are still to come that might open a way: deferred ones do not.
   bool to_change() const noexcept { return next_ < changes_.size(); }
   /// An obstacle moves by itself, or waits for the robot.
@@ -93,7 +95,8 @@ class World {
   std::vector<Cell> to_block_, to_free_;           // of map_, in the tick in hand
   std::int64_t deferrals_ = 0;
   bool changed_ = false;
-  std::int64_t changed_at_ = 0;
+  std::int64_t changed_at_ = 0, still_changed_at_ = 0;
+  std::int64_t tick_ = 0;
 };
 
 }  // namespace lasius

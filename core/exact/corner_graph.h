@@ -187,6 +187,12 @@ class CornerGraph {
     for (std::uint32_t i = one_way_[to]; i != 0; i = one_ways_[i].next) {
       if (one_ways_[i].from == from) return;
     }
+    // Entries that no longer lead here are used again, so that edits do not make the list grow.
+    for (std::uint32_t i = one_way_[to]; i != 0; i = one_ways_[i].next) {
+      if (leads(one_ways_[i].from, to)) continue;
+      one_ways_[i].from = from;
+      return;
+    }
     one_ways_.push_back({from, one_way_[to]});
     one_way_[to] = static_cast<std::uint32_t>(one_ways_.size() - 1);
   }

@@ -143,7 +143,6 @@ void CornerGraph::Mender::add_corner(const GraphCorner& corner) {
   const std::uint32_t index = g.spare_.back();
   g.spare_.pop_back();
   g.corners_[index] = corner;
-  g.one_way_[index] = 0;
   g.landmarks_.forget(index);
   const std::uint32_t place = g.ranks_[g.tile_of(corner.x(), corner.y())] & ~kRenumbered;
   g.renumbered_[place][static_cast<std::size_t>(place_of(corner.x(), corner.y()))] = index;

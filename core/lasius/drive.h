@@ -96,7 +96,7 @@ struct DriveResult {
   double length = 0;                  ///< travelled, in cells
   double planning_ms = 0;             ///< in all ticks
   std::int64_t waits = 0;             ///< ticks in which the robot stood
-  std::int64_t deferred_changes = 0;  ///< put off, since the robot stood there
+  std::int64_t deferred_changes = 0;  ///< cells put off for the robot, once a tick
 };
 
 /// A tick as an observer sees it, after the robot has seen and planned, before it moves.

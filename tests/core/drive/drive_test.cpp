@@ -28,6 +28,18 @@ std::vector<Cell> row_of_cells(int from, int to, int y) {
   return cells;
 }
 
+/// It arrived, and tells its track's length.
+void expect_arrival(const DriveResult& r, Cell start, Cell goal) {
+  EXPECT_EQ(r.track.front(), start);
+  EXPECT_EQ(r.track.back(), goal);
+  EXPECT_EQ(r.track.size(), static_cast<std::size_t>(r.ticks) + 1);
+  double length = 0;
+  for (std::size_t i = 1; i < r.track.size(); ++i) {
+    length += std::hypot(r.track[i].x - r.track[i - 1].x, r.track[i].y - r.track[i - 1].y);
+  }
+  EXPECT_NEAR(r.length, length, 1e-9 * (1 + length));
+}
+
 TEST(Drive, GoesStraightWhereNothingIsInTheWay) {
   const Grid map(9, 3);
   const DriveResult r = drive(map, map, {1, 1}, {7, 1});
@@ -187,6 +199,7 @@ TEST(Drive, NeverCollidesInRandomWorlds) {
     if (r.status == Status::invalid) continue;
     const double radius = w.options.navigator.radius;
     EXPECT_EQ(DriveChecker(w.truth, w.changes, radius).fault(r.track), "") << "seed " << seed;
+    if (r.status == Status::solved) expect_arrival(r, w.start, w.goal);
     solved += r.status == Status::solved;
     ticks += r.ticks;
   }
@@ -204,6 +217,7 @@ TEST(Drive, ArrivesWhereTheTruthIsFixedAndJoined) {
     EXPECT_EQ(checker.fault(r.track), "") << "seed " << seed;
     if (r.status == Status::solved) {
       ++joined;
+      expect_arrival(r, w.start, w.goal);
       continue;
     }
     // It may give up at once where the map was wrong and nothing has changed; else not where a way

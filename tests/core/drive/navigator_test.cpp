@@ -177,6 +177,24 @@ TEST(Navigator, RefusesBadOptions) {
   EXPECT_THROW(Navigator(Grid(3, 3), {0, 0}, {.params = bad}), Error);
 }
 
+TEST(Navigator, APreparedMapHoldsNoMoreMemoryAfterManyEdits) {
+  const Grid map = blobs(64, 64);
+  NavigatorOptions options;
+  options.prepare.emplace();
+  Navigator navigator(map, {60, 60}, options);
+  Draw draw(6);
+  std::int64_t early = 0;
+  const auto edits = static_cast<int>(worlds(4000));
+  for (int i = 0; i < edits; ++i) {
+    const std::vector<Cell> cell{{draw.below(64), draw.below(64)}};
+    navigator.observe(cell, map.free(cell[0]));
+    navigator.observe(cell, map.blocked(cell[0]));
+    if (i == edits / 2) early = navigator.preparation().bytes;
+  }
+  EXPECT_EQ(navigator.preparation().state, Preparation::State::ready);
+  EXPECT_LE(navigator.preparation().bytes, early + early / 10);
+}
+
 TEST(Navigator, HoldsNoMoreMemoryAfterManyEdits) {
   const Grid map = blobs(200, 200);
   const Request ends = far_apart(Planner(map));
