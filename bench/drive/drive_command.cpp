@@ -1,22 +1,17 @@
-// lasius_bench drive: replanning under way against D* Lite and A*, and what an edit costs.
+// lasius_bench drive: replanning under way against D* Lite and A*.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <memory>
-#include <numbers>
-#include <optional>
-#include <random>
-#include <string>
+#include <span>
 #include <vector>
 
 #include "bench/clocks.h"
 #include "bench/commands.h"
 #include "bench/peers/bucket_astar.h"
-#include "bench/peers/dstar_lite.h"
+#include "bench/peers/dstar_pilot.h"
 #include "bench/query_set.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
-#include "core/drive/sensor.h"
 #include "lasius/drive.h"
 #include "lasius/shortest_walk.h"
 
@@ -29,8 +24,6 @@ struct Options {
   double sense = 20;
   int rounds = 3;
   bool prepare = false;
-  std::vector<int> edit_sides;
-  int edits = 1000;
 };
 
 /// One drive by one planner: every tick sees, then plans.
@@ -41,80 +34,78 @@ struct Course {
   bool arrived = false;
 };
 
-DriveOptions drive_options(const Options& options) {
-  DriveOptions drive{.sense = options.sense};
-  if (options.prepare) drive.navigator.prepare.emplace();
-  return drive;
+/// A* from anew where the walk is blocked. It cannot be stopped; what has become free is not asked
+/// whether it shortens the walk.
+class AStarPilot final : public peers::GridPilot {
+ public:
+  using GridPilot::GridPilot;
+
+  const Way& step(Cell robot, const StopCondition&) override {
+    const bool kept = holds(robot);
+    if (!kept) {
+      peers::BucketAStar search(map());
+      const Stopwatch watch;
+      length_ = search.plan_cells(robot, goal(), walk_);
+      searching_ms_ += 1000 * watch.seconds();
+    }
+    return tell(length_, walk_, !kept);
+  }
+  /// Spent on searches alone: looking up the moves of the changed map is left out.
+  double searching_ms() const noexcept { return searching_ms_; }
+
+ private:
+  void changed(std::span<const Cell>, bool) override {}
+  bool holds(Cell robot) {
+    walk_.erase(walk_.begin(), std::find(walk_.begin(), walk_.end(), robot));
+    for (std::size_t i = 1; i < walk_.size(); ++i) {
+      const Cell a = walk_[i - 1], b = walk_[i];
+      if (map().blocked(b) || map().blocked({a.x, b.y}) || map().blocked({b.x, a.y})) return false;
+    }
+    return !walk_.empty();
+  }
+
+  std::vector<Cell> walk_;
+  double length_ = 0;  // of the walk when it was planned
+  double searching_ms_ = 0;
+};
+
+Grid unknown(const QuerySet& set) { return {set.grid.width(), set.grid.height()}; }
+
+Navigator navigator_of(const QuerySet& set, const Query& query, const Options& options) {
+  NavigatorOptions how;
+  if (options.prepare) how.prepare.emplace();
+  return {unknown(set), query.goal, how};
+}
+
+DriveResult drive_with(Pilot& pilot, const QuerySet& set, const Query& query,
+                       const Options& options, const DriveObserver& observer = {}) {
+  return drive(pilot, set.grid, query.start, {}, {.sense = options.sense}, {}, observer);
+}
+
+Course course_of(Pilot& pilot, const QuerySet& set, const Query& query, const Options& options) {
+  const DriveResult driven = drive_with(pilot, set, query, options);
+  Course course{.planning_ms = driven.planning_ms,
+                .travelled = driven.length,
+                .ticks_ms = {},
+                .arrived = driven.status == Status::solved};
+  for (const Replan& replan : driven.replans) course.ticks_ms.push_back(replan.ms);
+  return course;
 }
 
 Course drive_navigator(const QuerySet& set, const Query& query, const Options& options) {
-  const Grid unknown(set.grid.width(), set.grid.height());
-  const DriveResult driven =
-      drive(unknown, set.grid, query.start, query.goal, {}, drive_options(options));
-  Course course;
-  course.planning_ms = driven.planning_ms;
-  course.travelled = driven.length;
-  for (const Replan& replan : driven.replans) course.ticks_ms.push_back(replan.ms);
-  course.arrived = driven.status == Status::solved;
-  return course;
+  Navigator navigator = navigator_of(set, query, options);
+  return course_of(navigator, set, query, options);
 }
 
-/// Drives by D* Lite, with the same sensor.
 Course drive_dstar(const QuerySet& set, const Query& query, const Options& options) {
-  Grid known(set.grid.width(), set.grid.height());
-  const Growth point(known, 0);
-  peers::DStarLite search(known, query.start, query.goal);
-  Course course;
-  News news;
-  for (Cell robot = query.start; robot != query.goal;) {
-    sense(set.grid, known, robot, options.sense, point, news);
-    for (const Cell cell : news.blocked) known.set_blocked(cell);
-    const bool changed = !news.blocked.empty() || course.ticks_ms.empty();
-    const Stopwatch watch;
-    if (!news.blocked.empty()) search.observe(news.blocked, true);
-    const double length = search.plan(robot);
-    const double ms = 1000 * watch.seconds();
-    course.planning_ms += ms;
-    if (changed) course.ticks_ms.push_back(ms);
-    if (std::isinf(length)) return course;
-    const Cell to = search.next();
-    course.travelled += std::hypot(to.x - robot.x, to.y - robot.y);
-    robot = to;
-  }
-  course.arrived = true;
-  return course;
+  peers::DStarPilot pilot(unknown(set), query.start, query.goal);
+  return course_of(pilot, set, query, options);
 }
 
-/// Drives by A* from anew where the walk is blocked. Looking up the moves of the changed map is not
-/// counted, so that its time is that of the searches alone.
 Course drive_astar(const QuerySet& set, const Query& query, const Options& options) {
-  Grid known(set.grid.width(), set.grid.height());
-  const Growth point(known, 0);
-  Course course;
-  News news;
-  std::vector<Cell> walk;
-  std::size_t at = 0;
-  for (Cell robot = query.start; robot != query.goal; robot = walk[++at]) {
-    sense(set.grid, known, robot, options.sense, point, news);
-    for (const Cell cell : news.blocked) known.set_blocked(cell);
-    bool holds = !walk.empty();
-    for (std::size_t i = at; holds && i + 1 < walk.size(); ++i) {
-      const Cell a = walk[i], b = walk[i + 1];
-      holds = known.free(b) && known.free({a.x, b.y}) && known.free({b.x, a.y});
-    }
-    if (!holds) {
-      peers::BucketAStar search(known);
-      const Stopwatch watch;
-      const double length = search.plan_cells(robot, query.goal, walk);
-      course.ticks_ms.push_back(1000 * watch.seconds());
-      course.planning_ms += course.ticks_ms.back();
-      if (std::isinf(length)) return course;
-      at = 0;
-    }
-    const Cell to = walk[at + 1];
-    course.travelled += std::hypot(to.x - robot.x, to.y - robot.y);
-  }
-  course.arrived = true;
+  AStarPilot pilot(unknown(set), query.goal);
+  Course course = course_of(pilot, set, query, options);
+  course.planning_ms = pilot.searching_ms();
   return course;
 }
 
@@ -124,14 +115,13 @@ std::vector<double> ways(const QuerySet& set, const Query& query, const Options&
   constexpr int kEvery = 8;  // a search from anew for each is long
   std::vector<double> ratios;
   int replans = 0;
-  const Grid unknown(set.grid.width(), set.grid.height());
-  (void)drive(unknown, set.grid, query.start, query.goal, {}, drive_options(options), {},
-              [&](const DriveTick& tick) {
-                if (!tick.replanned || tick.way == nullptr || replans++ % kEvery != 0) return;
-                const auto walk = shortest_walk(tick.robot_knows->map(), tick.robot, query.goal,
-                                                Neighbours::eight);
-                if (walk && *walk > 0) ratios.push_back(tick.way->length / *walk);
-              });
+  Navigator navigator = navigator_of(set, query, options);
+  (void)drive_with(navigator, set, query, options, [&](const DriveTick& tick) {
+    if (!tick.replanned || tick.way == nullptr || replans++ % kEvery != 0) return;
+    const auto walk =
+        shortest_walk(tick.robot_knows->map(), tick.robot, query.goal, Neighbours::eight);
+    if (walk && *walk > 0) ratios.push_back(tick.way->length / *walk);
+  });
   return ratios;
 }
 
@@ -182,7 +172,7 @@ MapFigures measure(const QuerySet& set, const Options& options) {
   return figures;
 }
 
-void compare(const Options& options) {
+void run(const Options& options) {
   std::cout
       << machine_line() << ". Unknown maps, a sensor of " << options.sense << " cells, at most "
       << options.queries << " queries a map; the least of " << options.rounds
@@ -215,69 +205,16 @@ void compare(const Options& options) {
             << short_number(mean(ways)) << " in the mean over maps.\n";
 }
 
-/// Time of edits of ten cells, until it is known again what is joined to what.
-void edit(const QuerySource& source, const Options& options) {
-  const QuerySet set = load(source, 1);
-  NavigatorOptions how;
-  if (options.prepare) how.prepare.emplace();
-  Navigator navigator(set.grid, set.queries[0].goal, how);
-  (void)navigator.connected(set.queries[0].start, set.queries[0].goal);
-  std::mt19937_64 engine(options.maps.seed);
-  const auto below = [&](int limit) {
-    return static_cast<int>(engine() % static_cast<std::uint64_t>(limit));
-  };
-  const std::int64_t before = navigator.bytes();
-  std::vector<double> times;
-  for (int i = 0; i < options.edits; ++i) {
-    const Rectangle part{below(set.grid.width() - 5), below(set.grid.height() - 2), 5, 2};
-    const bool blocked = below(2) == 0;
-    const ThreadStopwatch watch;
-    navigator.observe(part, blocked);
-    (void)navigator.connected(set.queries[0].start, set.queries[0].goal);
-    times.push_back(1e6 * watch.seconds());
-  }
-  std::cout << "| " << set.name << " | " << short_number(median(times)) << " | "
-            << short_number(quantile(times, 0.99)) << " | " << short_number(largest(times)) << " | "
-            << short_number(static_cast<double>(navigator.bytes() - before) / options.edits) << " |"
-            << std::endl;
-}
-
-void measure_edits(const Options& options) {
-  std::cout
-      << machine_line() << ". " << options.edits << " edits of 5 x 2 cells, seed "
-      << options.maps.seed << (options.prepare ? ", prepared" : "")
-      << ": microseconds of processor time until the map can be asked again, and bytes that it "
-         "holds more "
-         "after each in the mean.\n\n| map | median | p99 | max | bytes |\n|---|--:|--:|--:|--:|"
-      << std::endl;
-  for (const QuerySource& source : generated_sources(options.edit_sides, options.maps.seed)) {
-    const bool wanted = source.kind == MapKind::blobs || source.kind == MapKind::city ||
-                        (source.kind == MapKind::random && source.options.density == 0.2);
-    if (wanted) edit(source, options);
-  }
-}
-
-void run(const Options& options) {
-  if (!options.edit_sides.empty()) {
-    measure_edits(options);
-  } else {
-    compare(options);
-  }
-}
-
 }  // namespace
 
 void add_drive_command(CLI::App& app) {
-  auto [command, options] = add_command<Options>(
-      app, "drive", "replanning under way against D* Lite and A*; what an edit costs", run);
+  auto [command, options] =
+      add_command<Options>(app, "drive", "replanning under way against D* Lite and A*", run);
   add_map_options(command, options.maps);
   add_number(command, "--queries", options.queries, "queries a map");
   add_number(command, "--sense", options.sense, "cells that the robot sees", 1);
   add_number(command, "--rounds", options.rounds, "drives of each planner", 1);
   command.add_flag("--prepare", options.prepare, "plan on the prepared map");
-  command.add_option("--edit-sides", options.edit_sides,
-                     "measure edits of generated maps of these sides instead");
-  add_number(command, "--edits", options.edits, "how many", 1);
 }
 
 }  // namespace lasius::bench

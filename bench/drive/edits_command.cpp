@@ -1,7 +1,9 @@
-// lasius_bench edits: a prepared map that changes, a few cells at a time.
+// lasius_bench edits: a map that changes, a few cells at a time, prepared or not.
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <random>
+#include <vector>
 
 #include "bench/clocks.h"
 #include "bench/commands.h"
@@ -10,6 +12,7 @@
 #include "bench/statistics.h"
 #include "core/exact/corner_graph.h"
 #include "core/exact/prepared_search.h"
+#include "lasius/navigator.h"
 
 namespace lasius::bench {
 namespace {
@@ -21,6 +24,7 @@ struct Options {
   int edits = 1000;
   int cells = 10;
   int side = 5;
+  bool unprepared = false;
 };
 
 // Blocks or frees cells of a square, so many of them as long as there are any.
@@ -92,7 +96,48 @@ void write_row(QuerySet set, const Options& options) {
             << differ + (graph->edge_count() != fresh->edge_count()) << " |" << std::endl;
 }
 
+/// Of a Navigator's map, not prepared, until it is known again what is joined to what.
+void write_unprepared_row(const QuerySet& set, const Options& options) {
+  const Query& query = set.queries.front();
+  Navigator navigator(set.grid, query.goal);
+  Grid grid = set.grid;
+  std::mt19937_64 random(options.maps.seed);
+  const std::int64_t before = navigator.bytes();
+  std::vector<double> times;
+  for (int i = 0; i < options.edits; ++i) {
+    const Rectangle part = edit(grid, options, random);
+    std::array<std::vector<Cell>, 2> cells;  // free, blocked
+    for (int y = part.y; y < part.y + part.height; ++y) {
+      for (int x = part.x; x < part.x + part.width; ++x) {
+        cells[grid.blocked({x, y})].push_back({x, y});
+      }
+    }
+    const ThreadStopwatch watch;
+    navigator.observe(cells[0], false);
+    navigator.observe(cells[1], true);
+    (void)navigator.connected(query.start, query.goal);
+    times.push_back(1e6 * watch.seconds());
+  }
+  std::cout << "| " << set.name << " | " << short_number(median(times)) << " | "
+            << short_number(quantile(times, 0.99)) << " | " << short_number(largest(times)) << " | "
+            << short_number(static_cast<double>(navigator.bytes() - before) / options.edits) << " |"
+            << std::endl;
+}
+
+void run_unprepared(const Options& options) {
+  std::cout << machine_line() << ". " << options.edits << " edits of up to " << options.cells
+            << " cells in a square of " << options.side << ", blocked or freed; "
+            << options.maps.seed
+            << " is the seed. Microseconds of processor time until it is known what is joined to "
+               "what; bytes held more after each edit, mean.\n\n"
+            << "| map | edit, us, median | 99% | most | bytes |\n|---|--:|--:|--:|--:|\n";
+  for (const QuerySource& source : sources_of(options.maps)) {
+    write_unprepared_row(load(source, 1), options);
+  }
+}
+
 void run(const Options& options) {
+  if (options.unprepared) return run_unprepared(options);
   std::cout << machine_line() << ". " << options.edits << " edits of up to " << options.cells
             << " cells in a square of " << options.side << ", blocked or freed; "
             << options.maps.seed << " is the seed; " << options.count
@@ -109,12 +154,13 @@ void run(const Options& options) {
 
 void add_edits_command(CLI::App& app) {
   const auto [command, options] =
-      add_command(app, "edits", "A prepared map that changes: edits and queries", run);
+      add_command(app, "edits", "A map that changes: edits, and queries on the prepared one", run);
   add_map_options(command, options.maps);
   add_number(command, "--queries", options.count, "Queries a map; 0: all of its table");
   add_number(command, "--rounds", options.rounds, "Rounds of each query", 1, 1000);
   add_number(command, "--edits", options.edits, "Edits of each map", 1);
   add_number(command, "--cells", options.cells, "Cells that an edit changes, at most", 1);
+  command.add_flag("--unprepared", options.unprepared, "A Navigator's map that is not prepared");
   add_number(command, "--side", options.side, "Of the square that they are in", 1, 1000);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/held_bytes.h"
+#include "core/colony/best_tour.h"
 #include "core/colony/field.h"
 #include "core/colony/polish.h"
 #include "core/colony/update.h"
@@ -16,19 +17,19 @@ namespace lasius {
 struct ColonyMemory {
   Field field;
   Walkers walkers;
-  std::vector<Ant> ants;                 // perhaps more than are sent
-  std::vector<Tour> tours;               // of the ants, cut if tours are
-  std::vector<double> raw_lengths;       // of the ants' tours, not cut
-  std::vector<WalkCutter> cutters;       // by thread
-  std::vector<int> ranking;              // of the ants
-  std::vector<std::uint8_t> best_moves;  // of the best tour so far
-  Ant answer;                            // of a colony whose ants only teach it
-  std::vector<std::uint8_t> way;         // its moves, as they are found
+  std::vector<Ant> ants;            // perhaps more than are sent
+  std::vector<Tour> tours;          // of the ants, cut if tours are
+  std::vector<double> raw_lengths;  // of the ants' tours, not cut
+  std::vector<WalkCutter> cutters;  // by thread
+  std::vector<int> ranking;         // of the ants
+  BestTour best;                    // so far
+  Ant answer;                       // of a colony whose ants only teach it
+  std::vector<std::uint8_t> way;    // its moves, as they are found
   Polisher polisher;
 
   std::int64_t bytes() const noexcept {
     return field.bytes() + walkers.bytes() + held_bytes_of_all(ants) + answer.bytes() +
-           held_bytes(tours, raw_lengths, ranking, best_moves, way) + polisher.bytes() +
+           held_bytes(tours, raw_lengths, ranking, way) + best.bytes() + polisher.bytes() +
            held_bytes_of_all(cutters);
   }
 };

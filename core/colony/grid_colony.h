@@ -57,7 +57,7 @@ class GridColony final : public ColonyWorld {
     kernel_ = kernels::walk_table(chosen_isa()).walk[shape_.index()];
     first_iteration_ = agreed_ = 0;
     trail_level_ = 0;
-    drop_best_tour();
+    memory_.best.drop();
     drop_best_path();
   }
 
@@ -82,7 +82,8 @@ class GridColony final : public ColonyWorld {
       reopen(part);
     }
     agreed_ = 0;
-    if (!walkable(memory_.best_moves)) drop_best_tour();
+    BestTour& best = memory_.best;
+    if (!best.walkable(grid_, params_.corners, moves_, request_.start)) best.drop();
     const Corners corners =
         params_.neighbours == Neighbours::four ? Corners::forbid : params_.corners;
     if (path_fault(grid_, best_path_, corners)) drop_best_path();
@@ -110,7 +111,7 @@ class GridColony final : public ColonyWorld {
       const auto cause =
           memory_.walkers.walk(world_, kernel_, ants, first, request_.stop, after_walk(first));
       if (cause != StopCondition::Cause::none) return cause;
-      note_best(first, count);
+      memory_.best.offer(std::span(memory_.tours).subspan(first, count));
       update_locally(memory_.field, params_, tau0_, tours(first, count), request_.stop);
     }
     all_walked_ = true;
@@ -154,7 +155,7 @@ class GridColony final : public ColonyWorld {
   double trail_entropy() const override {
     if (ants_only_teach()) return kNaN;
     return lasius::trail_entropy(memory_.field, params_.trail, moves_, request_.start,
-                                 memory_.best_moves);
+                                 memory_.best.moves());
   }
 
   StopCondition::Cause observe(const Convergence& run) override {
@@ -192,10 +193,8 @@ class GridColony final : public ColonyWorld {
   /// Gets ready for a run. A best tour that passes the new start goes on from there.
   void set_out(const Request& request, const Observer& observer) {
     if (request.start != request_.start) {
-      const auto ahead = moves_ahead(request.start);
+      memory_.best.go_on_from(request_.start, request.start, moves_);
       drop_best_path();
-      memory_.best_moves.erase(memory_.best_moves.begin(), memory_.best_moves.end() - ahead);
-      best_tour_length_ = ahead > 0 ? length_of(memory_.best_moves, moves_) : kInfinity;
     }
     request_ = request;
     observer_ = &observer;
@@ -206,24 +205,12 @@ class GridColony final : public ColonyWorld {
                               params_.walk_cut == WalkCut::entered_cells,
                           request_.stop);
     memory_.polisher.reset(grid_, request_, moves_, params_, threads_);
-    if (best_path_.empty() && !memory_.best_moves.empty()) offer_alone(as_ant(memory_.best_moves));
-  }
-
-  /// Moves of the best tour from a cell on; 0 where it does not pass.
-  std::ptrdiff_t moves_ahead(Cell from) const {
-    auto ahead = std::ssize(memory_.best_moves);
-    Cell c = request_.start;
-    for (const int k : memory_.best_moves) {
-      if (c == from) return ahead;
-      c = c + moves_[k].to;
-      --ahead;
-    }
-    return 0;
+    if (best_path_.empty() && !memory_.best.none()) offer_alone(as_ant(memory_.best.moves()));
   }
 
   /// Could a way through free cells of `part` be shorter than the best tour?
   bool may_shorten(const Rectangle& part) const {
-    if (!(distance(request_.start, part) + distance(request_.goal, part) < best_tour_length_))
+    if (!(distance(request_.start, part) + distance(request_.goal, part) < memory_.best.length()))
       return false;
     for (int y = part.y; y < part.y + part.height; ++y) {
       for (int x = part.x; x < part.x + part.width; ++x) {
@@ -237,29 +224,13 @@ class GridColony final : public ColonyWorld {
   /// renews it no longer.
   void reopen(const Rectangle& part) {
     constexpr double kShare = 0.3;  // see docs/theory.md
-    Cell c = request_.start;
-    for (double most = 0; const int k : memory_.best_moves) {
-      trail_level_ = most = std::max(most, memory_.field.tau(c, k));
-      c = c + moves_[k].to;
-    }
+    if (!memory_.best.none())
+      trail_level_ = memory_.best.strongest(memory_.field, moves_, request_.start);
     if (trail_level_ > 0)
       memory_.field.equalise(part, std::max(part.width, part.height), kShare, trail_level_);
-    drop_best_tour();
+    memory_.best.drop();
   }
 
-  /// Can a tour's moves still be made?
-  bool walkable(std::span<const std::uint8_t> tour) const {
-    Cell c = request_.start;
-    return std::ranges::all_of(tour, [&](int k) {
-      const Cell from = std::exchange(c, c + moves_[k].to);
-      return move_exists(grid_, params_.corners, from, moves_[k]);
-    });
-  }
-
-  void drop_best_tour() {
-    memory_.best_moves.clear();
-    best_tour_length_ = kInfinity;
-  }
   void drop_best_path() {
     best_path_.clear();
     best_length_ = kInfinity;
@@ -313,25 +284,14 @@ class GridColony final : public ColonyWorld {
     return work;
   }
 
-  void note_best(int first, int count) {
-    const Tour* best = nullptr;
-    for (const Tour& tour : std::span(memory_.tours).subspan(first, count)) {
-      if (!(tour.length < best_tour_length_)) continue;
-      best = &tour;
-      best_tour_length_ = tour.length;
-    }
-    if (best != nullptr) memory_.best_moves.assign(best->moves.begin(), best->moves.end());
-  }
-
   Tours tours(int first, int count) const {
-    return {
-        .start = request_.start,
-        .moves = moves_,
-        .ants = std::span(memory_.tours).subspan(first, count),
-        .best_so_far = {memory_.best_moves, memory_.best_moves.empty() ? kNaN : best_tour_length_},
-        .iteration = iteration_,
-        .rows = grid_.height(),
-        .ranking = memory_.ranking};
+    return {.start = request_.start,
+            .moves = moves_,
+            .ants = std::span(memory_.tours).subspan(first, count),
+            .best_so_far = memory_.best.tour(),
+            .iteration = iteration_,
+            .rows = grid_.height(),
+            .ranking = memory_.ranking};
   }
 
   void lay_trails() { update_trail(memory_.field, params_, tours(0, params_.ants), request_.stop); }
@@ -435,8 +395,7 @@ class GridColony final : public ColonyWorld {
   int iteration_ = 0;
   bool all_walked_ = false;
   double iteration_best_ = kNaN;
-  int agreed_ = 0;  // iterations in a row in which all ants took one way
-  double best_tour_length_ = kInfinity;
+  int agreed_ = 0;                  // iterations in a row in which all ants took one way
   double trail_level_ = 0;          // most tau on the best tour when it was last needed
   double best_length_ = kInfinity;  // the best path so far, polished
   std::vector<Point> best_path_;

@@ -10,6 +10,7 @@
 #include "core/base/text_lines.h"
 #include "core/drive/changes_check.h"
 #include "core/map_files/byte_reader.h"
+#include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
 #include "lasius/error.h"
 
@@ -134,7 +135,7 @@ std::optional<std::string> fault_of(const MovingObstacle& obstacle, int width, i
 void check_changes(const Changes& changes, int width, int height) {
   const auto check = [&](const auto& one) {
     if (const auto fault = fault_of(one, width, height)) {
-      throw Error(ErrorCode::invalid_parameter, *fault, "see lasius/drive.h");
+      throw invalid_parameter(*fault, "see lasius/drive.h");
     }
   };
   for (const Change& one : changes.cells) check(one);

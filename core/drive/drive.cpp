@@ -4,17 +4,21 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/drive/path_walker.h"
 #include "core/drive/retreat.h"
 #include "core/drive/sensor.h"
 #include "core/drive/world.h"
+#include "core/grid/cell_distance.h"
+#include "core/grid/move_rule.h"
 #include "core/loop/run_status.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
-#include "lasius/error.h"
+#include "kernels/base/random_stream.h"
 
 namespace lasius {
 namespace {
@@ -23,16 +27,14 @@ using Milliseconds = std::chrono::duration<double, std::milli>;
 
 void check(const Grid& map, const Grid& truth, const DriveOptions& options) {
   if (map.width() != truth.width() || map.height() != truth.height()) {
-    throw Error(ErrorCode::invalid_parameter,
-                "the world is " + std::to_string(truth.width()) + " x " +
-                    std::to_string(truth.height()) + " cells, the map " +
-                    std::to_string(map.width()) + " x " + std::to_string(map.height()),
-                "give both for the same place, in cells of the same size");
+    throw invalid_parameter("the world is " + std::to_string(truth.width()) + " x " +
+                                std::to_string(truth.height()) + " cells, the map " +
+                                std::to_string(map.width()) + " x " + std::to_string(map.height()),
+                            "give both for the same place, in cells of the same size");
   }
   const auto above = [](double value, double least, const char* name, const char* remedy) {
     if (value >= least) return;
-    throw Error(ErrorCode::invalid_parameter, std::string(name) + " is " + number_text(value),
-                remedy);
+    throw invalid_parameter(std::string(name) + " is " + number_text(value), remedy);
   };
   above(options.sense, 1, "sense", "it must be at least 1 cell");
   above(options.seconds_per_tick, std::numeric_limits<double>::min(), "seconds_per_tick",
@@ -50,7 +52,7 @@ class Drive {
         options_(options),
         stop_(stop),
         observer_(observer),
-        corners_(corners_of_paths(options.navigator.params)),
+        corners_(rule_of_walks(corners_of_paths(options.navigator.params))),
         world_(truth, changes, options.navigator.radius),
         pilot_(pilot),
         robot_(start),
@@ -101,12 +103,9 @@ class Drive {
     const bool bad_start = world_.passable().blocked(robot_);
     if (!bad_start) look();
     if (!bad_start && pilot_.passable().free(goal)) return false;
-    const Cell cell = bad_start ? robot_ : goal;
-    const bool inside = world_.now().contains(cell);
-    end(Status::invalid, std::string(bad_start ? "start " : "goal ") + cell_name(cell) +
-                             (inside ? " is blocked" : " is outside the map"));
-    result_.fault = bad_start ? (inside ? Fault::start_blocked : Fault::start_outside)
-                              : (inside ? Fault::goal_blocked : Fault::goal_outside);
+    auto [fault, text] = fault_of_end(world_.now(), bad_start, bad_start ? robot_ : goal);
+    end(Status::invalid, std::move(text));
+    result_.fault = fault;
     return true;
   }
 
@@ -194,7 +193,9 @@ class Drive {
     if (!again) {
       std::vector<Cell> stale;
       for_each_learned([&](Cell cell) {
-        if (!sees(world_.now(), robot_, cell) || beyond(cell)) stale.push_back(cell);
+        if (!in_range(robot_, cell, options_.sense) || !sees(world_.now(), robot_, cell)) {
+          stale.push_back(cell);
+        }
       });
       doubted_at_ = tick_ + 1;
       any = !stale.empty();
@@ -205,10 +206,6 @@ class Drive {
     if ((wait_first && waited_ < kPatience) || !joined(World::Without::nothing)) return any;
     pilot_.observe(Rectangle{0, 0, map_.width(), map_.height()}, false);
     return true;
-  }
-  bool beyond(Cell cell) const noexcept {
-    const double dx = cell.x - robot_.x, dy = cell.y - robot_.y;
-    return dx * dx + dy * dy > options_.sense * options_.sense;
   }
   /// Calls visit(cell) for cells that are known to be blocked, but were not from the beginning.
   template <class Visit>
@@ -232,8 +229,11 @@ class Drive {
       return robot_;
     }
     if (aside) {
-      const auto turn = options_.navigator.params.seed + static_cast<std::uint64_t>(tick_);
-      retreat_ = find_retreat(pilot_.passable(), corners_, robot_, turn);
+      const auto tick = static_cast<std::uint64_t>(tick_);
+      const auto words = kernels::random_words(
+          options_.navigator.params.seed,
+          {static_cast<std::uint32_t>(tick), static_cast<std::uint32_t>(tick >> 32), 0, 0});
+      retreat_ = find_retreat(pilot_.passable(), corners_, robot_, words[0]);
     }
     if (retreat_.empty()) return robot_;
     const Cell to = retreat_.back();
@@ -251,15 +251,15 @@ class Drive {
   void go(Cell to) {
     before_ = robot_;
     const Grid& passable = world_.passable();
-    const auto side_free = [&](Cell c) { return corners_ == Corners::allow || passable.free(c); };
-    if (passable.blocked(to) || !side_free({to.x, robot_.y}) || !side_free({robot_.x, to.y})) {
+    if (passable.blocked(to) ||
+        !diagonal_allowed(passable, corners_, {to.x, robot_.y}, {robot_.x, to.y})) {
       bump(to);
       to = robot_;
     }
     if (to == robot_) {
       ++result_.waits;
     } else {
-      result_.length += to.x != robot_.x && to.y != robot_.y ? std::sqrt(2.0) : 1.0;
+      result_.length += distance(robot_, to);
     }
     robot_ = to;
     result_.track.push_back(to);

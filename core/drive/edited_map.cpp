@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/held_bytes.h"
+#include "core/grid/grid_view.h"
 #include "lasius/clearance.h"
 
 namespace lasius {
@@ -21,10 +22,6 @@ Rectangle round(std::span<const Cell> cells) noexcept {
     bottom = std::max(bottom, c.y);
   }
   return {left, top, right - left + 1, bottom - top + 1};
-}
-
-std::int64_t bytes_of(const Grid& grid) noexcept {
-  return static_cast<std::int64_t>(grid.stride()) * (grid.height() + 2) * 8;
 }
 
 }  // namespace
@@ -96,7 +93,8 @@ void EditedMap::grow(const Rectangle& part, bool blocked, const OnChange& change
 }
 
 std::int64_t EditedMap::bytes() const noexcept {
-  return bytes_of(map_) + (grown_ ? bytes_of(*grown_) : 0) + held_bytes(differing_, grown_cells_);
+  return bitmap_bytes(map_) + (grown_ ? bitmap_bytes(*grown_) : 0) +
+         held_bytes(differing_, grown_cells_);
 }
 
 }  // namespace lasius

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <utility>
 
 #include "core/base/held_bytes.h"
 #include "core/colony/colony.h"
 #include "core/drive/edited_map.h"
 #include "core/drive/path_walker.h"
+#include "core/grid/cell_distance.h"
 #include "core/grid/components.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
@@ -22,37 +22,31 @@ using Connectivity = Components::Connectivity;
 /// The components of a map that is edited, brought up to date when they are asked for.
 class LiveComponents {
  public:
-  explicit LiveComponents(Connectivity connectivity) : connectivity_(connectivity) {}
+  LiveComponents(const Grid& grid, Connectivity connectivity) : components_(grid, connectivity) {}
 
-  void label(const Grid& grid) { components_.emplace(grid, connectivity_); }
   /// `grid` has the change already.
   void changed(const Grid& grid, const Rectangle& part) {
-    if (!components_) return;
     changed_.push_back(part);
     constexpr std::size_t kMost = 256;  // where nobody asks
     if (changed_.size() == kMost) (void)update(grid, {});
   }
   /// Nothing if stopped; the next call goes on.
   std::optional<bool> connected(const Grid& grid, Cell a, Cell b, const StopCondition& stop) {
-    if (!components_) components_ = Components::make(grid, connectivity_, stop);
-    if (!components_ || !update(grid, stop)) return std::nullopt;
-    return components_->connected(grid, a, b);
+    if (!update(grid, stop)) return std::nullopt;
+    return components_.connected(grid, a, b);
   }
-  std::int64_t bytes() const noexcept {
-    return (components_ ? components_->bytes() : 0) + held_bytes(changed_);
-  }
+  std::int64_t bytes() const noexcept { return components_.bytes() + held_bytes(changed_); }
 
  private:
   bool update(const Grid& grid, const StopCondition& stop) {
     if (!changed_.empty() || !up_to_date_) {
-      up_to_date_ = components_->update(grid, changed_, stop);
+      up_to_date_ = components_.update(grid, changed_, stop);
       changed_.clear();  // if it was stopped, they are kept there
     }
     return up_to_date_;
   }
 
-  Connectivity connectivity_;
-  std::optional<Components> components_;
+  Components components_;
   std::vector<Rectangle> changed_;
   bool up_to_date_ = true;
 };
@@ -102,11 +96,6 @@ class LiveColony {
   std::vector<Rectangle> changed_;
 };
 
-double distance(Cell a, Cell b) noexcept {
-  const double dx = a.x - b.x, dy = a.y - b.y;
-  return std::sqrt(dx * dx + dy * dy);
-}
-
 }  // namespace
 
 class Navigator::Impl {
@@ -116,19 +105,14 @@ class Navigator::Impl {
     validate(options.params);
     const Algorithm& algorithm = find_algorithm(options.params.algorithm());
     check_certifies(algorithm, options.target_gap);
-    is_colony = algorithm.kind == Algorithm::Kind::colony;
+    if (algorithm.kind == Algorithm::Kind::colony) send_colony();
     corners = corners_of_paths(options.params);
-    four.label(map.passable());
-    if (corners == Corners::allow) eight.label(map.passable());
-    aim();
+    if (corners == Corners::allow) eight.emplace(map.passable(), Connectivity::eight);
     if (options.prepare) prepare(*options.prepare);
   }
 
   /// A trail leads to one goal.
-  void aim() {
-    if (is_colony) colony.emplace(map.passable(), goal, options.params);
-    holds = false;
-  }
+  void send_colony() { colony.emplace(map.passable(), goal, options.params); }
 
   void prepare(const PrepareOptions& how) {
     check_threads(how.threads);
@@ -139,7 +123,7 @@ class Navigator::Impl {
 
   const EditedMap::OnChange on_change = [this](const Rectangle& part, std::span<const Cell> cells) {
     four.changed(map.passable(), part);
-    eight.changed(map.passable(), part);
+    if (eight) eight->changed(map.passable(), part);
     if (graph) graph->update(map.passable(), part);
     if (colony) colony->changed(part);
     if (holds) {
@@ -198,7 +182,7 @@ class Navigator::Impl {
   std::optional<bool> connected(Cell a, Cell b, Corners rule, const StopCondition& stop) {
     const auto joined = four.connected(map.passable(), a, b, stop);
     if (rule != Corners::allow || joined != false) return joined;
-    return eight.connected(map.passable(), a, b, stop);
+    return eight->connected(map.passable(), a, b, stop);
   }
 
   const Way& step(Cell robot, const StopCondition& stop) {
@@ -210,14 +194,12 @@ class Navigator::Impl {
     if (go_on) way.walk.erase(way.walk.begin(), here);
     if (!go_on) {
       take(ask(robot, stop));
-    } else if (is_colony && options.search_on && robot != goal) {
+    } else if (colony && options.search_on && robot != goal) {
       Result result = ask(robot, stop);
       if (!result.path.empty() && result.length < walker.rest()) take(std::move(result));
     }
     if (!way.path.empty() && way.walk.size() < 2) {
-      // Beside a corner that may be cut a path touches the other side, too.
-      const Corners rule = corners == Corners::allow ? Corners::allow : Corners::forbid;
-      walker.next(map.passable(), rule, robot, way.walk);
+      walker.next(map.passable(), rule_of_walks(corners), robot, way.walk);
       if (way.walk.size() < 2 && robot != goal) holds = false;
     }
     return way;
@@ -226,10 +208,10 @@ class Navigator::Impl {
   Cell goal;
   NavigatorOptions options;
   EditedMap map;
-  bool is_colony;
   Corners corners;
   std::optional<LiveColony> colony;
-  LiveComponents four{Connectivity::four}, eight{Connectivity::eight};
+  LiveComponents four{map.passable(), Connectivity::four};
+  std::optional<LiveComponents> eight;  ///< only where paths may squeeze
   std::shared_ptr<exact::CornerGraph> graph;
   Preparation preparation;
   Workspace workspace;
@@ -261,7 +243,8 @@ Cell Navigator::goal() const noexcept { return impl_->goal; }
 void Navigator::set_goal(Cell goal) {
   if (goal == impl_->goal) return;
   impl_->goal = goal;
-  impl_->aim();
+  impl_->holds = false;
+  if (impl_->colony) impl_->send_colony();
 }
 void Navigator::forget() {
   impl_->holds = false;
@@ -281,7 +264,7 @@ Preparation Navigator::preparation() const noexcept {
 }
 std::int64_t Navigator::bytes() const noexcept {
   const Impl& i = *impl_;
-  return i.map.bytes() + i.four.bytes() + i.eight.bytes() + preparation().bytes +
+  return i.map.bytes() + i.four.bytes() + (i.eight ? i.eight->bytes() : 0) + preparation().bytes +
          i.workspace.bytes() + held_bytes(i.way.path, i.way.walk);
 }
 

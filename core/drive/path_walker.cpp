@@ -142,8 +142,7 @@ void PathWalker::search(const Grid& grid, Corners corners) {
       }
       const std::int32_t node = slot(to);
       if (node < 0 || !move_exists(grid, corners, nodes_[at].cell, move)) continue;
-      const double length =
-          nodes_[at].length + (move.to.dx != 0 && move.to.dy != 0 ? std::sqrt(2.0) : 1.0);
+      const double length = nodes_[at].length + move.length;
       if (length < nodes_[node].length) {
         nodes_[node].length = length;
         nodes_[node].parent = at;

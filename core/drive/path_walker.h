@@ -12,6 +12,12 @@
 
 namespace lasius {
 
+/// The rule by which a robot moves along paths that obey another: beside a corner that may be cut a
+/// path touches the other side, too, so only a rule that lets paths squeeze is needed.
+constexpr Corners rule_of_walks(Corners of_paths) noexcept {
+  return of_paths == Corners::allow ? Corners::allow : Corners::forbid;
+}
+
 /// True when the closed segment between two points at multiples of 0.5 touches a cell's square.
 bool touches(Point a, Point b, Cell cell) noexcept;
 

@@ -3,22 +3,12 @@
 #include <unordered_set>
 
 #include "core/grid/move_rule.h"
+#include "kernels/base/random_stream.h"
 
 namespace lasius {
-namespace {
-
-/// splitmix64 (Steele, Lea & Flood 2014): neighbouring numbers give unlike ones.
-std::uint64_t mixed(std::uint64_t x) noexcept {
-  x += 0x9e3779b97f4a7c15;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-  return x ^ (x >> 31);
-}
-
-}  // namespace
 
 std::vector<Cell> find_retreat(const Grid& passable, Corners corners, Cell from,
-                               std::uint64_t draw) {
+                               std::uint32_t word) {
   constexpr std::size_t kCells = 4096;
   struct Reached {
     Cell cell;
@@ -38,7 +28,8 @@ std::vector<Cell> find_retreat(const Grid& passable, Corners corners, Cell from,
   }
   std::vector<Cell> way;
   if (reached.size() == 1) return way;
-  std::size_t at = 1 + mixed(draw) % (reached.size() - 1);
+  auto at =
+      1 + static_cast<std::size_t>(kernels::below(static_cast<int>(reached.size()) - 1, word));
   for (; at != 0; at = reached[at].parent) way.push_back(reached[at].cell);
   return way;
 }

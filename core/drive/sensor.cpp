@@ -30,8 +30,7 @@ void sense(const Grid& world, const Grid& known, Cell robot, double range, const
       for (std::uint64_t bits = world.row(y)[word] ^ known.row(y)[word]; bits != 0;
            bits &= bits - 1) {
         const Cell cell{word * 64 + std::countr_zero(bits), y};
-        const double dx = cell.x - robot.x, dy = cell.y - robot.y;
-        if (dx * dx + dy * dy > range * range) continue;
+        if (!in_range(robot, cell, range)) continue;
         if (!robot_disc.blocks(robot, cell) && !sees(world, robot, cell)) continue;
         (world.blocked(cell) ? news.blocked : news.free).push_back(cell);
       }

@@ -25,17 +25,14 @@ void for_each_cell(const Rectangle& part, const Visit& visit) {
 World::World(const Grid& truth, const Changes& changes, double radius)
     : still_(truth), map_(truth, radius), radius_(radius), changes_(changes.cells) {
   check_changes(changes, truth.width(), truth.height());
-  const auto sooner = [](const auto& a, const auto& b) { return a.tick < b.tick; };
-  std::stable_sort(changes_.begin(), changes_.end(), sooner);
+  std::ranges::stable_sort(changes_, {}, &Change::tick);
   for (const MovingObstacle& o : changes.obstacles) movers_.push_back({o, o.track.front()});
-  std::stable_sort(movers_.begin(), movers_.end(),
-                   [](const Mover& a, const Mover& b) { return a.what.tick < b.what.tick; });
+  std::ranges::stable_sort(movers_, {}, [](const Mover& m) { return m.what.tick; });
 }
 
 void World::advance(std::int64_t tick, const HeldCells& robot) {
   tick_ = tick;
-  to_block_.clear();
-  to_free_.clear();
+  touched_.clear();
   for (const Cell cell : std::exchange(deferred_, {})) set_still(cell, true, robot);
   for (; next_ < changes_.size() && changes_[next_].tick <= tick; ++next_) {
     change(changes_[next_], robot);
@@ -43,8 +40,8 @@ void World::advance(std::int64_t tick, const HeldCells& robot) {
   for (Mover& mover : movers_) {
     if (mover.what.tick <= tick) move(mover, robot);
   }
-  if (!to_free_.empty()) changed_at_ = tick;
-  show_all();
+  if (!touched_.empty()) changed_at_ = tick;
+  show();
 }
 
 void World::change(const Change& change, const HeldCells& robot) {
@@ -63,7 +60,7 @@ void World::set_still(Cell cell, bool blocked, const HeldCells& robot) {
   }
   still_.set_blocked(cell, blocked);
   still_changed_at_ = tick_;
-  show(cell);
+  touched_.push_back(cell);
 }
 
 void World::move(Mover& mover, const HeldCells& robot) {
@@ -117,22 +114,17 @@ bool World::hits(Cell cell, const HeldCells& robot) const noexcept {
 void World::cover(const Rectangle& part, int by) {
   for_each_cell(part, [&](Cell cell) {
     if ((covers_[key(cell)] += by) == 0) covers_.erase(key(cell));
-    show(cell);
+    touched_.push_back(cell);
   });
 }
 
-void World::show(Cell cell) { to_free_.push_back(cell); }
-
-// Cells to be shown are told apart at the end, when the last word on each is known.
-void World::show_all() {
-  std::erase_if(to_free_, [&](Cell cell) {
-    const bool blocked = still_.blocked(cell) || covers_.contains(key(cell));
-    if (blocked) to_block_.push_back(cell);
-    return blocked;
-  });
+// Cells are told apart at the end, when the last word on each is known.
+void World::show() {
+  const auto blocked = std::ranges::partition(
+      touched_, [&](Cell cell) { return !still_.blocked(cell) && !covers_.contains(key(cell)); });
   const EditedMap::OnChange nobody = [](const Rectangle&, std::span<const Cell>) {};
-  map_.set(to_free_, false, nobody);
-  map_.set(to_block_, true, nobody);
+  map_.set(std::span(touched_.begin(), blocked.begin()), false, nobody);
+  map_.set(blocked, true, nobody);
 }
 
 std::vector<Rectangle> World::obstacles() const {

@@ -77,8 +77,7 @@ class World {
   bool hits(const Rectangle& part, const HeldCells& robot) const noexcept;
   bool hits(Cell cell, const HeldCells& robot) const noexcept;
   void cover(const Rectangle& part, int by);
-  void show(Cell cell);
-  void show_all();
+  void show();
   static std::uint32_t key(Cell c) noexcept {
     return static_cast<std::uint32_t>(c.y) << 16 | static_cast<std::uint32_t>(c.x);
   }
@@ -92,7 +91,7 @@ class World {
   std::size_t appeared_ = 0;
   std::unordered_map<std::uint32_t, int> covers_;  // obstacles that cover a cell
   std::vector<Cell> deferred_;                     // to be blocked
-  std::vector<Cell> to_block_, to_free_;           // of map_, in the tick in hand
+  std::vector<Cell> touched_;                      // in the tick in hand, to be shown in map_
   std::int64_t deferrals_ = 0;
   bool changed_ = false;
   std::int64_t changed_at_ = 0, still_changed_at_ = 0;

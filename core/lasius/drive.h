@@ -84,8 +84,8 @@ struct Replan {
 struct DriveResult {
   /// Status::solved on arrival; Status::unreachable: proven on what is known at last;
   /// Status::no_path: "trapped", moving obstacles stand in the way for good, or have for 16 384
-  /// ticks; Status::limit: no ticks or time left; Status::interrupted; Status::invalid: start or
-  /// goal blocked or outside at the beginning.
+  /// ticks; Status::limit: no ticks or time left; Status::interrupted; Status::invalid: at
+  /// tick 0 the start is blocked in truth or outside, or the goal as the robot knows it then.
   Status status = Status::no_path;
   Fault fault = Fault::none;          ///< why it is invalid or unreachable
   std::string error;                  ///< the same in a sentence; empty for none

@@ -70,12 +70,8 @@ Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Reques
 
 /// The answer to a start or goal that is blocked or outside.
 Result invalid(const Grid& grid, bool at_start, Cell cell, const std::stop_token& token) {
-  const bool inside = grid.contains(cell);
-  const Fault fault = at_start ? (inside ? Fault::start_blocked : Fault::start_outside)
-                               : (inside ? Fault::goal_blocked : Fault::goal_outside);
-  auto result = failed<Result>(Status::invalid, fault,
-                               (at_start ? "start " : "goal ") + cell_name(cell) +
-                                   (inside ? " is blocked" : " is outside the map"));
+  auto [fault, text] = fault_of_end(grid, at_start, cell);
+  auto result = failed<Result>(Status::invalid, fault, std::move(text));
   // It is named whatever the deadline.
   const StopCondition no_deadline{.token = token};
   Poller poller(no_deadline);
@@ -89,6 +85,14 @@ Result invalid(const Grid& grid, bool at_start, Cell cell, const std::stop_token
 }
 
 }  // namespace
+
+std::pair<Fault, std::string> fault_of_end(const Grid& grid, bool at_start, Cell cell) {
+  const bool inside = grid.contains(cell);
+  const Fault fault = at_start ? (inside ? Fault::start_blocked : Fault::start_outside)
+                               : (inside ? Fault::goal_blocked : Fault::goal_outside);
+  return {fault, (at_start ? "start " : "goal ") + cell_name(cell) +
+                     (inside ? " is blocked" : " is outside the map")};
+}
 
 Corners corners_of_paths(const Params& params) {
   const bool exact = find_algorithm(params.algorithm()).kind == Algorithm::Kind::exact;

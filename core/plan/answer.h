@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/exact/corner_graph.h"
 #include "lasius/planner.h"
@@ -23,6 +24,10 @@ struct PlanningMap {
 /// What Planner::plan answers, and throws.
 Result answer(const PlanningMap& map, const Request& request, const Params& params,
               Workspace* workspace, const Observer& observer);
+
+/// Why a start or goal is invalid, and a sentence that names it. Precondition: it is blocked or
+/// outside the map.
+std::pair<Fault, std::string> fault_of_end(const Grid& grid, bool at_start, Cell cell);
 
 /// The rule of corners that paths obey: any-angle paths never squeeze, and with 4 neighbours no
 /// corner is ever passed.

@@ -1,6 +1,7 @@
 #include "lasius/planner.h"
 
 #include "core/base/poller.h"
+#include "core/grid/grid_view.h"
 #include "core/grid/nearest_free.h"
 #include "core/plan/answer.h"
 #include "core/plan/planner_impl.h"
@@ -71,9 +72,8 @@ std::int64_t Planner::components(Corners corners) const {
 }
 
 Planner::Footprint Planner::footprint() const noexcept {
-  const Grid& grid = impl_->grid;
   Footprint f;
-  f.bitmap = static_cast<std::int64_t>(grid.stride()) * (grid.height() + 2) * 8;
+  f.bitmap = bitmap_bytes(impl_->grid);
   f.components = impl_->component_bytes();
   f.visibility_graph = impl_->preparation.bytes;
   return f;

@@ -60,7 +60,7 @@ constexpr const char* kDriveOutputs =
     ".json  what --json prints\n"
     ".csv   x,y of the track, one cell a tick; with --frame world x_m,y_m\n"
     ".svg, .png  the track over the world: what was seen when, where ways were planned\n"
-    ".gif   a film of at most 300 pictures";
+    ".gif   a film of at most 301 pictures";
 
 constexpr SearchHelp kRunHelp = {
     .seed =

@@ -64,10 +64,13 @@ Film::Film(const Grid& map, Cell goal) : goal_(goal) {
   };
   width_ = pixels(map.width());
   height_ = pixels(map.height());
+  track_ = Frame(width_, height_, kUnseen);
 }
 
 void Film::observe(const DriveTick& tick, const DriveRecorder& recorder) {
-  track_.push_back(centre(tick.robot));
+  const Point robot = centre(tick.robot);
+  if (tick.tick > 0) draw_line(track_, robot_, robot, kTrack);
+  robot_ = robot;
   const bool arrived = tick.robot == goal_;
   if (tick.tick % stride_ != 0 && !arrived) return;
   if (tick.tick % stride_ == 0 && frames_.size() == kMostFrames) {
@@ -83,8 +86,9 @@ void Film::observe(const DriveTick& tick, const DriveRecorder& recorder) {
 Film::Frame Film::drawn(const DriveTick& tick, const DriveRecorder& recorder) const {
   Frame frame(width_, height_, kUnseen);
   draw_cells(frame, tick, recorder);
-  for (std::size_t i = 1; i < track_.size(); ++i)
-    draw_line(frame, track_[i - 1], track_[i], kTrack);
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x)
+      if (track_.at(x, y) == kTrack) frame.at(x, y) = kTrack;
   if (tick.way != nullptr)
     for (std::size_t i = 1; i < tick.way->path.size(); ++i)
       draw_line(frame, tick.way->path[i - 1], tick.way->path[i], kWay);

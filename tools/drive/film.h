@@ -36,7 +36,8 @@ class Film {
   int width_, height_;
   Cell goal_;
   std::int64_t stride_ = 1;  ///< ticks from frame to frame
-  std::vector<Point> track_;
+  Frame track_;              ///< what it draws on every frame: where the robot was
+  Point robot_{};            ///< in the tick before
   std::vector<Frame> frames_;
 };
 

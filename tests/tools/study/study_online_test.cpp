@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "bench/peers/dstar_pilot.h"
 #include "lasius/error.h"
 #include "lasius/planner.h"
 #include "lasius/shortest_walk.h"
@@ -79,7 +80,7 @@ TEST(OnlinePilots, DStarLiteFindsTheGapAndTheWalkAroundIt) {
   Grid map(9, 9);
   map.fill({4, 0, 1, 9}, true);
   map.set_blocked({4, 0}, false);
-  DStarPilot pilot(map, {2, 8}, {6, 8});
+  peers::DStarPilot pilot(map, {2, 8}, {6, 8});
   const Way& way = pilot.step({2, 8}, {});
   EXPECT_TRUE(way.replanned);
   EXPECT_NEAR(way.length, *shortest_walk(map, {2, 8}, {6, 8}, Neighbours::eight), 1e-3);

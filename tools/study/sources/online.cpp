@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "bench/peers/dstar_pilot.h"
 #include "lasius/drive.h"
 #include "lasius/error.h"
 #include "lasius/shortest_walk.h"
@@ -49,7 +50,8 @@ Policy policy_of(Contender contender) {
 
 std::unique_ptr<Pilot> pilot_of(const OnlineWorld& world, const Policy& policy) {
   const NavigatorOptions& how = policy.options.navigator;
-  if (policy.dstar_lite) return std::make_unique<DStarPilot>(world.known, world.start, world.goal);
+  if (policy.dstar_lite)
+    return std::make_unique<peers::DStarPilot>(world.known, world.start, world.goal);
   if (policy.anew) return std::make_unique<ForgetfulPilot>(world.known, world.goal, how);
   return std::make_unique<Navigator>(world.known, world.goal, how);
 }

@@ -1,9 +1,8 @@
-// The pilots that the study `online` compares with a Navigator.
+// A pilot that the study `online` compares with a Navigator.
 #pragma once
 
 #include <span>
 
-#include "bench/peers/dstar_lite.h"
 #include "lasius/navigator.h"
 
 namespace lasius::study {
@@ -25,28 +24,6 @@ class ForgetfulPilot final : public Pilot {
  private:
   Navigator navigator_;
   bool changed_ = false;
-};
-
-/// D* Lite for a point robot. It cannot be stopped; a way's path is its next move.
-class DStarPilot final : public Pilot {
- public:
-  DStarPilot(const Grid& map, Cell start, Cell goal)
-      : map_(map), goal_(goal), search_(map, start, goal) {}
-
-  void observe(const Rectangle& part, bool blocked) override;
-  void observe(std::span<const Cell> cells, bool blocked) override;
-  const Way& step(Cell robot, const StopCondition& stop) override;
-  Cell goal() const noexcept override { return goal_; }
-  const Grid& map() const noexcept override { return map_; }
-  const Grid& passable() const noexcept override { return map_; }
-  bool connected(Cell a, Cell b) override;
-
- private:
-  Grid map_;
-  Cell goal_;
-  peers::DStarLite search_;
-  Way way_;
-  bool changed_ = true;
 };
 
 }  // namespace lasius::study
