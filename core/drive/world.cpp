@@ -120,11 +120,12 @@ void World::cover(const Rectangle& part, int by) {
 
 // Cells are told apart at the end, when the last word on each is known.
 void World::show() {
-  const auto blocked = std::ranges::partition(
-      touched_, [&](Cell cell) { return !still_.blocked(cell) && !covers_.contains(key(cell)); });
+  const auto blocked = std::partition(touched_.begin(), touched_.end(), [&](Cell cell) {
+    return !still_.blocked(cell) && !covers_.contains(key(cell));
+  });
   const EditedMap::OnChange nobody = [](const Rectangle&, std::span<const Cell>) {};
-  map_.set(std::span(touched_.begin(), blocked.begin()), false, nobody);
-  map_.set(blocked, true, nobody);
+  map_.set(std::span(touched_.begin(), blocked), false, nobody);
+  map_.set(std::span(blocked, touched_.end()), true, nobody);
 }
 
 std::vector<Rectangle> World::obstacles() const {
