@@ -70,8 +70,8 @@ Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Reques
 
 /// The answer to a start or goal that is blocked or outside.
 Result invalid(const Grid& grid, bool at_start, Cell cell, const std::stop_token& token) {
-  auto [fault, text] = fault_of_end(grid, at_start, cell);
-  auto result = failed<Result>(Status::invalid, fault, std::move(text));
+  const auto [fault, text] = fault_of_end(grid, at_start, cell);
+  auto result = failed<Result>(Status::invalid, fault, text);
   // It is named whatever the deadline.
   const StopCondition no_deadline{.token = token};
   Poller poller(no_deadline);
