@@ -5,20 +5,10 @@ import signal
 import unittest
 
 from gif import read_film
-from program import MAPS, ProgramTest
+from program import MAPS, SMALL_MAP, ProgramTest
 
 # What small.map does not tell: its gap in row 4 is shut, one in row 2 is open.
-TRUTH = """type octile
-height 6
-width 10
-map
-..........
-...@@@@@@.
-...@..@.@.
-...@@@@@@.
-....@@@@@@
-..........
-"""
+TRUTH = SMALL_MAP.replace("....@.....", "....@@@@@@")
 
 
 def solid(text):
