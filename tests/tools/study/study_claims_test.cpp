@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tools/study/claims.h"
-#include "tools/study/study_file.h"
+#include "tools/study/description/study_file.h"
 #include "tools/study/values.h"
 
 namespace lasius::study {
