@@ -97,7 +97,8 @@ Task Bitmaps::task(const Question& question, const Contender& contender) const {
                                          const std::stop_token& stop, Workspace& workspace) {
     Params seeded = params;
     seeded.seed = seed;
-    if (pilot) seeded.iterations = pilot_part(params.iterations);
+    if (pilot && find_algorithm(params.algorithm()).has("iterations"))
+      seeded.iterations = pilot_part(params.iterations);
     Run run{.limit = limit};
     const double begin = thread_seconds();
     BudgetWatch watch(budget, pilot ? kPilotShare : 1, begin);

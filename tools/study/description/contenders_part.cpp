@@ -159,6 +159,15 @@ std::vector<Settings> points_of(const Node& sweep, const std::vector<Factor>& fa
   return design_points(design, own, 0, 0);
 }
 
+/// All contenders' algorithms are known before anything is made of them.
+void check_algorithms(const Node& study, bool bitmaps) {
+  for (const Node& node : study.at("contenders").items())
+    if (const Node* const algorithm = node.find("algorithm"); algorithm != nullptr && bitmaps)
+      (void)tool::known_params(algorithm->text(), Preset::usual, *algorithm);
+  if (const Node* const sweep = study.find("sweep"); sweep != nullptr && !bitmaps)
+    sweep->fail("is for bitmaps", "write a contender for each value");
+}
+
 /// One for each point of the sweep, or as it is.
 void add_swept(const Reader& reader, const Node& study, const Described& d,
                std::vector<Contender>& to) {
@@ -185,6 +194,7 @@ void add_swept(const Reader& reader, const Node& study, const Described& d,
 std::vector<Contender> contenders_of(const Node& study, const Node* compare, const Words& words,
                                      const std::filesystem::path& folder, bool checked) {
   const Node& all = study.at("contenders");
+  check_algorithms(study, checked);
   const Reader reader(study, words, folder, checked);
   std::vector<Contender> contenders;
   if (compare == nullptr) compare = study.find("compare");

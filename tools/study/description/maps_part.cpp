@@ -74,7 +74,8 @@ Cell cell_of(const Node& question, const char* name, bool needed) {
   if (node == nullptr) return {};
   if (!node->is_list() || node->items().size() != 2) node->fail("is no cell", "write it as [X, Y]");
   const auto number = [&](std::size_t i) {
-    return static_cast<int>(node->items()[i].integer(-Grid::kMaxSide, 2 * Grid::kMaxSide));
+    constexpr int kFar = 1'000'000'000;  // whether it is on the map is seen there
+    return static_cast<int>(node->items()[i].integer(-kFar, kFar));
   };
   return {number(0), number(1)};
 }

@@ -18,9 +18,9 @@ constexpr std::uint64_t kOtherSeeds = 1'000'000;
 
 std::vector<Contender> candidates_of(const Node& root, const fs::path& folder) {
   constexpr int kMostCandidates = 1000;
-  const Node& parameters = root.at("parameters");
-  const auto factors = factors_of(parameters, {root.at("algorithm").text()});
   std::vector<Contender> all{described_contender(root, "default", {}, nullptr, folder)};
+  const Node& parameters = root.at("parameters");
+  const auto factors = factors_of(parameters, {all.front().algorithm});
   const auto drawn = static_cast<int>(root.integer_or("candidates", 24, 2, kMostCandidates)) - 1;
   const auto seed =
       static_cast<std::uint64_t>(root.integer_or("seed", 1, 0, tool::kMaxExactInteger));
