@@ -9,6 +9,7 @@
 #include "core/base/kernel_choice.h"
 #include "core/colony/field_tile.h"
 #include "core/grid/cell_distance.h"
+#include "core/params/schedule.h"
 
 namespace lasius {
 namespace {

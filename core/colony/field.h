@@ -9,11 +9,11 @@
 
 #include "core/base/zero_array.h"
 #include "core/colony/heuristic.h"
-#include "core/params/schedule.h"
 #include "kernels/base/raise.h"
 #include "kernels/walk/walk.h"
 #include "lasius/grid.h"
 #include "lasius/params.h"
+#include "lasius/schedule.h"
 
 namespace lasius {
 

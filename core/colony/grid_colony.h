@@ -22,10 +22,10 @@
 #include "core/grid/move_rule.h"
 #include "core/loop/colony_loop.h"
 #include "core/loop/run_status.h"
-#include "core/params/schedule.h"
 #include "lasius/path.h"
 #include "lasius/progress.h"
 #include "lasius/request.h"
+#include "lasius/schedule.h"
 
 namespace lasius {
 
