@@ -1,5 +1,6 @@
 // The C++ side of overheads.py: seconds of a batch, microseconds of a call, seconds of a map; one
 // line each.
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -42,7 +43,7 @@ std::vector<std::uint8_t> large_array() {
 int main() {
   const Planner planner(generate(MapKind::blobs, {.width = 400, .height = 200, .seed = 61}));
   const auto requests = queries(planner.grid());
-  constexpr int kCalls = 2000;
+  constexpr int kCalls = 2000, kMaps = 15;
   std::size_t answers = 0;
   const double batch =
       seconds([&] { answers += plan_batch(planner, requests, {}, {.threads = 1}).size(); });
@@ -51,9 +52,14 @@ int main() {
       answers += planner.plan({.start = {14, 14}, .goal = {14, 14}}).path.size();
   });
   const auto cells = large_array();
-  const double map = seconds([&] {
-    answers += Planner(Grid(4096, 4096, cells, Nonzero::blocked)).grid().free({1, 1}) ? 1U : 0U;
-  });
+  double map = 1e9;
+  for (int i = 0; i < kMaps; ++i) {
+    map = std::min(
+        map, seconds([&] {
+          answers +=
+              Planner(Grid(4096, 4096, cells, Nonzero::blocked)).grid().free({64, 0}) ? 1U : 0U;
+        }));
+  }
   std::printf("%.9g\n%.9g\n%.9g\n", batch, calls / kCalls * 1e6, map);
-  return answers == requests.size() + kCalls + 1 ? 0 : 1;
+  return answers == requests.size() + kCalls + kMaps ? 0 : 1;
 }

@@ -87,5 +87,6 @@ def test_eight_threads_with_callbacks_and_interrupts(planner):
     assert work(planner, wanted, PLANS // 2) > 0
     half = resident_kb()
     assert work(planner, wanted, PLANS // 2) > 0
-    if PLANS >= 2000:
+    sanitized = "asan" in os.environ.get("LD_PRELOAD", "")  # which keeps what is freed for a while
+    if PLANS >= 2000 and not sanitized:
         assert resident_kb() < half + 8192, "memory grows"
