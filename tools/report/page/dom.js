@@ -55,15 +55,22 @@ function themeChanged() {
 }
 
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
-prefersDark.addEventListener("change", themeChanged);
+const root = document.documentElement;
+
+function follow() {
+  root.dataset.theme = prefersDark.matches ? "dark" : "light";
+  themeChanged();
+}
+
+prefersDark.addEventListener("change", follow);
+follow();
 
 export function isDark() {
-  const chosen = document.documentElement.dataset.theme;
-  return chosen ? chosen === "dark" : prefersDark.matches;
+  return root.dataset.theme === "dark";
 }
 
 export function themeColour(name) {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  return getComputedStyle(root).getPropertyValue(name).trim();
 }
 
 export function themeButton() {
@@ -74,7 +81,7 @@ export function themeButton() {
     button.setAttribute("aria-label", `Change to ${text().toLowerCase()} colours`);
   };
   button.addEventListener("click", () => {
-    document.documentElement.dataset.theme = isDark() ? "light" : "dark";
+    root.dataset.theme = isDark() ? "light" : "dark";
     themeChanged();
   });
   onTheme(label);
