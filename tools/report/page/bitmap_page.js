@@ -105,13 +105,14 @@ function curvesOf(sheet, curves) {
   const { content } = sheet, scale = content.scale, unit = content.unit || "cells";
   const scaled = (values) => values?.map((value) => (isNumber(value) ? scale * value : null)) ?? [];
   const x = curves.iteration;
-  const levels = [["optimum, any angle", content.result.optimum], ["optimum of its own moves", content.result.grid_optimum]]
-    .filter(([, value]) => isNumber(value)).map(([name, value]) => ({ name, value: scale * value }));
+  const level = (name, value) => (isNumber(value) ? [{ name, value: scale * value }] : []);
   const card = sheet.card("right", "Convergence");
   return [
-    new Curves(card, { title: "Best path so far", xLabel: "iteration", yLabel: `length, ${unit}`, levels,
+    new Curves(card, { title: "Best path so far", calm: true, xLabel: "iteration", yLabel: `length, ${unit}`,
+                       levels: level("optimum, any angle", content.result.optimum),
                        series: [{ name: "best path so far", x, y: scaled(curves.best), steps: true }] }),
-    new Curves(card, { title: "Tours of the iteration", xLabel: "iteration", yLabel: `length, ${unit}`,
+    new Curves(card, { title: "Tours of the iteration", calm: true, xLabel: "iteration", yLabel: `length, ${unit}`,
+                       levels: level("optimum of its own moves", content.result.grid_optimum),
                        series: [{ name: "mean tour, as walked", x, y: scaled(curves.mean), colour: "var(--curve-2)" },
                                 { name: "shortest tour", x, y: scaled(curves.raw_best), colour: "var(--curve-3)" },
                                 { name: "mean after cutting loops", x, y: scaled(curves.cut_mean), colour: "var(--curve-4)", dashed: true }] }),
@@ -175,7 +176,7 @@ class BitmapStage {
     this.player.show(frames.iterations.length - 1);
     const stride = frames.iterations[1] - frames.iterations[0];
     if (stride > 1)
-      this.card.append(element("p", { class: "note" }, `The page holds every ${stride}th iteration, the curves all.`));
+      this.card.append(element("p", { class: "note" }, `The page holds one iteration in ${stride}, the curves have all.`));
   }
 
   addKeys() {
@@ -183,7 +184,7 @@ class BitmapStage {
     if (this.content.radius > 0)
       this.card.append(element("p", { class: "note" }, `Obstacles are shown, and clearance is measured, grown by ${numberText(this.content.radius)} cells.`));
     if (this.content.thinned)
-      this.card.append(element("p", { class: "note" }, `The path is long: each ${this.content.thinned}th vertex is kept here.`));
+      this.card.append(element("p", { class: "note" }, `The path is long: the page holds one vertex in ${this.content.thinned}.`));
   }
 
   toIteration(x) {

@@ -1,6 +1,6 @@
 // A chart of curves over a common axis, as SVG, with a cursor.
 //
-//   chart = new Curves(host, {title, xLabel, yLabel, series, levels, logarithmic, onPick})
+//   chart = new Curves(host, {title, xLabel, yLabel, series, levels, logarithmic, calm, dots, decimals, onPick})
 //     series  [{name, x, y, low, high, steps, dashed}]  x defaults to 1, 2, ...; null or NaN where
 //             there is none; low and high make a band; steps: a value holds until the next
 //     levels  [{name, value}]                           dashed lines across
@@ -8,8 +8,10 @@
 //   chart.cursor(x)   shows a line and the values there
 //   chart.set(series) other values: of a run that is under way
 //
-// Of a curve with far larger values at first, what is above 8 times the spread of its second half is
-// left out of the axis. Clicks on a name in the legend hide a curve.
+//   calm   of curves with far larger values at first, what is above 8 times the spread of their second
+//          half is left out of the axis
+//   dots   points, not lines
+// Clicks on a name in the legend hide a curve.
 
 import { element, isNumber, numberText, shortText, svgElement } from "./dom.js";
 
@@ -45,8 +47,8 @@ export function indexAt(x, at) {
 }
 
 export class Curves {
-  constructor(host, { title, xLabel, yLabel, series, levels = [], logarithmic = false, decimals = 2, onPick }) {
-    Object.assign(this, { title, xLabel, yLabel, levels, logarithmic, decimals, onPick, hidden: new Set(), x: null });
+  constructor(host, { title, xLabel, yLabel, series, levels = [], logarithmic = false, calm = false, dots = false, decimals = 2, onPick }) {
+    Object.assign(this, { title, xLabel, yLabel, levels, logarithmic, calm, dots, decimals, onPick, hidden: new Set(), x: null });
     this.picture = svgElement("svg", { role: "img" });
     this.legend = element("div", { class: "keys" });
     this.frame = element("div", { class: "curves" }, title ? element("h3", {}, title) : null, this.picture, this.legend);
@@ -89,7 +91,7 @@ export class Curves {
   }
 
   range() {
-    let low = Infinity, high = -Infinity, calm = -Infinity, from = Infinity, to = -Infinity;
+    let low = Infinity, high = -Infinity, later = -Infinity, from = Infinity, to = -Infinity;
     const levels = this.levels.filter((_, i) => !this.hidden.has(this.series.length + i));
     for (const { x, y, low: below, high: above } of this.shown()) {
       y.forEach((value, i) => {
@@ -97,13 +99,13 @@ export class Curves {
         if (!isNumber(value)) return;
         if (isNumber(least) && (!this.logarithmic || least > 0)) low = Math.min(low, least);
         high = Math.max(high, most);
-        if (i >= y.length / 2) calm = Math.max(calm, most);
+        if (i >= y.length / 2) later = Math.max(later, most);
       });
       if (x.length) [from, to] = [Math.min(from, x[0]), Math.max(to, x[x.length - 1])];
     }
-    for (const { value } of levels) [low, calm, high] = [Math.min(low, value), Math.max(calm, value), Math.max(high, value)];
-    if (!(low <= high)) [low, high, calm] = [0, 1, 1];
-    if (!this.logarithmic && calm > low) high = Math.min(high, low + 8 * (calm - low));
+    for (const { value } of levels) [low, later, high] = [Math.min(low, value), Math.max(later, value), Math.max(high, value)];
+    if (!(low <= high)) [low, high, later] = [0, 1, 1];
+    if (this.calm && later > low) high = Math.min(high, low + 8 * (later - low));
     if (low === high) [low, high] = this.logarithmic ? [low / 2, high * 2] : [low - Math.max(1, 0.02 * Math.abs(low)), high + Math.max(1, 0.02 * Math.abs(high))];
     const room = this.logarithmic ? 0 : 0.05 * (high - low);
     if (!(from < to)) [from, to] = isNumber(from) ? [from - 1, to + 1] : [0, 1];
@@ -137,7 +139,8 @@ export class Curves {
       body.append(svgElement("line", { class: "level", x1: kLeft, x2: width - kRight, y1: this.py(value), y2: this.py(value) }));
     for (const s of [...this.shown()].reverse()) {
       if (s.low) body.append(svgElement("path", { class: "band", d: this.bandPath(s), style: `fill:${s.colour}` }));
-      body.append(svgElement("path", { class: "curve", d: this.curvePath(s.x, s.y, s.steps), style: `stroke:${s.colour}`,
+      if (this.dots) body.append(...this.points(s));
+      else body.append(svgElement("path", { class: "curve", d: this.curvePath(s.x, s.y, s.steps), style: `stroke:${s.colour}`,
                                        "stroke-dasharray": s.dashed ? "5 4" : null }));
     }
     this.marks = svgElement("g", { class: "cursor" });
@@ -160,16 +163,20 @@ export class Curves {
   }
 
   curvePath(x, y, steps) {
-    let d = "", open = false, before = 0;
+    let d = "", open = false;
     y.forEach((value, i) => {
       if (!isNumber(value) || (this.logarithmic && value <= 0)) return void (open = false);
       const px = this.px(x[i]).toFixed(1), py = this.py(value).toFixed(1);
       d += open ? (steps ? `H${px}V${py}` : `L${px} ${py}`) : `M${px} ${py}`;
       if (!open && !isNumber(y[i + 1])) d += "h0.01";
       open = true;
-      before = py;
     });
     return d;
+  }
+
+  points({ x, y, colour }) {
+    return y.flatMap((value, i) => isNumber(value) && (!this.logarithmic || value > 0)
+      ? [svgElement("circle", { cx: this.px(x[i]), cy: this.py(value), r: 3, style: `fill:${colour}` })] : []);
   }
 
   bandPath({ x, low, high }) {

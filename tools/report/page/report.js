@@ -1,8 +1,10 @@
 // Shows the content of the page.
 
+import { showArm } from "./arm_page.js";
 import { showBitmap } from "./bitmap_page.js";
+import { showDrive } from "./drive_page.js";
 
-const kViews = { bitmap: showBitmap };
+const kViews = { arm: showArm, bitmap: showBitmap, drive: showDrive };
 
 async function main() {
   const content = JSON.parse(document.getElementById("content").textContent);

@@ -85,7 +85,7 @@ export class Sheet {
     const facts = Object.entries({ algorithm: result.algorithm, seed: result.seed, threads: result.threads, ...result.parameters })
       .filter(([, value]) => typeof value !== "object" || value === null || Array.isArray(value))
       .map(([name, value]) => [name.replaceAll("_", " "), text(value)]);
-    this.card("right", "Parameters").append(factTable(facts));
+    this.card("left", "Parameters").append(factTable(facts));
   }
 
   finish(keys = []) {

@@ -5,11 +5,9 @@
 
 import { element } from "./dom.js";
 
-export function factTable(facts, caption) {
-  const rows = facts.map(([name, value]) => element("tr", {}, element("th", { scope: "row" }, name),
-                                                     element("td", {}, String(value))));
-  return element("table", { class: "facts" }, caption ? element("caption", {}, caption) : null,
-                 element("tbody", {}, ...rows));
+export function factTable(facts) {
+  return element("dl", { class: "facts" }, ...facts.map(([name, value]) =>
+    element("div", {}, element("dt", {}, name), element("dd", {}, String(value)))));
 }
 
 function compare(a, b) {

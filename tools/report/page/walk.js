@@ -1,12 +1,12 @@
 // Points along a polyline.
 //
-//   cumulated(points)             -> Float64Array: length up to each point
+//   cumulated(points)             -> Float64Array: length up to each point, in the plane or in space
 //   nearestOn(points, sums, x, y) -> {distance, at: [x, y], length, segment} of the nearest point
 
 export function cumulated(points) {
   const sums = new Float64Array(points.length);
   for (let i = 1; i < points.length; ++i)
-    sums[i] = sums[i - 1] + Math.hypot(points[i][0] - points[i - 1][0], points[i][1] - points[i - 1][1]);
+    sums[i] = sums[i - 1] + Math.hypot(...Array.from(points[i], (value, axis) => value - points[i - 1][axis]));
   return sums;
 }
 
