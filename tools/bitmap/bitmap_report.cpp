@@ -14,19 +14,6 @@ namespace {
 constexpr int kMostWallPixels = 1024;  // of the map, a side
 constexpr int kMostSamples = 600;      // of a path's clearance
 
-Json walls_json(const Grid& grid, const Window& window) {
-  const double shrink =
-      std::min(1.0, 1.0 * kMostWallPixels / std::max(window.width(), window.height()));
-  const auto pixels = [&](int cells) {
-    return std::max(1, static_cast<int>(std::lround(shrink * cells)));
-  };
-  const auto share = blocked_share(grid, window, pixels(window.width()), pixels(window.height()));
-  std::vector<std::uint8_t> codes;
-  for (const float blocked : share.values)
-    codes.push_back(static_cast<std::uint8_t>(std::lround(255 * wall_strength(blocked))));
-  return {{"width", share.width}, {"height", share.height}, {"shares", packed(codes)}};
-}
-
 /// Points of a polyline at even distances, its ends among them.
 std::vector<Point> spread(const std::vector<Point>& path, int count, double step) {
   std::vector<Point> samples{path.front()};
@@ -46,6 +33,19 @@ std::vector<Point> spread(const std::vector<Point>& path, int count, double step
 }
 
 }  // namespace
+
+Json walls_json(const Grid& grid, const Window& window) {
+  const double shrink =
+      std::min(1.0, 1.0 * kMostWallPixels / std::max(window.width(), window.height()));
+  const auto pixels = [&](int cells) {
+    return std::max(1, static_cast<int>(std::lround(shrink * cells)));
+  };
+  const auto share = blocked_share(grid, window, pixels(window.width()), pixels(window.height()));
+  std::vector<std::uint8_t> codes;
+  for (const float blocked : share.values)
+    codes.push_back(static_cast<std::uint8_t>(std::lround(255 * wall_strength(blocked))));
+  return {{"width", share.width}, {"height", share.height}, {"shares", packed(codes)}};
+}
 
 double distance_to_blocked(const Grid& grid, Point at, int most) {
   const Cell middle{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};

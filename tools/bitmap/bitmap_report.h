@@ -10,6 +10,9 @@
 
 namespace lasius::tool {
 
+/// The walls of a part of a map: {width, height, shares}, a byte a pixel, packed.
+Json walls_json(const Grid& grid, const Window& window);
+
 /// What a page shows of a map: {width, height, window [x, y, width, height], walls {width, height,
 /// shares}, resolution and to_world [6 numbers: x and y of metres by column, row and 1] or null}.
 Json map_view_json(const LoadedMap& map, const Window& window);

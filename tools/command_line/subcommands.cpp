@@ -323,7 +323,8 @@ Subcommand add_study(CLI::App& app) {
   const AddOption option = option_adder(*study);
   option("--seeds", raw->seeds,
          "Runs of each algorithm, seeds 1 to N (default: the study's own number)", "N");
-  option("-o,--output", raw->folder, "Folder to write (default study-NAME)", "DIR");
+  option("-o,--output", raw->folder, "Folder to write (default study-NAME); FILE.html: that page, and a folder FILE for the rest",
+         "DIR|FILE.html");
   option("--threads", raw->threads, "Runs at a time", "N");
   option("--maps", raw->maps, "Folder of the maps, instead of the program's own", "DIR");
   add_switch(*study, "-q,--quiet", raw->quiet, "Print errors only");

@@ -77,7 +77,8 @@ export class Sheet {
   command() {
     const card = this.card("rest", "Command line");
     const called = this.content.command;
-    card.append(element("div", { class: "command" }, element("pre", { tabindex: 0 }, called), copyButton(() => called)));
+    const words = called.split(" ").flatMap((word) => [element("span", {}, word), " "]);
+    card.append(element("div", { class: "command" }, element("pre", { tabindex: 0 }, ...words), copyButton(() => called)));
   }
 
   parameters() {
@@ -94,9 +95,10 @@ export class Sheet {
     if (result?.parameters) this.parameters();
     const files = Object.entries(result ?? {}).filter(([, value]) => value?.hash)
       .map(([role, value]) => `${role} ${value.file} (hash ${value.hash})`);
-    const known = [["space", "play or pause"], ["←", "step back"], ["→", "step forward"], ...keys];
+    const play = [["space", "play or pause"], ["←", "step back"], ["→", "step forward"]];
+    const known = [...(document.querySelector(".player") ? play : []), ...keys];
     const list = known.flatMap(([key, what]) => [element("kbd", {}, key), ` ${what}  `]);
-    this.root.append(element("footer", {}, element("p", {}, "Keys: ", ...list),
+    this.root.append(element("footer", {}, known.length ? element("p", {}, "Keys: ", ...list) : null,
                              element("p", {}, [`lasius ${result?.version ?? this.content.version ?? ""}`, ...files].join(" · "))));
   }
 }
