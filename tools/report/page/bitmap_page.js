@@ -79,7 +79,7 @@ export async function showBitmap(content) {
   const charts = curvesOf(sheet, curves);
   stage.onFrame = (iteration) => charts.forEach((chart) => chart.cursor(iteration));
   charts.forEach((chart) => (chart.onPick = (x) => stage.toIteration(x)));
-  stage.begin();
+  await stage.begin();
   sheet.finish([["+ −", "zoom, with the focus on the map"]]);
 }
 
@@ -188,7 +188,9 @@ class BitmapStage {
     if (layer) {
       const ramp = ramps()[this.shown];
       this.heat.paint(layer.frames[this.frame], layer.range, ramp);
-      const note = this.shown === "trail" && layer.range[0] > 1 ? "clear: less than that" : "";
+      const low = layer.range[0] > 1 ? "clear: less than that" : "";
+      const far = this.content.frames.reads_all ? "" : "clear: less than that, or far from all tracks";
+      const note = this.shown === "trail" ? far || low : "";
       this.legend.replaceChildren(heatLegend(layer.scale, layer.range, ramp, note));
     } else this.legend.replaceChildren();
     if (!this.pointing) this.readout.textContent = this.frameText();

@@ -1,6 +1,6 @@
 // The report of a study: tables, and for each question its charts and best paths.
 
-import { Curves } from "./curves.js";
+import { Curves, kCurveColours } from "./curves.js";
 import { groundLayer, placeText, wallImage } from "./bitmap_page.js";
 import { element, isNumber, numberText, onTheme, themeColour } from "./dom.js";
 import { MapView } from "./map_view.js";
@@ -8,15 +8,13 @@ import { unpacked } from "./packed.js";
 import { Sheet } from "./sheet.js";
 import { dataTable } from "./table.js";
 
-const kColours = 8;
-
 /** The map with the best path of every contender, the first on top. */
 async function showMap(host, map, unit) {
   const { window: [x, y, width, height] } = map, walls = wallImage(map.walls, await unpacked(map.walls.shares));
   const readout = element("div", { class: "hover", role: "status" });
   const view = new MapView(host, { low: [x, y], high: [x + width, y + height], label: "Map with the best path of each contender",
                                    onHover: (px, py) => { readout.textContent = px == null ? "" : placeText(map, [px, py]); } });
-  const colour = (i) => themeColour(`--curve-${(i % kColours) + 1}`);
+  const colour = (i) => themeColour(`--curve-${(i % kCurveColours) + 1}`);
   const hidden = new Set();
   view.layers = [groundLayer(map), (context) => view.image(context, walls, x, y, width, height, view.scale < 1), (context) => {
     for (let i = map.paths.length - 1; i >= 0; --i)
@@ -26,7 +24,7 @@ async function showMap(host, map, unit) {
   }];
   const keys = map.paths.map(({ name, length }, i) => {
     const key = element("button", { type: "button", class: "key", "aria-pressed": "true" },
-      element("span", { class: "key-line", style: `border-color:var(--curve-${(i % kColours) + 1})` }), name,
+      element("span", { class: "key-line", style: `border-color:var(--curve-${(i % kCurveColours) + 1})` }), name,
       element("span", { class: "key-value" }, isNumber(length) ? `${numberText(length, 2)} ${unit}` : "no path"));
     key.addEventListener("click", () => {
       hidden.has(i) ? hidden.delete(i) : hidden.add(i);
