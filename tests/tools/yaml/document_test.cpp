@@ -48,7 +48,10 @@ TEST(Document, LinesEndInAnyWay) {
 
 TEST(Document, RefusesWhatIsNoDocument) {
   EXPECT_EQ(fault(""), "1: the file is empty; keep one document a file");
-  EXPECT_EQ(fault("a: 1\n---\nb: 2\n"), "1: there are several documents; keep one document a file");
+  EXPECT_EQ(fault("a: 1\n---\nb: 2\n"),
+            "1: something follows the document; keep one document a file");
+  EXPECT_EQ(fault(", a: b"), "1: something follows the document; keep one document a file");
+  EXPECT_NE(fault("a: 1\n, b: 2\n"), "");
   EXPECT_EQ(fault("a: 1\nb: [1, 2\nc: 3\n").substr(0, 40),
             "3: this is neither YAML nor JSON: end of");
   EXPECT_EQ(fault("a: 1\n\na: 2\n"), "3: 'a' is given again; leave one of the two out");
