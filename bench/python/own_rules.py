@@ -1,6 +1,6 @@
 """Steps a second with an own update in numpy against the built-in one: 30 ants on 400 x 200 cells.
 
-PYTHONPATH=build/release/python python3 bench/own_rules.py [ROUNDS]
+PYTHONPATH=build/release/python python3 bench/python/own_rules.py [ROUNDS]
 
 Both take turns, on one thread; a round's ratio compares two plans that took the same steps.
 """
