@@ -12,7 +12,19 @@
 namespace lasius::python {
 namespace {
 
-using Places = py::array_t<TrailPlace, py::array::c_style>;
+using Places = py::array_t<TrailPlace, py::array::c_style | py::array::forcecast>;
+
+/// Places as the caller gives them: an array or a list. @throws py::type_error for what are no
+/// integers, rather than cut them off.
+Places places_from(const py::object& given) {
+  const auto array = py::array::ensure(given);
+  const char kind = array ? array.dtype().kind() : 'O';
+  if (array && array.size() > 0 && kind != 'i' && kind != 'u')
+    throw py::type_error(py::str("places are {}: give an array of integers").format(array.dtype()));
+  auto places = Places::ensure(given);
+  if (!places) throw py::error_already_set();
+  return places;
+}
 
 /// The trail, for as long as the update runs.
 struct Hand {
@@ -22,7 +34,7 @@ struct Hand {
 using TrailView = View<Hand>;
 using ToursView = View<IterationTours>;
 
-/// A Python object that ends with this one.
+/// A Python object over something that outlives this; it ends with this.
 template <class Seen>
 class Lent {
  public:
@@ -69,13 +81,15 @@ auto of_ant(Get get) {
   };
 }
 
-py::array_t<double> values_at(const TrailView& view, const Places& places) {
+py::array_t<double> values_at(const TrailView& view, const py::object& given) {
+  const Places places = places_from(given);
   py::array_t<double> values(places.size());
   view.get().trail.get(span_of(places), {values.mutable_data(), span_of(places).size()});
   return values;
 }
 
-py::array_t<double> learned_at(const TrailView& view, const Places& cells) {
+py::array_t<double> learned_at(const TrailView& view, const py::object& given) {
+  const Places cells = places_from(given);
   py::array_t<double> values(cells.size());
   view.get().trail.get_learned(span_of(cells), {values.mutable_data(), span_of(cells).size()});
   return values;
@@ -126,9 +140,10 @@ OwnRules own_rules(const Given& given, const Params& params, Call& call) {
   if (!given.update.is_none()) {
     own.update = [&given, &call](Pheromone& trail, const IterationTours& tours) {
       const bool go_on = call.call_back([&] {
-        const Lent<Hand> hand({trail, tours.height, tours.width, tours.moves});
+        const Hand hand{trail, tours.height, tours.width, tours.moves};
+        const Lent<Hand> lent(hand);
         const Lent<IterationTours> seen(tours);
-        given.update(hand.get(), seen.get());
+        given.update(lent.get(), seen.get());
       });
       if (!go_on) tours.stop();
     };
@@ -147,19 +162,23 @@ void bind_own_rules(py::module_& module) {
   py::class_<TrailView>(module, "Pheromone")
       .def("persist",
            [](const TrailView& v, double persistence) { v.get().trail.persist(persistence); })
-      .def("add", [](const TrailView& v, const Places& places,
-                     double amount) { v.get().trail.add(span_of(places), amount); })
-      .def("add", [](const TrailView& v, const Places& places,
-                     const Rows& values) { v.get().trail.add(span_of(places), span_of(values)); })
-      .def("set", [](const TrailView& v, const Places& places,
-                     const Rows& values) { v.get().trail.set(span_of(places), span_of(values)); })
+      .def("add", [](const TrailView& v, const py::object& places,
+                     double amount) { v.get().trail.add(span_of(places_from(places)), amount); })
+      .def("add",
+           [](const TrailView& v, const py::object& places, const Rows& values) {
+             v.get().trail.add(span_of(places_from(places)), span_of(values));
+           })
+      .def("set",
+           [](const TrailView& v, const py::object& places, const Rows& values) {
+             v.get().trail.set(span_of(places_from(places)), span_of(values));
+           })
       .def("clamp",
            [](const TrailView& v, double least, double most) { v.get().trail.clamp(least, most); })
       .def("get", &values_at)
       .def("get_learned", &learned_at)
       .def("set_learned",
-           [](const TrailView& v, const Places& cells, const Rows& values) {
-             v.get().trail.set_learned(span_of(cells), span_of(values));
+           [](const TrailView& v, const py::object& cells, const Rows& values) {
+             v.get().trail.set_learned(span_of(places_from(cells)), span_of(values));
            })
       .def("to_array", &whole);
   using T = IterationTours;
