@@ -81,6 +81,7 @@ TEST(Stops, ObserversSeeAndStopEveryAlgorithm) {
 
 TEST(Stops, ThePathThatAnObserverSeesIsTheBestOfAllRoutes) {
   const Planner planner(known_world());
+  int runs = 0;
   for (const char* algorithm : {"maklink-acs", "real-ga"}) {
     Params parameters(algorithm);
     parameters.iterations = 20;
@@ -91,10 +92,11 @@ TEST(Stops, ThePathThatAnObserverSeesIsTheBestOfAllRoutes) {
       ASSERT_NEAR(path_length(last), view.best_length, 1e-9 * view.best_length);
       length = view.best_length;
     });
-    EXPECT_GT(result.iterations, parameters.iterations) << "more than one route";
+    runs += result.iterations / parameters.iterations;
     EXPECT_EQ(last, result.path);
     EXPECT_NEAR(length, result.length, 1e-9 * length);
   }
+  EXPECT_GT(runs, 2) << "the colony searches more than one route";
 }
 
 TEST(Stops, TheDiscreteOptimumIsCutShort) {
