@@ -94,12 +94,12 @@ class Views {
 
   Json of(const Experiment& experiment) {
     Json views = Json::array();
-    for (const auto& [name, contenders] : experiment.charts)
+    for (const auto& chart : experiment.charts)
       add(views, [&] {
-        return Json{{"name", name},
+        return Json{{"name", chart.first},
                     {"map", nullptr},
                     {"charts", charts_json(contender_charts(input_.study, input_.findings,
-                                                            experiment, contenders))}};
+                                                            experiment, chart.second))}};
       });
     if (!experiment.charts.empty()) return views;
     for (const Question& question : experiment.questions) {
