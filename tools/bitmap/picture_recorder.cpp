@@ -7,7 +7,6 @@
 namespace lasius::tool {
 namespace {
 
-constexpr int kMostPixels = 2048;
 /// Up to so many cells the pheromone of every one is read, else only around the ants' tracks.
 constexpr std::int64_t kReadAll = std::int64_t{1} << 22;
 
@@ -22,12 +21,13 @@ std::vector<int> usual(const Params& params) {
 
 }  // namespace
 
-PictureRecorder::PictureRecorder(const Grid& grid, std::vector<int> chosen, const Params& params)
+PictureRecorder::PictureRecorder(const Grid& grid, std::vector<int> chosen, const Params& params,
+                                 int most_pixels)
     : grid_(grid),
       chosen_(chosen.empty() ? usual(params) : std::move(chosen)),
       last_(params.iterations),
       index_(params.update == Update::terminal_index),
-      cells_a_pixel_((std::max(grid.width(), grid.height()) + kMostPixels - 1) / kMostPixels) {
+      cells_a_pixel_((std::max(grid.width(), grid.height()) + most_pixels - 1) / most_pixels) {
   const auto pixels = [this](int cells) { return (cells + cells_a_pixel_ - 1) / cells_a_pixel_; };
   newest_.now = newest_.so_far = Raster<std::uint32_t>(pixels(grid.width()), pixels(grid.height()));
 }

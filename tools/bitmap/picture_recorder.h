@@ -11,10 +11,12 @@
 
 namespace lasius::tool {
 
-/// Gathers the ants' tracks and the pheromone, on a raster of at most 2048 pixels a side: its
+/// Gathers the ants' tracks and the pheromone, on a raster of at most so many pixels a side: its
 /// memory does not grow with the map.
 class PictureRecorder {
  public:
+  static constexpr int kMostPixels = 2048;
+
   /// Ants by pixel: those of one iteration, and of all up to it.
   struct Tracks {
     int iterations;  ///< its number, from 1
@@ -31,19 +33,23 @@ class PictureRecorder {
 
   /// `chosen`: after which iterations tracks are kept, rising; empty: 1, the critical time or 10,
   /// 50, and the last of `params`.
-  PictureRecorder(const Grid& grid, std::vector<int> chosen, const Params& params);
+  PictureRecorder(const Grid& grid, std::vector<int> chosen, const Params& params,
+                  int most_pixels = kMostPixels);
 
   void observe(const GridProgress& progress);
+  /// Reads the pheromone now; `observe` does so where that costs little. `observe` has seen it.
+  void capture(const GridProgress& progress);
 
   /// The chosen iterations that the run reached; its last one where it ended before some.
   std::vector<Tracks> tracks() const;
+  /// The last iteration that was observed.
+  const Tracks& newest() const { return newest_; }
   /// Of a terminal-index run: the index.
   const Pheromone& pheromone() const { return pheromone_; }
   /// Both rasters: pixel (x, y) holds the cells (x, y) * cells_a_pixel() and up.
   int cells_a_pixel() const { return cells_a_pixel_; }
 
  private:
-  void capture(const GridProgress& progress);
   bool touched_near(int x, int y) const;
 
   const Grid& grid_;

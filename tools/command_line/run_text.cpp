@@ -23,8 +23,9 @@ Messages make_messages(const SearchText& text) {
   return messages;
 }
 
-constexpr std::string_view kDriveEndings[] = {".json", ".csv", ".svg", ".png", ".gif"};
-constexpr std::string_view kArmEndings[] = {".json", ".csv", ".yaml", ".yml", ".svg", ".png"};
+constexpr std::string_view kDriveEndings[] = {".json", ".csv", ".svg", ".png", ".gif", ".html"};
+constexpr std::string_view kArmEndings[] = {".json", ".csv", ".yaml", ".yml",
+                                            ".svg",  ".png", ".html"};
 
 /// "N", or "A-B": seeds from A to B.
 void read_seeds(const std::string& text, SearchOptions& options) {
@@ -56,6 +57,9 @@ void read_search(const SearchText& text, SearchOptions& options,
   options.json = text.json;
   check_endings(text.outputs, endings);
   options.outputs = text.outputs;
+  const auto page = std::ranges::find_if(text.outputs, is_page);
+  if (options.seeds > 1 && page != text.outputs.end())
+    throw UsageError("-o " + *page + ": a report plays one run; give it one seed");
   options.messages = make_messages(text);
 }
 
@@ -255,9 +259,10 @@ WorldOptions make_world_options(const std::string& file, const WorldText& text) 
   return options;
 }
 
-PolygonCommand make_polygon(const RunText& run, const PolygonText& text) {
+PolygonCommand make_polygon(const RunText& run, const PolygonText& text,
+                            std::span<const std::string_view> endings) {
   PolygonCommand command;
-  read_search(run, command);
+  read_search(run, command, endings);
   command.world = make_world_options(run.map, text.world);
   command.start = optional_point("--start", text.ends.start);
   command.goal = optional_point("--goal", text.ends.goal);

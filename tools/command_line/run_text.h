@@ -33,6 +33,9 @@ struct RunText : SearchText {
 };
 
 inline constexpr std::array<std::string_view, 4> kResultEndings{".json", ".csv", ".svg", ".png"};
+/// Of one plan.
+inline constexpr std::array<std::string_view, 5> kPlanEndings{".json", ".csv", ".svg", ".png",
+                                                              ".html"};
 
 /// @throws UsageError; Error(invalid_parameter) for a value that the library refuses.
 RunOptions make_run(const RunText& text,
@@ -80,7 +83,8 @@ struct PolygonText {
 
 /// @throws UsageError
 WorldOptions make_world_options(const std::string& file, const WorldText& text);
-PolygonCommand make_polygon(const RunText& run, const PolygonText& text);
+PolygonCommand make_polygon(const RunText& run, const PolygonText& text,
+                            std::span<const std::string_view> endings = kResultEndings);
 
 /// @throws UsageError where --radius is given for a polygon world.
 void refuse_radius(std::string_view radius);

@@ -138,12 +138,12 @@ Subcommand add_plan(CLI::App& app) {
   return {plan, [raw]() -> Command {
             const PolygonText& text = raw->polygon;
             if (is_world(raw->run.map)) {
-              auto polygon = make_polygon(raw->run, text);
+              auto polygon = make_polygon(raw->run, text, kPlanEndings);
               if (polygon.seeds > 1) return PolygonBatchCommand{std::move(polygon), ""};
               return polygon;
             }
             refuse_world_options(text.world);
-            auto query = make_plan(text.ends, make_run(raw->run));
+            auto query = make_plan(text.ends, make_run(raw->run, kPlanEndings));
             if (query.run.seeds > 1)
               return BatchCommand{std::move(query.run), "", query.start, query.goal};
             return query;

@@ -55,6 +55,7 @@ struct SearchOptions {
   std::vector<std::string> outputs;
   Messages messages;
   std::vector<std::string> notes;  ///< what was asked for and has no effect
+  std::string called;              ///< the command line, for a shell to read
 };
 
 /// The options that `plan` and `batch` share on bitmaps.
@@ -118,6 +119,7 @@ struct StudyCommand {
   std::string folder;  ///< of the report and its runs
   std::string maps;    ///< folder of the maps; empty: the program's own
   Messages messages = {};
+  std::string called = {};  ///< as SearchOptions::called
 };
 
 /// What an arm is to reach.
