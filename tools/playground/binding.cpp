@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,12 +16,15 @@
 
 #include "lasius/lasius.h"
 #include "lasius/version.h"
-#include "tools/playground/frame_maker.h"
+#include "tools/bitmap/picture_recorder.h"
 
 namespace lasius::playground {
 namespace {
 
 using emscripten::val;
+using tool::PictureRecorder;
+
+constexpr int kMostPixels = 400;  // of a frame, a side
 
 /// A JavaScript array with the same numbers: Float64Array and so on.
 template <class Number>
@@ -186,18 +190,22 @@ val result_object(const Result& result) {
   return object;
 }
 
-val frame_object(const GridProgress& progress, const FrameMaker& frame) {
+/// trail: by pixel the largest pheromone, or least terminal index, NaN where no cell is free;
+/// tracks: the ants' cells of the iteration. Pixel (x, y) holds the cells (x, y) * cells_a_pixel on.
+val frame_object(const GridProgress& progress, const PictureRecorder& rasters) {
+  const auto& trail = rasters.pheromone().values;
   val object = val::object();
   object.set("iteration", progress.iteration + 1);
   object.set("best", progress.best_length);
   object.set("mean", progress.mean_length);
   object.set("arrived", progress.arrived);
+  object.set("ants", progress.ants());
   object.set("path", path_array(progress.path()));
-  object.set("trail", array_of(frame.trail()));
-  object.set("tracks", array_of(frame.tracks()));
-  object.set("width", frame.width());
-  object.set("height", frame.height());
-  object.set("cells_a_pixel", frame.cells_a_pixel());
+  object.set("trail", array_of(trail.values));
+  object.set("tracks", array_of(rasters.newest().now.values));
+  object.set("width", trail.width);
+  object.set("height", trail.height);
+  object.set("cells_a_pixel", rasters.cells_a_pixel());
   return object;
 }
 
@@ -215,13 +223,16 @@ class World {
       const Params params = params_of(question);
       const Request request{.start = cell_of(question["start"]), .goal = cell_of(question["goal"])};
       if (watch.isNull()) return result_object(planner_.plan(request, params));
-      FrameMaker frame(planner_.grid(), params);
+      // Tracks of no iteration are kept there: the page keeps them.
+      PictureRecorder rasters(planner_.grid(), {std::numeric_limits<int>::max()}, params,
+                              kMostPixels);
       return result_object(
           planner_.plan(request, params, nullptr, [&](const GridProgress& progress) {
             const int done = progress.iteration + 1;
+            rasters.observe(progress);
             if (done % every != 0 && done != params.iterations) return;
-            frame.make(progress);
-            watch(frame_object(progress, frame));
+            rasters.capture(progress);
+            watch(frame_object(progress, rasters));
           }));
     });
   }

@@ -96,6 +96,11 @@ constexpr void transform(Range&& range, Out out, Function function) {
                  [&](const auto& each) { return std::invoke(function, each); });
 }
 
+template <class Range>
+constexpr void sort(Range&& range) {
+  std::sort(std::begin(range), std::end(range));
+}
+
 struct lasius_ascending {};  // what `{}` names as the order
 
 template <class Range, class Projection>
