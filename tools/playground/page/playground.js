@@ -6,9 +6,10 @@ import { Curves } from "./curves.js";
 import { element, isNumber, numberText, themeButton } from "./dom.js";
 import { Engine, Stopped } from "./engine.js";
 import { field, numberField } from "./fields.js";
-import { copyButton, saveFile } from "./files.js";
+import { copyButton, csvOf, saveFile } from "./files.js";
 import { checkBox, percentText, statusText } from "./sheet.js";
 import { Stage, pairs } from "./stage.js";
+import { cumulated } from "./walk.js";
 import { WorldCard, checkSize } from "./world_card.js";
 
 const kFrameBytes = 96 << 20;  // of all frames of a run
@@ -21,10 +22,11 @@ class Playground {
     this.figures = element("dl", { class: "figures" });
     this.left = element("div");
     this.right = element("div");
+    this.bar = element("div", { class: "row bar" });
     document.getElementById("playground").append(
       element("header", {}, element("div", {}, element("h1", {}, "lasius playground"),
         element("p", { class: "subtitle" }, "Colonies and the exact planner on a map of your own. All of it runs in this page.")), themeButton()),
-      this.problem, this.figures, element("div", { class: "columns" }, this.left, this.right));
+      this.bar, this.problem, this.figures, element("div", { class: "columns" }, this.left, this.right));
   }
 
   card(side, heading) {
@@ -38,27 +40,27 @@ class Playground {
     this.stage = new Stage(this.card(this.left, "Map"), {
       onCells: () => this.drawn(), onStart: (cell) => this.setEnds(cell, this.goal), onGoal: (cell) => this.setEnds(this.start, cell),
       onFrame: (frame) => frame && this.charts?.forEach((chart) => chart.cursor(frame.iteration)) });
-    this.addRunCard();
+    this.addRunBar();
     this.addCharts();
     this.world = new WorldCard(this.card(this.right, "World"), {
       kinds, make: (wish) => this.try(() => this.generate(wish)), read: (file) => this.try(() => this.read(file)),
-      empty: (width, height) => this.try(() => this.empty(width, height)), save: () => this.try(() => this.save()) });
+      empty: (width, height) => this.try(() => this.empty(width, height)), save: () => this.try(() => this.saveMap()) });
     this.addEndsCard();
     this.addCommandCard();
     this.colony = new ColonyCard(this.card(this.right, "Colony"), {
       algorithms, formulas: (question) => this.engine.call("formulas", question), onChange: () => this.tellCommand() });
-    this.left.append(element("footer", {}, element("p", {}, `lasius ${version}, compiled to WebAssembly, one thread. Keys: `,
+    document.getElementById("playground").append(element("footer", {}, element("p", {}, `lasius ${version}, compiled to WebAssembly, one thread. Keys: `,
       ...[["space", "play or pause"], ["← →", "step"], ["+ −", "zoom, with the focus on the map"], ["arrows, enter", "draw, with a tool chosen"]]
         .flatMap(([key, what]) => [element("kbd", {}, key), ` ${what}  `]))));
     await this.generate(this.world.wish());
   }
 
-  addRunCard() {
+  addRunBar() {
     this.run = element("button", { type: "button", class: "main", onclick: () => this.try(() => this.plan()) }, "Run");
     this.stop = element("button", { type: "button", disabled: true, onclick: () => this.engine.stop() }, "Stop");
     this.state = element("span", { role: "status", class: "state" });
-    this.card(this.right, null).append(
-      element("div", { class: "row" }, this.run, this.stop, checkBox("Compare with exact", true, (on) => (this.comparing = on))), this.state);
+    this.save = element("button", { type: "button", disabled: true, onclick: () => this.savePath() }, "Path as CSV");
+    this.bar.append(this.run, this.stop, checkBox("Compare with exact", true, (on) => (this.comparing = on)), this.save, this.state);
   }
 
   addEndsCard() {
@@ -132,6 +134,8 @@ class Playground {
       Object.assign(y, { value: this[name].y, max: this.map.height - 1 });
     }
     this.figures.replaceChildren();
+    this.state.textContent = "";
+    this.save.disabled = true;
     this.charts.forEach((chart) => chart.set([]));
     this.tellCommand();
   }
@@ -163,9 +167,14 @@ class Playground {
     this.setMap({ width, height, cells: new Uint8Array(width * height) }, { kind: "drawn" });
   }
 
-  async save() {
+  async saveMap() {
     const name = `${mapFileOf(this.map).replace(/\.\w+$/, "")}.map`;
     saveFile(name, new Blob([await this.engine.text(this.map)]));
+  }
+
+  savePath() {
+    const points = pairs(this.answer.path), sums = cumulated(points);
+    saveFile("path.csv", new Blob([csvOf(["x", "y", "length"], points.map(([x, y], i) => [x, y, sums[i]]))], { type: "text/csv" }));
   }
 
   question() {
@@ -193,6 +202,10 @@ class Playground {
     this.busy(true);
     try {
       await this.planned();
+    } catch (error) {
+      if (error instanceof Stopped) this.stopped();
+      else this.state.textContent = "";
+      throw error;
     } finally {
       this.busy(false);
       this.stage.endRun();
@@ -204,7 +217,9 @@ class Playground {
     this.run.disabled = running;
     this.stop.disabled = !running;
     this.left.setAttribute("aria-busy", String(running));
-    if (running) this.state.textContent = "running …";
+    if (!running) return;
+    this.save.disabled = true;
+    this.state.textContent = "running …";
   }
 
   async planned() {
@@ -212,27 +227,21 @@ class Playground {
     const iterations = Number(this.colony.valueOf("iterations") ?? 1);
     this.stage.beginRun({ iterations, index: this.colony.valueOf("update") === "terminal-index" || question.algorithm === "terminal-index" });
     const curves = { best: [], mean: [] };
-    this.tellFigures(null, null);
-    let exact = null;
+    this.tellFigures(null);
+    this.exact = null;
     if (this.comparing && kind !== "exact") {
-      exact = await this.engine.plan(this.map, this.exactQuestion());
-      this.stage.showExact(pairs(exact.path));
+      this.exact = await this.engine.plan(this.map, this.exactQuestion());
+      this.stage.showExact(pairs(this.exact.path));
     }
-    this.charts[0].levels = isNumber(exact?.length) ? [{ name: "exact", value: exact.length }] : [];
+    this.charts[0].levels = isNumber(this.exact?.length) ? [{ name: "exact", value: this.exact.length }] : [];
     const onFrame = (frame) => {
       this.stage.addFrame(frame);
       [curves.best[frame.iteration - 1], curves.mean[frame.iteration - 1]] = [frame.best, frame.mean];
       this.state.textContent = `running: iteration ${frame.iteration} of ${iterations}`;
       this.drawChart(curves);
     };
-    try {
-      const answer = await this.engine.plan(this.map, question, { every: kind === "exact" ? 0 : this.stride(iterations), onFrame });
-      this.finished(answer, exact, kind);
-    } catch (error) {
-      if (error instanceof Stopped) this.stopped(exact);
-      else this.state.textContent = "";
-      throw error;
-    }
+    const every = kind === "exact" ? 0 : this.stride(iterations);
+    this.finished(await this.engine.plan(this.map, question, { every, onFrame }), kind);
   }
 
   stride(iterations) {
@@ -251,22 +260,24 @@ class Playground {
     this.charts[1].set([{ name: "mean tour, as walked", colour: "var(--curve-2)", ...points(Array.from(mean)) }]);
   }
 
-  finished(answer, exact, kind) {
+  finished(answer, kind) {
     this.answer = answer;
+    this.save.disabled = answer.path.length === 0;
     if (answer.path.length) this.stage.showPath(pairs(answer.path));
     if (kind !== "exact") this.drawChart(answer);
     this.state.textContent = statusText({ status: answer.status, error: answer.message });
-    this.tellFigures(answer, exact);
+    this.tellFigures(answer);
   }
 
-  stopped(exact) {
+  stopped() {
     const last = this.stage.frames.at(-1);
-    if (!this.stage.map || !last) return void (this.state.textContent = "stopped");
+    if (!last) return void (this.state.textContent = "stopped");
     this.state.textContent = `stopped after iteration ${last.iteration}: the best path so far is shown, the command runs all of it`;
-    this.tellFigures({ length: last.best, iterations: last.iteration }, exact);
+    this.tellFigures({ length: last.best, iterations: last.iteration });
   }
 
-  tellFigures(answer, exact) {
+  tellFigures(answer) {
+    const { exact } = this;
     const gap = answer && exact && exact.length > 0 ? answer.length / exact.length - 1 : null;
     const list = answer ? [
       ["length", isNumber(answer.length) ? `${numberText(answer.length, 3)} cells` : "no path"],

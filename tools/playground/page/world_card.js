@@ -20,7 +20,7 @@ export class WorldCard {
     this.height = side(140, "Height, cells");
     this.density = element("input", { type: "number", min: 0, step: 0.01, placeholder: "usual" });
     this.seed = numberField({ value: 61, min: 0, max: Number.MAX_SAFE_INTEGER });
-    const file = element("input", { type: "file", class: "hidden", accept: ".map,.pbm,.pgm", id: "map-file", onchange: () => {
+    const file = element("input", { type: "file", class: "hidden", accept: ".map,.pbm,.pgm", id: "map-file", "aria-label": "Map file", onchange: () => {
       if (file.files.length) read(file.files[0]);
       file.value = "";
     } });
