@@ -1,21 +1,32 @@
-// What the C++ library of emscripten 3.1.6 lacks of C++20, as far as lasius uses it. Included before
-// every file of the WebAssembly build, and of no other.
+// What the C++ library of emscripten 3.1.6 lacks of C++20, as far as lasius uses it. Included
+// before every file of the WebAssembly build, and of no other.
 #pragma once
 
 #ifdef __cplusplus
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <iostream>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
 #include <system_error>
 #include <type_traits>
+
+// Random123 refuses machines that are not on its list, and WebAssembly is not. It is told of one
+// for which it has plain C alone; the headers that it includes are above.
+#define __s390x__ 1
+#include <Random123/features/compilerfeatures.h>
+#undef __s390x__
 
 namespace std {
 

@@ -14,7 +14,7 @@ if(NOT random123)
 endif()
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/random123)
 file(CREATE_LINK ${random123}/Random123 ${CMAKE_BINARY_DIR}/random123/Random123 SYMBOLIC)
-set(LASIUS_RANDOM123_DIR ${here} CACHE PATH "Where Random123's headers are")
+set(LASIUS_RANDOM123_DIR ${CMAKE_BINARY_DIR}/random123 CACHE PATH "Where Random123's headers are")
 
 # WebAssembly's own exceptions: those that emscripten makes of JavaScript cost a call each time that
 # a function may throw.
