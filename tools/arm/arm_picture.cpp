@@ -200,6 +200,19 @@ study::LineChart question_chart(const std::vector<arm::Questions>& asked) {
           .lengths = false};
 }
 
+/// What came of it, below or beside the title.
+std::string figures_text(const ArmAnswer& answer) {
+  if (answer.plan.tips.cols() == 0) return std::string(to_string(answer.plan.status));
+  std::array<char, 200> figures;
+  std::snprintf(
+      figures.data(), figures.size(),
+      "%s %.3g %s, %lld positions and %lld motions asked, takes %.2f s",
+      answer.plan.direct ? "straight in joint space," : "lattice path", answer.plan.length,
+      unit_of(answer.parameters.objective), static_cast<long long>(answer.plan.questions.positions),
+      static_cast<long long>(answer.plan.questions.motions), answer.plan.trajectory.duration());
+  return figures.data();
+}
+
 }  // namespace
 
 SpaceBounds bounds_of(const ArmAnswer& answer) {
@@ -225,17 +238,8 @@ std::string arm_title(const ArmCommand& command, const ArmAnswer& answer) {
   const auto base = [](const std::string& file) {
     return std::filesystem::path(file).filename().string();
   };
-  std::string text = std::string(answer.parameters.algorithm()) + ": " + base(command.robot) +
-                     " in " + base(command.scene) + ", seed " + std::to_string(command.seed) + ": ";
-  if (answer.plan.tips.cols() == 0) return text + std::string(to_string(answer.plan.status));
-  std::array<char, 200> figures;
-  std::snprintf(
-      figures.data(), figures.size(),
-      "%s %.3g %s, %lld positions and %lld motions asked, takes %.2f s",
-      answer.plan.direct ? "straight in joint space," : "lattice path", answer.plan.length,
-      unit_of(answer.parameters.objective), static_cast<long long>(answer.plan.questions.positions),
-      static_cast<long long>(answer.plan.questions.motions), answer.plan.trajectory.duration());
-  return text + figures.data();
+  return std::string(answer.parameters.algorithm()) + ": " + base(command.robot) + " in " +
+         base(command.scene) + ", seed " + std::to_string(command.seed);
 }
 
 void write_arm_picture(const std::string& file, const ArmCommand& command,
@@ -263,7 +267,7 @@ void write_arm_picture(const std::string& file, const ArmCommand& command,
     add([&](Canvas& canvas, const Box& box) {
       study::draw(canvas, box, question_chart(plan.asked));
     });
-  Page page{.title = arm_title(command, answer),
+  Page page{.title = arm_title(command, answer) + ": " + figures_text(answer),
             .legend = keys_of(answer),
             .cells = false,
             .bands = {{.rows = {std::move(views)}, .small = true, .columns = 3}}};

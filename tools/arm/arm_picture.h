@@ -20,7 +20,7 @@ struct SpaceBounds {
 /// All of the arm in poses of its motion, its way and goals, and obstacles that are near.
 SpaceBounds bounds_of(const ArmAnswer& answer);
 
-/// What ran on what, and what came of it.
+/// What ran on what.
 std::string arm_title(const ArmCommand& command, const ArmAnswer& answer);
 
 /// Three views (from above, the front and the side) of obstacles, arm and tip's path, the joints'

@@ -10,17 +10,15 @@
 
 namespace lasius::tool {
 
+/// The walls of a part of a map: {width, height, shares}, a byte a pixel, packed.
+Json walls_json(const Grid& grid, const Window& window);
+
 /// What a page shows of a map: {width, height, window [x, y, width, height], walls {width, height,
 /// shares}, resolution and to_world [6 numbers: x and y of metres by column, row and 1] or null}.
 Json map_view_json(const LoadedMap& map, const Window& window);
 
-/// How far points of a path, evenly spread over it, are from the nearest blocked cell or the edge:
-/// {step, values}. Farther than kMostClearance counts as that.
-inline constexpr int kMostClearance = 64;
+/// {step, values} of clearance_along; null without a path.
 Json clearance_json(const Grid& grid, const std::vector<Point>& path, double length);
-
-/// Distance from a point to the nearest blocked cell's square or the outside, at most `most`.
-double distance_to_blocked(const Grid& grid, Point at, int most);
 
 /// `frames` may be null.
 void write_bitmap_report(std::ostream& out, const Task& task, const LoadedMap& map,

@@ -71,7 +71,8 @@ std::string codes(const Frames& frames, std::vector<Value> Frames::value_type::*
 
 RunFrames::RunFrames(const Grid& grid, const Params& params)
     // Tracks of no iteration are kept there: frames hold their own.
-    : rasters_(grid, {std::numeric_limits<int>::max()}, params, kMostPixels),
+    : rasters_(grid, {std::numeric_limits<int>::max()}, params,
+               {.pixels = kMostPixels, .read_all = kReadAll}),
       colony_(find_algorithm(params.algorithm()).kind == Algorithm::Kind::colony),
       index_(params.update == Update::terminal_index),
       frames_(frames_of(grid)) {}
@@ -125,8 +126,10 @@ Json RunFrames::json() const {
     kept.thin();
   }
   const auto& size = rasters_.newest().now;
-  Json json = {
-      {"width", size.width}, {"height", size.height}, {"cells_a_pixel", rasters_.cells_a_pixel()}};
+  Json json = {{"width", size.width},
+               {"height", size.height},
+               {"cells_a_pixel", rasters_.cells_a_pixel()},
+               {"reads_all", rasters_.reads_all()}};
   for (const char* name : {"iterations", "arrived", "ants", "paths", "path_of"})
     json[name] = Json::array();
   const Path* last = nullptr;

@@ -15,6 +15,7 @@ namespace lasius::tool {
 class RunFrames {
  public:
   static constexpr int kMostPixels = 400;
+  static constexpr std::int64_t kReadAll = std::int64_t{1} << 17;  ///< as PictureRecorder::Limits
   static constexpr std::size_t kMostBytes = 48U << 20;
   static constexpr std::size_t kMostFrames = 400;
   static constexpr std::size_t kMostPathVertices = 2000;  ///< of a path that a frame keeps
@@ -26,6 +27,7 @@ class RunFrames {
 
   /// Null where there was nothing to observe; else
   ///   width, height, cells_a_pixel   of the rasters
+  ///   reads_all                      whether the trail was read far from all tracks, too
   ///   iterations, arrived, ants      of each frame, iterations from 1
   ///   trail {name, least, most, logarithmic, frames}, tracks {the same}   see page/heat_map.js;
   ///                                  null: a search without

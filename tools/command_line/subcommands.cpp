@@ -50,7 +50,8 @@ constexpr const char* kOutputs =
     ".csv   iteration,best,mean,arrived by iteration; x,y of the path for algorithms without\n"
     "       iterations; for batch a line a query; with --frame world in metres: best_m, x_m, ...\n"
     ".svg, .png  map, tracks, pheromone, path and convergence; for batch all paths; for polygon\n"
-    "       worlds MAKLINK lines, midpoints, Dijkstra's path, path and convergence";
+    "       worlds MAKLINK lines, midpoints, Dijkstra's path, path and convergence\n"
+    ".html  one page that plays the run, opens from disk and needs no network; not for batch";
 
 /// An option that was given an empty value was not left out.
 std::string not_empty(const std::string& value) { return value.empty() ? "has no value" : ""; }
@@ -60,7 +61,8 @@ constexpr const char* kDriveOutputs =
     ".json  what --json prints\n"
     ".csv   x,y of the track, one cell a tick; with --frame world x_m,y_m\n"
     ".svg, .png  the track over the world: what was seen when, where ways were planned\n"
-    ".gif   a film of at most 301 pictures";
+    ".gif   a film of at most 301 pictures\n"
+    ".html  one page that plays the drive tick by tick";
 
 constexpr SearchHelp kRunHelp = {
     .seed =
@@ -323,7 +325,10 @@ Subcommand add_study(CLI::App& app) {
   const AddOption option = option_adder(*study);
   option("--seeds", raw->seeds,
          "Runs of each algorithm, seeds 1 to N (default: the study's own number)", "N");
-  option("-o,--output", raw->folder, "Folder to write (default study-NAME)", "DIR");
+  option(
+      "-o,--output", raw->folder,
+      "Folder to write (default study-NAME); FILE.html: that page, and a folder FILE for the rest",
+      "DIR|FILE.html");
   option("--threads", raw->threads, "Runs at a time", "N");
   option("--maps", raw->maps, "Folder of the maps, instead of the program's own", "DIR");
   add_switch(*study, "-q,--quiet", raw->quiet, "Print errors only");

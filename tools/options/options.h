@@ -120,6 +120,7 @@ struct StudyCommand {
   std::string maps;    ///< folder of the maps; empty: the program's own
   Messages messages = {};
   std::string called = {};  ///< as SearchOptions::called
+  std::string page = {};    ///< file of the report's page; empty: report.html in `folder`
 };
 
 /// What an arm is to reach.

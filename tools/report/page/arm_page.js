@@ -61,7 +61,7 @@ function motionCharts(sheet, motion, joints) {
     charts.push(new Curves(card, { title: "Joints", xLabel: "time, s", yLabel: "value, rad or m", decimals: 3, series }));
   }
   const { curves, asked, unit } = content;
-  if (curves.best) {
+  if (curves.best?.length > 1) {
     const card = sheet.card("right", "Search");
     const levels = isNumber(content.result.lower_bound) ? [{ name: "lower bound", value: content.result.lower_bound }] : [];
     new Curves(card, { title: "Length by iteration", xLabel: "iteration", yLabel: `length, ${unit}`, decimals: 3, calm: true, levels,

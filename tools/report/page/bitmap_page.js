@@ -7,8 +7,9 @@ import { HeatMap, heatLegend, ramps, trailRange } from "./heat_map.js";
 import { MapView } from "./map_view.js";
 import { framesOf, unpacked } from "./packed.js";
 import { Player } from "./player.js";
+import { PathHover } from "./path_hover.js";
 import { Sheet, checkBox, choices, percentText, swatches } from "./sheet.js";
-import { cumulated, nearestOn } from "./walk.js";
+import { cumulated } from "./walk.js";
 
 /** Walls as an image: the theme's colour, as strong as the share of blocked cells. */
 export function wallImage({ width, height }, shares) {
@@ -51,32 +52,14 @@ async function layersOf(frames) {
   return layers;
 }
 
-class PathHover {
-  constructor(content, sheet) {
-    Object.assign(this, { content, sheet, path: content.result.path ?? [] });
-    this.sums = cumulated(this.path);
-  }
-
-  clearanceAt(length) {
-    const { clearance, most_clearance } = this.content;
-    if (!clearance) return null;
-    const at = Math.min(length / (clearance.step || 1), clearance.values.length - 1), below = Math.floor(at);
-    const value = clearance.values[below], next = clearance.values[Math.min(below + 1, clearance.values.length - 1)];
-    const here = value + (next - value) * (at - below);
-    return `${here >= most_clearance ? "at least " : ""}${this.sheet.length(here)}`;
-  }
-
-  /** The place on the path that the pointer is near, or null. */
-  near(x, y, reach) {
-    const found = nearestOn(this.path, this.sums, x, y);
-    return found.distance <= reach ? found : null;
-  }
-
-  text({ at, length }) {
-    const total = this.sums.at(-1) ?? 0;
-    return `On the path: ${placeText(this.content.map, at)} · ${this.sheet.length(length)} of ${this.sheet.length(total)}` +
-           ` · clearance ${this.clearanceAt(length) ?? "unknown"}`;
-  }
+/** The clearance at a length along the path, as text. */
+function clearanceOf({ clearance, most_clearance }, sheet) {
+  if (!clearance) return null;
+  return ({ length }) => {
+    const { values, step } = clearance, at = Math.min(length / (step || 1), values.length - 1), below = Math.floor(at);
+    const here = values[below] + (values[Math.min(below + 1, values.length - 1)] - values[below]) * (at - below);
+    return `${here >= most_clearance ? "at least " : ""}${sheet.length(here)}`;
+  };
 }
 
 export async function showBitmap(content) {
@@ -96,7 +79,7 @@ export async function showBitmap(content) {
   const charts = curvesOf(sheet, curves);
   stage.onFrame = (iteration) => charts.forEach((chart) => chart.cursor(iteration));
   charts.forEach((chart) => (chart.onPick = (x) => stage.toIteration(x)));
-  stage.begin();
+  await stage.begin();
   sheet.finish([["+ −", "zoom, with the focus on the map"]]);
 }
 
@@ -124,7 +107,8 @@ class BitmapStage {
     const { content } = sheet;
     Object.assign(this, { sheet, content, layers, frame: 0, hovered: null, showPath: true });
     this.shown = layers.trail ? "trail" : layers.tracks ? "tracks" : "none";
-    this.hover = new PathHover(content, sheet);
+    this.hover = new PathHover(content.result.path ?? [], { name: "path", place: (at) => placeText(content.map, at),
+                                                           length: (value) => sheet.length(value), clearance: clearanceOf(content, sheet) });
     this.card = sheet.card("left");
     this.tools = element("div", { class: "row" });
     this.legend = element("div");
@@ -204,7 +188,9 @@ class BitmapStage {
     if (layer) {
       const ramp = ramps()[this.shown];
       this.heat.paint(layer.frames[this.frame], layer.range, ramp);
-      const note = this.shown === "trail" && layer.range[0] > 1 ? "clear: less than that" : "";
+      const low = layer.range[0] > 1 ? "clear: less than that" : "";
+      const far = this.content.frames.reads_all ? "" : "clear: less than that, or far from all tracks";
+      const note = this.shown === "trail" ? far || low : "";
       this.legend.replaceChildren(heatLegend(layer.scale, layer.range, ramp, note));
     } else this.legend.replaceChildren();
     if (!this.pointing) this.readout.textContent = this.frameText();

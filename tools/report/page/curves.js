@@ -15,7 +15,7 @@
 
 import { element, isNumber, numberText, shortText, svgElement } from "./dom.js";
 
-const kColours = 8;
+export const kCurveColours = 8;
 const kLeft = 56, kRight = 12, kTop = 10, kBottom = 38;
 
 /** About `count` round numbers from low to high. */
@@ -62,7 +62,7 @@ export class Curves {
 
   set(series) {
     this.series = series.filter((s) => s.y.some(isNumber)).map((s, i) => ({
-      ...s, colour: s.colour ?? `var(--curve-${(i % kColours) + 1})`, x: s.x ?? s.y.map((_, k) => k + 1) }));
+      ...s, colour: s.colour ?? `var(--curve-${(i % kCurveColours) + 1})`, x: s.x ?? s.y.map((_, k) => k + 1) }));
     this.makeLegend();
     this.draw();
   }

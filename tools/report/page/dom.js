@@ -31,8 +31,9 @@ export function isNumber(value) {
 
 export function numberText(value, decimals = 2) {
   if (!isNumber(value)) return "none";
-  const size = Math.abs(value);
-  if (size >= 1e7 || (size > 0 && size < 0.5 * 10 ** -decimals)) return value.toPrecision(3);
+  const size = Math.abs(value) < 1e-9 ? 0 : Math.abs(value);
+  if (size === 0) return "0";
+  if (size >= 1e7 || size < 0.5 * 10 ** -decimals) return value.toPrecision(3);
   return value.toFixed(decimals).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
 }
 

@@ -3,8 +3,10 @@
 import { showArm } from "./arm_page.js";
 import { showBitmap } from "./bitmap_page.js";
 import { showDrive } from "./drive_page.js";
+import { showPolygon } from "./polygon_page.js";
+import { showStudy } from "./study_page.js";
 
-const kViews = { arm: showArm, bitmap: showBitmap, drive: showDrive };
+const kViews = { arm: showArm, bitmap: showBitmap, drive: showDrive, polygon: showPolygon, study: showStudy };
 
 async function main() {
   const content = JSON.parse(document.getElementById("content").textContent);

@@ -2,7 +2,7 @@
 //
 //   sheet = new Sheet(content)               content: what the program wrote, see tools/report/report.h
 //   sheet.figures([["length", "12 cells"]])
-//   card = sheet.card("left" | "right", heading)     an element to fill
+//   card = sheet.card("left" | "right" | "rest", heading)   an element to fill; rest is below left
 //   sheet.finish()                           parameters, command line, keys, footer
 //   choices(name, [["trail", "Trail"]], chosen, onChange), checkBox(text, on, onChange), swatches([[name, variable, "line"]])
 
@@ -39,7 +39,7 @@ export function swatches(entries) {
 }
 
 function text(value) {
-  return Array.isArray(value) ? value.map(text).join(", ") : value === null ? "none" : String(value);
+  return Array.isArray(value) ? value.map(text).join(", ") || "none" : value === null ? "none" : String(value);
 }
 
 export class Sheet {
@@ -47,7 +47,7 @@ export class Sheet {
     this.content = content;
     const { result, title } = content;
     this.root = document.getElementById("report");
-    this.sides = { left: element("div"), right: element("div") };
+    this.sides = Object.fromEntries(["left", "right", "rest"].map((side) => [side, element("div", { class: side })]));
     this.root.append(
       element("header", {}, element("div", {}, element("h1", {}, title),
                                     element("p", { class: "subtitle" }, result ? statusText(result) : content.subtitle ?? "")),
@@ -58,7 +58,7 @@ export class Sheet {
     const shown = list.filter(([, value]) => value != null);
     this.root.append(element("dl", { class: "figures" },
                              ...shown.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value)))));
-    this.root.append(element("div", { class: "columns" }, this.sides.left, this.sides.right));
+    this.root.append(element("div", { class: "columns" }, ...Object.values(this.sides)));
   }
 
   card(side, heading) {
@@ -75,9 +75,10 @@ export class Sheet {
   }
 
   command() {
-    const card = this.card("left", "Command line");
+    const card = this.card("rest", "Command line");
     const called = this.content.command;
-    card.append(element("div", { class: "command" }, element("pre", { tabindex: 0 }, called), copyButton(() => called)));
+    const words = called.split(" ").flatMap((word) => [element("span", {}, word), " "]);
+    card.append(element("div", { class: "command" }, element("pre", { tabindex: 0 }, ...words), copyButton(() => called)));
   }
 
   parameters() {
@@ -85,7 +86,7 @@ export class Sheet {
     const facts = Object.entries({ algorithm: result.algorithm, seed: result.seed, threads: result.threads, ...result.parameters })
       .filter(([, value]) => typeof value !== "object" || value === null || Array.isArray(value))
       .map(([name, value]) => [name.replaceAll("_", " "), text(value)]);
-    this.card("left", "Parameters").append(factTable(facts));
+    this.card("rest", "Parameters").append(factTable(facts));
   }
 
   finish(keys = []) {
@@ -94,9 +95,10 @@ export class Sheet {
     if (result?.parameters) this.parameters();
     const files = Object.entries(result ?? {}).filter(([, value]) => value?.hash)
       .map(([role, value]) => `${role} ${value.file} (hash ${value.hash})`);
-    const known = [["space", "play or pause"], ["←", "step back"], ["→", "step forward"], ...keys];
+    const play = [["space", "play or pause"], ["←", "step back"], ["→", "step forward"]];
+    const known = [...(document.querySelector(".player") ? play : []), ...keys];
     const list = known.flatMap(([key, what]) => [element("kbd", {}, key), ` ${what}  `]);
-    this.root.append(element("footer", {}, element("p", {}, "Keys: ", ...list),
+    this.root.append(element("footer", {}, known.length ? element("p", {}, "Keys: ", ...list) : null,
                              element("p", {}, [`lasius ${result?.version ?? this.content.version ?? ""}`, ...files].join(" · "))));
   }
 }
