@@ -25,6 +25,8 @@ using emscripten::val;
 using tool::PictureRecorder;
 
 constexpr int kMostPixels = 400;  // of a frame, a side
+// Up to so many cells the pheromone of every one is read, else only around the ants' tracks.
+constexpr std::int64_t kReadAll = std::int64_t{1} << 17;
 
 /// A JavaScript array with the same numbers: Float64Array and so on.
 template <class Number>
@@ -226,7 +228,7 @@ class World {
       if (watch.isNull()) return result_object(planner_.plan(request, params));
       // Tracks of no iteration are kept there: the page keeps them.
       PictureRecorder rasters(planner_.grid(), {std::numeric_limits<int>::max()}, params,
-                              kMostPixels);
+                              {.pixels = kMostPixels, .read_all = kReadAll});
       return result_object(
           planner_.plan(request, params, nullptr, [&](const GridProgress& progress) {
             const int done = progress.iteration + 1;
