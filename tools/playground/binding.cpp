@@ -17,6 +17,7 @@
 #include "lasius/lasius.h"
 #include "lasius/version.h"
 #include "tools/bitmap/picture_recorder.h"
+#include "tools/report/key_frames.h"
 
 namespace lasius::playground {
 namespace {
@@ -220,20 +221,26 @@ class World {
       : planner_(Grid(width, height, bytes(cells), Nonzero::blocked)) {}
 
   /// The question is that of params_of with {start: {x, y}, goal: {x, y}}. `watch`, unless null, is
-  /// called with a frame every `every` iterations, and after the last.
-  val plan(const val& question, const val& watch, int every) const {
+  /// called with the frames that a KeyFrames of `most` asks for, and after the last iteration.
+  val plan(const val& question, const val& watch, int most) const {
     return guarded([&] {
       const Params params = params_of(question);
       const Request request{.start = cell_of(question["start"]), .goal = cell_of(question["goal"])};
       if (watch.isNull()) return result_object(planner_.plan(request, params));
-      // Tracks of no iteration are kept there: the page keeps them.
+      struct Frame {};  // the page keeps them
+      tool::KeyFrames<Frame> sent(static_cast<std::size_t>(most));
+      // Tracks of no iteration are kept there.
       PictureRecorder rasters(planner_.grid(), {std::numeric_limits<int>::max()}, params,
                               {.pixels = kMostPixels, .read_all = kReadAll});
       return result_object(
           planner_.plan(request, params, nullptr, [&](const GridProgress& progress) {
-            const int done = progress.iteration + 1;
             rasters.observe(progress);
-            if (done % every != 0 && done != params.iterations) return;
+            const bool last = progress.iteration + 1 == params.iterations;
+            if (sent.wants(progress.iteration)) {
+              sent.add({});
+            } else if (!last) {
+              return;
+            }
             rasters.capture(progress);
             watch(frame_object(progress, rasters));
           }));

@@ -4,7 +4,7 @@
 //   await engine.call("generate", {...})   what tools/playground/binding.cpp answers; an Error is
 //                                          thrown for {error}
 //   await engine.text(map)                 the bytes of its .map
-//   await engine.plan(map, question, {every, onFrame})
+//   await engine.plan(map, question, {most, onFrame})   frames: those of a KeyFrames of `most`
 //   engine.stop()                          ends what is under way: its promise fails with Stopped
 //
 // A worker that plans hears nothing, so stopping ends it, and another begins with the same module.
@@ -72,8 +72,8 @@ export class Engine {
     return this.ask({ name: "text", map });
   }
 
-  plan(map, question, { every = 0, onFrame } = {}) {
-    return this.ask({ map, question, every }, onFrame);
+  plan(map, question, { most = 0, onFrame } = {}) {
+    return this.ask({ map, question, most }, onFrame);
   }
 
   stop() {

@@ -225,7 +225,8 @@ class Playground {
   async planned() {
     const { kind } = this.colony.algorithm(), question = this.question();
     const iterations = Number(this.colony.valueOf("iterations") ?? 1);
-    this.stage.beginRun({ iterations, index: this.colony.valueOf("update") === "terminal-index" || question.algorithm === "terminal-index" });
+    const most = this.mostFrames();
+    this.stage.beginRun({ iterations, most, index: this.colony.valueOf("update") === "terminal-index" || question.algorithm === "terminal-index" });
     const curves = { best: [], mean: [] };
     this.tellFigures(null);
     this.exact = null;
@@ -240,14 +241,14 @@ class Playground {
       this.state.textContent = `running: iteration ${frame.iteration} of ${iterations}`;
       this.drawChart(curves);
     };
-    const every = kind === "exact" ? 0 : this.stride(iterations);
-    this.finished(await this.engine.plan(this.map, question, { every, onFrame }), kind);
+    this.finished(await this.engine.plan(this.map, question, { most: kind === "exact" ? 0 : most, onFrame }), kind);
   }
 
-  stride(iterations) {
+  /** So many frames of the map are kept. */
+  mostFrames() {
     const side = Math.ceil(Math.max(this.map.width, this.map.height) / 400);
     const bytes = 8 * Math.ceil(this.map.width / side) * Math.ceil(this.map.height / side);
-    return Math.ceil(iterations / Math.max(2, Math.min(kMostFrames, kFrameBytes / bytes)));
+    return Math.floor(Math.max(8, Math.min(kMostFrames, kFrameBytes / bytes)));
   }
 
   drawChart({ best, mean }) {

@@ -5,7 +5,7 @@
 //     onFrame(frame)                           another frame is shown, or null
 //   stage.setMap(map, start, goal)             {width, height, cells}: another map
 //   stage.setEnds(start, goal)
-//   stage.beginRun({index, iterations}); stage.addFrame(frame); stage.endRun()
+//   stage.beginRun({index, iterations, most}); stage.addFrame(frame); stage.endRun()
 //     index: the trail is a terminal index; a frame is that of tools/playground/binding.cpp
 //   stage.showPath(path), stage.showExact(path)   [[x, y], ...], or null
 //
@@ -121,21 +121,29 @@ export class Stage {
     this.player.show(0);
   }
 
-  beginRun({ index, iterations }) {
+  beginRun({ index, iterations, most }) {
     this.clear();
-    Object.assign(this, { iterations, range: null, following: true });
+    Object.assign(this, { iterations, most, range: null, following: true });
     this.scales = { trail: new Scale(index ? "terminal index" : "pheromone", !index), tracks: new Scale("ants through a cell", true) };
   }
 
   addFrame(frame) {
     for (const name of ["trail", "tracks"]) this.scales[name].include(frame[name]);
     frame.points = pairs(frame.path);
+    if (this.frames.length >= this.most && frame.iteration < this.iterations) this.thin();
     this.frames.push(frame);
     const count = this.frames.length;
     if (count === 1) this.heat = new HeatMap(frame.width, frame.height);
     this.player.extend(count);
     if (count === 1) this.player.show(0);
     else if (this.following && !this.player.timer && this.player.index === count - 2) this.player.play();
+  }
+
+  /** As KeyFrames of tools/report: every second one stays, the first too. */
+  thin() {
+    this.frames = this.frames.filter((_, i) => i % 2 === 0);
+    this.player.extend(this.frames.length);
+    this.player.show(this.player.index >> 1);
   }
 
   /** From here on colours mean the same in every frame. */

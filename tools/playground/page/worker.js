@@ -2,7 +2,7 @@
 //
 //   <- {module}                    a WebAssembly.Module; answered by {ready}
 //   <- {id, name, words}           a call of tools/playground/binding.cpp; -> {id, answer}
-//   <- {id, map, question, every}  a plan; -> {id, frame} by iteration, then {id, answer}
+//   <- {id, map, question, most}  a plan; -> {id, frame} by iteration, then {id, answer}
 
 let lasius, world, worldMap;
 
@@ -23,11 +23,11 @@ function worldOf(map) {
   return world;
 }
 
-function plan({ id, map, question, every }) {
+function plan({ id, map, question, most }) {
   const watch = (frame) =>
     postMessage({ id, frame }, [frame.path.buffer, frame.trail.buffer, frame.tracks.buffer]);
   const begin = performance.now();
-  const answer = worldOf(map).plan(question, every > 0 ? watch : null, every);
+  const answer = worldOf(map).plan(question, most > 0 ? watch : null, most);
   return { ...answer, elapsed_ms: performance.now() - begin };
 }
 
