@@ -38,7 +38,7 @@ export async function open(file, { width = 1280, scheme = "light" } = {}) {
   tab.on("dialog", (dialog) => { faults.push(`dialog: ${dialog.message()}`); dialog.dismiss(); });
   tab.on("request", (request) => request.url() !== url && !request.url().startsWith("blob:") && requests.push(request.url()));
   await tab.goto(url);
-  await tab.waitForFunction(() => document.documentElement.dataset.ready, null, { timeout: 60000 });
+  await tab.waitForFunction(() => document.documentElement.dataset.whole, null, { timeout: 60000 });
   return { tab, faults, requests, close: () => context.close() };
 }
 

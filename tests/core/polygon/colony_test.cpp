@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lasius/error.h"
+#include "lasius/path.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/params/parameter_ends.h"
 #include "tests/core/polygon/known_world.h"
@@ -59,21 +60,43 @@ TEST(Stops, TokenAndDeadlineKeepTheBestPath) {
 TEST(Stops, ObserversSeeAndStopEveryAlgorithm) {
   const Planner planner(known_world());
   int calls = 0;
-  const Result exact = planner.plan({}, {}, [&](const Progress& view) {
+  const Result exact = planner.plan({}, {}, [&](const PlanProgress& view) {
     ++calls;
     EXPECT_EQ(view.best_length, view.lower_bound);
+    EXPECT_DOUBLE_EQ(path_length(view.path()), view.best_length);
   });
   EXPECT_EQ(calls, 1);
   EXPECT_EQ(exact.status, Status::solved);
   for (const char* algorithm : {"maklink-acs", "real-ga"}) {
-    const Result cut = planner.plan({}, Params(algorithm), [&](const Progress& view) {
+    const Result cut = planner.plan({}, Params(algorithm), [&](const PlanProgress& view) {
       EXPECT_LE(view.lower_bound.value(), view.best_length);
+      EXPECT_NEAR(path_length(view.path()), view.best_length, 1e-9 * view.best_length);
       if (view.iteration == 2) view.stop();
     });
     EXPECT_EQ(cut.status, Status::interrupted);
     EXPECT_EQ(cut.iterations, 3);
     EXPECT_FALSE(cut.path.empty());
   }
+}
+
+TEST(Stops, ThePathThatAnObserverSeesIsTheBestOfAllRoutes) {
+  const Planner planner(known_world());
+  int runs = 0;
+  for (const char* algorithm : {"maklink-acs", "real-ga"}) {
+    Params parameters(algorithm);
+    parameters.iterations = 20;
+    std::vector<Point> last;
+    double length = 0;
+    const Result result = planner.plan({}, parameters, [&](const PlanProgress& view) {
+      last = view.path();
+      ASSERT_NEAR(path_length(last), view.best_length, 1e-9 * view.best_length);
+      length = view.best_length;
+    });
+    runs += result.iterations / parameters.iterations;
+    EXPECT_EQ(last, result.path);
+    EXPECT_NEAR(length, result.length, 1e-9 * length);
+  }
+  EXPECT_GT(runs, 2) << "the colony searches more than one route";
 }
 
 TEST(Stops, TheDiscreteOptimumIsCutShort) {

@@ -53,17 +53,18 @@ async function showView(host, view, unit) {
   }
 }
 
-async function experimentCard(sheet, { title, text, results, views }) {
+/** The card of an experiment, and what shows its first question. */
+function experimentCard(sheet, { title, text, results, views }) {
   const card = element("section", { class: "card" }, element("h2", {}, title), text ? element("p", { class: "note" }, text) : null);
   sheet.root.append(card);
   if (results.rows.length) card.append(dataTable(results.header, results.rows, "Results"));
-  if (!views.length) return;
+  if (!views.length) return async () => {};
   const host = element("div", { class: "panes" });
   const select = element("select", { "aria-label": `Question of ${title}`, onchange: () => showView(host, views[select.value], sheet.content.unit) },
                          ...views.map(({ name }, i) => element("option", { value: i }, name)));
   if (views.length > 1) card.append(element("label", { class: "row" }, "Shown: ", select));
   card.append(host);
-  await showView(host, views[0], sheet.content.unit);
+  return () => showView(host, views[0], sheet.content.unit);
 }
 
 export async function showStudy(content) {
@@ -75,7 +76,11 @@ export async function showStudy(content) {
   if (content.claims.rows.length)
     sheet.root.append(element("section", { class: "card" }, element("h2", {}, "Claims"),
                               dataTable(content.claims.header, content.claims.rows, "What the source says, and what was found")));
-  for (const experiment of content.experiments) await experimentCard(sheet, experiment);
+  const [first, ...others] = content.experiments.map((experiment) => experimentCard(sheet, experiment));
   sheet.root.append(element("div", { class: "columns single" }, sheet.sides.rest));
   sheet.finish();
+  await first?.();
+  return async () => {
+    for (const show of others) await show();
+  };
 }
