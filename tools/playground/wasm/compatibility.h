@@ -41,7 +41,8 @@ unique_ptr<Array> make_unique_for_overwrite(size_t count) {
   return unique_ptr<Array>(new remove_extent_t<Array>[count]);
 }
 
-/// The shortest of the decimals "%.1g" to "%.17g" that reads back as the same number.
+/// The first of "%.1g" to "%.17g" that reads back as the same number; a whole number plainly where
+/// that is as short.
 inline to_chars_result to_chars(char* first, char* last, double value) {
   const auto room = static_cast<size_t>(last - first);
   int length = 0;
@@ -49,6 +50,12 @@ inline to_chars_result to_chars(char* first, char* last, double value) {
     length = snprintf(first, room, "%.*g", digits, value);
     if (length < 0 || static_cast<size_t>(length) >= room) return {last, errc::value_too_large};
     if (strtod(first, nullptr) == value) break;
+  }
+  if (trunc(value) == value && fabs(value) < 1e17) {
+    array<char, 32> plain;
+    const int digits = snprintf(plain.data(), plain.size(), "%.0f", value);
+    if (digits <= length)
+      length = static_cast<int>(std::copy_n(plain.data(), digits, first) - first);
   }
   return {first + length, errc()};
 }
