@@ -65,7 +65,7 @@ void EditedMap::apply(bool blocked, const OnChange& changed) {
   for (auto begin = differing_.begin(); begin != differing_.end();) {
     const auto end = std::find_if(begin, differing_.end(),
                                   [&](Cell c) { return part_of(c) != part_of(*begin); });
-    const std::span<const Cell> cells(begin, end);
+    const std::span<const Cell> cells(&*begin, static_cast<std::size_t>(end - begin));
     for (const Cell c : cells) map_.set_blocked(c, blocked);
     if (grown_) {
       grow(round(cells), blocked, changed);

@@ -122,8 +122,10 @@ void World::show() {
     return !still_.blocked(cell) && !covers_.contains(key(cell));
   });
   const EditedMap::OnChange nobody = [](const Rectangle&, std::span<const Cell>) {};
-  map_.set(std::span(touched_.begin(), blocked), false, nobody);
-  map_.set(std::span(blocked, touched_.end()), true, nobody);
+  const std::span<const Cell> cells = touched_;
+  const auto free = static_cast<std::size_t>(blocked - touched_.begin());
+  map_.set(cells.first(free), false, nobody);
+  map_.set(cells.subspan(free), true, nobody);
 }
 
 std::vector<Rectangle> World::obstacles() const {

@@ -185,13 +185,17 @@ bool CornerGraph::Mender::look_again(std::uint32_t index, Side side) {
   const auto first = std::find_if_not(before.begin(), before.end(), before_cone);
   const auto last = std::find_if_not(first, before.end(), in_cone);
   edges_.insert(edges_.end(), before.begin(), first);
-  const auto seen = static_cast<std::ptrdiff_t>(edges_.size());
+  const std::size_t kept = edges_.size();
   for (const auto [x, y] : sight_.from(map_, quadrant, side, cone)) {
     const std::uint32_t to = graph_.index(x, y);
     edges_.emplace_back(corner, graph_.corner(to), to);
   }
-  const bool same = std::equal(first, last, edges_.begin() + seen, edges_.end());
-  if (!same) compare(index, {first, last}, {edges_.begin() + seen, edges_.end()});
+  const auto seen = std::span<const GraphEdge>(edges_).subspan(kept);
+  const bool same = std::equal(first, last, seen.begin(), seen.end());
+  if (!same) {
+    const auto from = static_cast<std::size_t>(first - before.begin());
+    compare(index, before.subspan(from, static_cast<std::size_t>(last - first)), seen);
+  }
   edges_.insert(edges_.end(), last, before.end());
   return !same;
 }

@@ -61,8 +61,8 @@ std::string section(const Experiment& experiment, const Findings& findings,
 std::string report_page(const Study& study, const Findings& findings,
                         std::span<const Evidence> evidence, Seeds seeds,
                         const std::vector<Figure>& figures) {
-  std::string text = "# Study " + study.name + (study.summary.empty() ? "" : ": ") + study.summary +
-                     "\n\n" + paragraph(study.source) + "`" + called(study.asked(), seeds) +
+  std::string text = "# Study " + study.title() + "\n\n" + paragraph(study.source) + "`" +
+                     called(study.asked(), seeds) +
                      "`, lasius " LASIUS_VERSION ". Lengths: " + study.unit + ". " + study.text +
                      "\n\n";
   if (!findings.whole) {

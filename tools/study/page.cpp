@@ -136,9 +136,8 @@ class Views {
 
 void write_study_page(std::ostream& out, const PageInput& input) {
   const Study& study = input.study;
-  Json content = {{"kind", "study"},          {"title", study.name + ": " + study.summary},
-                  {"subtitle", study.source}, {"text", study.text},
-                  {"unit", study.unit},       {"command", input.called},
+  Json content = {{"kind", "study"},          {"title", study.title()}, {"subtitle", study.source},
+                  {"text", study.text},       {"unit", study.unit},     {"command", input.called},
                   {"version", LASIUS_VERSION}};
   content["whole"] = input.findings.whole;
   content["claims"] = table_json(claim_table(input.evidence, false));

@@ -145,6 +145,8 @@ struct Study {
 
   /// As `lasius study` takes it.
   const std::string& asked() const { return file.empty() ? name : file; }
+  /// What a report is headed with.
+  std::string title() const { return summary.empty() ? name : name + ": " + summary; }
 };
 
 }  // namespace lasius::study
