@@ -101,7 +101,7 @@ class Views {
                     {"charts", charts_json(contender_charts(input_.study, input_.findings,
                                                             experiment, chart.second))}};
       });
-    if (!experiment.charts.empty()) return views;
+    if (!draws_questions(experiment)) return views;
     for (const Question& question : experiment.questions) {
       if (drawn(input_.findings, experiment, question).empty()) continue;
       add(views, [&] {

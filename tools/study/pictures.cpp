@@ -18,6 +18,10 @@ constexpr std::size_t kMostDrawn = 12;  ///< contenders: more cannot be told apa
 
 }  // namespace
 
+bool draws_questions(const Experiment& experiment) {
+  return experiment.charts.empty() && experiment.contenders.size() <= kMostDrawn;
+}
+
 std::vector<const Sample*> drawn(const Findings& findings, const Experiment& experiment,
                                  const Question& question) {
   std::vector<const Sample*> samples;
@@ -175,7 +179,7 @@ std::vector<Figure> draw_pictures(const Study& study, const Findings& findings,
       save(contender_charts(study, findings, experiment, contenders), folder / file);
       figures.push_back({&experiment, file, "Best and mean tours, " + name});
     }
-    if (!experiment.charts.empty() || experiment.contenders.size() > kMostDrawn) continue;
+    if (!draws_questions(experiment)) continue;
     for (const Question& question : experiment.questions) {
       if (drawn(findings, experiment, question).empty()) continue;
       const std::string stem = "pictures/" + experiment.name + "-" + question.name;

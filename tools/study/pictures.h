@@ -10,6 +10,9 @@
 
 namespace lasius::study {
 
+/// Each question is drawn: unless charts show all of them, or there are too many contenders.
+bool draws_questions(const Experiment& experiment);
+
 /// The samples of a question that have runs: what is drawn.
 std::vector<const Sample*> drawn(const Findings& findings, const Experiment& experiment,
                                  const Question& question);

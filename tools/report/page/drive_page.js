@@ -145,7 +145,7 @@ async function stageOf(sheet) {
                                     label: (i) => `tick ${frames.ticks[i]} of ${result.ticks}` });
   charts.forEach((chart) => (chart.onPick = (at) => player.chosen(Math.max(0, indexAt(frames.ticks, at + 0.5)))));
   const step = frames.ticks.length > 1 ? frames.ticks[1] - frames.ticks[0] : 1;
-  if (step > 1) card.append(element("p", { class: "note" }, `The page holds one tick in ${step}, the track has all.`));
+  if (step > 1) card.append(element("p", { class: "note" }, `The page holds one tick in ${step}.`));
   card.append(swatches([["robot", "--path"], ["goal", "--goal"], ["track", "--track", "line"], ["way planned", "--way", "line"],
                         ["blocked and known", "--wall"], ["blocked, not known", "--unknown"], ["known as blocked, but free", "--believed"],
                         ["not seen yet", "--unseen"], ["moving obstacle", "--mover"]]));
