@@ -84,19 +84,21 @@ macro(lasius_describe_packages)
   set(lasius_runtime liblasius${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   set(lasius_same "(= ${PROJECT_VERSION}-${LASIUS_DEBIAN_REVISION})")
   set(CPACK_COMPONENTS_ALL program runtime dev)
-  set(lasius_what "Published ant-colony planners, implemented from their papers and runnable on real
-maps, and an exact any-angle planner to measure them against. Worlds are
-bitmaps, polygons, and robot arms among obstacles.")
+  set(lasius_what "Published ant-colony planners, implemented from their papers and runnable
+on real maps, and an exact any-angle planner to measure them against.
+Worlds are bitmaps, polygons, and robot arms among obstacles.")
   lasius_debian_package(program lasius science "ant-colony and exact motion planning on maps"
     "${lasius_what}\n\nThis package has the program, its documents and example maps."
     DEPENDS "${lasius_runtime} ${lasius_same}")
+  set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+  set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
   lasius_debian_package(runtime ${lasius_runtime} libs "motion planning - shared libraries"
-    "${lasius_what}\n\nThis package has the libraries lasius, lasius-io, lasius-polygon and lasius-arm."
-    DEPENDS "" GENERATE_SHLIBS ON GENERATE_SHLIBS_POLICY ">=")
+    "${lasius_what}\n\nThis package has the shared libraries."
+    CONTROL_EXTRA ${LASIUS_CMAKE_DIR}/debian/triggers)
   lasius_debian_package(dev liblasius-dev libdevel "motion planning - headers"
-    "${lasius_what}\n\nThis package has what programs are built with: C++20 headers, a CMake package
-and pkg-config files. Example maps are in the package lasius."
-    DEPENDS "${lasius_runtime} ${lasius_same}, libeigen3-dev" SUGGESTS "lasius" SHLIBDEPS OFF)
+    "${lasius_what}\n\nThis package has what programs are built with: C++20 headers, a CMake
+package and pkg-config files. Example maps are in the package lasius."
+    DEPENDS "${lasius_runtime} ${lasius_same}, libeigen3-dev" SUGGESTS lasius SHLIBDEPS OFF)
   if(LASIUS_BUILD_PYTHON)
     list(APPEND CPACK_COMPONENTS_ALL python)
     lasius_debian_package(python python3-lasius python "motion planning - Python package"

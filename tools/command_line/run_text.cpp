@@ -23,9 +23,6 @@ Messages make_messages(const SearchText& text) {
   return messages;
 }
 
-constexpr std::string_view kDriveEndings[] = {".json", ".csv", ".svg", ".png", ".gif"};
-constexpr std::string_view kArmEndings[] = {".json", ".csv", ".yaml", ".yml", ".svg", ".png"};
-
 /// "N", or "A-B": seeds from A to B.
 void read_seeds(const std::string& text, SearchOptions& options) {
   const auto dash = text.find('-', 1);

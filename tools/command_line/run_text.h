@@ -32,7 +32,13 @@ struct RunText : SearchText {
   bool unknown_free = false, prepare = false, gap = false;
 };
 
+/// Endings of the files that -o takes.
 inline constexpr std::array<std::string_view, 4> kResultEndings{".json", ".csv", ".svg", ".png"};
+inline constexpr std::array<std::string_view, 5> kDriveEndings{".json", ".csv", ".svg", ".png",
+                                                               ".gif"};
+inline constexpr std::array<std::string_view, 6> kArmEndings{".json", ".csv", ".yaml",
+                                                             ".yml",  ".svg", ".png"};
+inline constexpr std::array<std::string_view, 3> kMapOutputEndings{".map", ".pbm", ".png"};
 
 /// @throws UsageError; Error(invalid_parameter) for a value that the library refuses.
 RunOptions make_run(const RunText& text,
