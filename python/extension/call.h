@@ -1,0 +1,63 @@
+// One call of the library from Python: without the interpreter's lock, with a deadline, stopped by
+// Ctrl-C and by what a callback raises.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <optional>
+
+#include "lasius/stop.h"
+#include "python/extension/interrupt.h"
+
+namespace lasius::python {
+
+namespace py = pybind11;
+
+/// Made, used and destroyed with the interpreter's lock. What callbacks and signal handlers raise
+/// is kept in it while the library ends with the best that it has.
+class Call {
+ public:
+  /// Counts the time limit, in seconds, from here. @throws py::value_error for one that is negative
+  /// or no number; what a signal handler raises that was due before the call.
+  explicit Call(std::optional<double> time_limit = {});
+
+  /// Of the library's call: the deadline, and a token that stop() and SIGINT ask to stop.
+  StopCondition condition() {
+    return {.token = watch_.source().get_token(), .deadline = deadline_};
+  }
+  void stop() noexcept { watch_.source().request_stop(); }
+
+  /// work(), without the lock.
+  template <class Work>
+  auto run(const Work& work) {
+    const py::gil_scoped_release released;
+    return work();
+  }
+
+  /// From within run(): calls back() with the lock, unless something was raised before, and keeps
+  /// what it raises. False if the library should stop.
+  template <class Back>
+  bool call_back(const Back& back) {
+    const py::gil_scoped_acquire lock;
+    if (error_) return false;
+    try {
+      back();
+    } catch (py::error_already_set& error) {
+      keep(error);
+      stop();
+    }
+    return !error_;
+  }
+
+  /// The exception that a callback or a signal handler raised meanwhile, or None.
+  py::object error();
+
+ private:
+  void keep(py::error_already_set& error);
+
+  Clock::time_point deadline_ = Clock::time_point::max();
+  InterruptWatch watch_;
+  py::object error_;
+};
+
+}  // namespace lasius::python

@@ -1,0 +1,83 @@
+// Navigator: a robot's planner on a map edited in place, used by one Python thread at a time.
+#include "lasius/navigator.h"
+
+#include <mutex>
+
+#include "python/extension/arrays.h"
+#include "python/extension/call.h"
+#include "python/extension/modules.h"
+#include "python/extension/navigator_class.h"
+#include "python/extension/results.h"
+
+namespace lasius::python {
+
+NavigatorOptions navigator_options(const Params& params, double radius, bool prepare,
+                                   double target_gap, bool search_on) {
+  NavigatorOptions options{
+      .params = params, .radius = radius, .target_gap = target_gap, .search_on = search_on};
+  if (prepare) options.prepare.emplace();
+  return options;
+}
+
+py::tuple fields(const Way& way) {
+  return py::make_tuple(fields(static_cast<const Result&>(way)), way.replanned,
+                        to_array(std::span<const Cell>(way.walk)));
+}
+
+namespace {
+
+/// (error, fields of lasius.Way)
+py::tuple step(SharedNavigator& shared, Cell robot, std::optional<double> time_limit) {
+  Call call(time_limit);
+  const Way way = call.run([&] {
+    const std::lock_guard lock(shared.mutex);
+    return shared.navigator.step(robot, call.condition());
+  });
+  return py::make_tuple(call.error(), fields(way));
+}
+
+/// A member that asks or changes the navigator, when no other thread does.
+template <class Use>
+auto alone(SharedNavigator& shared, const Use& use) {
+  const py::gil_scoped_release released;
+  const std::lock_guard lock(shared.mutex);
+  return use(shared.navigator);
+}
+
+}  // namespace
+
+void bind_navigator(py::module_& module) {
+  py::class_<SharedNavigator>(module, "Navigator")
+      .def(py::init([](const Grid& map, Cell goal, const Params& params, double radius,
+                       bool prepare, double target_gap, bool search_on) {
+        const auto options = navigator_options(params, radius, prepare, target_gap, search_on);
+        const py::gil_scoped_release released;
+        return std::make_unique<SharedNavigator>(Navigator(map, goal, options));
+      }))
+      .def("observe",
+           [](SharedNavigator& shared, const IntRows& rows, bool blocked) {
+             const auto cells = cells_from(rows, "cells");
+             alone(shared, [&](Navigator& n) { n.observe(cells, blocked); });
+           })
+      .def("observe_rectangle",
+           [](SharedNavigator& shared, int x, int y, int width, int height, bool blocked) {
+             alone(shared, [&](Navigator& n) { n.observe({x, y, width, height}, blocked); });
+           })
+      .def("step", &step)
+      .def("forget", [](SharedNavigator& s) { alone(s, [](Navigator& n) { n.forget(); }); })
+      .def("goal",
+           [](SharedNavigator& s) { return alone(s, [](Navigator& n) { return n.goal(); }); })
+      .def("set_goal",
+           [](SharedNavigator& s, Cell goal) { alone(s, [&](Navigator& n) { n.set_goal(goal); }); })
+      .def("map",
+           [](SharedNavigator& s) { return alone(s, [](Navigator& n) { return Grid(n.map()); }); })
+      .def("passable",
+           [](SharedNavigator& s) {
+             return alone(s, [](Navigator& n) { return Grid(n.passable()); });
+           })
+      .def("connected", [](SharedNavigator& s, Cell a, Cell b) {
+        return alone(s, [&](Navigator& n) { return n.connected(a, b); });
+      });
+}
+
+}  // namespace lasius::python

@@ -1,0 +1,25 @@
+// What Navigator and drive share.
+#pragma once
+
+#include <mutex>
+#include <utility>
+
+#include "lasius/navigator.h"
+#include "python/extension/arrays.h"
+
+namespace lasius::python {
+
+/// A Navigator that Python threads take in turns.
+struct SharedNavigator {
+  explicit SharedNavigator(Navigator made) : navigator(std::move(made)) {}
+  std::mutex mutex;  ///< of the navigator; never waited for with the interpreter's lock
+  Navigator navigator;
+};
+
+NavigatorOptions navigator_options(const Params& params, double radius, bool prepare,
+                                   double target_gap, bool search_on);
+
+/// The fields of lasius.Way.
+py::tuple fields(const Way& way);
+
+}  // namespace lasius::python

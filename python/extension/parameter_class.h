@@ -1,0 +1,39 @@
+// Parameters of any world as a Python class: by name, as text. The package makes numbers of them.
+#pragma once
+
+#include <string>
+
+#include "lasius/params.h"
+#include "python/extension/arrays.h"
+
+namespace lasius::python {
+
+/// (name, summary, source, kind, ((name, type, range, summary), ...)) of each algorithm.
+inline py::list described(std::span<const Algorithm> algorithms) {
+  py::list all;
+  for (const Algorithm& algorithm : algorithms) {
+    py::list parameters;
+    for (const Parameter& p : algorithm.parameters)
+      parameters.append(py::make_tuple(text(p.name), text(p.type), text(p.range), text(p.summary)));
+    all.append(py::make_tuple(text(algorithm.name), text(algorithm.summary), text(algorithm.source),
+                              text(to_string(algorithm.kind)), py::tuple(parameters)));
+  }
+  return all;
+}
+
+/// The class `Params` over the parameters of one world. Its functions are found beside P.
+template <class P>
+py::class_<P> bind_parameter_class(py::module_& module) {
+  return py::class_<P>(module, "Params")
+      .def_property_readonly("algorithm", &P::algorithm)
+      .def_readwrite("seed", &P::seed)
+      .def_readwrite("threads", &P::threads)
+      .def("get", [](const P& p, const std::string& name) { return get_parameter(p, name); })
+      .def("set", [](P& p, const std::string& name,
+                     const std::string& value) { set_parameter(p, name, value); })
+      .def("validate", [](const P& p) { validate(p); })
+      .def("formulas", [](const P& p) { return formulas(p); })
+      .def("copy", [](const P& p) { return p; });
+}
+
+}  // namespace lasius::python

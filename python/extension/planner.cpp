@@ -1,0 +1,145 @@
+// Planner: made, prepared and edited without the interpreter's lock; plans.
+#include "lasius/planner.h"
+
+#include "python/extension/arrays.h"
+#include "python/extension/call.h"
+#include "python/extension/modules.h"
+#include "python/extension/names.h"
+#include "python/extension/progress.h"
+#include "python/extension/results.h"
+#include "python/extension/workspace.h"
+
+namespace lasius::python {
+namespace {
+
+PrepareOptions prepare_options(int threads, std::int64_t max_bytes, Call& call) {
+  return {.threads = threads, .max_bytes = max_bytes, .stop = call.condition()};
+}
+
+/// (error, Planner or None)
+py::tuple made(const Grid& grid) {
+  Call call;
+  auto planner = call.run([&] { return Planner::make(Grid(grid), call.condition()); });
+  return py::make_tuple(call.error(), std::move(planner));
+}
+
+py::tuple prepared(const Planner& planner, int threads, std::int64_t max_bytes) {
+  Call call;
+  auto more = call.run([&] { return planner.prepared(prepare_options(threads, max_bytes, call)); });
+  return py::make_tuple(call.error(), std::move(more));
+}
+
+py::tuple plan(const Planner& planner, Cell start, Cell goal, const Params& params,
+               double target_gap, std::optional<double> time_limit, SharedWorkspace* workspace,
+               const py::object& callback) {
+  Call call(time_limit);
+  const SharedWorkspace::Use use(workspace);
+  const Observer observe = observer<GridProgress>(call, callback);
+  const Result result = call.run([&] {
+    return planner.plan({start, goal, call.condition(), target_gap}, params, use.get(), observe);
+  });
+  return py::make_tuple(call.error(), fields(result));
+}
+
+py::tuple edited(const Planner& planner, const IntRows& cells, const py::array_t<bool>& blocked) {
+  Call call;
+  std::vector<Planner::Edit> edits;
+  const auto flags = blocked.unchecked<1>();
+  for (const Cell c : cells_from(cells, "cells"))
+    edits.push_back({c, flags(static_cast<py::ssize_t>(edits.size()))});
+  auto more = call.run([&] { return planner.edited(edits, call.condition()); });
+  return py::make_tuple(call.error(), std::move(more));
+}
+
+std::vector<Planner::Direction> directions_from(const IntRows& rows) {
+  const py::ssize_t count = row_count(rows, 4, "directions");
+  std::vector<Planner::Direction> directions;
+  for (py::ssize_t i = 0; i < count; ++i) {
+    const std::int32_t* const r = rows.data() + 4 * i;
+    directions.push_back({{r[0], r[1]}, r[2], r[3]});
+  }
+  return directions;
+}
+
+using Change = std::optional<Planner> (Planner::*)(std::span<const Planner::Direction>,
+                                                   const StopCondition&) const;
+template <Change kChange>
+py::tuple changed(const Planner& planner, const IntRows& rows) {
+  Call call;
+  const auto directions = directions_from(rows);
+  auto more = call.run([&] { return (planner.*kChange)(directions, call.condition()); });
+  return py::make_tuple(call.error(), std::move(more));
+}
+
+py::array_t<std::int32_t> excluded(const Planner& planner) {
+  std::vector<std::int32_t> numbers;
+  for (const auto& d : planner.excluded())
+    numbers.insert(numbers.end(), {d.from.x, d.from.y, d.dx, d.dy});
+  return to_array(numbers).reshape({-1, 4});
+}
+
+py::tuple preparation(const Preparation& p) {
+  return py::make_tuple(text(to_string(p.state)), p.vertices, p.edges, p.bytes, p.seconds);
+}
+
+/// Of all cells, [y, x].
+py::array_t<double> pheromone(const View<GridProgress>& view, const Grid& grid) {
+  const int width = grid.width(), height = grid.height();
+  py::array_t<double> trail({height, width});
+  auto cells = trail.mutable_unchecked<2>();
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) cells(y, x) = view.get().pheromone({x, y});
+  return trail;
+}
+
+void bind_grid_progress(py::module_& module) {
+  using Seen = View<GridProgress>;
+  bind_progress<GridProgress>(module, "Progress")
+      .def_property_readonly("ants", [](const Seen& v) { return v.get().ants(); })
+      .def("path", [](const Seen& v) { return to_array(std::span<const Point>(v.get().path())); })
+      .def("tour", [](const Seen& v,
+                      int ant) { return to_array(std::span<const Cell>(v.get().tour(ant))); })
+      .def("walk", [](const Seen& v,
+                      int ant) { return to_array(std::span<const Cell>(v.get().walk(ant))); })
+      .def("pheromone_at", [](const Seen& v, Cell c) { return v.get().pheromone(c); })
+      .def("pheromone", &pheromone);
+}
+
+}  // namespace
+
+void bind_planner(py::module_& module) {
+  bind_grid_progress(module);
+  py::class_<SharedWorkspace>(module, "Workspace",
+                              "Scratch memory of one call at a time: with it a second call of the "
+                              "same size allocates nothing but its answer.")
+      .def(py::init<>());
+  module.def("make_planner", &made);
+  py::class_<Planner>(module, "Planner")
+      .def_property_readonly("grid", &Planner::grid, py::return_value_policy::reference_internal)
+      .def("prepared", &prepared)
+      .def("plan", &plan)
+      .def("edited", &edited)
+      .def("exclude", &changed<static_cast<Change>(&Planner::exclude)>)
+      .def("allow", &changed<static_cast<Change>(&Planner::allow)>)
+      .def("excluded", &excluded)
+      .def("connected",
+           [](const Planner& planner, Cell a, Cell b, const std::string& corners) {
+             const Corners rule = corners_from(corners);
+             const py::gil_scoped_release released;
+             return planner.connected(a, b, rule);
+           })
+      .def("nearest_free", &Planner::nearest_free)
+      .def("components",
+           [](const Planner& planner, const std::string& corners) {
+             const Corners rule = corners_from(corners);
+             const py::gil_scoped_release released;
+             return planner.components(rule);
+           })
+      .def("preparation", [](const Planner& p) { return preparation(p.preparation()); })
+      .def("footprint", [](const Planner& p) {
+        const auto bytes = p.footprint();
+        return py::make_tuple(bytes.bitmap, bytes.components, bytes.visibility_graph);
+      });
+}
+
+}  // namespace lasius::python

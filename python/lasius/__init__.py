@@ -1,0 +1,86 @@
+"""lasius: exact and ant-colony motion planning on bitmaps, among polygons and for arms.
+
+Cells are (x, y), column and row from the top left; arrays of cells are [y, x]. The centre of cell
+(0, 0) is (0.5, 0.5). Lengths are in cells.
+
+>>> grid = lasius.generate("blobs", width=400, height=200, seed=61)
+>>> planner = lasius.Planner(grid)
+>>> result = planner.plan((14, 14), (380, 179))
+>>> result.status
+'solved'
+
+`lasius.polygon` plans among polygons, `lasius.arm` for robot arms.
+"""
+
+from . import _lasius, plots
+from ._lasius import DriveTick, Grid, Progress, WorldFrame, Workspace
+from ._lasius import version as __version__
+from .errors import Error, FileBroken, FileMissing, FileUnsupported, InvalidParameter, OutputFailed
+from .maps import (
+    Map,
+    clearance,
+    generate,
+    grow_obstacles,
+    map_kinds,
+    path_fault,
+    path_length,
+    pull_taut,
+    read_map,
+    shortest_walk,
+    visible,
+    write_map,
+)
+from .navigator import Changes, Navigator, drive
+from .parameters import Algorithm, Parameter, Params, algorithms
+from .planner import Planner, Preparation, plan
+from .results import BatchResult, Curves, DriveResult, Replans, Result, SearchResult, Way, curves_of
+
+__all__ = [
+    "Algorithm",
+    "BatchResult",
+    "Changes",
+    "Curves",
+    "DriveResult",
+    "DriveTick",
+    "Error",
+    "FileBroken",
+    "FileMissing",
+    "FileUnsupported",
+    "Grid",
+    "InvalidParameter",
+    "Map",
+    "Navigator",
+    "OutputFailed",
+    "Parameter",
+    "Params",
+    "Planner",
+    "Preparation",
+    "Progress",
+    "Replans",
+    "Result",
+    "SearchResult",
+    "Way",
+    "Workspace",
+    "WorldFrame",
+    "__version__",
+    "algorithms",
+    "clearance",
+    "drive",
+    "generate",
+    "grow_obstacles",
+    "map_kinds",
+    "path_fault",
+    "path_length",
+    "plan",
+    "pull_taut",
+    "read_map",
+    "shortest_walk",
+    "visible",
+    "write_map",
+]
+
+# What is written in Python of classes of the extension.
+for _seen in (Progress, *(getattr(module, "Progress") for module in (_lasius.polygon, _lasius.arm))):
+    setattr(_seen, "curves", property(curves_of))
+setattr(Grid, "plot", plots.plot_grid)
+setattr(Grid, "_repr_png_", plots.png_of_grid)

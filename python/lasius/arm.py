@@ -1,0 +1,312 @@
+"""Motions of robot arms among obstacles that they learn of by trying positions. Metres, radians, seconds.
+
+>>> robot = Robot.read(maps / "arms/planar3.json")
+>>> query = robot.random_query(seed=4, obstacles=3)
+>>> result = plan(robot, query.scene, query.start, [Goal.position(query.goal)], seed=2)
+>>> result.status, result.joints.shape[1]
+('solved', 3)
+>>> result.trajectory.at([0.0]).q.shape
+(1, 3)
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _lasius
+from .arrays import FloatArray
+from .errors import finish
+from .maps import Path
+from .parameters import Algorithm, ParameterSet, chosen, described
+from .progress import Shown, Watch, watched
+from .results import Record, SearchResult, answer
+
+_raw: Any = _lasius.arm
+
+Goal = _raw.Goal
+Progress = _raw.Progress
+LEAST_CLEARANCE = 0.002
+
+
+class Scene:
+    """What stands around a robot; without a file nothing."""
+
+    __slots__ = ("_raw",)
+
+    def __init__(self, raw: Any = None) -> None:
+        self._raw = raw if raw is not None else _raw.Scene()
+
+    @classmethod
+    def read(cls, path: Path) -> Scene:
+        """From JSON, see docs/worlds.md."""
+        return cls(_raw.read_scene(os.fspath(path)))
+
+    @property
+    def name(self) -> str:
+        return str(self._raw.name)
+
+    def __len__(self) -> int:
+        return len(self._raw)
+
+    def __repr__(self) -> str:
+        return f"<Scene: {len(self)} obstacles>"
+
+
+class Robot:
+    """A chain of joints on a base that stands still; read from a file."""
+
+    __slots__ = ("_raw",)
+
+    def __init__(self, raw: Any) -> None:
+        self._raw = raw
+
+    @classmethod
+    def read(
+        cls,
+        path: Path,
+        *,
+        base: str = "",
+        tip: str = "",
+        set_joints: Optional[Dict[str, float]] = None,
+        srdf: Path = "",
+        joint_limits: Path = "",
+        packages: Optional[Dict[str, str]] = None,
+        use_visual: bool = False,
+    ) -> Robot:
+        """From URDF or the short description in JSON, see docs/worlds.md.
+
+        Args:
+            base: link that stands still; empty: the root.
+            tip: link at the end of the chain; empty: the only leaf.
+            set_joints: values of joints beside the chain.
+            srdf: file of pairs that may touch and of named postures.
+            joint_limits: file of MoveIt's joint_limits.yaml.
+            packages: folders by the names in package://NAME/.
+            use_visual: links without collision geometry take what is drawn of them.
+        """
+        return cls(
+            _raw.read_robot(
+                os.fspath(path), base, tip, set_joints or {}, os.fspath(srdf), os.fspath(joint_limits),
+                packages or {}, use_visual,
+            )
+        )
+
+    @property
+    def name(self) -> str:
+        return str(self._raw.name)
+
+    @property
+    def notes(self) -> List[str]:
+        """What was assumed in reading it."""
+        return list(self._raw.notes)
+
+    @property
+    def joint_names(self) -> List[str]:
+        return list(self._raw.joint_names())
+
+    @property
+    def states(self) -> Dict[str, FloatArray]:
+        """Postures that its files name, (joints,) each."""
+        return dict(self._raw.states)
+
+    @property
+    def limits(self) -> Tuple[FloatArray, FloatArray]:
+        """Least and largest values, (joints,) each."""
+        return self._raw.low(), self._raw.high()
+
+    def __len__(self) -> int:
+        return len(self._raw)
+
+    def tip_position(self, joints: npt.ArrayLike) -> FloatArray:
+        """Where the tip is at joint values (joints,): (3,), metres."""
+        return self._raw.tip_position(joints)
+
+    def tip_pose(self, joints: npt.ArrayLike) -> FloatArray:
+        """Where the tip's frame is: (4, 4)."""
+        return self._raw.tip_pose(joints)
+
+    def random_query(
+        self, *, seed: int = 1, obstacles: int = 20, wall: float = 0.0, least_distance: float = 0.3
+    ) -> Query:
+        """A scene, a start and a goal from a seed.
+
+        Args:
+            obstacles: besides the wall; 0 to 1000.
+            wall: a plate between start and goal, so many times as wide as they are apart; 0: none.
+            least_distance: of start and goal, as a share of the arm's reach.
+        """
+        scene, *values = _raw.generate_query(self._raw, seed, obstacles, wall, least_distance)
+        return Query(Scene(scene), *values)
+
+    def __repr__(self) -> str:
+        return f"<Robot: {self.name or 'without a name'}, {len(self)} joints>"
+
+
+@dataclass(eq=False)
+class Query:
+    """A question for the planner, with its world."""
+
+    scene: Scene
+    start: FloatArray  #: (joints,)
+    goal: FloatArray  #: (3,), of the tip
+    goal_joints: FloatArray  #: (joints,), a posture that reaches it
+
+
+def algorithms() -> Dict[str, Algorithm]:
+    """All algorithms for arms by name, the default first.
+
+    >>> list(algorithms())
+    ['postures', 'goritov2020']
+    """
+    return described(_raw.algorithms())
+
+
+class Params(ParameterSet):
+    """The parameters of one algorithm for arms."""
+
+    __slots__ = ()
+    _known = staticmethod(algorithms)
+
+    def __init__(self, algorithm: str = "postures", **settings: Any) -> None:
+        self._raw = _raw.Params(algorithm)
+        self._set(settings)
+
+
+@dataclass(eq=False)
+class State(Record):
+    """Where all joints are at some times, and how they move: (n, joints) each."""
+
+    q: FloatArray  #: values
+    dq: FloatArray  #: velocities
+    ddq: FloatArray  #: accelerations
+
+
+class Trajectory:
+    """A motion in time: smooth, at rest at both ends."""
+
+    __slots__ = ("_raw",)
+
+    def __init__(self, raw: Any) -> None:
+        self._raw = raw
+
+    @property
+    def duration(self) -> float:
+        """Seconds."""
+        return float(self._raw.duration)
+
+    def at(self, times: npt.ArrayLike) -> State:
+        """The states at times (n,), in seconds from the start, clamped to it and the end."""
+        return State(*self._raw.states(np.atleast_1d(np.asarray(times, np.float64))))
+
+    def __bool__(self) -> bool:
+        return bool(self._raw)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Trajectory) and self._raw.__getstate__() == other._raw.__getstate__()
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"<Trajectory: {self.duration:.3g} s>"
+
+
+@dataclass(eq=False)
+class Questions(Record):
+    """What the sensor was asked."""
+
+    positions: int  #: by the search
+    motions: int  #: by the search
+    trajectory: int  #: motions, in making the trajectory
+
+
+@dataclass(eq=False, repr=False)
+class Result(SearchResult):
+    """One answer for an arm; `length` in the unit of the objective."""
+
+    joints: FloatArray  #: (n, joints), the lattice points of the path; no rows without one
+    tips: FloatArray  #: (n, 3), where the tip is then
+    trajectory: Trajectory  #: the motion; empty where none was asked for
+    waypoints: int  #: of the motion
+    stops: bool  #: it rests at each waypoint
+    goal: int  #: which of the request's was reached, from 0; -1: none
+    direct: bool  #: the straight joint-space line was free
+    tip_travel: float  #: metres
+    joint_travel: float  #: how long the way is in joint space
+    duration: float  #: of the motion, seconds
+    pitch: float  #: of the lattice, metres
+    postures: int  #: that its points have at most
+    points: List[int]  #: of the lattice, by axis
+    questions: Questions
+    steps: int  #: of all ants
+    params: ParameterSet  #: as asked
+
+
+@dataclass(eq=False)
+class Recheck(Record):
+    """What an independent check of a motion found, by KDL and FCL."""
+
+    samples: int  #: times that were looked at
+    contacts: int  #: samples at which something is touched
+    unproven: int  #: pieces between samples not shown to touch nothing
+    limits: int  #: samples at which a limit is broken
+    nearest: float  #: least distance to anything, metres
+    tip_error: float  #: largest distance between KDL's tip and ours
+
+
+def plan(
+    robot: Robot,
+    scene: Scene,
+    start: npt.ArrayLike,
+    goals: Union[Any, Sequence[Any]],
+    params: Union[None, str, Params] = None,
+    *,
+    motion: bool = True,
+    duration: float = 0.0,
+    clearance: float = LEAST_CLEARANCE,
+    time_limit: Optional[float] = None,
+    target_gap: float = 0.0,
+    observer: Optional[Callable[[Any], Any]] = None,
+    progress: Shown = None,
+    **settings: Any,
+) -> Result:
+    """A short way of the arm from where it stands to a goal, and a motion along it.
+
+    Args:
+        start: (joints,), where it stands.
+        goals: one Goal or several, any of which is to be reached: Goal.position(p) of the tip,
+            (3,); Goal.pose(T), (4, 4); Goal.joints(q), (joints,).
+        params: an algorithm's name or Params; None: `postures`.
+        motion: makes the motion, too.
+        duration: seconds that it is to take; 0: as few as the limits allow.
+        clearance: that the arm keeps from everything, metres.
+        time_limit, target_gap, observer, progress: as of lasius.Planner.plan.
+        **settings: parameters by name.
+    """
+    used = chosen(Params, params, settings)
+    watch = watched(observer, progress, used)
+    sensor = _raw.SceneSensor(robot._raw, scene._raw, clearance)
+    wanted = [goals] if isinstance(goals, Goal) else list(goals)
+    error, fields = _raw.plan(
+        robot._raw, sensor, start, wanted, used._raw, target_gap, motion, duration, time_limit, watch
+    )
+    if isinstance(watch, Watch):
+        watch.close()
+    search, joints, tips, trajectory, *others, questions, steps = fields
+    values = (joints, tips, Trajectory(trajectory), *others, Questions(*questions), steps, used)
+    return finish(error, answer(Result, search, *values))
+
+
+def recheck(robot: Robot, scene: Scene, trajectory: Trajectory, samples: int = 1000) -> Recheck:
+    """Checks a motion at so many times, and between them; no code of the planner's takes part."""
+    error, fields = _raw.recheck(robot._raw, scene._raw, trajectory._raw, samples)
+    return finish(error, Recheck(*fields))
+
+
+def position_free(robot: Robot, scene: Scene, joints: npt.ArrayLike, clearance: float = LEAST_CLEARANCE) -> bool:
+    """True when the arm touches nothing at joint values (joints,)."""
+    return bool(_raw.SceneSensor(robot._raw, scene._raw, clearance).position_free(joints))

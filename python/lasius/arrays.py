@@ -1,0 +1,39 @@
+"""Types of arrays, and arrays as the library takes them."""
+
+from __future__ import annotations
+
+from typing import Any, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+FloatArray = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.int32]
+LongArray = npt.NDArray[np.int64]
+BoolArray = npt.NDArray[np.bool_]
+
+Cell = Tuple[int, int]
+Point = Tuple[float, float]
+
+
+def int_rows(rows: npt.ArrayLike, name: str) -> IntArray:
+    """Rows of integers. Numbers with a fraction are refused, not cut off."""
+    array = np.asarray(rows)
+    if array.size == 0:
+        return np.empty((0, 2), np.int32)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"{name} is an array of {array.dtype}: give integers")
+    limits = np.iinfo(np.int32)  # far outside of any map
+    return np.ascontiguousarray(np.clip(array, limits.min, limits.max), np.int32)
+
+
+def same(a: Any, b: Any) -> bool:
+    """Equality of two values of a record: of arrays in all elements, NaN equal to NaN."""
+    if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
+        kinds = isinstance(a, np.ndarray) and isinstance(b, np.ndarray) and a.dtype.kind == b.dtype.kind
+        return kinds and np.array_equal(a, b, equal_nan=a.dtype.kind == "f")
+    if isinstance(a, float) and isinstance(b, float) and a != a:
+        return b != b
+    return bool(a == b)
+
+

@@ -1,0 +1,131 @@
+"""Maps: from files and seeds, and questions about them."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import List, Optional, Union
+
+import numpy.typing as npt
+
+from . import _lasius
+from ._lasius import Grid, WorldFrame
+from .arrays import Cell, FloatArray
+from .errors import made
+
+Path = Union[str, "os.PathLike[str]"]
+
+
+@dataclass(frozen=True)
+class Map:
+    """A map as read from a file."""
+
+    grid: Grid  #: row 0 at the top
+    frame: Optional[WorldFrame]  #: where it lies in the world; None where the file does not say
+    image: str  #: of a ROS map the file of its image, else empty
+
+
+def read_map(path: Path, *, unknown_is_free: bool = False, free_below: float = 0.5) -> Map:
+    """Reads MovingAI .map, PBM, PGM, PNG (told apart by content) or ROS map_server YAML.
+
+    Args:
+        path: the file's name.
+        unknown_is_free: unknown cells of a ROS map count as free.
+        free_below: a pixel of less darkness than this is free, in (0, 1].
+    Raises:
+        FileMissing, FileBroken, FileUnsupported: with the file, the line or offset, and the remedy.
+    """
+    return Map(*_lasius.read_map(os.fspath(path), unknown_is_free, free_below))
+
+
+def write_map(grid: Grid, path: Path) -> None:
+    """Writes .map, .pbm or .png by the name's ending, whole or not at all."""
+    _lasius.write_map(grid, os.fspath(path))
+
+
+def map_kinds() -> List[str]:
+    """What `generate` can make.
+
+    >>> map_kinds()
+    ['blobs', 'maze', 'rooms', 'city', 'random', 'open']
+    """
+    return list(_lasius.map_kinds())
+
+
+def generate(
+    kind: str, *, width: int = 512, height: int = 512, density: Optional[float] = None, seed: int = 1
+) -> Grid:
+    """A map made from a seed, the same on every machine.
+
+    >>> generate("maze", width=40, height=30, seed=3)
+    Grid(40 x 30 cells)
+
+    Args:
+        kind: one of `map_kinds()`.
+        width: in cells, 1 to 32768; likewise height.
+        density: share of blocked cells that is aimed at; None: the kind's own.
+        seed: another one, another map.
+    """
+    return made(*_lasius.generate(kind, width, height, density, seed))
+
+
+def clearance(grid: Grid) -> FloatArray:
+    """Distance in cells from each cell's centre to the nearest blocked cell or the outside, [y, x]; exact.
+
+    >>> clearance(lasius.Grid(np.zeros((3, 3), np.uint8), free=0))[1]
+    array([0.5, 1.5, 0.5])
+    """
+    return made(*_lasius.clearance(grid))
+
+
+def grow_obstacles(grid: Grid, radius: float) -> Grid:
+    """The map for a robot of this radius, in cells: blocks each cell whose centre is at most so far
+    from a blocked cell or the outside. Radius 0 changes nothing.
+
+    >>> grow_obstacles(lasius.Grid(np.zeros((3, 3), np.uint8), free=0), 1).count_free()
+    1
+    """
+    return made(*_lasius.grow_obstacles(grid, radius))
+
+
+def shortest_walk(
+    grid: Grid, start: Cell, goal: Cell, neighbours: str = "8", corners: str = "forbid"
+) -> Optional[float]:
+    """Length in cells of the shortest walk by the moves that ants have; None where there is none.
+
+    >>> shortest_walk(lasius.Grid(np.zeros((3, 3), np.uint8), free=0), (0, 0), (2, 2), "4")
+    4.0
+
+    Args:
+        neighbours: "4", "8", "16", "16k", "24" or "32".
+        corners: diagonal steps past blocked cells: "forbid", "one-side" or "allow".
+    """
+    error, length = _lasius.shortest_walk(grid, start, goal, neighbours, corners)
+    if error is not None:
+        raise error
+    return length
+
+
+def path_length(path: npt.ArrayLike) -> float:
+    """Length of a polyline (n, 2).
+
+    >>> path_length([[0.5, 0.5], [3.5, 4.5]])
+    5.0
+    """
+    return float(_lasius.path_length(path))
+
+
+def path_fault(grid: Grid, path: npt.ArrayLike, corners: str = "forbid") -> Optional[str]:
+    """Why a polyline (n, 2) breaks the rule of the plane, or None if it obeys; exact. Vertices are
+    multiples of 0.5."""
+    return _lasius.path_fault(grid, path, corners)
+
+
+def visible(grid: Grid, a: Cell, b: Cell) -> bool:
+    """True when the straight line between the centres of two free cells is free; exact."""
+    return bool(_lasius.visible(grid, a, b))
+
+
+def pull_taut(grid: Grid, path: npt.ArrayLike, corners: str = "forbid") -> FloatArray:
+    """The shortest path (m, 2) that goes the same way round all obstacles as a valid one (n, 2)."""
+    return made(*_lasius.pull_taut(grid, path, corners))

@@ -1,0 +1,231 @@
+"""Algorithms and their parameters, in any world."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple, Type, TypeVar, Union
+
+import numpy as np
+
+from . import _lasius
+
+Value = Union[bool, int, float, str]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One parameter of an algorithm."""
+
+    name: str
+    type: str  #: "integer", "number" or "choice"
+    range: str  #: "1 .. 1000000", "a|b|c"; "off|on" is a bool
+    summary: str  #: a line
+
+
+@dataclass(frozen=True)
+class Algorithm:
+    """One algorithm: where it comes from, and what it reads."""
+
+    name: str
+    summary: str  #: a line
+    source: str  #: citation; please cite it when you use the algorithm
+    kind: str  #: "exact", "colony" or "genetic"
+    parameters: Tuple[Parameter, ...]
+
+    def __getitem__(self, name: str) -> Parameter:
+        """The parameter of this name."""
+        for parameter in self.parameters:
+            if parameter.name == name:
+                return parameter
+        raise KeyError(name)
+
+
+def described(rows: List[Any]) -> Dict[str, Algorithm]:
+    """Algorithms by name, of what the extension says of them."""
+    return {
+        name: Algorithm(name, summary, source, kind, tuple(Parameter(*p) for p in parameters))
+        for name, summary, source, kind, parameters in rows
+    }
+
+
+def text_of(value: Any) -> str:
+    """A value as the library reads it; floats to the last bit."""
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, bool):
+        return "on" if value else "off"
+    return value if isinstance(value, str) else repr(value)
+
+
+def value_of(parameter: Parameter, text: str) -> Value:
+    """The other way round."""
+    if parameter.range == "off|on":
+        return text == "on"
+    if parameter.type == "integer":
+        return int(text)
+    return float(text) if parameter.type == "number" else text
+
+
+Self = TypeVar("Self", bound="ParameterSet")
+
+
+class ParameterSet:
+    """The parameters of one algorithm of one world. They never change; `replace` makes others."""
+
+    __slots__ = ("_raw",)
+    _known: Callable[[], Dict[str, Algorithm]]  # of each world
+    _raw: Any
+
+    def __init__(self, algorithm: str, **settings: Any) -> None:
+        raise NotImplementedError
+
+    def _set(self, settings: Dict[str, Any]) -> None:
+        for name, value in settings.items():
+            if name in ("seed", "threads"):
+                setattr(self._raw, name, int(value))
+            else:
+                self._raw.set(name, text_of(value))
+
+    @property
+    def algorithm(self) -> str:
+        """Its name."""
+        return str(self._raw.algorithm)
+
+    @property
+    def seed(self) -> int:
+        """Of all random numbers; another seed, another run."""
+        return int(self._raw.seed)
+
+    @property
+    def threads(self) -> int:
+        """0: as many as OpenMP gives; never changes the answer."""
+        return int(self._raw.threads)
+
+    def _described(self) -> Algorithm:
+        return type(self)._known()[self.algorithm]
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            parameter = self._described()[name]
+        except KeyError:
+            raise AttributeError(f"{self.algorithm} has no parameter {name!r}") from None
+        return value_of(parameter, self._raw.get(name))
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name != "_raw":
+            raise AttributeError(f"parameters never change: make others by .replace({name}={value!r})")
+        object.__setattr__(self, name, value)
+
+    def __dir__(self) -> Iterator[str]:
+        return iter([*super().__dir__(), *self.to_dict()])
+
+    def to_dict(self) -> Dict[str, Value]:
+        """All that the algorithm reads, by name; seed and threads are not among them."""
+        return {p.name: value_of(p, self._raw.get(p.name)) for p in self._described().parameters}
+
+    def replace(self: Self, **settings: Any) -> Self:
+        """The same with other values, `seed` and `threads` among them.
+
+        Raises:
+            InvalidParameter: for an unknown name (with the nearest known one) or a value out of range.
+        """
+        other = object.__new__(type(self))
+        other._raw = self._raw.copy()
+        other._set(settings)
+        return other
+
+    def validate(self) -> None:
+        """Raises InvalidParameter where they do not compose; planning does that, too."""
+        self._raw.validate()
+
+    def formulas(self) -> List[str]:
+        """The rules of a colony in a line each; empty for others."""
+        return list(self._raw.formulas())
+
+    def _all(self) -> Tuple[Any, ...]:
+        return (self.algorithm, self.seed, self.threads, self.to_dict())
+
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and self._all() == other._all()  # type: ignore[attr-defined]
+
+    def __hash__(self) -> int:
+        return hash((self.algorithm, self.seed))
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return (restored, (type(self), *self._all()))
+
+    def __repr__(self) -> str:
+        usual = type(self)(self.algorithm).to_dict()
+        changed = {n: v for n, v in self.to_dict().items() if v != usual[n]}
+        seed = {} if self.seed == 1 else {"seed": self.seed}
+        settings = "".join(f", {n}={v!r}" for n, v in {**changed, **seed}.items())
+        return f"{type(self).__name__}({self.algorithm!r}{settings})"
+
+
+def restored(kind: Type[Self], algorithm: str, seed: int, threads: int, values: Dict[str, Value]) -> Self:
+    """Parameters that were pickled."""
+    return kind(algorithm).replace(seed=seed, threads=threads, **values)
+
+
+def chosen(kind: Type[Self], params: Union[None, str, Self], settings: Dict[str, Any]) -> Self:
+    """The parameters that a call names: none, an algorithm, or some; and what it sets beside."""
+    if params is None:
+        params = kind(next(iter(kind._known())))
+    elif isinstance(params, str):
+        params = kind(params)
+    elif not isinstance(params, kind):
+        raise TypeError(f"params is {params!r}: give an algorithm's name or a {kind.__module__}.Params")
+    return params.replace(**settings) if settings else params
+
+
+def algorithms() -> Dict[str, Algorithm]:
+    """All algorithms on bitmaps by name, the default first.
+
+    >>> list(algorithms())[:3]
+    ['exact', 'fan2004', 'terminal-index']
+    >>> algorithms()["mmas"]["ants"].range
+    '1 .. 1000000'
+    """
+    return described(_lasius.algorithms())
+
+
+_table: Dict[str, Algorithm] = {}
+
+
+def _known() -> Dict[str, Algorithm]:
+    if not _table:
+        _table.update(algorithms())
+    return _table
+
+
+class Params(ParameterSet):
+    """The parameters of one algorithm on bitmaps, its published values where nothing else is said.
+
+    >>> params = Params("mmas", ants=20, seed=7)
+    >>> params.ants, params.seed, params.update
+    (20, 7, 'max-min')
+    >>> params.replace(ants=30)
+    Params('mmas', ants=30, seed=7)
+    >>> Params("mmas", antz=20)
+    Traceback (most recent call last):
+        ...
+    lasius.errors.InvalidParameter: unknown parameter "antz"; did you mean "ants"?
+
+    Args:
+        algorithm: its name, see `algorithms()`.
+        preset: "usual", or "book": the textbook's numbers of as, eas, ras, mmas and acs.
+        **settings: any parameter by name; `seed` (to 2**53 - 1) and `threads` (0: as many as OpenMP
+            gives; never changes the answer).
+    """
+
+    __slots__ = ()
+    _known = staticmethod(_known)
+
+    def __init__(self, algorithm: str = "exact", *, preset: str = "usual", **settings: Any) -> None:
+        self._raw = _lasius.Params(algorithm, preset)
+        self._set(settings)
+
+
+OptionalParams = Optional[Union[str, Params]]

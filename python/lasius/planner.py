@@ -1,0 +1,248 @@
+"""Planning on a bitmap."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Optional, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _lasius
+from ._lasius import Grid, Progress, Workspace
+from .arrays import Cell, IntArray, int_rows
+from .errors import finish, made
+from .parameters import OptionalParams, Params, chosen
+from .progress import Shown, Watch, counted, watched
+from .results import BatchResult, Result, answer
+
+Observer = Callable[[Progress], Any]
+
+
+class Preparation:
+    """What came of a map's visibility graph."""
+
+    def __init__(self, state: str, vertices: int, edges: int, bytes: int, seconds: float) -> None:
+        self.state = state  #: "none", "ready", "too_large" or "stopped"
+        self.vertices = vertices  #: corners at which a path may bend
+        self.edges = edges  #: from vertex to vertex in sight
+        self.bytes = bytes  #: held
+        self.seconds = seconds  #: spent
+
+    def __repr__(self) -> str:
+        return f"<Preparation: {self.state}, {self.vertices} vertices, {self.edges} edges, {self.bytes} bytes>"
+
+
+class Planner:
+    """A map made ready for planning. It never changes: use one from many threads.
+
+    >>> grid = lasius.generate("blobs", width=400, height=200, seed=61)
+    >>> planner = Planner(grid)
+    >>> result = planner.plan((14, 14), (380, 179))
+    >>> result.status, result.optimal, result.path.shape[1]
+    ('solved', True, 2)
+
+    Args:
+        grid: the map.
+        prepare: also makes the visibility graph, so that `exact` answers faster; see `prepared`.
+        threads: to prepare with, to 1024; 0: as many as OpenMP gives.
+        max_bytes: a visibility graph that would take more is abandoned.
+    """
+
+    __slots__ = ("_raw", "_grid")
+
+    def __init__(self, grid: Grid, *, prepare: bool = False, threads: int = 0, max_bytes: int = 1 << 30) -> None:
+        if not isinstance(grid, Grid):
+            raise TypeError(f"grid is a {type(grid).__name__}: make one by lasius.Grid(array, free=...)")
+        self._grid = grid
+        self._raw = made(*_lasius.make_planner(grid))
+        if prepare:
+            self._raw = made(*self._raw.prepared(threads, max_bytes))
+
+    @classmethod
+    def _of(cls, raw: Any) -> Planner:
+        planner = cls.__new__(cls)
+        planner._raw, planner._grid = raw, raw.grid
+        return planner
+
+    @property
+    def grid(self) -> Grid:
+        """The map."""
+        return self._grid
+
+    def plan(
+        self,
+        start: Cell,
+        goal: Cell,
+        params: OptionalParams = None,
+        *,
+        time_limit: Optional[float] = None,
+        target_gap: float = 0.0,
+        observer: Optional[Observer] = None,
+        progress: Shown = None,
+        workspace: Optional[Workspace] = None,
+        **settings: Any,
+    ) -> Result:
+        """Answers one question. The same input gives the same path bit for bit, with any number of threads.
+
+        Other Python threads run meanwhile. Ctrl-C ends the search, and raises a KeyboardInterrupt whose
+        `result` is the best so far; so does an exception of the observer.
+
+        >>> planner = Planner(lasius.generate("blobs", width=400, height=200, seed=61))
+        >>> planner.plan((14, 14), (380, 179), "fan2004", iterations=20, seed=3).status
+        'solved'
+        >>> planner.plan((14, 14), (9999, 0)).error
+        'the goal (9999, 0) is outside of the map of 400 x 200 cells'
+
+        Args:
+            start: cell (x, y), column and row from the top left; the path begins at its centre.
+            goal: the cell at whose centre it ends.
+            params: an algorithm's name or Params; None: `exact`.
+            time_limit: seconds; then the answer is the best so far, with the status "limit".
+            target_gap: `exact` stops at this certified gap, a fraction.
+            observer: called with a Progress once an iteration, of `exact` with every shorter path;
+                `progress.stop()` ends the search.
+            progress: True shows a bar in a terminal or notebook; or called with (done, all, text).
+            workspace: scratch memory to use again.
+            **settings: parameters by name, as of Params.
+        Raises:
+            InvalidParameter: for parameters out of range. A start or goal that is blocked or outside
+                is an answer, with the status "invalid".
+        """
+        used = chosen(Params, params, settings)
+        watch = watched(observer, progress, used)
+        error, (search, path, nearest) = self._raw.plan(
+            start, goal, used._raw, target_gap, time_limit, workspace, watch
+        )
+        if isinstance(watch, Watch):
+            watch.close()
+        result = answer(Result, search, path, nearest, start, goal, used, self._grid)
+        return result if error is None else finish(error, result)
+
+    def batch(
+        self,
+        starts: npt.ArrayLike,
+        goals: npt.ArrayLike,
+        params: OptionalParams = None,
+        *,
+        threads: int = 0,
+        seeds: int = 1,
+        time_limit: Optional[float] = None,
+        target_gap: float = 0.0,
+        progress: Shown = None,
+        **settings: Any,
+    ) -> BatchResult:
+        """Answers many questions side by side, each as `plan` does on one thread.
+
+        >>> planner = Planner(lasius.generate("maze", width=100, height=100, seed=2))
+        >>> answers = planner.batch([[1, 1], [1, 1]], [[90, 90], [1, 90]])
+        >>> len(answers), answers.path(1).shape[1]
+        (2, 2)
+
+        Args:
+            starts: integers (n, 2), cells (x, y).
+            goals: likewise.
+            params: as of `plan`.
+            threads: to 1024; 0: as many as OpenMP gives; never changes an answer.
+            seeds: each request is answered with `seed` and the seeds after it, as many as this.
+            time_limit: seconds for each request.
+            target_gap: as of `plan`.
+            progress: True shows a bar; or called with (done, all, text), some times a second, on
+                the thread that plans.
+            **settings: parameters by name.
+        Raises:
+            KeyboardInterrupt: with Ctrl-C; its `result` holds the answers so far, the last of them
+                cut short.
+        """
+        used = chosen(Params, params, settings)
+        rows = int_rows(starts, "starts"), int_rows(goals, "goals")
+        with counted(progress, len(rows[0]) * max(seeds, 1)) as tell:
+            error, columns = _lasius.batch(self._raw, *rows, used._raw, threads, seeds, time_limit, target_gap, tell)
+        index, seed, status, length, bound, optimal, *others = columns
+        names = np.array(_lasius.status_names)[status]
+        return finish(error, BatchResult(index, seed, names, length, bound, optimal.view(np.bool_), *others))
+
+    def prepared(self, *, threads: int = 0, max_bytes: int = 1 << 30) -> Planner:
+        """A planner for the same map with its visibility graph, in which `exact` answers faster."""
+        planner = Planner._of(made(*self._raw.prepared(threads, max_bytes)))
+        planner._grid = self._grid
+        return planner
+
+    def edited(self, cells: npt.ArrayLike, blocked: Union[bool, npt.ArrayLike]) -> Planner:
+        """A planner for the map with some cells changed; this one stays as it is, the new one is not prepared.
+
+        >>> planner = Planner(lasius.Grid(np.zeros((3, 3), np.uint8), free=0))
+        >>> planner.edited([[1, 0], [1, 1], [1, 2]], blocked=True).connected((0, 0), (2, 0))
+        False
+
+        Args:
+            cells: integers (n, 2), cells (x, y) of the map.
+            blocked: what they become: one bool, or one for each.
+        """
+        rows = int_rows(cells, "cells")
+        flags = np.ascontiguousarray(np.broadcast_to(np.asarray(blocked, np.bool_), len(rows)))
+        return Planner._of(made(*self._raw.edited(rows, flags)))
+
+    def exclude(self, directions: npt.ArrayLike) -> Planner:
+        """A planner whose paths keep out of directions in which a sensor reports an obstacle.
+
+        Args:
+            directions: integers (n, 4), x, y, dx, dy: out of cell (x, y) to one of its neighbours.
+        """
+        return Planner._of(made(*self._raw.exclude(directions_of(directions))))
+
+    def allow(self, directions: npt.ArrayLike) -> Planner:
+        """The same without these: the sensor has stopped reporting them."""
+        return Planner._of(made(*self._raw.allow(directions_of(directions))))
+
+    @property
+    def excluded(self) -> IntArray:
+        """What is excluded now, (n, 4)."""
+        return np.asarray(self._raw.excluded())
+
+    def connected(self, a: Cell, b: Cell, corners: str = "forbid") -> bool:
+        """True when a path leads from a to b, by the rule of corners: "forbid", "one-side", "allow"."""
+        return bool(self._raw.connected(a, b, corners))
+
+    def nearest_free(self, cell: Cell) -> Optional[Cell]:
+        """The free cell nearest to one, if there is any."""
+        return self._raw.nearest_free(cell)
+
+    def components(self, corners: str = "forbid") -> int:
+        """Pieces of free space."""
+        return int(self._raw.components(corners))
+
+    @property
+    def preparation(self) -> Preparation:
+        """What came of the visibility graph."""
+        return Preparation(*self._raw.preparation())
+
+    @property
+    def footprint(self) -> Tuple[int, int, int]:
+        """Bytes held by the bitmap, its components and the visibility graph."""
+        return self._raw.footprint()
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return (restored, (self._grid, self.preparation.state == "ready", self.excluded))
+
+    def __repr__(self) -> str:
+        return f"Planner({self._grid!r}{', prepare=True' if self.preparation.state == 'ready' else ''})"
+
+
+def restored(grid: Grid, prepare: bool, excluded: IntArray) -> Planner:
+    """A planner that was pickled: its map is labelled and prepared anew."""
+    planner = Planner(grid, prepare=prepare)
+    return planner.exclude(excluded) if len(excluded) else planner
+
+
+def directions_of(rows: npt.ArrayLike) -> IntArray:
+    return int_rows(rows, "directions")
+
+
+def plan(grid: Grid, start: Cell, goal: Cell, params: OptionalParams = None, **options: Any) -> Result:
+    """Answers one question on a map. For more than one make a Planner, whose `plan` this is.
+
+    >>> grid = lasius.Grid(np.zeros((20, 30), np.uint8), free=0)
+    >>> plan(grid, (0, 0), (29, 0)).length
+    29.0
+    """
+    return Planner(grid).plan(start, goal, params, **options)

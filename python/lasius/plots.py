@@ -1,0 +1,152 @@
+"""Pictures of maps and answers, through matplotlib where it is installed."""
+
+from __future__ import annotations
+
+import base64
+import html
+import io
+from typing import TYPE_CHECKING, Any, Optional, Tuple
+
+import numpy as np
+
+from ._lasius import Grid
+from .arrays import BoolArray
+
+if TYPE_CHECKING:
+    from .results import DriveResult, Result
+
+MOST = 1024  # cells a side that are drawn one by one
+
+
+def blocked_picture(grid: Grid) -> BoolArray:
+    """The blocked cells [y, x]; of a large map squares of cells, blocked where one of them is."""
+    cells = grid.to_array(free=False)
+    side = -(-max(cells.shape) // MOST)
+    if side == 1:
+        return cells
+    padding = [(0, -length % side) for length in cells.shape]
+    rows, columns = ((length + add) // side for length, (_, add) in zip(cells.shape, padding))
+    return np.pad(cells, padding).reshape(rows, side, columns, side).any(axis=(1, 3))
+
+
+def new_axes(curves: bool) -> Tuple[Any, Any]:
+    """Axes of a map, and of curves below or None."""
+    try:
+        import matplotlib.pyplot as plt
+    except ImportError as error:
+        raise ImportError("plot() needs matplotlib: apt install python3-matplotlib, or pip install matplotlib") from error
+    return axes_of(plt.figure(figsize=(7, 6 if curves else 4.5), layout="constrained"), curves)
+
+
+def axes_of(figure: Any, curves: bool) -> Tuple[Any, Any]:
+    if not curves:
+        return figure.add_subplot(), None
+    upper, lower = figure.subplots(2, 1, height_ratios=(3, 1))
+    return upper, lower
+
+
+def draw_map(grid: Grid, axes: Any) -> Any:
+    """Blocked cells dark, row 0 at the top, a cell from 0 to 1 along each axis."""
+    extent = (0, grid.width, grid.height, 0)
+    axes.imshow(blocked_picture(grid), cmap="Greys", vmin=0, vmax=1.4, extent=extent, interpolation="nearest")
+    axes.set(aspect="equal", xlabel="x, cells", ylabel="y, cells")
+    return axes
+
+
+def draw_line(points: Any, axes: Any) -> None:
+    """A path, its start and its goal."""
+    if len(points) == 0:
+        return
+    axes.plot(points[:, 0], points[:, 1], color="#d62728", linewidth=1.8)
+    axes.plot(*points[0], "o", color="#2ca02c", label="start")
+    axes.plot(*points[-1], "s", color="#1f77b4", label="goal")
+    axes.legend(loc="upper right", fontsize="small")
+
+
+def draw_curves(result: Any, axes: Any) -> None:
+    """Best and mean length by iteration."""
+    iterations = np.arange(1, len(result.curves) + 1)
+    axes.plot(iterations, result.curves.mean, color="#7f7f7f", label="mean tour")
+    axes.plot(iterations, result.curves.best, color="#d62728", label="best path")
+    axes.set(xlabel="iteration", ylabel="length")
+    axes.legend(fontsize="small")
+
+
+def title(result: Any) -> str:
+    length = f", length {result.length:.6g}" if result.found else ""
+    return f"{result.params.algorithm}: {result.status}{length}"
+
+
+def draw_result(result: Result, upper: Any, lower: Any) -> None:
+    draw_line(result.path, draw_map(result.grid, upper))
+    upper.set_title(title(result))
+    if lower is not None:
+        draw_curves(result, lower)
+
+
+def plot_grid(grid: Grid, axes: Any = None) -> Any:
+    """Draws the map; needs matplotlib. Returns the axes."""
+    return draw_map(grid, axes if axes is not None else new_axes(False)[0])
+
+
+def plot_result(result: Result, axes: Any) -> Any:
+    upper, lower = (axes, None) if axes is not None else new_axes(result.curves is not None)
+    draw_result(result, upper, lower)
+    return upper
+
+
+def plot_track(run: DriveResult, axes: Any) -> Any:
+    axes = draw_map(run.truth, axes if axes is not None else new_axes(False)[0])
+    draw_line(run.track + 0.5, axes)
+    axes.set_title(f"{run.status}: {run.ticks} ticks, length {run.length:.6g}")
+    return axes
+
+
+def png_of_result(result: Result) -> Optional[bytes]:
+    """The picture; None without matplotlib."""
+    try:
+        from matplotlib.figure import Figure
+    except ImportError:
+        return None
+    curves = result.curves is not None
+    figure = Figure(figsize=(7, 6 if curves else 4.5), layout="constrained")
+    draw_result(result, *axes_of(figure, curves))
+    return png_of_figure(figure)
+
+
+def png_of_figure(figure: Any) -> bytes:
+    data = io.BytesIO()
+    figure.savefig(data, format="png", dpi=100)
+    return data.getvalue()
+
+
+def png_of_grid(grid: Grid) -> bytes:
+    """The map, a pixel a cell or, of large ones, a square of cells; needs nothing."""
+    import tempfile
+
+    from . import _lasius
+
+    with tempfile.NamedTemporaryFile(suffix=".png") as file:
+        _lasius.write_map(Grid(blocked_picture(grid), free=False), file.name)
+        with open(file.name, "rb") as written:
+            return written.read()
+
+
+def html_of_result(result: Result) -> str:
+    """A table of what it says, and the picture."""
+    rows = [("status", result.status), ("algorithm", result.params.algorithm)]
+    if result.found:
+        rows += [("length", f"{result.length:.6g} cells"), ("vertices", str(len(result.path)))]
+    if result.gap is not None:
+        rows.append(("certified gap", f"{100 * result.gap:.3g} %"))
+    if result.error:
+        rows.append(("error", result.error))
+    cells = "".join(f"<tr><th>{name}</th><td>{html.escape(value)}</td></tr>" for name, value in rows)
+    png = png_of_result(result)
+    picture = "" if png is None else image(png)
+    return f"<table>{cells}</table>{picture}"
+
+
+def image(png: bytes) -> str:
+    data = base64.b64encode(png).decode()
+    return f'<img alt="the map with the path" src="data:image/png;base64,{data}">'

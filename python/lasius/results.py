@@ -1,0 +1,212 @@
+"""Answers: dataclasses of plain values and numpy arrays; pickled, copied and compared like any other."""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+from typing import Any, Callable, Dict, List, Optional, Tuple, TypeVar
+
+import numpy as np
+import numpy.typing as npt
+
+from ._lasius import Grid
+from .arrays import BoolArray, Cell, FloatArray, IntArray, LongArray, same
+from .parameters import ParameterSet
+
+T = TypeVar("T")
+
+
+class Record:
+    """A dataclass whose arrays are compared as a whole."""
+
+    def __eq__(self, other: object) -> bool:
+        if type(self) is not type(other):
+            return NotImplemented
+        names = [field.name for field in dataclasses.fields(self)]
+        return all(same(getattr(self, n), getattr(other, n)) for n in names)
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+@dataclass(eq=False, repr=False)
+class Curves(Record):
+    """The course of a search, an entry an iteration; NaN where nothing arrived. Lengths are in cells,
+    or the world's unit. What a world does not measure is empty."""
+
+    best: FloatArray  #: shortest final path up to then
+    mean: FloatArray  #: mean raw tour of the ants that arrived
+    arrived: IntArray  #: ants that reached the goal
+    raw_best: FloatArray  #: its shortest raw tour
+    cut_mean: FloatArray  #: mean of its tours after `walk_cut`
+    cut_best: FloatArray  #: the shortest of them
+    iteration_best: FloatArray  #: the shortest path that it offered
+    steps: LongArray  #: moves of all ants
+    band: FloatArray  #: share of cells on its tours near the straight line, 0 to 1
+    trail_entropy: FloatArray  #: how open the trail leaves the choice, 0 to 1
+
+    def __len__(self) -> int:
+        return len(self.best)
+
+
+def curves_of(progress: Any) -> Optional[Curves]:
+    """The curves of a search under way, this iteration's entries last; None of `exact`."""
+    told = progress._curves
+    return None if told is None else Curves(*told)
+
+
+@dataclass(eq=False, repr=False)
+class SearchResult(Record):
+    """How a search ended, in any world."""
+
+    status: str  #: "solved", "limit", "interrupted", "unreachable", "no_path" or "invalid"
+    fault: str  #: why it is invalid or unreachable: "none", "start_blocked", "disconnected", ...
+    error: str  #: the same in a sentence; empty for none
+    length: float  #: of the path; NaN without one
+    lower_bound: Optional[float]  #: certified: no path is shorter
+    gap: Optional[float]  #: certified, (length - lower_bound) / lower_bound, a fraction
+    optimal: bool  #: proven shortest
+    iterations: int  #: done
+    curves: Optional[Curves]  #: None for an algorithm without iterations
+
+    @property
+    def found(self) -> bool:
+        """True when there is a path."""
+        return self.length == self.length
+
+    def _summary(self) -> str:
+        words = [self.status]
+        if self.found:
+            words.append(f"length {self.length:.6g}" + (", optimal" if self.optimal else ""))
+        if self.curves is not None:
+            words.append(f"{self.iterations} iterations")
+        return ", ".join(words + ([self.error] if self.error else []))
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {self._summary()}>"
+
+
+def answer(kind: Callable[..., T], search: Tuple[Any, ...], *others: Any) -> T:
+    """A SearchResult of some kind, of the fields that the extension gives."""
+    *told, curves = search
+    return kind(*told, None if curves is None else Curves(*curves), *others)
+
+
+@dataclass(eq=False, repr=False)
+class Result(SearchResult):
+    """One answer on a bitmap; lengths in cells."""
+
+    path: FloatArray  #: (n, 2), x and y in continuous cell coordinates: (0.5, 0.5) is cell (0, 0)'s centre
+    nearest_free: Optional[Cell]  #: to a start or goal that is blocked or outside
+    start: Cell  #: as asked
+    goal: Cell  #: as asked
+    params: ParameterSet  #: as asked
+    grid: Grid  #: the map
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draws map, path and, of a colony, its curves. Needs matplotlib.
+
+        Args:
+            axes: matplotlib's, to draw map and path in; None: a new figure.
+        Returns:
+            The axes of the map.
+        """
+        from . import plots
+
+        return plots.plot_result(self, axes)
+
+    @property
+    def __geo_interface__(self) -> Dict[str, Any]:
+        """The path as a GeoJSON LineString, in cells."""
+        return {"type": "LineString", "coordinates": self.path.tolist()}
+
+    def _repr_html_(self) -> str:
+        from . import plots
+
+        return plots.html_of_result(self)
+
+    def _repr_png_(self) -> Optional[bytes]:
+        from . import plots
+
+        return plots.png_of_result(self)
+
+
+@dataclass(eq=False, repr=False)
+class Way(Result):
+    """The way that a robot is to go on, see Navigator."""
+
+    replanned: bool  #: planned in this step; else it is an earlier one that still holds
+    walk: IntArray  #: (n, 2), the next cells, the robot's own first; empty without a path
+
+
+@dataclass(eq=False, repr=False)
+class BatchResult(Record):
+    """The answers of a batch by column, a row for each request and seed, in order."""
+
+    index: LongArray  #: of the request
+    seed: npt.NDArray[np.uint64]  #: that it was planned with
+    status: npt.NDArray[np.str_]  #: as of Result
+    length: FloatArray  #: in cells; NaN without a path
+    lower_bound: FloatArray  #: certified; NaN where nothing is
+    optimal: BoolArray  #: proven shortest
+    iterations: IntArray  #: done
+    elapsed: FloatArray  #: seconds taken by this one
+    points: FloatArray  #: (m, 2), the vertices of all paths, one after another
+    offsets: LongArray  #: (rows + 1), where each path begins in `points`
+    errors: Dict[int, str]  #: sentences by row, of those that are invalid or unreachable
+
+    def __len__(self) -> int:
+        return len(self.index)
+
+    def path(self, row: int) -> FloatArray:
+        """The path of one row, (n, 2), a view of `points`; empty without a path."""
+        row = range(len(self))[row]
+        return self.points[self.offsets[row] : self.offsets[row + 1]]
+
+    @property
+    def paths(self) -> List[FloatArray]:
+        """All of them."""
+        return [self.path(row) for row in range(len(self))]
+
+    def __repr__(self) -> str:
+        names, counts = np.unique(self.status, return_counts=True)
+        parts = ", ".join(f"{count} {name}" for name, count in zip(names, counts))
+        return f"<BatchResult: {len(self)} answers: {parts}>"
+
+
+@dataclass(eq=False, repr=False)
+class Replans(Record):
+    """The ways that were planned in a drive, in order."""
+
+    tick: LongArray  #: when
+    ms: FloatArray  #: spent on planning in this tick
+    length: FloatArray  #: of the way that came of it, in cells; NaN where there is none
+
+    def __len__(self) -> int:
+        return len(self.tick)
+
+
+@dataclass(eq=False, repr=False)
+class DriveResult(Record):
+    """How a drive went."""
+
+    status: str  #: "solved" on arrival; else as of Result, "no_path" when trapped
+    fault: str  #: why it is invalid or unreachable
+    error: str  #: the same in a sentence; empty for none
+    track: IntArray  #: (ticks + 1, 2), where the robot was, the start first
+    ticks: int  #: moves and waits
+    replans: Replans
+    seen: int  #: cells learned to be other than they were known
+    length: float  #: travelled, in cells
+    planning_ms: float  #: in all ticks
+    waits: int  #: ticks in which the robot stood
+    deferred_changes: int  #: cells put off for the robot, once a tick
+    truth: Grid  #: the world in the beginning
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draws the world and the robot's track; as Result.plot."""
+        from . import plots
+
+        return plots.plot_track(self, axes)
+
+    def __repr__(self) -> str:
+        return f"<DriveResult: {self.status}, {self.ticks} ticks, length {self.length:.6g}, {len(self.replans)} replans>"

@@ -1,0 +1,20 @@
+# What the Python package needs to be built: an interpreter that has numpy, its headers, pybind11.
+# Python_EXECUTABLE names the interpreter; else it is the first of these that has numpy, since the one
+# on the path may be somebody's own. Sets LASIUS_PYTHON_LIBRARIES_FOUND.
+set(LASIUS_PYTHON_LIBRARIES_FOUND OFF)
+if(NOT Python_EXECUTABLE)
+  foreach(candidate IN ITEMS python3 /usr/bin/python3)
+    execute_process(COMMAND ${candidate} -c "import numpy" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+    if(NOT failed)
+      find_program(Python_EXECUTABLE ${candidate})
+      break()
+    endif()
+  endforeach()
+endif()
+if(Python_EXECUTABLE)
+  find_package(Python 3.9 QUIET COMPONENTS Interpreter Development.Module)
+  if(Python_FOUND)
+    find_package(pybind11 2.10 CONFIG QUIET)
+    set(LASIUS_PYTHON_LIBRARIES_FOUND ${pybind11_FOUND})
+  endif()
+endif()
