@@ -100,10 +100,27 @@ Worlds are bitmaps, polygons, and robot arms among obstacles.")
 package and pkg-config files. Example maps are in the package lasius."
     DEPENDS "${lasius_runtime} ${lasius_same}, libeigen3-dev" SUGGESTS lasius SHLIBDEPS OFF)
   if(LASIUS_BUILD_PYTHON)
-    list(APPEND CPACK_COMPONENTS_ALL python)
-    lasius_debian_package(python python3-lasius python "motion planning - Python package"
-      "${lasius_what}\n\nThis package has the Python package lasius: maps and results as numpy arrays."
-      DEPENDS "${lasius_runtime} ${lasius_same}, python3-numpy, ${LASIUS_PYTHON_DEPENDS}"
-      SUGGESTS "python3-matplotlib, python3-shapely")
+    lasius_describe_python_package()
   endif()
+endmacro()
+
+# The extension module is that of one minor version of Python.
+macro(lasius_describe_python_package)
+  set(modules lib/python3/dist-packages)
+  install(TARGETS lasius_python LIBRARY DESTINATION ${modules}/lasius COMPONENT python)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/lasius DESTINATION ${modules} COMPONENT python
+    FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+  file(CONFIGURE OUTPUT debian/egg-info @ONLY
+    CONTENT "Metadata-Version: 2.1\nName: lasius\nVersion: @PROJECT_VERSION@\nSummary: @PROJECT_DESCRIPTION@\n")
+  install(FILES ${PROJECT_BINARY_DIR}/debian/egg-info DESTINATION ${modules}
+    RENAME lasius-${PROJECT_VERSION}.egg-info COMPONENT python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  math(EXPR lasius_next_python "${Python_VERSION_MINOR} + 1")
+  set(lasius_python "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${lasius_next_python})")
+  lasius_debian_package(python python3-lasius python "motion planning - Python package"
+    "${lasius_what}\n\nThis package has the Python package: maps and results as numpy arrays."
+    DEPENDS "${lasius_runtime} ${lasius_same}, ${lasius_python}, python3-numpy"
+    SUGGESTS "python3-matplotlib, python3-shapely")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    ${LASIUS_CMAKE_DIR}/debian/python/postinst ${LASIUS_CMAKE_DIR}/debian/python/prerm)
 endmacro()
