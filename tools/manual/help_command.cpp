@@ -2,10 +2,10 @@
 #include <filesystem>
 #include <ostream>
 
+#include "core/base/did_you_mean.h"
 #include "core/base/output.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/streams.h"
-#include "tools/console/values.h"
 #include "tools/manual/documents.h"
 #include "tools/manual/man_page.h"
 #include "tools/manual/pages.h"
@@ -16,7 +16,7 @@
 namespace lasius::tool {
 namespace {
 
-constexpr const char* kUsage = "lasius COMMAND [arguments and options]";
+constexpr const char* kSynopsis = "lasius COMMAND [arguments and options]";
 constexpr const char* kMore =
     "Of a command or topic: `lasius COMMAND --help`, `lasius help TOPIC`.";
 
@@ -27,7 +27,8 @@ std::string program_text(const Manual& manual) {
   append(blocks, option_blocks(manual.options));
   append(blocks, topic_list());
   blocks.push_back(paragraph(kMore));
-  return std::string("Usage: ") + kUsage + "\n\n" + manual.summary + ".\n\n" + plain_text(blocks);
+  return std::string("Usage: ") + kSynopsis + "\n\n" + manual.summary + ".\n\n" +
+         plain_text(blocks);
 }
 
 Blocks command_blocks(const CommandText& command) {
@@ -48,21 +49,34 @@ const CommandText* find_command(const Manual& manual, std::string_view name) {
   return found == manual.commands.end() ? nullptr : &*found;
 }
 
-/// @throws UsageError with the nearest name.
+const Topic* find_topic(std::string_view name) {
+  for (const Topic& topic : topics())
+    if (topic.name == name) return &topic;
+  return nullptr;
+}
+
+/// Neither a topic nor a command. @throws UsageError with the nearest name.
+void refuse_topic(const Manual& manual, const std::string& name) {
+  std::vector<std::string_view> known;
+  for (const Topic& topic : topics()) known.push_back(topic.name);
+  for (const CommandText& command : manual.commands) known.push_back(command.name);
+  throw UsageError("there is no topic \"" + name + "\"; " + did_you_mean(name, known) +
+                   " `lasius help` lists them");
+}
+
+std::string topic_text(const Topic& topic) {
+  return std::string(topic.name) + ": " + std::string(topic.summary) + ".\n\n" +
+         plain_text(topic.blocks());
+}
+
 std::string text_of(const HelpCommand& help) {
   const Manual& manual = help.manual;
   if (help.topic.empty()) return program_text(manual);
+  if (const Topic* topic = find_topic(help.topic); topic != nullptr && !help.of_command)
+    return topic_text(*topic);
   const CommandText* command = find_command(manual, help.topic);
-  const auto* topic = std::ranges::find(topics(), help.topic, &Topic::name).base();
-  if (topic != topics().data() + topics().size() && !help.of_command)
-    return std::string(topic->name) + ": " + std::string(topic->summary) + ".\n\n" +
-           plain_text(topic->blocks());
-  if (command != nullptr) return command_text(*command);
-  std::vector<std::string_view> known;
-  for (const Topic& each : topics()) known.push_back(each.name);
-  for (const CommandText& each : manual.commands) known.push_back(each.name);
-  choice_value("help", help.topic, known);
-  return {};
+  if (command == nullptr) refuse_topic(manual, help.topic);
+  return command_text(*command);
 }
 
 std::string see_also(const Manual& manual, std::string_view but) {
@@ -85,7 +99,7 @@ std::string program_page(const Manual& manual) {
       append(blocks, topic.blocks());
     }
   append(blocks, {{Block::Kind::heading, "See also"}, paragraph(see_also(manual, ""))});
-  return roff_title("lasius", manual.summary, release_date(), {kUsage}) + roff(blocks);
+  return roff_title("lasius", manual.summary, release_date(), {kSynopsis}) + roff(blocks);
 }
 
 std::string command_page(const Manual& manual, const CommandText& command) {

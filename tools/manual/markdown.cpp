@@ -124,7 +124,6 @@ class Reader {
   std::vector<std::string> header_;
 };
 
-/// The level of a heading that is `title`, or of any; 0 for other lines.
 bool is_heading(std::string_view line) { return line.starts_with("#"); }
 
 }  // namespace
