@@ -23,6 +23,7 @@ int run(const AlgorithmsCommand& command) { return run_algorithms(command); }
 int run(const GenerateCommand& command) { return run_generate(command); }
 int run(const VerifyCommand& command) { return run_verify(command); }
 int run(const StudyCommand& command) { return run_study(command); }
+int run(const TuneCommand& command) { return run_tune(command); }
 int run(const ArmCommand& command) { return run_arm(command); }
 int run(const PolygonCommand& command) { return run_polygon(command); }
 int run(const PolygonBatchCommand& command) { return run_polygon_batch(command); }

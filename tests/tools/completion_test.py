@@ -77,6 +77,8 @@ class Answers(CompletionTest):
         self.assertEqual(self.names("plan", "--set=polish=s"), ["--set=polish=straight"])
         self.assertEqual(self.names("plan", "--set", "persistence="), [])
         self.assertIn("pitch=", self.names("arm", "--set", ""))
+        self.assertEqual(self.names("study", "run", "--algorithm", "as,mm"), ["as,mmas"])
+        self.assertEqual(self.names("study", "run", "--set", "polish=none,s"), ["polish=none,straight"])
 
     def test_choices_files_and_folders(self):
         self.assertEqual(self.names("plan", "--corners", ""), ["forbid", "one-side", "allow"])
@@ -90,6 +92,7 @@ class Answers(CompletionTest):
         self.assertEqual(self.names("arm", "r.urdf", "--package", ""), [])
         self.assertEqual(self.names("study", "fan2004", "-o", ""), [":folders"])
         self.assertLess({"list", "all", "fan2004"}, set(self.names("study", "")))
+        self.assertEqual(self.names("plan", "--preset", ""), ["usual", "book", ":files"])
         self.assertLess({"json", "plan"}, set(self.names("help", "")))
 
     def test_endings_are_those_that_output_takes(self):

@@ -102,11 +102,31 @@ std::map<std::string_view, Notes> make_notes() {
                     "a result or its map, robot or scene is missing, broken, or not the one "
                     "recorded"}})}},
       {"study",
-       {.examples = {{"lasius study list", "the studies that there are"},
-                     {"lasius study fan2004 -o fan", "the report fan/report.md, with all runs"}},
-        .exits = exits({{kBadFile, "a map is missing or broken"},
+       {.detail =
+            "A source's experiments are run again and set beside its figures. A file describes "
+            "maps, questions, algorithms, a sweep of parameters, seeds, budget and claims: see "
+            "docs/studies.md. run asks one question of every algorithm at every combination of "
+            "the values of --set, and writes the file that says the same, study.yaml. A study "
+            "goes on where an earlier call stopped.",
+        .examples = {{"lasius study list", "the studies that there are"},
+                     {"lasius study fan2004 -o fan", "the report fan/report.md, with all runs"},
+                     {"lasius study run maps/grid20a.map --start 0,0 --goal 19,19 --algorithm "
+                      "as,mmas --set persistence=0.5,0.9 --seeds 1..5 -o sweep",
+                      "two algorithms, two values each, five seeds"}},
+        .exits = exits(
+            {{kBadFile, "a map or a study's file is missing or broken"},
+             {kInvalidQuery, "run's start or goal outside or blocked"},
+             kOutput,
+             {kInterrupted, "interrupted: the report is partial and the same command goes on"}}),
+        .on_bitmaps = true}},
+      {"tune",
+       {.detail = "The result is judged on maps that were not used to find it, and written as a "
+                  "preset for --preset. See docs/studies.md.",
+        .exits = exits({{kBadFile, "a map or the file is missing or broken"},
                         kOutput,
-                        {kInterrupted, "interrupted; the same command goes on"}})}},
+                        {kInterrupted,
+                         "interrupted: the best so far is in preset.yaml, and the same command "
+                         "goes on"}})}},
       {"arm",
        {.examples = {{"lasius arm maps/arms/industrial6.json --scene maps/arms/cell.json "
                       "--start -0.9,0.3,0.4,0,0.4,0 --goal 0.45,0.4,0.5 -o motion.csv",
@@ -165,7 +185,13 @@ std::map<Key, Values> make_values() {
   values[{"arm", "--srdf"}] = files({".srdf"});
   values[{"arm", "--joint-limits"}] = files({".yaml", ".yml"});
   values[{"algorithms", "NAME"}] = {.names = algorithms};
-  values[{"study", "NAME"}] = {.choices = {"list", "all"}, .names = studies};
+  const std::vector<std::string> documents{".yaml", ".yml", ".json"};
+  values[{"study", "NAME"}] = {
+      .choices = {"list", "all", "run"}, .files = true, .endings = documents, .names = studies};
+  values[{"tune", "FILE"}] = files(documents);
+  for (const auto* command : {"plan", "batch", "drive", "study"})
+    values[{command, "--preset"}] = {
+        .choices = texts(kPresetNames), .files = true, .endings = documents};
   values[{"help", "TOPIC"}] = {.names = topics};
   return values;
 }
@@ -190,7 +216,8 @@ Values values_of(std::string_view command, std::string_view name, std::string_vi
   static const auto kValues = make_values();
   if (const auto known = kValues.find({command, name}); known != kValues.end())
     return known->second;
-  if (name == "--algorithm") return {.names = Values::Names::algorithms};
+  if (name == "--algorithm")
+    return {.names = Values::Names::algorithms, .list = value.find(',') != value.npos};
   if (name == "--set") return {.names = Values::Names::parameters};
   Values values;
   while (!value.empty()) {

@@ -9,6 +9,8 @@
 #include "tools/console/threads.h"
 #include "tools/console/values.h"
 #include "tools/record/outputs.h"
+#include "tools/yaml/document.h"
+#include "tools/yaml/preset_file.h"
 
 namespace lasius::tool {
 namespace {
@@ -35,11 +37,24 @@ void read_seeds(const std::string& text, SearchOptions& options) {
   options.seeds = static_cast<int>(last - first) + 1;
 }
 
+/// The numbers of a preset's file, and its algorithm where none is named.
+void take_preset(const SearchText& text, SearchOptions& options) {
+  PresetFile preset = read_preset_file(text.preset);
+  if (text.algorithm.empty()) options.algorithm = preset.algorithm;
+  if (options.algorithm != preset.algorithm)
+    throw UsageError("--preset " + text.preset + " is of " + preset.algorithm + ", not of " +
+                     options.algorithm + "; leave --algorithm out");
+  options.preset = preset.preset;
+  options.preset_settings = std::move(preset.settings);
+}
+
 /// Reads what all commands that plan have.
 void read_search(const SearchText& text, SearchOptions& options,
                  std::span<const std::string_view> endings = kResultEndings) {
   options.algorithm = text.algorithm;
-  if (!text.preset.empty())
+  if (is_document(text.preset))
+    take_preset(text, options);
+  else if (!text.preset.empty())
     options.preset = static_cast<Preset>(choice_value("--preset", text.preset, kPresetNames));
   for (const auto& [name, value] : text.named)
     if (!value.empty()) options.named.emplace_back(name, value);

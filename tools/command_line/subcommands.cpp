@@ -59,8 +59,9 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help,
   option("--corners", text.value_of("corners"), "Diagonal steps past blocked cells",
          "forbid|one-side|allow");
   option("--preset", text.preset,
-         "Numbers to start with: usual, or of as, eas, ras, mmas and acs the textbook's",
-         "usual|book");
+         "Numbers to start with: usual, or of as, eas, ras, mmas and acs the textbook's, or a "
+         "file's, as tune writes it",
+         "usual|book|FILE");
   option("--polish", text.value_of("polish"), "What is done with a path",
          "none|straight|taut|local");
   option("--frame", text.frame,
@@ -280,45 +281,13 @@ Subcommand add_help(CLI::App& app) {
   return {help, [raw]() -> Command { return *raw; }};
 }
 
-Subcommand add_study(CLI::App& app) {
-  struct Raw {
-    std::string name, seeds, folder, threads, maps;
-    bool quiet = false;
-  };
-  auto raw = std::make_shared<Raw>();
-  auto* study = app.add_subcommand(
-      "study",
-      "Repeat a source's experiments and set ours beside its figures; goes on where an "
-      "earlier call stopped");
-  study
-      ->add_option("NAME", raw->name,
-                   "The study; list: what there is; all: each of them, and one table of claims")
-      ->required();
-  const AddOption option = option_adder(*study);
-  option("--seeds", raw->seeds,
-         "Runs of each algorithm, seeds 1 to N (default: the study's own number)", "N");
-  option("-o,--output", raw->folder, "Folder to write (default study-NAME)", "DIR");
-  option("--threads", raw->threads, "Runs at a time", "N");
-  option("--maps", raw->maps, "Folder of the maps, instead of the program's own", "DIR");
-  add_switch(*study, "-q,--quiet", raw->quiet, "Print errors only");
-  return {study, [raw]() -> Command {
-            StudyCommand command{.name = raw->name,
-                                 .threads = thread_count(raw->threads),
-                                 .folder = raw->folder.empty() ? "study-" + raw->name : raw->folder,
-                                 .maps = raw->maps};
-            if (!raw->seeds.empty())
-              command.seeds = static_cast<int>(integer_value("--seeds", raw->seeds, 1, 100000));
-            command.messages.quiet = raw->quiet;
-            return command;
-          }};
-}
-
 }  // namespace
 
 std::vector<Subcommand> add_subcommands(CLI::App& app) {
-  std::vector<Subcommand> commands{
-      add_plan(app),     add_drive(app),  add_batch(app), add_info(app), add_algorithms(app),
-      add_generate(app), add_verify(app), add_study(app), add_arm(app),  add_help(app)};
+  std::vector<Subcommand> commands{add_plan(app),   add_drive(app),      add_batch(app),
+                                   add_info(app),   add_algorithms(app), add_generate(app),
+                                   add_verify(app), add_study(app),      add_tune(app),
+                                   add_arm(app),    add_help(app)};
   for (auto& command : commands) {
     command.app->allow_extras();
     for (CLI::Option* option : command.app->get_options({}))

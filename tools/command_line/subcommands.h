@@ -21,6 +21,10 @@ struct Subcommand {
 /// All of them, added to the program's.
 std::vector<Subcommand> add_subcommands(CLI::App& app);
 
+/// `lasius study` and `lasius tune`.
+Subcommand add_study(CLI::App& app);
+Subcommand add_tune(CLI::App& app);
+
 /// `lasius arm`.
 Subcommand add_arm(CLI::App& app);
 

@@ -71,6 +71,7 @@ Params make_params(const SearchOptions& options, World::Kind kind, std::span<con
                    std::vector<std::string>& notes) {
   const Algorithm& algorithm = named_algorithm(all, algorithm_of(kind, options.algorithm));
   auto params = params_of<Params>(algorithm.name, options.preset);
+  for (const auto& [name, value] : options.preset_settings) set_parameter(params, name, value);
   for (const auto& [name, value] : options.named) {
     if (algorithm.has(name)) {
       set_parameter(params, name, value);

@@ -47,6 +47,17 @@ std::optional<double> parse_whole(std::string_view text) {
   return parse_real(text).value_or(negative ? -kNoLimit : kNoLimit);
 }
 
+std::optional<std::pair<std::int64_t, std::int64_t>> parse_range(std::string_view text) {
+  const auto dots = text.find("..");
+  const auto between = dots == std::string_view::npos ? text.find('-', 1) : dots;
+  const bool alone = between == std::string_view::npos;
+  const auto first = alone ? 1 : parse_integer(text.substr(0, between));
+  const auto last =
+      parse_integer(alone ? text : text.substr(between + (dots == std::string_view::npos ? 1 : 2)));
+  if (!first || !last || *first > *last) return std::nullopt;
+  return std::pair{*first, *last};
+}
+
 std::int64_t integer_value(std::string_view option, std::string_view text, std::int64_t low,
                            std::int64_t high) {
   const auto value = parse_integer(text);

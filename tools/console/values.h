@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lasius/geometry.h"
@@ -25,6 +26,9 @@ std::optional<double> parse_real(std::string_view text);
 
 /// A whole number of any number of digits, as near as a double comes.
 std::optional<double> parse_whole(std::string_view text);
+
+/// "N": 1 to N; "A..B" or "A-B": A to B. Nothing for other texts, or where A is beyond B.
+std::optional<std::pair<std::int64_t, std::int64_t>> parse_range(std::string_view text);
 
 /// The same for an option's value. @throws UsageError naming option, value and range.
 std::int64_t integer_value(std::string_view option, std::string_view text, std::int64_t low,

@@ -6,7 +6,7 @@
 
 #include "tools/console/worlds.h"
 #include "tools/manual/topics.h"
-#include "tools/study/study_file.h"
+#include "tools/study/description/study_file.h"
 
 namespace lasius::tool {
 namespace {
@@ -115,7 +115,15 @@ class Completer {
     if (word_.empty()) add_options();
   }
 
-  void add_values(const Values& values, const std::string& before) {
+  /// What is typed of a list, up to the part that is being typed.
+  std::string before_part(std::size_t from) const {
+    const auto comma = word_.rfind(',');
+    const bool parts = comma != word_.npos && comma >= from;
+    return std::string(word_.substr(0, parts ? comma + 1 : from));
+  }
+
+  void add_values(const Values& values, std::string before) {
+    if (values.list) before = before_part(before.size());
     completion_.files = values.files;
     completion_.folders = values.folders;
     completion_.endings = values.endings;
@@ -156,10 +164,11 @@ class Completer {
     const std::string name = before + std::string(parameter.name) + "=";
     if (!word_.starts_with(name)) return add(name, parameter.summary);
     if (parameter.type != "choice") return;
+    const std::string part = before_part(name.size());
     for (std::string_view rest = parameter.range; !rest.empty();) {
       const auto value = rest.substr(0, rest.find('|'));
       rest.remove_prefix(std::min(rest.size(), value.size() + 1));
-      add(name + std::string(value), "");
+      add(part + std::string(value), "");
     }
   }
 

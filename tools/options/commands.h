@@ -13,6 +13,7 @@ int run_algorithms(const AlgorithmsCommand& command);
 int run_generate(const GenerateCommand& command);
 int run_verify(const VerifyCommand& command);
 int run_study(const StudyCommand& command);
+int run_tune(const TuneCommand& command);
 int run_arm(const ArmCommand& command);
 int run_polygon(const PolygonCommand& command);
 int run_polygon_batch(const PolygonBatchCommand& command);

@@ -16,6 +16,7 @@ struct Values {
   bool folders = false;
   std::vector<std::string> endings = {};  ///< of the files, each with its dot; empty: any
   Names names = Names::none;              ///< a list that is known at run time
+  bool list = false;                      ///< several of them, parted by commas
 };
 
 struct OptionText {

@@ -41,8 +41,10 @@ struct Messages {
 
 /// The options of every command that plans.
 struct SearchOptions {
-  std::string algorithm;                                   ///< empty: the world's first
-  Preset preset = Preset::usual;                           ///< of a colony on bitmaps
+  std::string algorithm;          ///< empty: the world's first
+  Preset preset = Preset::usual;  ///< of a colony on bitmaps
+  /// Of a preset's file, before all others.
+  std::vector<std::pair<std::string, std::string>> preset_settings;
   std::vector<std::pair<std::string, std::string>> named;  ///< parameters with their own option
   std::vector<std::string> settings;                       ///< NAME=VALUE
   static constexpr int kMostSeeds = 100000;
@@ -112,11 +114,32 @@ struct VerifyCommand {
   bool quiet = false;
 };
 
+/// `study run`: a study without a file.
+struct ShortStudy {
+  std::string map;
+  Cell start, goal;
+  std::vector<std::string> algorithms;
+  std::string preset;  ///< usual, book or a file; empty: usual
+  /// Parameters, each with the values that are swept.
+  std::vector<std::pair<std::string, std::vector<std::string>>> factors;
+  std::optional<double> steps, seconds;  ///< budget of a run
+};
+
 struct StudyCommand {
-  std::string name;  ///< or "list"
-  int seeds = 0;     ///< 0: the study's own number
+  std::string name;              ///< of one that the program holds, "list", "all", "run", or a file
+  std::uint64_t first_seed = 1;  ///< of the runs, where `seeds` is not 0
+  int seeds = 0;                 ///< so many; 0: the study's own
   int threads = 1;
   std::string folder;  ///< of the report and its runs
+  std::string maps;    ///< folder of the maps; empty: the program's own
+  Messages messages = {};
+  ShortStudy run = {};  ///< of "run"
+};
+
+struct TuneCommand {
+  std::string file;
+  int threads = 1;
+  std::string folder;  ///< of the report, the preset and the runs
   std::string maps;    ///< folder of the maps; empty: the program's own
   Messages messages = {};
 };
@@ -196,9 +219,9 @@ struct Text {
   std::string text;
 };
 
-using Command =
-    std::variant<Text, PlanCommand, DriveCommand, BatchCommand, InfoCommand, AlgorithmsCommand,
-                 GenerateCommand, VerifyCommand, StudyCommand, ArmCommand, PolygonCommand,
-                 PolygonBatchCommand, WorldInfoCommand, HelpCommand, CompleteCommand>;
+using Command = std::variant<Text, PlanCommand, DriveCommand, BatchCommand, InfoCommand,
+                             AlgorithmsCommand, GenerateCommand, VerifyCommand, StudyCommand,
+                             TuneCommand, ArmCommand, PolygonCommand, PolygonBatchCommand,
+                             WorldInfoCommand, HelpCommand, CompleteCommand>;
 
 }  // namespace lasius::tool

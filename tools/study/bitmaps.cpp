@@ -5,12 +5,14 @@
 #include <numeric>
 
 #include "lasius/shortest_walk.h"
+#include "tools/console/values.h"
 #include "tools/study/map_source.h"
 
 namespace lasius::study {
 namespace {
 
 constexpr std::string_view kExact = "exact";
+constexpr double kPilotShare = 0.125;  ///< as pilot_part()
 
 std::string question_key(const Grid& grid, const Question& question, const std::string& algorithm) {
   std::string key = "map " + std::to_string(grid.hash());
@@ -18,6 +20,45 @@ std::string question_key(const Grid& grid, const Question& question, const std::
     key += ' ' + std::to_string(v);
   return key + ' ' + algorithm;
 }
+
+/// Of a budget, where there is one: nothing is said of none.
+std::string budget_key(const Budget& budget) {
+  std::string key;
+  if (std::isfinite(budget.steps)) key += " steps<=" + tool::to_text(budget.steps);
+  if (std::isfinite(budget.seconds)) key += " seconds<=" + tool::to_text(budget.seconds);
+  return key;
+}
+
+/// Ends a run when its budget is spent.
+class BudgetWatch {
+ public:
+  BudgetWatch(const Budget& budget, double share, double begin)
+      : steps_(budget.steps * share), seconds_(budget.seconds * share), begin_(begin) {}
+
+  /// An algorithm without iterations is stopped by the clock on the wall.
+  StopCondition stop(const std::stop_token& token, const Params& params) const {
+    StopCondition condition{.token = token};
+    if (find_algorithm(params.algorithm()).kind == Algorithm::Kind::exact)
+      condition.deadline = deadline_in(std::chrono::duration<double>(seconds_));
+    return condition;
+  }
+  Observer observer() {
+    if (!std::isfinite(steps_) && !std::isfinite(seconds_)) return {};
+    return [this](const GridProgress& progress) {
+      if (progress.curves == nullptr) return;
+      const auto& steps = progress.curves->steps;
+      for (; seen_ < steps.size(); ++seen_) spent_ += static_cast<double>(steps[seen_]);
+      fired_ = spent_ >= steps_ || thread_seconds() - begin_ >= seconds_;
+      if (fired_) progress.stop();
+    };
+  }
+  bool fired() const { return fired_; }
+
+ private:
+  double steps_, seconds_, begin_, spent_ = 0;
+  std::size_t seen_ = 0;
+  bool fired_ = false;
+};
 
 }  // namespace
 
@@ -46,21 +87,26 @@ Task Bitmaps::task(const Question& question, const Contender& contender) const {
   const Params params = params_of(contender);
   const Planner& planner = planners_.at(question.map);
   const Grid& grid = planner.grid();
-  Task task =
-      task_of(question_key(grid, question, params.algorithm()), params,
-              parameters_of(algorithms(), params.algorithm()), grid.width() + grid.height());
-  task.run = [&planner, &question, params, limit = shortest(question, params)](
-                 std::uint64_t seed, bool pilot, const std::stop_token& stop,
-                 Workspace& workspace) {
+  Task task = task_of(
+      question_key(grid, question, params.algorithm()) + budget_key(contender.budget), params,
+      parameters_of(algorithms(), params.algorithm()), grid.width() + grid.height());
+  if (std::isfinite(contender.budget.steps))
+    task.work = std::min(task.work, static_cast<std::int64_t>(contender.budget.steps));
+  task.run = [&planner, &question, params, limit = shortest(question, params),
+              budget = contender.budget](std::uint64_t seed, bool pilot,
+                                         const std::stop_token& stop, Workspace& workspace) {
     Params seeded = params;
     seeded.seed = seed;
-    if (pilot) seeded.iterations = pilot_part(params.iterations);
+    if (pilot && find_algorithm(params.algorithm()).has("iterations"))
+      seeded.iterations = pilot_part(params.iterations);
     Run run{.limit = limit};
     const double begin = thread_seconds();
-    Result result =
-        planner.plan({question.start, question.goal, {.token = stop}}, seeded, &workspace);
+    BudgetWatch watch(budget, pilot ? kPilotShare : 1, begin);
+    Result result = planner.plan({question.start, question.goal, watch.stop(stop, params)}, seeded,
+                                 &workspace, watch.observer());
     run.seconds = thread_seconds() - begin;
-    run.status = result.status;
+    run.status =
+        watch.fired() && result.status == Status::interrupted ? Status::limit : result.status;
     run.length = result.length;
     run.iterations = result.iterations;
     run.best = std::move(result.best);

@@ -4,26 +4,38 @@
 #include <sstream>
 
 #include "lasius/error.h"
-#include "lasius/generate.h"
-#include "lasius/map_io.h"
+#include "lasius/io.h"
 
 namespace lasius::study {
 
-bool is_generated(const std::string& source) { return source.find(' ') != std::string::npos; }
+bool is_generated(const std::string& source) {
+  const auto size = source.find(' ') + 1;  // a file's name may have blanks, too
+  const auto by = source.find_first_not_of("0123456789", size);
+  return size > 0 && by != std::string::npos && by > size && source[by] == 'x';
+}
+
+MadeMap made_map(const std::string& source) {
+  std::istringstream words(source);
+  std::string kind, density;
+  char by = 0;
+  MadeMap made;
+  GenerateOptions& options = made.options;
+  words >> kind >> options.width >> by >> options.height >> density >> options.seed;
+  const auto kinds = map_kind_names();
+  const auto at = std::ranges::find(kinds, kind);
+  const bool usual = density == "default";
+  if (!usual) std::istringstream(density) >> options.density;
+  if (!words || by != 'x' || at == kinds.end() || (!usual && !(options.density >= 0)))
+    throw Error(ErrorCode::invalid_parameter, "no map is made by \"" + source + "\"",
+                "say KIND WxH DENSITY SEED, as in \"blobs 200x100 default 1\"");
+  made.kind = static_cast<MapKind>(at - kinds.begin());
+  return made;
+}
 
 Grid load_map(const std::string& source, const std::filesystem::path& folder) {
-  if (!is_generated(source)) return read_map((folder / source).string()).grid;
-  std::istringstream words(source);
-  std::string kind;
-  char by = 0;
-  GenerateOptions options;
-  words >> kind >> options.width >> by >> options.height >> options.density >> options.seed;
-  const auto kinds = map_kind_names();
-  const auto at = std::find(kinds.begin(), kinds.end(), kind);
-  if (!words || by != 'x' || at == kinds.end())
-    throw Error(ErrorCode::invalid_parameter, "no map is made by \"" + source + "\"",
-                "say KIND WxH DENSITY SEED");
-  return generate(static_cast<MapKind>(at - kinds.begin()), options);
+  if (!is_generated(source)) return read_any_map((folder / source).string()).grid;
+  const MadeMap made = made_map(source);
+  return generate(made.kind, made.options);
 }
 
 }  // namespace lasius::study

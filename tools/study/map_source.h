@@ -4,15 +4,25 @@
 #include <filesystem>
 #include <string>
 
+#include "lasius/generate.h"
 #include "lasius/grid.h"
 
 namespace lasius::study {
 
-/// A file of `folder`, or a generated map: "random WxH DENSITY SEED" with any kind of `lasius
-/// generate`. @throws Error for a missing or broken file, or a map that cannot be made.
+/// A map of any kind in a file of `folder`, or a generated map: "random WxH DENSITY SEED" with any
+/// kind of `lasius generate`, whose own density is "default". @throws Error for a missing or broken
+/// file, or a map that cannot be made.
 Grid load_map(const std::string& source, const std::filesystem::path& folder);
 
-/// True for a map that is generated.
+/// True for a map that is generated: its second word is a size.
 bool is_generated(const std::string& source);
+
+/// What the words of a generated map say. @throws Error(invalid_parameter) for other words; whether
+/// the map can be made is not looked at.
+struct MadeMap {
+  MapKind kind{};
+  GenerateOptions options = {};
+};
+MadeMap made_map(const std::string& source);
 
 }  // namespace lasius::study

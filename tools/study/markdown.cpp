@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lasius/version.h"
-#include "tools/study/table.h"
+#include "tools/study/factors.h"
 
 namespace lasius::study {
 namespace {
@@ -42,6 +42,9 @@ std::string section(const Experiment& experiment, const Findings& findings,
                     const std::vector<Figure>& figures) {
   std::string text = "## " + experiment.title + "\n\n" + experiment.text + "\n\n";
   text += result_table(findings, experiment).markdown() + "\n";
+  const Table factors = findings.whole ? factor_table(findings, experiment) : Table{};
+  if (!factors.rows.empty())
+    text += "What each parameter does, whatever the others are:\n\n" + factors.markdown() + "\n";
   for (const Figure& figure : figures) {
     if (figure.experiment != &experiment) continue;
     text += "![" + figure.caption + "](" + figure.file + ".png)\n\n" + figure.caption + " ([SVG](" +
@@ -54,17 +57,17 @@ std::string section(const Experiment& experiment, const Findings& findings,
 }  // namespace
 
 std::string report_page(const Study& study, const Findings& findings,
-                        std::span<const Evidence> evidence, int seeds,
+                        std::span<const Evidence> evidence, Seeds seeds,
                         const std::vector<Figure>& figures) {
   std::string text = "# Study " + study.name + ": " + study.summary + "\n\n" + study.source +
-                     "\n\n`lasius study " + study.name + " --seeds " + std::to_string(seeds) +
+                     "\n\n`" + called(study.asked(), seeds) +
                      "`, lasius " LASIUS_VERSION ". Lengths: " + study.unit + ". " + study.text +
                      "\n\n";
   if (!findings.whole) {
     std::size_t done = 0;
     for (const Sample& s : findings.samples) done += s.runs.size();
     text += "**Partial: interrupted after " + std::to_string(done) + " of " +
-            std::to_string(findings.samples.size() * static_cast<std::size_t>(seeds)) +
+            std::to_string(findings.samples.size() * static_cast<std::size_t>(seeds.count)) +
             " runs; no verdicts.**\n\n";
   }
   for (const Absent& a : findings.absent)

@@ -18,7 +18,7 @@ struct Figure {
 
 /// The evidence is that of the study's claims.
 std::string report_page(const Study& study, const Findings& findings,
-                        std::span<const Evidence> evidence, int seeds,
+                        std::span<const Evidence> evidence, Seeds seeds,
                         const std::vector<Figure>& figures);
 
 /// One table of the claims of several studies, and how to read it.

@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kMostDrawn = 12;  ///< contenders: more cannot be told apart
+
 /// The samples of a question that have runs: what is drawn.
 std::vector<const Sample*> drawn(const Findings& findings, const Experiment& experiment,
                                  const Question& question) {
@@ -59,7 +61,7 @@ LineChart chart_of(const std::string& title, const Study& study) {
 
 /// Share of the runs within the experiment's target, by paths built.
 LineChart run_lengths(const std::vector<const Sample*>& samples, double optimum) {
-  const double target = samples.front()->experiment->target;
+  const double target = samples.front()->experiment->targets.front();
   LineChart chart{.title = "Runs " + target_text(target),
                   .x_label = "paths built",
                   .y_label = "share of the runs",
@@ -173,7 +175,7 @@ std::vector<Figure> draw_pictures(const Study& study, const Findings& findings,
       draw_chart(study, findings, experiment, contenders, folder / file);
       figures.push_back({&experiment, file, "Best and mean tours, " + name});
     }
-    if (!experiment.charts.empty()) continue;
+    if (!experiment.charts.empty() || experiment.contenders.size() > kMostDrawn) continue;
     for (const Question& question : experiment.questions) {
       if (drawn(findings, experiment, question).empty()) continue;
       const std::string stem = "pictures/" + experiment.name + "-" + question.name;

@@ -21,6 +21,7 @@ struct Job {
   std::shared_ptr<const Task> task;
   Sample* sample;
   std::size_t run;
+  std::uint64_t seed;
   fs::path file;
 };
 
@@ -33,11 +34,12 @@ void list_jobs(const std::shared_ptr<const Task>& task, const RunnerOptions& opt
                           sample.question->name / sample.contender->name;
   make_folder(folder);
   for (std::size_t r = 0; r < sample.runs.size(); ++r) {
-    const fs::path file = folder / (std::to_string(r + 1) + ".json");
-    if (auto kept = read_run(file, task->key, r + 1))
+    const std::uint64_t seed = options.first_seed + r;
+    const fs::path file = folder / (std::to_string(seed) + ".json");
+    if (auto kept = read_run(file, task->key, seed))
       sample.runs[r] = std::move(*kept);
     else
-      jobs.push_back({task, &sample, r, file});
+      jobs.push_back({task, &sample, r, seed, file});
   }
 }
 
@@ -65,15 +67,17 @@ std::vector<Job> list_jobs(const Study& study, const Domain& domain, const Runne
   return jobs;
 }
 
-/// Processor seconds of a unit of work, by contender, from a part of its first job.
+/// Processor seconds of a unit of work, by contender, from a part of its first job; nothing where
+/// nobody wants to know.
 std::map<const Contender*, double> paces(const std::vector<Job>& jobs,
                                          const RunnerOptions& options) {
   std::map<const Contender*, double> paces;
+  if (!options.estimate) return paces;
   Workspace workspace;
   for (const Job& job : jobs) {
     auto& pace = paces[job.sample->contender];
     if (pace > 0 || options.stop.stop_requested()) continue;
-    const double seconds = job.task->run(job.run + 1, true, options.stop, workspace).seconds;
+    const double seconds = job.task->run(job.seed, true, options.stop, workspace).seconds;
     pace = std::max(8 * seconds, 1e-6) / static_cast<double>(job.task->work);
   }
   return paces;
@@ -81,9 +85,10 @@ std::map<const Contender*, double> paces(const std::vector<Job>& jobs,
 
 /// Works through the jobs over threads.
 void work(std::vector<Job>& jobs, const RunnerOptions& options) {
-  auto pace = paces(jobs, options);
+  const auto pace = paces(jobs, options);
   const auto microseconds = [&](const Job& job) {
-    return static_cast<std::int64_t>(1e6 * pace[job.sample->contender] *
+    const auto found = pace.find(job.sample->contender);
+    return static_cast<std::int64_t>(1e6 * (found == pace.end() ? 1e-6 : found->second) *
                                      static_cast<double>(job.task->work)) +
            1;
   };
@@ -98,9 +103,9 @@ void work(std::vector<Job>& jobs, const RunnerOptions& options) {
     return [&, workspace = Workspace()](std::size_t i) mutable {
       if (options.stop.stop_requested()) return;
       const Job& job = jobs[i];
-      Run run = job.task->run(job.run + 1, false, options.stop, workspace);
+      Run run = job.task->run(job.seed, false, options.stop, workspace);
       if (options.stop.stop_requested()) return;
-      run.seed = job.run + 1;
+      run.seed = job.seed;
       write_run(job.file, job.task->key, run);
       const std::scoped_lock lock(mutex);
       job.sample->runs[job.run] = std::move(run);

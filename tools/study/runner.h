@@ -57,7 +57,9 @@ Task task_of(std::string about, const AnyParams& params, std::span<const Paramet
     task.key += ' ' + std::string(p.name) + '=' + value;
     if (p.name == "population" || p.name == "ants") task.paths_an_iteration = std::stoi(value);
   }
-  task.work = std::int64_t{task.paths_an_iteration} * std::max(1, params.iterations) * cells;
+  // Runs of any number of iterations have a budget.
+  const std::int64_t iterations = std::clamp(params.iterations, 1, 1'000'000);
+  task.work = task.paths_an_iteration * iterations * cells;
   return task;
 }
 
@@ -73,16 +75,17 @@ inline int pilot_part(int iterations) { return (iterations + 7) / 8; }
 double thread_seconds();
 
 struct RunnerOptions {
-  int seeds = 30;  ///< seeds 1 .. seeds
+  int seeds = 30;  ///< so many, from `first_seed`
   int threads = 1;
   std::filesystem::path folder;  ///< run files are kept in its subfolder `runs`
   std::stop_token stop = {};
-  /// Called before the first run: how many there are, those kept from before left out, and about
-  /// how many seconds they take, from a part of the first run of each contender.
+  /// Called before the first run, unless null: how many there are, those kept from before left out,
+  /// and about how many seconds they take, from a part of the first run of each contender.
   std::function<void(std::size_t runs, double seconds)> estimate = {};
   /// Called by one thread at a time after each run: work done and to do, runs kept from before
   /// left out, and what just ran.
   std::function<void(std::int64_t done, std::int64_t total, const std::string& note)> progress = {};
+  std::uint64_t first_seed = 1;  ///< at least 1
 };
 
 /// The findings, whole unless `stop` was requested: then runs in flight are dropped. They refer to

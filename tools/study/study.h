@@ -1,7 +1,9 @@
 // A study as data: which algorithms run on which questions, and what the source reports of them.
 #pragma once
 
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +19,14 @@ inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 /// Parameters by their names in `lasius algorithms`, with values as on the command line.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
+/// Where a run ends, whichever comes first, beside the contender's own iterations. It is looked at
+/// after each iteration, so what a run did depends on `steps` alone, but with `seconds` on the
+/// machine, too.
+struct Budget {
+  double steps = std::numeric_limits<double>::infinity();    ///< of all ants
+  double seconds = std::numeric_limits<double>::infinity();  ///< of processor time
+};
+
 /// One algorithm with its settings. An algorithm that the library does not have is left out of the
 /// study, and the report says so.
 struct Contender {
@@ -25,6 +35,8 @@ struct Contender {
   std::string algorithm = {};
   Preset preset = Preset::usual;
   Settings settings = {};  ///< over its defaults
+  Settings factors = {};   ///< those of the settings that a sweep has set
+  Budget budget = {};
 };
 
 /// What the source reports of one contender on one question; kUnknown where it does not.
@@ -35,6 +47,14 @@ struct Published {
   double seconds = kUnknown;
 };
 
+/// Starts and goals that are drawn once the map is there: joined cells, the same for the same
+/// numbers and map.
+struct Draw {
+  int count = 1;
+  std::uint64_t seed = 1;
+  double apart = 0.5;  ///< at least, as a share of the map's diagonal
+};
+
 /// One start and goal on one map, among the polygons of one world, of an arm in one scene, or of a
 /// drive.
 struct Question {
@@ -42,6 +62,8 @@ struct Question {
   std::string map;   ///< a file of maps/, or what is generated
   Cell start, goal;  ///< on a map; worlds, scenes and drives have their own
   std::vector<Published> published = {};
+  std::optional<Draw> draw = {};  ///< in place of start and goal: see draw_questions()
+  int line = 0;                   ///< of the study's file, for messages
 };
 
 /// The paths among which a question's optimum is the shortest.
@@ -60,7 +82,8 @@ struct Experiment {
   std::vector<Contender> contenders =
       {};  ///< the first is the one that the others are compared with
   std::vector<Question> questions = {};
-  double target = 0.01;   ///< of run-length distributions: this close to the optimum, a fraction
+  /// Of run-length distributions: this close to the optimum, fractions; pictures show the first.
+  std::vector<double> targets = {0.01};
   bool portrait = false;  ///< also draws tracks and pheromone of the first contender's first run
   bool by_ant =
       false;  ///< also draws the first contender's tours ant by ant, for ants one at a time
@@ -102,6 +125,12 @@ struct Claim {
 
 enum class World { bitmap, polygon, arm, online };
 
+/// Runs of every contender: seeds `first` to `first` + `count` - 1.
+struct Seeds {
+  std::uint64_t first = 1;
+  int count = 30;
+};
+
 struct Study {
   std::string name;
   std::string summary;
@@ -109,9 +138,13 @@ struct Study {
   std::string text;  ///< what is ours: maps, readings of the text
   World world = World::bitmap;
   std::string unit = "cells";
-  int seeds = 30;  ///< by default
+  Seeds seeds = {};  ///< by default
   std::vector<Experiment> experiments = {};
   std::vector<Claim> claims = {};
+  std::string file = {};  ///< of a user; empty: the program holds it
+
+  /// As `lasius study` takes it.
+  const std::string& asked() const { return file.empty() ? name : file; }
 };
 
 }  // namespace lasius::study

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tools/draw/text.h"
+#include "tools/study/factors.h"
 #include "tools/study/values.h"
 
 namespace lasius::study {
@@ -32,22 +33,11 @@ std::string range_text(const std::vector<double>& values, std::string (*text)(do
   return text(quantile(values, 0.25)) + " to " + text(quantile(values, 0.75));
 }
 
-std::vector<std::string> result_row(const Findings& findings, const Sample& sample) {
-  const auto lengths = sample.lengths();
-  const Published* const paper = published(sample);
-  const auto optimum = findings.optimum(*sample.experiment, *sample.question);
+/// How many runs got within a target, and what it took them.
+void add_efforts(const Sample& sample, double target, const std::optional<double>& optimum,
+                 std::vector<std::string>& row) {
+  const Value value{.name = "effort", .at = "paths", .target = target};
   const int runs = static_cast<int>(sample.runs.size());
-  const double median = quantile(lengths, 0.5);
-  std::vector<std::string> row{sample.question->name,
-                               sample.contender->label,
-                               paper ? length_text(paper->length) : "-",
-                               length_text(quantile(lengths, 0)),
-                               length_text(median),
-                               range_text(lengths, length_text),
-                               optimum ? percent_text(median / *optimum - 1, 2) : "-",
-                               std::to_string(std::ranges::count_if(sample.runs, &Run::solved)) +
-                                   " of " + std::to_string(runs)};
-  const Value value{.name = "effort", .at = "paths", .target = sample.experiment->target};
   const auto efforts =
       sample.each([&](const Run& run) { return value_of(sample, run, value, kUnknown, optimum); });
   const auto hits =
@@ -66,6 +56,24 @@ std::vector<std::string> result_row(const Findings& findings, const Sample& samp
   row.push_back(optimum ? whole(quantile(efforts, 0.25)) + ", " + whole(quantile(efforts, 0.5)) +
                               ", " + whole(quantile(efforts, 0.75))
                         : "-");
+}
+
+std::vector<std::string> result_row(const Findings& findings, const Sample& sample) {
+  const auto lengths = sample.lengths();
+  const Published* const paper = published(sample);
+  const auto optimum = findings.optimum(*sample.experiment, *sample.question);
+  const int runs = static_cast<int>(sample.runs.size());
+  const double median = quantile(lengths, 0.5);
+  std::vector<std::string> row{sample.question->name,
+                               sample.contender->label,
+                               paper ? length_text(paper->length) : "-",
+                               length_text(quantile(lengths, 0)),
+                               length_text(median),
+                               range_text(lengths, length_text),
+                               optimum ? percent_text(median / *optimum - 1, 2) : "-",
+                               std::to_string(std::ranges::count_if(sample.runs, &Run::solved)) +
+                                   " of " + std::to_string(runs)};
+  for (const double target : sample.experiment->targets) add_efforts(sample, target, optimum, row);
   row.push_back(paper ? fixed(paper->iterations, 0) : "-");
   row.push_back(paper ? seconds_text(paper->seconds) : "-");
   row.push_back(seconds_text(quantile(sample.each([](const Run& r) { return r.seconds; }), 0.5)));
@@ -134,13 +142,25 @@ std::string Table::csv() const {
   return text;
 }
 
+std::string called(const std::string& study, Seeds seeds) {
+  std::string text = "lasius study " + study + " --seeds ";
+  if (seeds.first != 1) text += std::to_string(seeds.first) + "..";
+  return text + std::to_string(seeds.first + static_cast<std::uint64_t>(seeds.count) - 1);
+}
+
 Table result_table(const Findings& findings, const Experiment& experiment) {
-  const std::string target = target_text(experiment.target);
   Table table{{"question", "algorithm", "paper: length", "shortest", "median", "quartiles",
-               "gap of the median", "runs with a path", "runs " + target + " [95%]",
-               "expected paths until " + target, "paths of 25, 50, 75% of the runs",
-               "paper: iterations", "paper: time, s", "time, s"},
+               "gap of the median", "runs with a path"},
               {}};
+  auto& header = table.header;
+  for (const double target : experiment.targets) {
+    const std::string text = target_text(target);
+    for (const std::string& title : {"runs " + text + " [95%]", "expected paths until " + text,
+                                     std::string("paths of 25, 50, 75% of the runs")})
+      header.push_back(title);
+  }
+  for (const char* title : {"paper: iterations", "paper: time, s", "time, s"})
+    header.emplace_back(title);
   for (const Question& question : experiment.questions) {
     if (const auto optimum = findings.optimum(experiment, question)) {
       std::vector<std::string> row(table.header.size(), "");
@@ -182,26 +202,33 @@ Table evidence_table(std::span<const Evidence> evidence) {
                           fixed(e.interval.low, 6), fixed(e.interval.high, 6), fixed(e.p_for, 9),
                           fixed(e.p_against, 9), fixed(e.adjusted, 9), std::to_string(e.seeds),
                           std::to_string(e.questions), e.figures,
-                          "lasius study " + e.study->name + " --seeds " + std::to_string(e.seeds)});
+                          called(e.study->asked(), {e.study->seeds.first, e.seeds})});
   return table;
 }
 
 Table run_table(const Findings& findings) {
-  Table table{
-      {"experiment", "question", "contender", "algorithm", "seed", "status", "length", "optimum",
-       "own_limit", "iterations", "last_gain", "paths", "steps", "checks", "seconds"},
-      {}};
+  const auto factors = factor_names(findings);
+  Table table{{"experiment", "question", "map", "contender", "algorithm"}, {}};
+  for (const auto& name : factors) table.header.push_back("set." + name);
+  for (const char* title : {"seed", "status", "length", "optimum", "gap", "own_limit", "iterations",
+                            "last_gain", "paths", "steps", "checks", "seconds"})
+    table.header.emplace_back(title);
   for (const Sample& s : findings.samples) {
     const auto optimum = findings.optimum(*s.experiment, *s.question);
     for (const Run& run : s.runs) {
-      table.rows.push_back(
-          {s.experiment->name, s.question->name, s.contender->name, s.contender->algorithm,
-           std::to_string(run.seed), std::string(to_string(run.status)), fixed(run.length, 9),
-           fixed(optimum.value_or(kUnknown), 9), fixed(run.limit, 9),
-           std::to_string(run.iterations),
-           fixed(value_of(s, run, {.name = "last-gain"}, kUnknown, optimum), 0),
-           std::to_string(std::int64_t{run.iterations} * s.paths_an_iteration),
-           std::to_string(run.steps), std::to_string(run.checks), fixed(run.seconds, 6)});
+      auto& row = table.rows.emplace_back(
+          std::vector<std::string>{s.experiment->name, s.question->name, s.question->map,
+                                   s.contender->name, s.contender->algorithm});
+      for (const auto& name : factors) row.push_back(factor_value(*s.contender, name));
+      const double ideal = optimum.value_or(kUnknown);
+      for (const std::string& cell :
+           {std::to_string(run.seed), std::string(to_string(run.status)), fixed(run.length, 9),
+            fixed(ideal, 9), fixed(run.length / ideal - 1, 9), fixed(run.limit, 9),
+            std::to_string(run.iterations),
+            fixed(value_of(s, run, {.name = "last-gain"}, kUnknown, optimum), 0),
+            std::to_string(std::int64_t{run.iterations} * s.paths_an_iteration),
+            std::to_string(run.steps), std::to_string(run.checks), fixed(run.seconds, 6)})
+        row.push_back(cell);
     }
   }
   return table;

@@ -17,6 +17,9 @@ struct Table {
   std::string csv() const;
 };
 
+/// The command that runs a study, by what it takes.
+std::string called(const std::string& study, Seeds seeds);
+
 /// Paper and ours, a row a question and contender.
 Table result_table(const Findings& findings, const Experiment& experiment);
 

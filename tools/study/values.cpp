@@ -44,6 +44,13 @@ std::string_view text_of(const std::array<Named, N>& list, const std::string& na
   return found->text;
 }
 
+template <std::size_t N>
+std::vector<std::string_view> names_of(const std::array<Named, N>& list) {
+  std::vector<std::string_view> names;
+  for (const Named& named : list) names.push_back(named.name);
+  return names;
+}
+
 /// How many iterations a run did within a budget.
 std::size_t within(const Sample& sample, const Run& run, const std::string& at, double budget) {
   std::size_t done = 0, beyond = static_cast<std::size_t>(run.iterations) + 1;
@@ -125,6 +132,9 @@ double effort(const Sample& sample, const Run& run, const Value& value, std::siz
 }
 
 }  // namespace
+
+std::vector<std::string_view> value_names() { return names_of(kValues); }
+std::vector<std::string_view> budget_names() { return names_of(kBudgets); }
 
 std::string target_text(double target, bool own_limit) {
   return (target > 0 ? "within " + fixed(100 * target, 1) + "% of " : std::string("at ")) +

@@ -3,10 +3,16 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "tools/study/findings.h"
 
 namespace lasius::study {
+
+/// The names of values and of budgets.
+std::vector<std::string_view> value_names();
+std::vector<std::string_view> budget_names();
 
 /// In words, for tables. @throws std::invalid_argument for an unknown name or budget.
 std::string value_text(const Value& value);

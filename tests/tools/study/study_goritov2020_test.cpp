@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "tools/study/description/study_file.h"
 #include "tools/study/sources/goritov2020.h"
-#include "tools/study/study_file.h"
 
 namespace lasius::study {
 namespace {

@@ -9,8 +9,8 @@
 #include "lasius/planner.h"
 #include "lasius/shortest_walk.h"
 #include "tools/study/bitmaps.h"
+#include "tools/study/description/study_file.h"
 #include "tools/study/map_source.h"
-#include "tools/study/study_file.h"
 
 namespace lasius::study {
 namespace {

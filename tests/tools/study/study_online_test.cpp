@@ -8,10 +8,10 @@
 #include "lasius/error.h"
 #include "lasius/planner.h"
 #include "lasius/shortest_walk.h"
+#include "tools/study/description/study_file.h"
 #include "tools/study/sources/online.h"
 #include "tools/study/sources/online_pilots.h"
 #include "tools/study/sources/online_worlds.h"
-#include "tools/study/study_file.h"
 
 namespace lasius::study {
 namespace {

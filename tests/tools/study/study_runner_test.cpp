@@ -103,7 +103,7 @@ TEST_F(StudyRunner, GoesOnWhereItStoppedAndEndsWithTheSameTables) {
   std::size_t kept = 0;
   for (const Sample& sample : part.samples) kept += sample.runs.size();
   EXPECT_EQ(kept, static_cast<std::size_t>(runs));
-  EXPECT_NE(report_page(s, part, {}, 4, {})
+  EXPECT_NE(report_page(s, part, {}, {.first = 1, .count = 4}, {})
                 .find("Partial: interrupted after " + std::to_string(runs) + " of 12 runs"),
             std::string::npos);
   EXPECT_GE(runs, 5);
@@ -164,7 +164,7 @@ TEST_F(StudyRunner, ReportsPaperAndOurs) {
   ASSERT_EQ(claims.rows.size(), 2u);
   EXPECT_EQ(claims.rows[0].size(), claims.header.size());
   EXPECT_EQ(claims.rows[1].back(), "not run");
-  const std::string page = report_page(s, findings, evidence, 4, {});
+  const std::string page = report_page(s, findings, evidence, {.first = 1, .count = 4}, {});
   EXPECT_NE(page.find("Not run: none such"), std::string::npos);
   EXPECT_NE(page.find("| As wins. | page 1 |"), std::string::npos);
   EXPECT_NE(claims_page(evidence, "lasius study all").find("| `test` | As wins. |"),

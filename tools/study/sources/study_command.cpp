@@ -5,6 +5,7 @@
 
 #include "core/base/did_you_mean.h"
 #include "core/base/output.h"
+#include "lasius/error.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/progress.h"
 #include "tools/console/signals.h"
@@ -12,13 +13,17 @@
 #include "tools/draw/text.h"
 #include "tools/options/commands.h"
 #include "tools/study/bitmaps.h"
+#include "tools/study/description/draws.h"
+#include "tools/study/description/short_form.h"
+#include "tools/study/description/study_file.h"
 #include "tools/study/files.h"
 #include "tools/study/markdown.h"
 #include "tools/study/pictures.h"
 #include "tools/study/portrait.h"
+#include "tools/study/sources/console.h"
 #include "tools/study/sources/online.h"
-#include "tools/study/study_file.h"
 #include "tools/study/table.h"
+#include "tools/yaml/document.h"
 #ifdef LASIUS_WITH_POLYGON
 #include "tools/study/sources/maklink.h"
 #endif
@@ -65,22 +70,6 @@ std::vector<Study> studies() {
   return all;
 }
 
-/// Maps are looked for in the option's folder, else beside the installed program, else in the
-/// source tree.
-fs::path find_maps(const std::string& option) {
-  if (!option.empty()) return option;
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  const fs::path installed = program.parent_path() / LASIUS_INSTALLED_MAPS;
-  return fs::is_directory(installed, ignored) ? installed : fs::path(LASIUS_SOURCE_MAPS);
-}
-
-std::string duration_text(double seconds) {
-  if (seconds < 90) return study::fixed(std::max(1.0, seconds), 0) + " s";
-  if (seconds < 5400) return study::fixed(seconds / 60, 0) + " min";
-  return study::fixed(seconds / 3600, 1) + " h";
-}
-
 /// Runs studies one after another, until a signal comes.
 class Conduct {
  public:
@@ -89,7 +78,9 @@ class Conduct {
 
   bool interrupted() const { return signals_.token().stop_requested(); }
 
-  int seeds(const Study& study) const { return command_.seeds > 0 ? command_.seeds : study.seeds; }
+  study::Seeds seeds(const Study& study) const {
+    return command_.seeds > 0 ? study::Seeds{command_.first_seed, command_.seeds} : study.seeds;
+  }
 
   /// Runs what is left of a study and writes its report, partial after a signal.
   Findings run(const Study& study, const fs::path& folder) {
@@ -116,12 +107,13 @@ class Conduct {
                 " threads, by a part of one run of each");
     };
     return study::run_study(study, domain,
-                            {.seeds = seeds(study),
+                            {.seeds = seeds(study).count,
                              .threads = command_.threads,
                              .folder = folder,
                              .stop = signals_.token(),
                              .estimate = tell,
-                             .progress = show});
+                             .progress = show,
+                             .first_seed = seeds(study).first});
   }
 
   void write(const Study& study, const Findings& findings, const fs::path& folder) const {
@@ -161,15 +153,51 @@ fs::path conduct_all(Conduct& conduct, const std::vector<Study>& all, const Stud
   }
   study::decide(evidence);
   std::string called = "lasius study all";
-  if (command.seeds > 0) called += " --seeds " + std::to_string(command.seeds);
+  if (command.seeds > 0) called = study::called("all", {command.first_seed, command.seeds});
   study::write_text(folder / "claims.csv", evidence_table(evidence).csv());
   study::write_text(folder / "claims.md", claims_page(evidence, called));
   return folder / "claims.md";
 }
 
+int finished(const Conduct& conduct, const fs::path& page) {
+  if (conduct.interrupted()) {
+    message("interrupted: " + page.string() + " is partial; the same command goes on from here");
+    return kInterrupted;
+  }
+  print(page.string() + "\n");
+  return kFound;
+}
+
+/// A study of a user: from a file, or `run`, whose file is written first.
+Study users_study(const StudyCommand& command) {
+  if (command.name != "run") return study::read_study(command.name);
+  study::make_folder(command.folder);
+  const std::string file = (fs::path(command.folder) / "study.yaml").string();
+  study::write_text(file, study::study_text(command.run));
+  return study::read_study(file);
+}
+
+int run_users_study(const StudyCommand& command) {
+  Study study = users_study(command);
+  if (!was_built(study.world))
+    throw UsageError(study.file + ": this lasius was built without that world");
+  try {
+    if (study.world == World::bitmap) study::draw_questions(study, find_maps(command.maps));
+  } catch (const Error& fault) {
+    const bool ends = command.name == "run" && fault.place().file == study.file;
+    if (!ends) throw;
+    message(fault.problem() + ": " + fault.remedy());
+    return kInvalidQuery;
+  }
+  Conduct conduct(command);
+  (void)conduct.run(study, command.folder);
+  return finished(conduct, fs::path(command.folder) / "report.md");
+}
+
 }  // namespace
 
 int run_study(const StudyCommand& command) {
+  if (command.name == "run" || is_document(command.name)) return run_users_study(command);
   const auto all = studies();
   std::string list;
   std::vector<std::string_view> known{"list", "all"};
@@ -191,12 +219,7 @@ int run_study(const StudyCommand& command) {
     page = conduct_all(conduct, all, command);
   else
     (void)conduct.run(*std::ranges::find(all, command.name, &Study::name), folder);
-  if (conduct.interrupted()) {
-    message("interrupted: " + page.string() + " is partial; the same command goes on from here");
-    return kInterrupted;
-  }
-  print(page.string() + "\n");
-  return kFound;
+  return finished(conduct, page);
 }
 
 }  // namespace lasius::tool

@@ -1,0 +1,253 @@
+"""study FILE, study run, tune, --preset FILE: one's own studies."""
+import csv
+import os
+import random
+import signal
+import unittest
+
+from program import MAPS, ProgramTest
+
+# 16 points of 4 factors and 2 others, on 3 questions with 2 seeds: 108 runs.
+SWEEP = """
+summary: how much trail should stay
+seeds: 1..2
+maps:
+  blobs: {kind: blobs, size: 120x90, density: 0.33, seeds: [1..2]}
+  own: small.map
+contenders:
+  - {name: default, algorithm: as, sweep: no}
+  - {name: exact, algorithm: exact}
+  - {name: as, algorithm: as}
+sweep:
+  design: grid
+  factors:
+    persistence: [0.5, 0.9]
+    ants: {from: 5, to: 20, levels: 2}
+    beta: [1, 5]
+    walk_cut: [none, own-cells]
+budget: {steps: 150000}
+targets: [0.01, 0.1]
+questions:
+  - {map: blobs, draw: 1}
+  - {map: own, start: [0, 0], goal: [9, 5]}
+claims:
+  - {text: the trail is of use, test: less, a: as-1, b: [default, as-2]}
+"""
+
+TUNING = """
+algorithm: mmas
+set: {ants: 1, iterations: 1}
+parameters: {ants: [1, 10], iterations: [2, 50]}
+candidates: 8
+maps: {b: {kind: blobs, size: 40x30, density: 0.3, seeds: 1..3}}
+optimum: 8 moves
+training: [{map: b, draw: 2}]
+race: {first_test: 4, blocks: 30}
+seeds: 1..5
+"""
+
+
+class OwnStudy(ProgramTest):
+    def rows(self, *parts, without=("seconds",)):
+        with open(self.path(os.path.join(*parts)), encoding="utf-8", newline="") as file:
+            return [{k: v for k, v in row.items() if k not in without}
+                    for row in csv.DictReader(file)]
+
+    def runs_done(self, folder):
+        return sum(f.endswith(".json") for _, _, files in os.walk(self.path(folder)) for f in files)
+
+    def test_a_sweep_killed_at_random_ends_with_the_same_table(self):
+        self.write("s.yaml", SWEEP.replace("[1..2]", "1..2"))
+        whole = self.run_program("study", "s.yaml", "-o", "whole", "--threads", 2)
+        self.assertEqual((whole.code, whole.out), (0, "whole/report.md\n"), whole.err)
+        self.assertRegex(whole.err, r"^lasius: s: 108 runs, about \d+ (s|min) with 2 threads")
+        expected = self.rows("whole", "runs.csv")
+        self.assertEqual(len(expected), 108)
+
+        draw = random.Random(20)
+        for kill in range(20):
+            begun = self.runs_done("killed/runs")
+            wanted = begun + draw.randint(1, 4)  # one more at least: by then it listens to signals
+            process = self.start_program("study", "s.yaml", "-o", "killed", "--threads", 1 + kill % 2)
+            while process.poll() is None and self.runs_done("killed/runs") < wanted:
+                pass
+            sent = draw.choice([signal.SIGKILL, signal.SIGKILL, signal.SIGINT, signal.SIGTERM])
+            process.send_signal(sent)
+            process.communicate()
+            self.assertEqual(process.returncode, -9 if sent == signal.SIGKILL else 130)
+        self.assertLess(self.runs_done("killed/runs"), 108)
+        # A run's file that is torn or of other parameters is done again.
+        torn = next(os.path.join(at, f) for at, _, files in os.walk(self.path("killed/runs"))
+                    for f in files)
+        self.write(os.path.relpath(torn, self.folder), '{"key": "lasius')
+        resumed = self.run_program("study", "s.yaml", "-o", "killed", "--threads", 5)
+        self.assertEqual(resumed.code, 0, resumed.err)
+        self.assertEqual(self.rows("killed", "runs.csv"), expected)
+        self.assertEqual(self.read("killed/claims.csv"), self.read("whole/claims.csv"))
+        again = self.run_program("study", "s.yaml", "-o", "killed", "-q")
+        self.assertEqual((again.code, again.err), (0, ""))
+
+    def test_every_run_is_a_row_with_its_factors(self):
+        self.write("s.yaml", SWEEP.replace("[1..2]", "1").replace("1..2", "1"))
+        run = self.run_program("study", "s.yaml", "-o", "o", "--seeds", "3..4")
+        self.assertEqual(run.code, 0, run.err)
+        rows = self.rows("o", "runs.csv")
+        self.assertEqual(len(rows), 18 * 2 * 2)
+        self.assertEqual({r["seed"] for r in rows}, {"3", "4"})
+        self.assertEqual({r["map"] for r in rows},
+                         {"blobs 120x90 0.33 1", os.path.realpath(self.path("small.map"))})
+        swept = [r for r in rows if r["contender"] == "as-6"]
+        self.assertEqual({(r["set.persistence"], r["set.ants"], r["set.beta"], r["set.walk_cut"])
+                          for r in swept}, {("0.5", "20", "1", "own-cells")})
+        for row in rows:
+            gap = float(row["length"]) / float(row["optimum"]) - 1
+            self.assertAlmostEqual(float(row["gap"]), gap, places=6)
+            if row["contender"] == "exact":
+                self.assertEqual((row["gap"], row["set.ants"]), ("0.000000000", ""))
+            else:
+                self.assertEqual(row["status"], "limit")
+                self.assertGreaterEqual(int(row["steps"]), 150000)
+        page = self.read("o/report.md").decode()
+        self.holds(page, "What each parameter does", "| walk_cut | own-cells |",
+                   "`lasius study s.yaml --seeds 3..4`", "within 10.0% of the optimum", "the trail is of use")
+
+    def test_json_is_the_same_format(self):
+        self.write("s.json", '{"contenders": [{"name": "as", "algorithm": "as", "set": '
+                   '{"iterations": 5}}], "seeds": 2, "questions": [{"map": "small.map", '
+                   '"start": [0, 0], "goal": [9, 5]}]}')
+        run = self.run_program("study", "s.json")
+        self.assertEqual((run.code, run.out), (0, "study-s/report.md\n"), run.err)
+        self.assertEqual(len(self.rows("study-s", "runs.csv")), 2)
+
+    def test_refuses_a_file_with_its_line_and_key(self):
+        good = SWEEP.replace("[1..2]", "1")
+        for old, new, line, key, nearest in (
+                ("seeds: 1..2", "sedes: 1..2", 3, "'sedes'", '"seeds"'),
+                ("algorithm: exact", "algorithm: exakt", 9, "'algorithm'", '"exact"'),
+                ("persistence:", "persistance:", 14, "'persistance'", '"persistence"'),
+                ("design: grid", "design: gird", 12, "'design'", '"grid"'),
+                ("map: own", "map: onw", 22, "'map'", '"own"'),
+                ("goal: [9, 5]", "goal: [9, 6]", 22, "outside", "9,5"),
+                ("test: less", "test: les", 24, "'test'", '"less"'),
+                ("[0.5, 0.9]", "[0.5, 0.9", 15, "neither YAML nor JSON", "correct")):
+            self.assertIn(old, good)
+            self.write("bad.yaml", good.replace(old, new, 1))
+            run = self.run_program("study", "bad.yaml", "-o", "bad")
+            self.refused(run, 3, f"bad.yaml, line {line}: ", key, nearest)
+        self.refused(self.run_program("study", "none.yaml"), 3, "none.yaml")
+        self.write("bad.yaml", good.replace("small.map", "none.map"))
+        self.refused(self.run_program("study", "bad.yaml", "-o", "bad"), 3, "none.map")
+        self.write("file", "")
+        self.write("good.yaml", good)
+        self.refused(self.run_program("study", "good.yaml", "-o", "file/x"), 7, "file/x")
+
+    SHORT = ("study", "run", "small.map", "--start", "0,0", "--goal", "9,5")
+
+    def test_the_short_form_is_a_study(self):
+        run = self.run_program(*self.SHORT, "--algorithm", "as,mmas", "--set", "persistence=0.5,0.9",
+                               "--set", "iterations=5", "--seeds", "1..3", "-o", "r")
+        self.assertEqual((run.code, run.out), (0, "r/report.md\n"), run.err)
+        rows = self.rows("r", "runs.csv")
+        self.assertEqual(len(rows), 12)
+        self.assertEqual({r["set.persistence"] for r in rows}, {"0.5", "0.9"})
+        self.assertEqual({r["iterations"] for r in rows}, {"5"})
+        # Its file says the same.
+        run = self.run_program("study", "r/study.yaml", "--seeds", "1-3", "-o", "r2")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertEqual(self.rows("r2", "runs.csv"), rows)
+        # A run of plan with the same numbers is the same run.
+        plan = self.plan("--set", "persistence=0.9", "--iterations", 5, "--seed", 2, "--json",
+                         "--algorithm", "mmas")
+        row = next(r for r in rows if r["contender"] == "mmas-2" and r["seed"] == "2")
+        self.assertAlmostEqual(plan.json["length"], float(row["length"]), places=8)
+
+    def test_the_short_form_refuses(self):
+        form = (*self.SHORT, "-o", "r")
+        self.refused(self.run_program(*form), 2, "--algorithm")
+        for words, told in ((("--algorithm", "as,mmass"), '"mmas"'), (("--algorithm", "as,"), "missing"),
+                            (("--algorithm", "as", "--set", "persistance=1"), '"persistence"'),
+                            (("--algorithm", "as", "--set", "ants=4,x"), "ants"),
+                            (("--algorithm", "as", "--set", "ants"), "NAME=VALUE"),
+                            (("--algorithm", "as", "--seeds", "0"), "--seeds"),
+                            (("--algorithm", "as", "--seeds", "3..1"), "--seeds"),
+                            (("--algorithm", "as", "--preset", "bok"), '"book"'),
+                            (("--algorithm", "as", "--steps", "0"), "--steps")):
+            self.refused(self.run_program(*form, *words), 2, told)
+        self.refused(self.run_program("study", "run", "--algorithm", "as"), 2, "MAP")
+        self.refused(self.run_program("study", "fan2004", "--start", "1,1"), 2, "--start")
+        blocked = ("study", "run", "small.map", "--goal", "9,5", "--algorithm", "as", "-o", "r")
+        self.refused(self.run_program(*blocked, "--start", "3,2"), 4, "3,2", "nearest free cell")
+        self.refused(self.run_program(*blocked, "--start", "99999999999,2"), 4, "outside")
+        none = ("study", "run", "none.map", "--start", "0,0", "--goal", "9,5", "--algorithm", "as")
+        self.refused(self.run_program(*none), 3, "none.map")
+
+    def test_tune_finds_what_is_planted_and_plan_takes_it(self):
+        self.write("t.yaml", TUNING)
+        run = self.run_program("tune", "t.yaml", "-o", "t")
+        self.assertEqual((run.code, run.out), (0, "t/preset.yaml\n"), run.err)
+        self.holds(run.err, "5 candidates", "better")
+        preset = self.read("t/preset.yaml").decode()
+        self.holds(preset, "algorithm: mmas\n", 'ants: "10"\n', 'iterations: "50"\n')
+        self.holds(self.read("t/report.md").decode(), "| blobs |", "| default |", "F-race")
+        # The same again, from another start, after interruptions.
+        interrupted = False
+        while not interrupted:
+            process = self.start_program("tune", "t.yaml", "-o", "t2", "--threads", 1)
+            while process.poll() is None and self.runs_done("t2/runs") < 12:
+                pass
+            process.send_signal(signal.SIGINT)
+            _, err = process.communicate()
+            interrupted = process.returncode == 130
+            self.assertTrue(interrupted, err)
+        self.holds(self.read("t2/preset.yaml").decode(), "interrupted", "algorithm: mmas")
+        self.assertEqual(self.run_program("tune", "t.yaml", "-o", "t2").code, 0)
+        for name in ("preset.yaml", "race.csv", "candidates.csv", "report.md"):
+            self.assertEqual(self.read("t2/" + name), self.read("t/" + name))
+
+        plan = self.run_program("plan", "small.map", "--start", "0,0", "--goal", "9,5", "--preset",
+                                "t/preset.yaml", "--algorithm", "mmas", "--json")
+        self.assertEqual(plan.code, 0, plan.err)
+        self.assertEqual(plan.json["algorithm"], "mmas")
+        self.assertEqual((plan.json["parameters"]["ants"], plan.json["parameters"]["iterations"]), (10, 50))
+        # An option wins over a preset; the algorithm is the preset's.
+        words = ("small.map", "--preset", "t/preset.yaml", "--ants", 3)
+        drive = self.run_program("drive", *words, "--start", "0,0", "--goal", "9,5", "--json")
+        self.assertEqual((drive.json["algorithm"], drive.json["parameters"]["ants"]), ("mmas", 3))
+        study = self.run_program(*self.SHORT, "--preset", "t/preset.yaml", "--seeds", 1, "-o", "p")
+        self.assertEqual(study.code, 0, study.err)
+        self.assertEqual([(r["algorithm"], r["iterations"]) for r in self.rows("p", "runs.csv")],
+                         [("mmas", "50")])
+        self.write("q.tsv", "sx\tsy\tgx\tgy\n0\t0\t9\t5\n")
+        batch = self.run_program("batch", "small.map", "q.tsv", "--preset", "t/preset.yaml",
+                                 "--algorithm", "mmas")
+        self.assertEqual(batch.lines[0]["parameters"]["iterations"], 50)
+
+    def test_presets_and_tunings_are_refused_with_line_and_key(self):
+        self.write("p.yaml", "algorithm: mmas\nset:\n  persistance: 0.5\n")
+        self.refused(self.plan("--preset", "p.yaml", "--algorithm", "mmas"), 3, "p.yaml, line 3: ",
+                     '"persistence"')
+        self.write("p.yaml", "algorithm: mmas\n")
+        self.refused(self.plan("--preset", "p.yaml", "--algorithm", "as"), 2, "mmas")
+        self.refused(self.plan("--preset", "none.yaml", "--algorithm", "as"), 3, "none.yaml")
+        self.refused(self.plan("--preset", "bok", "--algorithm", "as"), 2, '"book"')
+        for old, new, line, told in (("training:", "trainig:", 8, '"training"'),
+                                     ("candidates: 8", "candidates: 1", 5, "'candidates'"),
+                                     ("ants: [1, 10]", "nats: [1, 10]", 4, '"ants"'),
+                                     ("mmas", "exact", 3, "'ants'")):
+            self.write("t.yaml", TUNING.replace(old, new, 1))
+            self.refused(self.run_program("tune", "t.yaml"), 3, f"t.yaml, line {line}: ", told)
+        self.refused(self.run_program("tune", "none.yaml"), 3, "none.yaml")
+        self.write("t.yaml", TUNING)
+        self.write("file", "")
+        self.refused(self.run_program("tune", "t.yaml", "-o", "file/x"), 7, "file/x")
+
+    def test_the_programs_maps_are_found(self):
+        self.write("s.yaml", "contenders: [{name: as, algorithm: as, set: {iterations: 2}}]\n"
+                   "seeds: 1\nquestions: [{map: grid20a.map, draw: 1}]\n")
+        run = self.run_program("study", "s.yaml", "--maps", MAPS)
+        self.assertEqual(run.code, 0, run.err)
+        self.assertEqual(self.rows("study-s", "runs.csv")[0]["map"], "grid20a.map")
+
+
+if __name__ == "__main__":
+    unittest.main()

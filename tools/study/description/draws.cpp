@@ -1,0 +1,90 @@
+#include "tools/study/description/draws.h"
+
+#include <Random123/philox.h>
+
+#include <cmath>
+#include <iterator>
+#include <map>
+
+#include "lasius/error.h"
+#include "lasius/planner.h"
+#include "tools/study/map_source.h"
+
+namespace lasius::study {
+namespace {
+
+constexpr std::uint32_t kTries = 1 << 20;
+
+[[noreturn]] void fail(const Study& study, const Question& question, const std::string& problem,
+                       const std::string& remedy) {
+  throw Error(ErrorCode::file_broken, {.file = study.file, .line = question.line},
+              "question \"" + question.name + "\" on " + question.map + ": " + problem, remedy);
+}
+
+std::string cell_text(Cell c) { return std::to_string(c.x) + "," + std::to_string(c.y); }
+
+void check_end(const Study& study, const Question& question, const Planner& planner,
+               const char* name, Cell cell) {
+  const Grid& grid = planner.grid();
+  const bool outside = !grid.contains(cell);
+  if (!outside && grid.free(cell)) return;
+  const auto near = planner.nearest_free(cell);
+  fail(study, question,
+       std::string(name) + ' ' + cell_text(cell) + (outside ? " is outside" : " is blocked"),
+       near ? "the nearest free cell is " + cell_text(*near) : "the map has no free cell");
+}
+
+/// A start and a goal, the `number`-th of a draw.
+void draw_ends(const Study& study, const Planner& planner, const Draw& draw, std::uint32_t number,
+               Question& question) {
+  const Grid& grid = planner.grid();
+  const double apart = draw.apart * std::hypot(grid.width(), grid.height());
+  const r123::Philox4x32::key_type key{
+      {static_cast<std::uint32_t>(draw.seed), static_cast<std::uint32_t>(draw.seed >> 32)}};
+  for (std::uint32_t attempt = 0; attempt < kTries; ++attempt) {
+    const auto bits = r123::Philox4x32()({{attempt, number, 0xD4A3, 0}}, key);
+    const auto below = [&](int i, int side) {
+      return static_cast<int>(std::uint64_t{bits[static_cast<std::size_t>(i)]} *
+                                  static_cast<std::uint64_t>(side) >>
+                              32);
+    };
+    question.start = {below(0, grid.width()), below(1, grid.height())};
+    question.goal = {below(2, grid.width()), below(3, grid.height())};
+    const double distance =
+        std::hypot(question.start.x - question.goal.x, question.start.y - question.goal.y);
+    if (distance >= apart && question.start != question.goal && grid.free(question.start) &&
+        grid.free(question.goal) && planner.connected(question.start, question.goal))
+      return;
+  }
+  fail(study, question, "no two joined cells that far apart were found", "say a smaller `apart`");
+}
+
+}  // namespace
+
+void draw_questions(Study& study, const std::filesystem::path& maps) {
+  std::map<std::string, Planner> planners;
+  for (Experiment& experiment : study.experiments) {
+    std::vector<Question> questions;
+    for (const Question& question : experiment.questions) {
+      auto at = planners.find(question.map);
+      if (at == planners.end())
+        at = planners.emplace(question.map, Planner(load_map(question.map, maps))).first;
+      const Planner& planner = at->second;
+      if (!question.draw) {
+        check_end(study, question, planner, "start", question.start);
+        check_end(study, question, planner, "goal", question.goal);
+        questions.push_back(question);
+        continue;
+      }
+      for (int i = 0; i < question.draw->count; ++i) {
+        Question& drawn = questions.emplace_back(question);
+        drawn.draw.reset();
+        if (question.draw->count > 1) drawn.name += '-' + std::to_string(i + 1);
+        draw_ends(study, planner, *question.draw, static_cast<std::uint32_t>(i), drawn);
+      }
+    }
+    experiment.questions = std::move(questions);
+  }
+}
+
+}  // namespace lasius::study

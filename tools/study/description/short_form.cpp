@@ -1,0 +1,50 @@
+#include "tools/study/description/short_form.h"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/io/json_values.h"
+#include "tools/study/map_source.h"
+#include "tools/yaml/document.h"
+
+namespace lasius::study {
+namespace {
+
+namespace fs = std::filesystem;
+using json::Json;
+
+/// As it is found from the study's folder, too.
+std::string absolute(const std::string& file) {
+  return fs::absolute(file).lexically_normal().string();
+}
+
+Json contender_json(const tool::ShortStudy& run, const std::string& algorithm) {
+  Json contender = {{"name", algorithm}, {"algorithm", algorithm}};
+  if (!run.preset.empty())
+    contender["preset"] = tool::is_document(run.preset) ? absolute(run.preset) : run.preset;
+  return contender;
+}
+
+}  // namespace
+
+std::string study_text(const tool::ShortStudy& run) {
+  const bool file = !is_generated(run.map);
+  const auto line = [](const std::string& key, const Json& value) {
+    return key + ": " + json::dumped(value) + "\n";
+  };
+  std::string text = line("name", file ? fs::path(run.map).stem().string() : run.map);
+  text += "contenders:\n";
+  for (const std::string& algorithm : run.algorithms)
+    text += "  - " + json::dumped(contender_json(run, algorithm)) + "\n";
+  if (!run.factors.empty()) text += "sweep:\n  design: grid\n  factors:\n";
+  for (const auto& [name, values] : run.factors) text += line("    " + name, values);
+  if (run.steps || run.seconds) text += "budget:\n";
+  if (run.steps) text += line("  steps", *run.steps);
+  if (run.seconds) text += line("  seconds", *run.seconds);
+  const Json question = {{"map", file ? absolute(run.map) : run.map},
+                         {"start", {run.start.x, run.start.y}},
+                         {"goal", {run.goal.x, run.goal.y}}};
+  return text + "questions:\n  - " + json::dumped(question) + "\n";
+}
+
+}  // namespace lasius::study

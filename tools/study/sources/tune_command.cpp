@@ -1,0 +1,69 @@
+// lasius tune: a race over parameters, and what it writes.
+#include <algorithm>
+#include <filesystem>
+
+#include "core/base/output.h"
+#include "tools/console/exit_code.h"
+#include "tools/console/progress.h"
+#include "tools/console/signals.h"
+#include "tools/console/streams.h"
+#include "tools/options/commands.h"
+#include "tools/study/files.h"
+#include "tools/study/sources/console.h"
+#include "tools/study/tune/tune_report.h"
+
+namespace lasius::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_tuning(const study::Tuning& tuning, const study::Tuned& tuned, const fs::path& folder) {
+  study::write_text(folder / "race.csv", race_table(tuned).csv());
+  study::write_text(folder / "candidates.csv", candidate_table(tuning, tuned).csv());
+  study::write_text(folder / "report.md", tune_page(tuning, tuned));
+  study::write_text(folder / "preset.yaml", preset_text(tuning, tuned));
+}
+
+study::Tuned conduct_tuning(study::Tuning& tuning, const TuneCommand& command,
+                            const std::stop_token& stop) {
+  constexpr std::int64_t kParts = 1000;
+  ProgressLine bar(wants_progress(command.messages), kParts);
+  const auto show = [&](std::int64_t done, std::int64_t total, const std::string& note) {
+    bar.update(done * kParts / std::max<std::int64_t>(total, 1), note);
+  };
+  const auto tell = [&](double seconds) {
+    if (!command.messages.quiet)
+      message(tuning.name + ": " + std::to_string(tuning.candidates.size()) +
+              " candidates, at most about " + duration_text(seconds) + " with " +
+              std::to_string(command.threads) + " threads, by a part of one run of each");
+  };
+  return study::tune(tuning, {.threads = command.threads,
+                              .folder = command.folder,
+                              .maps = find_maps(command.maps),
+                              .stop = stop,
+                              .estimate = tell,
+                              .progress = show});
+}
+
+}  // namespace
+
+int run_tune(const TuneCommand& command) {
+  study::Tuning tuning = study::read_tuning(command.file);
+  const fs::path folder = command.folder;
+  study::make_folder(folder);
+  for (const char* name : {"report.md", "race.csv", "candidates.csv", "preset.yaml"})
+    check_outputs({(folder / name).string()}, {command.file});  // before hours of work
+  const SignalWatcher signals;
+  const study::Tuned tuned = conduct_tuning(tuning, command, signals.token());
+  write_tuning(tuning, tuned, folder);
+  const std::string preset = (folder / "preset.yaml").string();
+  if (!tuned.whole) {
+    message("interrupted: " + preset + " is the best so far; the same command goes on from here");
+    return kInterrupted;
+  }
+  if (!command.messages.quiet) message(verdict_text(tuning, tuned));
+  print(preset + "\n");
+  return kFound;
+}
+
+}  // namespace lasius::tool

@@ -1,0 +1,157 @@
+#include "tools/study/tune/tuning.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/console/values.h"
+#include "tools/study/bitmaps.h"
+#include "tools/study/description/draws.h"
+#include "tools/study/map_source.h"
+#include "tools/study/values.h"
+
+namespace lasius::study {
+namespace {
+
+/// What ranks compare: lengths that differ by a rounding are equal.
+double value_of_run(const Findings& findings, const Sample& sample, const Run& run,
+                    const Value& value) {
+  const double taken = value_of(sample, run, value, value.budget,
+                                findings.optimum(*sample.experiment, *sample.question));
+  return std::isfinite(taken) ? std::round(taken * 1e7) / 1e7 : kInfinity;
+}
+
+/// Some candidates on one question, or the judges on all.
+Study part_of(const Study& study, std::vector<Contender> contenders,
+              std::span<const Question> questions) {
+  Study part = study;
+  Experiment& e = part.experiments.front();
+  e.contenders = std::move(contenders);
+  e.questions.assign(questions.begin(), questions.end());
+  return part;
+}
+
+class Conductor {
+ public:
+  Conductor(Tuning& tuning, const TuneOptions& options)
+      : tuning_(tuning), options_(options), training_(tuning.training, options.maps) {}
+
+  Tuned run() {
+    Tuned tuned{.race = Race(tuning_.candidates.size(), tuning_.rules)};
+    for (int block = 0; block < tuning_.blocks && tuned.race.left().size() > 1; ++block) {
+      if (!run_block(block, tuned)) return tuned;
+      if (options_.progress)
+        options_.progress(
+            block + 1, tuning_.blocks,
+            tool::counted(static_cast<std::int64_t>(tuned.race.left().size()), "candidate") +
+                " left");
+    }
+    const std::size_t winner = tuned.race.best();
+    tuned.whole = winner == 0 || run_judges(tuning_.candidates[winner], tuned);
+    return tuned;
+  }
+
+ private:
+  RunnerOptions runner(std::uint64_t first_seed, int seeds) const {
+    return {.seeds = seeds,
+            .threads = options_.threads,
+            .folder = options_.folder,
+            .stop = options_.stop,
+            .first_seed = first_seed};
+  }
+
+  /// False where it was interrupted.
+  bool run_block(int block, Tuned& tuned) {
+    const auto& questions = tuning_.training.experiments.front().questions;
+    const auto number = static_cast<std::size_t>(block);
+    const Question& question = questions[number % questions.size()];
+    std::vector<Contender> left;
+    for (const std::size_t c : tuned.race.left()) left.push_back(tuning_.candidates[c]);
+    const Study part = part_of(tuning_.training, left, {&question, 1});
+    RunnerOptions runner = this->runner(1 + number / questions.size(), 1);
+    if (block == 0 && options_.estimate)
+      runner.estimate = [&](std::size_t, double seconds) { estimate(seconds); };
+    const Findings findings = run_study(part, training_, runner);
+    if (!findings.whole) return false;
+    std::vector<double> values;
+    for (const Sample& sample : findings.samples) {
+      const Run& run = sample.runs.front();
+      values.push_back(value_of_run(findings, sample, run, tuning_.value));
+      tuned.rows.push_back({std::to_string(block + 1), question.name, question.map,
+                            std::to_string(run.seed), sample.contender->name,
+                            tool::finite_text(values.back())});
+    }
+    tuned.race.add(values);
+    return true;
+  }
+
+  /// From what the first block takes.
+  void estimate(double block) const {
+    const double judges = 2.0 * tuning_.judging.seeds.count *
+                          static_cast<double>(tuning_.judging.experiments.front().questions.size());
+    options_.estimate(block *
+                      (tuning_.blocks + judges / static_cast<double>(tuning_.candidates.size())));
+  }
+
+  bool run_judges(const Contender& winner, Tuned& tuned) {
+    const Bitmaps domain(tuning_.judging, options_.maps);
+    const Study part = part_of(tuning_.judging, {winner, tuning_.candidates.front()},
+                               tuning_.judging.experiments.front().questions);
+    RunnerOptions runner = this->runner(tuning_.judging.seeds.first, tuning_.judging.seeds.count);
+    runner.progress = options_.progress;
+    const Findings findings = run_study(part, domain, runner);
+    if (findings.whole) tuned.families = judge(findings, tuning_, winner.name);
+    return findings.whole;
+  }
+
+  Tuning& tuning_;
+  const TuneOptions& options_;
+  Bitmaps training_;
+};
+
+std::string family_name(const Question& question) {
+  return is_generated(question.map) ? question.map.substr(0, question.map.find(' ')) : question.map;
+}
+
+void weigh(Family& family) {
+  family.test = rank_test(family.pairs);
+  family.p = std::min(1.0, 2 * std::min(family.test.less, family.test.greater));
+  family.effect = resampled_interval(family.pairs, share_less);
+  family.ratio = median_ratio(family.pairs);
+  family.ratios = resampled_interval(family.pairs, median_ratio);
+}
+
+}  // namespace
+
+Tuned tune(Tuning& tuning, const TuneOptions& options) {
+  draw_questions(tuning.training, options.maps);
+  draw_questions(tuning.judging, options.maps);
+  return Conductor(tuning, options).run();
+}
+
+std::vector<Family> judge(const Findings& findings, const Tuning& tuning,
+                          const std::string& winner) {
+  std::vector<Family> families{{.name = ""}};
+  const auto values = [&](const Sample& sample) {
+    return sample.each(
+        [&](const Run& run) { return value_of_run(findings, sample, run, tuning.value); });
+  };
+  for (const Sample& a : findings.samples) {
+    if (a.contender->name != winner) continue;
+    const Sample* const b = findings.find(a.experiment->name, a.question->name, "default");
+    const std::string name = family_name(*a.question);
+    auto family = std::ranges::find(families, name, &Family::name);
+    if (family == families.end()) family = families.insert(family, {.name = name});
+    for (Family* const to : {families.data(), &*family})
+      to->pairs.push_back({values(a), values(*b)});
+  }
+  std::vector<double> p;
+  for (Family& family : families) {
+    weigh(family);
+    if (!family.name.empty()) p.push_back(family.p);
+  }
+  p = holm(p);
+  for (std::size_t i = 0; i < p.size(); ++i) families[i + 1].p = p[i];
+  return families;
+}
+
+}  // namespace lasius::study

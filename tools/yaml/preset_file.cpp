@@ -1,0 +1,60 @@
+#include "tools/yaml/preset_file.h"
+
+#include "lasius/error.h"
+
+namespace lasius::tool {
+
+std::vector<std::pair<std::string, std::string>> settings_of(const Node* set) {
+  std::vector<std::pair<std::string, std::string>> settings;
+  if (set == nullptr) return settings;
+  for (const auto& [name, value] : set->entries()) settings.emplace_back(name, value.text());
+  return settings;
+}
+
+void try_setting(Params& params, const std::string& name, const std::string& value,
+                 const Node& place) {
+  try {
+    const Algorithm& algorithm = find_algorithm(params.algorithm());
+    const bool other_word = name == "evaporation" || name == "rho";  // of persistence
+    if (!algorithm.has(other_word ? "persistence" : name)) {
+      Params other;  // knows the names of all, and the nearest to one that none has
+      set_parameter(other, name, value);
+      place.fail("is no parameter of " + params.algorithm(),
+                 "`lasius algorithms " + params.algorithm() + "` lists them");
+    }
+    set_parameter(params, name, value);
+  } catch (const Error& fault) {
+    if (fault.code() == ErrorCode::file_broken) throw;
+    place.fail("is refused: " + fault.problem(), fault.remedy());
+  }
+}
+
+Params known_params(const std::string& algorithm, Preset preset, const Node& place) {
+  try {
+    return Params(algorithm, preset);
+  } catch (const Error& fault) {
+    place.fail("is refused: " + fault.problem(), fault.remedy());
+  }
+}
+
+PresetFile read_preset_file(const std::string& file) {
+  const Node root = read_document(file);
+  root.allow({"algorithm", "preset", "set"});
+  PresetFile preset{.algorithm = root.at("algorithm").text()};
+  const Node* const over = root.find("preset");
+  if (over != nullptr) preset.preset = static_cast<Preset>(over->choice(kPresetNames));
+  Params params =
+      known_params(preset.algorithm, preset.preset, over != nullptr ? *over : root.at("algorithm"));
+  const Node* const set = root.find("set");
+  preset.settings = settings_of(set);
+  for (const auto& [name, value] : preset.settings)
+    try_setting(params, name, value, *set->find(name));
+  try {
+    validate(params);
+  } catch (const Error& fault) {
+    (set != nullptr ? *set : root).fail("does not go together: " + fault.problem(), fault.remedy());
+  }
+  return preset;
+}
+
+}  // namespace lasius::tool
