@@ -65,6 +65,7 @@ endmacro()
 
 macro(lasius_describe_packages)
   set(CPACK_GENERATOR DEB)
+  set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
   set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
   set(CPACK_STRIP_FILES ON)
   set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
