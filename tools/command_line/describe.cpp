@@ -33,7 +33,8 @@ std::vector<OptionText> options_of(const CLI::App& app, std::string_view command
   std::vector<OptionText> options;
   for (const CLI::Option* option : app.get_options({}))
     options.push_back(describe(*option, command));
-  std::ranges::stable_partition(options, &OptionText::is_argument);
+  std::stable_partition(options.begin(), options.end(),
+                        [](const OptionText& option) { return option.is_argument(); });
   return options;
 }
 
