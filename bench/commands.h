@@ -59,6 +59,14 @@ struct MapOptions {
   std::uint64_t seed = 1;
 };
 void add_map_options(CLI::App& command, MapOptions& options);
+/// Queries on each of them, time and again.
+struct QueryOptions {
+  MapOptions maps = {};
+  std::size_t count;  ///< queries a map; 0: all of its table
+  int rounds;
+};
+void add_query_options(CLI::App& command, QueryOptions& options);
+
 /// @throws Error where one of `outputs`, but for empty names, cannot be written or is one of the
 /// maps.
 std::vector<QuerySource> sources_of(const MapOptions& options,

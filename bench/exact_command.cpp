@@ -14,10 +14,8 @@
 namespace lasius::bench {
 namespace {
 
-struct Options {
-  MapOptions maps;
-  std::size_t count = 30;
-  int rounds = 3;
+struct Options : QueryOptions {
+  Options() : QueryOptions{.count = 30, .rounds = 3} {}
 };
 
 constexpr double kGaps[] = {0.1, 0.03, 0.01, 0};
@@ -111,9 +109,7 @@ void run(const Options& options) {
 void add_exact_command(CLI::App& app) {
   const auto [command, options] =
       add_command(app, "exact", "Preparation, anytime figures, memory and threads of `exact`", run);
-  add_map_options(command, options.maps);
-  add_number(command, "--queries", options.count, "Queries a map; 0: all of its table");
-  add_number(command, "--rounds", options.rounds, "Rounds of each query", 1, 1000);
+  add_query_options(command, options);
 }
 
 }  // namespace lasius::bench

@@ -79,6 +79,12 @@ void add_map_options(CLI::App& command, MapOptions& options) {
       ->capture_default_str();
 }
 
+void add_query_options(CLI::App& command, QueryOptions& options) {
+  add_map_options(command, options.maps);
+  add_number(command, "--queries", options.count, "Queries a map; 0: all of its table");
+  add_number(command, "--rounds", options.rounds, "Rounds of each query", 1, 1000);
+}
+
 std::vector<QuerySource> sources_of(const MapOptions& options, std::vector<std::string> outputs) {
   auto sources = find_sources(options.maps);
   for (const QuerySource& made : generated_sources(options.sides, options.seed)) {

@@ -18,11 +18,9 @@
 namespace lasius::bench {
 namespace {
 
-struct Options {
-  MapOptions maps;
-  std::size_t queries = 5;
+struct Options : QueryOptions {
+  Options() : QueryOptions{.count = 5, .rounds = 3} {}
   double sense = 20;
-  int rounds = 3;
   bool prepare = false;
 };
 
@@ -175,7 +173,7 @@ MapFigures measure(const QuerySet& set, const Options& options) {
 void run(const Options& options) {
   std::cout
       << machine_line() << ". Unknown maps, a sensor of " << options.sense << " cells, at most "
-      << options.queries << " queries a map; the least of " << options.rounds
+      << options.count << " queries a map; the least of " << options.rounds
       << " drives. Planning time of all drives: `exact` in a Navigator, as a share of D* "
          "Lite's and of A*'s from anew; milliseconds of a tick that plans; travelled, to D* "
          "Lite's (mean over queries); the ways planned, to the shortest walks there (mean)."
@@ -185,7 +183,7 @@ void run(const Options& options) {
   int sooner = 0, maps = 0;
   std::vector<double> travelled, ways;
   for (const QuerySource& source : sources_of(options.maps)) {
-    const QuerySet set = load(source, options.queries);
+    const QuerySet set = load(source, options.count);
     const MapFigures f = measure(set, options);
     std::cout << "| " << set.name << " | " << short_number(f.lasius_ms) << " | "
               << short_number(f.lasius_ms / f.dstar_ms) << " | "
@@ -210,10 +208,8 @@ void run(const Options& options) {
 void add_drive_command(CLI::App& app) {
   auto [command, options] =
       add_command<Options>(app, "drive", "replanning under way against D* Lite and A*", run);
-  add_map_options(command, options.maps);
-  add_number(command, "--queries", options.queries, "queries a map");
+  add_query_options(command, options);
   add_number(command, "--sense", options.sense, "cells that the robot sees", 1);
-  add_number(command, "--rounds", options.rounds, "drives of each planner", 1);
   command.add_flag("--prepare", options.prepare, "plan on the prepared map");
 }
 

@@ -17,10 +17,8 @@
 namespace lasius::bench {
 namespace {
 
-struct Options {
-  MapOptions maps;
-  std::size_t count = 100;
-  int rounds = 5;
+struct Options : QueryOptions {
+  Options() : QueryOptions{.count = 100, .rounds = 5} {}
   int edits = 1000;
   int cells = 10;
   int side = 5;
@@ -155,9 +153,7 @@ void run(const Options& options) {
 void add_edits_command(CLI::App& app) {
   const auto [command, options] =
       add_command(app, "edits", "A map that changes: edits, and queries on the prepared one", run);
-  add_map_options(command, options.maps);
-  add_number(command, "--queries", options.count, "Queries a map; 0: all of its table");
-  add_number(command, "--rounds", options.rounds, "Rounds of each query", 1, 1000);
+  add_query_options(command, options);
   add_number(command, "--edits", options.edits, "Edits of each map", 1);
   add_number(command, "--cells", options.cells, "Cells that an edit changes, at most", 1);
   command.add_flag("--unprepared", options.unprepared, "A Navigator's map that is not prepared");

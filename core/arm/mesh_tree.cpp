@@ -47,44 +47,41 @@ int MeshTree::build(int first, int count) {
   return index;
 }
 
-double MeshTree::distance(const Segment& s, double limit) const noexcept {
-  double least = limit;
-  if (!nodes_.empty()) descend(0, s, least);
-  return least;
-}
-
-void MeshTree::descend(int node, const Segment& s, double& least) const noexcept {
+template <class ToBox, class ToTriangle>
+void MeshTree::descend(int node, const ToBox& to_box, const ToTriangle& to_triangle,
+                       double& least) const noexcept {
   const Node& n = nodes_[node];
-  const Segment local{s.from - n.centre, s.to - n.centre};
-  if (distance_to_box(local, n.half) >= least) return;
+  if (to_box(n, least) >= least) return;
   if (n.count > 0) {
     for (int i = n.first; i < n.first + n.count; ++i) {
-      least = std::min(least, distance_to_triangle(s, triangles_[i]));
+      least = std::min(least, to_triangle(triangles_[i], least));
     }
     return;
   }
-  descend(node + 1, s, least);
-  descend(n.first, s, least);
+  descend(node + 1, to_box, to_triangle, least);
+  descend(n.first, to_box, to_triangle, least);
+}
+
+double MeshTree::distance(const Segment& s, double limit) const noexcept {
+  double least = limit;
+  const auto to_box = [&](const Node& n, double) {
+    return distance_to_box({s.from - n.centre, s.to - n.centre}, n.half);
+  };
+  const auto to_triangle = [&](const Triangle& t, double) { return distance_to_triangle(s, t); };
+  if (!nodes_.empty()) descend(0, to_box, to_triangle, least);
+  return least;
 }
 
 double MeshTree::distance(const Block& block, double limit) const noexcept {
   double least = limit;
-  if (!nodes_.empty()) descend(0, block, least);
+  const auto to_box = [&](const Node& n, double most) {
+    return distance_between(block, Block{.pose = {.position = n.centre}, .half = n.half}, most);
+  };
+  const auto to_triangle = [&](const Triangle& t, double most) {
+    return distance_between(block, t, most);
+  };
+  if (!nodes_.empty()) descend(0, to_box, to_triangle, least);
   return least;
-}
-
-void MeshTree::descend(int node, const Block& block, double& least) const noexcept {
-  const Node& n = nodes_[node];
-  const Block box{.pose = {.position = n.centre}, .half = n.half};
-  if (distance_between(block, box, least) >= least) return;
-  if (n.count > 0) {
-    for (int i = n.first; i < n.first + n.count; ++i) {
-      least = std::min(least, distance_between(block, triangles_[i], least));
-    }
-    return;
-  }
-  descend(node + 1, block, least);
-  descend(n.first, block, least);
 }
 
 double MeshTree::distance(const MeshTree& other, const Placement& pose,

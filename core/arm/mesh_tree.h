@@ -26,8 +26,11 @@ class MeshTree {
     int count = 0;  // triangles of a leaf; 0: not one
   };
   int build(int first, int count);
-  void descend(int node, const Segment& s, double& least) const noexcept;
-  void descend(int node, const Block& block, double& least) const noexcept;
+  /// Lowers `least` to what to_triangle(triangle, least) says of any triangle, but for those in
+  /// boxes for which to_box(node, least) says no less.
+  template <class ToBox, class ToTriangle>
+  void descend(int node, const ToBox& to_box, const ToTriangle& to_triangle,
+               double& least) const noexcept;
   void descend(int node, const MeshTree& other, int others, const Placement& pose,
                double& least) const noexcept;
 

@@ -165,7 +165,7 @@ Changes read_changes(std::string_view text, const std::string& name, int width, 
 
 Changes read_changes_file(const std::string& path, int width, int height) {
   constexpr std::int64_t kMostBytes = std::int64_t{1} << 30;
-  return read_changes(read_text(path, kMostBytes), path, width, height);
+  return read_changes(read_text(path, kMostBytes, Empty::taken), path, width, height);
 }
 
 }  // namespace lasius

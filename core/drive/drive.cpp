@@ -4,17 +4,21 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/base/poller.h"
 #include "core/drive/path_walker.h"
 #include "core/drive/retreat.h"
 #include "core/drive/sensor.h"
 #include "core/drive/world.h"
 #include "core/grid/cell_distance.h"
 #include "core/grid/move_rule.h"
+#include "core/grid/nearest_free.h"
 #include "core/loop/run_status.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
@@ -103,10 +107,26 @@ class Drive {
     const bool bad_start = world_.passable().blocked(robot_);
     if (!bad_start) look();
     if (!bad_start && pilot_.passable().free(goal)) return false;
-    auto [fault, text] = fault_of_end(world_.now(), bad_start, bad_start ? robot_ : goal);
+    const Cell cell = bad_start ? robot_ : goal;
+    auto [fault, text] = fault_of_end(world_.now(), bad_start, cell);
     end(Status::invalid, std::move(text));
     result_.fault = fault;
+    const StopCondition until_found{.token = stop_.token};
+    Poller poller(until_found);
+    result_.nearest_free =
+        nearest_free(bad_start ? world_.passable() : free_as_seen(), cell, poller);
     return true;
+  }
+  /// Where the robot may be both in truth and as it knows.
+  Grid free_as_seen() const {
+    Grid grid = world_.passable();
+    std::vector<std::uint64_t> words(static_cast<std::size_t>(grid.words()));
+    for (int y = 0; y < grid.height(); ++y) {
+      std::transform(grid.row(y), grid.row(y) + grid.words(), pilot_.passable().row(y),
+                     words.begin(), std::bit_or<>());
+      grid.set_row(y, words.data());
+    }
+    return grid;
   }
 
   void look() {
@@ -166,10 +186,7 @@ class Drive {
 
   /// Nothing that is learned, or that is to come, can make a way. To ask what is there spares the
   /// robot to look everywhere again; it learns nothing else from it.
-  bool hopeless() {
-    if (world_.to_change()) return false;
-    return !world_.changed() || !joined(World::Without::all_obstacles);
-  }
+  bool hopeless() { return !world_.to_change() && !joined(World::Without::all_obstacles); }
   /// Looks at the whole map; without obstacles only where that has changed, or the robot moved.
   bool joined(World::Without without) {
     if (without != World::Without::all_obstacles) {
@@ -183,39 +200,52 @@ class Drive {
     return joined_;
   }
 
-  /// Forgets what may not hold any more: the obstacles that were learned before the last change;
-  /// where that does not help though there is a way, or time and again did not, all of them. False
-  /// if there is nothing to doubt.
+  /// Forgets walls that may not be there: of those that were not in sight since the last change the
+  /// learned ones; where that does not help though there is a way, or time and again did not, those
+  /// of the map too. False if there is nothing to doubt.
   bool doubt() {
-    if (!world_.changed() || hopeless()) return false;
+    if (hopeless()) return false;
     const bool again = world_.changed_at() < doubted_at_ || ++doubts_ % kDoubts == 0;
+    const Grid certain = certain_walls();
     bool any = false;
     if (!again) {
-      std::vector<Cell> stale;
-      for_each_learned([&](Cell cell) {
-        if (!in_range(robot_, cell, options_.sense) || !sees(world_.now(), robot_, cell)) {
-          stale.push_back(cell);
-        }
-      });
       doubted_at_ = tick_ + 1;
-      any = !stale.empty();
-      pilot_.observe(stale, false);
+      any = forget_walls(certain, &map_);
       if (any && pilot_.connected(robot_, pilot_.goal())) return true;
     }
     const bool wait_first = world_.to_change() || world_.stirs();
     if ((wait_first && waited_ < kPatience) || !joined(World::Without::nothing)) return any;
-    pilot_.observe(Rectangle{0, 0, map_.width(), map_.height()}, false);
-    return true;
+    return forget_walls(certain, nullptr) || any;
   }
-  /// Calls visit(cell) for cells that are known to be blocked, but were not from the beginning.
-  template <class Visit>
-  void for_each_learned(const Visit& visit) const {
+  /// Walls that were in sight since the last change of the world. Looks back along the track, not
+  /// from each of its cells: a wall that is forgotten is only seen again.
+  Grid certain_walls() const {
+    Grid certain(map_.width(), map_.height());
+    Cell from = robot_;
+    const double apart = std::max(1.0, options_.sense / 8);
+    for (std::int64_t tick = tick_; tick >= world_.changed_at(); --tick) {
+      const Cell cell = result_.track[static_cast<std::size_t>(tick)];
+      if (tick < tick_ && distance(from, cell) < apart) continue;
+      from = cell;
+      mark_walls_in_sight(world_.now(), from, options_.sense, certain);
+    }
+    return certain;
+  }
+  /// Walls that are not `certain` are taken for free, those that `kept` has excepted. False if
+  /// there are none.
+  bool forget_walls(const Grid& certain, const Grid* kept) {
+    std::vector<Cell> doubtful;
     for (int y = 0; y < map_.height(); ++y) {
       for (int word = 0; word < map_.words(); ++word) {
-        auto bits = pilot_.map().row(y)[word] & ~map_.row(y)[word];
-        for (; bits != 0; bits &= bits - 1) visit(Cell{word * 64 + std::countr_zero(bits), y});
+        auto bits = pilot_.map().row(y)[word] & ~certain.row(y)[word];
+        if (kept != nullptr) bits &= ~kept->row(y)[word];
+        for (; bits != 0; bits &= bits - 1) {
+          doubtful.push_back({word * 64 + std::countr_zero(bits), y});
+        }
       }
     }
+    pilot_.observe(doubtful, false);
+    return !doubtful.empty();
   }
 
   /// The cell to be in at the next tick; the robot's own for a wait.
@@ -290,6 +320,7 @@ class Drive {
     view.tick = tick_;
     view.robot = robot_;
     view.world = &world_.now();
+    view.still = &world_.still();
     view.robot_knows = &pilot_;
     view.way = found == Found::way && robot_ != pilot_.goal() ? way_ : nullptr;
     view.obstacles = world_.obstacles();

@@ -8,6 +8,7 @@
 #include "lasius/path.h"
 
 namespace lasius {
+namespace {
 
 bool sees(const Grid& world, Cell robot, Cell cell) noexcept {
   const auto in_sight = [&](Cell c) { return c == robot || visible(world, robot, c); };
@@ -17,25 +18,46 @@ bool sees(const Grid& world, Cell robot, Cell cell) noexcept {
   return std::any_of(beside.begin(), beside.end(), in_sight);
 }
 
-void sense(const Grid& world, const Grid& known, Cell robot, double range, const Growth& robot_disc,
-           News& news) {
-  news.blocked.clear();
-  news.free.clear();
+/// Calls visit(cell) for the cells in range whose bits word_of(word, y) has.
+template <class WordOf, class Visit>
+void for_each_in_range(const Grid& world, Cell robot, double range, const WordOf& word_of,
+                       const Visit& visit) {
   const int reach = static_cast<int>(std::min<double>(range, Grid::kMaxSide));
   const int left = std::max(robot.x - reach, 0);
   const int right = std::min(robot.x + reach, world.width() - 1);
   for (int y = std::max(robot.y - reach, 0); y <= std::min(robot.y + reach, world.height() - 1);
        ++y) {
     for (int word = left >> 6; word <= right >> 6; ++word) {
-      for (std::uint64_t bits = world.row(y)[word] ^ known.row(y)[word]; bits != 0;
-           bits &= bits - 1) {
+      for (std::uint64_t bits = word_of(word, y); bits != 0; bits &= bits - 1) {
         const Cell cell{word * 64 + std::countr_zero(bits), y};
-        if (!in_range(robot, cell, range)) continue;
-        if (!robot_disc.blocks(robot, cell) && !sees(world, robot, cell)) continue;
-        (world.blocked(cell) ? news.blocked : news.free).push_back(cell);
+        const double dx = cell.x - robot.x, dy = cell.y - robot.y;
+        if (dx * dx + dy * dy <= range * range) visit(cell);
       }
     }
   }
+}
+
+}  // namespace
+
+void mark_walls_in_sight(const Grid& world, Cell robot, double range, Grid& walls) {
+  for_each_in_range(
+      world, robot, range,
+      [&](int word, int y) { return world.row(y)[word] & ~walls.row(y)[word]; },
+      [&](Cell cell) {
+        if (sees(world, robot, cell)) walls.set_blocked(cell);
+      });
+}
+
+void sense(const Grid& world, const Grid& known, Cell robot, double range, const Growth& robot_disc,
+           News& news) {
+  news.blocked.clear();
+  news.free.clear();
+  for_each_in_range(
+      world, robot, range, [&](int word, int y) { return world.row(y)[word] ^ known.row(y)[word]; },
+      [&](Cell cell) {
+        if (!robot_disc.blocks(robot, cell) && !sees(world, robot, cell)) return;
+        (world.blocked(cell) ? news.blocked : news.free).push_back(cell);
+      });
 }
 
 }  // namespace lasius

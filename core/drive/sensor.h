@@ -14,19 +14,13 @@ struct News {
   std::vector<Cell> blocked, free;
 };
 
-/// True when a cell's centre is at most `range` cells from the robot's.
-inline bool in_range(Cell robot, Cell cell, double range) noexcept {
-  const double dx = cell.x - robot.x, dy = cell.y - robot.y;
-  return dx * dx + dy * dy <= range * range;
-}
+/// Sets in `walls` the blocked cells that the robot sees, see sense().
+void mark_walls_in_sight(const Grid& world, Cell robot, double range, Grid& walls);
 
-/// True when a robot in a free cell sees another, whatever the range: a free one where there is
+/// The cells whose centre is at most `range` cells from the robot's and that it sees, and those
+/// that it covers, as far as they are not as `known` has them. It sees a free cell where there is
 /// sight from centre to centre, a blocked one where there is sight to a free cell at one of its
 /// edges.
-bool sees(const Grid& world, Cell robot, Cell cell) noexcept;
-
-/// The cells within `range` cells of the robot that it sees, and those that it covers, as far as
-/// they are not as `known` has them.
 void sense(const Grid& world, const Grid& known, Cell robot, double range, const Growth& robot_disc,
            News& news);
 

@@ -45,7 +45,6 @@ void World::advance(std::int64_t tick, const HeldCells& robot) {
 }
 
 void World::change(const Change& change, const HeldCells& robot) {
-  changed_ = true;
   for_each_cell(change.part, [&](Cell cell) { set_still(cell, change.blocked, robot); });
 }
 
@@ -67,7 +66,6 @@ void World::move(Mover& mover, const HeldCells& robot) {
   if (!mover.there) {
     if (hits(mover.cells(mover.at), robot)) return;
     mover.there = true;
-    ++appeared_;
     cover(mover.cells(mover.at), 1);
     return;
   }

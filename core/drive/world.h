@@ -36,11 +36,11 @@ class World {
   /// Where the robot's centre may be.
   const Grid& passable() const noexcept { return map_.passable(); }
   const Growth& growth() const noexcept { return map_.growth(); }
+  /// What is there but for moving obstacles, not grown.
+  const Grid& still() const noexcept { return still_; }
 
   /// Moving obstacles that have appeared, where they are.
   std::vector<Rectangle> obstacles() const;
-  /// Something has changed, or there is a moving obstacle.
-  bool changed() const noexcept { return changed_ || appeared_ > 0; }
   /// The last tick at which anything changed or moved.
   std::int64_t changed_at() const noexcept { return changed_at_; }
   /// The same, of moving obstacles not.
@@ -87,13 +87,11 @@ class World {
   double radius_;
   std::vector<Change> changes_;  // by tick
   std::size_t next_ = 0;
-  std::vector<Mover> movers_;  // by the tick in which they appear
-  std::size_t appeared_ = 0;
+  std::vector<Mover> movers_;                      // by the tick in which they appear
   std::unordered_map<std::uint32_t, int> covers_;  // obstacles that cover a cell
   std::vector<Cell> deferred_;                     // to be blocked
   std::vector<Cell> touched_;                      // in the tick in hand, to be shown in map_
   std::int64_t deferrals_ = 0;
-  bool changed_ = false;
   std::int64_t changed_at_ = 0, still_changed_at_ = 0;
   std::int64_t tick_ = 0;
 };

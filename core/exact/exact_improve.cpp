@@ -16,7 +16,7 @@ namespace {
 // The weight at first; afterwards the excess over 1 is this share of the certified gap, and at most
 // that of what it was. Below the least weight the exact search is about as fast.
 constexpr double kFirstWeight = 2;
-constexpr double kShareOfGap = 0.5;
+constexpr double kNextShareOfGap = 0.5;
 constexpr double kLeastFall = 0.9;
 constexpr double kLeastWeight = 1.01;
 
@@ -40,7 +40,7 @@ std::int64_t ExactSearch::work_done() const noexcept {
 // shorter way since waits again.
 bool ExactSearch::lower_weight() {
   if (weight_ <= kLeastWeight) return false;
-  weight_ = 1 + std::min(kLeastFall * (weight_ - 1), kShareOfGap * (upper_ / lower_ - 1));
+  weight_ = 1 + std::min(kLeastFall * (weight_ - 1), kNextShareOfGap * (upper_ / lower_ - 1));
   weighted_frontier_.reset(lower_, std::max(kBucketWidth, lower_ * (weight_ - 1) / kTrailBuckets));
   for (std::uint32_t i = 0; i < corners_.size() && !poller_->stop_after(1); ++i) {
     const Corner& corner = corners_[i];

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -87,8 +88,10 @@ struct DriveResult {
   /// ticks; Status::limit: no ticks or time left; Status::interrupted; Status::invalid: at
   /// tick 0 the start is blocked in truth or outside, or the goal as the robot knows it then.
   Status status = Status::no_path;
-  Fault fault = Fault::none;          ///< why it is invalid or unreachable
-  std::string error;                  ///< the same in a sentence; empty for none
+  Fault fault = Fault::none;  ///< why it is invalid or unreachable
+  std::string error;          ///< the same in a sentence; empty for none
+  /// To a start or goal that is invalid: free in truth, and for a goal on the robot's map too.
+  std::optional<Cell> nearest_free;
   std::vector<Cell> track;            ///< where the robot was at each tick, the start first
   std::int64_t ticks = 0;             ///< moves and waits: track.size() - 1
   std::vector<Replan> replans;        ///< in order
@@ -104,6 +107,7 @@ struct DriveTick {
   std::int64_t tick = 0;               ///< from 0
   Cell robot;                          ///< where it is
   const Grid* world = nullptr;         ///< what is there, moving obstacles too
+  const Grid* still = nullptr;         ///< the same without moving obstacles
   const Pilot* robot_knows = nullptr;  ///< its planner, with its map
   const Way* way = nullptr;            ///< null where none was asked for, in a wait
   std::vector<Rectangle> obstacles;    ///< where the moving ones are, those that have appeared
@@ -122,9 +126,10 @@ using DriveObserver = std::function<void(const DriveTick&)>;
 /// covered on its last move, waits: a change is deferred to the first tick at which it can be made,
 /// an obstacle stands. So neither do they swap.
 ///
-/// Where no way is known, the robot doubts what it does not see now, where the world has changed
-/// since it began: cells that it had learned to be blocked may be free again. While obstacles move,
-/// or changes are to come, it waits, and gives way to what waits for it.
+/// Where no way is known, the robot doubts walls that it has not seen since the world changed last,
+/// or ever: first those that it learned before, then those of the map. While obstacles move, or
+/// changes are to come, it waits first, and gives way to what waits for it. Whether there is a way
+/// at all it is told: it gives up where there is none, and else searches until it has arrived.
 /// @param map    what the robot knows in the beginning
 /// @param truth  what is there, of the same size
 /// @throws Error(invalid_parameter) for sizes that differ, changes outside the map, and options out

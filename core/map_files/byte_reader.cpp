@@ -118,18 +118,18 @@ void ByteReader::fail_at_offset(std::int64_t offset, std::string problem, std::s
   throw Error(code, Error::Place{name_, -1, offset}, std::move(problem), std::move(remedy));
 }
 
-InputFile::InputFile(const std::string& path)
+InputFile::InputFile(const std::string& path, Empty empty)
     : stream_(open(path)), reader_(stream_, path, size_of(path)) {
   constexpr std::string_view kMark = "\xef\xbb\xbf";  // UTF-8, as some editors begin a text with
   std::array<char, kMark.size()> mark;
   if (reader_.ahead(mark.size()) == kMark) reader_.read(mark.data(), mark.size());
-  if (reader_.peek() == ByteReader::kEnd) {
+  if (empty == Empty::refused && reader_.peek() == ByteReader::kEnd) {
     reader_.fail_at_offset(0, "is empty", "write it again");
   }
 }
 
-std::string read_text(const std::string& path, std::int64_t most) {
-  InputFile file(path);
+std::string read_text(const std::string& path, std::int64_t most, Empty empty) {
+  InputFile file(path, empty);
   ByteReader& in = file.reader();
   const auto check = [&](std::int64_t size) {
     if (size <= most) return;

@@ -64,11 +64,14 @@ class LASIUS_EXPORT ByteReader {
   std::int64_t line_ = 1;
 };
 
+/// Whether a file without a byte can be what is wanted.
+enum class Empty { refused, taken };
+
 /// A file opened for reading, past its byte order mark if it has one. @throws Error(file_missing),
-/// Error(file_broken) for a folder or an empty file.
+/// Error(file_broken) for a folder or, where that is refused, an empty file.
 class LASIUS_EXPORT InputFile {
  public:
-  explicit InputFile(const std::string& path);
+  explicit InputFile(const std::string& path, Empty empty = Empty::refused);
   InputFile(const InputFile&) = delete;  // the reader points into it
   InputFile& operator=(const InputFile&) = delete;
   ByteReader& reader() noexcept { return reader_; }
@@ -79,6 +82,7 @@ class LASIUS_EXPORT InputFile {
 };
 
 /// A file read whole. @throws Error as InputFile, Error(file_unsupported) above `most` bytes.
-LASIUS_EXPORT std::string read_text(const std::string& path, std::int64_t most);
+LASIUS_EXPORT std::string read_text(const std::string& path, std::int64_t most,
+                                    Empty empty = Empty::refused);
 
 }  // namespace lasius

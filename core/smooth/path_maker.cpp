@@ -8,7 +8,7 @@ namespace lasius {
 namespace {
 
 // A shortcut must beat rounding.
-constexpr double kShorter = 1 - exact::kRounding;
+constexpr double kClearlyShorter = 1 - exact::kRounding;
 
 // Work that looking for a shortcut may take: so much, and more for each tile that was entered.
 constexpr std::int64_t kLeastWords = 16384;
@@ -63,7 +63,7 @@ bool PathMaker::find_shortcut(const Grid& grid, std::span<const Cell> way, doubl
   }
   const CellSet& entered = cutter_.entered();
   const auto tiles = static_cast<std::int64_t>(entered.tiles().size());
-  search_.shortcut(grid, way.front(), way.back(), length * kShorter, entered,
+  search_.shortcut(grid, way.front(), way.back(), length * kClearlyShorter, entered,
                    kLeastWords + kWordsPerTile * tiles, stop, shortcut_);
   return !shortcut_.empty();
 }

@@ -12,6 +12,15 @@ inline std::atomic<std::int64_t> allocations{0};
 inline std::atomic<std::int64_t> allocated_bytes{0};
 /// Of these, the number of the one that fails; none by default.
 inline std::atomic<std::int64_t> failing_allocation{-1};
+
+/// Of a call that was made once before: what it keeps is there already.
+template <class Call>
+std::int64_t allocations_of_the_second(const Call& call) {
+  call();
+  const std::int64_t before = allocations;
+  call();
+  return allocations - before;
+}
 }  // namespace lasius
 
 // Not inlined: compilers that see through one of a pair warn of a mismatch.

@@ -5,20 +5,10 @@ import signal
 import unittest
 
 from gif import read_film
-from program import MAPS, ProgramTest
+from program import MAPS, SMALL_MAP, ProgramTest
 
 # What small.map does not tell: its gap in row 4 is shut, one in row 2 is open.
-TRUTH = """type octile
-height 6
-width 10
-map
-..........
-...@@@@@@.
-...@..@.@.
-...@@@@@@.
-....@@@@@@
-..........
-"""
+TRUTH = SMALL_MAP.replace("....@.....", "....@@@@@@")
 
 
 def solid(text):
@@ -162,6 +152,67 @@ class Drive(ProgramTest):
             self.write("c.txt", "# a comment\n\n" + line + "\n")
             self.refused(self.drive("--changes", "c.txt"), 3, "c.txt, line 3", word)
         self.refused(self.drive("--changes", "no.txt"), 3, "no.txt")
+
+    def test_changes_may_be_none(self):
+        for text in ("", "# nothing\n"):
+            self.write("none.txt", text)
+            run = self.drive("--changes", "none.txt", "--json")
+            self.assertEqual((run.code, run.err), (0, ""))
+            self.assertEqual(run.json["track"], self.drive("--json").json["track"])
+
+    def test_the_optimum_is_that_of_the_world_at_tick_0(self):
+        # The start's change is put off, as long as the robot is there.
+        self.write("changes.txt", "0 0 0 2 1 blocked\n0 4 0 blocked\n")
+        result = self.drive("--changes", "changes.txt", "--json").json
+        self.assertEqual(result["status"], "solved")
+        self.assertGreater(result["deferred"], 0)
+        self.assertGreater(result["ratio"], 1 - 1e-9)
+
+    def test_a_map_with_a_door_that_it_does_not_show(self):
+        self.write("shut.map", "type octile\nheight 3\nwidth 5\nmap\n..@..\n..@..\n..@..\n")
+        self.write("open.map", "type octile\nheight 3\nwidth 5\nmap\n..@..\n..@..\n.....\n")
+        run = self.run_program("drive", "shut.map", "--start", "0,0", "--goal", "4,0", "--world",
+                               "open.map", "--sense", "1", "--json")
+        self.assertEqual((run.code, run.json["status"]), (0, "solved"))
+        run = self.run_program("drive", "shut.map", "--start", "0,0", "--goal", "4,0", "--json")
+        self.assertEqual((run.code, run.json["status"], run.json["ticks"]), (5, "unreachable", 0))
+
+    def write_ros(self, name, resolution, origin="0, 0, 0"):
+        self.write("cells.pgm", "P2\n4 3\n255\n" + "255 " * 12)
+        self.write(name, f"image: cells.pgm\nresolution: {resolution}\norigin: [{origin}]\n"
+                         "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")
+
+    def test_a_world_is_of_the_same_place(self):
+        self.write_ros("map.yaml", 0.5)
+        self.write_ros("fine.yaml", 0.25)
+        self.write_ros("elsewhere.yaml", 0.5, "0, 1, 0")
+        for name, what in (("fine.yaml", "resolution"), ("elsewhere.yaml", "y of the origin")):
+            run = self.drive("--world", name, map_file="map.yaml", goal="3,2")
+            self.assertEqual(run.code, 3)
+            self.assertIn(f"{name}: {what}", run.err)
+        run = self.drive("--world", "map.yaml", map_file="map.yaml", goal="3,2")
+        self.assertEqual(run.code, 0)
+
+    def test_sense_in_metres_is_told_in_metres(self):
+        self.write_ros("map.yaml", 0.5)
+        metres = ("--frame", "world", "--json")
+        run = self.drive("--sense", "1", *metres, map_file="map.yaml", start="0.1,0.1",
+                         goal="1.9,1.4")
+        self.assertEqual(run.json["parameters"]["sense"], 2)
+        for sense in ("0.4", "700001"):
+            run = self.drive("--sense", sense, *metres, map_file="map.yaml", start="0.1,0.1",
+                             goal="1.9,1.4")
+            self.assertEqual(run.code, 2)
+            self.assertIn(f"--sense {sense} m", run.err)
+
+    def test_verify_says_where_a_result_lacks_what_it_found(self):
+        self.drive("-o", "run.json")
+        result = json.loads(self.read("run.json"))
+        result["optimum"] = result["ratio"] = None
+        self.write("cut.json", json.dumps(result))
+        run = self.run_program("verify", "cut.json")
+        self.assertEqual(run.code, 0)
+        self.assertIn("'optimum' is null", run.err)
 
     def test_text_and_table(self):
         run = self.drive("-o", "t.csv", "--radius", "0.3")

@@ -61,6 +61,13 @@ inline Walk random_walk(const Grid& grid, int steps, bool diagonal, Corners corn
   return walk;
 }
 
+/// A walk by straight moves of at least 1000 cells.
+inline Walk long_walk(const Grid& grid, std::mt19937& random) {
+  Walk walk;
+  while (walk.size() < 1000) walk = random_walk(grid, 5000, false, Corners::forbid, random);
+  return walk;
+}
+
 /// A grid drawn from text: '#' is blocked.
 inline Grid drawn(std::initializer_list<const char*> rows) {
   int width = 0;

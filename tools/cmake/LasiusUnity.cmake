@@ -1,8 +1,10 @@
 # Most of a small file's time goes into the templates of headers, which files that are compiled together
-# share. Not for walks, sight and exact searches: what the compiler inlines there is measured.
+# share. With LASIUS_UNITY not walks, sight and exact searches: what the compiler inlines there is
+# measured. With LASIUS_UNITY_ROOMS all of them, a room at a time.
 
 # lasius_unite(TARGET [GROUP SOURCE...]): with LASIUS_UNITY the sources of a group are compiled as one;
-# without a group all sources of the target, several at a time in the order of its list.
+# without a group all sources of the target, several at a time in the order of its list. With
+# LASIUS_UNITY_ROOMS a target with groups is compiled by its folders in place of them.
 function(lasius_unite target)
   if(NOT LASIUS_UNITY)
     return()
@@ -10,9 +12,18 @@ function(lasius_unite target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
   # Given for unnamed namespaces in every file that is included, be it no header.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
-  if(ARGC GREATER 1)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
-    list(POP_FRONT ARGN group)
+  if(ARGC EQUAL 1)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  list(POP_FRONT ARGN group)
+  if(LASIUS_UNITY_ROOMS)
+    get_target_property(sources ${target} SOURCES)
+    foreach(source IN LISTS sources)
+      get_filename_component(room ${source} DIRECTORY)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room})
+    endforeach()
+  else()
     set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${group})
   endif()
 endfunction()

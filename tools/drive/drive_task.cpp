@@ -1,8 +1,10 @@
 #include "tools/drive/drive_task.h"
 
 #include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "core/base/time_source.h"
 #include "lasius/clearance.h"
 #include "lasius/error.h"
 #include "lasius/shortest_walk.h"
@@ -74,7 +76,7 @@ class DriveTask : public Task {
   bool in_metres() const { return options().frame == Frame::world; }
   DriveOptions drive_options(const StopCondition& stop) const;
   Corners corners() const;
-  void look_for_optimum(const StopCondition& stop);
+  void look_for_optimum(const Grid& world, const StopCondition& stop);
   std::string invalid_text() const;
   std::vector<Point> centres_in_metres() const;
 
@@ -85,7 +87,9 @@ class DriveTask : public Task {
   SearchResult result_;
 };
 
-/// @throws Error(file_broken) unless it is as large as the map.
+constexpr const char* kSamePlace = "give both for the same place, in cells of the same size";
+
+/// @throws Error(file_broken) unless it is as large as the map, and lies where that does.
 LoadedMap read_world(MapOptions options, const std::string& file, const LoadedMap& map) {
   options.file = file;
   LoadedMap world = read_map(options, Frame::cell);
@@ -93,9 +97,43 @@ LoadedMap read_world(MapOptions options, const std::string& file, const LoadedMa
     throw Error(ErrorCode::file_broken, {.file = file},
                 printed("is %d x %d cells, the map %d x %d", world.width, world.height, map.width,
                         map.height),
-                "give both for the same place, in cells of the same size");
+                kSamePlace);
+  const auto differ = [&](const char* what, double of_world, double of_map) {
+    if (of_world == of_map) return;
+    throw Error(
+        ErrorCode::file_broken, {.file = file},
+        std::string(what) + " is " + to_text(of_world) + ", that of the map " + to_text(of_map),
+        kSamePlace);
+  };
+  if (world.frame && map.frame) {
+    differ("resolution", world.frame->resolution, map.frame->resolution);
+    differ("x of the origin", world.frame->origin_x, map.frame->origin_x);
+    differ("y of the origin", world.frame->origin_y, map.frame->origin_y);
+    differ("yaw of the origin", world.frame->yaw, map.frame->yaw);
+  }
   return world;
 }
+
+/// A sense that was given in metres, in cells. @throws UsageError where it is out of range.
+double sense_in_cells(double metres, double resolution) {
+  const double cells = metres / resolution;
+  if (cells >= DriveCommand::kLeastSense && cells <= DriveCommand::kMostSense) return cells;
+  throw UsageError("--sense " + to_text(metres) + " m is " + to_text(cells) + " cells: give " +
+                   to_text(DriveCommand::kLeastSense * resolution) + " to " +
+                   to_text(DriveCommand::kMostSense * resolution) + " m");
+}
+
+/// The time of a drive: it stands still while the drive is watched or drawn.
+class DrivingTime final : public TimeSource {
+ public:
+  Clock::time_point now() const noexcept override { return Clock::now() - paused_; }
+  void pause() noexcept { since_ = Clock::now(); }
+  void go_on() noexcept { paused_ += Clock::now() - since_; }
+
+ private:
+  Clock::time_point since_{};
+  Clock::duration paused_{};
+};
 
 void DriveTask::load(const std::stop_token&) {
   const RunOptions& run = options();
@@ -112,7 +150,8 @@ void DriveTask::load(const std::stop_token&) {
   answer.start = to_place(answer.map, command_.start, run.frame);
   answer.goal = to_place(answer.map, command_.goal, run.frame);
   answer.sense = command_.sense.value_or(DriveOptions{}.sense);
-  if (command_.sense && run.map.radius_metres) answer.sense /= answer.map.frame->resolution;
+  if (command_.sense && run.map.radius_metres)
+    answer.sense = sense_in_cells(answer.sense, answer.map.frame->resolution);
 }
 
 void DriveTask::announce() const {
@@ -153,6 +192,7 @@ void DriveTask::plan(const StopCondition& stop, const Watch& watch) {
   if (filmed || std::ranges::any_of(options().outputs, is_picture))
     recorder_.emplace(answer.map.grid(), answer.sense);
   if (filmed) film_.emplace(answer.map.grid(), answer.goal.cell);
+  std::optional<Grid> at_start;  // the world without moving obstacles
   DriveObserver observer;
   if (watch || recorder_)
     observer = [&](const DriveTick& tick) {
@@ -160,18 +200,27 @@ void DriveTask::plan(const StopCondition& stop, const Watch& watch) {
       if (recorder_) recorder_->observe(tick);
       if (film_) film_->observe(tick, *recorder_);
     };
-  const auto begin = Clock::now();
+  DrivingTime time;
+  const DriveObserver untimed = [&](const DriveTick& tick) {
+    time.pause();
+    if (tick.tick == 0) at_start.emplace(*tick.still);
+    if (observer) observer(tick);
+    time.go_on();
+  };
+  const auto begin = time.now();
   const DriveOptions how = drive_options(stop);
   Navigator navigator(answer.map.grid(), answer.goal.cell, how.navigator);
   // Time counts from when the map is prepared.
+  StopCondition until = again(stop, options().time_limit);
+  until.time = &time;
   answer.result = drive(navigator, answer.truth().grid(), answer.start.cell, answer.changes, how,
-                        again(stop, options().time_limit), observer);
-  answer.elapsed_ms = ms_since(begin);
+                        until, untimed);
+  answer.elapsed_ms = std::chrono::duration<double, std::milli>(time.now() - begin).count();
   result_.status = answer.result.status;
   result_.fault = answer.result.fault;
   if (result_.status == Status::invalid) return;
   result_.length = answer.result.length;
-  look_for_optimum(again(stop, options().time_limit));
+  if (at_start) look_for_optimum(*at_start, again(stop, options().time_limit));
 }
 
 /// By which the robot moves, whatever its paths are made of.
@@ -181,8 +230,8 @@ Corners DriveTask::corners() const {
   return squeezes && params.corners == Corners::allow ? Corners::allow : Corners::forbid;
 }
 
-void DriveTask::look_for_optimum(const StopCondition& stop) {
-  auto grown = grow_obstacles(world_at(answer_, 0), answer_.map.radius, stop);
+void DriveTask::look_for_optimum(const Grid& world, const StopCondition& stop) {
+  auto grown = grow_obstacles(world, answer_.map.radius, stop);
   if (grown)
     answer_.optimum = shortest_walk(*grown, answer_.start.cell, answer_.goal.cell,
                                     Neighbours::eight, corners(), stop);
@@ -209,15 +258,8 @@ std::string DriveTask::invalid_text() const {
   const bool at_start = fault == Fault::start_blocked || fault == Fault::start_outside;
   const bool outside = fault == Fault::start_outside || fault == Fault::goal_outside;
   const Place& place = at_start ? answer_.start : answer_.goal;
-  // What is free there as the robot's first look has it: in the world, and for a goal on the map.
-  Grid free = world_at(answer_, 0);
-  if (!at_start)
-    for (int y = 0; y < free.height(); ++y)
-      for (int x = 0; x < free.width(); ++x)
-        if (answer_.map.grid().blocked({x, y})) free.set_blocked({x, y});
-  const Planner planner(grow_obstacles(free, answer_.map.radius));
   return fault_text(answer_.map, options().frame, at_start ? "start" : "goal", place, outside,
-                    planner.nearest_free(place.cell));
+                    answer_.result.nearest_free);
 }
 
 std::string DriveTask::limit() const {

@@ -145,6 +145,14 @@ void forget_times(Json& result) {
     if (replan.is_object()) replan.erase("ms");
 }
 
+/// What a result has null that a limit or a signal may have cut off, though the replay has it.
+std::string not_recorded(const Json& recorded, const Json& replay) {
+  for (const char* key : {"optimum", "grid_optimum"})
+    if (recorded.contains(key) && recorded[key].is_null() && !value_at(replay, key).is_null())
+      return key;
+  return {};
+}
+
 /// The first difference between a result and its replay, or nothing. What may differ is left out.
 std::string difference(Json recorded, Json replay) {
   for (const char* free : {"threads", "elapsed_ms", "version"})
@@ -269,6 +277,9 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
   if (format == kArmFormat && tells_no_bodies(result) && status == "invalid")
     replay["questions"] = value_at(result, "questions");
   const std::string key = difference(result, replay);
+  if (const auto cut = not_recorded(result, replay); key.empty() && !cut.empty() && !command.quiet)
+    message(std::string(name).append(": its '").append(cut).append(
+        "' is null, the replay has one; all else is equal"));
   if (key.empty()) return kFound;
   message(std::string(name).append(": differs from its replay in '").append(key).append("'"));
   return kInternal;

@@ -193,17 +193,14 @@ TEST(Straighten, NoVertexIsToSpareOrBetterACellFurther) {
 TEST(Straighten, AllocatesNothingTheSecondTime) {
   std::mt19937 random(6);
   const Grid grid = random_grid(300, 200, 10, random);
-  Walk walk;
-  while (walk.size() < 1000) walk = random_walk(grid, 5000, false, Corners::forbid, random);
+  const Walk walk = long_walk(grid, random);
   Straightener straightener;
   LoopCutter cutter;
-  std::int64_t before = 0;
-  for (int i = 0; i < 2; ++i) {
-    before = allocations;
-    straightener.run(grid, cutter.cut(grid, walk));
-    straightener.straighten(grid);
-  }
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(allocations_of_the_second([&] {
+              straightener.run(grid, cutter.cut(grid, walk));
+              straightener.straighten(grid);
+            }),
+            0);
 }
 
 TEST(Straighten, PollsAndReturnsAValidPathWhenStopped) {
