@@ -21,6 +21,7 @@
 #include "tests/core/map_files/map_files.h"
 #include "tools/record/queries.h"
 #include "tools/study/run_file.h"
+#include "tools/yaml/document.h"
 
 namespace lasius {
 namespace {
@@ -312,6 +313,15 @@ TEST_F(HostileFiles, Results) {
   std::string members = "{";
   for (int i = 0; i < 100'000; ++i) members += "\"" + std::to_string(i) + "\":0,";
   refused(read, "r.json", members + "\"status\":0}", "too many members");
+}
+
+TEST_F(HostileFiles, Documents) {
+  const auto read = [](const std::string& name) { (void)tool::read_document(name); };
+  const std::string large(1 << 16, 'x');
+  refused(read, "d.yaml", "a: " + large, "larger than 64 kB");
+  refused(read, "d.yaml", filled("[", "a,", "a]").substr(0, (1 << 16) - 3) + "a]",
+          "too many values");
+  refused(read, "d.yaml", filled("", "[", "").substr(0, 1 << 16), "YAML");
 }
 
 /// A run that a study has kept is dropped where its curve is longer than any.

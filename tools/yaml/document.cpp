@@ -16,8 +16,8 @@
 namespace lasius::tool {
 namespace {
 
-constexpr std::size_t kLargestFile = 4 << 20;
-constexpr std::size_t kMostNodes = 1 << 18;
+constexpr std::size_t kLargestFile = 1 << 16;
+constexpr std::size_t kMostNodes = 1 << 14;
 constexpr std::size_t kMostKeys = 2000;  // of one map: it is looked through
 
 /// Of a key or a value in messages: files may hold anything.
@@ -209,7 +209,7 @@ Node read_document(const std::string& file) {
     throw Error(ErrorCode::file_missing, {.file = file}, "cannot be read", "check the name");
   text.resize(static_cast<std::size_t>(in.gcount()));
   if (text.size() > kLargestFile)
-    throw Error(ErrorCode::file_broken, {.file = file, .line = 1}, "is larger than 4 MB",
+    throw Error(ErrorCode::file_broken, {.file = file, .line = 1}, "is larger than 64 kB",
                 "name a study, a tuning or a preset");
   return parse_document(text, file);
 }

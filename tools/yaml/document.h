@@ -73,7 +73,7 @@ class Node {
 /// a key that is given again, aliases that make more of it than any document of ours.
 Node parse_document(const std::string& text, const std::string& file);
 
-/// The document of a file of at most 4 MB. @throws Error(file_missing), Error(file_broken)
+/// The document of a file of at most 64 kB. @throws Error(file_missing), Error(file_broken)
 Node read_document(const std::string& file);
 
 /// True for files that may be one: .yaml, .yml, .json.

@@ -1,5 +1,6 @@
 // Contenders, sweep, budget and seeds of a study's file.
 #include <algorithm>
+#include <set>
 
 #include "core/base/did_you_mean.h"
 #include "lasius/error.h"
@@ -204,10 +205,11 @@ std::vector<Contender> contenders_of(const Node& study, const Node* compare, con
   else
     for (const Node& node : all.items())
       add_swept(reader, study, reader.described(node.at("name").text(), node), contenders);
+  std::set<std::string> names;
   for (const Contender& c : contenders) {
     if (c.name.find_first_of("/\\\n") != std::string::npos || c.name.starts_with('.'))
       all.fail("has \"" + c.name + "\", no name of a file", "use letters, digits and -");
-    if (std::ranges::count(contenders, c.name, &Contender::name) > 1)
+    if (!names.insert(c.name).second)
       all.fail("has \"" + c.name + "\" twice", "give one another name");
   }
   if (contenders.empty()) all.fail("is empty", "add {name, algorithm}");

@@ -1,6 +1,7 @@
 // Maps and questions of a study's file.
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include "core/base/did_you_mean.h"
 #include "lasius/error.h"
@@ -179,13 +180,14 @@ std::vector<std::string> MapNames::sources(const Node& map) const {
 
 std::vector<Question> questions_of(const Node& list, const MapNames* maps) {
   std::vector<Question> questions;
+  std::set<std::string> names;
   for (const Node& node : list.items()) {
     node.allow({"name", "map", "start", "goal", "published", "draw"});
     const bool bitmap = maps != nullptr;
     const auto draw = bitmap ? draw_of(node) : std::nullopt;
     const bool needed = bitmap && !draw;
     for (auto& [name, source] : maps_of(node, maps)) {
-      if (std::ranges::find(questions, name, &Question::name) != questions.end())
+      if (!names.insert(name).second)
         node.fail("has two questions called \"" + name + "\"", "give one another name");
       questions.push_back({.name = name,
                            .map = source,

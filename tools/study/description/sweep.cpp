@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "tools/console/values.h"
 
@@ -103,8 +104,9 @@ std::vector<Settings> design_points(Design design, const std::vector<Factor>& fa
     }
   }
   std::vector<Settings> points;
+  std::set<Settings> seen;
   for (Settings& point : all)
-    if (std::ranges::find(points, point) == points.end()) points.push_back(std::move(point));
+    if (seen.insert(point).second) points.push_back(std::move(point));
   return points;
 }
 

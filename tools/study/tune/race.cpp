@@ -178,6 +178,18 @@ void Race::add(std::span<const double> values) {
 
 std::size_t Race::best() const { return standings().front().candidate; }
 
+std::size_t Race::rival() const {
+  for (const Standing& s : standings())
+    if (s.candidate != 0) return s.candidate;
+  std::size_t found = 1;
+  const auto median = [&](std::size_t c) { return quantile(runners_[c].values, 0.5); };
+  for (std::size_t c = 2; c < runners_.size(); ++c) {
+    const int after = runners_[c].left_after, so_far = runners_[found].left_after;
+    if (after > so_far || (after == so_far && median(c) < median(found))) found = c;
+  }
+  return found;
+}
+
 std::vector<Race::Standing> Race::standings() const {
   const auto there = left();
   const auto blocks = values_of(there);

@@ -74,6 +74,10 @@ class Race {
   /// one with the least median, then the first.
   std::size_t best() const;
 
+  /// The best but for candidate 0, likewise; where no other is left, of those that left last the
+  /// one with the least median. Precondition: at least 2 candidates and 1 block.
+  std::size_t rival() const;
+
   /// Mean ranks of those that are left, by block among themselves, and the interval of each one's
   /// difference from the best one's at the race's level, two-sided.
   struct Standing {

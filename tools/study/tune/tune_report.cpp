@@ -19,11 +19,12 @@ sum is further behind the best one's than Conover's critical difference; of two 
 Wilcoxon's signed rank test (F-race: Birattari et al. 2002, 2010). Mean ranks are among those that
 are left, over all blocks; "behind" is the interval of a mean rank's distance from the best one's.
 
-The winner is judged by runs of its own on other maps, against the default, not paired by seed: A12
-is the share of pairs of runs in which the winner's value is less (ties half), the ratio that of the
-medians, by question; intervals are percentiles of 2000 resamplings of the runs, p is two-sided by
-Mann and Whitney's test in the sum over the questions, by Holm's method over the families. What was
-raced on decides nothing here.
+The winner is judged by runs of its own on other maps, against the default, not paired by seed; where
+the default won, its strongest rival is. A12 is the share of pairs of runs in which the candidate's
+value is less (ties half), the ratio that of the medians, by question; intervals are percentiles of
+2000 resamplings of the runs, p is two-sided by Mann and Whitney's test in the sum over the
+questions, by Holm's method over the families. "as good": the interval of the ratio lies within 1%.
+What was raced on decides nothing here.
 )";
 
 std::string interval_text(const Interval& interval) {
@@ -44,12 +45,14 @@ std::string settings_text(const Settings& settings) {
 std::string family_verdict(const Family& family) {
   if (family.p < kSignificant && family.effect.low > 0.5) return "better";
   if (family.p < kSignificant && family.effect.high < 0.5) return "worse";
-  return "no difference shown";
+  const bool close = family.ratios.low >= 0.99 && family.ratios.high <= 1.01;
+  return close ? "as good" : "no difference shown";
 }
 
-Table family_table(const Tuned& tuned) {
-  Table table{{"maps", "questions", "A12, winner less [95%]", "ratio of medians [95%]", "p",
-               "the winner is"},
+Table family_table(const Tuning& tuning, const Tuned& tuned) {
+  const std::string name = tuning.candidates[tuned.judged].name;
+  Table table{{"maps", "questions", "A12, " + name + " less [95%]",
+               "median, " + name + " / default [95%]", "p", name + " is"},
               {}};
   for (const Family& f : tuned.families)
     table.rows.push_back({f.name.empty() ? "all" : f.name, std::to_string(f.pairs.size()),
@@ -77,11 +80,13 @@ std::size_t runs_of(const Tuned& tuned) { return tuned.rows.size(); }
 }  // namespace
 
 std::string verdict_text(const Tuning& tuning, const Tuned& tuned) {
-  const std::string name = tuning.candidates[tuned.race.best()].name;
+  const std::size_t winner = tuned.race.best();
+  const std::string name = tuning.candidates[winner].name;
   if (!tuned.whole) return "interrupted: " + name + " was best so far, and is not judged";
-  if (tuned.families.empty()) return "the default won: no other candidate was better in the race";
+  const std::string judged = tuning.candidates[tuned.judged].name;
   const Family& all = tuned.families.front();
-  return name + " on other maps: " + family_verdict(all) + ", A12 " + fixed(all.test.effect, 3) +
+  return (winner == 0 ? "the default won; its strongest rival, " + judged + "," : judged) +
+         " on other maps: " + family_verdict(all) + ", A12 " + fixed(all.test.effect, 3) +
          interval_text(all.effect) + ", ratio of medians " + fixed(all.ratio, 4) +
          interval_text(all.ratios) + ", p " + p_text(all.p);
 }
@@ -135,7 +140,7 @@ std::string tune_page(const Tuning& tuning, const Tuned& tuned) {
       "`, lasius " LASIUS_VERSION ". " + verdict_text(tuning, tuned) + ".\n\nThe winner: " +
       (winner.factors.empty() ? "the default" : "`" + settings_text(winner.factors) + "`") +
       ". To use it: `--preset preset.yaml`.\n\n## Judged on other maps\n\n";
-  text += tuned.families.empty() ? "Nothing was judged.\n" : family_table(tuned).markdown();
+  text += tuned.families.empty() ? "Nothing was judged.\n" : family_table(tuning, tuned).markdown();
   text += "\n## The race\n\n" + std::to_string(tuned.race.blocks()) + " blocks, " +
           std::to_string(runs_of(tuned)) + " runs, " + std::to_string(tuned.race.left().size()) +
           " of " + std::to_string(tuning.candidates.size()) + " candidates left; " +

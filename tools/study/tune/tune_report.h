@@ -8,7 +8,7 @@
 
 namespace lasius::study {
 
-/// "better than the default on other maps", and what else the judgement may be.
+/// What the judgement on other maps says, in a line.
 std::string verdict_text(const Tuning& tuning, const Tuned& tuned);
 
 /// The winner, or the best so far, as `--preset FILE` takes it.

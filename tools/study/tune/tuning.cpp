@@ -46,7 +46,8 @@ class Conductor {
                 " left");
     }
     const std::size_t winner = tuned.race.best();
-    tuned.whole = winner == 0 || run_judges(tuning_.candidates[winner], tuned);
+    tuned.judged = winner != 0 ? winner : tuned.race.rival();
+    tuned.whole = run_judges(tuning_.candidates[tuned.judged], tuned);
     return tuned;
   }
 
@@ -92,14 +93,14 @@ class Conductor {
                       (tuning_.blocks + judges / static_cast<double>(tuning_.candidates.size())));
   }
 
-  bool run_judges(const Contender& winner, Tuned& tuned) {
+  bool run_judges(const Contender& judged, Tuned& tuned) {
     const Bitmaps domain(tuning_.judging, options_.maps);
-    const Study part = part_of(tuning_.judging, {winner, tuning_.candidates.front()},
+    const Study part = part_of(tuning_.judging, {judged, tuning_.candidates.front()},
                                tuning_.judging.experiments.front().questions);
     RunnerOptions runner = this->runner(tuning_.judging.seeds.first, tuning_.judging.seeds.count);
     runner.progress = options_.progress;
     const Findings findings = run_study(part, domain, runner);
-    if (findings.whole) tuned.families = judge(findings, tuning_, winner.name);
+    if (findings.whole) tuned.families = judge(findings, tuning_, judged.name);
     return findings.whole;
   }
 
@@ -129,14 +130,14 @@ Tuned tune(Tuning& tuning, const TuneOptions& options) {
 }
 
 std::vector<Family> judge(const Findings& findings, const Tuning& tuning,
-                          const std::string& winner) {
+                          const std::string& candidate) {
   std::vector<Family> families{{.name = ""}};
   const auto values = [&](const Sample& sample) {
     return sample.each(
         [&](const Run& run) { return value_of_run(findings, sample, run, tuning.value); });
   };
   for (const Sample& a : findings.samples) {
-    if (a.contender->name != winner) continue;
+    if (a.contender->name != candidate) continue;
     const Sample* const b = findings.find(a.experiment->name, a.question->name, "default");
     const std::string name = family_name(*a.question);
     auto family = std::ranges::find(families, name, &Family::name);

@@ -29,7 +29,7 @@ struct TuneOptions {
 /// Questions of one kind of generated maps, or of one file.
 struct Family {
   std::string name;              ///< empty: all of them
-  std::vector<Pair> pairs = {};  ///< values of the winner and of the default, by question
+  std::vector<Pair> pairs = {};  ///< values of the judged and of the default, by question
   RankTest test = {};
   Interval effect = {};  ///< of the test's effect, 95%
   double ratio = 0;      ///< of medians, NaN where there is none
@@ -42,7 +42,8 @@ struct Tuned {
   bool whole = false;  ///< false after an interruption
   /// The race's values, a row a run: block, question, map, seed, candidate, value.
   std::vector<std::vector<std::string>> rows = {};
-  std::vector<Family> families = {};  ///< all first; none where the default won, or not judged yet
+  std::size_t judged = 0;  ///< which candidate was: the winner, or the rival of a default that won
+  std::vector<Family> families = {};  ///< of it and the default, all first; none: not judged yet
 };
 
 /// The same for the same tuning and maps, whatever the threads, and wherever an earlier call was
@@ -50,8 +51,8 @@ struct Tuned {
 /// @throws as draw_questions(), run_study().
 Tuned tune(Tuning& tuning, const TuneOptions& options);
 
-/// Winner against default by family. Equal values give equal families.
+/// A candidate against the default by family. Equal values give equal families.
 std::vector<Family> judge(const Findings& findings, const Tuning& tuning,
-                          const std::string& winner);
+                          const std::string& candidate);
 
 }  // namespace lasius::study

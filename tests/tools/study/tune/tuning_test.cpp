@@ -98,8 +98,12 @@ TEST_F(ATuning, TheDefaultMayWin) {
   const Tuned tuned = tune(t, options(2, "out"));
   EXPECT_TRUE(tuned.whole);
   EXPECT_EQ(tuned.race.best(), 0U);
-  EXPECT_TRUE(tuned.families.empty());
-  EXPECT_NE(verdict_text(t, tuned).find("the default won"), std::string::npos);
+  EXPECT_EQ(t.candidates[tuned.judged].factors, (Settings{{"iterations", "2"}}));
+  ASSERT_FALSE(tuned.families.empty());
+  EXPECT_LT(tuned.families[0].effect.high, 0.5);
+  EXPECT_NE(verdict_text(t, tuned).find("the default won; its strongest rival, "),
+            std::string::npos);
+  EXPECT_NE(verdict_text(t, tuned).find(": worse"), std::string::npos);
   EXPECT_NE(preset_text(t, tuned).find("iterations: \"30\""), std::string::npos);
 }
 
