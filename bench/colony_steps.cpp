@@ -10,9 +10,9 @@
 #include "core/base/kernel_choice.h"
 #include "core/colony/walk_setup.h"
 #include "core/grid/move_rule.h"
-#include "core/params/schedule.h"
 #include "core/plan/workspace.h"
 #include "lasius/map_io.h"
+#include "lasius/schedule.h"
 
 namespace lasius::bench {
 namespace {

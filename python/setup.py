@@ -3,6 +3,7 @@
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -19,7 +20,8 @@ class CMakeBuild(build_ext):
         target = pathlib.Path(self.get_ext_fullpath(ext.name)).resolve()
         folder = ROOT / "build/wheel"
         off = ["TOOLS", "TESTS", "BENCH", "FILM"]
-        configure = ["cmake", "-S", ROOT, "-B", folder, "-DCMAKE_BUILD_TYPE=Release", "-DLASIUS_UNITY=ON",
+        generator = ["-G", "Ninja"] if shutil.which("ninja") else []
+        configure = ["cmake", *generator, "-S", ROOT, "-B", folder, "-DCMAKE_BUILD_TYPE=Release", "-DLASIUS_UNITY=ON",
                      "-DLASIUS_INSTALL=OFF", "-DLASIUS_BUILD_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}",
                      *(f"-DLASIUS_BUILD_{name}=OFF" for name in off),
                      *os.environ.get("LASIUS_CMAKE_ARGS", "").split()]

@@ -9,8 +9,8 @@
 #include "core/colony/field.h"
 #include "core/colony/update.h"
 #include "core/grid/move_rule.h"
-#include "core/params/schedule.h"
 #include "lasius/planner.h"
+#include "lasius/schedule.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/worlds/random_grid.h"
 
@@ -45,27 +45,27 @@ TEST(Fan2004, ExponentsFollowEquations5And6) {
 }
 
 TEST(Fan2004, TheFirstGenerationUsesDistanceAlone) {
-  const auto shares = schedule(Params("fan2004"), 0).rule_shares;
-  EXPECT_EQ(shares[kernels::kPheromoneRule], 0);
-  EXPECT_EQ(shares[kernels::kDistanceRule], 1);
-  EXPECT_EQ(shares[kernels::kCombinedRule], 0);
+  const auto shares = schedule(Params("fan2004"), 0);
+  EXPECT_EQ(shares.pheromone_rule, 0);
+  EXPECT_EQ(shares.distance_rule, 1);
+  EXPECT_EQ(shares.combined_rule, 0);
 }
 
 TEST(Fan2004, SharesOfTheRulesChangeUntilTheCriticalTimeAndSettle) {
   // a = 0.4: pheromone 0.01 a, distance 1 - 0.7 a, combined 0.7 a.
-  const auto early = schedule(Params("fan2004"), 4).rule_shares;
-  EXPECT_DOUBLE_EQ(early[kernels::kPheromoneRule], 0.004);
-  EXPECT_DOUBLE_EQ(early[kernels::kDistanceRule], 0.72);
-  EXPECT_DOUBLE_EQ(early[kernels::kCombinedRule], 0.28);
+  const auto early = schedule(Params("fan2004"), 4);
+  EXPECT_DOUBLE_EQ(early.pheromone_rule, 0.004);
+  EXPECT_DOUBLE_EQ(early.distance_rule, 0.72);
+  EXPECT_DOUBLE_EQ(early.combined_rule, 0.28);
   // From 10 to 70 the distance rule falls from 0.3 to 0.002: at 40 it is half way.
-  EXPECT_DOUBLE_EQ(schedule(Params("fan2004"), 10).rule_shares[kernels::kDistanceRule], 0.3);
-  const auto half = schedule(Params("fan2004"), 40).rule_shares;
-  EXPECT_DOUBLE_EQ(half[kernels::kDistanceRule], 0.151);
-  EXPECT_DOUBLE_EQ(half[kernels::kCombinedRule], 0.7);
+  EXPECT_DOUBLE_EQ(schedule(Params("fan2004"), 10).distance_rule, 0.3);
+  const auto half = schedule(Params("fan2004"), 40);
+  EXPECT_DOUBLE_EQ(half.distance_rule, 0.151);
+  EXPECT_DOUBLE_EQ(half.combined_rule, 0.7);
   for (const int q : {70, 71, 119}) {
-    const auto late = schedule(Params("fan2004"), q).rule_shares;
-    EXPECT_DOUBLE_EQ(late[kernels::kPheromoneRule], 0.01);
-    EXPECT_DOUBLE_EQ(late[kernels::kDistanceRule], 0.002);
+    const auto late = schedule(Params("fan2004"), q);
+    EXPECT_DOUBLE_EQ(late.pheromone_rule, 0.01);
+    EXPECT_DOUBLE_EQ(late.distance_rule, 0.002);
   }
 }
 

@@ -5,15 +5,15 @@
 namespace lasius {
 
 Result run_colony(const Grid& grid, const Request& request, const Params& params,
-                  ColonyMemory& memory, const Observer& observer) {
-  GridColony colony(grid, params, memory);
+                  ColonyMemory& memory, const Observer& observer, const OwnRules& own) {
+  GridColony colony(grid, params, memory, own);
   colony.begin(request);
   return colony.run(request, params.iterations, observer);
 }
 
 struct SurvivingColony::Impl {
   Impl(const Grid& on, Cell to, const Params& p)
-      : goal(to), params(p), colony(on, params, memory) {}
+      : goal(to), params(p), colony(on, params, memory, no_own_rules()) {}
 
   Cell goal;
   Params params;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/colony/colony_memory.h"
+#include "lasius/own_rules.h"
 #include "lasius/params.h"
 #include "lasius/progress.h"
 #include "lasius/request.h"
@@ -13,9 +14,9 @@
 namespace lasius {
 
 /// Runs the colony that `params` composes from `request.start` to `request.goal`, which are free,
-/// joined and not equal.
+/// joined and not equal. `own`, checked, may take the place of some of its rules.
 Result run_colony(const Grid& grid, const Request& request, const Params& params,
-                  ColonyMemory& memory, const Observer& observer);
+                  ColonyMemory& memory, const Observer& observer, const OwnRules& own);
 
 /// A colony that keeps its trail while its map changes and its start moves. One thread at a time
 /// uses an object; a colony itself walks on Params::threads, which change nothing.

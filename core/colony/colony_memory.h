@@ -7,6 +7,7 @@
 #include "core/base/held_bytes.h"
 #include "core/colony/best_tour.h"
 #include "core/colony/field.h"
+#include "core/colony/own_update.h"
 #include "core/colony/polish.h"
 #include "core/colony/update.h"
 #include "core/colony/walk_cutter.h"
@@ -26,11 +27,12 @@ struct ColonyMemory {
   Ant answer;                       // of a colony whose ants only teach it
   std::vector<std::uint8_t> way;    // its moves, as they are found
   Polisher polisher;
+  NumberedTours numbered;  // for an own update
 
   std::int64_t bytes() const noexcept {
     return field.bytes() + walkers.bytes() + held_bytes_of_all(ants) + answer.bytes() +
            held_bytes(tours, raw_lengths, ranking, way) + best.bytes() + polisher.bytes() +
-           held_bytes_of_all(cutters);
+           numbered.bytes() + held_bytes_of_all(cutters);
   }
 };
 

@@ -9,6 +9,7 @@
 #include "core/base/kernel_choice.h"
 #include "core/colony/field_tile.h"
 #include "core/grid/cell_distance.h"
+#include "core/params/schedule.h"
 
 namespace lasius {
 namespace {
@@ -36,7 +37,7 @@ Field::Field() = default;
 Field::~Field() = default;
 
 void Field::reset(const Grid& grid, const kernels::Moves& moves, Cell goal, const Params& params,
-                  double untouched, const StopCondition& stop) {
+                  double untouched, const StopCondition& stop, std::span<const double> heuristic) {
   grid_ = &grid;
   stop_ = stop;
   moves_ = moves;
@@ -47,12 +48,13 @@ void Field::reset(const Grid& grid, const kernels::Moves& moves, Cell goal, cons
   learned_ = params.heuristic == Heuristic::learned;
   reach_ = 1;
   for (int k = 0; k < moves.count; ++k) reach_ = std::max<int>(reach_, std::abs(moves[k].to.dx));
-  heuristic_.reset(grid, moves, goal, params, stop);
+  heuristic_.reset(grid, moves, goal, params, stop, heuristic);
   weights_ = schedule(params, 0);
   set_scale(untouched);
   untouched_ = 1;
   all_stale_ = false;
   bound(0, std::numeric_limits<double>::infinity());
+  was_bounded_ = false;
 
   for (const int index : not_made_) rows_[index] = nullptr;
   not_made_.clear();
@@ -246,6 +248,12 @@ void Field::shrink_stored() {
 void Field::bound(double least, double most) noexcept {
   least_ = least;
   most_ = most;
+}
+
+std::span<const float> Field::stored(int number, Cell& first) const noexcept {
+  const Tile& tile = *used_[number];
+  first = {tile.x0, tile.y0};
+  return {tile.tau, static_cast<std::size_t>(kTileCells) * taus()};
 }
 
 std::int64_t Field::bytes() const noexcept {

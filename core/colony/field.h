@@ -9,11 +9,11 @@
 
 #include "core/base/zero_array.h"
 #include "core/colony/heuristic.h"
-#include "core/params/schedule.h"
 #include "kernels/base/raise.h"
 #include "kernels/walk/walk.h"
 #include "lasius/grid.h"
 #include "lasius/params.h"
+#include "lasius/schedule.h"
 
 namespace lasius {
 
@@ -34,10 +34,11 @@ class Field {
   ~Field();
 
   /// Forgets everything and gets ready for one plan; tau is `untouched` everywhere, eta 1. Tiles
-  /// are kept for reuse. `grid` must outlive the field's use. What goes over all tiles is cut
-  /// short by `stop`, this function too; then only another reset makes the field whole again.
+  /// are kept for reuse. `grid` must outlive the field's use, and so must `heuristic`, see
+  /// HeuristicRows. What goes over all tiles is cut short by `stop`, this function too; then only
+  /// another reset makes the field whole again.
   void reset(const Grid& grid, const kernels::Moves& moves, Cell goal, const Params& params,
-             double untouched, const StopCondition& stop);
+             double untouched, const StopCondition& stop, std::span<const double> heuristic = {});
 
   /// Cells of `part` were blocked or freed: moves into, past and out of them exist as the grid has
   /// it. Pheromone stays. Works through the whole map with Heuristic::distance_field.
@@ -71,6 +72,12 @@ class Field {
   /// Raises tau where it was never changed, and the rows next to it. `value` is above the old one.
   void raise_untouched(double value);
   double untouched() const noexcept { return untouched_ * scale_; }
+
+  double scale() const noexcept { return scale_; }  ///< of stored values
+  double least() const noexcept { return least_; }  ///< as bound() has it
+  double most() const noexcept { return most_; }    ///< as bound() has it
+  /// Stored tau of a tile, 0 <= number < tiles(), row-major by cell; `first` is its top left one.
+  std::span<const float> stored(int number, Cell& first) const noexcept;
 
   /// tau of a cell is again what it is where nothing was ever changed.
   void forget(Cell c);
@@ -154,6 +161,7 @@ class Field {
   bool all_stale_ = false;  // every row is to be made again
   double least_ = 0;        // bounds on tau
   double most_ = 0;
+  bool was_bounded_ = false;  // when rows were last made
 };
 
 }  // namespace lasius

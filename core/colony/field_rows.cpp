@@ -229,8 +229,10 @@ void Field::edited(const Rectangle& part) {
 void Field::refresh(const StepWeights& weights, int threads) {
   const bool heuristic = weights.beta != weights_.beta && heuristic_.depends_on_beta();
   // Bounds make rows drift without a deposit; so do new exponents.
-  const bool touched =
-      least_ > 0 || weights.alpha != weights_.alpha || (weights.beta != weights_.beta && learned_);
+  const bool bounded = least_ > 0 || most_ < std::numeric_limits<double>::infinity();
+  const bool touched = bounded || was_bounded_ || weights.alpha != weights_.alpha ||
+                       (weights.beta != weights_.beta && learned_);
+  was_bounded_ = bounded;
   weights_ = weights;
   for_all_tiles(threads, [&](Tile& tile) {
     if (heuristic) fill_heuristic(tile);

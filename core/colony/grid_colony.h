@@ -15,6 +15,7 @@
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
 #include "core/colony/colony_memory.h"
+#include "core/colony/own_update.h"
 #include "core/colony/tour_measures.h"
 #include "core/colony/update.h"
 #include "core/colony/walk_setup.h"
@@ -22,19 +23,22 @@
 #include "core/grid/move_rule.h"
 #include "core/loop/colony_loop.h"
 #include "core/loop/run_status.h"
-#include "core/params/schedule.h"
+#include "lasius/own_rules.h"
 #include "lasius/path.h"
 #include "lasius/progress.h"
 #include "lasius/request.h"
+#include "lasius/schedule.h"
 
 namespace lasius {
 
 /// A colony on a bitmap. Its grid and its start may change between runs.
 class GridColony final : public ColonyWorld {
  public:
-  GridColony(const Grid& grid, const Params& params, ColonyMemory& memory)
+  /// `own`, checked, may take the place of some rules. All outlive the object.
+  GridColony(const Grid& grid, const Params& params, ColonyMemory& memory, const OwnRules& own)
       : grid_(grid),
         params_(params),
+        own_(own),
         memory_(memory),
         threads_(thread_count(params.threads)),
         moves_(moves_of(params.neighbours)) {
@@ -52,7 +56,8 @@ class GridColony final : public ColonyWorld {
   void begin(const Request& request) {
     request_ = request;
     tau0_ = initial_pheromone(params_, distance(request.start, request.goal));
-    memory_.field.reset(grid_, moves_, request.goal, params_, untouched(), request.stop);
+    memory_.field.reset(grid_, moves_, request.goal, params_, untouched(), request.stop,
+                        own_.heuristic);
     shape_ = walk_shape(params_, moves_, memory_.field.mixture());
     kernel_ = kernels::walk_table(chosen_isa()).walk[shape_.index()];
     first_iteration_ = agreed_ = 0;
@@ -97,7 +102,8 @@ class GridColony final : public ColonyWorld {
     iteration_ = q;
     iteration_best_ = kNaN;
     all_walked_ = false;
-    const StepWeights weights = schedule(params_, q);
+    const StepWeights weights =
+        own_.schedule ? own_weights(own_, params_, q) : schedule(params_, q);
     set_iteration(world_, params_, moves_, shape_, weights, q);
     for (Ant& ant : ants_) ant.arrived = false;
     for (Tour& tour : memory_.tours) tour = {{}, kNaN};
@@ -122,7 +128,7 @@ class GridColony final : public ColonyWorld {
   void offer() override {
     if (ants_only_teach() && all_walked_) return;
     offer(ants_, memory_.tours, [this] {
-      if (all_walked_) lay_trails();
+      if (all_walked_ && !own_.update) lay_trails();
     });
   }
 
@@ -135,6 +141,10 @@ class GridColony final : public ColonyWorld {
       if (!ant.arrived) return offer(ants_, memory_.tours, {});  // no way is known, or no time left
       offer_alone(ant);
     } else {
+      // On the caller's thread.
+      if (own_.update)
+        own_stop_ = update_by_caller(memory_.field, own_, params_, grid_, request_.goal,
+                                     tours(0, params_.ants), memory_.numbered, request_.stop);
       lay_straight_trails();
     }
     agreed_ = all_agree() ? agreed_ + 1 : 0;
@@ -161,7 +171,8 @@ class GridColony final : public ColonyWorld {
   StopCondition::Cause observe(const Convergence& run) override {
     View view(*this);
     view.iteration = first_iteration_;
-    return show(*observer_, run, view);
+    const auto cause = show(*observer_, run, view);
+    return own_stop_ ? StopCondition::Cause::token : cause;
   }
 
  private:
@@ -380,6 +391,7 @@ class GridColony final : public ColonyWorld {
   const Grid& grid_;
   Request request_;
   const Params& params_;
+  const OwnRules& own_;
   ColonyMemory& memory_;
   std::span<Ant> ants_;
   const Observer* observer_ = nullptr;
@@ -394,6 +406,7 @@ class GridColony final : public ColonyWorld {
   int first_iteration_ = 0;  // of this run
   int iteration_ = 0;
   bool all_walked_ = false;
+  bool own_stop_ = false;  // the caller's update asks for the end
   double iteration_best_ = kNaN;
   int agreed_ = 0;                  // iterations in a row in which all ants took one way
   double trail_level_ = 0;          // most tau on the best tour when it was last needed

@@ -13,6 +13,7 @@
 #include "core/grid/cell_distance.h"
 #include "core/grid/move_rule.h"
 #include "kernels/base/power.h"
+#include "lasius/own_rules.h"
 
 namespace lasius {
 namespace {
@@ -20,11 +21,17 @@ namespace {
 constexpr double kNearest = 0.5;  // cells: the goal itself is not at distance 0 from its weight
 constexpr double kLeastBase = 0x1p-100;  // a move that exists has a value, however low
 
+// What the caller counts as less counts as this: its 20th power is still a number of its own.
+constexpr double kLeastOwn = 1 / OwnRules::kMostHeuristic;
+
 }  // namespace
 
 void HeuristicRows::reset(const Grid& grid, const kernels::Moves& moves, Cell goal,
-                          const Params& params, const StopCondition& stop) {
+                          const Params& params, const StopCondition& stop,
+                          std::span<const double> own) {
   grid_ = &grid;
+  own_ = own;
+  cells_ = std::int64_t{grid.width()} * grid.height();
   moves_ = moves;
   goal_ = goal;
   params_ = params;
@@ -32,7 +39,7 @@ void HeuristicRows::reset(const Grid& grid, const kernels::Moves& moves, Cell go
   Poller poller(stop);
   if (!distances_.clear(poller)) return;
   distances_ = {};
-  if (params.heuristic == Heuristic::distance_field) measure_distances(poller);
+  if (own.empty() && params.heuristic == Heuristic::distance_field) measure_distances(poller);
 }
 
 void HeuristicRows::fill(Cell c, double beta, float* row) const {
@@ -40,7 +47,7 @@ void HeuristicRows::fill(Cell c, double beta, float* row) const {
   if (grid_->blocked(c)) return;
   // Dmax of equation 4 is over all free cells around, whether or not a corner closes the move.
   double farthest = 0;
-  if (params_.heuristic == Heuristic::rescaled_distance) {
+  if (rescaled()) {
     for (int k = 0; k < moves_.count; ++k) {
       const Cell to = c + moves_[k].to;
       if (grid_->free(to)) farthest = std::max(farthest, distance(to, goal_));
@@ -51,10 +58,11 @@ void HeuristicRows::fill(Cell c, double beta, float* row) const {
   values.fill(1);  // of moves that do not exist: anything that has a power
   for (int k = 0; k < moves_.count; ++k) {
     exists[k] = move_exists(*grid_, params_.corners, c, moves_[k]);
-    if (exists[k]) values[k] = std::max(base(c, c + moves_[k].to, farthest), kLeastBase);
+    if (!exists[k]) continue;
+    values[k] = own_.empty() ? std::max(base(c, c + moves_[k].to, farthest), kLeastBase)
+                             : std::max(own(c, k), kLeastOwn);
   }
-  const bool rescaled = params_.heuristic == Heuristic::rescaled_distance;
-  raise_(values.data(), moves_.count, rescaled ? params_.lambda : beta);
+  raise_(values.data(), moves_.count, rescaled() ? params_.lambda : beta);
   double largest = 0;
   for (int k = 0; k < moves_.count; ++k) {
     if (exists[k]) largest = std::max(largest, values[k]);
@@ -85,6 +93,13 @@ double HeuristicRows::base(Cell c, Cell to, double farthest) const noexcept {
     }
   }
   return 1;
+}
+
+double HeuristicRows::own(Cell c, int move) const noexcept {
+  const bool per_cell = std::ssize(own_) == cells_;
+  const Cell at = per_cell ? c + moves_[move].to : c;
+  const std::int64_t cell = std::int64_t{at.y} * grid_->width() + at.x;
+  return own_[per_cell ? cell : cell * moves_.count + move];
 }
 
 void HeuristicRows::measure_distances(Poller& poller) {

@@ -1,6 +1,9 @@
 // The part of a move's weight that the pheromone has no say in.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "core/base/poller.h"
 #include "core/base/zero_array.h"
 #include "kernels/base/moves.h"
@@ -18,10 +21,11 @@ class HeuristicRows {
   /// The least value of a move that exists, the largest of its row being 1.
   static constexpr double kSmallest = 0x1p-60;
 
-  /// `grid` must outlive the object's use. Heuristic::distance_field works through the whole map,
+  /// `grid` must outlive the object's use, and so must `own`, an OwnRules::heuristic that takes the
+  /// place of the parameters' one, or empty. Heuristic::distance_field works through the whole map,
   /// and stops early (with the parts not yet reached at distance 0) when told to.
   void reset(const Grid& grid, const kernels::Moves& moves, Cell goal, const Params& params,
-             const StopCondition& stop);
+             const StopCondition& stop, std::span<const double> own = {});
 
   /// Writes one value a move: 0 where a move does not exist, else in [kSmallest, 1], scaled so that
   /// the row's largest is 1. A blocked cell has no moves.
@@ -29,9 +33,9 @@ class HeuristicRows {
 
   /// True when `fill` depends on beta.
   bool depends_on_beta() const noexcept {
-    return params_.heuristic != Heuristic::uniform &&
-           params_.heuristic != Heuristic::rescaled_distance &&
-           params_.heuristic != Heuristic::learned;
+    return !own_.empty() || (params_.heuristic != Heuristic::uniform &&
+                             params_.heuristic != Heuristic::rescaled_distance &&
+                             params_.heuristic != Heuristic::learned);
   }
 
   std::int64_t bytes() const noexcept { return distances_.bytes(); }  ///< memory held
@@ -39,6 +43,10 @@ class HeuristicRows {
  private:
   /// What is raised to beta, or to lambda with Heuristic::rescaled_distance.
   double base(Cell c, Cell to, double farthest) const noexcept;
+  double own(Cell c, int move) const noexcept;
+  bool rescaled() const noexcept {
+    return own_.empty() && params_.heuristic == Heuristic::rescaled_distance;
+  }
   void measure_distances(Poller& poller);
 
   const Grid* grid_ = nullptr;
@@ -47,6 +55,8 @@ class HeuristicRows {
   Params params_;
   kernels::RaiseFn raise_ = nullptr;
   ZeroArray<float> distances_;  // Heuristic::distance_field: of each cell, row-major; 0: not known
+  std::span<const double> own_;
+  std::int64_t cells_ = 0;  // of the grid
 };
 
 }  // namespace lasius

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/poller.h"
+#include "core/colony/grid_tours.h"
 #include "core/grid/move_rule.h"
 #include "core/loop/trail_rules.h"
 #include "kernels/base/power.h"
@@ -16,43 +17,6 @@ namespace lasius {
 namespace {
 
 using trail_rules::arrived;
-
-/// What carries pheromone on a grid: with arcs a move out of a cell, with cells the cell itself.
-struct Place {
-  Cell cell;
-  int move = 0;
-};
-
-/// A field as the rules of a trail see it.
-struct FieldTrail {
-  Field& field;
-
-  void evaporate(double persistence) { field.evaporate(persistence); }
-  void bound(double least, double most) { field.bound(least, most); }
-  void deposit(Place p, double amount) { field.deposit(p.cell, p.move, amount); }
-  double tau(Place p) const { return field.tau(p.cell, p.move); }
-  void set_tau(Place p, double value) { field.set_tau(p.cell, p.move, value); }
-};
-
-/// Tours of a grid as the rules of a trail see them.
-struct GridTours : Tours {
-  Trail trail;
-  Poller& poller;
-
-  /// With arcs, visits the cells that moves leave, with cells all of them; fewer when stopped.
-  template <class Visit>
-  void along(const Tour& tour, const Visit& visit) const {
-    Cell c = start;
-    for (const int k : tour.moves) {
-      if (poller.stop_after(1)) return;
-      visit(Place{c, trail == Trail::arcs ? k : 0});
-      c = c + moves[k].to;
-    }
-    if (trail == Trail::cells) visit(Place{c});
-  }
-  int choices() const { return moves.count; }
-  std::size_t moves_of(const Tour& tour) const { return tour.moves.size(); }
-};
 
 /// Terminal index (Li, Wang & Ma, section 2.2): backwards along every successful path
 /// K(c) <- min(K(c), K(next) + step), the smaller value carried on.
@@ -91,7 +55,7 @@ void learning(Field& field, const Params& params, const GridTours& tours) {
     field.evaporate(params.persistence);
     std::size_t i = 0;
     const double share = arrived(tour) ? tours.rows / tour.length : 0;
-    tours.along(tour, [&](Place place) {
+    tours.along(tour, [&](GridPlace place) {
       const Cell c = place.cell;
       const double tau = field.tau(c, 0), eta = field.eta(c);
       if (arrived(tour)) {
@@ -231,7 +195,7 @@ void update_locally(Field& field, const Params& params, double tau0, const Tours
   Poller poller(stop, Poller::kSteps);
   const GridTours tours{batch, params.trail, poller};
   for (const Tour& tour : tours.ants) {
-    tours.along(tour, [&](Place place) { trail_rules::pass(trail, params, tau0, place); });
+    tours.along(tour, [&](GridPlace place) { trail_rules::pass(trail, params, tau0, place); });
   }
 }
 

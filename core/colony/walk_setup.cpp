@@ -1,5 +1,6 @@
 #include "core/colony/walk_setup.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -56,13 +57,16 @@ kernels::WalkWorld walk_world(const Params& params, const kernels::Moves& moves,
 void set_iteration(kernels::WalkWorld& world, const Params& params, const kernels::Moves& moves,
                    const kernels::WalkShape& shape, const StepWeights& weights, int iteration) {
   world.iteration = static_cast<std::uint32_t>(iteration);
-  double drawn = 0;  // shares of the rules that draw
-  for (int r = kernels::kPheromoneRule; r < kernels::kRules; ++r) drawn += weights.rule_shares[r];
+  const double drawn = weights.pheromone_rule + weights.distance_rule + weights.combined_rule;
+  const auto of_drawn = [&](double rule) { return rule / drawn * (1 - weights.greedy); };
+  std::array<double, kernels::kRules> shares{};
+  shares[kernels::kGreedyRule] = weights.greedy;
+  shares[kernels::kPheromoneRule] = of_drawn(weights.pheromone_rule);
+  shares[kernels::kDistanceRule] = of_drawn(weights.distance_rule);
+  shares[kernels::kCombinedRule] = of_drawn(weights.combined_rule);
   double before = 0;
   for (int r = 0; r < kernels::kRules; ++r) {
-    const double share = r == kernels::kGreedyRule
-                             ? params.greedy
-                             : weights.rule_shares[r] / drawn * (1 - params.greedy);
+    const double share = shares[r];
     world.rule_start[r] = static_cast<std::uint64_t>(std::ceil(before * 0x1p32));
     world.rule_scale[r] = share > 0 ? static_cast<float>(1 / (share * 0x1p32)) : 0.0f;
     before += share;

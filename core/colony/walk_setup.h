@@ -1,11 +1,11 @@
 // What the walk kernel reads, made from a colony's parameters.
 #pragma once
 
-#include "core/params/schedule.h"
 #include "kernels/base/moves.h"
 #include "kernels/walk/walk.h"
 #include "lasius/geometry.h"
 #include "lasius/params.h"
+#include "lasius/schedule.h"
 
 namespace lasius {
 

@@ -125,6 +125,7 @@ std::string result_to_json(const Result& result) {
   json::add_convergence(object, result);
   json::add_proof(object, result);
   if (result.fault != Fault::none) object["fault"] = to_string(result.fault);
+  if (result.own_rules) object["own_rules"] = true;
   if (const auto free = result.nearest_free) object["nearest_free"] = {free->x, free->y};
   return json::line(object);
 }
@@ -156,6 +157,7 @@ Result result_from_json(std::string_view text) {
     result.lower_bound = member<double>(object, "lower_bound");
   result.optimal = member<bool>(object, "optimal");
   if (object.contains("fault")) result.fault = named(object, "fault", Fault::disconnected);
+  result.own_rules = member_or(object, "own_rules", false);
   if (object.contains("nearest_free")) {
     const auto cell = whole_numbers(object, "nearest_free");
     if (cell.size() != 2) throw broken("holds \"nearest_free\" that is no cell");

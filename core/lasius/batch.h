@@ -25,6 +25,9 @@ struct BatchOptions {
   /// Each request is answered with `Params::seed` and the seeds after it, as many as this, 1 to
   /// 2^20.
   int seeds = 1;
+  /// The caller's own, see OwnRules; or none. It and its table outlive the batch. Its functions are
+  /// called from several threads at a time, for a plan each.
+  const OwnRules* own_rules = nullptr;
 };
 
 /// One answer of a batch.

@@ -10,6 +10,7 @@
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/moves.h"
+#include "lasius/own_rules.h"
 #include "lasius/params.h"
 #include "lasius/preparation.h"
 #include "lasius/progress.h"
@@ -102,6 +103,10 @@ class LASIUS_EXPORT Planner {
   /// outside or blocked is an answer, not an exception: Status::invalid.
   Result plan(const Request& request, const Params& params = {}, Workspace* workspace = nullptr,
               const Observer& observer = {}) const;
+  /// The same with a colony some of whose rules are the caller's own, see OwnRules.
+  /// @throws Error(invalid_parameter) too where params or map do not go with them; what they throw.
+  Result plan(const Request& request, const Params& params, const OwnRules& own,
+              Workspace* workspace = nullptr, const Observer& observer = {}) const;
 
   /// What is to be of a cell.
   struct Edit {

@@ -14,6 +14,9 @@ struct Result : SearchResult {
   /// Start and goal at cell centres; one point where they are the same, none without a path.
   std::vector<Point> path;
   std::optional<Cell> nearest_free;  ///< to a start or goal that is blocked or outside
+  /// Rules of the caller's own took part, see OwnRules: parameters and seed alone do not give this
+  /// answer again.
+  bool own_rules = false;
 };
 
 }  // namespace lasius

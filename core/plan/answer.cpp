@@ -5,6 +5,7 @@
 
 #include "core/base/poller.h"
 #include "core/colony/colony.h"
+#include "core/colony/own_update.h"
 #include "core/exact/anytime.h"
 #include "core/genetic/grid_ga.h"
 #include "core/grid/nearest_free.h"
@@ -101,11 +102,12 @@ Corners corners_of_paths(const Params& params) {
 }
 
 Result answer(const PlanningMap& map, const Request& request, const Params& params,
-              Workspace* workspace, const Observer& observer) {
+              Workspace* workspace, const Observer& observer, const OwnRules& own) {
   validate(params);
   const Algorithm& algorithm = find_algorithm(params.algorithm());
   check_certifies(algorithm, request.target_gap);
   const Grid& grid = map.grid;
+  check_own_rules(own, grid, params);
   if (grid.blocked(request.start)) return invalid(grid, true, request.start, request.stop.token);
   if (grid.blocked(request.goal)) return invalid(grid, false, request.goal, request.stop.token);
   if (request.start == request.goal) {
@@ -126,8 +128,8 @@ Result answer(const PlanningMap& map, const Request& request, const Params& para
                               cell_name(request.goal) + " lie in different regions of free cells");
   }
 
-  std::optional<Workspace> own;
-  if (workspace == nullptr) workspace = &own.emplace();
+  std::optional<Workspace> temporary;
+  if (workspace == nullptr) workspace = &temporary.emplace();
   Workspace::Impl& memory = workspace->impl();
   switch (algorithm.kind) {
     case Algorithm::Kind::exact:
@@ -142,7 +144,8 @@ Result answer(const PlanningMap& map, const Request& request, const Params& para
     }
     case Algorithm::Kind::colony:
       result = map.colony ? map.colony(request, observer)
-                          : run_colony(grid, request, params, memory.colony, observer);
+                          : run_colony(grid, request, params, memory.colony, observer, own);
+      result.own_rules = !own.none();
       break;
   }
   if (result.path.empty()) return result;

@@ -21,9 +21,9 @@ struct PlanningMap {
   std::function<Result(const Request&, const Observer&)> colony = {};
 };
 
-/// What Planner::plan answers, and throws.
+/// What Planner::plan answers, and throws. `own`: the caller's, if any.
 Result answer(const PlanningMap& map, const Request& request, const Params& params,
-              Workspace* workspace, const Observer& observer);
+              Workspace* workspace, const Observer& observer, const OwnRules& own = {});
 
 /// Why a start or goal is invalid, and a sentence that names it. Precondition: it is blocked or
 /// outside the map.

@@ -8,13 +8,16 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/colony/own_update.h"
 #include "core/params/parameter_table.h"
 
 namespace lasius {
 namespace {
 
-void check(std::span<const Request> requests, const Params& params, const BatchOptions& options) {
+void check(const Grid& grid, std::span<const Request> requests, const Params& params,
+           const BatchOptions& options) {
   validate(params);
+  if (options.own_rules != nullptr) check_own_rules(*options.own_rules, grid, params);
   check_threads(options.threads);
   if (options.time_limit && !(options.time_limit->count() >= 0)) {
     throw invalid_parameter("time_limit is " + std::to_string(options.time_limit->count()) + " s",
@@ -132,12 +135,13 @@ class Sequencer {
 std::size_t plan_batch(const Planner& planner, std::span<const Request> requests,
                        const Params& params, const BatchOptions& options,
                        const BatchReceiver& receive) {
-  check(requests, params, options);
+  check(planner.grid(), requests, params, options);
   if (!receive) {
     throw invalid_parameter("the receiver is empty", "give one, or leave it out for all answers");
   }
   Params single = params;
   single.threads = 1;
+  const OwnRules& own = options.own_rules != nullptr ? *options.own_rules : no_own_rules();
   const int threads = thread_count(options.threads);
   const auto seeds = static_cast<std::size_t>(options.seeds);
   Sequencer sequencer(requests.size() * seeds, 64 + 8 * static_cast<std::size_t>(threads),
@@ -157,7 +161,7 @@ std::size_t plan_batch(const Planner& planner, std::span<const Request> requests
         request.stop.deadline = std::min(request.stop.deadline, deadline_in(*options.time_limit));
       }
       const auto begin = Clock::now();
-      Result result = planner.plan(request, mine, &workspace);
+      Result result = planner.plan(request, mine, own, &workspace);
       sequencer.finish(*task, {index, mine.seed, std::move(result), Clock::now() - begin});
     }
   };

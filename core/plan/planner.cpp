@@ -59,10 +59,16 @@ std::optional<Cell> Planner::nearest_free(Cell c) const {
 
 Result Planner::plan(const Request& request, const Params& params, Workspace* workspace,
                      const Observer& observer) const {
+  return plan(request, params, {}, workspace, observer);
+}
+
+Result Planner::plan(const Request& request, const Params& params, const OwnRules& own,
+                     Workspace* workspace, const Observer& observer) const {
   const auto connected = [&](Cell a, Cell b, Corners corners) {
     return impl_->connected(a, b, corners, request.stop);
   };
-  return answer({impl_->grid, impl_->graph.get(), connected}, request, params, workspace, observer);
+  return answer({impl_->grid, impl_->graph.get(), connected}, request, params, workspace, observer,
+                own);
 }
 
 const Preparation& Planner::preparation() const noexcept { return impl_->preparation; }

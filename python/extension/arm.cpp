@@ -109,7 +109,8 @@ std::vector<std::string> joint_names(const arm::Robot& robot) {
 arm::Robot read_robot(const std::string& path, const std::string& base, const std::string& tip,
                       const std::map<std::string, double>& set_joints, const std::string& srdf,
                       const std::string& joint_limits,
-                      const std::map<std::string, std::string>& packages, bool use_visual) {
+                      const std::map<std::string, std::string>& packages, bool use_visual,
+                      bool bodiless) {
   arm::Chain chain;
   chain.base = base;
   chain.tip = tip;
@@ -118,6 +119,7 @@ arm::Robot read_robot(const std::string& path, const std::string& base, const st
   chain.joint_limits = joint_limits;
   chain.packages = packages;
   chain.use_visual = use_visual;
+  chain.bodiless = bodiless;
   return arm::read_robot(path, chain);
 }
 

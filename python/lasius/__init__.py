@@ -80,7 +80,8 @@ __all__ = [
 ]
 
 # What is written in Python of classes of the extension.
-for _seen in (Progress, *(getattr(module, "Progress") for module in (_lasius.polygon, _lasius.arm))):
-    setattr(_seen, "curves", property(curves_of))
+for _module in (_lasius, getattr(_lasius, "polygon", None), getattr(_lasius, "arm", None)):
+    if _module is not None:
+        setattr(_module.Progress, "curves", property(curves_of))
 setattr(Grid, "plot", plots.plot_grid)
 setattr(Grid, "_repr_png_", plots.png_of_grid)

@@ -26,6 +26,8 @@ from .parameters import Algorithm, ParameterSet, chosen, described
 from .progress import Shown, Watch, watched
 from .results import Record, SearchResult, answer
 
+if not hasattr(_lasius, "arm"):
+    raise ImportError("lasius was built without its component arm")
 _raw: Any = _lasius.arm
 
 Goal = _raw.Goal
@@ -77,6 +79,7 @@ class Robot:
         joint_limits: Path = "",
         packages: Optional[Dict[str, str]] = None,
         use_visual: bool = False,
+        bodiless: bool = False,
     ) -> Robot:
         """From URDF or the short description in JSON, see docs/worlds.md.
 
@@ -88,11 +91,12 @@ class Robot:
             joint_limits: file of MoveIt's joint_limits.yaml.
             packages: folders by the names in package://NAME/.
             use_visual: links without collision geometry take what is drawn of them.
+            bodiless: no link has a body, whatever the file says.
         """
         return cls(
             _raw.read_robot(
                 os.fspath(path), base, tip, set_joints or {}, os.fspath(srdf), os.fspath(joint_limits),
-                packages or {}, use_visual,
+                packages or {}, use_visual, bodiless,
             )
         )
 
@@ -207,7 +211,10 @@ class Trajectory:
         return bool(self._raw)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Trajectory) and self._raw.__getstate__() == other._raw.__getstate__()
+        return isinstance(other, Trajectory) and self._knots() == other._knots()
+
+    def _knots(self) -> List[Tuple[float, List[float], List[float]]]:
+        return [(time, q.tolist(), ddq.tolist()) for time, q, ddq in self._raw.__getstate__()]
 
     __hash__ = None  # type: ignore[assignment]
 

@@ -184,7 +184,7 @@ def algorithms() -> Dict[str, Algorithm]:
     """All algorithms on bitmaps by name, the default first.
 
     >>> list(algorithms())[:3]
-    ['exact', 'fan2004', 'terminal-index']
+    ['exact', 'fan2004', 'as']
     >>> algorithms()["mmas"]["ants"].range
     '1 .. 1000000'
     """

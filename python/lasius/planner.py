@@ -91,7 +91,7 @@ class Planner:
         >>> planner.plan((14, 14), (380, 179), "fan2004", iterations=20, seed=3).status
         'solved'
         >>> planner.plan((14, 14), (9999, 0)).error
-        'the goal (9999, 0) is outside of the map of 400 x 200 cells'
+        'goal (9999, 0) is outside the map; the nearest free cell is (399, 0)'
 
         Args:
             start: cell (x, y), column and row from the top left; the path begins at its centre.

@@ -25,6 +25,8 @@ from .parameters import Algorithm, ParameterSet, chosen, described
 from .progress import Shown, Watch, watched
 from .results import Record, SearchResult, answer
 
+if not hasattr(_lasius, "polygon"):
+    raise ImportError("lasius was built without its component polygon")
 _raw: Any = _lasius.polygon
 
 Progress = _raw.Progress
@@ -259,6 +261,7 @@ class Planner:
     """
 
     __slots__ = ("_raw", "_world")
+    _raw: Any
 
     def __init__(
         self, world: World, *, margin: Optional[float] = None, join: str = "round", boundary: str = "shrink"

@@ -165,6 +165,12 @@ class Verify(ProgramTest):
             self.assertEqual(run.code, 2)
             self.assertIn("cannot be replayed", run.err)
 
+    def test_what_own_rules_found_cannot_be_replayed(self):
+        self.write("r.json", json.dumps({**self.save(), "own_rules": True}))
+        run = self.run_program("verify", "r.json")
+        self.assertEqual(run.code, 2)
+        self.assertIn("rules of the caller's own", run.err)
+
     def test_another_map_is_refused(self):
         result = self.save()
         self.write("fan.map", self.read("small.map"))

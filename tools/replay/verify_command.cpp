@@ -249,6 +249,11 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
             " ended it, and no clock runs twice the same");
     return kUsage;
   }
+  if (const auto own = result.find("own_rules"); own != result.end() && *own == true) {
+    message(name +
+            ": cannot be replayed: rules of the caller's own took part, which it does not hold");
+    return kUsage;
+  }
   if (version != LASIUS_VERSION && !command.quiet)
     message(name + ": made by version " + version + ", replayed by " + LASIUS_VERSION);
   if (format == kArmFormat && !command.map.empty())

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <random>
 
 #include "core/grid/move_rule.h"
@@ -123,6 +124,40 @@ INSTANTIATE_TEST_SUITE_P(Field, FieldAgainstReference,
                          testing::Combine(testing::Values(4, 8),
                                           testing::Values(Trail::cells, Trail::arcs),
                                           testing::Values(0.999, 0.7)));
+
+TEST(Field, RowsFollowBoundsUpAndOff) {
+  const Grid grid = noisy(60, 50, 0.2, 4);
+  Params params("ras");
+  params.heuristic = Heuristic::uniform;
+  const auto moves = moves_of(params.neighbours);
+  Field free, bounded;
+  for (Field* field : {&free, &bounded}) {
+    field->reset(grid, moves, {50, 40}, params, 1, {});
+    for (int x = 10; x < 30; ++x) field->deposit({x, 20}, 0, 7);
+    field->evaporate(0.5);
+  }
+  const auto differing = [&] {
+    const StepWeights weights = schedule(params, 0);
+    free.refresh(weights, 1);
+    bounded.refresh(weights, 1);
+    int rows = 0;
+    for (int i = 0; i < 60 * 50; ++i) {
+      const Cell c{i % 60, i / 60};
+      const float *a = row(free, c, moves.count), *b = row(bounded, c, moves.count);
+      rows += !std::equal(a, a + moves.count, b);
+    }
+    return rows;
+  };
+  EXPECT_EQ(differing(), 0);
+  bounded.bound(0, 2);
+  EXPECT_GT(differing(), 0);
+  bounded.bound(0, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(differing(), 0);
+  bounded.bound(3, 5);
+  EXPECT_GT(differing(), 0);
+  bounded.bound(0, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(differing(), 0);
+}
 
 TEST(Field, EditedRowsAreThoseOfANewField) {
   for (const char* name : {"fan2004", "mmas", "terminal-index", "cong2009", "lecture-grid"}) {

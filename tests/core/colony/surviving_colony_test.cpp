@@ -38,7 +38,7 @@ TEST_P(EveryColony, TheFirstRunIsThatOfRunColonyWhole_OrInTwo) {
   Params params = quick(GetParam());
   params.agreement = 0;
   ColonyMemory memory;
-  const Result once = run_colony(planner.grid(), request, params, memory, {});
+  const Result once = run_colony(planner.grid(), request, params, memory, {}, {});
   SurvivingColony colony(planner.grid(), request.goal, params);
   expect_same(colony.run(request.start, params.iterations), once);
   colony.changed({10, 10, 5, 5});

@@ -15,7 +15,7 @@
 #include "core/colony/field.h"
 #include "core/colony/walk_setup.h"
 #include "core/grid/move_rule.h"
-#include "core/params/schedule.h"
+#include "lasius/schedule.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/plan/planning.h"
 #include "tests/kernels/base/instruction_sets.h"

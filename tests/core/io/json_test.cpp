@@ -45,6 +45,7 @@ void expect_same(const Result& a, const Result& b) {
   EXPECT_EQ(a.fault, b.fault);
   EXPECT_EQ(a.error, b.error);
   EXPECT_EQ(a.nearest_free, b.nearest_free);
+  EXPECT_EQ(a.own_rules, b.own_rules);
   EXPECT_EQ(a.iterations, b.iterations);
   EXPECT_EQ(a.arrived, b.arrived);
   EXPECT_EQ(a.optimal, b.optimal);
@@ -107,6 +108,7 @@ TEST(Json, KeepsNumbersBitForBitAndWritesNullForWhatIsNone) {
   result.mean = {1e17 + 2, NAN};
   result.arrived = {0, 7};
   result.lower_bound = 0.3;
+  result.own_rules = true;
   result.error = "a \"quote\", \\ and \n";
   const std::string text = result_to_json(result);
   EXPECT_NE(text.find("\"best\":[null,"), std::string::npos) << text;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <vector>
 
 #include "tests/core/plan/planning.h"
 #include "tests/measures/count_allocations.h"
@@ -56,6 +57,31 @@ TEST_P(EveryColony, ASecondCallOfTheSameSizeAllocatesOnlyItsResult) {
         EXPECT_LE(count, expected.most) << what;
       }
     }
+  }
+}
+
+TEST(PlannerAllocation, OwnRulesAllocateNothingMore) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  std::vector<double> table(120 * 80, 1.0);
+  for (const Preset preset : {Preset::usual, Preset::book}) {  // trail on cells, on arcs
+    Params params("ras", preset);
+    params.iterations = 6;
+    params.threads = 1;
+    OwnRules own{.heuristic = table,
+                 .update =
+                     [](Pheromone& trail, const IterationTours& tours) {
+                       trail.persist(0.9);
+                       for (const int ant : tours.ranked) trail.add(tours.places_of(ant), 1);
+                       trail.add(tours.best_places(), 2);
+                     },
+                 .schedule = [](int) { return StepWeights{}; }};
+    Workspace workspace;
+    const Bounds expected = allocations_for(planner.plan(request, params, own, &workspace));
+    const auto count =
+        allocations_of([&] { (void)planner.plan(request, params, own, &workspace); });
+    EXPECT_GE(count, expected.least);
+    EXPECT_LE(count, expected.most);
   }
 }
 

@@ -1,0 +1,421 @@
+// Colonies with a caller's own rules: what computes the same as a built-in rule gives the same
+// plan, bit for bit.
+#include "lasius/own_rules.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/colony/own_update.h"
+#include "core/grid/cell_distance.h"
+#include "lasius/batch.h"
+#include "lasius/error.h"
+#include "tests/core/colony/own_published.h"
+#include "tests/core/colony/refusal.h"
+#include "tests/core/plan/planning.h"
+
+namespace lasius {
+namespace {
+
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+/// Curves with their gaps.
+std::vector<double> known(std::vector<double> curve) {
+  for (double& value : curve) {
+    if (std::isnan(value)) value = -1;
+  }
+  return curve;
+}
+
+void expect_same(const Result& a, const Result& b) {
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.path, b.path);
+  EXPECT_EQ(a.steps, b.steps);
+  EXPECT_EQ(a.arrived, b.arrived);
+  EXPECT_EQ(known(a.mean), known(b.mean));
+  EXPECT_EQ(known(a.trail_entropy), known(b.trail_entropy));
+}
+
+class Rebuilt : public testing::TestWithParam<std::tuple<const char*, Preset>> {};
+
+TEST_P(Rebuilt, APublishedUpdateGivesTheSamePlanFor20Seeds) {
+  const auto [name, preset] = GetParam();
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  Params params(name, preset);
+  params.iterations = 7;
+  params.threads = 1;
+  params.dead_end = DeadEnd::backtrack;
+  int solved = 0;
+  for (params.seed = 1; params.seed <= 20; ++params.seed) {
+    const Result own = planner.plan(request, params, rebuilt(params));
+    expect_same(own, planner.plan(request, params));
+    EXPECT_TRUE(own.own_rules);
+    solved += own.status == Status::solved;
+  }
+  EXPECT_EQ(solved, 20);
+}
+INSTANTIATE_TEST_SUITE_P(
+    OwnRules, Rebuilt,
+    testing::Values(std::tuple("as", Preset::usual), std::tuple("as", Preset::book),
+                    std::tuple("eas", Preset::usual), std::tuple("eas", Preset::book),
+                    std::tuple("ras", Preset::usual), std::tuple("ras", Preset::book),
+                    std::tuple("mmas", Preset::usual), std::tuple("mmas", Preset::book),
+                    std::tuple("acs", Preset::usual), std::tuple("acs", Preset::book),
+                    std::tuple("cong2009", Preset::usual)));
+
+TEST(OwnRules, ALearnedHeuristicAndDeadEndsGiveTheSamePlan) {
+  const Planner planner(generate(MapKind::blobs, {.width = 30, .height = 20, .seed = 5}));
+  const Request request = far_apart(planner);
+  Params params("cong2009");
+  params.iterations = 60;
+  params.ants = 5;
+  int lost = 0;
+  for (params.seed = 1; params.seed <= 20; ++params.seed) {
+    const Result own = planner.plan(request, params, rebuilt(params));
+    expect_same(own, planner.plan(request, params));
+    for (const int arrived : own.arrived) lost += 5 - arrived;
+  }
+  EXPECT_GT(lost, 100);
+}
+
+TEST(OwnRules, ThreadsChangeNothing) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  for (const char* name : {"fan2004", "ras", "mmas", "cong2009"}) {
+    Params params = quick(name);
+    OwnRules own = rebuilt(params);
+    own.schedule = [&](int q) { return schedule(params, q); };
+    const Result one = planner.plan(request, params, own);
+    for (const int threads : {2, 5}) {
+      params.threads = threads;
+      expect_same(planner.plan(request, params, own), one);
+    }
+  }
+}
+
+TEST(OwnRules, PolishedPathsAreTheSame) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  Params params = quick("ras");
+  for (const Polish polish : {Polish::straight, Polish::taut, Polish::local}) {
+    for (const int threads : {1, 2}) {
+      params.polish = polish;
+      params.threads = threads;
+      params.straight_deposit = StraightDeposit::improving;
+      expect_same(planner.plan(request, params, rebuilt(params)), planner.plan(request, params));
+    }
+  }
+}
+
+TEST(OwnRules, TheBuiltInScheduleAsAnOwnOneChangesNothing) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  for (const char* name : colonies()) {
+    Params params = quick(name);
+    int called = 0;
+    const OwnRules own{.schedule = [&](int q) {
+      EXPECT_EQ(q, called++);
+      return schedule(params, q);
+    }};
+    expect_same(planner.plan(request, params, own), planner.plan(request, params));
+    EXPECT_GE(called, 1) << name;
+  }
+}
+
+TEST(OwnRules, AnOwnScheduleSetsExponentsAndShares) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  Params params = quick("acs");
+  params.critical_time = 0;
+  params.greedy = 0.7;
+  params.alpha = 2;
+  params.beta = 3;
+  const Result expected = planner.plan(request, params);
+  params.greedy = 0;
+  params.alpha = params.beta = 1;
+  const OwnRules own{
+      .schedule = [](int) { return StepWeights{.alpha = 2, .beta = 3, .greedy = 0.7}; }};
+  expect_same(planner.plan(request, params, own), expected);
+  EXPECT_NE(planner.plan(request, params).steps, expected.steps);
+}
+
+TEST(OwnRules, TheInverseDistanceAsATableChangesNothing) {
+  const Planner planner(blobs());
+  const Grid& grid = planner.grid();
+  const Request request = far_apart(planner);
+  for (const Neighbours neighbours :
+       {Neighbours::four, Neighbours::eight, Neighbours::sixteen_knight}) {
+    Params params = quick("ras");
+    params.neighbours = neighbours;
+    params.heuristic = Heuristic::inverse_distance;
+    const auto near = [&](Cell c) { return 1 / std::max(distance(c, request.goal), 0.5); };
+    const auto steps = move_steps(neighbours);
+    std::vector<double> by_cell, by_arc;
+    for (int y = 0; y < grid.height(); ++y) {
+      for (int x = 0; x < grid.width(); ++x) {
+        by_cell.push_back(grid.free({x, y}) ? near({x, y}) : kNoNumber);
+        for (const Cell step : steps) by_arc.push_back(near({x + step.x, y + step.y}));
+      }
+    }
+    const Result expected = planner.plan(request, params);
+    params.heuristic = Heuristic::uniform;
+    expect_same(planner.plan(request, params, {.heuristic = by_cell}), expected);
+    expect_same(planner.plan(request, params, {.heuristic = by_arc}), expected);
+    EXPECT_NE(planner.plan(request, params).steps, expected.steps);
+  }
+}
+
+TEST(OwnRules, AValueOf0LeavesAMoveAChance) {
+  const Planner planner(Grid(12, 3));
+  const std::vector<double> nothing(12 * 3, 0);
+  Params params = quick("ras");
+  const Result result =
+      planner.plan({.start = {0, 1}, .goal = {11, 1}}, params, {.heuristic = nothing});
+  EXPECT_EQ(result.status, Status::solved);
+}
+
+TEST(OwnRules, FunctionsAreCalledInTurnOnTheCallersThread) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  Params params = quick("ras");
+  params.threads = 5;
+  params.polish = Polish::straight;
+  const auto here = std::this_thread::get_id();
+  std::string calls;
+  const OwnRules own{.update =
+                         [&](Pheromone&, const IterationTours& tours) {
+                           EXPECT_EQ(std::this_thread::get_id(), here);
+                           calls += "u" + std::to_string(tours.iteration);
+                         },
+                     .schedule =
+                         [&](int q) {
+                           EXPECT_EQ(std::this_thread::get_id(), here);
+                           calls += "s" + std::to_string(q);
+                           return StepWeights{};
+                         }};
+  params.iterations = 3;
+  (void)planner.plan(request, params, own, nullptr, [&](const GridProgress&) { calls += "o"; });
+  EXPECT_EQ(calls, "s0u0os1u1os2u2o");
+}
+
+TEST(OwnRules, AnUpdateStopsTheSearch) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  for (const int threads : {1, 2, 5}) {
+    Params params = quick("ras");
+    params.threads = threads;
+    int seen = 0;
+    const OwnRules own{.update = [](Pheromone&, const IterationTours& tours) {
+      if (tours.iteration == 3) tours.stop();
+    }};
+    const Result result =
+        planner.plan(request, params, own, nullptr, [&](const GridProgress&) { ++seen; });
+    EXPECT_EQ(result.status, Status::interrupted);
+    EXPECT_EQ(result.iterations, 4);
+    EXPECT_EQ(seen, 4);
+    EXPECT_FALSE(result.path.empty());
+  }
+}
+
+TEST(OwnRules, AnUpdateThatATokenInterruptsIsNotRecorded) {
+  const Planner planner(blobs());
+  Request request = far_apart(planner);
+  std::stop_source source;
+  request.stop.token = source.get_token();
+  const Params params = quick("ras");
+  double before = 0, after = 0;
+  const OwnRules own{.update = [&](Pheromone& trail, const IterationTours& tours) {
+    if (tours.iteration < 2) return;
+    source.request_stop();
+    const std::vector<TrailPlace> many(10000, 7);
+    trail.get(std::span(many).first(1), {&before, 1});
+    trail.add(many, 1);
+    trail.get(std::span(many).first(1), {&after, 1});
+  }};
+  const Result result = planner.plan(request, params, own);
+  EXPECT_EQ(result.status, Status::interrupted);
+  EXPECT_EQ(result.iterations, 2);
+  EXPECT_GT(after, before);
+  EXPECT_LT(after, before + 5000);  // the condition is asked after 4096 places
+}
+
+TEST(OwnRules, WhatAFunctionThrowsIsThrownOn) {
+  struct Mine {};
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  for (const int threads : {1, 2, 5}) {
+    Params params = quick("ras");
+    params.threads = threads;
+    Workspace workspace;
+    const OwnRules updating{.update = [](Pheromone&, const IterationTours& tours) {
+      if (tours.iteration == 2) throw Mine{};
+    }};
+    EXPECT_THROW(planner.plan(request, params, updating, &workspace), Mine);
+    const OwnRules scheduling{.schedule = [](int) -> StepWeights { throw Mine{}; }};
+    EXPECT_THROW(planner.plan(request, params, scheduling, &workspace), Mine);
+    expect_same(planner.plan(request, params, &workspace), planner.plan(request, params));
+  }
+}
+
+TEST(OwnRules, AnObserverSeesTheTrail) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  const Cell c = request.start;
+  const std::vector<TrailPlace> place{std::int64_t{c.y} * planner.grid().width() + c.x};
+  const OwnRules own{.update = [&](Pheromone& trail, const IterationTours&) {
+    trail.set(place, std::vector{4.5});
+  }};
+  int seen = 0;
+  (void)planner.plan(request, quick("ras"), own, nullptr, [&](const GridProgress& progress) {
+    EXPECT_FLOAT_EQ(static_cast<float>(progress.pheromone(c)), 4.5F);
+    ++seen;
+  });
+  EXPECT_GT(seen, 0);
+}
+
+TEST(OwnRules, ABatchAnswersAsSinglePlansDo) {
+  const Planner planner(blobs());
+  const std::vector<Request> requests(3, far_apart(planner));
+  Params params = quick("ras");
+  params.ranks = 3;
+  const OwnRules own = rebuilt(params);
+  params.ranks = 6;
+  const auto answers =
+      plan_batch(planner, requests, params, {.threads = 3, .seeds = 4, .own_rules = &own});
+  ASSERT_EQ(answers.size(), 12U);
+  for (const BatchAnswer& answer : answers) {
+    params.seed = answer.seed;
+    expect_same(answer.result, planner.plan(requests[0], params, own));
+    EXPECT_TRUE(answer.result.own_rules);
+  }
+}
+
+TEST(OwnRules, AResultTellsOfThemOnlyWhereThereWereSome) {
+  const Planner planner(blobs());
+  const Request request = far_apart(planner);
+  EXPECT_FALSE(planner.plan(request, quick("ras")).own_rules);
+  EXPECT_FALSE(planner.plan(request, quick("ras"), OwnRules{}).own_rules);
+  EXPECT_FALSE(planner.plan(request, Params("exact"), OwnRules{}).own_rules);
+  const OwnRules own{.schedule = [](int) { return StepWeights{}; }};
+  EXPECT_TRUE(planner.plan(request, quick("ras"), own).own_rules);
+}
+
+TEST(OwnRules, ToursAreNumberedByCellAndByMove) {
+  // From (0, 0) right, right, down; and one that was lost after a move down.
+  Grid grid(5, 4);
+  const kernels::Moves moves = moves_of(Neighbours::four);  // up, left, right, down
+  const std::vector<std::uint8_t> arrived{2, 2, 3}, lost{3};
+  const std::vector<Tour> ants{{lost, kNoNumber}, {arrived, 3}};
+  std::vector<int> ranking;
+  const Tours tours{
+      .start = {1, 1}, .moves = moves, .ants = ants, .best_so_far = ants[1], .ranking = ranking};
+  NumberedTours numbered;
+  const StopCondition never;
+  Poller poller(never);
+  auto view = numbered.number(tours, grid, Trail::arcs, poller);
+  view.trail = Trail::arcs;
+  const auto list = [](auto span) { return std::vector<std::int64_t>(span.begin(), span.end()); };
+  using List = std::vector<std::int64_t>;
+  EXPECT_EQ(list(view.cells), (List{6, 11, 6, 7, 8, 13}));
+  EXPECT_EQ(list(view.offsets), (List{0, 2, 6}));
+  EXPECT_EQ(list(view.arcs), (List{6 * 4 + 3, 6 * 4 + 2, 7 * 4 + 2, 8 * 4 + 3}));
+  EXPECT_EQ(list(view.places_of(0)), (List{27}));
+  EXPECT_EQ(list(view.places_of(1)), (List{26, 30, 35}));
+  EXPECT_EQ(list(view.best_cells), (List{6, 7, 8, 13}));
+  EXPECT_EQ(list(view.best_places()), (List{26, 30, 35}));
+  EXPECT_EQ(view.best_length, 3);
+  EXPECT_FALSE(view.arrived(0));
+  EXPECT_TRUE(view.arrived(1));
+
+  const auto by_cell = numbered.number(tours, grid, Trail::cells, poller);
+  EXPECT_TRUE(by_cell.arcs.empty());
+  EXPECT_EQ(list(by_cell.places_of(1)), (List{6, 7, 8, 13}));
+  EXPECT_EQ(list(by_cell.best_places()), (List{6, 7, 8, 13}));
+}
+
+TEST(OwnRules, StepsAreInScanOrder) {
+  EXPECT_EQ(move_steps(Neighbours::four), (std::vector<Cell>{{0, -1}, {-1, 0}, {1, 0}, {0, 1}}));
+  const auto knight = move_steps(Neighbours::sixteen_knight);
+  ASSERT_EQ(knight.size(), 16U);
+  EXPECT_EQ(knight[0], (Cell{-1, -2}));
+  EXPECT_EQ(knight[15], (Cell{1, 2}));
+}
+
+/// What a plan is refused with, and a batch.
+std::string refusal_of(const Planner& planner, const Params& params, const OwnRules& own) {
+  const std::vector<Request> requests{{.start = {0, 0}, .goal = {4, 3}}};
+  const auto plan = refusal([&] { (void)planner.plan(requests[0], params, own); });
+  const auto batch =
+      refusal([&] { (void)plan_batch(planner, requests, params, {.own_rules = &own}); });
+  EXPECT_EQ(plan, batch);
+  return plan;
+}
+
+TEST(OwnRules, ATableThatIsWrongIsRefused) {
+  Grid grid(5, 4);
+  grid.set_blocked({2, 1});
+  const Planner planner(grid);
+  const Params params = quick("ras");  // eight moves
+  const auto of = [&](std::vector<double> table) {
+    return refusal_of(planner, params, {.heuristic = table});
+  };
+  const auto with = [](int size, int at, double value) {
+    std::vector<double> table(size, 1);
+    table[at] = value;
+    return table;
+  };
+  expect_says(of(std::vector<double>(19, 1)), "19 values");
+  expect_says(of(std::vector<double>(19, 1)), "20, one a cell");
+  expect_says(of(std::vector<double>(19, 1)), "160, one a move");
+  EXPECT_EQ(of(std::vector<double>(20, 1)), "accepted");
+  EXPECT_EQ(of(std::vector<double>(160, 1)), "accepted");
+  expect_says(of(with(20, 9, kNoNumber)), "heuristic[9], of cell (4, 1), is nan");
+  expect_says(of(with(20, 0, -1)), "heuristic[0], of cell (0, 0), is -1");
+  expect_says(of(with(20, 19, 1e16)), "heuristic[19], of cell (4, 3), is 1e+16");
+  EXPECT_EQ(of(with(20, 7, kNoNumber)), "accepted");    // blocked
+  EXPECT_EQ(of(with(160, 0, kNoNumber)), "accepted");   // out of the map
+  EXPECT_EQ(of(with(160, 8 * 6 + 4, -1)), "accepted");  // from (1, 1) to the blocked cell
+  expect_says(of(with(160, 8 * 6 + 3, -1)), "heuristic[51], of cell (1, 1)");
+}
+
+TEST(OwnRules, WhatDoesNotComposeIsRefused) {
+  const Planner planner(Grid(5, 4));
+  const OwnRules update{.update = [](Pheromone&, const IterationTours&) {}};
+  const std::vector<double> ones(20, 1);
+  const OwnRules heuristic{.heuristic = ones};
+  expect_says(refusal_of(planner, Params("exact"), update), "exact is no colony");
+  expect_says(refusal_of(planner, quick("grid-ga"), heuristic), "grid-ga is no colony");
+  expect_says(refusal_of(planner, quick("terminal-index"), update),
+              "the terminal index is no pheromone");
+  expect_says(refusal_of(planner, quick("cong2009"), heuristic), "the ants learn theirs");
+  Params bad = quick("ras");
+  bad.ants = 0;
+  expect_says(refusal_of(planner, bad, update), "ants is 0");
+}
+
+TEST(OwnRules, AScheduleOutOfRangeIsRefused) {
+  const Planner planner(Grid(5, 4));
+  const auto of = [&](const StepWeights& weights, const char* algorithm = "ras") {
+    const OwnRules own{.schedule = [&](int q) { return q < 2 ? StepWeights{} : weights; }};
+    return refusal_of(planner, quick(algorithm), own);
+  };
+  expect_says(of({.alpha = kNoNumber}), "alpha of the own schedule at iteration 2 is nan");
+  expect_says(of({.beta = -0.5}), "beta of the own schedule at iteration 2");
+  expect_says(of({.beta = 20.5}), "it must be 0 .. 20");
+  expect_says(of({.greedy = 1.5}), "greedy");
+  expect_says(of({.combined_rule = 0}), "every rule's share");
+  expect_says(of({.pheromone_rule = 0.5}), "pheromone_rule of the own schedule");
+  expect_says(of({.distance_rule = 0.5}), "of the parameters a share above 0");
+  EXPECT_EQ(of({.distance_rule = 0.5}, "fan2004"), "accepted");
+  expect_says(of({.distance_rule = -1}, "fan2004"), "distance_rule");
+}
+
+}  // namespace
+}  // namespace lasius

@@ -1,0 +1,94 @@
+"""Arms from files, goals of every kind, motions."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import lasius
+
+arm = pytest.importorskip("lasius.arm", reason="built without the component arm")
+
+
+@pytest.fixture(scope="module")
+def robot(maps):
+    return arm.Robot.read(maps / "arms/planar3.json")
+
+
+@pytest.fixture(scope="module")
+def query(robot):
+    return robot.random_query(seed=4, obstacles=3)
+
+
+def test_kinematics_at_zero(robot):
+    assert len(robot) == 3 == len(robot.joint_names) and robot.limits[0].shape == (3,)
+    position, pose = robot.tip_position([0, 0, 0]), robot.tip_pose(np.zeros(3))
+    assert position.shape == (3,) and pose.shape == (4, 4) and np.array_equal(pose[:3, 3], position)
+    assert np.linalg.norm(robot.tip_position([0.5, 0, 0])) == pytest.approx(np.linalg.norm(position))
+    with pytest.raises(lasius.InvalidParameter):
+        robot.tip_position([0, 0])
+
+
+def test_goals_of_every_kind(robot, query):
+    goals = [arm.Goal.position(query.goal), arm.Goal.joints(query.goal_joints),
+             arm.Goal.pose(robot.tip_pose(query.goal_joints), 1e-3, 1e-2)]
+    for goal in goals:
+        result = arm.plan(robot, query.scene, query.start, goal, seed=2)
+        assert result.status == "solved" and result.joints.shape[1] == 3 and result.tips.shape[1] == 3
+        assert result.joints[0] == pytest.approx(query.start)
+        assert robot.tip_position(result.joints[-1]) == pytest.approx(query.goal, abs=2e-3)
+    assert arm.plan(robot, query.scene, query.start, goals, seed=2).goal in (0, 1, 2)
+
+
+def test_a_motion_is_smooth_and_free(robot, query):
+    result = arm.plan(robot, query.scene, query.start, arm.Goal.position(query.goal), seed=2)
+    motion = result.trajectory
+    states = motion.at(np.linspace(0, motion.duration, 50))
+    assert states.q.shape == states.dq.shape == (50, 3) and states.dq[0] == pytest.approx(np.zeros(3))
+    assert states.q[0] == pytest.approx(query.start) and motion.at(1e9).q[0] == pytest.approx(result.joints[-1])
+    check = arm.recheck(robot, query.scene, motion, 200)
+    assert (check.samples, check.contacts, check.limits, check.unproven) == (200, 0, 0, 0)
+    assert pickle.loads(pickle.dumps(result)) == result
+    assert result.questions.positions >= 0 and len(result.points) == 3
+
+
+def test_no_motion(robot, query):
+    result = arm.plan(robot, query.scene, query.start, arm.Goal.position(query.goal), motion=False, threads=2)
+    assert not result.trajectory and result.found
+    with pytest.raises(ValueError, match="empty"):
+        result.trajectory.at(0)
+
+
+def test_what_is_refused(robot, query, tmp_path):
+    assert arm.plan(robot, query.scene, [0, 0], arm.Goal.position(query.goal)).status == "invalid"
+    with pytest.raises(lasius.InvalidParameter, match="pitch"):
+        arm.Params(pich=1)
+    with pytest.raises(lasius.FileMissing):
+        arm.Robot.read(tmp_path / "none.urdf")
+    with pytest.raises(TypeError):
+        arm.plan(robot, query.scene, query.start, [query.goal])
+    outside = arm.plan(robot, query.scene, query.start, arm.Goal.position([99, 0, 0]))
+    assert outside.status == "invalid" and outside.error
+
+
+def test_parameters_and_scenes(robot, maps):
+    assert arm.Params(prove=True).prove is True and arm.Params().prove in (True, False)
+    assert pickle.loads(pickle.dumps(arm.Params("goritov2020", ants=9))) == arm.Params("goritov2020", ants=9)
+    assert len(arm.Scene()) == 0 and len(arm.Scene.read(maps / "arms/cell.json")) > 0
+    assert arm.position_free(robot, arm.Scene(), np.zeros(3))
+
+
+URDF = """<robot name="two"><link name="base"/><link name="upper"/><link name="tip"/>
+<joint name="a" type="revolute"><parent link="base"/><child link="upper"/><axis xyz="0 0 1"/>
+<limit lower="-2" upper="2" velocity="1" effort="1"/></joint>
+<joint name="b" type="revolute"><parent link="upper"/><child link="tip"/><origin xyz="1 0 0"/><axis xyz="0 0 1"/>
+<limit lower="-1" upper="1" velocity="1" effort="1"/></joint></robot>"""
+
+
+def test_urdf(tmp_path):
+    (tmp_path / "two.urdf").write_text(URDF)
+    with pytest.raises(lasius.FileBroken, match="collision"):
+        arm.Robot.read(tmp_path / "two.urdf")
+    two = arm.Robot.read(tmp_path / "two.urdf", bodiless=True)
+    assert two.joint_names == ["a", "b"] and two.limits[1].tolist() == [2, 1] and two.name == "two"
+    assert two.tip_position([np.pi / 2, 0]) == pytest.approx([0, 1, 0])

@@ -1,0 +1,120 @@
+"""Ctrl-C, and processes that are forked."""
+
+import multiprocessing
+import os
+import signal
+import subprocess
+import sys
+import threading
+
+import numpy as np
+import pytest
+
+import lasius
+from conftest import GOAL, START
+
+ENDLESS = 10**9
+
+
+def interrupt_when(event):
+    """A thread that sends SIGINT once the event is set."""
+    def send():
+        assert event.wait(60)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=send)
+    thread.start()
+    return thread
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_ctrl_c_carries_the_best_so_far(planner, threads):
+    begun = threading.Event()
+    sender = interrupt_when(begun)
+    with pytest.raises(KeyboardInterrupt) as caught:
+        planner.plan(START, GOAL, "mmas", iterations=ENDLESS, threads=threads, observer=lambda _: begun.set())
+    sender.join()
+    result = caught.value.result
+    assert result.status == "interrupted" and result.iterations == len(result.curves) > 0
+    assert lasius.path_fault(planner.grid, result.path) is None and result.found
+    assert planner.plan(START, GOAL).optimal, "the next call is not stopped by the signal before"
+
+
+def test_ctrl_c_in_a_batch(planner):
+    begun = threading.Event()
+    sender = interrupt_when(begun)
+    with pytest.raises(KeyboardInterrupt) as caught:
+        planner.batch([START] * 100000, [GOAL] * 100000, "fan2004", iterations=2, progress=lambda *_: begun.set())
+    sender.join()
+    assert 0 < len(caught.value.result) < 100000 and caught.value.result.status[0] == "solved"
+
+
+WITHOUT_CALLBACK = """
+import lasius
+planner = lasius.Planner(lasius.generate("blobs", width=400, height=200, seed=61))
+while True:
+    try:
+        print("ready", flush=True)
+        planner.plan((14, 14), (380, 179), "mmas", iterations=10**9)
+    except KeyboardInterrupt as stopped:
+        if hasattr(stopped, "result"):
+            print("\\n", stopped.result.status, flush=True)
+            break
+"""
+
+
+def test_ctrl_c_without_a_callback():
+    with subprocess.Popen([sys.executable, "-c", WITHOUT_CALLBACK], stdout=subprocess.PIPE, text=True) as child:
+        assert child.stdout.readline() == "ready\n"
+        for _ in range(6):
+            child.send_signal(signal.SIGINT)  # one that comes before the plan begins stops nothing
+            try:
+                child.wait(20)
+                break
+            except subprocess.TimeoutExpired:
+                pass
+        else:
+            child.kill()
+        assert child.stdout.read().endswith("interrupted\n")
+
+
+def test_a_handler_of_ones_own_gets_the_result(planner):
+    seen = []
+    before = signal.signal(signal.SIGINT, lambda number, frame: seen.append(number))
+    try:
+        begun = threading.Event()
+        sender = interrupt_when(begun)
+        result = planner.plan(START, GOAL, "mmas", iterations=ENDLESS, observer=lambda _: begun.set())
+        sender.join()
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert result.status == "interrupted" and seen == [signal.SIGINT]
+
+
+def test_handlers_are_as_before(planner):
+    for handler in (signal.SIG_IGN, signal.SIG_DFL, signal.default_int_handler):
+        before = signal.signal(signal.SIGINT, handler)
+        planner.plan(START, GOAL, "mmas", iterations=2)
+        assert signal.signal(signal.SIGINT, before) == handler
+
+
+def test_making_a_planner_can_be_stopped():
+    signal.signal(signal.SIGALRM, lambda *_: (_ for _ in ()).throw(TimeoutError("alarm")))
+    try:
+        with pytest.raises(TimeoutError):
+            signal.raise_signal(signal.SIGALRM)
+            lasius.Planner(lasius.generate("open", width=64, height=64))
+    finally:
+        signal.signal(signal.SIGALRM, signal.SIG_DFL)
+
+
+def planned(seed):
+    grid = lasius.generate("blobs", width=400, height=200, seed=61)
+    return lasius.Planner(grid).plan(START, GOAL, "fan2004", iterations=5, seed=seed, threads=2)
+
+
+def test_forked_processes_plan_with_two_threads():
+    mine = [planned(seed) for seed in (1, 2, 3, 4)]
+    with multiprocessing.get_context("fork").Pool(2) as pool:
+        theirs = pool.map_async(planned, (1, 2, 3, 4)).get(120)
+    assert theirs == mine and not np.array_equal(mine[0].curves.mean, mine[1].curves.mean)

@@ -1,0 +1,105 @@
+"""Navigator and drives."""
+
+import pickle
+import threading
+
+import numpy as np
+import pytest
+
+import lasius
+
+
+def open_grid(width=30, height=20):
+    return lasius.Grid(np.zeros((height, width), np.uint8), free=0)
+
+
+def test_the_way_is_mended_where_the_world_changed():
+    navigator = lasius.Navigator(open_grid(), (29, 10))
+    way = navigator.step((0, 10))
+    assert way.length == 29 and way.replanned and way.walk[0].tolist() == [0, 10] and way.goal == (29, 10)
+    navigator.observe_rectangle(15, 1, 1, 19, blocked=True)
+    mended = navigator.step((1, 10))
+    assert mended.replanned and mended.length == lasius.plan(navigator.map, (1, 10), (29, 10)).length > 29
+    navigator.observe([[15, y] for y in range(20)], blocked=True)
+    assert navigator.step((1, 10)).status == "unreachable" and not navigator.connected((0, 0), (29, 0))
+    navigator.goal = (10, 3)
+    assert navigator.step((1, 10)).status == "solved" and navigator.goal == (10, 3)
+    navigator.forget()
+    assert pickle.loads(pickle.dumps(mended)) == mended
+
+
+def test_a_robot_with_a_radius_and_a_colony():
+    navigator = lasius.Navigator(open_grid(), (25, 10), "mmas", radius=2, iterations=10, seed=3)
+    assert navigator.passable.count_free() < navigator.map.count_free() == 600
+    assert navigator.step((4, 10)).iterations == 10
+    with pytest.raises(lasius.InvalidParameter):
+        lasius.Navigator(open_grid(), (1, 1), radius=-1)
+
+
+def test_threads_take_turns():
+    navigator = lasius.Navigator(open_grid(200, 200), (199, 100))
+    lengths = []
+
+    def step(robot):
+        for _ in range(20):
+            navigator.observe([[100, robot]], blocked=True)
+            lengths.append(navigator.step((0, robot)).length)
+
+    threads = [threading.Thread(target=step, args=(y,)) for y in range(0, 200, 25)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(lengths) == 160 and min(lengths) >= 199
+
+
+def wall():
+    truth = np.zeros((20, 30), np.uint8)
+    truth[:15, 10] = 1
+    return lasius.Grid(truth, free=0)
+
+
+def test_a_drive_finds_its_way():
+    ticks = []
+
+    def observe(tick):
+        ticks.append(tick.robot)
+        assert tick.world == wall() and tick.path.shape[1] == 2 and tick.news.shape[1] == 2
+        assert tick.obstacles.shape == (0, 4) and tick.map.width == 30
+
+    run = lasius.drive(open_grid(), wall(), (2, 2), (28, 2), sense=5, observer=observe)
+    assert run.status == "solved" and run.track[-1].tolist() == [28, 2] and run.ticks == len(run.track) - 1
+    assert len(run.replans) >= 2 and run.seen > 0 and len(ticks) == len(run.track)
+    assert all(not (x == 10 and y < 15) for x, y in run.track.tolist())
+    assert pickle.loads(pickle.dumps(run)) == run and "solved" in repr(run)
+
+
+def test_changes_and_moving_obstacles(tmp_path):
+    changes = lasius.Changes()
+    changes.add_change(3, 10, 0, 1, 19, blocked=True)
+    changes.add_obstacle(width=2, height=2, speed=0.5, track=[[20, 5], [20, 15]])
+    seen = []
+    run = lasius.drive(open_grid(), open_grid(), (2, 2), (28, 2), changes=changes,
+                       observer=lambda tick: seen.append(tick.obstacles.tolist()))
+    assert run.status == "solved" and run.seen > 0 and seen[0] == [[20, 5, 2, 2]]
+    (tmp_path / "it.txt").write_text("3 10 0 1 19 blocked\n0 move 2 2 0.5 20 5 20 15\n")
+    read = lasius.Changes.read(tmp_path / "it.txt", open_grid())
+    assert np.array_equal(lasius.drive(open_grid(), open_grid(), (2, 2), (28, 2), changes=read).track, run.track)
+    (tmp_path / "bad.txt").write_text("3 10 0 maybe\n")
+    with pytest.raises(lasius.FileBroken, match="bad.txt"):
+        lasius.Changes.read(tmp_path / "bad.txt", open_grid())
+
+
+def test_what_an_observer_of_a_drive_raises():
+    def fail(tick):
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError) as caught:
+        lasius.drive(open_grid(), wall(), (2, 2), (28, 2), observer=fail)
+    assert caught.value.result.status == "interrupted"
+    kept = []
+    lasius.drive(open_grid(), wall(), (2, 2), (5, 2), observer=kept.append)
+    with pytest.raises(RuntimeError, match="has ended"):
+        kept[0].tick
+    with pytest.raises(lasius.InvalidParameter):
+        lasius.drive(open_grid(), open_grid(5, 5), (1, 1), (2, 2))

@@ -1,0 +1,107 @@
+"""Pictures, pages in notebooks, progress."""
+
+import io
+import sys
+import types
+
+import numpy as np
+import pytest
+
+import lasius
+from conftest import GOAL, START
+from lasius import plots, progress
+
+PNG = b"\x89PNG\r\n"
+
+
+@pytest.fixture(scope="module")
+def pyplot():
+    pyplot = pytest.importorskip("matplotlib.pyplot", reason="needs matplotlib")
+    yield pyplot
+    pyplot.close("all")
+
+
+def test_a_plot_shows_map_path_and_curves(planner, pyplot):
+    result = planner.plan(START, GOAL, "fan2004", iterations=5)
+    axes = result.plot()
+    assert len(axes.figure.axes) == 2 and "fan2004" in axes.get_title()
+    drawn = np.column_stack(axes.lines[0].get_data())
+    assert np.array_equal(drawn, result.path)
+    assert axes.get_ylim() == (200, 0), "row 0 is at the top"
+    own = pyplot.figure().add_subplot()
+    assert planner.plan(START, GOAL).plot(own) is own
+    assert len(planner.grid.plot().images) == 1
+    assert len(planner.plan(START, (999, 0)).plot().lines) == 0, "no path, no line"
+
+
+def test_answers_in_a_notebook(planner, pyplot):
+    result = planner.plan(START, GOAL)
+    assert result._repr_png_().startswith(PNG) and planner.grid._repr_png_().startswith(PNG)
+    page = result._repr_html_()
+    assert "445.001" in page and "data:image/png;base64," in page
+    bad = planner.plan(START, (999, 0))._repr_html_()
+    assert "is outside the map" in bad and "<script" not in bad
+
+
+def test_without_matplotlib(planner, monkeypatch):
+    result = planner.plan(START, GOAL)
+    for name in ("matplotlib", "matplotlib.figure", "matplotlib.pyplot"):
+        monkeypatch.setitem(sys.modules, name, None)
+    assert result._repr_png_() is None and "445.001" in result._repr_html_()
+    with pytest.raises(ImportError, match="python3-matplotlib"):
+        result.plot()
+
+
+def test_a_large_map_is_drawn_smaller_and_keeps_thin_walls():
+    cells = np.zeros((50, 5000), np.uint8)
+    cells[:, 4321] = 1
+    small = plots.blocked_picture(lasius.Grid(cells, free=0))
+    assert small.shape == (10, 1000) and small[:, 864].all() and small.sum() == 10
+
+
+def test_drives_and_worlds(pyplot):
+    grid = lasius.Grid(np.zeros((20, 20), np.uint8), free=0)
+    assert "solved" in lasius.drive(grid, grid, (1, 1), (9, 9)).plot().get_title()
+    polygon = pytest.importorskip("lasius.polygon", reason="built without the component polygon")
+    world = polygon.World([[0, 0], [9, 0], [9, 9], [0, 9]], [[[3, 3], [5, 3], [5, 5]]])
+    assert "exact" in polygon.Planner(world).plan((1, 1), (8, 8)).plot().get_title()
+
+
+class Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+def test_a_bar_in_a_terminal_only(planner, monkeypatch):
+    for stream, shown in ((Terminal(), True), (io.StringIO(), False)):
+        monkeypatch.setattr(sys, "stderr", stream)
+        planner.plan(START, GOAL, "mmas", iterations=4, progress=True)
+        planner.batch([START] * 3, [GOAL] * 3, progress=True)
+        assert ("4/4" in stream.getvalue() and "3/3 answers" in stream.getvalue()) == shown
+        assert stream.getvalue().endswith("\r\033[K") == shown, "the line is left clean"
+
+
+def test_a_bar_in_a_notebook(planner, monkeypatch):
+    pages = []
+
+    class Handle:
+        def update(self, page):
+            pages.append(page)
+
+    display = types.ModuleType("IPython.display")
+    display.HTML = str
+    display.display = lambda page, display_id: pages.append(page) or Handle()
+    package = types.ModuleType("IPython")
+    package.get_ipython = lambda: types.SimpleNamespace(kernel=object())
+    package.display = display
+    monkeypatch.setitem(sys.modules, "IPython", package)
+    monkeypatch.setitem(sys.modules, "IPython.display", display)
+    assert progress.in_notebook()
+    planner.plan(START, GOAL, "mmas", iterations=3, progress=True)
+    assert '<progress value="3" max="3">' in pages[-1]
+
+
+def test_a_function_is_told(planner):
+    told = []
+    planner.plan(START, GOAL, "mmas", iterations=3, progress=lambda *now: told.append(now), observer=lambda p: None)
+    assert [t[:2] for t in told] == [(1, 3), (2, 3), (3, 3)] and told[0][2].startswith("length")

@@ -1,0 +1,219 @@
+"""Plans on bitmaps: answers, parameters, observers, what is refused."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+
+import lasius
+from conftest import GOAL, START
+
+
+def test_exact_is_proven(planner):
+    result = planner.plan(START, GOAL)
+    assert (result.status, result.fault, result.optimal, result.gap) == ("solved", "none", True, 0)
+    assert result.length == pytest.approx(lasius.path_length(result.path), abs=1e-9) == 445.0006683543657
+    assert result.path[0].tolist() == [14.5, 14.5] and result.path[-1].tolist() == [380.5, 179.5]
+    assert lasius.path_fault(planner.grid, result.path) is None
+    assert result.curves is None and result.found and result.params == lasius.Params()
+
+
+def test_a_colony_is_the_same_with_any_number_of_threads(planner):
+    runs = [planner.plan(START, GOAL, "fan2004", iterations=30, threads=n) for n in (1, 2, 5)]
+    for run in runs:
+        assert np.array_equal(run.path, runs[0].path) and np.array_equal(run.curves.mean, runs[0].curves.mean)
+        assert run.iterations == len(run.curves) == 30 and run.curves.best[-1] == run.length
+    assert not np.array_equal(planner.plan(START, GOAL, "fan2004", iterations=30, seed=2).curves.mean, runs[0].curves.mean)
+
+
+@pytest.mark.parametrize("cells", [([14, 14], (380, 179)), (np.array([14, 14]), np.array([380, 179], np.uint16))])
+def test_cells_of_any_kind(planner, cells):
+    assert planner.plan(*cells).length == 445.0006683543657
+
+
+@pytest.mark.parametrize("cell, error", [
+    ((14.5, 14), TypeError), ((14,), TypeError), ("ab", TypeError), (None, TypeError), (14, TypeError),
+    (np.array([14.0, 14.0]), TypeError), ((2**40, 0), ValueError),
+])
+def test_what_is_no_cell(planner, cell, error):
+    with pytest.raises(error, match="cell"):
+        planner.plan(cell, GOAL)
+
+
+def test_ends_that_are_bad_are_answers(planner):
+    outside = planner.plan(START, (999, 0))
+    assert (outside.status, outside.fault, outside.nearest_free) == ("invalid", "goal_outside", (399, 0))
+    assert len(outside.path) == 0 and outside.path.shape == (0, 2) and outside.length != outside.length
+    walls = np.zeros((9, 9), np.uint8)
+    walls[:, 4] = 1
+    apart = lasius.plan(lasius.Grid(walls, free=0), (0, 0), (8, 0))
+    assert (apart.status, apart.fault) == ("unreachable", "disconnected") and not apart.found
+
+
+def test_parameters():
+    params = lasius.Params("mmas", ants=7, persistence=0.5, seed=2**53 - 1)
+    assert (params.ants, params.persistence, params.seed, params.algorithm) == (7, 0.5, 2**53 - 1, "mmas")
+    assert params.replace(ants=8).ants == 8 and params.ants == 7
+    assert pickle.loads(pickle.dumps(params)) == params == copy.deepcopy(params) != lasius.Params("mmas")
+    assert hash(copy.copy(params)) == hash(params) and "ants" in dir(params)
+    assert lasius.Params("as", preset="book") != lasius.Params("as")
+    assert lasius.Params("mmas", persistence=1 / 3).persistence == 1 / 3
+    assert lasius.Params("mmas", ants=np.int64(5)).ants == 5
+    assert any("tau" in line for line in params.formulas())
+    for name, algorithm in lasius.algorithms().items():
+        ours = lasius.Params(name)
+        assert set(ours.to_dict()) == {p.name for p in algorithm.parameters} and algorithm.source
+
+
+@pytest.mark.parametrize("make, words", [
+    (lambda: lasius.Params("fan204"), "fan2004"),
+    (lambda: lasius.Params("mmas", antz=3), "ants"),
+    (lambda: lasius.Params("mmas", ants=0), "ants"),
+    (lambda: lasius.Params("mmas", ants="many"), "ants"),
+    (lambda: lasius.Params("mmas", update="none"), "ant-system"),
+    (lambda: lasius.Params("fan2004", preset="book"), "fan2004"),
+    (lambda: lasius.Params("as", preset="textbook"), "usual, book"),
+])
+def test_parameters_out_of_range(make, words):
+    with pytest.raises(lasius.InvalidParameter, match=words) as caught:
+        make()
+    assert isinstance(caught.value, ValueError) and caught.value.remedy and caught.value.problem
+
+
+def test_parameters_never_change():
+    with pytest.raises(AttributeError, match="replace"):
+        lasius.Params("mmas").ants = 3
+    with pytest.raises(AttributeError, match="crossover"):
+        lasius.Params("mmas").crossover
+
+
+def test_what_does_not_compose_is_refused(planner):
+    with pytest.raises(lasius.InvalidParameter):
+        planner.plan(START, GOAL, "mmas", target_gap=0.1)
+    with pytest.raises(TypeError, match="params"):
+        planner.plan(START, GOAL, 3)
+    with pytest.raises(TypeError, match="Grid"):
+        lasius.Planner(np.zeros((3, 3)))
+    for bad in (-1, float("nan")):
+        with pytest.raises(ValueError, match="time_limit"):
+            planner.plan(START, GOAL, time_limit=bad)
+
+
+def test_no_time_is_an_answer(planner):
+    assert planner.plan(START, GOAL, "mmas", iterations=10**6, time_limit=0).status == "limit"
+
+
+def test_an_observer_sees_and_stops(planner):
+    seen = []
+
+    def observe(progress):
+        seen.append((progress.iteration, progress.best_length, progress.arrived, progress.ants))
+        assert len(progress.curves) == progress.iteration + 1
+        if progress.iteration == 4:
+            trail = progress.pheromone(planner.grid)
+            assert trail.shape == (200, 400) and trail.max() > 0
+            assert trail[START[1], START[0]] == progress.pheromone_at(START)
+            tours = [progress.tour(ant) for ant in range(progress.ants)]
+            assert any(len(t) and t[0].tolist() == [14, 14] and t[-1].tolist() == [380, 179] for t in tours)
+            assert lasius.path_length(progress.path()) == pytest.approx(progress.best_length)
+            progress.stop()
+
+    result = planner.plan(START, GOAL, "fan2004", observer=observe)
+    assert result.status == "interrupted" and result.iterations == 5 and [s[0] for s in seen] == [0, 1, 2, 3, 4]
+    assert result.curves.best.tolist() == [s[1] for s in seen]
+
+
+def test_exact_shows_shorter_and_shorter_paths(planner):
+    lengths = []
+    result = planner.plan(START, GOAL, observer=lambda progress: lengths.append(progress.best_length))
+    assert lengths == sorted(lengths, reverse=True) and lengths[-1] == result.length
+
+
+def test_what_an_observer_raises_carries_the_result(planner):
+    def fail(progress):
+        if progress.iteration == 3:
+            raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough") as caught:
+        planner.plan(START, GOAL, "mmas", observer=fail)
+    assert caught.value.result.status == "interrupted" and caught.value.result.iterations == 4
+    assert caught.traceback[-1].name == "fail"
+
+
+def test_progress_ends_with_the_callback(planner):
+    kept = []
+    planner.plan(START, GOAL, "mmas", iterations=2, observer=kept.append)
+    for use in (lambda p: p.iteration, lambda p: p.path(), lambda p: p.stop(), lambda p: p.curves):
+        with pytest.raises(RuntimeError, match="has ended"):
+            use(kept[0])
+
+
+def test_a_plan_within_a_callback(planner):
+    inner = []
+    outer = planner.plan(START, GOAL, "mmas", iterations=3, observer=lambda _: inner.append(planner.plan(START, GOAL)))
+    assert outer.iterations == 3 and [r.length for r in inner] == [445.0006683543657] * 3
+
+
+def test_results_are_values(planner):
+    for result in (planner.plan(START, GOAL), planner.plan(START, GOAL, "ras", iterations=4), planner.plan(START, (999, 0))):
+        for other in (pickle.loads(pickle.dumps(result)), copy.copy(result), copy.deepcopy(result)):
+            assert other == result and other.params == result.params and other.grid == result.grid
+        assert result != planner.plan((15, 14), GOAL) and result != 3
+        assert result.status in repr(result)
+
+
+def test_a_workspace_is_used_again_and_by_one_call_at_a_time(planner):
+    workspace = lasius.Workspace()
+    plain = planner.plan(START, GOAL, "acs", iterations=5)
+    for _ in range(3):
+        assert planner.plan(START, GOAL, "acs", iterations=5, workspace=workspace) == plain
+
+    def again(_):
+        planner.plan(START, GOAL, workspace=workspace)
+
+    with pytest.raises(RuntimeError, match="in use"):
+        planner.plan(START, GOAL, "acs", iterations=5, workspace=workspace, observer=again)
+    assert planner.plan(START, GOAL, workspace=workspace).optimal
+
+
+def test_prepared_and_edited(planner):
+    prepared = planner.prepared(threads=1)
+    assert prepared.preparation.state == "ready" and prepared.preparation.edges > 0
+    assert planner.preparation.state == "none" and prepared.plan(START, GOAL).length == 445.0006683543657
+    assert lasius.Planner(planner.grid, prepare=True, max_bytes=1).preparation.state == "too_large"
+    assert prepared.footprint[2] > 0 and pickle.loads(pickle.dumps(prepared)).preparation.state == "ready"
+    path = planner.plan(START, GOAL).path
+    x, y = (int(v) for v in path[1])
+    around = [[x + dx, y + dy] for dx in range(-3, 4) for dy in range(-3, 4)]
+    edited = planner.edited(around, blocked=True)
+    assert edited.plan(START, GOAL).length > 445.0006683543657 == planner.plan(START, GOAL).length
+    back = edited.edited(around, [not planner.grid.free(tuple(c)) for c in around])
+    assert back.grid == planner.grid
+    with pytest.raises(lasius.InvalidParameter):
+        planner.edited([[999, 999]], True)
+    with pytest.raises(TypeError, match="integers"):
+        planner.edited([[1.5, 2]], True)
+    with pytest.raises(ValueError):
+        planner.edited([[1, 2, 3]], True)
+    with pytest.raises(ValueError):
+        planner.edited([[1, 2], [3, 4]], [True, False, True])
+    assert planner.edited([], True).grid == planner.grid
+
+
+def test_excluded_directions():
+    planner = lasius.Planner(lasius.Grid(np.zeros((3, 5), np.uint8), free=0))
+    closed = planner.exclude([[1, 1, 1, 0]])
+    assert closed.excluded.tolist() == [[1, 1, 1, 0]] and planner.excluded.shape == (0, 4)
+    assert closed.plan((0, 1), (4, 1)).length > 4 == planner.plan((0, 1), (4, 1)).length
+    assert pickle.loads(pickle.dumps(closed)).excluded.tolist() == [[1, 1, 1, 0]]
+    assert closed.allow([[1, 1, 1, 0]]).plan((0, 1), (4, 1)).length == 4
+    with pytest.raises(lasius.InvalidParameter):
+        planner.exclude([[1, 1, 2, 0]])
+
+
+def test_questions_about_the_map(planner):
+    assert planner.connected(START, GOAL) and planner.nearest_free((-5, 300)) == (0, 199)
+    assert planner.components() >= planner.components("allow") >= 1
+    with pytest.raises(lasius.InvalidParameter, match="one-side"):
+        planner.components("never")

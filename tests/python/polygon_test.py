@@ -1,0 +1,92 @@
+"""Worlds of polygons, in any shape that they come in."""
+
+import json
+import pickle
+
+import numpy as np
+import pytest
+
+import lasius
+
+pg = pytest.importorskip("lasius.polygon", reason="built without the component polygon")
+
+SQUARE = [[0, 0], [10, 0], [10, 10], [0, 10]]
+BLOCK = [[4, 2], [6, 2], [6, 9], [4, 9]]
+LENGTH = 2 * np.hypot(3, 3) + 2  # around the lower end of the block, worked by hand
+
+
+def geometry(ring):
+    return {"type": "Polygon", "coordinates": [ring + ring[:1]]}
+
+
+@pytest.mark.parametrize("boundary", [SQUARE, SQUARE + SQUARE[:1], np.array(SQUARE), geometry(SQUARE), SQUARE[::-1]])
+@pytest.mark.parametrize("obstacles", [
+    [BLOCK], [np.array(BLOCK, np.float32)], [(BLOCK, [])], [geometry(BLOCK)], geometry(BLOCK),
+    {"type": "MultiPolygon", "coordinates": [[BLOCK + BLOCK[:1]]]},
+    {"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": geometry(BLOCK), "properties": {}}]},
+])
+def test_areas_of_every_kind(boundary, obstacles):
+    result = pg.Planner(pg.World(boundary, obstacles)).plan((1, 5), (9, 5))
+    assert result.status == "solved" and result.optimal and result.length == pytest.approx(LENGTH, abs=1e-9)
+    assert result.path == pytest.approx(np.array([[1, 5], [4, 2], [6, 2], [9, 5]]))
+
+
+def test_shapely():
+    shapely = pytest.importorskip("shapely.geometry", reason="needs shapely")
+    world = pg.World(shapely.box(0, 0, 10, 10), shapely.MultiPolygon([shapely.box(4, 2, 6, 9), shapely.box(8, 8, 9, 9)]))
+    assert len(world.obstacles) == 2
+    line = shapely.shape(pg.Planner(world).plan((1, 5), (9, 5)))
+    assert line.length == pytest.approx(LENGTH) and line.geom_type == "LineString"
+    grown = shapely.Polygon(*pg.Planner(world, margin=0.5, join="mitre").grown_obstacles[0])
+    assert grown.area == pytest.approx(3 * 8) or grown.area == pytest.approx(4)
+
+
+def test_holes_are_obstacles_of_a_boundary():
+    result = pg.Planner(pg.World((SQUARE, [BLOCK]))).plan((1, 5), (9, 5))
+    assert result.length == pytest.approx(LENGTH)
+
+
+@pytest.mark.parametrize("make, error", [
+    (lambda: pg.World([[0, 0], [1, 1]]), lasius.InvalidParameter),
+    (lambda: pg.World([[0, 0], [2, 2], [2, 0], [0, 2]]), lasius.InvalidParameter),
+    (lambda: pg.World([0, 1, 2]), ValueError),
+    (lambda: pg.World(SQUARE, {"type": "Point", "coordinates": [1, 2]}), ValueError),
+    (lambda: pg.World({"type": "MultiPolygon", "coordinates": []}), ValueError),
+    (lambda: pg.World(SQUARE, margin=-1), lasius.InvalidParameter),
+    (lambda: pg.Planner(pg.World(SQUARE), join="sharp"), lasius.InvalidParameter),
+    (lambda: pg.Planner(pg.World(SQUARE)).plan((1, 1)), lasius.InvalidParameter),
+    (lambda: pg.Params("maklink"), lasius.InvalidParameter),
+])
+def test_what_is_refused(make, error):
+    with pytest.raises(error):
+        make()
+
+
+def test_the_source_world(maps):
+    world = pg.World.read(maps / "maklink200.geojson")
+    planner = pg.Planner(world)
+    seen = []
+    result = planner.plan(params="maklink-acs", iterations=20, observer=lambda p: seen.append(p.best_length))
+    assert result.found and result.optimum <= result.length and len(seen) > 0
+    assert len(result.crossing.path) == len(result.crossing.lines) + 2
+    assert result.discrete_optimum.length <= result.dijkstra.length + 1e-9
+    assert planner.lines.shape[1] == 4 and planner.components == 1 and len(planner.free_space) >= 1
+    assert pickle.loads(pickle.dumps(result)) == result and pickle.loads(pickle.dumps(world)) == world
+    assert planner.free(world.start) and planner.nearest_free(world.goal) == pytest.approx(world.goal)
+
+
+def test_text_and_files(tmp_path):
+    world = pg.World(SQUARE, [BLOCK], start=(1, 5), goal=(9, 5), margin=0.25)
+    assert pg.World.from_geojson(world.to_geojson()) == world
+    json.loads(world.to_geojson())
+    for name in ("it.geojson", "it.wkt"):
+        world.write(tmp_path / name)
+        assert pg.World.read(tmp_path / name) == world
+    assert world.start == (1, 5) and world.margin == 0.25 and pg.Planner(world).margin == 0.25
+    with pytest.raises(lasius.FileMissing):
+        pg.World.read(tmp_path / "none.wkt")
+
+
+def test_an_end_in_an_obstacle():
+    result = pg.Planner(pg.World(SQUARE, [BLOCK])).plan((5, 5), (9, 5))
+    assert (result.status, result.fault) == ("invalid", "start_blocked") and result.nearest_free[0] in (4, 6)

@@ -1,0 +1,29 @@
+"""What a user writes, for mypy: it is checked, never run."""
+
+from typing import List, Optional
+
+import numpy as np
+
+import lasius
+from lasius import arm, polygon
+
+grid: lasius.Grid = lasius.Grid(np.zeros((4, 4), np.uint8), free=0)
+planner = lasius.Planner(grid, prepare=True)
+lengths: List[float] = []
+
+
+def observe(progress: lasius.Progress) -> None:
+    lengths.append(progress.best_length)
+    if progress.iteration > 3:
+        progress.stop()
+
+
+result: lasius.Result = planner.plan((0, 0), (3, 3), lasius.Params("mmas", ants=3), observer=observe)
+gap: Optional[float] = result.gap
+answers: lasius.BatchResult = planner.batch([[0, 0]], [[3, 3]], "exact", threads=1)
+first: float = float(answers.length[0])
+world = polygon.World([[0, 0], [1, 0], [1, 1]])
+way: polygon.Result = polygon.Planner(world).plan((0.1, 0.1), (0.5, 0.2))
+motion: arm.Trajectory = arm.plan(arm.Robot.read("a.urdf"), arm.Scene(), [0.0], arm.Goal.joints([1.0])).trajectory
+planner.plan((0, 0), 3)  # type: ignore[arg-type]
+planner.plan((0, 0), (3, 3), observer=3)  # type: ignore[arg-type]
