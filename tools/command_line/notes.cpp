@@ -105,7 +105,8 @@ std::map<std::string_view, Notes> make_notes() {
        {.detail =
             "A source's experiments are run again and set beside its figures. A file describes "
             "maps, questions, algorithms, a sweep of parameters, seeds, budget and claims: see "
-            "docs/studies.md. run asks one question of every algorithm at every combination of "
+            "`lasius help studies`. run asks one question of every algorithm at every combination "
+            "of "
             "the values of --set, and writes the file that says the same, study.yaml. A study "
             "goes on where an earlier call stopped.",
         .examples = {{"lasius study list", "the studies that there are"},
@@ -121,7 +122,7 @@ std::map<std::string_view, Notes> make_notes() {
         .on_bitmaps = true}},
       {"tune",
        {.detail = "The result is judged on maps that were not used to find it, and written as a "
-                  "preset for --preset. See docs/studies.md.",
+                  "preset for --preset. See `lasius help studies`.",
         .exits = exits({{kBadFile, "a map or the file is missing or broken"},
                         kOutput,
                         {kInterrupted,

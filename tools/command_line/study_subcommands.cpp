@@ -110,9 +110,11 @@ void refuse_short_options(const ShortText& text, const std::string& name) {
                      " runs is in its file");
 }
 
-/// Where reports go unless -o says so.
+/// Where reports go unless -o says so: the file's name, or "run" for a map that is in none.
 std::string usual_folder(const std::string& prefix, const std::string& file) {
-  return prefix + std::filesystem::path(file).stem().string();
+  std::error_code ignored;
+  const bool there = is_document(file) || std::filesystem::exists(file, ignored);
+  return prefix + (there ? std::filesystem::path(file).stem().string() : "run");
 }
 
 void read_seeds(const std::string& text, StudyCommand& command) {

@@ -68,7 +68,15 @@ std::size_t bullet_size(std::string_view line) {
 
 class Reader {
  public:
+  bool in_fence() const { return fence_; }
+
   void read(std::string_view line) {
+    if (line.starts_with("```")) {
+      fence_ = !fence_;
+      open_ = false;
+      return;
+    }
+    if (fence_) return add_code(line);
     if (line.starts_with("|")) return read_row(line);
     header_.clear();
     if (trimmed(line).empty()) {
@@ -120,7 +128,8 @@ class Reader {
   }
 
   Blocks blocks_;
-  bool open_ = false;  ///< the next line goes on with the last block
+  bool open_ = false;   ///< the next line goes on with the last block
+  bool fence_ = false;  ///< between lines of ```
   std::vector<std::string> header_;
 };
 
@@ -135,7 +144,7 @@ Blocks markdown_section(std::string_view page, std::string_view heading) {
     Reader reader;
     while (!page.empty()) {
       const auto next = next_line(page);
-      if (is_heading(next)) break;
+      if (is_heading(next) && !reader.in_fence()) break;
       reader.read(next);
     }
     return reader.take();

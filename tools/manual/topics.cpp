@@ -55,6 +55,11 @@ constexpr Topic kTopics[] = {
     {"polygons", "polygon worlds", [] { return sections({"worlds/Polygon worlds"}); }, false},
     {"robots", "robots and scenes of arms", [] { return sections({"worlds/Robots and scenes"}); },
      false},
+    {"studies", "studies of your own, and tuning",
+     [] {
+       return sections({"studies/Your own studies", "studies/Tuning"});
+     },
+     false},
     {"driving", "a robot in a world that changes",
      [] {
        return sections({"driving/Driving through a world that changes",

@@ -38,9 +38,11 @@ std::string settings_text(const Experiment& experiment) {
   return table.markdown();
 }
 
+std::string paragraph(const std::string& text) { return text.empty() ? "" : text + "\n\n"; }
+
 std::string section(const Experiment& experiment, const Findings& findings,
                     const std::vector<Figure>& figures) {
-  std::string text = "## " + experiment.title + "\n\n" + experiment.text + "\n\n";
+  std::string text = "## " + experiment.title + "\n\n" + paragraph(experiment.text);
   text += result_table(findings, experiment).markdown() + "\n";
   const Table factors = findings.whole ? factor_table(findings, experiment) : Table{};
   if (!factors.rows.empty())
@@ -59,8 +61,8 @@ std::string section(const Experiment& experiment, const Findings& findings,
 std::string report_page(const Study& study, const Findings& findings,
                         std::span<const Evidence> evidence, Seeds seeds,
                         const std::vector<Figure>& figures) {
-  std::string text = "# Study " + study.name + ": " + study.summary + "\n\n" + study.source +
-                     "\n\n`" + called(study.asked(), seeds) +
+  std::string text = "# Study " + study.name + (study.summary.empty() ? "" : ": ") + study.summary +
+                     "\n\n" + paragraph(study.source) + "`" + called(study.asked(), seeds) +
                      "`, lasius " LASIUS_VERSION ". Lengths: " + study.unit + ". " + study.text +
                      "\n\n";
   if (!findings.whole) {
@@ -73,7 +75,8 @@ std::string report_page(const Study& study, const Findings& findings,
   for (const Absent& a : findings.absent)
     text += "Not run: " + a.contender + " in `" + a.experiment + "` (" + a.reason + ").\n\n";
   if (!evidence.empty())
-    text += "## What the source claims\n\n" + claim_table(evidence, false).markdown() + "\n";
+    text += (study.file.empty() ? "## What the source claims\n\n" : "## Claims\n\n") +
+            claim_table(evidence, false).markdown() + "\n";
   for (const Experiment& experiment : study.experiments)
     text += section(experiment, findings, figures);
   return text + "## How to read the tables\n\n" + kHowToRead + "\n" + kHowToReadResults +

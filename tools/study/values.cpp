@@ -125,6 +125,8 @@ double effort(const Sample& sample, const Run& run, const Value& value, std::siz
               std::optional<double> optimum) {
   const double ideal = value.own_limit ? run.limit : optimum.value_or(kUnknown);
   if (std::isnan(ideal)) return kUnknown;
+  if (run.best.empty() && length_after(run, count) <= ideal * (1 + value.target + kSameLength))
+    return spent(sample, run, value.at, count);  // one answer, without iterations
   for (std::size_t i = 1; i <= count; ++i)
     if (length_after(run, i) <= ideal * (1 + value.target + kSameLength))
       return spent(sample, run, value.at, i);

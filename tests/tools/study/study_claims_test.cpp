@@ -241,6 +241,14 @@ TEST_F(Claims, WhatWasNotRecordedIsNotJudged) {
   EXPECT_NE(judge(claim).figures.find("not recorded"), std::string::npos);
 }
 
+TEST_F(Claims, AnAnswerWithoutIterationsIsAtItsTargetOrNever) {
+  study::Run run{.length = 10.05};
+  const Value within{.name = "effort", .at = "paths", .target = 0.01};
+  EXPECT_EQ(value_of(findings_.samples[0], run, within, kUnknown, 10.0), 0);
+  run.length = 10.2;
+  EXPECT_EQ(value_of(findings_.samples[0], run, within, kUnknown, 10.0), kInfinity);
+}
+
 TEST_F(Claims, WithoutToursNothingOscillates) {
   study::Run run{.iterations = 4};
   const auto rises = [&] {

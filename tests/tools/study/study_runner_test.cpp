@@ -138,6 +138,30 @@ TEST_F(StudyRunner, OtherSettingsAreRunAgain) {
   EXPECT_EQ(again, 4);
 }
 
+TEST_F(StudyRunner, ABudgetOfStepsEndsARunAfterTheIterationThatSpentIt) {
+  Study s = study();
+  Contender& as = s.experiments[0].contenders[0];
+  const auto all = run(s, options());
+  const study::Run& whole = all.find("walls", "wall", "as")->runs[2];
+  ASSERT_EQ(whole.steps_by.size(), 6u);
+  as.budget.steps = whole.steps_by[0] + whole.steps_by[1] + 1;
+  RunnerOptions o = options();
+  o.first_seed = 3;
+  o.seeds = 1;
+  const auto limited = run(s, o);
+  ASSERT_EQ(limited.find("walls", "wall", "as")->runs.size(), 1u);
+  const study::Run& third = limited.find("walls", "wall", "as")->runs[0];
+  EXPECT_EQ(third.seed, 3u);
+  EXPECT_EQ(third.iterations, 3);
+  EXPECT_EQ(third.status, Status::limit);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(third.steps_by[i], whole.steps_by[i]);
+  // One that is never spent changes nothing.
+  as.budget.steps = 1e12;
+  const auto free = run(s, o);
+  EXPECT_EQ(free.find("walls", "wall", "as")->runs[0].best, whole.best);
+  EXPECT_EQ(free.find("walls", "wall", "as")->runs[0].status, Status::solved);
+}
+
 TEST_F(StudyRunner, NamesAMissingMap) {
   Study s = study();
   s.experiments[0].questions[0].map = "none.map";

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include "lasius/error.h"
 #include "lasius/planner.h"
@@ -218,8 +220,23 @@ TEST(StudyFile, TheProgramsOwnAreFilesOfTheSameFormat) {
   }
 }
 
+TEST(StudyFile, TheDocumentsQuoteFilesThatAreRead) {
+  const fs::path docs = fs::path(LASIUS_MAPS_DIR).parent_path() / "docs";
+  const auto text_of = [](const fs::path& file) {
+    std::ifstream in(file);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const std::string page = text_of(docs / "studies.md");
+  for (const char* name : {"study_persistence.yaml", "tune_mmas.yaml"}) {
+    const std::string quoted = "```yaml\n" + text_of(docs / "examples" / name) + "```\n";
+    EXPECT_NE(page.find(quoted), std::string::npos) << name << " is another one in docs/studies.md";
+  }
+  const Study study = read_study((docs / "examples/study_persistence.yaml").string());
+  EXPECT_EQ(study.experiments[0].contenders.size(), 8U);
+  EXPECT_EQ(read_tuning((docs / "examples/tune_mmas.yaml").string()).candidates.size(), 40U);
+}
+
 TEST(StudyFile, RefusesMistakesWithLineAndKey) {
-  const std::string questions = kQuestions;
   struct Case {
     std::string text, fault;
   };
