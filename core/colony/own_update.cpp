@@ -108,51 +108,61 @@ StepWeights own_weights(const OwnRules& own, const Params& params, int iteration
   return w;
 }
 
-void NumberedTours::add(const Tour& tour, TrailPlace cell, const kernels::Moves& moves, int width,
-                        bool arcs) {
+void NumberedTours::Lists::add(const Tour& tour, TrailPlace cell, const kernels::Moves& moves,
+                               int width, bool with_arcs) {
   std::array<TrailPlace, kernels::kMaxMoves> step{};
   for (int k = 0; k < moves.count; ++k)
     step[k] = std::int64_t{moves[k].to.dy} * width + moves[k].to.dx;
-  const std::int64_t first = offsets_.back(), before = std::ssize(offsets_) - 1;
-  TrailPlace* to = cells_.data() + first;
-  TrailPlace* arc = arcs_.data() + (arcs ? first - before : 0);
+  const std::int64_t first = offsets.back(), before = std::ssize(offsets) - 1;
+  TrailPlace* to = cells.data() + first;
+  TrailPlace* arc = arcs.data() + (with_arcs ? first - before : 0);
   for (const int k : tour.moves) {
     *to++ = cell;
-    if (arcs) *arc++ = cell * moves.count + k;
+    if (with_arcs) *arc++ = cell * moves.count + k;
     cell += step[k];
   }
   *to = cell;
-  offsets_.push_back(first + std::ssize(tour.moves) + 1);
+  offsets.push_back(first + std::ssize(tour.moves) + 1);
 }
 
 IterationTours NumberedTours::number(const Tours& tours, const Grid& grid, Trail trail,
                                      Poller& poller) {
-  const bool arcs = trail == Trail::arcs;
+  if (lists_ == nullptr || lists_.use_count() > 1) lists_ = std::make_shared<Lists>();
+  Lists& lists = *lists_;
+  const bool arcs = trail == Trail::arcs, arrived = trail_rules::arrived(tours.best_so_far);
   std::size_t cells = tours.best_so_far.moves.size() + 1;
   for (const Tour& tour : tours.ants) cells += tour.moves.size() + 1;
-  cells_.grow(cells);
-  if (arcs) arcs_.grow(cells);
+  lists.cells.grow(cells);
+  if (arcs) lists.arcs.grow(cells);
   const TrailPlace start = std::int64_t{tours.start.y} * grid.width() + tours.start.x;
-  offsets_.assign(1, 0);
-  lengths_.clear();
+  lists.offsets.assign(1, 0);
+  lists.lengths.clear();
   for (const Tour& tour : tours.ants) {
-    add(tour, start, tours.moves, grid.width(), arcs);
-    lengths_.push_back(tour.length);
+    lists.add(tour, start, tours.moves, grid.width(), arcs);
+    lists.lengths.push_back(tour.length);
     if (poller.stop_after(std::ssize(tour.moves) + 1)) return {};
   }
-  const auto ants = lengths_.size();
-  const auto best = static_cast<std::size_t>(offsets_[ants]);
+  const auto ants = lists.lengths.size(), end = static_cast<std::size_t>(lists.offsets[ants]);
+  if (arrived) lists.add(tours.best_so_far, start, tours.moves, grid.width(), arcs);
+  const auto ranked = trail_rules::ranked(tours);
+  lists.ranked.assign(ranked.begin(), ranked.end());
   IterationTours view;
-  view.cells = {cells_.data(), best};
-  view.offsets = std::span(offsets_).first(ants + 1);
-  if (arcs) view.arcs = {arcs_.data(), best - ants};
-  view.lengths = lengths_;
-  if (!trail_rules::arrived(tours.best_so_far)) return view;
-  add(tours.best_so_far, start, tours.moves, grid.width(), arcs);
+  view.trail = trail;
+  view.start = tours.start;
+  view.iteration = tours.iteration;
+  view.width = grid.width();
+  view.height = grid.height();
+  view.moves = tours.moves.count;
+  view.cells = {lists.cells.data(), end};
+  view.offsets = std::span(lists.offsets).first(ants + 1);
+  if (arcs) view.arcs = {lists.arcs.data(), end - ants};
+  view.lengths = lists.lengths;
+  view.ranked = lists.ranked;
+  view.memory = lists_;
+  if (!arrived) return view;
   const std::size_t moves = tours.best_so_far.moves.size();
-  view.offsets = std::span(offsets_).first(ants + 1);
-  view.best_cells = {cells_.data() + best, moves + 1};
-  if (arcs) view.best_arcs = {arcs_.data() + (best - ants), moves};
+  view.best_cells = {lists.cells.data() + end, moves + 1};
+  if (arcs) view.best_arcs = {lists.arcs.data() + (end - ants), moves};
   view.best_length = tours.best_so_far.length;
   return view;
 }
@@ -163,14 +173,7 @@ bool update_by_caller(Field& field, const OwnRules& own, const Params& params, c
   Poller poller(stop, Poller::kSteps);
   IterationTours view = numbered.number(tours, grid, params.trail, poller);
   if (poller.stopped()) return false;
-  view.iteration = tours.iteration;
-  view.width = grid.width();
-  view.height = grid.height();
-  view.moves = tours.moves.count;
-  view.trail = params.trail;
-  view.start = tours.start;
   view.goal = goal;
-  view.ranked = trail_rules::ranked(tours);
   Pheromone::Impl impl(field, grid, params, tours.moves.count, poller);
   Pheromone trail(impl);
   own.update(trail, view);

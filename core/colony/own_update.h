@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/base/growing_array.h"
@@ -33,19 +34,25 @@ StepWeights own_weights(const OwnRules& own, const Params& params, int iteration
 /// The tours of an iteration as numbers of cells and moves.
 class NumberedTours {
  public:
-  /// What an update is given of these tours; holds until the next call. Fewer when stopped.
+  /// What an update is given of these tours; fewer when stopped. Memory is used again unless the
+  /// caller keeps that of a view.
   IterationTours number(const Tours& tours, const Grid& grid, Trail trail, Poller& poller);
 
-  std::int64_t bytes() const noexcept {
-    return cells_.bytes() + arcs_.bytes() + held_bytes(offsets_, lengths_);
-  }
+  std::int64_t bytes() const noexcept { return lists_ == nullptr ? 0 : lists_->bytes(); }
 
  private:
-  void add(const Tour& tour, TrailPlace cell, const kernels::Moves& moves, int width, bool arcs);
+  struct Lists {
+    GrowingArray<TrailPlace> cells, arcs;  // of all tours, that of the best so far last
+    std::vector<std::int64_t> offsets;     // of a tour's first cell, and the end
+    std::vector<double> lengths;           // of the ants' tours
+    std::vector<int> ranked;
 
-  GrowingArray<TrailPlace> cells_, arcs_;  // of all tours, that of the best so far last
-  std::vector<std::int64_t> offsets_;      // of a tour's first cell, and the end
-  std::vector<double> lengths_;            // of the ants' tours
+    void add(const Tour& tour, TrailPlace cell, const kernels::Moves& moves, int width, bool arcs);
+    std::int64_t bytes() const noexcept {
+      return cells.bytes() + arcs.bytes() + held_bytes(offsets, lengths, ranked);
+    }
+  };
+  std::shared_ptr<Lists> lists_;
 };
 
 /// Lets the caller's own update, which there is, change the trail. True where it asks for the end

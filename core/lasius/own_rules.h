@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -24,9 +25,9 @@ using TrailPlace = std::int64_t;
 /// in a row by dx. Of Neighbours::four: up, left, right, down.
 LASIUS_EXPORT std::vector<Cell> move_steps(Neighbours neighbours);
 
-/// What the ants of one iteration have found, for an update. Views and the object hold until the
-/// update returns; nothing is copied for the call. Tours are those that the built-in updates see:
-/// after Params::walk_cut, before polish.
+/// What the ants of one iteration have found, for an update. The object holds until the update
+/// returns, and so do its spans, save for who keeps `memory`. Nothing is copied for the call. Tours
+/// are those that the built-in updates see: after Params::walk_cut, before polish.
 struct LASIUS_EXPORT IterationTours {
   int iteration = 0;           ///< from 0
   int width = 0;               ///< of the map, in cells
@@ -53,6 +54,9 @@ struct LASIUS_EXPORT IterationTours {
   std::span<const TrailPlace> best_cells;
   std::span<const TrailPlace> best_arcs;  ///< its moves with Trail::arcs, else empty
   double best_length = std::numeric_limits<double>::quiet_NaN();  ///< its length; NaN without one
+
+  /// What the spans show: as long as a copy of this is kept they hold, and never change.
+  std::shared_ptr<const void> memory;
 
   /// Ants of the iteration.
   int ants() const noexcept { return static_cast<int>(lengths.size()); }

@@ -180,8 +180,14 @@ struct Result : SearchResult {
   std::string note;
 };
 
+/// What an observer sees of a plan among polygons.
+class PlanProgress : public Progress {
+ public:
+  /// The best path so far, made when it is asked for; holds until the observer returns.
+  std::function<std::vector<Point>()> path;
+};
 /// Called on the thread that called `plan`.
-using Observer = std::function<void(const Progress&)>;
+using Observer = std::function<void(const PlanProgress&)>;
 
 /// A world made ready: obstacles grown, clipped and merged, the MAKLINK graph made. Immutable: use
 /// one from many threads.

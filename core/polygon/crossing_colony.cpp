@@ -100,13 +100,7 @@ class CrossingColony final : public ColonyWorld {
   CrossingRun run() {
     CrossingRun run;
     run.cause = run_colony_loop(*this, iterations_of(parameters_), control_.stop, run.curves);
-    if (best_choices_.empty() || start_.length <= best_tour_length_) {
-      run.best = start_;
-    } else {
-      std::vector<double> values;
-      for (const int k : best_choices_) values.push_back(value(k));
-      run.best = cross_at(route_, std::move(values));
-    }
+    run.best = best();
     return run;
   }
 
@@ -166,9 +160,18 @@ class CrossingColony final : public ColonyWorld {
     return parameters_.agreement > 0 && agreed_ >= parameters_.agreement;
   }
 
-  StopCondition::Cause observe(const Convergence& run) override { return control_.observe(run); }
+  StopCondition::Cause observe(const Convergence& run) override {
+    return control_.observe(run, [this] { return best(); });
+  }
 
  private:
+  Crossing best() const {
+    if (best_choices_.empty() || start_.length <= best_tour_length_) return start_;
+    std::vector<double> values;
+    for (const int k : best_choices_) values.push_back(value(k));
+    return cross_at(route_, std::move(values));
+  }
+
   double value(int k) const { return static_cast<double>(k) / (parameters_.values - 1); }
   int& choice(int ant, int gate) { return choices_[static_cast<std::size_t>(ant) * gates_ + gate]; }
   Tour tour(int ant) const {

@@ -20,7 +20,9 @@ struct CrossingRun {
 struct RunControl {
   StopCondition stop;
   double good_enough = 0;  ///< ends at a path of this length
-  std::function<StopCondition::Cause(const Convergence&)> observe;  ///< says whether to stop
+  /// Gets the curves and what makes the best path so far; says whether to stop.
+  std::function<StopCondition::Cause(const Convergence&, const std::function<Crossing()>& best)>
+      observe;
 };
 
 /// `maklink-acs` (the lecture, E2): ant colony system on `values` points of each gate. All ants

@@ -38,9 +38,7 @@ class CrossingGa final : public ColonyWorld {
   CrossingRun run() {
     CrossingRun run;
     run.cause = run_colony_loop(*this, iterations_of(parameters_), control_.stop, run.curves);
-    run.best = best_.genes.empty() || start_.length <= best_.length
-                   ? start_
-                   : cross_at(route_, std::move(best_.genes));
+    run.best = best();
     return run;
   }
 
@@ -84,9 +82,16 @@ class CrossingGa final : public ColonyWorld {
   double tour_length(int ant) const override { return children_[ant].length; }
   double best_length() const override { return best_length_; }
   bool settled() const override { return best_length_ <= control_.good_enough; }
-  StopCondition::Cause observe(const Convergence& run) override { return control_.observe(run); }
+  StopCondition::Cause observe(const Convergence& run) override {
+    return control_.observe(run, [this] { return best(); });
+  }
 
  private:
+  Crossing best() const {
+    const bool none = best_.genes.empty() || start_.length <= best_.length;
+    return none ? start_ : cross_at(route_, best_.genes);
+  }
+
   void newcomer(Chromosome& child, Draws& draws) const {
     child.genes.resize(route_.gates.size());
     for (double& gene : child.genes) gene = draws.real();

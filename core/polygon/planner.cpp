@@ -278,7 +278,8 @@ Result exact(const ShortestPath& shortest, const Observer& observer) {
   result.length = shortest.path.empty() ? kNaN : shortest.length;
   result.optimal = !shortest.path.empty();
   if (observer && result.optimal) {
-    Progress view;  // the only path that the search finds is the last
+    PlanProgress view;  // the only path that the search finds is the last
+    view.path = [&] { return result.path; };
     view.best_length = result.length;
     view.lower_bound = result.lower_bound;
     observer(view);

@@ -40,7 +40,9 @@ StopCondition::Cause RoutePlan::search(const Route& route, double enough, Result
   CrossingRun run{.best = dijkstra, .curves = {}};
   if (!route.gates.empty()) {
     const RunControl control{request_.stop, enough - beside_,
-                             [&](const Convergence& now) { return observe(now, result); }};
+                             [&](const Convergence& now, const std::function<Crossing()>& best) {
+                               return observe(now, best, result);
+                             }};
     run = find_algorithm(parameters_.algorithm()).kind == Algorithm::Kind::genetic
               ? run_crossing_ga(route, dijkstra, parameters_, control)
               : run_crossing_colony(route, dijkstra, parameters_, control);
@@ -67,8 +69,15 @@ Crossing RoutePlan::whole(Crossing crossing) const {
   return crossing;
 }
 
-StopCondition::Cause RoutePlan::observe(const Convergence& run, const Result& result) const {
-  Progress view;
+StopCondition::Cause RoutePlan::observe(const Convergence& run,
+                                        const std::function<Crossing()>& best,
+                                        const Result& result) const {
+  PlanProgress view;
+  view.path = [&] {
+    const Crossing here = whole(best());
+    return result.dijkstra && result.crossing.length <= here.length ? result.crossing.path
+                                                                    : here.path;
+  };
   view.iteration = result.iterations;
   if (result.dijkstra) view.best_length = result.crossing.length;
   view.lower_bound = result.lower_bound;

@@ -1,6 +1,8 @@
 // Line sequences searched one after the other, by ants or by the genetic algorithm.
 #pragma once
 
+#include <functional>
+
 #include "core/base/poller.h"
 #include "core/loop/colony_loop.h"
 #include "core/polygon/route.h"
@@ -26,7 +28,8 @@ class RoutePlan {
  private:
   StopCondition::Cause search(const Route& route, double enough, Result& result);
   Crossing whole(Crossing crossing) const;
-  StopCondition::Cause observe(const Convergence& run, const Result& result) const;
+  StopCondition::Cause observe(const Convergence& run, const std::function<Crossing()>& best,
+                               const Result& result) const;
   void append(const Convergence& run, Result& result) const;
 
   const Regions& regions_;

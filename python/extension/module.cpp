@@ -12,6 +12,7 @@ PYBIND11_MODULE(_lasius, module) {
   bind_grid(module);
   bind_maps(module);
   bind_params(module);
+  bind_own_rules(module);
   bind_planner(module);
   bind_batch(module);
   bind_navigator(module);

@@ -9,6 +9,7 @@ void bind_errors(pybind11::module_& module);
 void bind_grid(pybind11::module_& module);
 void bind_maps(pybind11::module_& module);
 void bind_params(pybind11::module_& module);
+void bind_own_rules(pybind11::module_& module);
 void bind_planner(pybind11::module_& module);
 void bind_batch(pybind11::module_& module);
 void bind_navigator(pybind11::module_& module);

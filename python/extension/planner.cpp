@@ -5,6 +5,7 @@
 #include "python/extension/call.h"
 #include "python/extension/modules.h"
 #include "python/extension/names.h"
+#include "python/extension/own_rules.h"
 #include "python/extension/progress.h"
 #include "python/extension/results.h"
 #include "python/extension/workspace.h"
@@ -31,12 +32,17 @@ py::tuple prepared(const Planner& planner, int threads, std::int64_t max_bytes) 
 
 py::tuple plan(const Planner& planner, Cell start, Cell goal, const Params& params,
                double target_gap, std::optional<double> time_limit, SharedWorkspace* workspace,
-               const py::object& callback) {
+               const py::object& callback,
+               const std::optional<py::array_t<double, py::array::c_style>>& heuristic,
+               const py::object& update, const py::object& schedule) {
   Call call(time_limit);
   const SharedWorkspace::Use use(workspace);
   const Observer observe = observer<GridProgress>(call, callback);
+  const Given given{heuristic, update, schedule};
+  const OwnRules own = own_rules(given, params, call);
   const Result result = call.run([&] {
-    return planner.plan({start, goal, call.condition(), target_gap}, params, use.get(), observe);
+    return planner.plan({start, goal, call.condition(), target_gap}, params, own, use.get(),
+                        observe);
   });
   return py::make_tuple(call.error(), fields(result));
 }

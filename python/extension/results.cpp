@@ -18,7 +18,7 @@ py::tuple search_fields(const SearchResult& r) {
 }
 
 py::tuple fields(const Result& r) {
-  return py::make_tuple(search_fields(r), to_array(std::span(r.path)), r.nearest_free);
+  return py::make_tuple(search_fields(r), to_array(std::span(r.path)), r.nearest_free, r.own_rules);
 }
 
 }  // namespace lasius::python

@@ -13,7 +13,7 @@ Cells are (x, y), column and row from the top left; arrays of cells are [y, x]. 
 """
 
 from . import _lasius, plots
-from ._lasius import DriveTick, Grid, Progress, WorldFrame, Workspace
+from ._lasius import DriveTick, Grid, IterationTours, Pheromone, Progress, WorldFrame, Workspace
 from ._lasius import version as __version__
 from .errors import Error, FileBroken, FileMissing, FileUnsupported, InvalidParameter, OutputFailed
 from .maps import (
@@ -47,12 +47,14 @@ __all__ = [
     "FileMissing",
     "FileUnsupported",
     "Grid",
+    "IterationTours",
     "InvalidParameter",
     "Map",
     "Navigator",
     "OutputFailed",
     "Parameter",
     "Params",
+    "Pheromone",
     "Planner",
     "Preparation",
     "Progress",

@@ -73,9 +73,9 @@ class Navigator:
             robot: its cell (x, y).
             time_limit: seconds.
         """
-        error, ((search, path, nearest), replanned, walk) = self._raw.step(robot, time_limit)
+        error, ((search, *found), replanned, walk) = self._raw.step(robot, time_limit)
         grid, goal = self._raw.map(), self._raw.goal()
-        way = answer(Way, search, path, nearest, robot, goal, self._params, grid, replanned, walk)
+        way = answer(Way, search, *found, robot, goal, self._params, grid, replanned, walk)
         return finish(error, way)
 
     @property

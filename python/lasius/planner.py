@@ -14,6 +14,7 @@ from .errors import finish, made
 from .parameters import OptionalParams, Params, chosen
 from .progress import Shown, Watch, counted, watched
 from .results import BatchResult, Result, answer
+from .rules import Heuristic, Schedule, Update, named, table_of
 
 Observer = Callable[[Progress], Any]
 
@@ -80,6 +81,9 @@ class Planner:
         observer: Optional[Observer] = None,
         progress: Shown = None,
         workspace: Optional[Workspace] = None,
+        update: Union[None, str, Update] = None,
+        heuristic: Optional[Heuristic] = None,
+        schedule: Optional[Schedule] = None,
         **settings: Any,
     ) -> Result:
         """Answers one question. The same input gives the same path bit for bit, with any number of threads.
@@ -103,19 +107,26 @@ class Planner:
                 `progress.stop()` ends the search.
             progress: True shows a bar in a terminal or notebook; or called with (done, all, text).
             workspace: scratch memory to use again.
+            update: a colony's parameter; or your own update, called with (trail, tours), a Pheromone and
+                IterationTours, once an iteration. Arrays of `tours` are read-only views.
+            heuristic: a colony's parameter; or your own values, (height, width) by the cell that a move
+                leads to, or (height, width, moves) by the move. The larger the better.
+            schedule: your own: called with the iteration, it returns a dict of what differs from the
+                parameters of alpha, beta, greedy, pheromone_rule, distance_rule, combined_rule.
             **settings: parameters by name, as of Params.
         Raises:
             InvalidParameter: for parameters out of range. A start or goal that is blocked or outside
                 is an answer, with the status "invalid".
         """
-        used = chosen(Params, params, settings)
+        used = chosen(Params, params, named(settings, update, heuristic))
+        table, own_update = table_of(heuristic, self._grid), None if isinstance(update, str) else update
         watch = watched(observer, progress, used)
-        error, (search, path, nearest) = self._raw.plan(
-            start, goal, used._raw, target_gap, time_limit, workspace, watch
+        error, (search, *found) = self._raw.plan(
+            start, goal, used._raw, target_gap, time_limit, workspace, watch, table, own_update, schedule
         )
         if isinstance(watch, Watch):
             watch.close()
-        result = answer(Result, search, path, nearest, start, goal, used, self._grid)
+        result = answer(Result, search, *found, start, goal, used, self._grid)
         return result if error is None else finish(error, result)
 
     def batch(

@@ -97,6 +97,7 @@ class Result(SearchResult):
 
     path: FloatArray  #: (n, 2), x and y in continuous cell coordinates: (0.5, 0.5) is cell (0, 0)'s centre
     nearest_free: Optional[Cell]  #: to a start or goal that is blocked or outside
+    own_rules: bool  #: rules of your own took part: parameters and seed alone do not give it again
     start: Cell  #: as asked
     goal: Cell  #: as asked
     params: ParameterSet  #: as asked

@@ -22,8 +22,17 @@ result: lasius.Result = planner.plan((0, 0), (3, 3), lasius.Params("mmas", ants=
 gap: Optional[float] = result.gap
 answers: lasius.BatchResult = planner.batch([[0, 0]], [[3, 3]], "exact", threads=1)
 first: float = float(answers.length[0])
+
+
+def persist(trail: lasius.Pheromone, tours: lasius.IterationTours) -> None:
+    trail.persist(0.9)
+    trail.add(tours.best_places(), 1 / tours.best_length)
+
+
+own: lasius.Result = planner.plan((0, 0), (3, 3), "ras", update=persist, heuristic=np.ones((4, 4)))
 world = polygon.World([[0, 0], [1, 0], [1, 1]])
 way: polygon.Result = polygon.Planner(world).plan((0.1, 0.1), (0.5, 0.2))
 motion: arm.Trajectory = arm.plan(arm.Robot.read("a.urdf"), arm.Scene(), [0.0], arm.Goal.joints([1.0])).trajectory
 planner.plan((0, 0), 3)  # type: ignore[arg-type]
 planner.plan((0, 0), (3, 3), observer=3)  # type: ignore[arg-type]
+planner.plan((0, 0), (3, 3), "ras", update=3)  # type: ignore[arg-type]

@@ -55,6 +55,20 @@ std::vector<Vector3d> outline(const arm::Solid& o) {
   return points;
 }
 
+std::vector<arm::Pose> body_poses(const arm::Robot& robot, const arm::JointVector& q) {
+  std::vector<arm::Pose> poses{arm::Pose::Identity()};
+  for (int i = 0; i < robot.size(); ++i) {
+    const arm::Joint& joint = robot.joints[static_cast<std::size_t>(i)];
+    arm::Pose at = poses.back() * joint.frame;
+    if (joint.kind == arm::Joint::Kind::revolute)
+      at.rotate(Eigen::AngleAxisd(q[i], joint.axis));
+    else
+      at.translate(Vector3d(q[i] * joint.axis));
+    poses.push_back(at);
+  }
+  return poses;
+}
+
 std::vector<Point> hull(std::vector<Point> points) {
   std::sort(points.begin(), points.end(),
             [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });

@@ -14,4 +14,7 @@ std::vector<Eigen::Vector3d> outline(const arm::Solid& solid);
 /// The convex hull (Andrew's monotone chain), its corners in order.
 std::vector<Point> hull(std::vector<Point> points);
 
+/// Where the frames of the base and of each joint, moved, are at joint values `q`.
+std::vector<arm::Pose> body_poses(const arm::Robot& robot, const arm::JointVector& q);
+
 }  // namespace lasius::tool

@@ -35,22 +35,12 @@ struct Aspect {
 constexpr std::array<Aspect, 3> kViews{Aspect{"from above", 0, 1}, Aspect{"from the front", 0, 2},
                                        Aspect{"from the side", 1, 2}};
 
-/// The part of space that all views show.
-struct Bounds {
-  Vector3d low = Vector3d::Constant(1e9), high = Vector3d::Constant(-1e9);
-  void add(const Vector3d& p, double r = 0) {
-    low = low.cwiseMin((p.array() - r).matrix());
-    high = high.cwiseMax((p.array() + r).matrix());
-  }
-  double widest() const { return std::max((high - low).maxCoeff(), 0.01); }
-};
-
 /// One view's place on the page, in metres, both axes alike.
 struct Frame {
   const Aspect& view;
   Axes axes;
 
-  Frame(const Aspect& seen, const Box& box, const Bounds& bounds)
+  Frame(const Aspect& seen, const Box& box, const SpaceBounds& bounds)
       : view(seen), axes{.box = box, .x = {}, .y = {}} {
     const auto around = [&](int axis) {
       const double middle = 0.5 * (bounds.low[axis] + bounds.high[axis]);
@@ -88,17 +78,10 @@ void draw_arm(Canvas& canvas, const Frame& frame, const arm::Robot& robot,
 void draw_bones(Canvas& canvas, const Frame& frame, const arm::Robot& robot,
                 const arm::JointVector& q, Colour colour) {
   std::vector<Point> bones;
-  arm::Pose at = arm::Pose::Identity();
-  for (int i = 0; i < robot.size(); ++i) {
-    const arm::Joint& joint = robot.joints[i];
-    at = at * joint.frame;
-    bones.push_back(frame.at(at.translation()));
-    if (joint.kind == arm::Joint::Kind::revolute)
-      at.rotate(Eigen::AngleAxisd(q[i], joint.axis));
-    else
-      at.translate(Vector3d(q[i] * joint.axis));
-  }
-  bones.push_back(frame.at(at * robot.tip.translation()));
+  const auto bodies = body_poses(robot, q);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    bones.push_back(frame.at((bodies[i] * robot.joints[i].frame).translation()));
+  bones.push_back(frame.at(bodies.back() * robot.tip.translation()));
   canvas.stroke(bones, colour, 2.5, 1);
 }
 
@@ -125,7 +108,7 @@ std::vector<Vector3d> tip_path(const ArmAnswer& answer) {
   return path;
 }
 
-void draw_view(Canvas& canvas, const Box& box, const Aspect& view, const Bounds& bounds,
+void draw_view(Canvas& canvas, const Box& box, const Aspect& view, const SpaceBounds& bounds,
                const ArmAnswer& answer) {
   const Frame frame(view, box, bounds);
   static constexpr const char* kNames[] = {"x, m", "y, m", "z, m"};
@@ -217,8 +200,23 @@ study::LineChart question_chart(const std::vector<arm::Questions>& asked) {
           .lengths = false};
 }
 
-Bounds bounds_of(const ArmAnswer& answer) {
-  Bounds bounds;
+/// What came of it, below or beside the title.
+std::string figures_text(const ArmAnswer& answer) {
+  if (answer.plan.tips.cols() == 0) return std::string(to_string(answer.plan.status));
+  std::array<char, 200> figures;
+  std::snprintf(
+      figures.data(), figures.size(),
+      "%s %.3g %s, %lld positions and %lld motions asked, takes %.2f s",
+      answer.plan.direct ? "straight in joint space," : "lattice path", answer.plan.length,
+      unit_of(answer.parameters.objective), static_cast<long long>(answer.plan.questions.positions),
+      static_cast<long long>(answer.plan.questions.motions), answer.plan.trajectory.duration());
+  return figures.data();
+}
+
+}  // namespace
+
+SpaceBounds bounds_of(const ArmAnswer& answer) {
+  SpaceBounds bounds;
   for (const auto& q : poses(answer))
     for (const arm::Link& link : arm::place_links(answer.robot, q))
       for (const arm::Solid& solid : link.solids)
@@ -226,7 +224,7 @@ Bounds bounds_of(const ArmAnswer& answer) {
   for (const Eigen::Vector3d p : answer.plan.tips.colwise()) bounds.add(p);
   for (const arm::Goal& goal : answer.goals) bounds.add(tip_of(answer.robot, goal));
   // Obstacles far from the arm may be cut off.
-  const Bounds arm = bounds;
+  const SpaceBounds arm = bounds;
   const double room = arm.widest();
   for (const auto& o : answer.scene.obstacles)
     for (const Vector3d& p : outline(o)) {
@@ -236,30 +234,19 @@ Bounds bounds_of(const ArmAnswer& answer) {
   return bounds;
 }
 
-std::string title(const ArmCommand& command, const ArmAnswer& answer) {
+std::string arm_title(const ArmCommand& command, const ArmAnswer& answer) {
   const auto base = [](const std::string& file) {
     return std::filesystem::path(file).filename().string();
   };
-  std::string text = std::string(answer.parameters.algorithm()) + ": " + base(command.robot) +
-                     " in " + base(command.scene) + ", seed " + std::to_string(command.seed) + ": ";
-  if (answer.plan.tips.cols() == 0) return text + std::string(to_string(answer.plan.status));
-  std::array<char, 200> figures;
-  std::snprintf(
-      figures.data(), figures.size(),
-      "%s %.3g %s, %lld positions and %lld motions asked, takes %.2f s",
-      answer.plan.direct ? "straight in joint space," : "lattice path", answer.plan.length,
-      unit_of(answer.parameters.objective), static_cast<long long>(answer.plan.questions.positions),
-      static_cast<long long>(answer.plan.questions.motions), answer.plan.trajectory.duration());
-  return text + figures.data();
+  return std::string(answer.parameters.algorithm()) + ": " + base(command.robot) + " in " +
+         base(command.scene) + ", seed " + std::to_string(command.seed);
 }
-
-}  // namespace
 
 void write_arm_picture(const std::string& file, const ArmCommand& command,
                        const ArmAnswer& answer) {
   const arm::Result& plan = answer.plan;
   const bool moves = !plan.trajectory.empty() && plan.trajectory.duration() > 0;
-  const Bounds bounds = bounds_of(answer);
+  const SpaceBounds bounds = bounds_of(answer);
   std::vector<Panel> views, charts;
   for (const Aspect& view : kViews)
     views.push_back({view.name, [&](Canvas& canvas, const Box& box) {
@@ -280,7 +267,7 @@ void write_arm_picture(const std::string& file, const ArmCommand& command,
     add([&](Canvas& canvas, const Box& box) {
       study::draw(canvas, box, question_chart(plan.asked));
     });
-  Page page{.title = title(command, answer),
+  Page page{.title = arm_title(command, answer) + ": " + figures_text(answer),
             .legend = keys_of(answer),
             .cells = false,
             .bands = {{.rows = {std::move(views)}, .small = true, .columns = 3}}};

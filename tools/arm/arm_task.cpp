@@ -8,6 +8,7 @@
 #include "tools/arm/arm_json.h"
 #include "tools/arm/arm_picture.h"
 #include "tools/arm/arm_recorded.h"
+#include "tools/arm/arm_report.h"
 #include "tools/arm/arm_samples.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/exit_code.h"
@@ -173,6 +174,10 @@ class ArmTask : public Task {
   }
   void write_picture(const std::string& file) const override {
     write_arm_picture(file, command_, found_);
+  }
+
+  void write_report(std::ostream& out) const override {
+    write_arm_report(out, *this, command_, found_);
   }
 
   const char* format() const override { return kArmFormat; }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tools/bitmap/bitmap_report.h"
 #include "tools/bitmap/map_record.h"
 #include "tools/bitmap/picture.h"
 #include "tools/console/parameters.h"
@@ -78,11 +79,13 @@ void BitmapTask::plan(const StopCondition& stop, const Watch& watch) {
   const RunOptions& run = options();
   if (algorithm().kind == Algorithm::Kind::colony && std::ranges::any_of(run.outputs, is_picture))
     recorder_.emplace(map_->grid(), run.track_iterations, run.params);
+  if (std::ranges::any_of(run.outputs, is_page)) frames_.emplace(map_->grid(), run.params);
   Observer observer;
-  if (watch || recorder_)
+  if (watch || recorder_ || frames_)
     observer = [&](const GridProgress& progress) {
       if (watch) watch(progress);
       if (recorder_) recorder_->observe(progress);
+      if (frames_) frames_->observe(progress);
     };
   const auto index = answer_.index;
   answer_ = answer(*map_, run, answer_.start, answer_.goal, stop, observer);
@@ -139,6 +142,11 @@ void BitmapTask::write_path(std::ostream& out, const char* between) const {
 
 void BitmapTask::write_picture(const std::string& file) const {
   write_plan_picture(file, *map_, options(), answer_, recorder_ ? &*recorder_ : nullptr);
+}
+
+void BitmapTask::write_report(std::ostream& out) const {
+  write_bitmap_report(out, *this, *map_, options(), {answer_.start.cell, answer_.goal.cell},
+                      result().path, frames_ ? &*frames_ : nullptr);
 }
 
 std::vector<std::string> BitmapTask::end_texts() const {

@@ -7,6 +7,7 @@
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/map_file.h"
 #include "tools/bitmap/picture_recorder.h"
+#include "tools/bitmap/run_frames.h"
 #include "tools/record/task.h"
 
 namespace lasius::tool {
@@ -41,6 +42,7 @@ class BitmapTask : public Task {
   void remark() const override;
   void write_path(std::ostream& out, const char* between) const override;
   void write_picture(const std::string& file) const override;
+  void write_report(std::ostream& out) const override;
   /// Start and goal as they were asked for, a coordinate a text.
   std::vector<std::string> end_texts() const;
 
@@ -57,6 +59,7 @@ class BitmapTask : public Task {
   PlanCommand command_;
   SharedMap map_;
   std::optional<PictureRecorder> recorder_;
+  std::optional<RunFrames> frames_;
   Answer answer_;
 };
 

@@ -7,10 +7,6 @@
 namespace lasius::tool {
 namespace {
 
-constexpr int kMostPixels = 2048;
-/// Up to so many cells the pheromone of every one is read, else only around the ants' tracks.
-constexpr std::int64_t kReadAll = std::int64_t{1} << 22;
-
 std::vector<int> usual(const Params& params) {
   std::vector<int> chosen{1, params.critical_time > 0 ? params.critical_time : 10, 50,
                           params.iterations};
@@ -22,12 +18,14 @@ std::vector<int> usual(const Params& params) {
 
 }  // namespace
 
-PictureRecorder::PictureRecorder(const Grid& grid, std::vector<int> chosen, const Params& params)
+PictureRecorder::PictureRecorder(const Grid& grid, std::vector<int> chosen, const Params& params,
+                                 const Limits& limits)
     : grid_(grid),
       chosen_(chosen.empty() ? usual(params) : std::move(chosen)),
       last_(params.iterations),
       index_(params.update == Update::terminal_index),
-      cells_a_pixel_((std::max(grid.width(), grid.height()) + kMostPixels - 1) / kMostPixels) {
+      reads_all_(static_cast<std::int64_t>(grid.width()) * grid.height() <= limits.read_all),
+      cells_a_pixel_((std::max(grid.width(), grid.height()) + limits.pixels - 1) / limits.pixels) {
   const auto pixels = [this](int cells) { return (cells + cells_a_pixel_ - 1) / cells_a_pixel_; };
   newest_.now = newest_.so_far = Raster<std::uint32_t>(pixels(grid.width()), pixels(grid.height()));
 }
@@ -58,11 +56,10 @@ void PictureRecorder::capture(const GridProgress& progress) {
     values = Raster<float>(newest_.now.width, newest_.now.height,
                            std::numeric_limits<float>::quiet_NaN());
   pheromone_.iterations = done_;
-  const bool all = static_cast<std::int64_t>(grid_.width()) * grid_.height() <= kReadAll;
   for (int y = 0; y < values.height; ++y) {
     const int bottom = std::min((y + 1) * cells_a_pixel_, grid_.height());
     for (int x = 0; x < values.width; ++x) {
-      if (!all && !touched_near(x, y)) continue;
+      if (!reads_all_ && !touched_near(x, y)) continue;
       const int right = std::min((x + 1) * cells_a_pixel_, grid_.width());
       double shown = std::numeric_limits<double>::quiet_NaN();
       for (int r = y * cells_a_pixel_; r < bottom; ++r)

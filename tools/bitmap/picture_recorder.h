@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "lasius/params.h"
@@ -11,10 +12,16 @@
 
 namespace lasius::tool {
 
-/// Gathers the ants' tracks and the pheromone, on a raster of at most 2048 pixels a side: its
+/// Gathers the ants' tracks and the pheromone, on a raster of at most so many pixels a side: its
 /// memory does not grow with the map.
 class PictureRecorder {
  public:
+  struct Limits {
+    int pixels = 2048;  ///< a side of the rasters
+    /// Up to so many cells the pheromone of every one is read, else only around the ants' tracks.
+    std::int64_t read_all = std::int64_t{1} << 22;
+  };
+
   /// Ants by pixel: those of one iteration, and of all up to it.
   struct Tracks {
     int iterations;  ///< its number, from 1
@@ -31,25 +38,34 @@ class PictureRecorder {
 
   /// `chosen`: after which iterations tracks are kept, rising; empty: 1, the critical time or 10,
   /// 50, and the last of `params`.
-  PictureRecorder(const Grid& grid, std::vector<int> chosen, const Params& params);
+  PictureRecorder(const Grid& grid, std::vector<int> chosen, const Params& params,
+                  const Limits& limits);
+  PictureRecorder(const Grid& grid, std::vector<int> chosen, const Params& params)
+      : PictureRecorder(grid, std::move(chosen), params, Limits{}) {}
 
   void observe(const GridProgress& progress);
+  /// Reads the pheromone now; `observe` does so where that costs little. `observe` has seen it.
+  void capture(const GridProgress& progress);
 
   /// The chosen iterations that the run reached; its last one where it ended before some.
   std::vector<Tracks> tracks() const;
+  /// The last iteration that was observed.
+  const Tracks& newest() const { return newest_; }
   /// Of a terminal-index run: the index.
   const Pheromone& pheromone() const { return pheromone_; }
   /// Both rasters: pixel (x, y) holds the cells (x, y) * cells_a_pixel() and up.
   int cells_a_pixel() const { return cells_a_pixel_; }
+  /// Whether every cell's pheromone was read.
+  bool reads_all() const { return reads_all_; }
 
  private:
-  void capture(const GridProgress& progress);
   bool touched_near(int x, int y) const;
 
   const Grid& grid_;
   std::vector<int> chosen_;
   int last_;
   bool index_;  ///< it is a terminal index that the cells hold
+  bool reads_all_;
   int cells_a_pixel_;
   int done_ = 0;
   Tracks newest_;

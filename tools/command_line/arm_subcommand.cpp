@@ -90,7 +90,8 @@ Subcommand add_arm(CLI::App& app) {
                   ".csv  the trajectory: time, joints, their velocities, accelerations, tip\n"
                   ".yaml, .yml  the trajectory as ROS trajectory_msgs/JointTrajectory\n"
                   ".svg, .png  arm, obstacles, tip's path in three views, joints, convergence, "
-                  "questions"});
+                  "questions\n"
+                  ".html  one page with the arm moving in space, to be turned"});
   option("--objective", raw->value_of("objective"),
          "What is made short: moves of the lattice times pitch, joint travel, or time (default "
          "length)",

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
+#include <span>
 #include <string_view>
 #include <variant>
 
@@ -92,6 +94,37 @@ Command described(Command command, const CLI::App& app, const std::vector<Subcom
   return command;
 }
 
+/// A word as a shell reads it back.
+std::string shell_word(std::string_view word) {
+  const bool plain = !word.empty() && std::ranges::all_of(word, [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("-_./,:=+@%").find(c) != std::string_view::npos;
+  });
+  if (plain) return std::string(word);
+  std::string quoted = "'";
+  for (const char c : word)
+    if (c == '\'')
+      quoted += "'\\''";
+    else
+      quoted += c;
+  return quoted + "'";
+}
+
+/// A command that knows how it was called, for its report.
+Command called(Command command, std::span<const std::string_view> words) {
+  std::string text = "lasius";
+  for (const auto word : words.subspan(1)) text += " " + shell_word(word);
+  std::visit(
+      [&](auto& kind) {
+        if constexpr (requires { kind.run.called; })
+          kind.run.called = text;
+        else if constexpr (requires { kind.called; })
+          kind.called = text;
+      },
+      command);
+  return command;
+}
+
 }  // namespace
 
 Command parse_command_line(int argc, const char* const* argv) {
@@ -122,7 +155,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   }
   refuse_extras(app, commands, words);
   for (const auto& command : commands)
-    if (command.app->parsed()) return described(command.make(), app, commands);
+    if (command.app->parsed()) return described(called(command.make(), words), app, commands);
   throw UsageError("no command; " + known_commands(commands));
 }
 

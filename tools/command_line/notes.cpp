@@ -173,8 +173,8 @@ std::map<Key, Values> make_values() {
     values[{command, "MAP"}] = files(map_endings(true));
   for (const auto* option : {"MAP", "--world"})
     values[{"drive", option}] = files(map_endings(false));
-  for (const auto* command : {"plan", "batch"})
-    values[{command, "--output"}] = files(texts(kResultEndings));
+  values[{"plan", "--output"}] = files(texts(kPlanEndings));
+  values[{"batch", "--output"}] = files(texts(kResultEndings));
   values[{"drive", "--output"}] = files(texts(kDriveEndings));
   values[{"arm", "--output"}] = files(texts(kArmEndings));
   values[{"generate", "--output"}] = files(texts(kMapOutputEndings));

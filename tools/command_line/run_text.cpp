@@ -68,6 +68,9 @@ void read_search(const SearchText& text, SearchOptions& options,
   options.json = text.json;
   check_endings(text.outputs, endings);
   options.outputs = text.outputs;
+  const auto page = std::ranges::find_if(text.outputs, is_page);
+  if (options.seeds > 1 && page != text.outputs.end())
+    throw UsageError("-o " + *page + ": a report plays one run; give it one seed");
   options.messages = make_messages(text);
 }
 
@@ -267,9 +270,10 @@ WorldOptions make_world_options(const std::string& file, const WorldText& text) 
   return options;
 }
 
-PolygonCommand make_polygon(const RunText& run, const PolygonText& text) {
+PolygonCommand make_polygon(const RunText& run, const PolygonText& text,
+                            std::span<const std::string_view> endings) {
   PolygonCommand command;
-  read_search(run, command);
+  read_search(run, command, endings);
   command.world = make_world_options(run.map, text.world);
   command.start = optional_point("--start", text.ends.start);
   command.goal = optional_point("--goal", text.ends.goal);

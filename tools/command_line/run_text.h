@@ -34,11 +34,14 @@ struct RunText : SearchText {
 
 /// Endings of the files that -o takes.
 inline constexpr std::array<std::string_view, 4> kResultEndings{".json", ".csv", ".svg", ".png"};
-inline constexpr std::array<std::string_view, 5> kDriveEndings{".json", ".csv", ".svg", ".png",
-                                                               ".gif"};
-inline constexpr std::array<std::string_view, 6> kArmEndings{".json", ".csv", ".yaml",
-                                                             ".yml",  ".svg", ".png"};
+inline constexpr std::array<std::string_view, 6> kDriveEndings{".json", ".csv", ".svg",
+                                                               ".png",  ".gif", ".html"};
+inline constexpr std::array<std::string_view, 7> kArmEndings{".json", ".csv", ".yaml", ".yml",
+                                                             ".svg",  ".png", ".html"};
 inline constexpr std::array<std::string_view, 3> kMapOutputEndings{".map", ".pbm", ".png"};
+/// Of one plan.
+inline constexpr std::array<std::string_view, 5> kPlanEndings{".json", ".csv", ".svg", ".png",
+                                                              ".html"};
 
 /// @throws UsageError; Error(invalid_parameter) for a value that the library refuses.
 RunOptions make_run(const RunText& text,
@@ -86,7 +89,8 @@ struct PolygonText {
 
 /// @throws UsageError
 WorldOptions make_world_options(const std::string& file, const WorldText& text);
-PolygonCommand make_polygon(const RunText& run, const PolygonText& text);
+PolygonCommand make_polygon(const RunText& run, const PolygonText& text,
+                            std::span<const std::string_view> endings = kResultEndings);
 
 /// @throws UsageError where --radius is given for a polygon world.
 void refuse_radius(std::string_view radius);

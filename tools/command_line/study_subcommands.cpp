@@ -162,7 +162,10 @@ Subcommand add_study(CLI::App& app) {
   option("MAP", raw->run.map, "With run: the map, a file or \"KIND WxH DENSITY SEED\"", "FILE");
   option("--seeds", raw->seeds, "Seeds of the runs, 1 to N or A to B (default: the study's own)",
          "N|A-B");
-  option("-o,--output", raw->folder, "Folder to write (default study-NAME)", "DIR");
+  option(
+      "-o,--output", raw->folder,
+      "Folder to write (default study-NAME); FILE.html: that page, and a folder FILE for the rest",
+      "DIR|FILE.html");
   option("--threads", raw->threads, "Runs at a time", "N");
   option("--maps", raw->maps, "Folder of the maps, instead of the program's own", "DIR");
   option("--start", raw->run.start, "With run: where paths start", "X,Y");

@@ -27,7 +27,8 @@ constexpr const char* kOutputs =
     ".csv  iteration,best,mean,arrived by iteration; x,y of the path for algorithms without "
     "iterations; for batch a line a query; with --frame world in metres: best_m, x_m, ...\n"
     ".svg, .png  map, tracks, pheromone, path and convergence; for batch all paths; for polygon "
-    "worlds MAKLINK lines, midpoints, Dijkstra's path, path and convergence";
+    "worlds MAKLINK lines, midpoints, Dijkstra's path, path and convergence\n"
+    ".html  one page that plays the run, opens from disk and needs no network; not for batch";
 
 /// An option that was given an empty value was not left out.
 std::string not_empty(const std::string& value) { return value.empty() ? "has no value" : ""; }
@@ -37,7 +38,8 @@ constexpr const char* kDriveOutputs =
     ".json  what --json prints\n"
     ".csv  x,y of the track, one cell a tick; with --frame world x_m,y_m\n"
     ".svg, .png  the track over the world: what was seen when, where ways were planned\n"
-    ".gif  a film of at most 301 pictures";
+    ".gif  a film of at most 301 pictures\n"
+    ".html  one page that plays the drive tick by tick";
 
 constexpr SearchHelp kRunHelp = {
     .seed =
@@ -115,12 +117,12 @@ Subcommand add_plan(CLI::App& app) {
   return {plan, [raw]() -> Command {
             const PolygonText& text = raw->polygon;
             if (is_world(raw->run.map)) {
-              auto polygon = make_polygon(raw->run, text);
+              auto polygon = make_polygon(raw->run, text, kPlanEndings);
               if (polygon.seeds > 1) return PolygonBatchCommand{std::move(polygon), ""};
               return polygon;
             }
             refuse_world_options(text.world);
-            auto query = make_plan(text.ends, make_run(raw->run));
+            auto query = make_plan(text.ends, make_run(raw->run, kPlanEndings));
             if (query.run.seeds > 1)
               return BatchCommand{std::move(query.run), "", query.start, query.goal};
             return query;

@@ -8,18 +8,22 @@
 #include "lasius/clearance.h"
 #include "lasius/error.h"
 #include "lasius/shortest_walk.h"
+#include "tools/bitmap/bitmap_report.h"
 #include "tools/bitmap/map_record.h"
+#include "tools/bitmap/sheet.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
 #include "tools/drive/drive_answer.h"
+#include "tools/drive/drive_frames.h"
 #include "tools/drive/drive_picture.h"
 #include "tools/drive/film.h"
 #include "tools/drive/gif.h"
 #include "tools/options/commands.h"
 #include "tools/record/outputs.h"
 #include "tools/record/recorded.h"
+#include "tools/report/report.h"
 
 namespace lasius::tool {
 namespace {
@@ -62,6 +66,7 @@ class DriveTask : public Task {
   void write_csv(std::ostream& out) const override;
   void write_picture(const std::string& file) const override;
   void write_film(std::ostream& out) const override { film_->write(out); }
+  void write_report(std::ostream& out) const override;
 
   const char* format() const override { return kDriveFormat; }
   Json inputs() const override;
@@ -84,6 +89,7 @@ class DriveTask : public Task {
   DriveAnswer answer_{};
   std::optional<DriveRecorder> recorder_;
   std::optional<Film> film_;
+  std::optional<DriveFrames> frames_;
   SearchResult result_;
 };
 
@@ -188,17 +194,19 @@ Progress progress_of(const DriveTick& tick) {
 
 void DriveTask::plan(const StopCondition& stop, const Watch& watch) {
   DriveAnswer& answer = answer_;
-  const bool filmed = std::ranges::any_of(options().outputs, is_film);
-  if (filmed || std::ranges::any_of(options().outputs, is_picture))
-    recorder_.emplace(answer.map.grid(), answer.sense);
+  const auto asked = [&](const auto& kind) { return std::ranges::any_of(options().outputs, kind); };
+  const bool filmed = asked(is_film), played = asked(is_page);
+  if (filmed || played || asked(is_picture)) recorder_.emplace(answer.map.grid(), answer.sense);
   if (filmed) film_.emplace(answer.map.grid(), answer.goal.cell);
   std::optional<Grid> at_start;  // the world without moving obstacles
+  if (played) frames_.emplace(answer.map.grid(), answer.goal.cell);
   DriveObserver observer;
   if (watch || recorder_)
     observer = [&](const DriveTick& tick) {
       if (watch) watch(progress_of(tick));
       if (recorder_) recorder_->observe(tick);
       if (film_) film_->observe(tick, *recorder_);
+      if (frames_) frames_->observe(tick, *recorder_);
     };
   DrivingTime time;
   const DriveObserver untimed = [&](const DriveTick& tick) {
@@ -310,6 +318,15 @@ void DriveTask::write_path(std::ostream& out, const char* between) const {
 void DriveTask::write_csv(std::ostream& out) const {
   out << (in_metres() ? "x_m,y_m\n" : "x,y\n");
   if (has_path()) write_path(out, ",");
+}
+
+void DriveTask::write_report(std::ostream& out) const {
+  Json content = run_json(*this, "drive", "drive, " + map_title(answer_.map, options()));
+  content["map"] =
+      map_view_json(answer_.map, shown_of(answer_.map, {answer_.start.cell, answer_.goal.cell}));
+  content["sense"] = answer_.sense;
+  content["frames"] = frames_->json();
+  write_report_page(out, content);
 }
 
 void DriveTask::write_picture(const std::string& file) const {

@@ -6,23 +6,14 @@
 
 #include "tools/draw/colours.h"
 #include "tools/drive/gif.h"
+#include "tools/drive/ground.h"
 
 namespace lasius::tool {
 namespace {
 
-constexpr int kShades = 4;  // of walls that fill a pixel in part
+using namespace tick_codes;
 
-/// Numbers of colours: first the two of free cells, then kShades for each kind of wall on both.
-enum Special : std::uint8_t { kUnseen, kSeen, kWalls };
-enum Wall : std::uint8_t { kKnown, kUnknown, kBelieved, kWallKinds };
-enum Mark : std::uint8_t {
-  kTrack = kWalls + 2 * kWallKinds * kShades,
-  kWay,
-  kMover,
-  kRobot,
-  kTarget,
-  kColours
-};
+enum Mark : std::uint8_t { kTrack = kCodes, kWay, kMover, kRobot, kTarget, kColours };
 
 std::array<Colour, kColours> palette() {
   std::array<Colour, kColours> colours{};
@@ -44,16 +35,6 @@ std::array<Colour, kColours> palette() {
   return colours;
 }
 
-/// The colour of a pixel by the shares of its cells that are blocked, known to be, or both.
-std::uint8_t colour_of(bool seen, double there, double known) {
-  const double most = std::max(there, known);
-  if (most <= 0) return seen ? kSeen : kUnseen;
-  const Wall kind = there > 0 && known > 0 ? kKnown : there > 0 ? kUnknown : kBelieved;
-  const int shade = std::max(1, static_cast<int>(std::ceil(kShades * std::sqrt(most))));
-  return static_cast<std::uint8_t>(kWalls + (seen ? kWallKinds * kShades : 0) + kind * kShades +
-                                   shade - 1);
-}
-
 }  // namespace
 
 Film::Film(const Grid& map, Cell goal) : goal_(goal) {
@@ -71,16 +52,7 @@ void Film::observe(const DriveTick& tick, const DriveRecorder& recorder) {
   const Point robot = centre(tick.robot);
   if (tick.tick > 0) draw_line(track_, robot_, robot, kTrack);
   robot_ = robot;
-  const bool arrived = tick.robot == goal_;
-  if (tick.tick % stride_ != 0 && !arrived) return;
-  if (tick.tick % stride_ == 0 && frames_.size() == kMostFrames) {
-    std::size_t kept = 1;
-    for (std::size_t i = 2; i < frames_.size(); i += 2) frames_[kept++] = std::move(frames_[i]);
-    frames_.resize(kept);
-    stride_ *= 2;
-    if (tick.tick % stride_ != 0 && !arrived) return;
-  }
-  frames_.push_back(drawn(tick, recorder));
+  if (frames_.wants(tick.tick) || tick.robot == goal_) frames_.add(drawn(tick, recorder));
 }
 
 Film::Frame Film::drawn(const DriveTick& tick, const DriveRecorder& recorder) const {
@@ -109,24 +81,10 @@ Span Film::pixels(int cell, int cells, int side) const {
 }
 
 void Film::draw_cells(Frame& frame, const DriveTick& tick, const DriveRecorder& recorder) const {
-  const Grid& there = *tick.world;
-  const Grid& known = tick.robot_knows->map();
-  const int columns = std::min(width_, there.width()), rows = std::min(height_, there.height());
-  const Window all = whole(there);
-  const auto there_share = blocked_share(there, all, columns, rows);
-  const auto known_share = blocked_share(known, all, columns, rows);
-  Frame cells(columns, rows);
-  for (int y = 0; y < rows; ++y) {
-    const Span down = cells_under(y, rows, all.rows);
-    for (int x = 0; x < columns; ++x) {
-      const Span across = cells_under(x, columns, all.columns);
-      const bool seen = recorder.latest(recorder.seen(), across, down) >= 0;
-      cells.at(x, y) = colour_of(seen, there_share.at(x, y), known_share.at(x, y));
-    }
-  }
+  const Frame cells = codes_of(tick, recorder, width_, height_);
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x)
-      frame.at(x, y) = cells.at(x * columns / width_, y * rows / height_);
+      frame.at(x, y) = cells.at(x * cells.width / width_, y * cells.height / height_);
 }
 
 void Film::draw_line(Frame& frame, Point from, Point to, std::uint8_t colour) const {
@@ -152,7 +110,8 @@ void Film::write(std::ostream& out) const {
   constexpr int kHundredths = 6;
   // A drive that never began has no tick.
   write_gif(out, palette(),
-            frames_.empty() ? std::vector{Frame(width_, height_, kUnseen)} : frames_, kHundredths);
+            frames_.all().empty() ? std::vector{Frame(width_, height_, kUnseen)} : frames_.all(),
+            kHundredths);
 }
 
 }  // namespace lasius::tool

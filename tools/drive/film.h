@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <iosfwd>
-#include <vector>
 
 #include "lasius/drive.h"
 #include "tools/drive/drive_recorder.h"
+#include "tools/report/key_frames.h"
 
 namespace lasius::tool {
 
@@ -35,10 +35,9 @@ class Film {
   double scale_;  ///< pixels a cell
   int width_, height_;
   Cell goal_;
-  std::int64_t stride_ = 1;  ///< ticks from frame to frame
-  Frame track_;              ///< what it draws on every frame: where the robot was
-  Point robot_{};            ///< in the tick before
-  std::vector<Frame> frames_;
+  Frame track_;    ///< what it draws on every frame: where the robot was
+  Point robot_{};  ///< in the tick before
+  KeyFrames<Frame> frames_{kMostFrames};
 };
 
 }  // namespace lasius::tool

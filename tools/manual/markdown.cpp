@@ -9,7 +9,7 @@
 namespace lasius::tool {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   return text;
@@ -43,7 +43,7 @@ std::string without_links(std::string_view text) {
 /// The cells of a line of a table.
 std::vector<std::string> cells_of(std::string_view line) {
   std::vector<std::string> cells(1);
-  line = trimmed(line).substr(1);
+  line = without_blanks(line).substr(1);
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == '\\' && i + 1 < line.size() && line[i + 1] == '|')
       cells.back() += line[++i];
@@ -53,7 +53,7 @@ std::vector<std::string> cells_of(std::string_view line) {
       cells.back() += line[i];
   }
   cells.pop_back();  // behind the last bar
-  for (auto& cell : cells) cell = without_links(trimmed(cell));
+  for (auto& cell : cells) cell = without_links(without_blanks(cell));
   return cells;
 }
 
@@ -79,17 +79,17 @@ class Reader {
     if (fence_) return add_code(line);
     if (line.starts_with("|")) return read_row(line);
     header_.clear();
-    if (trimmed(line).empty()) {
+    if (without_blanks(line).empty()) {
       open_ = false;
     } else if (line.starts_with("    ") && !(open_ && blocks_.back().kind == Block::Kind::item)) {
       add_code(line.substr(4));
     } else if (const auto bullet = bullet_size(line)) {
-      const auto label = trimmed(line.substr(0, bullet));
+      const auto label = without_blanks(line.substr(0, bullet));
       blocks_.push_back(
           {Block::Kind::item, without_links(line.substr(bullet)), std::string(label)});
       open_ = true;
     } else {
-      add_text(trimmed(line));
+      add_text(without_blanks(line));
     }
   }
   Blocks take() { return std::move(blocks_); }
@@ -140,7 +140,8 @@ bool is_heading(std::string_view line) { return line.starts_with("#"); }
 Blocks markdown_section(std::string_view page, std::string_view heading) {
   while (!page.empty()) {
     const auto line = next_line(page);
-    if (!is_heading(line) || trimmed(line.substr(line.find_first_not_of('#'))) != heading) continue;
+    if (!is_heading(line) || without_blanks(line.substr(line.find_first_not_of('#'))) != heading)
+      continue;
     Reader reader;
     while (!page.empty()) {
       const auto next = next_line(page);

@@ -63,7 +63,7 @@ constexpr Topic kTopics[] = {
     {"driving", "a robot in a world that changes",
      [] {
        return sections({"driving/Driving through a world that changes",
-                        "driving/The file of changes", "driving/Text, table, picture, film"});
+                        "driving/The file of changes", "driving/Text, table, picture, film, page"});
      },
      false},
 };

@@ -58,6 +58,7 @@ struct SearchOptions {
   std::vector<std::string> outputs;
   Messages messages;
   std::vector<std::string> notes;  ///< what was asked for and has no effect
+  std::string called;              ///< the command line, for a shell to read
 };
 
 /// The options that `plan` and `batch` share on bitmaps.
@@ -133,7 +134,9 @@ struct StudyCommand {
   std::string folder;  ///< of the report and its runs
   std::string maps;    ///< folder of the maps; empty: the program's own
   Messages messages = {};
-  ShortStudy run = {};  ///< of "run"
+  ShortStudy run = {};      ///< of "run"
+  std::string called = {};  ///< as SearchOptions::called
+  std::string page = {};    ///< file of the report's page; empty: report.html in `folder`
 };
 
 struct TuneCommand {

@@ -16,6 +16,7 @@
 #include "tools/options/commands.h"
 #include "tools/polygon/polygon_answer.h"
 #include "tools/polygon/polygon_picture.h"
+#include "tools/polygon/polygon_report.h"
 #include "tools/record/batch_files.h"
 #include "tools/record/outputs.h"
 #include "tools/record/queries.h"
@@ -66,7 +67,14 @@ class PolygonTask : public Task {
   }
   void plan(const StopCondition& stop, const Watch& watch) override {
     const auto index = answer_.index;
-    take(polygon_answer(*world_, command_, answer_.parameters, stop, watch));
+    if (std::ranges::any_of(options().outputs, is_page)) frames_.emplace();
+    polygon::Observer observer;
+    if (watch || frames_)
+      observer = [&](const polygon::PlanProgress& progress) {
+        if (watch) watch(progress);
+        if (frames_) frames_->observe(progress);
+      };
+    take(polygon_answer(*world_, command_, answer_.parameters, stop, observer));
     answer_.index = index;
   }
   void set_seed(std::uint64_t seed) { command_.seed = seed; }
@@ -101,6 +109,9 @@ class PolygonTask : public Task {
   }
   void write_picture(const std::string& file) const override {
     write_polygon_picture(file, *world_, answer_);
+  }
+  void write_report(std::ostream& out) const override {
+    write_polygon_report(out, *this, *world_, answer_, frames_ ? &*frames_ : nullptr);
   }
 
   Json inputs() const override {
@@ -148,6 +159,7 @@ class PolygonTask : public Task {
 
   PolygonCommand command_;
   SharedWorld world_;
+  std::optional<PolygonFrames> frames_;
   PolygonAnswer answer_;
 };
 

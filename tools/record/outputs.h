@@ -15,13 +15,14 @@ bool is_picture(std::string_view file);
 bool is_table(std::string_view file);  ///< .csv
 bool is_yaml(std::string_view file);   ///< .yaml, .yml
 bool is_film(std::string_view file);   ///< .gif
+bool is_page(std::string_view file);   ///< .html
 
 /// The forms of a file, each made when it is asked for.
 struct Forms {
   std::function<void(std::ostream&)> json;
   std::function<void(std::ostream&)> csv;
   std::function<void()> picture;
-  std::function<void(std::ostream&)> yaml = {}, film = {};  ///< of those that have it
+  std::function<void(std::ostream&)> yaml = {}, film = {}, page = {};  ///< of those that have it
 };
 
 /// Writes a file in the form that its ending asks for, JSON where it asks for none. @throws

@@ -100,7 +100,8 @@ void deliver(const Task& task) {
                         .csv = [&](auto& out) { task.write_csv(out); },
                         .picture = [&] { task.write_picture(file); },
                         .yaml = [&](auto& out) { task.write_yaml(out); },
-                        .film = [&](auto& out) { task.write_film(out); }});
+                        .film = [&](auto& out) { task.write_film(out); },
+                        .page = [&](auto& out) { task.write_report(out); }});
     if (options.messages.verbose) message("wrote " + file);
   });
 }

@@ -83,6 +83,8 @@ class Task {
   virtual void write_picture(const std::string& file) const = 0;
   /// Only for tasks whose outputs may end in .gif.
   virtual void write_film(std::ostream&) const {}
+  /// Only for tasks whose outputs may end in .html.
+  virtual void write_report(std::ostream&) const {}
 
   // What it adds to the JSON, in the order of the contract; Task writes the rest.
   virtual const char* format() const { return kPlanFormat; }

@@ -14,11 +14,10 @@
 namespace lasius::study {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t kMostDrawn = 12;  ///< contenders: more cannot be told apart
 
-/// The samples of a question that have runs: what is drawn.
+}  // namespace
+
 std::vector<const Sample*> drawn(const Findings& findings, const Experiment& experiment,
                                  const Question& question) {
   std::vector<const Sample*> samples;
@@ -27,6 +26,17 @@ std::vector<const Sample*> drawn(const Findings& findings, const Experiment& exp
       if (!s->runs.empty()) samples.push_back(s);
   return samples;
 }
+
+const Run* best_run(const Sample& sample) {
+  const Run* best = nullptr;
+  for (const Run& run : sample.runs)
+    if (run.solved() && (best == nullptr || run.length < best->length)) best = &run;
+  return best;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
 
 /// Median and quartiles over the runs of all samples, by paths built; a run without a path yet
 /// counts as infinitely long.
@@ -91,47 +101,6 @@ LineChart run_lengths(const std::vector<const Sample*>& samples, double optimum)
   return chart;
 }
 
-/// False where there is no course to draw: runs of one iteration.
-bool draw_convergence(const Study& study, const Findings& findings, const Experiment& experiment,
-                      const Question& question, const fs::path& file) {
-  LineChart chart = chart_of("Best length so far on " + question.name, study);
-  const auto optimum = findings.optimum(experiment, question);
-  if (optimum) chart.levels = {{"true optimum", *optimum}};
-  const auto samples = drawn(findings, experiment, question);
-  for (const Sample* sample : samples)
-    chart.curves.push_back(curve_of({sample}, &Run::best, chart.curves.size()));
-  if (std::ranges::all_of(chart.curves, [](const Curve& c) { return c.x.size() < 2; }))
-    return false;
-  std::vector<LineChart> charts{std::move(chart)};
-  if (optimum)
-    if (LineChart lengths = run_lengths(samples, *optimum);
-        std::ranges::any_of(lengths.curves, [](const Curve& c) { return c.y.back() > 0; }))
-      charts.push_back(std::move(lengths));
-  save(charts, file);
-  return true;
-}
-
-/// Best and mean tours of some contenders over all questions.
-void draw_chart(const Study& study, const Findings& findings, const Experiment& experiment,
-                const std::vector<std::string>& contenders, const fs::path& file) {
-  std::vector<LineChart> charts{chart_of("Best so far", study), chart_of("Mean tour", study)};
-  for (const std::string& name : contenders) {
-    const auto samples = findings.of(experiment.name, name);
-    if (samples.empty()) continue;
-    for (auto& chart : charts)
-      chart.curves.push_back(curve_of(samples, &chart == charts.data() ? &Run::best : &Run::mean,
-                                      chart.curves.size()));
-  }
-  save(charts, file);
-}
-
-const Run* best_run(const Sample& sample) {
-  const Run* best = nullptr;
-  for (const Run& run : sample.runs)
-    if (run.solved() && (best == nullptr || run.length < best->length)) best = &run;
-  return best;
-}
-
 /// A contender's name and its best length.
 std::string legend_of(const Sample& sample, const std::optional<double>& optimum) {
   const Run* const run = best_run(sample);
@@ -165,6 +134,37 @@ void draw_paths(const Findings& findings, const Experiment& experiment, const Qu
 
 }  // namespace
 
+std::vector<LineChart> convergence_charts(const Study& study, const Findings& findings,
+                                          const Experiment& experiment, const Question& question) {
+  LineChart chart = chart_of("Best length so far on " + question.name, study);
+  const auto optimum = findings.optimum(experiment, question);
+  if (optimum) chart.levels = {{"true optimum", *optimum}};
+  const auto samples = drawn(findings, experiment, question);
+  for (const Sample* sample : samples)
+    chart.curves.push_back(curve_of({sample}, &Run::best, chart.curves.size()));
+  if (std::ranges::all_of(chart.curves, [](const Curve& c) { return c.x.size() < 2; })) return {};
+  std::vector<LineChart> charts{std::move(chart)};
+  if (optimum)
+    if (LineChart lengths = run_lengths(samples, *optimum);
+        std::ranges::any_of(lengths.curves, [](const Curve& c) { return c.y.back() > 0; }))
+      charts.push_back(std::move(lengths));
+  return charts;
+}
+
+std::vector<LineChart> contender_charts(const Study& study, const Findings& findings,
+                                        const Experiment& experiment,
+                                        const std::vector<std::string>& contenders) {
+  std::vector<LineChart> charts{chart_of("Best so far", study), chart_of("Mean tour", study)};
+  for (const std::string& name : contenders) {
+    const auto samples = findings.of(experiment.name, name);
+    if (samples.empty()) continue;
+    for (auto& chart : charts)
+      chart.curves.push_back(curve_of(samples, &chart == charts.data() ? &Run::best : &Run::mean,
+                                      chart.curves.size()));
+  }
+  return charts;
+}
+
 std::vector<Figure> draw_pictures(const Study& study, const Findings& findings,
                                   const fs::path& folder, const fs::path& maps) {
   make_folder(folder / "pictures");
@@ -172,7 +172,7 @@ std::vector<Figure> draw_pictures(const Study& study, const Findings& findings,
   for (const Experiment& experiment : study.experiments) {
     for (const auto& [name, contenders] : experiment.charts) {
       const std::string file = "pictures/" + experiment.name + "-" + name;
-      draw_chart(study, findings, experiment, contenders, folder / file);
+      save(contender_charts(study, findings, experiment, contenders), folder / file);
       figures.push_back({&experiment, file, "Best and mean tours, " + name});
     }
     if (!experiment.charts.empty() || experiment.contenders.size() > kMostDrawn) continue;
@@ -185,9 +185,11 @@ std::vector<Figure> draw_pictures(const Study& study, const Findings& findings,
         figures.push_back(
             {&experiment, stem + "-paths", "Best paths of each algorithm on " + question.name});
       }
-      if (draw_convergence(study, findings, experiment, question, folder / (stem + "-convergence")))
-        figures.push_back({&experiment, stem + "-convergence",
-                           "Best length so far by paths built on " + question.name});
+      const auto charts = convergence_charts(study, findings, experiment, question);
+      if (charts.empty()) continue;
+      save(charts, folder / (stem + "-convergence"));
+      figures.push_back({&experiment, stem + "-convergence",
+                         "Best length so far by paths built on " + question.name});
     }
   }
   return figures;

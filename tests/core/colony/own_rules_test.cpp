@@ -319,8 +319,7 @@ TEST(OwnRules, ToursAreNumberedByCellAndByMove) {
   NumberedTours numbered;
   const StopCondition never;
   Poller poller(never);
-  auto view = numbered.number(tours, grid, Trail::arcs, poller);
-  view.trail = Trail::arcs;
+  const auto view = numbered.number(tours, grid, Trail::arcs, poller);
   const auto list = [](auto span) { return std::vector<std::int64_t>(span.begin(), span.end()); };
   using List = std::vector<std::int64_t>;
   EXPECT_EQ(list(view.cells), (List{6, 11, 6, 7, 8, 13}));
@@ -335,6 +334,8 @@ TEST(OwnRules, ToursAreNumberedByCellAndByMove) {
   EXPECT_TRUE(view.arrived(1));
 
   const auto by_cell = numbered.number(tours, grid, Trail::cells, poller);
+  EXPECT_NE(by_cell.memory, view.memory);  // which is kept
+  EXPECT_EQ(list(view.cells), (List{6, 11, 6, 7, 8, 13}));
   EXPECT_TRUE(by_cell.arcs.empty());
   EXPECT_EQ(list(by_cell.places_of(1)), (List{6, 7, 8, 13}));
   EXPECT_EQ(list(by_cell.best_places()), (List{6, 7, 8, 13}));

@@ -120,7 +120,7 @@ TEST(Ants, FindThePrintedValuesOnReconstructedLines) {
   const Crossing dijkstra = cross_at(route, std::vector<double>(9, 0.5));
   EXPECT_NEAR(dijkstra.length, 507.692, 0.0005);
   RunControl control;
-  control.observe = [](const Convergence&) { return StopCondition::Cause::none; };
+  control.observe = [](const Convergence&, const auto&) { return StopCondition::Cause::none; };
   struct Printed {
     std::vector<double> h;
     double length;

@@ -12,12 +12,14 @@
 #include "tools/console/streams.h"
 #include "tools/draw/text.h"
 #include "tools/options/commands.h"
+#include "tools/record/outputs.h"
 #include "tools/study/bitmaps.h"
 #include "tools/study/description/draws.h"
 #include "tools/study/description/short_form.h"
 #include "tools/study/description/study_file.h"
 #include "tools/study/files.h"
 #include "tools/study/markdown.h"
+#include "tools/study/page.h"
 #include "tools/study/pictures.h"
 #include "tools/study/portrait.h"
 #include "tools/study/sources/console.h"
@@ -85,7 +87,8 @@ class Conduct {
   /// Runs what is left of a study and writes its report, partial after a signal.
   Findings run(const Study& study, const fs::path& folder) {
     study::make_folder(folder);
-    for (const char* name : {"report.md", "runs.csv", "results.csv", "claims.csv"})
+    if (!command_.page.empty()) check_outputs({command_.page}, {});
+    for (const char* name : {"report.md", "report.html", "runs.csv", "results.csv", "claims.csv"})
       check_outputs({(folder / name).string()}, {});  // before hours of work
     const auto domain = make_domain(study, maps_);
     Findings findings = conduct(study, *domain, folder);
@@ -133,6 +136,10 @@ class Conduct {
     study::write_text(folder / "claims.csv", evidence_table(evidence).csv());
     study::write_text(folder / "report.md",
                       report_page(study, findings, evidence, seeds(study), figures));
+    const fs::path page = command_.page.empty() ? folder / "report.html" : fs::path(command_.page);
+    write_file(page.string(), [&](std::ostream& out) {
+      study::write_study_page(out, {study, findings, evidence, maps_, command_.called});
+    });
   }
 
   const StudyCommand& command_;
@@ -194,9 +201,20 @@ int run_users_study(const StudyCommand& command) {
   return finished(conduct, fs::path(command.folder) / "report.md");
 }
 
+/// -o FILE.html: the page is written there, all else into a folder of the same name without ending.
+StudyCommand with_page(StudyCommand command) {
+  if (!is_page(command.folder)) return command;
+  if (command.name == "all")
+    throw UsageError("-o " + command.folder + ": a page is of one study; give a folder");
+  command.page = command.folder;
+  command.folder = fs::path(command.folder).replace_extension().string();
+  return command;
+}
+
 }  // namespace
 
-int run_study(const StudyCommand& command) {
+int run_study(const StudyCommand& asked) {
+  const StudyCommand command = with_page(asked);
   if (command.name == "run" || is_document(command.name)) return run_users_study(command);
   const auto all = studies();
   std::string list;

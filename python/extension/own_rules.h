@@ -1,0 +1,23 @@
+// Rules of a caller's own in a colony: a table, and functions of Python.
+#pragma once
+
+#include <optional>
+
+#include "lasius/own_rules.h"
+#include "python/extension/arrays.h"
+#include "python/extension/call.h"
+
+namespace lasius::python {
+
+/// What Planner.plan was given of them; None for what is the library's.
+struct Given {
+  std::optional<py::array_t<double, py::array::c_style>> heuristic;
+  py::object update;    ///< called with (trail, tours)
+  py::object schedule;  ///< called with the iteration, returns a dict of what differs
+};
+
+/// The library's form of it. All outlive it. What the functions raise is kept in `call`, and ends
+/// the search.
+OwnRules own_rules(const Given& given, const Params& params, Call& call);
+
+}  // namespace lasius::python

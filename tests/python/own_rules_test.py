@@ -1,0 +1,156 @@
+"""Rules of the caller's own: what computes the same as a built-in rule gives the same plan, bit for bit."""
+
+import gc
+
+import numpy as np
+import pytest
+
+import lasius
+from conftest import GOAL, START
+
+
+def rank_based(trail, tours):
+    trail.persist(0.9)
+    for rank, ant in enumerate(tours.ranked[:5], start=1):
+        trail.add(tours.places_of(ant), (6 - rank) / tours.lengths[ant])
+    if len(tours.best_cells):
+        trail.add(tours.best_places(), 6 / tours.best_length)
+
+
+def learning(trail, tours):
+    """Cong & Ponnambalam 2009, eq. 3 and 4, in numpy."""
+    for ant in range(len(tours.lengths)):
+        trail.persist(0.8)
+        cells, length = tours.cells_of(ant), tours.lengths[ant]
+        if np.isnan(length):
+            cells = cells[len(cells) // 2 :]
+            trail.set(cells, trail.get(cells) * 0.5)
+            trail.set_learned(cells, trail.get_learned(cells) * 0.5)
+        else:
+            trail.set(cells, trail.get(cells) * (1 + 1.2 * (tours.height / length)))
+            trail.set_learned(cells, trail.get_learned(cells) + tours.height / length)
+
+
+def same(a, b):
+    assert (a.status, a.iterations) == (b.status, b.iterations)
+    np.testing.assert_array_equal(a.path, b.path)
+    np.testing.assert_array_equal(a.curves.steps, b.curves.steps)
+
+
+@pytest.mark.parametrize("preset", ["usual", "book"])
+def test_ras_is_the_built_in_one_for_20_seeds(planner, preset):
+    for seed in range(1, 21):
+        params = lasius.Params("ras", preset=preset, iterations=5, seed=seed, threads=1 + seed % 2)
+        own = planner.plan(START, GOAL, params, update=rank_based)
+        same(own, planner.plan(START, GOAL, params))
+        assert own.own_rules
+
+
+def test_cong2009_is_the_built_in_one():
+    planner = lasius.Planner(lasius.generate("blobs", width=30, height=20, seed=5))
+    start, goal = planner.nearest_free((1, 1)), planner.nearest_free((28, 18))
+    for seed in range(1, 21):
+        params = lasius.Params("cong2009", iterations=40, ants=5, seed=seed)
+        same(planner.plan(start, goal, params, update=learning), planner.plan(start, goal, params))
+
+
+def test_a_table_of_inverse_distances(grid, planner):
+    y, x = np.mgrid[: grid.height, : grid.width]
+    near = 1 / np.maximum(np.hypot(x - GOAL[0], y - GOAL[1]), 0.5)
+    own = planner.plan(START, GOAL, "ras", heuristic=near, iterations=5)
+    same(own, planner.plan(START, GOAL, "ras", heuristic="inverse-distance", iterations=5))
+    steps = [(dy, dx) for dy in (-1, 0, 1) for dx in (-1, 0, 1) if (dy, dx) != (0, 0)]
+    padded = np.pad(near, 1, mode="edge")
+    arcs = np.stack([padded[1 + dy : 1 + dy + grid.height, 1 + dx : 1 + dx + grid.width] for dy, dx in steps], axis=2)
+    same(planner.plan(START, GOAL, "ras", heuristic=arcs, iterations=5), own)
+
+
+def test_a_schedule(planner):
+    params = lasius.Params("as", iterations=5)
+    own = planner.plan(START, GOAL, params, schedule=lambda q: {"alpha": 2.0, "beta": 3.0})
+    settled = params.replace(alpha=2.0, beta=3.0, critical_time=0)
+    same(own, planner.plan(START, GOAL, settled))
+    same(planner.plan(START, GOAL, params, schedule=lambda q: {}), planner.plan(START, GOAL, params))
+
+
+def test_arrays_hold_after_the_update(planner):
+    kept = []
+
+    def keep(trail, tours):
+        kept.append((tours.cells, tours.cells.copy(), tours.lengths, tours.lengths.copy(), tours))
+
+    planner.plan(START, GOAL, "ras", update=keep, iterations=5)
+    gc.collect()
+    assert len(kept) == 5
+    for cells, copied, lengths, lengths_copied, tours in kept:
+        np.testing.assert_array_equal(cells, copied)
+        np.testing.assert_array_equal(lengths, lengths_copied)
+        with pytest.raises(RuntimeError):
+            tours.cells
+        with pytest.raises(ValueError):
+            cells[0] = 1
+
+
+def test_numbers_by_hand(planner):
+    def check(trail, tours):
+        a, b = tours.best_cells[:2]
+        trail.clamp(0, np.inf)
+        trail.set([a, b], [1.0, 2.0])
+        trail.persist(0.5)
+        trail.add([a, b, a], 1)
+        trail.add([b], [0.25])
+        np.testing.assert_allclose(trail.get([a, b]), [2.5, 2.25], rtol=1e-6)
+        trail.clamp(0.0, 2.375)
+        np.testing.assert_allclose(trail.get([a, b]), [2.375, 2.25], rtol=1e-6)
+        assert trail.to_array().shape == (200, 400)
+        assert trail.to_array()[b // 400, b % 400] == trail.get([b])[0]
+        seen.append(tours.iteration)
+        tours.stop()
+
+    seen = []
+    result = planner.plan(START, GOAL, "ras", update=check, iterations=5)
+    assert (seen, result.status, result.iterations) == ([0], "interrupted", 1)
+
+
+@pytest.mark.parametrize(
+    "call, words",
+    [
+        (lambda trail: trail.add([80000], 1), "places[0] is 80000"),
+        (lambda trail: trail.add([1, 2], [1]), "1 values for 2 places"),
+        (lambda trail: trail.add([1], -1), "amount is -1"),
+        (lambda trail: trail.set([1], [np.nan]), "values[0] is nan"),
+        (lambda trail: trail.persist(2), "persistence is 2"),
+        (lambda trail: trail.clamp(2, 1), "most is 1"),
+    ],
+)
+def test_what_is_refused_ends_the_plan(planner, call, words):
+    with pytest.raises(lasius.InvalidParameter) as caught:
+        planner.plan(START, GOAL, "ras", update=lambda trail, tours: call(trail), iterations=5)
+    assert words in str(caught.value)
+
+
+def test_other_refusals(planner):
+    def plan(**rules):
+        return planner.plan(START, GOAL, "ras", iterations=5, **rules)
+
+    with pytest.raises(ValueError, match="shape"):
+        plan(heuristic=np.ones((400, 200)))
+    with pytest.raises(lasius.InvalidParameter, match="values"):
+        plan(heuristic=np.ones((200, 400, 3)))
+    with pytest.raises(lasius.InvalidParameter, match="nan"):
+        plan(heuristic=np.full((200, 400), np.nan))
+    with pytest.raises(TypeError, match="dict"):
+        plan(schedule=lambda q: 3)
+    with pytest.raises(ValueError, match="gamma"):
+        plan(schedule=lambda q: {"gamma": 1})
+    with pytest.raises(lasius.InvalidParameter, match="alpha"):
+        plan(schedule=lambda q: {"alpha": -1})
+    with pytest.raises(TypeError):
+        plan(update=lambda trail, tours: trail.add([0.5], 1))
+    with pytest.raises(lasius.InvalidParameter, match="no colony"):
+        planner.plan(START, GOAL, "exact", update=rank_based)
+
+
+def test_what_an_update_raises(planner):
+    with pytest.raises(ZeroDivisionError):
+        planner.plan(START, GOAL, "ras", update=lambda trail, tours: 1 / 0, iterations=5)

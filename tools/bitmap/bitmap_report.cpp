@@ -1,0 +1,66 @@
+#include "tools/bitmap/bitmap_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tools/bitmap/path_clearance.h"
+#include "tools/bitmap/sheet.h"
+#include "tools/report/packed.h"
+#include "tools/report/report.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr int kMostWallPixels = 1024;  // of the map, a side
+
+}  // namespace
+
+Json walls_json(const Grid& grid, const Window& window) {
+  const double shrink =
+      std::min(1.0, 1.0 * kMostWallPixels / std::max(window.width(), window.height()));
+  const auto pixels = [&](int cells) {
+    return std::max(1, static_cast<int>(std::lround(shrink * cells)));
+  };
+  const auto share = blocked_share(grid, window, pixels(window.width()), pixels(window.height()));
+  std::vector<std::uint8_t> codes;
+  for (const float blocked : share.values)
+    codes.push_back(static_cast<std::uint8_t>(std::lround(255 * wall_strength(blocked))));
+  return {{"width", share.width}, {"height", share.height}, {"shares", packed(codes)}};
+}
+
+Json map_view_json(const LoadedMap& map, const Window& window) {
+  Json json = {{"width", map.width},
+               {"height", map.height},
+               {"window", {window.columns.from, window.rows.from, window.width(), window.height()}},
+               {"walls", walls_json(map.grid(), window)},
+               {"to_world", nullptr}};
+  if (map.frame) {
+    const Point origin = map.to_world({0, 0}), x = map.to_world({1, 0}), y = map.to_world({0, 1});
+    json["to_world"] = {x.x - origin.x, y.x - origin.x, origin.x,
+                        x.y - origin.y, y.y - origin.y, origin.y};
+  }
+  return json;
+}
+
+Json clearance_json(const Grid& grid, const std::vector<Point>& path, double length) {
+  if (path.empty()) return nullptr;
+  const auto along = clearance_along(grid, path, length);
+  Json values = Json::array();
+  for (const double value : along.values) values.push_back(std::round(1000 * value) / 1000);
+  return {{"step", along.step}, {"values", values}};
+}
+
+void write_bitmap_report(std::ostream& out, const Task& task, const LoadedMap& map,
+                         const RunOptions& run, const std::vector<Cell>& ends,
+                         const std::vector<Point>& path, const RunFrames* frames) {
+  Json content = run_json(task, "bitmap", map_title(map, run));
+  content["map"] = map_view_json(map, shown_of(map, ends));
+  content["clearance"] = clearance_json(map.grid(), path, task.result().length);
+  content["most_clearance"] = kMostClearance;
+  content["radius"] = map.radius;
+  content["frames"] = frames != nullptr ? frames->json() : Json(nullptr);
+  write_report_page(out, content);
+}
+
+}  // namespace lasius::tool

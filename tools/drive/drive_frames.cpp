@@ -1,0 +1,74 @@
+#include "tools/drive/drive_frames.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tools/drive/ground.h"
+#include "tools/report/packed.h"
+#include "tools/report/report.h"
+
+namespace lasius::tool {
+namespace {
+
+std::vector<float> way_of(const DriveTick& tick) {
+  std::vector<float> way;
+  if (tick.way == nullptr) return way;
+  const auto& path = tick.way->path;
+  const std::size_t stride = path.size() / DriveFrames::kMostWayVertices + 1;
+  const auto add = [&](Point p) {
+    way.push_back(static_cast<float>(p.x));
+    way.push_back(static_cast<float>(p.y));
+  };
+  for (std::size_t i = 0; i < path.size(); i += stride) add(path[i]);
+  if (!path.empty() && (path.size() - 1) % stride != 0) add(path.back());
+  return way;
+}
+
+}  // namespace
+
+DriveFrames::DriveFrames(const Grid& map, Cell goal) : goal_(goal) {
+  const double shrink = std::min(1.0, 1.0 * kMostPixels / std::max(map.width(), map.height()));
+  width_ = std::max(1, static_cast<int>(shrink * map.width()));
+  height_ = std::max(1, static_cast<int>(shrink * map.height()));
+}
+
+void DriveFrames::observe(const DriveTick& tick, const DriveRecorder& recorder) {
+  if (!frames_.wants(tick.tick) && tick.robot != goal_) return;
+  frames_.add({.tick = tick.tick,
+               .robot = tick.robot,
+               .obstacles = tick.obstacles,
+               .way = way_of(tick),
+               .codes = tick_codes::codes_of(tick, recorder, width_, height_).values});
+}
+
+Json DriveFrames::json() const {
+  if (frames_.all().empty()) return nullptr;
+  KeyFrames<Frame> kept = frames_;
+  std::string codes, ways;
+  for (;;) {
+    std::vector<std::vector<std::uint8_t>> pixels;
+    std::vector<float> points;
+    for (const Frame& frame : kept.all()) {
+      pixels.push_back(frame.codes);
+      points.insert(points.end(), frame.way.begin(), frame.way.end());
+    }
+    codes = packed_frames(pixels);
+    ways = packed(points);
+    if (codes.size() + ways.size() <= kMostPackedBytes || kept.all().size() <= 2) break;
+    kept.thin();
+  }
+  Json json = {{"width", width_}, {"height", height_}, {"codes", codes}, {"ways", ways}};
+  for (const char* name : {"ticks", "robots", "obstacles", "way_lengths"})
+    json[name] = Json::array();
+  for (const Frame& frame : kept.all()) {
+    json["ticks"].push_back(frame.tick);
+    json["robots"].push_back({frame.robot.x, frame.robot.y});
+    Json boxes = Json::array();
+    for (const Rectangle& r : frame.obstacles) boxes.push_back({r.x, r.y, r.width, r.height});
+    json["obstacles"].push_back(std::move(boxes));
+    json["way_lengths"].push_back(frame.way.size() / 2);
+  }
+  return json;
+}
+
+}  // namespace lasius::tool

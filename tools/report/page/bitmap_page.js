@@ -1,0 +1,245 @@
+// The report of a plan on a bitmap.
+
+import { Curves, indexAt } from "./curves.js";
+import { element, isNumber, numberText, onTheme, themeColour } from "./dom.js";
+import { csvOf, saveFile } from "./files.js";
+import { HeatMap, heatLegend, ramps, trailRange } from "./heat_map.js";
+import { MapView } from "./map_view.js";
+import { framesOf, unpacked } from "./packed.js";
+import { Player } from "./player.js";
+import { PathHover } from "./path_hover.js";
+import { Sheet, checkBox, choices, percentText, swatches } from "./sheet.js";
+import { cumulated } from "./walk.js";
+
+/** Walls as an image: the theme's colour, as strong as the share of blocked cells. */
+export function wallImage({ width, height }, shares) {
+  const image = element("canvas", { width, height }), context = image.getContext("2d");
+  const paint = () => {
+    const pixels = context.createImageData(width, height);
+    const [red, green, blue] = [1, 3, 5].map((at) => parseInt(themeColour("--wall").slice(at, at + 2), 16));
+    for (let i = 0; i < shares.length; ++i) pixels.data.set([red, green, blue, shares[i]], 4 * i);
+    context.putImageData(pixels, 0, 0);
+  };
+  onTheme(paint);
+  paint();
+  return image;
+}
+
+/** Draws the ground of a map of `map.window`. */
+export function groundLayer({ window: [x, y, width, height] }) {
+  return (context, view) => {
+    const [left, top] = view.at(x, y);
+    context.fillStyle = themeColour("--free");
+    context.fillRect(left, top, width * view.scale, height * view.scale);
+  };
+}
+
+/** A place as a reader has it: cells, and metres where the map has a frame. */
+export function placeText(map, [x, y]) {
+  const cells = `x ${numberText(x, 2)}, y ${numberText(y, 2)}`;
+  if (!map.to_world) return cells;
+  const [a, b, c, d, e, f] = map.to_world;
+  return `${cells} (${numberText(a * x + b * y + c, 3)} m, ${numberText(d * x + e * y + f, 3)} m)`;
+}
+
+async function layersOf(frames) {
+  const size = frames.width * frames.height, layers = {};
+  for (const name of ["trail", "tracks"]) {
+    if (!frames[name]) continue;
+    const list = framesOf(await unpacked(frames[name].frames), size);
+    layers[name] = { scale: frames[name], frames: list, range: name === "trail" ? trailRange(list) : [1, 255] };
+  }
+  return layers;
+}
+
+/** The clearance at a length along the path, as text. */
+function clearanceOf({ clearance, most_clearance }, sheet) {
+  if (!clearance) return null;
+  return ({ length }) => {
+    const { values, step } = clearance, at = Math.min(length / (step || 1), values.length - 1), below = Math.floor(at);
+    const here = values[below] + (values[Math.min(below + 1, values.length - 1)] - values[below]) * (at - below);
+    return `${here >= most_clearance ? "at least " : ""}${sheet.length(here)}`;
+  };
+}
+
+export async function showBitmap(content) {
+  const sheet = new Sheet(content);
+  const { result, map, frames, curves } = content;
+  content.length_unit = "cells";
+  sheet.figures([
+    ["length", sheet.length(result.length, 3) ?? "no path"],
+    ["above the optimum", isNumber(result.optimum_gap) ? percentText(result.optimum_gap) : null],
+    ["certified gap", isNumber(result.gap) ? percentText(result.gap) : null],
+    ["iterations", result.iterations > 0 ? String(result.iterations) : null],
+    ["time", `${numberText(result.elapsed_ms, 1)} ms`],
+    ["map", `${map.width} × ${map.height} cells`],
+  ]);
+  const layers = frames ? await layersOf(frames) : {};
+  const stage = new BitmapStage(sheet, layers);
+  const charts = curvesOf(sheet, curves);
+  stage.onFrame = (iteration) => charts.forEach((chart) => chart.cursor(iteration));
+  charts.forEach((chart) => (chart.onPick = (x) => stage.toIteration(x)));
+  await stage.begin();
+  sheet.finish([["+ −", "zoom, with the focus on the map"]]);
+}
+
+function curvesOf(sheet, curves) {
+  if (!curves.best) return [];
+  const { content } = sheet, scale = content.scale, unit = content.unit || "cells";
+  const scaled = (values) => values?.map((value) => (isNumber(value) ? scale * value : null)) ?? [];
+  const x = curves.iteration;
+  const level = (name, value) => (isNumber(value) ? [{ name, value: scale * value }] : []);
+  const card = sheet.card("right", "Convergence");
+  return [
+    new Curves(card, { title: "Best path so far", calm: true, xLabel: "iteration", yLabel: `length, ${unit}`,
+                       levels: level("optimum, any angle", content.result.optimum),
+                       series: [{ name: "best path so far", x, y: scaled(curves.best), steps: true }] }),
+    new Curves(card, { title: "Tours of the iteration", calm: true, xLabel: "iteration", yLabel: `length, ${unit}`,
+                       levels: level("optimum of its own moves", content.result.grid_optimum),
+                       series: [{ name: "mean tour, as walked", x, y: scaled(curves.mean), colour: "var(--curve-2)" },
+                                { name: "shortest tour", x, y: scaled(curves.raw_best), colour: "var(--curve-3)" },
+                                { name: "mean after cutting loops", x, y: scaled(curves.cut_mean), colour: "var(--curve-4)", dashed: true }] }),
+  ];
+}
+
+class BitmapStage {
+  constructor(sheet, layers) {
+    const { content } = sheet;
+    Object.assign(this, { sheet, content, layers, frame: 0, hovered: null, showPath: true });
+    this.shown = layers.trail ? "trail" : layers.tracks ? "tracks" : "none";
+    this.hover = new PathHover(content.result.path ?? [], { name: "path", place: (at) => placeText(content.map, at),
+                                                           length: (value) => sheet.length(value), clearance: clearanceOf(content, sheet) });
+    this.card = sheet.card("left");
+    this.tools = element("div", { class: "row" });
+    this.legend = element("div");
+    this.readout = element("div", { class: "hover", role: "status" });
+    this.host = element("div");
+  }
+
+  async begin() {
+    const { content, card } = this;
+    const names = { trail: content.frames?.trail?.name === "terminal index" ? "Terminal index" : "Trail", tracks: "Ants", none: "Map" };
+    const options = Object.keys(names).filter((name) => name === "none" || this.layers[name]).map((name) => [name, names[name]]);
+    if (options.length > 1)
+      this.tools.append(choices("Layer", options, this.shown, (name) => { this.shown = name; this.repaint(); }));
+    if (this.hover.path.length) {
+      this.tools.append(checkBox("Path", true, (on) => { this.showPath = on; this.view.draw(); }));
+      this.tools.append(element("button", { type: "button", onclick: () => this.savePath() }, "Path as CSV"));
+    }
+    this.tools.append(element("button", { type: "button", onclick: () => this.savePicture() }, "Picture as PNG"));
+    card.append(this.tools, this.host);
+    const { window: [x, y, width, height] } = content.map;
+    const ends = `from ${content.result.start} to ${content.result.goal}`;
+    this.view = new MapView(this.host, { low: [x, y], high: [x + width, y + height], label: `Map with the path ${ends}`,
+                                         onHover: (px, py) => this.pointed(px, py) });
+    const walls = wallImage(content.map.walls, await unpacked(content.map.walls.shares));
+    const heat = this.heat = content.frames ? new HeatMap(content.frames.width, content.frames.height) : null;
+    this.view.layers = [
+      groundLayer(content.map),
+      (context, view) => {
+        const side = content.frames?.cells_a_pixel;
+        if (heat && this.shown !== "none") view.image(context, heat.image, 0, 0, side * heat.image.width, side * heat.image.height);
+      },
+      (context, view) => view.image(context, walls, x, y, width, height, view.scale < 1),
+      (context, view) => this.drawPath(context, view),
+    ];
+    card.append(this.readout, this.legend);
+    if (content.frames) this.addPlayer();
+    this.addKeys();
+    onTheme(() => this.repaint());
+    this.repaint();
+  }
+
+  addPlayer() {
+    const { frames } = this.content, last = this.content.result.iterations;
+    if (frames.iterations.length < 2) return;
+    const name = last > 0 ? "iteration" : "improvement";
+    const label = (i) => `${name} ${frames.iterations[i]} of ${last || frames.iterations.at(-1)}`;
+    this.player = new Player(this.card, { count: frames.iterations.length, name, label,
+                                          onChange: (i) => this.show(i) });
+    this.player.show(frames.iterations.length - 1);
+    const stride = frames.iterations[1] - frames.iterations[0];
+    if (stride > 1)
+      this.card.append(element("p", { class: "note" }, `The page holds one iteration in ${stride}, the curves have all.`));
+  }
+
+  addKeys() {
+    this.card.append(swatches([["start", "--start"], ["goal", "--goal"], ["blocked", "--wall"], ["path", "--path", "line"]]));
+    if (this.content.radius > 0)
+      this.card.append(element("p", { class: "note" }, `Obstacles are shown, and clearance is measured, grown by ${numberText(this.content.radius)} cells.`));
+    if (this.content.thinned)
+      this.card.append(element("p", { class: "note" }, `The path is long: the page holds one vertex in ${this.content.thinned}.`));
+  }
+
+  toIteration(x) {
+    if (!this.player) return;
+    this.player.chosen(Math.max(0, indexAt(this.content.frames.iterations, x + 0.5)));
+  }
+
+  show(index) {
+    this.frame = index;
+    this.repaint();
+    this.onFrame?.(this.content.frames.iterations[index]);
+  }
+
+  repaint() {
+    if (!this.view) return;
+    const layer = this.layers[this.shown];
+    if (layer) {
+      const ramp = ramps()[this.shown];
+      this.heat.paint(layer.frames[this.frame], layer.range, ramp);
+      const low = layer.range[0] > 1 ? "clear: less than that" : "";
+      const far = this.content.frames.reads_all ? "" : "clear: less than that, or far from all tracks";
+      const note = this.shown === "trail" ? far || low : "";
+      this.legend.replaceChildren(heatLegend(layer.scale, layer.range, ramp, note));
+    } else this.legend.replaceChildren();
+    if (!this.pointing) this.readout.textContent = this.frameText();
+    this.view.draw();
+  }
+
+  frameText() {
+    const { frames } = this.content;
+    if (!frames) return "Point at the path for coordinates, length and clearance.";
+    const ants = frames.ants[this.frame], arrived = frames.arrived[this.frame];
+    const path = this.path(), length = path.length ? cumulated(path).at(-1) : null;
+    const best = length == null ? "no path yet" : `best path ${this.sheet.length(length)}`;
+    return ants > 0 ? `${arrived} of ${ants} ants arrive · ${best}` : best;
+  }
+
+  /** The best path at the frame shown; at the last one the result. */
+  path() {
+    const { frames } = this.content;
+    if (!frames || this.frame === frames.iterations.length - 1) return this.hover.path;
+    return frames.paths[frames.path_of[this.frame]] ?? [];
+  }
+
+  drawPath(context, view) {
+    if (this.showPath) {
+      const path = this.path();
+      view.line(context, path, themeColour("--path-rim"), 6);
+      view.line(context, path, themeColour("--path"), 3);
+    }
+    const middle = (cell) => (cell ? cell.map((v) => v + 0.5) : null);
+    view.ends(context, middle(this.content.result.start), middle(this.content.result.goal));
+    if (this.hovered) view.disc(context, this.hovered.at, 5, themeColour("--path"), themeColour("--mark-rim"));
+  }
+
+  pointed(x, y) {
+    this.pointing = x != null;
+    this.hovered = x == null || !this.showPath ? null : this.hover.near(x, y, 12 / this.view.scale);
+    this.readout.textContent = this.hovered ? this.hover.text(this.hovered)
+                               : x == null ? this.frameText() : placeText(this.content.map, [x, y]);
+    this.view.draw();
+  }
+
+  savePath() {
+    const { path, sums } = this.hover, world = this.content.result.path_world;
+    const columns = ["x", "y", "length", ...(world ? ["x_m", "y_m"] : [])];
+    const rows = path.map(([x, y], i) => [x, y, sums[i], ...(world ? world[i] : [])]);
+    saveFile("path.csv", new Blob([csvOf(columns, rows)], { type: "text/csv" }));
+  }
+
+  async savePicture() {
+    saveFile("map.png", await this.view.toBlob());
+  }
+}

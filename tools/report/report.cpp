@@ -1,0 +1,117 @@
+#include "tools/report/report.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <utility>
+
+#include "tools/report/page_parts.h"
+
+namespace lasius::tool {
+namespace {
+
+constexpr std::size_t kMostPoints = 4000;  // of a curve
+
+constexpr std::array kCurves{"best",     "mean",           "arrived", "raw_best", "cut_mean",
+                             "cut_best", "iteration_best", "steps",   "band",     "trail_entropy"};
+
+/// Every so-many-th of a list, and the last.
+Json thinned(const Json& list, std::size_t stride) {
+  Json kept = Json::array();
+  for (std::size_t i = 0; i < list.size(); i += stride) kept.push_back(list[i]);
+  if (!list.empty() && (list.size() - 1) % stride != 0) kept.push_back(list.back());
+  return kept;
+}
+
+std::size_t stride_for(std::size_t count, std::size_t most) {
+  return std::max<std::size_t>(1, (count + most - 1) / most);
+}
+
+/// Takes the curves out of a result.
+Json take_curves(Json& result) {
+  Json curves = Json::object();
+  if (!result.contains("best") || result["best"].empty()) {
+    for (const char* name : kCurves) result.erase(name);
+    return curves;
+  }
+  const std::size_t count = result["best"].size();
+  const std::size_t stride = stride_for(count, kMostPoints);
+  Json iterations = Json::array();
+  for (std::size_t i = 1; i <= count; ++i) iterations.push_back(i);
+  curves["iteration"] = thinned(iterations, stride);
+  for (const char* name : kCurves) {
+    if (!result.contains(name)) continue;
+    if (result[name].size() == count) curves[name] = thinned(result[name], stride);
+    result.erase(name);
+  }
+  return curves;
+}
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+}  // namespace
+
+Json run_json(const Task& task, std::string_view kind, std::string title) {
+  Json result = result_json(task);
+  Json content = {{"kind", kind}, {"title", std::move(title)}, {"command", task.options().called}};
+  content["unit"] = task.unit();
+  content["scale"] = task.shown(1);
+  content["curves"] = take_curves(result);
+  for (const char* path : {"path", "path_world", "track"}) {
+    if (!result.contains(path) || !result[path].is_array()) continue;
+    const std::size_t stride = stride_for(result[path].size(), kMostVertices);
+    if (stride == 1) continue;
+    result[path] = thinned(result[path], stride);
+    content["thinned"] = stride;
+  }
+  content["result"] = std::move(result);
+  return content;
+}
+
+std::string html_text(std::string_view text) {
+  std::string safe;
+  for (const char letter : text) {
+    switch (letter) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      case '\'':
+        safe += "&#39;";
+        break;
+      default:
+        safe += letter;
+    }
+  }
+  return safe;
+}
+
+void write_report_page(std::ostream& out, const Json& content) {
+  // As the writer of JSON has it: bad bytes are replaced.
+  const std::string title = line(Json::array({content["title"]}));
+  out << "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+         "script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+         "<title>"
+      << html_text(json::read(title, "title")[0].get<std::string>()) << "</title>\n<style>\n"
+      << kPageStyle << "</style>\n</head>\n<body>\n<main id=\"report\"></main>\n"
+      << "<noscript>This page is drawn by its script.</noscript>\n"
+      << "<script type=\"application/json\" id=\"content\">"
+      << replaced(line(content), "<", "\\u003c") << "</script>\n<script type=\"module\">\n"
+      << kPageScript << "</script>\n</body>\n</html>\n";
+}
+
+}  // namespace lasius::tool
