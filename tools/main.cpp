@@ -28,6 +28,8 @@ int run(const ArmCommand& command) { return run_arm(command); }
 int run(const PolygonCommand& command) { return run_polygon(command); }
 int run(const PolygonBatchCommand& command) { return run_polygon_batch(command); }
 int run(const WorldInfoCommand& command) { return run_world_info(command); }
+int run(const HelpCommand& command) { return run_help(command); }
+int run(const CompleteCommand& command) { return run_complete(command); }
 
 int exit_code(ErrorCode code) {
   switch (code) {

@@ -1,4 +1,6 @@
 # The installed package: one CMake package with components, a pkg-config file for each library.
+# Install components, which LasiusDebian.cmake makes packages of: program, runtime (shared libraries),
+# dev, and python.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -37,13 +39,13 @@ function(lasius_package_library target)
     set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN")
   endif()
   install(TARGETS ${target} EXPORT ${pc}-targets
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT dev
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
   install(EXPORT ${pc}-targets NAMESPACE lasius::
-    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/lasius)
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/lasius COMPONENT dev)
   if(arg_COMPONENT)
-    install(FILES ${arg_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius)
+    install(FILES ${arg_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius COMPONENT dev)
   endif()
   lasius_pc_file(${pc} "${arg_COMPONENT}" "${arg_PC_REQUIRES}" "${arg_PC_PUBLIC_REQUIRES}")
 endfunction()
@@ -69,7 +71,8 @@ function(lasius_pc_file pc component static_requires requires)
   endif()
   list(JOIN pc_requires ", " pc_requires)
   configure_file(${LASIUS_CMAKE_DIR}/lasius.pc.in ${PROJECT_BINARY_DIR}/${pc}.pc @ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/${pc}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  install(FILES ${PROJECT_BINARY_DIR}/${pc}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+    COMPONENT dev)
 endfunction()
 
 # Headers, generated headers and the package's config files; called once, after all libraries.
@@ -79,7 +82,7 @@ function(lasius_install_package)
   list(FILTER headers EXCLUDE REGEX "/(${components})(_[a-z_]+)?\\.h$")
   install(FILES ${headers}
     ${PROJECT_BINARY_DIR}/core/lasius/export.h ${PROJECT_BINARY_DIR}/core/lasius/version.h
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius)
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lasius COMPONENT dev)
 
   set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/lasius)
   configure_package_config_file(${LASIUS_CMAKE_DIR}/lasius-config.cmake.in
@@ -88,19 +91,22 @@ function(lasius_install_package)
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/lasius-config-version.cmake
     COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/lasius-config.cmake
-    ${PROJECT_BINARY_DIR}/lasius-config-version.cmake DESTINATION ${destination})
+    ${PROJECT_BINARY_DIR}/lasius-config-version.cmake
+    DESTINATION ${destination} COMPONENT dev)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/maps/ DESTINATION ${LASIUS_MAPS_DESTINATION}
+    COMPONENT program
     FILES_MATCHING PATTERN "*.map" PATTERN "*.pbm" PATTERN "*.geojson" PATTERN "arms/*.json"
     PATTERN "README.md")
   # The documents, with all that they link to, as they stand to each other in the repository.
   file(GLOB documents CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/*.md)
   install(FILES ${documents} ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff
-    DESTINATION ${CMAKE_INSTALL_DOCDIR})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
+    DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
     FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.cpp" PATTERN "Doxyfile")
   install(FILES ${PROJECT_SOURCE_DIR}/maps/README.md ${PROJECT_SOURCE_DIR}/maps/fan400x200.png
-    DESTINATION ${CMAKE_INSTALL_DOCDIR}/maps)
+    DESTINATION ${CMAKE_INSTALL_DOCDIR}/maps COMPONENT program)
   if(LASIUS_BUILD_ARM)
-    install(FILES ${LASIUS_CMAKE_DIR}/LasiusArmLibraries.cmake DESTINATION ${destination})
+    install(FILES ${LASIUS_CMAKE_DIR}/LasiusArmLibraries.cmake DESTINATION ${destination}
+      COMPONENT dev)
   endif()
 endfunction()

@@ -21,7 +21,7 @@ void add_robot_options(CLI::App& app, ArmText& text) {
   add_repeatable(app, "--allow-contact", text.contacts,
                  "Do not check this pair of links (repeatable)", "LINK,LINK");
   add_repeatable(app, "--set-joint", text.joint_values,
-                 "Value of a joint beside the chain (repeatable; default 0, or the middle of its\n"
+                 "Value of a joint beside the chain (repeatable; default 0, or the middle of its "
                  "limits)",
                  "NAME=VALUE");
   add_repeatable(app, "--package", text.packages,
@@ -37,11 +37,10 @@ struct ArmGoals {
 };
 
 void add_goal_options(CLI::App& app, ArmText& text, ArmGoals& goals) {
-  add_repeatable(
-      app, "--goal", goals.positions,
-      "Where the tip goes, metres; orientation free. Goals may be several, of any kind:\n"
-      "one of them is reached",
-      "X,Y,Z");
+  add_repeatable(app, "--goal", goals.positions,
+                 "Where the tip goes, metres; orientation free. Goals may be several, of any kind: "
+                 "one of them is reached",
+                 "X,Y,Z");
   add_repeatable(app, "--goal-pose", goals.poses,
                  "Position and orientation of the tip, radians as in URDF", "X,Y,Z,ROLL,PITCH,YAW");
   add_repeatable(app, "--goal-joints", goals.joints, "Joint values", "Q1,Q2,...");
@@ -88,10 +87,10 @@ Subcommand add_arm(CLI::App& app) {
        .json = "Print one JSON object; its length is that of --objective",
        .outputs = "Write a file, by its ending (repeatable):\n"
                   ".json  what --json prints\n"
-                  ".csv   the trajectory: time, joints, their velocities, accelerations, tip\n"
+                  ".csv  the trajectory: time, joints, their velocities, accelerations, tip\n"
                   ".yaml, .yml  the trajectory as ROS trajectory_msgs/JointTrajectory\n"
-                  ".svg, .png  arm, obstacles, tip's path in three views, joints, convergence,\n"
-                  "       questions\n"
+                  ".svg, .png  arm, obstacles, tip's path in three views, joints, convergence, "
+                  "questions\n"
                   ".html  one page with the arm moving in space, to be turned"});
   option("--objective", raw->value_of("objective"),
          "What is made short: moves of the lattice times pitch, joint travel, or time (default "
@@ -106,18 +105,12 @@ Subcommand add_arm(CLI::App& app) {
          "METRES");
   add_switch(*arm, "--no-shortcut", raw->plain, "Keep every lattice point of the path");
   option("--duration", raw->duration,
-         "Time that the motion is to take; more where the joints' limits ask for it (default as\n"
+         "Time that the motion is to take; more where the joints' limits ask for it (default as "
          "little as they allow)",
          "SECONDS");
   option("--rate", raw->rate, "Samples of the trajectory a second (default 100)", "HZ");
   option("--recheck", raw->recheck,
          "Check the trajectory at N times by KDL and FCL and say what they find", "N");
-  arm->footer(
-      "Exit codes: 0 a motion was returned; 1 internal error; 2 usage; 3 robot, scene or another\n"
-      "file is missing or broken; 4 start or goal outside, blocked, or proven out of reach; 6 "
-      "none\n"
-      "found, or a limit is spent; 7 an output cannot be written; 130 interrupted, best so far\n"
-      "written. That a goal in reach has no way (5) is never proven.");
   return {arm, [raw, arm]() -> Command {
             raw->goals = in_order(*arm);
             return make_arm(*raw);

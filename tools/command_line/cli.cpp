@@ -5,9 +5,11 @@
 #include <cctype>
 #include <span>
 #include <string_view>
+#include <variant>
 
 #include "core/base/did_you_mean.h"
 #include "lasius/version.h"
+#include "tools/command_line/describe.h"
 #include "tools/command_line/subcommands.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/values.h"
@@ -41,7 +43,6 @@ void refuse_unknown_command(std::string_view word, const std::vector<Subcommand>
   for (const auto& command : commands) names.push_back(command.app->get_name());
   const std::vector<std::string_view> known(names.begin(), names.end());
   if (std::find(known.begin(), known.end(), word) != known.end()) return;
-  if (word == "help") throw UsageError("there is no command \"help\"; see --help");
   throw UsageError("unknown command \"" + std::string(word) + "\"; " + did_you_mean(word, known));
 }
 
@@ -80,6 +81,19 @@ std::string plain_words(const std::string& text) {
   return text;
 }
 
+/// "plan, drive, ...; see lasius help".
+std::string known_commands(const std::vector<Subcommand>& commands) {
+  std::string text = "one of";
+  for (const auto& command : commands) text += " " + command.app->get_name();
+  return text + "; see `lasius help`";
+}
+
+/// What `help` tells of is all the commands.
+Command described(Command command, const CLI::App& app, const std::vector<Subcommand>& commands) {
+  if (auto* help = std::get_if<HelpCommand>(&command)) help->manual = describe(app, commands);
+  return command;
+}
+
 /// A word as a shell reads it back.
 std::string shell_word(std::string_view word) {
   const bool plain = !word.empty() && std::ranges::all_of(word, [](char c) {
@@ -114,13 +128,14 @@ Command called(Command command, std::span<const std::string_view> words) {
 }  // namespace
 
 Command parse_command_line(int argc, const char* const* argv) {
-  CLI::App app{"lasius: ant-colony motion planning on maps", "lasius"};
-  app.set_version_flag("--version", LASIUS_VERSION);
+  CLI::App app{"Ant-colony and exact motion planning on maps", "lasius"};
+  app.set_version_flag("--version", LASIUS_VERSION, "Print the version and exit");
   app.require_subcommand(1);
-  app.footer("Options of a command: see `lasius COMMAND --help`");
   const auto commands = add_subcommands(app);
-  if (argc < 2) throw UsageError("no command\n\n" + app.help());
   const std::vector<std::string_view> words(argv, argv + argc);
+  if (argc < 2) throw UsageError("no command; " + known_commands(commands));
+  if (words[1] == "complete")
+    return CompleteCommand{describe(app, commands), {words.begin() + 2, words.end()}};
   if (argv[1][0] != '-') refuse_unknown_command(argv[1], commands);
   for (const auto& command : commands)
     if (command.app->get_name() == argv[1]) refuse_empty_values(*command.app, words);
@@ -129,7 +144,9 @@ Command parse_command_line(int argc, const char* const* argv) {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     const auto chosen = app.get_subcommands();
-    return Text{chosen.empty() ? app.help() : chosen.front()->help("lasius")};
+    if (chosen.empty()) return HelpCommand{describe(app, commands), ""};
+    return HelpCommand{
+        .manual = describe(app, commands), .topic = chosen.front()->get_name(), .of_command = true};
   } catch (const CLI::CallForVersion&) {
     return Text{std::string("lasius ") + LASIUS_VERSION + "\n"};
   } catch (const CLI::ParseError& fault) {
@@ -138,8 +155,8 @@ Command parse_command_line(int argc, const char* const* argv) {
   }
   refuse_extras(app, commands, words);
   for (const auto& command : commands)
-    if (command.app->parsed()) return called(command.make(), words);
-  throw UsageError("no command\n\n" + app.help());
+    if (command.app->parsed()) return described(called(command.make(), words), app, commands);
+  throw UsageError("no command; " + known_commands(commands));
 }
 
 }  // namespace lasius::tool

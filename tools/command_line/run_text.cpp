@@ -25,10 +25,6 @@ Messages make_messages(const SearchText& text) {
   return messages;
 }
 
-constexpr std::string_view kDriveEndings[] = {".json", ".csv", ".svg", ".png", ".gif", ".html"};
-constexpr std::string_view kArmEndings[] = {".json", ".csv", ".yaml", ".yml",
-                                            ".svg",  ".png", ".html"};
-
 /// "N", or "A-B": seeds from A to B.
 void read_seeds(const std::string& text, SearchOptions& options) {
   const auto dash = text.find('-', 1);

@@ -32,7 +32,13 @@ struct RunText : SearchText {
   bool unknown_free = false, prepare = false, gap = false;
 };
 
+/// Endings of the files that -o takes.
 inline constexpr std::array<std::string_view, 4> kResultEndings{".json", ".csv", ".svg", ".png"};
+inline constexpr std::array<std::string_view, 6> kDriveEndings{".json", ".csv", ".svg",
+                                                               ".png",  ".gif", ".html"};
+inline constexpr std::array<std::string_view, 7> kArmEndings{".json", ".csv", ".yaml", ".yml",
+                                                             ".svg",  ".png", ".html"};
+inline constexpr std::array<std::string_view, 3> kMapOutputEndings{".map", ".pbm", ".png"};
 /// Of one plan.
 inline constexpr std::array<std::string_view, 5> kPlanEndings{".json", ".csv", ".svg", ".png",
                                                               ".html"};

@@ -16,22 +16,6 @@
 namespace lasius::tool {
 namespace {
 
-constexpr const char* kStudyExits =
-    "A file describes maps, questions, algorithms, a sweep of parameters, seeds, budget and "
-    "claims:\n"
-    "see docs/studies.md. run asks one question of every algorithm at every combination of the\n"
-    "values of --set, and writes the file that says the same, study.yaml.\n"
-    "Exit codes: 0 done; 1 internal error; 2 usage; 3 a map or a study's file is missing or "
-    "broken;\n"
-    "4 run's start or goal outside or blocked; 7 an output cannot be written; 130 interrupted, "
-    "the\n"
-    "report is partial and the same command goes on.";
-
-constexpr const char* kTuneExits =
-    "Exit codes: 0 done; 1 internal error; 2 usage; 3 a map or the file is missing or broken;\n"
-    "7 an output cannot be written; 130 interrupted: the best so far is in preset.yaml, and the\n"
-    "same command goes on.";
-
 /// What only `study run` takes, as typed.
 struct ShortText {
   std::string map, start, goal, algorithms, preset, steps, time_limit;
@@ -168,10 +152,7 @@ StudyCommand make_study(const StudyText& text) {
 
 Subcommand add_study(CLI::App& app) {
   auto raw = std::make_shared<StudyText>();
-  auto* study = app.add_subcommand("study",
-                                   "Run a study: a source's experiments again, your own from a "
-                                   "file, or a sweep from the command "
-                                   "line; goes on where an earlier call stopped");
+  auto* study = app.add_subcommand("study", "Run a study: a source's, your own, or a sweep");
   study
       ->add_option("NAME", raw->name,
                    "A study that the program holds, or FILE.yaml; run: a sweep on MAP; list: what "
@@ -198,14 +179,12 @@ Subcommand add_study(CLI::App& app) {
   option("--time-limit", raw->run.time_limit, "With run: end a run after this processor time",
          "SECONDS");
   add_switch(*study, "-q,--quiet", raw->quiet, "Print errors only");
-  study->footer(kStudyExits);
   return {study, [raw]() -> Command { return make_study(*raw); }};
 }
 
 Subcommand add_tune(CLI::App& app) {
   auto raw = std::make_shared<StudyText>();
-  auto* tune = app.add_subcommand(
-      "tune", "Find an algorithm's parameters for your maps by racing, and judge them on others");
+  auto* tune = app.add_subcommand("tune", "Find an algorithm's parameters for your maps by racing");
   const AddOption option = option_adder(*tune);
   option("FILE", raw->name, "What is tuned, and on which maps: see docs/studies.md", "FILE")
       ->required();
@@ -213,7 +192,6 @@ Subcommand add_tune(CLI::App& app) {
   option("--threads", raw->threads, "Runs at a time", "N");
   option("--maps", raw->maps, "Folder of the maps, instead of the program's own", "DIR");
   add_switch(*tune, "-q,--quiet", raw->quiet, "Print errors only");
-  tune->footer(kTuneExits);
   return {tune, [raw]() -> Command {
             TuneCommand command{
                 .file = raw->name,

@@ -14,31 +14,8 @@
 namespace lasius::tool {
 namespace {
 
-constexpr const char* kPlanExits =
-    "Exit codes: 0 a path was returned; 1 internal error; 2 usage; 3 a map is missing or broken;\n"
-    "4 start or goal outside or blocked; 5 proven unreachable; 6 no path (limit or iterations "
-    "spent);\n"
-    "7 an output cannot be written; 130 interrupted, best so far written.";
-
-constexpr const char* kBatchExits =
-    "Exit codes: 0 every query was answered, be it by status invalid, unreachable or no_path; 1 "
-    "internal\n"
-    "error; 2 usage; 3 map or queries are missing or broken, nothing printed; 7 an output cannot "
-    "be\n"
-    "written; 130 interrupted, whole lines only. A scenario's coordinates are cells in any frame.";
-
-constexpr const char* kDriveExits =
-    "Exit codes: 0 the robot arrived; 1 internal error; 2 usage; 3 map, world or changes are "
-    "missing "
-    "or\n"
-    "broken; 4 start or goal outside or blocked; 5 proven unreachable on what is known at last; 6 "
-    "not\n"
-    "arrived (trapped, or a limit spent); 7 an output cannot be written; 130 interrupted, the "
-    "drive "
-    "so\nfar written.";
-
 constexpr const char* kPrepare =
-    "Make the map's visibility graph for exact (at most 1 GB): worth it for many queries. Answers\n"
+    "Make the map's visibility graph for exact (at most 1 GB): worth it for many queries. Answers "
     "are as short as without; lasius info MAP --prepare shows what it costs";
 
 constexpr const char* kMapHelp =
@@ -47,10 +24,10 @@ constexpr const char* kMapHelp =
 constexpr const char* kOutputs =
     "Write a file, by its ending (repeatable):\n"
     ".json  what --json prints\n"
-    ".csv   iteration,best,mean,arrived by iteration; x,y of the path for algorithms without\n"
-    "       iterations; for batch a line a query; with --frame world in metres: best_m, x_m, ...\n"
-    ".svg, .png  map, tracks, pheromone, path and convergence; for batch all paths; for polygon\n"
-    "       worlds MAKLINK lines, midpoints, Dijkstra's path, path and convergence\n"
+    ".csv  iteration,best,mean,arrived by iteration; x,y of the path for algorithms without "
+    "iterations; for batch a line a query; with --frame world in metres: best_m, x_m, ...\n"
+    ".svg, .png  map, tracks, pheromone, path and convergence; for batch all paths; for polygon "
+    "worlds MAKLINK lines, midpoints, Dijkstra's path, path and convergence\n"
     ".html  one page that plays the run, opens from disk and needs no network; not for batch";
 
 /// An option that was given an empty value was not left out.
@@ -59,9 +36,9 @@ std::string not_empty(const std::string& value) { return value.empty() ? "has no
 constexpr const char* kDriveOutputs =
     "Write a file, by its ending (repeatable):\n"
     ".json  what --json prints\n"
-    ".csv   x,y of the track, one cell a tick; with --frame world x_m,y_m\n"
+    ".csv  x,y of the track, one cell a tick; with --frame world x_m,y_m\n"
     ".svg, .png  the track over the world: what was seen when, where ways were planned\n"
-    ".gif   a film of at most 301 pictures\n"
+    ".gif  a film of at most 301 pictures\n"
     ".html  one page that plays the drive tick by tick";
 
 constexpr SearchHelp kRunHelp = {
@@ -137,7 +114,6 @@ Subcommand add_plan(CLI::App& app) {
   option("--goal", raw->polygon.ends.goal, "Where it ends; likewise", "X,Y");
   add_run_options(*plan, raw->run, kMapHelp);
   add_world_options(*plan, raw->polygon.world);
-  plan->footer(kPlanExits);
   return {plan, [raw]() -> Command {
             const PolygonText& text = raw->polygon;
             if (is_world(raw->run.map)) {
@@ -163,7 +139,7 @@ Subcommand add_drive(CLI::App& app) {
   option("--world", raw->world, "What is really there, as large as MAP (default as MAP has it)",
          "FILE");
   option("--changes", raw->changes,
-         "What changes under way, a line each: TICK X Y [W H] blocked|free, or\n"
+         "What changes under way, a line each: TICK X Y [W H] blocked|free, or "
          "TICK move W H SPEED X Y [X Y]... for an obstacle that moves",
          "FILE");
   option("--sense", raw->sense,
@@ -175,7 +151,6 @@ Subcommand add_drive(CLI::App& app) {
                    .target_gap = "Plan no further than to this certified gap (1 means 1%)",
                    .json = "Print one JSON object",
                    .outputs = kDriveOutputs});
-  drive->footer(kDriveExits);
   return {drive, [raw]() -> Command { return make_drive(*raw); }};
 }
 
@@ -189,7 +164,6 @@ Subcommand add_batch(CLI::App& app) {
   auto* batch = app.add_subcommand("batch", "Plan many paths on one map: JSON, one object a line");
   add_run_options(*batch, raw->run, kMapHelp);
   add_world_options(*batch, raw->world);
-  batch->footer(kBatchExits);
   option_adder (*batch)("QUERIES", raw->queries,
                         "A TSV with columns sx sy gx gy; of a bitmap also a MovingAI .scen", "FILE")
       ->required();
@@ -268,7 +242,6 @@ Subcommand add_generate(CLI::App& app) {
   option("--seed", raw->seed, "Seed, from 0 to 2^53-1 (default 1)", "N");
   option("-o,--output", raw->output, "Map to write: .map, .pbm or .png", "FILE")->required();
   return {make, [raw]() -> Command {
-            static constexpr std::string_view kEndings[] = {".map", ".pbm", ".png"};
             GenerateCommand command;
             command.kind = static_cast<MapKind>(choice_value("KIND", raw->kind, map_kind_names()));
             const Cell size = size_value("--size", raw->size);
@@ -277,7 +250,7 @@ Subcommand add_generate(CLI::App& app) {
             if (!raw->density.empty())
               command.options.density = real_value("--density", raw->density, 0, 1);
             command.options.seed = seed_value(raw->seed);
-            check_endings({raw->output}, kEndings);
+            check_endings({raw->output}, kMapOutputEndings);
             command.output = raw->output;
             return command;
           }};
@@ -289,32 +262,34 @@ Subcommand add_verify(CLI::App& app) {
     bool quiet = false;
   };
   auto raw = std::make_shared<Raw>();
-  auto* verify = app.add_subcommand(
-      "verify",
-      "Replay saved results from their recorded inputs and compare all but threads, times, "
-      "version and optima of --gap that were not found in time");
+  auto* verify = app.add_subcommand("verify", "Replay saved results and compare");
   const AddOption option = option_adder(*verify);
   option("RESULT", raw->result, "A result of plan, drive or arm, or the lines of batch", "FILE")
       ->required();
   option("--map", raw->map, "The map, where it is no longer where it was", "FILE");
   option("--threads", raw->threads, "Threads of the replay", "N");
   add_switch(*verify, "-q,--quiet", raw->quiet, "Print differences only");
-  verify->footer(
-      "Exit codes: 0 every result was replayed and is equal, bit for bit; 1 one differs; 2 usage, "
-      "or\n"
-      "a result that cannot be replayed, because a time limit or a signal ended it; 3 a result or\n"
-      "its map, robot or scene is missing, broken, or not the one recorded.");
   return {verify, [raw]() -> Command {
             return VerifyCommand{raw->result, raw->map, thread_count(raw->threads), raw->quiet};
           }};
 }
 
+Subcommand add_help(CLI::App& app) {
+  auto raw = std::make_shared<HelpCommand>();
+  auto* help = app.add_subcommand("help", "Tell of a topic or a command");
+  const AddOption option = option_adder(*help);
+  option("TOPIC", raw->topic, "A topic, or a command; without it what there is", "TOPIC");
+  option("--man", raw->pages, "Write the manual pages into this folder", "DIR");
+  return {help, [raw]() -> Command { return *raw; }};
+}
+
 }  // namespace
 
 std::vector<Subcommand> add_subcommands(CLI::App& app) {
-  std::vector<Subcommand> commands{
-      add_plan(app),     add_drive(app),  add_batch(app), add_info(app), add_algorithms(app),
-      add_generate(app), add_verify(app), add_study(app), add_tune(app), add_arm(app)};
+  std::vector<Subcommand> commands{add_plan(app),   add_drive(app),      add_batch(app),
+                                   add_info(app),   add_algorithms(app), add_generate(app),
+                                   add_verify(app), add_study(app),      add_tune(app),
+                                   add_arm(app),    add_help(app)};
   for (auto& command : commands) {
     command.app->allow_extras();
     for (CLI::Option* option : command.app->get_options({}))

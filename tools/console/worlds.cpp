@@ -1,7 +1,6 @@
 #include "tools/console/worlds.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "core/base/output.h"
@@ -71,7 +70,7 @@ std::string_view algorithm_of(World::Kind kind, std::string_view name) {
 }
 
 bool is_world(std::string_view file) {
-  return std::ranges::any_of(std::array{".geojson", ".json", ".wkt"},
+  return std::ranges::any_of(kWorldEndings,
                              [&](std::string_view ending) { return has_ending(file, ending); });
 }
 

@@ -1,6 +1,7 @@
 // The kinds of world that there are, and who plans on each.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,7 +32,9 @@ std::span<const World> worlds();
 /// one that plans elsewhere, and for an unknown one, with the nearest.
 std::string_view algorithm_of(World::Kind kind, std::string_view name);
 
-/// True for the files that are polygon worlds, by their ending: .geojson, .json, .wkt.
+/// Endings of the files that are polygon worlds.
+inline constexpr std::array<std::string_view, 3> kWorldEndings{".geojson", ".json", ".wkt"};
+/// True for those files.
 bool is_world(std::string_view file);
 
 }  // namespace lasius::tool

@@ -19,4 +19,7 @@ int run_polygon(const PolygonCommand& command);
 int run_polygon_batch(const PolygonBatchCommand& command);
 int run_world_info(const WorldInfoCommand& command);
 
+int run_help(const HelpCommand& command);
+int run_complete(const CompleteCommand& command);
+
 }  // namespace lasius::tool

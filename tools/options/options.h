@@ -14,6 +14,7 @@
 #include "lasius/generate.h"
 #include "lasius/geometry.h"
 #include "lasius/params.h"
+#include "tools/options/manual.h"
 
 namespace lasius::tool {
 
@@ -216,14 +217,14 @@ struct WorldInfoCommand {
   bool json = false;
 };
 
-/// Text that was asked for, as by --help: printed on stdout.
+/// Text that was asked for, as by --version: printed on stdout.
 struct Text {
   std::string text;
 };
 
-using Command =
-    std::variant<Text, PlanCommand, DriveCommand, BatchCommand, InfoCommand, AlgorithmsCommand,
-                 GenerateCommand, VerifyCommand, StudyCommand, TuneCommand, ArmCommand,
-                 PolygonCommand, PolygonBatchCommand, WorldInfoCommand>;
+using Command = std::variant<Text, PlanCommand, DriveCommand, BatchCommand, InfoCommand,
+                             AlgorithmsCommand, GenerateCommand, VerifyCommand, StudyCommand,
+                             TuneCommand, ArmCommand, PolygonCommand, PolygonBatchCommand,
+                             WorldInfoCommand, HelpCommand, CompleteCommand>;
 
 }  // namespace lasius::tool

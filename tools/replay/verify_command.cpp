@@ -249,7 +249,7 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
             " ended it, and no clock runs twice the same");
     return kUsage;
   }
-  if (result.contains("own_rules") && result["own_rules"] == true) {
+  if (value_at(result, "own_rules") == true) {
     message(name +
             ": cannot be replayed: rules of the caller's own took part, which it does not hold");
     return kUsage;

@@ -1,0 +1,21 @@
+# The manual pages, which the program itself writes when it is linked, and the shells' completion.
+if(NOT CMAKE_CROSSCOMPILING OR CMAKE_CROSSCOMPILING_EMULATOR)
+  set(manual ${PROJECT_BINARY_DIR}/man)
+  add_custom_command(TARGET lasius_program POST_BUILD
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${manual}
+    COMMAND lasius_program help --man ${manual}
+    COMMAND sh -c "gzip -9nf man/*.1"
+    WORKING_DIRECTORY ${PROJECT_BINARY_DIR} VERBATIM)
+  install(DIRECTORY ${manual}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+endif()
+
+set(shells ${CMAKE_CURRENT_SOURCE_DIR}/manual/shells)
+install(FILES ${shells}/lasius.bash DESTINATION share/bash-completion/completions RENAME lasius
+  COMPONENT program)
+install(FILES ${shells}/lasius.fish DESTINATION share/fish/vendor_completions.d COMPONENT program)
+set(zsh_functions share/zsh/site-functions)
+if(LASIUS_DEBIAN)
+  set(zsh_functions share/zsh/vendor-completions)
+endif()
+install(FILES ${shells}/_lasius DESTINATION ${zsh_functions} COMPONENT program)
