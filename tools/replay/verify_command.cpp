@@ -147,9 +147,11 @@ void forget_times(Json& result) {
 
 /// What a result has null that a limit or a signal may have cut off, though the replay has it.
 std::string not_recorded(const Json& recorded, const Json& replay) {
+  const auto is_null = [](const Json& result, const char* key) {
+    return result.contains(key) && result[key].is_null();
+  };
   for (const char* key : {"optimum", "grid_optimum"})
-    if (recorded.contains(key) && recorded[key].is_null() && !value_at(replay, key).is_null())
-      return key;
+    if (is_null(recorded, key) && !is_null(replay, key)) return key;
   return {};
 }
 
@@ -249,7 +251,7 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
             " ended it, and no clock runs twice the same");
     return kUsage;
   }
-  if (value_at(result, "own_rules") == true) {
+  if (const auto own = result.find("own_rules"); own != result.end() && *own == true) {
     message(name +
             ": cannot be replayed: rules of the caller's own took part, which it does not hold");
     return kUsage;
