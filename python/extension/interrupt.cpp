@@ -56,9 +56,16 @@ bool has_handler(const struct sigaction& action) {
          (action.sa_handler != SIG_DFL && action.sa_handler != SIG_IGN);
 }
 
-/// This process's: a fork copies no thread.
+/// This process's: a fork copies no thread. One from within a call copies its handler.
 Watcher& process_watcher() {
-  if (watcher == nullptr || watcher->process != ::getpid()) watcher = new Watcher;
+  if (watcher == nullptr || watcher->process != ::getpid()) {
+    auto* const fresh = new Watcher;
+    if (watcher != nullptr) {
+      fresh->before = watcher->before;
+      fresh->installed = watcher->installed;
+    }
+    watcher = fresh;
+  }
   return *watcher;
 }
 

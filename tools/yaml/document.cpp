@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::size_t kLargestFile = 1 << 16;
 constexpr std::size_t kMostNodes = 1 << 14;
+constexpr int kDeepest = 100;
 constexpr std::size_t kMostKeys = 2000;  // of one map: it is looked through
 
 /// Of a key or a value in messages: files may hold anything.
@@ -94,6 +95,7 @@ class DocumentReader {
     node.line_ = line;
     if (++count_ > kMostNodes)
       node.fail("the document has too many values", "leave out aliases that repeat themselves");
+    if (++depth_ > kDeepest) node.fail("nests too deep", "leave out aliases that hold themselves");
     if (from.IsScalar()) {
       node.kind_ = Node::Kind::text;
       node.text_ = from.Scalar();
@@ -104,6 +106,7 @@ class DocumentReader {
       node.kind_ = Node::Kind::map;
       for (const auto& entry : from) add_entry(node, entry.first, entry.second);
     }
+    --depth_;
     return node;
   }
 
@@ -119,6 +122,7 @@ class DocumentReader {
 
   std::shared_ptr<const std::string> file_;
   std::size_t count_ = 0;
+  int depth_ = 0;
 };
 
 void Node::fail(const std::string& problem, const std::string& remedy) const {

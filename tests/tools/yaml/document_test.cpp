@@ -74,6 +74,12 @@ TEST(Document, AliasesCannotMakeMuchOfLittle) {
   EXPECT_EQ(fault(keys), "2001: 'k2000' is one key too many; a map has at most 2000");
 }
 
+TEST(Document, AliasesCannotHoldThemselves) {
+  for (const char* text : {"a: &a [*a]", "a: &a {b: *a}", "&a [x, [*a]]"}) {
+    EXPECT_NE(fault(text).find("nests too deep"), std::string::npos) << text;
+  }
+}
+
 TEST(Document, NamesLineAndKeyOfAWrongValue) {
   const std::string text = "a: x\nb:\n  c: 7\n  d: [1, 2]\n  e:\n";
   const auto with = [&](const auto& use) {
