@@ -48,8 +48,8 @@ void check_heuristic(std::span<const double> values, const Grid& grid, const Par
 
 std::vector<Cell> move_steps(Neighbours neighbours) {
   const auto moves = moves_of(neighbours);
-  std::vector<Cell> steps;
-  for (int k = 0; k < moves.count; ++k) steps.push_back(Cell{} + moves[k].to);
+  std::vector<Cell> steps(static_cast<std::size_t>(moves.count));
+  for (int k = 0; k < moves.count; ++k) steps[k] = Cell{} + moves[k].to;
   return steps;
 }
 

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -24,9 +25,10 @@ class PictureRecorder {
 
   /// Ants by pixel: those of one iteration, and of all up to it.
   struct Tracks {
-    int iterations;  ///< its number, from 1
-    int ants, arrived;
-    double mean;  ///< tour of those that arrived; NaN if none
+    int iterations = 0;  ///< its number, from 1; 0: none yet
+    int ants = 0, arrived = 0;
+    double mean =
+        std::numeric_limits<double>::quiet_NaN();  ///< tour of those that arrived; NaN if none
     Raster<std::uint32_t> now, so_far;
   };
   /// Largest pheromone, or least terminal index, under each pixel after `iterations` iterations;

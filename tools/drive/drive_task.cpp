@@ -4,7 +4,6 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "core/base/time_source.h"
 #include "lasius/clearance.h"
 #include "lasius/error.h"
 #include "lasius/shortest_walk.h"
@@ -18,6 +17,7 @@
 #include "tools/drive/drive_answer.h"
 #include "tools/drive/drive_frames.h"
 #include "tools/drive/drive_picture.h"
+#include "tools/drive/driving_time.h"
 #include "tools/drive/film.h"
 #include "tools/drive/gif.h"
 #include "tools/options/commands.h"
@@ -128,18 +128,6 @@ double sense_in_cells(double metres, double resolution) {
                    to_text(DriveCommand::kLeastSense * resolution) + " to " +
                    to_text(DriveCommand::kMostSense * resolution) + " m");
 }
-
-/// The time of a drive: it stands still while the drive is watched or drawn.
-class DrivingTime final : public TimeSource {
- public:
-  Clock::time_point now() const noexcept override { return Clock::now() - paused_; }
-  void pause() noexcept { since_ = Clock::now(); }
-  void go_on() noexcept { paused_ += Clock::now() - since_; }
-
- private:
-  Clock::time_point since_{};
-  Clock::duration paused_{};
-};
 
 void DriveTask::load(const std::stop_token&) {
   const RunOptions& run = options();

@@ -431,6 +431,7 @@ TEST(ArmPostures, WhatIsOptimisedIsTheLength) {
   const Case c = make_case("industrial6", 3, 12, 0.8, 10);
   const SceneSensor sensor(c.robot, c.scene);
   Params p = in_lattice();
+  p.iterations = 8;
   for (const Objective objective : {Objective::joint, Objective::duration}) {
     p.objective = objective;
     Request request = c.request;
