@@ -569,8 +569,8 @@ class Arm(ProgramTest):
 
     def test_interrupted(self):
         run = self.start_program("arm", PLANAR, "--scene", FLAT, "--start", "-0.3,0.5,0.5",
-                                 "--goal", "0.4,0.5,0", "--iterations", "1000000", "--json",
-                                 "--progress", "always")
+                                 "--goal", "0.4,0.5,0", "--algorithm", "goritov2020",
+                                 "--iterations", "1000000", "--json", "--progress", "always")
         first = run.stderr.read(1)  # progress shows after an iteration
         self.assertTrue(first)
         run.send_signal(signal.SIGINT)
