@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -138,6 +139,9 @@ class Drive {
     if (cells.empty()) return;
     result_.seen += static_cast<std::int64_t>(cells.size());
     news_.insert(news_.end(), cells.begin(), cells.end());
+    tell(cells, blocked);
+  }
+  void tell(const std::vector<Cell>& cells, bool blocked) {
     const auto begin = Clock::now();
     pilot_.observe(cells, blocked);
     planning_ += Clock::now() - begin;
@@ -206,20 +210,19 @@ class Drive {
   bool doubt() {
     if (hopeless()) return false;
     const bool again = world_.changed_at() < doubted_at_ || ++doubts_ % kDoubts == 0;
-    const Grid certain = certain_walls();
     bool any = false;
     if (!again) {
       doubted_at_ = tick_ + 1;
-      any = forget_walls(certain, &map_);
+      any = forget_walls(&map_);
       if (any && pilot_.connected(robot_, pilot_.goal())) return true;
     }
     const bool wait_first = world_.to_change() || world_.stirs();
     if ((wait_first && waited_ < kPatience) || !joined(World::Without::nothing)) return any;
-    return forget_walls(certain, nullptr) || any;
+    return forget_walls(nullptr) || any;
   }
   /// Walls that were in sight since the last change of the world. Looks back along the track, not
-  /// from each of its cells: a wall that is forgotten is only seen again.
-  Grid certain_walls() const {
+  /// from each of its cells: a wall that is forgotten is only seen again. Nothing when stopped.
+  std::optional<Grid> certain_walls() const {
     Grid certain(map_.width(), map_.height());
     Cell from = robot_;
     const double apart = std::max(1.0, options_.sense / 8);
@@ -227,24 +230,27 @@ class Drive {
       const Cell cell = result_.track[static_cast<std::size_t>(tick)];
       if (tick < tick_ && distance(from, cell) < apart) continue;
       from = cell;
+      if (stop_.poll() != StopCondition::Cause::none) return std::nullopt;
       mark_walls_in_sight(world_.now(), from, options_.sense, certain);
     }
     return certain;
   }
-  /// Walls that are not `certain` are taken for free, those that `kept` has excepted. False if
-  /// there are none.
-  bool forget_walls(const Grid& certain, const Grid* kept) {
+  /// Walls that are not certain are taken for free, those that `kept` has excepted. False if there
+  /// are none.
+  bool forget_walls(const Grid* kept) {
+    const auto certain = certain_walls();
+    if (!certain) return false;
     std::vector<Cell> doubtful;
     for (int y = 0; y < map_.height(); ++y) {
       for (int word = 0; word < map_.words(); ++word) {
-        auto bits = pilot_.map().row(y)[word] & ~certain.row(y)[word];
+        auto bits = pilot_.map().row(y)[word] & ~certain->row(y)[word];
         if (kept != nullptr) bits &= ~kept->row(y)[word];
         for (; bits != 0; bits &= bits - 1) {
           doubtful.push_back({word * 64 + std::countr_zero(bits), y});
         }
       }
     }
-    pilot_.observe(doubtful, false);
+    tell(doubtful, false);
     return !doubtful.empty();
   }
 

@@ -34,9 +34,8 @@ DriveObserver tick_observer(Call& call, const py::object& callback) {
   if (callback.is_none()) return {};
   return [&call, &callback](const DriveTick& tick) {
     call.call_back([&] {
-      const py::object view = py::cast(View<DriveTick>(tick));
-      callback(view);
-      view.cast<View<DriveTick>&>().end();
+      const Lent view(tick);
+      callback(view.get());
     });
   };
 }

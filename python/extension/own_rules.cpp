@@ -22,7 +22,7 @@ Places places_from(const py::object& given) {
   if (array && array.size() > 0 && kind != 'i' && kind != 'u')
     throw py::type_error(py::str("places are {}: give an array of integers").format(array.dtype()));
   auto places = Places::ensure(given);
-  if (!places) throw py::error_already_set();
+  if (!array || !places) throw py::type_error("places: give an array of integers");
   return places;
 }
 
@@ -33,20 +33,6 @@ struct Hand {
 };
 using TrailView = View<Hand>;
 using ToursView = View<IterationTours>;
-
-/// A Python object over something that outlives this; it ends with this.
-template <class Seen>
-class Lent {
- public:
-  explicit Lent(const Seen& seen) : object_(py::cast(View<Seen>(seen))) {}
-  ~Lent() { object_.template cast<View<Seen>&>().end(); }
-  Lent(const Lent&) = delete;
-  Lent& operator=(const Lent&) = delete;
-  const py::object& get() const noexcept { return object_; }
-
- private:
-  py::object object_;
-};
 
 template <class Value, int kFlags>
 std::span<const Value> span_of(const py::array_t<Value, kFlags>& array) {
@@ -99,7 +85,7 @@ py::array_t<double> learned_at(const TrailView& view, const py::object& given) {
 py::array_t<double> whole(const TrailView& view) {
   const Hand& hand = view.get();
   Places all(static_cast<py::ssize_t>(hand.trail.places()));
-  std::iota(all.mutable_data(), all.mutable_data() + all.size(), 0);
+  std::iota(all.mutable_data(), all.mutable_data() + all.size(), TrailPlace{0});
   auto values = values_at(view, all);
   if (hand.trail.trail() == Trail::cells) return values.reshape({hand.height, hand.width});
   return values.reshape({hand.height, hand.width, hand.moves});

@@ -27,6 +27,20 @@ class View {
   const Progress* progress_;
 };
 
+/// A Python object over something that outlives this; it ends with this.
+template <class Seen>
+class Lent {
+ public:
+  explicit Lent(const Seen& seen) : object_(py::cast(View<Seen>(seen))) {}
+  ~Lent() { object_.template cast<View<Seen>&>().end(); }
+  Lent(const Lent&) = delete;
+  Lent& operator=(const Lent&) = delete;
+  const py::object& get() const noexcept { return object_; }
+
+ private:
+  py::object object_;
+};
+
 /// An observer that calls `function` with a view, and ends the search where it raises; empty for
 /// None. Both must live as long.
 template <class Progress>
@@ -34,15 +48,8 @@ std::function<void(const Progress&)> observer(Call& call, const py::object& func
   if (function.is_none()) return {};
   return [&call, &function](const Progress& progress) {
     const bool go_on = call.call_back([&] {
-      const py::object view = py::cast(View<Progress>(progress));
-      auto& seen = view.cast<View<Progress>&>();
-      try {
-        function(view);
-      } catch (...) {
-        seen.end();
-        throw;
-      }
-      seen.end();
+      const Lent view(progress);
+      function(view.get());
     });
     if (!go_on) progress.stop();
   };

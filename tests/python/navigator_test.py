@@ -103,3 +103,17 @@ def test_what_an_observer_of_a_drive_raises():
         kept[0].tick
     with pytest.raises(lasius.InvalidParameter):
         lasius.drive(open_grid(), open_grid(5, 5), (1, 1), (2, 2))
+
+
+def test_a_tick_ends_with_its_callback_that_raises_too() -> None:
+    kept = []
+
+    def keep(tick: object) -> None:
+        kept.append(tick)
+        raise ValueError("enough")
+
+    grid = lasius.Grid(np.zeros((5, 9), np.uint8), free=0)
+    with pytest.raises(ValueError, match="enough"):
+        lasius.drive(grid, grid, (0, 0), (8, 4), observer=keep)
+    with pytest.raises(RuntimeError, match="ended"):
+        kept[0].tick

@@ -1,7 +1,12 @@
 #include "tools/study/map_source.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iterator>
 #include <sstream>
+#include <string_view>
+#include <vector>
 
 #include "lasius/error.h"
 #include "lasius/io.h"
@@ -14,21 +19,41 @@ bool is_generated(const std::string& source) {
   return size > 0 && by != std::string::npos && by > size && source[by] == 'x';
 }
 
+namespace {
+
+/// All of a word as a number.
+template <class Number>
+bool read_whole(std::string_view word, Number& number) {
+  const char* const end = word.data() + word.size();
+  const auto [stop, fault] = std::from_chars(word.data(), end, number);
+  return fault == std::errc{} && stop == end;
+}
+
+}  // namespace
+
 MadeMap made_map(const std::string& source) {
-  std::istringstream words(source);
-  std::string kind, density;
-  char by = 0;
+  std::istringstream in(source);
+  const std::vector<std::string> words(std::istream_iterator<std::string>(in), {});
   MadeMap made;
   GenerateOptions& options = made.options;
-  words >> kind >> options.width >> by >> options.height >> density >> options.seed;
-  const auto kinds = map_kind_names();
-  const auto at = std::ranges::find(kinds, kind);
-  const bool usual = density == "default";
-  if (!usual) std::istringstream(density) >> options.density;
-  if (!words || by != 'x' || at == kinds.end() || (!usual && !(options.density >= 0)))
+  const auto is_made = [&] {
+    if (words.size() != 4) return false;
+    const auto kinds = map_kind_names();
+    const auto at = std::ranges::find(kinds, words[0]);
+    const std::string_view size = words[1];
+    const auto by = size.find('x');
+    if (at == kinds.end() || by == size.npos) return false;
+    made.kind = static_cast<MapKind>(at - kinds.begin());
+    const bool usual = words[2] == "default";
+    return read_whole(size.substr(0, by), options.width) &&
+           read_whole(size.substr(by + 1), options.height) &&
+           (usual || (read_whole(words[2], options.density) && options.density >= 0 &&
+                      std::isfinite(options.density))) &&
+           read_whole(words[3], options.seed);
+  };
+  if (!is_made())
     throw Error(ErrorCode::invalid_parameter, "no map is made by \"" + source + "\"",
                 "say KIND WxH DENSITY SEED, as in \"blobs 200x100 default 1\"");
-  made.kind = static_cast<MapKind>(at - kinds.begin());
   return made;
 }
 
