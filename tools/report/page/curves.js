@@ -20,6 +20,7 @@ const kLeft = 56, kRight = 12, kTop = 10, kBottom = 38;
 
 /** About `count` round numbers from low to high. */
 export function ticks(low, high, count) {
+  if (!(high - low > 1e-12 * Math.max(Math.abs(low), Math.abs(high)))) return [low]; // no numbers between
   const rough = (high - low) / Math.max(1, count), power = 10 ** Math.floor(Math.log10(rough));
   const step = [1, 2, 5, 10].map((f) => f * power).find((s) => s >= rough * 0.999) ?? rough;
   const list = [];

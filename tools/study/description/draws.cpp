@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 
 #include "lasius/error.h"
 #include "lasius/planner.h"
@@ -83,6 +84,10 @@ void draw_questions(Study& study, const std::filesystem::path& maps) {
         draw_ends(study, planner, *question.draw, static_cast<std::uint32_t>(i), drawn);
       }
     }
+    std::set<std::string> names;
+    for (const Question& question : questions)
+      if (!names.insert(question.name).second)
+        fail(study, question, "another question has this name", "give one another name");
     experiment.questions = std::move(questions);
   }
 }

@@ -101,7 +101,7 @@ Friedman friedman(std::span<const std::vector<double>> blocks, double level) {
   return test;
 }
 
-double signed_rank_p(std::span<const double> a, std::span<const double> b) {
+SignedRanks signed_ranks(std::span<const double> a, std::span<const double> b) {
   constexpr std::size_t kMostExact = 60;
   std::vector<double> sizes;
   std::vector<bool> above;
@@ -111,7 +111,7 @@ double signed_rank_p(std::span<const double> a, std::span<const double> b) {
     sizes.push_back(std::abs(d));
     above.push_back(d > 0);
   }
-  if (sizes.empty()) return 1;
+  if (sizes.empty()) return {};
   const auto ranks = mean_ranks(sizes);
   std::size_t sum = 0, total = 0;  // doubled, so that mean ranks are whole
   double squares = 0;
@@ -122,9 +122,12 @@ double signed_rank_p(std::span<const double> a, std::span<const double> b) {
     if (above[i]) sum += doubled;
   }
   const std::size_t tail = std::min(sum, total - sum);
-  if (ranks.size() > kMostExact)
-    return std::erfc((static_cast<double>(total) / 2 - static_cast<double>(tail)) /
-                     std::sqrt(squares / 2));
+  SignedRanks test{.p = 1, .above = 2 * sum > total};
+  if (ranks.size() > kMostExact) {
+    test.p = std::erfc((static_cast<double>(total) / 2 - static_cast<double>(tail)) /
+                       std::sqrt(squares / 2));
+    return test;
+  }
   std::vector<double> law(total + 1, 0);
   law[0] = 1;
   for (const double r : ranks) {
@@ -132,9 +135,10 @@ double signed_rank_p(std::span<const double> a, std::span<const double> b) {
     for (std::size_t s = total + 1; s-- > 0;)
       law[s] = law[s] / 2 + (s >= doubled ? law[s - doubled] / 2 : 0);
   }
-  return std::min(
+  test.p = std::min(
       1.0,
       2 * std::accumulate(law.begin(), law.begin() + static_cast<std::ptrdiff_t>(tail) + 1, 0.0));
+  return test;
 }
 
 std::vector<std::size_t> Race::left() const {
@@ -164,8 +168,8 @@ void Race::add(std::span<const double> values) {
   const std::size_t best_one = best();
   if (there.size() == 2) {
     const std::size_t other = there[0] == best_one ? there[1] : there[0];
-    const double p = signed_rank_p(runners_[other].values, runners_[best_one].values);
-    if (p < rules_.level) leave(other, p);
+    const SignedRanks test = signed_ranks(runners_[other].values, runners_[best_one].values);
+    if (test.p < rules_.level) leave(test.above ? other : best_one, test.p);
     return;
   }
   const Friedman test = friedman(values_of(there), rules_.level);

@@ -38,10 +38,14 @@ struct Friedman {
 /// Precondition: at least 2 candidates and 2 blocks, all of the same size.
 Friedman friedman(std::span<const std::vector<double>> blocks, double level);
 
+struct SignedRanks {
+  double p = 1;
+  bool above = false;  ///< the ranks of differences above 0 have the larger sum
+};
 /// Wilcoxon's signed rank test (1945) that the median of the differences a - b is 0, two-sided and
 /// exact for the ranks at hand up to 60 of them, else by the normal law; differences of 0 are left
 /// out. Values may be infinite; two infinite ones are equal.
-double signed_rank_p(std::span<const double> a, std::span<const double> b);
+SignedRanks signed_ranks(std::span<const double> a, std::span<const double> b);
 
 struct RaceRules {
   int first_test = 6;   ///< blocks before the first test

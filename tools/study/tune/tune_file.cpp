@@ -70,8 +70,11 @@ Tuning read_tuning(const std::string& file) {
   const fs::path path(file);
   Tuning tuning{.name = root.text_or("name", path.stem().string()), .file = file};
   tuning.candidates = candidates_of(root, path.parent_path());
+  // All but the iterations that a budget adds.
+  const Node* const set = root.find("set");
   for (const auto& setting : tuning.candidates.front().settings)
-    if (const Node* const set = root.find("set"); set != nullptr && set->find(setting.first))
+    if (setting.first != "iterations" || root.find("budget") == nullptr ||
+        (set != nullptr && set->find(setting.first)))
       tuning.fixed.push_back(setting);
   tuning.value = value_of_claim(root);
   tuning.truth = truth_of(root.find("optimum"));

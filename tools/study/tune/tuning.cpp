@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lasius/error.h"
 #include "tools/console/values.h"
 #include "tools/study/bitmaps.h"
 #include "tools/study/description/draws.h"
@@ -60,6 +61,13 @@ class Conductor {
             .first_seed = first_seed};
   }
 
+  static void check_all_ran(const Findings& findings) {
+    if (findings.absent.empty()) return;
+    const Absent& absent = findings.absent.front();
+    throw Error(ErrorCode::invalid_parameter, absent.contender + " cannot run: " + absent.reason,
+                "change the parameters or their ranges");
+  }
+
   /// False where it was interrupted.
   bool run_block(int block, Tuned& tuned) {
     const auto& questions = tuning_.training.experiments.front().questions;
@@ -73,6 +81,7 @@ class Conductor {
       runner.estimate = [&](std::size_t, double seconds) { estimate(seconds); };
     const Findings findings = run_study(part, training_, runner);
     if (!findings.whole) return false;
+    check_all_ran(findings);
     std::vector<double> values;
     for (const Sample& sample : findings.samples) {
       const Run& run = sample.runs.front();
@@ -100,6 +109,7 @@ class Conductor {
     RunnerOptions runner = this->runner(tuning_.judging.seeds.first, tuning_.judging.seeds.count);
     runner.progress = options_.progress;
     const Findings findings = run_study(part, domain, runner);
+    check_all_ran(findings);
     if (findings.whole) tuned.families = judge(findings, tuning_, judged.name);
     return findings.whole;
   }

@@ -63,16 +63,19 @@ TEST(FriedmansTest, WhereAllBlocksAgreeAnyDistanceCounts) {
 // The subsets of the ranks 1 to 6 with a sum of at most 6 are 14 of 64.
 TEST(SignedRankTest, IsCountedByHand) {
   const std::vector<double> zero(6, 0);
-  EXPECT_NEAR(signed_rank_p(std::vector<double>{1, 2, 3, 4, 5, -6}, zero), 28.0 / 64, 1e-12);
-  EXPECT_NEAR(signed_rank_p(std::vector<double>{1, 2, 3, 4, 5, 6}, zero), 2.0 / 64, 1e-12);
-  EXPECT_NEAR(signed_rank_p(zero, std::vector<double>{1, 2, 3, 4, 5, 6}), 2.0 / 64, 1e-12);
-  EXPECT_EQ(signed_rank_p(zero, zero), 1);
+  EXPECT_NEAR(signed_ranks(std::vector<double>{1, 2, 3, 4, 5, -6}, zero).p, 28.0 / 64, 1e-12);
+  EXPECT_NEAR(signed_ranks(std::vector<double>{1, 2, 3, 4, 5, 6}, zero).p, 2.0 / 64, 1e-12);
+  EXPECT_NEAR(signed_ranks(zero, std::vector<double>{1, 2, 3, 4, 5, 6}).p, 2.0 / 64, 1e-12);
+  EXPECT_EQ(signed_ranks(zero, zero).p, 1);
+  EXPECT_TRUE(signed_ranks(std::vector<double>{1, 2, 3, 4, 5, -6}, zero).above);
+  EXPECT_FALSE(signed_ranks(zero, std::vector<double>{1, 2, 3, 4, 5, 6}).above);
   // Ties at their mean rank: 1.5, 1.5, 3; the least sum, 0, has one subset of 8.
-  EXPECT_NEAR(signed_rank_p(std::vector<double>{1, 1, 2}, std::vector<double>(3, 0)), 0.25, 1e-12);
+  EXPECT_NEAR(signed_ranks(std::vector<double>{1, 1, 2}, std::vector<double>(3, 0)).p, 0.25, 1e-12);
   // One that finds no path is worse; two are equal.
-  EXPECT_NEAR(signed_rank_p(std::vector<double>{kEndless, kEndless, 3},
-                            std::vector<double>{1, kEndless, 2}),
-              0.5, 1e-12);
+  EXPECT_NEAR(
+      signed_ranks(std::vector<double>{kEndless, kEndless, 3}, std::vector<double>{1, kEndless, 2})
+          .p,
+      0.5, 1e-12);
 }
 
 // Of the ranks 1 to 61 the 21 at 1, 4, ..., 61 are negative and add up to 651; the mean of such a
@@ -80,7 +83,7 @@ TEST(SignedRankTest, IsCountedByHand) {
 TEST(SignedRankTest, OfManyIsByTheNormalLaw) {
   std::vector<double> a, zero(61, 0);
   for (int i = 0; i < 61; ++i) a.push_back((i + 1) * (i % 3 == 0 ? -1 : 1));
-  EXPECT_NEAR(signed_rank_p(a, zero), 0.0344, 5e-5);
+  EXPECT_NEAR(signed_ranks(a, zero).p, 0.0344, 5e-5);
 }
 
 /// Values of a block for candidates that are left: `value(candidate)`.
