@@ -4,6 +4,7 @@
 //   svgElement("path", {d: "..."})                the same for SVG
 //   numberText(12.3456, 2)                        "12.35"; "none" for what is no number
 //   themeColour("--path")                         "#d62728", the variable as the theme has it
+//   paintSoon(view)                               view.paint() at the next frame of the screen
 //   onTheme(callback)                             called after every change of light and dark
 //   themeButton()                                 the button that changes it
 
@@ -23,6 +24,16 @@ export function element(name, attributes = {}, ...children) {
 
 export function svgElement(name, attributes = {}, ...children) {
   return filled(document.createElementNS("http://www.w3.org/2000/svg", name), attributes, children);
+}
+
+/** However often it is asked; not before the view has a width. */
+export function paintSoon(view) {
+  if (view.pending || !view.width) return;
+  view.pending = true;
+  requestAnimationFrame(() => {
+    view.pending = false;
+    view.paint();
+  });
 }
 
 export function isNumber(value) {

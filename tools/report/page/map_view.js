@@ -11,7 +11,7 @@
 //
 // Keys with the focus on it: + and - zoom, arrows move, 0 shows all.
 
-import { element, onTheme, themeColour } from "./dom.js";
+import { element, onTheme, paintSoon, themeColour } from "./dom.js";
 
 export class MapView {
   constructor(host, { low, high, up = false, label, onHover = () => {} }) {
@@ -89,14 +89,8 @@ export class MapView {
     this.draw();
   }
 
-  /** At the next frame of the screen, however often it is asked. */
   draw() {
-    if (this.pending || !this.width) return;
-    this.pending = true;
-    requestAnimationFrame(() => {
-      this.pending = false;
-      this.paint();
-    });
+    paintSoon(this);
   }
 
   paint() {

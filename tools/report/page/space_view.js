@@ -10,7 +10,7 @@
 //
 // Drag turns, so do the arrow keys; + and - zoom, 0 shows it as at first. z is up.
 
-import { element, onTheme, themeColour } from "./dom.js";
+import { element, onTheme, paintSoon, themeColour } from "./dom.js";
 
 export function moved(pose, [x, y, z]) {
   return [0, 4, 8].map((row) => pose[row] * x + pose[row + 1] * y + pose[row + 2] * z + pose[row + 3]);
@@ -132,12 +132,7 @@ export class SpaceView {
   }
 
   draw() {
-    if (this.pending || !this.width) return;
-    this.pending = true;
-    requestAnimationFrame(() => {
-      this.pending = false;
-      this.paint();
-    });
+    paintSoon(this);
   }
 
   /** Right, up and away from the viewer. */
