@@ -5,7 +5,7 @@
 
 namespace lasius {
 
-/// A source of time, so that tests can inject one that counts its calls.
+/// A clock: one that stands still while nothing is planned, say, or that of a test.
 class LASIUS_EXPORT TimeSource {
  public:
   virtual ~TimeSource();

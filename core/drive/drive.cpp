@@ -153,7 +153,7 @@ class Drive {
     if (std::isfinite(options_.seconds_per_tick)) {
       const std::chrono::duration<double> left(options_.seconds_per_tick -
                                                planning_.count() / 1000);
-      stop.deadline = std::min(stop.deadline, deadline_in(left));
+      stop.deadline = std::min(stop.deadline, deadline_in(left, stop.now()));
     }
     const auto begin = Clock::now();
     way_ = &pilot_.step(robot_, stop);

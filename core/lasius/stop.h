@@ -11,9 +11,10 @@ namespace lasius {
 
 using Clock = std::chrono::steady_clock;
 
-/// The time that is so long from now, for a deadline: now where it is negative, never (the clock's
-/// last time) from a century on.
-LASIUS_EXPORT Clock::time_point deadline_in(std::chrono::duration<double> time) noexcept;
+/// The time that is so long from then, for a deadline: then where it is negative, never (the
+/// clock's last time) from a century on.
+LASIUS_EXPORT Clock::time_point deadline_in(std::chrono::duration<double> time,
+                                            Clock::time_point from = Clock::now()) noexcept;
 
 class TimeSource;
 
@@ -22,8 +23,11 @@ struct StopCondition {
   std::stop_token token = {};  ///< ends the call as Status::interrupted
   /// Ends the call as Status::limit.
   Clock::time_point deadline = Clock::time_point::max();
-  /// For tests of the library itself; null: the steady clock.
+  /// Of the library itself: another clock, that of a test, say; null: the steady clock.
   const TimeSource* time = nullptr;
+
+  /// The time that the deadline is compared with.
+  LASIUS_EXPORT Clock::time_point now() const noexcept;
 
   /// What asks to stop.
   enum class Cause { none, token, deadline };

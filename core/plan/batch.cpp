@@ -158,7 +158,8 @@ std::size_t plan_batch(const Planner& planner, std::span<const Request> requests
       if (request.stop.token.stop_possible()) either.emplace(request.stop.token, sequencer.token());
       request.stop.token = either ? either->get() : sequencer.token();
       if (options.time_limit) {
-        request.stop.deadline = std::min(request.stop.deadline, deadline_in(*options.time_limit));
+        request.stop.deadline =
+            std::min(request.stop.deadline, deadline_in(*options.time_limit, request.stop.now()));
       }
       const auto begin = Clock::now();
       Result result = planner.plan(request, mine, own, &workspace);

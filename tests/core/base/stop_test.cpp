@@ -32,6 +32,12 @@ TEST(Deadline, TakesAnyNumber) {
   }
 }
 
+TEST(Deadline, IsSoFarFromAnyTime) {
+  const Clock::time_point then{std::chrono::seconds(7)};
+  EXPECT_EQ(deadline_in(Seconds(0.5), then), then + std::chrono::milliseconds(500));
+  EXPECT_EQ(deadline_in(Seconds(-1), then), then);
+}
+
 TEST(Poller, LooksOnceABudgetIsSpentAndNeverAgainOnceStopped) {
   const CountingTime time(1);
   const StopCondition stop = time.is_up();
