@@ -25,14 +25,14 @@ Messages make_messages(const SearchText& text) {
   return messages;
 }
 
-/// "N", or "A-B": seeds from A to B.
+/// "N", or "A-B" or "A..B": seeds from A to B.
 void read_seeds(const std::string& text, SearchOptions& options) {
-  const auto dash = text.find('-', 1);
-  options.seed = seed_value(text.substr(0, dash));
-  if (dash == std::string::npos) return;
+  const auto dots = text.find(".."), end = std::min(dots, text.find('-', 1));
+  options.seed = seed_value(text.substr(0, end));
+  if (end == std::string::npos) return;
   const auto first = static_cast<std::int64_t>(options.seed);
   const std::int64_t last =
-      integer_value("--seed A-B", text.substr(dash + 1), first,
+      integer_value("--seed A-B", text.substr(end + (end == dots ? 2 : 1)), first,
                     std::min(kMaxExactInteger, first + SearchOptions::kMostSeeds - 1));
   options.seeds = static_cast<int>(last - first) + 1;
 }
