@@ -54,16 +54,32 @@ std::vector<Cell> move_steps(Neighbours neighbours) {
 }
 
 std::span<const TrailPlace> IterationTours::cells_of(int ant) const noexcept {
-  return cells.subspan(offsets[ant], offsets[ant + 1] - offsets[ant]);
+  return numbered_->cells_of(ant);
 }
 
 std::span<const TrailPlace> IterationTours::places_of(int ant) const noexcept {
-  if (trail == Trail::cells) return cells_of(ant);
-  return arcs.subspan(offsets[ant] - ant, offsets[ant + 1] - offsets[ant] - 1);
+  return trail == Trail::cells ? numbered_->cells_of(ant) : numbered_->arcs_of(ant);
+}
+
+std::span<const TrailPlace> IterationTours::cells() const noexcept { return numbered_->cells(); }
+
+std::span<const TrailPlace> IterationTours::arcs() const noexcept {
+  if (trail == Trail::cells) return {};
+  return numbered_->arcs();
+}
+
+std::span<const TrailPlace> IterationTours::best_cells() const noexcept {
+  if (!(best_length > 0)) return {};
+  return numbered_->cells_of(ants());
+}
+
+std::span<const TrailPlace> IterationTours::best_arcs() const noexcept {
+  if (trail == Trail::cells || !(best_length > 0)) return {};
+  return numbered_->arcs_of(ants());
 }
 
 std::span<const TrailPlace> IterationTours::best_places() const noexcept {
-  return trail == Trail::cells ? best_cells : best_arcs;
+  return trail == Trail::cells ? best_cells() : best_arcs();
 }
 
 void check_own_rules(const OwnRules& own, const Grid& grid, const Params& params) {
@@ -108,71 +124,87 @@ StepWeights own_weights(const OwnRules& own, const Params& params, int iteration
   return w;
 }
 
-void NumberedTours::Lists::add(const Tour& tour, TrailPlace cell, const kernels::Moves& moves,
-                               int width, bool with_arcs) {
+std::array<TrailPlace, kernels::kMaxMoves> NumberedTours::steps() const noexcept {
   std::array<TrailPlace, kernels::kMaxMoves> step{};
-  for (int k = 0; k < moves.count; ++k)
-    step[k] = std::int64_t{moves[k].to.dy} * width + moves[k].to.dx;
-  const std::int64_t first = offsets.back(), before = std::ssize(offsets) - 1;
-  TrailPlace* to = cells.data() + first;
-  TrailPlace* arc = arcs.data() + (with_arcs ? first - before : 0);
-  for (const int k : tour.moves) {
-    *to++ = cell;
-    if (with_arcs) *arc++ = cell * moves.count + k;
-    cell += step[k];
-  }
-  *to = cell;
-  offsets.push_back(first + std::ssize(tour.moves) + 1);
+  for (int k = 0; k < tours_->moves.count; ++k)
+    step[k] = std::int64_t{tours_->moves[k].to.dy} * width_ + tours_->moves[k].to.dx;
+  return step;
 }
 
-IterationTours NumberedTours::number(const Tours& tours, const Grid& grid, Trail trail,
-                                     Poller& poller) {
+IterationTours NumberedTours::view(const Tours& tours, const Grid& grid, Trail trail) {
   if (lists_ == nullptr || lists_.use_count() > 1) lists_ = std::make_shared<Lists>();
-  Lists& lists = *lists_;
-  const bool arcs = trail == Trail::arcs, arrived = trail_rules::arrived(tours.best_so_far);
-  std::size_t cells = tours.best_so_far.moves.size() + 1;
-  for (const Tour& tour : tours.ants) cells += tour.moves.size() + 1;
-  lists.cells.grow(cells);
-  if (arcs) lists.arcs.grow(cells);
-  const TrailPlace start = std::int64_t{tours.start.y} * grid.width() + tours.start.x;
-  lists.offsets.assign(1, 0);
-  lists.lengths.clear();
-  for (const Tour& tour : tours.ants) {
-    lists.add(tour, start, tours.moves, grid.width(), arcs);
-    lists.lengths.push_back(tour.length);
-    if (poller.stop_after(std::ssize(tour.moves) + 1)) return {};
-  }
-  const auto ants = lists.lengths.size(), end = static_cast<std::size_t>(lists.offsets[ants]);
-  if (arrived) lists.add(tours.best_so_far, start, tours.moves, grid.width(), arcs);
+  tours_ = &tours;
+  width_ = grid.width();
+  start_ = std::int64_t{tours.start.y} * width_ + tours.start.x;
+  written_.assign(tours.ants.size() + 1, 0);
+  lists_->offsets.assign(1, 0);
+  lists_->lengths.clear();
+  for (int t = 0; t <= ants(); ++t)
+    lists_->offsets.push_back(lists_->offsets.back() + std::ssize(tour(t).moves) + 1);
+  for (const Tour& tour : tours.ants) lists_->lengths.push_back(tour.length);
+  const auto places = static_cast<std::size_t>(lists_->offsets.back());
+  lists_->cells.grow(places);
+  if (trail == Trail::arcs) lists_->arcs.grow(places);
   const auto ranked = trail_rules::ranked(tours);
-  lists.ranked.assign(ranked.begin(), ranked.end());
+  lists_->ranked.assign(ranked.begin(), ranked.end());
   IterationTours view;
+  view.numbered_ = this;
   view.trail = trail;
   view.start = tours.start;
   view.iteration = tours.iteration;
   view.width = grid.width();
   view.height = grid.height();
   view.moves = tours.moves.count;
-  view.cells = {lists.cells.data(), end};
-  view.offsets = std::span(lists.offsets).first(ants + 1);
-  if (arcs) view.arcs = {lists.arcs.data(), end - ants};
-  view.lengths = lists.lengths;
-  view.ranked = lists.ranked;
+  view.offsets = std::span(lists_->offsets).first(tours.ants.size() + 1);
+  view.lengths = lists_->lengths;
+  view.ranked = lists_->ranked;
   view.memory = lists_;
-  if (!arrived) return view;
-  const std::size_t moves = tours.best_so_far.moves.size();
-  view.best_cells = {lists.cells.data() + end, moves + 1};
-  if (arcs) view.best_arcs = {lists.arcs.data() + (end - ants), moves};
-  view.best_length = tours.best_so_far.length;
+  if (trail_rules::arrived(tours.best_so_far)) view.best_length = tours.best_so_far.length;
   return view;
+}
+
+std::span<const TrailPlace> NumberedTours::cells_of(int number) noexcept {
+  const auto moves = tour(number).moves;
+  TrailPlace* const cells = lists_->cells.data() + lists_->offsets[number];
+  if ((written_[number] & kCells) == 0) {
+    const auto step = steps();
+    cells[0] = start_;
+    for (std::size_t i = 0; i < moves.size(); ++i) cells[i + 1] = cells[i] + step[moves[i]];
+    written_[number] |= kCells;
+  }
+  return {cells, moves.size() + 1};
+}
+
+std::span<const TrailPlace> NumberedTours::arcs_of(int number) noexcept {
+  const auto moves = tour(number).moves;
+  TrailPlace* const arcs = lists_->arcs.data() + lists_->offsets[number] - number;
+  if ((written_[number] & kArcs) == 0) {
+    const auto step = steps();
+    TrailPlace cell = start_;
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+      arcs[i] = cell * tours_->moves.count + moves[i];
+      cell += step[moves[i]];
+    }
+    written_[number] |= kArcs;
+  }
+  return {arcs, moves.size()};
+}
+
+std::span<const TrailPlace> NumberedTours::cells() noexcept {
+  for (int ant = 0; ant < ants(); ++ant) cells_of(ant);
+  return {lists_->cells.data(), static_cast<std::size_t>(lists_->offsets[ants()])};
+}
+
+std::span<const TrailPlace> NumberedTours::arcs() noexcept {
+  for (int ant = 0; ant < ants(); ++ant) arcs_of(ant);
+  return {lists_->arcs.data(), static_cast<std::size_t>(lists_->offsets[ants()] - ants())};
 }
 
 bool update_by_caller(Field& field, const OwnRules& own, const Params& params, const Grid& grid,
                       Cell goal, const Tours& tours, NumberedTours& numbered,
                       const StopCondition& stop) {
   Poller poller(stop, Poller::kSteps);
-  IterationTours view = numbered.number(tours, grid, params.trail, poller);
-  if (poller.stopped()) return false;
+  IterationTours view = numbered.view(tours, grid, params.trail);
   view.goal = goal;
   Pheromone::Impl impl(field, grid, params, tours.moves.count, poller);
   Pheromone trail(impl);

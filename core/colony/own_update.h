@@ -1,9 +1,11 @@
 // A caller's own rules in a colony on a bitmap.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/base/growing_array.h"
@@ -31,12 +33,20 @@ inline const OwnRules& no_own_rules() {
 /// @throws Error(invalid_parameter) for one out of range.
 StepWeights own_weights(const OwnRules& own, const Params& params, int iteration);
 
-/// The tours of an iteration as numbers of cells and moves.
+/// The tours of an iteration as numbers of cells and moves, written when they are asked for.
 class NumberedTours {
  public:
-  /// What an update is given of these tours; fewer when stopped. Memory is used again unless the
+  /// What an update is given of these tours, which outlive its use. Memory is used again unless the
   /// caller keeps that of a view.
-  IterationTours number(const Tours& tours, const Grid& grid, Trail trail, Poller& poller);
+  IterationTours view(const Tours& tours, const Grid& grid, Trail trail);
+
+  /// Of one of the tours, that of the best so far after those of the ants.
+  std::span<const TrailPlace> cells_of(int tour) noexcept;
+  std::span<const TrailPlace> arcs_of(int tour) noexcept;
+  /// Of the ants' tours.
+  std::span<const TrailPlace> cells() noexcept;
+  std::span<const TrailPlace> arcs() noexcept;
+  int ants() const noexcept { return static_cast<int>(tours_->ants.size()); }
 
   std::int64_t bytes() const noexcept { return lists_ == nullptr ? 0 : lists_->bytes(); }
 
@@ -47,12 +57,23 @@ class NumberedTours {
     std::vector<double> lengths;           // of the ants' tours
     std::vector<int> ranked;
 
-    void add(const Tour& tour, TrailPlace cell, const kernels::Moves& moves, int width, bool arcs);
     std::int64_t bytes() const noexcept {
       return cells.bytes() + arcs.bytes() + held_bytes(offsets, lengths, ranked);
     }
   };
+  enum Written : std::uint8_t { kCells = 1, kArcs = 2 };
+
+  const Tour& tour(int number) const noexcept {
+    return number < ants() ? tours_->ants[number] : tours_->best_so_far;
+  }
+  /// From a cell to the next, by move.
+  std::array<TrailPlace, kernels::kMaxMoves> steps() const noexcept;
+
   std::shared_ptr<Lists> lists_;
+  std::vector<std::uint8_t> written_;  // by tour: what of it is in the lists
+  const Tours* tours_ = nullptr;
+  TrailPlace start_ = 0;
+  int width_ = 0;
 };
 
 /// Lets the caller's own update, which there is, change the trail. True where it asks for the end

@@ -25,9 +25,13 @@ using TrailPlace = std::int64_t;
 /// in a row by dx. Of Neighbours::four: up, left, right, down.
 LASIUS_EXPORT std::vector<Cell> move_steps(Neighbours neighbours);
 
+class NumberedTours;
+
 /// What the ants of one iteration have found, for an update. The object holds until the update
-/// returns, and so do its spans, save for who keeps `memory`. Nothing is copied for the call. Tours
-/// are those that the built-in updates see: after Params::walk_cut, before polish.
+/// returns, and so do its spans, save for who keeps `memory`. Nothing is copied for the call: the
+/// numbers of a tour's cells and moves are written when they are first asked for, all of them for
+/// cells() and arcs(). It belongs to the thread that the update is called on. Tours are those that
+/// the built-in updates see: after Params::walk_cut, before polish.
 struct LASIUS_EXPORT IterationTours {
   int iteration = 0;           ///< from 0
   int width = 0;               ///< of the map, in cells
@@ -37,23 +41,14 @@ struct LASIUS_EXPORT IterationTours {
   Cell start;                  ///< where tours begin
   Cell goal;                   ///< where those that arrived end
 
-  /// The cells of all ants' tours, one tour after the other, each from the start on, no cell twice.
-  /// Of an ant that did not arrive: the way it had taken when it was lost.
-  std::span<const TrailPlace> cells;
-  /// One more than there are ants: ant a has cells[offsets[a]] to cells[offsets[a + 1] - 1].
+  /// One more than there are ants: ant a has cells()[offsets[a]] to cells()[offsets[a + 1] - 1].
   std::span<const std::int64_t> offsets;
-  /// With Trail::arcs the moves between these cells, else empty: ant a has arcs[offsets[a] - a] to
-  /// arcs[offsets[a + 1] - a - 2], one fewer than cells.
-  std::span<const TrailPlace> arcs;
   /// By ant: length of its tour, in cells; NaN unless it arrived.
   std::span<const double> lengths;
   /// The ants that arrived, shortest tour first, ties to the lower number.
   std::span<const int> ranked;
-
-  /// The shortest tour so far, this iteration's included; empty before an ant has arrived.
-  std::span<const TrailPlace> best_cells;
-  std::span<const TrailPlace> best_arcs;  ///< its moves with Trail::arcs, else empty
-  double best_length = std::numeric_limits<double>::quiet_NaN();  ///< its length; NaN without one
+  /// Length of the shortest tour so far, this iteration's included; NaN before an ant has arrived.
+  double best_length = std::numeric_limits<double>::quiet_NaN();
 
   /// What the spans show: as long as a copy of this is kept they hold, and never change.
   std::shared_ptr<const void> memory;
@@ -62,19 +57,32 @@ struct LASIUS_EXPORT IterationTours {
   int ants() const noexcept { return static_cast<int>(lengths.size()); }
   /// Did it reach the goal? As the two below, for 0 <= ant < ants().
   bool arrived(int ant) const noexcept { return lengths[ant] > 0; }
-  /// The cells of its tour.
+  /// The cells of its tour, from the start on, no cell twice. Of an ant that did not arrive: the
+  /// way it had taken when it was lost.
   std::span<const TrailPlace> cells_of(int ant) const noexcept;
   /// The places of its tour that carry pheromone: with Trail::cells its cells, the start's and the
   /// goal's too, with Trail::arcs its moves.
   std::span<const TrailPlace> places_of(int ant) const noexcept;
-  /// The same of the shortest tour so far.
-  std::span<const TrailPlace> best_places() const noexcept;
+
+  /// The cells of all ants' tours, one tour after the other.
+  std::span<const TrailPlace> cells() const noexcept;
+  /// With Trail::arcs the moves between these cells, else empty: ant a has arcs()[offsets[a] - a]
+  /// to arcs()[offsets[a + 1] - a - 2], one fewer than cells.
+  std::span<const TrailPlace> arcs() const noexcept;
+
+  /// The shortest tour so far; empty before an ant has arrived.
+  std::span<const TrailPlace> best_cells() const noexcept;
+  std::span<const TrailPlace> best_arcs() const noexcept;    ///< its moves as arcs() has them
+  std::span<const TrailPlace> best_places() const noexcept;  ///< as places_of()
 
   /// Ends the search after this iteration, as Progress::stop() does: Status::interrupted.
   void stop() const noexcept { stopped_ = true; }
   bool stopped() const noexcept { return stopped_; }  ///< true once stop() was called
 
  private:
+  friend class NumberedTours;
+
+  NumberedTours* numbered_ = nullptr;
   mutable bool stopped_ = false;
 };
 

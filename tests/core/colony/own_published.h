@@ -42,7 +42,7 @@ inline void max_min(const Params& p, Pheromone& trail, const IterationTours& tou
   const bool so_far = tours.ranked.empty() ||
                       (p.best_so_far_every > 0 && (tours.iteration + 1) % p.best_so_far_every == 0);
   const double most = p.deposit / ((1 - p.persistence) * tours.best_length);
-  const auto moves = static_cast<double>(tours.best_cells.size() - 1);
+  const auto moves = static_cast<double>(tours.best_cells().size() - 1);
   const double all_right = kernels::power(p.best_probability, 1.0 / moves);
   const double choice = tours.moves / 2.0;
   trail.clamp(std::min(most, most * (1 - all_right) / ((choice - 1) * all_right)), most);

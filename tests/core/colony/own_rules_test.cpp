@@ -317,26 +317,26 @@ TEST(OwnRules, ToursAreNumberedByCellAndByMove) {
   const Tours tours{
       .start = {1, 1}, .moves = moves, .ants = ants, .best_so_far = ants[1], .ranking = ranking};
   NumberedTours numbered;
-  const StopCondition never;
-  Poller poller(never);
-  const auto view = numbered.number(tours, grid, Trail::arcs, poller);
+  const auto view = numbered.view(tours, grid, Trail::arcs);
   const auto list = [](auto span) { return std::vector<std::int64_t>(span.begin(), span.end()); };
   using List = std::vector<std::int64_t>;
-  EXPECT_EQ(list(view.cells), (List{6, 11, 6, 7, 8, 13}));
+  EXPECT_EQ(list(view.places_of(1)), (List{26, 30, 35}));  // before the others
+  const auto cells = view.cells();
+  EXPECT_EQ(list(cells), (List{6, 11, 6, 7, 8, 13}));
   EXPECT_EQ(list(view.offsets), (List{0, 2, 6}));
-  EXPECT_EQ(list(view.arcs), (List{6 * 4 + 3, 6 * 4 + 2, 7 * 4 + 2, 8 * 4 + 3}));
+  EXPECT_EQ(list(view.arcs()), (List{6 * 4 + 3, 6 * 4 + 2, 7 * 4 + 2, 8 * 4 + 3}));
   EXPECT_EQ(list(view.places_of(0)), (List{27}));
-  EXPECT_EQ(list(view.places_of(1)), (List{26, 30, 35}));
-  EXPECT_EQ(list(view.best_cells), (List{6, 7, 8, 13}));
+  EXPECT_EQ(list(view.best_cells()), (List{6, 7, 8, 13}));
   EXPECT_EQ(list(view.best_places()), (List{26, 30, 35}));
   EXPECT_EQ(view.best_length, 3);
   EXPECT_FALSE(view.arrived(0));
   EXPECT_TRUE(view.arrived(1));
 
-  const auto by_cell = numbered.number(tours, grid, Trail::cells, poller);
+  const auto by_cell = numbered.view(tours, grid, Trail::cells);
   EXPECT_NE(by_cell.memory, view.memory);  // which is kept
-  EXPECT_EQ(list(view.cells), (List{6, 11, 6, 7, 8, 13}));
-  EXPECT_TRUE(by_cell.arcs.empty());
+  EXPECT_TRUE(by_cell.arcs().empty());
+  EXPECT_EQ(list(by_cell.cells_of(0)), (List{6, 11}));
+  EXPECT_EQ(list(cells), (List{6, 11, 6, 7, 8, 13}));
   EXPECT_EQ(list(by_cell.places_of(1)), (List{6, 7, 8, 13}));
   EXPECT_EQ(list(by_cell.best_places()), (List{6, 7, 8, 13}));
 }
