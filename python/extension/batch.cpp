@@ -6,6 +6,7 @@
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"
 #include "python/extension/modules.h"
+#include "python/extension/own_rules.h"
 
 namespace lasius::python {
 namespace {
@@ -95,10 +96,14 @@ class Teller {
 
 py::tuple batch(const Planner& planner, const IntRows& starts, const IntRows& goals,
                 const Params& params, int threads, int seeds, std::optional<double> time_limit,
-                double target_gap, const py::object& callback) {
+                double target_gap, const py::object& callback, const OwnTable& heuristic,
+                const py::object& update, const py::object& schedule) {
   Call call;
+  const Given given{heuristic, update, schedule};
+  const OwnRules own = own_rules(given, params, call);
   const auto requests = requests_from(starts, goals, target_gap);
-  BatchOptions options{.threads = threads, .token = call.condition().token, .seeds = seeds};
+  BatchOptions options{
+      .threads = threads, .token = call.condition().token, .seeds = seeds, .own_rules = &own};
   if (time_limit) options.time_limit = std::chrono::duration<double>(*time_limit);
   const std::size_t wanted = requests.size() * static_cast<std::size_t>(std::max(seeds, 1));
   Columns columns(requests.size());

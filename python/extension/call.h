@@ -45,6 +45,11 @@ class Call {
     } catch (py::error_already_set& error) {
       keep(error);
       stop();
+    } catch (const py::builtin_exception& exception) {
+      exception.set_error();
+      py::error_already_set error;
+      keep(error);
+      stop();
     }
     return !error_;
   }

@@ -2,6 +2,7 @@
 #include "lasius/grid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -26,16 +27,31 @@ struct Free {
   Nonzero marked() const noexcept { return inside ? Nonzero::free : Nonzero::blocked; }
 };
 
-/// A row of cells as bytes 0 and 1, 1 where it is one of the values.
-void mark(const std::uint8_t* cells, py::ssize_t stride, const Free& free,
-          std::span<std::uint8_t> marks) {
+constexpr int kBlock = 64;  ///< rows that are read together, columns of them at a time
+
+/// Rows of cells as bytes 0 and 1, 1 where it is one of the values.
+void mark(const std::uint8_t* cells, py::ssize_t down, py::ssize_t right, const Free& free,
+          int width, std::span<std::uint8_t> marks) {
   const auto is_marked = [&free](std::uint8_t cell) {
     return static_cast<std::uint8_t>(static_cast<std::uint8_t>(cell - free.low) <= free.span);
   };
-  if (stride == 1) {  // a loop of its own, which compilers make vectors of
-    for (std::size_t x = 0; x < marks.size(); ++x) marks[x] = is_marked(cells[x]);
-  } else {
-    for (std::uint8_t& m : marks) m = is_marked(*cells), cells += stride;
+  const int rows = static_cast<int>(marks.size()) / width;
+  if (right == 1) {  // a loop of its own, which compilers make vectors of
+    for (int y = 0; y < rows; ++y, cells += down) {
+      std::uint8_t* const row = &marks[static_cast<std::size_t>(y) * width];
+      for (int x = 0; x < width; ++x) row[x] = is_marked(cells[x]);
+    }
+    return;
+  }
+  std::array<std::array<std::uint8_t, kBlock>, kBlock> block;  // a line of memory may be a column
+  for (int left = 0; left < width; left += kBlock) {
+    const int columns = std::min(kBlock, width - left);
+    for (int x = 0; x < columns; ++x) {
+      const std::uint8_t* const column = cells + (left + x) * right;
+      for (int y = 0; y < rows; ++y) block[y][x] = is_marked(column[y * down]);
+    }
+    for (int y = 0; y < rows; ++y)
+      std::copy_n(block[y].data(), columns, &marks[static_cast<std::size_t>(y) * width + left]);
   }
 }
 
@@ -52,10 +68,12 @@ Grid packed(const py::array& cells, const Free& free) {
                 {first, static_cast<std::size_t>(width) * static_cast<std::size_t>(height)},
                 free.inside ? Nonzero::blocked : Nonzero::free);
   Grid grid(width, height);
-  std::vector<std::uint8_t> marks(static_cast<std::size_t>(width));
-  for (int y = 0; y < height; ++y) {
-    mark(first + y * down, right, free, marks);
-    grid.paste({0, y, width, 1}, marks, free.marked());
+  std::vector<std::uint8_t> marks(static_cast<std::size_t>(width) * std::min(kBlock, height));
+  for (int y = 0; y < height; y += kBlock) {
+    const int rows = std::min(kBlock, height - y);
+    const auto part = std::span(marks).first(static_cast<std::size_t>(width) * rows);
+    mark(first + y * down, down, right, free, width, part);
+    grid.paste({0, y, width, rows}, part, free.marked());
   }
   return grid;
 }
@@ -67,7 +85,8 @@ Free free_values(const py::handle& free, bool is_signed) {
   const auto refuse = [&free](const char* why) {
     return py::value_error(py::str("free={!r}: {}").format(free, why));
   };
-  if (is_range && (py::len(free) == 0 || free.attr("step").cast<int>() != 1))
+  if (is_range && (!py::bool_(py::reinterpret_borrow<py::object>(free)) ||
+                   !py::object(free.attr("step")).equal(py::int_(1))))
     throw refuse("a range of values has step 1 and is not empty");
   const auto bound = [&](int end) {
     const py::object value =
@@ -77,9 +96,11 @@ Free free_values(const py::handle& free, bool is_signed) {
           py::str("free={!r}: give True (what is not 0 is free), False (what is 0), "
                   "a value, or a range of values")
               .format(free));
-    const auto number = value.attr("__index__")().cast<long long>();
+    int beyond = 0;  // what a long long can hold
+    const auto number = PyLong_AsLongLongAndOverflow(value.attr("__index__")().ptr(), &beyond);
     const int least = is_signed ? -128 : 0;
-    if (number < least || number > least + 255) throw refuse("the array has no such value");
+    if (beyond != 0 || number < least || number > least + 255)
+      throw refuse("the array has no such value");
     return static_cast<int>(number);
   };
   const int low = bound(0), high = bound(-1);

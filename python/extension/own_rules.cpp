@@ -57,6 +57,12 @@ auto list(const ToursView& view) {
   return shown(view.get().*kSpan, view.get().memory);
 }
 
+/// One that is written when it is asked for.
+template <class Get>
+auto numbered(Get get) {
+  return [get](const ToursView& view) { return shown((view.get().*get)(), view.get().memory); };
+}
+
 /// A function that takes one of their ants.
 template <class Get>
 auto of_ant(Get get) {
@@ -108,9 +114,8 @@ void enter(const py::object& returned, StepWeights& weights) {
        {"distance_rule", &weights.distance_rule},
        {"combined_rule", &weights.combined_rule}}};
   for (const auto& [key, value] : returned.cast<py::dict>()) {
-    const auto name = py::str(key).cast<std::string>();
-    const auto* const field =
-        std::ranges::find_if(fields, [&](const auto& f) { return f.first == name; });
+    const auto* const field = std::ranges::find_if(
+        fields, [&key = key](const auto& f) { return key.equal(py::str(f.first)); });
     if (field == fields.end())
       raise(PyExc_ValueError, py::str("a schedule sets no {!r}").format(key));
     *field->second = PyFloat_AsDouble(value.ptr());
@@ -175,18 +180,17 @@ void bind_own_rules(py::module_& module) {
       .def_property_readonly("moves", [](const ToursView& v) { return v.get().moves; })
       .def_property_readonly("start", [](const ToursView& v) { return v.get().start; })
       .def_property_readonly("goal", [](const ToursView& v) { return v.get().goal; })
-      .def_property_readonly("cells", &list<&T::cells>)
+      .def_property_readonly("cells", numbered(&T::cells))
       .def_property_readonly("offsets", &list<&T::offsets>)
-      .def_property_readonly("arcs", &list<&T::arcs>)
+      .def_property_readonly("arcs", numbered(&T::arcs))
       .def_property_readonly("lengths", &list<&T::lengths>)
       .def_property_readonly("ranked", &list<&T::ranked>)
-      .def_property_readonly("best_cells", &list<&T::best_cells>)
-      .def_property_readonly("best_arcs", &list<&T::best_arcs>)
+      .def_property_readonly("best_cells", numbered(&T::best_cells))
+      .def_property_readonly("best_arcs", numbered(&T::best_arcs))
       .def_property_readonly("best_length", [](const ToursView& v) { return v.get().best_length; })
       .def("cells_of", of_ant(&T::cells_of))
       .def("places_of", of_ant(&T::places_of))
-      .def("best_places",
-           [](const ToursView& v) { return shown(v.get().best_places(), v.get().memory); })
+      .def("best_places", numbered(&T::best_places))
       .def("stop", [](const ToursView& v) { v.get().stop(); });
 }
 

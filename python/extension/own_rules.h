@@ -9,11 +9,14 @@
 
 namespace lasius::python {
 
-/// What Planner.plan was given of them; None for what is the library's.
+/// The table of an own heuristic.
+using OwnTable = std::optional<py::array_t<double, py::array::c_style>>;
+
+/// What Planner.plan or batch was given of them; None for what is the library's.
 struct Given {
-  std::optional<py::array_t<double, py::array::c_style>> heuristic;
-  py::object update;    ///< called with (trail, tours)
-  py::object schedule;  ///< called with the iteration, returns a dict of what differs
+  const OwnTable& heuristic;
+  const py::object& update;    ///< called with (trail, tours)
+  const py::object& schedule;  ///< called with the iteration, returns a dict of what differs
 };
 
 /// The library's form of it. All outlive it. What the functions raise is kept in `call`, and ends

@@ -32,9 +32,8 @@ py::tuple prepared(const Planner& planner, int threads, std::int64_t max_bytes) 
 
 py::tuple plan(const Planner& planner, Cell start, Cell goal, const Params& params,
                double target_gap, std::optional<double> time_limit, SharedWorkspace* workspace,
-               const py::object& callback,
-               const std::optional<py::array_t<double, py::array::c_style>>& heuristic,
-               const py::object& update, const py::object& schedule) {
+               const py::object& callback, const OwnTable& heuristic, const py::object& update,
+               const py::object& schedule) {
   Call call(time_limit);
   const SharedWorkspace::Use use(workspace);
   const Observer observe = observer<GridProgress>(call, callback);

@@ -234,6 +234,9 @@ def batch(
     time_limit: Optional[float],
     target_gap: float,
     tell: Optional[Callable[[int], Any]],
+    heuristic: Optional[npt.NDArray[np.float64]],
+    update: Optional[Callable[[Pheromone, IterationTours], Any]],
+    schedule: Optional[Callable[[int], Dict[str, float]]],
 ) -> Tuple[_Error, Tuple[Any, ...]]: ...
 def drive(
     map: Grid,

@@ -14,7 +14,7 @@ from .errors import finish, made
 from .parameters import OptionalParams, Params, chosen
 from .progress import Shown, Watch, counted, watched
 from .results import BatchResult, Result, answer
-from .rules import Heuristic, Schedule, Update, named, table_of
+from .rules import Heuristic, Schedule, Update, named, own_rules
 
 Observer = Callable[[Progress], Any]
 
@@ -119,10 +119,10 @@ class Planner:
                 is an answer, with the status "invalid".
         """
         used = chosen(Params, params, named(settings, update, heuristic))
-        table, own_update = table_of(heuristic, self._grid), None if isinstance(update, str) else update
+        own = own_rules(heuristic, update, schedule, self._grid)
         watch = watched(observer, progress, used)
         error, (search, *found) = self._raw.plan(
-            start, goal, used._raw, target_gap, time_limit, workspace, watch, table, own_update, schedule
+            start, goal, used._raw, target_gap, time_limit, workspace, watch, *own
         )
         if isinstance(watch, Watch):
             watch.close()
@@ -140,6 +140,9 @@ class Planner:
         time_limit: Optional[float] = None,
         target_gap: float = 0.0,
         progress: Shown = None,
+        update: Union[None, str, Update] = None,
+        heuristic: Optional[Heuristic] = None,
+        schedule: Optional[Schedule] = None,
         **settings: Any,
     ) -> BatchResult:
         """Answers many questions side by side, each as `plan` does on one thread.
@@ -159,15 +162,20 @@ class Planner:
             target_gap: as of `plan`.
             progress: True shows a bar; or called with (done, all, text), some times a second, on
                 the thread that plans.
+            update, heuristic, schedule: as of `plan`. Functions of yours are called from the threads
+                of the batch, for a plan each, one at a time under the interpreter's lock.
             **settings: parameters by name.
         Raises:
             KeyboardInterrupt: with Ctrl-C; its `result` holds the answers so far, the last of them
                 cut short.
         """
-        used = chosen(Params, params, settings)
-        rows = int_rows(starts, "starts"), int_rows(goals, "goals")
-        with counted(progress, len(rows[0]) * max(seeds, 1)) as tell:
-            error, columns = _lasius.batch(self._raw, *rows, used._raw, threads, seeds, time_limit, target_gap, tell)
+        used = chosen(Params, params, named(settings, update, heuristic))
+        own = own_rules(heuristic, update, schedule, self._grid)
+        start_cells, goal_cells = int_rows(starts, "starts"), int_rows(goals, "goals")
+        with counted(progress, len(start_cells) * max(seeds, 1)) as tell:
+            error, columns = _lasius.batch(
+                self._raw, start_cells, goal_cells, used._raw, threads, seeds, time_limit, target_gap, tell, *own
+            )
         index, seed, status, length, bound, optimal, *others = columns
         names = np.array(_lasius.status_names)[status]
         return finish(error, BatchResult(index, seed, names, length, bound, optimal.view(np.bool_), *others))

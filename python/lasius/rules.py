@@ -6,7 +6,7 @@ cell, y * width + x; with `trail="arcs"` a move out of one, cell * moves + k, mo
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, Optional, Union
+from typing import Any, Callable, Dict, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -30,6 +30,13 @@ def table_of(heuristic: Optional[Heuristic], grid: Grid) -> Optional[FloatArray]
             f"heuristic has the shape {table.shape}: give {grid.shape}, a value a cell, or {grid.shape} x moves"
         )
     return table
+
+
+def own_rules(
+    heuristic: Optional[Heuristic], update: Union[None, str, Update], schedule: Optional[Schedule], grid: Grid
+) -> Tuple[Optional[FloatArray], Optional[Update], Optional[Schedule]]:
+    """What of a colony is the caller's own, as the library takes it."""
+    return table_of(heuristic, grid), None if isinstance(update, str) else update, schedule
 
 
 def named(settings: Dict[str, Any], update: Any, heuristic: Any) -> Dict[str, Any]:

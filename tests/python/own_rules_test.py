@@ -148,6 +148,10 @@ def test_other_refusals(planner):
         plan(schedule=lambda q: 3)
     with pytest.raises(ValueError, match="gamma"):
         plan(schedule=lambda q: {"gamma": 1})
+    with pytest.raises(ValueError, match="udc00"):
+        plan(schedule=lambda q: {"\udc00": 1})
+    with pytest.raises(ValueError, match="3"):
+        plan(schedule=lambda q: {3: 1})
     with pytest.raises(lasius.InvalidParameter, match="alpha"):
         plan(schedule=lambda q: {"alpha": -1})
     with pytest.raises(TypeError):
@@ -156,6 +160,30 @@ def test_other_refusals(planner):
         plan(update=lambda trail, tours: trail.get(tours.lengths))
     with pytest.raises(lasius.InvalidParameter, match="no colony"):
         planner.plan(START, GOAL, "exact", update=rank_based)
+
+
+@pytest.mark.parametrize("threads", [1, 2, 5])
+def test_a_batch(planner, threads):
+    starts, goals = [START, GOAL, START], [GOAL, START, (100, 100)]
+    own = planner.batch(starts, goals, "ras", update=rank_based, threads=threads, seeds=2, iterations=10)
+    built_in = planner.batch(starts, goals, "ras", seeds=2, iterations=10)
+    assert len(own) == 6 and np.array_equal(own.points, built_in.points) and own.errors == {}
+    table = np.ones((200, 400))
+    plain = planner.batch(starts, goals, "as", heuristic=table, schedule=lambda q: {"beta": 0.0}, iterations=3)
+    one = planner.plan(GOAL, START, "as", heuristic=table, schedule=lambda q: {"beta": 0.0}, iterations=3)
+    assert np.array_equal(plain.path(1), one.path)
+
+
+def test_what_an_update_raises_in_a_batch(planner):
+    calls = []
+
+    def fail(trail, tours):
+        calls.append(tours.iteration)
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError) as caught:
+        planner.batch([START] * 50, [GOAL] * 50, "ras", update=fail, threads=2, iterations=5)
+    assert len(calls) == 1 and len(caught.value.result) < 50
 
 
 def test_what_an_update_raises(planner):
