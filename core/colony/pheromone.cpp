@@ -63,22 +63,19 @@ void Pheromone::persist(double persistence) {
 void Pheromone::add(std::span<const TrailPlace> places, double amount) {
   check_places(places, impl_.places());
   if (!is_tau(amount)) throw no_tau("amount", amount);
-  impl_.for_each(
-      places, [&](TrailPlace place, std::size_t) { impl_.trail.deposit(impl_.at(place), amount); });
+  impl_.for_each(places, [&](GridPlace place, std::size_t) { impl_.trail.deposit(place, amount); });
 }
 
 void Pheromone::add(std::span<const TrailPlace> places, std::span<const double> values) {
   check(places, impl_.places(), values);
-  impl_.for_each(places, [&](TrailPlace place, std::size_t i) {
-    impl_.trail.deposit(impl_.at(place), values[i]);
-  });
+  impl_.for_each(places,
+                 [&](GridPlace place, std::size_t i) { impl_.trail.deposit(place, values[i]); });
 }
 
 void Pheromone::set(std::span<const TrailPlace> places, std::span<const double> values) {
   check(places, impl_.places(), values);
-  impl_.for_each(places, [&](TrailPlace place, std::size_t i) {
-    impl_.trail.set_tau(impl_.at(place), values[i]);
-  });
+  impl_.for_each(places,
+                 [&](GridPlace place, std::size_t i) { impl_.trail.set_tau(place, values[i]); });
 }
 
 void Pheromone::clamp(double least, double most) {
@@ -114,9 +111,8 @@ void Pheromone::get_learned(std::span<const TrailPlace> cells, std::span<double>
 void Pheromone::set_learned(std::span<const TrailPlace> cells, std::span<const double> values) {
   check_learned();
   check(cells, impl_.cells, values);
-  impl_.for_each(cells, [&](TrailPlace cell, std::size_t i) {
-    impl_.trail.field.set_eta(impl_.cell(cell), values[i]);
-  });
+  for (std::size_t i = 0; i < cells.size() && !impl_.poller.stop_after(1); ++i)
+    impl_.trail.field.set_eta(impl_.cell(cells[i]), values[i]);
 }
 
 int Pheromone::tiles() const noexcept { return impl_.trail.field.tiles(); }

@@ -79,6 +79,16 @@ constexpr auto find(Range&& range, const Value& value, Projection projection = {
 }
 
 template <class Range, class Predicate>
+constexpr auto find_if(Range&& range, Predicate predicate) {
+  return std::find_if(std::begin(range), std::end(range), std::ref(predicate));
+}
+
+template <class Range, class Predicate>
+constexpr auto find_if_not(Range&& range, Predicate predicate) {
+  return std::find_if_not(std::begin(range), std::end(range), std::ref(predicate));
+}
+
+template <class Range, class Predicate>
 constexpr bool all_of(Range&& range, Predicate predicate) {
   return std::all_of(std::begin(range), std::end(range), std::ref(predicate));
 }
