@@ -12,7 +12,7 @@
 namespace lasius::bench {
 namespace {
 
-using lasius::testing::Dice;
+using polygon::Dice;
 using polygon::Planner;
 using polygon::World;
 
@@ -21,7 +21,7 @@ constexpr std::uint64_t kFirstWorld = 9000;  // none that defaults were chosen o
 /// A world of 5 to 500 obstacles, small counts as often as large ones.
 World world_of(int number, Dice& dice) {
   const int obstacles = static_cast<int>(5 * std::pow(100.0, dice.real(0, 1)));
-  return lasius::testing::random_world(kFirstWorld + static_cast<std::uint64_t>(number), obstacles);
+  return polygon::random_world(kFirstWorld + static_cast<std::uint64_t>(number), obstacles);
 }
 
 Point scaled(Point p, double by) { return {p.x * by, p.y * by}; }
@@ -78,8 +78,8 @@ std::vector<Figure> scale_figures(const std::string& which, int worlds, double m
     Case one{.world = world_of(i, dice), .start = {}, .goal = {}};
     one.world.margin = dice.real(0, most_margin) / std::sqrt(one.world.obstacles.size());
     const Planner planner(one.world);
-    one.start = lasius::testing::free_point(planner, dice);
-    one.goal = lasius::testing::free_point(planner, dice);
+    one.start = polygon::free_point(planner, dice);
+    one.goal = polygon::free_point(planner, dice);
     same += same_at_all_scales(one, gaps) ? 1 : 0;
   }
   faults += worlds - same;
@@ -108,7 +108,7 @@ std::vector<Figure> check_discs(int worlds, int& faults) {
     Dice dice(kFirstWorld + static_cast<std::uint64_t>(i));
     World world = world_of(i, dice);
     world.margin = dice.real(0.1, 12) / std::sqrt(world.obstacles.size());
-    const lasius::testing::DiscBitmap discs(world, world.margin * (1 + kMostExcess), kCell);
+    const polygon::DiscBitmap discs(world, world.margin * (1 + kMostExcess), kCell);
     const Planner planner(world);
     for (int k = 0; k < 10; ++k) {
       const Point start = discs.free_near({dice.real(0, 200), dice.real(0, 200)});

@@ -77,15 +77,15 @@ std::size_t corner_count(const polygon::World& world) {
 }
 
 std::vector<Figure> measure_preparation(int rounds) {
-  const auto world = lasius::testing::random_world(5, 182);
+  const auto world = polygon::random_world(5, 182);
   std::vector<double> prepare, exact;
   for (int i = 0; i < rounds; ++i) {
     const Stopwatch watch;
     const Planner planner(world);
     prepare.push_back(1e3 * watch.seconds());
-    lasius::testing::Dice dice(static_cast<std::uint64_t>(i));
-    const Point start = lasius::testing::free_point(planner, dice);
-    const Point goal = lasius::testing::free_point(planner, dice);
+    polygon::Dice dice(static_cast<std::uint64_t>(i));
+    const Point start = polygon::free_point(planner, dice);
+    const Point goal = polygon::free_point(planner, dice);
     const Stopwatch search;
     planner.plan({.start = start, .goal = goal});
     exact.push_back(1e3 * search.seconds());
@@ -101,14 +101,14 @@ std::vector<Figure> check_paths(int worlds, int& faults) {
   int paths = 0, unreachable = 0, optimal = 0;
   std::vector<double> gaps;
   for (int i = 0; i < worlds; ++i) {
-    lasius::testing::Dice dice(static_cast<std::uint64_t>(i) + 1'000'000);
-    auto world = lasius::testing::random_world(static_cast<std::uint64_t>(i), dice.whole(5, 200),
-                                               i % 4 == 0 ? 2 : 0);
+    polygon::Dice dice(static_cast<std::uint64_t>(i) + 1'000'000);
+    auto world = polygon::random_world(static_cast<std::uint64_t>(i), dice.whole(5, 200),
+                                       i % 4 == 0 ? 2 : 0);
     world.margin = i % 2 == 0 ? 0 : dice.real(0, 1);
     const Planner planner(world);
-    const lasius::testing::Referee referee(planner.grown_obstacles());
-    const polygon::Request request{.start = lasius::testing::free_point(planner, dice),
-                                   .goal = lasius::testing::free_point(planner, dice)};
+    const polygon::Referee referee(planner.grown_obstacles());
+    const polygon::Request request{.start = polygon::free_point(planner, dice),
+                                   .goal = polygon::free_point(planner, dice)};
     for (const auto& algorithm : polygon::algorithms()) {
       Params parameters = polygon::Params(algorithm.name);
       if (algorithm.name == "real-ga") parameters.iterations = 50;

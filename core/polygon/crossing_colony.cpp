@@ -1,11 +1,10 @@
-#include "core/polygon/crossing_colony.h"
-
 #include <algorithm>
 #include <cmath>
 #include <span>
 
 #include "core/base/poller.h"
 #include "core/loop/trail_rules.h"
+#include "core/polygon/crossing_search.h"
 #include "kernels/base/power.h"
 #include "kernels/base/proportional.h"
 #include "kernels/base/random_stream.h"
@@ -71,14 +70,11 @@ struct Tours {
 /// rho = 1 - persistence as it was meant: 1 - 0.9 is 0.1, not 0.09999999999999998.
 double share_lost(double persistence) { return std::round((1 - persistence) * 1e15) / 1e15; }
 
-class CrossingColony final : public ColonyWorld {
+class CrossingColony final : public CrossingSearch {
  public:
   CrossingColony(const Route& route, const Crossing& start, const Params& parameters,
                  const RunControl& control)
-      : route_(route),
-        start_(start),
-        parameters_(parameters),
-        control_(control),
+      : CrossingSearch(route, start, parameters, control),
         rules_{.persistence = parameters.persistence,
                .deposit = 1,
                .local_evaporation = share_lost(parameters.persistence)},
@@ -87,21 +83,13 @@ class CrossingColony final : public ColonyWorld {
                                                : 1 / (gates_ * start.length)),
         trail_(gates_, parameters.values, tau0_),
         choices_(static_cast<std::size_t>(parameters.ants) * gates_),
-        lengths_(parameters.ants, kNaN),
-        best_length_(start.length) {
+        lengths_(parameters.ants, kNaN) {
     for (const Gate& gate : route.gates) {
       for (int k = 0; k < parameters.values; ++k) points_.push_back(gate.at(value(k)));
     }
     tabulate_legs();
     tabulate_visibility();
     for (int g = 0; g < gates_; ++g) see_around(g, start.values[g]);
-  }
-
-  CrossingRun run() {
-    CrossingRun run;
-    run.cause = run_colony_loop(*this, iterations_of(parameters_), control_.stop, run.curves);
-    run.best = best();
-    return run;
   }
 
   StopCondition::Cause send_ants(int q) override {
@@ -153,19 +141,14 @@ class CrossingColony final : public ColonyWorld {
 
   int ants() const override { return parameters_.ants; }
   double tour_length(int ant) const override { return lengths_[ant]; }
-  double best_length() const override { return best_length_; }
 
   bool settled() const override {
-    if (best_length_ <= control_.good_enough) return true;
-    return parameters_.agreement > 0 && agreed_ >= parameters_.agreement;
-  }
-
-  StopCondition::Cause observe(const Convergence& run) override {
-    return control_.observe(run, [this] { return best(); });
+    return CrossingSearch::settled() ||
+           (parameters_.agreement > 0 && agreed_ >= parameters_.agreement);
   }
 
  private:
-  Crossing best() const {
+  Crossing best() const override {
     if (best_choices_.empty() || start_.length <= best_tour_length_) return start_;
     std::vector<double> values;
     for (const int k : best_choices_) values.push_back(value(k));
@@ -232,10 +215,6 @@ class CrossingColony final : public ColonyWorld {
     trail_.set_visibility(gate, row_);
   }
 
-  const Route& route_;
-  const Crossing& start_;
-  const Params& parameters_;
-  const RunControl& control_;
   TrailParams rules_;
   int gates_;
   double tau0_;
@@ -250,7 +229,6 @@ class CrossingColony final : public ColonyWorld {
   int agreed_ = 0;  // iterations in a row in which all ants went the same way
   std::vector<int> best_choices_;
   double best_tour_length_ = kNaN;
-  double best_length_;
 };
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "core/base/poller.h"
-#include "core/polygon/crossing_colony.h"
+#include "core/polygon/crossing_search.h"
 #include "kernels/base/random_stream.h"
 
 namespace lasius::polygon {
@@ -23,24 +23,13 @@ class Draws : public kernels::RandomStream {
   double real() { return next() / (0x1p32 - 1); }
 };
 
-class CrossingGa final : public ColonyWorld {
+class CrossingGa final : public CrossingSearch {
  public:
   CrossingGa(const Route& route, const Crossing& start, const Params& parameters,
              const RunControl& control)
-      : route_(route),
-        start_(start),
-        parameters_(parameters),
-        control_(control),
+      : CrossingSearch(route, start, parameters, control),
         population_(parameters.population),
-        children_(parameters.population),
-        best_length_(start.length) {}
-
-  CrossingRun run() {
-    CrossingRun run;
-    run.cause = run_colony_loop(*this, iterations_of(parameters_), control_.stop, run.curves);
-    run.best = best();
-    return run;
-  }
+        children_(parameters.population) {}
 
   StopCondition::Cause send_ants(int q) override {
     for (Chromosome& child : children_) child.length = kNaN;
@@ -80,14 +69,9 @@ class CrossingGa final : public ColonyWorld {
 
   int ants() const override { return parameters_.population; }
   double tour_length(int ant) const override { return children_[ant].length; }
-  double best_length() const override { return best_length_; }
-  bool settled() const override { return best_length_ <= control_.good_enough; }
-  StopCondition::Cause observe(const Convergence& run) override {
-    return control_.observe(run, [this] { return best(); });
-  }
 
  private:
-  Crossing best() const {
+  Crossing best() const override {
     const bool none = best_.genes.empty() || start_.length <= best_.length;
     return none ? start_ : cross_at(route_, best_.genes);
   }
@@ -127,13 +111,8 @@ class CrossingGa final : public ColonyWorld {
     return length + distance(at, route_.goal.given);
   }
 
-  const Route& route_;
-  const Crossing& start_;
-  const Params& parameters_;
-  const RunControl& control_;
   std::vector<Chromosome> population_, children_;
   Chromosome best_{{}, std::numeric_limits<double>::infinity()};
-  double best_length_;
 };
 
 }  // namespace

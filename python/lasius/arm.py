@@ -23,7 +23,7 @@ from .arrays import FloatArray
 from .errors import finish
 from .maps import Path
 from .parameters import Algorithm, ParameterSet, chosen, described
-from .progress import Shown, Watch, watched
+from .progress import Shown, watched
 from .results import Record, SearchResult, answer
 
 if not hasattr(_lasius, "arm"):
@@ -177,8 +177,7 @@ class Params(ParameterSet):
     _known = staticmethod(algorithms)
 
     def __init__(self, algorithm: str = "postures", **settings: Any) -> None:
-        self._raw = _raw.Params(algorithm)
-        self._set(settings)
+        self._set(_raw.Params(algorithm), settings)
 
 
 @dataclass(eq=False)
@@ -295,14 +294,12 @@ def plan(
         **settings: parameters by name.
     """
     used = chosen(Params, params, settings)
-    watch = watched(observer, progress, used)
     sensor = _raw.SceneSensor(robot._raw, scene._raw, clearance)
     wanted = [goals] if isinstance(goals, Goal) else list(goals)
-    error, fields = _raw.plan(
-        robot._raw, sensor, start, wanted, used._raw, target_gap, motion, duration, time_limit, watch
-    )
-    if isinstance(watch, Watch):
-        watch.close()
+    with watched(observer, progress, used) as watch:
+        error, fields = _raw.plan(
+            robot._raw, sensor, start, wanted, used._raw, target_gap, motion, duration, time_limit, watch
+        )
     search, joints, tips, trajectory, *others, questions, steps = fields
     values = (joints, tips, Trajectory(trajectory), *others, Questions(*questions), steps, used)
     return finish(error, answer(Result, search, *values))

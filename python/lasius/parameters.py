@@ -79,7 +79,8 @@ class ParameterSet:
     def __init__(self, algorithm: str, **settings: Any) -> None:
         raise NotImplementedError
 
-    def _set(self, settings: Dict[str, Any]) -> None:
+    def _set(self, raw: Any, settings: Dict[str, Any]) -> None:
+        self._raw = raw
         for name, value in settings.items():
             if name in ("seed", "threads"):
                 setattr(self._raw, name, int(value))
@@ -132,8 +133,7 @@ class ParameterSet:
             InvalidParameter: for an unknown name (with the nearest known one) or a value out of range.
         """
         other = object.__new__(type(self))
-        other._raw = self._raw.copy()
-        other._set(settings)
+        other._set(self._raw.copy(), settings)
         return other
 
     def validate(self) -> None:
@@ -224,8 +224,7 @@ class Params(ParameterSet):
     _known = staticmethod(_known)
 
     def __init__(self, algorithm: str = "exact", *, preset: str = "usual", **settings: Any) -> None:
-        self._raw = _lasius.Params(algorithm, preset)
-        self._set(settings)
+        self._set(_lasius.Params(algorithm, preset), settings)
 
 
 OptionalParams = Optional[Union[str, Params]]

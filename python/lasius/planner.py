@@ -12,7 +12,7 @@ from ._lasius import Grid, Progress, Workspace
 from .arrays import Cell, IntArray, int_rows
 from .errors import finish, made
 from .parameters import OptionalParams, Params, chosen
-from .progress import Shown, Watch, counted, watched
+from .progress import Shown, counted, watched
 from .results import BatchResult, Result, answer
 from .rules import Heuristic, Schedule, Update, named, own_rules
 
@@ -120,12 +120,10 @@ class Planner:
         """
         used = chosen(Params, params, named(settings, update, heuristic))
         own = own_rules(heuristic, update, schedule, self._grid)
-        watch = watched(observer, progress, used)
-        error, (search, *found) = self._raw.plan(
-            start, goal, used._raw, target_gap, time_limit, workspace, watch, *own
-        )
-        if isinstance(watch, Watch):
-            watch.close()
+        with watched(observer, progress, used) as watch:
+            error, (search, *found) = self._raw.plan(
+                start, goal, used._raw, target_gap, time_limit, workspace, watch, *own
+            )
         result = answer(Result, search, *found, start, goal, used, self._grid)
         return result if error is None else finish(error, result)
 

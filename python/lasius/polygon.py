@@ -22,7 +22,7 @@ from .arrays import FloatArray, IntArray, Point
 from .errors import finish, made
 from .maps import Path
 from .parameters import Algorithm, ParameterSet, chosen, described
-from .progress import Shown, Watch, watched
+from .progress import Shown, watched
 from .results import Record, SearchResult, answer
 
 if not hasattr(_lasius, "polygon"):
@@ -192,8 +192,7 @@ class Params(ParameterSet):
     _known = staticmethod(algorithms)
 
     def __init__(self, algorithm: str = "exact", **settings: Any) -> None:
-        self._raw = _raw.Params(algorithm)
-        self._set(settings)
+        self._set(_raw.Params(algorithm), settings)
 
 
 @dataclass(eq=False)
@@ -287,10 +286,8 @@ class Planner:
             start: point (x, y); None: the world's; likewise goal.
         """
         used = chosen(Params, params, settings)
-        watch = watched(observer, progress, used)
-        error, fields = self._raw.plan(start, goal, used._raw, target_gap, time_limit, watch)
-        if isinstance(watch, Watch):
-            watch.close()
+        with watched(observer, progress, used) as watch:
+            error, fields = self._raw.plan(start, goal, used._raw, target_gap, time_limit, watch)
         search, path, nearest, *ways, optimum, note = fields
         crossings = [None if way is None else Crossing(*way) for way in ways]
         others = (path, nearest, *crossings, optimum, note, used, self._world)

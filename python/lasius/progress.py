@@ -91,9 +91,6 @@ class Watch:
         done = seen.iteration + 1
         self._show(done, max(self._total, done), f"length {seen.best_length:.6g}")
 
-    def close(self) -> None:
-        close(self._show)
-
 
 def close(show: Any) -> None:
     """Ends a bar; a function of the caller's is left."""
@@ -101,12 +98,16 @@ def close(show: Any) -> None:
         show.close()
 
 
+@contextlib.contextmanager
 def watched(
     observer: Optional[Callable[[Any], Any]], progress: Shown, params: ParameterSet
-) -> Optional[Callable[[Any], Any]]:
-    """The caller's observer; with progress a Watch, which is to be closed."""
+) -> Iterator[Optional[Callable[[Any], Any]]]:
+    """The caller's observer; with progress a Watch."""
     show = receiver(progress)
-    return observer if show is None else Watch(observer, show, params)
+    try:
+        yield observer if show is None else Watch(observer, show, params)
+    finally:
+        close(show)
 
 
 @contextlib.contextmanager

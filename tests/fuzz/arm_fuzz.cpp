@@ -4,23 +4,23 @@
 #include "lasius/arm_sensor.h"
 #include "tests/fuzz/reading.h"
 
+namespace lasius::fuzz {
 namespace {
 
 template <class Parse>
 auto accepted(const Parse& parse) -> std::optional<decltype(parse())> {
   try {
     return parse();
-  } catch (const lasius::Error& error) {
-    lasius::fuzz::require(!error.problem().empty() && !error.remedy().empty());
+  } catch (const Error& error) {
+    require(!error.problem().empty() && !error.remedy().empty());
     return {};
   }
 }
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void check(const std::string& text) {
   using namespace lasius::arm;
-  const std::string text(reinterpret_cast<const char*>(data), size);
   if (const auto scene = accepted([&] { return parse_scene(text, "nowhere/fuzz"); })) {
     validate(*scene);
   }
@@ -31,5 +31,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       accepted([&] { return SceneSensor(*robot, {}).position_free(q); });
     }
   }
-  return 0;
 }
+
+}  // namespace lasius::fuzz

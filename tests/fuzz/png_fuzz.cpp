@@ -4,6 +4,7 @@
 #include "core/io/png_reader.h"
 #include "tests/fuzz/reading.h"
 
+namespace lasius::fuzz {
 namespace {
 
 constexpr std::size_t kSignature = 8;
@@ -31,16 +32,16 @@ void mend_checksums(std::string& bytes) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace lasius;
-  std::string bytes(reinterpret_cast<const char*>(data), size);
-  if (!is_png(bytes)) return 0;
+void check(const std::string& given) {
+  if (!is_png(given)) return;
+  std::string bytes = given;
   mend_checksums(bytes);
   PixelRule rule = plain_rule(0.5);
   const auto read = [&](ByteReader& in) { return read_png(in, rule); };
-  const auto grid = fuzz::read_bytes(bytes, true, read);
+  const auto grid = read_bytes(bytes, true, read);
   rule.transparent = PixelRule::Transparent::blocked;
-  const auto strict = fuzz::read_bytes(bytes, true, read);
-  fuzz::require(grid.has_value() == strict.has_value());
-  return 0;
+  const auto strict = read_bytes(bytes, true, read);
+  require(grid.has_value() == strict.has_value());
 }
+
+}  // namespace lasius::fuzz

@@ -12,6 +12,9 @@
 
 namespace lasius::fuzz {
 
+/// Of each target: tries one input.
+void check(const std::string& bytes);
+
 /// Ends the fuzzer where `holds` is false.
 inline void require(bool holds) {
   if (!holds) std::abort();

@@ -17,17 +17,14 @@ std::optional<polygon::World> read(const std::string& text, bool json, bool repa
 }
 
 }  // namespace
-}  // namespace lasius::fuzz
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace lasius;
-  using namespace lasius::fuzz;
-  const std::string text(reinterpret_cast<const char*>(data), size);
+void check(const std::string& text) {
   const bool json = text.find('{') < text.find('(');
   if (const auto world = read(text, json, false)) {
     polygon::check(*world);
     require(read(polygon::to_geojson(*world), true, false) == world);
   }
   if (const auto world = read(text, json, true)) polygon::check(*world);
-  return 0;
 }
+
+}  // namespace lasius::fuzz

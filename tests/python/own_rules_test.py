@@ -7,14 +7,7 @@ import pytest
 
 import lasius
 from conftest import GOAL, START
-
-
-def rank_based(trail, tours):
-    trail.persist(0.9)
-    for rank, ant in enumerate(tours.ranked[:5], start=1):
-        trail.add(tours.places_of(ant), (6 - rank) / tours.lengths[ant])
-    if len(tours.best_cells):
-        trail.add(tours.best_places(), 6 / tours.best_length)
+from own_rules import rank_based
 
 
 def learning(trail, tours):

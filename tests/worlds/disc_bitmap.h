@@ -8,7 +8,7 @@
 
 #include "lasius/polygon_world.h"
 
-namespace lasius::testing {
+namespace lasius::polygon {
 
 inline double distance_to_segment(Point a, Point b, Point p) {
   const double dx = b.x - a.x, dy = b.y - a.y;
@@ -18,13 +18,13 @@ inline double distance_to_segment(Point a, Point b, Point p) {
 }
 
 /// From a point to the nearest edge of an obstacle, or of the boundary if that counts.
-inline double distance_to_edges(const polygon::World& world, Point p, bool boundary) {
+inline double distance_to_edges(const World& world, Point p, bool boundary) {
   double least = std::numeric_limits<double>::infinity();
-  const auto look = [&](const polygon::Ring& ring) {
+  const auto look = [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i)
       least = std::min(least, distance_to_segment(ring[i], ring[(i + 1) % ring.size()], p));
   };
-  for (const polygon::Polygon& obstacle : world.obstacles) look(obstacle.outer);
+  for (const Polygon& obstacle : world.obstacles) look(obstacle.outer);
   if (boundary) look(world.boundary.outer);
   return least;
 }
@@ -33,16 +33,16 @@ inline double distance_to_edges(const polygon::World& world, Point p, bool bound
 /// centres, too. For worlds without holes whose boundary is a box from the origin.
 class DiscBitmap {
  public:
-  DiscBitmap(const polygon::World& world, double radius, double cell)
+  DiscBitmap(const World& world, double radius, double cell)
       : cell_(cell), side_(static_cast<int>(world.boundary.outer[2].x / cell)) {
     component_.assign(static_cast<std::size_t>(side_) * side_, kOpen);
-    for (const polygon::Polygon& obstacle : world.obstacles) {
+    for (const Polygon& obstacle : world.obstacles) {
       fill(obstacle.outer);
       for (std::size_t i = 0; i < obstacle.outer.size(); ++i)
         block_near(obstacle.outer[i], obstacle.outer[(i + 1) % obstacle.outer.size()],
                    radius + cell / 2);
     }
-    const polygon::Ring& wall = world.boundary.outer;
+    const Ring& wall = world.boundary.outer;
     for (std::size_t i = 0; i < wall.size(); ++i)
       block_near(wall[i], wall[(i + 1) % wall.size()], radius + cell / 2);
     int number = 0;
@@ -86,7 +86,7 @@ class DiscBitmap {
         if (distance_to_segment(a, b, centre(x, y)) < radius) component_[index(x, y)] = kBlocked;
   }
   /// Even-odd rule, row by row.
-  void fill(const polygon::Ring& ring) {
+  void fill(const Ring& ring) {
     for (int y = 0; y < side_; ++y) {
       const double level = (y + 0.5) * cell_;
       for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -129,4 +129,4 @@ class DiscBitmap {
   std::vector<double> crossings_;
 };
 
-}  // namespace lasius::testing
+}  // namespace lasius::polygon

@@ -12,7 +12,7 @@
 
 #include "lasius/polygon_plan.h"
 
-namespace lasius::testing {
+namespace lasius::polygon {
 
 /// Numbers that are the same with every standard library.
 class Dice {
@@ -29,24 +29,24 @@ class Dice {
 
 /// A square of 200 with `count` star-shaped obstacles of 3 to 8 corners, many of which overlap;
 /// `step` > 0 puts corners on a coarse grid, so that they touch and line up.
-inline polygon::World random_world(std::uint64_t seed, int count, double step = 0) {
+inline World random_world(std::uint64_t seed, int count, double step = 0) {
   Dice dice(seed);
   const auto snapped = [&](double v) { return step > 0 ? std::round(v / step) * step : v; };
-  polygon::World world;
+  World world;
   world.boundary.outer = {{0, 0}, {200, 0}, {200, 200}, {0, 200}};
   while (static_cast<int>(world.obstacles.size()) < count) {
     const Point centre{dice.real(0, 200), dice.real(0, 200)};
     const double reach = dice.real(12, 72) / std::sqrt(count);
     const int corners = dice.whole(3, 8);
     const double turn = dice.real(0, 2 * std::numbers::pi);
-    polygon::World one;
+    World one;
     for (int i = 0; i < corners; ++i) {
       const double angle = turn + 2 * std::numbers::pi * i / corners, r = reach * dice.real(0.4, 1);
       one.boundary.outer.push_back(
           {snapped(centre.x + r * std::cos(angle)), snapped(centre.y + r * std::sin(angle))});
     }
     try {
-      polygon::check(one);
+      check(one);
     } catch (const std::exception&) {
       continue;  // snapped flat
     }
@@ -56,14 +56,14 @@ inline polygon::World random_world(std::uint64_t seed, int count, double step = 
 }
 
 /// Free points of a planner's world.
-inline Point free_point(const polygon::Planner& planner, Dice& dice) {
+inline Point free_point(const Planner& planner, Dice& dice) {
   return planner.nearest_free({dice.real(0, 200), dice.real(0, 200)});
 }
 
 /// Independent of the library but for the obstacles as grown: GEOS decides.
 class Referee {
  public:
-  explicit Referee(const std::vector<polygon::Polygon>& obstacles) : context_(GEOS_init_r()) {
+  explicit Referee(const std::vector<Polygon>& obstacles) : context_(GEOS_init_r()) {
     std::vector<GEOSGeometry*> parts;
     for (const auto& p : obstacles) {
       std::vector<GEOSGeometry*> holes;
@@ -110,7 +110,7 @@ class Referee {
     }
     return s;
   }
-  GEOSGeometry* ring(const polygon::Ring& points) const {
+  GEOSGeometry* ring(const Ring& points) const {
     return GEOSGeom_createLinearRing_r(context_, sequence(points, true));
   }
   GEOSGeometry* line_of(const std::vector<Point>& points) const {
@@ -121,4 +121,4 @@ class Referee {
   GEOSGeometry* obstacles_ = nullptr;
 };
 
-}  // namespace lasius::testing
+}  // namespace lasius::polygon

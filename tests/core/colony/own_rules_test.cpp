@@ -19,28 +19,12 @@
 #include "tests/core/colony/own_published.h"
 #include "tests/core/colony/refusal.h"
 #include "tests/core/plan/planning.h"
+#include "tests/core/plan/same_result.h"
 
 namespace lasius {
 namespace {
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
-
-/// Curves with their gaps.
-std::vector<double> known(std::vector<double> curve) {
-  for (double& value : curve) {
-    if (std::isnan(value)) value = -1;
-  }
-  return curve;
-}
-
-void expect_same(const Result& a, const Result& b) {
-  EXPECT_EQ(a.status, b.status);
-  EXPECT_EQ(a.path, b.path);
-  EXPECT_EQ(a.steps, b.steps);
-  EXPECT_EQ(a.arrived, b.arrived);
-  EXPECT_EQ(known(a.mean), known(b.mean));
-  EXPECT_EQ(known(a.trail_entropy), known(b.trail_entropy));
-}
 
 class Rebuilt : public testing::TestWithParam<std::tuple<const char*, Preset>> {};
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <random>
 
-#include "core/exact/exact_answer.h"
+#include "core/exact/exact.h"
 #include "lasius/path.h"
 #include "tests/oracle/visibility_graph.h"
 #include "tests/worlds/random_grid.h"
@@ -47,6 +47,36 @@ inline bool expect_optimum(const Grid& grid, Cell start, Cell goal, const ExactA
   EXPECT_TRUE(answer.optimal);
   EXPECT_NEAR(answer.length, shortest->length, 1e-9 * shortest->length);
   EXPECT_EQ(answer.lower_bound, answer.length);
+  expect_path(grid, start, goal, answer);
+  return true;
+}
+
+/// Searches again with every gap, by `solve(ExactOptions)`; counts the answers that need not be the
+/// optimum.
+template <class Solve>
+int expect_gaps(const Grid& grid, Cell start, Cell goal, const Solve& solve) {
+  const ExactAnswer exact = solve(ExactOptions{});
+  if (!exact.optimal) return 0;
+  int early = 0;
+  for (const double gap : {0.3, 0.1, 0.02}) {
+    const ExactAnswer near = solve(ExactOptions{gap});
+    expect_path(grid, start, goal, near);
+    EXPECT_LE(near.lower_bound, exact.length);
+    EXPECT_GE(near.length, exact.length * (1 - 1e-12));
+    EXPECT_LE(near.length, near.lower_bound * (1 + gap + 1e-6));
+    early += near.end == ExactEnd::target_gap;
+  }
+  return early;
+}
+
+/// The answer equals that of the unprepared search; true if there is a path.
+inline bool expect_unprepared(const Grid& grid, Cell start, Cell goal, ExactSearch& unprepared,
+                              const ExactAnswer& answer) {
+  ExactAnswer expected;
+  unprepared.search(grid, start, goal, {}, {}, expected);
+  EXPECT_EQ(answer.end, expected.end);
+  if (!expected.optimal) return false;
+  EXPECT_NEAR(answer.length, expected.length, 1e-9 * expected.length);
   expect_path(grid, start, goal, answer);
   return true;
 }

@@ -67,52 +67,43 @@ TEST(Exact, SlidesAlongEdgesAndStraightPastCorners) {
   }
 }
 
-// LASIUS_EXACT_GRIDS=25 makes 100 000 small and 10 000 large queries.
-TEST(Exact, EqualsBruteForceOnSmallGrids) {
-  std::mt19937 random(20260101);
+struct Counts {
+  int reachable = 0, unreachable = 0;
+};
+
+// Searches between two random cells on each of so many grids, `make(number, random)`.
+Counts expect_exact(int grids, unsigned seed, Grid (*make)(int number, std::mt19937& random)) {
+  std::mt19937 random(seed);
   ExactSearch search;
-  int reachable = 0;
-  int unreachable = 0;
-  for (int i = 0; i < scaled(4000) && !testing::Test::HasFailure(); ++i) {
-    const Grid grid = random_small_grid(i, random);
+  Counts counts;
+  for (int i = 0; i < scaled(grids) && !testing::Test::HasFailure(); ++i) {
+    const Grid grid = make(i, random);
     const auto start = random_free(grid, random);
     const auto goal = random_free(grid, random);
     if (!start || !goal) continue;
     SCOPED_TRACE("grid " + std::to_string(i));
-    ++(expect_exact(grid, *start, *goal, search) ? reachable : unreachable);
+    ++(expect_exact(grid, *start, *goal, search) ? counts.reachable : counts.unreachable);
   }
-  EXPECT_GT(reachable, 1000);
-  EXPECT_GT(unreachable, 300);
+  return counts;
+}
+
+// LASIUS_EXACT_GRIDS=25 makes 100 000 small and 10 000 large queries.
+TEST(Exact, EqualsBruteForceOnSmallGrids) {
+  const Counts counts = expect_exact(4000, 20260101, random_small_grid);
+  EXPECT_GT(counts.reachable, 1000);
+  EXPECT_GT(counts.unreachable, 300);
 }
 
 TEST(Exact, EqualsBruteForceOnLargerGrids) {
-  std::mt19937 random(20260102);
-  ExactSearch search;
-  int reachable = 0;
-  for (int i = 0; i < scaled(400) && !testing::Test::HasFailure(); ++i) {
-    const Grid grid = random_large_grid(i, random);
-    const auto start = random_free(grid, random);
-    const auto goal = random_free(grid, random);
-    if (!start || !goal) continue;
-    SCOPED_TRACE("grid " + std::to_string(i));
-    reachable += expect_exact(grid, *start, *goal, search);
-  }
-  EXPECT_GT(reachable, 200);
+  EXPECT_GT(expect_exact(400, 20260102, random_large_grid).reachable, 200);
 }
 
 // Long views between few blocks, where scans keep to strips and boxes.
 TEST(Exact, EqualsBruteForceInWideSparseGrids) {
-  std::mt19937 random(20260103);
-  ExactSearch search;
-  int reachable = 0;
-  for (int i = 0; i < scaled(60) && !testing::Test::HasFailure(); ++i) {
-    const Grid grid = random_sparse_grid(i % 2 == 0, random);
-    const auto start = random_free(grid, random);
-    const auto goal = random_free(grid, random);
-    SCOPED_TRACE("grid " + std::to_string(i));
-    reachable += expect_exact(grid, *start, *goal, search);
-  }
-  EXPECT_GT(reachable, 40);
+  const auto sparse = [](int number, std::mt19937& random) {
+    return random_sparse_grid(number % 2 == 0, random);
+  };
+  EXPECT_GT(expect_exact(60, 20260103, sparse).reachable, 40);
 }
 
 TEST(Exact, EqualsBruteForceOnTheWidestMaps) {
@@ -143,37 +134,24 @@ TEST(Exact, EqualsTheKnownOptimaOfRealMaps) {
   }
 }
 
-// Searches for every gap; counts the answers that need not be the optimum.
-int expect_gaps(const Grid& grid, Cell start, Cell goal, ExactSearch& search) {
-  ExactAnswer exact;
-  search.search(grid, start, goal, {}, {}, exact);
-  if (!exact.optimal) return 0;
-  int early = 0;
-  for (const double gap : {0.3, 0.1, 0.02}) {
-    ExactAnswer near;
-    search.search(grid, start, goal, {gap}, {}, near);
-    expect_path(grid, start, goal, near);
-    EXPECT_LE(near.lower_bound, exact.length);
-    EXPECT_GE(near.length, exact.length * (1 - 1e-12));
-    EXPECT_LE(near.length, near.lower_bound * (1 + gap + 1e-6));
-    early += near.end == ExactEnd::target_gap;
-  }
-  return early;
-}
-
 TEST(Exact, TheTargetGapIsCertified) {
   std::mt19937 random(5);
   ExactSearch search;
   int early = 0;
+  const auto look = [&](const Grid& grid) {
+    const Cell start = *random_free(grid, random), goal = *random_free(grid, random);
+    early += expect_gaps(grid, start, goal, [&](const ExactOptions& options) {
+      ExactAnswer answer;
+      search.search(grid, start, goal, options, {}, answer);
+      return answer;
+    });
+  };
   for (int i = 0; i < 200; ++i) {
-    const Grid grid = random_grid(60, 60, random_in(5, 42, random), random);
-    early += expect_gaps(grid, *random_free(grid, random), *random_free(grid, random), search);
+    look(random_grid(60, 60, random_in(5, 42, random), random));
   }
   for (const MapKind kind : {MapKind::blobs, MapKind::maze, MapKind::rooms, MapKind::city}) {
     const Grid grid = generate(kind, {200, 150, -1, 3});
-    for (int i = 0; i < 20; ++i) {
-      early += expect_gaps(grid, *random_free(grid, random), *random_free(grid, random), search);
-    }
+    for (int i = 0; i < 20; ++i) look(grid);
   }
   EXPECT_GT(early, 100);
 }

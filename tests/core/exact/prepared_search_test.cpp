@@ -72,14 +72,8 @@ TEST(PreparedSearch, EqualsTheUnpreparedOneOnGeneratedMaps) {
     const Graph graph = graph_of(grid);
     for (int i = 0; i < 40; ++i) {
       const Cell start = *random_free(grid, random), goal = *random_free(grid, random);
-      ExactAnswer expected;
-      unprepared.search(grid, start, goal, {}, {}, expected);
-      const ExactAnswer answer = solve(search, grid, graph, start, goal);
-      EXPECT_EQ(answer.end, expected.end);
-      if (!expected.optimal) continue;
-      ++reachable;
-      EXPECT_NEAR(answer.length, expected.length, 1e-9 * expected.length);
-      expect_path(grid, start, goal, answer);
+      reachable +=
+          expect_unprepared(grid, start, goal, unprepared, solve(search, grid, graph, start, goal));
     }
   }
   EXPECT_GT(reachable, 150);
@@ -131,16 +125,9 @@ TEST(PreparedSearch, TheTargetGapIsCertified) {
     const Grid grid = random_grid(60, 60, random_in(15, 42, random), random);
     const Graph graph = graph_of(grid);
     const Cell start = *random_free(grid, random), goal = *random_free(grid, random);
-    const ExactAnswer exact = solve(search, grid, graph, start, goal);
-    if (!exact.optimal) continue;
-    for (const double gap : {0.3, 0.1, 0.02}) {
-      const ExactAnswer near = solve(search, grid, graph, start, goal, {gap});
-      expect_path(grid, start, goal, near);
-      EXPECT_LE(near.lower_bound, exact.length);
-      EXPECT_GE(near.length, exact.length * (1 - 1e-12));
-      EXPECT_LE(near.length, near.lower_bound * (1 + gap + 1e-6));
-      early += near.end == ExactEnd::target_gap;
-    }
+    early += expect_gaps(grid, start, goal, [&](const ExactOptions& options) {
+      return solve(search, grid, graph, start, goal, options);
+    });
   }
   EXPECT_GT(early, 10);
 }

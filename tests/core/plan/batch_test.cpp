@@ -10,6 +10,7 @@
 
 #include "lasius/error.h"
 #include "lasius/generate.h"
+#include "tests/core/plan/same_result.h"
 
 namespace lasius {
 namespace {
@@ -36,17 +37,6 @@ struct Scene {
   }
 };
 
-void expect_equal(const Result& a, const Result& b) {
-  EXPECT_EQ(a.status, b.status);
-  EXPECT_EQ(a.error, b.error);
-  EXPECT_EQ(a.path, b.path);
-  if (!a.path.empty()) {
-    EXPECT_EQ(a.length, b.length);
-  }
-  EXPECT_EQ(a.best.size(), b.best.size());
-  EXPECT_EQ(a.arrived, b.arrived);
-}
-
 TEST(Batch, AnswersInOrderWhatPlanAnswers) {
   const Scene scene;
   for (const int threads : {1, 2, 5}) {
@@ -56,7 +46,7 @@ TEST(Batch, AnswersInOrderWhatPlanAnswers) {
         [&](const BatchAnswer& answer) {
           ASSERT_EQ(answer.index, next++);
           const Request& query = scene.queries[answer.index];
-          expect_equal(answer.result, scene.planner.plan({query.start, query.goal}, quick()));
+          expect_same(answer.result, scene.planner.plan({query.start, query.goal}, quick()));
         });
     EXPECT_EQ(count, scene.queries.size());
     EXPECT_EQ(next, count);
@@ -75,7 +65,7 @@ TEST(Batch, EverySeedOfARangeGivesWhatPlanGivesWithIt) {
     Params params = quick();
     params.seed = answers[i].seed;
     const Request& query = queries[i / 3];
-    expect_equal(answers[i].result, scene.planner.plan({query.start, query.goal}, params));
+    expect_same(answers[i].result, scene.planner.plan({query.start, query.goal}, params));
     differing += answers[i].result.mean != answers[i / 3 * 3].result.mean;
   }
   EXPECT_GT(differing, 0);
@@ -159,7 +149,7 @@ TEST(Batch, WithoutAReceiverItReturnsItsAnswers) {
   ASSERT_EQ(answers.size(), scene.queries.size());
   for (std::size_t i = 0; i < answers.size(); ++i) {
     EXPECT_EQ(answers[i].index, i);
-    expect_equal(answers[i].result, scene.planner.plan(scene.queries[i], quick()));
+    expect_same(answers[i].result, scene.planner.plan(scene.queries[i], quick()));
   }
 }
 

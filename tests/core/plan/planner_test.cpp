@@ -16,19 +16,11 @@
 #include "tests/core/base/counting_time.h"
 #include "tests/core/base/environment_variable.h"
 #include "tests/core/plan/planning.h"
+#include "tests/core/plan/same_result.h"
 #include "tests/oracle/plane_rule.h"
 
 namespace lasius {
 namespace {
-
-void expect_equal(const Result& a, const Result& b) {
-  EXPECT_EQ(a.status, b.status);
-  EXPECT_EQ(a.path, b.path);
-  EXPECT_EQ(a.length, b.length);
-  EXPECT_EQ(a.best, b.best);
-  EXPECT_EQ(a.mean, b.mean);
-  EXPECT_EQ(a.arrived, b.arrived);
-}
 
 class EveryColony : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Planner, EveryColony, testing::ValuesIn(colonies()));
@@ -64,7 +56,7 @@ TEST_P(EveryColony, GivesTheSamePlanWithAnyNumberOfThreads) {
   const Result one = planner.plan(request, params);
   for (const int threads : {2, 5}) {
     params.threads = threads;
-    expect_equal(planner.plan(request, params), one);
+    expect_same(planner.plan(request, params), one);
   }
 }
 
@@ -77,9 +69,9 @@ TEST_P(EveryColony, GivesTheSamePlanWithScalarAndVectorKernels) {
     return planner.plan(request, params);
   };
   const Result scalar = plan("scalar");
-  if (kernels::supported_isa() >= kernels::Isa::avx2) expect_equal(plan("avx2"), scalar);
+  if (kernels::supported_isa() >= kernels::Isa::avx2) expect_same(plan("avx2"), scalar);
   EXPECT_THROW((void)plan("sse9"), Error);
-  expect_equal(plan(nullptr), scalar);
+  expect_same(plan(nullptr), scalar);
 }
 
 // Weights beyond what a double holds must not set kernels apart.
@@ -103,7 +95,7 @@ TEST(Planner, GivesTheSamePlanWithEveryKernelAtTheEndsOfItsExponents) {
         const EnvironmentVariable choice("LASIUS_KERNELS", kernels);
         return planner.plan(request, params);
       };
-      expect_equal(plan(nullptr), plan("scalar"));
+      expect_same(plan(nullptr), plan("scalar"));
     }
   }
 }
@@ -114,10 +106,10 @@ TEST_P(EveryColony, SeedsGiveDifferentRunsAndWorkspacesDoNot) {
   Params params = quick(GetParam());
   const Result first = planner.plan(request, params);
   Workspace workspace;
-  expect_equal(planner.plan(request, params, &workspace), first);
+  expect_same(planner.plan(request, params, &workspace), first);
   const Planner other(blobs(90, 300, 8));
   (void)other.plan(far_apart(other), params, &workspace);  // leaves its traces
-  expect_equal(planner.plan(request, params, &workspace), first);
+  expect_same(planner.plan(request, params, &workspace), first);
   params.seed = 2;
   EXPECT_NE(planner.plan(request, params).mean, first.mean);
 }
@@ -362,7 +354,7 @@ TEST(Planner, OnePlannerServesManyThreads) {
       threads.emplace_back([&] { result = planner.plan(request, params); });
     }
   }
-  for (const Result& result : results) expect_equal(result, expected);
+  for (const Result& result : results) expect_same(result, expected);
 }
 
 TEST(Planner, EditsMakeANewVersionAndLeaveTheOldOne) {

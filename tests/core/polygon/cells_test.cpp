@@ -11,7 +11,7 @@ namespace lasius::polygon {
 namespace {
 
 TEST(Cells, ShowWhatSegmentsMeetAndWhatLiesAround) {
-  lasius::testing::Dice dice(3);
+  Dice dice(3);
   for (const int side : {1, 40, 1 << 30}) {
     const auto place = [&] { return LatticePoint{dice.whole(0, side), dice.whole(0, side)}; };
     std::vector<std::pair<LatticePoint, LatticePoint>> segments;

@@ -16,10 +16,6 @@
 namespace lasius::polygon {
 namespace {
 
-using lasius::testing::Dice;
-using lasius::testing::free_point;
-using lasius::testing::random_world;
-
 TEST(Determinism, SeedAloneDecides) {
   const Planner planner(random_world(7, 60));
   Dice dice(1);

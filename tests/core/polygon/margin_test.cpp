@@ -13,12 +13,6 @@
 namespace lasius::polygon {
 namespace {
 
-using lasius::testing::Dice;
-using lasius::testing::DiscBitmap;
-using lasius::testing::distance_to_edges;
-using lasius::testing::free_point;
-using lasius::testing::random_world;
-
 TEST(Margin, GrowsClipsAndMerges) {
   World world;
   world.boundary.outer = {{-5, 0}, {20, 0}, {20, 10}, {-5, 10}};

@@ -15,11 +15,6 @@
 namespace lasius::polygon {
 namespace {
 
-using lasius::testing::Dice;
-using lasius::testing::free_point;
-using lasius::testing::random_world;
-using lasius::testing::Referee;
-
 double turn(Point a, Point b, Point c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }

@@ -55,6 +55,11 @@ class Claims : public testing::Test {
     claim.b = "b";
     return claim;
   }
+  /// What becomes of a claim when a has these lengths.
+  Verdict verdict(const Claim& claim, const std::vector<double>& a) {
+    both("a", a);
+    return judge(claim).verdict;
+  }
   Evidence judge(const Claim& claim, int others = 0) {
     study_.claims.assign(static_cast<std::size_t>(others) + 1, claim);
     auto evidence = weigh(study_, findings_);
@@ -173,14 +178,11 @@ TEST_F(Claims, SimilarNeedsEvidenceOfItsOwn) {
   Claim claim = less();
   claim.test = Claim::Test::similar;
   claim.within = 0.05;
-  both("a", {20.1, 20.2, 20.3, 20.4, 20.5, 20.6, 20.7, 20.8});
   both("b", {20.15, 20.25, 20.35, 20.45, 20.55, 20.65, 20.75, 20.85});
-  EXPECT_EQ(judge(claim).verdict, Verdict::confirmed);
+  EXPECT_EQ(verdict(claim, {20.1, 20.2, 20.3, 20.4, 20.5, 20.6, 20.7, 20.8}), Verdict::confirmed);
   both("b", high_);
-  both("a", between_);
-  EXPECT_EQ(judge(claim).verdict, Verdict::undecided);
-  both("a", low_);
-  EXPECT_EQ(judge(claim).verdict, Verdict::refuted);
+  EXPECT_EQ(verdict(claim, between_), Verdict::undecided);
+  EXPECT_EQ(verdict(claim, low_), Verdict::refuted);
 }
 
 TEST_F(Claims, MostCountsRuns) {
@@ -188,12 +190,9 @@ TEST_F(Claims, MostCountsRuns) {
   claim.test = Claim::Test::most;
   claim.b.clear();
   claim.to = 20;
-  both("a", low_);
-  EXPECT_EQ(judge(claim).verdict, Verdict::confirmed);
-  both("a", between_);
-  EXPECT_EQ(judge(claim).verdict, Verdict::undecided);
-  both("a", high_);
-  EXPECT_EQ(judge(claim).verdict, Verdict::refuted);
+  EXPECT_EQ(verdict(claim, low_), Verdict::confirmed);
+  EXPECT_EQ(verdict(claim, between_), Verdict::undecided);
+  EXPECT_EQ(verdict(claim, high_), Verdict::refuted);
 }
 
 TEST_F(Claims, NothingIsSaidWhereTheBaselineIsNotReproduced) {
@@ -217,8 +216,7 @@ TEST_F(Claims, ArithmeticIsListedWithItsExceptions) {
   claim.test = Claim::Test::arithmetic;
   claim.b.clear();
   claim.note = "the least so far";
-  both("a", low_);
-  EXPECT_EQ(judge(claim).verdict, Verdict::arithmetic);
+  EXPECT_EQ(verdict(claim, low_), Verdict::arithmetic);
   EXPECT_EQ(judge(claim).figures, "the least so far; exceptions: 0");
   findings_.samples[0].runs[0].best = {5, 6};
   EXPECT_EQ(judge(claim).figures, "the least so far; exceptions: 1");

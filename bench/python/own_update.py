@@ -1,6 +1,6 @@
 """Steps a second with an own update in numpy against the built-in one: 30 ants on 400 x 200 cells.
 
-PYTHONPATH=build/release/python python3 bench/python/own_rules.py [ROUNDS]
+PYTHONPATH=build/release/python:docs/examples python3 bench/python/own_update.py [ROUNDS]
 
 Both take turns, on one thread; a round's ratio compares two plans that took the same steps.
 """
@@ -12,14 +12,7 @@ import time
 import numpy as np
 
 import lasius
-
-
-def rank_based(trail, tours):
-    trail.persist(0.9)
-    for rank, ant in enumerate(tours.ranked[:5], start=1):
-        trail.add(tours.places_of(ant), (6 - rank) / tours.lengths[ant])
-    if len(tours.best_cells):
-        trail.add(tours.best_places(), 6 / tours.best_length)
+from own_rules import rank_based
 
 
 def main():
