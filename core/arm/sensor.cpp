@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,6 +62,23 @@ class SceneSensor::Impl {
   }
 
   double clearance() const noexcept { return clearance_; }
+
+  double distance(std::span<const double> q) const {
+    check_values(robot_, q);
+    Frame frame;
+    place(q, frame);
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto offer = [&](const Part::Placed& a, const Part::Placed& b) {
+      if (gap_between(a.ball, b.ball) < nearest)
+        nearest = std::min(nearest, distance_between(a, b, nearest));
+    };
+    for (int i = 0; i < static_cast<int>(parts_.size()); ++i) {
+      if (body(i) == 0) continue;
+      for (const Part::Placed& obstacle : placed_) offer(frame.parts[i], obstacle);
+    }
+    for (const auto& [a, b] : pairs_) offer(frame.parts[a], frame.parts[b]);
+    return std::max(nearest, 0.0);
+  }
 
  private:
   struct Frame {
@@ -180,6 +198,7 @@ bool SceneSensor::motion_free(const JointRef& from, const JointRef& to) const {
   return impl_->is_free(as_span(from), as_span(to));
 }
 double SceneSensor::clearance() const { return impl_->clearance(); }
+double SceneSensor::distance(const JointRef& q) const { return impl_->distance(as_span(q)); }
 std::string SceneSensor::contact(const JointRef& q) const {
   std::string told;
   impl_->is_free(as_span(q), as_span(q), &told);

@@ -56,6 +56,10 @@ class LASIUS_ARM_EXPORT SceneSensor final : public Sensor {
   /// links by their names; empty where it is free.
   std::string contact(const JointRef& q) const override;
 
+  /// Metres from what moves of the robot at `q` to the nearest obstacle or link that it is checked
+  /// against; 0 where something touches, infinite where there is nothing. Never more than it is.
+  double distance(const JointRef& q) const;
+
   static constexpr double kClearance = 0.002;  ///< what is kept unless said otherwise, metres
 
  private:

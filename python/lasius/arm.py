@@ -314,3 +314,8 @@ def recheck(robot: Robot, scene: Scene, trajectory: Trajectory, samples: int = 1
 def position_free(robot: Robot, scene: Scene, joints: npt.ArrayLike, clearance: float = LEAST_CLEARANCE) -> bool:
     """True when the arm touches nothing at joint values (joints,)."""
     return bool(_raw.SceneSensor(robot._raw, scene._raw, clearance).position_free(joints))
+
+
+def distance(robot: Robot, scene: Scene, joints: npt.ArrayLike) -> float:
+    """Metres from what moves of the arm at joint values (joints,) to what it must not touch; inf where there is nothing."""
+    return float(_raw.SceneSensor(robot._raw, scene._raw, LEAST_CLEARANCE).distance(joints))

@@ -195,6 +195,22 @@ test("drive: the track can be taken away, a cell a tick", async () => {
   await close();
 });
 
+test("drive: the track tells coordinates, tick, length and clearance", async () => {
+  const { tab, close } = await open(file("drive"));
+  await tab.keyboard.press("End");
+  const { result, frames, map: shown } = contentOf("drive"), canvas = tab.locator(".map canvas");
+  const box = await canvas.boundingBox(), [left, top, width, height] = shown.window;
+  const scale = Math.min(box.width / width, box.height / height), tick = Math.floor(result.ticks / 2), [x, y] = result.track[tick];
+  await canvas.hover({ position: { x: 0.5 * box.width + scale * (x + 0.5 - left - 0.5 * width),
+                                   y: 0.5 * box.height + scale * (y + 0.5 - top - 0.5 * height) } });
+  const text = await tab.locator(".hover").textContent();
+  const [, px, py, at, clearance] =
+    /x ([\d.]+), y ([\d.]+) · tick (\d+) · [\d.]+ cells travelled · clearance of the robot (?:at least )?([\d.]+) cells/.exec(text) ?? assert.fail(text);
+  assert.ok(Math.hypot(px - x - 0.5, py - y - 0.5) < 2 && Math.abs(at - tick) < 3, text);
+  assert.ok(Math.abs(clearance - frames.clearances.values[at]) < 0.01, text);
+  await close();
+});
+
 test("polygon: the path can be taken away", { skip: !kWithPolygon }, async () => {
   const { tab, close } = await open(file("polygon"));
   const rows = String(await downloaded(tab, "Path as CSV")).trim().split("\n").slice(1).map((line) => line.split(",").map(Number));
@@ -225,6 +241,31 @@ test("arm: it can be turned, by hand and by keys, and its motion taken away", { 
   assert.equal(rows.length, motion.times.length + 1);
   const tip = rows.at(-1).split(",").slice(-3).map(Number);
   tip.forEach((value, axis) => assert.ok(Math.abs(value - result.goal[axis]) < 1e-4));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test("arm: the way of the tip tells place, length and clearance", { skip: !kWithArm }, async () => {
+  const { tab, faults, close } = await open(file("arm"));
+  await tab.keyboard.press("Home");
+  const first = await tab.locator(".hover").textContent();
+  assert.match(first, /^Tip at .* m · 0 m of [\d.]+ m travelled · clearance of the arm [\d.]+ m$/);
+  const box = await tab.locator(".map canvas").boundingBox();
+  const found = await tab.evaluate(() => {  // a pixel near the way, beyond the first tip
+    const canvas = document.querySelector(".map canvas"), { left, top, right, bottom } = canvas.getBoundingClientRect();
+    for (let y = top + 5; y < bottom; y += 10)
+      for (let x = left + 5; x < right - 60; x += 10) {
+        canvas.dispatchEvent(new PointerEvent("pointermove", { clientX: x, clientY: y }));
+        if (document.querySelector(".hover").textContent.startsWith("After")) return [x, y];
+      }
+    return null;
+  });
+  await tab.mouse.move(...found);
+  const told = await tab.locator(".hover").textContent();
+  assert.match(told, /^After [\d.]+ s tip at .* m travelled · clearance of the arm [\d.]+ m$/);
+  assert.equal(await position(tab), 0, "the slider stays");
+  await tab.mouse.move(box.x + 2, box.y + 2);
+  assert.equal(await tab.locator(".hover").textContent(), first);
   assert.deepEqual(faults, []);
   await close();
 });

@@ -76,6 +76,8 @@ def test_parameters_and_scenes(robot, maps):
     assert pickle.loads(pickle.dumps(arm.Params("goritov2020", ants=9))) == arm.Params("goritov2020", ants=9)
     assert len(arm.Scene()) == 0 and len(arm.Scene.read(maps / "arms/cell.json")) > 0
     assert arm.position_free(robot, arm.Scene(), np.zeros(3))
+    assert arm.distance(robot, arm.Scene(), [0.0, 2.5, 1.9]) == 0.0  # links 1 and 3 touch
+    assert arm.distance(robot, arm.Scene(), np.zeros(3)) > arm.LEAST_CLEARANCE
 
 
 URDF = """<robot name="two"><link name="base"/><link name="upper"/><link name="tip"/>

@@ -182,6 +182,15 @@ class Report(ProgramTest):
         points = struct.unpack(f"<{2 * sum(kept['way_lengths'])}f", unpacked(kept["ways"]))
         self.assertEqual(points[:2], (0.5, 0.5))
         self.assertEqual(content["result"]["track"], result["track"])
+        rows = self.read("small.map").decode().splitlines()[4:]
+        walls = [(x, y) for x in range(-1, 11) for y in range(-1, 7)
+                 if not (0 <= x < 10 and 0 <= y < 6) or rows[y][x] != "."]
+        clearances = [min(max(abs(x - cx) - 0.5, 0) ** 2 + max(abs(y - cy) - 0.5, 0) ** 2 for cx, cy in walls) ** 0.5
+                      for x, y in result["track"]]
+        self.assertEqual((kept["clearances"]["step"], kept["clearances"]["most"]), (1, 64))
+        self.assertEqual(kept["clearances"]["last"], kept["clearances"]["values"][-1])
+        for kept_value, value in zip(kept["clearances"]["values"], clearances, strict=True):
+            self.assertAlmostEqual(kept_value, value, delta=0.0005)
 
     def test_a_file_that_cannot_be_written(self):
         self.refused(self.plan("-o", "none/run.html"), 7, "none/run.html")

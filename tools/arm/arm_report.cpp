@@ -18,6 +18,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kMostTimes = 240;
+constexpr double kFarAway = 1e6;              // metres: nothing is near
 constexpr std::size_t kMostTriangles = 6000;  // of all meshes together
 
 Json pose_json(const arm::Pose& pose) {
@@ -110,7 +111,8 @@ std::vector<double> times_of(const ArmAnswer& answer) {
 }
 
 Json motion_json(const ArmAnswer& answer) {
-  std::vector<float> joints, poses, tips;
+  std::vector<float> joints, poses, tips, distances;
+  const arm::SceneSensor sensor(answer.robot, answer.scene, answer.clearance);
   const auto times = times_of(answer);
   const auto add = [](std::vector<float>& list, const auto& numbers) {
     for (const double value : numbers) list.push_back(static_cast<float>(value));
@@ -120,15 +122,15 @@ Json motion_json(const ArmAnswer& answer) {
         answer.plan.trajectory.empty() ? answer.start : answer.plan.trajectory.at(t).q;
     add(joints, q);
     add(tips, arm::tip_position(answer.robot, q));
+    add(distances, std::array{std::min(sensor.distance(q), kFarAway)});
     for (const arm::Pose& pose : body_poses(answer.robot, q))
       for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 4; ++column)
           poses.push_back(static_cast<float>(pose.matrix()(row, column)));
   }
-  return {{"times", numbers(times)},
-          {"names", joint_names(answer.robot)},
-          {"joints", packed(joints)},
-          {"tips", packed(tips)},
+  return {{"times", numbers(times)},        {"names", joint_names(answer.robot)},
+          {"joints", packed(joints)},       {"tips", packed(tips)},
+          {"distances", packed(distances)}, {"far_away", kFarAway},
           {"poses", packed(poses)}};
 }
 

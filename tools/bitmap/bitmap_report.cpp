@@ -48,7 +48,7 @@ Json clearance_json(const Grid& grid, const std::vector<Point>& path, double len
   const auto along = clearance_along(grid, path, length);
   Json values = Json::array();
   for (const double value : along.values) values.push_back(std::round(1000 * value) / 1000);
-  return {{"step", along.step}, {"values", values}};
+  return {{"step", along.step}, {"values", values}, {"most", kMostClearance}};
 }
 
 void write_bitmap_report(std::ostream& out, const Task& task, const LoadedMap& map,
@@ -57,7 +57,6 @@ void write_bitmap_report(std::ostream& out, const Task& task, const LoadedMap& m
   Json content = run_json(task, "bitmap", map_title(map, run));
   content["map"] = map_view_json(map, shown_of(map, ends));
   content["clearance"] = clearance_json(map.grid(), path, task.result().length);
-  content["most_clearance"] = kMostClearance;
   content["radius"] = map.radius;
   content["frames"] = frames != nullptr ? frames->json() : Json(nullptr);
   write_report_page(out, content);

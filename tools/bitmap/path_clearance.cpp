@@ -26,9 +26,9 @@ std::vector<Point> spread(const std::vector<Point>& path, int count, double step
 
 }  // namespace
 
-double distance_to_blocked(const Grid& grid, Point at) {
+double distance_to_blocked(const Grid& grid, Point at, double most) {
   const Cell middle{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
-  double best = kMostClearance;
+  double best = most;
   const auto look = [&](int x, int y) {
     if (grid.contains({x, y}) && grid.free({x, y})) return;
     const double dx = std::max({x - at.x, at.x - x - 1, 0.0});

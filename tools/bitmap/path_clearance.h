@@ -11,9 +11,8 @@ namespace lasius::tool {
 /// Farther than this, in cells, counts as this.
 inline constexpr int kMostClearance = 64;
 
-/// Distance from a point to the nearest blocked cell's square or the outside, at most
-/// kMostClearance.
-double distance_to_blocked(const Grid& grid, Point at);
+/// Distance from a point to the nearest blocked cell's square or the outside, at most `most`.
+double distance_to_blocked(const Grid& grid, Point at, double most = kMostClearance);
 
 /// The same at even distances along a path, both ends among them.
 struct ClearanceAlong {

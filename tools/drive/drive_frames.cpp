@@ -1,8 +1,10 @@
 #include "tools/drive/drive_frames.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tools/bitmap/path_clearance.h"
 #include "tools/drive/ground.h"
 #include "tools/report/packed.h"
 #include "tools/report/report.h"
@@ -24,15 +26,21 @@ std::vector<float> way_of(const DriveTick& tick) {
   return way;
 }
 
+double rounded(double clearance) { return std::round(1000 * clearance) / 1000; }
+
 }  // namespace
 
-DriveFrames::DriveFrames(const Grid& map, Cell goal) : goal_(goal) {
+DriveFrames::DriveFrames(const Grid& map, Cell goal, double radius) : goal_(goal), radius_(radius) {
   const double shrink = std::min(1.0, 1.0 * kMostPixels / std::max(map.width(), map.height()));
   width_ = std::max(1, static_cast<int>(shrink * map.width()));
   height_ = std::max(1, static_cast<int>(shrink * map.height()));
 }
 
 void DriveFrames::observe(const DriveTick& tick, const DriveRecorder& recorder) {
+  const double middle =
+      distance_to_blocked(*tick.world, centre(tick.robot), kMostClearance + radius_);
+  last_clearance_ = rounded(std::clamp(middle - radius_, 0.0, 1.0 * kMostClearance));
+  if (clearances_.wants(tick.tick)) clearances_.add(last_clearance_);
   if (!frames_.wants(tick.tick) && tick.robot != goal_) return;
   frames_.add({.tick = tick.tick,
                .robot = tick.robot,
@@ -58,6 +66,10 @@ Json DriveFrames::json() const {
     kept.thin();
   }
   Json json = {{"width", width_}, {"height", height_}, {"codes", codes}, {"ways", ways}};
+  json["clearances"] = {{"step", clearances_.stride()},
+                        {"values", clearances_.all()},
+                        {"last", last_clearance_},
+                        {"most", kMostClearance}};
   for (const char* name : {"ticks", "robots", "obstacles", "way_lengths"})
     json[name] = Json::array();
   for (const Frame& frame : kept.all()) {

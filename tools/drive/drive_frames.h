@@ -16,9 +16,11 @@ class DriveFrames {
  public:
   static constexpr int kMostPixels = 400;
   static constexpr std::size_t kMostFrames = 300;
+  static constexpr std::size_t kMostClearances = 4096;
   static constexpr std::size_t kMostWayVertices = 500;  ///< of a way that a frame keeps
 
-  DriveFrames(const Grid& map, Cell goal);
+  /// `radius` is the robot's, in cells.
+  DriveFrames(const Grid& map, Cell goal, double radius);
 
   /// `recorder` has observed the tick.
   void observe(const DriveTick& tick, const DriveRecorder& recorder);
@@ -28,6 +30,9 @@ class DriveFrames {
   ///   ticks, robots          of each frame
   ///   obstacles              [[x, y, width, height]...] of each frame
   ///   ways, way_lengths      all ways one after another [x, y...], packed; vertices of each
+  ///   clearances             {step, values, last, most}: from the robot, as large as it is, to
+  ///                          what was blocked then, in cells, every `step` ticks and at the last
+  ///                          one; more counts as `most`
   /// Frames are left out until they take at most kMostPackedBytes.
   Json json() const;
 
@@ -42,7 +47,10 @@ class DriveFrames {
 
   int width_, height_;
   Cell goal_;
+  double radius_;
   KeyFrames<Frame> frames_{kMostFrames};
+  KeyFrames<double> clearances_{kMostClearances};
+  double last_clearance_ = 0;
 };
 
 }  // namespace lasius::tool

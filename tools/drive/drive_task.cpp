@@ -187,7 +187,7 @@ void DriveTask::plan(const StopCondition& stop, const Watch& watch) {
   if (filmed || played || asked(is_picture)) recorder_.emplace(answer.map.grid(), answer.sense);
   if (filmed) film_.emplace(answer.map.grid(), answer.goal.cell);
   std::optional<Grid> at_start;  // the world without moving obstacles
-  if (played) frames_.emplace(answer.map.grid(), answer.goal.cell);
+  if (played) frames_.emplace(answer.map.grid(), answer.goal.cell, answer.map.radius);
   DriveObserver observer;
   if (watch || recorder_)
     observer = [&](const DriveTick& tick) {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "lasius/arm_sensor.h"
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
@@ -25,6 +27,21 @@ TEST(SceneSensor, APositionByHand) {
   EXPECT_FALSE(SceneSensor(robot, scene, 0.0051).position_free(q));
   EXPECT_EQ(SceneSensor(robot, scene, 0.0051).contact(q), "link 1 and obstacle 1");
   EXPECT_EQ(SceneSensor(robot, scene, 0.0049).contact(q), "");
+  EXPECT_NEAR(SceneSensor(robot, scene).distance(q), 0.01, 1e-12);
+  EXPECT_EQ(SceneSensor(robot, {"", {ball({0.3, 0.05, 0}, 0.045)}}).distance(q), 0);
+}
+
+TEST(SceneSensor, ADistanceAmongManyThings) {
+  // The nearest of three, whichever comes first; what only stands still does not count.
+  const Robot robot = two_links();
+  const JointVector q = joints({0, 0});
+  const Obstacle near = ball({0.3, 0.1, 0}, 0.03), far = ball({0.3, -0.4, 0}, 0.03);
+  EXPECT_NEAR(SceneSensor(robot, {"", {far, near, far}}).distance(q), 0.06, 1e-12);
+  EXPECT_NEAR(SceneSensor(robot, {"", {near, far}}).distance(q), 0.06, 1e-12);
+  EXPECT_EQ(SceneSensor(robot, {}).distance(q), std::numeric_limits<double>::infinity());
+  EXPECT_THROW(SceneSensor(robot, {}).distance(joints({0})), Error);
+  const Robot three = shipped("planar3");
+  EXPECT_EQ(SceneSensor(three, {}).distance(joints({0.0, 2.5, 1.9})), 0);  // it touches itself
 }
 
 TEST(SceneSensor, AMotionPastAThinThing) {
@@ -74,6 +91,8 @@ TEST(SceneSensor, WhatIsFreeKeepsItsDistanceByFcl) {
       EXPECT_LT(check.nearest, 2 * sensor.clearance() + 0.02) << seed;
     }
     EXPECT_LT(check.tip_error, 1e-12);
+    const Recheck start = recheck(robot, a.scene, Trajectory({{0, a.start, still}}), 1);
+    EXPECT_NEAR(sensor.distance(a.start), start.nearest, 1e-5) << seed;
   }
   EXPECT_GE(free, 2);
   EXPECT_GE(blocked, 2);

@@ -75,11 +75,19 @@ function motionCharts(sheet, motion, joints) {
   return charts;
 }
 
+/** The place among `points` that is seen within reach of a pixel; null where there is none. */
+function nearestOnScreen(view, points, x, y) {
+  const look = view.look(), apart = points.map(look).map(([px, py]) => Math.hypot(px - x, py - y));
+  const nearest = apart.indexOf(Math.min(...apart));
+  return apart[nearest] <= 12 ? nearest : null;
+}
+
 export async function showArm(content) {
   const sheet = new Sheet(content), { motion } = content;
   sheet.figures(figuresOf(sheet));
   const joints = rows(await numbersOf(motion.joints), motion.names.length);
   const tips = rows(await numbersOf(motion.tips), 3);
+  const distances = await numbersOf(motion.distances);
   const poses = rows(await numbersOf(motion.poses), 12 * (motion.names.length + 1));
   const charts = motionCharts(sheet, motion, joints);
   const bodies = await bodiesOf(content.solids);
@@ -89,8 +97,14 @@ export async function showArm(content) {
   const view = new SpaceView(host, { low: content.low, high: content.high, label: "The arm among its obstacles" });
   const on = { way: true, lattice: content.lattice.length > 1, ends: tips.length > 1 };
   const sums = cumulated(tips);
-  let frame = 0;
+  let frame = 0, hovered = null;
 
+  const stateText = (index) => {
+    const place = Array.from(tips[index], (value) => numberText(value, 3)).join(", ");
+    const clear = distances[index] < motion.far_away ? ` · clearance of the arm ${numberText(distances[index], 3)} m` : "";
+    const at = index === frame ? "Tip" : `After ${numberText(motion.times[index], 2)} s tip`;
+    return `${at} at ${place} m · ${numberText(sums[index], 3)} m of ${numberText(sums.at(-1), 3)} m travelled${clear}`;
+  };
   const placed = (index, variable, opacity) => bodies.filter(({ body }) => body > 0).flatMap(({ body, faces }) => {
     const pose = poses[index].subarray(12 * body, 12 * body + 12), colour = rgb(variable);
     return faces.map((face) => ({ points: face.map((point) => moved(pose, point)), colour, opacity }));
@@ -107,12 +121,17 @@ export async function showArm(content) {
     view.dots = [{ at: tips[0], colour: themeColour("--start"), radius: 5 },
                  ...content.goals.map((at) => ({ at, colour: themeColour("--goal"), radius: 6 })),
                  { at: tips[index], colour: themeColour("--path"), radius: 5 }];
+    if (hovered != null) view.dots.push({ at: tips[hovered], colour: themeColour("--path"), radius: 4 });
     charts.forEach((chart) => chart.cursor(motion.times[index]));
-    const place = Array.from(tips[index], (value) => numberText(value, 3)).join(", ");
-    readout.textContent = `tip at ${place} m · ${numberText(sums[index], 3)} m of ${numberText(sums.at(-1), 3)} m travelled`;
+    readout.textContent = stateText(hovered ?? index);
     view.draw();
   };
-  const toggle = (name, text) => checkBox(text, on[name], (value) => { on[name] = value; show(frame); });
+  view.onHover = (x, y) => {
+    const before = hovered;
+    hovered = x == null || !on.way || tips.length < 2 ? null : nearestOnScreen(view, tips, x, y);
+    if (hovered !== before) show(frame);
+  };
+  const toggle = (name, text) => checkBox(text, on[name], (value) => { on[name] = value; hovered = null; show(frame); });
   const columns = ["t", ...motion.names, "x", "y", "z"];
   const saveMotion = () => saveFile("motion.csv", new Blob([csvOf(columns, motion.times.map((t, i) =>
     [t, ...joints[i], ...tips[i]].map((value) => Number(value.toPrecision(7)))))], { type: "text/csv" }));

@@ -52,14 +52,11 @@ async function layersOf(frames) {
   return layers;
 }
 
-/** The clearance at a length along the path, as text. */
-function clearanceOf({ clearance, most_clearance }, sheet) {
-  if (!clearance) return null;
-  return ({ length }) => {
-    const { values, step } = clearance, at = Math.min(length / (step || 1), values.length - 1), below = Math.floor(at);
-    const here = values[below] + (values[Math.min(below + 1, values.length - 1)] - values[below]) * (at - below);
-    return `${here >= most_clearance ? "at least " : ""}${sheet.length(here)}`;
-  };
+/** A clearance as text, of values `step` apart, those from `most` on counted as that. */
+function clearanceText({ step, values, most }, place, sheet) {
+  const at = Math.min(place / (step || 1), values.length - 1), below = Math.floor(at);
+  const here = values[below] + (values[Math.min(below + 1, values.length - 1)] - values[below]) * (at - below);
+  return `${here >= most ? "at least " : ""}${sheet.length(here)}`;
 }
 
 export async function showBitmap(content) {
@@ -104,11 +101,11 @@ function curvesOf(sheet, curves) {
 
 class BitmapStage {
   constructor(sheet, layers) {
-    const { content } = sheet;
+    const { content } = sheet, { clearance } = content;
     Object.assign(this, { sheet, content, layers, frame: 0, hovered: null, showPath: true });
     this.shown = layers.trail ? "trail" : layers.tracks ? "tracks" : "none";
     this.hover = new PathHover(content.result.path ?? [], { name: "path", place: (at) => placeText(content.map, at),
-                                                           length: (value) => sheet.length(value), clearance: clearanceOf(content, sheet) });
+                                                           length: (value) => sheet.length(value), clearance: clearance && (({ length }) => clearanceText(clearance, length, sheet)) });
     this.card = sheet.card("left");
     this.tools = element("div", { class: "row" });
     this.legend = element("div");

@@ -44,6 +44,14 @@ class Ground {
   }
 }
 
+/** The robot's clearance at a tick; of a long drive at one nearby that was kept, which is told. */
+function robotClearance({ step, values, last, most }, tick, end, sheet) {
+  const at = Math.min(Math.round(tick / step), values.length - 1);
+  const [kept, value] = tick >= end ? [end, last] : [at * step, values[at]];
+  const where = kept === tick ? "" : ` at tick ${kept}`;
+  return `clearance of the robot${where} ${value >= most ? "at least " : ""}${sheet.length(value)}`;
+}
+
 function waysOf(numbers, lengths) {
   let at = 0;
   return lengths.map((length) => Array.from({ length }, () => [numbers[at++], numbers[at++]]));
@@ -90,10 +98,15 @@ async function stageOf(sheet) {
   const readout = element("div", { class: "hover", role: "status" });
   let frame = 0, hovered = null;
   const upTo = () => track.slice(0, Math.floor(frames.ticks[frame] / stride) + 1);
+  const clearance = (tick) => robotClearance(frames.clearances, tick, result.ticks, sheet);
   const tickText = () => {
     const replans = result.replans.filter((replan) => replan.tick <= frames.ticks[frame]).length;
     const walked = upTo().length;
-    return `travelled ${sheet.length(sums[Math.max(0, walked - 1)] ?? 0)} · ${replans} ${replans === 1 ? "plan" : "plans"} so far`;
+    return `travelled ${sheet.length(sums[Math.max(0, walked - 1)] ?? 0)} · ${replans} ${replans === 1 ? "plan" : "plans"} so far · ${clearance(frames.ticks[frame])}`;
+  };
+  const trackText = ({ at, length, segment, part }) => {
+    const tick = Math.min(Math.round((segment + part) * stride), result.ticks);
+    return `On the track: ${placeText(map, at)} · tick ${tick} · ${sheet.length(length)} travelled · ${clearance(tick)}`;
   };
   const { window: [x, y, width, height] } = map;
   const view = new MapView(host, {
@@ -101,9 +114,7 @@ async function stageOf(sheet) {
     onHover: (px, py) => {
       const found = px == null ? null : nearestOn(upTo(), sums, px, py);
       hovered = found && found.distance <= 12 / view.scale ? found : null;
-      readout.textContent = px == null ? tickText() : hovered
-        ? `On the track: ${placeText(map, hovered.at)} · tick ${hovered.segment * stride} · ${sheet.length(hovered.length)} travelled`
-        : placeText(map, [px, py]);
+      readout.textContent = px == null ? tickText() : hovered ? trackText(hovered) : placeText(map, [px, py]);
       view.draw();
     } });
   const show = (index) => {

@@ -4,6 +4,8 @@
 //   view.faces = [{points: [[x, y, z]...], colour: [r, g, b], opacity}]   convex, flat
 //   view.lines = [{points, colour: "css", width}]
 //   view.dots  = [{at, colour: "css", radius}]
+//   view.onHover = (x, y) => ...    pixels of a pointer over it that does not turn it; null when it is gone
+//   view.look()([x, y, z])          -> [x, y, depth] pixels of a point
 //   view.draw()
 //   solidFaces(solid) -> [[x, y, z]...] faces of {shape, size, radius, length, triangles} in its frame
 //   moved(pose, point)   pose: 12 numbers, the rows of a 3 x 4 matrix
@@ -208,6 +210,11 @@ export class SpaceView {
     context.stroke();
   }
 
+  hover({ clientX, clientY }) {
+    const { left, top } = this.canvas.getBoundingClientRect();
+    this.onHover?.(clientX - left, clientY - top);
+  }
+
   toBlob() {
     this.paint();
     return new Promise((done) => this.canvas.toBlob(done, "image/png"));
@@ -221,10 +228,11 @@ export class SpaceView {
     });
     for (const end of ["pointerup", "pointercancel"]) this.canvas.addEventListener(end, () => (before = null));
     this.canvas.addEventListener("pointermove", (event) => {
-      if (!before) return;
+      if (!before) return this.hover(event);
       this.turnBy(-0.008 * (event.clientX - before[0]), 0.008 * (event.clientY - before[1]));
       before = [event.clientX, event.clientY];
     });
+    this.canvas.addEventListener("pointerleave", () => this.onHover?.(null, null));
     this.canvas.addEventListener("wheel", (event) => {
       if (!event.ctrlKey && document.activeElement !== this.canvas) return;
       event.preventDefault();
