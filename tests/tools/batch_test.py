@@ -144,7 +144,7 @@ class Answers(ProgramTest):
         self.assertEqual(self.run_program("verify", "s.json").code, 0)
 
     def test_ranges_of_seeds_that_are_none(self):
-        for seeds in ("3-2", "3..2", "1-", "1..", "1.5", "1-x", "1-100001", "9007199254740990-9007199254740992", "1-2-3"):
+        for seeds in ("3-2", "3..2", "1-", "1..", "..", "..3", "-1..3", "1-..3", "1..+2", "1.5", "1-x", "1-100001", "9007199254740990-9007199254740992", "1-2-3"):
             self.refused(self.plan("--seed", seeds), 2, "--seed")
         self.assertEqual(self.plan("--seed", "3-3").out.splitlines()[0], "solved")
 

@@ -27,14 +27,18 @@ Messages make_messages(const SearchText& text) {
 
 /// "N", or "A-B" or "A..B": seeds from A to B.
 void read_seeds(const std::string& text, SearchOptions& options) {
-  const auto dots = text.find(".."), end = std::min(dots, text.find('-', 1));
-  options.seed = seed_value(text.substr(0, end));
-  if (end == std::string::npos) return;
-  const auto first = static_cast<std::int64_t>(options.seed);
-  const std::int64_t last =
-      integer_value("--seed A-B", text.substr(end + (end == dots ? 2 : 1)), first,
-                    std::min(kMaxExactInteger, first + SearchOptions::kMostSeeds - 1));
-  options.seeds = static_cast<int>(last - first) + 1;
+  if (text.find("..") == std::string::npos && text.find('-', 1) == std::string::npos) {
+    options.seed = seed_value(text);
+    return;
+  }
+  const auto range = parse_range(text);
+  if (!range || range->first < 0 || range->second > kMaxExactInteger ||
+      range->second - range->first >= SearchOptions::kMostSeeds)
+    throw UsageError("--seed: \"" + text +
+                     "\" is neither N nor A-B nor A..B, from 0 to 2^53-1 and at most " +
+                     std::to_string(SearchOptions::kMostSeeds) + " of them");
+  options.seed = static_cast<std::uint64_t>(range->first);
+  options.seeds = static_cast<int>(range->second - range->first) + 1;
 }
 
 /// The numbers of a preset's file, and its algorithm where none is named.

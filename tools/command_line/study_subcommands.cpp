@@ -161,7 +161,7 @@ Subcommand add_study(CLI::App& app) {
   const AddOption option = option_adder(*study);
   option("MAP", raw->run.map, "With run: the map, a file or \"KIND WxH DENSITY SEED\"", "FILE");
   option("--seeds", raw->seeds, "Seeds of the runs, 1 to N or A to B (default: the study's own)",
-         "N|A-B");
+         "N|A-B|A..B");
   option(
       "-o,--output", raw->folder,
       "Folder to write (default study-NAME); FILE.html: that page, and a folder FILE for the rest",

@@ -43,8 +43,8 @@ constexpr const char* kDriveOutputs =
 
 constexpr SearchHelp kRunHelp = {
     .seed =
-        "Seed, from 0 to 2^53-1 (default 1). A-B: every query with each of these seeds, a "
-        "JSON object a line, from plan too",
+        "Seed, from 0 to 2^53-1 (default 1). A-B or A..B: every query with each of these seeds, "
+        "a JSON object a line, from plan too",
     .time_limit =
         "Stop after this time, counted once the map is prepared; for batch by query. "
         "Each optimum of --gap may take as long again",
