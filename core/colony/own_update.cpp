@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/base/poller.h"
 #include "core/colony/pheromone_impl.h"
 #include "core/grid/move_rule.h"
 #include "core/loop/trail_rules.h"
@@ -147,8 +148,7 @@ IterationTours NumberedTours::view(const Tours& tours, const Grid& grid, Trail t
   if (trail == Trail::arcs) lists_->arcs.grow(places);
   const auto ranked = trail_rules::ranked(tours);
   lists_->ranked.assign(ranked.begin(), ranked.end());
-  IterationTours view;
-  view.numbered_ = this;
+  IterationTours view(*this);
   view.trail = trail;
   view.start = tours.start;
   view.iteration = tours.iteration;

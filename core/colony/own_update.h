@@ -10,7 +10,6 @@
 
 #include "core/base/growing_array.h"
 #include "core/base/held_bytes.h"
-#include "core/base/poller.h"
 #include "core/colony/update.h"
 #include "lasius/grid.h"
 #include "lasius/own_rules.h"
@@ -48,7 +47,9 @@ class NumberedTours {
   std::span<const TrailPlace> arcs() noexcept;
   int ants() const noexcept { return static_cast<int>(tours_->ants.size()); }
 
-  std::int64_t bytes() const noexcept { return lists_ == nullptr ? 0 : lists_->bytes(); }
+  std::int64_t bytes() const noexcept {
+    return held_bytes(written_) + (lists_ == nullptr ? 0 : lists_->bytes());
+  }
 
  private:
   struct Lists {
@@ -77,7 +78,7 @@ class NumberedTours {
 };
 
 /// Lets the caller's own update, which there is, change the trail. True where it asks for the end
-/// of the search. Cut short by `stop`; then perhaps not called.
+/// of the search. `stop` cuts its changes short.
 bool update_by_caller(Field& field, const OwnRules& own, const Params& params, const Grid& grid,
                       Cell goal, const Tours& tours, NumberedTours& numbered,
                       const StopCondition& stop);

@@ -28,10 +28,11 @@ LASIUS_EXPORT std::vector<Cell> move_steps(Neighbours neighbours);
 class NumberedTours;
 
 /// What the ants of one iteration have found, for an update. The object holds until the update
-/// returns, and so do its spans, save for who keeps `memory`. Nothing is copied for the call: the
-/// numbers of a tour's cells and moves are written when they are first asked for, all of them for
-/// cells() and arcs(). It belongs to the thread that the update is called on. Tours are those that
-/// the built-in updates see: after Params::walk_cut, before polish.
+/// returns, and so do its spans; those that were asked for by then hold for who keeps `memory`,
+/// too. Nothing is copied for the call: the numbers of a tour's cells and moves are written when
+/// they are first asked for, all of them for cells() and arcs(). It belongs to the thread that the
+/// update is called on. Tours are those that the built-in updates see: after Params::walk_cut,
+/// before polish.
 struct LASIUS_EXPORT IterationTours {
   int iteration = 0;           ///< from 0
   int width = 0;               ///< of the map, in cells
@@ -50,8 +51,11 @@ struct LASIUS_EXPORT IterationTours {
   /// Length of the shortest tour so far, this iteration's included; NaN before an ant has arrived.
   double best_length = std::numeric_limits<double>::quiet_NaN();
 
-  /// What the spans show: as long as a copy of this is kept they hold, and never change.
+  /// What the spans show: while a copy of this pointer is kept, those that were asked for hold, and
+  /// never change.
   std::shared_ptr<const void> memory;
+
+  IterationTours& operator=(IterationTours&&) = delete;  // nor copied: see above
 
   /// Ants of the iteration.
   int ants() const noexcept { return static_cast<int>(lengths.size()); }
@@ -81,8 +85,10 @@ struct LASIUS_EXPORT IterationTours {
 
  private:
   friend class NumberedTours;
+  explicit IterationTours(NumberedTours& numbered) noexcept : numbered_(&numbered) {}
+  IterationTours(IterationTours&&) = default;
 
-  NumberedTours* numbered_ = nullptr;
+  NumberedTours* numbered_;
   mutable bool stopped_ = false;
 };
 

@@ -23,7 +23,7 @@ struct StopCondition {
   std::stop_token token = {};  ///< ends the call as Status::interrupted
   /// Ends the call as Status::limit.
   Clock::time_point deadline = Clock::time_point::max();
-  /// Of the library itself: another clock, that of a test, say; null: the steady clock.
+  /// For the library's own tests: the clock that is read; null: the steady clock.
   const TimeSource* time = nullptr;
 
   /// The time that the deadline is compared with.
