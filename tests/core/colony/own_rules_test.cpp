@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -23,8 +22,6 @@
 
 namespace lasius {
 namespace {
-
-constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 class Rebuilt : public testing::TestWithParam<std::tuple<const char*, Preset>> {};
 
@@ -52,7 +49,11 @@ INSTANTIATE_TEST_SUITE_P(
                     std::tuple("ras", Preset::usual), std::tuple("ras", Preset::book),
                     std::tuple("mmas", Preset::usual), std::tuple("mmas", Preset::book),
                     std::tuple("acs", Preset::usual), std::tuple("acs", Preset::book),
-                    std::tuple("cong2009", Preset::usual)));
+                    std::tuple("cong2009", Preset::usual)),
+    [](const auto& test) {
+      return std::string(std::get<0>(test.param)) + "_" +
+             std::string(to_string(std::get<1>(test.param)));
+    });
 
 TEST(OwnRules, ALearnedHeuristicAndDeadEndsGiveTheSamePlan) {
   const Planner planner(generate(MapKind::blobs, {.width = 30, .height = 20, .seed = 5}));
@@ -144,7 +145,7 @@ TEST(OwnRules, TheInverseDistanceAsATableChangesNothing) {
     std::vector<double> by_cell, by_arc;
     for (int y = 0; y < grid.height(); ++y) {
       for (int x = 0; x < grid.width(); ++x) {
-        by_cell.push_back(grid.free({x, y}) ? near({x, y}) : kNoNumber);
+        by_cell.push_back(grid.free({x, y}) ? near({x, y}) : kNaN);
         for (const Cell step : steps) by_arc.push_back(near({x + step.x, y + step.y}));
       }
     }
@@ -296,7 +297,7 @@ TEST(OwnRules, ToursAreNumberedByCellAndByMove) {
   Grid grid(5, 4);
   const kernels::Moves moves = moves_of(Neighbours::four);  // up, left, right, down
   const std::vector<std::uint8_t> arrived{2, 2, 3}, lost{3};
-  const std::vector<Tour> ants{{lost, kNoNumber}, {arrived, 3}};
+  const std::vector<Tour> ants{{lost, kNaN}, {arrived, 3}};
   std::vector<int> ranking;
   const Tours tours{
       .start = {1, 1}, .moves = moves, .ants = ants, .best_so_far = ants[1], .ranking = ranking};
@@ -361,11 +362,11 @@ TEST(OwnRules, ATableThatIsWrongIsRefused) {
   expect_says(of(std::vector<double>(19, 1)), "160, one a move");
   EXPECT_EQ(of(std::vector<double>(20, 1)), "accepted");
   EXPECT_EQ(of(std::vector<double>(160, 1)), "accepted");
-  expect_says(of(with(20, 9, kNoNumber)), "heuristic[9], of cell (4, 1), is nan");
+  expect_says(of(with(20, 9, kNaN)), "heuristic[9], of cell (4, 1), is nan");
   expect_says(of(with(20, 0, -1)), "heuristic[0], of cell (0, 0), is -1");
   expect_says(of(with(20, 19, 1e16)), "heuristic[19], of cell (4, 3), is 1e+16");
-  EXPECT_EQ(of(with(20, 7, kNoNumber)), "accepted");    // blocked
-  EXPECT_EQ(of(with(160, 0, kNoNumber)), "accepted");   // out of the map
+  EXPECT_EQ(of(with(20, 7, kNaN)), "accepted");         // blocked
+  EXPECT_EQ(of(with(160, 0, kNaN)), "accepted");        // out of the map
   EXPECT_EQ(of(with(160, 8 * 6 + 4, -1)), "accepted");  // from (1, 1) to the blocked cell
   expect_says(of(with(160, 8 * 6 + 3, -1)), "heuristic[51], of cell (1, 1)");
 }
@@ -391,7 +392,7 @@ TEST(OwnRules, AScheduleOutOfRangeIsRefused) {
     const OwnRules own{.schedule = [&](int q) { return q < 2 ? StepWeights{} : weights; }};
     return refusal_of(planner, quick(algorithm), own);
   };
-  expect_says(of({.alpha = kNoNumber}), "alpha of the own schedule at iteration 2 is nan");
+  expect_says(of({.alpha = kNaN}), "alpha of the own schedule at iteration 2 is nan");
   expect_says(of({.beta = -0.5}), "beta of the own schedule at iteration 2");
   expect_says(of({.beta = 20.5}), "it must be 0 .. 20");
   expect_says(of({.greedy = 1.5}), "greedy");

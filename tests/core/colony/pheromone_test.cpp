@@ -17,7 +17,6 @@ namespace {
 using Places = std::vector<TrailPlace>;
 using Values = std::vector<double>;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// Acts on a trail of 40 x 3 cells with tau 1 everywhere, after one iteration.
 void act(Trail trail, const std::function<void(Pheromone&)>& action, const char* name = "ras") {
@@ -148,18 +147,18 @@ TEST(Pheromone, RefusesWhatIsNoPlaceOrNoPheromoneAndChangesNothing) {
       expect_says(change({5, 120}, {9, 9}), "0 to 119");
       expect_says(change({5, 6, -1}, {9, 9, 9}), "places[2] is -1");
       expect_says(change({5, 6}, {9}), "1 values for 2 places");
-      expect_says(change({5, 6}, {9, kNoNumber}), "values[1] is nan");
+      expect_says(change({5, 6}, {9, kNaN}), "values[1] is nan");
       expect_says(change({5, 6}, {9, -0.5}), "values[1] is -0.5");
       expect_says(change({5, 6}, {9, kInfinity}), "values[1] is inf");
     }
-    for (const double amount : {-1.0, kNoNumber, kInfinity, 1e201})
+    for (const double amount : {-1.0, kNaN, kInfinity, 1e201})
       expect_says(refusal([&] { trail.add(Places{5}, amount); }), "amount is ");
     expect_says(refusal([&] { trail.add(Places{500}, 1); }), "places[0] is 500");
-    for (const double share : {-0.1, 1.1, kNoNumber})
+    for (const double share : {-0.1, 1.1, kNaN})
       expect_says(refusal([&] { trail.persist(share); }), "persistence is ");
-    for (const double least : {-0.1, kInfinity, kNoNumber})
+    for (const double least : {-0.1, kInfinity, kNaN})
       expect_says(refusal([&] { trail.clamp(least, kInfinity); }), "least is ");
-    for (const double most : {0.0, 0.5, kNoNumber})
+    for (const double most : {0.0, 0.5, kNaN})
       expect_says(refusal([&] { trail.clamp(most == 0 ? 0 : 1, most); }), "most is ");
     Values two(2);
     expect_says(refusal([&] { trail.get(Places{1}, two); }), "2 values for 1 places");

@@ -25,7 +25,7 @@ Params few_ants(std::string_view algorithm) {
   return params;
 }
 
-void expect_same(const Result& a, const Result& b) {
+void expect_same_run(const Result& a, const Result& b) {
   EXPECT_EQ(a.path, b.path);
   EXPECT_EQ(a.best, b.best);
   EXPECT_EQ(a.steps, b.steps);
@@ -40,7 +40,7 @@ TEST_P(EveryColony, TheFirstRunIsThatOfRunColonyWhole_OrInTwo) {
   ColonyMemory memory;
   const Result once = run_colony(planner.grid(), request, params, memory, {}, {});
   SurvivingColony colony(planner.grid(), request.goal, params);
-  expect_same(colony.run(request.start, params.iterations), once);
+  expect_same_run(colony.run(request.start, params.iterations), once);
   colony.changed({10, 10, 5, 5});
   (void)colony.run(request.start, 2);
   colony.forget();
@@ -50,7 +50,7 @@ TEST_P(EveryColony, TheFirstRunIsThatOfRunColonyWhole_OrInTwo) {
   first.best.insert(first.best.end(), second.best.begin(), second.best.end());
   first.steps.insert(first.steps.end(), second.steps.begin(), second.steps.end());
   first.arrived.insert(first.arrived.end(), second.arrived.begin(), second.arrived.end());
-  expect_same(first, once);
+  expect_same_run(first, once);
 }
 
 /// A map that changes at random, with a start and a goal that stay joined.
@@ -141,7 +141,7 @@ TEST_P(EveryColony, ResultsDoNotDependOnThreads) {
       if (i % 4 == 3) map.move_start();
     }
     if (first.empty()) first = found;
-    for (std::size_t i = 0; i < found.size(); ++i) expect_same(found[i], first[i]);
+    for (std::size_t i = 0; i < found.size(); ++i) expect_same_run(found[i], first[i]);
   }
 }
 

@@ -15,7 +15,7 @@
 namespace lasius {
 namespace {
 
-Params quick() {
+Params brief() {
   Params params("fan2004");
   params.iterations = 3;
   params.ants = 4;
@@ -42,11 +42,11 @@ TEST(Batch, AnswersInOrderWhatPlanAnswers) {
   for (const int threads : {1, 2, 5}) {
     std::size_t next = 0;
     const auto count = plan_batch(
-        scene.planner, scene.queries, quick(), {.threads = threads},
+        scene.planner, scene.queries, brief(), {.threads = threads},
         [&](const BatchAnswer& answer) {
           ASSERT_EQ(answer.index, next++);
           const Request& query = scene.queries[answer.index];
-          expect_same(answer.result, scene.planner.plan({query.start, query.goal}, quick()));
+          expect_same(answer.result, scene.planner.plan({query.start, query.goal}, brief()));
         });
     EXPECT_EQ(count, scene.queries.size());
     EXPECT_EQ(next, count);
@@ -56,13 +56,13 @@ TEST(Batch, AnswersInOrderWhatPlanAnswers) {
 TEST(Batch, EverySeedOfARangeGivesWhatPlanGivesWithIt) {
   const Scene scene;
   const auto queries = std::span(scene.queries).first(12);
-  const auto answers = plan_batch(scene.planner, queries, quick(), {.threads = 2, .seeds = 3});
+  const auto answers = plan_batch(scene.planner, queries, brief(), {.threads = 2, .seeds = 3});
   ASSERT_EQ(answers.size(), 36U);
   int differing = 0;
   for (std::size_t i = 0; i < answers.size(); ++i) {
     EXPECT_EQ(answers[i].index, i / 3);
     EXPECT_EQ(answers[i].seed, 11 + i % 3);
-    Params params = quick();
+    Params params = brief();
     params.seed = answers[i].seed;
     const Request& query = queries[i / 3];
     expect_same(answers[i].result, scene.planner.plan({query.start, query.goal}, params));
@@ -76,7 +76,7 @@ TEST(Batch, ElapsedIsOfEachQueryAlone) {
   const Scene scene;
   std::chrono::duration<double> sum(0);
   const auto begin = Clock::now();
-  plan_batch(scene.planner, scene.queries, quick(), {.threads = 1},
+  plan_batch(scene.planner, scene.queries, brief(), {.threads = 1},
              [&](const BatchAnswer& answer) { sum += answer.elapsed; });
   EXPECT_LE(sum, Clock::now() - begin);
   EXPECT_GT(sum.count(), 0);
@@ -110,7 +110,7 @@ TEST(Batch, ThreadsThatMeetARuleFirstFindTheSame) {
 
 TEST(Batch, NoQueriesNoCalls) {
   const Scene scene;
-  const auto count = plan_batch(scene.planner, {}, quick(), {.threads = 2},
+  const auto count = plan_batch(scene.planner, {}, brief(), {.threads = 2},
                                 [](const BatchAnswer&) { FAIL() << "called"; });
   EXPECT_EQ(count, 0U);
 }
@@ -123,33 +123,33 @@ TEST(Batch, RefusesBadParametersBeforeAnyQuery) {
                             [](const BatchAnswer&) { FAIL() << "called"; }),
                  Error);
   };
-  Params params = quick();
+  Params params = brief();
   params.ants = 0;
   refused(params, {});
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  refused(quick(), {.threads = -1});
-  refused(quick(), {.threads = 1025});
-  for (const int seeds : {0, (1 << 20) + 1}) refused(quick(), {.seeds = seeds});
-  Params last = quick();
+  refused(brief(), {.threads = -1});
+  refused(brief(), {.threads = 1025});
+  for (const int seeds : {0, (1 << 20) + 1}) refused(brief(), {.seeds = seeds});
+  Params last = brief();
   last.seed = (std::uint64_t{1} << 53) - 2;
   refused(last, {.seeds = 3});
   for (const double seconds : {-1.0, kNaN}) {
-    refused(quick(), {.time_limit = std::chrono::duration<double>(seconds)});
+    refused(brief(), {.time_limit = std::chrono::duration<double>(seconds)});
   }
-  EXPECT_THROW(plan_batch(scene.planner, requests, quick(), {}, BatchReceiver()), Error);
+  EXPECT_THROW(plan_batch(scene.planner, requests, brief(), {}, BatchReceiver()), Error);
   requests.back().target_gap = kNaN;
   refused({}, {});
   requests.back().target_gap = 0.1;  // which a colony cannot certify
-  refused(quick(), {});
+  refused(brief(), {});
 }
 
 TEST(Batch, WithoutAReceiverItReturnsItsAnswers) {
   const Scene scene;
-  const auto answers = plan_batch(scene.planner, scene.queries, quick(), {.threads = 2});
+  const auto answers = plan_batch(scene.planner, scene.queries, brief(), {.threads = 2});
   ASSERT_EQ(answers.size(), scene.queries.size());
   for (std::size_t i = 0; i < answers.size(); ++i) {
     EXPECT_EQ(answers[i].index, i);
-    expect_same(answers[i].result, scene.planner.plan(scene.queries[i], quick()));
+    expect_same(answers[i].result, scene.planner.plan(scene.queries[i], brief()));
   }
 }
 
@@ -166,7 +166,7 @@ TEST(Batch, RequestsKeepTheirOwnStopsAndGaps) {
   std::vector<Request> requests(4, *query);
   requests[1].stop.token = source.get_token();
   requests[2].stop.deadline = Clock::now() - std::chrono::hours(1);
-  const auto answers = plan_batch(scene.planner, requests, quick());
+  const auto answers = plan_batch(scene.planner, requests, brief());
   ASSERT_EQ(answers.size(), 4u);
   EXPECT_EQ(answers[0].result.status, Status::solved);
   EXPECT_EQ(answers[1].result.status, Status::interrupted);
@@ -185,7 +185,7 @@ TEST(Batch, AStopEndsItAfterWhatWasBegun) {
   for (const int threads : {1, 3}) {
     std::stop_source source;
     std::size_t seen = 0;
-    const auto count = plan_batch(scene.planner, scene.queries, quick(),
+    const auto count = plan_batch(scene.planner, scene.queries, brief(),
                                   {.threads = threads, .token = source.get_token()},
                                   [&](const BatchAnswer& answer) {
                                     ASSERT_EQ(answer.index, seen);
@@ -204,7 +204,7 @@ TEST(Batch, AStoppedTokenBeginsNothing) {
   std::stop_source source;
   source.request_stop();
   EXPECT_EQ(
-      plan_batch(scene.planner, scene.queries, quick(), {.threads = 2, .token = source.get_token()},
+      plan_batch(scene.planner, scene.queries, brief(), {.threads = 2, .token = source.get_token()},
                  [](const BatchAnswer&) { FAIL() << "called"; }),
       0U);
 }
@@ -214,7 +214,7 @@ TEST(Batch, WhatTheReceiverThrowsComesOut) {
   for (const int threads : {1, 4}) {
     std::size_t calls = 0;
     try {
-      plan_batch(scene.planner, scene.queries, quick(), {.threads = threads},
+      plan_batch(scene.planner, scene.queries, brief(), {.threads = threads},
                  [&](const BatchAnswer&) {
                    if (++calls == 4) throw std::runtime_error("enough");
                  });
@@ -228,11 +228,11 @@ TEST(Batch, WhatTheReceiverThrowsComesOut) {
 
 TEST(Batch, ATimeLimitHoldsForEachQuery) {
   const Scene scene;
-  Params params = quick();
+  Params params = brief();
   params.iterations = 1000000000;
   const auto joined =
       std::find_if(scene.queries.begin(), scene.queries.end(), [&](const Request& q) {
-        return scene.planner.plan({q.start, q.goal}, quick()).length > 30;
+        return scene.planner.plan({q.start, q.goal}, brief()).length > 30;
       });
   ASSERT_NE(joined, scene.queries.end());
   const std::vector<Request> queries(3, *joined);

@@ -17,12 +17,12 @@
 namespace lasius {
 namespace {
 
-constexpr int kSide = 8192;
+constexpr int kLargeSide = 8192;
 
 class LargeMap : public Files {
  protected:
   static const Grid& grid() {
-    static const Grid blobs = lasius::blobs(kSide, kSide);
+    static const Grid blobs = lasius::blobs(kLargeSide, kLargeSide);
     return blobs;
   }
 };
@@ -39,15 +39,16 @@ TEST_F(LargeMap, IsPlannedOnEditedAndProvenUnreachable) {
   const Result best = planner.plan(request);
   ASSERT_TRUE(best.optimal);
   EXPECT_EQ(path_fault(grid(), best.path), std::nullopt);
-  EXPECT_GT(best.length, 1.4 * kSide);
+  EXPECT_GT(best.length, 1.4 * kLargeSide);
   EXPECT_LE(planner.footprint().bitmap + planner.footprint().components,
-            std::int64_t{kSide} * kSide / 8 * 5 / 4);  // 1.25 bits a cell
+            std::int64_t{kLargeSide} * kLargeSide / 8 * 5 / 4);  // 1.25 bits a cell
 
   std::vector<Planner::Edit> wall;
-  for (int x = 0; x < kSide; ++x) wall.push_back({{x, kSide / 2}, true});
+  for (int x = 0; x < kLargeSide; ++x) wall.push_back({{x, kLargeSide / 2}, true});
   const Planner parted = planner.edited(wall);
   EXPECT_EQ(parted.plan(request).status, Status::unreachable);
-  const Planner opened = parted.edited(std::vector<Planner::Edit>{{{kSide / 2, kSide / 2}, false}});
+  const Planner opened =
+      parted.edited(std::vector<Planner::Edit>{{{kLargeSide / 2, kLargeSide / 2}, false}});
   EXPECT_TRUE(opened.connected(request.start, request.goal));
   EXPECT_EQ(opened.plan(request).status, Status::solved);
   EXPECT_EQ(planner.plan(request).length, best.length);
@@ -58,10 +59,10 @@ TEST_F(LargeMap, IsPlannedOnEditedAndProvenUnreachable) {
 TEST_F(LargeMap, AntsPlanInACornerOfIt) {
   const Grid small = lasius::blobs(300, 200);
   const Request request = far_apart(Planner(small));
-  constexpr int kAt = kSide - 400;
-  Grid large(kSide, kSide);
+  constexpr int kAt = kLargeSide - 400;
+  Grid large(kLargeSide, kLargeSide);
   const std::vector<std::uint64_t> blocked(large.words(), ~std::uint64_t{0});
-  for (int y = 0; y < kSide; ++y) large.set_row(y, blocked.data());
+  for (int y = 0; y < kLargeSide; ++y) large.set_row(y, blocked.data());
   for (int y = 0; y < small.height(); ++y) {
     for (int x = 0; x < small.width(); ++x) {
       if (small.free({x, y})) large.set_blocked({kAt + x, kAt + y}, false);
@@ -84,7 +85,7 @@ TEST_F(LargeMap, AntsPlanInACornerOfIt) {
 }
 
 TEST_F(LargeMap, OfTwiceTheSideToo) {
-  constexpr int kTwice = 2 * kSide;
+  constexpr int kTwice = 2 * kLargeSide;
   Grid open(kTwice, kTwice);
   for (int x = 1; x < kTwice; ++x) open.set_blocked({x, kTwice / 2});  // a way by the left edge
   const Planner planner(std::move(open));

@@ -91,13 +91,14 @@ Work measuring(std::string name, Grid grid) {
 
 // Through every second row of the map: all free cells on the way there, as many on the way back.
 Work walking() {
-  constexpr int kSide = 301;
-  Grid snake(kSide, kSide);
-  for (int y = 1; y < kSide; y += 2) {
-    for (int x = 0; x < kSide; ++x) snake.set_blocked({x, y}, x != (y % 4 == 1 ? kSide - 1 : 0));
+  constexpr int kSnakeSide = 301;
+  Grid snake(kSnakeSide, kSnakeSide);
+  for (int y = 1; y < kSnakeSide; y += 2) {
+    for (int x = 0; x < kSnakeSide; ++x)
+      snake.set_blocked({x, y}, x != (y % 4 == 1 ? kSnakeSide - 1 : 0));
   }
   return {"Walking", 2 * 4 * snake.count_free(), [snake](const StopCondition& stop) {
-            return shortest_walk(snake, {0, 0}, {kSide - 1, kSide - 1}, Neighbours::four,
+            return shortest_walk(snake, {0, 0}, {kSnakeSide - 1, kSnakeSide - 1}, Neighbours::four,
                                  Corners::forbid, stop)
                 .has_value();
           }};

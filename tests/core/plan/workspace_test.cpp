@@ -11,8 +11,8 @@
 namespace lasius {
 namespace {
 
-constexpr int kSide = 2200;    // the planes of ants have pages of their own
-constexpr Cell kYard{900, 1};  // where a small map lies in the large one, walled off
+constexpr int kPagedSide = 2200;  // the planes of ants have pages of their own
+constexpr Cell kYard{900, 1};     // where a small map lies in the large one, walled off
 
 const Planner& tiny() {
   static const Planner map(blobs());
@@ -21,7 +21,7 @@ const Planner& tiny() {
 const Planner& large() {
   static const Planner map([] {
     const Grid& small = tiny().grid();
-    Grid grid = blobs(kSide, kSide);
+    Grid grid = blobs(kPagedSide, kPagedSide);
     grid.fill({kYard.x - 1, kYard.y - 1, small.width() + 2, small.height() + 2}, true);
     const Rectangle yard{kYard.x, kYard.y, small.width(), small.height()};
     grid.paste(yard, small.bytes(Nonzero::blocked), Nonzero::blocked);

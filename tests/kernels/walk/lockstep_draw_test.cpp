@@ -20,7 +20,7 @@
 namespace lasius::kernels {
 namespace {
 
-constexpr int kAnts = 8;
+constexpr int kLanes = 8;
 
 /// One draw of one ant.
 struct Spin {
@@ -28,13 +28,13 @@ struct Spin {
   std::uint32_t open = 0xff;
   std::array<std::uint32_t, 8> words{};  ///< a roulette reads the first
 };
-using Spins = std::array<Spin, kAnts>;
+using Spins = std::array<Spin, kLanes>;
 
 /// The three bits around an ant, as the planes give them: others may be anything.
 template <int kMoves>
 LockstepPlanes::Entered entered(const Spins& spins, std::uint32_t others) {
   alignas(32) PerAnt above, beside, below;
-  for (int i = 0; i < kAnts; ++i) {
+  for (int i = 0; i < kLanes; ++i) {
     const std::uint32_t closed = ~spins[i].open;
     if constexpr (kMoves == 4) {
       above[i] = (closed & 1) << 1 | (others & ~2u);
@@ -55,19 +55,19 @@ LockstepPlanes::Entered entered(const Spins& spins, std::uint32_t others) {
 
 /// The moves drawn, -1 for none.
 template <int kMoves, bool kMixture, Draw kDraw>
-LASIUS_AVX2 std::array<int, kAnts> draw(const WalkWorld& world, const Spins& spins,
-                                        std::uint32_t others) {
+LASIUS_AVX2 std::array<int, kLanes> draw(const WalkWorld& world, const Spins& spins,
+                                         std::uint32_t others) {
   using DrawOf = LockstepDraw<kMoves, kMixture>;
   __m256 weight[DrawOf::kWeights];
   for (int k = 0; k < DrawOf::kWeights; ++k) {
-    alignas(32) std::array<float, kAnts> weights;
-    for (int i = 0; i < kAnts; ++i) weights[i] = spins[i].row[k];
+    alignas(32) std::array<float, kLanes> weights;
+    for (int i = 0; i < kLanes; ++i) weights[i] = spins[i].row[k];
     weight[k] = _mm256_load_ps(weights.data());
   }
   __m256i word[kMoves];
   for (int k = 0; k < kMoves; ++k) {
     alignas(32) PerAnt words;
-    for (int i = 0; i < kAnts; ++i) words[i] = spins[i].words[k];
+    for (int i = 0; i < kLanes; ++i) words[i] = spins[i].words[k];
     word[k] = load(words);
   }
   const auto around = entered<kMoves>(spins, others);
@@ -80,8 +80,8 @@ LASIUS_AVX2 std::array<int, kAnts> draw(const WalkWorld& world, const Spins& spi
   alignas(32) PerAnt move, stuck;
   store(move, choice.move);
   store(stuck, choice.stuck);
-  std::array<int, kAnts> result;
-  for (int i = 0; i < kAnts; ++i) result[i] = stuck[i] != 0 ? -1 : static_cast<int>(move[i]);
+  std::array<int, kLanes> result;
+  for (int i = 0; i < kLanes; ++i) result[i] = stuck[i] != 0 ? -1 : static_cast<int>(move[i]);
   return result;
 }
 
@@ -91,7 +91,7 @@ void expect_reference(const WalkWorld& world, const Spins& spins, const std::str
   const auto reference = walk_table(Isa::scalar).draw[shape.index()];
   for (const std::uint32_t others : {0u, ~0u}) {
     const auto moves = draw<kMoves, kMixture, kDraw>(world, spins, others);
-    for (int i = 0; i < kAnts; ++i) {
+    for (int i = 0; i < kLanes; ++i) {
       const Spin& s = spins[i];
       ASSERT_EQ(moves[i], reference(world, s.row.data(), s.open, kMaxMoves, s.words.data()))
           << what << ", ant " << i << ", open " << s.open << ", word " << s.words[0];
@@ -157,7 +157,7 @@ TEST_P(LockstepDraws, RoundingNeverDrawsAMoveOfNoWeight) {
   const WalkWorld world;
   constexpr std::uint32_t kBelowOne = 0xffffff00;  // a share of 1 - 2^-24
   int found = 0;
-  for (int round = 0; round < 20000 && found < 3 * kAnts; ++round) {
+  for (int round = 0; round < 20000 && found < 3 * kLanes; ++round) {
     const float a = static_cast<float>(word()), b = static_cast<float>(word());
     const float c = static_cast<float>(word()), fourth = at_fourth(a, b, c);
     const float threshold = 0x1.fffffep-1f * fourth;
@@ -169,11 +169,11 @@ TEST_P(LockstepDraws, RoundingNeverDrawsAMoveOfNoWeight) {
         {{0, 0, 0, 0, a, b, c, 0}, 0xff, {kBelowOne}},
     }};
     Spins spins = any_spins(8);
-    Spin& spin = spins[found % kAnts];
-    spin = gaps[found / kAnts];
+    Spin& spin = spins[found % kLanes];
+    spin = gaps[found / kLanes];
     expect_reference<8, false, Draw::roulette>(world, spins, "gap");
-    const int expected = std::array{7, 2, 6}[found / kAnts];
-    EXPECT_EQ((draw<8, false, Draw::roulette>(world, spins, 0)[found % kAnts]), expected);
+    const int expected = std::array{7, 2, 6}[found / kLanes];
+    EXPECT_EQ((draw<8, false, Draw::roulette>(world, spins, 0)[found % kLanes]), expected);
     // By two rules, whose product is the same.
     for (int k = 0; k < 8; ++k) spin.row[k + 8] = spin.row[k] > 0 ? 1.0f : 0.0f;
     expect_reference<8, true, Draw::roulette>(world, spins, "gap of a mixture");
@@ -182,7 +182,7 @@ TEST_P(LockstepDraws, RoundingNeverDrawsAMoveOfNoWeight) {
     expect_reference<4, true, Draw::roulette>(world, spins, "gap of four and a mixture");
     ++found;
   }
-  EXPECT_EQ(found, 3 * kAnts);
+  EXPECT_EQ(found, 3 * kLanes);
 }
 
 LASIUS_AVX2 std::array<PerAnt, 4> blocks(const WalkWorld& world, const PerAnt& block,
@@ -200,12 +200,12 @@ TEST_P(LockstepDraws, RandomWordsAreThoseOfPhilox) {
     world.seed = std::uint64_t{word()} << 32 | word();
     world.iteration = word();
     alignas(32) PerAnt block, ant;
-    for (int i = 0; i < kAnts; ++i) {
+    for (int i = 0; i < kLanes; ++i) {
       block[i] = word();
       ant[i] = word();
     }
     const auto words = blocks(world, block, ant);
-    for (int i = 0; i < kAnts; ++i) {
+    for (int i = 0; i < kLanes; ++i) {
       const auto expected = random_words(world.seed, {block[i], ant[i], world.iteration, 0});
       for (int w = 0; w < 4; ++w) EXPECT_EQ(words[w][i], expected[w]) << "ant " << i;
     }
