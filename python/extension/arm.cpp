@@ -40,10 +40,10 @@ py::tuple fields(const arm::Result& r) {
                         r.duration, r.pitch, r.postures, r.points, questions(r.questions), r.steps);
 }
 
-py::tuple plan(const arm::Robot& robot, const arm::SceneSensor& sensor, const JointVector& start,
-               const std::vector<arm::Goal>& goals, const arm::Params& params, double target_gap,
-               bool motion, double duration, std::optional<double> time_limit,
-               const py::object& callback) {
+py::tuple plan_motion(const arm::Robot& robot, const arm::SceneSensor& sensor,
+                      const JointVector& start, const std::vector<arm::Goal>& goals,
+                      const arm::Params& params, double target_gap, bool motion, double duration,
+                      std::optional<double> time_limit, const py::object& callback) {
   Call call(time_limit);
   const arm::Observer observe = observer<arm::ArmProgress>(call, callback);
   arm::Request request{start, goals, call.condition(), target_gap, motion, duration};
@@ -157,6 +157,8 @@ void bind_sensor(py::module_& module) {
            [](const arm::SceneSensor& s, const JointVector& q) { return s.position_free(q); })
       .def("motion_free", [](const arm::SceneSensor& s, const JointVector& from,
                              const JointVector& to) { return s.motion_free(from, to); })
+      .def("distance",
+           [](const arm::SceneSensor& s, const JointVector& q) { return s.distance(q); })
       .def("contact", [](const arm::SceneSensor& s, const JointVector& q) { return s.contact(q); });
 }
 
@@ -188,7 +190,7 @@ void bind_arm(py::module_& module) {
         return questions(v.get().questions);
       });
   module.def("algorithms", [] { return described(arm::algorithms()); });
-  module.def("plan", &plan);
+  module.def("plan", &plan_motion);
   module.def("recheck", &rechecked);
 }
 

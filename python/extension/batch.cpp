@@ -108,7 +108,7 @@ py::tuple batch(const Planner& planner, const IntRows& starts, const IntRows& go
   const std::size_t wanted = requests.size() * static_cast<std::size_t>(std::max(seeds, 1));
   Columns columns(requests.size());
   Teller teller(call, callback);
-  call.run([&] {
+  call.run_kept([&] {
     plan_batch(planner, requests, params, options, [&](const BatchAnswer& answer) {
       columns.add(answer);
       teller.tell(columns.size(), columns.size() == wanted);

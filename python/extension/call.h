@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "lasius/error.h"
 #include "lasius/stop.h"
 #include "python/extension/interrupt.h"
 
@@ -13,13 +14,21 @@ namespace lasius::python {
 
 namespace py = pybind11;
 
+/// An instance of the Python class for this kind of error, with the parts of the message.
+py::object exception(const Error& error);
+
 /// Made, used and destroyed with the interpreter's lock. What callbacks and signal handlers raise
-/// is kept in it while the library ends with the best that it has.
+/// is kept in it while the library ends with the best that it has. At the interpreter's end those
+/// of daemon threads are stopped, and none is made any more: Python ends a thread that asks for its
+/// lock then, which C++ does not survive.
 class Call {
  public:
   /// Counts the time limit, in seconds, from here. @throws py::value_error for one that is negative
   /// or no number; what a signal handler raises that was due before the call.
   explicit Call(std::optional<double> time_limit = {});
+  ~Call();
+  Call(const Call&) = delete;
+  Call& operator=(const Call&) = delete;
 
   /// Of the library's call: the deadline, and a token that stop() and SIGINT ask to stop.
   StopCondition condition() {
@@ -32,6 +41,16 @@ class Call {
   auto run(const Work& work) {
     const py::gil_scoped_release released;
     return work();
+  }
+
+  /// work() likewise; what the library throws is kept as what a callback raises is.
+  template <class Work>
+  void run_kept(const Work& work) {
+    try {
+      run(work);
+    } catch (const Error& thrown) {
+      if (!error_) error_ = exception(thrown);
+    }
   }
 
   /// From within run(): calls back() with the lock, unless something was raised before, and keeps

@@ -1,12 +1,11 @@
 // lasius::Error as Python exceptions, which the package's module `errors` defines.
 #include "lasius/error.h"
 #include "python/extension/arrays.h"
+#include "python/extension/call.h"
 #include "python/extension/modules.h"
 
 namespace lasius::python {
-namespace {
 
-/// An instance of the class for this kind of error, with the parts of the message.
 py::object exception(const Error& error) {
   const py::object kinds = py::module_::import("lasius.errors").attr("KINDS");
   py::object made = kinds[text(to_string(error.code()))](error.what());
@@ -18,8 +17,6 @@ py::object exception(const Error& error) {
   if (place.offset >= 0) made.attr("offset") = place.offset;
   return made;
 }
-
-}  // namespace
 
 void bind_errors(py::module_&) {
   py::register_local_exception_translator([](std::exception_ptr thrown) {

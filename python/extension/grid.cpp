@@ -80,7 +80,8 @@ Grid packed(const py::array& cells, const Free& free) {
 
 /// free: True, False, a value, or a range of values.
 Free free_values(const py::handle& free, bool is_signed) {
-  if (py::isinstance<py::bool_>(free)) return {0, 0, !free.cast<bool>()};
+  if (py::isinstance<py::bool_>(free) || py::isinstance(free, py::dtype::of<bool>().attr("type")))
+    return {0, 0, PyObject_IsTrue(free.ptr()) == 0};
   const bool is_range = py::isinstance(free, py::module_::import("builtins").attr("range"));
   const auto refuse = [&free](const char* why) {
     return py::value_error(py::str("free={!r}: {}").format(free, why));

@@ -9,6 +9,7 @@ PYBIND11_MODULE(_lasius, module) {
   module.doc() = "The library lasius, as the package lasius uses it: see there.";
   module.attr("version") = LASIUS_VERSION;
   bind_errors(module);
+  bind_calls(module);
   bind_grid(module);
   bind_maps(module);
   bind_params(module);

@@ -6,6 +6,7 @@
 namespace lasius::python {
 
 void bind_errors(pybind11::module_& module);
+void bind_calls(pybind11::module_& module);
 void bind_grid(pybind11::module_& module);
 void bind_maps(pybind11::module_& module);
 void bind_params(pybind11::module_& module);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "python/extension/modules.h"
 #include "python/extension/progress.h"
@@ -73,6 +74,20 @@ auto of_ant(Get get) {
   };
 }
 
+/// One value a place, or one for all of them.
+void set(const TrailView& view, const py::object& given, const Rows& values) {
+  const Places places = places_from(given);
+  if (values.ndim() > 0) return view.get().trail.set(span_of(places), span_of(values));
+  const std::vector<double> same(static_cast<std::size_t>(places.size()), *values.data());
+  view.get().trail.set(span_of(places), same);
+}
+
+void add(const TrailView& view, const py::object& given, const Rows& values) {
+  const Places places = places_from(given);
+  if (values.ndim() > 0) return view.get().trail.add(span_of(places), span_of(values));
+  view.get().trail.add(span_of(places), *values.data());
+}
+
 py::array_t<double> values_at(const TrailView& view, const py::object& given) {
   const Places places = places_from(given);
   py::array_t<double> values(places.size());
@@ -102,8 +117,8 @@ py::array_t<double> whole(const TrailView& view) {
   throw py::error_already_set();
 }
 
-/// Sets what a schedule returned.
-void enter(const py::object& returned, StepWeights& weights) {
+/// The weights with what a schedule returned.
+StepWeights changed(StepWeights weights, const py::object& returned) {
   if (!py::isinstance<py::dict>(returned))
     raise(PyExc_TypeError, "a schedule returns a dict, {'alpha': 2.0}, say");
   const std::array<std::pair<const char*, double*>, 6> fields{
@@ -121,6 +136,7 @@ void enter(const py::object& returned, StepWeights& weights) {
     *field->second = PyFloat_AsDouble(value.ptr());
     if (PyErr_Occurred() != nullptr) throw py::error_already_set();
   }
+  return weights;
 }
 
 }  // namespace
@@ -142,7 +158,7 @@ OwnRules own_rules(const Given& given, const Params& params, Call& call) {
   if (!given.schedule.is_none()) {
     own.schedule = [&given, &params, &call](int iteration) {
       StepWeights weights = schedule(params, iteration);
-      call.call_back([&] { enter(given.schedule(iteration), weights); });
+      call.call_back([&] { weights = changed(weights, given.schedule(iteration)); });
       return weights;
     };
   }
@@ -153,16 +169,8 @@ void bind_own_rules(py::module_& module) {
   py::class_<TrailView>(module, "Pheromone")
       .def("persist",
            [](const TrailView& v, double persistence) { v.get().trail.persist(persistence); })
-      .def("add", [](const TrailView& v, const py::object& places,
-                     double amount) { v.get().trail.add(span_of(places_from(places)), amount); })
-      .def("add",
-           [](const TrailView& v, const py::object& places, const Rows& values) {
-             v.get().trail.add(span_of(places_from(places)), span_of(values));
-           })
-      .def("set",
-           [](const TrailView& v, const py::object& places, const Rows& values) {
-             v.get().trail.set(span_of(places_from(places)), span_of(values));
-           })
+      .def("add", &add)
+      .def("set", &set)
       .def("clamp",
            [](const TrailView& v, double least, double most) { v.get().trail.clamp(least, most); })
       .def("get", &values_at)

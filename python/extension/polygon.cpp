@@ -56,8 +56,8 @@ py::tuple fields(const pg::Result& r) {
                         crossing(r.sequence_optimum), r.optimum, r.note);
 }
 
-py::tuple made(const pg::World& world, std::optional<double> margin, const std::string& join,
-               const std::string& boundary) {
+py::tuple made_planner(const pg::World& world, std::optional<double> margin,
+                       const std::string& join, const std::string& boundary) {
   Call call;
   const pg::GrowOptions options{margin, value_of<pg::Join>("join", pg::kJoinNames, join),
                                 value_of<pg::Boundary>("boundary", pg::kBoundaryNames, boundary)};
@@ -65,9 +65,9 @@ py::tuple made(const pg::World& world, std::optional<double> margin, const std::
   return py::make_tuple(call.error(), planner ? py::cast(std::move(*planner)) : py::none());
 }
 
-py::tuple plan(const pg::Planner& planner, std::optional<Point> start, std::optional<Point> goal,
-               const pg::Params& params, double target_gap, std::optional<double> time_limit,
-               const py::object& callback) {
+py::tuple plan_among(const pg::Planner& planner, std::optional<Point> start,
+                     std::optional<Point> goal, const pg::Params& params, double target_gap,
+                     std::optional<double> time_limit, const py::object& callback) {
   Call call(time_limit);
   const pg::Observer observe = observer<Progress>(call, callback);
   const pg::Result result = call.run([&] {
@@ -111,9 +111,9 @@ void bind_polygon(py::module_& module) {
   bind_parameter_class<pg::Params>(module).def(py::init<const std::string&>());
   bind_progress<Progress>(module, "Progress");
   module.def("algorithms", [] { return described(pg::algorithms()); });
-  module.def("make_planner", &made);
+  module.def("make_planner", &made_planner);
   py::class_<pg::Planner>(module, "Planner")
-      .def("plan", &plan)
+      .def("plan", &plan_among)
       .def_property_readonly("margin", &pg::Planner::margin)
       .def_property_readonly("components", &pg::Planner::components)
       .def("free", &pg::Planner::free)

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import operator
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple, Type, TypeVar, Union
 
 import numpy as np
 
 from . import _lasius
+from .errors import InvalidParameter
 
 Value = Union[bool, int, float, str]
+MOST = 2**53 - 1
 
 
 @dataclass(frozen=True)
@@ -57,6 +60,14 @@ def text_of(value: Any) -> str:
     return value if isinstance(value, str) else repr(value)
 
 
+def whole(name: str, value: Any) -> int:
+    """A seed or a number of threads, which are no text and no float."""
+    number = operator.index(value)
+    if not 0 <= number <= MOST:
+        raise InvalidParameter(f"{name} is {number}; it must be 0 .. {MOST}")
+    return number
+
+
 def value_of(parameter: Parameter, text: str) -> Value:
     """The other way round."""
     if parameter.range == "off|on":
@@ -83,7 +94,7 @@ class ParameterSet:
         self._raw = raw
         for name, value in settings.items():
             if name in ("seed", "threads"):
-                setattr(self._raw, name, int(value))
+                setattr(self._raw, name, whole(name, value))
             else:
                 self._raw.set(name, text_of(value))
 

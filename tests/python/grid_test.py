@@ -42,6 +42,9 @@ def test_masks():
     mask = RANDOM.random((20, 33)) < 0.5
     assert np.array_equal(lasius.Grid(mask, free=True).to_array(free=True), mask)
     assert np.array_equal(lasius.Grid(mask, free=False).to_array(free=False), mask)
+    wide = np.where(mask, np.uint8(255), np.uint8(0))  # numpy's booleans are as Python's
+    assert np.array_equal(lasius.Grid(wide, free=np.True_).to_array(free=True), mask)
+    assert np.array_equal(lasius.Grid(wide, free=np.False_).to_array(free=True), ~mask)
     assert lasius.Grid(mask, free=True).count_free() == mask.sum()
 
 

@@ -120,3 +120,24 @@ def test_forked_processes_plan_with_two_threads():
     with multiprocessing.get_context("fork").Pool(2) as pool:
         theirs = pool.map_async(planned, (1, 2, 3, 4)).get(120)
     assert theirs == mine and not np.array_equal(mine[0].curves.mean, mine[1].curves.mean)
+
+
+@pytest.mark.parametrize("call", ["plan", "batch"])
+def test_python_ends_though_a_daemon_thread_plans_with_callbacks(call):
+    """Python ends threads that ask for its lock then, which C++ must not be in the midst of."""
+    ask = {"plan": "planner.plan((5, 5), (90, 70), 'mmas', iterations=10**9, update=update)",
+           "batch": "planner.batch([(5, 5)] * 9, [(90, 70)] * 9, 'mmas', iterations=10**9, threads=2, update=update)"}[call]
+    program = f"""
+import threading, lasius
+planner = lasius.Planner(lasius.generate("blobs", width=100, height=80, density=0.05))
+begun = threading.Event()
+def update(trail, tours):
+    begun.set()
+def go():
+    while True:
+        {ask}
+threading.Thread(target=go, daemon=True).start()
+assert begun.wait(60)
+"""
+    ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+    assert ended.returncode == 0 and "FATAL" not in ended.stderr, ended.stderr

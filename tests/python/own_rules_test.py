@@ -147,6 +147,10 @@ def test_other_refusals(planner):
         plan(schedule=lambda q: {3: 1})
     with pytest.raises(lasius.InvalidParameter, match="alpha"):
         plan(schedule=lambda q: {"alpha": -1})
+    for first in ({"alpha": -1}, {}):
+        with pytest.raises(TypeError, match="must be real number") as caught:
+            plan(schedule=lambda q: {**first, "beta": "x"})
+        assert caught.value.result.status == "interrupted"
     with pytest.raises(TypeError):
         plan(update=lambda trail, tours: trail.add([0.5], 1))
     with pytest.raises(TypeError, match="integers"):
@@ -165,6 +169,29 @@ def test_a_batch(planner, threads):
     plain = planner.batch(starts, goals, "as", heuristic=table, schedule=lambda q: {"beta": 0.0}, iterations=3)
     one = planner.plan(GOAL, START, "as", heuristic=table, schedule=lambda q: {"beta": 0.0}, iterations=3)
     assert np.array_equal(plain.path(1), one.path)
+
+
+def test_one_value_for_all_places(planner):
+    seen = []
+
+    def update(trail, tours):
+        for value in (3.0, 3, np.float32(3), np.array(3.0), [3.0, 3.0]):
+            trail.set([1, 2], 1.0)
+            trail.add([1, 2], value)
+            trail.set(np.array([5, 6]), value)
+            seen.append(trail.get([1, 2, 5, 6]))
+
+    planner.plan(START, GOAL, "ras", update=update, iterations=1)
+    assert len(seen) == 5 and np.allclose(seen, [4, 4, 3, 3])
+
+
+def test_what_the_library_refuses_in_a_batch_carries_the_answers(planner):
+    def bad(iteration):
+        return {"alpha": -1 if iteration == 2 else 1}
+
+    with pytest.raises(lasius.InvalidParameter, match="alpha") as caught:
+        planner.batch([START] * 3, [GOAL] * 3, "ras", schedule=bad, threads=1, iterations=5)
+    assert len(caught.value.result) < 3
 
 
 def test_what_an_update_raises_in_a_batch(planner):

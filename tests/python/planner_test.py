@@ -81,6 +81,16 @@ def test_parameters_out_of_range(make, words):
     assert isinstance(caught.value, ValueError) and caught.value.remedy and caught.value.problem
 
 
+def test_seeds_and_threads_are_whole_numbers():
+    assert lasius.Params("as", seed=np.int64(7)).seed == 7
+    for bad in (1.5, "3", None):
+        with pytest.raises(TypeError):
+            lasius.Params("as", seed=bad)
+    for bad in (-1, 2**53, 2**70):
+        with pytest.raises(lasius.InvalidParameter, match="seed is"):
+            lasius.Params("as", seed=bad)
+
+
 def test_parameters_never_change():
     with pytest.raises(AttributeError, match="replace"):
         lasius.Params("mmas").ants = 3
