@@ -72,7 +72,7 @@ int read_side(const ByteReader& in, std::int64_t line, const HeaderLine& header)
 struct Header {
   int width = 0;
   int height = 0;
-  SizePlace place;
+  SizePlace place;  // of the first side that is refused; else of the second
 };
 
 Header read_header(ByteReader& in) {
@@ -86,6 +86,7 @@ Header read_header(ByteReader& in) {
   Header header;
   bool has_width = false;
   bool has_height = false;
+  bool refused = false;
   for (;;) {
     const std::int64_t number = in.line();
     line = header_line(in, text);
@@ -95,9 +96,11 @@ Header read_header(ByteReader& in) {
       in.fail_at_line(number, "unexpected '" + text.substr(0, 20) + "' in the header",
                       kHeaderRemedy);
     }
-    (is_width ? header.width : header.height) = read_side(in, number, line);
+    const int side = read_side(in, number, line);
+    (is_width ? header.width : header.height) = side;
     (is_width ? has_width : has_height) = true;
-    header.place.line = number;
+    if (!refused) header.place.line = number;
+    refused = refused || side < 1 || side > Grid::kMaxSide;
   }
   if (!has_width || !has_height) {
     in.fail_at_line(in.line() - 1, has_width ? "the height is missing" : "the width is missing",
