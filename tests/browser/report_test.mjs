@@ -262,7 +262,7 @@ test("arm: the way of the tip tells place, length and clearance", { skip: !kWith
   });
   await tab.mouse.move(...found);
   const told = await tab.locator(".hover").textContent();
-  assert.match(told, /^After [\d.]+ s tip at .* m travelled · clearance of the arm [\d.]+ m$/);
+  assert.match(told, /^After [\d.]+ s: tip at .* m travelled · clearance of the arm [\d.]+ m$/);
   assert.equal(await position(tab), 0, "the slider stays");
   await tab.mouse.move(box.x + 2, box.y + 2);
   assert.equal(await tab.locator(".hover").textContent(), first);

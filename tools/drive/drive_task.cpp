@@ -283,7 +283,7 @@ void DriveTask::remark() const {
                      counted(static_cast<std::int64_t>(result.replans.size()), "plan") + ", " +
                      counted(result.seen, "cell") + " learned, " + counted(result.waits, "wait");
   if (const auto ratio = answer_.ratio())
-    text += "; " + decimal_text(*ratio, 4) + " of the optimum, " +
+    text += "; " + decimal_text(*ratio, 4) + " of the optimum of 8 moves, " +
             decimal_text(shown(*answer_.optimum), 3) + (in_metres() ? " m" : "");
   message(text);
 }

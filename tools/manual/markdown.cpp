@@ -120,7 +120,8 @@ class Reader {
     if (cells[0].starts_with("--")) return;
     std::string text;
     for (std::size_t i = 1; i < cells.size(); ++i) {
-      if (i > 1) text += "; ";
+      if (cells[i].empty()) continue;
+      if (!text.empty()) text += "; ";
       if (cells.size() > 2) text += header_[i] + ": ";
       text += cells[i];
     }

@@ -142,7 +142,7 @@ std::vector<LineChart> convergence_charts(const Study& study, const Findings& fi
                                           const Experiment& experiment, const Question& question) {
   LineChart chart = chart_of("Best length so far on " + question.name, study);
   const auto optimum = findings.optimum(experiment, question);
-  if (optimum) chart.levels = {{"true optimum", *optimum}};
+  if (optimum) chart.levels = {{optimum_text(experiment.truth), *optimum}};
   const auto samples = drawn(findings, experiment, question);
   for (const Sample* sample : samples)
     chart.curves.push_back(curve_of({sample}, &Run::best, chart.curves.size()));

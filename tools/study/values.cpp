@@ -210,4 +210,9 @@ double value_of(const Sample& sample, const Run& run, const Value& value, double
   return std::isfinite(own) ? std::abs(own - quantile(all, 0.5)) : kInfinity;
 }
 
+std::string optimum_text(const Truth& truth) {
+  if (truth.kind != Truth::Kind::moves) return "true optimum";
+  return std::string("optimum of ") + (truth.neighbours == Neighbours::four ? "4" : "8") + " moves";
+}
+
 }  // namespace lasius::study

@@ -33,4 +33,7 @@ double common_budget(const Value& value, const Sample& a, const Sample& b);
 double value_of(const Sample& sample, const Run& run, const Value& value, double budget,
                 std::optional<double> optimum);
 
+/// What an optimum is called: "true optimum", or "optimum of 8 moves".
+std::string optimum_text(const Truth& truth);
+
 }  // namespace lasius::study

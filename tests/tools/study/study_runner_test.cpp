@@ -180,7 +180,7 @@ TEST_F(StudyRunner, ReportsPaperAndOurs) {
   const auto findings = run(s, options());
   const Table results = result_table(findings, s.experiments[0]);
   ASSERT_EQ(results.rows.size(), 4u);  // the optimum, and three that ran
-  EXPECT_EQ(results.rows[0][1], "true optimum");
+  EXPECT_EQ(results.rows[0][1], "optimum of 8 moves");
   EXPECT_EQ(results.rows[1][2], "23.500");
   auto evidence = weigh(s, findings);
   decide(evidence);

@@ -102,7 +102,7 @@ export async function showArm(content) {
   const stateText = (index) => {
     const place = Array.from(tips[index], (value) => numberText(value, 3)).join(", ");
     const clear = distances[index] < motion.far_away ? ` · clearance of the arm ${numberText(distances[index], 3)} m` : "";
-    const at = index === frame ? "Tip" : `After ${numberText(motion.times[index], 2)} s tip`;
+    const at = index === frame ? "Tip" : `After ${numberText(motion.times[index], 2)} s: tip`;
     return `${at} at ${place} m · ${numberText(sums[index], 3)} m of ${numberText(sums.at(-1), 3)} m travelled${clear}`;
   };
   const placed = (index, variable, opacity) => bodies.filter(({ body }) => body > 0).flatMap(({ body, faces }) => {
