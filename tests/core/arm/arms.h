@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "core/arm/robot/solid.h"
 #include "core/arm/robot/vec3.h"
 #include "lasius/arm_generate.h"
 #include "lasius/arm_plan.h"
@@ -45,10 +44,12 @@ inline Robot two_links() {
     joint.acceleration = 5;
     const int number = robot.size();
     robot.joints.push_back(joint);
-    robot.links.push_back({.name = {},
-                           .body = number + 1,
-                           .parent = number - 1,
-                           .solids = {capsule({}, {length, 0, 0}, 0.01)}});
+    Solid capsule;
+    capsule.shape = Solid::Shape::capsule;
+    capsule.size = {length, 0, 0};
+    capsule.radius = 0.01;
+    robot.links.push_back(
+        {.name = {}, .body = number + 1, .parent = number - 1, .solids = {capsule}});
   }
   robot.tip.translation().x() = 0.4;
   return robot;
