@@ -12,7 +12,7 @@ from . import _lasius
 from .errors import InvalidParameter
 
 Value = Union[bool, int, float, str]
-MOST = 2**53 - 1
+MOST_SEED = 2**53 - 1
 
 
 @dataclass(frozen=True)
@@ -63,8 +63,8 @@ def text_of(value: Any) -> str:
 def whole(name: str, value: Any) -> int:
     """A seed or a number of threads, which are no text and no float."""
     number = operator.index(value)
-    if not 0 <= number <= MOST:
-        raise InvalidParameter(f"{name} is {number}; it must be 0 .. {MOST}")
+    if name == "seed" and not 0 <= number <= MOST_SEED:
+        raise InvalidParameter(f"seed is {number}; it must be 0 .. {MOST_SEED}")
     return number
 
 

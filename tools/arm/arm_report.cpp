@@ -112,7 +112,7 @@ std::vector<double> times_of(const ArmAnswer& answer) {
 
 Json motion_json(const ArmAnswer& answer) {
   std::vector<float> joints, poses, tips, distances;
-  const arm::SceneSensor sensor(answer.robot, answer.scene, answer.clearance);
+  const arm::SceneSensor sensor(answer.robot, answer.scene);
   const auto times = times_of(answer);
   const auto add = [](std::vector<float>& list, const auto& numbers) {
     for (const double value : numbers) list.push_back(static_cast<float>(value));
@@ -122,7 +122,7 @@ Json motion_json(const ArmAnswer& answer) {
         answer.plan.trajectory.empty() ? answer.start : answer.plan.trajectory.at(t).q;
     add(joints, q);
     add(tips, arm::tip_position(answer.robot, q));
-    add(distances, std::array{std::min(sensor.distance(q), kFarAway)});
+    distances.push_back(static_cast<float>(std::min(sensor.distance(q), kFarAway)));
     for (const arm::Pose& pose : body_poses(answer.robot, q))
       for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 4; ++column)

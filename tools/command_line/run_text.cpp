@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <tuple>
 
 #include "core/base/output.h"
 #include "tools/console/exit_code.h"
@@ -31,14 +32,7 @@ void read_seeds(const std::string& text, SearchOptions& options) {
     options.seed = seed_value(text);
     return;
   }
-  const auto range = parse_range(text);
-  if (!range || range->first < 0 || range->second > kMaxExactInteger ||
-      range->second - range->first >= SearchOptions::kMostSeeds)
-    throw UsageError("--seed: \"" + text +
-                     "\" is neither N nor A-B nor A..B, from 0 to 2^53-1 and at most " +
-                     std::to_string(SearchOptions::kMostSeeds) + " of them");
-  options.seed = static_cast<std::uint64_t>(range->first);
-  options.seeds = static_cast<int>(range->second - range->first) + 1;
+  std::tie(options.seed, options.seeds) = seed_range("--seed", text, 0);
 }
 
 /// The numbers of a preset's file, and its algorithm where none is named.
@@ -150,6 +144,19 @@ std::string& SearchText::value_of(std::string_view name) {
 std::uint64_t seed_value(const std::string& text) {
   if (text.empty()) return 1;
   return static_cast<std::uint64_t>(integer_value("--seed", text, 0, kMaxExactInteger));
+}
+
+std::pair<std::uint64_t, int> seed_range(std::string_view option, const std::string& text,
+                                         std::int64_t least) {
+  const auto range = parse_range(text);
+  if (!range || range->first < least || range->second > kMaxExactInteger ||
+      range->second - range->first >= SearchOptions::kMostSeeds)
+    throw UsageError(std::string(option) + ": \"" + text +
+                     "\" is neither N nor A-B nor A..B, from " + std::to_string(least) +
+                     " to 2^53-1 and at most " + std::to_string(SearchOptions::kMostSeeds) +
+                     " of them");
+  return {static_cast<std::uint64_t>(range->first),
+          static_cast<int>(range->second - range->first) + 1};
 }
 
 void check_endings(const std::vector<std::string>& files,

@@ -101,6 +101,11 @@ void refuse_world_options(const WorldText& text);
 /// The seed; 1 where `text` is empty. @throws UsageError.
 std::uint64_t seed_value(const std::string& text);
 
+/// The first of "N", "A-B" or "A..B" (N: from 1 on), and how many they are.
+/// @throws UsageError for another text, one below `least`, and too many.
+std::pair<std::uint64_t, int> seed_range(std::string_view option, const std::string& text,
+                                         std::int64_t least);
+
 /// @throws UsageError for a file whose ending is not one of `endings`, with the nearest; a stream
 /// (/dev/stdout) needs none.
 void check_endings(const std::vector<std::string>& files,

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <tuple>
 
 #include "tools/command_line/option_kinds.h"
 #include "tools/command_line/run_text.h"
@@ -119,14 +120,7 @@ std::string usual_folder(const std::string& prefix, const std::string& file) {
 
 void read_seeds(const std::string& text, StudyCommand& command) {
   if (text.empty()) return;
-  const auto range = parse_range(text);
-  if (!range || range->first < 1 || range->second > kMaxExactInteger ||
-      range->second - range->first >= SearchOptions::kMostSeeds)
-    throw UsageError("--seeds: \"" + text +
-                     "\" is neither N nor A-B nor A..B, from 1 and at most " +
-                     std::to_string(SearchOptions::kMostSeeds) + " of them");
-  command.first_seed = static_cast<std::uint64_t>(range->first);
-  command.seeds = static_cast<int>(range->second - range->first) + 1;
+  std::tie(command.first_seed, command.seeds) = seed_range("--seeds", text, 1);
 }
 
 StudyCommand make_study(const StudyText& text) {
