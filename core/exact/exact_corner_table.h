@@ -103,7 +103,7 @@ class CornerTable {
   }
 
  private:
-  static constexpr std::size_t kSmallest = 256;  // slots of the first segment at first
+  static constexpr std::size_t kSmallest = 512;  // slots of the first segment at first
   static constexpr int kRowBits = 12;
   static constexpr std::size_t kSegment = std::size_t{8} << kRowBits;
   static constexpr std::uint64_t kMultiplier = 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio
@@ -145,8 +145,11 @@ class CornerTable {
   }
 
   void empty(Words& words) {
-    words.resize(std::max(words.size(), slots_));
-    std::fill_n(words.begin(), slots_, 0);
+    if (words.size() < slots_) {
+      words.assign(slots_, 0);
+    } else {
+      std::fill_n(words.begin(), slots_, 0);
+    }
   }
 
   // An empty one.
@@ -162,21 +165,33 @@ class CornerTable {
   }
 
   void grow(Segment& segment) {
-    const std::size_t before = slots_;
-    std::swap(segment.words, scratch_);
     if (slots_ < kSegment) {
-      set_slots(2 * slots_);
-      scratch_.resize(std::max(scratch_.size(), slots_));  // the next one to be grown into
+      enlarge(segment);
     } else {
       split(segment);
     }
+  }
+  // The only segment: to twice its slots, or four times as many in memory that an earlier search
+  // took. Corners in the order in which they came: what comes together lies together.
+  void enlarge(Segment& segment) {
+    set_slots((segment.words.size() < 4 * slots_ ? 2 : 4) * slots_);
+    empty(segment.words);
+    directory_[0].words = only_ = segment.words.data();
+    segment.used = corners_.size() - 1;
+    for (std::uint32_t i = 1; i < size(); ++i) {
+      const std::uint64_t place = place_of(corners_[i].x >> 1, corners_[i].y >> 1);
+      *slot_of(place) = place << 32 | i;
+    }
+  }
+  void split(Segment& segment) {
+    std::swap(segment.words, scratch_);
+    direct_half(segment);
     empty(segment.words);
     for (Entry& entry : directory_) {
       if (entry.owner == &segment) entry.words = segment.words.data();
     }
-    only_ = directory_[0].words;
     segment.used = 0;
-    for (std::size_t i = 0; i < before; ++i) {
+    for (std::size_t i = 0; i < kSegment; ++i) {
       const std::uint64_t word = scratch_[i];
       if (word == 0) continue;
       *slot_of(word >> 32) = word;
@@ -184,7 +199,7 @@ class CornerTable {
     }
   }
   // Directs one half of what leads to a segment, the one with the next bit set, to a new one.
-  void split(Segment& segment) {
+  void direct_half(Segment& segment) {
     if (segment.depth == depth_) {
       ++depth_;
       directory_.resize(2 * directory_.size());

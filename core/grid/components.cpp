@@ -226,6 +226,7 @@ Components::Home Components::home(const Grid& grid, Cell c, Cell other) const no
 
 bool Components::connected(const Grid& grid, Cell a, Cell b) const noexcept {
   if (grid.blocked(a) || grid.blocked(b)) return false;
+  if (count_ == 1) return true;
   Home home_a = home(grid, a, b);
   if (home_a.met != Home::Met::piece) return home_a.met == Home::Met::other;
   Home home_b = home(grid, b, a);
