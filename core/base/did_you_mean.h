@@ -49,4 +49,20 @@ inline std::string did_you_mean(std::string_view name, std::span<const std::stri
   return "did you mean \"" + std::string(*nearest) + "\"?";
 }
 
+/// The same among things with a name and a summary, such as parameters: one whose summary gives
+/// `name` as the symbol of its source ("ants an iteration, m") before the nearest.
+template <class Described>
+std::string did_you_mean(std::string_view name, std::span<const Described> known) {
+  const std::string symbol = ", " + std::string(name);
+  std::vector<std::string_view> names;
+  for (const Described& one : known) {
+    const std::string_view summary = one.summary;
+    if (summary.ends_with(symbol) || summary.find(symbol + ";") != summary.npos) {
+      return did_you_mean(name, std::span(&one.name, 1));
+    }
+    names.push_back(one.name);
+  }
+  return did_you_mean(name, names);
+}
+
 }  // namespace lasius

@@ -275,6 +275,8 @@ struct Parameter {
   std::string_view summary;  ///< a line
   /// Its value in results that were saved before it was there; empty: it always was.
   std::string_view earlier = {};
+  /// What reads it, as "update=rank" or "polish=straight|taut"; empty: every run does.
+  std::string_view only_with = {};
 };
 
 /// One algorithm: its name, where it comes from, what it reads of Params.
@@ -314,6 +316,10 @@ LASIUS_EXPORT bool has_preset(std::string_view algorithm, Preset preset);
 /// @throws Error(invalid_parameter) for an unknown name (with the nearest), value or range.
 LASIUS_EXPORT void set_parameter(Params& params, std::string_view name, std::string_view value);
 LASIUS_EXPORT std::string get_parameter(const Params& params, std::string_view name);
+
+/// Why a parameter has no effect beside the others, as "update is ant-system, not rank"; empty
+/// where it has one. @throws Error(invalid_parameter) for an unknown name.
+LASIUS_EXPORT std::string why_unread(const Params& params, std::string_view name);
 
 /// @throws Error(invalid_parameter) for the first field that is out of range, does not compose with
 /// another, or was changed although the algorithm does not read it.

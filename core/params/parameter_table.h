@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstdint>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <string>
 #include <string_view>
@@ -150,6 +151,12 @@ class ParameterTable {
   struct Entry {
     Parameter info;
     std::variant<Integer, Number, Choice> value;
+
+    constexpr Entry only_with(std::string_view setting) const {
+      Entry entry = *this;
+      entry.info.only_with = setting;
+      return entry;
+    }
   };
 
   /// The choice that the field `kMember` keeps as the index of its name.
@@ -200,6 +207,19 @@ class ParameterTable {
     return text_of(fields, entry(name));
   }
 
+  /// Which other field keeps this one from being read, in words; empty if none does.
+  std::string why_unread(const Fields& fields, std::string_view name) const {
+    const std::string_view needed = entry(name).info.only_with;
+    if (needed.empty()) return {};
+    const auto equals = needed.find('=');
+    const std::string_view other = needed.substr(0, equals), values = needed.substr(equals + 1);
+    const std::string value = get(fields, other);
+    for (const auto one : std::views::split(values, '|')) {
+      if (std::ranges::equal(one, value)) return {};
+    }
+    return std::string(other) + " is " + value + ", not " + std::string(values);
+  }
+
   /// @throws Error(invalid_parameter) for the first field that is not as in `published`, though the
   /// algorithm does not read it.
   void check_unread(const Fields& fields, const Fields& published,
@@ -242,14 +262,15 @@ class ParameterTable {
   }
 
   const Entry& entry(std::string_view name) const {
-    std::vector<std::string_view> names;
+    std::vector<Parameter> known;
     for (const auto list : lists_) {
       for (const Entry& e : list) {
         if (e.info.name == name) return e;
-        names.push_back(e.info.name);
+        known.push_back(e.info);
       }
     }
-    throw unknown_name("parameter", name, names);
+    throw invalid_parameter("unknown parameter \"" + std::string(name) + "\"",
+                            did_you_mean(name, std::span<const Parameter>(known)));
   }
 
   std::span<const std::span<const Entry>> lists_;

@@ -26,8 +26,9 @@ constexpr std::array kColony{
         "corners", "free side cells that a diagonal move needs: both, one, none"),
     Table::choice<&Params::polish, kPolishNames>("polish", "what is done with each ant's tour"),
     Entry{{"straight_window", "number", "0 .. 1e6",
-           "local polish: how far from a segment a stretch may go that it replaces, cells", "10"},
-          Number{&Params::straight_window, 0, 1e6}},
+           "how far from a segment a stretch may go that it replaces, cells", "10"},
+          Number{&Params::straight_window, 0, 1e6}}
+        .only_with("polish=local"),
     Table::choice<&Params::dead_end, kDeadEndNames>("dead_end",
                                                     "what an ant does when every move is closed"),
     Table::choice<&Params::walk_cut, kWalkCutNames>(
@@ -55,11 +56,12 @@ constexpr std::array kColony{
     Entry{{"beta_first", "number", "0 .. 20", "beta at iteration 0"},
           Number{&Params::beta_first, 0, 20}},
     Entry{{"omega", "number", "0 .. 1000000", "rescaled distance: ((Dmax - d) omega + mu)^lambda"},
-          Number{&Params::omega, 0, 1e6}},
-    Entry{{"mu", "number", "0.000001 .. 1000000", "rescaled distance: offset"},
-          Number{&Params::mu, 1e-6, 1e6}},
-    Entry{{"lambda", "number", "0 .. 20", "rescaled distance: exponent"},
-          Number{&Params::lambda, 0, 20}},
+          Number{&Params::omega, 0, 1e6}}
+        .only_with("heuristic=rescaled-distance"),
+    Entry{{"mu", "number", "0.000001 .. 1000000", "rescaled distance: offset"}, Number{&Params::mu, 1e-6, 1e6}}
+        .only_with("heuristic=rescaled-distance"),
+    Entry{{"lambda", "number", "0 .. 20", "rescaled distance: exponent"}, Number{&Params::lambda, 0, 20}}
+        .only_with("heuristic=rescaled-distance"),
     Entry{{"pheromone_rule_first", "number", "0 .. 1000000",
            "share of steps by pheromone alone at iteration 0"},
           Number{&Params::pheromone_rule_first, 0, 1e6}},
@@ -91,43 +93,55 @@ constexpr std::array kColony{
     Entry{{"deposit", "number", "0 .. 1e9", "an ant of tour length L deposits deposit / L, Q"},
           Number{&Params::deposit, 0, 1e9}},
     Table::choice<&Params::straight_deposit, kStraightDepositNames>(
-        "straight_deposit", "which straightened paths get pheromone too"),
-    Entry{{"elite_weight", "number", "0 .. 1e6", "weight of the best tour so far (elitist), e"},
-          Number{&Params::elite_weight, 0, 1e6}},
+        "straight_deposit", "which straightened paths get pheromone too")
+        .only_with("polish=straight|taut|local"),
+    Entry{{"elite_weight", "number", "0 .. 1e6", "weight of the best tour so far, e"},
+          Number{&Params::elite_weight, 0, 1e6}}
+        .only_with("update=elitist"),
     Entry{{"ranks", "integer", "2 .. 1000000",
-           "weight of the best tour so far, w; w - 1 ranked ants deposit too (rank)"},
-          Integer{&Params::ranks, 2, 1000000}},
-    Entry{{"elite_ants", "integer", "1 .. 1000000", "ants that deposit (best-share)"},
-          Integer{&Params::elite_ants, 1, 1000000}},
+           "weight of the best tour so far, w; w - 1 ranked ants deposit too"},
+          Integer{&Params::ranks, 2, 1000000}}
+        .only_with("update=rank"),
+    Entry{{"elite_ants", "integer", "1 .. 1000000", "ants that deposit"},
+          Integer{&Params::elite_ants, 1, 1000000}}
+        .only_with("update=best-share"),
     Entry{{"best_so_far_every", "integer", "0 .. 1000000000",
-           "iterations between deposits of the best tour so far (max-min); 0: never"},
-          Integer{&Params::best_so_far_every, 0, 1000000000}},
+           "iterations between deposits of the best tour so far; 0: never"},
+          Integer{&Params::best_so_far_every, 0, 1000000000}}
+        .only_with("update=max-min"),
     Entry{{"best_probability", "number", "1e-9 .. 1",
-           "chance to draw the best tour again at the bounds (max-min), p_best"},
-          Number{&Params::best_probability, 1e-9, 1}},
+           "chance to draw the best tour again at the bounds, p_best"},
+          Number{&Params::best_probability, 1e-9, 1}}
+        .only_with("update=max-min"),
     Entry{{"local_evaporation", "number", "0 .. 1",
-           "share of a crossed trail that returns to tau0 (colony-system), xi"},
-          Number{&Params::local_evaporation, 0, 1}},
+           "share of a crossed trail that returns to tau0, xi"},
+          Number{&Params::local_evaporation, 0, 1}}
+        .only_with("update=colony-system"),
     Entry{{"batch", "integer", "0 .. 1000000",
            "ants that walk before a local update; 1 is the source, 0 all of them"},
-          Integer{&Params::batch, 0, 1000000}},
+          Integer{&Params::batch, 0, 1000000}}
+        .only_with("update=colony-system"),
     Entry{{"agreement", "integer", "0 .. 1000000000",
            "iterations in a row with all ants on one way that end the run; 0: never", "0"},
           Integer{&Params::agreement, 0, 1000000000}},
     Entry{{"unknown_index", "number", "1 .. 1e6",
            "terminal index of unknown cells, for 20 x 20 cells"},
-          Number{&Params::unknown_index, 1, 1e6}},
-    Entry{{"index_spread", "number", "0 .. 1", "q of K' = K - q Kmin (terminal-index)"},
-          Number{&Params::index_spread, 0, 1}},
+          Number{&Params::unknown_index, 1, 1e6}}
+        .only_with("update=terminal-index"),
+    Entry{{"index_spread", "number", "0 .. 1", "q of K' = K - q Kmin"},
+          Number{&Params::index_spread, 0, 1}}
+        .only_with("update=terminal-index"),
     Table::choice<&Params::index_answer, kIndexAnswerNames>(
-        "index_answer",
-        "reading of \"the largest gradient\" that an answer follows (terminal-index)", "least-way"),
-    Entry{{"reward", "number", "0 .. 1e6", "factor of the reward (learning)"},
-          Number{&Params::reward, 0, 1e6}},
+        "index_answer", "reading of \"the largest gradient\" that an answer follows", "least-way")
+        .only_with("update=terminal-index"),
+    Entry{{"reward", "number", "0 .. 1e6", "factor of the reward"}, Number{&Params::reward, 0, 1e6}}
+        .only_with("update=learning"),
     Table::choice<&Params::reward_reading, kRewardNames>("reward_reading",
-                                                         "reading of the reward's formula"),
-    Entry{{"penalty", "number", "0 .. 1", "what a dead end leaves of tau and eta (learning)"},
-          Number{&Params::penalty, 0, 1}},
+                                                         "reading of the reward's formula")
+        .only_with("update=learning"),
+    Entry{{"penalty", "number", "0 .. 1", "what a dead end leaves of tau and eta"},
+          Number{&Params::penalty, 0, 1}}
+        .only_with("update=learning"),
 };
 
 // What the genetic algorithm has of its own.
@@ -173,6 +187,10 @@ void set_parameter(Params& params, std::string_view name, std::string_view value
 
 std::string get_parameter(const Params& params, std::string_view name) {
   return kTable.get(params, name);
+}
+
+std::string why_unread(const Params& params, std::string_view name) {
+  return kTable.why_unread(params, name);
 }
 
 bool Algorithm::has(std::string_view parameter) const noexcept {

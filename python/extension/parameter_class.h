@@ -14,7 +14,8 @@ inline py::list described(std::span<const Algorithm> algorithms) {
   for (const Algorithm& algorithm : algorithms) {
     py::list parameters;
     for (const Parameter& p : algorithm.parameters)
-      parameters.append(py::make_tuple(text(p.name), text(p.type), text(p.range), text(p.summary)));
+      parameters.append(py::make_tuple(text(p.name), text(p.type), text(p.range), text(p.summary),
+                                       text(p.only_with)));
     all.append(py::make_tuple(text(algorithm.name), text(algorithm.summary), text(algorithm.source),
                               text(to_string(algorithm.kind)), py::tuple(parameters)));
   }

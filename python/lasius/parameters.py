@@ -23,6 +23,7 @@ class Parameter:
     type: str  #: "integer", "number" or "choice"
     range: str  #: "1 .. 1000000", "a|b|c"; "off|on" is a bool
     summary: str  #: a line
+    only_with: str  #: what reads it, as "update=rank"; "": every run does
 
 
 @dataclass(frozen=True)

@@ -23,9 +23,10 @@ std::vector<std::pair<std::string_view, std::string>> book_values(const World& w
   std::vector<std::pair<std::string_view, std::string>> values;
   if (world.kind != World::Kind::bitmap || !has_preset(algorithm.name, Preset::book)) return values;
   const Params usual(algorithm.name), book(algorithm.name, Preset::book);
-  for (const auto& [name, type, range, summary, earlier] : algorithm.parameters) {
-    auto value = get_parameter(book, name);
-    if (value != get_parameter(usual, name)) values.emplace_back(name, std::move(value));
+  for (const auto& parameter : algorithm.parameters) {
+    auto value = get_parameter(book, parameter.name);
+    if (value != get_parameter(usual, parameter.name))
+      values.emplace_back(parameter.name, std::move(value));
   }
   return values;
 }
@@ -37,6 +38,7 @@ Json algorithm_json(const World& world, const Algorithm& algorithm) {
                   {"summary", parameter.summary},
                   {"default", json::parameter(world.default_text(algorithm, parameter.name))}};
     entry.update(range_json(parameter));
+    if (!parameter.only_with.empty()) entry["only_with"] = parameter.only_with;
     list.push_back(entry);
   }
   Json json = {{"name", algorithm.name},
@@ -65,7 +67,9 @@ std::string algorithm_text(const World& world, const Algorithm& algorithm) {
          << parameter.range << "]";
     const auto width = left.str().size();
     text << left.str() << std::string(width + 2 > kColumn ? 2 : kColumn - width, ' ')
-         << parameter.summary << "\n";
+         << parameter.summary;
+    if (!parameter.only_with.empty()) text << " (" << parameter.only_with << ")";
+    text << "\n";
   }
   return text.str();
 }

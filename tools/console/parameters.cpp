@@ -33,12 +33,17 @@ std::pair<std::string_view, std::string_view> setting_of(std::string_view settin
   const auto unknown =
       told + std::string(algorithm.name) + " has no parameter \"" + std::string(name) + "\"; ";
   if (!algorithm.parameters.empty())
-    throw UsageError(unknown + did_you_mean(name, names_of(algorithm.parameters)));
+    throw UsageError(unknown + did_you_mean(name, algorithm.parameters));
   // One that needs none was meant for another.
-  const Algorithm& other =
-      *std::ranges::find_if(all, [](const Algorithm& a) { return !a.parameters.empty(); });
-  throw UsageError(unknown + "it takes none. With --algorithm " + std::string(other.name) + ": " +
-                   did_you_mean(name, names_of(other.parameters)));
+  auto other = std::ranges::find_if(all, [&](const Algorithm& a) { return a.has(name); });
+  const bool known = other != all.end();
+  if (!known)
+    other =
+        std::ranges::find_if_not(all, &std::span<const Parameter>::empty, &Algorithm::parameters);
+  throw UsageError(unknown + "it takes none. " +
+                   (known ? "One that has it: --algorithm " + std::string(other->name)
+                          : "With --algorithm " + std::string(other->name) + ": " +
+                                did_you_mean(name, other->parameters)));
 }
 
 }  // namespace lasius::tool

@@ -64,6 +64,22 @@ void check_elsewhere(std::span<const Algorithm> all, const std::string& name,
   }
 }
 
+/// Says in `notes` which of the parameters that were asked for the others leave unread.
+template <class Params>
+void note_unread(const SearchOptions& options, const Params& params, const Algorithm& algorithm,
+                 std::vector<std::string>& notes) {
+  if constexpr (std::same_as<Params, lasius::Params>) {
+    const auto note = [&](const std::string& told, std::string_view name) {
+      if (!algorithm.has(name)) return;
+      const std::string why = why_unread(params, name);
+      if (!why.empty()) notes.push_back(told + " has no effect: " + why);
+    };
+    for (const auto& [name, value] : options.named) note("--" + name, name);
+    for (const auto& setting : options.settings)
+      note("--set " + setting, std::string_view(setting).substr(0, setting.find('=')));
+  }
+}
+
 /// The parameters that were asked for, validated. What has no effect is said in `notes`.
 /// @throws UsageError for unknown names, with the nearest; Error(invalid_parameter) for values.
 template <class Params>
@@ -85,6 +101,7 @@ Params make_params(const SearchOptions& options, World::Kind kind, std::span<con
     const auto [name, value] = setting_of(setting, algorithm, all);
     set_parameter(params, name, value);
   }
+  note_unread(options, params, algorithm, notes);
   params.seed = options.seed;
   params.threads = options.threads;
   validate(params);

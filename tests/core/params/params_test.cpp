@@ -51,6 +51,10 @@ TEST(Params, MistypedNamesAreAnsweredWithTheNearest) {
   Params p;
   EXPECT_EQ(message_of([&] { set_parameter(p, "alhpa", "1"); }),
             "unknown parameter \"alhpa\"; did you mean \"alpha\"?");
+  EXPECT_EQ(message_of([&] { set_parameter(p, "q0", "1"); }),  // as sources have it
+            "unknown parameter \"q0\"; did you mean \"greedy\"?");
+  EXPECT_EQ(message_of([&] { set_parameter(p, "mc", "1"); }),
+            "unknown parameter \"mc\"; did you mean \"critical_time\"?");
   EXPECT_EQ(message_of([&] { Params("fan2044"); }),
             "unknown algorithm \"fan2044\"; did you mean \"fan2004\"?");
   EXPECT_EQ(message_of([&] { set_parameter(p, "polish", "strait"); }),
