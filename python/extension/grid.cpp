@@ -78,8 +78,8 @@ Grid packed(const py::array& cells, const Free& free) {
   return grid;
 }
 
-/// free: True, False, a value, or a range of values.
-Free free_values(const py::handle& free, bool is_signed) {
+/// free: True, False, a value, or a range of values, from `least` to `most`.
+Free free_values(const py::handle& free, int least, int most) {
   if (py::isinstance<py::bool_>(free) || py::isinstance(free, py::dtype::of<bool>().attr("type")))
     return {0, 0, PyObject_IsTrue(free.ptr()) == 0};
   const bool is_range = py::isinstance(free, py::module_::import("builtins").attr("range"));
@@ -99,9 +99,7 @@ Free free_values(const py::handle& free, bool is_signed) {
               .format(free));
     int beyond = 0;  // what a long long can hold
     const auto number = PyLong_AsLongLongAndOverflow(value.attr("__index__")().ptr(), &beyond);
-    const int least = is_signed ? -128 : 0;
-    if (beyond != 0 || number < least || number > least + 255)
-      throw refuse("the array has no such value");
+    if (beyond != 0 || number < least || number > most) throw refuse("the array has no such value");
     return static_cast<int>(number);
   };
   const int low = bound(0), high = bound(-1);
@@ -118,7 +116,8 @@ Grid grid_from_array(const py::array& cells, const py::object& free) {
     throw py::value_error(
         py::str("an array of {} dimensions: give one [y, x]").format(cells.ndim()));
   if (cells.size() == 0) throw py::value_error("an array without cells: a map has at least one");
-  return packed(cells, free_values(free, kind == 'i'));
+  const int least = kind == 'i' ? -128 : 0;
+  return packed(cells, free_values(free, least, kind == 'b' ? 1 : least + 255));
 }
 
 py::array_t<bool> as_array(const Grid& grid, bool free) {

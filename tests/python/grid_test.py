@@ -79,6 +79,7 @@ def test_the_array_may_change_afterwards():
     (np.zeros((3, 3), np.uint8), range(5, 5), ValueError, "not empty"),
     (np.zeros((3, 3), np.uint8), 0.5, TypeError, "free=0.5"),
     (np.zeros((3, 3), np.uint8), None, TypeError, "free=None"),
+    (np.zeros((3, 3), bool), 2, ValueError, "free=2: the array has no such value"),
     (np.zeros((1, 40000), np.uint8), 0, lasius.InvalidParameter, "width"),
 ])
 def test_what_is_no_map(array, free, error, words):
