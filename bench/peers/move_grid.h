@@ -12,7 +12,6 @@ namespace lasius::peers {
 /// Moves 0 .. 7: E, W, S, N, SE, SW, NE, NW; the first four are straight.
 inline constexpr std::array<int, 8> kMoveX = {1, -1, 0, 0, 1, -1, 1, -1};
 inline constexpr std::array<int, 8> kMoveY = {0, 0, 1, -1, 1, 1, -1, -1};
-inline constexpr std::uint8_t kStraightMoves = 0x0f;
 
 /// One byte a cell: bit k is set when move k is legal (a diagonal needs both side cells free).
 /// Cells are numbered row by row, y * stride + x, without a border: masks keep moves inside.

@@ -87,7 +87,7 @@ void check_own_rules(const OwnRules& own, const Grid& grid, const Params& params
   if (own.none()) return;
   if (find_algorithm(params.algorithm()).kind != Algorithm::Kind::colony)
     throw invalid_parameter("own rules are given, but " + params.algorithm() + " is no colony",
-                            "choose a colony, as, say");
+                            "choose an ant colony");
   if (own.update && params.update == Update::terminal_index)
     throw invalid_parameter("an own update is given, but the terminal index is no pheromone",
                             "choose another algorithm");

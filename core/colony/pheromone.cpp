@@ -96,7 +96,7 @@ void Pheromone::get(std::span<const TrailPlace> places, std::span<double> values
 void Pheromone::check_learned() const {
   if (impl_.learned) return;
   throw invalid_parameter("no cell has learned: the heuristic is another one",
-                          "set heuristic to learned and update to learning, as cong2009 has them");
+                          "set heuristic to learned and update to learning");
 }
 
 void Pheromone::get_learned(std::span<const TrailPlace> cells, std::span<double> values) const {

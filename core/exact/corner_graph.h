@@ -95,7 +95,7 @@ class CornerGraph {
   /// Brings the graph up to date with `grid`, the map that it was made of, but for cells of this
   /// rectangle, which may have changed. It then has the edges that a graph made anew has, while
   /// other corners keep their numbers. Landmarks bound what they did, or somewhat less; one that
-  /// would take too much work to mend is given up.
+  /// would take too much work to mend is dropped.
   ///
   /// Takes time by how many corners see the rectangle, and how far they see beyond it. Corners that
   /// see nothing of it are not looked at, nor is memory for all corners. Returns false if stopped:

@@ -79,7 +79,7 @@ class Landmarks {
     if (corner == distances_.size()) distances_.emplace_back();
     distances_[corner].fill(kUnknown);
   }
-  /// False once a landmark was given up: it is to be left out of goals.
+  /// False once a landmark was dropped: it is to be left out of goals.
   bool bounds(std::size_t landmark) const noexcept { return bounds_[landmark]; }
   void give_up(std::size_t landmark) noexcept { bounds_[landmark] = false; }
 

@@ -15,7 +15,7 @@ namespace lasius::exact {
 /// its ends differ by, the larger one is lowered, and so on behind it, which keeps distances what
 /// they are. If those are more than a few corners, the smaller one is raised, and so on towards the
 /// landmark: the corners near its shortest way to here, which are fewer, mostly. If both are too
-/// many, the landmark is given up.
+/// many, the landmark is dropped.
 class LandmarkMender {
  public:
   LandmarkMender(const CornerGraph& graph, Landmarks& landmarks)

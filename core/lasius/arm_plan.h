@@ -94,9 +94,11 @@ struct LASIUS_ARM_EXPORT Params {
   /// ant is: 0 .. 0.99. Such lines are not of the lattice, no bound counts them.
   double lines = 0;
   /// Steps that an ant may take, in those of the shortest way there might be; 0: any number. Twice
-  /// as many after each iteration in which none arrived for want of steps,
+  /// as many after each iteration in which none arrived for want of steps.
   double leash = 0;
-  int vias = 0;        ///< and then so many random joint values to try to get past by, 0 .. 1000
+  /// Random joint values, 0 .. 1000, by way of which an arm tries to get past after an iteration in
+  /// which no ant arrived for want of steps.
+  int vias = 0;
   int refine = 0;      ///< halve the pitch so often where nothing is found, 0 .. 4
   bool prove = false;  ///< stop when no way in the lattice can be shorter, as far as it is known
   /// The first ant of an iteration sets out on the shortest way that may be open, as far as it is

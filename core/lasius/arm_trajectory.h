@@ -30,7 +30,7 @@ class LASIUS_ARM_EXPORT Trajectory {
   };
 
   Trajectory() = default;
-  /// Knots in rising time from 0, values of equal number; at least one.
+  /// Knots in rising time from 0, values of equal number; at least one. Not checked.
   explicit Trajectory(std::vector<Knot> knots);
 
   /// Seconds from the first knot to the last; 0 where it is empty.

@@ -43,15 +43,14 @@ using BatchReceiver = std::function<void(const BatchAnswer&)>;
 /// Answers `requests` with `params`, each on one thread and so, save for time limits, exactly as
 /// `planner.plan` does with the answer's seed. `receive` is called once a request and seed, in
 /// their order, the seeds of a request together, by one thread at a time, as soon as all earlier
-/// ones are answered. Memory: one Workspace a thread, and at most 64 +
-/// 8 threads answers that wait for an earlier one.
+/// ones are answered. Memory: one Workspace a thread, and at most 64 + 8 threads answers that wait
+/// for an earlier one.
 ///
 /// Once the token asks to stop, nothing further is begun; those in flight end as `interrupted`
 /// and are received. What `receive` throws ends the batch likewise and is thrown again.
 /// Returns the number of answers received: all of them unless stopped.
 /// @throws Error(invalid_parameter) for parameters, options or a target gap out of range, and for
-/// an
-///         empty receiver, before anything is planned.
+///         an empty receiver, before anything is planned.
 LASIUS_EXPORT std::size_t plan_batch(const Planner& planner, std::span<const Request> requests,
                                      const Params& params, const BatchOptions& options,
                                      const BatchReceiver& receive);

@@ -59,8 +59,8 @@ class LASIUS_EXPORT Grid {
 
   /// Sets one cell. Precondition: contains(c).
   void set_blocked(Cell c, bool blocked = true) noexcept;
-  /// Blocks or frees all cells of a rectangle. This and the next two throw
-  /// Error(invalid_parameter) for a rectangle that is not inside or bytes that do not fit it.
+  /// Blocks or frees all cells of a rectangle. This, `paste` and `bytes` throw
+  /// Error(invalid_parameter) for a rectangle that is not inside, or bytes that do not fit it.
   void fill(const Rectangle& part, bool blocked);
   /// Blocks or frees all cells.
   void fill(bool blocked) { fill({0, 0, width_, height_}, blocked); }

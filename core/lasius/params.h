@@ -275,7 +275,7 @@ struct Parameter {
   std::string_view summary;  ///< a line
   /// Its value in results that were saved before it was there; empty: it always was.
   std::string_view earlier = {};
-  /// What reads it, as "update=rank" or "polish=straight|taut"; empty: every run does.
+  /// The settings of others with which it is read, as "update=rank"; empty: with all.
   std::string_view only_with = {};
 };
 
@@ -317,8 +317,9 @@ LASIUS_EXPORT bool has_preset(std::string_view algorithm, Preset preset);
 LASIUS_EXPORT void set_parameter(Params& params, std::string_view name, std::string_view value);
 LASIUS_EXPORT std::string get_parameter(const Params& params, std::string_view name);
 
-/// Why a parameter has no effect beside the others, as "update is ant-system, not rank"; empty
-/// where it has one. @throws Error(invalid_parameter) for an unknown name.
+/// Why a parameter has no effect beside the others, as "it is read only with update=rank"; empty
+/// where it has one. Planning does not refuse such a value: it waits for the setting that reads it.
+/// @throws Error(invalid_parameter) for an unknown name.
 LASIUS_EXPORT std::string why_unread(const Params& params, std::string_view name);
 
 /// @throws Error(invalid_parameter) for the first field that is out of range, does not compose with

@@ -65,10 +65,11 @@ class LASIUS_EXPORT Planner {
   /// labelled. `grid` is moved from only where a planner comes of it.
   [[nodiscard]] static std::optional<Planner> make(Grid&& grid, const StopCondition& stop = {});
   /// The same, with the visibility graph; empty only if stopped while components were labelled.
+  /// @throws as the constructor with options.
   [[nodiscard]] static std::optional<Planner> make_prepared(Grid&& grid,
                                                             const PrepareOptions& options = {});
-  /// A planner for the same map, prepared as by the constructor. Copies the bitmap and its
-  /// components; this one stays as it is.
+  /// A planner for the same map, prepared as by the constructor, and with its @throws. Copies the
+  /// bitmap and its components; this one stays as it is.
   Planner prepared(const PrepareOptions& options) const;
   ~Planner();
   Planner(const Planner&) noexcept;  ///< copies share the map

@@ -200,8 +200,8 @@ class LASIUS_POLYGON_EXPORT Planner {
   /// @throws Error(invalid_parameter) for a world that `check` refuses, a margin that is not a
   ///         number of at least 0, where no free space is left, or GEOS cannot work with it.
   explicit Planner(const World& world, const GrowOptions& options = {});
-  /// As the constructor, for those who may have to stop: nothing when the condition said so while
-  /// lines were drawn. Growing and merging the obstacles, GEOS's part, is not cut short.
+  /// As the constructor, for those who may have to stop: empty if stopped while lines were drawn.
+  /// Growing and merging the obstacles, GEOS's part, is not cut short.
   [[nodiscard]] static std::optional<Planner> make(const World& world, const GrowOptions& options,
                                                    const StopCondition& stop);
   ~Planner();

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cstdint>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <string>
 #include <string_view>
@@ -152,9 +151,13 @@ class ParameterTable {
     Parameter info;
     std::variant<Integer, Number, Choice> value;
 
-    constexpr Entry only_with(std::string_view setting) const {
+    bool (*is_read)(const Fields&) = nullptr;  // null: by every run
+
+    /// The same, read only where `holds`, which `condition` says in words.
+    constexpr Entry only_with(std::string_view condition, bool (*holds)(const Fields&)) const {
       Entry entry = *this;
-      entry.info.only_with = setting;
+      entry.info.only_with = condition;
+      entry.is_read = holds;
       return entry;
     }
   };
@@ -207,17 +210,11 @@ class ParameterTable {
     return text_of(fields, entry(name));
   }
 
-  /// Which other field keeps this one from being read, in words; empty if none does.
+  /// Why this field has no effect beside the others; empty where it has one.
   std::string why_unread(const Fields& fields, std::string_view name) const {
-    const std::string_view needed = entry(name).info.only_with;
-    if (needed.empty()) return {};
-    const auto equals = needed.find('=');
-    const std::string_view other = needed.substr(0, equals), values = needed.substr(equals + 1);
-    const std::string value = get(fields, other);
-    for (const auto one : std::views::split(values, '|')) {
-      if (std::ranges::equal(one, value)) return {};
-    }
-    return std::string(other) + " is " + value + ", not " + std::string(values);
+    const Entry& e = entry(name);
+    if (e.is_read == nullptr || e.is_read(fields)) return {};
+    return "it is read only with " + std::string(e.info.only_with);
   }
 
   /// @throws Error(invalid_parameter) for the first field that is not as in `published`, though the

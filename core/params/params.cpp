@@ -15,6 +15,37 @@ using Entry = Table::Entry;
 using Integer = Table::Integer;
 using Number = Table::Number;
 
+template <auto kMember, auto... kValues>
+constexpr bool is(const Params& p) {
+  return ((p.*kMember == kValues) || ...);
+}
+template <auto kMember, auto kValue>
+constexpr bool is_not(const Params& p) {
+  return p.*kMember != kValue;
+}
+template <auto kMember>
+constexpr bool is_positive(const Params& p) {
+  return p.*kMember > 0;
+}
+template <bool (*... kHold)(const Params&)>
+constexpr bool all_of(const Params& p) {
+  return (kHold(p) && ...);
+}
+
+constexpr bool reads_beta(const Params& p) {
+  const bool steps_differ =
+      p.visibility == Visibility::inverse_step && p.neighbours != Neighbours::four;
+  return steps_differ || p.visibility == Visibility::heading_change ||
+         p.update == Update::terminal_index ||
+         !(p.heuristic == Heuristic::uniform || p.heuristic == Heuristic::rescaled_distance);
+}
+constexpr bool reads_deposit(const Params& p) {
+  const bool straight = p.polish != Polish::none && p.straight_deposit != StraightDeposit::none;
+  return (p.update != Update::terminal_index && p.update != Update::learning) || straight;
+}
+constexpr auto changes_with_time = is_positive<&Params::critical_time>;
+constexpr std::string_view kUntilCriticalTime = "critical_time above 0";
+
 // Every parameter of the grid colonies.
 constexpr std::array kColony{
     Entry{{"ants", "integer", "1 .. 1000000", "ants an iteration, m"},
@@ -23,12 +54,13 @@ constexpr std::array kColony{
           Integer{&Params::iterations, 0, 1000000000}},
     Table::choice<&Params::neighbours, kNeighboursNames>("neighbours", "moves of an ant"),
     Table::choice<&Params::corners, kCornersNames>(
-        "corners", "free side cells that a diagonal move needs: both, one, none"),
+        "corners", "free side cells that a diagonal move needs: both, one, none")
+        .only_with("neighbours above 4", is_not<&Params::neighbours, Neighbours::four>),
     Table::choice<&Params::polish, kPolishNames>("polish", "what is done with each ant's tour"),
     Entry{{"straight_window", "number", "0 .. 1e6",
            "how far from a segment a stretch may go that it replaces, cells", "10"},
           Number{&Params::straight_window, 0, 1e6}}
-        .only_with("polish=local"),
+        .only_with("polish=local", is<&Params::polish, Polish::local>),
     Table::choice<&Params::dead_end, kDeadEndNames>("dead_end",
                                                     "what an ant does when every move is closed"),
     Table::choice<&Params::walk_cut, kWalkCutNames>(
@@ -43,7 +75,10 @@ constexpr std::array kColony{
     Entry{{"alpha", "number", "0 .. 20", "exponent of pheromone from the critical time on"},
           Number{&Params::alpha, 0, 20}},
     Entry{{"beta", "number", "0 .. 20", "exponent of visibility and inverse distance, likewise"},
-          Number{&Params::beta, 0, 20}},
+          Number{&Params::beta, 0, 20}}
+        .only_with("visibility=heading-change, or inverse-step with neighbours above 4, or a "
+                   "heuristic but uniform and rescaled-distance, or update=terminal-index",
+                   reads_beta),
     Entry{{"greedy", "number", "0 .. 1", "share of steps that take the largest weight, q0"},
           Number{&Params::greedy, 0, 1}},
     Entry{{"critical_time", "integer", "0 .. 1000000000",
@@ -52,96 +87,115 @@ constexpr std::array kColony{
            "settling_time, mc; 0: always"},
           Integer{&Params::critical_time, 0, 1000000000}},
     Entry{{"alpha_first", "number", "0 .. 20", "alpha at iteration 0"},
-          Number{&Params::alpha_first, 0, 20}},
+          Number{&Params::alpha_first, 0, 20}}
+        .only_with(kUntilCriticalTime, changes_with_time),
     Entry{{"beta_first", "number", "0 .. 20", "beta at iteration 0"},
-          Number{&Params::beta_first, 0, 20}},
+          Number{&Params::beta_first, 0, 20}}
+        .only_with("those that read beta, and critical_time above 0",
+                   all_of<reads_beta, changes_with_time>),
     Entry{{"omega", "number", "0 .. 1000000", "rescaled distance: ((Dmax - d) omega + mu)^lambda"},
           Number{&Params::omega, 0, 1e6}}
-        .only_with("heuristic=rescaled-distance"),
-    Entry{{"mu", "number", "0.000001 .. 1000000", "rescaled distance: offset"}, Number{&Params::mu, 1e-6, 1e6}}
-        .only_with("heuristic=rescaled-distance"),
-    Entry{{"lambda", "number", "0 .. 20", "rescaled distance: exponent"}, Number{&Params::lambda, 0, 20}}
-        .only_with("heuristic=rescaled-distance"),
+        .only_with("heuristic=rescaled-distance",
+                   is<&Params::heuristic, Heuristic::rescaled_distance>),
+    Entry{{"mu", "number", "0.000001 .. 1000000", "rescaled distance: offset"},
+          Number{&Params::mu, 1e-6, 1e6}}
+        .only_with("heuristic=rescaled-distance",
+                   is<&Params::heuristic, Heuristic::rescaled_distance>),
+    Entry{{"lambda", "number", "0 .. 20", "rescaled distance: exponent"},
+          Number{&Params::lambda, 0, 20}}
+        .only_with("heuristic=rescaled-distance",
+                   is<&Params::heuristic, Heuristic::rescaled_distance>),
     Entry{{"pheromone_rule_first", "number", "0 .. 1000000",
            "share of steps by pheromone alone at iteration 0"},
-          Number{&Params::pheromone_rule_first, 0, 1e6}},
+          Number{&Params::pheromone_rule_first, 0, 1e6}}
+        .only_with(kUntilCriticalTime, changes_with_time),
     Entry{{"pheromone_rule", "number", "0 .. 1000000", "the same from the critical time on"},
           Number{&Params::pheromone_rule, 0, 1e6}},
     Entry{{"distance_rule_first", "number", "0 .. 1000000",
            "share of steps by the heuristic alone at iteration 0"},
-          Number{&Params::distance_rule_first, 0, 1e6}},
+          Number{&Params::distance_rule_first, 0, 1e6}}
+        .only_with(kUntilCriticalTime, changes_with_time),
     Entry{{"distance_rule", "number", "0 .. 1000000", "the same at the critical time"},
           Number{&Params::distance_rule, 0, 1e6}},
     Entry{
         {"distance_rule_last", "number", "0 .. 1000000", "the same from the settling time on", "0"},
-        Number{&Params::distance_rule_last, 0, 1e6}},
+        Number{&Params::distance_rule_last, 0, 1e6}}
+        .only_with("settling_time above 0", is_positive<&Params::settling_time>),
     Entry{{"settling_time", "integer", "0 .. 1000000000",
            "iteration from which the share of the distance rule is its last one; 0: it stays", "0"},
           Integer{&Params::settling_time, 0, 1000000000}},
     Entry{{"combined_rule_first", "number", "0 .. 1000000",
            "share of steps by the product of both at iteration 0"},
-          Number{&Params::combined_rule_first, 0, 1e6}},
+          Number{&Params::combined_rule_first, 0, 1e6}}
+        .only_with(kUntilCriticalTime, changes_with_time),
     Entry{{"combined_rule", "number", "0 .. 1000000", "the same from the critical time on"},
           Number{&Params::combined_rule, 0, 1e6}},
     Table::choice<&Params::update, kUpdateNames>("update",
                                                  "how the trail changes after an iteration"),
     Entry{{"persistence", "number", "0 .. 1", "share of pheromone that remains after an iteration"},
-          Number{&Params::persistence, 0, 1}},
+          Number{&Params::persistence, 0, 1}}
+        .only_with("an update but terminal-index", is_not<&Params::update, Update::terminal_index>),
     Entry{{"initial_pheromone", "number", "0 .. 1e9",
            "pheromone everywhere at first, tau0; 0: the formula of the update's source"},
-          Number{&Params::initial_pheromone, 0, 1e9}},
+          Number{&Params::initial_pheromone, 0, 1e9}}
+        .only_with("an update but terminal-index", is_not<&Params::update, Update::terminal_index>),
     Entry{{"deposit", "number", "0 .. 1e9", "an ant of tour length L deposits deposit / L, Q"},
-          Number{&Params::deposit, 0, 1e9}},
+          Number{&Params::deposit, 0, 1e9}}
+        .only_with("an update but terminal-index and learning, or straight_deposit", reads_deposit),
     Table::choice<&Params::straight_deposit, kStraightDepositNames>(
         "straight_deposit", "which straightened paths get pheromone too")
-        .only_with("polish=straight|taut|local"),
+        .only_with("polish=straight|taut|local", is_not<&Params::polish, Polish::none>),
     Entry{{"elite_weight", "number", "0 .. 1e6", "weight of the best tour so far, e"},
           Number{&Params::elite_weight, 0, 1e6}}
-        .only_with("update=elitist"),
+        .only_with("update=elitist", is<&Params::update, Update::elitist>),
     Entry{{"ranks", "integer", "2 .. 1000000",
            "weight of the best tour so far, w; w - 1 ranked ants deposit too"},
           Integer{&Params::ranks, 2, 1000000}}
-        .only_with("update=rank"),
+        .only_with("update=rank", is<&Params::update, Update::rank>),
     Entry{{"elite_ants", "integer", "1 .. 1000000", "ants that deposit"},
           Integer{&Params::elite_ants, 1, 1000000}}
-        .only_with("update=best-share"),
+        .only_with("update=best-share", is<&Params::update, Update::best_share>),
     Entry{{"best_so_far_every", "integer", "0 .. 1000000000",
            "iterations between deposits of the best tour so far; 0: never"},
           Integer{&Params::best_so_far_every, 0, 1000000000}}
-        .only_with("update=max-min"),
+        .only_with("update=max-min", is<&Params::update, Update::max_min>),
     Entry{{"best_probability", "number", "1e-9 .. 1",
            "chance to draw the best tour again at the bounds, p_best"},
           Number{&Params::best_probability, 1e-9, 1}}
-        .only_with("update=max-min"),
+        .only_with("update=max-min", is<&Params::update, Update::max_min>),
     Entry{{"local_evaporation", "number", "0 .. 1",
            "share of a crossed trail that returns to tau0, xi"},
           Number{&Params::local_evaporation, 0, 1}}
-        .only_with("update=colony-system"),
+        .only_with("update=colony-system", is<&Params::update, Update::colony_system>),
     Entry{{"batch", "integer", "0 .. 1000000",
            "ants that walk before a local update; 1 is the source, 0 all of them"},
           Integer{&Params::batch, 0, 1000000}}
-        .only_with("update=colony-system"),
+        .only_with("update=colony-system and local_evaporation above 0",
+                   all_of<is<&Params::update, Update::colony_system>,
+                          is_positive<&Params::local_evaporation>>),
     Entry{{"agreement", "integer", "0 .. 1000000000",
            "iterations in a row with all ants on one way that end the run; 0: never", "0"},
           Integer{&Params::agreement, 0, 1000000000}},
     Entry{{"unknown_index", "number", "1 .. 1e6",
            "terminal index of unknown cells, for 20 x 20 cells"},
           Number{&Params::unknown_index, 1, 1e6}}
-        .only_with("update=terminal-index"),
+        .only_with("update=terminal-index", is<&Params::update, Update::terminal_index>),
     Entry{{"index_spread", "number", "0 .. 1", "q of K' = K - q Kmin"},
           Number{&Params::index_spread, 0, 1}}
-        .only_with("update=terminal-index"),
+        .only_with("update=terminal-index", is<&Params::update, Update::terminal_index>),
     Table::choice<&Params::index_answer, kIndexAnswerNames>(
         "index_answer", "reading of \"the largest gradient\" that an answer follows", "least-way")
-        .only_with("update=terminal-index"),
+        .only_with("update=terminal-index", is<&Params::update, Update::terminal_index>),
     Entry{{"reward", "number", "0 .. 1e6", "factor of the reward"}, Number{&Params::reward, 0, 1e6}}
-        .only_with("update=learning"),
+        .only_with("update=learning", is<&Params::update, Update::learning>),
     Table::choice<&Params::reward_reading, kRewardNames>("reward_reading",
                                                          "reading of the reward's formula")
-        .only_with("update=learning"),
+        .only_with("update=learning", is<&Params::update, Update::learning>),
     Entry{{"penalty", "number", "0 .. 1", "what a dead end leaves of tau and eta"},
           Number{&Params::penalty, 0, 1}}
-        .only_with("update=learning"),
+        .only_with(
+            "update=learning and dead_end=kill",
+            all_of<is<&Params::update, Update::learning>, is<&Params::dead_end, DeadEnd::kill>>),
 };
 
 // What the genetic algorithm has of its own.

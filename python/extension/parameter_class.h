@@ -8,7 +8,7 @@
 
 namespace lasius::python {
 
-/// (name, summary, source, kind, ((name, type, range, summary), ...)) of each algorithm.
+/// (name, summary, source, kind, ((name, type, range, summary, only_with), ...)) of each algorithm.
 inline py::list described(std::span<const Algorithm> algorithms) {
   py::list all;
   for (const Algorithm& algorithm : algorithms) {
@@ -25,8 +25,11 @@ inline py::list described(std::span<const Algorithm> algorithms) {
 /// The class `Params` over the parameters of one world. Its functions are found beside P.
 template <class P>
 py::class_<P> bind_parameter_class(py::module_& module) {
-  return py::class_<P>(module, "Params")
-      .def_property_readonly("algorithm", &P::algorithm)
+  auto bound = py::class_<P>(module, "Params");
+  if constexpr (requires(const P& p) { why_unread(p, ""); })
+    bound.def("why_unread",
+              [](const P& p, const std::string& name) { return why_unread(p, name); });
+  return bound.def_property_readonly("algorithm", &P::algorithm)
       .def_readwrite("seed", &P::seed)
       .def_readwrite("threads", &P::threads)
       .def("get", [](const P& p, const std::string& name) { return get_parameter(p, name); })

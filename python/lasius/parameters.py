@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import operator
+import sys
+import warnings
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple, Type, TypeVar, Union
 
@@ -23,7 +25,7 @@ class Parameter:
     type: str  #: "integer", "number" or "choice"
     range: str  #: "1 .. 1000000", "a|b|c"; "off|on" is a bool
     summary: str  #: a line
-    only_with: str  #: what reads it, as "update=rank"; "": every run does
+    only_with: str  #: the settings of others with which it is read, as "update=rank"; "": with all
 
 
 @dataclass(frozen=True)
@@ -78,6 +80,14 @@ def value_of(parameter: Parameter, text: str) -> Value:
     return float(text) if parameter.type == "number" else text
 
 
+def callers_level() -> int:
+    """Of the stack of the function that asks: where the package was called from."""
+    level, frame = 1, sys._getframe(1)
+    while frame.f_back and frame.f_globals.get("__package__") == __package__:
+        level, frame = level + 1, frame.f_back
+    return level
+
+
 Self = TypeVar("Self", bound="ParameterSet")
 
 
@@ -91,13 +101,18 @@ class ParameterSet:
     def __init__(self, algorithm: str, **settings: Any) -> None:
         raise NotImplementedError
 
-    def _set(self, raw: Any, settings: Dict[str, Any]) -> None:
+    def _set(self, raw: Any, settings: Dict[str, Any], told: bool = True) -> None:
         self._raw = raw
         for name, value in settings.items():
             if name in ("seed", "threads"):
                 setattr(self._raw, name, whole(name, value))
             else:
                 self._raw.set(name, text_of(value))
+        for parameter in self._described().parameters:
+            if not told or parameter.name not in settings or not parameter.only_with:
+                continue
+            if why := self._raw.why_unread(parameter.name):
+                warnings.warn(f"{parameter.name} has no effect: {why}", stacklevel=callers_level())
 
     @property
     def algorithm(self) -> str:
@@ -178,7 +193,9 @@ class ParameterSet:
 
 def restored(kind: Type[Self], algorithm: str, seed: int, threads: int, values: Dict[str, Value]) -> Self:
     """Parameters that were pickled."""
-    return kind(algorithm).replace(seed=seed, threads=threads, **values)
+    params = object.__new__(kind)
+    params._set(kind(algorithm)._raw.copy(), {"seed": seed, "threads": threads, **values}, told=False)
+    return params
 
 
 def chosen(kind: Type[Self], params: Union[None, str, Self], settings: Dict[str, Any]) -> Self:

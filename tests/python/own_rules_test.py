@@ -64,7 +64,7 @@ def test_a_table_of_inverse_distances(grid, planner):
 
 
 def test_a_schedule(planner):
-    params = lasius.Params("as", iterations=5)
+    params = lasius.Params("as", iterations=5, heuristic="inverse-distance")
     own = planner.plan(START, GOAL, params, schedule=lambda q: {"alpha": 2.0, "beta": 3.0})
     settled = params.replace(alpha=2.0, beta=3.0, critical_time=0)
     same(own, planner.plan(START, GOAL, settled))

@@ -98,6 +98,17 @@ def test_parameters_never_change():
         lasius.Params("mmas").crossover
 
 
+def test_what_other_settings_leave_unread_is_told_where_it_was_said(planner):
+    with pytest.warns(UserWarning, match="ranks has no effect: it is read only with update=rank") as told:
+        lasius.Params("as", ranks=9)
+    assert told[0].filename == __file__
+    with pytest.warns(UserWarning, match="beta has no effect") as told:
+        planner.plan(START, GOAL, "as", beta=1, iterations=1)
+    assert told[0].filename == __file__
+    assert lasius.Params("ras", ranks=9, update="rank").replace(ranks=8).ranks == 8  # filterwarnings = error
+    assert lasius.algorithms()["as"]["ranks"].only_with == "update=rank"
+
+
 def test_what_does_not_compose_is_refused(planner):
     with pytest.raises(lasius.InvalidParameter):
         planner.plan(START, GOAL, "mmas", target_gap=0.1)

@@ -72,7 +72,7 @@ class Prepare(ProgramTest):
         self.assertEqual(shown["bytes"], info["memory"]["corners"])
         self.assertGreater(shown["ms"], 0)
         text = self.run_program("info", FAN, "--prepare").out
-        self.assertRegex(text, r"--prepare +\d+ corners, \d+ edges, \d+ bytes, [\d.]+ ms\n")
+        self.assertRegex(text, r"--prepare +\d+ vertices, \d+ edges, \d+ bytes, [\d.]+ ms\n")
 
 
 if __name__ == "__main__":

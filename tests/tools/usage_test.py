@@ -144,7 +144,7 @@ class Usage(ProgramTest):
                 self.assertIn(f"{arguments[0]} has no effect", self.plan(*arguments).err)
                 self.assertEqual(self.plan("-q", *arguments).err, "")
         self.assertEqual(self.plan("--algorithm", "exact", "--target-gap", "3").err, "")
-        elitist = "--set elite_weight=3 has no effect: update is ant-system, not elitist"
+        elitist = "--set elite_weight=3 has no effect: it is read only with update=elitist"
         self.assertIn(elitist, self.plan("--algorithm", "as", "--set", "elite_weight=3").err)
         self.assertEqual(self.plan("--algorithm", "eas", "--set", "elite_weight=3").err, "")
         self.assertEqual(self.plan("--tracks", "1", "-o", "p.svg").err, "")

@@ -82,16 +82,17 @@ std::string info_text(const Json& json) {
   row("made ready", ms(json["prepare_ms"]));
   if (const Json& more = json["preparation"]; !more.is_null()) {
     const bool ready = more["state"] == to_string(Preparation::State::ready);
-    row("--prepare", dumped(more["corners"]) + " corners, " +
+    row("--prepare", dumped(more["corners"]) + " vertices, " +
                          (ready ? dumped(more["edges"]) + " edges, " + dumped(more["bytes"]) +
                                       " bytes, " + ms(more["ms"])
-                                : "given up: it would take more than " +
+                                : "not made: it would take more than " +
                                       std::to_string(PrepareOptions{}.max_bytes) + " bytes"));
   }
   row("memory", dumped(memory["total"]) + " bytes, " +
                     printed("%.3f", memory["bits_per_cell"].get<double>()) +
                     " bits a cell (bitmap " + dumped(memory["bitmap"]) + ", components " +
-                    dumped(memory["components"]) + ", corners " + dumped(memory["corners"]) + ")");
+                    dumped(memory["components"]) + ", visibility graph " +
+                    dumped(memory["corners"]) + ")");
   return text;
 }
 

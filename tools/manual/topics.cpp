@@ -43,7 +43,7 @@ constexpr Topic kTopics[] = {
      [] { return sections({"program/Streams and files"}); }, true},
     {"json", "the fields of results",
      [] {
-       return sections({"program/JSON of a plan", "program/Status",
+       return sections({"program/JSON of every result", "program/JSON of a plan", "program/Status",
                         "program/JSON of an arm's motion", "driving/JSON of a drive"});
      },
      true},
