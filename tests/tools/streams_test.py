@@ -60,10 +60,8 @@ class Outputs(ProgramTest):
         for arguments in (["plan", "small.map", "--start", "0,0", "--goal", "9,5"],
                           ["batch", "small.map", "q.tsv"]):
             with self.subTest(arguments=arguments):
-                run = self.run_program(*arguments, "-o", "full.json", "-o", "ok.json", "-o",
-                                       "ok.png")
-                self.assertEqual(run.code, 7)
-                self.assertIn("full.json", run.err)
+                self.ended(self.run_program(*arguments, "-o", "full.json", "-o", "ok.json", "-o",
+                                            "ok.png"), 7, "full.json")
                 self.assertEqual(json.loads(self.read("ok.json"))["status"], "solved")
                 self.assertTrue(self.read("ok.png"))
                 os.remove(self.path("ok.json"))
@@ -126,9 +124,8 @@ class Signals(ProgramTest):
         self.assertEqual(lines[0]["status"], "solved")
 
     def test_the_search_for_the_optimum_ends_too(self):
-        made = self.run_program("generate", "random", "--size", "4096x4096", "--density", "0.2",
-                                "-o", "big.pbm")
-        self.assertEqual(made.code, 0)
+        self.ended(self.run_program("generate", "random", "--size", "4096x4096", "--density",
+                                    "0.2", "-o", "big.pbm"), 0)
         # One ant that always takes the best move: the plan takes no time, its optimum a second.
         process = self.start_program("plan", "big.pbm", "--start", "0,0", "--goal", "4095,4095",
                                      "--algorithm", "as", "--set", "greedy=1", "--neighbours", "8",
@@ -223,8 +220,7 @@ class Signals(ProgramTest):
                 run = self.interrupt_while_read(
                     "plan", "pipe.map", "--start", "1,1", "--goal", corner, "--json", "-v", "-o",
                     "r.json", "-o", "r.png", *more)
-                self.assertEqual(run.code, 130, run.err)
-                self.assertIn("interrupted", run.err)
+                self.ended(run, 130, "interrupted")
                 self.assertNotIn("ready after", run.err)
                 self.assertEqual((run.json["status"], run.json["path"], run.json["length"]),
                                  ("interrupted", None, None))
@@ -238,8 +234,7 @@ class Signals(ProgramTest):
         self.assertEqual((run.code, run.out, run.err), (130, "", ""))
         self.assertEqual(len(self.read("r.csv").splitlines()), 1)
 
-        solved = self.plan("--algorithm", "exact", "-o", "r.json", map_file="big.map")
-        self.assertEqual(solved.code, 0)
+        self.ended(self.plan("--algorithm", "exact", "-o", "r.json", map_file="big.map"), 0)
         run = self.interrupt_while_read("verify", "r.json", "--map", "pipe.map")
         self.assertEqual((run.code, run.out, run.err), (130, "", ""))
 
