@@ -7,7 +7,7 @@
 
 #include "lasius/path.h"
 #include "tests/oracle/plane_rule.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/worlds/grids.h"
 #include "tests/worlds/shared_maps.h"
 
 namespace lasius::oracle {

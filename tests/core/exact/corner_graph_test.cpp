@@ -13,7 +13,7 @@
 #include "kernels/sight/sight.h"
 #include "lasius/generate.h"
 #include "tests/core/base/counting_time.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius::exact {
 namespace {
@@ -258,13 +258,9 @@ TEST(CornerGraph, PollsAfterEachFloodHoweverLittleItReached) {
   // Closed rooms of 4 x 4 cells around a block: 4 corners each, all that a flood from there
   // reaches.
   const auto polls_of_rooms = [](int rooms) {
-    Grid grid(6 * rooms, 6 * rooms);
-    for (int y = 0; y < grid.height(); ++y) {
-      for (int x = 0; x < grid.width(); ++x) {
-        const int i = x % 6, j = y % 6;
-        if (i == 5 || j == 5 || (i == 2 && j == 2)) grid.set_blocked({x, y});
-      }
-    }
+    const Grid grid = grid_of(6 * rooms, 6 * rooms, [](int x, int y) {
+      return x % 6 == 5 || y % 6 == 5 || (x % 6 == 2 && y % 6 == 2);
+    });
     const Graph graph = graph_of(grid);
     EXPECT_EQ(graph->size(), static_cast<std::uint32_t>(4 * rooms * rooms));
     const CountingTime counted(1 << 30);

@@ -1,4 +1,4 @@
-// Files made by tests in a folder of their own, and maps drawn as text.
+// Files made by tests in a folder of their own.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,12 @@
 namespace lasius {
 
 namespace fs = std::filesystem;
+
+inline std::string bytes_of(const fs::path& file) {
+  std::ostringstream bytes;
+  bytes << std::ifstream(file, std::ios::binary).rdbuf();
+  return bytes.str();
+}
 
 class Files : public testing::Test {
  protected:
@@ -43,14 +50,5 @@ class Files : public testing::Test {
  private:
   fs::path folder_;
 };
-
-// Rows of '#' (blocked) and '.'.
-inline Grid grid_of(const std::vector<std::string>& rows) {
-  Grid grid(static_cast<int>(rows[0].size()), static_cast<int>(rows.size()));
-  for (int y = 0; y < grid.height(); ++y) {
-    for (int x = 0; x < grid.width(); ++x) grid.set_blocked({x, y}, rows[y][x] == '#');
-  }
-  return grid;
-}
 
 }  // namespace lasius
