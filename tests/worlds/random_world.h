@@ -5,8 +5,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <memory>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -27,10 +27,13 @@ class Dice {
   std::mt19937_64 engine_;
 };
 
-/// Nothing but a boundary, from the origin to (width, height).
-inline World empty_world(double width, double height) {
+/// Nothing but a boundary, from the origin to (width, height), and perhaps a question.
+inline World empty_world(double width, double height, std::optional<Point> start = {},
+                         std::optional<Point> goal = {}) {
   World world;
   world.boundary.outer = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+  world.start = start;
+  world.goal = goal;
   return world;
 }
 

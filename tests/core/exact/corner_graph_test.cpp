@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/exact/exact_answer.h"
 #include "core/exact/place_landmarks.h"
@@ -13,6 +14,7 @@
 #include "kernels/sight/sight.h"
 #include "lasius/generate.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/oracle/dense_dijkstra.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius::exact {
@@ -114,28 +116,17 @@ TEST(CornerGraph, SeesAroundOneBlock) {
 
 // Distances from one landmark to all corners, by brute force.
 std::vector<double> distances(const Grid& grid, const CornerGraph& graph, Cell landmark) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
   const auto map = view_of(grid);
   const kernels::HalfPoint from{2 * landmark.x + 1, 2 * landmark.y + 1};
-  std::vector<double> length(graph.size(), kFar);
-  std::vector<bool> done(graph.size());
+  std::vector<kernels::HalfPoint> places;
+  std::vector<double> known;
   for (std::uint32_t v = 0; v < graph.size(); ++v) {
-    if (kernels::sees(map, from, place(graph, v))) length[v] = between(from, place(graph, v));
+    const auto& at = places.emplace_back(place(graph, v));
+    known.push_back(kernels::sees(map, from, at) ? between(from, at) : oracle::kUnreached);
   }
-  for (;;) {
-    std::uint32_t best = graph.size();
-    for (std::uint32_t v = 0; v < graph.size(); ++v) {
-      if (!done[v] && length[v] < (best < graph.size() ? length[best] : kFar)) best = v;
-    }
-    if (best == graph.size()) return length;
-    done[best] = true;
-    for (std::uint32_t v = 0; v < graph.size(); ++v) {
-      const double way = length[best] + between(place(graph, best), place(graph, v));
-      if (way < length[v] && kernels::sees(map, place(graph, best), place(graph, v))) {
-        length[v] = way;
-      }
-    }
-  }
+  return oracle::shortest_distances(
+      std::move(known), [&](std::size_t a, std::size_t b) { return between(places[a], places[b]); },
+      [&](std::size_t a, std::size_t b) { return kernels::sees(map, places[a], places[b]); });
 }
 
 TEST(CornerGraph, LandmarksKnowTheirDistanceFromEveryCorner) {

@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "lasius/error.h"
 #include "tests/core/base/refusal.h"
-#include "tests/core/polygon/known_world.h"
 #include "tests/worlds/disc_bitmap.h"
 #include "tests/worlds/random_world.h"
 
@@ -95,11 +93,9 @@ TEST(Margin, HoldsAtTheBoundaryUnlessThatIsKept) {
 }
 
 TEST(Margin, AMitreThatClosesAPassageSaysSo) {
-  World world =
-      empty_world(60, 40);  // two thin spikes, tip to tip, 8 apart: room for a margin of 2
+  // Two thin spikes, tip to tip, 8 apart: room for a margin of 2.
+  World world = empty_world(60, 40, Point{5, 20}, Point{55, 20});
   world.obstacles = {{{{28, 0}, {32, 0}, {30, 16}}, {}}, {{{28, 40}, {30, 24}, {32, 40}}, {}}};
-  world.start = Point{5, 20};
-  world.goal = Point{55, 20};
   world.margin = 2;
   const Planner round(world);
   EXPECT_EQ(round.join(), Join::round);
@@ -147,10 +143,8 @@ TEST(Margin, StartsAndGoalsBesideAnArcAreFree) {
 
 // Two square corners, 5 apart, close the way to a margin of 2 unless they are well rounded.
 TEST(Margin, LinesLeadThroughEveryPassage) {
-  World world = empty_world(60, 45);
+  World world = empty_world(60, 45, Point{5, 22.5}, Point{55, 22.5});
   world.obstacles = {{{{10, 0}, {50, 0}, {30, 20}}, {}}, {{{10, 45}, {30, 25}, {50, 45}}, {}}};
-  world.start = Point{5, 22.5};
-  world.goal = Point{55, 22.5};
   world.margin = 2;
   for (const char* algorithm : {"maklink-acs", "real-ga"}) {
     const Result result = Planner(world).plan({}, Params(algorithm));

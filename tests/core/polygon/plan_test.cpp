@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "lasius/error.h"
 #include "lasius/generate.h"
@@ -11,6 +12,7 @@
 #include "tests/core/base/counting_time.h"
 #include "tests/core/base/refusal.h"
 #include "tests/core/polygon/known_world.h"
+#include "tests/oracle/dense_dijkstra.h"
 #include "tests/worlds/random_world.h"
 
 namespace lasius::polygon {
@@ -67,24 +69,15 @@ double brute_force(const Planner& planner, Point start, Point goal) {
     nodes.insert(nodes.end(), p.outer.begin(), p.outer.end());
     for (const Ring& hole : p.holes) nodes.insert(nodes.end(), hole.begin(), hole.end());
   }
-  std::vector<double> length(nodes.size(), std::numeric_limits<double>::infinity());
-  std::vector<char> done(nodes.size());
-  length[0] = 0;
-  for (;;) {
-    std::size_t next = nodes.size();
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (done[i] == 0 && (next == nodes.size() || length[i] < length[next])) next = i;
-    }
-    if (next == 1 || next == nodes.size() || std::isinf(length[next])) return length[1];
-    done[next] = 1;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const double offer =
-          length[next] + std::hypot(nodes[i].x - nodes[next].x, nodes[i].y - nodes[next].y);
-      if (done[i] == 0 && offer < length[i] && referee.sees(nodes[next], nodes[i])) {
-        length[i] = offer;
-      }
-    }
-  }
+  std::vector<double> known(nodes.size(), oracle::kUnreached);
+  known[0] = 0;
+  const auto between = [&](std::size_t a, std::size_t b) {
+    return std::hypot(nodes[b].x - nodes[a].x, nodes[b].y - nodes[a].y);
+  };
+  const auto joined = [&](std::size_t a, std::size_t b) {
+    return referee.sees(nodes[a], nodes[b]);
+  };
+  return oracle::shortest_distances(std::move(known), between, joined)[1];
 }
 
 TEST(KnownWorld, ShortestPathOfTheWorld) {
@@ -186,13 +179,11 @@ TEST(RandomWorlds, ExactAgreesWithBruteForce) {
 }
 
 World slalom() {
-  World world = empty_world(40, 20);
+  World world = empty_world(40, 20, Point{1, 1}, Point{39, 1});
   for (int i = 0; i < 3; ++i) {
     const double x = 10 + 10 * i, low = i % 2 == 0 ? 0 : 8, high = i % 2 == 0 ? 12 : 20;
     world.obstacles.push_back({{{x, low}, {x + 1, low}, {x + 1, high}, {x, high}}, {}});
   }
-  world.start = Point{1, 1};
-  world.goal = Point{39, 1};
   return world;
 }
 
@@ -206,12 +197,10 @@ TEST(Slalom, FunnelIsTheShortestPathWhereThereIsOneWay) {
 }
 
 TEST(Degenerate, ObstaclesThatTouchAreAWall) {
-  World world = empty_world(20, 10);
+  World world = empty_world(20, 10, Point{1, 5}, Point{19, 5});
   // Corner to corner from wall to wall.
   world.obstacles = {{{{10, 0}, {12, 2.5}, {10, 5}, {8, 2.5}}, {}},
                      {{{10, 5}, {12, 7.5}, {10, 10}, {8, 7.5}}, {}}};
-  world.start = Point{1, 5};
-  world.goal = Point{19, 5};
   const Planner planner(world);
   EXPECT_EQ(planner.components(), 2);
   const Result result = planner.plan();
@@ -256,9 +245,7 @@ TEST(Degenerate, CollinearCornersAndStripes) {
 }
 
 TEST(Degenerate, NoObstaclesAndNoWay) {
-  World world = empty_world(4, 3);
-  world.start = Point{0, 0};
-  world.goal = Point{4, 3};
+  World world = empty_world(4, 3, Point{0, 0}, Point{4, 3});
   Result result = Planner(world).plan({}, Params("maklink-acs"));
   EXPECT_EQ(result.length, 5);
   EXPECT_EQ(*result.gap(), 0);
@@ -312,10 +299,9 @@ TEST(Ends, BlockedAndOutsideNameTheNearestFreePoint) {
 }
 
 TEST(Ends, AnEdgeOfTheBoundaryIsNotOutside) {
-  World world = empty_world(4, 4);
+  World world = empty_world(4, 4, Point{0.5, 0.5});
   world.obstacles = {{{{1, 3}, {3, 3}, {3, 5}, {1, 5}}, {}},
                      {{{3, 1}, {5, 1}, {5, 2}, {3, 2}}, {}}};
-  world.start = Point{0.5, 0.5};
   for (const Point goal : {Point{2, 4}, Point{4, 1.5}}) {
     const Result result = Planner(world).plan({.start = {}, .goal = goal});
     expect_says(result.error, "is blocked");
