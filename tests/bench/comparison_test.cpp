@@ -54,7 +54,7 @@ TEST_F(Sources, AreFoundInFoldersAndByName) {
   write_map(Grid(8, 8), path("two.map"));
   file("sx sy gx gy\n0 0 1 1\n", "one.tsv");
   file("version 1\n0 two.map 8 8 0 0 2 2 2.8\n", "two.map.scen");
-  const auto all = find_sources({fs::path(path("x")).parent_path().string()});
+  const auto all = find_sources({folder()});
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].name, "one");
   EXPECT_EQ(all[1].table, path("two.map.scen"));

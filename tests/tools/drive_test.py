@@ -1,7 +1,6 @@
 """drive: arrives without touching anything, records it, replays it, and shows it."""
 import json
 import os
-import signal
 import unittest
 
 from gif import read_film
@@ -119,9 +118,7 @@ class Drive(ProgramTest):
         while b"tick " not in seen:
             seen += process.stderr.read(1)
             self.assertIsNone(process.poll(), seen)
-        process.send_signal(signal.SIGINT)
-        out, err = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 130)
+        out, err = self.interrupted(process)
         self.assertIn(b"interrupted after", err)
         result = json.loads(out)
         self.assertEqual(result["status"], "interrupted")

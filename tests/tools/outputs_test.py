@@ -255,9 +255,7 @@ class Ends(ProgramTest):
             self.assertIsNone(process.poll())
             with open(f"/proc/{process.pid}/wchan", encoding="ascii") as file:
                 waits = file.read()
-        process.send_signal(signal.SIGTERM)
-        process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 130)
+        self.interrupted(process, signal.SIGTERM)
 
     def test_hang_up_at_fifty_moments(self):
         moments = random.Random(22)
@@ -289,9 +287,7 @@ class Ends(ProgramTest):
         process.stderr.read(100)
         self.assertIsNone(process.poll())
         self.assertFalse(os.path.exists(self.path("r.json")))
-        process.send_signal(signal.SIGTERM)
-        process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 130)
+        self.interrupted(process, signal.SIGTERM)
 
 
 if __name__ == "__main__":

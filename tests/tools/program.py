@@ -3,6 +3,7 @@ import csv
 import io
 import json
 import os
+import signal
 import struct
 import subprocess
 import tempfile
@@ -99,6 +100,13 @@ class ProgramTest(unittest.TestCase):
                                 env=environment(None), stdin=subprocess.DEVNULL,
                                 stdout=options.pop("stdout", subprocess.PIPE),
                                 stderr=subprocess.PIPE, **options)
+
+    def interrupted(self, process, number=signal.SIGINT, timeout=60):
+        """What a run still writes once a signal ends it, with exit code 130."""
+        process.send_signal(number)
+        out, err = process.communicate(timeout=timeout)
+        self.assertEqual(process.returncode, 130, err)
+        return out, err
 
     def plan(self, *arguments, start="0,0", goal="9,5", map_file="small.map", **options):
         return self.run_program("plan", map_file, "--start", start, "--goal", goal, *arguments,

@@ -1,10 +1,8 @@
 """study: lists, refuses, stops and goes on, and writes its report."""
 import os
-import signal
-import subprocess
 import unittest
 
-from program import MAPS, PROGRAM, ProgramTest, environment
+from program import MAPS, ProgramTest
 
 
 class Study(ProgramTest):
@@ -51,28 +49,23 @@ class Study(ProgramTest):
         self.assertEqual((quiet.code, quiet.err), (0, ""))
 
     def test_all_makes_one_table_and_can_be_stopped(self):
-        process = subprocess.Popen(
-            [PROGRAM, "study", "all", "--seeds", "1", "-o", "out", "--maps", MAPS, "-q"],
-            cwd=self.folder, env=environment({}), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        process = self.start_program("study", "all", "--seeds", "1", "-o", "out", "--maps", MAPS,
+                                     "-q")
         while process.poll() is None and not os.path.isdir(self.out("fan2004", "runs")):
             pass
-        process.send_signal(signal.SIGINT)
-        out, err = process.communicate()
-        self.assertEqual((process.returncode, out), (130, b""), err)
+        out, err = self.interrupted(process, timeout=None)
+        self.assertEqual(out, b"", err)
         text = self.read("out/claims.md").decode()
         self.assertIn("| `fan2004` |", text)
         self.assertIn("interrupted", text)
         self.assertNotIn("| confirmed |", text)
 
     def test_goes_on_where_it_stopped_and_reports(self):
-        process = subprocess.Popen([PROGRAM, *self.COMMAND], cwd=self.folder,
-                                   env=environment({}), stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE)
+        process = self.start_program(*self.COMMAND)
         while process.poll() is None and not self.runs():
             pass
-        process.send_signal(signal.SIGINT)
-        out, err = process.communicate()
-        self.assertEqual((process.returncode, out), (130, b""), err)
+        out, err = self.interrupted(process, timeout=None)
+        self.assertEqual(out, b"")
         self.assertIn(b"goes on", err)
         text = self.read("out/report.md").decode()
         self.assertIn("Partial: interrupted", text)

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/arm/mesh_tree.h"
 #include "core/arm/part.h"
 #include "tests/core/arm/arms.h"
 #include "tests/core/arm/draw.h"

@@ -16,13 +16,19 @@
 namespace lasius::arm {
 namespace {
 
+/// Eleven points a side: quick, for the two links.
+Params small_lattice() {
+  Params p("goritov2020");
+  p.pitch = 0.05;
+  p.side = 11;
+  return p;
+}
+
 TEST(ArmPlan, SaysOfALatticeWithoutAWayThatItIsTheLattice) {
   const Robot robot = two_links();
   const Request request = across(robot);
   const double from = tip_position(robot, request.start).x();
-  Params parameters("goritov2020");
-  parameters.pitch = 0.05;
-  parameters.side = 11;
+  const Params parameters = small_lattice();
   const Wall wall(robot, from - 0.09, 0.06);
   const Result r = plan(robot, wall, request, parameters);
   EXPECT_EQ(r.status, Status::no_path);
@@ -129,9 +135,7 @@ TEST(ArmPlan, ParametersAtTheEndsOfTheirRanges) {
   Request request = across(robot);
   const auto plan_with = [&](std::string_view name, const std::string& value,
                              const StopCondition& stop) {
-    Params p("goritov2020");
-    p.pitch = 0.05;
-    p.side = 11;
+    Params p = small_lattice();
     p.iterations = 2;
     set_parameter(p, name, value);
     request.stop = stop;
@@ -143,9 +147,7 @@ TEST(ArmPlan, ParametersAtTheEndsOfTheirRanges) {
 
 TEST(ArmPlan, TheLeastPheromoneUnderTheStrongestEvaporation) {
   const Robot robot = two_links();
-  Params p("goritov2020");
-  p.pitch = 0.05;
-  p.side = 11;
+  Params p = small_lattice();
   p.initial_pheromone = 1e-12;
   p.persistence = 0;
   p.alpha = 8;
@@ -205,9 +207,7 @@ TEST(ArmPlan, AnObserverEndsSearchAndMotion) {
 TEST(ArmPlan, PolledAmongAntsOfFewSteps) {
   const Robot robot = two_links();
   Request request = across(robot);
-  Params p("goritov2020");
-  p.pitch = 0.05;
-  p.side = 11;
+  Params p = small_lattice();
   p.ants = 1000;
   const CountingTime time(50);
   request.stop = time.is_up();

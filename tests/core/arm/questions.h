@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "lasius/arm_plan.h"
 #include "tests/core/arm/arms.h"

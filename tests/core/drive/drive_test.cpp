@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "lasius/error.h"
-#include "lasius/shortest_walk.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/drive/random_world.h"
 #include "tests/oracle/drive_checker.h"
@@ -75,9 +74,7 @@ TEST(Drive, LearnsAWallWhenItIsInSight) {
                             "....@....",  //
                             "....@...."});
   const Grid map(9, 4);
-  DriveOptions options;
-  options.sense = 2;
-  const DriveResult r = drive(map, truth, {0, 2}, {8, 2}, {}, options);
+  const DriveResult r = drive(map, truth, {0, 2}, {8, 2}, {}, {.sense = 2});
   EXPECT_EQ(r.status, Status::solved);
   EXPECT_EQ(r.seen, 2);  // the third stays behind the second, farther than 2 cells
   EXPECT_GT(r.replans.size(), 1u);

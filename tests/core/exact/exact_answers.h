@@ -10,6 +10,7 @@
 
 #include "core/exact/exact.h"
 #include "lasius/path.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/oracle/visibility_graph.h"
 #include "tests/worlds/grids.h"
 
@@ -75,6 +76,39 @@ int expect_gaps(const Grid& grid, Cell start, Cell goal, const Solve& solve) {
     early += near.end == ExactEnd::target_gap;
   }
   return early;
+}
+
+struct Stops {
+  int stopped = 0, with_path = 0;
+};
+
+/// Stops the search `solve(StopCondition)` at its first look at the clock, the second and so on:
+/// what it tells by then holds, and its bounds do not fall.
+template <class Solve>
+Stops expect_bounds_at_stops(const Grid& grid, Cell start, Cell goal, const Solve& solve) {
+  Stops stops;
+  const ExactAnswer exact = solve(StopCondition{});
+  EXPECT_TRUE(exact.optimal);
+  double last_bound = 0;
+  for (int polls = 0; polls < 100; ++polls) {
+    const CountingTime time(polls);
+    const ExactAnswer cut = solve(time.is_up());
+    if (cut.end != ExactEnd::stopped) {
+      EXPECT_EQ(cut.path, exact.path);
+      break;
+    }
+    ++stops.stopped;
+    EXPECT_EQ(cut.cause, StopCondition::Cause::deadline);
+    EXPECT_FALSE(cut.optimal);
+    EXPECT_LE(cut.lower_bound, exact.length);
+    EXPECT_GE(cut.lower_bound, last_bound);
+    last_bound = cut.lower_bound;
+    if (cut.path.empty()) continue;
+    ++stops.with_path;
+    EXPECT_GE(cut.length, exact.length * (1 - 1e-12));
+    expect_path(grid, start, goal, cut);
+  }
+  return stops;
 }
 
 /// The answer equals that of the unprepared search; true if there is a path.

@@ -33,27 +33,11 @@ TEST(ExactStop, BoundsHoldAtEveryStop) {
   int stopped = 0;
   for (int map = 0; map < 3; ++map) {
     const Grid grid = noise(random);
-    const ExactAnswer exact = solve(search, grid, kStart, kGoal);
-    ASSERT_TRUE(exact.optimal);
-    double last_bound = 0;
-    for (int polls = 0; polls < 100; ++polls) {
-      CountingTime time(polls);
-      const ExactAnswer cut = solve(search, grid, kStart, kGoal, {}, time.is_up());
-      if (cut.end != ExactEnd::stopped) {
-        EXPECT_EQ(cut.path, exact.path);
-        break;
-      }
-      ++stopped;
-      EXPECT_EQ(cut.cause, StopCondition::Cause::deadline);
-      EXPECT_FALSE(cut.optimal);
-      EXPECT_LE(cut.lower_bound, exact.length);
-      EXPECT_GE(cut.lower_bound, last_bound);
-      last_bound = cut.lower_bound;
-      if (cut.path.empty()) continue;
-      ++with_path;
-      EXPECT_GE(cut.length, exact.length * (1 - 1e-12));
-      EXPECT_FALSE(path_fault(grid, cut.path).has_value());
-    }
+    const Stops stops = expect_bounds_at_stops(grid, kStart, kGoal, [&](const StopCondition& stop) {
+      return solve(search, grid, kStart, kGoal, {}, stop);
+    });
+    stopped += stops.stopped;
+    with_path += stops.with_path;
   }
   EXPECT_GT(stopped, 8);
   EXPECT_GT(with_path, 4);

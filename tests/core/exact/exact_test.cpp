@@ -2,12 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "lasius/generate.h"
-#include "lasius/path.h"
 #include "tests/core/exact/exact_answers.h"
 #include "tests/measures/count_allocations.h"
 #include "tests/worlds/shared_maps.h"

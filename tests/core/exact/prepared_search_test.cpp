@@ -167,25 +167,10 @@ TEST_P(PreparedSearchStop, BoundsHoldWheneverItComes) {
   grid.fill({394, 394, 6, 6}, false);
   const Graph graph = graph_of(grid);
   PreparedSearch search;
-  const ExactAnswer exact = solve(search, grid, graph, start, goal);
-  ASSERT_TRUE(exact.optimal);
-  double last_bound = 0;
-  int stopped = 0;
-  for (int polls = 0; polls < 100; ++polls) {
-    const CountingTime time(polls);
-    const ExactAnswer cut = solve(search, grid, graph, start, goal, {}, time.is_up());
-    if (cut.end != ExactEnd::stopped) {
-      EXPECT_EQ(cut.path, exact.path);
-      break;
-    }
-    ++stopped;
-    EXPECT_EQ(cut.cause, StopCondition::Cause::deadline);
-    EXPECT_LE(cut.lower_bound, exact.length);
-    EXPECT_GE(cut.lower_bound, last_bound);
-    last_bound = cut.lower_bound;
-    if (!cut.path.empty()) expect_path(grid, start, goal, cut);
-  }
-  EXPECT_GT(stopped, 0);
+  const Stops stops = expect_bounds_at_stops(grid, start, goal, [&](const StopCondition& stop) {
+    return solve(search, grid, graph, start, goal, {}, stop);
+  });
+  EXPECT_GT(stops.stopped, 0);
 }
 
 TEST(PreparedSearch, EqualRunsGiveEqualAnswersWhateverCameBefore) {

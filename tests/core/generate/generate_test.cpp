@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "lasius/error.h"
-#include "lasius/map_io.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/worlds/grids.h"
 

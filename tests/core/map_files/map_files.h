@@ -26,11 +26,12 @@ inline std::string bytes_of(const fs::path& file) {
 class Files : public testing::Test {
  protected:
   Files() {
-    std::string name = (fs::temp_directory_path() / "lasius-map-io-XXXXXX").string();
+    std::string name = (fs::temp_directory_path() / "lasius-test-XXXXXX").string();
     folder_ = ::mkdtemp(name.data());
   }
   ~Files() override { fs::remove_all(folder_); }
 
+  std::string folder() const { return folder_.string(); }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   std::string file(const std::string& content, const std::string& name = "map") const {
     std::ofstream(path(name), std::ios::binary) << content;

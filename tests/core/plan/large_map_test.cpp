@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/generate.h"
 #include "lasius/map_io.h"
 #include "lasius/path.h"
 #include "lasius/planner.h"

@@ -10,8 +10,6 @@
 
 #include "kernels/base/cpu.h"
 #include "lasius/error.h"
-#include "lasius/generate.h"
-#include "lasius/map_io.h"
 #include "lasius/path.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/base/environment_variable.h"

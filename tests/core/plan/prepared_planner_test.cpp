@@ -1,8 +1,6 @@
 // Planning on a map with the heavier preparation, and on what is made from it.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "lasius/batch.h"
 #include "lasius/error.h"
 #include "lasius/generate.h"

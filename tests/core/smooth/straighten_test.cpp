@@ -6,9 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "core/grid/grid_view.h"
 #include "core/smooth/loop_cutter.h"
-#include "kernels/sight/sight.h"
 #include "lasius/error.h"
 #include "lasius/path.h"
 #include "lasius/smooth.h"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "lasius/clearance.h"
 #include "tests/worlds/grids.h"
 

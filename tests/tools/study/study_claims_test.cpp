@@ -1,8 +1,6 @@
 // Each verdict is given data that must turn it.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "tests/core/base/refusal.h"
 #include "tools/study/claims.h"
 #include "tools/study/values.h"

@@ -9,7 +9,7 @@
 #include "lasius/error.h"
 #include "tests/core/arm/arms.h"
 #include "tests/core/arm/refusals.h"
-#include "tests/core/arm/robot/folder.h"
+#include "tests/core/map_files/map_files.h"
 
 namespace lasius::arm {
 namespace {
@@ -201,11 +201,11 @@ TEST(Body, JointsThatFollowTheChainAreRefused) {
   EXPECT_EQ(parse_robot(text, "r.urdf", chain).size(), 1);
 }
 
-using FilesOfRobot = Folder;
+using FilesOfRobot = Files;
 
 TEST_F(FilesOfRobot, Srdf) {
   const auto read = [&](const std::string& text) {
-    return parse_robot(kUrdf, "r.urdf", {.srdf = write("r.srdf", text)});
+    return parse_robot(kUrdf, "r.urdf", {.srdf = file(text, "r.srdf")});
   };
   const Robot robot = read(R"(<?xml version="1.0"?><robot name="r">
     <group_state name="home" group="arm"><joint name="j1" value="0.5"/>
@@ -240,7 +240,7 @@ TEST_F(FilesOfRobot, Srdf) {
 
 TEST_F(FilesOfRobot, JointLimits) {
   const auto read = [&](const std::string& text) {
-    return parse_robot(kUrdf, "r.urdf", {.joint_limits = write("limits.yaml", text)});
+    return parse_robot(kUrdf, "r.urdf", {.joint_limits = file(text, "limits.yaml")});
   };
   const Robot robot = read(R"(default_velocity_scaling_factor: 0.5
 joint_limits:
@@ -308,34 +308,34 @@ const char* const kDae = R"(<?xml version="1.0"?>
 <scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
 
 TEST_F(FilesOfRobot, MeshesOfManyFormats) {
-  const Triangles dae = read_mesh(write("m.dae", kDae));
+  const Triangles dae = read_mesh(file(kDae, "m.dae"));
   ASSERT_EQ(dae.size(), 1u);
   EXPECT_LT((dae[0][0] - Eigen::Vector3d(0.1, 0, 0)).norm(), 1e-7);
   EXPECT_LT((dae[0][1] - Eigen::Vector3d(0.12, 0, 0)).norm(), 1e-7);
   EXPECT_LT((dae[0][2] - Eigen::Vector3d(0.1, 0, 0.02)).norm(), 1e-7) << "z stays up";
-  EXPECT_EQ(read_mesh(write("y.dae", with(kDae, "Z_UP", "Y_UP"))), dae)
+  EXPECT_EQ(read_mesh(file(with(kDae, "Z_UP", "Y_UP"), "y.dae")), dae)
       << "as RViz and MoveIt have it";
 
   const Triangles obj = read_mesh(
-      write("m.OBJ", "mtllib /etc/passwd\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"));
+      file("mtllib /etc/passwd\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n", "m.OBJ"));
   ASSERT_EQ(obj.size(), 2u) << "a face of four corners";
-  EXPECT_THROW(read_mesh(write("m.glb", "x")), Error);
+  EXPECT_THROW(read_mesh(file("x", "m.glb")), Error);
   for (const char* name : {"n.obj", "n.dae"}) {
     for (const char* text :
          {"x", "v 0 0 0\n", "v 0 0 0\nf 1 2 3\n", "v 1e9 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
           "<COLLADA/>", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}) {
-      EXPECT_THROW(read_mesh(write(name, text)), Error) << name << ": " << text;
+      EXPECT_THROW(read_mesh(file(text, name)), Error) << name << ": " << text;
     }
   }
 }
 
 TEST_F(FilesOfRobot, MeshesOfPackages) {
-  write("m.dae", kDae);
+  file(kDae, "m.dae");
   const std::string text = with(kUrdf, "<sphere radius=\"0.2\"/>",
                                 "<mesh filename=\"package://parts/m.dae\" scale=\"1 -1 2\"/>");
   expect_error(text, ErrorCode::file_unsupported, "--package parts=FOLDER");
-  const Robot robot = parse_robot(text, "r.urdf", {.packages = {{"parts", folder_.string()}}});
-  EXPECT_EQ(robot.files, std::vector{(folder_ / "m.dae").string()});
+  const Robot robot = parse_robot(text, "r.urdf", {.packages = {{"parts", folder()}}});
+  EXPECT_EQ(robot.files, std::vector{path("m.dae")});
   const Solid& mesh = robot.links[1].solids.at(0);
   EXPECT_LT((mesh.triangles->at(0)[2] - Eigen::Vector3d(0.1, 0, 0.04)).norm(), 1e-7);
 }

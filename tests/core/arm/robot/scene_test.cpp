@@ -1,11 +1,9 @@
 // What a scene's shapes have, and what a robot's bodies touch by their making.
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <sstream>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "lasius/error.h"
 #include "tests/core/arm/arms.h"
