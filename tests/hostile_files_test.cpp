@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -301,11 +300,7 @@ TEST_F(HostileFiles, Queries) {
 }
 
 TEST_F(HostileFiles, Results) {
-  const auto read = [](const std::string& name) {
-    std::ifstream in(name, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    (void)result_from_json(text);
-  };
+  const auto read = [](const std::string& name) { (void)result_from_json(bytes_of(name)); };
   refused(read, "r.json", filled(R"({"status":"solved","path":[)", "[],", "0]}"), "path");
   refused(read, "r.json",
           filled(R"({"status":"solved","path":null,"iterations":1,"best":[)", "null,", "null]}"),
@@ -331,8 +326,7 @@ TEST_F(HostileFiles, RunsOfStudies) {
   const auto kept = study::read_run(path("run.json"), "key", 1);
   ASSERT_TRUE(kept.has_value());
   EXPECT_EQ(kept->best, run.best);
-  std::ifstream in(path("run.json"), std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(in), {});
+  const std::string text = bytes_of(path("run.json"));
   for (const auto& [from, to] : {std::pair{"\"best_size\":2", "\"best_size\":2000000"},
                                  {"\"best_size\":2", "\"best_size\":1"},
                                  {"[1,2.0]", "[-1,2.0]"}}) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <deque>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "lasius/generate.h"

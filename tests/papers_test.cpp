@@ -1,18 +1,16 @@
 // The formulas of the papers with numbers worked by hand.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "core/colony/field.h"
 #include "core/colony/update.h"
-#include "core/grid/move_rule.h"
 #include "lasius/planner.h"
 #include "lasius/schedule.h"
 #include "tests/core/base/counting_time.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/core/colony/walked_grid.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -68,24 +66,6 @@ TEST(Fan2004, SharesOfTheRulesChangeUntilTheCriticalTimeAndSettle) {
     EXPECT_DOUBLE_EQ(late.distance_rule, 0.002);
   }
 }
-
-struct Rows {
-  Rows(const Grid& grid, Cell goal, const Params& p) : params(p) {
-    moves = moves_of(p.neighbours);
-    field.reset(grid, moves, goal, p, p.initial_pheromone > 0 ? p.initial_pheromone : 1, {});
-  }
-  const float* of(Cell c) {
-    kernels::WalkWorld world;
-    field.fill(world);
-    const int tile = (c.y / 32) * world.tiles_x + c.x / 32;
-    const float* rows = world.tiles[tile];
-    if (rows == nullptr) rows = world.make_tile(world.context, tile);
-    return rows + ((c.y % 32) * 32 + c.x % 32) * moves.count * (field.mixture() ? 2 : 1);
-  }
-  Params params;
-  kernels::Moves moves;
-  Field field;
-};
 
 TEST(Fan2004, DistanceRuleIsEquation4) {
   // Cell (3, 4), goal (6, 8): distances of the neighbours N (3,3), W (2,4), E (4,4), S (3,5) are
@@ -174,51 +154,9 @@ TEST(AntSystem, PheromoneLiesOnTheArcsWalked) {
   EXPECT_NEAR(off, 0.7, 1e-6);
 }
 
-// Updates. On a free 20 x 20 grid ants walk from (2, 2): east is move 4 of 8, north-east move 2.
-
-constexpr std::uint8_t kEast = 4, kNorthEast = 2;
-
-struct WalkedGrid {
-  explicit WalkedGrid(Params p, double tau0 = 1, int size = 20, Cell from = {2, 2},
-                      Cell to = {10, 2})
-      : grid(size, size), start(from), goal(to), params(std::move(p)), rows(grid, goal, params) {
-    rows.field.reset(grid, rows.moves, goal, params, tau0, {});
-  }
-  void walk(std::vector<std::uint8_t> moves, bool arrived = true) {
-    walked.push_back(std::move(moves));
-    double length = 0;
-    for (const int k : walked.back()) length += rows.moves[k].length;
-    lengths.push_back(arrived ? length : std::nan(""));
-  }
-  void update(int best_so_far = -1, int iteration = 0, const StopCondition& stop = {}) {
-    std::vector<Tour> ants;
-    for (std::size_t a = 0; a < walked.size(); ++a) ants.push_back({walked[a], lengths[a]});
-    std::vector<int> ranking;
-    const Tour none{{}, std::nan("")};
-    update_trail(rows.field, params,
-                 {.start = start,
-                  .moves = rows.moves,
-                  .ants = ants,
-                  .best_so_far = best_so_far < 0 ? none : ants[best_so_far],
-                  .iteration = iteration,
-                  .rows = grid.height(),
-                  .ranking = ranking},
-                 stop);
-  }
-  double tau(int x, int y, int move = 0) const { return rows.field.tau({x, y}, move); }
-
-  Grid grid;
-  Cell start, goal;
-  Params params;
-  Rows rows;
-  std::vector<std::vector<std::uint8_t>> walked;
-  std::vector<double> lengths;
-};
-
 TEST(AntSystem, AnUpdateIsCutShort) {
   // To and fro 10000 times, Q / L = 1/4096; time is up at the second look, before move 8192: half
   // of 8191 moves, rounded up, leave (2, 2).
-  constexpr std::uint8_t kWest = 3;
   Params params("as", Preset::book);
   params.persistence = 1;
   params.deposit = 10000.0 / 4096;
@@ -331,125 +269,6 @@ TEST(LectureGrid, EndsWhenAllAntsTakeOnePath) {
   EXPECT_EQ(iterations(corridor), 50);
 }
 
-// Li, Wang, Ma.
-
-TEST(TerminalIndex, AntsThatAreStuckDie) {
-  const Planner pocket(drawn({".....",     //
-                              "##.##",     //
-                              "##.##"}));  // some of 30 ants walk down
-  Params params("terminal-index");
-  params.iterations = 1;
-  const Request through{.start = {0, 0}, .goal = {4, 0}};
-  const int arrived = pocket.plan(through, params).arrived.at(0);
-  EXPECT_GT(arrived, 0);
-  EXPECT_LT(arrived, 30);
-  params.dead_end = DeadEnd::backtrack;
-  EXPECT_EQ(pocket.plan(through, params).arrived.at(0), 30);
-}
-
-TEST(TerminalIndex, IsTheLeastKnownWayToTheGoal) {
-  // Two ways from (2, 2) to (4, 2): straight, 2; by (3, 1), 2 sqrt(2). Unknown cells stay at 99.
-  WalkedGrid trail(Params("terminal-index"), 99);
-  constexpr std::uint8_t kSouthEast = 7;
-  trail.walk({kNorthEast, kSouthEast});
-  trail.update();
-  EXPECT_NEAR(trail.tau(2, 2), 2 * std::sqrt(2.0), 1e-5);
-  trail.walk({kEast, kEast});
-  trail.update();
-  EXPECT_NEAR(trail.tau(4, 2), 0, 1e-5);
-  EXPECT_NEAR(trail.tau(3, 2), 1, 1e-5);
-  EXPECT_NEAR(trail.tau(3, 1), std::sqrt(2.0), 1e-5);
-  EXPECT_NEAR(trail.tau(2, 2), 2, 1e-5);  // the smaller value is kept
-  EXPECT_NEAR(trail.tau(9, 9), 99, 1e-4);
-}
-
-/// An ant that made each of the moves so often teaches the index: the length of its tour.
-double learn(WalkedGrid& index, const std::vector<std::pair<std::uint8_t, int>>& strokes) {
-  std::vector<std::uint8_t> moves;
-  for (const auto& [move, times] : strokes) moves.insert(moves.end(), times, move);
-  index.walk(moves);
-  index.update();
-  return index.lengths.back();
-}
-
-/// The length of the generation's answer.
-double answer(WalkedGrid& index) {
-  std::vector<std::uint8_t> way;
-  best_known_way(index.rows.field, index.rows.moves, index.start, index.goal,
-                 IndexAnswer::least_way, {}, way);
-  double length = 0;
-  for (const int k : way) length += index.rows.moves[k].length;
-  return length;
-}
-constexpr std::uint8_t kNW = 0, kN = 1, kNE = 2, kW = 3, kE = 4, kSW = 5, kS = 6, kSE = 7;
-
-// Figures 4 to 6 are lost: two ways with the printed values. Its digits are cut off, not rounded.
-TEST(TerminalIndex, JoinsTheGoodPartsOfTwoPathsOn4x4) {
-  WalkedGrid index(Params("terminal-index"), 99, 4, {0, 3}, {3, 0});
-  learn(index, {{kN, 2}, {kE, 1}, {kNE, 1}, {kE, 1}});
-  EXPECT_NEAR(index.tau(1, 1), 2.41, 0.01);  // kept when the second way would make it 3
-  EXPECT_NEAR(index.tau(0, 3), 5.41, 0.01);
-  learn(index, {{kNE, 1}, {kN, 2}, {kE, 2}});
-  EXPECT_NEAR(index.tau(3, 0), 0, 1e-6);
-  EXPECT_NEAR(index.tau(2, 0), 1, 1e-6);
-  EXPECT_NEAR(index.tau(1, 0), 2, 1e-6);
-  EXPECT_NEAR(index.tau(1, 1), 2.41, 0.01);
-  EXPECT_NEAR(index.tau(1, 2), 3.41, 0.01);
-  EXPECT_NEAR(index.tau(0, 3), 4.82, 0.01);
-  EXPECT_NEAR(answer(index), 4.82, 0.01);
-}
-
-// Figure 3's paths are lost, too: this is a reconstruction that meets every printed number. Node
-// 266 is (6, 13) from the bottom left, here (6, 6); the source calculates with 1.414.
-TEST(TerminalIndex, Figure3JoinsTwoLongPathsToTheOptimum) {
-  WalkedGrid index(Params("terminal-index"), 99, 20, {0, 19}, {19, 0});
-  EXPECT_NEAR(learn(index, {{kE, 1},
-                            {kN, 1},
-                            {kW, 1},
-                            {kN, 7},
-                            {kNE, 5},
-                            {kE, 1},
-                            {kSE, 1},
-                            {kS, 1},
-                            {kNE, 4},
-                            {kE, 3},
-                            {kNE, 4},
-                            {kE, 1}}),
-              35.80, 0.005);
-  EXPECT_NEAR(index.tau(19, 0), 0, 1e-6);
-  EXPECT_NEAR(index.tau(18, 0), 1, 1e-6);
-  EXPECT_NEAR(index.tau(17, 1), 2.414, 0.001);
-  EXPECT_NEAR(index.tau(6, 6), 17.726, 0.005);
-  EXPECT_NEAR(learn(index, {{kE, 3},
-                            {kNE, 4},
-                            {kN, 7},
-                            {kNW, 1},
-                            {kSW, 1},
-                            {kN, 1},
-                            {kNE, 1},
-                            {kNE, 6},
-                            {kSE, 2},
-                            {kNE, 2},
-                            {kE, 3}}),
-              38.04, 0.005);
-  EXPECT_NEAR(index.tau(6, 6), 17.14, 0.005);
-  EXPECT_NEAR(index.tau(0, 19), 30.97, 0.005);
-  EXPECT_NEAR(answer(index), 30.97, 0.005);
-}
-
-TEST(TerminalIndex, WeightsAreEquations8And9) {
-  // At (3, 2), goal (10, 2): K(4, 2) = 0 is Kmin, so K' = K; unknown 99. East: the least weight.
-  // Rows hold one over it.
-  WalkedGrid trail(Params("terminal-index"), 99);
-  trail.walk({kEast, kEast});
-  trail.update();
-  trail.rows.field.refresh(schedule(trail.params, 1), 1);
-  const float* w = trail.rows.of({3, 2});
-  // West, K = 2, d = 8, against north-west, K = 99, d = sqrt(65): (2/99)^0.9 (8/sqrt(65))^1.5.
-  EXPECT_NEAR(w[0] / w[3], std::pow(2.0 / 99, 0.9) * std::pow(8 / std::sqrt(65.0), 1.5), 1e-6);
-  EXPECT_EQ(std::max_element(w, w + 8) - w, kEast);
-}
-
 // Cong, Ponnambalam 2009. Four neighbours: north, west, east, south.
 
 TEST(Cong2009, SuccessMultipliesPheromoneAndTeachesTheHeuristic) {
@@ -473,12 +292,10 @@ TEST(Cong2009, EightMovesOn5x5ByEitherReadingOfEquation3) {
     WalkedGrid trail(params, 3, 5, {0, 4}, {4, 0});
     trail.walk({2, 2, 2, 2, 0, 0, 0, 0});
     trail.update();
-    for (int y = 0; y < 5; ++y) {
-      for (int x = 0; x < 5; ++x) {
-        const bool on_tour = y == 4 || x == 4;
-        EXPECT_NEAR(trail.tau(x, y), on_tour ? taught : 2.4, 1e-6) << x << "," << y;
-        EXPECT_NEAR(trail.rows.field.eta({x, y}), on_tour ? 1.625 : 1, 1e-6) << x << "," << y;
-      }
+    for (const Cell c : cells_of(trail.grid)) {
+      const bool on_tour = c.y == 4 || c.x == 4;
+      EXPECT_NEAR(trail.tau(c.x, c.y), on_tour ? taught : 2.4, 1e-6) << c.x << "," << c.y;
+      EXPECT_NEAR(trail.rows.field.eta(c), on_tour ? 1.625 : 1, 1e-6) << c.x << "," << c.y;
     }
   }
 }

@@ -12,18 +12,15 @@
 #include "lasius/path.h"
 #include "tests/oracle/plane_rule.h"
 #include "tests/oracle/visibility_graph.h"
+#include "tests/worlds/grids.h"
 #include "tests/worlds/shared_maps.h"
 
 namespace lasius::peers {
 namespace {
 
 Grid random_grid(int width, int height, double density, std::mt19937& random) {
-  Grid grid(width, height);
   std::bernoulli_distribution blocked(density);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) grid.set_blocked({x, y}, blocked(random));
-  }
-  return grid;
+  return grid_of(width, height, [&](int, int) { return blocked(random); });
 }
 
 Cell random_free(const Grid& grid, std::mt19937& random) {
@@ -170,11 +167,7 @@ TEST(Peers, FindTheOptimaOfLargerRandomGrids) {
 TEST(BucketAStar, CoarsensItsCostsForVeryLongPaths) {
   // A snake of 2.1 million cells: longer than the finest integer costs can count.
   const int side = 2048;
-  Grid grid(side, side);
-  for (int y = 1; y < side; y += 2) {
-    for (int x = 0; x < side; ++x) grid.set_blocked({x, y}, x != (y % 4 == 1 ? side - 1 : 0));
-  }
-  BucketAStar planner(grid);
+  BucketAStar planner(snake(side));
   std::vector<Point> path;
   // 1024 free rows of 2047 steps, joined by 1023 ways down of two.
   const double expected = 1024.0 * (side - 1) + 2 * 1023;

@@ -67,14 +67,16 @@ class DriveChecker {
     int direction = 1;
     double owed = 0;
     bool there = false;
+
+    bool covers(Cell c) const {
+      return there && c.x >= at.x && c.y >= at.y && c.x < at.x + what.width &&
+             c.y < at.y + what.height;
+    }
   };
 
   bool occupied(Cell c) const {
     if (truth_.blocked(c)) return true;
-    return std::any_of(movers_.begin(), movers_.end(), [&](const Mover& m) {
-      return m.there && c.x >= m.at.x && c.y >= m.at.y && c.x < m.at.x + m.what.width &&
-             c.y < m.at.y + m.what.height;
-    });
+    return std::any_of(movers_.begin(), movers_.end(), [&](const Mover& m) { return m.covers(c); });
   }
   /// Does a disc round the centre of one cell reach the square of another? In half cells.
   bool near(Cell centre, Cell square) const {
@@ -170,11 +172,7 @@ class DriveChecker {
   bool swapped(const std::vector<Mover>& was, Cell before, Cell here) const {
     if (before == here) return false;
     for (std::size_t i = 0; i < movers_.size(); ++i) {
-      const auto covers = [&](const Mover& m, Cell c) {
-        return m.there && c.x >= m.at.x && c.y >= m.at.y && c.x < m.at.x + m.what.width &&
-               c.y < m.at.y + m.what.height;
-      };
-      if (covers(was[i], here) && covers(movers_[i], before)) return true;
+      if (was[i].covers(here) && movers_[i].covers(before)) return true;
     }
     return false;
   }

@@ -2,12 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
-#include "lasius/path.h"
+#include "tests/oracle/dense_dijkstra.h"
 #include "tests/oracle/plane_rule.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/worlds/grids.h"
 #include "tests/worlds/shared_maps.h"
 
 namespace lasius::oracle {
@@ -25,33 +26,23 @@ double all_pairs(const Grid& grid, Cell start, Cell goal) {
       points.push_back({x, y, 0, 0});
     }
   }
-  std::vector<double> g(points.size(), std::numeric_limits<double>::infinity());
-  std::vector<char> closed(points.size(), 0);
-  const auto is = [&](std::size_t i, Cell c) {
-    return points[i].ax == 2 * c.x + 1 && points[i].ay == 2 * c.y + 1;
+  const auto is_at = [](Cell c) {
+    return [c](const rule::HalfSegment& p) { return p.ax == 2 * c.x + 1 && p.ay == 2 * c.y + 1; };
   };
+  std::vector<double> known(points.size(), kUnreached);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (is(i, start)) g[i] = 0;
+    if (is_at(start)(points[i])) known[i] = 0;
   }
-  for (;;) {
-    std::size_t u = points.size();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (closed[i] == 0 && std::isfinite(g[i]) && (u == points.size() || g[i] < g[u])) u = i;
-    }
-    if (u == points.size()) return std::numeric_limits<double>::infinity();
-    if (is(u, goal)) return g[u];
-    closed[u] = 1;
-    for (std::size_t v = 0; v < points.size(); ++v) {
-      const auto dx = static_cast<double>(points[v].ax - points[u].ax);
-      const auto dy = static_cast<double>(points[v].ay - points[u].ay);
-      const double length = g[u] + std::hypot(dx, dy) / 2;
-      if (closed[v] != 0 || length >= g[v]) continue;
-      if (!rule::segment_obeys(grid, {points[u].ax, points[u].ay, points[v].ax, points[v].ay})) {
-        continue;
-      }
-      g[v] = length;
-    }
-  }
+  const auto between = [&](std::size_t a, std::size_t b) {
+    return std::hypot(static_cast<double>(points[b].ax - points[a].ax),
+                      static_cast<double>(points[b].ay - points[a].ay)) /
+           2;
+  };
+  const auto joined = [&](std::size_t a, std::size_t b) {
+    return rule::segment_obeys(grid, {points[a].ax, points[a].ay, points[b].ax, points[b].ay});
+  };
+  const auto end = std::ranges::find_if(points, is_at(goal)) - points.begin();
+  return shortest_distances(std::move(known), between, joined)[end];
 }
 
 TEST(Oracle, KnowsALengthWorkedByHand) {

@@ -6,7 +6,6 @@ import math
 import os
 import re
 import shutil
-import signal
 import unittest
 
 from program import MAPS, ProgramTest
@@ -99,6 +98,10 @@ EMPTY = '{"format": "lasius-scene/1", "obstacles": []}'
 
 
 class Arm(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("empty.json", EMPTY)
+
     def arm(self, *arguments, robot=PLANAR, scene=FLAT, start="-0.3,0.5,0.5", goal="0.4,0.5,0",
             **options):
         asked = () if goal is None else ("--goal", goal)
@@ -125,9 +128,8 @@ class Arm(ProgramTest):
         self.refused(self.arm("--duration", "0"), 2, "--duration")
 
     def test_a_motion_with_all_that_json_promises(self):
-        run = self.arm("--json", "--algorithm", "goritov2020", "--iterations", "20", "--recheck",
-                       "200")
-        self.assertEqual(run.code, 0, run.err)
+        run = self.ended(self.arm("--json", "--algorithm", "goritov2020", "--iterations", "20",
+                                  "--recheck", "200"), 0)
         result = run.json
         self.assertEqual(result["format"], "lasius-arm-plan/1")
         self.assertEqual((result["status"], result["error"]), ("solved", None))
@@ -163,9 +165,8 @@ class Arm(ProgramTest):
         self.assertEqual(results[0], results[2])
 
     def test_files(self):
-        run = self.arm("-q", "--iterations", "5", "-o", "m.json", "-o", "m.csv", "-o", "m.svg",
-                       "-o", "m.png")
-        self.assertEqual((run.code, run.err), (0, ""))
+        run = self.quiet(self.arm("-q", "--iterations", "5", "-o", "m.json", "-o", "m.csv", "-o",
+                                  "m.svg", "-o", "m.png"))
         self.assertEqual(json.loads(self.read("m.json"))["status"], "solved")
         rows = list(csv.reader(io.StringIO(self.read("m.csv").decode())))
         names = ["shoulder", "elbow", "wrist"]
@@ -180,8 +181,7 @@ class Arm(ProgramTest):
 
     def test_goals_of_every_kind(self):
         def reached(*arguments):
-            run = self.arm("--json", *arguments, goal=None)
-            self.assertEqual(run.code, 0, run.err)
+            run = self.ended(self.arm("--json", *arguments, goal=None), 0)
             return run.json, run.json["trajectory"]["samples"]
         result, samples = reached("--goal-joints", "-0.8,0.4,0.3")
         for value, wanted in zip(samples["q"][-1], (-0.8, 0.4, 0.3)):
@@ -231,8 +231,7 @@ class Arm(ProgramTest):
             self.assertEqual((run.code, run.json["parameters"]["objective"]), (0, objective))
 
     def test_a_ros_trajectory(self):
-        run = self.arm("-q", "--rate", "7", "-o", "m.yaml", "-o", "m.yml", "-o", "m.json")
-        self.assertEqual((run.code, run.err), (0, ""))
+        self.quiet(self.arm("-q", "--rate", "7", "-o", "m.yaml", "-o", "m.yml", "-o", "m.json"))
         self.assertEqual(self.read("m.yaml"), self.read("m.yml"))
         message = read_ros_trajectory(self.read("m.yaml").decode())
         samples = json.loads(self.read("m.json"))["trajectory"]["samples"]
@@ -245,20 +244,16 @@ class Arm(ProgramTest):
             time = point["time_from_start"]
             self.assertLess(time["nanosec"], 10**9)
             self.assertLess(abs(time["sec"] + 1e-9 * time["nanosec"] - samples["t"][i]), 1e-8)
-        run = self.arm("-q", "-o", "none.yaml", start="0.3,0,0")
-        self.assertEqual(run.code, 4)
+        self.ended(self.arm("-q", "-o", "none.yaml", start="0.3,0,0"), 4)
         self.assertEqual(read_ros_trajectory(self.read("none.yaml").decode())["points"], [])
 
     def test_a_urdf_chain(self):
         self.write("two.urdf", TWO_JOINTS)
-        self.write("empty.json", EMPTY)
-        run = self.arm("--json", "--iterations", "5", robot="two.urdf", scene="empty.json",
-                       start="0,1", goal="0.2,0.6,0")
-        self.assertEqual(run.code, 0, run.err)
+        run = self.ended(self.arm("--json", "--iterations", "5", robot="two.urdf",
+                                  scene="empty.json", start="0,1", goal="0.2,0.6,0"), 0)
         self.assertEqual(run.json["robot"]["name"], "two")
-        shorter = self.arm("--json", "--iterations", "3", "--tip", "lower", robot="two.urdf",
-                           scene="empty.json", start="0,1", goal="0.5,0,0")
-        self.assertEqual(shorter.code, 0, shorter.err)
+        self.ended(self.arm("--json", "--iterations", "3", "--tip", "lower", robot="two.urdf",
+                            scene="empty.json", start="0,1", goal="0.5,0,0"), 0)
         self.refused(self.arm("--tip", "tol", robot="two.urdf", scene="empty.json", start="0,1"),
                      2, 'did you mean "tool"?')
         self.refused(self.arm("--base", "tool", robot="two.urdf", scene="empty.json", start="0,1",
@@ -297,7 +292,6 @@ class Arm(ProgramTest):
         self.refused(self.arm("-o", "nowhere/m.json"), 7, "nowhere")
 
     def test_start_is_goal(self):
-        self.write("empty.json", EMPTY)
         result = self.arm("--json", scene="empty.json", start="0,0,0", goal="0.9,0,0").json
         self.assertEqual((result["status"], result["length"], result["gap"]), ("solved", 0, 0))
         self.assertEqual(len(result["path"]), 1)
@@ -343,15 +337,13 @@ class Arm(ProgramTest):
     def test_verify(self):
         shutil.copy(FLAT, self.path("flat.json"))
         self.write("two.urdf", TWO_JOINTS)
-        self.write("empty.json", EMPTY)
         runs = {"planar.json": {"scene": "flat.json"},
                 "urdf.json": {"robot": "two.urdf", "scene": "empty.json", "start": "0,1",
                               "goal": "0,0.7,0"}}
         for name, question in runs.items():
             more = ["--tip", "tool"] if name == "urdf.json" else ["--recheck", "50"]
-            run = self.arm("-q", "--iterations", "5", "--seed", "3", "--target-gap", "1", "-o",
-                           name, *more, **question)
-            self.assertEqual(run.code, 0, run.err)
+            self.ended(self.arm("-q", "--iterations", "5", "--seed", "3", "--target-gap", "1",
+                                "-o", name, *more, **question), 0)
             for threads in ("1", "3"):
                 verified = self.run_program("verify", name, "--threads", threads)
                 self.assertEqual((verified.code, verified.out),
@@ -359,28 +351,23 @@ class Arm(ProgramTest):
         result = json.loads(self.read("planar.json"))
         for key, value in (("seed", 4), ("joints", result["joints"][:-1]), ("length", 0)):
             with self.subTest(key=key):
-                self.write("bad.json", json.dumps({**result, key: value}))
-                self.assertEqual(self.run_program("verify", "bad.json").code, 1)
-        self.write("bad.json", json.dumps({**result, "parameters": {}}))
-        self.refused(self.run_program("verify", "bad.json"), 3, "lacks an input")
+                self.assertEqual(self.replay_of({**result, key: value}).code, 1)
+        self.refused(self.replay_of({**result, "parameters": {}}), 3, "lacks an input")
         for name, value in (("rate", 0), ("rate", -1), ("rate", 1e300), ("clearance", 2)):
             with self.subTest(name=name, value=value):
                 tampered = {**result["parameters"], name: value}
-                self.write("bad.json", json.dumps({**result, "parameters": tampered}))
-                self.refused(self.run_program("verify", "bad.json"), 3, "parameters/" + name)
-        self.write("bad.json", json.dumps({**result, "recheck": {"samples": 0}}))
-        self.refused(self.run_program("verify", "bad.json"), 3, "recheck/samples")
+                self.refused(self.replay_of({**result, "parameters": tampered}), 3,
+                             "parameters/" + name)
+        self.refused(self.replay_of({**result, "recheck": {"samples": 0}}), 3, "recheck/samples")
         goal = result["goals"][0]
         for goals in ([], [{**goal, "values": [1, 2]}], [{**goal, "kind": "pose"}]):
-            self.write("bad.json", json.dumps({**result, "goals": goals}))
-            self.refused(self.run_program("verify", "bad.json"), 3, '"goals')
+            self.refused(self.replay_of({**result, "goals": goals}), 3, '"goals')
         self.refused(self.run_program("verify", "planar.json", "--map", "small.map"), 2, "--map")
         self.write("flat.json", EMPTY)
         self.refused(self.run_program("verify", "planar.json"), 3, "flat.json",
                      result["scene"]["hash"])
 
     def ur5(self, *arguments, start=UR5_START, **options):
-        self.write("empty.json", EMPTY)
         return self.arm(*arguments, robot=os.path.join(ROBOTS, "ur5_gripper.urdf"),
                         scene="empty.json", start=start, goal=None, **options)
 
@@ -410,8 +397,7 @@ class Arm(ProgramTest):
         self.write("ur5.srdf", SRDF)
         self.write("limits.yaml", LIMITS)
         more = ("--tip", "tool0", "--srdf", "ur5.srdf", "--joint-limits", "limits.yaml")
-        run = self.ur5(*more, "--goal-state", "up", "-q", "-o", "r.json", start="home")
-        self.assertEqual(run.code, 0, run.err)
+        self.ended(self.ur5(*more, "--goal-state", "up", "-q", "-o", "r.json", start="home"), 0)
         result = json.loads(self.read("r.json"))
         self.assertEqual((result["start_state"], result["goals"][0]["state"]), ("home", "up"))
         self.assertEqual(result["start"], [0.1, -1.2, 1.4, -1.5, 0.2, 0.3])
@@ -454,15 +440,13 @@ class Arm(ProgramTest):
                 self.assertIn(words, run.err)
 
     def test_meshes_in_packages(self):
-        self.write("empty.json", EMPTY)
         def ask(*arguments):
             return self.arm(*arguments, "--tip", "tool", robot=os.path.join(ROBOTS, "branch.urdf"),
                             scene="empty.json", start="0.3,0.9,0.6,0", goal=None)
         goal = ("--goal-joints", "-0.5,1.2,0.4,1")
         self.refused(ask(*goal), 3, "--package")
         shutil.copytree(ROBOTS, self.path("parts"))
-        run = ask(*goal, "--package", "parts=parts", "-q", "-o", "r.json", "-o", "r.png")
-        self.assertEqual(run.code, 0, run.err)
+        self.ended(ask(*goal, "--package", "parts=parts", "-q", "-o", "r.json", "-o", "r.png"), 0)
         result = json.loads(self.read("r.json"))
         self.assertEqual(result["robot"]["packages"], {"parts": "parts"})
         meshes = {os.path.basename(file["file"]): file["hash"] for file in result["robot"]["files"]}
@@ -476,7 +460,6 @@ class Arm(ProgramTest):
 
     def test_robots_without_a_body(self):
         bare = re.sub("<collision>.*?</collision>", "", TWO_JOINTS, flags=re.S)
-        self.write("empty.json", EMPTY)
         def ask(text, *arguments):
             self.write("bare.urdf", text)
             return self.arm("--json", *arguments, robot="bare.urdf", scene="empty.json", start="0,1",
@@ -486,8 +469,7 @@ class Arm(ProgramTest):
         self.assertIn("--bodiless", refused.err)
         run = ask(bare, "--bodiless")
         self.assertEqual((run.code, run.json["parameters"]["bodiless"]), (0, True), run.err)
-        run = ask(TWO_JOINTS.replace("collision>", "visual>"), "--use-visual")
-        self.assertEqual(run.code, 0, run.err)
+        run = self.ended(ask(TWO_JOINTS.replace("collision>", "visual>"), "--use-visual"), 0)
         self.assertEqual([body["name"] for body in run.json["robot"]["bodies"]],
                          ["foot", "upper", "lower"])
 
@@ -505,8 +487,7 @@ class Arm(ProgramTest):
         self.write("blocked.json", json.dumps({**blocked, "version": "0.2.0", "lattice": lattice,
                                                "robot": early["robot"]}))
         self.assertEqual(self.run_program("verify", "blocked.json").code, 0)
-        self.write("bad.json", json.dumps({**early, "joints": early["joints"][1:]}))
-        self.assertEqual(self.run_program("verify", "bad.json").code, 1)
+        self.assertEqual(self.replay_of({**early, "joints": early["joints"][1:]}).code, 1)
         self.write("planar3.json", TWO_JOINTS)
         verified = self.run_program("verify", "planar3_early.json")
         self.assertEqual((verified.code, verified.out), (1, "0 of 1 result is equal to the replay\n"))
@@ -518,9 +499,8 @@ class Arm(ProgramTest):
         for joint in robot["joints"]:
             joint["velocity"] = 1e-3
         self.write("slow.json", json.dumps(robot))
-        run = self.arm("--rate", "100000", robot="slow.json")
-        self.assertEqual(run.code, 0, run.err)
-        self.assertIn("1000000 times in all, not 100000 times a second", run.err)
+        self.ended(self.arm("--rate", "100000", robot="slow.json"), 0,
+                   "1000000 times in all, not 100000 times a second")
 
     def test_broken_files(self):
         robots = {
@@ -562,21 +542,14 @@ class Arm(ProgramTest):
                                  "--goal", "0.4,0.5,0", "--set", "direct=off", "--recheck",
                                  "1000000", "--json", "--progress", "always")
         self.assertTrue(run.stderr.read(1))  # after the first of few iterations
-        run.send_signal(signal.SIGINT)
-        out, err = run.communicate(timeout=60)
-        self.assertEqual(run.returncode, 130)
-        self.assertNotIn("recheck", json.loads(out))
+        self.assertNotIn("recheck", json.loads(self.interrupted(run)[0]))
 
     def test_interrupted(self):
         run = self.start_program("arm", PLANAR, "--scene", FLAT, "--start", "-0.3,0.5,0.5",
                                  "--goal", "0.4,0.5,0", "--algorithm", "goritov2020",
                                  "--iterations", "1000000", "--json", "--progress", "always")
-        first = run.stderr.read(1)  # progress shows after an iteration
-        self.assertTrue(first)
-        run.send_signal(signal.SIGINT)
-        out, _ = run.communicate(timeout=60)
-        self.assertEqual(run.returncode, 130)
-        result = json.loads(out)
+        self.assertTrue(run.stderr.read(1))  # progress shows after an iteration
+        result = json.loads(self.interrupted(run)[0])
         self.assertEqual(result["status"], "interrupted")
         self.assertIsNotNone(result["path"])
 

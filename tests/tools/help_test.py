@@ -123,8 +123,7 @@ class Help(HelpTest):
                 if command == "arm" and self.without_arms():
                     continue
                 with self.subTest(line=line):
-                    run = self.run_program(*shlex.split(line)[1:])
-                    self.assertEqual(run.code, 0, run.err)
+                    run = self.ended(self.run_program(*shlex.split(line)[1:]), 0)
                     self.assertNotIn("no effect", run.err)
                 count += 1
         self.assertGreater(count, 10)

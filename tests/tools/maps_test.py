@@ -9,8 +9,7 @@ from program import MAPS, ProgramTest
 
 class Info(ProgramTest):
     def test_what_is_known_of_a_map(self):
-        run = self.run_program("info", "small.map", "--json")
-        self.assertEqual((run.code, run.err), (0, ""))
+        run = self.quiet(self.run_program("info", "small.map", "--json"))
         info = run.json
         self.assertEqual((info["width"], info["height"], info["free_cells"]), (10, 6, 44))
         self.assertAlmostEqual(info["free_share"], 44 / 60)
@@ -21,8 +20,7 @@ class Info(ProgramTest):
         self.assertEqual(info["hash"], self.plan("--json").json["map"]["hash"])
 
     def test_for_people(self):
-        run = self.run_program("info", "small.map")
-        self.assertEqual(run.code, 0)
+        run = self.ended(self.run_program("info", "small.map"), 0)
         for word in ("10 x 6 cells", "44 cells, 73%", "3 (4-connected)", "bits a cell"):
             self.assertIn(word, run.out)
 
@@ -46,8 +44,7 @@ class Editors(ProgramTest):
         self.write("marked.wkt", self.MARK + b"POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0))")
         for name in ("marked.map", "marked.pgm", "marked.yaml", "marked.geojson", "marked.wkt"):
             with self.subTest(name=name):
-                run = self.run_program("info", name)
-                self.assertEqual(run.code, 0, run.err)
+                run = self.ended(self.run_program("info", name), 0)
         for name, queries in (("q.scen", b"version 1\n0 m 10 6 0 0 9 5 1\n"),
                               ("q.tsv", b"sx\tsy\tgx\tgy\n0\t0\t9\t5\n")):
             with self.subTest(name=name):
@@ -65,16 +62,14 @@ class Editors(ProgramTest):
         self.write("WORLD.GeoJSON", self.WORLD)
         for name in ("MAP.YML", "WORLD.GeoJSON"):
             with self.subTest(name=name):
-                run = self.run_program("info", name)
-                self.assertEqual(run.code, 0, run.err)
+                self.ended(self.run_program("info", name), 0)
         run = self.plan("-o", "A.JSON", "-o", "A.CSV", "-o", "A.SVG", "-o", "A.Png", "--json")
         self.assertEqual(run.code, 0, run.err)
         self.assertEqual(self.read("A.JSON").decode(), run.out)
         self.assertTrue(self.read("A.CSV").startswith(b"iteration,"))
         self.assertTrue(self.read("A.SVG").startswith(b"<?xml"))
         self.png_size("A.Png")
-        run = self.run_program("generate", "open", "--size", "4x4", "-o", "OPEN.MAP")
-        self.assertEqual(run.code, 0, run.err)
+        self.ended(self.run_program("generate", "open", "--size", "4x4", "-o", "OPEN.MAP"), 0)
         self.assertTrue(self.read("OPEN.MAP").startswith(b"type octile"))
 
 
@@ -190,8 +185,7 @@ class WorldFrame(ProgramTest):
                          goal=points[1])
 
     def test_metres_in_and_out(self):
-        run = self.world("--json", goal=(7.7, 3.6))
-        self.assertEqual(run.code, 0, run.err)
+        run = self.ended(self.world("--json", goal=(7.7, 3.6)), 0)
         result = run.json
         self.assertEqual((result["start"], result["goal"]), ([0, 0], [7, 3]))
         self.assertEqual(result["parameters"]["frame"], "world")
@@ -246,12 +240,8 @@ class WorldFrame(ProgramTest):
         self.assertNotIn("length_m", result)
 
     def test_outside_is_named_in_both_frames(self):
-        run = self.world(goal=(9.5, 0.5))
-        self.assertEqual(run.code, 4)
-        self.assertIn("(7, 0)", run.err)
-        self.assertIn("%.3f" % self.metres(7.5, 0.5)[0], run.err)
-        self.assertIn("goal %.12f,%.12f m, in cell (9, 0), is outside" % self.metres(9.5, 0.5),
-                      run.err)
+        self.ended(self.world(goal=(9.5, 0.5)), 4, "(7, 0)", "%.3f" % self.metres(7.5, 0.5)[0],
+                   "goal %.12f,%.12f m, in cell (9, 0), is outside" % self.metres(9.5, 0.5))
 
     def test_cells_far_outside_are_told_as_they_are(self):
         self.write("flat.yaml", "image: world.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\n"
@@ -305,8 +295,7 @@ class WorldFrame(ProgramTest):
         self.write("q.tsv", "sx\tsy\tgx\tgy\n%r\t%r\t%r\t%r\n" % (*start, *goal))
         self.write("q.scen", "version 1\n0 m 8 4 0 0 7 0 7\n")
         for name in ("q.tsv", "q.scen"):
-            run = self.run_program("batch", "world.yaml", name, "--frame", "world")
-            self.assertEqual(run.code, 0, run.err)
+            run = self.ended(self.run_program("batch", "world.yaml", name, "--frame", "world"), 0)
             self.assertEqual((run.lines[0]["start"], run.lines[0]["goal"]), ([0, 0], [7, 0]))
             self.assertAlmostEqual(run.lines[0]["length_m"], 3.5)
 
@@ -316,10 +305,7 @@ class WorldFrame(ProgramTest):
         self.world("-o", "r.json", goal=(9.123, 0.5))
         self.assertEqual(self.run_program("verify", "r.json").code, 0)
         result = json.loads(self.read("r.json"))
-        self.write("bad.json", json.dumps({**result, "start_world": self.metres(1.5, 0.5)}))
-        run = self.run_program("verify", "bad.json")
-        self.assertEqual(run.code, 1)
-        self.assertIn("'start'", run.err)
+        self.ended(self.replay_of({**result, "start_world": self.metres(1.5, 0.5)}), 1, "'start'")
 
 
 if __name__ == "__main__":

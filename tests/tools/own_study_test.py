@@ -1,5 +1,4 @@
 """study FILE, study run, tune, --preset FILE: one's own studies."""
-import csv
 import os
 import random
 import signal
@@ -48,10 +47,10 @@ seeds: 1..5
 
 
 class OwnStudy(ProgramTest):
-    def rows(self, *parts, without=("seconds",)):
-        with open(self.path(os.path.join(*parts)), encoding="utf-8", newline="") as file:
-            return [{k: v for k, v in row.items() if k not in without}
-                    for row in csv.DictReader(file)]
+    def runs_of(self, folder):
+        """The table of a study's runs, but for the time that they took."""
+        return [{k: v for k, v in row.items() if k != "seconds"}
+                for row in self.rows(folder + "/runs.csv")]
 
     def runs_done(self, folder):
         return sum(f.endswith(".json") for _, _, files in os.walk(self.path(folder)) for f in files)
@@ -61,7 +60,7 @@ class OwnStudy(ProgramTest):
         whole = self.run_program("study", "s.yaml", "-o", "whole", "--threads", 2)
         self.assertEqual((whole.code, whole.out), (0, "whole/report.md\n"), whole.err)
         self.assertRegex(whole.err, r"^lasius: s: 108 runs, about \d+ (s|min) with 2 threads")
-        expected = self.rows("whole", "runs.csv")
+        expected = self.runs_of("whole")
         self.assertEqual(len(expected), 108)
 
         draw = random.Random(20)
@@ -80,18 +79,15 @@ class OwnStudy(ProgramTest):
         torn = next(os.path.join(at, f) for at, _, files in os.walk(self.path("killed/runs"))
                     for f in files)
         self.write(os.path.relpath(torn, self.folder), '{"key": "lasius')
-        resumed = self.run_program("study", "s.yaml", "-o", "killed", "--threads", 5)
-        self.assertEqual(resumed.code, 0, resumed.err)
-        self.assertEqual(self.rows("killed", "runs.csv"), expected)
+        self.ended(self.run_program("study", "s.yaml", "-o", "killed", "--threads", 5), 0)
+        self.assertEqual(self.runs_of("killed"), expected)
         self.assertEqual(self.read("killed/claims.csv"), self.read("whole/claims.csv"))
-        again = self.run_program("study", "s.yaml", "-o", "killed", "-q")
-        self.assertEqual((again.code, again.err), (0, ""))
+        self.quiet(self.run_program("study", "s.yaml", "-o", "killed", "-q"))
 
     def test_every_run_is_a_row_with_its_factors(self):
         self.write("s.yaml", SWEEP.replace("[1..2]", "1").replace("1..2", "1"))
-        run = self.run_program("study", "s.yaml", "-o", "o", "--seeds", "3..4")
-        self.assertEqual(run.code, 0, run.err)
-        rows = self.rows("o", "runs.csv")
+        self.ended(self.run_program("study", "s.yaml", "-o", "o", "--seeds", "3..4"), 0)
+        rows = self.runs_of("o")
         self.assertEqual(len(rows), 18 * 2 * 2)
         self.assertEqual({r["seed"] for r in rows}, {"3", "4"})
         self.assertEqual({r["map"] for r in rows},
@@ -117,7 +113,7 @@ class OwnStudy(ProgramTest):
                    '"start": [0, 0], "goal": [9, 5]}]}')
         run = self.run_program("study", "s.json")
         self.assertEqual((run.code, run.out), (0, "study-s/report.md\n"), run.err)
-        self.assertEqual(len(self.rows("study-s", "runs.csv")), 2)
+        self.assertEqual(len(self.runs_of("study-s")), 2)
 
     def test_refuses_a_file_with_its_line_and_key(self):
         good = SWEEP.replace("[1..2]", "1")
@@ -147,14 +143,13 @@ class OwnStudy(ProgramTest):
         run = self.run_program(*self.SHORT, "--algorithm", "as,mmas", "--set", "persistence=0.5,0.9",
                                "--set", "iterations=5", "--seeds", "1..3", "-o", "r")
         self.assertEqual((run.code, run.out), (0, "r/report.md\n"), run.err)
-        rows = self.rows("r", "runs.csv")
+        rows = self.runs_of("r")
         self.assertEqual(len(rows), 12)
         self.assertEqual({r["set.persistence"] for r in rows}, {"0.5", "0.9"})
         self.assertEqual({r["iterations"] for r in rows}, {"5"})
         # Its file says the same.
-        run = self.run_program("study", "r/study.yaml", "--seeds", "1-3", "-o", "r2")
-        self.assertEqual(run.code, 0, run.err)
-        self.assertEqual(self.rows("r2", "runs.csv"), rows)
+        self.ended(self.run_program("study", "r/study.yaml", "--seeds", "1-3", "-o", "r2"), 0)
+        self.assertEqual(self.runs_of("r2"), rows)
         # A run of plan with the same numbers is the same run.
         plan = self.plan("--set", "persistence=0.9", "--iterations", 5, "--seed", 2, "--json",
                          "--algorithm", "mmas")
@@ -189,16 +184,11 @@ class OwnStudy(ProgramTest):
         preset = self.read("t/preset.yaml").decode()
         self.holds(preset, "algorithm: mmas\n", 'ants: "10"\n', 'iterations: "50"\n')
         self.holds(self.read("t/report.md").decode(), "| blobs |", "| default |", "F-race")
-        # The same again, from another start, after interruptions.
-        interrupted = False
-        while not interrupted:
-            process = self.start_program("tune", "t.yaml", "-o", "t2", "--threads", 1)
-            while process.poll() is None and self.runs_done("t2/runs") < 12:
-                pass
-            process.send_signal(signal.SIGINT)
-            _, err = process.communicate()
-            interrupted = process.returncode == 130
-            self.assertTrue(interrupted, err)
+        # The same again, from another start, after an interruption.
+        process = self.start_program("tune", "t.yaml", "-o", "t2", "--threads", 1)
+        while process.poll() is None and self.runs_done("t2/runs") < 12:
+            pass
+        self.interrupted(process, timeout=None)
         self.holds(self.read("t2/preset.yaml").decode(), "interrupted", "algorithm: mmas")
         self.assertEqual(self.run_program("tune", "t.yaml", "-o", "t2").code, 0)
         for name in ("preset.yaml", "race.csv", "candidates.csv", "report.md"):
@@ -215,7 +205,7 @@ class OwnStudy(ProgramTest):
         self.assertEqual((drive.json["algorithm"], drive.json["parameters"]["ants"]), ("mmas", 3))
         study = self.run_program(*self.SHORT, "--preset", "t/preset.yaml", "--seeds", 1, "-o", "p")
         self.assertEqual(study.code, 0, study.err)
-        self.assertEqual([(r["algorithm"], r["iterations"]) for r in self.rows("p", "runs.csv")],
+        self.assertEqual([(r["algorithm"], r["iterations"]) for r in self.runs_of("p")],
                          [("mmas", "50")])
         self.write("q.tsv", "sx\tsy\tgx\tgy\n0\t0\t9\t5\n")
         batch = self.run_program("batch", "small.map", "q.tsv", "--preset", "t/preset.yaml",
@@ -244,9 +234,8 @@ class OwnStudy(ProgramTest):
     def test_the_programs_maps_are_found(self):
         self.write("s.yaml", "contenders: [{name: as, algorithm: as, set: {iterations: 2}}]\n"
                    "seeds: 1\nquestions: [{map: grid20a.map, draw: 1}]\n")
-        run = self.run_program("study", "s.yaml", "--maps", MAPS)
-        self.assertEqual(run.code, 0, run.err)
-        self.assertEqual(self.rows("study-s", "runs.csv")[0]["map"], "grid20a.map")
+        self.ended(self.run_program("study", "s.yaml", "--maps", MAPS), 0)
+        self.assertEqual(self.runs_of("study-s")[0]["map"], "grid20a.map")
 
 
 if __name__ == "__main__":

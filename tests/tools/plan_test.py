@@ -58,9 +58,7 @@ class ExitCodes(ProgramTest):
         self.assertEqual(self.plan(start="3,1", goal="4,2").code, 4)
 
     def test_grown_obstacles_are_named(self):
-        run = self.plan("--radius", "0.5")
-        self.assertEqual(run.code, 4)
-        self.assertIn("grown by 0.5 cells", run.err)
+        self.ended(self.plan("--radius", "0.5"), 4, "grown by 0.5 cells")
 
     def test_no_path_within_the_iterations(self):
         run = self.plan("--iterations", "0")
@@ -297,8 +295,7 @@ class Files(ProgramTest):
     def test_a_picture_of_a_map_whose_name_is_no_text(self):
         name = os.fsdecode(b"\xff\xfe.map")
         self.write(name, self.read("small.map"))
-        run = self.plan("-o", "a.png", "-o", "a.svg", map_file=name)
-        self.assertEqual(run.code, 0, run.err)
+        self.ended(self.plan("-o", "a.png", "-o", "a.svg", map_file=name), 0)
         self.png_size("a.png")
 
     def test_a_failed_run_leaves_an_older_file_alone(self):

@@ -44,8 +44,7 @@ class WorldTest(ProgramTest):
 
 class PolygonTest(WorldTest):
     def test_shortest_path(self):
-        run = self.plan_world()
-        self.assertEqual((run.code, run.err), (0, ""))
+        run = self.quiet(self.plan_world())
         lines = run.out.splitlines()
         self.assertEqual(lines[0], "solved")
         self.assertAlmostEqual(float(lines[1]), OPTIMUM, places=8)
@@ -58,8 +57,7 @@ class PolygonTest(WorldTest):
                 "note", "elapsed_ms"]
         for algorithm in ("exact", "maklink-acs", "real-ga"):
             with self.subTest(algorithm=algorithm):
-                run = self.plan_world("--algorithm", algorithm, "--json")
-                self.assertEqual((run.code, run.err), (0, ""))
+                run = self.quiet(self.plan_world("--algorithm", algorithm, "--json"))
                 result = run.json
                 asked = self.plan_world("--algorithm", algorithm, "--json", "--gap").json
                 self.assertEqual(asked["optimum"], result["optimum"])
@@ -138,13 +136,10 @@ class PolygonTest(WorldTest):
                 run = self.plan_world(*arguments)
                 self.assertEqual((run.code, run.out), (2, ""))
                 self.assertIn(part, run.err)
-        run = self.plan_world(world="open.geojson")
-        self.assertEqual(run.code, 2)
-        self.assertIn("--start is required", run.err)
+        self.ended(self.plan_world(world="open.geojson"), 2, "--start is required")
         run = self.plan("--algorithm", "maklink-acs")
         self.refused(run, 2, "maklink-acs plans among polygons")
-        run = self.plan(map_file="small.map", start="0,0", goal="1,1")
-        self.assertEqual(run.code, 0)
+        self.ended(self.plan(map_file="small.map", start="0,0", goal="1,1"), 0)
         self.write("q.tsv", "sx sy gx gy\n0 0 1 1\n")
         for option in (["--margin", "1"], ["--join", "round"], ["--boundary", "keep"], ["--repair"]):
             for command in (["plan", "small.map", "--start", "0,0", "--goal", "1,1"],
@@ -191,16 +186,14 @@ class PolygonTest(WorldTest):
                           ("100,1e15", "100, 200"), ("100,-1e300", "100, 0"),
                           ("1e300,-1e300", "200, 0")):
             with self.subTest(far=far):
-                run = self.plan_world("--start", "1,1", f"--goal={far}", world=self.empty())
-                self.assertEqual(run.code, 4)
-                self.assertIn(f"the nearest free point is ({near})", run.err)
+                self.ended(self.plan_world("--start", "1,1", f"--goal={far}", world=self.empty()),
+                           4, f"the nearest free point is ({near})")
 
     def empty(self):
         return self.write("empty.wkt", "POLYGON ((0 0, 200 0, 200 200, 0 200, 0 0))")
 
     def test_blocked_outside_unreachable(self):
-        run = self.plan_world("--start", "60,140", "--json")
-        self.assertEqual(run.code, 4)
+        run = self.ended(self.plan_world("--start", "60,140", "--json"), 4)
         self.assertEqual(run.json["status"], "invalid")
         self.assertIn("nearest free point is (50, 150)", run.json["error"])
         self.assertIsNone(run.json["path"])
@@ -219,11 +212,9 @@ class PolygonTest(WorldTest):
 
     def test_outputs(self):
         for algorithm in ("exact", "maklink-acs"):
-            run = self.plan_world("--algorithm", algorithm, "-o", "o.json", "-o", "o.csv", "-o",
-                                  "o.svg", "-o", "o.png")
-            self.assertEqual(run.code, 0)
-            with open(self.path("o.csv"), encoding="utf-8") as file:
-                head = file.readline().strip()
+            self.ended(self.plan_world("--algorithm", algorithm, "-o", "o.json", "-o", "o.csv",
+                                       "-o", "o.svg", "-o", "o.png"), 0)
+            head = self.read("o.csv").decode().splitlines()[0]
             self.assertEqual(head, "x,y" if algorithm == "exact" else "iteration,best,mean,arrived")
             text = self.words("o.svg")
             self.holds(text, "start", "goal", "obstacle", "margin, or outside", "path, length",
@@ -231,8 +222,7 @@ class PolygonTest(WorldTest):
             for words in ("MAKLINK line", "its midpoint", "Dijkstra's path over midpoints",
                           "best path so far", "mean tour of the ants", "optimum of its own crossings"):
                 self.assertEqual(words in text, algorithm != "exact", words)
-            with open(self.path("o.png"), "rb") as file:
-                self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+            self.assertEqual(self.read("o.png")[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual(self.plan_world("-o", "no/such/o.json").code, 7)
 
     def test_verify(self):
@@ -245,29 +235,22 @@ class PolygonTest(WorldTest):
                           ["--start", "60,140"]):
             with self.subTest(arguments=arguments):
                 self.plan_world("--json", "-o", "r.json", *arguments)
-                run = self.run_program("verify", "r.json", "--threads", "2")
-                self.assertEqual((run.code, run.err), (0, ""))
-        with open(self.path("r.json"), encoding="utf-8") as file:
-            result = json.load(file)
+                self.quiet(self.run_program("verify", "r.json", "--threads", "2"))
+        result = json.loads(self.read("r.json"))
         result["start"] = [61, 140]
         self.write("r.json", json.dumps(result))
         self.assertEqual(self.run_program("verify", "r.json").code, 1)
         self.write("world.geojson", collection(margin=1))
-        run = self.run_program("verify", "r.json")
-        self.assertEqual(run.code, 3)
-        self.assertIn("hash", run.err)
+        self.ended(self.run_program("verify", "r.json"), 3, "hash")
 
     def test_a_bitmaps_preparation_has_no_effect(self):
-        run = self.plan_world("--prepare")
-        self.assertEqual(run.code, 0)
-        self.assertIn("--prepare has no effect", run.err)
+        self.ended(self.plan_world("--prepare"), 0, "--prepare has no effect")
         self.refused(self.run_program("info", "world.geojson", "--prepare"), 2, "--prepare")
         self.refused(self.run_program("info", "world.geojson", "--radius", "1"), 2, "--margin")
         self.refused(self.run_program("info", "world.geojson", "--corners", "alow"), 2, "allow")
 
     def test_info_and_algorithms(self):
-        run = self.run_program("info", "world.geojson", "--json")
-        self.assertEqual(run.code, 0)
+        run = self.ended(self.run_program("info", "world.geojson", "--json"), 0)
         self.assertEqual((run.json["obstacles"], run.json["corners"], run.json["components"]),
                          (4, 15, 1))
         self.assertIn("maklink", self.run_program("info", "world.geojson").out)
@@ -288,8 +271,7 @@ class PolygonTest(WorldTest):
         spikes = [[[98, 0], [102, 0], [100, 96]], [[98, 200], [100, 104], [102, 200]]]
         self.write("spikes.geojson", collection(margin=2, obstacles=spikes))
         self.assertEqual(self.plan_world(world="spikes.geojson").code, 0)
-        run = self.plan_world("--join", "mitre", "--json", world="spikes.geojson")
-        self.assertEqual(run.code, 5)
+        run = self.ended(self.plan_world("--join", "mitre", "--json", world="spikes.geojson"), 5)
         self.assertIn("round joins start and goal are joined", run.json["note"])
         self.assertIn(run.json["note"], run.err)
         self.assertNotIn("note", self.plan_world("--join", "mitre", "-q", world="spikes.geojson").err)
@@ -308,8 +290,7 @@ class PolygonTest(WorldTest):
             result["version"] = "0.1.0"
             made[join] = result
             self.write("old.json", json.dumps(result))
-            run = self.run_program("verify", "old.json")
-            self.assertEqual(run.code, 0, run.err)
+            self.ended(self.run_program("verify", "old.json"), 0)
         self.assertNotEqual(made["chords"]["path"], made["mitre"]["path"])
 
     def test_values_ask_for_iterations(self):
@@ -330,8 +311,7 @@ class PolygonBatch(WorldTest):
     def test_each_query_is_what_plan_gives(self):
         self.write("open.geojson", collection(start=None, goal=None, margin=1.5))
         for arguments in (["--algorithm", "maklink-acs", "--seed", "7", "--threads", "2"], []):
-            run = self.batch(*arguments, world="open.geojson")
-            self.assertEqual((run.code, run.err), (0, ""))
+            run = self.quiet(self.batch(*arguments, world="open.geojson"))
             lines = run.lines
             self.assertEqual([line["index"] for line in lines], [0, 1, 2, 3, 4])
             self.assertEqual([line["status"] for line in lines],
@@ -349,15 +329,12 @@ class PolygonBatch(WorldTest):
     def test_outputs_and_verify(self):
         run = self.batch("--algorithm", "maklink-acs", "-o", "b.json", "-o", "b.csv", "-o", "b.svg")
         self.assertEqual(run.code, 0, run.err)
-        with open(self.path("b.json"), encoding="utf-8") as file:
-            self.assertEqual(file.read(), run.out)
-        with open(self.path("b.csv"), encoding="utf-8") as file:
-            rows = file.read().splitlines()
+        self.assertEqual(self.read("b.json").decode(), run.out)
+        rows = self.read("b.csv").decode().splitlines()
         self.assertEqual(rows[0], "index,sx,sy,gx,gy,status,length,lower_bound,gap,iterations,elapsed_ms,"
                                   "seed,optimum,optimum_gap")
         self.assertTrue(rows[2].startswith("1,1.5,2.25,150,10.5,solved,"))
-        with open(self.path("b.svg"), encoding="utf-8") as file:
-            self.assertIn("<svg", file.read(2000))
+        self.assertIn(b"<svg", self.read("b.svg")[:2000])
         run = self.run_program("verify", "b.json")
         self.assertEqual((run.code, run.out), (0, "5 of 5 results are equal to the replay\n"))
 

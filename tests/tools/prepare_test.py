@@ -39,9 +39,8 @@ class Prepare(ProgramTest):
 
     def test_a_batch_gives_what_plan_gives_and_is_replayed(self):
         self.write("q.tsv", QUERIES)
-        run = self.run_program("batch", FAN, "q.tsv", "--prepare", "--threads", "2",
-                               "-o", "lines.json")
-        self.assertEqual((run.code, run.err), (0, ""))
+        run = self.quiet(self.run_program("batch", FAN, "q.tsv", "--prepare", "--threads", "2",
+                                          "-o", "lines.json"))
         self.assertEqual(run.lines[0]["path"], self.fan("--json", "--prepare").json["path"])
         verified = self.run_program("verify", "lines.json")
         self.assertEqual((verified.code, verified.out),
@@ -54,9 +53,8 @@ class Prepare(ProgramTest):
         self.assertAlmostEqual(prepared["optimum"], plain["optimum"], places=6)
 
     def test_it_is_said_where_it_has_no_effect(self):
-        run = self.fan("--json", "--algorithm", "fan2004", "--iterations", "3", "--prepare")
-        self.assertEqual(run.code, 0)
-        self.assertIn("--prepare has no effect", run.err)
+        run = self.ended(self.fan("--json", "--algorithm", "fan2004", "--iterations", "3",
+                                  "--prepare"), 0, "--prepare has no effect")
         self.assertNotIn("prepare", run.json["parameters"])
 
     def test_verbose_says_what_it_costs(self):

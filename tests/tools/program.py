@@ -1,6 +1,9 @@
 """Runs the built program as a user would. Standard library only."""
+import csv
+import io
 import json
 import os
+import signal
 import struct
 import subprocess
 import tempfile
@@ -73,6 +76,10 @@ class ProgramTest(unittest.TestCase):
         with open(self.path(name), "rb") as file:
             return file.read()
 
+    def rows(self, name):
+        """A table with a header, row by row."""
+        return list(csv.DictReader(io.StringIO(self.read(name).decode(), newline="")))
+
     # Most tests want iterations to look at, which the default algorithm has not.
     algorithm = "fan2004"
 
@@ -94,16 +101,36 @@ class ProgramTest(unittest.TestCase):
                                 stdout=options.pop("stdout", subprocess.PIPE),
                                 stderr=subprocess.PIPE, **options)
 
+    def interrupted(self, process, number=signal.SIGINT, timeout=60):
+        """What a run still writes once a signal ends it, with exit code 130."""
+        process.send_signal(number)
+        out, err = process.communicate(timeout=timeout)
+        self.assertEqual(process.returncode, 130, err)
+        return out, err
+
     def plan(self, *arguments, start="0,0", goal="9,5", map_file="small.map", **options):
         return self.run_program("plan", map_file, "--start", start, "--goal", goal, *arguments,
                                 **options)
 
+    def ended(self, run, code, *words):
+        """The run, whose exit code is `code` and whose messages say all `words`."""
+        self.assertEqual(run.code, code, run.err)
+        self.holds(run.err, *words)
+        return run
+
+    def quiet(self, run):
+        """The run, which ended well and without a message."""
+        self.assertEqual((run.code, run.err), (0, ""))
+        return run
+
     def refused(self, run, code, *words):
         """Exit code `code`, nothing on stdout, and a message that says all `words`."""
-        self.assertEqual(run.code, code, run.err)
-        self.assertEqual(run.out, "")
-        for word in words:
-            self.assertIn(word, run.err)
+        self.assertEqual(self.ended(run, code, *words).out, "")
+
+    def replay_of(self, result, *options):
+        """What verify says of a result."""
+        self.write("bad.json", json.dumps(result))
+        return self.run_program("verify", *options, "bad.json")
 
     def svg_root(self, name):
         root = xml.etree.ElementTree.fromstring(self.read(name))

@@ -120,8 +120,7 @@ class Report(ProgramTest):
         self.assertLessEqual(len(content["frames"]["iterations"]), 401)
 
     def test_a_run_without_a_path(self):
-        run = self.plan("-q", "-o", "run.html", start="5,2", goal="9,5")
-        self.assertEqual(run.code, 5, run.err)
+        self.ended(self.plan("-q", "-o", "run.html", start="5,2", goal="9,5"), 5)
         content = self.content()
         self.assertEqual(content["result"]["status"], "unreachable")
         self.assertIsNone(content["result"]["path"])
@@ -155,9 +154,8 @@ class Report(ProgramTest):
         self.write("map.pgm", b"P5 4 3 255\n" + bytes([254] * 12))
         self.write("map.yaml", "image: map.pgm\nresolution: 0.5\norigin: [10, 20, 0]\nnegate: 0\n"
                                "occupied_thresh: 0.65\nfree_thresh: 0.196\n")
-        run = self.plan("--frame", "world", "--iterations", "2", "-q", "-o", "run.html", map_file="map.yaml",
-                        start="10.2,20.2", goal="11.7,21.2")
-        self.assertEqual(run.code, 0, run.err)
+        self.ended(self.plan("--frame", "world", "--iterations", "2", "-q", "-o", "run.html",
+                             map_file="map.yaml", start="10.2,20.2", goal="11.7,21.2"), 0)
         content = self.content()
         self.assertEqual((content["unit"], content["scale"]), ("m", 0.5))
         self.assertEqual(content["map"]["to_world"], [0.5, 0, 10, 0, -0.5, 21.5])

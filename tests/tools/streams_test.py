@@ -60,10 +60,8 @@ class Outputs(ProgramTest):
         for arguments in (["plan", "small.map", "--start", "0,0", "--goal", "9,5"],
                           ["batch", "small.map", "q.tsv"]):
             with self.subTest(arguments=arguments):
-                run = self.run_program(*arguments, "-o", "full.json", "-o", "ok.json", "-o",
-                                       "ok.png")
-                self.assertEqual(run.code, 7)
-                self.assertIn("full.json", run.err)
+                self.ended(self.run_program(*arguments, "-o", "full.json", "-o", "ok.json", "-o",
+                                            "ok.png"), 7, "full.json")
                 self.assertEqual(json.loads(self.read("ok.json"))["status"], "solved")
                 self.assertTrue(self.read("ok.png"))
                 os.remove(self.path("ok.json"))
@@ -89,56 +87,43 @@ class Signals(ProgramTest):
             self.assertNotEqual(byte, b"", seen)
             seen += byte
 
-    def interrupt(self, number, *arguments):
-        """Sends a signal once the run says that it is on its way."""
-        process = self.start_program(*LONG, *arguments)
-        self.wait_for_best(process)
-        process.send_signal(number)
-        out, err = process.communicate(timeout=60)
-        return process.returncode, out.decode(), err.decode()
-
     def test_the_best_so_far_is_written(self):
         for number in (signal.SIGINT, signal.SIGTERM):
             with self.subTest(number=number):
-                code, out, err = self.interrupt(number, "--json", "-o", "r.json", "-o", "r.png")
-                self.assertEqual(code, 130)
-                self.assertIn("interrupted", err)
+                process = self.start_program(*LONG, "--json", "-o", "r.json", "-o", "r.png")
+                self.wait_for_best(process)
+                out, err = self.interrupted(process, number)
+                self.assertIn(b"interrupted", err)
                 result = json.loads(out, parse_constant=refuse_constant)
                 self.assertEqual(result["status"], "interrupted")
                 # Ants of the iteration that was cut short may have found a better one.
                 self.assertLessEqual(result["length"], result["best"][-1])
                 self.assertEqual(len(result["best"]), result["iterations"])
                 self.assertEqual(result["path"][-1], [380.5, 179.5])
-                self.assertEqual(self.read("r.json").decode(), out)
+                self.assertEqual(self.read("r.json"), out)
                 self.assertGreater(min(self.png_size("r.png")), 100)
 
     def test_batch_prints_whole_lines_only(self):
         self.write("q.tsv", "sx\tsy\tgx\tgy\n14\t14\t60\t40\n" + "14\t14\t380\t179\n" * 100000)
         process = self.start_program("batch", FAN, "q.tsv", "--iterations", "20", "--threads", "2")
         first = process.stdout.readline()
-        process.send_signal(signal.SIGINT)
-        out, _ = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 130)
-        self.assertTrue((first + out).endswith(b"\n"))
-        lines = [json.loads(line) for line in (first + out).splitlines()]
+        out = first + self.interrupted(process)[0]
+        self.assertTrue(out.endswith(b"\n"))
+        lines = [json.loads(line) for line in out.splitlines()]
         self.assertEqual([line["index"] for line in lines], list(range(len(lines))))
         self.assertLess(len(lines), 100001)
         self.assertEqual(lines[0]["status"], "solved")
 
     def test_the_search_for_the_optimum_ends_too(self):
-        made = self.run_program("generate", "random", "--size", "4096x4096", "--density", "0.2",
-                                "-o", "big.pbm")
-        self.assertEqual(made.code, 0)
+        self.ended(self.run_program("generate", "random", "--size", "4096x4096", "--density",
+                                    "0.2", "-o", "big.pbm"), 0)
         # One ant that always takes the best move: the plan takes no time, its optimum a second.
         process = self.start_program("plan", "big.pbm", "--start", "0,0", "--goal", "4095,4095",
                                      "--algorithm", "as", "--set", "greedy=1", "--neighbours", "8",
                                      "--ants", "1", "--iterations", "1", "--polish", "none",
                                      "--gap", "--json", "--progress", "always")
         self.wait_for_best(process)
-        process.send_signal(signal.SIGINT)
-        out, _ = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 130)
-        result = json.loads(out, parse_constant=refuse_constant)
+        result = json.loads(self.interrupted(process)[0], parse_constant=refuse_constant)
         self.assertEqual((result["status"], result["iterations"]), ("solved", 1))
         self.assertEqual((result["optimum"], result["optimum_gap"]), (None, None))
 
@@ -155,9 +140,7 @@ class Signals(ProgramTest):
                                              "big.pbm")
                 while not self.caught(process):
                     self.assertIsNone(process.poll())
-                process.send_signal(number)
-                out, err = process.communicate(timeout=60)
-                self.assertEqual((process.returncode, out, err), (130, b"", b""))
+                self.assertEqual(self.interrupted(process, number), (b"", b""))
                 self.assertEqual(os.listdir(self.folder), ["small.map"])
 
     def test_generate_writes_whole_what_it_began(self):
@@ -174,9 +157,7 @@ class Signals(ProgramTest):
         os.mkfifo(self.path("pipe.map"))
         process = self.start_program("info", "pipe.map", "--prepare")
         with open(self.path("pipe.map"), "wb"):  # when it reads
-            process.send_signal(signal.SIGTERM)
-            out, err = process.communicate(timeout=60)
-        self.assertEqual((process.returncode, out, err), (130, b"", b""))
+            self.assertEqual(self.interrupted(process, signal.SIGTERM), (b"", b""))
 
     # Of 64 tiles, more than are labelled between two polls.
     SIDE = 2048
@@ -223,8 +204,7 @@ class Signals(ProgramTest):
                 run = self.interrupt_while_read(
                     "plan", "pipe.map", "--start", "1,1", "--goal", corner, "--json", "-v", "-o",
                     "r.json", "-o", "r.png", *more)
-                self.assertEqual(run.code, 130, run.err)
-                self.assertIn("interrupted", run.err)
+                self.ended(run, 130, "interrupted")
                 self.assertNotIn("ready after", run.err)
                 self.assertEqual((run.json["status"], run.json["path"], run.json["length"]),
                                  ("interrupted", None, None))
@@ -238,8 +218,7 @@ class Signals(ProgramTest):
         self.assertEqual((run.code, run.out, run.err), (130, "", ""))
         self.assertEqual(len(self.read("r.csv").splitlines()), 1)
 
-        solved = self.plan("--algorithm", "exact", "-o", "r.json", map_file="big.map")
-        self.assertEqual(solved.code, 0)
+        self.ended(self.plan("--algorithm", "exact", "-o", "r.json", map_file="big.map"), 0)
         run = self.interrupt_while_read("verify", "r.json", "--map", "pipe.map")
         self.assertEqual((run.code, run.out, run.err), (130, "", ""))
 

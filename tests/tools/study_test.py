@@ -1,11 +1,8 @@
 """study: lists, refuses, stops and goes on, and writes its report."""
-import csv
 import os
-import signal
-import subprocess
 import unittest
 
-from program import MAPS, PROGRAM, ProgramTest, environment
+from program import MAPS, ProgramTest
 
 
 class Study(ProgramTest):
@@ -18,8 +15,7 @@ class Study(ProgramTest):
         return [os.path.join(at, f) for at, _, files in os.walk(self.out("runs")) for f in files]
 
     def test_lists_what_there_is(self):
-        run = self.run_program("study", "list")
-        self.assertEqual((run.code, run.err), (0, ""))
+        run = self.quiet(self.run_program("study", "list"))
         names = [line.split("\t")[0] for line in run.out.splitlines()]
         # The studies on polygons are there where polygons were built.
         self.assertEqual([name for name in names if name != "maklink"],
@@ -42,46 +38,36 @@ class Study(ProgramTest):
         run = self.run_program("study", "maklink", "--seeds", "3", "-o", "m", "--maps", MAPS)
         self.assertEqual((run.code, run.out), (0, "m/report.md\n"))
         self.assertRegex(run.err, r"^lasius: maklink: 21 runs, about \d+ (s|min) with \d+ threads")
-        with open(os.path.join(self.folder, "m", "runs.csv"), encoding="utf-8") as file:
-            rows = list(csv.DictReader(file))
+        rows = self.rows("m/runs.csv")
         self.assertEqual(len(rows), 21)
         for row in rows:
             self.assertGreaterEqual(float(row["length"]), float(row["own_limit"]) * (1 - 1e-12))
-        with open(os.path.join(self.folder, "m", "report.md"), encoding="utf-8") as file:
-            self.assertIn("What the source claims", file.read())
-        with open(os.path.join(self.folder, "m", "claims.csv"), encoding="utf-8") as file:
-            for row in csv.DictReader(file):
-                self.assertTrue(row["outcome"] and row["place"], row)
+        self.assertIn("What the source claims", self.read("m/report.md").decode())
+        for row in self.rows("m/claims.csv"):
+            self.assertTrue(row["outcome"] and row["place"], row)
         quiet = self.run_program("study", "maklink", "--seeds", "3", "-o", "m", "--maps", MAPS, "-q")
         self.assertEqual((quiet.code, quiet.err), (0, ""))
 
     def test_all_makes_one_table_and_can_be_stopped(self):
-        process = subprocess.Popen(
-            [PROGRAM, "study", "all", "--seeds", "1", "-o", "out", "--maps", MAPS, "-q"],
-            cwd=self.folder, env=environment({}), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        process = self.start_program("study", "all", "--seeds", "1", "-o", "out", "--maps", MAPS,
+                                     "-q")
         while process.poll() is None and not os.path.isdir(self.out("fan2004", "runs")):
             pass
-        process.send_signal(signal.SIGINT)
-        out, err = process.communicate()
-        self.assertEqual((process.returncode, out), (130, b""), err)
-        with open(self.out("claims.md"), encoding="utf-8") as page:
-            text = page.read()
+        out, err = self.interrupted(process, timeout=None)
+        self.assertEqual(out, b"", err)
+        text = self.read("out/claims.md").decode()
         self.assertIn("| `fan2004` |", text)
         self.assertIn("interrupted", text)
         self.assertNotIn("| confirmed |", text)
 
     def test_goes_on_where_it_stopped_and_reports(self):
-        process = subprocess.Popen([PROGRAM, *self.COMMAND], cwd=self.folder,
-                                   env=environment({}), stdout=subprocess.PIPE,
-                                   stderr=subprocess.PIPE)
+        process = self.start_program(*self.COMMAND)
         while process.poll() is None and not self.runs():
             pass
-        process.send_signal(signal.SIGINT)
-        out, err = process.communicate()
-        self.assertEqual((process.returncode, out), (130, b""), err)
+        out, err = self.interrupted(process, timeout=None)
+        self.assertEqual(out, b"")
         self.assertIn(b"goes on", err)
-        with open(self.out("report.md"), encoding="utf-8") as page:
-            text = page.read()
+        text = self.read("out/report.md").decode()
         self.assertIn("Partial: interrupted", text)
         self.assertNotIn("| confirmed |", text)
         self.assertNotIn("| **refuted** |", text)
@@ -92,10 +78,8 @@ class Study(ProgramTest):
         self.assertEqual((run.code, run.out), (0, "out/report.md\n"), run.err)
         for file, time_ns in kept.items():
             self.assertEqual(os.stat(file).st_mtime_ns, time_ns)
-        with open(self.out("runs.csv"), encoding="utf-8") as table:
-            self.assertEqual(len(list(csv.DictReader(table))), len(self.runs()))
-        with open(self.out("report.md"), encoding="utf-8") as page:
-            text = page.read()
+        self.assertEqual(len(self.rows("out/runs.csv")), len(self.runs()))
+        text = self.read("out/report.md").decode()
         for word in ("optimum of 8 moves", "What the source claims", "index off", "cannot decide with 1 seeds"):
             self.assertIn(word, text)
         for name in ("paths", "convergence"):

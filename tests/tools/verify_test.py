@@ -63,9 +63,7 @@ class Verify(ProgramTest):
                                          "grid_optimum": None, "grid_gap": None}))
         self.assertEqual(self.run_program("verify", "r.json").code, 0)
         self.write("r.json", json.dumps({**result, "optimum": result["optimum"] - 1}))
-        run = self.run_program("verify", "r.json")
-        self.assertEqual(run.code, 1)
-        self.assertIn("'optimum'", run.err)
+        self.ended(self.run_program("verify", "r.json"), 1, "'optimum'")
 
     def test_an_optimum_that_was_cut_off_has_no_gap(self):
         result = self.save("--gap")
@@ -82,8 +80,7 @@ class Verify(ProgramTest):
         own = result["version"]
         for version in ("0.1.0", "0.1.7", own):
             self.write("r.json", json.dumps({**result, "version": version}))
-            run = self.run_program("verify", "r.json")
-            self.assertEqual(run.code, 0, run.err)
+            run = self.ended(self.run_program("verify", "r.json"), 0)
             self.assertEqual("made by version 0.1" in run.err, version != own)
         major = int(own.split(".")[0])
         for version in (f"{major + 1}.0.0", own + "1", "0.0.9", "0.1", "0.1.0.1", "0.1.0-x", "-1.2.3",
@@ -152,24 +149,18 @@ class Verify(ProgramTest):
         }
         for key, value in changes.items():
             with self.subTest(key=key):
-                self.write("bad.json", json.dumps({**result, key: value}))
-                self.refused(self.run_program("verify", "-q", "bad.json"), 1, key)
-        self.write("bad.json", json.dumps({**result, "seed": 2}))
-        self.assertEqual(self.run_program("verify", "bad.json").code, 1)
+                self.refused(self.replay_of({**result, key: value}, "-q"), 1, key)
+        self.assertEqual(self.replay_of({**result, "seed": 2}).code, 1)
 
     def test_what_a_clock_ended_cannot_be_replayed(self):
         result = self.save()
         for status in ("limit", "interrupted"):
             self.write("r.json", json.dumps({**result, "status": status}))
-            run = self.run_program("verify", "r.json")
-            self.assertEqual(run.code, 2)
-            self.assertIn("cannot be replayed", run.err)
+            self.ended(self.run_program("verify", "r.json"), 2, "cannot be replayed")
 
     def test_what_own_rules_found_cannot_be_replayed(self):
         self.write("r.json", json.dumps({**self.save(), "own_rules": True}))
-        run = self.run_program("verify", "r.json")
-        self.assertEqual(run.code, 2)
-        self.assertIn("rules of the caller's own", run.err)
+        self.ended(self.run_program("verify", "r.json"), 2, "rules of the caller's own")
 
     def test_another_map_is_refused(self):
         result = self.save()
@@ -196,9 +187,7 @@ class Verify(ProgramTest):
         lines = run.lines
         lines[2]["length"] += 1
         self.write("lines.json", "".join(json.dumps(line) + "\n" for line in lines))
-        verified = self.run_program("verify", "lines.json")
-        self.assertEqual(verified.code, 1)
-        self.assertIn("result 3", verified.err)
+        self.ended(self.run_program("verify", "lines.json"), 1, "result 3")
 
     def test_a_result_that_is_laid_out_for_people(self):
         self.write("r.json", json.dumps(self.save(), indent=2))
@@ -247,8 +236,7 @@ class Verify(ProgramTest):
                 self.refused(run, 3, "bad.json", word)
                 self.assertNotIn("exception", run.err)
         del result["map"]
-        self.write("bad.json", json.dumps(result))
-        self.refused(self.run_program("verify", "bad.json"), 3, "bad.json", 'lacks', '"map"')
+        self.refused(self.replay_of(result), 3, "bad.json", 'lacks', '"map"')
 
     def test_cells_that_no_map_holds(self):
         for goal in ("4294967297,3", "-99999999999999999999,0", "0," + "9" * 400):

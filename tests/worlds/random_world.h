@@ -5,8 +5,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <memory>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -27,13 +27,22 @@ class Dice {
   std::mt19937_64 engine_;
 };
 
+/// Nothing but a boundary, from the origin to (width, height), and perhaps a question.
+inline World empty_world(double width, double height, std::optional<Point> start = {},
+                         std::optional<Point> goal = {}) {
+  World world;
+  world.boundary.outer = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+  world.start = start;
+  world.goal = goal;
+  return world;
+}
+
 /// A square of 200 with `count` star-shaped obstacles of 3 to 8 corners, many of which overlap;
 /// `step` > 0 puts corners on a coarse grid, so that they touch and line up.
 inline World random_world(std::uint64_t seed, int count, double step = 0) {
   Dice dice(seed);
   const auto snapped = [&](double v) { return step > 0 ? std::round(v / step) * step : v; };
-  World world;
-  world.boundary.outer = {{0, 0}, {200, 0}, {200, 200}, {0, 200}};
+  World world = empty_world(200, 200);
   while (static_cast<int>(world.obstacles.size()) < count) {
     const Point centre{dice.real(0, 200), dice.real(0, 200)};
     const double reach = dice.real(12, 72) / std::sqrt(count);
@@ -55,9 +64,15 @@ inline World random_world(std::uint64_t seed, int count, double step = 0) {
   return world;
 }
 
-/// Free points of a planner's world.
+/// A free point of a planner's world.
 inline Point free_point(const Planner& planner, Dice& dice) {
   return planner.nearest_free({dice.real(0, 200), dice.real(0, 200)});
+}
+
+/// A question between two of them.
+inline Request random_request(const Planner& planner, std::uint64_t seed) {
+  Dice dice(seed);
+  return {.start = free_point(planner, dice), .goal = free_point(planner, dice)};
 }
 
 /// Independent of the library but for the obstacles as grown: GEOS decides.

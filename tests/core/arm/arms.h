@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -21,6 +22,13 @@ inline JointVector joints(std::initializer_list<double> values) {
   JointVector q(static_cast<Eigen::Index>(values.size()));
   std::copy(values.begin(), values.end(), q.begin());
   return q;
+}
+
+inline std::vector<JointVector> positions(
+    std::initializer_list<std::initializer_list<double>> points) {
+  std::vector<JointVector> way;
+  for (const auto& point : points) way.push_back(joints(point));
+  return way;
 }
 
 /// A column for each waypoint.
@@ -53,6 +61,30 @@ inline Robot two_links() {
   }
   robot.tip.translation().x() = 0.4;
   return robot;
+}
+
+inline Obstacle ball(const Eigen::Vector3d& at, double radius) {
+  Obstacle ball;
+  ball.shape = Solid::Shape::sphere;
+  ball.pose.translation() = at;
+  ball.radius = radius;
+  return ball;
+}
+
+/// The surface of a cube.
+inline Triangles cube(double half) {
+  const auto corner = [half](int i) {
+    return Vec3{(i & 1) != 0 ? half : -half, (i & 2) != 0 ? half : -half,
+                (i & 4) != 0 ? half : -half};
+  };
+  Triangles triangles;
+  for (const auto& [a, b, c, d] :
+       {std::array{0, 1, 3, 2}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+        std::array{2, 3, 7, 6}, std::array{0, 2, 6, 4}, std::array{1, 3, 7, 5}}) {
+    triangles.push_back({corner(a), corner(b), corner(c)});
+    triangles.push_back({corner(a), corner(c), corner(d)});
+  }
+  return triangles;
 }
 
 /// A question with a lattice of `side` points, most of them between start and goal.

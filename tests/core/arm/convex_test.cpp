@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/arm/mesh_tree.h"
 #include "core/arm/part.h"
+#include "tests/core/arm/arms.h"
 #include "tests/core/arm/draw.h"
 
 namespace lasius::arm {
@@ -85,21 +85,6 @@ TEST(Convex, ByHand) {
   near(cylinder({}, 0.035, 0.04), cylinder({0.08, 0, 0}, 0.04, 0.05, {0, kQuarter, 0}), 0);
   near(cylinder({}, 1, 1), box({0, 0, 3}, {4, 4, 1}), 1);
   near(box({}, {0.001, 100, 0.001}), box({0, 0, 0.01}, {100, 0.001, 0.001}), 0.008);
-}
-
-Triangles cube(double half) {
-  const auto corner = [half](int i) {
-    return Vec3{(i & 1) != 0 ? half : -half, (i & 2) != 0 ? half : -half,
-                (i & 4) != 0 ? half : -half};
-  };
-  Triangles triangles;
-  for (const auto& [a, b, c, d] :
-       {std::array{0, 1, 3, 2}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
-        std::array{2, 3, 7, 6}, std::array{0, 2, 6, 4}, std::array{1, 3, 7, 5}}) {
-    triangles.push_back({corner(a), corner(b), corner(c)});
-    triangles.push_back({corner(a), corner(c), corner(d)});
-  }
-  return triangles;
 }
 
 /// One of the five shapes in turn, its centre at most `away` from the origin along each axis.

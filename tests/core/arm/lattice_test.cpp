@@ -76,7 +76,7 @@ TEST(Lattice, JointValuesAreAFunctionOfThePointAlone) {
 }
 
 /// Notes where the values that it is asked about are.
-class Addresses final : public Sensor {
+class Addresses final : public Nothing {
  public:
   bool position_free(const JointRef& q) const override {
     position = q.data();
@@ -87,7 +87,6 @@ class Addresses final : public Sensor {
     to = b.data();
     return true;
   }
-  double clearance() const override { return 0.001; }
 
   mutable const double *position = nullptr, *from = nullptr, *to = nullptr;
 };

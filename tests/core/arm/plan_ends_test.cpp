@@ -9,23 +9,30 @@
 #include "lasius/error.h"
 #include "tests/core/arm/questions.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/core/base/refusal.h"
 #include "tests/core/params/parameter_ends.h"
 
 // How runs end before their time: refused, proven hopeless, stopped.
 namespace lasius::arm {
 namespace {
 
+/// Eleven points a side: quick, for the two links.
+Params small_lattice() {
+  Params p("goritov2020");
+  p.pitch = 0.05;
+  p.side = 11;
+  return p;
+}
+
 TEST(ArmPlan, SaysOfALatticeWithoutAWayThatItIsTheLattice) {
   const Robot robot = two_links();
   const Request request = across(robot);
   const double from = tip_position(robot, request.start).x();
-  Params parameters("goritov2020");
-  parameters.pitch = 0.05;
-  parameters.side = 11;
+  const Params parameters = small_lattice();
   const Wall wall(robot, from - 0.09, 0.06);
   const Result r = plan(robot, wall, request, parameters);
   EXPECT_EQ(r.status, Status::no_path);
-  EXPECT_NE(r.error.find("pitch 0.05 m, postures tried: 1"), std::string::npos) << r.error;
+  expect_says(r.error, "pitch 0.05 m, postures tried: 1");
   EXPECT_FALSE(r.error.empty());
   EXPECT_LT(r.iterations, 100);
   EXPECT_EQ(r.joints.cols(), 0);
@@ -46,7 +53,7 @@ TEST(ArmPlan, BadQuestionsAreAnswers) {
   const auto expect_invalid = [&](Request request, const std::string& words) {
     const Result r = plan(robot, sensor, request, Params("goritov2020"));
     EXPECT_EQ(r.status, Status::invalid);
-    EXPECT_NE(r.error.find(words), std::string::npos) << r.error;
+    expect_says(r.error, words);
   };
   expect_invalid({.start = joints({0}), .goals = {Eigen::Vector3d(0.9, 0, 0)}}, "1 joint values");
   expect_invalid({.start = joints({0, 4}), .goals = {Eigen::Vector3d(0.9, 0, 0)}}, "joint 2");
@@ -84,7 +91,7 @@ TEST(ArmPlan, OnlyWhatIsProvenIsOutOfReach) {
   const Result torus = answer(robot, {0, 0.5}, {0.5, 0, 0});
   EXPECT_EQ(torus.status, Status::no_path);
   EXPECT_EQ(torus.fault, Fault::none);
-  EXPECT_NE(torus.error.find("not found in this lattice"), std::string::npos) << torus.error;
+  expect_says(torus.error, "not found in this lattice");
   // Tilted as a whole, and with a slide in it, the arm is still a planar one.
   robot = two_links();
   for (Joint& joint : robot.joints) joint.axis = {0, 0.6, 0.8};
@@ -128,9 +135,7 @@ TEST(ArmPlan, ParametersAtTheEndsOfTheirRanges) {
   Request request = across(robot);
   const auto plan_with = [&](std::string_view name, const std::string& value,
                              const StopCondition& stop) {
-    Params p("goritov2020");
-    p.pitch = 0.05;
-    p.side = 11;
+    Params p = small_lattice();
     p.iterations = 2;
     set_parameter(p, name, value);
     request.stop = stop;
@@ -142,9 +147,7 @@ TEST(ArmPlan, ParametersAtTheEndsOfTheirRanges) {
 
 TEST(ArmPlan, TheLeastPheromoneUnderTheStrongestEvaporation) {
   const Robot robot = two_links();
-  Params p("goritov2020");
-  p.pitch = 0.05;
-  p.side = 11;
+  Params p = small_lattice();
   p.initial_pheromone = 1e-12;
   p.persistence = 0;
   p.alpha = 8;
@@ -204,9 +207,7 @@ TEST(ArmPlan, AnObserverEndsSearchAndMotion) {
 TEST(ArmPlan, PolledAmongAntsOfFewSteps) {
   const Robot robot = two_links();
   Request request = across(robot);
-  Params p("goritov2020");
-  p.pitch = 0.05;
-  p.side = 11;
+  Params p = small_lattice();
   p.ants = 1000;
   const CountingTime time(50);
   request.stop = time.is_up();
@@ -221,11 +222,10 @@ Result plan_quietly(const Robot& robot, const Sensor& sensor, const Request& req
 }
 
 /// Takes a second for every question, by the clock that it is.
-class Slow final : public Sensor, public TimeSource {
+class Slow final : public Nothing, public TimeSource {
  public:
   bool position_free(const JointRef&) const override { return asked(); }
   bool motion_free(const JointRef&, const JointRef&) const override { return asked(); }
-  double clearance() const override { return 0.001; }
   Clock::time_point now() const noexcept override {
     return Clock::time_point{} + std::chrono::seconds(seconds_);
   }
@@ -281,14 +281,12 @@ TEST(ArmPlan, AMotionCutShortIsNotSolved) {
 }
 
 /// Breaks down after some questions.
-class Broken final : public Sensor {
+class Broken final : public Nothing {
  public:
   bool position_free(const JointRef&) const override {
     if (++asked_ > 50) throw std::runtime_error("cable");
     return true;
   }
-  bool motion_free(const JointRef&, const JointRef&) const override { return true; }
-  double clearance() const override { return 0.001; }
 
  private:
   mutable std::atomic<int> asked_{0};

@@ -208,11 +208,8 @@ TEST(ArmPlan, TheMotionIsThatOfTheWaypoints) {
 
 TEST(ArmPlan, NamesWhatIsTouchedAtTheStart) {
   const Robot robot = two_links();
-  Obstacle ball;
-  ball.shape = Obstacle::Shape::sphere;
-  ball.radius = 0.1;
-  ball.pose.translation() = tip_position(robot, across(robot).start);
-  const Result r = plan(robot, SceneSensor(robot, {"", {ball}}), across(robot));
+  const Scene scene{"", {ball(tip_position(robot, across(robot).start), 0.1)}};
+  const Result r = plan(robot, SceneSensor(robot, scene), across(robot));
   EXPECT_EQ(r.fault, Fault::start_blocked);
   EXPECT_EQ(r.error, "the arm touches something at the start: link 2 and obstacle 1");
 }

@@ -4,15 +4,14 @@
 #include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "lasius/arm_plan.h"
 #include "tests/core/arm/arms.h"
 
 namespace lasius::arm {
 
-/// A sensor that knows no obstacle.
-class Nothing final : public Sensor {
+/// A sensor that knows no obstacle; others below and in tests say where they differ.
+class Nothing : public Sensor {
  public:
   bool position_free(const JointRef&) const override { return true; }
   bool motion_free(const JointRef&, const JointRef&) const override { return true; }
@@ -20,7 +19,7 @@ class Nothing final : public Sensor {
 };
 
 /// Blocks every position with the tip at `x` or, against x, no further than `thickness` beyond it.
-class Wall final : public Sensor {
+class Wall final : public Nothing {
  public:
   Wall(const Robot& robot, double x, double thickness = std::numeric_limits<double>::infinity())
       : robot_(robot), x_(x), end_(x - thickness) {}
@@ -28,8 +27,6 @@ class Wall final : public Sensor {
     const double x = tip_position(robot_, q).x();
     return x > x_ || x < end_;
   }
-  bool motion_free(const JointRef&, const JointRef&) const override { return true; }
-  double clearance() const override { return 0.001; }
 
  private:
   const Robot& robot_;
@@ -41,6 +38,18 @@ inline Request across(const Robot& robot) {
   Eigen::Vector3d goal = tip_position(robot, joints({0.6, 1.2}));
   goal.x() -= 0.2;
   return {.start = joints({0.6, 1.2}), .goals = {goal}};
+}
+
+/// A lattice search without the straight line, quick enough for a test.
+inline Params in_lattice() {
+  Params p;
+  p.direct = false;
+  p.threads = 1;
+  return p;
+}
+
+inline JointVector last(const Result& result) {
+  return result.joints.col(result.joints.cols() - 1);
 }
 
 struct Case {

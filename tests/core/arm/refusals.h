@@ -9,6 +9,7 @@
 
 #include "lasius/arm_robot.h"
 #include "lasius/error.h"
+#include "tests/core/base/refusal.h"
 
 namespace lasius::arm {
 
@@ -24,6 +25,11 @@ inline constexpr const char* kUrdf = R"(<robot name="r">
     <limit lower="-0.2" upper="0.3" velocity="0.5" effort="1"/></joint>
 </robot>)";
 
+/// A text with `to` in place of the first `from`.
+inline std::string with(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
 /// What stands in a text, what is put in its place, and the line that is then at fault.
 struct Spoilt {
   std::string from, to;
@@ -33,26 +39,17 @@ struct Spoilt {
 template <class Read>
 void expect_lines(std::span<const Spoilt> cases, const std::string& text, const Read& read) {
   for (const auto& [from, to, line] : cases) {
-    std::string broken = text;
-    broken.replace(broken.find(from), from.size(), to);
-    try {
-      read(broken);
-      ADD_FAILURE() << broken;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.place().line, line) << error.what();
-    }
+    const std::string broken = with(text, from, to);
+    const Error error = error_of([&] { read(broken); }, broken);
+    EXPECT_EQ(error.place().line, line) << error.what();
   }
 }
 
 inline void expect_error(const std::string& text, ErrorCode code, const std::string& words) {
-  try {
-    parse_robot(text, "r.txt");
-    ADD_FAILURE() << "accepted: " << text.substr(0, 80);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), code) << error.what();
-    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-    EXPECT_FALSE(error.remedy().empty());
-  }
+  const Error error = error_of([&] { return parse_robot(text, "r.txt"); }, text.substr(0, 80));
+  EXPECT_EQ(error.code(), code) << error.what();
+  expect_says(error, words);
+  EXPECT_FALSE(error.remedy().empty());
 }
 
 }  // namespace lasius::arm

@@ -10,14 +10,6 @@
 namespace lasius::arm {
 namespace {
 
-Obstacle ball(Vec3 at, double radius) {
-  Obstacle o;
-  o.shape = Obstacle::Shape::sphere;
-  o.pose.translation() = Eigen::Vector3d(at);
-  o.radius = radius;
-  return o;
-}
-
 TEST(SceneSensor, APositionByHand) {
   // The arm lies along x, 0.01 thick; the ball's surface is 0.05 - 0.03 - 0.01 = 0.01 away.
   const Robot robot = two_links();
@@ -104,17 +96,7 @@ TEST(SceneSensor, MeshesLikeTheBoxTheyMake) {
   box.size = {0.2, 0.2, 0.2};
   Obstacle mesh = box;
   mesh.shape = Obstacle::Shape::mesh;
-  Triangles triangles;
-  const auto corner = [](int i) {
-    return Vec3{(i & 1) != 0 ? 0.1 : -0.1, (i & 2) != 0 ? 0.1 : -0.1, (i & 4) != 0 ? 0.1 : -0.1};
-  };
-  for (const auto& [a, b, c, d] :
-       {std::array{0, 1, 3, 2}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
-        std::array{2, 3, 7, 6}, std::array{0, 2, 6, 4}, std::array{1, 3, 7, 5}}) {
-    triangles.push_back({corner(a), corner(b), corner(c)});
-    triangles.push_back({corner(a), corner(c), corner(d)});
-  }
-  mesh.triangles = std::make_shared<const Triangles>(std::move(triangles));
+  mesh.triangles = std::make_shared<const Triangles>(cube(0.1));
   const Robot robot = two_links();
   const SceneSensor by_box(robot, {"", {box}}), by_mesh(robot, {"", {mesh}});
   int free = 0;
@@ -134,8 +116,8 @@ TEST(SceneSensor, RefusesBadScenesAndRobots) {
   EXPECT_THROW(SceneSensor(robot, {}, 0), Error);
   EXPECT_THROW(SceneSensor(robot, {}, 0.9e-6), Error);
   EXPECT_EQ(SceneSensor(robot, {}, Sensor::kLeastClearance).clearance(), 1e-6);
-  EXPECT_THROW(SceneSensor(robot, {"", {ball({}, -1)}}), Error);
-  Scene tilted{"", {ball({}, 1)}};
+  EXPECT_THROW(SceneSensor(robot, {"", {ball({0, 0, 0}, -1)}}), Error);
+  Scene tilted{"", {ball({0, 0, 0}, 1)}};
   tilted.obstacles[0].pose(0, 0) = 2;
   EXPECT_THROW(SceneSensor(robot, tilted), Error);
   Robot bad = robot;

@@ -14,27 +14,24 @@ namespace lasius::arm {
 namespace {
 
 /// Refuses every motion that was not allowed beforehand.
-class OnlyThese final : public Sensor {
+class OnlyThese final : public Nothing {
  public:
   explicit OnlyThese(std::vector<JointVector> way) : way_(std::move(way)) {}
-  bool position_free(const JointRef&) const override { return true; }
   bool motion_free(const JointRef& a, const JointRef& b) const override {
     for (std::size_t i = 0; i + 1 < way_.size(); ++i) {
       if (a == way_[i] && b == way_[i + 1]) return true;
     }
     return false;
   }
-  double clearance() const override { return 0.001; }
 
  private:
   std::vector<JointVector> way_;
 };
 
 /// Notes every motion that it is asked about, and refuses none.
-class Notes final : public Sensor {
+class Notes final : public Nothing {
  public:
   explicit Notes(double clearance) : clearance_(clearance) {}
-  bool position_free(const JointRef&) const override { return true; }
   bool motion_free(const JointRef& a, const JointRef& b) const override {
     asked.push_back({a, b});
     return true;
@@ -163,8 +160,7 @@ TEST(Spline, ExtremesBetweenKnots) {
 
 TEST(Trajectory, MeetsALimitAndBreaksNone) {
   const Robot robot = two_links();
-  const std::vector<JointVector> way{joints({0, 0}), joints({0.5, 0.5}), joints({0.5, 1}),
-                                     joints({-1, 2}), joints({-1, 1.5})};
+  const auto way = positions({{0, 0}, {0.5, 0.5}, {0.5, 1}, {-1, 2}, {-1, 1.5}});
   for (const bool shortcut : {false, true}) {
     const auto made = make_trajectory(robot, Nothing(), columns(way), {.shortcut = shortcut});
     EXPECT_EQ(made.waypoints, shortcut ? 2 : 5);
@@ -179,7 +175,7 @@ TEST(Trajectory, MeetsALimitAndBreaksNone) {
 
 TEST(Trajectory, TakesTheDurationThatIsAskedForUnlessTheLimitsForbid) {
   const Robot robot = two_links();
-  const std::vector<JointVector> way{joints({0, 0}), joints({0.5, 0.5}), joints({-1, 2})};
+  const auto way = positions({{0, 0}, {0.5, 0.5}, {-1, 2}});
   const Nothing open;
   const OnlyThese only(way);  // so that it rests at each waypoint
   for (const Sensor* sensor :
@@ -205,8 +201,7 @@ TEST(Trajectory, TakesTheDurationThatIsAskedForUnlessTheLimitsForbid) {
 
 TEST(Trajectory, RestsAtEachWaypointWhereNothingElseIsFree) {
   const Robot robot = two_links();
-  const std::vector<JointVector> way{joints({0, 0}), joints({0.5, 0.5}), joints({0.5, 1}),
-                                     joints({-1, 2})};
+  const auto way = positions({{0, 0}, {0.5, 0.5}, {0.5, 1}, {-1, 2}});
   const auto made = make_trajectory(robot, OnlyThese(way), columns(way));
   EXPECT_TRUE(made.stops);
   EXPECT_EQ(made.waypoints, 4);
@@ -221,8 +216,7 @@ TEST(Trajectory, RestsAtEachWaypointWhereNothingElseIsFree) {
 TEST(Trajectory, KeepsWithinJointLimitsThatASplineWouldOvershoot) {
   Robot robot = two_links();
   robot.joints[0].high = 1;
-  const std::vector<JointVector> way{joints({0, 0}), joints({1, 0.1}), joints({1, 0.2}),
-                                     joints({1, 0.3}), joints({0, 0.4})};
+  const auto way = positions({{0, 0}, {1, 0.1}, {1, 0.2}, {1, 0.3}, {0, 0.4}});
   const auto made = make_trajectory(robot, Nothing(), columns(way), {.shortcut = false});
   for (int i = 0; i <= 2000; ++i) {
     EXPECT_LE(made.trajectory.at(made.trajectory.duration() * i / 2000).q[0], 1 + 1e-9);
@@ -231,7 +225,7 @@ TEST(Trajectory, KeepsWithinJointLimitsThatASplineWouldOvershoot) {
 
 TEST(Trajectory, StaysWithinTheClearanceOfTheMotionsThatItAskedAbout) {
   const Robot robot = two_links();
-  const std::vector<JointVector> way{joints({0, 0}), joints({0.2, 0.3}), joints({0.2, 0.5})};
+  const auto way = positions({{0, 0}, {0.2, 0.3}, {0.2, 0.5}});
   for (const double clearance : {1e-3, 1e-5, 1e-6}) {
     const Notes notes(clearance);
     const auto made = make_trajectory(robot, notes, columns(way), {.shortcut = false});
@@ -254,7 +248,7 @@ TEST(Trajectory, StaysWithinTheClearanceOfTheMotionsThatItAskedAbout) {
 }
 
 /// Free are positions within `width` of the way, by the first two joints.
-class Tube final : public Sensor {
+class Tube final : public Nothing {
  public:
   Tube(std::vector<JointVector> way, double width) : way_(std::move(way)), width_(width) {}
   bool position_free(const JointRef& q) const override { return off(way_, q) <= width_; }
@@ -262,7 +256,6 @@ class Tube final : public Sensor {
     const JointVector middle = 0.5 * (a + b);
     return position_free(a) && position_free(middle) && position_free(b);
   }
-  double clearance() const override { return 0.001; }
 
  private:
   std::vector<JointVector> way_;
@@ -272,8 +265,7 @@ class Tube final : public Sensor {
 // Where the spline through the waypoints leaves what is free, points between them are added.
 TEST(Trajectory, ARefinedCoursePassesAllWaypoints) {
   const Robot robot = two_links();
-  const std::vector<JointVector> way{joints({0, 0}), joints({0.5, 0}), joints({0.5, 0.6}),
-                                     joints({1.2, 0.6}), joints({1.2, 0.1})};
+  const auto way = positions({{0, 0}, {0.5, 0}, {0.5, 0.6}, {1.2, 0.6}, {1.2, 0.1}});
   for (const double width : {0.03, 0.01}) {
     const auto made = make_trajectory(robot, Tube(way, width), columns(way), {.shortcut = false});
     ASSERT_FALSE(made.stops) << width;
@@ -291,7 +283,7 @@ TEST(Trajectory, ARefinedCoursePassesAllWaypoints) {
 
 TEST(Trajectory, RefusesASensorWithoutClearance) {
   const Robot robot = two_links();
-  const std::vector<JointVector> way{joints({0, 0}), joints({0.2, 0.3})};
+  const auto way = positions({{0, 0}, {0.2, 0.3}});
   for (const double clearance : {0.0, -1.0, 1e-7, std::nan("")}) {
     EXPECT_THROW(make_trajectory(robot, Notes(clearance), columns(way)), Error) << clearance;
   }
@@ -300,7 +292,7 @@ TEST(Trajectory, RefusesASensorWithoutClearance) {
 TEST(Trajectory, SaysThatTimeRanOut) {
   const Robot robot = two_links();
   const Notes sensor(0.001);
-  const std::vector<JointVector> way{joints({0.1, 0.2}), joints({0.7, -0.4}), joints({1.1, 0.3})};
+  const auto way = positions({{0.1, 0.2}, {0.7, -0.4}, {1.1, 0.3}});
   const auto whole = make_trajectory(robot, sensor, columns(way), {.shortcut = false});
   EXPECT_EQ(whole.status, Status::solved);
   EXPECT_FALSE(whole.stops);
@@ -366,57 +358,6 @@ TEST(Trajectory, FclFindsNoContactOnRandomScenes) {
     }
     EXPECT_GE(moved, 2) << name;
   }
-}
-
-TEST(Recheck, SeesContactsAndBrokenLimits) {
-  const Robot robot = two_links();
-  Obstacle box;
-  box.pose.translation() = Eigen::Vector3d(0.9, 0, 0);
-  box.size = {0.1, 0.1, 0.1};
-  const Trajectory still({{0, joints({0, 0}), joints({0, 0})}});
-  EXPECT_EQ(recheck(robot, {"", {box}}, still, 10).contacts, 10);
-  EXPECT_EQ(recheck(robot, {}, still, 10).contacts, 0);
-  const Trajectory hasty(
-      {{0, joints({0, 0}), joints({0, 0})}, {0.01, joints({1, 0}), joints({0, 0})}});
-  EXPECT_GT(recheck(robot, {}, hasty, 10).limits, 0);
-}
-
-TEST(Recheck, LooksBetweenItsSamples) {
-  // Swings over a thin rod between two samples, or stops before it.
-  const Robot robot = two_links();
-  Obstacle rod;
-  rod.pose.translation() = Eigen::Vector3d(0.3, 0.4, 0);
-  rod.size = {0.002, 0.002, 0.002};
-  const auto swing = [](double to) {
-    return Trajectory({{0, joints({0, 0}), joints({0, 0})}, {1, joints({to, 0}), joints({0, 0})}});
-  };
-  const Recheck over = recheck(robot, {"", {rod}}, swing(2), 2);
-  EXPECT_EQ(over.contacts, 0);
-  EXPECT_EQ(over.unproven, 1);
-  EXPECT_EQ(recheck(robot, {"", {rod}}, swing(0.85), 2).unproven, 0);
-  const Trajectory to_and_fro({{0, joints({0.8, 0}), joints({0, 0})},
-                               {1, joints({1, 0}), joints({0, 0})},
-                               {2, joints({0.8, 0}), joints({0, 0})}});
-  EXPECT_EQ(recheck(robot, {"", {rod}}, to_and_fro, 2).unproven, 1);
-}
-
-TEST(Recheck, EndsWhenToldTo) {
-  const Trajectory still({{0, joints({0, 0}), joints({0, 0})}});
-  std::stop_source source;
-  source.request_stop();
-  EXPECT_LT(recheck(two_links(), {}, still, 100, {.token = source.get_token()}).samples, 100);
-  EXPECT_EQ(recheck(two_links(), {}, still, 100).samples, 100);
-}
-
-TEST(Recheck, RefusesWhatDoesNotFit) {
-  const Robot robot = two_links();
-  const Trajectory still({{0, joints({0, 0}), joints({0, 0})}});
-  EXPECT_THROW(recheck(robot, {}, Trajectory(), 10), Error);
-  EXPECT_THROW(recheck(robot, {}, Trajectory({{0, joints({0}), joints({0})}}), 10), Error);
-  EXPECT_THROW(recheck(robot, {}, Trajectory({{0, joints({0, 0}), joints({0})}}), 10), Error);
-  EXPECT_THROW(recheck(robot, {}, still, 0), Error);
-  EXPECT_THROW(recheck(Robot(), {}, still, 10), Error);
-  EXPECT_THROW(recheck(robot, {"", {Obstacle()}}, still, 10), Error) << "a box without a size";
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
-// A clock that counts how often it is read.
+// A clock that counts how often it is read, and a signal that came.
 #pragma once
 
 #include <atomic>
 #include <chrono>
+#include <stop_token>
 
 #include "core/base/time_source.h"
 #include "lasius/stop.h"
@@ -27,5 +28,12 @@ class CountingTime final : public TimeSource {
   mutable std::atomic<int> left_;
   mutable std::atomic<int> polls_ = 0;
 };
+
+/// Holds from the beginning.
+inline StopCondition fired() {
+  std::stop_source source;
+  source.request_stop();
+  return {.token = source.get_token()};
+}
 
 }  // namespace lasius

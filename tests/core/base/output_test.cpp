@@ -5,9 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <sstream>
-
 #include "lasius/error.h"
+#include "tests/core/base/refusal.h"
 #include "tests/core/map_files/map_files.h"
 
 namespace lasius {
@@ -18,11 +17,7 @@ class Outputs : public Files {
   void write(const std::string& name, const std::string& text) const {
     write_file(path(name), [&](std::ostream& out) { out << text; });
   }
-  std::string content(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(path(name)).rdbuf();
-    return text.str();
-  }
+  std::string content(const std::string& name) const { return bytes_of(path(name)); }
   unsigned mode(const std::string& name) const {
     struct stat status {};
     EXPECT_EQ(::stat(path(name).c_str(), &status), 0);
@@ -32,14 +27,9 @@ class Outputs : public Files {
 
 /// What a call throws.
 ErrorCode code_of(const std::function<void()>& call, const std::string& word = {}) {
-  try {
-    call();
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
-    return error.code();
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return ErrorCode::file_broken;
+  const Error error = error_of(call);
+  expect_says(error, word);
+  return error.code();
 }
 
 TEST_F(Outputs, AreWholeOrNotThere) {

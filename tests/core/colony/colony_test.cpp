@@ -42,12 +42,11 @@ TEST(Colony, UpdatesLocallyAfterEachAnt) {
 }
 
 TEST(Colony, LaterBatchesWalkByWhatEarlierOnesLeft) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   Params params = quick("acs");
-  const Result one_by_one = planner.plan(request, params);
+  const Result one_by_one = far.plan(params);
   params.batch = 0;
-  const Result at_once = planner.plan(request, params);
+  const Result at_once = far.plan(params);
   EXPECT_EQ(one_by_one.mean.front(), at_once.mean.front()) << "all tau0, whoever walked";
   EXPECT_NE(one_by_one.mean, at_once.mean);
 }
@@ -81,30 +80,28 @@ void expect_best_of_iterations(const Result& found) {
 
 // The answer of the terminal index joins what several ants know, rather than be one ant's tour.
 TEST(Colony, OffersTheBestWayThatItsAntsKnowTogether) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   double shortest_tour = std::numeric_limits<double>::infinity();
   int joined = 0;
   const auto look = [&](const GridProgress& seen) {
     for (int a = 0; a < seen.ants(); ++a) {
       shortest_tour = std::min(shortest_tour, path_length(centres(seen.tour(a))));
     }
-    EXPECT_LE(seen.best_length, seen.pheromone(request.start) * (1 + 1e-6));
+    EXPECT_LE(seen.best_length, seen.pheromone(far.request.start) * (1 + 1e-6));
     joined += seen.best_length < 0.99 * shortest_tour ? 1 : 0;
   };
-  const Result found = planner.plan(request, quick("terminal-index"), nullptr, look);
+  const Result found = far.plan(quick("terminal-index"), nullptr, look);
   EXPECT_GT(joined, 5);
   expect_best_of_iterations(found);
   EXPECT_LT(found.iteration_best.front(), found.raw_best.front());  // an answer, no ant's tour
 }
 
 TEST(Colony, RecordsWhatEachIterationOffered) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   for (const Polish polish : {Polish::none, Polish::straight}) {
     Params params = quick("lecture-grid");
     params.polish = polish;
-    const Result found = planner.plan(request, params);
+    const Result found = far.plan(params);
     expect_best_of_iterations(found);
     if (polish == Polish::none) {
       EXPECT_EQ(found.iteration_best, found.cut_best);

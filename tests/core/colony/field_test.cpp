@@ -12,30 +12,16 @@
 #include "core/grid/move_rule.h"
 #include "lasius/planner.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/core/colony/walked_grid.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
 
 Grid noisy(int width, int height, double blocked, unsigned seed) {
-  Grid grid(width, height);
   std::mt19937 random(seed);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      if (static_cast<double>(random()) < blocked * 4294967296.0) grid.set_blocked({x, y});
-    }
-  }
-  return grid;
-}
-
-/// The row of a cell as ants see it.
-const float* row(Field& field, Cell c, int floats) {
-  kernels::WalkWorld world;
-  field.fill(world);
-  const int tile = (c.y / kernels::kTileSide) * world.tiles_x + c.x / kernels::kTileSide;
-  const float* rows = world.tiles[tile];
-  if (rows == nullptr) rows = world.make_tile(world.context, tile);
-  return rows +
-         ((c.y % kernels::kTileSide) * kernels::kTileSide + c.x % kernels::kTileSide) * floats;
+  return grid_of(width, height,
+                 [&](int, int) { return static_cast<double>(random()) < blocked * 4294967296.0; });
 }
 
 /// tau by the formulas: every cell or arc in full, nothing lazy.
@@ -141,8 +127,7 @@ TEST(Field, RowsFollowBoundsUpAndOff) {
     free.refresh(weights, 1);
     bounded.refresh(weights, 1);
     int rows = 0;
-    for (int i = 0; i < 60 * 50; ++i) {
-      const Cell c{i % 60, i / 60};
+    for (const Cell c : cells_of(grid)) {
       const float *a = row(free, c, moves.count), *b = row(bounded, c, moves.count);
       rows += !std::equal(a, a + moves.count, b);
     }
@@ -176,8 +161,7 @@ TEST(Field, EditedRowsAreThoseOfANewField) {
         kept.edited(part);
         made.reset(grid, moves, {80, 60}, params, 1, {});
         const int floats = moves.count * (kept.mixture() ? 2 : 1);
-        for (int i = 0; i < 90 * 70; ++i) {
-          const Cell c{i % 90, i / 90};
+        for (const Cell c : cells_of(grid)) {
           const float* row_made = row(made, c, floats);
           ASSERT_TRUE(std::equal(row_made, row_made + floats, row(kept, c, floats)))
               << name << ' ' << c.x << ' ' << c.y;

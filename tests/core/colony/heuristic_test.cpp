@@ -7,12 +7,12 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 #include <vector>
 
 #include "core/grid/move_rule.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/oracle/relaxed_walks.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -79,34 +79,6 @@ TEST(HeuristicRows, TheGoalIsHalfACellAway) {
   }
 }
 
-/// Lengths of the shortest ways to the goal, by relaxing until nothing changes.
-std::vector<double> ways(const Grid& grid, Cell goal, bool diagonal) {
-  std::vector<double> length(static_cast<std::size_t>(grid.width()) * grid.height(),
-                             std::numeric_limits<double>::infinity());
-  const auto at = [&](Cell c) -> double& { return length[c.y * grid.width() + c.x]; };
-  at(goal) = 0;
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (int y = 0; y < grid.height(); ++y) {
-      for (int x = 0; x < grid.width(); ++x) {
-        if (grid.blocked({x, y})) continue;
-        for (int dy = -1; dy <= 1; ++dy) {
-          for (int dx = -1; dx <= 1; ++dx) {
-            const Cell to{x + dx, y + dy};
-            if (grid.blocked(to) || (dx != 0 && dy != 0 && !diagonal)) continue;
-            if (grid.blocked({x + dx, y}) || grid.blocked({x, y + dy})) continue;
-            const double through = at(to) + std::hypot(dx, dy);
-            if (through >= at({x, y}) - 1e-9) continue;
-            at({x, y}) = through;
-            changed = true;
-          }
-        }
-      }
-    }
-  }
-  return length;
-}
-
 // Ways over 4 neighbours where ants move to 4, over 8 where they move to 8 or more.
 TEST(HeuristicRows, DistanceFieldsAreOfTheAntsNeighbours) {
   const Grid grid = drawn({"..........",  //
@@ -117,7 +89,8 @@ TEST(HeuristicRows, DistanceFieldsAreOfTheAntsNeighbours) {
                            ".........."});
   const Cell goal{9, 0};
   for (const auto neighbours : {Neighbours::four, Neighbours::eight, Neighbours::sixteen}) {
-    const auto length = ways(grid, goal, neighbours != Neighbours::four);
+    const auto over = neighbours == Neighbours::four ? Neighbours::four : Neighbours::eight;
+    const auto length = oracle::relaxed_walks(grid, goal, over, Corners::forbid);
     for (const Cell c : {Cell{7, 3}, Cell{0, 2}, Cell{9, 5}, Cell{1, 5}}) {
       const auto row = row_of(grid, c, goal, with(Heuristic::distance_field, neighbours));
       const auto moves = moves_of(neighbours);

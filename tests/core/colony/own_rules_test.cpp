@@ -14,11 +14,10 @@
 #include "core/colony/own_update.h"
 #include "core/grid/cell_distance.h"
 #include "lasius/batch.h"
-#include "lasius/error.h"
 #include "tests/core/colony/own_published.h"
-#include "tests/core/colony/refusal.h"
 #include "tests/core/plan/planning.h"
 #include "tests/core/plan/same_result.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -27,16 +26,15 @@ class Rebuilt : public testing::TestWithParam<std::tuple<const char*, Preset>> {
 
 TEST_P(Rebuilt, APublishedUpdateGivesTheSamePlanFor20Seeds) {
   const auto [name, preset] = GetParam();
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   Params params(name, preset);
   params.iterations = 7;
   params.threads = 1;
   params.dead_end = DeadEnd::backtrack;
   int solved = 0;
   for (params.seed = 1; params.seed <= 20; ++params.seed) {
-    const Result own = planner.plan(request, params, rebuilt(params));
-    expect_same(own, planner.plan(request, params));
+    const Result own = far.plan(params, rebuilt(params));
+    expect_same(own, far.plan(params));
     EXPECT_TRUE(own.own_rules);
     solved += own.status == Status::solved;
   }
@@ -71,37 +69,34 @@ TEST(OwnRules, ALearnedHeuristicAndDeadEndsGiveTheSamePlan) {
 }
 
 TEST(OwnRules, ThreadsChangeNothing) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   for (const char* name : {"fan2004", "ras", "mmas", "cong2009"}) {
     Params params = quick(name);
     OwnRules own = rebuilt(params);
     own.schedule = [&](int q) { return schedule(params, q); };
-    const Result one = planner.plan(request, params, own);
+    const Result one = far.plan(params, own);
     for (const int threads : {2, 5}) {
       params.threads = threads;
-      expect_same(planner.plan(request, params, own), one);
+      expect_same(far.plan(params, own), one);
     }
   }
 }
 
 TEST(OwnRules, PolishedPathsAreTheSame) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   Params params = quick("ras");
   for (const Polish polish : {Polish::straight, Polish::taut, Polish::local}) {
     for (const int threads : {1, 2}) {
       params.polish = polish;
       params.threads = threads;
       params.straight_deposit = StraightDeposit::improving;
-      expect_same(planner.plan(request, params, rebuilt(params)), planner.plan(request, params));
+      expect_same(far.plan(params, rebuilt(params)), far.plan(params));
     }
   }
 }
 
 TEST(OwnRules, TheBuiltInScheduleAsAnOwnOneChangesNothing) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   for (const char* name : colonies()) {
     Params params = quick(name);
     int called = 0;
@@ -109,51 +104,47 @@ TEST(OwnRules, TheBuiltInScheduleAsAnOwnOneChangesNothing) {
       EXPECT_EQ(q, called++);
       return schedule(params, q);
     }};
-    expect_same(planner.plan(request, params, own), planner.plan(request, params));
+    expect_same(far.plan(params, own), far.plan(params));
     EXPECT_GE(called, 1) << name;
   }
 }
 
 TEST(OwnRules, AnOwnScheduleSetsExponentsAndShares) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   Params params = quick("acs");
   params.critical_time = 0;
   params.greedy = 0.7;
   params.alpha = 2;
   params.beta = 3;
-  const Result expected = planner.plan(request, params);
+  const Result expected = far.plan(params);
   params.greedy = 0;
   params.alpha = params.beta = 1;
   const OwnRules own{
       .schedule = [](int) { return StepWeights{.alpha = 2, .beta = 3, .greedy = 0.7}; }};
-  expect_same(planner.plan(request, params, own), expected);
-  EXPECT_NE(planner.plan(request, params).steps, expected.steps);
+  expect_same(far.plan(params, own), expected);
+  EXPECT_NE(far.plan(params).steps, expected.steps);
 }
 
 TEST(OwnRules, TheInverseDistanceAsATableChangesNothing) {
-  const Planner planner(blobs());
-  const Grid& grid = planner.grid();
-  const Request request = far_apart(planner);
+  const FarApart far;
+  const Grid& grid = far.planner.grid();
   for (const Neighbours neighbours :
        {Neighbours::four, Neighbours::eight, Neighbours::sixteen_knight}) {
     Params params = quick("ras");
     params.neighbours = neighbours;
     params.heuristic = Heuristic::inverse_distance;
-    const auto near = [&](Cell c) { return 1 / std::max(distance(c, request.goal), 0.5); };
+    const auto near = [&](Cell c) { return 1 / std::max(distance(c, far.request.goal), 0.5); };
     const auto steps = move_steps(neighbours);
     std::vector<double> by_cell, by_arc;
-    for (int y = 0; y < grid.height(); ++y) {
-      for (int x = 0; x < grid.width(); ++x) {
-        by_cell.push_back(grid.free({x, y}) ? near({x, y}) : kNaN);
-        for (const Cell step : steps) by_arc.push_back(near({x + step.x, y + step.y}));
-      }
+    for (const Cell c : cells_of(grid)) {
+      by_cell.push_back(grid.free(c) ? near(c) : std::nan(""));
+      for (const Cell step : steps) by_arc.push_back(near({c.x + step.x, c.y + step.y}));
     }
-    const Result expected = planner.plan(request, params);
+    const Result expected = far.plan(params);
     params.heuristic = Heuristic::uniform;
-    expect_same(planner.plan(request, params, {.heuristic = by_cell}), expected);
-    expect_same(planner.plan(request, params, {.heuristic = by_arc}), expected);
-    EXPECT_NE(planner.plan(request, params).steps, expected.steps);
+    expect_same(far.plan(params, OwnRules{.heuristic = by_cell}), expected);
+    expect_same(far.plan(params, OwnRules{.heuristic = by_arc}), expected);
+    EXPECT_NE(far.plan(params).steps, expected.steps);
   }
 }
 
@@ -167,8 +158,7 @@ TEST(OwnRules, AValueOf0LeavesAMoveAChance) {
 }
 
 TEST(OwnRules, FunctionsAreCalledInTurnOnTheCallersThread) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   Params params = quick("ras");
   params.threads = 5;
   params.polish = Polish::straight;
@@ -186,13 +176,12 @@ TEST(OwnRules, FunctionsAreCalledInTurnOnTheCallersThread) {
                            return StepWeights{};
                          }};
   params.iterations = 3;
-  (void)planner.plan(request, params, own, nullptr, [&](const GridProgress&) { calls += "o"; });
+  (void)far.plan(params, own, nullptr, [&](const GridProgress&) { calls += "o"; });
   EXPECT_EQ(calls, "s0u0os1u1os2u2o");
 }
 
 TEST(OwnRules, AnUpdateStopsTheSearch) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   for (const int threads : {1, 2, 5}) {
     Params params = quick("ras");
     params.threads = threads;
@@ -200,8 +189,7 @@ TEST(OwnRules, AnUpdateStopsTheSearch) {
     const OwnRules own{.update = [](Pheromone&, const IterationTours& tours) {
       if (tours.iteration == 3) tours.stop();
     }};
-    const Result result =
-        planner.plan(request, params, own, nullptr, [&](const GridProgress&) { ++seen; });
+    const Result result = far.plan(params, own, nullptr, [&](const GridProgress&) { ++seen; });
     EXPECT_EQ(result.status, Status::interrupted);
     EXPECT_EQ(result.iterations, 4);
     EXPECT_EQ(seen, 4);
@@ -210,10 +198,9 @@ TEST(OwnRules, AnUpdateStopsTheSearch) {
 }
 
 TEST(OwnRules, AnUpdateThatATokenInterruptsIsNotRecorded) {
-  const Planner planner(blobs());
-  Request request = far_apart(planner);
+  FarApart far;
   std::stop_source source;
-  request.stop.token = source.get_token();
+  far.request.stop.token = source.get_token();
   const Params params = quick("ras");
   double before = 0, after = 0;
   const OwnRules own{.update = [&](Pheromone& trail, const IterationTours& tours) {
@@ -224,7 +211,7 @@ TEST(OwnRules, AnUpdateThatATokenInterruptsIsNotRecorded) {
     trail.add(many, 1);
     trail.get(std::span(many).first(1), {&after, 1});
   }};
-  const Result result = planner.plan(request, params, own);
+  const Result result = far.plan(params, own);
   EXPECT_EQ(result.status, Status::interrupted);
   EXPECT_EQ(result.iterations, 2);
   EXPECT_GT(after, before);
@@ -233,8 +220,7 @@ TEST(OwnRules, AnUpdateThatATokenInterruptsIsNotRecorded) {
 
 TEST(OwnRules, WhatAFunctionThrowsIsThrownOn) {
   struct Mine {};
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   for (const int threads : {1, 2, 5}) {
     Params params = quick("ras");
     params.threads = threads;
@@ -242,23 +228,22 @@ TEST(OwnRules, WhatAFunctionThrowsIsThrownOn) {
     const OwnRules updating{.update = [](Pheromone&, const IterationTours& tours) {
       if (tours.iteration == 2) throw Mine{};
     }};
-    EXPECT_THROW(planner.plan(request, params, updating, &workspace), Mine);
+    EXPECT_THROW(far.plan(params, updating, &workspace), Mine);
     const OwnRules scheduling{.schedule = [](int) -> StepWeights { throw Mine{}; }};
-    EXPECT_THROW(planner.plan(request, params, scheduling, &workspace), Mine);
-    expect_same(planner.plan(request, params, &workspace), planner.plan(request, params));
+    EXPECT_THROW(far.plan(params, scheduling, &workspace), Mine);
+    expect_same(far.plan(params, &workspace), far.plan(params));
   }
 }
 
 TEST(OwnRules, AnObserverSeesTheTrail) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
-  const Cell c = request.start;
-  const std::vector<TrailPlace> place{std::int64_t{c.y} * planner.grid().width() + c.x};
+  const FarApart far;
+  const Cell c = far.request.start;
+  const std::vector<TrailPlace> place{std::int64_t{c.y} * far.planner.grid().width() + c.x};
   const OwnRules own{.update = [&](Pheromone& trail, const IterationTours&) {
     trail.set(place, std::vector{4.5});
   }};
   int seen = 0;
-  (void)planner.plan(request, quick("ras"), own, nullptr, [&](const GridProgress& progress) {
+  (void)far.plan(quick("ras"), own, nullptr, [&](const GridProgress& progress) {
     EXPECT_FLOAT_EQ(static_cast<float>(progress.pheromone(c)), 4.5F);
     ++seen;
   });
@@ -283,13 +268,12 @@ TEST(OwnRules, ABatchAnswersAsSinglePlansDo) {
 }
 
 TEST(OwnRules, AResultTellsOfThemOnlyWhereThereWereSome) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
-  EXPECT_FALSE(planner.plan(request, quick("ras")).own_rules);
-  EXPECT_FALSE(planner.plan(request, quick("ras"), OwnRules{}).own_rules);
-  EXPECT_FALSE(planner.plan(request, Params("exact"), OwnRules{}).own_rules);
+  const FarApart far;
+  EXPECT_FALSE(far.plan(quick("ras")).own_rules);
+  EXPECT_FALSE(far.plan(quick("ras"), OwnRules{}).own_rules);
+  EXPECT_FALSE(far.plan(Params("exact"), OwnRules{}).own_rules);
   const OwnRules own{.schedule = [](int) { return StepWeights{}; }};
-  EXPECT_TRUE(planner.plan(request, quick("ras"), own).own_rules);
+  EXPECT_TRUE(far.plan(quick("ras"), own).own_rules);
 }
 
 TEST(OwnRules, ToursAreNumberedByCellAndByMove) {
@@ -297,7 +281,7 @@ TEST(OwnRules, ToursAreNumberedByCellAndByMove) {
   Grid grid(5, 4);
   const kernels::Moves moves = moves_of(Neighbours::four);  // up, left, right, down
   const std::vector<std::uint8_t> arrived{2, 2, 3}, lost{3};
-  const std::vector<Tour> ants{{lost, kNaN}, {arrived, 3}};
+  const std::vector<Tour> ants{{lost, std::nan("")}, {arrived, 3}};
   std::vector<int> ranking;
   const Tours tours{
       .start = {1, 1}, .moves = moves, .ants = ants, .best_so_far = ants[1], .ranking = ranking};
@@ -332,75 +316,6 @@ TEST(OwnRules, StepsAreInScanOrder) {
   ASSERT_EQ(knight.size(), 16U);
   EXPECT_EQ(knight[0], (Cell{-1, -2}));
   EXPECT_EQ(knight[15], (Cell{1, 2}));
-}
-
-/// What a plan is refused with, and a batch.
-std::string refusal_of(const Planner& planner, const Params& params, const OwnRules& own) {
-  const std::vector<Request> requests{{.start = {0, 0}, .goal = {4, 3}}};
-  const auto plan = refusal([&] { (void)planner.plan(requests[0], params, own); });
-  const auto batch =
-      refusal([&] { (void)plan_batch(planner, requests, params, {.own_rules = &own}); });
-  EXPECT_EQ(plan, batch);
-  return plan;
-}
-
-TEST(OwnRules, ATableThatIsWrongIsRefused) {
-  Grid grid(5, 4);
-  grid.set_blocked({2, 1});
-  const Planner planner(grid);
-  const Params params = quick("ras");  // eight moves
-  const auto of = [&](std::vector<double> table) {
-    return refusal_of(planner, params, {.heuristic = table});
-  };
-  const auto with = [](int size, int at, double value) {
-    std::vector<double> table(size, 1);
-    table[at] = value;
-    return table;
-  };
-  expect_says(of(std::vector<double>(19, 1)), "19 values");
-  expect_says(of(std::vector<double>(19, 1)), "20, one a cell");
-  expect_says(of(std::vector<double>(19, 1)), "160, one a move");
-  EXPECT_EQ(of(std::vector<double>(20, 1)), "accepted");
-  EXPECT_EQ(of(std::vector<double>(160, 1)), "accepted");
-  expect_says(of(with(20, 9, kNaN)), "heuristic[9], of cell (4, 1), is nan");
-  expect_says(of(with(20, 0, -1)), "heuristic[0], of cell (0, 0), is -1");
-  expect_says(of(with(20, 19, 1e16)), "heuristic[19], of cell (4, 3), is 1e+16");
-  EXPECT_EQ(of(with(20, 7, kNaN)), "accepted");         // blocked
-  EXPECT_EQ(of(with(160, 0, kNaN)), "accepted");        // out of the map
-  EXPECT_EQ(of(with(160, 8 * 6 + 4, -1)), "accepted");  // from (1, 1) to the blocked cell
-  expect_says(of(with(160, 8 * 6 + 3, -1)), "heuristic[51], of cell (1, 1)");
-}
-
-TEST(OwnRules, WhatDoesNotComposeIsRefused) {
-  const Planner planner(Grid(5, 4));
-  const OwnRules update{.update = [](Pheromone&, const IterationTours&) {}};
-  const std::vector<double> ones(20, 1);
-  const OwnRules heuristic{.heuristic = ones};
-  expect_says(refusal_of(planner, Params("exact"), update), "exact is no colony");
-  expect_says(refusal_of(planner, quick("grid-ga"), heuristic), "grid-ga is no colony");
-  expect_says(refusal_of(planner, quick("terminal-index"), update),
-              "the terminal index is no pheromone");
-  expect_says(refusal_of(planner, quick("cong2009"), heuristic), "the ants learn theirs");
-  Params bad = quick("ras");
-  bad.ants = 0;
-  expect_says(refusal_of(planner, bad, update), "ants is 0");
-}
-
-TEST(OwnRules, AScheduleOutOfRangeIsRefused) {
-  const Planner planner(Grid(5, 4));
-  const auto of = [&](const StepWeights& weights, const char* algorithm = "ras") {
-    const OwnRules own{.schedule = [&](int q) { return q < 2 ? StepWeights{} : weights; }};
-    return refusal_of(planner, quick(algorithm), own);
-  };
-  expect_says(of({.alpha = kNaN}), "alpha of the own schedule at iteration 2 is nan");
-  expect_says(of({.beta = -0.5}), "beta of the own schedule at iteration 2");
-  expect_says(of({.beta = 20.5}), "it must be 0 .. 20");
-  expect_says(of({.greedy = 1.5}), "greedy");
-  expect_says(of({.combined_rule = 0}), "every rule's share");
-  expect_says(of({.pheromone_rule = 0.5}), "pheromone_rule of the own schedule");
-  expect_says(of({.distance_rule = 0.5}), "of the parameters a share above 0");
-  EXPECT_EQ(of({.distance_rule = 0.5}, "fan2004"), "accepted");
-  expect_says(of({.distance_rule = -1}, "fan2004"), "distance_rule");
 }
 
 }  // namespace

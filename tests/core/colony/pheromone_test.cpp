@@ -1,14 +1,14 @@
 // An own update's hand on the trail, with numbers worked by hand.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "lasius/error.h"
 #include "lasius/own_rules.h"
-#include "tests/core/colony/refusal.h"
+#include "tests/core/base/refusal.h"
 #include "tests/core/plan/planning.h"
 
 namespace lasius {
@@ -147,18 +147,18 @@ TEST(Pheromone, RefusesWhatIsNoPlaceOrNoPheromoneAndChangesNothing) {
       expect_says(change({5, 120}, {9, 9}), "0 to 119");
       expect_says(change({5, 6, -1}, {9, 9, 9}), "places[2] is -1");
       expect_says(change({5, 6}, {9}), "1 values for 2 places");
-      expect_says(change({5, 6}, {9, kNaN}), "values[1] is nan");
+      expect_says(change({5, 6}, {9, std::nan("")}), "values[1] is nan");
       expect_says(change({5, 6}, {9, -0.5}), "values[1] is -0.5");
       expect_says(change({5, 6}, {9, kInfinity}), "values[1] is inf");
     }
-    for (const double amount : {-1.0, kNaN, kInfinity, 1e201})
+    for (const double amount : {-1.0, std::nan(""), kInfinity, 1e201})
       expect_says(refusal([&] { trail.add(Places{5}, amount); }), "amount is ");
     expect_says(refusal([&] { trail.add(Places{500}, 1); }), "places[0] is 500");
-    for (const double share : {-0.1, 1.1, kNaN})
+    for (const double share : {-0.1, 1.1, std::nan("")})
       expect_says(refusal([&] { trail.persist(share); }), "persistence is ");
-    for (const double least : {-0.1, kInfinity, kNaN})
+    for (const double least : {-0.1, kInfinity, std::nan("")})
       expect_says(refusal([&] { trail.clamp(least, kInfinity); }), "least is ");
-    for (const double most : {0.0, 0.5, kNaN})
+    for (const double most : {0.0, 0.5, std::nan("")})
       expect_says(refusal([&] { trail.clamp(most == 0 ? 0 : 1, most); }), "most is ");
     Values two(2);
     expect_says(refusal([&] { trail.get(Places{1}, two); }), "2 values for 1 places");

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <random>
-#include <string>
 #include <vector>
 
 #include "core/colony/colony.h"
@@ -12,6 +11,7 @@
 #include "core/grid/move_rule.h"
 #include "lasius/path.h"
 #include "tests/core/plan/planning.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -33,19 +33,18 @@ void expect_same_run(const Result& a, const Result& b) {
 }
 
 TEST_P(EveryColony, TheFirstRunIsThatOfRunColonyWhole_OrInTwo) {
-  const Planner planner(blobs());
-  Request request = far_apart(planner);
+  FarApart far;
   Params params = quick(GetParam());
   params.agreement = 0;
   ColonyMemory memory;
-  const Result once = run_colony(planner.grid(), request, params, memory, {}, {});
-  SurvivingColony colony(planner.grid(), request.goal, params);
-  expect_same_run(colony.run(request.start, params.iterations), once);
+  const Result once = run_colony(far.planner.grid(), far.request, params, memory, {}, {});
+  SurvivingColony colony(far.planner.grid(), far.request.goal, params);
+  expect_same_run(colony.run(far.request.start, params.iterations), once);
   colony.changed({10, 10, 5, 5});
-  (void)colony.run(request.start, 2);
+  (void)colony.run(far.request.start, 2);
   colony.forget();
-  Result first = colony.run(request.start, 7);
-  const Result second = colony.run(request.start, params.iterations - 7);
+  Result first = colony.run(far.request.start, 7);
+  const Result second = colony.run(far.request.start, params.iterations - 7);
   first.path = second.path;
   first.best.insert(first.best.end(), second.best.begin(), second.best.end());
   first.steps.insert(first.steps.end(), second.steps.begin(), second.steps.end());
@@ -146,10 +145,9 @@ TEST_P(EveryColony, ResultsDoNotDependOnThreads) {
 }
 
 TEST(SurvivingColony, OffersTheRestOfItsBestTour) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
-  SurvivingColony colony(planner.grid(), request.goal, quick("mmas"));
-  const Result found = colony.run(request.start, 15);
+  const FarApart far;
+  SurvivingColony colony(far.planner.grid(), far.request.goal, quick("mmas"));
+  const Result found = colony.run(far.request.start, 15);
   const std::size_t passed = found.path.size() / 3;
   const Point at = found.path[passed];
   const Result rest = colony.run({static_cast<int>(at.x), static_cast<int>(at.y)}, 0);
@@ -176,8 +174,7 @@ std::vector<bool> held_up(const Field& field, const Grid& grid, const Params& pa
   held[index(goal)] = true;
   for (bool more = true; more;) {
     more = false;
-    for (Cell c{0, 0}; c.y < grid.height();
-         c = c.x + 1 < grid.width() ? Cell{c.x + 1, c.y} : Cell{0, c.y + 1}) {
+    for (const Cell c : cells_of(grid)) {
       const double k = field.tau(c, 0);
       if (held[index(c)] || grid.blocked(c) || k >= field.untouched()) continue;
       for (int m = 0; m < moves.count && !held[index(c)]; ++m) {
@@ -225,9 +222,7 @@ TEST(TerminalIndex, ForgetsWhatLedThroughBlockedCellsAndNothingElse) {
       const Rectangle part = map.edit();
       const auto expected = held_up(field, map.grid(), params, goal);
       std::vector<double> before;
-      for (int y = 0; y < 36; ++y) {
-        for (int x = 0; x < 40; ++x) before.push_back(field.tau({x, y}, 0));
-      }
+      for (const Cell c : cells_of(map.grid())) before.push_back(field.tau(c, 0));
       field.edited(part);
       forget_lost_ways(field, map.grid(), params.corners, moves, goal, part);
       for (std::size_t i = 0; i < before.size(); ++i) {

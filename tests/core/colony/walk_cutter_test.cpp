@@ -2,18 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <map>
 #include <random>
-#include <stop_token>
 #include <utility>
 #include <vector>
 
 #include "core/grid/move_rule.h"
 #include "lasius/planner.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/core/base/counting_time.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -135,12 +134,8 @@ TEST(WalkCutter, AStopLeavesNoWay) {
   const kernels::Moves moves = moves_of(Neighbours::eight);
   std::mt19937 random(3);
   const Moves tour = random_tour(grid, Corners::forbid, moves, {150, 150}, 100000, random);
-  std::stop_source source;
-  source.request_stop();
   GrowingArray<std::uint8_t> way;
-  EXPECT_EQ(WalkCutter().cut(grid, Corners::forbid, moves, {150, 150}, tour, {},
-                             {.token = source.get_token()}, way),
-            -1);
+  EXPECT_EQ(WalkCutter().cut(grid, Corners::forbid, moves, {150, 150}, tour, {}, fired(), way), -1);
 }
 
 // Of every family: the mean stays that of raw tours, the best is that of cut ones.

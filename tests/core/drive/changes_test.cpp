@@ -2,6 +2,7 @@
 
 #include "lasius/drive.h"
 #include "lasius/error.h"
+#include "tests/core/base/refusal.h"
 
 namespace lasius {
 namespace {
@@ -30,15 +31,11 @@ TEST(Changes, OfNothingAreNone) {
 
 TEST(Changes, ABrokenLineIsNamed) {
   const auto fails_at = [](const std::string& text) {
-    try {
-      (void)read_changes(text, "works.txt", 20, 30);
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), ErrorCode::file_broken);
-      EXPECT_EQ(error.place().file, "works.txt");
-      EXPECT_FALSE(error.problem().empty());
-      return error.place().line;
-    }
-    return std::int64_t{-1};
+    const Error error = error_of([&] { return read_changes(text, "works.txt", 20, 30); });
+    EXPECT_EQ(error.code(), ErrorCode::file_broken);
+    EXPECT_EQ(error.place().file, "works.txt");
+    EXPECT_FALSE(error.problem().empty());
+    return error.place().line;
   };
   for (const char* line : {"1",
                            "1 2",
@@ -73,22 +70,14 @@ TEST(Changes, ABrokenLineIsNamed) {
 }
 
 TEST(Changes, AMisspeltStateIsGuessed) {
-  try {
-    (void)read_changes("1 2 3 blokced", "works.txt", 20, 30);
-    ADD_FAILURE() << "not refused";
-  } catch (const Error& error) {
-    EXPECT_NE(error.remedy().find("\"blocked\""), std::string::npos) << error.remedy();
-  }
+  const Error error = error_of([] { return read_changes("1 2 3 blokced", "works.txt", 20, 30); });
+  expect_says(error.remedy(), "\"blocked\"");
 }
 
 TEST(Changes, AFileThatIsNotThereIsNamed) {
-  try {
-    (void)read_changes_file("/nowhere/changes.txt", 3, 3);
-    ADD_FAILURE() << "not refused";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::file_missing);
-    EXPECT_EQ(error.place().file, "/nowhere/changes.txt");
-  }
+  const Error error = error_of([] { return read_changes_file("/nowhere/changes.txt", 3, 3); });
+  EXPECT_EQ(error.code(), ErrorCode::file_missing);
+  EXPECT_EQ(error.place().file, "/nowhere/changes.txt");
 }
 
 }  // namespace

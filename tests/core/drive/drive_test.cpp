@@ -6,21 +6,13 @@
 #include <limits>
 
 #include "lasius/error.h"
-#include "lasius/shortest_walk.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/core/drive/random_world.h"
 #include "tests/oracle/drive_checker.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
-
-/// A map from rows of '.' and '@'.
-Grid drawn(const std::vector<std::string>& rows) {
-  Grid grid(static_cast<int>(rows[0].size()), static_cast<int>(rows.size()));
-  for (int y = 0; y < grid.height(); ++y) {
-    for (int x = 0; x < grid.width(); ++x) grid.set_blocked({x, y}, rows[y][x] == '@');
-  }
-  return grid;
-}
 
 std::vector<Cell> row_of_cells(int from, int to, int y) {
   std::vector<Cell> cells;
@@ -82,9 +74,7 @@ TEST(Drive, LearnsAWallWhenItIsInSight) {
                             "....@....",  //
                             "....@...."});
   const Grid map(9, 4);
-  DriveOptions options;
-  options.sense = 2;
-  const DriveResult r = drive(map, truth, {0, 2}, {8, 2}, {}, options);
+  const DriveResult r = drive(map, truth, {0, 2}, {8, 2}, {}, {.sense = 2});
   EXPECT_EQ(r.status, Status::solved);
   EXPECT_EQ(r.seen, 2);  // the third stays behind the second, farther than 2 cells
   EXPECT_GT(r.replans.size(), 1u);
@@ -242,10 +232,7 @@ TEST(Drive, EndsByTicksTokenAndDeadline) {
   const Grid map(9, 3);
   EXPECT_EQ(drive(map, map, {1, 1}, {7, 1}, {}, {.max_ticks = 3}).status, Status::limit);
   EXPECT_EQ(drive(map, map, {1, 1}, {7, 1}, {}, {.max_ticks = 3}).track.size(), 4u);
-  std::stop_source source;
-  source.request_stop();
-  EXPECT_EQ(drive(map, map, {1, 1}, {7, 1}, {}, {}, {.token = source.get_token()}).status,
-            Status::interrupted);
+  EXPECT_EQ(drive(map, map, {1, 1}, {7, 1}, {}, {}, fired()).status, Status::interrupted);
   EXPECT_EQ(drive(map, map, {1, 1}, {7, 1}, {}, {}, {.deadline = Clock::time_point::min()}).status,
             Status::limit);
 }

@@ -11,6 +11,7 @@
 #include "lasius/planner.h"
 #include "tests/core/drive/random_world.h"
 #include "tests/core/plan/planning.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -206,11 +207,7 @@ TEST(Navigator, HoldsNoMoreMemoryAfterManyEdits) {
     const Rectangle part = draw_part(draw, map, 4);
     navigator.observe(part, true);
     navigator.observe(part, false);
-    for (int y = part.y; y < part.y + part.height; ++y) {
-      for (int x = part.x; x < part.x + part.width; ++x) {
-        navigator.observe(std::vector<Cell>{{x, y}}, map.blocked({x, y}));
-      }
-    }
+    for (const Cell c : cells_of(part)) navigator.observe(std::vector<Cell>{c}, map.blocked(c));
     if (i % 10 == 0) (void)navigator.step(ends.start);
     if (i == edits / 2) early = navigator.bytes();
   }

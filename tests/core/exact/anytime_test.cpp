@@ -14,7 +14,7 @@
 #include "lasius/path.h"
 #include "lasius/planner.h"
 #include "tests/core/base/counting_time.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -141,10 +141,7 @@ TEST(Anytime, ADeadlineThatIsNotReachedChangesNothing) {
   std::mt19937 random(15);
   std::stop_source source;
   for (int i = 0; i < 4; ++i) {
-    Grid grid = random_grid(1000, 601, 33, random);
-    for (int y = 0; y < 300; ++y) {
-      for (int x = 0; x < 1000; ++x) grid.set_blocked({x, 600 - y}, grid.blocked({x, y}));
-    }
+    Grid grid = mirrored_grid(1000, 601, 33, random);
     const Cell start{1, 300}, goal{998, 300};
     for (const Cell c : {start, goal}) grid.set_blocked(c, false);
     const Planner planner(std::move(grid));

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/exact/exact_answer.h"
 #include "core/exact/place_landmarks.h"
@@ -13,7 +14,8 @@
 #include "kernels/sight/sight.h"
 #include "lasius/generate.h"
 #include "tests/core/base/counting_time.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/oracle/dense_dijkstra.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius::exact {
 namespace {
@@ -114,28 +116,17 @@ TEST(CornerGraph, SeesAroundOneBlock) {
 
 // Distances from one landmark to all corners, by brute force.
 std::vector<double> distances(const Grid& grid, const CornerGraph& graph, Cell landmark) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
   const auto map = view_of(grid);
   const kernels::HalfPoint from{2 * landmark.x + 1, 2 * landmark.y + 1};
-  std::vector<double> length(graph.size(), kFar);
-  std::vector<bool> done(graph.size());
+  std::vector<kernels::HalfPoint> places;
+  std::vector<double> known;
   for (std::uint32_t v = 0; v < graph.size(); ++v) {
-    if (kernels::sees(map, from, place(graph, v))) length[v] = between(from, place(graph, v));
+    const auto& at = places.emplace_back(place(graph, v));
+    known.push_back(kernels::sees(map, from, at) ? between(from, at) : oracle::kUnreached);
   }
-  for (;;) {
-    std::uint32_t best = graph.size();
-    for (std::uint32_t v = 0; v < graph.size(); ++v) {
-      if (!done[v] && length[v] < (best < graph.size() ? length[best] : kFar)) best = v;
-    }
-    if (best == graph.size()) return length;
-    done[best] = true;
-    for (std::uint32_t v = 0; v < graph.size(); ++v) {
-      const double way = length[best] + between(place(graph, best), place(graph, v));
-      if (way < length[v] && kernels::sees(map, place(graph, best), place(graph, v))) {
-        length[v] = way;
-      }
-    }
-  }
+  return oracle::shortest_distances(
+      std::move(known), [&](std::size_t a, std::size_t b) { return between(places[a], places[b]); },
+      [&](std::size_t a, std::size_t b) { return kernels::sees(map, places[a], places[b]); });
 }
 
 TEST(CornerGraph, LandmarksKnowTheirDistanceFromEveryCorner) {
@@ -258,13 +249,9 @@ TEST(CornerGraph, PollsAfterEachFloodHoweverLittleItReached) {
   // Closed rooms of 4 x 4 cells around a block: 4 corners each, all that a flood from there
   // reaches.
   const auto polls_of_rooms = [](int rooms) {
-    Grid grid(6 * rooms, 6 * rooms);
-    for (int y = 0; y < grid.height(); ++y) {
-      for (int x = 0; x < grid.width(); ++x) {
-        const int i = x % 6, j = y % 6;
-        if (i == 5 || j == 5 || (i == 2 && j == 2)) grid.set_blocked({x, y});
-      }
-    }
+    const Grid grid = grid_of(6 * rooms, 6 * rooms, [](int x, int y) {
+      return x % 6 == 5 || y % 6 == 5 || (x % 6 == 2 && y % 6 == 2);
+    });
     const Graph graph = graph_of(grid);
     EXPECT_EQ(graph->size(), static_cast<std::uint32_t>(4 * rooms * rooms));
     const CountingTime counted(1 << 30);

@@ -13,7 +13,7 @@
 #include "lasius/generate.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/exact/exact_answers.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius::exact {
 namespace {
@@ -88,13 +88,11 @@ Rectangle edit(Grid& grid, int most, std::mt19937& random) {
   if (random() % 8 == 0) part.x = random() % 2 == 0 ? 0 : grid.width() - width;
   if (random() % 8 == 0) part.y = random() % 2 == 0 ? 0 : grid.height() - height;
   const auto kind = random() % 4;
-  for (int y = part.y; y < part.y + height; ++y) {
-    for (int x = part.x; x < part.x + width; ++x) {
-      if (kind == 0) grid.set_blocked({x, y});
-      if (kind == 1) grid.set_blocked({x, y}, false);
-      if (kind == 2) grid.set_blocked({x, y}, random() % 2 == 0);
-      if (kind == 3 && random() % 4 == 0) grid.set_blocked({x, y}, grid.free({x, y}));
-    }
+  for (const Cell c : cells_of(part)) {
+    if (kind == 0) grid.set_blocked(c);
+    if (kind == 1) grid.set_blocked(c, false);
+    if (kind == 2) grid.set_blocked(c, random() % 2 == 0);
+    if (kind == 3 && random() % 4 == 0) grid.set_blocked(c, grid.free(c));
   }
   return part;
 }

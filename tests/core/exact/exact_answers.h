@@ -10,18 +10,27 @@
 
 #include "core/exact/exact.h"
 #include "lasius/path.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/oracle/visibility_graph.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 
 /// A free cell, or nothing after many tries.
 inline std::optional<Cell> random_free(const Grid& grid, std::mt19937& random) {
   for (int i = 0; i < 64; ++i) {
-    const Cell c{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
+    const Cell c = random_cell(grid, random);
     if (grid.free(c)) return c;
   }
   return std::nullopt;
+}
+
+/// The answer of a search that may have answered others before.
+inline ExactAnswer solve(ExactSearch& search, const Grid& grid, Cell start, Cell goal,
+                         const ExactOptions& options = {}, const StopCondition& stop = {}) {
+  ExactAnswer answer;
+  search.search(grid, start, goal, options, stop, answer);
+  return answer;
 }
 
 inline void expect_path(const Grid& grid, Cell start, Cell goal, const ExactAnswer& answer) {
@@ -69,11 +78,43 @@ int expect_gaps(const Grid& grid, Cell start, Cell goal, const Solve& solve) {
   return early;
 }
 
+struct Stops {
+  int stopped = 0, with_path = 0;
+};
+
+/// Stops the search `solve(StopCondition)` at its first look at the clock, the second and so on:
+/// what it tells by then holds, and its bounds do not fall.
+template <class Solve>
+Stops expect_bounds_at_stops(const Grid& grid, Cell start, Cell goal, const Solve& solve) {
+  Stops stops;
+  const ExactAnswer exact = solve(StopCondition{});
+  EXPECT_TRUE(exact.optimal);
+  double last_bound = 0;
+  for (int polls = 0; polls < 100; ++polls) {
+    const CountingTime time(polls);
+    const ExactAnswer cut = solve(time.is_up());
+    if (cut.end != ExactEnd::stopped) {
+      EXPECT_EQ(cut.path, exact.path);
+      break;
+    }
+    ++stops.stopped;
+    EXPECT_EQ(cut.cause, StopCondition::Cause::deadline);
+    EXPECT_FALSE(cut.optimal);
+    EXPECT_LE(cut.lower_bound, exact.length);
+    EXPECT_GE(cut.lower_bound, last_bound);
+    last_bound = cut.lower_bound;
+    if (cut.path.empty()) continue;
+    ++stops.with_path;
+    EXPECT_GE(cut.length, exact.length * (1 - 1e-12));
+    expect_path(grid, start, goal, cut);
+  }
+  return stops;
+}
+
 /// The answer equals that of the unprepared search; true if there is a path.
 inline bool expect_unprepared(const Grid& grid, Cell start, Cell goal, ExactSearch& unprepared,
                               const ExactAnswer& answer) {
-  ExactAnswer expected;
-  unprepared.search(grid, start, goal, {}, {}, expected);
+  const ExactAnswer expected = solve(unprepared, grid, start, goal);
   EXPECT_EQ(answer.end, expected.end);
   if (!expected.optimal) return false;
   EXPECT_NEAR(answer.length, expected.length, 1e-9 * expected.length);
@@ -104,10 +145,9 @@ inline Grid random_large_grid(int number, std::mt19937& random) {
 inline Grid random_sparse_grid(bool wide, std::mt19937& random) {
   Grid grid(wide ? 400 : 40, wide ? 40 : 400);
   for (int blocks = random_in(5, 200, random); blocks > 0; --blocks) {
-    const Cell at{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
+    const Cell at = random_cell(grid, random);
     const int side = random_in(1, 4, random);
-    for (int k = 0; k < side * side; ++k) {
-      const Cell c{at.x + k % side, at.y + k / side};
+    for (const Cell c : cells_of({at.x, at.y, side, side})) {
       if (grid.contains(c)) grid.set_blocked(c);
     }
   }

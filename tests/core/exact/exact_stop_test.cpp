@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "core/base/bucket_queue.h"
-#include "core/exact/exact.h"
 #include "lasius/generate.h"
 #include "lasius/path.h"
 #include "lasius/planner.h"
 #include "tests/core/base/counting_time.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/core/exact/exact_answers.h"
 
 namespace lasius {
 namespace {
@@ -22,12 +21,8 @@ constexpr Cell kGoal{kSide - 3, kSide - 3};
 // Noise is what takes longest: every corner sees many others.
 Grid noise(std::mt19937& random) {
   Grid grid = random_grid(kSide, kSide, 15, random);
-  for (int y = 0; y < 6; ++y) {
-    for (int x = 0; x < 6; ++x) {
-      grid.set_blocked({x, y}, false);
-      grid.set_blocked({kSide - 1 - x, kSide - 1 - y}, false);
-    }
-  }
+  grid.fill({0, 0, 6, 6}, false);
+  grid.fill({kSide - 6, kSide - 6, 6, 6}, false);
   return grid;
 }
 
@@ -38,29 +33,11 @@ TEST(ExactStop, BoundsHoldAtEveryStop) {
   int stopped = 0;
   for (int map = 0; map < 3; ++map) {
     const Grid grid = noise(random);
-    ExactAnswer exact;
-    search.search(grid, kStart, kGoal, {}, {}, exact);
-    ASSERT_TRUE(exact.optimal);
-    double last_bound = 0;
-    for (int polls = 0; polls < 100; ++polls) {
-      CountingTime time(polls);
-      ExactAnswer cut;
-      search.search(grid, kStart, kGoal, {}, time.is_up(), cut);
-      if (cut.end != ExactEnd::stopped) {
-        EXPECT_EQ(cut.path, exact.path);
-        break;
-      }
-      ++stopped;
-      EXPECT_EQ(cut.cause, StopCondition::Cause::deadline);
-      EXPECT_FALSE(cut.optimal);
-      EXPECT_LE(cut.lower_bound, exact.length);
-      EXPECT_GE(cut.lower_bound, last_bound);
-      last_bound = cut.lower_bound;
-      if (cut.path.empty()) continue;
-      ++with_path;
-      EXPECT_GE(cut.length, exact.length * (1 - 1e-12));
-      EXPECT_FALSE(path_fault(grid, cut.path).has_value());
-    }
+    const Stops stops = expect_bounds_at_stops(grid, kStart, kGoal, [&](const StopCondition& stop) {
+      return solve(search, grid, kStart, kGoal, {}, stop);
+    });
+    stopped += stops.stopped;
+    with_path += stops.with_path;
   }
   EXPECT_GT(stopped, 8);
   EXPECT_GT(with_path, 4);
@@ -74,18 +51,15 @@ TEST(ExactStop, BoundsHoldAtRandomStopsOnEveryKindOfMap) {
   for (std::size_t k = 0; k < map_kind_names().size(); ++k) {
     const Grid grid = generate(static_cast<MapKind>(k), {600, 500, -1, 4});
     for (int i = 0; i < 60; ++i) {
-      const auto cell = [&] { return Cell{random_in(0, 599, random), random_in(0, 499, random)}; };
-      const Cell start = cell(), goal = cell();
+      const Cell start = random_cell(grid, random), goal = random_cell(grid, random);
       if (grid.blocked(start) || grid.blocked(goal)) continue;
-      CountingTime counted(1 << 30);
-      ExactAnswer exact;
-      const ExactOptions options{i % 2 == 0 ? 0 : 0.05};
-      search.search(grid, start, goal, {}, {}, exact);
+      const ExactAnswer exact = solve(search, grid, start, goal);
       if (!exact.optimal) continue;
-      ExactAnswer whole, cut;
-      search.search(grid, start, goal, options, counted.is_up(), whole);
-      CountingTime time(random_in(0, std::max(0, counted.polls() - 1), random));
-      search.search(grid, start, goal, options, time.is_up(), cut);
+      const ExactOptions options{i % 2 == 0 ? 0 : 0.05};
+      const CountingTime counted(1 << 30);
+      (void)solve(search, grid, start, goal, options, counted.is_up());
+      const CountingTime time(random_in(0, std::max(0, counted.polls() - 1), random));
+      const ExactAnswer cut = solve(search, grid, start, goal, options, time.is_up());
       EXPECT_LE(cut.lower_bound, exact.length);
       stopped += cut.end == ExactEnd::stopped;
       const double dx = goal.x - start.x, dy = goal.y - start.y;
@@ -122,11 +96,9 @@ TEST(ExactStop, PollsAtLeastEach65536Words) {
   std::mt19937 random(12);
   const Grid grid = noise(random);
   ExactSearch search;
-  ExactAnswer answer;
   const WordsBetweenLooks time(search);
-  search.search(grid, kStart, kGoal, {},
-                {.deadline = Clock::time_point{} + std::chrono::hours(1), .time = &time}, answer);
-  ASSERT_TRUE(answer.optimal);
+  const StopCondition never{.deadline = Clock::time_point{} + std::chrono::hours(1), .time = &time};
+  ASSERT_TRUE(solve(search, grid, kStart, kGoal, {}, never).optimal);
   ASSERT_GT(search.counters().words, 65536);
   EXPECT_GT(time.most(), 0);
   EXPECT_LE(time.most(), 65536);
@@ -140,8 +112,7 @@ TEST(ExactStop, ExpansionsAreWorkToo) {
   ASSERT_TRUE(planner.connected(start, goal, Corners::forbid));
   const CountingTime counted(1 << 30);
   ExactSearch search;
-  ExactAnswer answer;
-  search.search(planner.grid(), start, goal, {}, counted.is_up(), answer);
+  (void)solve(search, planner.grid(), start, goal, {}, counted.is_up());
   const auto words = static_cast<double>(search.counters().words);
   const auto expanded =
       static_cast<double>(exact::kWordsPerExpansion * search.counters().expansions);
@@ -179,16 +150,12 @@ TEST(ExactStop, ADeadlineThatIsNotReachedChangesNothing) {
   std::mt19937 random(15);
   ExactSearch search;
   for (int i = 0; i < 20; ++i) {
-    Grid grid = random_grid(400, 201, 30, random);
-    for (int y = 0; y < 100; ++y) {
-      for (int x = 0; x < 400; ++x) grid.set_blocked({x, 200 - y}, grid.blocked({x, y}));
-    }
+    Grid grid = mirrored_grid(400, 201, 30, random);
     const Cell start{1, 100}, goal{398, 100};
     for (const Cell c : {start, goal}) grid.set_blocked(c, false);
-    ExactAnswer with, without;
-    search.search(grid, start, goal, {}, {}, without);
-    search.search(grid, start, goal, {}, CountingTime(1 << 30).is_up(), with);
-    EXPECT_EQ(with.path, without.path);
+    const ExactAnswer without = solve(search, grid, start, goal);
+    const CountingTime never(1 << 30);
+    EXPECT_EQ(solve(search, grid, start, goal, {}, never.is_up()).path, without.path);
   }
 }
 
@@ -199,12 +166,10 @@ TEST(ExactStop, OnALongWayAPathIsSoonThere) {
   const Cell start = planner.nearest_free({100, 100}).value();
   const Cell goal = planner.nearest_free({3990, 3990}).value();
   ExactSearch search;
-  ExactAnswer whole, cut;
   const CountingTime counted(1 << 30);
-  search.search(grid, start, goal, {}, counted.is_up(), whole);
-  ASSERT_TRUE(whole.optimal);
+  ASSERT_TRUE(solve(search, grid, start, goal, {}, counted.is_up()).optimal);
   const CountingTime time(counted.polls() / 10);
-  search.search(grid, start, goal, {}, time.is_up(), cut);
+  const ExactAnswer cut = solve(search, grid, start, goal, {}, time.is_up());
   EXPECT_EQ(cut.end, ExactEnd::stopped);
   ASSERT_FALSE(cut.path.empty());
   EXPECT_LT(cut.length, 1.25 * cut.lower_bound);
@@ -213,11 +178,8 @@ TEST(ExactStop, OnALongWayAPathIsSoonThere) {
 TEST(ExactStop, ATokenInterrupts) {
   std::mt19937 random(13);
   const Grid grid = noise(random);
-  std::stop_source source;
-  source.request_stop();
   ExactSearch search;
-  ExactAnswer answer;
-  search.search(grid, kStart, kGoal, {}, {.token = source.get_token()}, answer);
+  const ExactAnswer answer = solve(search, grid, kStart, kGoal, {}, fired());
   EXPECT_EQ(answer.end, ExactEnd::stopped);
   EXPECT_EQ(answer.cause, StopCondition::Cause::token);
   EXPECT_GT(answer.lower_bound, (kSide - 5) * 1.414);

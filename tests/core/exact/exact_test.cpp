@@ -2,12 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "lasius/generate.h"
-#include "lasius/path.h"
 #include "tests/core/exact/exact_answers.h"
 #include "tests/measures/count_allocations.h"
 #include "tests/worlds/shared_maps.h"
@@ -17,16 +15,12 @@ namespace {
 
 ExactAnswer solve(const Grid& grid, Cell start, Cell goal, const ExactOptions& options = {}) {
   ExactSearch search;
-  ExactAnswer answer;
-  search.search(grid, start, goal, options, {}, answer);
-  return answer;
+  return solve(search, grid, start, goal, options);
 }
 
 // Searches; the answer equals the optimum by brute force. True if there is a path.
 bool expect_exact(const Grid& grid, Cell start, Cell goal, ExactSearch& search) {
-  ExactAnswer answer;
-  search.search(grid, start, goal, {}, {}, answer);
-  return expect_optimum(grid, start, goal, answer);
+  return expect_optimum(grid, start, goal, solve(search, grid, start, goal));
 }
 
 TEST(Exact, SeesStraightToTheGoal) {
@@ -111,9 +105,7 @@ TEST(Exact, EqualsBruteForceOnTheWidestMaps) {
     const auto [grid, start, goal] = widest_puzzle(tall);
     ExactSearch search;
     expect_exact(grid, start, goal, search);
-    ExactAnswer near;
-    search.search(grid, start, goal, {0.05}, {}, near);
-    expect_path(grid, start, goal, near);
+    expect_path(grid, start, goal, solve(search, grid, start, goal, {0.05}));
   }
 }
 
@@ -121,12 +113,11 @@ TEST(Exact, EqualsTheKnownOptimaOfRealMaps) {
   const auto tables = bench_test::shared_tables();
   if (tables.empty()) GTEST_SKIP() << "no maps in " << bench_test::shared_dir();
   ExactSearch search;
-  ExactAnswer answer;
   for (const auto& table : tables) {
     const auto map = bench_test::load_shared(table);
     SCOPED_TRACE(map.name);
     for (const auto& q : map.queries) {
-      search.search(map.grid, q.start, q.goal, {}, {}, answer);
+      const ExactAnswer answer = solve(search, map.grid, q.start, q.goal);
       EXPECT_TRUE(answer.optimal);
       EXPECT_NEAR(answer.length, q.euclid, 1e-6);
       expect_path(map.grid, q.start, q.goal, answer);
@@ -141,9 +132,7 @@ TEST(Exact, TheTargetGapIsCertified) {
   const auto look = [&](const Grid& grid) {
     const Cell start = *random_free(grid, random), goal = *random_free(grid, random);
     early += expect_gaps(grid, start, goal, [&](const ExactOptions& options) {
-      ExactAnswer answer;
-      search.search(grid, start, goal, options, {}, answer);
-      return answer;
+      return solve(search, grid, start, goal, options);
     });
   };
   for (int i = 0; i < 200; ++i) {
@@ -162,8 +151,7 @@ TEST(Exact, AnyPathWillDoWithAnUnboundedGap) {
   for (const double gap : {1e300, std::numeric_limits<double>::infinity()}) {
     const Grid grid = generate(MapKind::maze, {300, 300, -1, 2});
     const Cell start = *random_free(grid, random), goal = *random_free(grid, random);
-    ExactAnswer answer;
-    search.search(grid, start, goal, {gap}, {}, answer);
+    const ExactAnswer answer = solve(search, grid, start, goal, {gap});
     EXPECT_EQ(answer.end, ExactEnd::target_gap);
     EXPECT_LE(answer.lower_bound, answer.length);
     expect_path(grid, start, goal, answer);
@@ -193,8 +181,7 @@ TEST(Exact, EqualRunsGiveEqualAnswersWhateverCameBefore) {
     const Grid grid = random_grid(80, 50, 20, random);
     const auto start = random_free(grid, random);
     const auto goal = random_free(grid, random);
-    ExactAnswer again;
-    used.search(grid, *start, *goal, {}, {}, again);
+    const ExactAnswer again = solve(used, grid, *start, *goal);
     const ExactAnswer fresh = solve(grid, *start, *goal);
     EXPECT_EQ(fresh.path, again.path);
     EXPECT_EQ(fresh.end, again.end);

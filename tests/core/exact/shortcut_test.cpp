@@ -75,15 +75,12 @@ TEST(Shortcut, FindsAShortestPathWhoseCornersAreTouched) {
     const Grid grid = i % 3 == 0 ? random_large_grid(i, random) : random_small_grid(i, random);
     const auto start = random_free(grid, random), goal = random_free(grid, random);
     if (!start || !goal) continue;
-    ExactAnswer answer;
-    whole.search(grid, *start, *goal, {}, {}, answer);
+    const ExactAnswer answer = solve(whole, grid, *start, *goal);
     if (!answer.optimal || answer.path.size() < 3) continue;
     cells.reset(16);
     const auto enter = [&](int percent) {
-      for (int y = 0; y < grid.height(); ++y) {
-        for (int x = 0; x < grid.width(); ++x) {
-          if (grid.free({x, y}) && random_in(0, 99, random) < percent) cells.add({x, y});
-        }
+      for (const Cell c : cells_of(grid)) {
+        if (grid.free(c) && random_in(0, 99, random) < percent) cells.add(c);
       }
     };
     enter(random_in(0, 30, random));
@@ -101,9 +98,7 @@ TEST(Shortcut, FindsAShortestPathWhoseCornersAreTouched) {
     EXPECT_TRUE(bends_at(cells, path));
     ++found;
     // The search forgets which corners it was to use.
-    ExactAnswer again;
-    search.search(grid, *start, *goal, {}, {}, again);
-    EXPECT_EQ(again.path, answer.path);
+    EXPECT_EQ(solve(search, grid, *start, *goal).path, answer.path);
   }
   EXPECT_GT(found, 1500);
   EXPECT_GT(others, 500);
@@ -116,9 +111,7 @@ class LongShortcut : public testing::Test {
   LongShortcut() {
     for (const Cell c : {kStart, kGoal}) grid_.set_blocked(c, false);
     cells_.reset(1);
-    for (int y = 0; y < grid_.height(); ++y) {
-      for (int x = 0; x < grid_.width(); ++x) cells_.add({x, y});
-    }
+    for (const Cell c : cells_of(grid_)) cells_.add(c);
   }
   std::vector<Point> shortcut(std::int64_t work, const StopCondition& stop = {}) {
     std::vector<Point> path;

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "lasius/error.h"
-#include "lasius/map_io.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -30,24 +30,16 @@ double blocked_share(const Grid& grid) {
 std::int64_t largest_region(const Grid& grid) {
   Grid left = grid;
   std::int64_t largest = 0;
-  std::vector<Cell> stack;
-  for (int y = 0; y < grid.height(); ++y) {
-    for (int x = 0; x < grid.width(); ++x) {
-      std::int64_t count = 0;
-      stack.push_back({x, y});
-      while (!stack.empty()) {
-        const Cell c = stack.back();
-        stack.pop_back();
-        if (left.blocked(c)) continue;
-        left.set_blocked(c);
-        ++count;
-        for (const Cell next :
-             {Cell{c.x + 1, c.y}, Cell{c.x - 1, c.y}, Cell{c.x, c.y + 1}, Cell{c.x, c.y - 1}}) {
-          if (left.free(next)) stack.push_back(next);
-        }
-      }
-      largest = std::max(largest, count);
-    }
+  for (const Cell seed : cells_of(grid)) {
+    std::int64_t count = 0;
+    const auto take = [&](Cell c) {
+      if (left.blocked(c)) return false;
+      left.set_blocked(c);
+      ++count;
+      return true;
+    };
+    if (take(seed)) flood(seed, false, [&](Cell, Cell to) { return take(to); });
+    largest = std::max(largest, count);
   }
   return largest;
 }

@@ -14,7 +14,7 @@
 #include "lasius/planner.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/oracle/visibility_graph.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -266,10 +266,7 @@ TEST(GridGa, FourNeighboursMoveByFour) {
 
 TEST(GridGa, StopsByTokenAndDeadline) {
   const Planner planner(pocket());
-  std::stop_source source;
-  source.request_stop();
-  const Result token =
-      planner.plan({kStart, kGoal, {.token = source.get_token()}}, genetic(Polish::straight));
+  const Result token = planner.plan({kStart, kGoal, fired()}, genetic(Polish::straight));
   EXPECT_EQ(token.status, Status::interrupted);
   EXPECT_TRUE(token.best.empty());
   const Result late =

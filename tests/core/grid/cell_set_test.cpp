@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "lasius/grid.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {

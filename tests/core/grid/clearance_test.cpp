@@ -8,7 +8,7 @@
 
 #include "lasius/error.h"
 #include "lasius/generate.h"
-#include "tests/core/map_files/map_files.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -28,9 +28,9 @@ std::int64_t squared_half_cells(const Grid& grid, Cell c) {
 }
 
 std::vector<Grid> sample_grids() {
-  std::vector<Grid> grids = {grid_of({"."}),     grid_of({"#"}),
-                             grid_of({"....."}), grid_of({".", ".", "#", "."}),
-                             Grid(70, 31),       Grid(3, 90)};
+  std::vector<Grid> grids = {drawn({"."}),     drawn({"#"}),
+                             drawn({"....."}), drawn({".", ".", "#", "."}),
+                             Grid(70, 31),     Grid(3, 90)};
   for (const std::uint64_t seed : {1, 2, 3}) {
     grids.push_back(generate(MapKind::random, {66, 40, 0.002, seed}));
     grids.push_back(generate(MapKind::random, {45, 52, 0.02, seed}));
@@ -41,7 +41,7 @@ std::vector<Grid> sample_grids() {
 
 TEST(Clearance, IsWorkedOutByHand) {
   const ClearanceField field =
-      clearance(grid_of({".......", ".......", "...#...", ".......", "......."}));
+      clearance(drawn({".......", ".......", "...#...", ".......", "......."}));
   EXPECT_EQ(field.width, 7);
   EXPECT_EQ(field.height, 5);
   EXPECT_EQ(field.at({3, 2}), 0);
@@ -55,12 +55,10 @@ TEST(Clearance, IsWorkedOutByHand) {
 TEST(Clearance, AgreesWithTheDefinition) {
   for (const Grid& grid : sample_grids()) {
     const ClearanceField field = clearance(grid);
-    for (int y = 0; y < grid.height(); ++y) {
-      for (int x = 0; x < grid.width(); ++x) {
-        ASSERT_EQ(field.squared_half_cells[static_cast<std::size_t>(y) * grid.width() + x],
-                  squared_half_cells(grid, {x, y}))
-            << grid.width() << 'x' << grid.height() << " at " << x << ',' << y;
-      }
+    for (const Cell c : cells_of(grid)) {
+      ASSERT_EQ(field.squared_half_cells[static_cast<std::size_t>(c.y) * grid.width() + c.x],
+                squared_half_cells(grid, c))
+          << grid.width() << 'x' << grid.height() << " at " << c.x << ',' << c.y;
     }
   }
 }
@@ -81,27 +79,26 @@ TEST(GrowObstacles, AgreesWithTheClearance) {
     const ClearanceField field = clearance(grid);
     for (const double radius : radii) {
       const Grid grown = grow_obstacles(grid, radius);
-      for (int y = 0; y < grid.height(); ++y) {
-        for (int x = 0; x < grid.width(); ++x) {
-          const double squared =
-              field.squared_half_cells[static_cast<std::size_t>(y) * grid.width() + x];
-          ASSERT_EQ(grown.blocked({x, y}), squared <= 4 * radius * radius)
-              << grid.width() << 'x' << grid.height() << " at " << x << ',' << y << ", " << radius;
-        }
+      for (const Cell c : cells_of(grid)) {
+        const double squared =
+            field.squared_half_cells[static_cast<std::size_t>(c.y) * grid.width() + c.x];
+        ASSERT_EQ(grown.blocked(c), squared <= 4 * radius * radius)
+            << grid.width() << 'x' << grid.height() << " at " << c.x << ',' << c.y << ", "
+            << radius;
       }
     }
   }
 }
 
 TEST(GrowObstacles, IsWorkedOutByHand) {
-  const Grid grid = grid_of(
+  const Grid grid = drawn(
       {".........", ".........", ".........", "....#....", ".........", ".........", "........."});
   EXPECT_EQ(grow_obstacles(grid, 0), grid);
   EXPECT_EQ(grow_obstacles(grid, 0.49), grid);
-  EXPECT_EQ(grow_obstacles(grid, 0.5), grid_of({"#########", "#.......#", "#...#...#", "#..###..#",
-                                                "#...#...#", "#.......#", "#########"}));
-  EXPECT_EQ(grow_obstacles(grid, 0.75), grid_of({"#########", "#.......#", "#..###..#", "#..###..#",
-                                                 "#..###..#", "#.......#", "#########"}));
+  EXPECT_EQ(grow_obstacles(grid, 0.5), drawn({"#########", "#.......#", "#...#...#", "#..###..#",
+                                              "#...#...#", "#.......#", "#########"}));
+  EXPECT_EQ(grow_obstacles(grid, 0.75), drawn({"#########", "#.......#", "#..###..#", "#..###..#",
+                                               "#..###..#", "#.......#", "#########"}));
   EXPECT_EQ(grow_obstacles(grid, 100).count_free(), 0);
 }
 

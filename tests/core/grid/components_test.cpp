@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/core/base/counting_time.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -24,25 +24,16 @@ struct Labels {
 
 Labels labels_of(const Grid& grid, Connectivity connectivity) {
   Labels labels{grid.width(), std::vector<int>(grid.width() * grid.height(), 0)};
-  std::vector<Cell> queue;
-  for (int y = 0; y < grid.height(); ++y) {
-    for (int x = 0; x < grid.width(); ++x) {
-      if (grid.blocked({x, y}) || labels.at({x, y}) != 0) continue;
-      ++labels.count;
-      queue.assign(1, {x, y});
-      labels.of[y * grid.width() + x] = labels.count;
-      for (std::size_t i = 0; i < queue.size(); ++i) {
-        for (int dy = -1; dy <= 1; ++dy) {
-          for (int dx = -1; dx <= 1; ++dx) {
-            if (connectivity == Connectivity::four && dx != 0 && dy != 0) continue;
-            const Cell c{queue[i].x + dx, queue[i].y + dy};
-            if (grid.blocked(c) || labels.at(c) != 0) continue;
-            labels.of[c.y * grid.width() + c.x] = labels.count;
-            queue.push_back(c);
-          }
-        }
-      }
-    }
+  const auto label = [&](Cell c) {
+    if (grid.blocked(c) || labels.at(c) != 0) return false;
+    labels.of[c.y * grid.width() + c.x] = labels.count;
+    return true;
+  };
+  for (const Cell seed : cells_of(grid)) {
+    if (grid.blocked(seed) || labels.at(seed) != 0) continue;
+    ++labels.count;
+    label(seed);
+    flood(seed, connectivity == Connectivity::eight, [&](Cell, Cell to) { return label(to); });
   }
   return labels;
 }
@@ -54,7 +45,7 @@ void expect_equal(const Grid& grid, const Components& components, Connectivity c
   EXPECT_EQ(components.count(), labels.count);
   std::vector<Cell> asked;
   for (int i = 0; i < cells; ++i) {
-    Cell c{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
+    Cell c = random_cell(grid, random);
     if (i % 3 == 1) c.x = std::min(c.x / 256 * 256 + random_in(0, 1, random), grid.width() - 1);
     if (i % 5 == 1) c.y = std::max(c.y / 256 * 256 - random_in(0, 1, random), 0);
     asked.push_back(c);
@@ -80,43 +71,32 @@ TEST(Components, EqualBreadthFirstSearchOnNoise) {
   }
 }
 
-// Blocked cells where f holds.
-template <typename Blocked>
-Grid made(int width, int height, const Blocked& blocked) {
-  Grid grid(width, height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      if (blocked(x, y)) grid.set_blocked({x, y});
-    }
-  }
-  return grid;
-}
-
 TEST(Components, EqualBreadthFirstSearchOnMadeMaps) {
   std::mt19937 random(2);
   const auto ring = [](int x, int y, int side) {
     return std::min({x, y, side - 1 - x, side - 1 - y});
   };
   const std::vector<Grid> grids{
-      Grid(700, 600), made(600, 600, [](int, int) { return true; }),
-      made(600, 600, [](int x, int y) { return (x + y) % 2 == 0; }),
-      made(600, 600, [](int x, int) { return x % 2 == 0; }),
-      made(600, 600, [](int, int y) { return y % 2 == 1; }),
+      Grid(700, 600), grid_of(600, 600, [](int, int) { return true; }),
+      grid_of(600, 600, [](int x, int y) { return (x + y) % 2 == 0; }),
+      grid_of(600, 600, [](int x, int) { return x % 2 == 0; }),
+      grid_of(600, 600, [](int, int y) { return y % 2 == 1; }),
       // Diagonal stripes, joined by diagonal steps only.
-      made(600, 600, [](int x, int y) { return (x + y) % 4 != 0; }),
+      grid_of(600, 600, [](int x, int y) { return (x + y) % 4 != 0; }),
       // Rings, with gaps at changing places (a spiral of a kind) and without.
-      made(601, 601, [&](int x, int y) { return ring(x, y, 601) % 2 == 1; }),
-      made(601, 601,
-           [&](int x, int y) {
-             const int r = ring(x, y, 601);
-             return r % 2 == 1 && !(x == 300 && y == (r % 4 == 1 ? r : 600 - r));
-           }),
+      grid_of(601, 601, [&](int x, int y) { return ring(x, y, 601) % 2 == 1; }),
+      grid_of(601, 601,
+              [&](int x, int y) {
+                const int r = ring(x, y, 601);
+                return r % 2 == 1 && !(x == 300 && y == (r % 4 == 1 ? r : 600 - r));
+              }),
       // A snake through all rows, and a comb.
-      made(600, 600, [](int x, int y) { return y % 2 == 1 && x != (y % 4 == 1 ? 0 : 599); }),
-      made(600, 600, [](int x, int y) { return y % 2 == 1 && x != 0; }),
+      grid_of(600, 600, [](int x, int y) { return y % 2 == 1 && x != (y % 4 == 1 ? 0 : 599); }),
+      grid_of(600, 600, [](int x, int y) { return y % 2 == 1 && x != 0; }),
       // Cells of 5 x 5 with walls between, some with a door.
-      made(600, 600,
-           [&random](int x, int y) { return (x % 6 == 0 || y % 6 == 0) && !(random() % 9 == 0); })};
+      grid_of(600, 600, [&random](int x, int y) {
+        return (x % 6 == 0 || y % 6 == 0) && !(random() % 9 == 0);
+      })};
   for (const Grid& grid : grids) {
     for (const auto connectivity : kBoth) {
       expect_equal(grid, Components(grid, connectivity), connectivity, random);
@@ -126,7 +106,8 @@ TEST(Components, EqualBreadthFirstSearchOnMadeMaps) {
 
 TEST(Components, JoinsDiagonallyAcrossTileCorners) {
   for (const bool rising : {false, true}) {
-    const Grid grid = made(512, 512, [&](int x, int y) { return rising ? x + y != 511 : x != y; });
+    const Grid grid =
+        grid_of(512, 512, [&](int x, int y) { return rising ? x + y != 511 : x != y; });
     EXPECT_TRUE(Components(grid, Connectivity::eight)
                     .connected(grid, {rising ? 511 : 0, 0}, {rising ? 0 : 511, 511}));
     EXPECT_FALSE(Components(grid, Connectivity::four)
@@ -157,8 +138,7 @@ TEST(Components, AnEditEqualsAFreshBuild) {
       for (int edit = 0; edit < 8; ++edit) {
         std::vector<Cell> changed;
         for (int i = random_in(0, 40, random); i >= 0; --i) {
-          const Cell c{random_in(0, grid.width() - 1, random),
-                       random_in(0, grid.height() - 1, random)};
+          const Cell c = random_cell(grid, random);
           grid.set_blocked(c, grid.free(c));
           changed.push_back(c);
         }
@@ -245,13 +225,13 @@ TEST(Components, AnUpdateThatWasStoppedIsDoneByTheNext) {
 TEST(Components, StaySmallOnTheWorstMaps) {
   std::mt19937 random(4);
   const std::vector<Grid> grids{
-      made(1024, 1024, [](int x, int y) { return (x + y) % 2 == 0; }),
-      made(1024, 1024, [](int x, int y) { return x % 2 == 0 && y % 2 == 0; }),
-      made(1024, 1024,
-           [](int x, int y) {  // stripes that cross every border
-             return x % 256 > 2 && x % 256 < 253 ? x % 2 == 0 || (y % 256 > 2 && y % 256 < 253)
-                                                 : y % 2 == 0;
-           }),
+      grid_of(1024, 1024, [](int x, int y) { return (x + y) % 2 == 0; }),
+      grid_of(1024, 1024, [](int x, int y) { return x % 2 == 0 && y % 2 == 0; }),
+      grid_of(1024, 1024,
+              [](int x, int y) {  // stripes that cross every border
+                return x % 256 > 2 && x % 256 < 253 ? x % 2 == 0 || (y % 256 > 2 && y % 256 < 253)
+                                                    : y % 2 == 0;
+              }),
       random_grid(1024, 1024, 40, random), random_grid(1024, 1024, 50, random)};
   for (const Grid& grid : grids) {
     for (const auto connectivity : kBoth) {

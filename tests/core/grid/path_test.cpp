@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "tests/oracle/plane_rule.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {

@@ -6,25 +6,24 @@
 #include "lasius/error.h"
 #include "lasius/io_json.h"
 #include "lasius/planner.h"
+#include "tests/core/base/refusal.h"
 #include "tests/core/plan/same_result.h"
 
 namespace lasius {
 namespace {
 
-/// What is said about a text that is refused.
-std::string refusal(const auto& read, ErrorCode code) {
-  try {
-    read();
-  } catch (const Error& e) {
-    EXPECT_EQ(e.code(), code) << e.what();
-    EXPECT_FALSE(e.remedy().empty());
-    return e.what();
-  }
-  return "nothing thrown";
+/// What is said about a text that `read` refuses.
+std::string refusal_of(const std::string& text, const auto& read, ErrorCode code) {
+  const Error error = error_of([&] { return read(text); }, text);
+  EXPECT_EQ(error.code(), code) << error.what();
+  EXPECT_FALSE(error.remedy().empty());
+  return error.what();
 }
-
 std::string params_refusal(const std::string& text, ErrorCode code = ErrorCode::file_broken) {
-  return refusal([&] { (void)params_from_json(text); }, code);
+  return refusal_of(text, params_from_json, code);
+}
+std::string result_refusal(const std::string& text) {
+  return refusal_of(text, result_from_json, ErrorCode::file_broken);
 }
 
 /// An answer is read from its text as it was.
@@ -77,10 +76,10 @@ TEST(Json, KeepsNumbersBitForBitAndWritesNullForWhatIsNone) {
   result.own_rules = true;
   result.error = "a \"quote\", \\ and \n";
   const std::string text = result_to_json(result);
-  EXPECT_NE(text.find("\"best\":[null,"), std::string::npos) << text;
+  expect_says(text, "\"best\":[null,");
   EXPECT_EQ(text.find('\n'), text.size() - 1);
   expect_kept(result);
-  EXPECT_NE(result_to_json(Result()).find("\"length\":null,\"path\":null"), std::string::npos);
+  expect_says(result_to_json(Result()), "\"length\":null,\"path\":null");
   expect_kept(Result());
 }
 
@@ -102,8 +101,7 @@ TEST(Json, ReadsWhatTheProgramPrints) {
 
 // Numbers that a type does not hold are named, not cut.
 TEST(Json, RefusesNumbersThatDoNotFit) {
-  EXPECT_NE(params_refusal(R"({"algorithm": "exact", "threads": 4294967297})").find("threads"),
-            std::string::npos);
+  expect_says(params_refusal(R"({"algorithm": "exact", "threads": 4294967297})"), "threads");
   const std::string whole =
       R"({"status": "solved", "iterations": 1, "best": [1], "mean": [1], "arrived": [1],
           "lower_bound": null, "optimal": false, "path": [[1, 2]], "nearest_free": [1, 2]})";
@@ -115,39 +113,26 @@ TEST(Json, RefusesNumbersThatDoNotFit) {
                                  {"\"path\": [[1, 2]]", "\"path\": [[1, 2, 3]]"}}) {
     std::string text = whole;
     text.replace(text.find(from), std::string_view(from).size(), to);
-    EXPECT_FALSE(refusal([&] { (void)result_from_json(text); }, ErrorCode::file_broken).empty())
-        << text;
+    EXPECT_FALSE(result_refusal(text).empty()) << text;
   }
 }
 
 TEST(Json, RefusesOtherTexts) {
-  EXPECT_NE(params_refusal("{").find("line 1, byte 1: this is not JSON"), std::string::npos);
-  EXPECT_NE(
-      params_refusal("{\"seed\": 1,\n\"seed\": 2}").find("line 2, byte 17: \"seed\" is given"),
-      std::string::npos);
-  EXPECT_NE(params_refusal("[1]").find("not an object"), std::string::npos);
-  EXPECT_NE(params_refusal(std::string(100, '[')).find("nests too deep"), std::string::npos);
-  EXPECT_NE(params_refusal("{}").find("lacks \"algorithm\""), std::string::npos);
-  EXPECT_NE(params_refusal(R"({"algorithm": 3})").find("\"algorithm\": 3"), std::string::npos);
-  EXPECT_NE(params_refusal(R"({"algorithm": "exact", "seed": 1.5})").find("\"seed\": 1.5"),
-            std::string::npos);
+  expect_says(params_refusal("{"), "line 1, byte 1: this is not JSON");
+  expect_says(params_refusal("{\"seed\": 1,\n\"seed\": 2}"), "line 2, byte 17: \"seed\" is given");
+  expect_says(params_refusal("[1]"), "not an object");
+  expect_says(params_refusal(std::string(100, '[')), "nests too deep");
+  expect_says(params_refusal("{}"), "lacks \"algorithm\"");
+  expect_says(params_refusal(R"({"algorithm": 3})"), "\"algorithm\": 3");
+  expect_says(params_refusal(R"({"algorithm": "exact", "seed": 1.5})"), "\"seed\": 1.5");
   constexpr auto kValue = ErrorCode::invalid_parameter;
-  EXPECT_NE(params_refusal(R"({"algorithm": "fan204"})", kValue).find("fan2004"),
-            std::string::npos);
-  EXPECT_NE(params_refusal(R"({"algorithm": "fan2004", "parameters": {"atns": 3}})", kValue)
-                .find("\"ants\""),
-            std::string::npos);
-  EXPECT_NE(
-      params_refusal(R"({"algorithm": "fan2004", "parameters": {"ants": 0}})", kValue).find("ants"),
-      std::string::npos);
-  EXPECT_NE(
-      refusal([] { (void)result_from_json(R"({"status": "solvde"})"); }, ErrorCode::file_broken)
-          .find("solvde"),
-      std::string::npos);
-  EXPECT_NE(
-      refusal([] { (void)result_from_json(R"({"status": "solved"})"); }, ErrorCode::file_broken)
-          .find("\"iterations\""),
-      std::string::npos);
+  expect_says(params_refusal(R"({"algorithm": "fan204"})", kValue), "fan2004");
+  expect_says(params_refusal(R"({"algorithm": "fan2004", "parameters": {"atns": 3}})", kValue),
+              "\"ants\"");
+  expect_says(params_refusal(R"({"algorithm": "fan2004", "parameters": {"ants": 0}})", kValue),
+              "ants");
+  expect_says(result_refusal(R"({"status": "solvde"})"), "solvde");
+  expect_says(result_refusal(R"({"status": "solved"})"), "\"iterations\"");
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "lasius/error.h"
+#include "tests/core/base/refusal.h"
 #include "tests/core/io/chunks.h"
 #include "tests/core/io/images.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -44,9 +46,9 @@ TEST_F(Io, ReadsGreyOfEveryDepthAndInterlacing) {
 
 TEST_F(Io, ReadsColoursByTheirLuma) {
   const Bytes rgb = {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 0, 128, 128, 128, 127, 127, 127};
-  EXPECT_EQ(read_image({6, 1, 8, PNG_COLOR_TYPE_RGB, {rgb}}), grid_of({"#.#..#"}));
+  EXPECT_EQ(read_image({6, 1, 8, PNG_COLOR_TYPE_RGB, {rgb}}), drawn({"#.#..#"}));
   const Bytes rgb16 = {0x7f, 0xff, 0x7f, 0xff, 0x7f, 0xff, 0x80, 0, 0x80, 0, 0x80, 0};
-  EXPECT_EQ(read_image({2, 1, 16, PNG_COLOR_TYPE_RGB, {rgb16}}), grid_of({"#."}));
+  EXPECT_EQ(read_image({2, 1, 16, PNG_COLOR_TYPE_RGB, {rgb16}}), drawn({"#."}));
   for (const bool interlaced : {false, true}) {
     const TestImage image{3,
                           2,
@@ -56,7 +58,7 @@ TEST_F(Io, ReadsColoursByTheirLuma) {
                           interlaced,
                           {{255, 255, 255}, {0, 0, 200}, {0, 0, 0}},
                           {255, 255, 0}};
-    EXPECT_EQ(read_image(image), grid_of({".#.", ".#."})) << "the third entry is transparent";
+    EXPECT_EQ(read_image(image), drawn({".#.", ".#."})) << "the third entry is transparent";
   }
 }
 
@@ -66,46 +68,38 @@ TEST_F(Io, RefusesColoursBeyondThePalette) {
   for (const bool interlaced : {false, true}) {
     image.interlaced = interlaced;
     image.rows = {{0b00010000}};
-    EXPECT_EQ(read_image(image), grid_of({".#."}));
+    EXPECT_EQ(read_image(image), drawn({".#."}));
     image.rows = {{0b00011000}};
-    try {
-      (void)read_image(image);
-      ADD_FAILURE() << "colour 2 of 2 was read";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), ErrorCode::file_broken);
-      EXPECT_NE(error.problem().find("colour 2 of a palette that has 2"), std::string::npos);
-      // Behind the pixels, and behind their checksum where this was the last row; IEND follows.
-      const auto size = static_cast<std::int64_t>(png_of(image).size());
-      EXPECT_EQ(error.place().offset, size - 12 - (interlaced ? 4 : 0));
-    }
+    const Error error = error_of([&] { return read_image(image); }, "colour 2 of 2");
+    EXPECT_EQ(error.code(), ErrorCode::file_broken);
+    expect_says(error.problem(), "colour 2 of a palette that has 2");
+    // Behind the pixels, and behind their checksum where this was the last row; IEND follows.
+    const auto size = static_cast<std::int64_t>(png_of(image).size());
+    EXPECT_EQ(error.place().offset, size - 12 - (interlaced ? 4 : 0));
   }
 }
 
 TEST_F(Io, SeesTransparencyOnAWhitePage) {
   const Bytes grey_alpha = {0, 255, 0, 0, 0, 127, 0, 128, 255, 128};
-  EXPECT_EQ(read_image({5, 1, 8, PNG_COLOR_TYPE_GRAY_ALPHA, {grey_alpha}}), grid_of({"#..#."}));
+  EXPECT_EQ(read_image({5, 1, 8, PNG_COLOR_TYPE_GRAY_ALPHA, {grey_alpha}}), drawn({"#..#."}));
   const Bytes rgba16 = {0, 0, 0, 0, 0, 0, 0x7f, 0xff, 0, 0, 0, 0, 0, 0, 0x80, 0x00};
-  EXPECT_EQ(read_image({2, 1, 16, PNG_COLOR_TYPE_RGB_ALPHA, {rgba16}}), grid_of({".#"}));
+  EXPECT_EQ(read_image({2, 1, 16, PNG_COLOR_TYPE_RGB_ALPHA, {rgba16}}), drawn({".#"}));
   TestImage keyed{3, 1, 8, PNG_COLOR_TYPE_GRAY, {{0, 9, 255}}};
   keyed.transparent_grey = 9;
-  EXPECT_EQ(read_image(keyed), grid_of({"#.."})) << "grey 9 is transparent";
+  EXPECT_EQ(read_image(keyed), drawn({"#.."})) << "grey 9 is transparent";
 }
 
 TEST_F(Io, FreeBelowHoldsForPng) {
   const TestImage image{4, 1, 8, PNG_COLOR_TYPE_GRAY, {{0, 50, 130, 255}}};
-  EXPECT_EQ(read_image(image, {.free_below = 0.9}), grid_of({"#..."}));
-  EXPECT_EQ(read_image(image, {.free_below = 0.3}), grid_of({"###."}));
+  EXPECT_EQ(read_image(image, {.free_below = 0.9}), drawn({"#..."}));
+  EXPECT_EQ(read_image(image, {.free_below = 0.3}), drawn({"###."}));
   EXPECT_THROW(read_image(image, {.free_below = 0}), Error);
 }
 
 TEST_F(Io, APictureThatCannotBeWrittenIsAnError) {
   for (const std::string& name : {path("none/a.png"), path("."), std::string("/dev/full")}) {
-    try {
-      write_png(Grid(300, 300), name);
-      FAIL() << name;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), ErrorCode::output_failed) << name;
-    }
+    const Error error = error_of([&] { write_png(Grid(300, 300), name); }, name);
+    EXPECT_EQ(error.code(), ErrorCode::output_failed) << name;
   }
 }
 
@@ -128,15 +122,12 @@ TEST_F(Io, RefusesEveryTruncatedPng) {
     const std::string content = png_of(image);
     EXPECT_NO_THROW((void)read_any_map(file(content)));
     for (std::size_t size = 8; size < content.size(); ++size) {
-      try {
-        (void)read_any_map(file(content.substr(0, size)));
-        FAIL() << size << " of " << content.size() << " bytes were read";
-      } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ErrorCode::file_broken) << error.what();
-        // At its end, or at the size where that says already that more must follow.
-        const bool by_size = error.problem().find("cells need at least") != std::string::npos;
-        EXPECT_EQ(error.place().offset, by_size ? 16 : static_cast<std::int64_t>(size));
-      }
+      const Error error = error_of([&] { return read_any_map(file(content.substr(0, size))); },
+                                   std::to_string(size) + " bytes");
+      EXPECT_EQ(error.code(), ErrorCode::file_broken) << error.what();
+      // At its end, or at the size where that says already that more must follow.
+      const bool by_size = error.problem().find("cells need at least") != std::string::npos;
+      ASSERT_EQ(error.place().offset, by_size ? 16 : static_cast<std::int64_t>(size));
     }
   }
 }
@@ -169,15 +160,12 @@ TEST_F(Io, RefusesPngOfAbsurdSize) {
                         {32768, 32768, ErrorCode::file_broken},
                         {0, 3, ErrorCode::file_broken},
                         {0x80000001U, 3, ErrorCode::file_broken}}) {
-    try {
-      (void)read_any_map(file(resized(content, c.width, c.height)));
-      FAIL() << c.width << 'x' << c.height;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), c.code) << error.what();
-      // libpng itself refuses what is no size, once it has read the header and its checksum.
-      const bool is_size = c.width - 1 < 0x7fffffffU;
-      EXPECT_EQ(error.place().offset, is_size ? 16 : 33) << error.what();
-    }
+    const std::string other = resized(content, c.width, c.height);
+    const Error error = error_of([&] { return read_any_map(file(other)); });
+    EXPECT_EQ(error.code(), c.code) << error.what();
+    // libpng itself refuses what is no size, once it has read the header and its checksum.
+    const bool is_size = c.width - 1 < 0x7fffffffU;
+    EXPECT_EQ(error.place().offset, is_size ? 16 : 33) << error.what();
   }
 }
 
@@ -188,7 +176,7 @@ TEST_F(Io, SkipsWhatPixelsDoNotNeed) {
                                    chunk_of("iCCP", "none"), chunk_of("whAt", "is this?")}) {
     for (const std::size_t at : {kHeader, content.size() - 12}) {
       std::string more = content;
-      EXPECT_EQ(read_any_map(file(more.insert(at, chunk))).grid, grid_of({"#."})) << chunk;
+      EXPECT_EQ(read_any_map(file(more.insert(at, chunk))).grid, drawn({"#."})) << chunk;
     }
   }
 }

@@ -1,4 +1,4 @@
-// Files made by tests in a folder of their own, and maps drawn as text.
+// Files made by tests in a folder of their own.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,14 +17,21 @@ namespace lasius {
 
 namespace fs = std::filesystem;
 
+inline std::string bytes_of(const fs::path& file) {
+  std::ostringstream bytes;
+  bytes << std::ifstream(file, std::ios::binary).rdbuf();
+  return bytes.str();
+}
+
 class Files : public testing::Test {
  protected:
   Files() {
-    std::string name = (fs::temp_directory_path() / "lasius-map-io-XXXXXX").string();
+    std::string name = (fs::temp_directory_path() / "lasius-test-XXXXXX").string();
     folder_ = ::mkdtemp(name.data());
   }
   ~Files() override { fs::remove_all(folder_); }
 
+  std::string folder() const { return folder_.string(); }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   std::string file(const std::string& content, const std::string& name = "map") const {
     std::ofstream(path(name), std::ios::binary) << content;
@@ -43,14 +51,5 @@ class Files : public testing::Test {
  private:
   fs::path folder_;
 };
-
-// Rows of '#' (blocked) and '.'.
-inline Grid grid_of(const std::vector<std::string>& rows) {
-  Grid grid(static_cast<int>(rows[0].size()), static_cast<int>(rows.size()));
-  for (int y = 0; y < grid.height(); ++y) {
-    for (int x = 0; x < grid.width(); ++x) grid.set_blocked({x, y}, rows[y][x] == '#');
-  }
-  return grid;
-}
 
 }  // namespace lasius

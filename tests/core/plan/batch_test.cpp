@@ -10,6 +10,7 @@
 
 #include "lasius/error.h"
 #include "lasius/generate.h"
+#include "tests/core/base/counting_time.h"
 #include "tests/core/plan/same_result.h"
 
 namespace lasius {
@@ -45,8 +46,7 @@ TEST(Batch, AnswersInOrderWhatPlanAnswers) {
         scene.planner, scene.queries, brief(), {.threads = threads},
         [&](const BatchAnswer& answer) {
           ASSERT_EQ(answer.index, next++);
-          const Request& query = scene.queries[answer.index];
-          expect_same(answer.result, scene.planner.plan({query.start, query.goal}, brief()));
+          expect_same(answer.result, scene.planner.plan(scene.queries[answer.index], brief()));
         });
     EXPECT_EQ(count, scene.queries.size());
     EXPECT_EQ(next, count);
@@ -64,8 +64,7 @@ TEST(Batch, EverySeedOfARangeGivesWhatPlanGivesWithIt) {
     EXPECT_EQ(answers[i].seed, 11 + i % 3);
     Params params = brief();
     params.seed = answers[i].seed;
-    const Request& query = queries[i / 3];
-    expect_same(answers[i].result, scene.planner.plan({query.start, query.goal}, params));
+    expect_same(answers[i].result, scene.planner.plan(queries[i / 3], params));
     differing += answers[i].result.mean != answers[i / 3 * 3].result.mean;
   }
   EXPECT_GT(differing, 0);
@@ -161,10 +160,8 @@ TEST(Batch, RequestsKeepTheirOwnStopsAndGaps) {
   };
   const auto query = std::find_if(scene.queries.begin(), scene.queries.end(), reached);
   ASSERT_NE(query, scene.queries.end());
-  std::stop_source source;
-  source.request_stop();
   std::vector<Request> requests(4, *query);
-  requests[1].stop.token = source.get_token();
+  requests[1].stop = fired();
   requests[2].stop.deadline = Clock::now() - std::chrono::hours(1);
   const auto answers = plan_batch(scene.planner, requests, brief());
   ASSERT_EQ(answers.size(), 4u);
@@ -201,10 +198,8 @@ TEST(Batch, AStopEndsItAfterWhatWasBegun) {
 
 TEST(Batch, AStoppedTokenBeginsNothing) {
   const Scene scene;
-  std::stop_source source;
-  source.request_stop();
   EXPECT_EQ(
-      plan_batch(scene.planner, scene.queries, brief(), {.threads = 2, .token = source.get_token()},
+      plan_batch(scene.planner, scene.queries, brief(), {.threads = 2, .token = fired().token},
                  [](const BatchAnswer&) { FAIL() << "called"; }),
       0U);
 }
@@ -231,9 +226,8 @@ TEST(Batch, ATimeLimitHoldsForEachQuery) {
   Params params = brief();
   params.iterations = 1000000000;
   const auto joined =
-      std::find_if(scene.queries.begin(), scene.queries.end(), [&](const Request& q) {
-        return scene.planner.plan({q.start, q.goal}, brief()).length > 30;
-      });
+      std::find_if(scene.queries.begin(), scene.queries.end(),
+                   [&](const Request& q) { return scene.planner.plan(q, brief()).length > 30; });
   ASSERT_NE(joined, scene.queries.end());
   const std::vector<Request> queries(3, *joined);
   int limited = 0;

@@ -11,20 +11,19 @@ namespace {
 
 // GNU's OpenMP runtime would wait for threads that there are only in the parent.
 TEST(Fork, AChildPlansAsItsParentDidThoughThatHadThreads) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   Params params = quick("fan2004");
   params.threads = 2;
-  const Result expected = planner.plan(request, params);
+  const Result expected = far.plan(params);
   const pid_t child = fork();
   ASSERT_GE(child, 0);
   if (child == 0) {
     alarm(60);  // a child that waits forever is ended
     const PrepareOptions two{.threads = 2};
-    const auto batch = plan_batch(planner, {&request, 1}, quick("fan2004"), {.threads = 2});
-    const bool alike = planner.plan(request, params).path == expected.path &&
+    const auto batch = plan_batch(far.planner, {&far.request, 1}, quick("fan2004"), {.threads = 2});
+    const bool alike = far.plan(params).path == expected.path &&
                        batch.at(0).result.path == expected.path &&
-                       planner.prepared(two).plan(request).optimal;
+                       far.planner.prepared(two).plan(far.request).optimal;
     _exit(alike ? 0 : 1);
   }
   int status = 0;

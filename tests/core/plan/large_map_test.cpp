@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "lasius/generate.h"
 #include "lasius/map_io.h"
 #include "lasius/path.h"
 #include "lasius/planner.h"
 #include "tests/core/map_files/map_files.h"
 #include "tests/core/plan/planning.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -63,13 +63,11 @@ TEST_F(LargeMap, AntsPlanInACornerOfIt) {
   Grid large(kLargeSide, kLargeSide);
   const std::vector<std::uint64_t> blocked(large.words(), ~std::uint64_t{0});
   for (int y = 0; y < kLargeSide; ++y) large.set_row(y, blocked.data());
-  for (int y = 0; y < small.height(); ++y) {
-    for (int x = 0; x < small.width(); ++x) {
-      if (small.free({x, y})) large.set_blocked({kAt + x, kAt + y}, false);
-    }
+  const auto there = [](Cell c) { return Cell{c.x + kAt, c.y + kAt}; };
+  for (const Cell c : cells_of(small)) {
+    if (small.free(c)) large.set_blocked(there(c), false);
   }
   const Planner planner(std::move(large));
-  const auto there = [](Cell c) { return Cell{c.x + kAt, c.y + kAt}; };
   for (const char* algorithm : {"fan2004", "as"}) {
     Params params = quick(algorithm);
     params.iterations = 3;

@@ -85,20 +85,19 @@ TEST(Observer, StopsExact) {
 }
 
 TEST(Observer, SeesToursAndPheromone) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   int calls = 0;
   Params params = quick("fan2004");
   params.walk_cut = WalkCut::none;  // deposits on all of a tour
-  (void)planner.plan(request, params, nullptr, [&](const GridProgress& p) {
+  (void)far.plan(params, nullptr, [&](const GridProgress& p) {
     EXPECT_EQ(p.iteration, calls++);
     EXPECT_EQ(p.ants(), 10);
     EXPECT_EQ(p.arrived, 10);
     for (int a = 0; a < p.ants(); ++a) {
       const auto tour = p.tour(a);
       ASSERT_GE(tour.size(), 2u);
-      EXPECT_EQ(tour.front(), request.start);
-      EXPECT_EQ(tour.back(), request.goal);
+      EXPECT_EQ(tour.front(), far.request.start);
+      EXPECT_EQ(tour.back(), far.request.goal);
       EXPECT_GT(p.pheromone(tour[tour.size() / 2]), p.pheromone({0, 79}));
     }
   });

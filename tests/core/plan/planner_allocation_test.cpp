@@ -34,8 +34,7 @@ Bounds allocations_for(const Result& result) {
 }
 
 TEST_P(EveryColony, ASecondCallOfTheSameSizeAllocatesOnlyItsResult) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   for (const Polish polish : {Polish::none, Polish::straight}) {
     for (const int threads : {1, 2}) {
       for (const int iterations : {1, 6}) {
@@ -44,11 +43,11 @@ TEST_P(EveryColony, ASecondCallOfTheSameSizeAllocatesOnlyItsResult) {
         params.threads = threads;
         params.iterations = iterations;
         Workspace workspace;
-        const Bounds expected = allocations_for(planner.plan(request, params, &workspace));
+        const Bounds expected = allocations_for(far.plan(params, &workspace));
         // Two threads take ants as they come, so each may meet the longest walk in a later call.
         std::int64_t count = 0;
         for (int call = 0; call < (threads == 1 ? 1 : 100); ++call) {
-          count = allocations_of([&] { (void)planner.plan(request, params, &workspace); });
+          count = allocations_of([&] { (void)far.plan(params, &workspace); });
           if (count <= expected.most) break;
         }
         const auto what = testing::Message() << iterations << " iterations, " << threads
@@ -61,8 +60,7 @@ TEST_P(EveryColony, ASecondCallOfTheSameSizeAllocatesOnlyItsResult) {
 }
 
 TEST(PlannerAllocation, OwnRulesAllocateNothingMore) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   std::vector<double> table(120 * 80, 1.0);
   for (const Preset preset : {Preset::usual, Preset::book}) {  // trail on cells, on arcs
     Params params("ras", preset);
@@ -77,20 +75,18 @@ TEST(PlannerAllocation, OwnRulesAllocateNothingMore) {
                      },
                  .schedule = [](int) { return StepWeights{}; }};
     Workspace workspace;
-    const Bounds expected = allocations_for(planner.plan(request, params, own, &workspace));
-    const auto count =
-        allocations_of([&] { (void)planner.plan(request, params, own, &workspace); });
+    const Bounds expected = allocations_for(far.plan(params, own, &workspace));
+    const auto count = allocations_of([&] { (void)far.plan(params, own, &workspace); });
     EXPECT_GE(count, expected.least);
     EXPECT_LE(count, expected.most);
   }
 }
 
 TEST(PlannerAllocation, TheGeneticAlgorithmKeepsItsMemory) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   const Params params = quick("grid-ga");
   Workspace workspace;
-  const auto plan = [&] { (void)planner.plan(request, params, &workspace); };
+  const auto plan = [&] { (void)far.plan(params, &workspace); };
   const auto first = allocations_of(plan);
   EXPECT_GT(first, 1000);
   EXPECT_LT(allocations_of(plan), first / 10);

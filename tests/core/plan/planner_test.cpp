@@ -10,8 +10,6 @@
 
 #include "kernels/base/cpu.h"
 #include "lasius/error.h"
-#include "lasius/generate.h"
-#include "lasius/map_io.h"
 #include "lasius/path.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/base/environment_variable.h"
@@ -22,18 +20,19 @@
 namespace lasius {
 namespace {
 
-class EveryColony : public testing::TestWithParam<const char*> {};
+class EveryColony : public testing::TestWithParam<const char*> {
+ protected:
+  FarApart far_;
+  Params params_ = quick(GetParam());
+};
 INSTANTIATE_TEST_SUITE_P(Planner, EveryColony, testing::ValuesIn(colonies()));
 
 TEST_P(EveryColony, PlansAValidPathAndItsCurves) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
-  const Params params = quick(GetParam());
-  const Result result = planner.plan(request, params);
+  const Result result = far_.plan(params_);
   ASSERT_EQ(result.status, Status::solved);
-  EXPECT_EQ(result.path.front(), centre(request.start));
-  EXPECT_EQ(result.path.back(), centre(request.goal));
-  EXPECT_EQ(path_fault(planner.grid(), result.path), std::nullopt);
+  EXPECT_EQ(result.path.front(), centre(far_.request.start));
+  EXPECT_EQ(result.path.back(), centre(far_.request.goal));
+  EXPECT_EQ(path_fault(far_.planner.grid(), result.path), std::nullopt);
   EXPECT_EQ(result.length, path_length(result.path));
   EXPECT_EQ(result.iterations, 15);
   ASSERT_EQ(result.best.size(), 15u);
@@ -41,7 +40,7 @@ TEST_P(EveryColony, PlansAValidPathAndItsCurves) {
   EXPECT_EQ(result.best.back(), result.length);
   for (std::size_t i = 1; i < 15; ++i) EXPECT_LE(result.best[i], result.best[i - 1]);
   for (std::size_t i = 0; i < 15; ++i) {
-    EXPECT_EQ(result.arrived[i], params.ants);  // who backtracks arrives
+    EXPECT_EQ(result.arrived[i], params_.ants);  // who backtracks arrives
     EXPECT_GE(result.mean[i], result.length);
   }
   EXPECT_FALSE(result.gap().has_value());
@@ -49,24 +48,17 @@ TEST_P(EveryColony, PlansAValidPathAndItsCurves) {
 }
 
 TEST_P(EveryColony, GivesTheSamePlanWithAnyNumberOfThreads) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
-  Params params = quick(GetParam());
-  params.threads = 1;
-  const Result one = planner.plan(request, params);
+  const Result one = far_.plan(params_);
   for (const int threads : {2, 5}) {
-    params.threads = threads;
-    expect_same(planner.plan(request, params), one);
+    params_.threads = threads;
+    expect_same(far_.plan(params_), one);
   }
 }
 
 TEST_P(EveryColony, GivesTheSamePlanWithScalarAndVectorKernels) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
-  const Params params = quick(GetParam());
   const auto plan = [&](const char* kernels) {
     const EnvironmentVariable choice("LASIUS_KERNELS", kernels);
-    return planner.plan(request, params);
+    return far_.plan(params_);
   };
   const Result scalar = plan("scalar");
   if (kernels::supported_isa() >= kernels::Isa::avx2) expect_same(plan("avx2"), scalar);
@@ -101,17 +93,14 @@ TEST(Planner, GivesTheSamePlanWithEveryKernelAtTheEndsOfItsExponents) {
 }
 
 TEST_P(EveryColony, SeedsGiveDifferentRunsAndWorkspacesDoNot) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
-  Params params = quick(GetParam());
-  const Result first = planner.plan(request, params);
+  const Result first = far_.plan(params_);
   Workspace workspace;
-  expect_same(planner.plan(request, params, &workspace), first);
+  expect_same(far_.plan(params_, &workspace), first);
   const Planner other(blobs(90, 300, 8));
-  (void)other.plan(far_apart(other), params, &workspace);  // leaves its traces
-  expect_same(planner.plan(request, params, &workspace), first);
-  params.seed = 2;
-  EXPECT_NE(planner.plan(request, params).mean, first.mean);
+  (void)other.plan(far_apart(other), params_, &workspace);  // leaves its traces
+  expect_same(far_.plan(params_, &workspace), first);
+  params_.seed = 2;
+  EXPECT_NE(far_.plan(params_).mean, first.mean);
 }
 
 TEST_P(EveryColony, PlansWithEveryNeighbourhoodCornerRuleAndPolish) {
@@ -146,13 +135,12 @@ TEST_P(EveryColony, PlansWithEveryNeighbourhoodCornerRuleAndPolish) {
 }
 
 TEST(Planner, TautIsNeverLongerThanStraightAndStraightThanNone) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   Params params("as");  // its trails do not depend on the polish
   params.iterations = 1;
   const auto length = [&](Polish polish) {
     params.polish = polish;
-    return planner.plan(request, params).length;
+    return far.plan(params).length;
   };
   const double none = length(Polish::none), straight = length(Polish::straight);
   EXPECT_LT(straight, none);
@@ -250,23 +238,19 @@ TEST(Planner, UnreachableNeedsNoTimeAtAll) {
 }
 
 TEST_P(EveryColony, AnExpiredDeadlineEndsTheCallWithTheBestPathSoFar) {
-  const Planner planner(blobs());
-  Request request = far_apart(planner);
-  Params params = quick(GetParam());
-  params.threads = 1;
   bool with = false, without = false, in_the_first_iteration = false;
   for (int readings = 0;; readings = readings * 9 / 8 + 1) {
     const CountingTime time(readings);
-    request.stop = time.is_up();
-    const Result result = planner.plan(request, params);
+    far_.request.stop = time.is_up();
+    const Result result = far_.plan(params_);
     if (result.status == Status::solved) break;
     ASSERT_EQ(result.status, Status::limit) << readings;
-    EXPECT_LE(time.polls() - readings, params.ants + 40);
+    EXPECT_LE(time.polls() - readings, params_.ants + 40);
     EXPECT_EQ(result.best.size(), static_cast<std::size_t>(result.iterations));
     (result.path.empty() ? without : with) = true;
     in_the_first_iteration |= result.iterations == 0 && !result.path.empty();
     if (!result.path.empty()) {
-      EXPECT_EQ(path_fault(planner.grid(), result.path), std::nullopt);
+      EXPECT_EQ(path_fault(far_.planner.grid(), result.path), std::nullopt);
     }
   }
   EXPECT_TRUE(with && without && in_the_first_iteration);
@@ -289,13 +273,12 @@ TEST(Planner, CopiesShareWhatIsPrepared) {
 }
 
 TEST(Planner, ATokenInterrupts) {
-  const Planner planner(blobs());
-  Request request = far_apart(planner);
+  FarApart far;
   std::stop_source source;
-  request.stop.token = source.get_token();
+  far.request.stop.token = source.get_token();
   Params params = quick("fan2004");
   params.iterations = 1000000;
-  const Result result = planner.plan(request, params, nullptr, [&](const GridProgress& p) {
+  const Result result = far.plan(params, nullptr, [&](const GridProgress& p) {
     if (p.iteration == 4) source.request_stop();
   });
   EXPECT_EQ(result.status, Status::interrupted);
@@ -313,12 +296,11 @@ TEST(Planner, ZeroIterationsEndWithoutAPath) {
 }
 
 TEST(Planner, GapsThatAColonyCannotCertifyAreRefused) {
-  const Planner planner(blobs());
-  Request request = far_apart(planner);
-  request.target_gap = 0.01;
-  EXPECT_THROW(planner.plan(request, quick("fan2004")), Error);
-  EXPECT_THROW(planner.plan(request, quick("grid-ga")), Error);
-  EXPECT_EQ(planner.plan(request).status, Status::solved);
+  FarApart far;
+  far.request.target_gap = 0.01;
+  EXPECT_THROW(far.plan(quick("fan2004")), Error);
+  EXPECT_THROW(far.plan(quick("grid-ga")), Error);
+  EXPECT_EQ(far.plan().status, Status::solved);
 }
 
 TEST(Planner, FaultsSayWhichEndAndWhy) {
@@ -341,17 +323,16 @@ TEST(Planner, FaultsSayWhichEndAndWhy) {
 }
 
 TEST(Planner, OnePlannerServesManyThreads) {
-  const Planner planner(blobs());
-  const Request request = far_apart(planner);
+  const FarApart far;
   Params params = quick("fan2004");
   params.threads = 1;
   params.iterations = 4;
-  const Result expected = planner.plan(request, params);
+  const Result expected = far.plan(params);
   std::vector<Result> results(4);
   {
     std::vector<std::jthread> threads;
     for (Result& result : results) {
-      threads.emplace_back([&] { result = planner.plan(request, params); });
+      threads.emplace_back([&] { result = far.plan(params); });
     }
   }
   for (const Result& result : results) expect_same(result, expected);

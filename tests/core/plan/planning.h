@@ -38,6 +38,17 @@ inline Request far_apart(const Planner& planner) {
   return {};
 }
 
+/// The usual question: from one end of a map of blobs to the other.
+struct FarApart {
+  Planner planner{blobs()};
+  Request request = far_apart(planner);
+
+  template <class... More>
+  Result plan(const More&... more) const {
+    return planner.plan(request, more...);
+  }
+};
+
 inline Params quick(std::string_view algorithm) {
   Params p(algorithm);
   if (find_algorithm(algorithm).has("iterations")) p.iterations = 15;

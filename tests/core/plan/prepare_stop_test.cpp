@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "lasius/planner.h"
 #include "lasius/shortest_walk.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -25,12 +25,6 @@ using Connectivity = Components::Connectivity;
 const Grid& noise() {
   static const Grid grid = generate(MapKind::random, {2048, 2048, 0.3, 1});
   return grid;
-}
-
-StopCondition fired() {
-  std::stop_source source;
-  source.request_stop();
-  return {.token = source.get_token()};
 }
 
 /// Work that can be stopped. `run` is true when it was done, with what it makes without a
@@ -91,15 +85,9 @@ Work measuring(std::string name, Grid grid) {
 
 // Through every second row of the map: all free cells on the way there, as many on the way back.
 Work walking() {
-  constexpr int kSnakeSide = 301;
-  Grid snake(kSnakeSide, kSnakeSide);
-  for (int y = 1; y < kSnakeSide; y += 2) {
-    for (int x = 0; x < kSnakeSide; ++x)
-      snake.set_blocked({x, y}, x != (y % 4 == 1 ? kSnakeSide - 1 : 0));
-  }
-  return {"Walking", 2 * 4 * snake.count_free(), [snake](const StopCondition& stop) {
-            return shortest_walk(snake, {0, 0}, {kSnakeSide - 1, kSnakeSide - 1}, Neighbours::four,
-                                 Corners::forbid, stop)
+  const Grid grid = snake(301);
+  return {"Walking", 2 * 4 * grid.count_free(), [grid](const StopCondition& stop) {
+            return shortest_walk(grid, {0, 0}, {300, 300}, Neighbours::four, Corners::forbid, stop)
                 .has_value();
           }};
 }

@@ -1,13 +1,12 @@
 // Planning on a map with the heavier preparation, and on what is made from it.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "lasius/batch.h"
 #include "lasius/error.h"
 #include "lasius/generate.h"
 #include "lasius/planner.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/core/base/counting_time.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -21,11 +20,7 @@ std::vector<Request> some_queries(int count) {
   std::mt19937 random(3);
   std::vector<Request> queries;
   while (static_cast<int>(queries.size()) < count) {
-    const auto cell = [&] {
-      return Cell{random_in(0, map().width() - 1, random),
-                  random_in(0, map().height() - 1, random)};
-    };
-    queries.push_back({cell(), cell()});
+    queries.push_back({random_cell(map(), random), random_cell(map(), random)});
   }
   return queries;
 }
@@ -47,13 +42,10 @@ TEST(PreparedPlanner, IsMadeFromAPlannerToo) {
   ASSERT_EQ(later.preparation().state, Preparation::State::ready);
   EXPECT_EQ(later.preparation().edges, at_once.preparation().edges);
   EXPECT_EQ(later.grid(), plain.grid());
-  for (const Request& q : some_queries(50)) {
-    const Request request{.start = q.start, .goal = q.goal};
+  for (const Request& request : some_queries(50)) {
     EXPECT_EQ(later.plan(request).path, at_once.plan(request).path);
   }
-  std::stop_source source;
-  source.request_stop();
-  const Planner stopped = plain.prepared({.stop = {.token = source.get_token()}});
+  const Planner stopped = plain.prepared({.stop = fired()});
   EXPECT_EQ(stopped.preparation().state, Preparation::State::stopped);
   EXPECT_EQ(stopped.plan({.start = {0, 0}, .goal = {0, 0}}).status,
             plain.plan({.start = {0, 0}, .goal = {0, 0}}).status);
@@ -69,8 +61,7 @@ TEST(PreparedPlanner, AnswersAsTheUnpreparedOne) {
   EXPECT_EQ(prepared.footprint().visibility_graph, prepared.preparation().bytes);
   Workspace workspace;
   int solved = 0, invalid = 0;
-  for (const Request& q : some_queries(200)) {
-    const Request request{.start = q.start, .goal = q.goal};
+  for (const Request& request : some_queries(200)) {
     const Result result = prepared.plan(request, {}, &workspace);
     expect_as_good(result, plain.plan(request));
     solved += result.status == Status::solved;
@@ -86,13 +77,10 @@ TEST(PreparedPlanner, GivenUpItPlansWithout) {
   const Planner small(map(), PrepareOptions{.threads = 1, .max_bytes = 1000});
   EXPECT_EQ(small.preparation().state, Preparation::State::too_large);
   EXPECT_EQ(small.footprint().visibility_graph, 0);
-  std::stop_source stopped;
-  stopped.request_stop();
-  const Planner cut(map(), PrepareOptions{.stop = {.token = stopped.get_token()}});
+  const Planner cut(map(), PrepareOptions{.stop = fired()});
   EXPECT_EQ(cut.preparation().state, Preparation::State::stopped);
   const Planner plain(map());
-  for (const Request& q : some_queries(20)) {
-    const Request request{.start = q.start, .goal = q.goal};
+  for (const Request& request : some_queries(20)) {
     EXPECT_EQ(small.plan(request).path, plain.plan(request).path);
     EXPECT_EQ(cut.plan(request).path, plain.plan(request).path);
   }
@@ -157,7 +145,7 @@ TEST(PreparedPlanner, AWorkspaceServesSeveralMaps) {
   Workspace workspace;
   std::mt19937 random(9);
   for (const Request& q : some_queries(30)) {
-    large.plan({.start = q.start, .goal = q.goal}, {}, &workspace);
+    large.plan(q, {}, &workspace);
     const Request request{.start = {random_in(0, 59, random), random_in(0, 59, random)},
                           .goal = {random_in(0, 59, random), random_in(0, 59, random)}};
     expect_as_good(small.plan(request, {}, &workspace), plain.plan(request));

@@ -3,7 +3,6 @@
 #include <malloc.h>
 
 #include <algorithm>
-#include <string>
 
 #include "tests/core/base/counting_time.h"
 #include "tests/core/plan/planning.h"

@@ -18,8 +18,7 @@ namespace {
 
 TEST(Determinism, SeedAloneDecides) {
   const Planner planner(random_world(7, 60));
-  Dice dice(1);
-  const Request request{.start = free_point(planner, dice), .goal = free_point(planner, dice)};
+  const Request request = random_request(planner, 1);
   for (const char* algorithm : {"maklink-acs", "real-ga"}) {
     Params parameters(algorithm);
     parameters.iterations = 60;
@@ -111,15 +110,13 @@ TEST(Stops, TheDiscreteOptimumIsCutShort) {
 
 TEST(Stops, PolledWhileFurtherRoutesAreSought) {
   const Planner planner(random_world(7, 100));
-  Dice dice(1);
+  Request request = random_request(planner, 1);
   Params parameters("maklink-acs");
   parameters.iterations = 0;
   parameters.routes = 200;
   const CountingTime time(1000000);
-  const Result result = planner.plan(
-      {.start = free_point(planner, dice), .goal = free_point(planner, dice), .stop = time.is_up()},
-      parameters);
-  EXPECT_EQ(result.status, Status::solved);
+  request.stop = time.is_up();
+  EXPECT_EQ(planner.plan(request, parameters).status, Status::solved);
   const int before_each = parameters.routes + 1;  // and before the exact search
   EXPECT_GT(time.polls(), before_each + 10);
 }
@@ -213,9 +210,8 @@ TEST(TargetGap, EndsTheRun) {
 TEST(Routes, MoreLineSequencesAreNeverWorse) {
   int searched = 0;
   for (int i = 0; i < 8; ++i) {
-    const Planner planner(random_world(static_cast<std::uint64_t>(300 + i), 30));
-    Dice dice(static_cast<std::uint64_t>(i));
-    const Request request{.start = free_point(planner, dice), .goal = free_point(planner, dice)};
+    const Planner planner(random_world(300 + i, 30));
+    const Request request = random_request(planner, i);
     Params parameters("maklink-acs");
     parameters.routes = 1;
     const Result one = planner.plan(request, parameters);

@@ -6,19 +6,17 @@
 #include <string>
 
 #include "lasius/polygon_plan.h"
+#include "tests/worlds/random_world.h"
 
 namespace lasius::polygon {
 
 /// Four obstacles in a square of 200, all of whose lengths are known.
 inline World known_world() {
-  World world;
-  world.boundary.outer = {{0, 0}, {200, 0}, {200, 200}, {0, 200}};
+  World world = empty_world(200, 200, Point{20, 180}, Point{160, 90});
   world.obstacles = {{{{40, 140}, {60, 160}, {100, 140}, {60, 120}}, {}},
                      {{{50, 30}, {30, 40}, {80, 80}, {100, 40}}, {}},
                      {{{120, 160}, {140, 100}, {180, 170}, {165, 180}}, {}},
                      {{{120, 40}, {170, 40}, {140, 80}}, {}}};
-  world.start = Point{20, 180};
-  world.goal = Point{160, 90};
   return world;
 }
 

@@ -4,12 +4,15 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "lasius/error.h"
 #include "lasius/generate.h"
 #include "lasius/planner.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/core/base/refusal.h"
 #include "tests/core/polygon/known_world.h"
+#include "tests/oracle/dense_dijkstra.h"
 #include "tests/worlds/random_world.h"
 
 namespace lasius::polygon {
@@ -66,24 +69,15 @@ double brute_force(const Planner& planner, Point start, Point goal) {
     nodes.insert(nodes.end(), p.outer.begin(), p.outer.end());
     for (const Ring& hole : p.holes) nodes.insert(nodes.end(), hole.begin(), hole.end());
   }
-  std::vector<double> length(nodes.size(), std::numeric_limits<double>::infinity());
-  std::vector<char> done(nodes.size());
-  length[0] = 0;
-  for (;;) {
-    std::size_t next = nodes.size();
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (done[i] == 0 && (next == nodes.size() || length[i] < length[next])) next = i;
-    }
-    if (next == 1 || next == nodes.size() || std::isinf(length[next])) return length[1];
-    done[next] = 1;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const double offer =
-          length[next] + std::hypot(nodes[i].x - nodes[next].x, nodes[i].y - nodes[next].y);
-      if (done[i] == 0 && offer < length[i] && referee.sees(nodes[next], nodes[i])) {
-        length[i] = offer;
-      }
-    }
-  }
+  std::vector<double> known(nodes.size(), oracle::kUnreached);
+  known[0] = 0;
+  const auto between = [&](std::size_t a, std::size_t b) {
+    return std::hypot(nodes[b].x - nodes[a].x, nodes[b].y - nodes[a].y);
+  };
+  const auto joined = [&](std::size_t a, std::size_t b) {
+    return referee.sees(nodes[a], nodes[b]);
+  };
+  return oracle::shortest_distances(std::move(known), between, joined)[1];
 }
 
 TEST(KnownWorld, ShortestPathOfTheWorld) {
@@ -148,8 +142,7 @@ TEST(RandomWorlds, MaklinkAndPathsAreValid) {
     world.margin = i % 2 == 0 ? 0 : 0.1 * (i % 7);
     const Planner planner(world);
     expect_maklink(planner, which);
-    Dice dice(static_cast<std::uint64_t>(1000 + i));
-    const Request request{.start = free_point(planner, dice), .goal = free_point(planner, dice)};
+    const Request request = random_request(planner, 1000 + i);
     const Result exact = planner.plan(request);
     if (exact.status == Status::unreachable) continue;
     const Referee referee(planner.grown_obstacles());
@@ -171,11 +164,10 @@ TEST(RandomWorlds, MaklinkAndPathsAreValid) {
 TEST(RandomWorlds, ExactAgreesWithBruteForce) {
   int reached = 0;
   for (int i = 0; i < 12; ++i) {
-    const Planner planner(random_world(static_cast<std::uint64_t>(50 + i), 4 + i));
-    Dice dice(static_cast<std::uint64_t>(i));
-    const Point start = free_point(planner, dice), goal = free_point(planner, dice);
-    const Result result = planner.plan({.start = start, .goal = goal});
-    const double expected = brute_force(planner, start, goal);
+    const Planner planner(random_world(50 + i, 4 + i));
+    const Request request = random_request(planner, i);
+    const Result result = planner.plan(request);
+    const double expected = brute_force(planner, *request.start, *request.goal);
     if (std::isinf(expected)) {
       EXPECT_EQ(result.status, Status::unreachable) << i;
     } else {
@@ -187,14 +179,11 @@ TEST(RandomWorlds, ExactAgreesWithBruteForce) {
 }
 
 World slalom() {
-  World world;
-  world.boundary.outer = {{0, 0}, {40, 0}, {40, 20}, {0, 20}};
+  World world = empty_world(40, 20, Point{1, 1}, Point{39, 1});
   for (int i = 0; i < 3; ++i) {
     const double x = 10 + 10 * i, low = i % 2 == 0 ? 0 : 8, high = i % 2 == 0 ? 12 : 20;
     world.obstacles.push_back({{{x, low}, {x + 1, low}, {x + 1, high}, {x, high}}, {}});
   }
-  world.start = Point{1, 1};
-  world.goal = Point{39, 1};
   return world;
 }
 
@@ -208,18 +197,15 @@ TEST(Slalom, FunnelIsTheShortestPathWhereThereIsOneWay) {
 }
 
 TEST(Degenerate, ObstaclesThatTouchAreAWall) {
-  World world;
-  world.boundary.outer = {{0, 0}, {20, 0}, {20, 10}, {0, 10}};
+  World world = empty_world(20, 10, Point{1, 5}, Point{19, 5});
   // Corner to corner from wall to wall.
   world.obstacles = {{{{10, 0}, {12, 2.5}, {10, 5}, {8, 2.5}}, {}},
                      {{{10, 5}, {12, 7.5}, {10, 10}, {8, 7.5}}, {}}};
-  world.start = Point{1, 5};
-  world.goal = Point{19, 5};
   const Planner planner(world);
   EXPECT_EQ(planner.components(), 2);
   const Result result = planner.plan();
   EXPECT_EQ(result.status, Status::unreachable);
-  EXPECT_NE(result.error.find("different pieces"), std::string::npos);
+  expect_says(result.error, "different pieces");
   world.obstacles[1].outer[2] = {10, 9};  // now there is a gap above
   EXPECT_EQ(Planner(world).plan().status, Status::solved);
 }
@@ -259,10 +245,7 @@ TEST(Degenerate, CollinearCornersAndStripes) {
 }
 
 TEST(Degenerate, NoObstaclesAndNoWay) {
-  World world;
-  world.boundary.outer = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
-  world.start = Point{0, 0};
-  world.goal = Point{4, 3};
+  World world = empty_world(4, 3, Point{0, 0}, Point{4, 3});
   Result result = Planner(world).plan({}, Params("maklink-acs"));
   EXPECT_EQ(result.length, 5);
   EXPECT_EQ(*result.gap(), 0);
@@ -300,14 +283,11 @@ TEST(Ends, BlockedAndOutsideNameTheNearestFreePoint) {
   const Planner planner(known_world());
   const Result blocked = planner.plan({.start = Point{60, 140}, .goal = {}});
   EXPECT_EQ(blocked.status, Status::invalid);
-  EXPECT_NE(blocked.error.find("start (60, 140) is blocked; the nearest free point is (50, 150)"),
-            std::string::npos)
-      << blocked.error;
+  expect_says(blocked.error, "start (60, 140) is blocked; the nearest free point is (50, 150)");
   const Result outside = planner.plan({.start = {}, .goal = Point{-3, 140}});
-  EXPECT_NE(outside.error.find("goal (-3, 140) is outside the boundary; the nearest free point is "
-                               "(0, 140)"),
-            std::string::npos)
-      << outside.error;
+  expect_says(outside.error,
+              "goal (-3, 140) is outside the boundary; the nearest free point is "
+              "(0, 140)");
   EXPECT_EQ(planner.plan({.start = Point{1e300, 0}, .goal = {}}).status, Status::invalid);
   EXPECT_THROW(planner.plan({.start = Point{std::nan(""), 0}, .goal = {}}), Error);
   for (const double gap : {-0.1, std::nan("")}) {
@@ -319,14 +299,12 @@ TEST(Ends, BlockedAndOutsideNameTheNearestFreePoint) {
 }
 
 TEST(Ends, AnEdgeOfTheBoundaryIsNotOutside) {
-  World world;
-  world.boundary.outer = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  World world = empty_world(4, 4, Point{0.5, 0.5});
   world.obstacles = {{{{1, 3}, {3, 3}, {3, 5}, {1, 5}}, {}},
                      {{{3, 1}, {5, 1}, {5, 2}, {3, 2}}, {}}};
-  world.start = Point{0.5, 0.5};
   for (const Point goal : {Point{2, 4}, Point{4, 1.5}}) {
     const Result result = Planner(world).plan({.start = {}, .goal = goal});
-    EXPECT_NE(result.error.find("is blocked"), std::string::npos) << result.error;
+    expect_says(result.error, "is blocked");
   }
 }
 

@@ -91,13 +91,9 @@ TEST(Wkt, NamesLineAndByteWhereAGeometryBegins) {
         {"# here\r\nPOINT (0 0); POINT (0)", 2, 21},
         {"# here\rPOINT (0 0)\rPOINT (0)", 3, 19},
         {"POLYGON ((0 0, 9 0, 9 9, 0 0))\nPOLYGON ((0 0, 9 9,\n9 0, 0 9, 0 0))", 2, 31}}) {
-    try {
-      parse_wkt(c.text, "w");
-      ADD_FAILURE() << c.text;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.place().line, c.line) << error.what();
-      EXPECT_EQ(error.place().offset, c.offset) << error.what();
-    }
+    const Error error = error_of([&] { return parse_wkt(c.text, "w"); }, c.text);
+    EXPECT_EQ(error.place().line, c.line) << error.what();
+    EXPECT_EQ(error.place().offset, c.offset) << error.what();
   }
 }
 

@@ -5,11 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <deque>
 
-#include "core/grid/grid_view.h"
 #include "core/smooth/loop_cutter.h"
-#include "kernels/sight/sight.h"
 #include "lasius/error.h"
 #include "lasius/path.h"
 #include "lasius/smooth.h"
@@ -17,7 +14,7 @@
 #include "tests/core/grid/centres.h"
 #include "tests/measures/count_allocations.h"
 #include "tests/oracle/plane_rule.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -227,28 +224,13 @@ int moves_inside(const Grid& grid, const Walk& walk, bool diagonal, Corners corn
   std::vector<int> distance(grid.width() * grid.height(), -2);
   const auto at = [&](Cell c) -> int& { return distance[c.y * grid.width() + c.x]; };
   for (const Cell c : walk) at(c) = -1;
-  std::deque<Cell> queue{walk.front()};
   at(walk.front()) = 0;
-  while (!queue.empty()) {
-    const Cell c = queue.front();
-    queue.pop_front();
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        const Cell next{c.x + dx, c.y + dy};
-        if (!grid.contains(next) || at(next) != -1) continue;
-        if (dx != 0 && dy != 0) {
-          const int sides = grid.free({next.x, c.y}) + grid.free({c.x, next.y});
-          if (!diagonal || sides < (corners == Corners::forbid     ? 2
-                                    : corners == Corners::one_side ? 1
-                                                                   : 0)) {
-            continue;
-          }
-        }
-        at(next) = at(c) + 1;
-        queue.push_back(next);
-      }
-    }
-  }
+  flood(walk.front(), diagonal, [&](Cell from, Cell to) {
+    if (!grid.contains(to) || at(to) != -1) return false;
+    if (from.x != to.x && from.y != to.y && !passes_corner(grid, corners, from, to)) return false;
+    at(to) = at(from) + 1;
+    return true;
+  });
   return at(walk.back());
 }
 

@@ -11,11 +11,12 @@
 #include "lasius/path.h"
 #include "lasius/smooth.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/core/base/refusal.h"
 #include "tests/core/grid/centres.h"
 #include "tests/measures/count_allocations.h"
 #include "tests/oracle/plane_rule.h"
 #include "tests/oracle/visibility_graph.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -113,14 +114,10 @@ TEST(Tauten, SlidesAlongEdgesOnTheOuterSide) {
 
 TEST(Tauten, RefusesAPathThatIsNotValid) {
   const Grid grid = drawn({".#."});
-  try {
-    pull_taut(grid, Path{{0.5, 0.5}, {2.5, 0.5}});
-    FAIL();
-  } catch (const Error& e) {
-    EXPECT_EQ(e.code(), ErrorCode::invalid_parameter);
-    EXPECT_NE(std::string(e.what()).find("enters the blocked cell (1, 0)"), std::string::npos)
-        << e.what();
-  }
+  expect_says(refusal([&] {
+                pull_taut(grid, Path{{0.5, 0.5}, {2.5, 0.5}});
+              }),
+              "enters the blocked cell (1, 0)");
   EXPECT_THROW(pull_taut(grid, Path{}), Error);
 }
 
@@ -178,8 +175,7 @@ TEST(Tauten, TakesAnyValidPolyline) {
   for (int round = 0; round < 30000; ++round) {
     const Grid grid =
         random_grid(random_in(2, 8, random), random_in(2, 8, random), (round % 6) * 8, random);
-    const Cell start{random_in(0, grid.width() - 1, random),
-                     random_in(0, grid.height() - 1, random)};
+    const Cell start = random_cell(grid, random);
     if (grid.blocked(start)) continue;
     Path path{centre(start)};
     for (int i = 0; i < 12; ++i) {

@@ -10,7 +10,7 @@
 #include "core/grid/grid_view.h"
 #include "kernels/sight/scan_line.h"
 #include "kernels/sight/sight.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -119,7 +119,7 @@ TEST(ScanCone, SeesTheCornersThatAreVisible) {
                                   random_in(0, 50, random), random);
     const BitmapView map = view_of(grid);
     for (int k = 0; k < 20; ++k) {
-      const Cell c{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
+      const Cell c = random_cell(grid, random);
       const int right = random() % 2 == 0 ? 1 : -1;
       const int down = random() % 2 == 0 ? 1 : -1;
       if (grid.free(c)) expect_all_seen(map, {2 * c.x + 1, 2 * c.y + 1}, right, down);
@@ -170,7 +170,7 @@ TEST(ScanCone, KeepsWithinItsLimits) {
   for (int i = 0; i < 3000 && !testing::Test::HasFailure(); ++i) {
     const Grid grid = random_grid(random_in(1, 150, random), random_in(1, 60, random),
                                   random_in(0, 12, random), random);
-    const Cell c{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
+    const Cell c = random_cell(grid, random);
     if (grid.blocked(c)) continue;
     const int down = random() % 2 == 0 ? 1 : -1;
     const bool centre = random() % 2 == 0;

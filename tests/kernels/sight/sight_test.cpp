@@ -6,7 +6,7 @@
 #include "kernels/sight/sight_cone.h"
 #include "lasius/path.h"
 #include "tests/oracle/plane_rule.h"
-#include "tests/worlds/random_grid.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius {
 namespace {
@@ -80,8 +80,7 @@ TEST(Sight, AgreesWithTheRuleAcrossWords) {
   for (int round = 0; round < 300; ++round) {
     Grid grid(random_in(60, 300, random), random_in(1, 40, random));
     for (int i = random_in(0, 12, random); i > 0; --i) {
-      grid.set_blocked(
-          {random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)});
+      grid.set_blocked(random_cell(grid, random));
     }
     const auto map = view_of(grid);
     for (int i = 0; i < 60; ++i) {
@@ -127,7 +126,7 @@ TEST(SightCone, EqualsSightForEveryStepOfRandomWalks) {
     const Grid grid =
         random_grid(random_in(2, 90, random), random_in(2, 24, random), (round % 5) * 8, random);
     const auto map = view_of(grid);
-    Cell at{random_in(0, grid.width() - 1, random), random_in(0, grid.height() - 1, random)};
+    Cell at = random_cell(grid, random);
     if (grid.blocked(at)) continue;
     const Cell from = at;
     cone.start(map, at.x, at.y, 0, grid.width() - 1);

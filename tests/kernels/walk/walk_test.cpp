@@ -8,7 +8,6 @@
 #include <array>
 #include <random>
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 

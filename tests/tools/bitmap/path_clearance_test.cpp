@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "lasius/clearance.h"
+#include "tests/worlds/grids.h"
 
 namespace lasius::tool {
 namespace {
@@ -30,10 +29,8 @@ TEST(DistanceToBlocked, AsTheClearanceFieldAtCentres) {
   Grid grid(31, 23);
   for (int i = 0; i < 40; ++i) grid.set_blocked({(i * 17 + 5) % 31, (i * 7 + 3) % 23});
   const ClearanceField field = clearance(grid);
-  for (int y = 0; y < 23; ++y)
-    for (int x = 0; x < 31; ++x)
-      ASSERT_NEAR(distance_to_blocked(grid, {x + 0.5, y + 0.5}), field.at({x, y}), 1e-12)
-          << x << ", " << y;
+  for (const Cell c : cells_of(grid))
+    ASSERT_NEAR(distance_to_blocked(grid, centre(c)), field.at(c), 1e-12) << c.x << ", " << c.y;
 }
 
 TEST(ClearanceAlong, SamplesAreEvenAndEndWithThePath) {

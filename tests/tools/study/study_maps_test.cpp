@@ -8,6 +8,7 @@
 #include "lasius/error.h"
 #include "lasius/planner.h"
 #include "lasius/shortest_walk.h"
+#include "tests/worlds/grids.h"
 #include "tools/study/bitmaps.h"
 #include "tools/study/description/study_file.h"
 #include "tools/study/map_source.h"
@@ -76,18 +77,15 @@ TEST_P(Mazes, HaveLoopsAndASecondRoute) {
   // Corridors are one cell wide, so every cycle of the cells' graph is a loop of the maze.
   int cells = 0, joins = 0;
   double second = INFINITY;
-  for (int y = 0; y < side; ++y) {
-    for (int x = 0; x < side; ++x) {
-      const Cell c{x, y};
-      if (grid.blocked(c)) continue;
-      ++cells;
-      joins += grid.free({x + 1, y}) + grid.free({x, y + 1});
-      if (c == start || c == goal) continue;
-      if (steps(grid, start, c) + steps(grid, c, goal) != best) continue;
-      grid.set_blocked(c);  // on a best route: which one misses it?
-      second = std::min(second, steps(grid, start, goal));
-      grid.set_blocked(c, false);
-    }
+  for (const Cell c : cells_of(grid)) {
+    if (grid.blocked(c)) continue;
+    ++cells;
+    joins += grid.free({c.x + 1, c.y}) + grid.free({c.x, c.y + 1});
+    if (c == start || c == goal) continue;
+    if (steps(grid, start, c) + steps(grid, c, goal) != best) continue;
+    grid.set_blocked(c);  // on a best route: which one misses it?
+    second = std::min(second, steps(grid, start, goal));
+    grid.set_blocked(c, false);
   }
   EXPECT_GE(joins - cells + 1, 3);
   EXPECT_LE(second, 1.1 * best);

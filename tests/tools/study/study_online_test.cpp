@@ -1,7 +1,6 @@
 // The worlds of the study `online`, its pilots, and a drive of it.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <set>
 
 #include "bench/peers/dstar_pilot.h"

@@ -9,7 +9,7 @@
 #include "lasius/error.h"
 #include "tests/core/arm/arms.h"
 #include "tests/core/arm/refusals.h"
-#include "tests/core/arm/robot/folder.h"
+#include "tests/core/map_files/map_files.h"
 
 namespace lasius::arm {
 namespace {
@@ -17,14 +17,6 @@ namespace {
 const std::string kRobots = LASIUS_MAPS_DIR "/../tests/core/arm/robots";
 
 std::string test_robot(const std::string& name) { return kRobots + "/" + name + ".urdf"; }
-
-Scene with_ball(const Eigen::Vector3d& at, double radius) {
-  Obstacle ball;
-  ball.shape = Solid::Shape::sphere;
-  ball.pose.translation() = at;
-  ball.radius = radius;
-  return {"", {ball}};
-}
 
 bool holds(const std::vector<std::string>& notes, const std::string& words) {
   return std::ranges::any_of(notes, [&](const auto& note) { return note == words; });
@@ -39,10 +31,10 @@ TEST(Body, AGripperBesideTheTipIsSeen) {
   const Pose tip = tip_pose(robot, q);
   EXPECT_TRUE(tip.isApprox(tip_pose(bare, q)));
   // In front of the flange, where the gripper is.
-  const Scene scene = with_ball(tip * Eigen::Vector3d(0, 0, 0.05), 0.01);
+  const Scene scene{"", {ball(tip * Eigen::Vector3d(0, 0, 0.05), 0.01)}};
   EXPECT_EQ(SceneSensor(bare, scene).contact(q), "");
   EXPECT_EQ(SceneSensor(robot, scene).contact(q), "link \"gripper_base\" and obstacle 1");
-  const Scene finger = with_ball(tip * Eigen::Vector3d(0.016, 0, 0.1), 0.005);
+  const Scene finger{"", {ball(tip * Eigen::Vector3d(0.016, 0, 0.1), 0.005)}};
   EXPECT_EQ(SceneSensor(robot, finger).contact(q), "link \"left_finger\" and obstacle 1");
   EXPECT_TRUE(holds(robot.notes, "joint \"left_finger_joint\" stands at 0"));
   // Open: the other finger follows.
@@ -50,7 +42,7 @@ TEST(Body, AGripperBesideTheTipIsSeen) {
                                 {.tip = "tool0", .set_joints = {{"left_finger_joint", 0.03}}});
   EXPECT_EQ(SceneSensor(open, finger).contact(q), "");
   for (const double x : {-0.046, 0.046}) {
-    const Scene beside = with_ball(tip * Eigen::Vector3d(x, 0, 0.1), 0.005);
+    const Scene beside{"", {ball(tip * Eigen::Vector3d(x, 0, 0.1), 0.005)}};
     EXPECT_EQ(SceneSensor(robot, beside).contact(q), "");
     EXPECT_NE(SceneSensor(open, beside).contact(q), "");
   }
@@ -125,12 +117,7 @@ TEST(Body, ABranchStandsWhereItIsSet) {
   EXPECT_EQ(SceneSensor(usual, {}).contact(q), "link \"boom\" and link \"flag\"");
   EXPECT_EQ(SceneSensor(robot({{"flag_turn", 2.5}}), {}).contact(q), "");
   const auto refused = [&](std::map<std::string, double> set, const char* words) {
-    try {
-      robot(std::move(set));
-      ADD_FAILURE() << words;
-    } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-    }
+    expect_says(error_of([&] { return robot(std::move(set)); }, words), words);
   };
   refused({{"flag_trun", 1}}, "did you mean \"flag_turn\"?");
   refused({{"flag_turn", 3}}, "its limits are 0.5 .. 2.5");
@@ -205,26 +192,20 @@ TEST(Body, ARobotWithoutCollisionGeometryIsRefused) {
 }
 
 TEST(Body, JointsThatFollowTheChainAreRefused) {
-  std::string text = kUrdf;
-  text.replace(text.find("</joint>\n</robot>"), 8, "<mimic joint=\"j1\"/></joint>");
+  const std::string end = "</joint>\n</robot>";
+  const std::string text = with(kUrdf, end, "<mimic joint=\"j1\"/>" + end);
   expect_error(text, ErrorCode::file_unsupported, "joint \"j2\" of the chain follows \"j1\"");
   Chain chain{.tip = "c"};
-  try {
-    parse_robot(text, "r.urdf", chain);
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("--set-joint j2=VALUE"), std::string::npos)
-        << error.what();
-  }
+  expect_says(error_of([&] { return parse_robot(text, "r.urdf", chain); }), "--set-joint j2=VALUE");
   chain.set_joints["j2"] = 0.1;
   EXPECT_EQ(parse_robot(text, "r.urdf", chain).size(), 1);
 }
 
-using FilesOfRobot = Folder;
+using FilesOfRobot = Files;
 
 TEST_F(FilesOfRobot, Srdf) {
   const auto read = [&](const std::string& text) {
-    return parse_robot(kUrdf, "r.urdf", {.srdf = write("r.srdf", text)});
+    return parse_robot(kUrdf, "r.urdf", {.srdf = file(text, "r.srdf")});
   };
   const Robot robot = read(R"(<?xml version="1.0"?><robot name="r">
     <group_state name="home" group="arm"><joint name="j1" value="0.5"/>
@@ -237,13 +218,10 @@ TEST_F(FilesOfRobot, Srdf) {
   EXPECT_EQ(robot.states.at("home"), joints({0.5, -0.1}));
   EXPECT_TRUE(holds(robot.notes, "state \"half\" is left out: it does not say j2"));
   const auto refused = [&](const std::string& element, std::int64_t line, const char* words) {
-    try {
-      read("<robot name=\"r\">\n" + element + "</robot>");
-      ADD_FAILURE() << element;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.place().line, line) << error.what();
-      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-    }
+    const Error error =
+        error_of([&] { return read("<robot name=\"r\">\n" + element + "</robot>"); }, element);
+    EXPECT_EQ(error.place().line, line) << error.what();
+    expect_says(error, words);
   };
   refused("<disable_collisions link1=\"a\"/>", 2, "has no link2");
   refused("<group_state name=\"x\">\n<joint name=\"j1\" value=\"one\"/></group_state>", 3, "one");
@@ -262,7 +240,7 @@ TEST_F(FilesOfRobot, Srdf) {
 
 TEST_F(FilesOfRobot, JointLimits) {
   const auto read = [&](const std::string& text) {
-    return parse_robot(kUrdf, "r.urdf", {.joint_limits = write("limits.yaml", text)});
+    return parse_robot(kUrdf, "r.urdf", {.joint_limits = file(text, "limits.yaml")});
   };
   const Robot robot = read(R"(default_velocity_scaling_factor: 0.5
 joint_limits:
@@ -282,13 +260,9 @@ joint_limits:
   EXPECT_TRUE(holds(robot.notes,
                     "accelerations are taken as four times the velocity, since URDF has none: j1"));
   const auto refused = [&](const std::string& text, std::int64_t line, const char* words) {
-    try {
-      read(text);
-      ADD_FAILURE() << text;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.place().line, line) << error.what();
-      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-    }
+    const Error error = error_of([&] { return read(text); }, text);
+    EXPECT_EQ(error.place().line, line) << error.what();
+    expect_says(error, words);
   };
   refused("joint_limits:\n  j1:\n    has_velocity_limits: true\n    max_velocity: 0\n", 4, "is 0");
   refused("joint_limits:\n  j1:\n    has_velocity_limits: 7\n", 3, "neither true nor false");
@@ -310,10 +284,9 @@ joint_limits:
 }
 
 TEST_F(FilesOfRobot, SoftLimitsAreTheTighterOnes) {
-  std::string text = kUrdf;
-  text.replace(text.find("effort=\"1\"/>"), 12,
-               "effort=\"1\"/><safety_controller k_velocity=\"1\" soft_lower_limit=\"-0.1\" "
-               "soft_upper_limit=\"9\"/>");
+  const std::string text = with(kUrdf, "effort=\"1\"/>",
+                                "effort=\"1\"/><safety_controller k_velocity=\"1\" "
+                                "soft_lower_limit=\"-0.1\" soft_upper_limit=\"9\"/>");
   const Joint joint = parse_robot(text, "r.urdf").joints[1];
   EXPECT_EQ(joint.low, -0.1);
   EXPECT_EQ(joint.high, 0.3);
@@ -335,36 +308,34 @@ const char* const kDae = R"(<?xml version="1.0"?>
 <scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
 
 TEST_F(FilesOfRobot, MeshesOfManyFormats) {
-  const Triangles dae = read_mesh(write("m.dae", kDae));
+  const Triangles dae = read_mesh(file(kDae, "m.dae"));
   ASSERT_EQ(dae.size(), 1u);
   EXPECT_LT((dae[0][0] - Eigen::Vector3d(0.1, 0, 0)).norm(), 1e-7);
   EXPECT_LT((dae[0][1] - Eigen::Vector3d(0.12, 0, 0)).norm(), 1e-7);
   EXPECT_LT((dae[0][2] - Eigen::Vector3d(0.1, 0, 0.02)).norm(), 1e-7) << "z stays up";
-  std::string y_up = kDae;
-  y_up.replace(y_up.find("Z_UP"), 4, "Y_UP");
-  EXPECT_EQ(read_mesh(write("y.dae", y_up)), dae) << "as RViz and MoveIt have it";
+  EXPECT_EQ(read_mesh(file(with(kDae, "Z_UP", "Y_UP"), "y.dae")), dae)
+      << "as RViz and MoveIt have it";
 
   const Triangles obj = read_mesh(
-      write("m.OBJ", "mtllib /etc/passwd\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"));
+      file("mtllib /etc/passwd\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n", "m.OBJ"));
   ASSERT_EQ(obj.size(), 2u) << "a face of four corners";
-  EXPECT_THROW(read_mesh(write("m.glb", "x")), Error);
+  EXPECT_THROW(read_mesh(file("x", "m.glb")), Error);
   for (const char* name : {"n.obj", "n.dae"}) {
     for (const char* text :
          {"x", "v 0 0 0\n", "v 0 0 0\nf 1 2 3\n", "v 1e9 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
           "<COLLADA/>", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}) {
-      EXPECT_THROW(read_mesh(write(name, text)), Error) << name << ": " << text;
+      EXPECT_THROW(read_mesh(file(text, name)), Error) << name << ": " << text;
     }
   }
 }
 
 TEST_F(FilesOfRobot, MeshesOfPackages) {
-  write("m.dae", kDae);
-  std::string text = kUrdf;
-  text.replace(text.find("<sphere radius=\"0.2\"/>"), 22,
-               "<mesh filename=\"package://parts/m.dae\" scale=\"1 -1 2\"/>");
+  file(kDae, "m.dae");
+  const std::string text = with(kUrdf, "<sphere radius=\"0.2\"/>",
+                                "<mesh filename=\"package://parts/m.dae\" scale=\"1 -1 2\"/>");
   expect_error(text, ErrorCode::file_unsupported, "--package parts=FOLDER");
-  const Robot robot = parse_robot(text, "r.urdf", {.packages = {{"parts", folder_.string()}}});
-  EXPECT_EQ(robot.files, std::vector{(folder_ / "m.dae").string()});
+  const Robot robot = parse_robot(text, "r.urdf", {.packages = {{"parts", folder()}}});
+  EXPECT_EQ(robot.files, std::vector{path("m.dae")});
   const Solid& mesh = robot.links[1].solids.at(0);
   EXPECT_LT((mesh.triangles->at(0)[2] - Eigen::Vector3d(0.1, 0, 0.04)).norm(), 1e-7);
 }

@@ -11,8 +11,8 @@
 #include "lasius/error.h"
 #include "tests/core/arm/arms.h"
 #include "tests/core/arm/refusals.h"
-#include "tests/core/arm/robot/folder.h"
 #include "tests/core/base/other_locale.h"
+#include "tests/core/map_files/map_files.h"
 
 namespace lasius::arm {
 namespace {
@@ -75,7 +75,7 @@ std::string binary_stl(std::uint32_t claimed, const std::vector<float>& corners)
   return bytes;
 }
 
-using StlFile = Folder;
+using StlFile = Files;
 
 TEST_F(StlFile, TextAndBinaryAreTheSame) {
   const std::string ascii = R"(solid s
@@ -88,21 +88,21 @@ TEST_F(StlFile, TextAndBinaryAreTheSame) {
  endfacet
 endsolid s
 )";
-  const auto text = read_stl(write("a.stl", ascii));
+  const auto text = read_stl(file(ascii, "a.stl"));
   std::string only_cr = ascii;
   std::ranges::replace(only_cr, '\n', '\r');
-  EXPECT_EQ(read_stl(write("c.stl", only_cr)), text);
-  const auto binary = read_stl(write("b.stl", binary_stl(1, {0, 0, 0, 1, 0, 0, 0, 2.5f, 0})));
+  EXPECT_EQ(read_stl(file(only_cr, "c.stl")), text);
+  const auto binary = read_stl(file(binary_stl(1, {0, 0, 0, 1, 0, 0, 0, 2.5f, 0}), "b.stl"));
   ASSERT_EQ(text.size(), 1u);
   EXPECT_EQ(text, binary);
   EXPECT_EQ(text[0][2], Eigen::Vector3d(0, 2.5, 0));
   const OtherLocale other;
-  EXPECT_EQ(read_stl((folder_ / "a.stl").string()), text);
+  EXPECT_EQ(read_stl(path("a.stl")), text);
 }
 
 TEST_F(StlFile, BadOnes) {
   const auto refused = [&](const std::string& bytes) {
-    EXPECT_THROW(read_stl(write("bad.stl", bytes)), Error) << bytes.substr(0, 40);
+    EXPECT_THROW(read_stl(file(bytes, "bad.stl")), Error) << bytes.substr(0, 40);
   };
   refused("");
   refused("solid empty\nendsolid\n");
@@ -115,60 +115,51 @@ TEST_F(StlFile, BadOnes) {
   refused(binary_stl(0xffffffff, {0, 0, 0, 1, 0, 0, 0, 1, 0}));
   refused(binary_stl(1, {0, 0, 0, 1, 0, 0, 0, std::nanf(""), 0}));
   refused("a picture of a box");
-  EXPECT_THROW(read_stl((folder_ / "missing.stl").string()), Error);
-  EXPECT_THROW(read_stl(folder_.string()), Error);
+  EXPECT_THROW(read_stl(path("missing.stl")), Error);
+  EXPECT_THROW(read_stl(folder()), Error);
 }
 
 TEST_F(StlFile, AMeshOfARobotMayBeMirroredButNotFlattened) {
-  write("M.STL", "solid s\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 1\nendsolid\n");
+  file("solid s\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 1\nendsolid\n", "M.STL");
   const auto scaled = [&](const std::string& scale) {
-    std::string text = kUrdf;
-    text.replace(text.find("<sphere radius=\"0.2\"/>"), 22,
-                 "<mesh filename=\"M.STL\" scale=\"" + scale + "\"/>");
-    return parse_robot(text, (folder_ / "r.urdf").string());
+    const std::string mesh = "<mesh filename=\"M.STL\" scale=\"" + scale + "\"/>";
+    return parse_robot(with(kUrdf, "<sphere radius=\"0.2\"/>", mesh), path("r.urdf"));
   };
   EXPECT_EQ(scaled("2 2 2").size(), 2);
   EXPECT_EQ(scaled("1 -1 1").size(), 2);
-  EXPECT_EQ(scaled("1 1 1").files, std::vector{(folder_ / "M.STL").string()});
+  EXPECT_EQ(scaled("1 1 1").files, std::vector{path("M.STL")});
   for (const char* scale : {"1 0 1", "1 1 nan"}) {
     EXPECT_THROW(scaled(scale), Error) << scale;
   }
-  try {
-    scaled("1 1 0");
-  } catch (const Error& error) {
-    EXPECT_EQ(error.place().line, 4) << error.what();
-    EXPECT_NE(std::string(error.what()).find("is scaled by 0"), std::string::npos);
-  }
+  const Error error = error_of([&] { return scaled("1 1 0"); });
+  EXPECT_EQ(error.place().line, 4) << error.what();
+  expect_says(error, "is scaled by 0");
 }
 
-using AnyFile = Folder;
+using AnyFile = Files;
 
 TEST_F(AnyFile, SaysWhatIsWrongWithIt) {
   const auto expect = [](const std::string& file, ErrorCode code, const std::string& words) {
     for (const auto& read : {+[](const std::string& name) { read_robot(name); },
                              +[](const std::string& name) { read_scene(name); },
                              +[](const std::string& name) { read_stl(name); }}) {
-      try {
-        read(file);
-        ADD_FAILURE() << file << " was read";
-      } catch (const Error& error) {
-        EXPECT_EQ(error.code(), code) << error.what();
-        EXPECT_EQ(error.place().file, file);
-        EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-      }
+      const Error error = error_of([&] { read(file); }, file);
+      EXPECT_EQ(error.code(), code) << error.what();
+      EXPECT_EQ(error.place().file, file);
+      expect_says(error, words);
     }
   };
-  expect((folder_ / "none").string(), ErrorCode::file_missing, "cannot be opened");
-  expect(folder_.string(), ErrorCode::file_broken, "is a folder");
-  expect(write("empty", ""), ErrorCode::file_broken, "is empty");
-  const std::string large = write("large", "{");
+  expect(path("none"), ErrorCode::file_missing, "cannot be opened");
+  expect(folder(), ErrorCode::file_broken, "is a folder");
+  expect(file("", "empty"), ErrorCode::file_broken, "is empty");
+  const std::string large = file("{", "large");
   std::filesystem::resize_file(large, (256 << 20) + 1);
   expect(large, ErrorCode::file_unsupported, "is larger than");
   const std::string unreadable = "/proc/self/mem";  // its first byte is on no page
   expect(unreadable, ErrorCode::file_broken, "reading failed");
 }
 
-using SceneFile = Folder;
+using SceneFile = Files;
 
 // In texts of one number a line, so that lines tell which.
 TEST_F(SceneFile, FaultsAreNamedByLine) {
@@ -188,31 +179,26 @@ TEST_F(SceneFile, FaultsAreNamedByLine) {
       {"\"length\": 2,", "", 5},
   };
   expect_lines(cases, text, [](const std::string& scene) { parse_scene(scene, "s.json"); });
-  std::string large = text;
-  const auto at = large.find("0.1");
-  large.replace(at, 3, "1e999");
-  try {
-    parse_scene(large, "s.json");
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.place().offset, static_cast<std::int64_t>(at) + 4) << error.what();
-  }
+  const auto at = static_cast<std::int64_t>(text.find("0.1"));
+  const Error large = error_of([&] { return parse_scene(with(text, "0.1", "1e999"), "s.json"); });
+  EXPECT_EQ(large.place().offset, at + 4) << large.what();
 }
 
 TEST_F(SceneFile, AllShapes) {
-  write("m.stl", "solid s\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendsolid s\n");
-  const Scene scene = read_scene(write("s.json", R"({"format": "lasius-scene/1", "obstacles": [
+  file("solid s\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendsolid s\n", "m.stl");
+  const Scene scene = read_scene(file(R"({"format": "lasius-scene/1", "obstacles": [
       {"shape": "box", "size": [1, 2, 3], "position": [1, 0, 0], "rpy": [0, 0, 1.5707963267948966]},
       {"shape": "sphere", "radius": 0.5, "name": "ball"},
       {"shape": "cylinder", "radius": 0.1, "length": 2},
-      {"shape": "mesh", "file": "m.stl", "scale": 2}]})"));
+      {"shape": "mesh", "file": "m.stl", "scale": 2}]})",
+                                      "s.json"));
   ASSERT_EQ(scene.obstacles.size(), 4u);
   EXPECT_LT(distance(from_eigen(scene.obstacles[0].pose).rotation * Vec3{1, 0, 0}, {0, 1, 0}),
             1e-12);
   EXPECT_EQ(scene.obstacles[1].name, "ball");
   EXPECT_DOUBLE_EQ(scene.obstacles[2].length, 2);
   EXPECT_EQ(scene.obstacles[3].triangles->at(0)[1], Eigen::Vector3d(2, 0, 0));
-  EXPECT_EQ(scene.obstacles[3].file, (folder_ / "m.stl").string());
+  EXPECT_EQ(scene.obstacles[3].file, path("m.stl"));
   EXPECT_NO_THROW(validate(scene));
 }
 

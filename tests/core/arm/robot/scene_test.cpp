@@ -1,14 +1,13 @@
 // What a scene's shapes have, and what a robot's bodies touch by their making.
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <sstream>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "lasius/error.h"
 #include "tests/core/arm/arms.h"
+#include "tests/core/base/refusal.h"
 #include "tests/core/map_files/map_files.h"
 
 namespace lasius::arm {
@@ -34,13 +33,9 @@ TEST_F(Shapes, HaveNoFieldsOfOthers) {
     EXPECT_NO_THROW(scene(fields));
     std::istringstream names(foreign);
     for (std::string name; names >> name;) {
-      try {
-        scene(fields + ", \"" + name + "\": 1");
-        ADD_FAILURE() << fields << " with " << name;
-      } catch (const Error& error) {
-        EXPECT_NE(error.problem().find(name + " is not a field of a "), std::string::npos)
-            << error.what();
-      }
+      const std::string more = fields + ", \"" + name + "\": 1";
+      expect_says(error_of([&] { return scene(more); }, more).problem(),
+                  name + " is not a field of a ");
     }
   }
 }

@@ -50,23 +50,15 @@ TEST(Urdf, ChainsByName) {
 TEST(Urdf, BadFiles) {
   expect_error("<robot", ErrorCode::file_broken, "URDF");
   expect_error("<a/>", ErrorCode::file_broken, "URDF");
-  std::string no_room = kUrdf;
-  no_room.replace(no_room.find("\"-0.2\""), 6, "\"0.4\"");
-  expect_error(no_room, ErrorCode::file_broken, "no room");
-  std::string huge = kUrdf;
-  huge.replace(huge.find("radius=\"0.1\""), 12, "radius=\"1e9\"");
-  expect_error(huge, ErrorCode::file_broken, "out of range");
-  for (const char* radius : {"x", "nan", "0", "-1"}) {
-    std::string no_size = kUrdf;
-    no_size.replace(no_size.find("radius=\"0.1\""), 12, "radius=\"" + std::string(radius) + "\"");
-    expect_error(no_size, ErrorCode::file_broken, "cannot be read");
+  expect_error(with(kUrdf, "\"-0.2\"", "\"0.4\""), ErrorCode::file_broken, "no room");
+  const std::string size = "radius=\"0.1";
+  expect_error(with(kUrdf, size, "radius=\"1e9"), ErrorCode::file_broken, "out of range");
+  for (const std::string radius : {"x", "nan", "0", "-1"}) {
+    expect_error(with(kUrdf, size, "radius=\"" + radius), ErrorCode::file_broken, "cannot be read");
   }
-  std::string floating = kUrdf;
-  floating.replace(floating.find("prismatic"), 9, "floating");
-  expect_error(floating, ErrorCode::file_unsupported, "j2");
-  std::string mesh = kUrdf;
-  mesh.replace(mesh.find("<sphere radius=\"0.2\"/>"), 22, "<mesh filename=\"package://x/y.dae\"/>");
-  expect_error(mesh, ErrorCode::file_unsupported, "y.dae");
+  expect_error(with(kUrdf, "prismatic", "floating"), ErrorCode::file_unsupported, "j2");
+  expect_error(with(kUrdf, "<sphere radius=\"0.2\"/>", "<mesh filename=\"package://x/y.dae\"/>"),
+               ErrorCode::file_unsupported, "y.dae");
 }
 
 TEST(Urdf, FaultsAreNamedByLine) {
@@ -121,24 +113,14 @@ TEST(Urdf, LinksThatAreNoTreeAreRefusedByName) {
 }
 
 TEST(Urdf, AFileIsTakenForWhatItsNameSaysWhereItsTextDoesNot) {
-  const auto refused = [](const char* name, const char* says) {
-    try {
-      parse_robot("robot", name);
-      ADD_FAILURE() << name;
-    } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what();
-    }
-  };
-  refused("r.urdf", "no URDF");
-  refused("r.json", "not JSON");
+  expect_says(error_of([] { return parse_robot("robot", "r.urdf"); }), "no URDF");
+  expect_says(error_of([] { return parse_robot("robot", "r.json"); }), "not JSON");
 }
 
 TEST(Urdf, AVelocityLimitThatIsNotAbove0IsRefused) {
-  for (const char* velocity : {"0", "-2.5"}) {
-    std::string text = kUrdf;
-    text.replace(text.find("0.5\" effort"), 3, velocity);
-    expect_error(text, ErrorCode::file_broken,
-                 std::string("joint \"j2\" has the velocity limit ") + velocity);
+  for (const std::string velocity : {"0", "-2.5"}) {
+    expect_error(with(kUrdf, "0.5\" effort", velocity + "\" effort"), ErrorCode::file_broken,
+                 "joint \"j2\" has the velocity limit " + velocity);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <stop_token>
 
+#include "tests/core/base/refusal.h"
 #include "tests/core/map_files/map_files.h"
 #include "tools/study/tune/tune_report.h"
 #include "tools/yaml/preset_file.h"
@@ -51,7 +52,7 @@ TEST_F(ATuning, FindsThePlantedValueAndJudgesItBetter) {
   EXPECT_LT(tuned.families[0].p, 0.001);
   EXPECT_GT(tuned.families[0].effect.low, 0.9);
   EXPECT_LT(tuned.families[0].ratios.high, 1);
-  EXPECT_NE(verdict_text(t, tuned).find("better"), std::string::npos);
+  expect_says(verdict_text(t, tuned), "better");
 
   file(preset_text(t, tuned), "preset.yaml");
   const auto preset = tool::read_preset_file(path("preset.yaml"));
@@ -82,7 +83,7 @@ TEST_F(ATuning, IsTheSameForAnyThreadsAndWhereverItWasStopped) {
       EXPECT_EQ(all_of(t, tuned), expected);
     } else {
       EXPECT_TRUE(tuned.families.empty());
-      EXPECT_NE(preset_text(t, tuned).find("interrupted"), std::string::npos);
+      expect_says(preset_text(t, tuned), "interrupted");
     }
     ASSERT_LT(blocks, 200);
   }
@@ -101,10 +102,9 @@ TEST_F(ATuning, TheDefaultMayWin) {
   EXPECT_EQ(t.candidates[tuned.judged].factors, (Settings{{"iterations", "2"}}));
   ASSERT_FALSE(tuned.families.empty());
   EXPECT_LT(tuned.families[0].effect.high, 0.5);
-  EXPECT_NE(verdict_text(t, tuned).find("the default won; its strongest rival, "),
-            std::string::npos);
-  EXPECT_NE(verdict_text(t, tuned).find(": worse"), std::string::npos);
-  EXPECT_NE(preset_text(t, tuned).find("iterations: \"30\""), std::string::npos);
+  expect_says(verdict_text(t, tuned), "the default won; its strongest rival, ");
+  expect_says(verdict_text(t, tuned), ": worse");
+  expect_says(preset_text(t, tuned), "iterations: \"30\"");
 }
 
 }  // namespace

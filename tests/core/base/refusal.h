@@ -3,14 +3,23 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <string>
 
 #include "lasius/error.h"
 
 namespace lasius {
 
-inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+/// The error that a call ends with. Fails where it ends with none, and says that of `what`.
+template <class Call>
+Error error_of(const Call& call, const std::string& what = "the call") {
+  try {
+    (void)call();
+  } catch (const Error& error) {
+    return error;
+  }
+  ADD_FAILURE() << what << " was not refused";
+  return {ErrorCode::invalid_parameter, "nothing was refused", {}};
+}
 
 /// What a call is refused with.
 template <class Call>
@@ -26,6 +35,9 @@ std::string refusal(const Call& call) {
 
 inline void expect_says(const std::string& text, const std::string& part) {
   EXPECT_PRED_FORMAT2(testing::IsSubstring, part, text);
+}
+inline void expect_says(const Error& error, const std::string& part) {
+  expect_says(std::string(error.what()), part);
 }
 
 }  // namespace lasius

@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+
+#include "lasius/arm_trajectory.h"
+#include "lasius/error.h"
+#include "tests/core/arm/arms.h"
+#include "tests/core/base/counting_time.h"
+
+namespace lasius::arm {
+namespace {
+
+TEST(Recheck, SeesContactsAndBrokenLimits) {
+  const Robot robot = two_links();
+  Obstacle box;
+  box.pose.translation() = Eigen::Vector3d(0.9, 0, 0);
+  box.size = {0.1, 0.1, 0.1};
+  const Trajectory still({{0, joints({0, 0}), joints({0, 0})}});
+  EXPECT_EQ(recheck(robot, {"", {box}}, still, 10).contacts, 10);
+  EXPECT_EQ(recheck(robot, {}, still, 10).contacts, 0);
+  const Trajectory hasty(
+      {{0, joints({0, 0}), joints({0, 0})}, {0.01, joints({1, 0}), joints({0, 0})}});
+  EXPECT_GT(recheck(robot, {}, hasty, 10).limits, 0);
+}
+
+TEST(Recheck, LooksBetweenItsSamples) {
+  // Swings over a thin rod between two samples, or stops before it.
+  const Robot robot = two_links();
+  Obstacle rod;
+  rod.pose.translation() = Eigen::Vector3d(0.3, 0.4, 0);
+  rod.size = {0.002, 0.002, 0.002};
+  const auto swing = [](double to) {
+    return Trajectory({{0, joints({0, 0}), joints({0, 0})}, {1, joints({to, 0}), joints({0, 0})}});
+  };
+  const Recheck over = recheck(robot, {"", {rod}}, swing(2), 2);
+  EXPECT_EQ(over.contacts, 0);
+  EXPECT_EQ(over.unproven, 1);
+  EXPECT_EQ(recheck(robot, {"", {rod}}, swing(0.85), 2).unproven, 0);
+  const Trajectory to_and_fro({{0, joints({0.8, 0}), joints({0, 0})},
+                               {1, joints({1, 0}), joints({0, 0})},
+                               {2, joints({0.8, 0}), joints({0, 0})}});
+  EXPECT_EQ(recheck(robot, {"", {rod}}, to_and_fro, 2).unproven, 1);
+}
+
+TEST(Recheck, EndsWhenToldTo) {
+  const Trajectory still({{0, joints({0, 0}), joints({0, 0})}});
+  EXPECT_LT(recheck(two_links(), {}, still, 100, fired()).samples, 100);
+  EXPECT_EQ(recheck(two_links(), {}, still, 100).samples, 100);
+}
+
+TEST(Recheck, RefusesWhatDoesNotFit) {
+  const Robot robot = two_links();
+  const Trajectory still({{0, joints({0, 0}), joints({0, 0})}});
+  EXPECT_THROW(recheck(robot, {}, Trajectory(), 10), Error);
+  EXPECT_THROW(recheck(robot, {}, Trajectory({{0, joints({0}), joints({0})}}), 10), Error);
+  EXPECT_THROW(recheck(robot, {}, Trajectory({{0, joints({0, 0}), joints({0})}}), 10), Error);
+  EXPECT_THROW(recheck(robot, {}, still, 0), Error);
+  EXPECT_THROW(recheck(Robot(), {}, still, 10), Error);
+  EXPECT_THROW(recheck(robot, {"", {Obstacle()}}, still, 10), Error) << "a box without a size";
+}
+
+}  // namespace
+}  // namespace lasius::arm
