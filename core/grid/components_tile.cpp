@@ -77,7 +77,7 @@ Border border_of(const Grid& grid, const TileBox& box) noexcept {
     border[position >> 6] |= std::uint64_t{1} << (position & 63);
   };
   const Row top = box.free_row(grid, 0);
-  std::copy(top.begin(), top.end(), border.begin());
+  std::ranges::copy(top, border.begin());
   const int right = box.width - 1;
   for (int y = 1; y < box.height; ++y) {
     const std::uint64_t* words = grid.row(box.y + y) + box.x / 64;

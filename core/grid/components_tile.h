@@ -82,7 +82,6 @@ class TileLabels {
   TileLabels();
   void label(const Grid& grid, const TileBox& box, bool eight);
 
-  int border_components() const noexcept { return border_components_; }
   int inside_components() const noexcept { return components_ - border_components_; }
   std::span<const std::uint64_t> marks() const noexcept { return marks_; }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/base/number_text.h"
 #include "core/map_files/map_size.h"
 
 namespace lasius {
@@ -218,7 +219,7 @@ Grid PnmReader::read() {
   Grid grid(width_, height_);
   std::vector<std::uint64_t> words(grid.words());
   for (int y = 0; y < height_; ++y) {
-    std::fill(words.begin(), words.end(), 0);
+    std::ranges::fill(words, 0);
     if (plain_) {
       read_plain_row(y, words);
     } else if (bitmap_) {

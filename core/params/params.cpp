@@ -149,7 +149,7 @@ constexpr auto kGeneticParameters = [] {
   std::array<Parameter, kShared.size() + kGenetic.size()> list;
   auto next = list.begin();
   for (const Entry& e : kColony) {
-    if (std::find(kShared.begin(), kShared.end(), e.info.name) == kShared.end()) continue;
+    if (std::ranges::find(kShared, e.info.name) == kShared.end()) continue;
     *next = e.info;
     if (e.info.name == "neighbours") next->range = "4|8";  // see validate()
     ++next;
