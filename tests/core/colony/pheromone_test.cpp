@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,7 +15,6 @@ namespace {
 
 using Places = std::vector<TrailPlace>;
 using Values = std::vector<double>;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Acts on a trail of 40 x 3 cells with tau 1 everywhere, after one iteration.
 void act(Trail trail, const std::function<void(Pheromone&)>& action, const char* name = "ras") {

@@ -3,14 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <string>
 
+#include "core/base/special_values.h"
 #include "lasius/error.h"
 
 namespace lasius {
-
-inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// What a call is refused with.
 template <class Call>
