@@ -1,9 +1,9 @@
 #include "core/polygon/route.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "lasius/path.h"
 
 namespace lasius::polygon {
@@ -42,7 +42,7 @@ std::optional<Crossing> discrete_optimum(const Route& route, int values, Poller&
         continue;
       }
       if (poller.stop_after(values)) return std::nullopt;
-      here[k] = std::numeric_limits<double>::infinity();
+      here[k] = kInfinity;
       for (int j = 0; j < values; ++j) {
         const double length = distance(p, route.gates[g + 1].at(h(j))) + ahead[j];
         if (!(length < here[k])) continue;
