@@ -1,19 +1,10 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <limits>
-#include <optional>
-
 #include "core/arm/arm_colony.h"
 #include "core/arm/check_clearance.h"
 #include "core/arm/inquiry.h"
 #include "core/arm/lattice_way.h"
 #include "core/base/poller.h"
 #include "core/loop/run_status.h"
-#include "core/params/parameter_table.h"
 #include "lasius/arm_plan.h"
-#include "lasius/error.h"
 
 namespace lasius::arm {
 namespace {
