@@ -6,7 +6,6 @@
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"
 #include "python/extension/modules.h"
-#include "python/extension/names.h"
 #include "python/extension/parameter_class.h"
 #include "python/extension/progress.h"
 #include "python/extension/results.h"
