@@ -38,6 +38,24 @@ void measure(const Robot& robot, Result& result) {
   }
 }
 
+/// The answer of a search that knows the way, without joints.
+Result answer_of(const KnownWay& way, const Lattice& lattice) {
+  Result result;
+  result.status = status_after(way.cause, way.cost ? Status::solved : Status::no_path);
+  if (!way.cost) return result;
+  result.length = *way.cost * lattice.unit();
+  result.lower_bound = result.length;
+  result.optimal = true;
+  return result;
+}
+
+/// In one lattice, and nothing but it.
+Params lattice_alone(Params parameters) {
+  parameters.direct = false;
+  parameters.refine = 0;
+  return parameters;
+}
+
 }  // namespace
 
 Goal::Goal(const Eigen::Vector3d& position) { target.translation() = position; }
@@ -95,28 +113,6 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
   measure(robot, result);
   return result;
 }
-
-namespace {
-
-/// The answer of a search that knows the way, without joints.
-Result answer_of(const KnownWay& way, const Lattice& lattice) {
-  Result result;
-  result.status = status_after(way.cause, way.cost ? Status::solved : Status::no_path);
-  if (!way.cost) return result;
-  result.length = *way.cost * lattice.unit();
-  result.lower_bound = result.length;
-  result.optimal = true;
-  return result;
-}
-
-/// In one lattice, and nothing but it.
-Params lattice_alone(Params parameters) {
-  parameters.direct = false;
-  parameters.refine = 0;
-  return parameters;
-}
-
-}  // namespace
 
 Result shortest_lattice_way(const Robot& robot, const Sensor& sensor, const Request& request,
                             const Params& parameters) {

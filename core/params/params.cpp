@@ -47,8 +47,7 @@ constexpr std::array kColony{
           Number{&Params::greedy, 0, 1}},
     Entry{{"critical_time", "integer", "0 .. 1000000000",
            "iteration from which exponents and shares are constant, but for the distance rule's "
-           "until "
-           "settling_time, mc; 0: always"},
+           "until settling_time, mc; 0: always"},
           Integer{&Params::critical_time, 0, 1000000000}},
     Entry{{"alpha_first", "number", "0 .. 20", "alpha at iteration 0"},
           Number{&Params::alpha_first, 0, 20}},

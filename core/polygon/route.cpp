@@ -13,6 +13,56 @@ void append(std::vector<Point>& path, Point p) {
   if (path.empty() || path.back() != p) path.push_back(p);
 }
 
+/// A vertex of a funnel's path, and the gate that it is an end of: -1 the start, gates.size() the
+/// goal.
+struct Bend {
+  LatticePoint at;
+  int gate;
+};
+
+std::vector<Bend> funnel(const Route& route) {
+  const int goal = static_cast<int>(route.gates.size());
+  const auto left_of = [&](int i) { return i == goal ? route.goal.at : route.gates[i].left; };
+  const auto right_of = [&](int i) { return i == goal ? route.goal.at : route.gates[i].right; };
+  std::vector<Bend> bends{{route.start.at, -1}};
+  Bend left = bends[0], right = bends[0];
+  const auto restart = [&](const Bend& apex) {
+    bends.push_back(apex);
+    left = right = apex;
+    return apex.gate;
+  };
+  for (int i = 0; i <= goal; ++i) {
+    const LatticePoint apex = bends.back().at, l = left_of(i), r = right_of(i);
+    if (side(apex, right.at, r) >= 0) {
+      if (right.at == apex || side(apex, left.at, r) < 0 || left.at == apex) {
+        right = {r, i};
+      } else {
+        i = restart(left);
+        continue;
+      }
+    }
+    if (side(apex, left.at, l) <= 0) {
+      if (left.at == apex || side(apex, right.at, l) > 0 || right.at == apex) {
+        left = {l, i};
+      } else {
+        i = restart(right);
+      }
+    }
+  }
+  bends.push_back({route.goal.at, goal});
+  return bends;
+}
+
+/// Where the segment from p to q meets the line of a gate, as a value of it.
+double meeting(const Gate& gate, Point p, Point q) {
+  const double dx = gate.b.x - gate.a.x, dy = gate.b.y - gate.a.y;
+  const double from = dx * (p.y - gate.a.y) - dy * (p.x - gate.a.x);
+  const double to = dx * (q.y - gate.a.y) - dy * (q.x - gate.a.x);
+  const double share = from == to ? 0 : from / (from - to);
+  const double x = p.x + share * (q.x - p.x) - gate.a.x, y = p.y + share * (q.y - p.y) - gate.a.y;
+  return std::clamp((x * dx + y * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+}
+
 }  // namespace
 
 Crossing cross_at(const Route& route, std::vector<double> values) {
@@ -68,60 +118,6 @@ std::optional<Crossing> discrete_optimum(const Route& route, int values, Poller&
   }
   return cross_at(route, std::move(chosen));
 }
-
-namespace {
-
-/// A vertex of a funnel's path, and the gate that it is an end of: -1 the start, gates.size() the
-/// goal.
-struct Bend {
-  LatticePoint at;
-  int gate;
-};
-
-std::vector<Bend> funnel(const Route& route) {
-  const int goal = static_cast<int>(route.gates.size());
-  const auto left_of = [&](int i) { return i == goal ? route.goal.at : route.gates[i].left; };
-  const auto right_of = [&](int i) { return i == goal ? route.goal.at : route.gates[i].right; };
-  std::vector<Bend> bends{{route.start.at, -1}};
-  Bend left = bends[0], right = bends[0];
-  const auto restart = [&](const Bend& apex) {
-    bends.push_back(apex);
-    left = right = apex;
-    return apex.gate;
-  };
-  for (int i = 0; i <= goal; ++i) {
-    const LatticePoint apex = bends.back().at, l = left_of(i), r = right_of(i);
-    if (side(apex, right.at, r) >= 0) {
-      if (right.at == apex || side(apex, left.at, r) < 0 || left.at == apex) {
-        right = {r, i};
-      } else {
-        i = restart(left);
-        continue;
-      }
-    }
-    if (side(apex, left.at, l) <= 0) {
-      if (left.at == apex || side(apex, right.at, l) > 0 || right.at == apex) {
-        left = {l, i};
-      } else {
-        i = restart(right);
-      }
-    }
-  }
-  bends.push_back({route.goal.at, goal});
-  return bends;
-}
-
-/// Where the segment from p to q meets the line of a gate, as a value of it.
-double meeting(const Gate& gate, Point p, Point q) {
-  const double dx = gate.b.x - gate.a.x, dy = gate.b.y - gate.a.y;
-  const double from = dx * (p.y - gate.a.y) - dy * (p.x - gate.a.x);
-  const double to = dx * (q.y - gate.a.y) - dy * (q.x - gate.a.x);
-  const double share = from == to ? 0 : from / (from - to);
-  const double x = p.x + share * (q.x - p.x) - gate.a.x, y = p.y + share * (q.y - p.y) - gate.a.y;
-  return std::clamp((x * dx + y * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-}
-
-}  // namespace
 
 Crossing sequence_optimum(const Route& route, const FreeSpace& space) {
   const int goal = static_cast<int>(route.gates.size());

@@ -163,6 +163,22 @@ bool settle(const kernels::BitmapView& map, Poller& poller, std::vector<Cell>& p
   return true;
 }
 
+/// @throws Error(invalid_parameter) unless the cells are a walk.
+void check_walk(const Grid& grid, std::span<const Cell> cells) {
+  const auto refuse = [](std::size_t i, const char* why) {
+    throw invalid_parameter(
+        "cell " + std::to_string(i) + " of the walk " + why,
+        "give free cells, each one king's move from the one before or equal to it");
+  };
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (grid.blocked(cells[i])) refuse(i, "is blocked or outside");
+    if (i == 0) continue;
+    const std::int64_t dx = std::int64_t{cells[i].x} - cells[i - 1].x;
+    const std::int64_t dy = std::int64_t{cells[i].y} - cells[i - 1].y;
+    if (std::max(std::abs(dx), std::abs(dy)) > 1) refuse(i, "is not next to the one before");
+  }
+}
+
 }  // namespace
 
 /// Puts a taut string back on cells: the shortest polyline over two of the free cells around each
@@ -290,26 +306,6 @@ void Straightener::take(const Grid& grid, std::span<const Point> string,
   rasterise(view_of(grid), best_, raster_);
   straighten(grid, stop);
 }
-
-namespace {
-
-/// @throws Error(invalid_parameter) unless the cells are a walk.
-void check_walk(const Grid& grid, std::span<const Cell> cells) {
-  const auto refuse = [](std::size_t i, const char* why) {
-    throw invalid_parameter(
-        "cell " + std::to_string(i) + " of the walk " + why,
-        "give free cells, each one king's move from the one before or equal to it");
-  };
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (grid.blocked(cells[i])) refuse(i, "is blocked or outside");
-    if (i == 0) continue;
-    const std::int64_t dx = std::int64_t{cells[i].x} - cells[i - 1].x;
-    const std::int64_t dy = std::int64_t{cells[i].y} - cells[i - 1].y;
-    if (std::max(std::abs(dx), std::abs(dy)) > 1) refuse(i, "is not next to the one before");
-  }
-}
-
-}  // namespace
 
 std::vector<Cell> greedy_straighten(const Grid& grid, std::span<const Cell> cells,
                                     const StopCondition& stop) {
