@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -161,7 +160,7 @@ class GridColony final : public ColonyWorld {
                   one.near};
   }
   double best_length() const override {
-    return std::isfinite(best_path_.length()) ? best_path_.length() : kNaN;
+    return best_path_.length() < kInfinity ? best_path_.length() : kNaN;
   }
   double iteration_best() const override { return best_path_.iteration_best(); }
   bool settled() const override { return params_.agreement > 0 && agreed_ >= params_.agreement; }
@@ -277,7 +276,7 @@ class GridColony final : public ColonyWorld {
   /// ant left, or at once as long as there is no answer.
   AfterWalk after_walk(int first) {
     AfterWalk work;
-    const bool at_once = !std::isfinite(best_path_.length()) && !ants_only_teach();
+    const bool at_once = best_path_.length() == kInfinity && !ants_only_teach();
     work.ended = [this, first, at_once](int ant, int thread) {
       memory_.tours[first + ant] = measured(first + ant, thread);
       if (at_once) memory_.polisher.polish_ahead(ants_, first + ant, thread);

@@ -308,17 +308,15 @@ class Drive {
 
   void show(Found found) {
     if (!observer_) return;
-    DriveTick view;
-    view.tick = tick_;
-    view.robot = robot_;
-    view.world = &world_.now();
-    view.still = &world_.still();
-    view.robot_knows = &pilot_;
-    view.way = found == Found::way && robot_ != pilot_.goal() ? way_ : nullptr;
-    view.obstacles = world_.obstacles();
-    view.news = news_;
-    view.replanned = replanned_;
-    observer_(view);
+    observer_({.tick = tick_,
+               .robot = robot_,
+               .world = &world_.now(),
+               .still = &world_.still(),
+               .robot_knows = &pilot_,
+               .way = found == Found::way && robot_ != pilot_.goal() ? way_ : nullptr,
+               .obstacles = world_.obstacles(),
+               .news = news_,
+               .replanned = replanned_});
   }
 
   static constexpr int kPatience = 16;  // ticks without a way, then the robot moves aside
