@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/arm/lattice_ants.h"
 #include "core/arm/lattice_trail.h"
 #include "core/arm/lattice_way.h"
+#include "core/base/special_values.h"
 #include "core/loop/colony_loop.h"
 #include "core/loop/run_status.h"
 #include "core/loop/trail_rules.h"
@@ -157,7 +157,7 @@ class ArmColony final : public ColonyWorld {
 
   /// What is done after an iteration in which no ant arrived.
   void seek() {
-    const bool tired = std::any_of(ants_.begin(), ants_.end(), [](auto& ant) { return ant.tired; });
+    const bool tired = std::ranges::any_of(ants_, [](auto& ant) { return ant.tired; });
     if (!tired && !parameters_.scout) bound();
     if (!best_.empty() || !tired) return;
     leash_ *= 2;
@@ -168,8 +168,7 @@ class ArmColony final : public ColonyWorld {
       // Near the start, and anywhere.
       const double share = std::ldexp(1, -static_cast<int>(vias_ % 3));
       JointVector via = random_values(robot_, request_.start, parameters_.seed, kSeries, vias_++);
-      for (int j = 0; j < robot_.size(); ++j)
-        via[j] = request_.start[j] + share * (via[j] - request_.start[j]);
+      via = request_.start + share * (via - request_.start);
       const int end = lattice_.end_by_way_of(via);
       if (end < 0) continue;
       detour_ = {request_.start, std::move(via), lattice_.end(end).q};
@@ -259,7 +258,7 @@ class ArmColony final : public ColonyWorld {
   const Tour* shortest_ = nullptr;  // of the iteration
 
   std::vector<std::uint8_t> best_;  // moves of the best tour so far
-  double best_length_ = std::numeric_limits<double>::infinity();
+  double best_length_ = kInfinity;
   int idle_ = 0;  // iterations since it was found
   bool settled_ = false;
   std::vector<int> scouted_;  // a shortest way as far as it is known

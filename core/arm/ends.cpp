@@ -47,20 +47,6 @@ std::optional<Vec3> plane_of(const Kinematics& arm, const Kinematics::Poses& pos
   return normal;
 }
 
-std::string values_fault(const Robot& robot, const JointVector& q) {
-  if (q.size() != robot.size()) {
-    return "goal has " + std::to_string(q.size()) + " joint values, the robot needs " +
-           std::to_string(robot.size());
-  }
-  for (int j = 0; j < robot.size(); ++j) {
-    const Joint& joint = robot.joints[j];
-    if (q[j] >= joint.low && q[j] <= joint.high) continue;
-    return "goal: joint " + std::to_string(j + 1) + " is " + number_text(q[j]) +
-           ", its limits are " + number_text(joint.low) + " .. " + number_text(joint.high);
-  }
-  return {};
-}
-
 /// Turned by whole turns, as near to `start` as the limits let it: every joint, or those alone that
 /// turn freely.
 void turn_towards(const Robot& robot, const JointVector& start, bool all, JointVector& q) {
@@ -87,6 +73,23 @@ JointVector first_guess(const Robot& robot, const Kinematics& arm, const JointVe
 }
 
 }  // namespace
+
+std::string values_fault(const Robot& robot, const JointVector& q, const std::string& what,
+                         JointNames names) {
+  if (q.size() != robot.size()) {
+    return what + " has " + std::to_string(q.size()) + " joint values, the robot needs " +
+           std::to_string(robot.size());
+  }
+  for (int j = 0; j < robot.size(); ++j) {
+    const Joint& joint = robot.joints[j];
+    if (q[j] >= joint.low && q[j] <= joint.high) continue;
+    const bool named = names == JointNames::told && !joint.name.empty();
+    return what + ": joint " + std::to_string(j + 1) + (named ? " (" + joint.name + ")" : "") +
+           " is " + number_text(q[j]) + ", its limits are " + number_text(joint.low) + " .. " +
+           number_text(joint.high);
+  }
+  return {};
+}
 
 JointVector random_values(const Robot& robot, const JointVector& start, std::uint64_t seed,
                           std::uint32_t series, std::uint32_t number) {
@@ -129,7 +132,8 @@ bool is_at(const Kinematics& arm, const Goal& goal, std::span<const double> q) {
 
 std::string goal_fault(const Robot& robot, const Kinematics& arm, std::span<const double> start,
                        const Goal& goal) {
-  if (goal.kind == Goal::Kind::joints) return values_fault(robot, goal.values);
+  if (goal.kind == Goal::Kind::joints)
+    return values_fault(robot, goal.values, "goal", JointNames::left_out);
   const TipTarget target = tip_target(goal);
   if (!(target.position_tolerance >= Goal::kTolerance &&
         target.angle_tolerance >= Goal::kTolerance))
@@ -195,13 +199,12 @@ std::vector<End> find_ends(const Robot& robot, const Kinematics& arm, const Requ
       const auto same = [&](const End& other) {
         return other.goal == g && largest_change(other.q, q) < kSamePosture;
       };
-      if (std::none_of(ends.begin(), ends.end(), same) &&
-          std::none_of(known.begin(), known.end(), same)) {
+      if (std::ranges::none_of(ends, same) && std::ranges::none_of(known, same)) {
         add(std::move(q), g);
       }
     }
   }
-  std::stable_sort(ends.begin(), ends.end(), [&](const End& a, const End& b) {
+  std::ranges::stable_sort(ends, [&](const End& a, const End& b) {
     return joint_travel(a.q, start) < joint_travel(b.q, start);
   });
   return ends;

@@ -1,13 +1,12 @@
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "core/arm/robot/kinematics.h"
 #include "core/arm/robot/vec3.h"
+#include "core/base/invalid_parameter.h"
 #include "kernels/base/random_stream.h"
 #include "lasius/arm_generate.h"
 #include "lasius/arm_sensor.h"
-#include "lasius/error.h"
 
 namespace lasius::arm {
 namespace {
@@ -105,7 +104,7 @@ Query generate_query(const Robot& robot, const GenerateOptions& options) {
   validate(robot);
   const auto check = [](bool good, const char* name, const char* range) {
     if (good) return;
-    throw Error(ErrorCode::invalid_parameter, std::string(name) + " is out of range", range);
+    throw invalid_parameter(std::string(name) + " is out of range", range);
   };
   check(options.obstacles >= 0 && options.obstacles <= 1000, "obstacles", "it must be 0 .. 1000");
   check(options.wall >= 0 && options.wall <= 100, "wall", "it must be 0 .. 100");
@@ -114,9 +113,8 @@ Query generate_query(const Robot& robot, const GenerateOptions& options) {
   for (int i = 0; i < kAttempts; ++i) {
     if (auto query = attempt(robot, options, i)) return *std::move(query);
   }
-  throw Error(ErrorCode::invalid_parameter,
-              std::to_string(options.obstacles) + " obstacles leave this arm no room",
-              "ask for fewer, or for a shorter distance");
+  throw invalid_parameter(std::to_string(options.obstacles) + " obstacles leave this arm no room",
+                          "ask for fewer, or for a shorter distance");
 }
 
 }  // namespace lasius::arm

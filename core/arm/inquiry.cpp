@@ -9,7 +9,6 @@
 #include "core/base/parallel.h"
 #include "core/loop/run_status.h"
 #include "core/params/parameter_table.h"
-#include "lasius/error.h"
 
 namespace lasius::arm {
 namespace {
@@ -18,26 +17,6 @@ constexpr int kAttempts = 64;  // of inverse kinematics
 
 Result invalid(Fault fault, const std::string& why) {
   return failed<Result>(Status::invalid, fault, why);
-}
-
-std::string joint_name(const Robot& robot, int j) {
-  const std::string& name = robot.joints[j].name;
-  return "joint " + std::to_string(j + 1) + (name.empty() ? "" : " (" + name + ")");
-}
-
-/// Why the arm cannot stand at `start`; empty where it can, as far as kinematics tells.
-std::string start_fault(const Robot& robot, const JointVector& start) {
-  if (start.size() != robot.size()) {
-    return "start has " + std::to_string(start.size()) + " joint values, the robot needs " +
-           std::to_string(robot.joints.size());
-  }
-  for (int j = 0; j < robot.size(); ++j) {
-    const Joint& joint = robot.joints[j];
-    if (start[j] >= joint.low && start[j] <= joint.high) continue;
-    return "start: " + joint_name(robot, j) + " is " + number_text(start[j]) + ", its limits are " +
-           number_text(joint.low) + " .. " + number_text(joint.high);
-  }
-  return {};
 }
 
 /// The box of the lattice: all that the arm can reach, or `side` points about the middle of start
@@ -76,12 +55,10 @@ std::optional<Box> box_of(const Kinematics& arm, Vec3 from, double pitch, int si
 std::array<int, 3> point_near(Vec3 from, Vec3 to, double pitch) {
   const Vec3 way = (1 / pitch) * (to - from);
   if (!(length(way) < 1e6)) {
-    throw Error(ErrorCode::invalid_parameter,
-                "pitch is " + number_text(pitch) + ", too small for this goal",
-                "take a larger one");
+    throw invalid_parameter("pitch is " + number_text(pitch) + ", too small for this goal",
+                            "take a larger one");
   }
-  return {static_cast<int>(std::lround(way.x)), static_cast<int>(std::lround(way.y)),
-          static_cast<int>(std::lround(way.z))};
+  return rounded(way);
 }
 
 /// What a finer lattice found comes after what the ones before did.
@@ -111,7 +88,7 @@ Inquiry::Inquiry(const Robot& robot, const Sensor& sensor, const Request& reques
 }
 
 Result Inquiry::answer(const Search& search) {
-  const std::string fault = start_fault(robot_, request_.start);
+  const std::string fault = values_fault(robot_, request_.start, "start", JointNames::told);
   if (!fault.empty()) return invalid(Fault::start_outside, fault);
   arm_.emplace(robot_);
   if (parameters_.pitch == 0) parameters_.pitch = arm_->reach() / 20;
@@ -169,8 +146,8 @@ std::optional<Result> Inquiry::find_targets() {
   std::vector<int> wanted;
   const auto points = targets_at(parameters_.pitch).points;
   for (const int g : goals_) {
-    const bool point = std::any_of(points.begin(), points.end(),
-                                   [&](const Targets::Point& one) { return one.goal == g; });
+    const bool point =
+        std::ranges::any_of(points, [&](const Targets::Point& one) { return one.goal == g; });
     if (parameters_.postures > 1 || parameters_.direct || !point) wanted.push_back(g);
   }
   if (wanted.empty()) return std::nullopt;
@@ -250,8 +227,8 @@ Targets Inquiry::targets_at(double pitch) const {
     if (!is_point(g)) continue;
     const Vec3 position = request_.goals[g].target.translation().eval();
     const auto at = point_near(from_, position, pitch);
-    const bool taken = std::any_of(targets.points.begin(), targets.points.end(),
-                                   [&](const auto& other) { return other.at == at; });
+    const bool taken =
+        std::ranges::any_of(targets.points, [&](const auto& other) { return other.at == at; });
     if (!taken && at != std::array<int, 3>{}) targets.points.push_back({at, position, g});
   }
   return targets;
@@ -280,11 +257,10 @@ Result Inquiry::search_lattices(const Search& search) {
         box_of(*arm_, from_, pitch, parameters_.side << level, at, parameters_.postures, nodes);
     if (!box && level > 0) return result;
     if (!box) {
-      throw Error(ErrorCode::invalid_parameter,
-                  "pitch is " + number_text(pitch) + ", which makes a lattice of " +
-                      number_text(nodes) + " points in all postures",
-                  "take a larger pitch, less postures or a smaller side: at most " +
-                      std::to_string(Lattice::kMostNodes) + " fit");
+      throw invalid_parameter("pitch is " + number_text(pitch) + ", which makes a lattice of " +
+                                  number_text(nodes) + " points in all postures",
+                              "take a larger pitch, less postures or a smaller side: at most " +
+                                  std::to_string(Lattice::kMostNodes) + " fit");
     }
     Lattice lattice(robot_, *arm_, sensor_, request_.start, pitch, *box, std::move(targets),
                     parameters_, asked_);

@@ -72,7 +72,7 @@ class WaySearch {
   std::vector<int> moves_to(Node at) const {
     std::vector<int> moves;
     for (; at != lattice_.start(); at = from_[at]) moves.push_back(by_[at] - 1);
-    std::reverse(moves.begin(), moves.end());
+    std::ranges::reverse(moves);
     return moves;
   }
 

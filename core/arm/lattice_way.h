@@ -1,7 +1,6 @@
 // Ways through a lattice: the shortest as far as it is known, and the straightest.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 

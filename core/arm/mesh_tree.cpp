@@ -6,11 +6,19 @@
 #include "core/arm/robot/vec3.h"
 
 namespace lasius::arm {
-namespace {
 
-double Vec3::*const kAxes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
-
-}  // namespace
+Bounds bounds_of(std::span<const Triangle> triangles) noexcept {
+  Bounds box{triangles[0][0], triangles[0][0]};
+  for (const Triangle& triangle : triangles) {
+    for (const Vec3 corner : triangle) {
+      for (const auto axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+        box.low.*axis = std::min(box.low.*axis, corner.*axis);
+        box.high.*axis = std::max(box.high.*axis, corner.*axis);
+      }
+    }
+  }
+  return box;
+}
 
 MeshTree::MeshTree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
   if (!triangles_.empty()) build(0, static_cast<int>(triangles_.size()));
@@ -18,15 +26,7 @@ MeshTree::MeshTree(std::vector<Triangle> triangles) : triangles_(std::move(trian
 
 int MeshTree::build(int first, int count) {
   const auto begin = triangles_.begin() + first, end = begin + count;
-  Vec3 low = (*begin)[0], high = low;
-  for (auto triangle = begin; triangle != end; ++triangle) {
-    for (const Vec3 corner : *triangle) {
-      for (const auto axis : kAxes) {
-        low.*axis = std::min(low.*axis, corner.*axis);
-        high.*axis = std::max(high.*axis, corner.*axis);
-      }
-    }
-  }
+  const auto [low, high] = bounds_of({begin, end});
   const int index = static_cast<int>(nodes_.size());
   nodes_.push_back({0.5 * (low + high), 0.5 * (high - low), first, count});
   if (count <= kLeaf) return index;

@@ -1,12 +1,19 @@
 // A mesh's triangles in a tree of boxes, for the distance to the nearest one.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/arm/convex.h"
 #include "core/arm/proximity.h"
 
 namespace lasius::arm {
+
+/// The smallest upright box around triangles. Precondition: there are some.
+struct Bounds {
+  Vec3 low, high;
+};
+Bounds bounds_of(std::span<const Triangle> triangles) noexcept;
 
 class MeshTree {
  public:

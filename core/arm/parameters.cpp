@@ -142,8 +142,7 @@ std::vector<std::string> formulas(const Params& parameters) {
       "length of the move, theta the angle between it and the way to the goal, radians",
       "choice: in proportion to the weight among points not yet visited",
       "update: tau <- persistence tau + sum over the arrived ants of 1 / L + elite_weight / L of "
-      "the "
-      "iteration's best"};
+      "the iteration's best"};
 }
 
 std::string get_parameter(const Params& parameters, std::string_view name) {

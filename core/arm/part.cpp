@@ -11,13 +11,7 @@ namespace {
 /// About the middle of their bounds.
 Ball ball_around(const std::vector<Triangle>& triangles) {
   if (triangles.empty()) return {};
-  Vec3 low = triangles[0][0], high = low;
-  for (const Triangle& triangle : triangles) {
-    for (const Vec3 c : triangle) {
-      low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};
-      high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
-    }
-  }
+  const auto [low, high] = bounds_of(triangles);
   Ball ball{0.5 * (low + high)};
   for (const Triangle& triangle : triangles) {
     for (const Vec3 c : triangle) ball.radius = std::max(ball.radius, distance(c, ball.centre));

@@ -1,19 +1,10 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <limits>
-#include <optional>
-
 #include "core/arm/arm_colony.h"
 #include "core/arm/check_clearance.h"
 #include "core/arm/inquiry.h"
 #include "core/arm/lattice_way.h"
 #include "core/base/poller.h"
 #include "core/loop/run_status.h"
-#include "core/params/parameter_table.h"
 #include "lasius/arm_plan.h"
-#include "lasius/error.h"
 
 namespace lasius::arm {
 namespace {
@@ -45,6 +36,24 @@ void measure(const Robot& robot, Result& result) {
       go_on(result.trajectory.at((1 - share) * knots[i].time + share * knots[i + 1].time).q);
     }
   }
+}
+
+/// The answer of a search that knows the way, without joints.
+Result answer_of(const KnownWay& way, const Lattice& lattice) {
+  Result result;
+  result.status = status_after(way.cause, way.cost ? Status::solved : Status::no_path);
+  if (!way.cost) return result;
+  result.length = *way.cost * lattice.unit();
+  result.lower_bound = result.length;
+  result.optimal = true;
+  return result;
+}
+
+/// In one lattice, and nothing but it.
+Params lattice_alone(Params parameters) {
+  parameters.direct = false;
+  parameters.refine = 0;
+  return parameters;
 }
 
 }  // namespace
@@ -104,28 +113,6 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
   measure(robot, result);
   return result;
 }
-
-namespace {
-
-/// The answer of a search that knows the way, without joints.
-Result answer_of(const KnownWay& way, const Lattice& lattice) {
-  Result result;
-  result.status = status_after(way.cause, way.cost ? Status::solved : Status::no_path);
-  if (!way.cost) return result;
-  result.length = *way.cost * lattice.unit();
-  result.lower_bound = result.length;
-  result.optimal = true;
-  return result;
-}
-
-/// In one lattice, and nothing but it.
-Params lattice_alone(Params parameters) {
-  parameters.direct = false;
-  parameters.refine = 0;
-  return parameters;
-}
-
-}  // namespace
 
 Result shortest_lattice_way(const Robot& robot, const Sensor& sensor, const Request& request,
                             const Params& parameters) {

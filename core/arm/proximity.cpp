@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/arm/robot/vec3.h"
+#include "core/base/special_values.h"
 
 namespace lasius::arm {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Vec3 at(const Segment& s, double t) noexcept { return s.from + t * (s.to - s.from); }
 

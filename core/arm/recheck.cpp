@@ -14,7 +14,6 @@
 #include <exception>
 #include <kdl/chain.hpp>
 #include <kdl/frames.hpp>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -22,9 +21,10 @@
 
 #include "core/arm/robot/kinematics.h"
 #include "core/arm/robot/vec3.h"
+#include "core/base/invalid_parameter.h"
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "lasius/arm_trajectory.h"
-#include "lasius/error.h"
 
 namespace fcl {
 
@@ -157,7 +157,7 @@ double balls_apart(const Placed& a, const Placed& b) {
 bool may_touch(const Robot& robot, int a, int b) {
   const Link &first = robot.links[a], &second = robot.links[b];
   if (first.body == second.body || first.parent == b || second.parent == a) return true;
-  return std::any_of(robot.may_touch.begin(), robot.may_touch.end(), [&](const auto& pair) {
+  return std::ranges::any_of(robot.may_touch, [&](const auto& pair) {
     return (pair.first == a && pair.second == b) || (pair.first == b && pair.second == a);
   });
 }
@@ -179,15 +179,14 @@ void check(const Robot& robot, const Scene& scene, const Trajectory& trajectory,
   validate(robot);
   validate(scene);
   if (trajectory.empty()) {
-    throw Error(ErrorCode::invalid_parameter, "the trajectory is empty", "give it a knot");
+    throw invalid_parameter("the trajectory is empty", "give it a knot");
   }
   for (const Trajectory::Knot& knot : trajectory.knots()) {
     check_values(robot, as_span(knot.q));
     check_values(robot, as_span(knot.ddq));
   }
   if (samples < 1) {
-    throw Error(ErrorCode::invalid_parameter, "samples is " + std::to_string(samples),
-                "it must be at least 1");
+    throw invalid_parameter("samples is " + std::to_string(samples), "it must be at least 1");
   }
 }
 
@@ -212,7 +211,7 @@ class Follower {
   }
 
   Recheck follow(int samples) {
-    found_ = {.nearest = std::numeric_limits<double>::infinity()};
+    found_ = {.nearest = kInfinity};
     Moment last;
     for (int s = 0; s < samples; ++s, ++found_.samples) {
       if (poller_.stop_after(1)) break;
@@ -268,7 +267,7 @@ class Follower {
   }
 
   Moment look(double time) const {
-    Moment now{time, std::numeric_limits<double>::infinity(), trajectory_.at(time), {}, {}};
+    Moment now{time, kInfinity, trajectory_.at(time), {}, {}};
     now.gaps.setConstant(robot_.size() + 1, robot_.size() + 1, now.nearest);
     std::vector<fcl::Transform3d> bodies{fcl::Transform3d::Identity()};
     KDL::Frame at;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,9 +7,10 @@
 #include "core/arm/part.h"
 #include "core/arm/robot/kinematics.h"
 #include "core/arm/robot/solid.h"
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
+#include "core/base/special_values.h"
 #include "lasius/arm_sensor.h"
-#include "lasius/error.h"
 
 namespace lasius::arm {
 
@@ -67,7 +67,7 @@ class SceneSensor::Impl {
     check_values(robot_, q);
     Frame frame;
     place(q, frame);
-    double nearest = std::numeric_limits<double>::infinity();
+    double nearest = kInfinity;
     const auto offer = [&](const Part::Placed& a, const Part::Placed& b) {
       if (gap_between(a.ball, b.ball) < nearest)
         nearest = std::min(nearest, distance_between(a, b, nearest));
@@ -184,8 +184,8 @@ SceneSensor::SceneSensor(const Robot& robot, const Scene& scene, double clearanc
   validate(robot);
   validate(scene);
   if (!(clearance >= kLeastClearance && clearance <= 1)) {
-    throw Error(ErrorCode::invalid_parameter, "clearance is " + number_text(clearance),
-                "it must be 0.000001 .. 1 metres");
+    throw invalid_parameter("clearance is " + number_text(clearance),
+                            "it must be 0.000001 .. 1 metres");
   }
   impl_ = std::make_unique<const Impl>(robot, scene, clearance);
 }

@@ -1,7 +1,6 @@
 #include "core/arm/spline.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -76,7 +75,7 @@ void solve_joint(const std::vector<double>& times, const std::vector<double>& pa
   }
   const std::vector<double> inner = solve(rows);
   m.assign(n + 1, 0);
-  std::copy(inner.begin(), inner.end(), m.begin() + 1);
+  std::ranges::copy(inner, m.begin() + 1);
   q[1] = q[0] + h(0) * h(0) * m[1] / 6;
   q[n - 1] = q[n] + h(n - 1) * h(n - 1) * m[n - 1] / 6;
 }

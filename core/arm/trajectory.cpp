@@ -7,25 +7,24 @@
 #include "core/arm/robot/kinematics.h"
 #include "core/arm/robot/vec3.h"
 #include "core/arm/spline.h"
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
 #include "core/loop/run_status.h"
 #include "kernels/base/random_stream.h"
 #include "lasius/arm_trajectory.h"
-#include "lasius/error.h"
 
 namespace lasius::arm {
 void check_clearance(const Sensor& sensor) {
   if (sensor.clearance() >= Sensor::kLeastClearance) return;
-  throw Error(ErrorCode::invalid_parameter,
-              "the sensor's clearance is " + number_text(sensor.clearance()),
-              "it must be at least 0.000001 metres");
+  throw invalid_parameter("the sensor's clearance is " + number_text(sensor.clearance()),
+                          "it must be at least 0.000001 metres");
 }
 
 void check_duration(double seconds) {
   if (seconds >= 0 && std::isfinite(seconds)) return;
-  throw Error(ErrorCode::invalid_parameter, "duration is " + number_text(seconds),
-              "it must be a number of seconds, or 0 for as few as the limits allow");
+  throw invalid_parameter("duration is " + number_text(seconds),
+                          "it must be a number of seconds, or 0 for as few as the limits allow");
 }
 
 namespace {
@@ -119,9 +118,7 @@ Waypoints cut_at_random(const Robot& robot, const TrajectoryOptions& options, Wa
       const auto k = std::upper_bound(until.begin() + 1, until.end() - 1, at[e]) - until.begin();
       const double share = (at[e] - until[k - 1]) / (until[k] - until[k - 1]);
       after[e] = static_cast<std::size_t>(k);
-      ends[e].resize(robot.size());
-      for (int j = 0; j < robot.size(); ++j)
-        ends[e][j] = way[k - 1][j] + share * (way[k][j] - way[k - 1][j]);
+      ends[e] = way[k - 1] + share * (way[k] - way[k - 1]);
     }
     const double gain = at[1] - at[0] - far(robot, options.quick, ends[0], ends[1]);
     if (after[0] == after[1] || !(gain > kLeastGain * until.back())) continue;
@@ -139,23 +136,31 @@ double fastest(const Robot& robot, const JointVector& a, const JointVector& b) {
   return std::max(1e-6, far(robot, true, a, b));
 }
 
+/// Calls visit(i, span) for each piece of a trajectory, from knot i to the next, and the span of
+/// the course that it lies in.
+template <class Visit>
+void for_each_piece(const Course& course, const Trajectory& trajectory, const Visit& visit) {
+  const auto& knots = trajectory.knots();
+  std::size_t span = 0;
+  double until = course.spans[0];
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    const double middle = 0.5 * (knots[i].time + knots[i + 1].time);
+    while (middle > until && span + 1 < course.spans.size()) until += course.spans[++span];
+    visit(i, span);
+  }
+}
+
 /// Stretches spans until the limits hold nearly everywhere, and then all of them until they do.
 template <class Make>
 Trajectory within_limits(const Robot& robot, Course& course, const Make& make) {
   constexpr int kRounds = 30;
   Trajectory trajectory = make(course);
   for (int round = 0; round < kRounds; ++round) {
-    double worst = 0;
-    std::size_t span = 0;
-    double until = course.spans[0];
     std::vector<double> need(course.spans.size(), 0);
-    for (std::size_t i = 0; i + 1 < trajectory.knots().size(); ++i) {
-      const double middle = 0.5 * (trajectory.knots()[i].time + trajectory.knots()[i + 1].time);
-      while (middle > until && span + 1 < course.spans.size()) until += course.spans[++span];
+    for_each_piece(course, trajectory, [&](std::size_t i, std::size_t span) {
       need[span] = std::max(need[span], needed_stretch(robot, trajectory, i));
-      worst = std::max(worst, need[span]);
-    }
-    if (worst <= 1.02) break;
+    });
+    if (*std::ranges::max_element(need) <= 1.02) break;
     for (std::size_t i = 0; i < need.size(); ++i) {
       if (need[i] > 1) course.spans[i] *= std::min(need[i], 2.0);
     }
@@ -225,9 +230,7 @@ Course refined(const Course& course, const std::vector<bool>& marked) {
   for (std::size_t i = 0; i < course.spans.size(); ++i) {
     const auto &a = course.points[i], &b = course.points[i + 1];
     if (marked[i]) {
-      JointVector middle(a.size());
-      for (Eigen::Index j = 0; j < a.size(); ++j) middle[j] = 0.5 * (a[j] + b[j]);
-      finer.points.push_back(std::move(middle));
+      finer.points.push_back(0.5 * (a + b));
       finer.spans.push_back(0.5 * course.spans[i]);
     }
     finer.points.push_back(b);
@@ -241,16 +244,12 @@ std::vector<bool> faulty_spans(const Robot& robot, const Course& course,
                                const Trajectory& trajectory, const std::vector<double>& lever,
                                Asker& asker) {
   std::vector<bool> faulty(course.spans.size(), false);
-  std::size_t span = 0;
-  double until = course.spans[0];
-  for (std::size_t i = 0; i + 1 < trajectory.knots().size(); ++i) {
-    const double middle = 0.5 * (trajectory.knots()[i].time + trajectory.knots()[i + 1].time);
-    while (middle > until && span + 1 < course.spans.size()) until += course.spans[++span];
-    if (within_values(robot, trajectory, i) && free_between(trajectory, i, lever, asker)) continue;
+  for_each_piece(course, trajectory, [&](std::size_t i, std::size_t span) {
+    if (within_values(robot, trajectory, i) && free_between(trajectory, i, lever, asker)) return;
     if (span > 0) faulty[span - 1] = true;
     faulty[span] = true;
     if (span + 1 < faulty.size()) faulty[span + 1] = true;
-  }
+  });
   return faulty;
 }
 
@@ -266,8 +265,7 @@ Trajectory::State Trajectory::at(double time) const {
   };
   if (!(time > 0)) return at_rest(knots_.front());
   if (time >= duration()) return at_rest(knots_.back());
-  const auto after = std::upper_bound(knots_.begin(), knots_.end(), time,
-                                      [](double t, const Knot& knot) { return t < knot.time; });
+  const auto after = std::ranges::upper_bound(knots_, time, {}, &Knot::time);
   const Knot &a = after[-1], &b = *after;
   const double h = b.time - a.time, t = time - a.time;
   const Eigen::Index joints = a.q.size();
@@ -315,7 +313,7 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
   for (int round = 0; round < kRounds && !found && !asker.stopped(); ++round) {
     result.trajectory = within_limits(robot, course, spline_through);
     const auto faulty = faulty_spans(robot, course, result.trajectory, lever, asker);
-    found = std::find(faulty.begin(), faulty.end(), true) == faulty.end();
+    found = std::ranges::find(faulty, true) == faulty.end();
     if (!found) course = refined(course, faulty);
   }
   // Rest at every waypoint also where there was no time to check: straight motions are known.

@@ -5,10 +5,10 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <limits>
 
 #include "core/base/growing_list.h"
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 
 namespace lasius {
 
@@ -29,7 +29,7 @@ class BucketQueue {
     width_ = width;
     per_width_ = 1 / width;
     current_ = 0;
-    least_ = std::numeric_limits<double>::infinity();
+    least_ = kInfinity;
     items_.clear();
     spare_ = kNone;
     overflow_ = kNone;

@@ -44,8 +44,8 @@ inline std::string did_you_mean(std::string_view name, std::span<const std::stri
     return std::tuple(!candidate_small.starts_with(name_small),
                       edit_distance(name_small, candidate_small), edit_distance(name, candidate));
   };
-  const auto nearest = std::min_element(known.begin(), known.end(),
-                                        [&](auto a, auto b) { return farness(a) < farness(b); });
+  const auto nearest =
+      std::ranges::min_element(known, [&](auto a, auto b) { return farness(a) < farness(b); });
   return "did you mean \"" + std::string(*nearest) + "\"?";
 }
 

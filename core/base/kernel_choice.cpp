@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "lasius/error.h"
+#include "core/base/invalid_parameter.h"
 
 namespace lasius {
 
@@ -18,13 +18,13 @@ kernels::Isa chosen_isa() {
     if (kNames[i] != wanted) continue;
     const auto isa = static_cast<kernels::Isa>(i);
     if (isa <= best) return isa;
-    throw Error(ErrorCode::invalid_parameter,
-                "LASIUS_KERNELS asks for " + std::string(wanted) + ", which this CPU lacks",
-                "unset it, or set it to scalar");
+    throw invalid_parameter(
+        "LASIUS_KERNELS asks for " + std::string(wanted) + ", which this CPU lacks",
+        "unset it, or set it to scalar");
   }
-  throw Error(ErrorCode::invalid_parameter,
-              "LASIUS_KERNELS is \"" + std::string(wanted) + "\", which names no kernels",
-              "set it to scalar, avx2 or avx512, or unset it");
+  throw invalid_parameter(
+      "LASIUS_KERNELS is \"" + std::string(wanted) + "\", which names no kernels",
+      "set it to scalar, avx2 or avx512, or unset it");
 }
 
 }  // namespace lasius

@@ -11,7 +11,6 @@
 #include <csignal>
 #include <locale>
 #include <streambuf>
-#include <system_error>
 #include <vector>
 
 #include "core/base/output_target.h"

@@ -4,11 +4,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "core/base/invalid_parameter.h"
+#include "core/base/number_text.h"
 #include "core/base/output.h"
 #include "lasius/error.h"
 
@@ -21,11 +22,8 @@ namespace fs = std::filesystem;
 std::optional<int> descriptor_of(const fs::path& path) {
   const fs::path folder = path.parent_path();
   if (folder != "/dev/fd" && folder != "/proc/self/fd") return std::nullopt;
-  const std::string name = path.filename().string();
-  int number = -1;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-  if (error != std::errc() || *end != '\0' || number < 0) return std::nullopt;
-  return number;
+  const auto number = number_of<int>(path.filename().string());
+  return number && *number >= 0 ? number : std::nullopt;
 }
 
 /// A file by what it is, not by its name.
@@ -133,8 +131,8 @@ void check_outputs(const std::vector<std::string>& outputs,
     const bool stream = is_stream(file);
     for (const Known& other : known)
       if (other.id == *id && !(other.stream && stream))
-        throw Error(ErrorCode::invalid_parameter, name + " and " + other.name + " are one file",
-                    "name another one for the output");
+        throw invalid_parameter(name + " and " + other.name + " are one file",
+                                "name another one for the output");
     known.push_back({name, std::move(*id), stream});
   };
   add("standard output", "/dev/stdout");

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace lasius {
 
@@ -16,6 +17,17 @@ inline std::int64_t line_at(std::string_view text, std::size_t byte) {
     line += text[i] == '\n' || (text[i] == '\r' && !text.substr(i + 1).starts_with('\n'));
   }
   return line;
+}
+
+/// The words of a line, parted by any of `blanks`.
+inline std::vector<std::string_view> words_of(std::string_view line, std::string_view blanks) {
+  std::vector<std::string_view> words;
+  for (auto at = line.find_first_not_of(blanks); at != line.npos;) {
+    const auto end = std::min(line.find_first_of(blanks, at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = line.find_first_not_of(blanks, end);
+  }
+  return words;
 }
 
 /// Puts an LF in place of each CR that ends a line alone, for readers that know only LF.

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "core/base/held_bytes.h"
+#include "core/base/special_values.h"
 #include "core/colony/field.h"
 #include "core/colony/tour_measures.h"
 #include "core/colony/update.h"
@@ -22,14 +22,12 @@ class BestTour {
   bool none() const noexcept { return moves_.empty(); }
   std::span<const std::uint8_t> moves() const noexcept { return moves_; }
   double length() const noexcept { return length_; }  ///< infinite without one
-  Tour tour() const noexcept {
-    return {moves_, none() ? std::numeric_limits<double>::quiet_NaN() : length_};
-  }
+  Tour tour() const noexcept { return {moves_, none() ? kNaN : length_}; }
   std::int64_t bytes() const noexcept { return held_bytes(moves_); }
 
   void drop() noexcept {
     moves_.clear();
-    length_ = std::numeric_limits<double>::infinity();
+    length_ = kInfinity;
   }
   /// Takes the shortest of these tours where it is shorter, ties to the first.
   void offer(std::span<const Tour> tours) {
@@ -68,7 +66,7 @@ class BestTour {
 
  private:
   std::vector<std::uint8_t> moves_;
-  double length_ = std::numeric_limits<double>::infinity();
+  double length_ = kInfinity;
 };
 
 }  // namespace lasius

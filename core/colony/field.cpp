@@ -7,6 +7,7 @@
 
 #include "core/base/held_bytes.h"
 #include "core/base/kernel_choice.h"
+#include "core/base/special_values.h"
 #include "core/colony/field_tile.h"
 #include "core/grid/cell_distance.h"
 #include "core/params/schedule.h"
@@ -53,7 +54,7 @@ void Field::reset(const Grid& grid, const kernels::Moves& moves, Cell goal, cons
   set_scale(untouched);
   untouched_ = 1;
   all_stale_ = false;
-  bound(0, std::numeric_limits<double>::infinity());
+  bound(0, kInfinity);
   was_bounded_ = false;
 
   for (const int index : not_made_) rows_[index] = nullptr;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "core/base/special_values.h"
 #include "core/colony/field.h"
 #include "core/colony/field_tile.h"
 #include "core/grid/move_rule.h"
@@ -200,7 +201,7 @@ void Field::read_trail(const Tile& tile, int cell, Count moves, float* tau, floa
 template <class Count>
 void Field::read_index(const Tile& tile, int cell, Count moves, double* index) const {
   const Cell from{tile.x0 + cell % kTileSide, tile.y0 + cell / kTileSide};
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (int k = 0; k < moves; ++k) {
     const Cell to = from + moves_[k].to;
     index[k] = 0;
@@ -229,7 +230,7 @@ void Field::edited(const Rectangle& part) {
 void Field::refresh(const StepWeights& weights, int threads) {
   const bool heuristic = weights.beta != weights_.beta && heuristic_.depends_on_beta();
   // Bounds make rows drift without a deposit; so do new exponents.
-  const bool bounded = least_ > 0 || most_ < std::numeric_limits<double>::infinity();
+  const bool bounded = least_ > 0 || most_ < kInfinity;
   const bool touched = bounded || was_bounded_ || weights.alpha != weights_.alpha ||
                        (weights.beta != weights_.beta && learned_);
   was_bounded_ = bounded;

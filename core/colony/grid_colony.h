@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -14,6 +13,8 @@
 #include "core/base/kernel_choice.h"
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
+#include "core/colony/best_path.h"
 #include "core/colony/colony_memory.h"
 #include "core/colony/own_update.h"
 #include "core/colony/tour_measures.h"
@@ -63,7 +64,7 @@ class GridColony final : public ColonyWorld {
     first_iteration_ = agreed_ = 0;
     trail_level_ = 0;
     memory_.best.drop();
-    drop_best_path();
+    best_path_.drop();
   }
 
   /// Goes on from `request.start`, with the trail as it is.
@@ -73,10 +74,10 @@ class GridColony final : public ColonyWorld {
     const auto cause = run_colony_loop(*this, iterations, request_.stop, run);
     constexpr int kMany = 1 << 30;  // schedules have long ended
     if (first_iteration_ < kMany) first_iteration_ += run.iterations;
-    return result_after(cause, std::move(run), std::move(best_path_));
+    return result_after(cause, std::move(run), best_path_.give());
   }
   /// What `run` gave away, for the next one.
-  void keep_path(const std::vector<Point>& path) { best_path_ = path; }
+  void keep_path(const std::vector<Point>& path) { best_path_.take_back(path); }
 
   /// Fits what is remembered to cells that have changed.
   void changed(const Rectangle& part) {
@@ -91,7 +92,7 @@ class GridColony final : public ColonyWorld {
     if (!best.walkable(grid_, params_.corners, moves_, request_.start)) best.drop();
     const Corners corners =
         params_.neighbours == Neighbours::four ? Corners::forbid : params_.corners;
-    if (path_fault(grid_, best_path_, corners)) drop_best_path();
+    if (path_fault(grid_, best_path_.points(), corners)) best_path_.drop();
   }
 
   // What the loop asks for.
@@ -100,7 +101,7 @@ class GridColony final : public ColonyWorld {
   StopCondition::Cause send_ants(int q) override {
     q += first_iteration_;
     iteration_ = q;
-    iteration_best_ = kNaN;
+    best_path_.begin_iteration();
     all_walked_ = false;
     const StepWeights weights =
         own_.schedule ? own_weights(own_, params_, q) : schedule(params_, q);
@@ -158,8 +159,10 @@ class GridColony final : public ColonyWorld {
     return Walked{memory_.tours[ant].length, one.steps, one.arrived ? one.move_count + 1 : 0,
                   one.near};
   }
-  double best_length() const override { return best_length_ < kInfinity ? best_length_ : kNaN; }
-  double iteration_best() const override { return iteration_best_; }
+  double best_length() const override {
+    return best_path_.length() < kInfinity ? best_path_.length() : kNaN;
+  }
+  double iteration_best() const override { return best_path_.iteration_best(); }
   bool settled() const override { return params_.agreement > 0 && agreed_ >= params_.agreement; }
 
   double trail_entropy() const override {
@@ -180,7 +183,7 @@ class GridColony final : public ColonyWorld {
   class View final : public GridProgress {
    public:
     explicit View(const GridColony& colony) : colony_(colony) {}
-    std::vector<Point> path() const override { return colony_.best_path_; }
+    std::vector<Point> path() const override { return colony_.best_path_.points(); }
     int ants() const override { return colony_.ants(); }
     std::vector<Cell> tour(int ant) const override {
       return walked(ant).arrived ? walk(ant) : std::vector<Cell>{};
@@ -205,7 +208,7 @@ class GridColony final : public ColonyWorld {
   void set_out(const Request& request, const Observer& observer) {
     if (request.start != request_.start) {
       memory_.best.go_on_from(request_.start, request.start, moves_);
-      drop_best_path();
+      best_path_.drop();
     }
     request_ = request;
     observer_ = &observer;
@@ -216,7 +219,7 @@ class GridColony final : public ColonyWorld {
                               params_.walk_cut == WalkCut::entered_cells,
                           request_.stop);
     memory_.polisher.reset(grid_, request_, moves_, params_, threads_);
-    if (best_path_.empty() && !memory_.best.none()) offer_alone(as_ant(memory_.best.moves()));
+    if (best_path_.none() && !memory_.best.none()) offer_alone(as_ant(memory_.best.moves()));
   }
 
   /// Could a way through free cells of `part` be shorter than the best tour?
@@ -242,19 +245,10 @@ class GridColony final : public ColonyWorld {
     memory_.best.drop();
   }
 
-  void drop_best_path() {
-    best_path_.clear();
-    best_length_ = kInfinity;
-  }
-
   /// tau where no ant has been; the terminal index of unknown cells grows with the map.
   double untouched() const {
     if (params_.update != Update::terminal_index) return tau0_;
     return params_.unknown_index * std::max(grid_.width(), grid_.height()) / 20;
-  }
-
-  Tour tour_of(const Ant& ant) const {
-    return {ant.tour(), ant.arrived ? length_of(ant.tour(), moves_) : kNaN};
   }
 
   /// The tour of an ant that has just ended, measured and cut; none where there was no time to.
@@ -282,7 +276,7 @@ class GridColony final : public ColonyWorld {
   /// ant left, or at once as long as there is no answer.
   AfterWalk after_walk(int first) {
     AfterWalk work;
-    const bool at_once = best_length_ == kInfinity && !ants_only_teach();
+    const bool at_once = best_path_.length() == kInfinity && !ants_only_teach();
     work.ended = [this, first, at_once](int ant, int thread) {
       memory_.tours[first + ant] = measured(first + ant, thread);
       if (at_once) memory_.polisher.polish_ahead(ants_, first + ant, thread);
@@ -329,45 +323,15 @@ class GridColony final : public ColonyWorld {
   }
 
   void offer_alone(const Ant& ant) {
-    const Tour tour = tour_of(ant);
+    const Tour tour{ant.tour(), ant.arrived ? length_of(ant.tour(), moves_) : kNaN};
     offer({&ant, 1}, {&tour, 1}, {});
   }
 
-  /// Polishes the tours and offers every path as the best one, ties to the lower index. Of tours
-  /// that are not polished, by choice or for lack of time, the shortest is offered.
+  /// Polishes the tours and offers what comes of them as the best path.
   void offer(std::span<const Ant> ants, std::span<const Tour> tours,
              const std::function<void()>& meanwhile) {
     memory_.polisher.polish(ants, meanwhile);
-    const auto paths = memory_.polisher.paths();
-    improving_ant_ = -1;
-    int left = -1;
-    double shortest = best_length_;
-    for (int a = 0; a < static_cast<int>(ants.size()); ++a) {
-      iteration_best_ = std::fmin(iteration_best_,
-                                  std::isnan(paths[a].length) ? tours[a].length : paths[a].length);
-      if (paths[a].length < best_length_) {
-        improving_ant_ = a;
-        best_length_ = paths[a].length;
-      } else if (std::isnan(paths[a].length) && tours[a].length < shortest) {
-        left = a;
-        shortest = tours[a].length;
-      }
-    }
-    if (improving_ant_ >= 0) best_path_ = paths[improving_ant_].points;
-    if (!(shortest < best_length_)) return;
-    auto path = as_walked(tours[left]);
-    const double length = path_length(path);
-    if (!(length < best_length_)) return;  // by rounding it was
-    improving_ant_ = left;
-    best_length_ = length;
-    best_path_ = std::move(path);
-  }
-
-  std::vector<Point> as_walked(const Tour& tour) const {
-    std::vector<Point> path;
-    path.reserve(tour.moves.size() + 1);
-    along_tour(tour.moves, moves_, request_.start, [&](Cell c) { path.push_back(centre(c)); });
-    return path;
+    best_path_.offer(memory_.polisher.paths(), tours, moves_, request_.start);
   }
 
   /// Q / L on the cells under straightened paths (Fan et al. 2004, step 3).
@@ -377,7 +341,8 @@ class GridColony final : public ColonyWorld {
     Poller poller(request_.stop, Poller::kSteps);
     for (int a = 0; a < params_.ants; ++a) {
       if (!ants_[a].arrived) continue;
-      if (params_.straight_deposit == StraightDeposit::improving && a != improving_ant_) continue;
+      if (params_.straight_deposit == StraightDeposit::improving && a != best_path_.finder())
+        continue;
       const PolishedPath& path = memory_.polisher.paths()[a];
       for (const Cell c : path.raster) {
         if (poller.stop_after(kStepsADeposit)) return;
@@ -385,8 +350,6 @@ class GridColony final : public ColonyWorld {
       }
     }
   }
-
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   const Grid& grid_;
   Request request_;
@@ -406,13 +369,10 @@ class GridColony final : public ColonyWorld {
   int first_iteration_ = 0;  // of this run
   int iteration_ = 0;
   bool all_walked_ = false;
-  bool own_stop_ = false;  // the caller's update asks for the end
-  double iteration_best_ = kNaN;
-  int agreed_ = 0;                  // iterations in a row in which all ants took one way
-  double trail_level_ = 0;          // most tau on the best tour when it was last needed
-  double best_length_ = kInfinity;  // the best path so far, polished
-  std::vector<Point> best_path_;
-  int improving_ant_ = -1;  // who found it, if in this iteration
+  bool own_stop_ = false;   // the caller's update asks for the end
+  int agreed_ = 0;          // iterations in a row in which all ants took one way
+  double trail_level_ = 0;  // most tau on the best tour when it was last needed
+  BestPath best_path_;      // so far, polished
 };
 
 }  // namespace lasius

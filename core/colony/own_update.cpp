@@ -4,7 +4,6 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
@@ -39,8 +38,8 @@ void check_heuristic(std::span<const double> values, const Grid& grid, const Par
     if (each > 1 && !move_exists(grid, params.corners, cell, moves[static_cast<int>(at % each)]))
       continue;
     throw invalid_parameter(
-        "heuristic[" + std::to_string(at) + "], of cell (" + std::to_string(cell.x) + ", " +
-            std::to_string(cell.y) + "), is " + number_text(*bad),
+        "heuristic[" + std::to_string(at) + "], of cell " + pair_text(cell.x, cell.y) + ", is " +
+            number_text(*bad),
         "a value of the heuristic is 0 .. " + number_text(OwnRules::kMostHeuristic));
   }
 }

@@ -1,11 +1,11 @@
 #include "core/colony/polish.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "core/grid/move_rule.h"
 #include "lasius/path.h"
 
@@ -65,7 +65,7 @@ void Polisher::polish_ahead(std::span<const Ant> ants, int ant, int thread) {
 void Polisher::make(const Ant& ant, Scratch& scratch, PolishedPath& path) const {
   path.points.clear();
   path.raster.clear();
-  path.length = std::numeric_limits<double>::quiet_NaN();
+  path.length = kNaN;
   if (params_->polish == Polish::none || !ant.arrived) return;
   if (stop_->poll() != StopCondition::Cause::none) return;
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <queue>
 #include <tuple>
 #include <vector>
 
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "core/colony/grid_tours.h"
 #include "core/grid/move_rule.h"
 #include "core/loop/trail_rules.h"
@@ -81,7 +81,7 @@ void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell 
   if (field.tau(start, 0) >= unknown) return;
   // K falls at each move, by at least the step: the way ends at the goal. Not so beyond 2^24, where
   // a step is lost in rounding: no way then.
-  double before = std::numeric_limits<double>::infinity();
+  double before = kInfinity;
   Poller poller(stop, Poller::kSteps);
   for (Cell c = start; c != goal;) {
     if (poller.stop_after(1)) return way.clear();
@@ -89,7 +89,7 @@ void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell 
     if (!(here < before)) return way.clear();
     before = here;
     int best = 0;
-    double largest = -std::numeric_limits<double>::infinity();
+    double largest = -kInfinity;
     for (int k = 0; k < moves.count; ++k) {
       if (!field.exists(c, k)) continue;
       const double there = field.tau(c + moves[k].to, 0), step = moves[k].length;
@@ -161,7 +161,7 @@ double trail_entropy(Field& field, Trail trail, const kernels::Moves& moves, Cel
                       1.0);
     ++cells;
   }
-  return cells > 0 ? sum / cells : std::numeric_limits<double>::quiet_NaN();
+  return cells > 0 ? sum / cells : kNaN;
 }
 
 double initial_pheromone(const Params& params, double straight_distance) noexcept {

@@ -1,19 +1,13 @@
 #include "core/colony/walk_cutter.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "core/base/held_bytes.h"
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "core/grid/move_rule.h"
 
 namespace lasius {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 bool WalkCutter::collect(const kernels::Moves& moves, Cell start,
                          std::span<const std::uint8_t> tour,

@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -21,12 +19,12 @@ std::optional<std::string> fault_of(std::int64_t tick, const Rectangle& part, in
                                     int height) {
   if (tick < 0) return "tick " + std::to_string(tick) + " is negative";
   if (part.width < 1 || part.height < 1) {
-    return std::to_string(part.width) + " x " + std::to_string(part.height) + " cells are none";
+    return size_text(part.width, part.height) + " cells are none";
   }
   if (part.x < 0 || part.y < 0 || part.width > width - part.x || part.height > height - part.y) {
-    return "the " + std::to_string(part.width) + " x " + std::to_string(part.height) +
-           " cells from " + cell_name({part.x, part.y}) + " on are not all inside the map of " +
-           std::to_string(width) + " x " + std::to_string(height) + " cells";
+    return "the " + size_text(part.width, part.height) + " cells from " +
+           cell_name({part.x, part.y}) + " on are not all inside the map of " +
+           size_text(width, height) + " cells";
   }
   return std::nullopt;
 }
@@ -38,35 +36,25 @@ constexpr const char* kForms =
 class Line {
  public:
   Line(std::string_view text, std::string file, std::int64_t number)
-      : file_(std::move(file)), number_(number) {
-    constexpr std::string_view kBlanks = " \t,";
-    text = text.substr(0, text.find('#'));
-    for (auto at = text.find_first_not_of(kBlanks); at != text.npos;) {
-      const auto end = std::min(text.find_first_of(kBlanks, at), text.size());
-      words_.push_back(text.substr(at, end - at));
-      at = text.find_first_not_of(kBlanks, end);
-    }
-  }
+      : file_(std::move(file)),
+        number_(number),
+        words_(words_of(text.substr(0, text.find('#')), " \t,")) {}
 
   std::size_t size() const noexcept { return words_.size(); }
   std::string_view word(std::size_t i) const noexcept { return words_[i]; }
 
   template <class Number>
   Number number(std::size_t i, const char* what) const {
-    Number value{};
-    const std::string_view word = words_[i];
-    const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (failure != std::errc() || end != word.data() + word.size()) {
-      fail(std::string(what) + " \"" + std::string(word) + "\" is not a number that fits", kForms);
-    }
-    return value;
+    if (const auto number = number_of<Number>(words_[i])) return *number;
+    fail(std::string(what) + " \"" + std::string(words_[i]) + "\" is not a number that fits",
+         kForms);
   }
   Cell cell(std::size_t i) const { return {number<int>(i, "x"), number<int>(i + 1, "y")}; }
 
   bool blocked() const {
     static constexpr std::array<std::string_view, 2> kStates{"blocked", "free"};
     const std::string_view word = words_.back();
-    if (std::find(kStates.begin(), kStates.end(), word) == kStates.end()) {
+    if (std::ranges::find(kStates, word) == kStates.end()) {
       fail("\"" + std::string(word) + "\" is neither blocked nor free",
            did_you_mean(word, kStates));
     }

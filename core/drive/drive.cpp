@@ -32,9 +32,8 @@ using Milliseconds = std::chrono::duration<double, std::milli>;
 
 void check(const Grid& map, const Grid& truth, const DriveOptions& options) {
   if (map.width() != truth.width() || map.height() != truth.height()) {
-    throw invalid_parameter("the world is " + std::to_string(truth.width()) + " x " +
-                                std::to_string(truth.height()) + " cells, the map " +
-                                std::to_string(map.width()) + " x " + std::to_string(map.height()),
+    throw invalid_parameter("the world is " + size_text(truth.width(), truth.height()) +
+                                " cells, the map " + size_text(map.width(), map.height()),
                             "give both for the same place, in cells of the same size");
   }
   const auto above = [](double value, double least, const char* name, const char* remedy) {
@@ -304,35 +303,20 @@ class Drive {
   /// What was not seen, but is in the way, is felt.
   void bump(Cell to) {
     retreat_.clear();
-    const HeldCells wanted(robot_, to);
-    std::vector<Cell> felt;
-    const int reach = world_.growth().reach() + 1;
-    for (int y = robot_.y - reach; y <= robot_.y + reach; ++y) {
-      for (int x = robot_.x - reach; x <= robot_.x + reach; ++x) {
-        const Cell cell{x, y};
-        if (!world_.now().contains(cell) || world_.now().free(cell)) continue;
-        if (std::any_of(wanted.cells().begin(), wanted.cells().end(),
-                        [&](Cell held) { return world_.growth().blocks(held, cell); })) {
-          felt.push_back(cell);
-        }
-      }
-    }
-    learn(felt, true);
+    learn(world_.felt({robot_, to}), true);
   }
 
   void show(Found found) {
     if (!observer_) return;
-    DriveTick view;
-    view.tick = tick_;
-    view.robot = robot_;
-    view.world = &world_.now();
-    view.still = &world_.still();
-    view.robot_knows = &pilot_;
-    view.way = found == Found::way && robot_ != pilot_.goal() ? way_ : nullptr;
-    view.obstacles = world_.obstacles();
-    view.news = news_;
-    view.replanned = replanned_;
-    observer_(view);
+    observer_({.tick = tick_,
+               .robot = robot_,
+               .world = &world_.now(),
+               .still = &world_.still(),
+               .robot_knows = &pilot_,
+               .way = found == Found::way && robot_ != pilot_.goal() ? way_ : nullptr,
+               .obstacles = world_.obstacles(),
+               .news = news_,
+               .replanned = replanned_});
   }
 
   static constexpr int kPatience = 16;  // ticks without a way, then the robot moves aside

@@ -58,7 +58,7 @@ void EditedMap::set(const Rectangle& part, bool blocked, const OnChange& changed
 }
 
 void EditedMap::apply(bool blocked, const OnChange& changed) {
-  std::sort(differing_.begin(), differing_.end(), [](Cell a, Cell b) {
+  std::ranges::sort(differing_, [](Cell a, Cell b) {
     return std::tuple(part_of(a), a.y, a.x) < std::tuple(part_of(b), b.y, b.x);
   });
   differing_.erase(std::unique(differing_.begin(), differing_.end()), differing_.end());

@@ -127,9 +127,8 @@ class Navigator::Impl {
     if (graph) graph->update(map.passable(), part);
     if (colony) colony->changed(part);
     if (holds) {
-      holds = std::none_of(cells.begin(), cells.end(), [this](Cell c) {
-        return map.passable().blocked(c) ? breaks(c) : shortens(c);
-      });
+      holds = std::ranges::none_of(
+          cells, [this](Cell c) { return map.passable().blocked(c) ? breaks(c) : shortens(c); });
     }
   };
   /// Does a cell that has become blocked make the way impossible, or the fault another one?
@@ -187,7 +186,7 @@ class Navigator::Impl {
 
   const Way& step(Cell robot, const StopCondition& stop) {
     way.replanned = false;
-    const auto here = std::find(way.walk.begin(), way.walk.end(), robot);
+    const auto here = std::ranges::find(way.walk, robot);
     const bool on_way = way.path.empty() ? robot == at : here != way.walk.end();
     const bool go_on = holds && on_way;
     at = robot;

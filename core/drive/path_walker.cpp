@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <queue>
 #include <utility>
 
+#include "core/base/special_values.h"
 #include "core/grid/move_rule.h"
 #include "lasius/path.h"
 
@@ -95,7 +95,7 @@ void PathWalker::add(const Grid& grid, Cell cell) {
   if (dx < 0 || dy < 0 || dx >= kBox || dy >= kBox || grid.blocked(cell)) return;
   if (slot(cell) < 0) {
     slot(cell) = static_cast<std::int32_t>(nodes_.size());
-    nodes_.push_back({cell, std::numeric_limits<double>::infinity(), -1, false});
+    nodes_.push_back({cell, kInfinity, -1, false});
   }
   last_line_.push_back(slot(cell));
 }
@@ -165,7 +165,7 @@ void PathWalker::next(const Grid& grid, Corners corners, Cell from, std::vector<
   }
   walk.clear();
   for (std::int32_t at = end; at >= 0; at = nodes_[at].parent) walk.push_back(nodes_[at].cell);
-  std::reverse(walk.begin(), walk.end());
+  std::ranges::reverse(walk);
   for (const Node& node : nodes_) slot(node.cell) = -1;
 }
 

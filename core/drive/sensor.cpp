@@ -15,7 +15,7 @@ bool sees(const Grid& world, Cell robot, Cell cell) noexcept {
   if (world.free(cell)) return in_sight(cell);
   const std::array<Cell, 4> beside{
       {{cell.x, cell.y - 1}, {cell.x - 1, cell.y}, {cell.x + 1, cell.y}, {cell.x, cell.y + 1}}};
-  return std::any_of(beside.begin(), beside.end(), in_sight);
+  return std::ranges::any_of(beside, in_sight);
 }
 
 /// Calls visit(cell) for the cells in range whose bits word_of(word, y) has.

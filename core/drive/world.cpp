@@ -1,7 +1,6 @@
 #include "core/drive/world.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 #include "core/drive/changes_check.h"
@@ -99,7 +98,7 @@ bool World::step(Mover& mover, const HeldCells& robot) {
 }
 
 bool World::hits(const Rectangle& part, const HeldCells& robot) const noexcept {
-  return std::any_of(robot.cells().begin(), robot.cells().end(), [&](Cell held) {
+  return std::ranges::any_of(robot.cells(), [&](Cell held) {
     const Cell nearest{std::clamp(held.x, part.x, part.x + part.width - 1),
                        std::clamp(held.y, part.y, part.y + part.height - 1)};
     return map_.growth().blocks(held, nearest);
@@ -136,8 +135,18 @@ std::vector<Rectangle> World::obstacles() const {
   return there;
 }
 
+std::vector<Cell> World::felt(const HeldCells& robot) const {
+  std::vector<Cell> cells;
+  const Cell at = robot.cells().front();
+  const int reach = growth().reach() + 1, side = 2 * reach + 1;
+  for_each_cell({at.x - reach, at.y - reach, side, side}, [&](Cell cell) {
+    if (now().contains(cell) && now().blocked(cell) && hits(cell, robot)) cells.push_back(cell);
+  });
+  return cells;
+}
+
 bool World::stirs() const noexcept {
-  return std::any_of(movers_.begin(), movers_.end(), [](const Mover& m) { return m.travels(); });
+  return std::ranges::any_of(movers_, [](const Mover& m) { return m.travels(); });
 }
 
 bool World::joined(Cell from, Cell to, Corners corners, Without without) const {

@@ -51,6 +51,9 @@ class World {
   bool stirs() const noexcept;
   std::int64_t deferrals() const noexcept { return deferrals_; }
 
+  /// The blocked cells that keep the robot from what it would hold: it feels them.
+  std::vector<Cell> felt(const HeldCells& robot) const;
+
   /// Can the robot get from cell to cell as things stand? Looks at the whole map.
   enum class Without { nothing, those_that_move, all_obstacles };
   bool joined(Cell from, Cell to, Corners corners, Without without) const;

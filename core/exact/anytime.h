@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "core/base/held_bytes.h"
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "core/exact/exact.h"
 #include "core/exact/exact_answer.h"
 
@@ -56,9 +56,9 @@ class Anytime final : public Alternate {
   double owed_ = 0;
   double work_ = 0;
   bool begun_ = false, resting_ = false;
-  double traced_ = std::numeric_limits<double>::infinity();  // upper bound when last traced
+  double traced_ = kInfinity;  // upper bound when last traced
   // Of the best path of both.
-  double length_ = std::numeric_limits<double>::infinity();
+  double length_ = kInfinity;
   double bound_ = 0;
 };
 

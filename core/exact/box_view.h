@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
+#include "core/base/special_values.h"
 #include "core/exact/quadrant.h"
 #include "kernels/sight/scan_bits.h"
 
@@ -92,7 +92,6 @@ class BoxView {
   }
 
  private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   // More than what rounding takes off a column.
   static constexpr double kRounding = 1e-9;
 

@@ -8,7 +8,6 @@
 #include "core/exact/corner_sight.h"
 #include "core/exact/place_landmarks.h"
 #include "core/grid/grid_view.h"
-#include "kernels/sight/sight.h"
 
 namespace lasius::exact {
 namespace {

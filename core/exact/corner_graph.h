@@ -4,11 +4,11 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "core/base/special_values.h"
 #include "core/base/zero_array.h"
 #include "core/exact/corner_landmarks.h"
 #include "core/exact/quadrant.h"
@@ -216,7 +216,7 @@ class CornerGraph {
   std::int64_t edge_count_ = 0;
   std::int64_t edge_room_ = 0;  // of all chunks
   Landmarks landmarks_;
-  double detour_ = std::numeric_limits<double>::infinity();
+  double detour_ = kInfinity;
 };
 
 }  // namespace lasius::exact

@@ -1,9 +1,9 @@
 // The corners that are seen from a place: what a graph stores, and both ends of a query need.
 #pragma once
 
-#include <limits>
 #include <vector>
 
+#include "core/base/special_values.h"
 #include "core/exact/ellipse_limits.h"
 #include "core/exact/quadrant.h"
 #include "kernels/sight/scan_cone.h"
@@ -56,7 +56,7 @@ void view_quadrant(const kernels::BitmapView& map, const Quadrant& quadrant,
                    Sink& sink) {
   const int x = quadrant.x, y = quadrant.y;
   const kernels::ConeFrame frame = kernels::frame_at<S>(map, 2 * x, 2 * y, quadrant.down);
-  const Ellipse everything{{2 * x, 2 * y}, {2 * x, 2 * y}, std::numeric_limits<double>::infinity()};
+  const Ellipse everything{{2 * x, 2 * y}, {2 * x, 2 * y}, kInfinity};
   View<S, Sink> view{frame, everything, sink};
   if (along_line && cone.has_line()) {
     const auto report = [&](int column, bool) { sink.corner(S * column, y); };

@@ -5,9 +5,9 @@
 
 #include "core/base/held_bytes.h"
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"
-#include "lasius/path.h"
 
 namespace lasius {
 
@@ -20,8 +20,6 @@ using exact::kWordsPerExpansion;
 using exact::kWordsPerPoll;
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // W of the weighted search, but for the bounding one; the number of expansions before it first
 // runs, and its share of the expansions since.

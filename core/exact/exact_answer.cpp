@@ -8,7 +8,7 @@ void conclude(double lower, double upper, StopCondition::Cause cause, double tar
               ExactAnswer& answer) {
   const bool found = std::isfinite(upper);
   answer.cause = cause;
-  answer.length = found ? path_length(answer.path) : std::numeric_limits<double>::quiet_NaN();
+  answer.length = found ? path_length(answer.path) : kNaN;
   const bool proven = found && lower >= upper;
   answer.optimal = proven && rounding(upper) <= kRounding;
   answer.lower_bound = answer.optimal         ? answer.length

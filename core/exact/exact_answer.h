@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <vector>
 
 #include "core/base/held_bytes.h"
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "kernels/sight/sight.h"
 #include "lasius/geometry.h"
 #include "lasius/path.h"
@@ -40,7 +40,7 @@ struct ExactAnswer {
   ExactEnd end = ExactEnd::unreachable;
   StopCondition::Cause cause = StopCondition::Cause::none;
   std::vector<Point> path;  ///< start to goal; empty without one
-  double length = std::numeric_limits<double>::quiet_NaN();
+  double length = kNaN;
   /// No path is shorter; infinite where none exists. The length itself when that is proven to be
   /// the optimum, up to exact::kRounding of it; else less by exact::rounding.
   double lower_bound = 0;
@@ -105,7 +105,7 @@ class Improvements {
  public:
   void begin(const OnImproved* told) noexcept {
     told_ = told;
-    least_ = std::numeric_limits<double>::infinity();
+    least_ = kInfinity;
   }
   /// False where the search is to end. `trace(path)` makes the path of length `upper`, if finite.
   template <class Trace>

@@ -1,5 +1,4 @@
 // What an expansion sees: the cone of the root in hand, and what is done with the corners in it.
-#include <algorithm>
 #include <cmath>
 
 #include "core/exact/ellipse_limits.h"

@@ -1,7 +1,7 @@
 // Some path soon and shorter ones after it: weighted A* whose weight falls.
 #include <algorithm>
-#include <limits>
 
+#include "core/base/special_values.h"
 #include "core/exact/exact.h"
 
 namespace lasius {
@@ -58,9 +58,8 @@ bool ExactSearch::improve(std::int64_t work, Poller& poller) {
   bool more = lower_ < upper_ && !cut_;
   while (more && !poller.stopped() && work_done() < end) {
     const double before = upper_;
-    const double least = weighted_frontier_.advance(poller)
-                             ? weighted_frontier_.floor()
-                             : std::numeric_limits<double>::infinity();
+    const double least =
+        weighted_frontier_.advance(poller) ? weighted_frontier_.floor() : kInfinity;
     lower_ = std::max(lower_, std::min(least / weight_, upper_));
     if (least < upper_) {
       const std::uint32_t index = weighted_frontier_.pop();

@@ -6,6 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "core/exact/corner_graph.h"
 #include "core/exact/corner_view.h"
 #include "core/exact/mend_landmarks.h"
@@ -205,7 +206,7 @@ double measure_detour(const CornerGraph& graph) {
       if (straight >= kNear && !std::isnan(distances[i])) ratios.push_back(distances[i] / straight);
     }
   }
-  if (ratios.empty()) return std::numeric_limits<double>::infinity();
+  if (ratios.empty()) return kInfinity;
   const auto most = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() * 9 / 10);
   std::nth_element(ratios.begin(), most, ratios.end());
   return *most;

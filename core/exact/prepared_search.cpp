@@ -6,6 +6,7 @@
 
 #include "core/base/held_bytes.h"
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "core/exact/corner_view.h"
 #include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"
@@ -13,8 +14,6 @@
 namespace lasius::exact {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Work of an expansion beside its edges, in words as scans count them.
 constexpr std::int64_t kWordsPerNode = 4;

@@ -3,11 +3,11 @@
 #include <array>
 #include <string>
 
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
 #include "core/generate/generate_kinds.h"
 #include "lasius/enum_names.h"
-#include "lasius/error.h"
 
 namespace lasius {
 namespace {
@@ -46,9 +46,9 @@ std::optional<Grid> generate(MapKind kind, const GenerateOptions& options,
                              const StopCondition& stop) {
   const Kind& entry = kKinds[static_cast<std::size_t>(kind)];
   if (!(options.density <= entry.most)) {
-    throw Error(ErrorCode::invalid_parameter,
-                "the density of " + std::string(entry.name) + " is " + number_text(options.density),
-                "it is at most " + number_text(entry.most) + "; negative: the kind's own");
+    throw invalid_parameter(
+        "the density of " + std::string(entry.name) + " is " + number_text(options.density),
+        "it is at most " + number_text(entry.most) + "; negative: the kind's own");
   }
   const double density = options.density < 0 ? entry.density : options.density;
   Grid grid(options.width, options.height);
@@ -57,12 +57,6 @@ std::optional<Grid> generate(MapKind kind, const GenerateOptions& options,
              poller);
   if (poller.stopped()) return std::nullopt;
   return grid;
-}
-
-void fill_rectangle(Grid& grid, int x0, int y0, int x1, int y1, bool blocked) {
-  for (int y = y0; y < y1; ++y) {
-    for (int x = x0; x < x1; ++x) grid.set_blocked({x, y}, blocked);
-  }
 }
 
 std::uint32_t integer_sqrt(std::uint64_t n) noexcept {

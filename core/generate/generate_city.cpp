@@ -192,7 +192,7 @@ class City {
       const std::int64_t to = through.x + (middle + reach) / way.y;
       const int x0 = static_cast<int>(std::clamp<std::int64_t>(from, 0, grid.width()));
       const int x1 = static_cast<int>(std::clamp<std::int64_t>(to + 1, 0, grid.width()));
-      fill_rectangle(grid, x0, y, x1, y + 1, false);
+      grid.fill({x0, y, x1 - x0, 1}, false);
     }
   }
 

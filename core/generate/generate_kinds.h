@@ -21,9 +21,6 @@ void make_maze(Grid& grid, BlockedShare share, const MapRandom& random, Poller& 
 void make_rooms(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller);
 void make_city(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller);
 
-/// Sets or clears the cells of [x0, x1) x [y0, y1), which lies inside the grid.
-void fill_rectangle(Grid& grid, int x0, int y0, int x1, int y1, bool blocked);
-
 /// floor(sqrt(n)).
 std::uint32_t integer_sqrt(std::uint64_t n) noexcept;
 

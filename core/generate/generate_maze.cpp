@@ -114,7 +114,7 @@ class Maze {
 class RowBits {
  public:
   explicit RowBits(int words) : words_(words) {}
-  void block_all() { std::fill(words_.begin(), words_.end(), ~std::uint64_t{0}); }
+  void block_all() { std::ranges::fill(words_, ~std::uint64_t{0}); }
   void clear(int from, int to) {
     for (int x = from; x < to; ++x) words_[x >> 6] &= ~(std::uint64_t{1} << (x & 63));
   }

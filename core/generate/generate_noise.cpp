@@ -44,7 +44,7 @@ void cut_noise(Grid& grid, BlockedShare share, const MapRandom& random, Poller& 
   std::vector<std::uint64_t> words(grid.words());
   for (int y = 0; y < grid.height() && !poller.stop_after(grid.width()); ++y) {
     noise.row(y, values);
-    std::fill(words.begin(), words.end(), 0);
+    std::ranges::fill(words, 0);
     for (int x = 0; x < grid.width(); ++x) {
       words[x >> 6] |= std::uint64_t{values[x] >= threshold} << (x & 63);
     }

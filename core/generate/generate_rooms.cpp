@@ -85,11 +85,9 @@ class Rooms {
     parts[0] = parts[1] = room;
     (upright ? parts[0].x1 : parts[0].y1) = at;
     (upright ? parts[1].x0 : parts[1].y0) = at + sizes_.wall;
-    if (upright) {
-      fill_rectangle(grid_, at, room.y0, at + sizes_.wall, room.y1, true);
-    } else {
-      fill_rectangle(grid_, room.x0, at, room.x1, at + sizes_.wall, true);
-    }
+    grid_.fill(upright ? Rectangle{at, room.y0, sizes_.wall, height}
+                       : Rectangle{room.x0, at, width, sizes_.wall},
+               true);
     cut_doors(room, upright, at);
     return true;
   }
@@ -103,11 +101,9 @@ class Rooms {
       const int high = from + length * (k + 1) / doors;
       const int width = std::min(draws_.between(2, 2 + sizes_.room / 8), high - low);
       const int start = low + draws_.below(high - low - width + 1);
-      if (upright) {
-        fill_rectangle(grid_, at, start, at + sizes_.wall, start + width, false);
-      } else {
-        fill_rectangle(grid_, start, at, start + width, at + sizes_.wall, false);
-      }
+      grid_.fill(upright ? Rectangle{at, start, sizes_.wall, width}
+                         : Rectangle{start, at, width, sizes_.wall},
+                 false);
     }
   }
 

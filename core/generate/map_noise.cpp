@@ -82,7 +82,7 @@ void MapNoise::add_row(Layer& layer, int y, std::span<std::int32_t> values) cons
 }
 
 void MapNoise::row(int y, std::span<std::int32_t> values) {
-  std::fill(values.begin(), values.end(), 0);
+  std::ranges::fill(values, 0);
   for (std::uint32_t index = 0; index < layers_.size(); ++index) {
     Layer& layer = layers_[index];
     load_gradients(layer, index, y / layer.octave.pitch);

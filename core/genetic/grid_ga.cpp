@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "core/base/parallel.h"
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "core/genetic/grid_ga_memory.h"
 #include "core/loop/colony_loop.h"
 #include "core/loop/run_status.h"
@@ -16,8 +16,6 @@
 
 namespace lasius {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What random words are for, the last place of a counter; 0 belongs to the ants.
 enum class Use : std::uint32_t { newcomer = 1, tournament, crossover, mutation };
@@ -78,8 +76,7 @@ class GridGa final : public ColonyWorld {
     if (q > 0) {
       const auto best = fittest(memory_.population), heir = fittest(memory_.children);
       if (heir->length > best->length) {
-        std::swap(*std::max_element(memory_.children.begin(), memory_.children.end(), fitter),
-                  *best);
+        std::swap(*std::ranges::max_element(memory_.children, fitter), *best);
       }
     }
     memory_.population.swap(memory_.children);
@@ -122,7 +119,7 @@ class GridGa final : public ColonyWorld {
 
   static bool fitter(const Individual& a, const Individual& b) { return a.length < b.length; }
   static std::vector<Individual>::iterator fittest(std::vector<Individual>& group) {
-    return std::min_element(group.begin(), group.end(), fitter);
+    return std::ranges::min_element(group, fitter);
   }
 
   /// Makes all children over threads; `draft` leaves one's cells in the scratch, none when stopped.

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "core/base/held_bytes.h"
+#include "core/base/special_values.h"
 #include "core/genetic/grid_ga_route.h"
 #include "core/smooth/path_maker.h"
 #include "lasius/geometry.h"
@@ -15,9 +15,9 @@ namespace lasius {
 
 /// A chromosome with its path after polish. Cache lines of its own: threads make neighbours.
 struct alignas(64) Individual {
-  std::vector<Cell> cells;  // the path, start and goal included; empty when stopped
-  double tour = 0;          // its length; NaN when stopped
-  double length = std::numeric_limits<double>::infinity();  // after polish: less is fitter
+  std::vector<Cell> cells;    // the path, start and goal included; empty when stopped
+  double tour = 0;            // its length; NaN when stopped
+  double length = kInfinity;  // after polish: less is fitter
   std::vector<Point> points;
 
   std::int64_t bytes() const noexcept { return held_bytes(cells, points); }  // memory held

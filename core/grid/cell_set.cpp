@@ -1,5 +1,7 @@
 #include "core/grid/cell_set.h"
 
+#include <bit>
+
 namespace lasius {
 
 void CellSet::reset(std::size_t cells) {

@@ -1,7 +1,6 @@
 // A set of cells whose size follows the cells, not the map.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -30,7 +30,7 @@ bool measure_columns(const Grid& grid, std::vector<std::int32_t>& field, Poller&
     sweep(y, [](std::int32_t& to, std::int32_t from) { to = from; });
     if (poller.stop_after(width)) return false;
   }
-  std::fill(rows.begin(), rows.end(), 0);
+  std::ranges::fill(rows, 0);
   for (int y = grid.height() - 1; y >= 0; --y) {
     sweep(y, [](std::int32_t& to, std::int32_t from) { to = std::min(to, from); });
     if (poller.stop_after(width)) return false;

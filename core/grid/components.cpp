@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/base/held_bytes.h"
 #include "core/base/poller.h"
 #include "core/grid/components_tile.h"
 
@@ -94,7 +95,7 @@ void Components::relabel(const Grid& grid, Work& work) {
       touched.emplace_back(at.y * tiles_x_ + at.x, sides);
     });
   }
-  std::sort(touched.begin(), touched.end());
+  std::ranges::sort(touched);
   const auto is_stale = [&](Cell tile) {
     if (tile.x < 0 || tile.y < 0 || tile.x >= tiles_x_ || tile.y >= tiles_y_) return;
     work.stale.push_back(tile.y / 2 * columns(0) + tile.x / 2);
@@ -136,7 +137,7 @@ void Components::rejoin(const Grid& grid, std::size_t level, Work& work) {
   const bool eight = connectivity_ == Connectivity::eight;
   std::vector<std::uint32_t> stale;
   stale.swap(work.stale);
-  std::sort(stale.begin(), stale.end());
+  std::ranges::sort(stale);
   stale.erase(std::unique(stale.begin(), stale.end()), stale.end());
   for (const std::uint32_t index : stale) {
     if (work.poller.stopped()) return;
@@ -260,17 +261,12 @@ std::optional<Components> Components::updated(const Grid& edited, std::span<cons
 }
 
 std::int64_t Components::bytes() const noexcept {
-  auto sum = static_cast<std::int64_t>(sizeof *this + tiles_.capacity() * sizeof(Tile) +
-                                       blocks_.capacity() * sizeof(std::vector<Block>) +
-                                       pending_.capacity() * sizeof(Rectangle));
-  const auto held = [](const auto& values) {
-    return static_cast<std::int64_t>(values.capacity() * sizeof values[0]);
-  };
-  for (const Tile& tile : tiles_) sum += held(tile.marks) + held(tile.up);
+  std::int64_t sum = sizeof *this + held_bytes(tiles_, blocks_, pending_);
+  for (const Tile& tile : tiles_) sum += held_bytes(tile.marks, tile.up);
   for (const auto& level : blocks_) {
-    sum += held(level);
+    sum += held_bytes(level);
     for (const Block& block : level) {
-      sum += held(block.up);
+      sum += held_bytes(block.up);
       for (const Side& side : block.outline.sides) sum += side.bytes();
     }
   }

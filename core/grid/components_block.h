@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/held_bytes.h"
+
 namespace lasius {
 
 /// A component's place among those of its tile or block.
@@ -47,9 +49,7 @@ class Side {
     int left_ = 0;
   };
 
-  std::int64_t bytes() const noexcept {
-    return static_cast<std::int64_t>(codes_.capacity() * sizeof codes_[0]);
-  }
+  std::int64_t bytes() const noexcept { return held_bytes(codes_); }
   friend bool operator==(const Side&, const Side&) = default;
 
  private:

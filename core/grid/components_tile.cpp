@@ -45,6 +45,106 @@ void for_each_contact(const Row& own, const Row& facing, bool eight, const Visit
   }
 }
 
+// The run of free cells around column x.
+struct Run {
+  int lo;
+  int hi;
+};
+Run run_around(const Row& free, int x) noexcept {
+  int word = x >> 6;
+  std::uint64_t blocked = ~free[word] & (~std::uint64_t{0} >> (63 - (x & 63)));
+  while (blocked == 0 && word > 0) blocked = ~free[--word];
+  const int lo = blocked == 0 ? 0 : word * 64 + 64 - std::countl_zero(blocked);
+  word = x >> 6;
+  blocked = ~free[word] & (~std::uint64_t{0} << (x & 63));
+  while (blocked == 0 && word < kWords - 1) blocked = ~free[++word];
+  return {lo, word * 64 + std::countr_zero(blocked) - 1};
+}
+
+void set_run(Row& row, Run run) noexcept {
+  for (int i = run.lo >> 6; i <= run.hi >> 6; ++i) {
+    const int lo = std::max(run.lo - i * 64, 0);
+    const int hi = std::min(run.hi - i * 64, 63);
+    row[i] |= (~std::uint64_t{0} >> (63 - (hi - lo))) << lo;
+  }
+}
+
+// The next row to look at: on in the same direction, else in the other one; -1 if there is none.
+int next_row(const Row& rows, int at, bool& down) noexcept {
+  for (int turn = 0; turn < 2; ++turn, down = !down) {
+    int word = at >> 6;
+    std::uint64_t bits = rows[word] & (down ? ~std::uint64_t{0} << (at & 63)
+                                            : ~std::uint64_t{0} >> (63 - (at & 63)));
+    while (bits == 0 && (down ? ++word < kWords : --word >= 0)) bits = rows[word];
+    if (bits != 0) {
+      return word * 64 + (down ? std::countr_zero(bits) : 63 - std::countl_zero(bits));
+    }
+  }
+  return -1;
+}
+
+class Flood {
+ public:
+  Flood(const Grid& grid, const TileBox& box, bool eight, Cell other) noexcept
+      : grid_(grid), box_(box), eight_(eight), other_{other.x - box.x, other.y - box.y} {}
+
+  FloodEnd run(Cell from) noexcept {
+    int row = from.y - box_.y;
+    Row free = box_.free_row(grid_, row);
+    if (reach(row, run_around(free, from.x - box_.x))) return end_;
+    bool down = true;
+    while ((row = next_row(waiting_, row, down)) >= 0) {
+      waiting_[row >> 6] &= ~(std::uint64_t{1} << (row & 63));
+      free = box_.free_row(grid_, row);
+      for (int i = 0; i < kWords; ++i) {
+        std::uint64_t seeds;
+        while ((seeds = touched(row, i) & free[i] & ~reached_[row + 1][i]) != 0) {
+          if (reach(row, run_around(free, i * 64 + std::countr_zero(seeds)))) return end_;
+        }
+      }
+    }
+    return end_;
+  }
+
+ private:
+  // Cells of a word that lie beside reached ones of the rows above and below.
+  std::uint64_t touched(int row, int i) const noexcept {
+    const Row& above = reached_[row];
+    const Row& below = reached_[row + 2];
+    const std::uint64_t here = above[i] | below[i];
+    if (!eight_) return here;
+    const std::uint64_t left = i == 0 ? 0 : above[i - 1] | below[i - 1];
+    const std::uint64_t right = i == kWords - 1 ? 0 : above[i + 1] | below[i + 1];
+    return here | here << 1 | left >> 63 | here >> 1 | right << 63;
+  }
+
+  // True when the flood ends with this run.
+  bool reach(int row, Run run) noexcept {
+    set_run(reached_[row + 1], run);
+    if (row == other_.y && run.lo <= other_.x && other_.x <= run.hi) {
+      end_.met = FloodEnd::Met::other;
+      return true;
+    }
+    const int column = run.lo == 0 || row == 0 || row == box_.height - 1 ? run.lo : run.hi;
+    if (run.lo == 0 || run.hi == box_.width - 1 || row == 0 || row == box_.height - 1) {
+      end_ = {FloodEnd::Met::border, box_.border_position(column, row)};
+      return true;
+    }
+    for (const int next : {row - 1, row + 1}) {
+      waiting_[next >> 6] |= std::uint64_t{1} << (next & 63);
+    }
+    return false;
+  }
+
+  const Grid& grid_;
+  const TileBox& box_;
+  bool eight_;
+  Cell other_;
+  FloodEnd end_{FloodEnd::Met::nothing, 0};
+  Row waiting_{};
+  std::array<Row, kSide + 2> reached_{};  // a row of none on either side
+};
+
 }  // namespace
 
 TileBox TileBox::at(const Grid& grid, int tile_x, int tile_y) noexcept {
@@ -77,7 +177,7 @@ Border border_of(const Grid& grid, const TileBox& box) noexcept {
     border[position >> 6] |= std::uint64_t{1} << (position & 63);
   };
   const Row top = box.free_row(grid, 0);
-  std::copy(top.begin(), top.end(), border.begin());
+  std::ranges::copy(top, border.begin());
   const int right = box.width - 1;
   for (int y = 1; y < box.height; ++y) {
     const std::uint64_t* words = grid.row(box.y + y) + box.x / 64;
@@ -234,110 +334,6 @@ void TileLabels::mark_border(const TileBox& box) {
   for (int i = 0; i < count; ++i) border_components_ += mark_new(i, kFirstRun);
   for (int i = count - 1; i >= 0; --i) mark_new(i, kLastRun);
 }
-
-namespace {
-
-// The run of free cells around column x.
-struct Run {
-  int lo;
-  int hi;
-};
-Run run_around(const Row& free, int x) noexcept {
-  int word = x >> 6;
-  std::uint64_t blocked = ~free[word] & (~std::uint64_t{0} >> (63 - (x & 63)));
-  while (blocked == 0 && word > 0) blocked = ~free[--word];
-  const int lo = blocked == 0 ? 0 : word * 64 + 64 - std::countl_zero(blocked);
-  word = x >> 6;
-  blocked = ~free[word] & (~std::uint64_t{0} << (x & 63));
-  while (blocked == 0 && word < kWords - 1) blocked = ~free[++word];
-  return {lo, word * 64 + std::countr_zero(blocked) - 1};
-}
-
-void set_run(Row& row, Run run) noexcept {
-  for (int i = run.lo >> 6; i <= run.hi >> 6; ++i) {
-    const int lo = std::max(run.lo - i * 64, 0);
-    const int hi = std::min(run.hi - i * 64, 63);
-    row[i] |= (~std::uint64_t{0} >> (63 - (hi - lo))) << lo;
-  }
-}
-
-// The next row to look at: on in the same direction, else in the other one; -1 if there is none.
-int next_row(const Row& rows, int at, bool& down) noexcept {
-  for (int turn = 0; turn < 2; ++turn, down = !down) {
-    int word = at >> 6;
-    std::uint64_t bits = rows[word] & (down ? ~std::uint64_t{0} << (at & 63)
-                                            : ~std::uint64_t{0} >> (63 - (at & 63)));
-    while (bits == 0 && (down ? ++word < kWords : --word >= 0)) bits = rows[word];
-    if (bits != 0) {
-      return word * 64 + (down ? std::countr_zero(bits) : 63 - std::countl_zero(bits));
-    }
-  }
-  return -1;
-}
-
-class Flood {
- public:
-  Flood(const Grid& grid, const TileBox& box, bool eight, Cell other) noexcept
-      : grid_(grid), box_(box), eight_(eight), other_{other.x - box.x, other.y - box.y} {}
-
-  FloodEnd run(Cell from) noexcept {
-    int row = from.y - box_.y;
-    Row free = box_.free_row(grid_, row);
-    if (reach(row, run_around(free, from.x - box_.x))) return end_;
-    bool down = true;
-    while ((row = next_row(waiting_, row, down)) >= 0) {
-      waiting_[row >> 6] &= ~(std::uint64_t{1} << (row & 63));
-      free = box_.free_row(grid_, row);
-      for (int i = 0; i < kWords; ++i) {
-        std::uint64_t seeds;
-        while ((seeds = touched(row, i) & free[i] & ~reached_[row + 1][i]) != 0) {
-          if (reach(row, run_around(free, i * 64 + std::countr_zero(seeds)))) return end_;
-        }
-      }
-    }
-    return end_;
-  }
-
- private:
-  // Cells of a word that lie beside reached ones of the rows above and below.
-  std::uint64_t touched(int row, int i) const noexcept {
-    const Row& above = reached_[row];
-    const Row& below = reached_[row + 2];
-    const std::uint64_t here = above[i] | below[i];
-    if (!eight_) return here;
-    const std::uint64_t left = i == 0 ? 0 : above[i - 1] | below[i - 1];
-    const std::uint64_t right = i == kWords - 1 ? 0 : above[i + 1] | below[i + 1];
-    return here | here << 1 | left >> 63 | here >> 1 | right << 63;
-  }
-
-  // True when the flood ends with this run.
-  bool reach(int row, Run run) noexcept {
-    set_run(reached_[row + 1], run);
-    if (row == other_.y && run.lo <= other_.x && other_.x <= run.hi) {
-      end_.met = FloodEnd::Met::other;
-      return true;
-    }
-    const int column = run.lo == 0 || row == 0 || row == box_.height - 1 ? run.lo : run.hi;
-    if (run.lo == 0 || run.hi == box_.width - 1 || row == 0 || row == box_.height - 1) {
-      end_ = {FloodEnd::Met::border, box_.border_position(column, row)};
-      return true;
-    }
-    for (const int next : {row - 1, row + 1}) {
-      waiting_[next >> 6] |= std::uint64_t{1} << (next & 63);
-    }
-    return false;
-  }
-
-  const Grid& grid_;
-  const TileBox& box_;
-  bool eight_;
-  Cell other_;
-  FloodEnd end_{FloodEnd::Met::nothing, 0};
-  Row waiting_{};
-  std::array<Row, kSide + 2> reached_{};  // a row of none on either side
-};
-
-}  // namespace
 
 FloodEnd flood(const Grid& grid, const TileBox& box, bool eight, Cell from, Cell other) noexcept {
   return Flood(grid, box, eight, other).run(from);

@@ -6,15 +6,16 @@
 #include <string>
 #include <utility>
 
-#include "lasius/error.h"
+#include "core/base/invalid_parameter.h"
+#include "core/base/number_text.h"
 
 namespace lasius {
 namespace {
 
 int checked_side(const char* name, int side) {
   if (side >= 1 && side <= Grid::kMaxSide) return side;
-  throw Error(ErrorCode::invalid_parameter, std::string(name) + " is " + std::to_string(side),
-              "it must be 1 to " + std::to_string(Grid::kMaxSide));
+  throw invalid_parameter(std::string(name) + " is " + std::to_string(side),
+                          "it must be 1 to " + std::to_string(Grid::kMaxSide));
 }
 
 // Bits of the last word of a row that lie past the width.
@@ -27,10 +28,9 @@ std::uint64_t past_width(int width) noexcept {
 void check_bytes(std::size_t count, int width, int height) {
   const auto needed = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   if (count == needed) return;
-  throw Error(ErrorCode::invalid_parameter,
-              std::to_string(count) + " bytes are given for " + std::to_string(width) + " x " +
-                  std::to_string(height) + " cells",
-              "give " + std::to_string(needed) + ", one a cell, row by row");
+  throw invalid_parameter(
+      std::to_string(count) + " bytes are given for " + size_text(width, height) + " cells",
+      "give " + std::to_string(needed) + ", one a cell, row by row");
 }
 
 /// Eight bytes as eight bits, the first one lowest; set where the byte is not 0.
@@ -103,11 +103,9 @@ void Grid::check_inside(const Rectangle& part) const {
   const bool inside = part.x >= 0 && part.y >= 0 && part.width >= 0 && part.height >= 0 &&
                       part.width <= width_ - part.x && part.height <= height_ - part.y;
   if (inside) return;
-  throw Error(ErrorCode::invalid_parameter,
-              "the rectangle of " + std::to_string(part.width) + " x " +
-                  std::to_string(part.height) + " cells at (" + std::to_string(part.x) + ", " +
-                  std::to_string(part.y) + ") is not inside the map",
-              "the map is " + std::to_string(width_) + " x " + std::to_string(height_) + " cells");
+  throw invalid_parameter("the rectangle of " + size_text(part.width, part.height) + " cells at " +
+                              pair_text(part.x, part.y) + " is not inside the map",
+                          "the map is " + size_text(width_, height_) + " cells");
 }
 
 void Grid::fill(const Rectangle& part, bool blocked) {

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
 #include "lasius/clearance.h"
-#include "lasius/error.h"
 
 namespace lasius {
 namespace {
@@ -80,8 +80,7 @@ class NearestRows {
 // With distances as in clearance.h, (2 columns - 1)^2 + (2 rows - 1)^2 <= 4 radius^2.
 Growth::Growth(const Grid& grid, double radius) {
   if (!(radius >= 0 && std::isfinite(radius))) {
-    throw Error(ErrorCode::invalid_parameter, "radius is " + number_text(radius),
-                "it must be 0 or more cells");
+    throw invalid_parameter("radius is " + number_text(radius), "it must be 0 or more cells");
   }
   // Past the longest side everything is blocked, and nothing overflows.
   const double reach = std::min(radius, static_cast<double>(Grid::kMaxSide));
@@ -119,7 +118,7 @@ std::optional<Grid> grow_obstacles(const Grid& grid, double radius, const StopCo
   std::optional<Grid> grown(std::in_place, width, grid.height());
   for (int y = 0; y < grid.height(); ++y) {
     if (!nearest.advance(y)) return std::nullopt;
-    std::fill(words.begin(), words.end(), 0);
+    std::ranges::fill(words, 0);
     int covered_to = -1 + spans[0];  // by the outside, and by the columns passed
     for (int x = 0; x < width; ++x) {
       const int rows = nearest.distance(x);

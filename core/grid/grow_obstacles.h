@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <vector>
 
-#include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"

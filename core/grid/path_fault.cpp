@@ -15,10 +15,6 @@ namespace {
 using kernels::BitmapView;
 using kernels::HalfPoint;
 
-template <class Number>
-std::string pair_text(Number x, Number y) {
-  return '(' + number_text(x) + ", " + number_text(y) + ')';
-}
 std::string text(HalfPoint p) { return pair_text(p.x / 2.0, p.y / 2.0); }
 std::string text(Cell c) { return pair_text(c.x, c.y); }
 
@@ -69,18 +65,15 @@ std::string cells_fault(const BitmapView& map, HalfPoint a, HalfPoint b, bool sq
   const Span rows = a.y == b.y ? Span{a.y >> 1, a.y >> 1, 1} : span_of(a.y, b.y);
   const int step_x = dx < 0 ? -1 : 1;
   // Column of the first cell entered after (ahead), or the last before (behind), the height y.
-  const auto ahead = [&](int y) {
-    if (dy == 0) return span_of(a.x, b.x).first;
+  const auto column = [&](int y, bool ahead) {
+    if (dy == 0) return ahead ? span_of(a.x, b.x).first : span_of(a.x, b.x).last;
     const std::int64_t n = (a.x * dy + dx * (y - a.y)) * sign(static_cast<int>(dy));
     const std::int64_t d = 2 * std::abs(dy);
-    return static_cast<int>(step_x > 0 ? floor_div(n, d) : floor_div(n + d - 1, d) - 1);
+    const bool right = ahead == (step_x > 0);  // of where it crosses the height
+    return static_cast<int>(right ? floor_div(n, d) : floor_div(n + d - 1, d) - 1);
   };
-  const auto behind = [&](int y) {
-    if (dy == 0) return span_of(a.x, b.x).last;
-    const std::int64_t n = (a.x * dy + dx * (y - a.y)) * sign(static_cast<int>(dy));
-    const std::int64_t d = 2 * std::abs(dy);
-    return static_cast<int>(step_x > 0 ? floor_div(n + d - 1, d) - 1 : floor_div(n, d));
-  };
+  const auto ahead = [&](int y) { return column(y, true); };
+  const auto behind = [&](int y) { return column(y, false); };
   for (int row = rows.first;; row += rows.step) {
     const int enter = row == rows.first ? a.y : 2 * row + (rows.step > 0 ? 0 : 2);
     const int leave = row == rows.last ? b.y : 2 * row + (rows.step > 0 ? 2 : 0);

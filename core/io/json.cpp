@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 #include <utility>
 
+#include "core/base/special_values.h"
 #include "core/io/json_values.h"
 #include "lasius/error.h"
 #include "lasius/io_json.h"
@@ -71,8 +71,7 @@ std::vector<double> curve(const Json& object, const std::string& key) {
   for (const Json& value : member<std::vector<Json>>(object, key)) {
     if (!value.is_null() && !value.is_number())
       throw broken("holds \"" + key + "\": " + json::dumped(value));
-    values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN()
-                                     : value.get<double>());
+    values.push_back(value.is_null() ? kNaN : value.get<double>());
   }
   return values;
 }

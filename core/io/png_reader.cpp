@@ -27,7 +27,24 @@ class PngReader {
   PngReader& operator=(const PngReader&) = delete;
   ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
-  Grid read();
+  Grid read() {
+    if (info_ == nullptr) throw std::bad_alloc();
+    read_header();
+    Grid grid(width_, height_);
+    if (!interlaced_) {
+      read_pass({width_, height_, 0, 0, 1, 1}, grid);
+    } else {
+      // Adam7 without libpng's help: a pass is a small image whose pixels lie apart.
+      for (int k = 0; k < PNG_INTERLACE_ADAM7_PASSES; ++k) {
+        const Pass pass{PNG_PASS_COLS(width_, k), PNG_PASS_ROWS(height_, k),
+                        PNG_PASS_START_COL(k),    PNG_PASS_START_ROW(k),
+                        PNG_PASS_COL_OFFSET(k),   PNG_PASS_ROW_OFFSET(k)};
+        if (pass.columns > 0) read_pass(pass, grid);
+      }
+    }
+    guarded([this] { png_read_end(png_, nullptr); });
+    return grid;
+  }
 
  private:
   struct Pass {
@@ -55,11 +72,102 @@ class PngReader {
                        "get the whole file, or save the image again");
   }
 
-  void read_header();
-  void read_palette();
-  void read_pass(const Pass& pass, Grid& grid);
-  const png_byte* pixel(int column) const;
-  bool pixel_blocked(const png_byte* pixel) const noexcept;
+  void read_header() {
+    guarded([this] {
+      png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+      // All chunks that pixels do not need are skipped: the shortest text may claim 2 GB.
+      png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+      png_set_read_fn(png_, this, on_read);
+      png_read_info(png_, info_);
+    });
+    constexpr std::int64_t kSizeOffset = 16;  // of IHDR, always the first chunk
+    const SizePlace place{-1, kSizeOffset};
+    const std::int64_t width = png_get_image_width(png_, info_);
+    const std::int64_t height = png_get_image_height(png_, info_);
+    check_map_size(in_, place, width, height);
+    const auto stored_row = static_cast<std::int64_t>(png_get_rowbytes(png_, info_));
+    check_bytes_left(in_, place, width, height, stored_row * height / kMostDeflate);
+
+    indexed_ = png_get_color_type(png_, info_) == PNG_COLOR_TYPE_PALETTE;
+    guarded([this] {
+      if (indexed_) {
+        png_set_packing(png_);
+      } else {
+        png_set_expand(png_);
+      }
+      png_read_update_info(png_, info_);
+    });
+    if (indexed_) read_palette();
+    width_ = static_cast<int>(width);
+    height_ = static_cast<int>(height);
+    interlaced_ = png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE;
+    depth_ = png_get_bit_depth(png_, info_) / 8;
+    channels_ = indexed_ ? 4 : png_get_channels(png_, info_);
+    white_ = depth_ == 1 ? 255 : 65535;
+    blocked_ = rule_.table(white_);
+    row_.resize(png_get_rowbytes(png_, info_));
+  }
+
+  // libpng's own expansion takes an index beyond the palette for black.
+  void read_palette() {
+    png_colorp colours = nullptr;
+    png_bytep alphas = nullptr;
+    int count = 0;
+    int alpha_count = 0;
+    png_get_PLTE(png_, info_, &colours, &count);
+    png_get_tRNS(png_, info_, &alphas, &alpha_count, nullptr);
+    for (int i = 0; i < count; ++i) {
+      const png_byte alpha = i < alpha_count ? alphas[i] : 255;
+      palette_.insert(palette_.end(), {colours[i].red, colours[i].green, colours[i].blue, alpha});
+    }
+  }
+
+  void read_pass(const Pass& pass, Grid& grid) {
+    for (int j = 0; j < pass.rows; ++j) {
+      guarded([this] { png_read_row(png_, row_.data(), nullptr); });
+      const int y = pass.y + j * pass.step_y;
+      for (int i = 0; i < pass.columns; ++i) {
+        if (pixel_blocked(pixel(i))) {
+          grid.set_blocked({pass.x + i * pass.step_x, y});
+        }
+      }
+    }
+  }
+
+  const png_byte* pixel(int column) const {
+    if (!indexed_) return row_.data() + std::ptrdiff_t{column} * channels_ * depth_;
+    const std::size_t index = row_[column];
+    if (4 * index >= palette_.size()) {
+      in_.fail_at_offset(in_.offset(),
+                         "broken PNG: a pixel has colour " + std::to_string(index) +
+                             " of a palette that has " + std::to_string(palette_.size() / 4),
+                         "save the image again");
+    }
+    return palette_.data() + 4 * index;
+  }
+
+  bool pixel_blocked(const png_byte* pixel) const noexcept {
+    const auto sample = [&](std::ptrdiff_t i) noexcept -> std::int64_t {
+      return depth_ == 1 ? pixel[i] : pixel[2 * i] << 8 | pixel[2 * i + 1];
+    };
+    const std::int64_t white = white_;
+    std::int64_t level = sample(0);
+    if (channels_ >= 3) {
+      level = (2126 * level + 7152 * sample(1) + 722 * sample(2) + 5000) / 10000;
+    }
+    if (channels_ % 2 == 0) {
+      const std::int64_t alpha = sample(channels_ - 1);
+      if (alpha < white) {
+        using Transparent = PixelRule::Transparent;
+        if (rule_.transparent == Transparent::blocked) return true;
+        if (rule_.transparent == Transparent::free) return false;
+        if (rule_.transparent == Transparent::on_white) {
+          level = (level * alpha + white * (white - alpha) + white / 2) / white;
+        }
+      }
+    }
+    return blocked_[level] != 0;
+  }
 
   ByteReader& in_;
   const PixelRule& rule_;
@@ -79,121 +187,6 @@ class PngReader {
   std::vector<png_byte> palette_;      // RGBA, where pixels are its indices
   std::vector<png_byte> row_;
 };
-
-void PngReader::read_header() {
-  guarded([this] {
-    png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-    // All chunks that pixels do not need are skipped: the shortest text may claim 2 GB.
-    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
-    png_set_read_fn(png_, this, on_read);
-    png_read_info(png_, info_);
-  });
-  constexpr std::int64_t kSizeOffset = 16;  // of IHDR, always the first chunk
-  const SizePlace place{-1, kSizeOffset};
-  const std::int64_t width = png_get_image_width(png_, info_);
-  const std::int64_t height = png_get_image_height(png_, info_);
-  check_map_size(in_, place, width, height);
-  const auto stored_row = static_cast<std::int64_t>(png_get_rowbytes(png_, info_));
-  check_bytes_left(in_, place, width, height, stored_row * height / kMostDeflate);
-
-  indexed_ = png_get_color_type(png_, info_) == PNG_COLOR_TYPE_PALETTE;
-  guarded([this] {
-    if (indexed_) {
-      png_set_packing(png_);
-    } else {
-      png_set_expand(png_);
-    }
-    png_read_update_info(png_, info_);
-  });
-  if (indexed_) read_palette();
-  width_ = static_cast<int>(width);
-  height_ = static_cast<int>(height);
-  interlaced_ = png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE;
-  depth_ = png_get_bit_depth(png_, info_) / 8;
-  channels_ = indexed_ ? 4 : png_get_channels(png_, info_);
-  white_ = depth_ == 1 ? 255 : 65535;
-  blocked_ = rule_.table(white_);
-  row_.resize(png_get_rowbytes(png_, info_));
-}
-
-// libpng's own expansion takes an index beyond the palette for black.
-void PngReader::read_palette() {
-  png_colorp colours = nullptr;
-  png_bytep alphas = nullptr;
-  int count = 0;
-  int alpha_count = 0;
-  png_get_PLTE(png_, info_, &colours, &count);
-  png_get_tRNS(png_, info_, &alphas, &alpha_count, nullptr);
-  for (int i = 0; i < count; ++i) {
-    const png_byte alpha = i < alpha_count ? alphas[i] : 255;
-    palette_.insert(palette_.end(), {colours[i].red, colours[i].green, colours[i].blue, alpha});
-  }
-}
-
-const png_byte* PngReader::pixel(int column) const {
-  if (!indexed_) return row_.data() + std::ptrdiff_t{column} * channels_ * depth_;
-  const std::size_t index = row_[column];
-  if (4 * index >= palette_.size()) {
-    in_.fail_at_offset(in_.offset(),
-                       "broken PNG: a pixel has colour " + std::to_string(index) +
-                           " of a palette that has " + std::to_string(palette_.size() / 4),
-                       "save the image again");
-  }
-  return palette_.data() + 4 * index;
-}
-
-bool PngReader::pixel_blocked(const png_byte* pixel) const noexcept {
-  const auto sample = [&](std::ptrdiff_t i) noexcept -> std::int64_t {
-    return depth_ == 1 ? pixel[i] : pixel[2 * i] << 8 | pixel[2 * i + 1];
-  };
-  const std::int64_t white = white_;
-  std::int64_t level = sample(0);
-  if (channels_ >= 3) {
-    level = (2126 * level + 7152 * sample(1) + 722 * sample(2) + 5000) / 10000;
-  }
-  if (channels_ % 2 == 0) {
-    const std::int64_t alpha = sample(channels_ - 1);
-    if (alpha < white) {
-      using Transparent = PixelRule::Transparent;
-      if (rule_.transparent == Transparent::blocked) return true;
-      if (rule_.transparent == Transparent::free) return false;
-      if (rule_.transparent == Transparent::on_white) {
-        level = (level * alpha + white * (white - alpha) + white / 2) / white;
-      }
-    }
-  }
-  return blocked_[level] != 0;
-}
-
-void PngReader::read_pass(const Pass& pass, Grid& grid) {
-  for (int j = 0; j < pass.rows; ++j) {
-    guarded([this] { png_read_row(png_, row_.data(), nullptr); });
-    const int y = pass.y + j * pass.step_y;
-    for (int i = 0; i < pass.columns; ++i) {
-      if (pixel_blocked(pixel(i))) {
-        grid.set_blocked({pass.x + i * pass.step_x, y});
-      }
-    }
-  }
-}
-
-Grid PngReader::read() {
-  if (info_ == nullptr) throw std::bad_alloc();
-  read_header();
-  Grid grid(width_, height_);
-  if (!interlaced_) {
-    read_pass({width_, height_, 0, 0, 1, 1}, grid);
-  } else {
-    // Adam7 without libpng's help: a pass is a small image whose pixels lie apart.
-    for (int k = 0; k < PNG_INTERLACE_ADAM7_PASSES; ++k) {
-      const Pass pass{PNG_PASS_COLS(width_, k), PNG_PASS_ROWS(height_, k), PNG_PASS_START_COL(k),
-                      PNG_PASS_START_ROW(k),    PNG_PASS_COL_OFFSET(k),    PNG_PASS_ROW_OFFSET(k)};
-      if (pass.columns > 0) read_pass(pass, grid);
-    }
-  }
-  guarded([this] { png_read_end(png_, nullptr); });
-  return grid;
-}
 
 }  // namespace
 

@@ -154,7 +154,7 @@ struct LASIUS_ARM_EXPORT Goal {
   JointVector values;                      ///< of the joints
 };
 
-/// One question.
+/// What is asked of the planner.
 struct Request {
   JointVector start;        ///< a value for each joint
   std::vector<Goal> goals;  ///< any one of them is to be reached; at least one
@@ -244,7 +244,7 @@ LASIUS_ARM_EXPORT Result lazy_lattice_way(const Robot& robot, const Sensor& sens
 
 /// The way of the tip that keeps nearest to the straight line: Status::solved with its `length`
 /// where it is open, Status::no_path where something is in the way, or as `plan`. Likewise a
-/// measure: of how hard a question is.
+/// measure: of how hard a request is.
 LASIUS_ARM_EXPORT Result straight_lattice_way(const Robot& robot, const Sensor& sensor,
                                               const Request& request,
                                               const Params& parameters = {});

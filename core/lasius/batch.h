@@ -1,4 +1,4 @@
-// Many questions on one map, planned side by side and answered in order.
+// Many requests on one map, planned side by side and answered in order.
 #pragma once
 
 #include <chrono>

@@ -94,7 +94,7 @@ class LASIUS_EXPORT Planner {
   /// one.
   std::optional<Cell> nearest_free(Cell c) const;
 
-  /// Answers one question.
+  /// Answers one request.
   /// Deterministic in (grid, request, params); threads and CPU never change the answer, a deadline
   /// or token may. An unreachable goal is proven before any search.
   /// `observer` is called as Progress says, and may stop the run.

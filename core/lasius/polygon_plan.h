@@ -148,7 +148,7 @@ struct Maklink {
   std::vector<Polygon> free_space;             ///< what was cut up, see Planner::free_space
 };
 
-/// One question.
+/// What is asked of the planner.
 struct Request {
   std::optional<Point> start = {};  ///< in place of the world's
   std::optional<Point> goal = {};   ///< in place of the world's
@@ -233,7 +233,7 @@ class LASIUS_POLYGON_EXPORT Planner {
   /// The point of free space nearest to `p`.
   Point nearest_free(Point p) const;
 
-  /// Answers one question. Deterministic in (world, request, parameters) and the version of GEOS;
+  /// Answers one request. Deterministic in (world, request, parameters) and the version of GEOS;
   /// a deadline or token may change the answer. An unreachable goal is proven first.
   /// @throws Error(invalid_parameter) for parameters or a target gap out of range, or without start
   /// or goal; what the observer throws. Start or goal outside or blocked is an answer:

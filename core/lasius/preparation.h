@@ -1,4 +1,4 @@
-// To prepare a map: to make its visibility graph before the first question to `exact`.
+// To prepare a map: to make its visibility graph before the first request to `exact`.
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,7 @@
 
 namespace lasius {
 
-/// One question.
+/// What is asked of a planner.
 struct Request {
   Cell start;               ///< the path begins at its centre
   Cell goal;                ///< and ends at the centre of this one

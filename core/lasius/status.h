@@ -10,7 +10,7 @@ namespace lasius {
 /// How a plan ended: outcomes, not errors.
 enum class Status {
   solved,       ///< the algorithm ended by its own rule, with a path
-  limit,        ///< the deadline ended it; the best path so far, if any
+  limit,        ///< a deadline, or a limit of questions or ticks, ended it; the best so far
   interrupted,  ///< the stop token or an observer ended it; the best path so far, if any
   unreachable,  ///< proven: no path exists
   no_path,      ///< its iterations ended without a path
@@ -19,7 +19,7 @@ enum class Status {
 /// The name, as in "no_path".
 LASIUS_EXPORT std::string_view to_string(Status status) noexcept;
 
-/// Why a question is invalid or its goal unreachable.
+/// Why a request is invalid or its goal unreachable.
 enum class Fault {
   none,
   start_outside,  ///< of the map, the boundary or the joint limits

@@ -2,17 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 
+#include "core/base/special_values.h"
 #include "lasius/export.h"
 #include "lasius/search_result.h"
 #include "lasius/stop.h"
 
 namespace lasius {
-
-/// The length of what is not there.
-inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A world as the loop sees it: where ants walk, what a tour is, what carries pheromone.
 class ColonyWorld {

@@ -40,7 +40,7 @@ std::span<const int> ranked(const Tours& tours) {
   for (int a = 0; a < static_cast<int>(tours.ants.size()); ++a) {
     if (arrived(tours.ants[a])) order.push_back(a);
   }
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
+  std::ranges::sort(order, [&](int a, int b) {
     const double la = tours.ants[a].length, lb = tours.ants[b].length;
     return la != lb ? la < lb : a < b;
   });

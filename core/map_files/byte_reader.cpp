@@ -45,17 +45,6 @@ std::int64_t size_of(const std::string& path) {
 ByteReader::ByteReader(std::istream& in, std::string name, std::int64_t size)
     : in_(&in), name_(std::move(name)), size_(size), buffer_(kBuffer) {}
 
-bool ByteReader::fill() {
-  before_ += static_cast<std::int64_t>(end_);
-  at_ = end_ = 0;
-  if (in_->good()) {
-    in_->read(buffer_.data(), kBuffer);
-    end_ = static_cast<std::size_t>(in_->gcount());
-  }
-  if (in_->bad()) fail_at_offset(offset(), "reading failed", "check the disk");
-  return end_ > 0;
-}
-
 std::size_t ByteReader::read(char* target, std::size_t count) {
   std::size_t done = 0;
   while (done < count && (at_ < end_ || fill())) {

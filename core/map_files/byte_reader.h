@@ -52,7 +52,7 @@ class LASIUS_EXPORT ByteReader {
                                    ErrorCode code = ErrorCode::file_broken) const;
 
  private:
-  bool fill();
+  bool fill() { return !ahead(1).empty(); }
 
   std::istream* in_;
   std::string name_;

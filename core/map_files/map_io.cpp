@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/base/output.h"
 #include "core/map_files/byte_reader.h"
@@ -31,8 +32,8 @@ Point WorldFrame::to_world(Point cells, int height) const noexcept {
 
 PixelRule plain_rule(double free_below) {
   if (!(free_below > 0 && free_below <= 1)) {
-    throw Error(ErrorCode::invalid_parameter, "free_below is " + number_text(free_below),
-                "it must lie above 0 and be at most 1");
+    throw invalid_parameter("free_below is " + number_text(free_below),
+                            "it must lie above 0 and be at most 1");
   }
   return {[free_below](int level, int white) { return white - level >= free_below * white; }};
 }
@@ -53,8 +54,8 @@ void write_map(const Grid& grid, const std::string& path) {
   const auto write = [&]() -> void (*)(const Grid&, std::ostream&) {
     if (has_ending(path, ".pbm")) return write_pbm;
     if (has_ending(path, ".map") || is_stream(path)) return write_movingai;
-    throw Error(ErrorCode::invalid_parameter, "cannot tell the format of '" + path + "'",
-                "end its name in .map or .pbm");
+    throw invalid_parameter("cannot tell the format of '" + path + "'",
+                            "end its name in .map or .pbm");
   }();
   write_file(path, [&](std::ostream& out) { write(grid, out); });
 }

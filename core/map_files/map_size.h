@@ -2,15 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 #include "core/map_files/byte_reader.h"
 
 namespace lasius {
-
-inline std::string size_text(std::int64_t width, std::int64_t height) {
-  return std::to_string(width) + " x " + std::to_string(height);
-}
 
 /// Where in the file the size stands: a line or an offset.
 struct SizePlace {

@@ -49,7 +49,7 @@ HeaderLine header_line(ByteReader& in, std::string& line) {
     in.fail_at_line(number, "the header ends early", kHeaderRemedy);
   }
   const std::string_view text = trimmed(line);
-  const auto gap = std::find_if(text.begin(), text.end(), is_blank) - text.begin();
+  const auto gap = std::ranges::find_if(text, is_blank) - text.begin();
   return {std::string(text.substr(0, gap)), std::string(trimmed(text.substr(gap)))};
 }
 
@@ -118,7 +118,7 @@ void read_row(ByteReader& in, std::string& text, int width, int y, int height,
         "get the whole file, or correct the height");
   }
   const int length = static_cast<int>(text.size());
-  std::fill(words.begin(), words.end(), 0);
+  std::ranges::fill(words, 0);
   for (int x = 0; x < std::min(length, width); ++x) {
     const std::uint64_t cell = kCells[static_cast<unsigned char>(text[x])];
     if (cell == kUnknown) {

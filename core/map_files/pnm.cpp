@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/base/number_text.h"
 #include "core/map_files/map_size.h"
 
 namespace lasius {
@@ -29,7 +30,26 @@ constexpr auto kReversed = [] {
 class PnmReader {
  public:
   PnmReader(ByteReader& in, const PixelRule& rule) : in_(in), rule_(rule) {}
-  Grid read();
+
+  Grid read() {
+    read_header();
+    blocked_ = rule_.table(white_);
+    Grid grid(width_, height_);
+    std::vector<std::uint64_t> words(grid.words());
+    for (int y = 0; y < height_; ++y) {
+      std::ranges::fill(words, 0);
+      if (plain_) {
+        read_plain_row(y, words);
+      } else if (bitmap_) {
+        read_bit_row(y, words);
+      } else {
+        read_level_row(y, words);
+      }
+      grid.set_row(y, words.data());
+    }
+    check_end();
+    return grid;
+  }
 
  private:
   struct Mark {
@@ -52,16 +72,145 @@ class PnmReader {
     return std::int64_t{width_} * (plain_ || white_ > 255 ? 2 : 1);
   }
 
-  void skip_comment();
-  void skip_space();
-  std::int64_t read_number(const char* what);
-  void read_header();
-  void start_binary_raster();
-  [[noreturn]] void fail_at_end(int y);
-  void read_plain_row(int y, std::vector<std::uint64_t>& words);
-  void read_bit_row(int y, std::vector<std::uint64_t>& words);
-  void read_level_row(int y, std::vector<std::uint64_t>& words);
-  void check_end();
+  void skip_comment() {
+    for (int c = in_.peek(); c != '\n' && c != '\r' && c != ByteReader::kEnd; c = in_.peek())
+      in_.get();
+  }
+
+  void skip_space() {
+    for (int c = in_.peek();; c = in_.peek()) {
+      if (c == '#') {
+        skip_comment();
+      } else if (is_space(c)) {
+        in_.get();
+      } else {
+        return;
+      }
+    }
+  }
+
+  std::int64_t read_number(const char* what) {
+    skip_space();
+    const Mark at = mark();
+    const int first = in_.peek();
+    if (first == ByteReader::kEnd) {
+      fail(at, std::string("the file ends before its ") + what, "get the whole file");
+    }
+    if (!is_digit(first)) fail(at, std::string(what) + " is not a number", "write it in digits");
+    constexpr std::int64_t kMost = 100'000'000'000'000'000;  // more is told as this
+    std::int64_t number = 0;
+    while (is_digit(in_.peek())) number = std::min(number * 10 + (in_.get() - '0'), kMost);
+    const int next = in_.peek();
+    if (next != ByteReader::kEnd && next != '#' && !is_space(next)) {
+      fail(mark(), std::string(what) + " is not a number", "write it in digits");
+    }
+    return number;
+  }
+
+  void read_header() {
+    in_.get();
+    const int kind = in_.get();
+    plain_ = kind == '1' || kind == '2';
+    bitmap_ = kind == '1' || kind == '4';
+    skip_space();
+    const Mark at = mark();
+    const std::int64_t width = read_number("width");
+    const std::int64_t height = read_number("height");
+    check_map_size(in_, place(at), width, height);
+    width_ = static_cast<int>(width);
+    height_ = static_cast<int>(height);
+    if (!bitmap_) {
+      skip_space();
+      const Mark at_level = mark();
+      const std::int64_t white = read_number("maxval");
+      if (white < 1 || white > kMaxLevel) {
+        fail(at_level, "maxval is " + std::to_string(white), "it must be 1 to 65535");
+      }
+      white_ = static_cast<int>(white);
+    }
+    if (!plain_) start_binary_raster();
+    // The last ASCII level needs no blank after it.
+    const std::int64_t needed = row_bytes() * height_ - (plain_ && !bitmap_ ? 1 : 0);
+    check_bytes_left(in_, place(at), width_, height_, needed);
+    if (!plain_) bytes_.resize(static_cast<std::size_t>(row_bytes()));
+  }
+
+  // One white-space byte stands between the header and the raster. A comment may come before it;
+  // and CR LF is taken for one line end where the file's size leaves no doubt.
+  void start_binary_raster() {
+    if (in_.peek() == '#') skip_comment();
+    const bool carriage_return = in_.peek() == '\r';
+    const Mark at = mark();
+    if (in_.get() == ByteReader::kEnd)
+      fail(at, "the file ends before its pixels", "get the whole file");
+    if (carriage_return && in_.peek() == '\n' && in_.left() > row_bytes() * height_) in_.get();
+  }
+
+  [[noreturn]] void fail_at_end(int y) {
+    fail(mark(), "the file ends in row " + std::to_string(y) + " of " + std::to_string(height_),
+         "get the whole file, or correct the size");
+  }
+
+  void read_plain_row(int y, std::vector<std::uint64_t>& words) {
+    for (int x = 0; x < width_; ++x) {
+      skip_space();
+      const Mark at = mark();
+      std::int64_t level = 0;
+      if (in_.peek() == ByteReader::kEnd) fail_at_end(y);
+      if (bitmap_) {
+        const int c = in_.get();
+        if (c != '0' && c != '1') fail(at, "a pixel that is neither 0 nor 1", "correct it");
+        level = c == '1' ? 0 : 1;
+      } else {
+        level = read_number("a grey level");
+        if (level > white_) {
+          fail(at,
+               "grey level " + std::to_string(level) + " lies above maxval, " +
+                   std::to_string(white_),
+               "correct either");
+        }
+      }
+      words[x >> 6] |= std::uint64_t{blocked_[level]} << (x & 63);
+    }
+  }
+
+  void read_bit_row(int y, std::vector<std::uint64_t>& words) {
+    if (in_.read(bytes_.data(), bytes_.size()) < bytes_.size()) fail_at_end(y);
+    const std::uint64_t if_black = blocked_[0] != 0 ? ~std::uint64_t{0} : 0;
+    const std::uint64_t if_white = blocked_[1] != 0 ? ~std::uint64_t{0} : 0;
+    for (std::size_t i = 0; i < bytes_.size(); ++i) {
+      words[i >> 3] |= std::uint64_t{kReversed[static_cast<unsigned char>(bytes_[i])]}
+                       << (i & 7) * 8;
+    }
+    for (std::uint64_t& word : words) word = (word & if_black) | (~word & if_white);
+  }
+
+  void read_level_row(int y, std::vector<std::uint64_t>& words) {
+    const std::int64_t start = in_.offset();
+    if (in_.read(bytes_.data(), bytes_.size()) < bytes_.size()) fail_at_end(y);
+    const int depth = white_ > 255 ? 2 : 1;
+    const auto byte = [&](int i) noexcept {
+      return static_cast<int>(static_cast<unsigned char>(bytes_[i]));
+    };
+    for (int x = 0; x < width_; ++x) {
+      const int level = depth == 1 ? byte(x) : byte(2 * x) << 8 | byte(2 * x + 1);
+      if (level > white_) {
+        fail(
+            {in_.line(), start + std::int64_t{x} * depth},
+            "grey level " + std::to_string(level) + " lies above maxval, " + std::to_string(white_),
+            "correct either");
+      }
+      words[x >> 6] |= std::uint64_t{blocked_[level]} << (x & 63);
+    }
+  }
+
+  void check_end() {
+    if (plain_) skip_space();
+    while (is_space(in_.peek())) in_.get();
+    if (in_.peek() == ByteReader::kEnd) return;
+    fail(mark(), "the file goes on after the last of " + size_text(width_, height_) + " pixels",
+         "correct the size, or keep one image a file");
+  }
 
   ByteReader& in_;
   const PixelRule& rule_;
@@ -73,164 +222,6 @@ class PnmReader {
   std::vector<std::uint8_t> blocked_;  // by level
   std::vector<char> bytes_;            // of one binary row
 };
-
-void PnmReader::skip_comment() {
-  for (int c = in_.peek(); c != '\n' && c != '\r' && c != ByteReader::kEnd; c = in_.peek())
-    in_.get();
-}
-
-void PnmReader::skip_space() {
-  for (int c = in_.peek();; c = in_.peek()) {
-    if (c == '#') {
-      skip_comment();
-    } else if (is_space(c)) {
-      in_.get();
-    } else {
-      return;
-    }
-  }
-}
-
-std::int64_t PnmReader::read_number(const char* what) {
-  skip_space();
-  const Mark at = mark();
-  const int first = in_.peek();
-  if (first == ByteReader::kEnd) {
-    fail(at, std::string("the file ends before its ") + what, "get the whole file");
-  }
-  if (!is_digit(first)) fail(at, std::string(what) + " is not a number", "write it in digits");
-  constexpr std::int64_t kMost = 100'000'000'000'000'000;  // more is told as this
-  std::int64_t number = 0;
-  while (is_digit(in_.peek())) number = std::min(number * 10 + (in_.get() - '0'), kMost);
-  const int next = in_.peek();
-  if (next != ByteReader::kEnd && next != '#' && !is_space(next)) {
-    fail(mark(), std::string(what) + " is not a number", "write it in digits");
-  }
-  return number;
-}
-
-void PnmReader::read_header() {
-  in_.get();
-  const int kind = in_.get();
-  plain_ = kind == '1' || kind == '2';
-  bitmap_ = kind == '1' || kind == '4';
-  skip_space();
-  const Mark at = mark();
-  const std::int64_t width = read_number("width");
-  const std::int64_t height = read_number("height");
-  check_map_size(in_, place(at), width, height);
-  width_ = static_cast<int>(width);
-  height_ = static_cast<int>(height);
-  if (!bitmap_) {
-    skip_space();
-    const Mark at_level = mark();
-    const std::int64_t white = read_number("maxval");
-    if (white < 1 || white > kMaxLevel) {
-      fail(at_level, "maxval is " + std::to_string(white), "it must be 1 to 65535");
-    }
-    white_ = static_cast<int>(white);
-  }
-  if (!plain_) start_binary_raster();
-  // The last ASCII level needs no blank after it.
-  const std::int64_t needed = row_bytes() * height_ - (plain_ && !bitmap_ ? 1 : 0);
-  check_bytes_left(in_, place(at), width_, height_, needed);
-  if (!plain_) bytes_.resize(static_cast<std::size_t>(row_bytes()));
-}
-
-// One white-space byte stands between the header and the raster. A comment may come before it; and
-// CR LF is taken for one line end where the file's size leaves no doubt.
-void PnmReader::start_binary_raster() {
-  if (in_.peek() == '#') skip_comment();
-  const bool carriage_return = in_.peek() == '\r';
-  const Mark at = mark();
-  if (in_.get() == ByteReader::kEnd)
-    fail(at, "the file ends before its pixels", "get the whole file");
-  if (carriage_return && in_.peek() == '\n' && in_.left() > row_bytes() * height_) in_.get();
-}
-
-void PnmReader::fail_at_end(int y) {
-  fail(mark(), "the file ends in row " + std::to_string(y) + " of " + std::to_string(height_),
-       "get the whole file, or correct the size");
-}
-
-void PnmReader::read_plain_row(int y, std::vector<std::uint64_t>& words) {
-  for (int x = 0; x < width_; ++x) {
-    skip_space();
-    const Mark at = mark();
-    std::int64_t level = 0;
-    if (in_.peek() == ByteReader::kEnd) fail_at_end(y);
-    if (bitmap_) {
-      const int c = in_.get();
-      if (c != '0' && c != '1') fail(at, "a pixel that is neither 0 nor 1", "correct it");
-      level = c == '1' ? 0 : 1;
-    } else {
-      level = read_number("a grey level");
-      if (level > white_) {
-        fail(
-            at,
-            "grey level " + std::to_string(level) + " lies above maxval, " + std::to_string(white_),
-            "correct either");
-      }
-    }
-    words[x >> 6] |= std::uint64_t{blocked_[level]} << (x & 63);
-  }
-}
-
-void PnmReader::read_bit_row(int y, std::vector<std::uint64_t>& words) {
-  if (in_.read(bytes_.data(), bytes_.size()) < bytes_.size()) fail_at_end(y);
-  const std::uint64_t if_black = blocked_[0] != 0 ? ~std::uint64_t{0} : 0;
-  const std::uint64_t if_white = blocked_[1] != 0 ? ~std::uint64_t{0} : 0;
-  for (std::size_t i = 0; i < bytes_.size(); ++i) {
-    words[i >> 3] |= std::uint64_t{kReversed[static_cast<unsigned char>(bytes_[i])]} << (i & 7) * 8;
-  }
-  for (std::uint64_t& word : words) word = (word & if_black) | (~word & if_white);
-}
-
-void PnmReader::read_level_row(int y, std::vector<std::uint64_t>& words) {
-  const std::int64_t start = in_.offset();
-  if (in_.read(bytes_.data(), bytes_.size()) < bytes_.size()) fail_at_end(y);
-  const int depth = white_ > 255 ? 2 : 1;
-  const auto byte = [&](int i) noexcept {
-    return static_cast<int>(static_cast<unsigned char>(bytes_[i]));
-  };
-  for (int x = 0; x < width_; ++x) {
-    const int level = depth == 1 ? byte(x) : byte(2 * x) << 8 | byte(2 * x + 1);
-    if (level > white_) {
-      fail({in_.line(), start + std::int64_t{x} * depth},
-           "grey level " + std::to_string(level) + " lies above maxval, " + std::to_string(white_),
-           "correct either");
-    }
-    words[x >> 6] |= std::uint64_t{blocked_[level]} << (x & 63);
-  }
-}
-
-void PnmReader::check_end() {
-  if (plain_) skip_space();
-  while (is_space(in_.peek())) in_.get();
-  if (in_.peek() == ByteReader::kEnd) return;
-  fail(mark(), "the file goes on after the last of " + size_text(width_, height_) + " pixels",
-       "correct the size, or keep one image a file");
-}
-
-Grid PnmReader::read() {
-  read_header();
-  blocked_ = rule_.table(white_);
-  Grid grid(width_, height_);
-  std::vector<std::uint64_t> words(grid.words());
-  for (int y = 0; y < height_; ++y) {
-    std::fill(words.begin(), words.end(), 0);
-    if (plain_) {
-      read_plain_row(y, words);
-    } else if (bitmap_) {
-      read_bit_row(y, words);
-    } else {
-      read_level_row(y, words);
-    }
-    grid.set_row(y, words.data());
-  }
-  check_end();
-  return grid;
-}
 
 }  // namespace
 

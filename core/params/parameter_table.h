@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,15 +13,11 @@
 #include <vector>
 
 #include "core/base/did_you_mean.h"
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
-#include "lasius/error.h"
 #include "lasius/params.h"
 
 namespace lasius {
-
-inline Error invalid_parameter(std::string problem, std::string remedy) {
-  return {ErrorCode::invalid_parameter, std::move(problem), std::move(remedy)};
-}
 
 /// What a colony keeps of its pheromone, and the other word for it.
 inline constexpr std::string_view kPersistence = "persistence", kEvaporation = "evaporation";
@@ -112,11 +106,9 @@ class ParameterTable {
     bool same(const Fields& a, const Fields& b) const { return a.*member == b.*member; }
     std::string text(const Fields& fields) const { return number_text(fields.*member); }
     void set(Fields& fields, const Parameter& info, std::string_view text) const {
-      Value value{};
-      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-      const bool whole = error == std::errc() && end == text.data() + text.size();
-      if (!whole || !holds(value)) throw out_of_range(info, text);
-      fields.*member = value;
+      const auto value = number_of<Value>(text);
+      if (!value || !holds(*value)) throw out_of_range(info, text);
+      fields.*member = *value;
     }
 
    private:

@@ -83,8 +83,7 @@ constexpr std::array kColony{
           Number{&Params::greedy, 0, 1}},
     Entry{{"critical_time", "integer", "0 .. 1000000000",
            "iteration from which exponents and shares are constant, but for the distance rule's "
-           "until "
-           "settling_time, mc; 0: always"},
+           "until settling_time, mc; 0: always"},
           Integer{&Params::critical_time, 0, 1000000000}},
     Entry{{"alpha_first", "number", "0 .. 20", "alpha at iteration 0"},
           Number{&Params::alpha_first, 0, 20}}
@@ -217,7 +216,7 @@ constexpr auto kGeneticParameters = [] {
   std::array<Parameter, kShared.size() + kGenetic.size()> list;
   auto next = list.begin();
   for (const Entry& e : kColony) {
-    if (std::find(kShared.begin(), kShared.end(), e.info.name) == kShared.end()) continue;
+    if (std::ranges::find(kShared, e.info.name) == kShared.end()) continue;
     *next = e.info;
     if (e.info.name == "neighbours") next->range = "4|8";  // see validate()
     ++next;

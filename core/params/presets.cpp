@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <tuple>
 #include <type_traits>
 
@@ -282,6 +281,10 @@ const auto& presets() {
   return list;
 }
 
+const Listed& listed(const Algorithm& algorithm) {
+  return presets()[static_cast<std::size_t>(&algorithm - algorithms().data())];
+}
+
 }  // namespace
 
 std::span<const Algorithm> algorithms() noexcept {
@@ -292,14 +295,6 @@ std::span<const Algorithm> algorithms() noexcept {
   }();
   return list;
 }
-
-namespace {
-
-const Listed& listed(const Algorithm& algorithm) {
-  return presets()[static_cast<std::size_t>(&algorithm - algorithms().data())];
-}
-
-}  // namespace
 
 const Algorithm& find_algorithm(std::string_view name) {
   return find_algorithm(algorithms(), name);

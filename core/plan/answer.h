@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "core/exact/corner_graph.h"
 #include "lasius/planner.h"
 
@@ -34,10 +35,6 @@ std::pair<Fault, std::string> fault_of_end(const Grid& grid, bool at_start, Cell
 Corners corners_of_paths(const Params& params);
 
 /// A cell in messages.
-inline std::string cell_name(Cell c) {
-  std::string text = "(";
-  text += std::to_string(c.x) + ", " + std::to_string(c.y);
-  return text += ')';
-}
+inline std::string cell_name(Cell c) { return pair_text(c.x, c.y); }
 
 }  // namespace lasius

@@ -78,11 +78,9 @@ std::int64_t Planner::components(Corners corners) const {
 }
 
 Planner::Footprint Planner::footprint() const noexcept {
-  Footprint f;
-  f.bitmap = bitmap_bytes(impl_->grid);
-  f.components = impl_->component_bytes();
-  f.visibility_graph = impl_->preparation.bytes;
-  return f;
+  return {.bitmap = bitmap_bytes(impl_->grid),
+          .components = impl_->component_bytes(),
+          .visibility_graph = impl_->preparation.bytes};
 }
 
 }  // namespace lasius

@@ -4,8 +4,9 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/invalid_parameter.h"
+#include "core/base/number_text.h"
 #include "core/plan/planner_impl.h"
-#include "lasius/error.h"
 
 namespace lasius {
 namespace {
@@ -36,10 +37,8 @@ std::shared_ptr<const Planner::Impl> Planner::Impl::next(std::span<const Edit> e
   for (const Cell c : closed) now.set_blocked(c, false);  // the map as it is
   for (const Edit& edit : edits) {
     if (!now.contains(edit.cell)) {
-      throw Error(ErrorCode::invalid_parameter,
-                  "edited cell " + cell_name(edit.cell) + " is outside",
-                  "the map is " + std::to_string(now.width()) + " x " +
-                      std::to_string(now.height()) + " cells");
+      throw invalid_parameter("edited cell " + cell_name(edit.cell) + " is outside",
+                              "the map is " + size_text(now.width(), now.height()) + " cells");
     }
     now.set_blocked(edit.cell, edit.blocked);
   }
@@ -80,15 +79,13 @@ std::optional<Planner> Planner::exclude(std::span<const Direction> reported,
   Known known(directions);
   for (const Direction& d : reported) {
     if (!impl_->grid.contains(d.from)) {
-      throw Error(ErrorCode::invalid_parameter,
-                  "excluded direction starts outside the map, at " + cell_name(d.from),
-                  "give a cell of the map");
+      throw invalid_parameter("excluded direction starts outside the map, at " + cell_name(d.from),
+                              "give a cell of the map");
     }
     const auto one = [](int step) { return step >= -1 && step <= 1; };
     if (!one(d.dx) || !one(d.dy) || (d.dx == 0 && d.dy == 0)) {
-      throw Error(ErrorCode::invalid_parameter,
-                  "(" + std::to_string(d.dx) + ", " + std::to_string(d.dy) + ") is no direction",
-                  "give one of the eight steps to a neighbour");
+      throw invalid_parameter(pair_text(d.dx, d.dy) + " is no direction",
+                              "give one of the eight steps to a neighbour");
     }
     if (known.add(d)) directions.push_back(d);
   }

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/polygon/free_space.h"
 #include "core/polygon/geos.h"
 #include "core/polygon/rings.h"
-#include "lasius/error.h"
 #include "lasius/polygon_world.h"
 
 namespace lasius::polygon {
@@ -14,25 +14,22 @@ namespace {
 
 void check_resolution(double resolution) {
   if (resolution > 0 && std::isfinite(resolution)) return;
-  throw Error(ErrorCode::invalid_parameter, "resolution is " + number_text(resolution),
-              "it must be above 0");
+  throw invalid_parameter("resolution is " + number_text(resolution), "it must be above 0");
 }
 
 /// Where the edges of free space meet the level y, from the left.
 std::vector<double> crossings(const std::vector<Polygon>& pieces, double y) {
   std::vector<double> list;
-  const auto cut = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
-      if ((a.y > y) == (b.y > y)) continue;
-      list.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
-    }
-  };
   for (const Polygon& piece : pieces) {
-    cut(piece.outer);
-    for (const Ring& hole : piece.holes) cut(hole);
+    for (const Ring* ring : rings_of(piece)) {
+      for (std::size_t i = 0; i < ring->size(); ++i) {
+        const Point a = (*ring)[i], b = (*ring)[i + 1 < ring->size() ? i + 1 : 0];
+        if ((a.y > y) == (b.y > y)) continue;
+        list.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+      }
+    }
   }
-  std::sort(list.begin(), list.end());
+  std::ranges::sort(list);
   return list;
 }
 
@@ -41,8 +38,8 @@ std::vector<double> crossings(const std::vector<Polygon>& pieces, double y) {
 World from_grid(const Grid& grid, const WorldFrame& frame) {
   check_resolution(frame.resolution);
   if (frame.yaw != 0) {
-    throw Error(ErrorCode::invalid_parameter, "the map is turned by yaw " + number_text(frame.yaw),
-                "turn the map upright, or set yaw to 0");
+    throw invalid_parameter("the map is turned by yaw " + number_text(frame.yaw),
+                            "turn the map upright, or set yaw to 0");
   }
   const auto corner = [&](int x, int y) {
     return frame.to_world({static_cast<double>(x), static_cast<double>(y)}, grid.height());
@@ -79,15 +76,14 @@ Map to_grid(const World& world, double resolution) {
   const double wide = std::ceil((high.x - low.x) / resolution);
   const double tall = std::ceil((high.y - low.y) / resolution);
   if (!(wide <= Grid::kMaxSide && tall <= Grid::kMaxSide)) {
-    throw Error(ErrorCode::invalid_parameter,
-                "resolution " + number_text(resolution) + " gives more than " +
-                    std::to_string(Grid::kMaxSide) + " cells a side",
-                "give a coarser one");
+    throw invalid_parameter("resolution " + number_text(resolution) + " gives more than " +
+                                std::to_string(Grid::kMaxSide) + " cells a side",
+                            "give a coarser one");
   }
   Map map{Grid(static_cast<int>(wide), static_cast<int>(tall)),
           WorldFrame{.resolution = resolution, .origin_x = low.x, .origin_y = low.y}};
+  map.grid.fill(true);
   for (int y = 0; y < map.grid.height(); ++y) {
-    for (int x = 0; x < map.grid.width(); ++x) map.grid.set_blocked({x, y}, true);
     const double level = map.frame->to_world({0, y + 0.5}, map.grid.height()).y;
     const auto cuts = crossings(space.pieces, level);
     for (std::size_t i = 0; i + 1 < cuts.size(); i += 2) {
@@ -95,9 +91,8 @@ Map to_grid(const World& world, double resolution) {
       const auto first = [&](double x) {
         return static_cast<int>(std::clamp(std::ceil((x - low.x) / resolution - 0.5), 0.0, wide));
       };
-      for (int x = first(cuts[i]); x < first(cuts[i + 1]); ++x) {
-        map.grid.set_blocked({x, y}, false);
-      }
+      const int from = first(cuts[i]);
+      map.grid.fill({from, y, first(cuts[i + 1]) - from, 1}, false);
     }
   }
   return map;

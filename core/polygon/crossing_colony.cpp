@@ -3,6 +3,7 @@
 #include <span>
 
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "core/loop/trail_rules.h"
 #include "core/polygon/crossing_search.h"
 #include "kernels/base/power.h"
@@ -93,7 +94,7 @@ class CrossingColony final : public CrossingSearch {
   }
 
   StopCondition::Cause send_ants(int q) override {
-    std::fill(lengths_.begin(), lengths_.end(), kNaN);
+    std::ranges::fill(lengths_, kNaN);
     streams_.clear();
     for (int a = 0; a < parameters_.ants; ++a) {
       streams_.emplace_back(parameters_.seed, static_cast<std::uint32_t>(a),

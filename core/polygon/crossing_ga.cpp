@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <limits>
 
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "core/polygon/crossing_search.h"
 #include "kernels/base/random_stream.h"
 
@@ -62,8 +62,8 @@ class CrossingGa final : public CrossingSearch {
     } else {
       for (const Chromosome& child : children_) population_.push_back(child);
     }
-    std::stable_sort(population_.begin(), population_.end(),
-                     [](const auto& a, const auto& b) { return a.length < b.length; });
+    std::ranges::stable_sort(population_,
+                             [](const auto& a, const auto& b) { return a.length < b.length; });
     population_.resize(children_.size());
   }
 
@@ -112,7 +112,7 @@ class CrossingGa final : public CrossingSearch {
   }
 
   std::vector<Chromosome> population_, children_;
-  Chromosome best_{{}, std::numeric_limits<double>::infinity()};
+  Chromosome best_{{}, kInfinity};
 };
 
 }  // namespace

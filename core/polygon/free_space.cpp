@@ -5,10 +5,10 @@
 #include <map>
 #include <utility>
 
+#include "core/base/invalid_parameter.h"
 #include "core/polygon/geos.h"
 #include "core/polygon/grow.h"
 #include "core/polygon/rings.h"
-#include "lasius/error.h"
 
 namespace lasius::polygon {
 namespace {
@@ -34,7 +34,7 @@ Polygon scaled(const Lattice& lattice, const Polygon& polygon) {
 
 /// Adds a ring with free space on its left.
 void add_ring(FreeSpace& space, Ring ring, bool outer) {
-  if ((doubled_area(ring) > 0) != outer) std::reverse(ring.begin(), ring.end());
+  if ((doubled_area(ring) > 0) != outer) std::ranges::reverse(ring);
   const int first = static_cast<int>(space.corners.size());
   const int count = static_cast<int>(ring.size());
   for (int i = 0; i < count; ++i) {
@@ -96,9 +96,8 @@ void drop_flat_corners(std::vector<Corner>& corners) {
 }
 
 void remember(FreeSpace& space, const Polygon& p) {
-  for (const Point at : p.outer) space.written.try_emplace(space.lattice.nearest(at), at);
-  for (const Ring& hole : p.holes) {
-    for (const Point at : hole) space.written.try_emplace(space.lattice.nearest(at), at);
+  for (const Ring* ring : rings_of(p)) {
+    for (const Point at : *ring) space.written.try_emplace(space.lattice.nearest(at), at);
   }
 }
 
@@ -159,8 +158,8 @@ FreeSpace make_free_space(const World& world, const GrowOptions& growth, Tangent
 
   const std::vector<Polygon> pieces = geos.polygons(free.get());
   if (pieces.empty()) {
-    throw Error(ErrorCode::invalid_parameter, "the obstacles leave no free space",
-                "give a smaller margin or a larger boundary");
+    throw invalid_parameter("the obstacles leave no free space",
+                            "give a smaller margin or a larger boundary");
   }
   for (const Polygon& piece : pieces) {
     add_ring(space, piece.outer, true);

@@ -71,7 +71,7 @@ class GeoJsonReader {
     const std::string role =
         properties != feature.end() ? text_of(*properties, "role") : std::string();
     if (role.empty()) fail(place, "has no role", kShape);
-    if (std::find(kRoles.begin(), kRoles.end(), role) == kRoles.end()) {
+    if (std::ranges::find(kRoles, role) == kRoles.end()) {
       fail(place, "has the role \"" + role + "\"", did_you_mean(role, kRoles));
     }
     place += " (" + role + ")";

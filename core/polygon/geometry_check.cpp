@@ -2,25 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "core/polygon/lattice_point.h"
+#include "core/base/number_text.h"
+#include "core/base/special_values.h"
 #include "core/polygon/rings.h"
 
 namespace lasius::polygon {
 namespace {
 
-std::vector<const Ring*> rings_of(const Polygon& polygon) {
-  std::vector<const Ring*> rings{&polygon.outer};
-  for (const Ring& hole : polygon.holes) rings.push_back(&hole);
-  return rings;
-}
-
 /// The ring and the edge that are nearest to where GEOS found a fault.
 std::string place_of(const Polygon& polygon, Point at) {
   const auto rings = rings_of(polygon);
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   std::size_t ring = 0, edge = 0;
   for (std::size_t r = 0; r < rings.size(); ++r) {
     const Ring& points = *rings[r];
@@ -47,8 +41,7 @@ std::optional<std::string> ring_fault(const Ring& ring, std::size_t number) {
     return which += ", which is no number within 1e12";
   }
   Ring distinct = ring;
-  std::sort(distinct.begin(), distinct.end(),
-            [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::ranges::sort(distinct, [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
   if (distinct.size() >= 3) {
     const auto [low, high] = bounds_of(ring);
@@ -107,7 +100,7 @@ std::vector<Polygon> repaired(const Geos& geos, Polygon polygon) {
 
 std::optional<std::string> margin_fault(double margin) {
   if (margin >= 0 && margin <= kMostCoordinate) return std::nullopt;
-  return "margin is " + text(margin);
+  return "margin is " + number_text(margin);
 }
 
 }  // namespace lasius::polygon

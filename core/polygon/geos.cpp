@@ -2,7 +2,7 @@
 
 #include <new>
 
-#include "lasius/error.h"
+#include "core/base/invalid_parameter.h"
 
 namespace lasius::polygon {
 namespace {
@@ -35,8 +35,7 @@ Geos::Geos() : context_(GEOS_init_r()) {
 Geos::~Geos() { GEOS_finish_r(context_); }
 
 void Geos::fail() const {
-  throw Error(ErrorCode::invalid_parameter, "GEOS cannot work with this geometry: " + said_,
-              "simplify it");
+  throw invalid_parameter("GEOS cannot work with this geometry: " + said_, "simplify it");
 }
 
 // GEOS takes over the parts of what it makes, also where that fails.

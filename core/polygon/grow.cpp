@@ -53,7 +53,7 @@ void append_strips(const Ring& ring, const std::vector<Ring>& arcs, double margi
 
 /// With what grows on its left.
 Ring turned(Ring ring, bool area_inside) {
-  if ((doubled_area(ring) > 0) != area_inside) std::reverse(ring.begin(), ring.end());
+  if ((doubled_area(ring) > 0) != area_inside) std::ranges::reverse(ring);
   return ring;
 }
 

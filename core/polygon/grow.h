@@ -1,8 +1,6 @@
 // Obstacles grown, and the boundary shrunk, by the robot's margin; in grid units.
 #pragma once
 
-#include <vector>
-
 #include "core/polygon/arcs.h"
 #include "core/polygon/geos.h"
 #include "lasius/polygon_plan.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "core/base/poller.h"
@@ -163,7 +162,7 @@ std::vector<LinkBuilder::Candidate> LinkBuilder::candidates(double above, double
     }
     if (poller_.stop_after(looked_at)) return list;
   }
-  std::sort(list.begin(), list.end(), [](const Candidate& a, const Candidate& b) {
+  std::ranges::sort(list, [](const Candidate& a, const Candidate& b) {
     if (a.length != b.length) return a.length < b.length;
     if (a.wall != b.wall) return b.wall;
     return a.from != b.from ? a.from < b.from : a.to < b.to;
@@ -212,9 +211,8 @@ void LinkBuilder::add(int a, int b) {
     auto& fan = fans_[corner];
     const LatticePoint first = at(space_.corners[corner].next) - at(corner);
     const LatticePoint d = direction(link, corner);
-    const auto place = std::find_if(fan.begin(), fan.end(), [&](int other) {
-      return turns_after(first, d, direction(other, corner));
-    });
+    const auto place = std::ranges::find_if(
+        fan, [&](int other) { return turns_after(first, d, direction(other, corner)); });
     fan.insert(place, link);
   }
 }
@@ -222,7 +220,7 @@ void LinkBuilder::add(int a, int b) {
 bool LinkBuilder::removable(int link, int corner) const {
   const Corner& c = space_.corners[corner];
   const auto& fan = fans_[corner];
-  const auto place = std::find(fan.begin(), fan.end(), link);
+  const auto place = std::ranges::find(fan, link);
   const LatticePoint before =
       place == fan.begin() ? at(c.next) - c.at : direction(*(place - 1), corner);
   const LatticePoint after =
@@ -234,8 +232,8 @@ void LinkBuilder::remove_redundant() {
   std::vector<int> order(links_.size());
   std::iota(order.begin(), order.end(), 0);
   const auto length = [this](int link) { return length_of(direction(link, links_[link].a)); };
-  std::sort(order.begin(), order.end(),
-            [&](int a, int b) { return length(a) != length(b) ? length(a) > length(b) : a > b; });
+  std::ranges::sort(
+      order, [&](int a, int b) { return length(a) != length(b) ? length(a) > length(b) : a > b; });
   for (const int link : order) {
     const Link l = links_[link];
     if (!removable(link, l.a) || !removable(link, l.b)) continue;
@@ -250,7 +248,7 @@ void LinkBuilder::renumber() {
   std::vector<Link> kept;
   for (int link = 0; link < static_cast<int>(links_.size()); ++link) {
     const auto& fan = fans_[links_[link].a];
-    if (std::find(fan.begin(), fan.end(), link) == fan.end()) continue;
+    if (std::ranges::find(fan, link) == fan.end()) continue;
     place[link] = static_cast<int>(kept.size());
     kept.push_back(links_[link]);
   }

@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <limits>
 #include <queue>
 #include <set>
 #include <tuple>
 #include <utility>
 
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "core/polygon/route.h"
 
 namespace lasius::polygon {
@@ -67,14 +67,13 @@ class MidpointSearch {
       way.links.push_back(node / 2);
       way.regions.push_back(left_by(node));
     }
-    std::reverse(way.links.begin(), way.links.end());
-    std::reverse(way.regions.begin(), way.regions.end());
+    std::ranges::reverse(way.links);
+    std::ranges::reverse(way.regions);
     return way;
   }
 
  private:
   using Key = std::pair<double, int>;  // length, lines crossed
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   Point end(int link, bool first) const {
     const Link& l = regions_.links()[link];
@@ -84,10 +83,7 @@ class MidpointSearch {
     const auto [left, right] = regions_.beside(node / 2);
     return node % 2 == 1 ? right : left;
   }
-  int left_by(int node) const {
-    const auto [left, right] = regions_.beside(node / 2);
-    return node % 2 == 1 ? left : right;
-  }
+  int left_by(int node) const { return entered(node ^ 1); }
 
   /// Offers the links of a region, all but the one that was just crossed.
   void spread(Point from, Key key, int region, int node, const std::set<int>& closed) {
@@ -187,11 +183,10 @@ void midpoint_routes(const Regions& regions, const Place& start, const Place& go
       if (way && known.insert(way->links).second) candidates.push_back(std::move(*way));
     }
     if (candidates.empty()) return;
-    const auto best =
-        std::min_element(candidates.begin(), candidates.end(), [](const Way& a, const Way& b) {
-          const auto rank = [](const Way& w) { return std::tuple(w.length, w.links.size()); };
-          return rank(a) != rank(b) ? rank(a) < rank(b) : a.links < b.links;
-        });
+    const auto best = std::ranges::min_element(candidates, [](const Way& a, const Way& b) {
+      const auto rank = [](const Way& w) { return std::tuple(w.length, w.links.size()); };
+      return rank(a) != rank(b) ? rank(a) < rank(b) : a.links < b.links;
+    });
     found.push_back(std::move(*best));
     candidates.erase(best);
   }

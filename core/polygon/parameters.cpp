@@ -117,12 +117,10 @@ std::vector<std::string> formulas(const Params& parameters) {
   if (find_algorithm(parameters.algorithm()).kind != Algorithm::Kind::colony) return {};
   return {
       "weight of the point h on the next line: tau * eta^beta, eta = (1.1 - |h - h*|) / 1.1; h* "
-      "that "
-      "of the best path so far",
+      "that of the best path so far",
       "choice: the largest weight with probability `greedy`, else in proportion to the weight",
       "update: after each choice tau <- persistence tau + (1 - persistence) tau0; after the "
-      "iteration, "
-      "on the best path so far, tau <- persistence tau + (1 - persistence) / L"};
+      "iteration, on the best path so far, tau <- persistence tau + (1 - persistence) / L"};
 }
 
 std::string get_parameter(const Params& parameters, std::string_view name) {

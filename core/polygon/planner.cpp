@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "core/loop/run_status.h"
 #include "core/params/parameter_table.h"
 #include "core/polygon/free_space.h"
@@ -14,7 +14,6 @@
 #include "core/polygon/route.h"
 #include "core/polygon/route_plan.h"
 #include "core/polygon/shortest_path.h"
-#include "lasius/error.h"
 #include "lasius/polygon_plan.h"
 
 namespace lasius::polygon {
@@ -22,7 +21,7 @@ namespace {
 
 double checked_margin(double margin) {
   if (const auto wrong = margin_fault(margin)) {
-    throw Error(ErrorCode::invalid_parameter, *wrong, kMarginRemedy);
+    throw invalid_parameter(*wrong, kMarginRemedy);
   }
   return margin;
 }
@@ -111,7 +110,7 @@ Point nearest_edge(const std::vector<Polygon>& areas, const Ring& boundary, Poin
     return dx * (dx - 2 * (p.x - q.x)) + dy * (dy - 2 * (p.y - q.y));
   };
   Point best = areas.front().outer.front();
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   const auto look = [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point near = nearest_on(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], p);
@@ -121,8 +120,7 @@ Point nearest_edge(const std::vector<Polygon>& areas, const Ring& boundary, Poin
     }
   };
   for (const Polygon& area : areas) {
-    look(area.outer);
-    for (const Ring& hole : area.holes) look(hole);
+    for (const Ring* ring : rings_of(area)) look(*ring);
   }
   return best;
 }
@@ -266,8 +264,7 @@ Point end_of(const char* what, const std::optional<Point>& asked,
              const std::optional<Point>& written) {
   const auto& point = asked ? asked : written;
   if (point && std::isfinite(point->x) && std::isfinite(point->y)) return *point;
-  throw Error(ErrorCode::invalid_parameter, std::string("the world has no ") + what,
-              std::string("give a ") + what);
+  throw invalid_parameter(std::string("the world has no ") + what, std::string("give a ") + what);
 }
 
 Result exact(const ShortestPath& shortest, const Observer& observer) {

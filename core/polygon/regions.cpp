@@ -41,7 +41,7 @@ void Regions::cut(const LinkBuilder& builder) {
       } else {
         corner = leaves_a(link, corner) ? links_[link].b : links_[link].a;
         const auto& fan = fans[corner];
-        const auto came = std::find(fan.begin(), fan.end(), link);
+        const auto came = std::ranges::find(fan, link);
         link = came == fan.begin() ? -1 : *(came - 1);
       }
     }

@@ -1,7 +1,6 @@
 // The convex regions that free lines cut free space into, and who neighbours whom.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "core/base/poller.h"

@@ -25,6 +25,12 @@ Bounds bounds_of(const Ring& ring) noexcept {
   return box;
 }
 
+std::vector<const Ring*> rings_of(const Polygon& polygon) {
+  std::vector<const Ring*> rings{&polygon.outer};
+  for (const Ring& hole : polygon.holes) rings.push_back(&hole);
+  return rings;
+}
+
 double distance_to(Point a, Point b, Point p) noexcept {
   const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
   const double along = squared > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / squared : 0;
@@ -46,8 +52,6 @@ bool inside(const Ring& ring, Point p) noexcept {
   return odd;
 }
 
-std::string text(double value) { return number_text(value); }
-
-std::string text(Point p) { return '(' + text(p.x) + ", " + text(p.y) + ')'; }
+std::string text(Point p) { return pair_text(p.x, p.y); }
 
 }  // namespace lasius::polygon

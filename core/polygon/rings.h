@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "lasius/polygon_world.h"
 
@@ -16,14 +17,15 @@ struct Bounds {
 };
 Bounds bounds_of(const Ring& ring) noexcept;
 
+/// The outer ring, then the holes.
+std::vector<const Ring*> rings_of(const Polygon& polygon);
+
 /// From the segment ab to p.
 double distance_to(Point a, Point b, Point p) noexcept;
 
 /// Even-odd rule; the ring itself is inside, as far as numbers tell. For messages alone.
 bool inside(const Ring& ring, Point p) noexcept;
 
-/// The shortest text that reads back as the same number.
-std::string text(double value);
 /// A point in messages: "(3, 4.5)".
 std::string text(Point p);
 

@@ -1,9 +1,9 @@
 #include "core/polygon/route.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "lasius/path.h"
 
 namespace lasius::polygon {
@@ -12,64 +12,6 @@ namespace {
 void append(std::vector<Point>& path, Point p) {
   if (path.empty() || path.back() != p) path.push_back(p);
 }
-
-}  // namespace
-
-Crossing cross_at(const Route& route, std::vector<double> values) {
-  Crossing crossing;
-  append(crossing.path, route.start.given);
-  for (std::size_t i = 0; i < route.gates.size(); ++i) {
-    crossing.lines.push_back(route.gates[i].link);
-    append(crossing.path, route.gates[i].at(values[i]));
-  }
-  append(crossing.path, route.goal.given);
-  crossing.values = std::move(values);
-  crossing.length = path_length(crossing.path);
-  return crossing;
-}
-
-std::optional<Crossing> discrete_optimum(const Route& route, int values, Poller& poller) {
-  const auto h = [values](int k) { return static_cast<double>(k) / (values - 1); };
-  const int gates = static_cast<int>(route.gates.size());
-  // Backwards: the shortest way to the goal from each value of a gate, and the next value on it.
-  std::vector<double> ahead(values, 0), here(values, 0);
-  std::vector<int> next(static_cast<std::size_t>(gates) * values, 0);
-  for (int g = gates - 1; g >= 0; --g) {
-    for (int k = 0; k < values; ++k) {
-      const Point p = route.gates[g].at(h(k));
-      if (g == gates - 1) {
-        here[k] = distance(p, route.goal.given);
-        continue;
-      }
-      if (poller.stop_after(values)) return std::nullopt;
-      here[k] = std::numeric_limits<double>::infinity();
-      for (int j = 0; j < values; ++j) {
-        const double length = distance(p, route.gates[g + 1].at(h(j))) + ahead[j];
-        if (!(length < here[k])) continue;
-        here[k] = length;
-        next[static_cast<std::size_t>(g) * values + k] = j;
-      }
-    }
-    ahead.swap(here);
-  }
-  std::vector<double> chosen;
-  if (gates > 0) {
-    int best = 0;
-    const auto from_start = [&](int k) {
-      return distance(route.start.given, route.gates[0].at(h(k))) + ahead[k];
-    };
-    for (int k = 1; k < values; ++k) {
-      if (from_start(k) < from_start(best)) best = k;
-    }
-    for (int g = 0; g < gates; ++g) {
-      chosen.push_back(h(best));
-      best = next[static_cast<std::size_t>(g) * values + best];
-    }
-  }
-  return cross_at(route, std::move(chosen));
-}
-
-namespace {
 
 /// A vertex of a funnel's path, and the gate that it is an end of: -1 the start, gates.size() the
 /// goal.
@@ -122,6 +64,60 @@ double meeting(const Gate& gate, Point p, Point q) {
 }
 
 }  // namespace
+
+Crossing cross_at(const Route& route, std::vector<double> values) {
+  Crossing crossing;
+  append(crossing.path, route.start.given);
+  for (std::size_t i = 0; i < route.gates.size(); ++i) {
+    crossing.lines.push_back(route.gates[i].link);
+    append(crossing.path, route.gates[i].at(values[i]));
+  }
+  append(crossing.path, route.goal.given);
+  crossing.values = std::move(values);
+  crossing.length = path_length(crossing.path);
+  return crossing;
+}
+
+std::optional<Crossing> discrete_optimum(const Route& route, int values, Poller& poller) {
+  const auto h = [values](int k) { return static_cast<double>(k) / (values - 1); };
+  const int gates = static_cast<int>(route.gates.size());
+  // Backwards: the shortest way to the goal from each value of a gate, and the next value on it.
+  std::vector<double> ahead(values, 0), here(values, 0);
+  std::vector<int> next(static_cast<std::size_t>(gates) * values, 0);
+  for (int g = gates - 1; g >= 0; --g) {
+    for (int k = 0; k < values; ++k) {
+      const Point p = route.gates[g].at(h(k));
+      if (g == gates - 1) {
+        here[k] = distance(p, route.goal.given);
+        continue;
+      }
+      if (poller.stop_after(values)) return std::nullopt;
+      here[k] = kInfinity;
+      for (int j = 0; j < values; ++j) {
+        const double length = distance(p, route.gates[g + 1].at(h(j))) + ahead[j];
+        if (!(length < here[k])) continue;
+        here[k] = length;
+        next[static_cast<std::size_t>(g) * values + k] = j;
+      }
+    }
+    ahead.swap(here);
+  }
+  std::vector<double> chosen;
+  if (gates > 0) {
+    int best = 0;
+    const auto from_start = [&](int k) {
+      return distance(route.start.given, route.gates[0].at(h(k))) + ahead[k];
+    };
+    for (int k = 1; k < values; ++k) {
+      if (from_start(k) < from_start(best)) best = k;
+    }
+    for (int g = 0; g < gates; ++g) {
+      chosen.push_back(h(best));
+      best = next[static_cast<std::size_t>(g) * values + best];
+    }
+  }
+  return cross_at(route, std::move(chosen));
+}
 
 Crossing sequence_optimum(const Route& route, const FreeSpace& space) {
   const int goal = static_cast<int>(route.gates.size());

@@ -1,11 +1,11 @@
 #include "core/polygon/shortest_path.h"
 
 #include <algorithm>
-#include <limits>
 #include <queue>
 #include <utility>
 
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "lasius/path.h"
 
 namespace lasius::polygon {
@@ -17,7 +17,7 @@ class VisibilitySearch {
                    const StopCondition& stop)
       : regions_(regions), start_(start), goal_(goal), stop_(stop), poller_(stop) {
     const std::size_t corners = regions.space().corners.size();
-    length_.assign(corners + 2, std::numeric_limits<double>::infinity());
+    length_.assign(corners + 2, kInfinity);
     before_.assign(corners + 2, -1);
     done_.assign(corners + 2, 0);
     in_goal_.assign(regions.regions().size(), 0);
@@ -45,7 +45,7 @@ class VisibilitySearch {
     result.cause = poller_.cause();
     if (done_[goal] == 0) return result;
     for (int node = goal; node >= 0; node = before_[node]) result.path.push_back(point(node));
-    std::reverse(result.path.begin(), result.path.end());
+    std::ranges::reverse(result.path);
     result.path.erase(std::unique(result.path.begin(), result.path.end()), result.path.end());
     result.length = path_length(result.path);
     result.lower_bound = result.length;

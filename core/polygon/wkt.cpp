@@ -5,8 +5,9 @@
 #include <system_error>
 #include <vector>
 
+#include "core/base/invalid_parameter.h"
+#include "core/base/number_text.h"
 #include "core/base/text_lines.h"
-#include "core/polygon/rings.h"
 #include "core/polygon/world_maker.h"
 
 namespace lasius::polygon {
@@ -67,7 +68,7 @@ class WktReader {
   /// "margin NUMBER" and nothing else is the robot's margin. What only begins as a number, as
   /// "1,5", is no remark: a robot must not lose its margin to it.
   void read_comment(std::string_view comment) {
-    const auto words = words_of(comment);
+    const auto words = words_of(comment, " \t\r");
     if (words.size() != 2 || words[0] != "margin") return;
     const std::string_view number = words[1];
     double margin = 0;
@@ -78,17 +79,6 @@ class WktReader {
       fail("margin " + std::string(number) + " is no number", "write it as in \"margin 1.5\"");
     }
     maker_.set_margin(read.ec == std::errc() ? margin : HUGE_VAL, "");
-  }
-
-  static std::vector<std::string_view> words_of(std::string_view line) {
-    constexpr std::string_view kBlank = " \t\r";
-    std::vector<std::string_view> words;
-    for (;;) {
-      line.remove_prefix(std::min(line.find_first_not_of(kBlank), line.size()));
-      if (line.empty()) return words;
-      words.push_back(line.substr(0, line.find_first_of(kBlank)));
-      line.remove_prefix(words.back().size());
-    }
   }
 
   /// The text of one geometry: a word and what is in its parentheses.
@@ -165,11 +155,12 @@ World parse_wkt(std::string_view text, const std::string& name, const ReadOption
 std::string to_wkt(const World& world) {
   check(world);
   if (world.goal && !world.start) {
-    throw Error(ErrorCode::invalid_parameter, "the world has a goal but no start",
-                "give it a start, or write GeoJSON: WKT reads its first point as the start");
+    throw invalid_parameter(
+        "the world has a goal but no start",
+        "give it a start, or write GeoJSON: WKT reads its first point as the start");
   }
   const Geos geos;
-  std::string lines = "# margin " + text(world.margin) + "\n";
+  std::string lines = "# margin " + number_text(world.margin) + "\n";
   const auto add = [&](const GEOSGeometry* g) { lines += geos.write_wkt(g) + "\n"; };
   add(geos.polygon(world.boundary).get());
   for (const Polygon& p : world.obstacles) add(geos.polygon(p).get());

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/base/invalid_parameter.h"
 #include "core/polygon/geometry_check.h"
 #include "core/polygon/rings.h"
 
@@ -17,8 +18,8 @@ bool is_number(Point p) {
 }
 
 bool all_numbers(const Polygon& polygon) {
-  const auto numbers = [](const Ring& ring) { return std::ranges::all_of(ring, is_number); };
-  return numbers(polygon.outer) && std::ranges::all_of(polygon.holes, numbers);
+  return std::ranges::all_of(
+      rings_of(polygon), [](const Ring* ring) { return std::ranges::all_of(*ring, is_number); });
 }
 
 constexpr const char* kPointProblem = "has a coordinate that is no number within 1e12";
@@ -49,9 +50,8 @@ void WorldMaker::add_boundary(Polygon polygon, const std::string& place) {
   if (has_boundary_) fail_(place, "is a second boundary", "give one boundary, and obstacles in it");
   auto parts = checked(std::move(polygon), place);
   if (parts.empty()) fail_(place, "encloses no area", "draw the boundary around the free space");
-  world_.boundary = std::move(*std::max_element(
-      parts.begin(), parts.end(),
-      [](const Polygon& a, const Polygon& b) { return area(a.outer) < area(b.outer); }));
+  world_.boundary = std::move(*std::ranges::max_element(
+      parts, [](const Polygon& a, const Polygon& b) { return area(a.outer) < area(b.outer); }));
   has_boundary_ = true;
 }
 
@@ -82,7 +82,7 @@ World WorldMaker::finish() {
 
 void check(const World& world) {
   const auto refuse = [](const std::string& problem, const std::string& remedy) {
-    throw Error(ErrorCode::invalid_parameter, problem, remedy);
+    throw invalid_parameter(problem, remedy);
   };
   if (const auto wrong = margin_fault(world.margin)) refuse(*wrong, kMarginRemedy);
   const auto look_at = [&](const std::optional<Point>& p, const std::string& what) {

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <string>
 
+#include "core/base/invalid_parameter.h"
 #include "core/base/poller.h"
 #include "core/grid/cell_distance.h"
 #include "core/grid/grid_view.h"
 #include "kernels/sight/sight.h"
-#include "lasius/error.h"
-#include "lasius/path.h"
 #include "lasius/smooth.h"
 
 namespace lasius {
@@ -19,7 +17,6 @@ namespace {
 
 // Gains must beat rounding.
 constexpr double kShorter = 1 - 1e-12;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Appends the cells that the segment a - b crosses, a left out. Through a lattice point the way
 // goes by the free cell beside it, by columns first where both are free.
@@ -166,6 +163,22 @@ bool settle(const kernels::BitmapView& map, Poller& poller, std::vector<Cell>& p
   return true;
 }
 
+/// @throws Error(invalid_parameter) unless the cells are a walk.
+void check_walk(const Grid& grid, std::span<const Cell> cells) {
+  const auto refuse = [](std::size_t i, const char* why) {
+    throw invalid_parameter(
+        "cell " + std::to_string(i) + " of the walk " + why,
+        "give free cells, each one king's move from the one before or equal to it");
+  };
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (grid.blocked(cells[i])) refuse(i, "is blocked or outside");
+    if (i == 0) continue;
+    const std::int64_t dx = std::int64_t{cells[i].x} - cells[i - 1].x;
+    const std::int64_t dy = std::int64_t{cells[i].y} - cells[i - 1].y;
+    if (std::max(std::abs(dx), std::abs(dy)) > 1) refuse(i, "is not next to the one before");
+  }
+}
+
 }  // namespace
 
 /// Puts a taut string back on cells: the shortest polyline over two of the free cells around each
@@ -195,7 +208,7 @@ bool Straightener::string_on_cells(const Grid& grid, std::span<const Point> stri
     const Cell c = layers_[i].cell[k];
     if (pulled_.empty() || pulled_.back() != c) pulled_.push_back(c);
   }
-  std::reverse(pulled_.begin(), pulled_.end());
+  std::ranges::reverse(pulled_);
   return true;
 }
 
@@ -233,9 +246,9 @@ bool Straightener::pull_from_both_ends(const kernels::BitmapView& map, Poller& p
   bool forth = false;
   for (int in_vain = 0; in_vain < 2; forth = !forth) {
     rasterise(map, best_, raster_);
-    if (!forth) std::reverse(raster_.begin(), raster_.end());
+    if (!forth) std::ranges::reverse(raster_);
     if (!pull(map, raster_, window_, cone_, poller, pulled_)) return false;
-    if (!forth) std::reverse(pulled_.begin(), pulled_.end());
+    if (!forth) std::ranges::reverse(pulled_);
     in_vain = keep_if_shorter() ? 0 : in_vain + 1;
   }
   return true;
@@ -293,25 +306,6 @@ void Straightener::take(const Grid& grid, std::span<const Point> string,
   rasterise(view_of(grid), best_, raster_);
   straighten(grid, stop);
 }
-
-namespace {
-
-/// @throws Error(invalid_parameter) unless the cells are a walk.
-void check_walk(const Grid& grid, std::span<const Cell> cells) {
-  const auto refuse = [](std::size_t i, const char* why) {
-    throw Error(ErrorCode::invalid_parameter, "cell " + std::to_string(i) + " of the walk " + why,
-                "give free cells, each one king's move from the one before or equal to it");
-  };
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (grid.blocked(cells[i])) refuse(i, "is blocked or outside");
-    if (i == 0) continue;
-    const std::int64_t dx = std::int64_t{cells[i].x} - cells[i - 1].x;
-    const std::int64_t dy = std::int64_t{cells[i].y} - cells[i - 1].y;
-    if (std::max(std::abs(dx), std::abs(dy)) > 1) refuse(i, "is not next to the one before");
-  }
-}
-
-}  // namespace
 
 std::vector<Cell> greedy_straighten(const Grid& grid, std::span<const Cell> cells,
                                     const StopCondition& stop) {

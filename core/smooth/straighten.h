@@ -2,12 +2,12 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include "core/base/held_bytes.h"
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "core/smooth/taut_string.h"
 #include "kernels/sight/sight_cone.h"
 #include "lasius/geometry.h"
@@ -25,7 +25,7 @@ class Straightener {
   /// the segment's line and go no farther than that beyond its end; so many passes may together go
   /// farther from the walk.
   void run(const Grid& grid, std::span<const Cell> walk, const StopCondition& stop = {},
-           double window = std::numeric_limits<double>::infinity());
+           double window = kInfinity);
 
   /// Goes on from the polyline of `run`, as `straighten()` states.
   void straighten(const Grid& grid, const StopCondition& stop = {});

@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "core/base/invalid_parameter.h"
 #include "core/base/poller.h"
 #include "core/grid/grid_view.h"
 #include "core/smooth/triangle.h"
-#include "lasius/error.h"
 #include "lasius/path.h"
 #include "lasius/smooth.h"
 
@@ -91,8 +91,8 @@ void TautString::pull(const Grid& grid, Corners corners, const StopCondition& st
 std::vector<Point> pull_taut(const Grid& grid, std::span<const Point> path, Corners corners,
                              const StopCondition& stop) {
   if (const auto fault = path_fault(grid, path, corners)) {
-    throw Error(ErrorCode::invalid_parameter, "the path cannot be pulled taut: " + *fault,
-                "give a path that path_fault() accepts");
+    throw invalid_parameter("the path cannot be pulled taut: " + *fault,
+                            "give a path that path_fault() accepts");
   }
   std::vector<HalfPoint> points;
   points.reserve(path.size());

@@ -7,7 +7,6 @@
 #include <immintrin.h>
 
 #include <array>
-#include <bit>
 #include <cstdint>
 
 #include "kernels/walk/walk.h"

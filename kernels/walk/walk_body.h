@@ -13,7 +13,6 @@
 #include <bit>
 #include <cstring>
 #include <numeric>
-#include <utility>
 
 #include "kernels/walk/race.h"
 #include "kernels/walk/walk.h"

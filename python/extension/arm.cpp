@@ -6,7 +6,6 @@
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"
 #include "python/extension/modules.h"
-#include "python/extension/names.h"
 #include "python/extension/parameter_class.h"
 #include "python/extension/progress.h"
 #include "python/extension/results.h"
@@ -111,16 +110,14 @@ arm::Robot read_robot(const std::string& path, const std::string& base, const st
                       const std::string& joint_limits,
                       const std::map<std::string, std::string>& packages, bool use_visual,
                       bool bodiless) {
-  arm::Chain chain;
-  chain.base = base;
-  chain.tip = tip;
-  chain.set_joints = set_joints;
-  chain.srdf = srdf;
-  chain.joint_limits = joint_limits;
-  chain.packages = packages;
-  chain.use_visual = use_visual;
-  chain.bodiless = bodiless;
-  return arm::read_robot(path, chain);
+  return arm::read_robot(path, {.base = base,
+                                .tip = tip,
+                                .set_joints = set_joints,
+                                .srdf = srdf,
+                                .joint_limits = joint_limits,
+                                .packages = packages,
+                                .use_visual = use_visual,
+                                .bodiless = bodiless});
 }
 
 void bind_worlds(py::module_& module) {

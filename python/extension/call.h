@@ -5,6 +5,7 @@
 #include <pybind11/pybind11.h>
 
 #include <optional>
+#include <utility>
 
 #include "lasius/error.h"
 #include "lasius/stop.h"
@@ -41,6 +42,13 @@ class Call {
   auto run(const Work& work) {
     const py::gil_scoped_release released;
     return work();
+  }
+
+  /// work() likewise: (error(), what it returned).
+  template <class Work>
+  py::tuple answer(const Work& work) {
+    auto value = run(work);
+    return py::make_tuple(error(), std::move(value));
   }
 
   /// work() likewise; what the library throws is kept as what a callback raises is.

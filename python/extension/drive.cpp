@@ -29,17 +29,6 @@ py::tuple fields(const DriveResult& r) {
                         r.seen, r.length, r.planning_ms, r.waits, r.deferred_changes);
 }
 
-/// The observer of a drive; the view of a tick ends with the callback.
-DriveObserver tick_observer(Call& call, const py::object& callback) {
-  if (callback.is_none()) return {};
-  return [&call, &callback](const DriveTick& tick) {
-    call.call_back([&] {
-      const Lent view(tick);
-      callback(view.get());
-    });
-  };
-}
-
 py::tuple driven(const Grid& map, const Grid& truth, Cell start, Cell goal, const Changes& changes,
                  const NavigatorOptions& navigator, double sense, std::int64_t max_ticks,
                  std::optional<double> seconds_per_tick, std::optional<double> time_limit,
@@ -47,7 +36,7 @@ py::tuple driven(const Grid& map, const Grid& truth, Cell start, Cell goal, cons
   Call call(time_limit);
   DriveOptions options{.navigator = navigator, .sense = sense, .max_ticks = max_ticks};
   if (seconds_per_tick) options.seconds_per_tick = *seconds_per_tick;
-  const auto observe = tick_observer(call, callback);
+  const DriveObserver observe = observer<DriveTick>(call, callback);
   const DriveResult result = call.run(
       [&] { return drive(map, truth, start, goal, changes, options, call.condition(), observe); });
   return py::make_tuple(call.error(), fields(result));

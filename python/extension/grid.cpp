@@ -169,31 +169,23 @@ Grid grid_of_state(const py::tuple& state) {
   return grid;
 }
 
-/// A value that only a call that nothing stopped has.
-template <class Value>
-py::tuple finished(Call& call, const Value& value) {
-  return py::make_tuple(call.error(), value);
-}
-
 void bind_questions(py::module_& module) {
   module.def("clearance", [](const Grid& grid) {
     Call call;
     const auto distances = clearance_array(grid, call);
-    return finished(call, distances);
+    return py::make_tuple(call.error(), distances);
   });
   module.def("grow_obstacles", [](const Grid& grid, double radius) {
     Call call;
-    const auto grown = call.run([&] { return grow_obstacles(grid, radius, call.condition()); });
-    return finished(call, grown);
+    return call.answer([&] { return grow_obstacles(grid, radius, call.condition()); });
   });
   module.def("shortest_walk", [](const Grid& grid, Cell start, Cell goal,
                                  const std::string& neighbours, const std::string& corners) {
     Call call;
     const auto moves = value_of<Neighbours>("neighbours", kNeighboursNames, neighbours);
     const auto rule = corners_from(corners);
-    const auto length =
-        call.run([&] { return shortest_walk(grid, start, goal, moves, rule, call.condition()); });
-    return finished(call, length);
+    return call.answer(
+        [&] { return shortest_walk(grid, start, goal, moves, rule, call.condition()); });
   });
   module.def("path_length",
              [](const Rows& path) { return path_length(points_from(path, "path")); });
@@ -206,7 +198,7 @@ void bind_questions(py::module_& module) {
     const auto points = points_from(path, "path");
     const auto rule = corners_from(corners);
     const auto taut = call.run([&] { return pull_taut(grid, points, rule, call.condition()); });
-    return finished(call, to_array(std::span(taut)));
+    return py::make_tuple(call.error(), to_array(std::span(taut)));
   });
 }
 

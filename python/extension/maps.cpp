@@ -9,11 +9,11 @@
 namespace lasius::python {
 namespace {
 
-/// Rows (x, y) through a function of points.
-template <class Convert>
-py::array_t<double> converted(const Rows& rows, const Convert& convert) {
+/// Rows (x, y) of a map of that height from one kind of coordinates to the other.
+template <auto kConvert>
+py::array_t<double> converted(const WorldFrame& frame, const Rows& rows, int height) {
   std::vector<Point> points = points_from(rows, "points");
-  std::ranges::transform(points, points.begin(), convert);
+  for (Point& p : points) p = (frame.*kConvert)(p, height);
   return to_array(std::span(points));
 }
 
@@ -32,10 +32,9 @@ py::tuple generated(const std::string& kind, int width, int height, std::optiona
   if (density && *density < 0)
     throw py::value_error("density is " + std::to_string(*density) +
                           ": it must be 0 or more, or None");
-  const auto grid = call.run([&] {
+  return call.answer([&] {
     return generate(made, {width, height, density.value_or(-1), seed}, call.condition());
   });
-  return py::make_tuple(call.error(), grid);
 }
 
 }  // namespace
@@ -53,20 +52,10 @@ void bind_maps(py::module_& module) {
       .def_readonly("origin_x", &WorldFrame::origin_x, "metres")
       .def_readonly("origin_y", &WorldFrame::origin_y, "metres")
       .def_readonly("yaw", &WorldFrame::yaw, "radians")
-      .def(
-          "to_cells",
-          [](const WorldFrame& frame, const Rows& points, int height) {
-            return converted(points, [&](Point p) { return frame.to_cells(p, height); });
-          },
-          py::arg("points"), py::arg("height"),
-          "Points (n, 2) in metres as continuous cell coordinates of a map of that many rows.")
-      .def(
-          "to_world",
-          [](const WorldFrame& frame, const Rows& points, int height) {
-            return converted(points, [&](Point p) { return frame.to_world(p, height); });
-          },
-          py::arg("points"), py::arg("height"),
-          "Points (n, 2) in continuous cell coordinates as metres.")
+      .def("to_cells", &converted<&WorldFrame::to_cells>, py::arg("points"), py::arg("height"),
+           "Points (n, 2) in metres as continuous cell coordinates of a map of that many rows.")
+      .def("to_world", &converted<&WorldFrame::to_world>, py::arg("points"), py::arg("height"),
+           "Points (n, 2) in continuous cell coordinates as metres.")
       .def(py::pickle(
           [](const WorldFrame& f) {
             return py::make_tuple(f.resolution, f.origin_x, f.origin_y, f.yaw);

@@ -88,17 +88,12 @@ void add(const TrailView& view, const py::object& given, const Rows& values) {
   view.get().trail.add(span_of(places), *values.data());
 }
 
+/// What a function of the trail writes for places.
+template <auto kGet>
 py::array_t<double> values_at(const TrailView& view, const py::object& given) {
   const Places places = places_from(given);
   py::array_t<double> values(places.size());
-  view.get().trail.get(span_of(places), {values.mutable_data(), span_of(places).size()});
-  return values;
-}
-
-py::array_t<double> learned_at(const TrailView& view, const py::object& given) {
-  const Places cells = places_from(given);
-  py::array_t<double> values(cells.size());
-  view.get().trail.get_learned(span_of(cells), {values.mutable_data(), span_of(cells).size()});
+  (view.get().trail.*kGet)(span_of(places), {values.mutable_data(), span_of(places).size()});
   return values;
 }
 
@@ -107,7 +102,7 @@ py::array_t<double> whole(const TrailView& view) {
   const Hand& hand = view.get();
   Places all(static_cast<py::ssize_t>(hand.trail.places()));
   std::iota(all.mutable_data(), all.mutable_data() + all.size(), TrailPlace{0});
-  auto values = values_at(view, all);
+  auto values = values_at<&Pheromone::get>(view, all);
   if (hand.trail.trail() == Trail::cells) return values.reshape({hand.height, hand.width});
   return values.reshape({hand.height, hand.width, hand.moves});
 }
@@ -173,8 +168,8 @@ void bind_own_rules(py::module_& module) {
       .def("set", &set)
       .def("clamp",
            [](const TrailView& v, double least, double most) { v.get().trail.clamp(least, most); })
-      .def("get", &values_at)
-      .def("get_learned", &learned_at)
+      .def("get", &values_at<&Pheromone::get>)
+      .def("get_learned", &values_at<&Pheromone::get_learned>)
       .def("set_learned",
            [](const TrailView& v, const py::object& cells, const Rows& values) {
              v.get().trail.set_learned(span_of(places_from(cells)), span_of(values));

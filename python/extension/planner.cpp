@@ -20,14 +20,12 @@ PrepareOptions prepare_options(int threads, std::int64_t max_bytes, Call& call) 
 /// (error, Planner or None)
 py::tuple made(const Grid& grid) {
   Call call;
-  auto planner = call.run([&] { return Planner::make(Grid(grid), call.condition()); });
-  return py::make_tuple(call.error(), std::move(planner));
+  return call.answer([&] { return Planner::make(Grid(grid), call.condition()); });
 }
 
 py::tuple prepared(const Planner& planner, int threads, std::int64_t max_bytes) {
   Call call;
-  auto more = call.run([&] { return planner.prepared(prepare_options(threads, max_bytes, call)); });
-  return py::make_tuple(call.error(), std::move(more));
+  return call.answer([&] { return planner.prepared(prepare_options(threads, max_bytes, call)); });
 }
 
 py::tuple plan(const Planner& planner, Cell start, Cell goal, const Params& params,
@@ -52,8 +50,7 @@ py::tuple edited(const Planner& planner, const IntRows& cells, const py::array_t
   const auto flags = blocked.unchecked<1>();
   for (const Cell c : cells_from(cells, "cells"))
     edits.push_back({c, flags(static_cast<py::ssize_t>(edits.size()))});
-  auto more = call.run([&] { return planner.edited(edits, call.condition()); });
-  return py::make_tuple(call.error(), std::move(more));
+  return call.answer([&] { return planner.edited(edits, call.condition()); });
 }
 
 std::vector<Planner::Direction> directions_from(const IntRows& rows) {
@@ -72,8 +69,7 @@ template <Change kChange>
 py::tuple changed(const Planner& planner, const IntRows& rows) {
   Call call;
   const auto directions = directions_from(rows);
-  auto more = call.run([&] { return (planner.*kChange)(directions, call.condition()); });
-  return py::make_tuple(call.error(), std::move(more));
+  return call.answer([&] { return (planner.*kChange)(directions, call.condition()); });
 }
 
 py::array_t<std::int32_t> excluded(const Planner& planner) {

@@ -61,8 +61,7 @@ py::tuple made_planner(const pg::World& world, std::optional<double> margin,
   Call call;
   const pg::GrowOptions options{margin, value_of<pg::Join>("join", pg::kJoinNames, join),
                                 value_of<pg::Boundary>("boundary", pg::kBoundaryNames, boundary)};
-  auto planner = call.run([&] { return pg::Planner::make(world, options, call.condition()); });
-  return py::make_tuple(call.error(), planner ? py::cast(std::move(*planner)) : py::none());
+  return call.answer([&] { return pg::Planner::make(world, options, call.condition()); });
 }
 
 py::tuple plan_among(const pg::Planner& planner, std::optional<Point> start,

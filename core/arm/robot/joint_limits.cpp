@@ -4,18 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/arm/robot/xml_text.h"
 #include "core/base/did_you_mean.h"
 #include "core/base/number_text.h"
+#include "core/base/special_values.h"
 #include "core/base/text_lines.h"
 #include "core/map_files/byte_reader.h"
 
 namespace lasius::arm {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// The values of one level of the file.
 class Level {
@@ -38,8 +36,8 @@ class Level {
   }
   /// Above 0, where the flag `has` is true.
   double limit(const std::string& has, const std::string& key) const {
-    if (!flag(has)) return kNone;
-    const double value = number(key, kNone);
+    if (!flag(has)) return kNaN;
+    const double value = number(key, kNaN);
     if (std::isnan(value)) fail(node_[has], key + " is missing", "give it, or leave out " + has);
     if (value <= 0) fail(node_[key], key + " is " + number_text(value), "it must be above 0");
     return value;
@@ -94,8 +92,8 @@ JointLimitsFile read_level(const YAML::Node& root, const std::string& file,
     const Level joint(entry.second, file, "joint_limits." + name + ": ");
     const bool placed = joint.flag("has_position_limits");
     limits.joints[name] = {
-        placed ? joint.number("min_position", kNone) : kNone,
-        placed ? joint.number("max_position", kNone) : kNone,
+        placed ? joint.number("min_position", kNaN) : kNaN,
+        placed ? joint.number("max_position", kNaN) : kNaN,
         limits.velocity * joint.limit("has_velocity_limits", "max_velocity"),
         limits.acceleration * joint.limit("has_acceleration_limits", "max_acceleration")};
   }

@@ -1,7 +1,6 @@
 // Fields of a JSON document, read strictly: every mistake names the file, the place and the remedy.
 #pragma once
 
-#include <cstdint>
 #include <initializer_list>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>

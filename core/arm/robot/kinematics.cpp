@@ -1,10 +1,9 @@
 #include "core/arm/robot/kinematics.h"
 
-#include <limits>
 #include <string>
 
 #include "core/arm/robot/solid.h"
-#include "lasius/error.h"
+#include "core/base/invalid_parameter.h"
 
 namespace lasius::arm {
 namespace {
@@ -78,13 +77,13 @@ struct Step {
 
 void check_values(const Robot& robot, std::span<const double> q) {
   if (q.size() != robot.joints.size()) {
-    throw Error(
-        ErrorCode::invalid_parameter, "a position has " + std::to_string(q.size()) + " values",
+    throw invalid_parameter(
+        "a position has " + std::to_string(q.size()) + " values",
         "it must have one for each of the " + std::to_string(robot.joints.size()) + " joints");
   }
   if (!std::ranges::all_of(q, [](double value) { return std::isfinite(value); })) {
-    throw Error(ErrorCode::invalid_parameter, "a position has a joint value that is no number",
-                "give finite numbers");
+    throw invalid_parameter("a position has a joint value that is no number",
+                            "give finite numbers");
   }
 }
 

@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/arm/robot/vec3.h"
 #include "core/arm/robot/xml_text.h"

@@ -1,5 +1,3 @@
-#include <array>
-#include <cmath>
 #include <memory>
 #include <span>
 #include <utility>

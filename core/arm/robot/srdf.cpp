@@ -1,10 +1,10 @@
 #include "core/arm/robot/srdf.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "core/arm/robot/xml_text.h"
+#include "core/base/number_text.h"
 #include "core/map_files/byte_reader.h"
 
 namespace lasius::arm {
@@ -18,27 +18,22 @@ class Reader {
 
   Srdf read(const TiXmlElement& root) {
     found_.robot = attribute(&root, "name");
-    each(root, "disable_default_collisions",
-         [&](const TiXmlElement& at) { found_.disabled_links.insert(named(at, "link", links_)); });
+    each_child(root, "disable_default_collisions", [&](const TiXmlElement& at) {
+      found_.disabled_links.insert(named(at, "link", links_));
+    });
     for (auto* pairs : {&found_.disabled, &found_.enabled}) {
       const bool off = pairs == &found_.disabled;
-      each(root, off ? "disable_collisions" : "enable_collisions", [&](const TiXmlElement& at) {
-        const std::string a = named(at, "link1", links_), b = named(at, "link2", links_);
-        pairs->emplace(std::min(a, b), std::max(a, b));
-      });
+      each_child(root, off ? "disable_collisions" : "enable_collisions",
+                 [&](const TiXmlElement& at) {
+                   const std::string a = named(at, "link1", links_), b = named(at, "link2", links_);
+                   pairs->emplace(std::min(a, b), std::max(a, b));
+                 });
     }
-    each(root, "group_state", [&](const TiXmlElement& at) { add_state(at); });
+    each_child(root, "group_state", [&](const TiXmlElement& at) { add_state(at); });
     return std::move(found_);
   }
 
  private:
-  template <class Visit>
-  static void each(const TiXmlElement& in, const char* tag, const Visit& visit) {
-    for (const TiXmlElement* at = in.FirstChildElement(tag); at != nullptr;
-         at = at->NextSiblingElement(tag)) {
-      visit(*at);
-    }
-  }
   Error::Place place(const TiXmlElement& at) const { return {.file = file_, .line = at.Row()}; }
 
   std::string text(const TiXmlElement& at, const char* name) const {
@@ -58,15 +53,14 @@ class Reader {
   }
   void add_state(const TiXmlElement& at) {
     Srdf::State state{text(at, "name"), attribute(&at, "group"), {}};
-    each(at, "joint", [&](const TiXmlElement& joint) {
+    each_child(at, "joint", [&](const TiXmlElement& joint) {
       const std::string name = named(joint, "name", joints_), value = text(joint, "value");
-      double number = 0;
-      const auto [end, fault] = std::from_chars(value.data(), value.data() + value.size(), number);
-      if (fault != std::errc() || end != value.data() + value.size() || !std::isfinite(number)) {
+      const auto number = number_of<double>(value);
+      if (!number || !std::isfinite(*number)) {
         broken(place(joint), "the value \"" + value + "\" of joint \"" + name + "\" is no number",
                "give one number");
       }
-      state.values[name] = number;
+      state.values[name] = *number;
     });
     found_.states.push_back(std::move(state));
   }

@@ -8,7 +8,6 @@
 #include "core/base/text_lines.h"
 #include "core/map_files/byte_reader.h"
 #include "lasius/arm_robot.h"
-#include "lasius/error.h"
 
 namespace lasius::arm {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "core/arm/robot/joint_limits.h"
@@ -131,7 +130,7 @@ void RobotMaker::place_chain() {
     refuse("link " + in_quotes(tip_->name) + " does not hang on " + in_quotes(base_->name),
            "choose a base between the root and the tip");
   }
-  std::reverse(links.begin(), links.end());
+  std::ranges::reverse(links);
   std::vector<std::string> invented;  // accelerations
   Placement at;
   places_[base_->name] = {0, at};

@@ -38,8 +38,6 @@ struct Edge {
   std::int64_t line;
 };
 
-std::string quoted(const std::string& name) { return '"' + name + '"'; }
-
 /// The joint above each link.
 using Above = std::map<std::string_view, const Edge*>;
 
@@ -51,10 +49,10 @@ using Above = std::map<std::string_view, const Edge*>;
   for (const Edge* at = next(&joint); at != &joint; at = next(at)) {
     if (at->line < first->line) first = at;
   }
-  std::string names = quoted(first->child);
+  std::string names = in_quotes(first->child);
   int count = 1;
   for (const Edge* at = next(first); at != first; at = next(at)) {
-    if (++count <= kMostNames) names.insert(0, quoted(at->child) + ", ");
+    if (++count <= kMostNames) names.insert(0, in_quotes(at->child) + ", ");
   }
   if (count > kMostNames) names.insert(0, "..., ");
   place.line = first->line;
@@ -68,16 +66,17 @@ void check_tree(const std::vector<Edge>& joints, const Error::Place& whole) {
     Error::Place place = whole;
     place.line = joint.line;
     if (joint.parent == joint.child) {
-      broken(place,
-             "joint " + quoted(joint.name) + " joins link " + quoted(joint.child) + " to itself",
-             "name another link as its parent or its child");
+      broken(
+          place,
+          "joint " + in_quotes(joint.name) + " joins link " + in_quotes(joint.child) + " to itself",
+          "name another link as its parent or its child");
     }
     const auto [known, is_new] = above.emplace(joint.child, &joint);
     if (!is_new) {
       broken(place,
-             "link " + quoted(joint.child) + " is the child of two joints, " +
-                 quoted(known->second->name) + " (line " + std::to_string(known->second->line) +
-                 ") and " + quoted(joint.name),
+             "link " + in_quotes(joint.child) + " is the child of two joints, " +
+                 in_quotes(known->second->name) + " (line " + std::to_string(known->second->line) +
+                 ") and " + in_quotes(joint.name),
              "a link has one parent: take one of the two joints out");
     }
   }
@@ -120,20 +119,15 @@ void UrdfFile::read_xml(const std::string& text) {
        at = at->NextSiblingElement()) {
     if (at->ValueStr().starts_with("xacro:")) refuse_xacro(at->Row());
   }
-  const auto each = [&](const char* tag, const auto& visit) {
-    for (const TiXmlElement* at = robot->FirstChildElement(tag); at != nullptr;
-         at = at->NextSiblingElement(tag)) {
-      visit(at);
-    }
-  };
-  each("link",
-       [&](const TiXmlElement* link) { links_.emplace(attribute(link, "name"), link->Row()); });
+  each_child(*robot, "link", [&](const TiXmlElement& link) {
+    links_.emplace(attribute(&link, "name"), link.Row());
+  });
   std::vector<Edge> joints;
   bool told_by_urdfdom = false;
-  each("joint", [&](const TiXmlElement* joint) {
-    joints.push_back({attribute(joint, "name"),
-                      attribute(joint->FirstChildElement("parent"), "link"),
-                      attribute(joint->FirstChildElement("child"), "link"), joint->Row()});
+  each_child(*robot, "joint", [&](const TiXmlElement& joint) {
+    joints.push_back({attribute(&joint, "name"),
+                      attribute(joint.FirstChildElement("parent"), "link"),
+                      attribute(joint.FirstChildElement("child"), "link"), joint.Row()});
     const Edge& edge = joints.back();
     const bool is_new = joints_.emplace(edge.name, edge.line).second;
     told_by_urdfdom |= !is_new || edge.parent.empty() || edge.child.empty();

@@ -8,7 +8,6 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "core/arm/robot/xml_text.h"
 #include "lasius/error.h"

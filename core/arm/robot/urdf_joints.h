@@ -1,7 +1,6 @@
 // The joints of a URDF file, and their limits.
 #pragma once
 
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,8 +10,6 @@
 #include "core/arm/robot/vec3.h"
 
 namespace lasius::arm {
-
-inline std::string in_quotes(const std::string& name) { return '"' + name + '"'; }
 
 /// It turns or slides.
 bool moves(const urdf::Joint& joint);

@@ -46,6 +46,11 @@ inline Vec3 cross(Vec3 a, Vec3 b) noexcept {
 }
 inline double length(Vec3 a) noexcept { return std::sqrt(dot(a, a)); }
 inline double distance(Vec3 a, Vec3 b) noexcept { return length(a - b); }
+/// To the nearest whole numbers.
+inline std::array<int, 3> rounded(Vec3 a) noexcept {
+  return {static_cast<int>(std::lround(a.x)), static_cast<int>(std::lround(a.y)),
+          static_cast<int>(std::lround(a.z))};
+}
 
 inline Vec3 operator*(const Rotation& r, Vec3 a) noexcept {
   return {r[0] * a.x + r[1] * a.y + r[2] * a.z, r[3] * a.x + r[4] * a.y + r[5] * a.z,

@@ -24,6 +24,17 @@ namespace lasius::arm {
 /// tag, and ends at a zero byte. @throws Error(file_broken) with the line, where that would hurt.
 void check_xml(std::string_view text, const std::string& file);
 
+inline std::string in_quotes(const std::string& name) { return '"' + name + '"'; }
+
+/// Calls visit(child) for the elements right in this one that have the tag.
+template <class Visit>
+void each_child(const TiXmlElement& element, const char* tag, const Visit& visit) {
+  for (const TiXmlElement* at = element.FirstChildElement(tag); at != nullptr;
+       at = at->NextSiblingElement(tag)) {
+    visit(*at);
+  }
+}
+
 /// Empty where there is no such element or attribute.
 inline std::string attribute(const TiXmlElement* element, const char* name) {
   const char* const value = element != nullptr ? element->Attribute(name) : nullptr;

@@ -3,9 +3,9 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <vector>
 
+#include "core/base/special_values.h"
 #include "lasius/error.h"
 #include "lasius/own_rules.h"
 #include "tests/core/base/refusal.h"
@@ -16,7 +16,6 @@ namespace {
 
 using Places = std::vector<TrailPlace>;
 using Values = std::vector<double>;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Acts on a trail of 40 x 3 cells with tau 1 everywhere, after one iteration.
 void act(Trail trail, const std::function<void(Pheromone&)>& action, const char* name = "ras") {

@@ -1,0 +1,76 @@
+// The best path of a colony on a bitmap so far, and which ant found it.
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/base/special_values.h"
+#include "core/colony/polish.h"
+#include "core/colony/update.h"
+#include "core/colony/walkers.h"
+#include "kernels/base/moves.h"
+#include "lasius/geometry.h"
+#include "lasius/path.h"
+
+namespace lasius {
+
+/// The shortest path that was offered, or none.
+class BestPath {
+ public:
+  bool none() const noexcept { return points_.empty(); }
+  const std::vector<Point>& points() const noexcept { return points_; }
+  double length() const noexcept { return length_; }  ///< infinite without one
+  /// The ant of the last offer that it is of, by index; -1 where it is an older one.
+  int finder() const noexcept { return finder_; }
+  /// Length of the shortest path or tour that was offered since begin_iteration(), NaN without one.
+  double iteration_best() const noexcept { return iteration_best_; }
+
+  void begin_iteration() noexcept { iteration_best_ = kNaN; }
+  void drop() noexcept {
+    points_.clear();
+    length_ = kInfinity;
+  }
+  /// Gives the path away, and takes it back.
+  std::vector<Point> give() noexcept { return std::move(points_); }
+  void take_back(const std::vector<Point>& points) { points_ = points; }
+
+  /// Offers every path as the best one, ties to the lower index. Of tours that are not polished, by
+  /// choice or for lack of time, the shortest is offered. `paths` may be of more ants than `tours`.
+  void offer(std::span<const PolishedPath> paths, std::span<const Tour> tours,
+             const kernels::Moves& moves, Cell start) {
+    finder_ = -1;
+    int left = -1;
+    double shortest = length_;
+    for (int a = 0; a < static_cast<int>(tours.size()); ++a) {
+      const bool polished = !std::isnan(paths[a].length);
+      iteration_best_ = std::fmin(iteration_best_, polished ? paths[a].length : tours[a].length);
+      if (paths[a].length < length_) {
+        finder_ = a;
+        length_ = paths[a].length;
+      } else if (!polished && tours[a].length < shortest) {
+        left = a;
+        shortest = tours[a].length;
+      }
+    }
+    if (finder_ >= 0) points_ = paths[finder_].points;
+    if (!(shortest < length_)) return;
+    std::vector<Point> path;
+    path.reserve(tours[left].moves.size() + 1);
+    along_tour(tours[left].moves, moves, start, [&](Cell c) { path.push_back(centre(c)); });
+    const double length = path_length(path);
+    if (!(length < length_)) return;  // by rounding it was
+    finder_ = left;
+    length_ = length;
+    points_ = std::move(path);
+  }
+
+ private:
+  std::vector<Point> points_;
+  double length_ = kInfinity;
+  int finder_ = -1;
+  double iteration_best_ = kNaN;
+};
+
+}  // namespace lasius
