@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <functional>
 #include <utility>
 
 #include "tools/arm/arm_outline.h"

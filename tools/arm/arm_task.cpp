@@ -299,7 +299,7 @@ std::unique_ptr<Task> recorded_arm(const Recorded& from) {
   return std::make_unique<ArmTask>(recorded_command(from));
 }
 
-int run_arm(const ArmCommand& command) {
+int run_command(const ArmCommand& command) {
   ArmTask task(command);
   return run(task);
 }

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ostream>
 
 #include "core/base/output.h"
 #include "lasius/batch.h"
@@ -81,7 +80,7 @@ std::vector<Request> requests_of(const QueryFile& file, const LoadedMap& map,
 
 }  // namespace
 
-int run_batch(const BatchCommand& command) {
+int run_command(const BatchCommand& command) {
   const RunOptions& run = command.run;
   check_outputs(run.outputs, {run.map.file, command.queries});
   SignalWatcher signals;

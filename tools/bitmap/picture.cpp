@@ -1,8 +1,6 @@
 #include "tools/bitmap/picture.h"
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <functional>
 #include <limits>
 
@@ -13,7 +11,6 @@
 #include "tools/draw/line_chart.h"
 #include "tools/draw/page.h"
 #include "tools/draw/text.h"
-#include "tools/record/json_values.h"
 
 namespace lasius::tool {
 namespace {

@@ -1,7 +1,6 @@
 #include "tools/console/values.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdarg>

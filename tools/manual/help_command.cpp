@@ -122,7 +122,7 @@ void write_pages(const Manual& manual, const std::string& folder) {
 
 }  // namespace
 
-int run_help(const HelpCommand& command) {
+int run_command(const HelpCommand& command) {
   if (!command.pages.empty())
     write_pages(command.manual, command.pages);
   else

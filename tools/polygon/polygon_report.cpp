@@ -1,6 +1,5 @@
 #include "tools/polygon/polygon_report.h"
 
-#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 

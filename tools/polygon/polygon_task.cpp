@@ -239,12 +239,12 @@ std::unique_ptr<Task> recorded_polygon(const Recorded& from, SharedWorld& last) 
   return task;
 }
 
-int run_polygon(const PolygonCommand& command) {
+int run_command(const PolygonCommand& command) {
   PolygonTask task(command);
   return run(task);
 }
 
-int run_polygon_batch(const PolygonBatchCommand& command) {
+int run_command(const PolygonBatchCommand& command) {
   PolygonCommand plan = command.plan;
   check_outputs(plan.outputs, {plan.world.file, command.queries});
   SignalWatcher signals;

@@ -1,7 +1,6 @@
 #include "tools/record/batch_files.h"
 
 #include <cmath>
-#include <ostream>
 #include <sstream>
 
 #include "tools/console/values.h"

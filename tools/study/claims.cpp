@@ -1,7 +1,6 @@
 #include "tools/study/claims.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "tools/draw/text.h"
 #include "tools/study/values.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "tools/console/values.h"
 #include "tools/study/description/study_parts.h"
 
 namespace lasius::study {
