@@ -12,7 +12,6 @@ namespace lasius::peers {
 /// Moves 0 .. 7: E, W, S, N, SE, SW, NE, NW; the first four are straight.
 inline constexpr std::array<int, 8> kMoveX = {1, -1, 0, 0, 1, -1, 1, -1};
 inline constexpr std::array<int, 8> kMoveY = {0, 0, 1, -1, 1, 1, -1, -1};
-inline constexpr std::uint8_t kStraightMoves = 0x0f;
 
 /// One byte a cell: bit k is set when move k is legal (a diagonal needs both side cells free).
 /// Cells are numbered row by row, y * stride + x, without a border: masks keep moves inside.
@@ -27,8 +26,6 @@ class MoveGrid {
     return {static_cast<int>(index % stride_), static_cast<int>(index / stride_)};
   }
   std::uint8_t moves(std::uint32_t index) const noexcept { return moves_[index]; }
-  const std::uint8_t* data() const noexcept { return moves_.data(); }
-  std::uint32_t stride() const noexcept { return stride_; }
   std::size_t size() const noexcept { return moves_.size(); }
   /// What each move adds to a cell's index.
   const std::array<std::int32_t, 8>& offsets() const noexcept { return offsets_; }

@@ -11,13 +11,10 @@
 #include "tools/console/elapsed.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/parameters.h"
-#include "tools/console/progress.h"
 #include "tools/console/signals.h"
-#include "tools/console/streams.h"
 #include "tools/console/team.h"
 #include "tools/options/commands.h"
-#include "tools/record/batch_files.h"
-#include "tools/record/outputs.h"
+#include "tools/record/batch_output.h"
 #include "tools/record/queries.h"
 
 namespace lasius::tool {
@@ -95,11 +92,7 @@ int run_command(const BatchCommand& command) {
 
   BatchOptions options{.threads = run.params.threads, .token = signals.token(), .seeds = run.seeds};
   if (run.time_limit) options.time_limit = std::chrono::duration<double>(*run.time_limit);
-  BatchFiles files(task);
-  Delivery delivery(run.outputs);
-  const auto total = static_cast<std::int64_t>(queries.size()) * run.seeds;
-  ProgressLine bar(wants_progress(run.messages), total);
-  std::int64_t done = 0;
+  BatchOutput output(task, static_cast<std::int64_t>(queries.size()) * run.seeds);
   // The optimum is asked beside each chunk, so that answers still stream.
   const std::size_t chunk = run.with_optimum ? 256 : queries.size();
   for (std::size_t from = 0; from < queries.size() && !signals.interrupted(); from += chunk) {
@@ -120,14 +113,11 @@ int run_command(const BatchCommand& command) {
       }
       task.set_seed(found.seed);
       task.take(std::move(answer));
-      const std::string text = json_line(task);
-      files.add(task, text, task.end_texts(), task.result().path);
-      delivery.print(text);
-      bar.update(++done, "queries");
+      output.add(task, task.end_texts(), task.result().path);
     });
   }
-  delivery.write([&](const std::string& output) {
-    files.write(output, [&](const auto& paths) { write_batch_picture(output, map, run, paths); });
+  output.write_files([&](const std::string& picture, const auto& paths) {
+    write_batch_picture(picture, map, run, paths);
   });
   return signals.interrupted() ? kInterrupted : kFound;
 }

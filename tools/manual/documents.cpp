@@ -5,6 +5,7 @@
 
 #include "tools/manual/pages.h"
 #include "tools/manual/topics.h"
+#include "tools/manual/wrapped.h"
 
 namespace lasius::tool {
 namespace {
@@ -21,14 +22,9 @@ std::string label_of(const OptionText& option) {
 /// An option's help: a sentence, and a list where lines part label and meaning by two blanks.
 void append_help(Blocks& blocks, const OptionText& option) {
   std::string_view rest = option.help;
-  const auto cut = [&] {
-    const auto line = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-    return line;
-  };
-  blocks.push_back({Block::Kind::item, std::string(cut()), label_of(option)});
+  blocks.push_back({Block::Kind::item, std::string(next_line(rest)), label_of(option)});
   while (!rest.empty()) {
-    const auto line = cut();
+    const auto line = next_line(rest);
     const auto gap = line.find("  ");
     if (gap == line.npos) {
       blocks.back().text.append(" ").append(line);

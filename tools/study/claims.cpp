@@ -81,10 +81,6 @@ std::string of(int part, int whole) {
   return std::to_string(part) + " of " + std::to_string(whole);
 }
 
-std::string interval_text(const Interval& interval, int decimals) {
-  return " [" + fixed(interval.low, decimals) + ", " + fixed(interval.high, decimals) + "]";
-}
-
 std::string number_text(double value) {
   if (std::isinf(value)) return "never";
   return fixed(value, std::abs(value) >= 100 ? 1 : std::abs(value) >= 0.01 ? 3 : 5);
