@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <optional>
 
 #include "core/base/output.h"
 #include "lasius/batch.h"
@@ -20,33 +20,29 @@
 namespace lasius::tool {
 namespace {
 
-/// What --gap adds to some queries; NaN where there is none.
+/// What --gap adds to some queries.
 struct Optima {
-  std::vector<double> any_angle, by_moves;
+  std::vector<std::optional<double>> any_angle, by_moves;
 };
 
 Optima optima(const LoadedMap& map, const RunOptions& run, std::span<const Request> queries,
               BatchOptions options) {
   options.seeds = 1;
   Optima found;
-  found.any_angle.assign(queries.size(), std::nan(""));
+  found.any_angle.resize(queries.size());
   std::vector<Request> exact(queries.begin(), queries.end());
   for (Request& query : exact) query.target_gap = 0;
   plan_batch(*map.planner, exact, optimum_params(run), options, [&](const BatchAnswer& answer) {
     if (answer.result.optimal) found.any_angle[answer.index] = answer.result.length;
   });
-  found.by_moves.assign(queries.size(), std::nan(""));
+  found.by_moves.resize(queries.size());
   if (!moves_on_cells(run.params)) return found;
   const auto ask = [&](std::size_t i) {
     const StopCondition stop{.token = options.token, .deadline = deadline_after(run.time_limit)};
-    found.by_moves[i] = shortest_by_own_moves(map, run, queries[i], stop).value_or(std::nan(""));
+    found.by_moves[i] = shortest_by_own_moves(map, run, queries[i], stop);
   };
   share_out(queries.size(), options.threads, [&] { return ask; });
   return found;
-}
-
-std::optional<double> known(double value) {
-  return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
 /// The command's queries: a file's, or its own one.
@@ -107,10 +103,8 @@ int run_command(const BatchCommand& command) {
                     .result = found.result,
                     .elapsed_ms = std::chrono::duration<double, std::milli>(found.elapsed).count(),
                     .index = index};
-      if (run.with_optimum) {
-        set_optima(run, known(best.any_angle[found.index]), known(best.by_moves[found.index]),
-                   answer);
-      }
+      if (run.with_optimum)
+        set_optima(run, best.any_angle[found.index], best.by_moves[found.index], answer);
       task.set_seed(found.seed);
       task.take(std::move(answer));
       output.add(task, task.end_texts(), task.result().path);

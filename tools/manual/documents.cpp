@@ -10,8 +10,6 @@
 namespace lasius::tool {
 namespace {
 
-Block heading(const std::string& text) { return {Block::Kind::heading, text}; }
-
 /// "-o, --output FILE"
 std::string label_of(const OptionText& option) {
   std::string label;
@@ -89,13 +87,13 @@ Blocks note_blocks(const Notes& notes) {
   Blocks blocks;
   if (!notes.examples.empty()) blocks.push_back(heading("Examples"));
   for (const Example& example : notes.examples) {
-    blocks.push_back({Block::Kind::paragraph, example.what + ":"});
+    blocks.push_back(paragraph(example.what + ":"));
     blocks.push_back({Block::Kind::code, example.line + "\n"});
   }
   if (!notes.json.empty()) {
     blocks.push_back(heading("JSON"));
-    blocks.push_back({Block::Kind::paragraph, field_names(notes.json) + "."});
-    blocks.push_back({Block::Kind::paragraph, "What they mean: `lasius help json`."});
+    blocks.push_back(paragraph(field_names(notes.json) + "."));
+    blocks.push_back(paragraph("What they mean: `lasius help json`."));
   }
   blocks.push_back(heading("Exit codes"));
   for (const ExitText& exit : notes.exits)
