@@ -1,7 +1,6 @@
 // lasius_bench arm-peers: arms beside OMPL's RRT-Connect, and the questions that a proof takes.
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <optional>
 #include <sstream>
 #include <string_view>

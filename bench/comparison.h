@@ -1,7 +1,6 @@
 // All planners on the same queries in one run.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>

@@ -1,6 +1,5 @@
 // lasius_bench exact: preparation, anytime figures, memory and threads of the exact planner.
 #include <algorithm>
-#include <iomanip>
 #include <iostream>
 
 #include "bench/clocks.h"

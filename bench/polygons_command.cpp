@@ -1,6 +1,5 @@
 // lasius_bench polygons: the source's run against a textbook's, preparation of large worlds, and
 // paths checked over many random worlds.
-#include <cmath>
 
 #include "bench/clocks.h"
 #include "bench/commands.h"

@@ -15,10 +15,10 @@
 namespace lasius::bench {
 namespace {
 
-std::vector<double> collect(const std::vector<QualityRun>& runs,
-                            double (*value)(const QualityRun&)) {
+template <class Value>
+std::vector<double> collect(const std::vector<QualityRun>& runs, Value QualityRun::*value) {
   std::vector<double> values;
-  for (const QualityRun& run : runs) values.push_back(value(run));
+  for (const QualityRun& run : runs) values.push_back(run.*value);
   return values;
 }
 
@@ -57,23 +57,15 @@ Cell first_free(const Grid& grid, Cell from, int step) {
 
 }  // namespace
 
-double Quality::median_gap() const {
-  return median(collect(runs, [](const QualityRun& r) { return r.gap; }));
-}
-double Quality::worst_gap() const {
-  return largest(collect(runs, [](const QualityRun& r) { return r.gap; }));
-}
+double Quality::median_gap() const { return median(collect(runs, &QualityRun::gap)); }
+double Quality::worst_gap() const { return largest(collect(runs, &QualityRun::gap)); }
 double Quality::median_last_improvement() const {
-  return median(
-      collect(runs, [](const QualityRun& r) { return static_cast<double>(r.last_improvement); }));
+  return median(collect(runs, &QualityRun::last_improvement));
 }
 double Quality::median_last_as_walked() const {
-  return median(
-      collect(runs, [](const QualityRun& r) { return static_cast<double>(r.last_as_walked); }));
+  return median(collect(runs, &QualityRun::last_as_walked));
 }
-double Quality::least_arrived() const {
-  return -largest(collect(runs, [](const QualityRun& r) { return -r.arrived; }));
-}
+double Quality::least_arrived() const { return quantile(collect(runs, &QualityRun::arrived), 0); }
 
 Quality measure_quality(const Course& course, const Params& params, int seeds) {
   ExactSearch exact;

@@ -1,6 +1,5 @@
 // lasius_bench sampling: how long OMPL's planners take to come near the optimum.
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <string_view>
 

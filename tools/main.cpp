@@ -11,25 +11,10 @@
 namespace lasius::tool {
 namespace {
 
-int run(const Text& text) {
+int run_command(const Text& text) {
   print(text.text);
   return kFound;
 }
-int run(const PlanCommand& command) { return run_plan(command); }
-int run(const DriveCommand& command) { return run_drive(command); }
-int run(const BatchCommand& command) { return run_batch(command); }
-int run(const InfoCommand& command) { return run_info(command); }
-int run(const AlgorithmsCommand& command) { return run_algorithms(command); }
-int run(const GenerateCommand& command) { return run_generate(command); }
-int run(const VerifyCommand& command) { return run_verify(command); }
-int run(const StudyCommand& command) { return run_study(command); }
-int run(const TuneCommand& command) { return run_tune(command); }
-int run(const ArmCommand& command) { return run_arm(command); }
-int run(const PolygonCommand& command) { return run_polygon(command); }
-int run(const PolygonBatchCommand& command) { return run_polygon_batch(command); }
-int run(const WorldInfoCommand& command) { return run_world_info(command); }
-int run(const HelpCommand& command) { return run_help(command); }
-int run(const CompleteCommand& command) { return run_complete(command); }
 
 int exit_code(ErrorCode code) {
   switch (code) {
@@ -49,7 +34,7 @@ int guarded_main(int argc, char** argv) {
   end_on_signals();
   guard_standard_streams();
   try {
-    return std::visit([](const auto& command) { return run(command); },
+    return std::visit([](const auto& command) { return run_command(command); },
                       parse_command_line(argc, argv));
   } catch (const ClosedOutput&) {
     return kFound;

@@ -1,6 +1,5 @@
 // lasius_bench drive: replanning under way against D* Lite and A*.
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <span>
 #include <vector>

@@ -1,7 +1,6 @@
 #include "bench/peers/anya.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "bench/peers/runs.h"

@@ -76,7 +76,6 @@ void DStarLite::update(Index i) {
 }
 
 void DStarLite::expand(Index u) {
-  ++expansions_;
   Node& node = nodes_[u];
   const bool lowered = node.g > node.rhs;
   const Cost before = node.g;
@@ -141,23 +140,21 @@ Cell DStarLite::next() const {
 
 void DStarLite::observe(std::span<const Cell> cells, bool blocked) {
   for (const Cell c : cells) map_.set_blocked(c, blocked);
-  for (const Cell c : cells) {
-    for (int y = c.y - 1; y <= c.y + 1; ++y) {
-      for (int x = c.x - 1; x <= c.x + 1; ++x) {
-        if (map_.contains({x, y})) moves_[index({x, y})] = legal_moves({x, y});
+  const auto around_each = [&](const auto& renew) {
+    for (const Cell c : cells) {
+      for (int y = c.y - 1; y <= c.y + 1; ++y) {
+        for (int x = c.x - 1; x <= c.x + 1; ++x) {
+          if (map_.contains({x, y})) renew(Cell{x, y});
+        }
       }
     }
-  }
-  for (const Cell c : cells) {
-    for (int y = c.y - 1; y <= c.y + 1; ++y) {
-      for (int x = c.x - 1; x <= c.x + 1; ++x) {
-        if (!map_.contains({x, y})) continue;
-        const Index i = index({x, y});
-        nodes_[i].rhs = best_rhs(i);
-        update(i);
-      }
-    }
-  }
+  };
+  around_each([&](Cell c) { moves_[index(c)] = legal_moves(c); });
+  around_each([&](Cell c) {
+    const Index i = index(c);
+    nodes_[i].rhs = best_rhs(i);
+    update(i);
+  });
 }
 
 void DStarLite::put(std::size_t place, const std::pair<Key, Index>& entry) noexcept {

@@ -26,8 +26,6 @@ class DStarLite {
   /// The next cell of that walk; the robot's own at the goal. Precondition: there is a walk.
   Cell next() const;
 
-  std::int64_t expansions() const noexcept { return expansions_; }
-
  private:
   using Cost = std::uint32_t;
   using Index = std::uint32_t;
@@ -63,7 +61,6 @@ class DStarLite {
   std::vector<std::uint8_t> moves_;
   std::vector<Node> nodes_;
   std::vector<std::pair<Key, Index>> heap_;  // from 1
-  std::int64_t expansions_ = 0;
 };
 
 }  // namespace lasius::peers

@@ -26,8 +26,6 @@ class MoveGrid {
     return {static_cast<int>(index % stride_), static_cast<int>(index / stride_)};
   }
   std::uint8_t moves(std::uint32_t index) const noexcept { return moves_[index]; }
-  const std::uint8_t* data() const noexcept { return moves_.data(); }
-  std::uint32_t stride() const noexcept { return stride_; }
   std::size_t size() const noexcept { return moves_.size(); }
   /// What each move adds to a cell's index.
   const std::array<std::int32_t, 8>& offsets() const noexcept { return offsets_; }

@@ -8,6 +8,19 @@ namespace lasius::peers {
 
 inline bool bit(const std::uint64_t* row, int x) noexcept { return (row[x >> 6] >> (x & 63)) & 1; }
 
+/// True when no column from `first` to `last` is blocked.
+inline bool run_free(const std::uint64_t* row, std::int64_t first, std::int64_t last) noexcept {
+  const std::int64_t i = first >> 6, j = last >> 6;
+  const std::uint64_t head = ~std::uint64_t{0} << (first & 63);
+  const std::uint64_t tail = ~std::uint64_t{0} >> (63 - (last & 63));
+  if (i == j) return (row[i] & head & tail) == 0;
+  if ((row[i] & head) != 0 || (row[j] & tail) != 0) return false;
+  for (std::int64_t w = i + 1; w < j; ++w) {
+    if (row[w] != 0) return false;
+  }
+  return true;
+}
+
 /// The first blocked column >= x; the border ends every row.
 inline int first_blocked(const std::uint64_t* row, int x) noexcept {
   int i = x >> 6;

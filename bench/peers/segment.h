@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <utility>
 
+#include "bench/peers/runs.h"
 #include "lasius/grid.h"
 
 namespace lasius::peers {
@@ -21,15 +22,7 @@ inline bool segment_clear(const Grid& grid, Point a, Point b) noexcept {
     const double leave = y == last_row ? b.x : a.x + slope * (y + 1 - a.y);
     const int lo = column(std::min(enter, leave)), hi = column(std::max(enter, leave));
     if (y < 0 || y >= grid.height() || lo < 0 || hi >= grid.width()) return false;
-    const std::uint64_t* row = grid.row(y);
-    const std::uint64_t head = ~std::uint64_t{0} << (lo & 63);
-    const std::uint64_t tail = ~std::uint64_t{0} >> (63 - (hi & 63));
-    for (int w = lo >> 6; w <= hi >> 6; ++w) {
-      std::uint64_t word = row[w];
-      if (w == lo >> 6) word &= head;
-      if (w == hi >> 6) word &= tail;
-      if (word != 0) return false;
-    }
+    if (!run_free(grid.row(y), lo, hi)) return false;
     enter = leave;
   }
   return true;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
+#include "bench/peers/runs.h"
 #include "lasius/grid.h"
 
 namespace lasius::peers {
@@ -11,22 +13,7 @@ namespace lasius::peers {
 /// squeeze between two diagonally adjacent ones; touching a corner is allowed. Integers only: row
 /// by row, the columns that the segment's part in the row crosses.
 inline bool clear_line(const Grid& grid, Cell a, Cell b) noexcept {
-  if (a.y > b.y) {
-    const Cell swapped = a;
-    a = b;
-    b = swapped;
-  }
-  const auto run_free = [](const std::uint64_t* row, std::int64_t first, std::int64_t last) {
-    const std::int64_t i = first >> 6, j = last >> 6;
-    const std::uint64_t head = ~std::uint64_t{0} << (first & 63);
-    const std::uint64_t tail = ~std::uint64_t{0} >> (63 - (last & 63));
-    if (i == j) return (row[i] & head & tail) == 0;
-    if ((row[i] & head) != 0 || (row[j] & tail) != 0) return false;
-    for (std::int64_t w = i + 1; w < j; ++w) {
-      if (row[w] != 0) return false;
-    }
-    return true;
-  };
+  if (a.y > b.y) std::swap(a, b);
   const std::int64_t dx = b.x - a.x, dy = b.y - a.y;
   if (dy == 0) {
     return dx >= 0 ? run_free(grid.row(a.y), a.x, b.x) : run_free(grid.row(a.y), b.x, a.x);

@@ -65,9 +65,7 @@ void TextbookAnts::walk(Tour& tour) {
 void TextbookAnts::iterate() {
   for (Tour& tour : tours_) {
     walk(tour);
-    if (!tour.arrived) continue;
-    ++arrived_;
-    best_length_ = std::min(best_length_, tour.length);
+    if (tour.arrived) best_length_ = std::min(best_length_, tour.length);
   }
   for (auto& row : pheromone_) {
     for (double& tau : row) tau *= 1 - options_.evaporation;

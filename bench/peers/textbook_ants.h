@@ -28,8 +28,7 @@ class TextbookAnts {
   /// One iteration: every ant walks, pheromone evaporates, ants that arrived deposit.
   void iterate();
 
-  std::int64_t steps() const noexcept { return steps_; }      ///< moves made since construction
-  std::int64_t arrived() const noexcept { return arrived_; }  ///< ants that reached the goal
+  std::int64_t steps() const noexcept { return steps_; }  ///< moves made since construction
   double best_length() const noexcept { return best_length_; }
 
  private:
@@ -50,7 +49,6 @@ class TextbookAnts {
   std::vector<Tour> tours_;
   std::mt19937 random_;
   std::int64_t steps_ = 0;
-  std::int64_t arrived_ = 0;
   double best_length_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 }  // namespace
 
-int run_arm(const ArmCommand&) { refuse(); }
+int run_command(const ArmCommand&) { refuse(); }
 std::unique_ptr<Task> recorded_arm(const Recorded&) { refuse(); }
 bool tells_no_bodies(const Json&) { refuse(); }
 std::string why_not_replayed(const Recorded&) { refuse(); }

@@ -48,9 +48,7 @@ void add_pairs(Json& json, const arm::Robot& robot) {
 
 }  // namespace
 
-Json position_json(const Eigen::Vector3d& p) {
-  return {number(p.x()), number(p.y()), number(p.z())};
-}
+Json vector_json(const Eigen::Vector3d& p) { return {number(p.x()), number(p.y()), number(p.z())}; }
 
 Json joint_values_json(const arm::JointRef& q) {
   return numbers(std::vector<double>(q.begin(), q.end()));
@@ -102,16 +100,20 @@ Json goals_json(const ArmCommand& command, const ArmAnswer& answer) {
   return goals;
 }
 
-Json questions_json(const arm::Result& plan) {
+Json asked_json(const std::vector<arm::Questions>& asked) {
   Json positions = Json::array(), motions = Json::array();
-  for (const arm::Questions& asked : plan.asked) {
-    positions.push_back(asked.positions);
-    motions.push_back(asked.motions);
+  for (const arm::Questions& so_far : asked) {
+    positions.push_back(so_far.positions);
+    motions.push_back(so_far.motions);
   }
+  return {{"positions", std::move(positions)}, {"motions", std::move(motions)}};
+}
+
+Json questions_json(const arm::Result& plan) {
   return {{"positions", plan.questions.positions},
           {"motions", plan.questions.motions},
           {"trajectory", plan.questions.trajectory},
-          {"by_iteration", {{"positions", std::move(positions)}, {"motions", std::move(motions)}}}};
+          {"by_iteration", asked_json(plan.asked)}};
 }
 
 Json trajectory_json(const ArmAnswer& answer, double rate) {
@@ -134,7 +136,7 @@ Json trajectory_json(const ArmAnswer& answer, double rate) {
     samples["q"].push_back(joint_values_json(state.q));
     samples["dq"].push_back(joint_values_json(state.dq));
     samples["ddq"].push_back(joint_values_json(state.ddq));
-    samples["tip"].push_back(position_json(arm::tip_position(answer.robot, state.q)));
+    samples["tip"].push_back(vector_json(arm::tip_position(answer.robot, state.q)));
   }
   return {{"duration", number(trajectory.duration())},
           {"waypoints", answer.plan.waypoints},

@@ -6,7 +6,7 @@
 
 namespace lasius::tool {
 
-Json position_json(const Eigen::Vector3d& p);
+Json vector_json(const Eigen::Vector3d& p);
 Json joint_values_json(const arm::JointRef& q);
 
 /// Files by role, with hashes; of the robot also its joints, what its body is, and which pairs of
@@ -17,7 +17,9 @@ Json scene_json(const ArmCommand& command, const ArmAnswer& answer);
 /// What was asked for, goal by goal.
 Json goals_json(const ArmCommand& command, const ArmAnswer& answer);
 
-/// In all, and so far by iteration.
+/// Positions and motions so far, by iteration.
+Json asked_json(const std::vector<arm::Questions>& asked);
+/// In all, and these.
 Json questions_json(const arm::Result& plan);
 
 /// The motion as knots, and as samples, `rate` a second; null without one.

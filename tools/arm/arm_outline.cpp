@@ -20,6 +20,13 @@ std::vector<Vector3d> outline(const arm::Solid& o) {
   const auto add = [&](const Vector3d& p) { points.emplace_back(o.pose * p); };
   constexpr int kParts = 32;
   const auto angle = [](int i) { return 2 * std::numbers::pi * i / kParts; };
+  const auto add_circles = [&](const Vector3d& middle) {
+    for (int i = 0; i < kParts; ++i) {
+      const double c = o.radius * std::cos(angle(i)), s = o.radius * std::sin(angle(i));
+      for (const Vector3d& p : {Vector3d(c, s, 0), Vector3d(c, 0, s), Vector3d(0, c, s)})
+        points.emplace_back(middle + p);
+    }
+  };
   switch (o.shape) {
     case arm::Solid::Shape::box:
       for (const double x : {-0.5, 0.5})
@@ -27,11 +34,7 @@ std::vector<Vector3d> outline(const arm::Solid& o) {
           for (const double z : {-0.5, 0.5}) add({x * o.size[0], y * o.size[1], z * o.size[2]});
       break;
     case arm::Solid::Shape::sphere:
-      for (int i = 0; i < kParts; ++i) {
-        const double c = o.radius * std::cos(angle(i)), s = o.radius * std::sin(angle(i));
-        for (const Vector3d& p : {Vector3d(c, s, 0), Vector3d(c, 0, s), Vector3d(0, c, s)})
-          points.emplace_back(o.pose.translation() + p);
-      }
+      add_circles(o.pose.translation());
       break;
     case arm::Solid::Shape::cylinder:
       for (int i = 0; i < kParts; ++i)
@@ -39,12 +42,7 @@ std::vector<Vector3d> outline(const arm::Solid& o) {
           add({o.radius * std::cos(angle(i)), o.radius * std::sin(angle(i)), z});
       break;
     case arm::Solid::Shape::capsule:
-      for (const Vector3d& end : {Vector3d(0, 0, 0), Vector3d(o.size)})
-        for (int i = 0; i < kParts; ++i) {
-          const double c = o.radius * std::cos(angle(i)), s = o.radius * std::sin(angle(i));
-          for (const Vector3d& p : {Vector3d(c, s, 0), Vector3d(c, 0, s), Vector3d(0, c, s)})
-            points.emplace_back(o.pose * end + p);
-        }
+      for (const Vector3d& end : {Vector3d(0, 0, 0), Vector3d(o.size)}) add_circles(o.pose * end);
       break;
     case arm::Solid::Shape::mesh:
       if (o.triangles == nullptr) break;

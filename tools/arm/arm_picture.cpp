@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <functional>
 #include <utility>
 
 #include "tools/arm/arm_outline.h"
 #include "tools/arm/arm_samples.h"
+#include "tools/console/values.h"
 #include "tools/draw/canvas.h"
 #include "tools/draw/colours.h"
 #include "tools/draw/line_chart.h"
@@ -89,9 +87,7 @@ void draw_bones(Canvas& canvas, const Frame& frame, const arm::Robot& robot,
 std::vector<arm::JointVector> poses(const ArmAnswer& answer) {
   constexpr int kPoses = 7;
   const arm::Trajectory& trajectory = answer.plan.trajectory;
-  if (trajectory.empty()) {
-    return {answer.start};
-  }
+  if (trajectory.empty()) return {answer.start};
   std::vector<arm::JointVector> list;
   for (int i = 0; i < kPoses; ++i)
     list.push_back(trajectory.at(trajectory.duration() * i / (kPoses - 1)).q);
@@ -235,11 +231,8 @@ SpaceBounds bounds_of(const ArmAnswer& answer) {
 }
 
 std::string arm_title(const ArmCommand& command, const ArmAnswer& answer) {
-  const auto base = [](const std::string& file) {
-    return std::filesystem::path(file).filename().string();
-  };
-  return std::string(answer.parameters.algorithm()) + ": " + base(command.robot) + " in " +
-         base(command.scene) + ", seed " + std::to_string(command.seed);
+  return std::string(answer.parameters.algorithm()) + ": " + file_name(command.robot) + " in " +
+         file_name(command.scene) + ", seed " + std::to_string(command.seed);
 }
 
 void write_arm_picture(const std::string& file, const ArmCommand& command,

@@ -7,7 +7,6 @@
 #include "lasius/arm_plan.h"
 #include "tools/arm/arm_json.h"
 #include "tools/arm/arm_task.h"
-#include "tools/console/exit_code.h"
 #include "tools/record/recorded.h"
 
 namespace lasius::tool {

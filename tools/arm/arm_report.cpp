@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "tools/arm/arm_json.h"
 #include "tools/arm/arm_outline.h"
 #include "tools/arm/arm_picture.h"
 #include "tools/arm/arm_samples.h"
@@ -21,15 +22,13 @@ constexpr int kMostTimes = 240;
 constexpr double kFarAway = 1e6;              // metres: nothing is near
 constexpr std::size_t kMostTriangles = 6000;  // of all meshes together
 
-Json pose_json(const arm::Pose& pose) {
-  Json numbers = Json::array();
+/// The rows of its 3 x 4 matrix.
+std::vector<double> numbers_of(const arm::Pose& pose) {
+  std::vector<double> numbers;
   for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 4; ++column)
-      numbers.push_back(number(pose.matrix()(row, column)));
+    for (int column = 0; column < 4; ++column) numbers.push_back(pose.matrix()(row, column));
   return numbers;
 }
-
-Json vector_json(const Vector3d& v) { return {number(v.x()), number(v.y()), number(v.z())}; }
 
 /// A mesh with corners moved to the middle of cubes of edge `pitch`: those that lie within one, and
 /// repeated ones, are gone. Pitch 0: as it is.
@@ -84,7 +83,7 @@ Json solids_json(const ArmAnswer& answer) {
   for (const auto& [number_of, solid] : bodies) {
     Json json = {{"body", number_of},
                  {"shape", to_string(solid->shape)},
-                 {"pose", pose_json(solid->pose)},
+                 {"pose", numbers(numbers_of(solid->pose))},
                  {"size", vector_json(solid->size)},
                  {"radius", number(solid->radius)},
                  {"length", number(solid->length)}};
@@ -123,24 +122,12 @@ Json motion_json(const ArmAnswer& answer) {
     add(joints, q);
     add(tips, arm::tip_position(answer.robot, q));
     distances.push_back(static_cast<float>(std::min(sensor.distance(q), kFarAway)));
-    for (const arm::Pose& pose : body_poses(answer.robot, q))
-      for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 4; ++column)
-          poses.push_back(static_cast<float>(pose.matrix()(row, column)));
+    for (const arm::Pose& pose : body_poses(answer.robot, q)) add(poses, numbers_of(pose));
   }
   return {{"times", numbers(times)},        {"names", joint_names(answer.robot)},
           {"joints", packed(joints)},       {"tips", packed(tips)},
           {"distances", packed(distances)}, {"far_away", kFarAway},
           {"poses", packed(poses)}};
-}
-
-Json asked_json(const std::vector<arm::Questions>& asked) {
-  Json positions = Json::array(), motions = Json::array();
-  for (const auto& count : asked) {
-    positions.push_back(count.positions);
-    motions.push_back(count.motions);
-  }
-  return {{"positions", positions}, {"motions", motions}};
 }
 
 }  // namespace

@@ -187,8 +187,7 @@ class ArmTask : public Task {
   /// The goal is where the tip goes: at the goal that was reached, or else the first.
   std::pair<Json, Json> ends() const override {
     const auto goal = static_cast<std::size_t>(std::max(0, found_.plan.goal));
-    return {joint_values_json(found_.start),
-            position_json(tip_of(found_.robot, found_.goals[goal]))};
+    return {joint_values_json(found_.start), vector_json(tip_of(found_.robot, found_.goals[goal]))};
   }
   void add_settings(Json& json) const override {
     json["clearance"] = number(found_.clearance);
@@ -205,8 +204,7 @@ class ArmTask : public Task {
     const arm::Result& plan = found_.plan;
     json["path"] = nullptr;
     json["joints"] = nullptr;
-    for (const Eigen::Vector3d tip : plan.tips.colwise())
-      json["path"].push_back(position_json(tip));
+    for (const Eigen::Vector3d tip : plan.tips.colwise()) json["path"].push_back(vector_json(tip));
     for (const auto q : plan.joints.colwise()) json["joints"].push_back(joint_values_json(q));
     json["start_state"] = text_or_null(command_.start_state);
     json["goals"] = goals_json(command_, found_);
@@ -299,7 +297,7 @@ std::unique_ptr<Task> recorded_arm(const Recorded& from) {
   return std::make_unique<ArmTask>(recorded_command(from));
 }
 
-int run_arm(const ArmCommand& command) {
+int run_command(const ArmCommand& command) {
   ArmTask task(command);
   return run(task);
 }

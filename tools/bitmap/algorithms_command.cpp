@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -85,7 +84,7 @@ void check_known(const std::string& name) {
 
 }  // namespace
 
-int run_algorithms(const AlgorithmsCommand& command) {
+int run_command(const AlgorithmsCommand& command) {
   Json json = {{"format", "lasius-algorithms/1"}};
   std::string text;
   if (!command.name.empty()) check_known(command.name);

@@ -49,10 +49,7 @@ Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, c
 
 void set_optima(const RunOptions& run, std::optional<double> any_angle,
                 std::optional<double> by_moves, Answer& answer) {
-  // Cell by cell, Corners::allow squeezes through where no path of the plane may.
-  const bool squeezes = moves_on_cells(run.params) && run.params.corners == Corners::allow &&
-                        run.params.neighbours != Neighbours::four;
-  if (!squeezes) answer.optimum = any_angle;
+  if (!squeezes(run.params)) answer.optimum = any_angle;
   answer.grid_optimum = moves_on_cells(run.params) ? by_moves : answer.optimum;
 }
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <ostream>
+#include <optional>
 
 #include "core/base/output.h"
 #include "lasius/batch.h"
@@ -12,45 +11,38 @@
 #include "tools/console/elapsed.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/parameters.h"
-#include "tools/console/progress.h"
 #include "tools/console/signals.h"
-#include "tools/console/streams.h"
 #include "tools/console/team.h"
 #include "tools/options/commands.h"
-#include "tools/record/batch_files.h"
-#include "tools/record/outputs.h"
+#include "tools/record/batch_output.h"
 #include "tools/record/queries.h"
 
 namespace lasius::tool {
 namespace {
 
-/// What --gap adds to some queries; NaN where there is none.
+/// What --gap adds to some queries.
 struct Optima {
-  std::vector<double> any_angle, by_moves;
+  std::vector<std::optional<double>> any_angle, by_moves;
 };
 
 Optima optima(const LoadedMap& map, const RunOptions& run, std::span<const Request> queries,
               BatchOptions options) {
   options.seeds = 1;
   Optima found;
-  found.any_angle.assign(queries.size(), std::nan(""));
+  found.any_angle.resize(queries.size());
   std::vector<Request> exact(queries.begin(), queries.end());
   for (Request& query : exact) query.target_gap = 0;
   plan_batch(*map.planner, exact, optimum_params(run), options, [&](const BatchAnswer& answer) {
     if (answer.result.optimal) found.any_angle[answer.index] = answer.result.length;
   });
-  found.by_moves.assign(queries.size(), std::nan(""));
+  found.by_moves.resize(queries.size());
   if (!moves_on_cells(run.params)) return found;
   const auto ask = [&](std::size_t i) {
     const StopCondition stop{.token = options.token, .deadline = deadline_after(run.time_limit)};
-    found.by_moves[i] = shortest_by_own_moves(map, run, queries[i], stop).value_or(std::nan(""));
+    found.by_moves[i] = shortest_by_own_moves(map, run, queries[i], stop);
   };
   share_out(queries.size(), options.threads, [&] { return ask; });
   return found;
-}
-
-std::optional<double> known(double value) {
-  return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
 /// The command's queries: a file's, or its own one.
@@ -81,7 +73,7 @@ std::vector<Request> requests_of(const QueryFile& file, const LoadedMap& map,
 
 }  // namespace
 
-int run_batch(const BatchCommand& command) {
+int run_command(const BatchCommand& command) {
   const RunOptions& run = command.run;
   check_outputs(run.outputs, {run.map.file, command.queries});
   SignalWatcher signals;
@@ -96,11 +88,7 @@ int run_batch(const BatchCommand& command) {
 
   BatchOptions options{.threads = run.params.threads, .token = signals.token(), .seeds = run.seeds};
   if (run.time_limit) options.time_limit = std::chrono::duration<double>(*run.time_limit);
-  BatchFiles files(task);
-  Delivery delivery(run.outputs);
-  const auto total = static_cast<std::int64_t>(queries.size()) * run.seeds;
-  ProgressLine bar(wants_progress(run.messages), total);
-  std::int64_t done = 0;
+  BatchOutput output(task, static_cast<std::int64_t>(queries.size()) * run.seeds);
   // The optimum is asked beside each chunk, so that answers still stream.
   const std::size_t chunk = run.with_optimum ? 256 : queries.size();
   for (std::size_t from = 0; from < queries.size() && !signals.interrupted(); from += chunk) {
@@ -115,20 +103,15 @@ int run_batch(const BatchCommand& command) {
                     .result = found.result,
                     .elapsed_ms = std::chrono::duration<double, std::milli>(found.elapsed).count(),
                     .index = index};
-      if (run.with_optimum) {
-        set_optima(run, known(best.any_angle[found.index]), known(best.by_moves[found.index]),
-                   answer);
-      }
+      if (run.with_optimum)
+        set_optima(run, best.any_angle[found.index], best.by_moves[found.index], answer);
       task.set_seed(found.seed);
       task.take(std::move(answer));
-      const std::string text = json_line(task);
-      files.add(task, text, task.end_texts(), task.result().path);
-      delivery.print(text);
-      bar.update(++done, "queries");
+      output.add(task, task.end_texts(), task.result().path);
     });
   }
-  delivery.write([&](const std::string& output) {
-    files.write(output, [&](const auto& paths) { write_batch_picture(output, map, run, paths); });
+  output.write_files([&](const std::string& picture, const auto& paths) {
+    write_batch_picture(picture, map, run, paths);
   });
   return signals.interrupted() ? kInterrupted : kFound;
 }

@@ -1,9 +1,7 @@
 #include "tools/bitmap/bitmap_task.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "tools/bitmap/bitmap_report.h"
 #include "tools/bitmap/map_record.h"
@@ -24,16 +22,6 @@ bool is_search(const LoadedMap& map, Corners corners, Cell start, Cell goal,
   return map.planner && map.grid().free(start) && map.grid().free(goal) && start != goal &&
          map.planner->label(corners, {.token = token}) &&
          map.planner->connected(start, goal, corners);
-}
-
-/// Why a start or goal is invalid.
-std::string invalid_text(const LoadedMap& map, Frame frame, const Answer& answer) {
-  const Result& result = answer.result;
-  const bool at_start =
-      result.fault == Fault::start_blocked || result.fault == Fault::start_outside;
-  const bool outside = result.fault == Fault::start_outside || result.fault == Fault::goal_outside;
-  return fault_text(map, frame, at_start ? "start" : "goal", at_start ? answer.start : answer.goal,
-                    outside, result.nearest_free);
 }
 
 }  // namespace
@@ -96,26 +84,6 @@ std::vector<std::string> BitmapTask::input_files() const {
   return {options().map.file, map_ ? map_->image : std::string()};
 }
 
-const Algorithm& BitmapTask::algorithm() const {
-  return find_algorithm(options().params.algorithm());
-}
-
-std::string BitmapTask::parameter(std::string_view name) const {
-  return get_parameter(options().params, name);
-}
-
-std::string BitmapTask::error() const {
-  const Status status = result().status;
-  if (status != Status::invalid && status != Status::unreachable) return {};
-  std::string text =
-      status == Status::invalid ? invalid_text(*map_, options().frame, answer_) : result().error;
-  if (map_->radius > 0)  // why a cell that looks free is not
-    text.append(" (obstacles grown by ").append(to_text(map_->radius)).append(" cells)");
-  return text;
-}
-
-double BitmapTask::shown(double length) const { return map_->length_in(options().frame, length); }
-
 /// What --gap found.
 void BitmapTask::remark() const {
   const auto& [any_angle, by_moves] = std::pair(answer_.optimum, answer_.grid_optimum);
@@ -157,15 +125,6 @@ std::vector<std::string> BitmapTask::end_texts() const {
 
 Json BitmapTask::inputs() const { return {{"map", map_json(*map_)}}; }
 
-std::pair<Json, Json> BitmapTask::ends() const {
-  return {cell_json(answer_.start), cell_json(answer_.goal)};
-}
-
-void BitmapTask::add_settings(Json& json) const {
-  add_limits(json);
-  add_map_settings(json, *map_, options().frame);
-}
-
 void BitmapTask::add_path(Json& json) const {
   json["path"] = points(result().path);
   if (!in_metres()) return;
@@ -197,7 +156,7 @@ std::unique_ptr<Task> recorded_bitmap(const Recorded& from, SharedMap& last) {
   return task;
 }
 
-int run_plan(const PlanCommand& command) {
+int run_command(const PlanCommand& command) {
   BitmapTask task(command);
   return run(task);
 }

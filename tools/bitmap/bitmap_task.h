@@ -5,16 +5,15 @@
 #include <optional>
 
 #include "tools/bitmap/answer.h"
-#include "tools/bitmap/map_file.h"
+#include "tools/bitmap/map_task.h"
 #include "tools/bitmap/picture_recorder.h"
 #include "tools/bitmap/run_frames.h"
-#include "tools/record/task.h"
 
 namespace lasius::tool {
 
 using SharedMap = std::shared_ptr<LoadedMap>;
 
-class BitmapTask : public Task {
+class BitmapTask : public MapTask {
  public:
   /// `map` may be given, made ready for `command`; else `load` makes it.
   explicit BitmapTask(PlanCommand command, SharedMap map = {});
@@ -28,17 +27,12 @@ class BitmapTask : public Task {
 
   const RunOptions& options() const override { return command_.run; }
   std::vector<std::string> input_files() const override;
-  const Algorithm& algorithm() const override;
-  std::string parameter(std::string_view name) const override;
   std::int64_t iterations() const override { return options().params.iterations; }
 
   const Result& result() const override { return answer_.result; }
-  std::string error() const override;
   std::optional<double> optimum() const override { return answer_.optimum; }
   double elapsed_ms() const override { return answer_.elapsed_ms; }
 
-  double shown(double length) const override;
-  std::string unit() const override { return in_metres() ? "m" : ""; }
   void remark() const override;
   void write_path(std::ostream& out, const char* between) const override;
   void write_picture(const std::string& file) const override;
@@ -48,13 +42,14 @@ class BitmapTask : public Task {
 
   std::optional<std::size_t> index() const override { return answer_.index; }
   Json inputs() const override;
-  std::pair<Json, Json> ends() const override;
-  void add_settings(Json& json) const override;
   void add_path(Json& json) const override;
   void add_findings(Json& json) const override;
 
  private:
-  bool in_metres() const { return options().frame == Frame::world; }
+  const LoadedMap& map() const override { return *map_; }
+  const Place& start() const override { return answer_.start; }
+  const Place& goal() const override { return answer_.goal; }
+  const std::optional<Cell>& nearest_free() const override { return result().nearest_free; }
 
   PlanCommand command_;
   SharedMap map_;

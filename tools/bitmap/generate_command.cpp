@@ -1,4 +1,3 @@
-#include <string>
 
 #include "core/base/output.h"
 #include "lasius/generate.h"
@@ -11,7 +10,7 @@
 
 namespace lasius::tool {
 
-int run_generate(const GenerateCommand& command) {
+int run_command(const GenerateCommand& command) {
   check_outputs({command.output}, {});
   GenerateOptions options = command.options;
   const double most = max_density(command.kind);

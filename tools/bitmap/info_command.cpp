@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -98,7 +97,7 @@ std::string info_text(const Json& json) {
 
 }  // namespace
 
-int run_info(const InfoCommand& command) {
+int run_command(const InfoCommand& command) {
   const LoadedMap map = load_map(command.map);
   const Json json = info_json(map, command.corners);
   print(command.json ? line(json) : info_text(json));

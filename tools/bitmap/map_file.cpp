@@ -107,28 +107,6 @@ Place to_place(const LoadedMap& map, Point point, Frame frame) {
   return {{clamped(number.x), clamped(number.y)}, number, point};
 }
 
-std::string fault_text(const LoadedMap& map, Frame frame, const char* name, const Place& place,
-                       bool outside, const std::optional<Cell>& nearest_free) {
-  const auto [x, y] = place.number;
-  const std::string named =
-      std::string("(").append(whole_text(x)).append(", ").append(whole_text(y)).append(")");
-  std::string text = name + std::string(" ");
-  if (frame == Frame::world) {
-    text += to_text(place.asked.x) + "," + to_text(place.asked.y) + " m, in cell " + named + ",";
-  } else {
-    text += named;
-  }
-  text += outside ? " is outside the map" : " is blocked";
-  if (!nearest_free)
-    return map.grid().count_free() == 0 ? text + "; the map has no free cell" : text;
-  text += "; the nearest free cell is (" + std::to_string(nearest_free->x) + ", " +
-          std::to_string(nearest_free->y) + ")";
-  if (frame == Frame::cell) return text;
-  const Point metres = map.to_world(centre(*nearest_free));
-  return text + ", its centre at " + decimal_text(metres.x, 3) + "," + decimal_text(metres.y, 3) +
-         " m";
-}
-
 Place place_of(const LoadedMap& map, Point cell, Frame frame) {
   Place place = to_place(map, cell, Frame::cell);
   if (frame == Frame::world) place.asked = map.to_world({cell.x + 0.5, cell.y + 0.5});

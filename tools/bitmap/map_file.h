@@ -65,10 +65,6 @@ struct Place {
 /// first.
 Place to_place(const LoadedMap& map, Point point, Frame frame);
 
-/// Why a place is invalid, as it was given, and in metres too the free cell that is nearest.
-std::string fault_text(const LoadedMap& map, Frame frame, const char* name, const Place& place,
-                       bool outside, const std::optional<Cell>& nearest_free);
-
 /// The place of a cell, as if it had been given in `frame`.
 Place place_of(const LoadedMap& map, Point cell, Frame frame);
 

@@ -1,8 +1,6 @@
 #include "tools/bitmap/picture.h"
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <functional>
 #include <limits>
 
@@ -13,7 +11,6 @@
 #include "tools/draw/line_chart.h"
 #include "tools/draw/page.h"
 #include "tools/draw/text.h"
-#include "tools/record/json_values.h"
 
 namespace lasius::tool {
 namespace {
@@ -22,19 +19,6 @@ constexpr Colour kAnts[] = {{0.74, 0.85, 0.95}, {0.26, 0.57, 0.78}, {0.03, 0.16,
 constexpr Colour kHeat[] = {{1, 0.98, 0.85}, {1, 0.8, 0.35}, {0.87, 0.32, 0.1}, {0.27, 0, 0.1}};
 constexpr Colour kFar[] = {
     {0.27, 0, 0.33}, {0.13, 0.45, 0.56}, {0.37, 0.79, 0.38}, {0.99, 0.9, 0.14}};
-
-/// The value of a recorder's raster that `better` prefers over some cells; NaN is never preferred.
-template <class T, class Better>
-T chosen(const Raster<T>& raster, int cells_a_pixel, Span columns, Span rows,
-         const Better& better) {
-  T result = raster.at(columns.from / cells_a_pixel, rows.from / cells_a_pixel);
-  for (int y = rows.from / cells_a_pixel; y <= (rows.to - 1) / cells_a_pixel; ++y)
-    for (int x = columns.from / cells_a_pixel; x <= (columns.to - 1) / cells_a_pixel; ++x) {
-      const T value = raster.at(x, y);
-      if (value == value && (result != result || better(value, result))) result = value;
-    }
-  return result;
-}
 
 /// From 1 ant a cell to the most.
 ColourScale track_scale(double most) {

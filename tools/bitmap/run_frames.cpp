@@ -7,6 +7,7 @@
 
 #include "tools/report/packed.h"
 #include "tools/report/report.h"
+#include "tools/report/thinned.h"
 
 namespace lasius::tool {
 namespace {
@@ -89,11 +90,7 @@ void RunFrames::keep_path(const GridProgress& progress) {
   if (!std::isfinite(progress.best_length) || (path_ && progress.best_length == best_)) return;
   best_ = progress.best_length;
   const Path all = progress.path();
-  const std::size_t stride = all.size() / kMostPathVertices + 1;
-  Path kept;
-  for (std::size_t i = 0; i < all.size(); i += stride) kept.push_back(all[i]);
-  if (!all.empty() && kept.back() != all.back()) kept.push_back(all.back());
-  path_ = std::make_shared<const Path>(std::move(kept));
+  path_ = std::make_shared<const Path>(thinned(all, all.size() / kMostPathVertices + 1));
 }
 
 RunFrames::Frame RunFrames::frame() const {

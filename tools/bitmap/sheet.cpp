@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
+#include "tools/console/values.h"
 #include "tools/draw/axes.h"
 #include "tools/draw/colours.h"
 #include "tools/draw/text.h"
@@ -80,9 +80,8 @@ Page Sheet::page(std::string title) const {
 }
 
 std::string map_title(const LoadedMap& map, const RunOptions& run) {
-  return run.params.algorithm() + " on " + std::filesystem::path(map.file).filename().string() +
-         ", " + std::to_string(map.width) + " x " + std::to_string(map.height) + " cells, seed " +
-         std::to_string(run.params.seed);
+  return run.params.algorithm() + " on " + file_name(map.file) + ", " + std::to_string(map.width) +
+         " x " + std::to_string(map.height) + " cells, seed " + std::to_string(run.params.seed);
 }
 
 double wall_strength(double blocked) {

@@ -12,7 +12,6 @@
 #include "tools/command_line/describe.h"
 #include "tools/command_line/subcommands.h"
 #include "tools/console/exit_code.h"
-#include "tools/console/values.h"
 
 namespace lasius::tool {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "tools/command_line/run_text.h"
 #include "tools/console/exit_code.h"
+#include "tools/console/values.h"
 #include "tools/console/worlds.h"
 
 namespace lasius::tool {
@@ -221,9 +222,7 @@ Values values_of(std::string_view command, std::string_view name, std::string_vi
     return {.names = Values::Names::algorithms, .list = value.find(',') != value.npos};
   if (name == "--set") return {.names = Values::Names::parameters};
   Values values;
-  while (!value.empty()) {
-    const auto word = value.substr(0, value.find('|'));
-    value.remove_prefix(std::min(value.size(), word.size() + 1));
+  for (const auto word : split(value, '|')) {
     if (word == "FILE") values.files = true;
     if (word == "DIR") values.folders = true;
     if (is_choice(word)) values.choices.emplace_back(word);

@@ -46,6 +46,13 @@ void take_preset(const SearchText& text, SearchOptions& options) {
   options.preset_settings = std::move(preset.settings);
 }
 
+/// Reads a number within bounds, where an option gives one.
+template <class Number>
+void take_real(std::string_view option, const std::string& text, double least, double most,
+               Number& to) {
+  if (!text.empty()) to = real_value(option, text, least, most);
+}
+
 /// Reads what all commands that plan have.
 void read_search(const SearchText& text, SearchOptions& options,
                  std::span<const std::string_view> endings = kResultEndings) {
@@ -59,8 +66,7 @@ void read_search(const SearchText& text, SearchOptions& options,
   options.settings = text.set;
   read_seeds(text.seed, options);
   options.threads = thread_count(text.threads);
-  if (!text.time_limit.empty())
-    options.time_limit = real_value("--time-limit", text.time_limit, 0, kNoLimit);
+  take_real("--time-limit", text.time_limit, 0, kNoLimit, options.time_limit);
   if (!text.target_gap.empty())
     options.target_gap = real_value("--target-gap", text.target_gap, 0, kNoLimit) / 100;
   options.json = text.json;
@@ -180,7 +186,7 @@ RunOptions make_run(const RunText& text, std::span<const std::string_view> endin
     run.frame = static_cast<Frame>(choice_value("--frame", text.frame, kFrames));
   MapOptions& map = run.map;
   map.file = text.map;
-  if (!text.radius.empty()) map.radius = real_value("--radius", text.radius, 0, kNoLimit);
+  take_real("--radius", text.radius, 0, kNoLimit, map.radius);
   map.radius_metres = run.frame == Frame::world;
   map.unknown_is_free = text.unknown_free;
   if (text.unknown_free && !has_ending(map.file, ".yaml") && !has_ending(map.file, ".yml"))
@@ -224,10 +230,8 @@ DriveCommand make_drive(const DriveText& text) {
   run.map.prepare = text.prepare && !moves_on_cells(run.params);
   drive.world = text.world;
   drive.changes = text.changes;
-  if (!text.sense.empty())
-    drive.sense =
-        real_value("--sense", text.sense, run.map.radius_metres ? 0 : DriveCommand::kLeastSense,
-                   DriveCommand::kMostSense);
+  take_real("--sense", text.sense, run.map.radius_metres ? 0 : DriveCommand::kLeastSense,
+            DriveCommand::kMostSense, drive.sense);
   if (!text.max_ticks.empty())
     drive.max_ticks = integer_value("--max-ticks", text.max_ticks, 0, DriveCommand::kMostTicks);
   return drive;
@@ -251,19 +255,15 @@ ArmCommand make_arm(const ArmText& text) {
   if (arm.goals.empty())
     throw UsageError("a goal is required: --goal, --goal-pose, --goal-joints or --goal-state");
   const auto tolerance = [](const char* option, const std::string& value, double& to) {
-    if (!value.empty())
-      to = real_value(option, value, ArmCommand::kLeastTolerance, ArmCommand::kMostTolerance);
+    take_real(option, value, ArmCommand::kLeastTolerance, ArmCommand::kMostTolerance, to);
   };
   tolerance("--position-tolerance", text.position_tolerance, arm.position_tolerance);
   tolerance("--angle-tolerance", text.angle_tolerance, arm.angle_tolerance);
-  if (!text.clearance.empty())
-    arm.clearance = real_value("--clearance", text.clearance, ArmCommand::kLeastClearance,
-                               ArmCommand::kMostClearance);
-  if (!text.duration.empty())
-    arm.duration = real_value("--duration", text.duration, ArmCommand::kLeastDuration,
-                              ArmCommand::kMostDuration);
-  if (!text.rate.empty())
-    arm.rate = real_value("--rate", text.rate, ArmCommand::kLeastRate, ArmCommand::kMostRate);
+  take_real("--clearance", text.clearance, ArmCommand::kLeastClearance, ArmCommand::kMostClearance,
+            arm.clearance);
+  take_real("--duration", text.duration, ArmCommand::kLeastDuration, ArmCommand::kMostDuration,
+            arm.duration);
+  take_real("--rate", text.rate, ArmCommand::kLeastRate, ArmCommand::kMostRate, arm.rate);
   if (!text.recheck.empty())
     arm.recheck =
         static_cast<int>(integer_value("--recheck", text.recheck, 1, ArmCommand::kMostRecheck));
@@ -272,8 +272,7 @@ ArmCommand make_arm(const ArmText& text) {
 
 WorldOptions make_world_options(const std::string& file, const WorldText& text) {
   WorldOptions options{.file = file, .repair = text.repair, .margin = {}};
-  if (!text.margin.empty())
-    options.margin = real_value("--margin", text.margin, 0, WorldOptions::kMostMargin);
+  take_real("--margin", text.margin, 0, WorldOptions::kMostMargin, options.margin);
   if (!text.join.empty())
     options.join = static_cast<int>(choice_value("--join", text.join, kJoins));
   if (!text.boundary.empty())

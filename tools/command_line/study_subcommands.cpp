@@ -1,5 +1,6 @@
 // lasius study, lasius tune.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <tuple>
@@ -29,15 +30,11 @@ struct StudyText {
   ShortText run;
 };
 
-std::vector<std::string> split(const std::string& option, const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t from = 0; from <= text.size();) {
-    const auto to = std::min(text.find(',', from), text.size());
-    if (to == from) throw UsageError(option + " " + text + ": a value is missing");
-    parts.push_back(text.substr(from, to - from));
-    from = to + 1;
-  }
-  return parts;
+std::vector<std::string> values_in(const std::string& option, const std::string& text) {
+  const auto parts = split(text, ',');
+  if (std::ranges::find(parts, "") != parts.end())
+    throw UsageError(option + " " + text + ": a value is missing");
+  return {parts.begin(), parts.end()};
 }
 
 /// NAME=VALUE,VALUE..., each tried with every algorithm that has the parameter.
@@ -47,7 +44,7 @@ std::pair<std::string, std::vector<std::string>> factor_of(
   if (equals == std::string::npos)
     throw UsageError("--set " + setting + ": not of the form NAME=VALUE,VALUE");
   const std::string name = setting.substr(0, equals);
-  auto values = split("--set", setting.substr(equals + 1));
+  auto values = values_in("--set", setting.substr(equals + 1));
   bool known = false;
   for (const std::string& algorithm : algorithms) {
     if (!find_algorithm(algorithm).has(name)) continue;
@@ -79,7 +76,7 @@ ShortStudy short_study(const ShortText& text) {
                  .steps = {},
                  .seconds = {}};
   if (!text.algorithms.empty())
-    run.algorithms = split("--algorithm", text.algorithms);
+    run.algorithms = values_in("--algorithm", text.algorithms);
   else if (is_document(text.preset))
     run.algorithms = {read_preset_file(text.preset).algorithm};
   else

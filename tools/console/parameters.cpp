@@ -16,6 +16,11 @@ bool moves_on_cells(const Params& params) {
   return find_algorithm(params.algorithm()).kind != Algorithm::Kind::exact;
 }
 
+bool squeezes(const Params& params) {
+  return moves_on_cells(params) && params.corners == Corners::allow &&
+         params.neighbours != Neighbours::four;
+}
+
 std::pair<std::string_view, std::string_view> setting_of(std::string_view setting,
                                                          const Algorithm& algorithm,
                                                          std::span<const Algorithm> all) {

@@ -30,6 +30,9 @@ const Algorithm& named_algorithm(std::span<const Algorithm> all, std::string_vie
 /// True where the algorithm moves from cell to cell.
 bool moves_on_cells(const Params& params);
 
+/// True where it may squeeze between blocked cells, where no path of the plane may.
+bool squeezes(const Params& params);
+
 /// Name and value of --set "NAME=VALUE", which `algorithm` has. @throws UsageError for anything
 /// else: another form, an option of its own, an unknown name, with the nearest.
 std::pair<std::string_view, std::string_view> setting_of(std::string_view setting,

@@ -1,11 +1,10 @@
 #include "tools/console/values.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <filesystem>
 
 #include "core/base/did_you_mean.h"
 #include "core/base/number_text.h"
@@ -17,10 +16,7 @@ namespace {
 template <class Number>
 std::optional<Number> parse_all(std::string_view text) {
   Number value{};
-  const char* const end = text.data() + text.size();
-  const auto [stop, fault] = std::from_chars(text.data(), end, value);
-  if (fault != std::errc{} || stop != end) return std::nullopt;
-  return value;
+  return read_all(text, value) ? std::optional(value) : std::nullopt;
 }
 
 UsageError bad_value(std::string_view option, std::string_view text, const std::string& wanted) {
@@ -75,6 +71,16 @@ double real_value(std::string_view option, std::string_view text, double low, do
   throw bad_value(option, text, wanted);
 }
 
+std::vector<std::string_view> split(std::string_view text, char at) {
+  std::vector<std::string_view> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const auto to = std::min(text.find(at, from), text.size());
+    parts.push_back(text.substr(from, to - from));
+    from = to + 1;
+  }
+  return parts;
+}
+
 std::size_t choice_value(std::string_view option, std::string_view text,
                          std::span<const std::string_view> known) {
   const auto found = std::find(known.begin(), known.end(), text);
@@ -112,19 +118,12 @@ Cell size_value(std::string_view option, std::string_view text) {
 }
 
 std::vector<int> list_value(std::string_view option, std::string_view text) {
+  const auto parts = split(text, ',');
   std::vector<int> values;
-  for (std::string_view rest = text; !rest.empty();) {
-    const auto comma = std::min(rest.find(','), rest.size());
-    const auto value = parse_all<int>(rest.substr(0, comma));
-    if (!value || *value < 1 || comma + 1 == rest.size()) {
-      values.clear();
-      break;
-    }
-    values.push_back(*value);
-    rest.remove_prefix(std::min(comma + 1, rest.size()));
-  }
+  for (const auto part : parts)
+    if (const auto value = parse_all<int>(part); value && *value >= 1) values.push_back(*value);
   constexpr std::size_t kMost = 20;
-  if (values.empty() || values.size() > kMost)
+  if (values.size() < parts.size() || values.size() > kMost)
     throw bad_value(option, text, "a list of 1 to 20 whole numbers from 1, as in 10,50");
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -133,15 +132,11 @@ std::vector<int> list_value(std::string_view option, std::string_view text) {
 
 std::vector<double> reals_value(std::string_view option, std::string_view text, std::size_t least,
                                 std::size_t most) {
+  const auto parts = split(text, ',');
   std::vector<double> values;
-  bool good = true;
-  for (std::size_t from = 0; from <= text.size() && good;) {
-    const auto comma = std::min(text.find(',', from), text.size());
-    const auto value = parse_real(text.substr(from, comma - from));
-    good = value.has_value();
-    if (good) values.push_back(*value);
-    from = comma + 1;
-  }
+  for (const auto part : parts)
+    if (const auto value = parse_real(part)) values.push_back(*value);
+  const bool good = values.size() == parts.size();
   if (good && values.size() >= least && values.size() <= most) return values;
   std::string count = std::to_string(least);
   if (most > least) count += " to " + std::to_string(most);
@@ -176,6 +171,22 @@ std::string printed(const char* format, ...) {
 
 std::string row_text(std::string_view name, const std::string& value) {
   return printed("%-12.*s", static_cast<int>(name.size()), name.data()) + value + "\n";
+}
+
+std::string with_escapes(std::string_view text, std::span<const Escape> escapes) {
+  std::string out;
+  for (const char c : text) {
+    const auto known = std::ranges::find(escapes, c, &Escape::first);
+    if (known == escapes.end())
+      out += c;
+    else
+      out += known->second;
+  }
+  return out;
+}
+
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
 }
 
 std::string counted(std::int64_t count, std::string_view thing) {

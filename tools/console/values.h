@@ -1,12 +1,14 @@
 // Values on the command line and in files, read strictly: all of the text, or an error.
 #pragma once
 
+#include <charconv>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -19,6 +21,14 @@ inline constexpr std::int64_t kMaxExactInteger = (std::int64_t{1} << 53) - 1;
 
 /// An upper bound for numbers that have none.
 inline constexpr double kNoLimit = std::numeric_limits<double>::max();
+
+/// Reads all of `text` as a number; false where it is none.
+template <class Number>
+bool read_all(std::string_view text, Number& number) {
+  const char* const end = text.data() + text.size();
+  const auto [stop, fault] = std::from_chars(text.data(), end, number);
+  return fault == std::errc{} && stop == end;
+}
 
 /// All of `text` as a number, or nothing. Reals are finite.
 std::optional<std::int64_t> parse_integer(std::string_view text);
@@ -34,6 +44,9 @@ std::optional<std::pair<std::int64_t, std::int64_t>> parse_range(std::string_vie
 std::int64_t integer_value(std::string_view option, std::string_view text, std::int64_t low,
                            std::int64_t high);
 double real_value(std::string_view option, std::string_view text, double low, double high);
+
+/// The parts of a text between `at`: one more than there are of these.
+std::vector<std::string_view> split(std::string_view text, char at);
 
 /// Index of `text` in `known`. @throws UsageError naming the nearest known value.
 std::size_t choice_value(std::string_view option, std::string_view text,
@@ -69,6 +82,13 @@ std::string decimal_text(double value, int decimals);
 
 /// A line of a table: the name in a column of its own, then the value.
 std::string row_text(std::string_view name, const std::string& value);
+
+/// A character and what stands in its place.
+using Escape = std::pair<char, std::string_view>;
+std::string with_escapes(std::string_view text, std::span<const Escape> escapes);
+
+/// The last part of a file's path.
+std::string file_name(const std::string& path);
 
 /// "1 joint", "2 joints".
 std::string counted(std::int64_t count, std::string_view thing);

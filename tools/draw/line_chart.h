@@ -1,7 +1,6 @@
 // Curves over a common axis, with a legend.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

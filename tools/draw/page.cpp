@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/draw/colours.h"
-
 namespace lasius::tool {
 namespace {
 

@@ -34,6 +34,20 @@ struct Span {
   int to = 0;
 };
 
+/// The value of a raster of so many cells a pixel that `better` prefers over some cells; NaN is
+/// never preferred.
+template <class T, class Better>
+T chosen(const Raster<T>& raster, int cells_a_pixel, Span columns, Span rows,
+         const Better& better) {
+  T result = raster.at(columns.from / cells_a_pixel, rows.from / cells_a_pixel);
+  for (int y = rows.from / cells_a_pixel; y <= (rows.to - 1) / cells_a_pixel; ++y)
+    for (int x = columns.from / cells_a_pixel; x <= (columns.to - 1) / cells_a_pixel; ++x) {
+      const T value = raster.at(x, y);
+      if (value == value && (result != result || better(value, result))) result = value;
+    }
+  return result;
+}
+
 /// The cells of `shown` under pixel `pixel` of `pixels`: at least one.
 Span cells_under(int pixel, int pixels, const Span& shown);
 

@@ -8,6 +8,7 @@
 #include "tools/drive/ground.h"
 #include "tools/report/packed.h"
 #include "tools/report/report.h"
+#include "tools/report/thinned.h"
 
 namespace lasius::tool {
 namespace {
@@ -16,13 +17,10 @@ std::vector<float> way_of(const DriveTick& tick) {
   std::vector<float> way;
   if (tick.way == nullptr) return way;
   const auto& path = tick.way->path;
-  const std::size_t stride = path.size() / DriveFrames::kMostWayVertices + 1;
-  const auto add = [&](Point p) {
+  for (const Point p : thinned(path, path.size() / DriveFrames::kMostWayVertices + 1)) {
     way.push_back(static_cast<float>(p.x));
     way.push_back(static_cast<float>(p.y));
-  };
-  for (std::size_t i = 0; i < path.size(); i += stride) add(path[i]);
-  if (!path.empty() && (path.size() - 1) % stride != 0) add(path.back());
+  }
   return way;
 }
 

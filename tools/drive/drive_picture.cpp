@@ -1,7 +1,6 @@
 #include "tools/drive/drive_picture.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 
 #include "tools/bitmap/sheet.h"
@@ -142,7 +141,7 @@ void write_drive_picture(const std::string& file, const RunOptions& run, const D
     draw_marks(canvas, box, sheet, answer.start.cell, answer.goal.cell, false);
   };
   std::string title = "drive, " + map_title(answer.map, run);
-  if (answer.world) title += ", through " + std::filesystem::path(truth.file).filename().string();
+  if (answer.world) title += ", through " + file_name(truth.file);
   Page page = sheet.page(std::move(title));
   page.legend = keys(answer, walls);
   std::vector<Colour> pale;

@@ -1,6 +1,7 @@
 #include "tools/drive/drive_recorder.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "lasius/path.h"
@@ -54,11 +55,7 @@ void DriveRecorder::look(const Grid& world, Cell robot, std::int32_t tick) {
 }
 
 std::int32_t DriveRecorder::latest(const Ticks& ticks, Span columns, Span rows) const {
-  std::int32_t latest = kNever;
-  for (int y = rows.from / cells_a_pixel_; y <= (rows.to - 1) / cells_a_pixel_; ++y)
-    for (int x = columns.from / cells_a_pixel_; x <= (columns.to - 1) / cells_a_pixel_; ++x)
-      latest = std::max(latest, ticks.at(x, y));
-  return latest;
+  return chosen(ticks, cells_a_pixel_, columns, rows, std::greater<>());
 }
 
 }  // namespace lasius::tool

@@ -9,6 +9,7 @@
 #include "lasius/shortest_walk.h"
 #include "tools/bitmap/bitmap_report.h"
 #include "tools/bitmap/map_record.h"
+#include "tools/bitmap/map_task.h"
 #include "tools/bitmap/sheet.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"
@@ -27,71 +28,6 @@
 
 namespace lasius::tool {
 namespace {
-
-/// `lasius drive`. Its SearchResult has the length travelled, also of a drive that did not arrive.
-class DriveTask : public Task {
- public:
-  explicit DriveTask(DriveCommand command) : command_(std::move(command)) {}
-
-  void load(const std::stop_token& token) override;
-  void announce() const override;
-  void plan(const StopCondition& stop, const Watch& watch) override;
-
-  const RunOptions& options() const override { return command_.run; }
-  std::vector<std::string> input_files() const override;
-  const Algorithm& algorithm() const override {
-    return find_algorithm(options().params.algorithm());
-  }
-  std::string parameter(std::string_view name) const override {
-    return get_parameter(options().params, name);
-  }
-  std::int64_t iterations() const override { return 0; }
-  bool iterates() const override { return false; }
-
-  const SearchResult& result() const override { return result_; }
-  std::string error() const override;
-  std::string limit() const override;
-  std::optional<double> optimum() const override { return answer_.optimum; }
-  double elapsed_ms() const override { return answer_.elapsed_ms; }
-  bool found() const override { return result_.status == Status::solved; }
-  std::string reached() const override;
-
-  double shown(double length) const override {
-    return answer_.map.length_in(options().frame, length);
-  }
-  std::string unit() const override { return in_metres() ? "m" : ""; }
-  std::string progress_note(const Progress& progress) const override;
-  void remark() const override;
-  void write_path(std::ostream& out, const char* between) const override;
-  void write_csv(std::ostream& out) const override;
-  void write_picture(const std::string& file) const override;
-  void write_film(std::ostream& out) const override { film_->write(out); }
-  void write_report(std::ostream& out) const override;
-
-  const char* format() const override { return kDriveFormat; }
-  Json inputs() const override;
-  std::pair<Json, Json> ends() const override {
-    return {cell_json(answer_.start), cell_json(answer_.goal)};
-  }
-  void add_settings(Json& json) const override;
-  void add_answer(Json& json) const override;
-  void add_path(Json& json) const override;
-
- private:
-  bool in_metres() const { return options().frame == Frame::world; }
-  DriveOptions drive_options(const StopCondition& stop) const;
-  Corners corners() const;
-  void look_for_optimum(const Grid& world, const StopCondition& stop);
-  std::string invalid_text() const;
-  std::vector<Point> centres_in_metres() const;
-
-  DriveCommand command_;
-  DriveAnswer answer_{};
-  std::optional<DriveRecorder> recorder_;
-  std::optional<Film> film_;
-  std::optional<DriveFrames> frames_;
-  SearchResult result_;
-};
 
 constexpr const char* kSamePlace = "give both for the same place, in cells of the same size";
 
@@ -129,50 +65,6 @@ double sense_in_cells(double metres, double resolution) {
                    to_text(DriveCommand::kMostSense * resolution) + " m");
 }
 
-void DriveTask::load(const std::stop_token&) {
-  const RunOptions& run = options();
-  if (std::ranges::any_of(run.outputs, is_film)) check_films();
-  DriveAnswer& answer = answer_;
-  answer.map = read_map(run.map, run.frame);
-  MapOptions alike = run.map;
-  alike.radius_metres = false;  // the world's file need not tell of metres
-  if (!command_.world.empty()) answer.world = read_world(alike, command_.world, answer.map);
-  if (!command_.changes.empty()) {
-    answer.changes = read_changes_file(command_.changes, answer.map.width, answer.map.height);
-    answer.changes_hash = file_hash(command_.changes);
-  }
-  answer.start = to_place(answer.map, command_.start, run.frame);
-  answer.goal = to_place(answer.map, command_.goal, run.frame);
-  answer.sense = command_.sense.value_or(DriveOptions{}.sense);
-  if (command_.sense && run.map.radius_metres)
-    answer.sense = sense_in_cells(answer.sense, answer.map.frame->resolution);
-}
-
-void DriveTask::announce() const {
-  Task::announce();
-  if (!options().messages.verbose) return;
-  const auto read = [](const LoadedMap& map) {
-    message(map.file + printed(": %d x %d cells, hash %s, read in %.1f ms", map.width, map.height,
-                               hash_text(map.hash).c_str(), map.read_ms));
-  };
-  read(answer_.map);
-  if (answer_.world) read(*answer_.world);
-  announce_algorithm(true);
-}
-
-DriveOptions DriveTask::drive_options(const StopCondition& stop) const {
-  DriveOptions drive;
-  drive.navigator.params = options().params;
-  drive.navigator.radius = answer_.map.radius;
-  if (answer_.map.prepare)
-    drive.navigator.prepare =
-        PrepareOptions{.threads = options().map.threads, .stop = {.token = stop.token}};
-  drive.navigator.target_gap = moves_on_cells(options().params) ? 0 : options().target_gap;
-  drive.sense = answer_.sense;
-  drive.max_ticks = command_.max_ticks;
-  return drive;
-}
-
 Progress progress_of(const DriveTick& tick) {
   Progress progress;
   progress.iteration = static_cast<int>(tick.tick);
@@ -180,189 +72,224 @@ Progress progress_of(const DriveTick& tick) {
   return progress;
 }
 
-void DriveTask::plan(const StopCondition& stop, const Watch& watch) {
-  DriveAnswer& answer = answer_;
-  const auto asked = [&](const auto& kind) { return std::ranges::any_of(options().outputs, kind); };
-  const bool filmed = asked(is_film), played = asked(is_page);
-  if (filmed || played || asked(is_picture)) recorder_.emplace(answer.map.grid(), answer.sense);
-  if (filmed) film_.emplace(answer.map.grid(), answer.goal.cell);
-  std::optional<Grid> at_start;  // the world without moving obstacles
-  if (played) frames_.emplace(answer.map.grid(), answer.goal.cell, answer.map.radius);
-  DriveObserver observer;
-  if (watch || recorder_)
-    observer = [&](const DriveTick& tick) {
-      if (watch) watch(progress_of(tick));
-      if (recorder_) recorder_->observe(tick);
-      if (film_) film_->observe(tick, *recorder_);
-      if (frames_) frames_->observe(tick, *recorder_);
-    };
-  DrivingTime time;
-  const DriveObserver untimed = [&](const DriveTick& tick) {
-    time.pause();
-    if (tick.tick == 0) at_start.emplace(*tick.still);
-    if (observer) observer(tick);
-    time.go_on();
-  };
-  const auto begin = time.now();
-  const DriveOptions how = drive_options(stop);
-  Navigator navigator(answer.map.grid(), answer.goal.cell, how.navigator);
-  // Time counts from when the map is prepared.
-  StopCondition until = again(stop, options().time_limit);
-  until.time = &time;
-  answer.result = drive(navigator, answer.truth().grid(), answer.start.cell, answer.changes, how,
-                        until, untimed);
-  answer.elapsed_ms = std::chrono::duration<double, std::milli>(time.now() - begin).count();
-  result_.status = answer.result.status;
-  result_.fault = answer.result.fault;
-  if (result_.status == Status::invalid) return;
-  result_.length = answer.result.length;
-  if (at_start) look_for_optimum(*at_start, again(stop, options().time_limit));
-}
+/// `lasius drive`. Its SearchResult has the length travelled, also of a drive that did not arrive.
+class DriveTask : public MapTask {
+ public:
+  explicit DriveTask(DriveCommand command) : command_(std::move(command)) {}
 
-/// By which the robot moves, whatever its paths are made of.
-Corners DriveTask::corners() const {
-  const Params& params = options().params;
-  const bool squeezes = moves_on_cells(params) && params.neighbours != Neighbours::four;
-  return squeezes && params.corners == Corners::allow ? Corners::allow : Corners::forbid;
-}
-
-void DriveTask::look_for_optimum(const Grid& world, const StopCondition& stop) {
-  auto grown = grow_obstacles(world, answer_.map.radius, stop);
-  if (grown)
-    answer_.optimum = shortest_walk(*grown, answer_.start.cell, answer_.goal.cell,
-                                    Neighbours::eight, corners(), stop);
-}
-
-std::vector<std::string> DriveTask::input_files() const {
-  std::vector<std::string> files{options().map.file, answer_.map.image, command_.world,
-                                 command_.changes};
-  if (answer_.world) files.push_back(answer_.world->image);
-  return files;
-}
-
-std::string DriveTask::error() const {
-  const DriveResult& result = answer_.result;
-  if (result.status != Status::invalid && result.status != Status::unreachable) return result.error;
-  std::string text = result.status == Status::invalid ? invalid_text() : result.error;
-  if (answer_.map.radius > 0)  // why a cell that looks free is not
-    text.append(" (obstacles grown by ").append(to_text(answer_.map.radius)).append(" cells)");
-  return text;
-}
-
-std::string DriveTask::invalid_text() const {
-  const Fault fault = answer_.result.fault;
-  const bool at_start = fault == Fault::start_blocked || fault == Fault::start_outside;
-  const bool outside = fault == Fault::start_outside || fault == Fault::goal_outside;
-  const Place& place = at_start ? answer_.start : answer_.goal;
-  return fault_text(answer_.map, options().frame, at_start ? "start" : "goal", place, outside,
-                    answer_.result.nearest_free);
-}
-
-std::string DriveTask::limit() const {
-  return answer_.result.ticks >= command_.max_ticks ? "--max-ticks" : "the time limit";
-}
-
-std::string DriveTask::reached() const {
-  const Cell at = answer_.result.track.back();
-  return " after " + counted(answer_.result.ticks, "tick") +
-         printed(", with the robot at (%d, %d)", at.x, at.y);
-}
-
-std::string DriveTask::progress_note(const Progress& progress) const {
-  std::string text = "tick " + std::to_string(progress.iteration);
-  if (progress.best_length == progress.best_length)
-    text += ", " + decimal_text(shown(progress.best_length), 1) + " " +
-            (in_metres() ? "m" : "cells") + " to go";
-  return text;
-}
-
-void DriveTask::remark() const {
-  if (options().json || !has_path()) return;
-  const DriveResult& result = answer_.result;
-  std::string text = counted(result.ticks, "tick") + ", " +
-                     counted(static_cast<std::int64_t>(result.replans.size()), "plan") + ", " +
-                     counted(result.seen, "cell") + " learned, " + counted(result.waits, "wait");
-  if (const auto ratio = answer_.ratio())
-    text += "; " + decimal_text(*ratio, 4) + " of the optimum of 8 moves, " +
-            decimal_text(shown(*answer_.optimum), 3) + (in_metres() ? " m" : "");
-  message(text);
-}
-
-std::vector<Point> DriveTask::centres_in_metres() const {
-  std::vector<Point> points;
-  for (const Cell c : answer_.result.track) points.push_back(answer_.map.to_world(centre(c)));
-  return points;
-}
-
-void DriveTask::write_path(std::ostream& out, const char* between) const {
-  if (in_metres()) {
-    for (const Point p : centres_in_metres())
-      out << to_text(p.x) << between << to_text(p.y) << "\n";
-  } else {
-    for (const Cell c : answer_.result.track) out << c.x << between << c.y << "\n";
+  void load(const std::stop_token&) override {
+    const RunOptions& run = options();
+    if (std::ranges::any_of(run.outputs, is_film)) check_films();
+    answer_.map = read_map(run.map, run.frame);
+    MapOptions alike = run.map;
+    alike.radius_metres = false;  // the world's file need not tell of metres
+    if (!command_.world.empty()) answer_.world = read_world(alike, command_.world, answer_.map);
+    if (!command_.changes.empty()) {
+      answer_.changes = read_changes_file(command_.changes, answer_.map.width, answer_.map.height);
+      answer_.changes_hash = file_hash(command_.changes);
+    }
+    answer_.start = to_place(answer_.map, command_.start, run.frame);
+    answer_.goal = to_place(answer_.map, command_.goal, run.frame);
+    answer_.sense = command_.sense.value_or(DriveOptions{}.sense);
+    if (command_.sense && run.map.radius_metres)
+      answer_.sense = sense_in_cells(answer_.sense, answer_.map.frame->resolution);
   }
-}
+  void announce() const override {
+    Task::announce();
+    if (!options().messages.verbose) return;
+    const auto read = [](const LoadedMap& map) {
+      message(map.file + printed(": %d x %d cells, hash %s, read in %.1f ms", map.width, map.height,
+                                 hash_text(map.hash).c_str(), map.read_ms));
+    };
+    read(answer_.map);
+    if (answer_.world) read(*answer_.world);
+    announce_algorithm(true);
+  }
+  void plan(const StopCondition& stop, const Watch& watch) override {
+    const auto asked = [&](const auto& kind) {
+      return std::ranges::any_of(options().outputs, kind);
+    };
+    const bool filmed = asked(is_film), played = asked(is_page);
+    if (filmed || played || asked(is_picture)) recorder_.emplace(map().grid(), answer_.sense);
+    if (filmed) film_.emplace(map().grid(), goal().cell);
+    std::optional<Grid> at_start;  // the world without moving obstacles
+    if (played) frames_.emplace(map().grid(), goal().cell, map().radius);
+    DriveObserver observer;
+    if (watch || recorder_)
+      observer = [&](const DriveTick& tick) {
+        if (watch) watch(progress_of(tick));
+        if (recorder_) recorder_->observe(tick);
+        if (film_) film_->observe(tick, *recorder_);
+        if (frames_) frames_->observe(tick, *recorder_);
+      };
+    DrivingTime time;
+    const DriveObserver untimed = [&](const DriveTick& tick) {
+      time.pause();
+      if (tick.tick == 0) at_start.emplace(*tick.still);
+      if (observer) observer(tick);
+      time.go_on();
+    };
+    const auto begin = time.now();
+    const DriveOptions how = drive_options(stop);
+    Navigator navigator(map().grid(), goal().cell, how.navigator);
+    // Time counts from when the map is prepared.
+    StopCondition until = again(stop, options().time_limit);
+    until.time = &time;
+    const DriveResult& driven = answer_.result = drive(
+        navigator, answer_.truth().grid(), start().cell, answer_.changes, how, until, untimed);
+    answer_.elapsed_ms = std::chrono::duration<double, std::milli>(time.now() - begin).count();
+    result_.status = driven.status;
+    result_.fault = driven.fault;
+    result_.error = driven.error;
+    if (result_.status == Status::invalid) return;
+    result_.length = driven.length;
+    if (at_start) look_for_optimum(*at_start, again(stop, options().time_limit));
+  }
 
-void DriveTask::write_csv(std::ostream& out) const {
-  out << (in_metres() ? "x_m,y_m\n" : "x,y\n");
-  if (has_path()) write_path(out, ",");
-}
+  const RunOptions& options() const override { return command_.run; }
+  std::vector<std::string> input_files() const override {
+    std::vector<std::string> files{options().map.file, answer_.map.image, command_.world,
+                                   command_.changes};
+    if (answer_.world) files.push_back(answer_.world->image);
+    return files;
+  }
+  std::int64_t iterations() const override { return 0; }
+  bool iterates() const override { return false; }
 
-void DriveTask::write_report(std::ostream& out) const {
-  Json content = run_json(*this, "drive", "drive, " + map_title(answer_.map, options()));
-  content["map"] =
-      map_view_json(answer_.map, shown_of(answer_.map, {answer_.start.cell, answer_.goal.cell}));
-  content["sense"] = answer_.sense;
-  content["frames"] = frames_->json();
-  write_report_page(out, content);
-}
+  const SearchResult& result() const override { return result_; }
+  std::string limit() const override {
+    return answer_.result.ticks >= command_.max_ticks ? "--max-ticks" : "the time limit";
+  }
+  std::optional<double> optimum() const override { return answer_.optimum; }
+  double elapsed_ms() const override { return answer_.elapsed_ms; }
+  bool found() const override { return result_.status == Status::solved; }
+  std::string reached() const override {
+    const Cell at = answer_.result.track.back();
+    return " after " + counted(answer_.result.ticks, "tick") +
+           printed(", with the robot at (%d, %d)", at.x, at.y);
+  }
 
-void DriveTask::write_picture(const std::string& file) const {
-  write_drive_picture(file, options(), answer_, *recorder_);
-}
+  std::string progress_note(const Progress& progress) const override {
+    std::string text = "tick " + std::to_string(progress.iteration);
+    if (progress.best_length == progress.best_length)
+      text += ", " + decimal_text(shown(progress.best_length), 1) + " " +
+              (in_metres() ? "m" : "cells") + " to go";
+    return text;
+  }
+  void remark() const override {
+    if (options().json || !has_path()) return;
+    const DriveResult& result = answer_.result;
+    std::string text = counted(result.ticks, "tick") + ", " +
+                       counted(static_cast<std::int64_t>(result.replans.size()), "plan") + ", " +
+                       counted(result.seen, "cell") + " learned, " + counted(result.waits, "wait");
+    if (const auto ratio = answer_.ratio())
+      text += "; " + decimal_text(*ratio, 4) + " of the optimum of 8 moves, " +
+              decimal_text(shown(*answer_.optimum), 3) + (in_metres() ? " m" : "");
+    message(text);
+  }
+  void write_path(std::ostream& out, const char* between) const override {
+    if (in_metres()) {
+      for (const Point p : centres_in_metres())
+        out << to_text(p.x) << between << to_text(p.y) << "\n";
+    } else {
+      for (const Cell c : answer_.result.track) out << c.x << between << c.y << "\n";
+    }
+  }
+  void write_csv(std::ostream& out) const override {
+    out << (in_metres() ? "x_m,y_m\n" : "x,y\n");
+    if (has_path()) write_path(out, ",");
+  }
+  void write_picture(const std::string& file) const override {
+    write_drive_picture(file, options(), answer_, *recorder_);
+  }
+  void write_film(std::ostream& out) const override { film_->write(out); }
+  void write_report(std::ostream& out) const override {
+    Json content = run_json(*this, "drive", "drive, " + map_title(map(), options()));
+    content["map"] = map_view_json(map(), shown_of(map(), {start().cell, goal().cell}));
+    content["sense"] = answer_.sense;
+    content["frames"] = frames_->json();
+    write_report_page(out, content);
+  }
 
-Json DriveTask::inputs() const {
-  Json changes;
-  if (!command_.changes.empty())
-    changes = {{"file", command_.changes}, {"hash", hash_text(answer_.changes_hash)}};
-  return {{"map", map_json(answer_.map)},
-          {"world", answer_.world ? map_json(*answer_.world) : Json()},
-          {"changes", std::move(changes)}};
-}
+  const char* format() const override { return kDriveFormat; }
+  Json inputs() const override {
+    Json changes;
+    if (!command_.changes.empty())
+      changes = {{"file", command_.changes}, {"hash", hash_text(answer_.changes_hash)}};
+    return {{"map", map_json(map())},
+            {"world", answer_.world ? map_json(*answer_.world) : Json()},
+            {"changes", std::move(changes)}};
+  }
+  void add_settings(Json& json) const override {
+    MapTask::add_settings(json);
+    json["sense"] = number(answer_.sense);
+    json["max_ticks"] = command_.max_ticks;
+  }
+  void add_answer(Json& json) const override {
+    const DriveResult& result = answer_.result;
+    add_path(json);
+    json["ticks"] = result.ticks;
+    json["replans"] = Json::array();
+    for (const Replan& replan : result.replans)
+      json["replans"].push_back(
+          {{"tick", replan.tick}, {"ms", number(replan.ms)}, {"length", number(replan.length)}});
+    json["seen"] = result.seen;
+    json["length"] = number(result_.length);
+    if (in_metres()) json["length_m"] = number(shown(result_.length));
+    json["optimum"] = optional_number(answer_.optimum);
+    json["ratio"] = optional_number(answer_.ratio());
+    json["waits"] = result.waits;
+    json["deferred"] = result.deferred_changes;
+  }
+  void add_path(Json& json) const override {
+    Json& track = json["track"];
+    if (has_path())
+      for (const Cell c : answer_.result.track) track.push_back({c.x, c.y});
+    if (!in_metres()) return;
+    json["start_world"] = point(start().asked);
+    json["goal_world"] = point(goal().asked);
+    json["track_world"] = has_path() ? points(centres_in_metres()) : Json();
+  }
 
-void DriveTask::add_settings(Json& json) const {
-  add_limits(json);
-  add_map_settings(json, answer_.map, options().frame);
-  json["sense"] = number(answer_.sense);
-  json["max_ticks"] = command_.max_ticks;
-}
+ private:
+  const LoadedMap& map() const override { return answer_.map; }
+  const Place& start() const override { return answer_.start; }
+  const Place& goal() const override { return answer_.goal; }
+  const std::optional<Cell>& nearest_free() const override { return answer_.result.nearest_free; }
 
-void DriveTask::add_answer(Json& json) const {
-  const DriveResult& result = answer_.result;
-  add_path(json);
-  json["ticks"] = result.ticks;
-  json["replans"] = Json::array();
-  for (const Replan& replan : result.replans)
-    json["replans"].push_back(
-        {{"tick", replan.tick}, {"ms", number(replan.ms)}, {"length", number(replan.length)}});
-  json["seen"] = result.seen;
-  json["length"] = number(result_.length);
-  if (in_metres()) json["length_m"] = number(shown(result_.length));
-  json["optimum"] = optional_number(answer_.optimum);
-  json["ratio"] = optional_number(answer_.ratio());
-  json["waits"] = result.waits;
-  json["deferred"] = result.deferred_changes;
-}
+  DriveOptions drive_options(const StopCondition& stop) const {
+    DriveOptions drive;
+    drive.navigator.params = options().params;
+    drive.navigator.radius = map().radius;
+    if (map().prepare)
+      drive.navigator.prepare =
+          PrepareOptions{.threads = options().map.threads, .stop = {.token = stop.token}};
+    drive.navigator.target_gap = moves_on_cells(options().params) ? 0 : options().target_gap;
+    drive.sense = answer_.sense;
+    drive.max_ticks = command_.max_ticks;
+    return drive;
+  }
+  /// By the corners that the robot's moves may pass, whatever its paths are made of.
+  void look_for_optimum(const Grid& world, const StopCondition& stop) {
+    const Corners corners = squeezes(options().params) ? Corners::allow : Corners::forbid;
+    const auto grown = grow_obstacles(world, map().radius, stop);
+    if (grown)
+      answer_.optimum =
+          shortest_walk(*grown, start().cell, goal().cell, Neighbours::eight, corners, stop);
+  }
+  std::vector<Point> centres_in_metres() const {
+    std::vector<Point> points;
+    for (const Cell c : answer_.result.track) points.push_back(map().to_world(centre(c)));
+    return points;
+  }
 
-void DriveTask::add_path(Json& json) const {
-  Json& track = json["track"];
-  if (has_path())
-    for (const Cell c : answer_.result.track) track.push_back({c.x, c.y});
-  if (!in_metres()) return;
-  json["start_world"] = point(answer_.start.asked);
-  json["goal_world"] = point(answer_.goal.asked);
-  json["track_world"] = has_path() ? points(centres_in_metres()) : Json();
-}
+  DriveCommand command_;
+  DriveAnswer answer_{};
+  std::optional<DriveRecorder> recorder_;
+  std::optional<Film> film_;
+  std::optional<DriveFrames> frames_;
+  SearchResult result_;
+};
 
 }  // namespace
 
@@ -390,7 +317,7 @@ std::unique_ptr<Task> recorded_drive(const Recorded& from) {
   return std::make_unique<DriveTask>(std::move(command));
 }
 
-int run_drive(const DriveCommand& command) {
+int run_command(const DriveCommand& command) {
   DriveTask task(command);
   return run(task);
 }

@@ -19,6 +19,9 @@ struct Block {
   int depth = 0;  ///< of an item, or of what is said below one
 };
 
+inline Block heading(const std::string& text) { return {Block::Kind::heading, text}; }
+inline Block paragraph(const std::string& text) { return {Block::Kind::paragraph, text}; }
+
 using Blocks = std::vector<Block>;
 
 inline void append(Blocks& to, const Blocks& blocks) {

@@ -6,7 +6,7 @@
 namespace lasius::tool {
 
 // What the scripts in shells/ read: "WORD<tab>MEANING", ":files<tab>ENDING ENDING...", ":folders".
-int run_complete(const CompleteCommand& command) {
+int run_command(const CompleteCommand& command) {
   const Completion completion = complete(command.manual, command.words);
   std::string text;
   for (const auto& [word, meaning] : completion.candidates) text += word + "\t" + meaning + "\n";

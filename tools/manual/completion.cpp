@@ -4,6 +4,7 @@
 #include <set>
 #include <string_view>
 
+#include "tools/console/values.h"
 #include "tools/console/worlds.h"
 #include "tools/manual/topics.h"
 #include "tools/study/description/study_file.h"
@@ -165,11 +166,7 @@ class Completer {
     if (!word_.starts_with(name)) return add(name, parameter.summary);
     if (parameter.type != "choice") return;
     const std::string part = before_part(name.size());
-    for (std::string_view rest = parameter.range; !rest.empty();) {
-      const auto value = rest.substr(0, rest.find('|'));
-      rest.remove_prefix(std::min(rest.size(), value.size() + 1));
-      add(part + std::string(value), "");
-    }
+    for (const auto value : split(parameter.range, '|')) add(part + std::string(value), "");
   }
 
   const Manual& manual_;

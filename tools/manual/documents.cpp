@@ -5,11 +5,10 @@
 
 #include "tools/manual/pages.h"
 #include "tools/manual/topics.h"
+#include "tools/manual/wrapped.h"
 
 namespace lasius::tool {
 namespace {
-
-Block heading(const std::string& text) { return {Block::Kind::heading, text}; }
 
 /// "-o, --output FILE"
 std::string label_of(const OptionText& option) {
@@ -21,14 +20,9 @@ std::string label_of(const OptionText& option) {
 /// An option's help: a sentence, and a list where lines part label and meaning by two blanks.
 void append_help(Blocks& blocks, const OptionText& option) {
   std::string_view rest = option.help;
-  const auto cut = [&] {
-    const auto line = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-    return line;
-  };
-  blocks.push_back({Block::Kind::item, std::string(cut()), label_of(option)});
+  blocks.push_back({Block::Kind::item, std::string(next_line(rest)), label_of(option)});
   while (!rest.empty()) {
-    const auto line = cut();
+    const auto line = next_line(rest);
     const auto gap = line.find("  ");
     if (gap == line.npos) {
       blocks.back().text.append(" ").append(line);
@@ -93,13 +87,13 @@ Blocks note_blocks(const Notes& notes) {
   Blocks blocks;
   if (!notes.examples.empty()) blocks.push_back(heading("Examples"));
   for (const Example& example : notes.examples) {
-    blocks.push_back({Block::Kind::paragraph, example.what + ":"});
+    blocks.push_back(paragraph(example.what + ":"));
     blocks.push_back({Block::Kind::code, example.line + "\n"});
   }
   if (!notes.json.empty()) {
     blocks.push_back(heading("JSON"));
-    blocks.push_back({Block::Kind::paragraph, field_names(notes.json) + "."});
-    blocks.push_back({Block::Kind::paragraph, "What they mean: `lasius help json`."});
+    blocks.push_back(paragraph(field_names(notes.json) + "."));
+    blocks.push_back(paragraph("What they mean: `lasius help json`."));
   }
   blocks.push_back(heading("Exit codes"));
   for (const ExitText& exit : notes.exits)

@@ -20,8 +20,6 @@ constexpr const char* kSynopsis = "lasius COMMAND [arguments and options]";
 constexpr const char* kMore =
     "Of a command or topic: `lasius COMMAND --help`, `lasius help TOPIC`.";
 
-Block paragraph(const std::string& text) { return {Block::Kind::paragraph, text}; }
-
 std::string program_text(const Manual& manual) {
   Blocks blocks = command_list(manual);
   append(blocks, option_blocks(manual.options));
@@ -50,9 +48,8 @@ const CommandText* find_command(const Manual& manual, std::string_view name) {
 }
 
 const Topic* find_topic(std::string_view name) {
-  for (const Topic& topic : topics())
-    if (topic.name == name) return &topic;
-  return nullptr;
+  const auto found = std::ranges::find(topics(), name, &Topic::name);
+  return found == topics().end() ? nullptr : &*found;
 }
 
 /// Neither a topic nor a command. @throws UsageError with the nearest name.
@@ -88,24 +85,24 @@ std::string see_also(const Manual& manual, std::string_view but) {
 }
 
 std::string program_page(const Manual& manual) {
-  Blocks blocks{{Block::Kind::heading, "Description"}, paragraph(manual.summary + ".")};
+  Blocks blocks{heading("Description"), paragraph(manual.summary + ".")};
   append(blocks, command_list(manual));
   append(blocks, option_blocks(manual.options));
   append(blocks, topic_list());
   blocks.push_back(paragraph(kMore));
   for (const Topic& topic : topics())
     if (topic.in_man_page) {
-      blocks.push_back({Block::Kind::heading, std::string(topic.name)});
+      blocks.push_back(heading(std::string(topic.name)));
       append(blocks, topic.blocks());
     }
-  append(blocks, {{Block::Kind::heading, "See also"}, paragraph(see_also(manual, ""))});
+  append(blocks, {heading("See also"), paragraph(see_also(manual, ""))});
   return roff_title("lasius", manual.summary, release_date(), {kSynopsis}) + roff(blocks);
 }
 
 std::string command_page(const Manual& manual, const CommandText& command) {
-  Blocks blocks{{Block::Kind::heading, "Description"}};
+  Blocks blocks{heading("Description")};
   append(blocks, command_blocks(command));
-  append(blocks, {{Block::Kind::heading, "See also"}, paragraph(see_also(manual, command.name))});
+  append(blocks, {heading("See also"), paragraph(see_also(manual, command.name))});
   return roff_title("lasius-" + command.name, command.summary, release_date(), {usage(command)}) +
          roff(blocks);
 }
@@ -122,7 +119,7 @@ void write_pages(const Manual& manual, const std::string& folder) {
 
 }  // namespace
 
-int run_help(const HelpCommand& command) {
+int run_command(const HelpCommand& command) {
   if (!command.pages.empty())
     write_pages(command.manual, command.pages);
   else

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "lasius/version.h"
+#include "tools/console/values.h"
 #include "tools/manual/wrapped.h"
 
 namespace lasius::tool {
@@ -12,34 +13,10 @@ namespace {
 constexpr std::size_t kLineBytes = 78;
 
 /// Characters that troff would take for its own, or draw otherwise than they are typed.
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '\\':
-        out += "\\(rs";
-        break;
-      case '-':
-        out += "\\-";
-        break;
-      case '\'':
-        out += "\\(aq";
-        break;
-      case '^':
-        out += "\\(ha";
-        break;
-      case '~':
-        out += "\\(ti";
-        break;
-      case '`':
-        out += "\\(ga";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
+constexpr Escape kEscapes[] = {{'\\', "\\(rs"}, {'-', "\\-"},   {'\'', "\\(aq"},
+                               {'^', "\\(ha"},  {'~', "\\(ti"}, {'`', "\\(ga"}};
+
+std::string escaped(std::string_view text) { return with_escapes(text, kEscapes); }
 
 /// Text in lines, `x` in bold. No line begins like a request.
 std::string lines_of(std::string_view text) {
@@ -83,11 +60,8 @@ std::string capitals(std::string_view text) {
 std::string code_lines(std::string_view text) {
   std::string out = ".PP\n.RS 4\n.nf\n";
   while (!text.empty()) {
-    const auto line = text.substr(0, text.find('\n'));
-    text.remove_prefix(std::min(text.size(), line.size() + 1));
-    std::string escaped_line = escaped(line);
-    if (escaped_line.starts_with('.')) escaped_line.insert(0, "\\&");
-    out += escaped_line + "\n";
+    const std::string line = escaped(next_line(text));
+    out.append(line.starts_with('.') ? "\\&" : "").append(line).append("\n");
   }
   return out + ".fi\n.RE\n";
 }

@@ -1,10 +1,11 @@
 #include "tools/manual/markdown.h"
 
-#include <algorithm>
 #include <cctype>
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "tools/manual/wrapped.h"
 
 namespace lasius::tool {
 namespace {
@@ -13,13 +14,6 @@ std::string_view without_blanks(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   return text;
-}
-
-std::string_view next_line(std::string_view& text) {
-  const auto end = std::min(text.find('\n'), text.size());
-  const auto line = text.substr(0, end);
-  text.remove_prefix(std::min(text.size(), end + 1));
-  return line;
 }
 
 /// [text](target) becomes text; code stays as it is.

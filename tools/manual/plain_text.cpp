@@ -77,11 +77,7 @@ class Printer {
   }
 
   void add_code(std::string_view text) {
-    while (!text.empty()) {
-      const auto line = text.substr(0, text.find('\n'));
-      text.remove_prefix(std::min(text.size(), line.size() + 1));
-      page_.append(2 * kIndent, ' ').append(line).append("\n");
-    }
+    while (!text.empty()) page_.append(2 * kIndent, ' ').append(next_line(text)).append("\n");
   }
 
   void add_item(const Block& block) {

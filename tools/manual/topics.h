@@ -1,6 +1,7 @@
 // What `lasius help` tells beside the commands.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string_view>
 
@@ -10,8 +11,11 @@ namespace lasius::tool {
 
 struct Topic {
   std::string_view name, summary;
-  Blocks (*blocks)();
+  std::array<std::string_view, 4> sections;  ///< of docs/; none: it is made of the algorithms
   bool in_man_page;  ///< of the program; the others are long, and in its documents
+
+  /// Its sections one after another, the later ones below their headings.
+  Blocks blocks() const;
 };
 
 std::span<const Topic> topics();

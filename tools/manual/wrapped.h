@@ -8,6 +8,13 @@
 
 namespace lasius::tool {
 
+/// Takes the first line off a text, and returns it.
+inline std::string_view next_line(std::string_view& text) {
+  const auto line = text.substr(0, text.find('\n'));
+  text.remove_prefix(std::min(text.size(), line.size() + 1));
+  return line;
+}
+
 /// `text` broken at blanks into lines of at most `width` bytes; a longer word is a line of its own.
 inline std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
   std::vector<std::string> lines(1);

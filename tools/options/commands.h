@@ -5,21 +5,21 @@
 
 namespace lasius::tool {
 
-int run_plan(const PlanCommand& command);
-int run_drive(const DriveCommand& command);
-int run_batch(const BatchCommand& command);
-int run_info(const InfoCommand& command);
-int run_algorithms(const AlgorithmsCommand& command);
-int run_generate(const GenerateCommand& command);
-int run_verify(const VerifyCommand& command);
-int run_study(const StudyCommand& command);
-int run_tune(const TuneCommand& command);
-int run_arm(const ArmCommand& command);
-int run_polygon(const PolygonCommand& command);
-int run_polygon_batch(const PolygonBatchCommand& command);
-int run_world_info(const WorldInfoCommand& command);
+int run_command(const PlanCommand& command);
+int run_command(const DriveCommand& command);
+int run_command(const BatchCommand& command);
+int run_command(const InfoCommand& command);
+int run_command(const AlgorithmsCommand& command);
+int run_command(const GenerateCommand& command);
+int run_command(const VerifyCommand& command);
+int run_command(const StudyCommand& command);
+int run_command(const TuneCommand& command);
+int run_command(const ArmCommand& command);
+int run_command(const PolygonCommand& command);
+int run_command(const PolygonBatchCommand& command);
+int run_command(const WorldInfoCommand& command);
 
-int run_help(const HelpCommand& command);
-int run_complete(const CompleteCommand& command);
+int run_command(const HelpCommand& command);
+int run_command(const CompleteCommand& command);
 
 }  // namespace lasius::tool

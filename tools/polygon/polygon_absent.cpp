@@ -12,9 +12,9 @@ namespace {
 
 }  // namespace
 
-int run_polygon(const PolygonCommand&) { refuse(); }
-int run_polygon_batch(const PolygonBatchCommand&) { refuse(); }
-int run_world_info(const WorldInfoCommand&) { refuse(); }
+int run_command(const PolygonCommand&) { refuse(); }
+int run_command(const PolygonBatchCommand&) { refuse(); }
+int run_command(const WorldInfoCommand&) { refuse(); }
 std::unique_ptr<Task> recorded_polygon(const Recorded&, SharedWorld&) { refuse(); }
 
 }  // namespace lasius::tool

@@ -5,6 +5,7 @@
 #include "lasius/error.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"
+#include "tools/console/values.h"
 
 namespace lasius::tool {
 namespace {
@@ -47,6 +48,11 @@ LoadedWorld load_world(const WorldOptions& options) {
           .planner = std::move(planner),
           .read_ms = read_ms,
           .ready_ms = ms_since(ready_start)};
+}
+
+std::string polygon_title(const LoadedWorld& world, const polygon::Params& parameters) {
+  return parameters.algorithm() + " on " + file_name(world.options.file) + ", seed " +
+         std::to_string(parameters.seed);
 }
 
 polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<std::string>& notes) {

@@ -37,6 +37,9 @@ struct PolygonAnswer {
   std::optional<std::size_t> index;  ///< of a batch's query
 };
 
+/// What ran on what.
+std::string polygon_title(const LoadedWorld& world, const polygon::Params& parameters);
+
 /// @throws UsageError for unknown names; Error(invalid_parameter) for values.
 polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<std::string>& notes);
 

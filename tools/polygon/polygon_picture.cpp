@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
+#include "tools/console/values.h"
 #include "tools/draw/canvas.h"
 #include "tools/draw/colours.h"
 #include "tools/draw/line_chart.h"
@@ -75,10 +75,6 @@ std::string path_caption(const PolygonAnswer& answer) {
   return text;
 }
 
-std::string file_name(const LoadedWorld& world) {
-  return std::filesystem::path(world.options.file).filename().string();
-}
-
 Page page_of(const LoadedWorld& world, std::string title) {
   const Point low = world.low(), high = world.high();
   return {.title = std::move(title),
@@ -104,8 +100,7 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
                         draw(canvas, axes);
                       }});
   };
-  Page page = page_of(world, answer.parameters.algorithm() + " on " + file_name(world) + ", seed " +
-                                 std::to_string(answer.parameters.seed));
+  Page page = page_of(world, polygon_title(world, answer.parameters));
   page.legend.insert(page.legend.begin(), {start_key(), goal_key()});
   if (result.dijkstra) {
     page.legend.push_back(dashed_key("MAKLINK line", kLine));
@@ -152,7 +147,7 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
 void write_paths_picture(const std::string& file, const LoadedWorld& world,
                          const std::vector<std::vector<Point>>& paths) {
   const std::string count = std::to_string(paths.size()) + " paths";
-  Page page = page_of(world, count + " on " + file_name(world));
+  Page page = page_of(world, count + " on " + file_name(world.options.file));
   page.legend.push_back(line_key("path", kPath, 1.5));
   page.bands = {{{{{count, [&](Canvas& canvas, const Box& box) {
                       const Axes axes = axes_of(world, box);

@@ -1,7 +1,5 @@
 #include "tools/polygon/polygon_report.h"
 
-#include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tools/report/report.h"
@@ -70,10 +68,7 @@ Json PolygonFrames::json() const {
 
 void write_polygon_report(std::ostream& out, const Task& task, const LoadedWorld& world,
                           const PolygonAnswer& answer, const PolygonFrames* frames) {
-  Json content = run_json(task, "polygon",
-                          answer.parameters.algorithm() + " on " +
-                              std::filesystem::path(world.options.file).filename().string() +
-                              ", seed " + std::to_string(answer.parameters.seed));
+  Json content = run_json(task, "polygon", polygon_title(world, answer.parameters));
   content["world"] = world_json(world);
   const auto& dijkstra = answer.result.dijkstra;
   content["dijkstra"] = dijkstra ? points(dijkstra->path) : Json(nullptr);

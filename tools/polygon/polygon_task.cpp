@@ -7,7 +7,6 @@
 #include "core/base/output.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/exit_code.h"
-#include "tools/console/progress.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
 #include "tools/console/team.h"
@@ -17,7 +16,7 @@
 #include "tools/polygon/polygon_answer.h"
 #include "tools/polygon/polygon_picture.h"
 #include "tools/polygon/polygon_report.h"
-#include "tools/record/batch_files.h"
+#include "tools/record/batch_output.h"
 #include "tools/record/outputs.h"
 #include "tools/record/queries.h"
 #include "tools/record/recorded.h"
@@ -239,12 +238,12 @@ std::unique_ptr<Task> recorded_polygon(const Recorded& from, SharedWorld& last) 
   return task;
 }
 
-int run_polygon(const PolygonCommand& command) {
+int run_command(const PolygonCommand& command) {
   PolygonTask task(command);
   return run(task);
 }
 
-int run_polygon_batch(const PolygonBatchCommand& command) {
+int run_command(const PolygonBatchCommand& command) {
   PolygonCommand plan = command.plan;
   check_outputs(plan.outputs, {plan.world.file, command.queries});
   SignalWatcher signals;
@@ -256,28 +255,23 @@ int run_polygon_batch(const PolygonBatchCommand& command) {
   asked.parameters = parameters;
   task.take(asked);
   if (!plan.messages.quiet) task.announce();
-  BatchFiles files(task);
-  Delivery delivery(plan.outputs);
   const std::size_t total = queries.size() * static_cast<std::size_t>(plan.seeds);
-  ProgressLine bar(wants_progress(plan.messages), static_cast<std::int64_t>(total));
+  BatchOutput output(task, static_cast<std::int64_t>(total));
   const std::size_t chunk = 16 * static_cast<std::size_t>(plan.threads);
   for (std::size_t from = 0; from < total && !signals.interrupted(); from += chunk) {
     auto answers = answers_to(queries, from, std::min(from + chunk, total), plan, *world,
                               parameters, signals.token());
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-      if (answers[i].result.status == Status::interrupted) break;
-      const Point start = answers[i].start, goal = answers[i].goal;
-      task.set_seed(answers[i].parameters.seed);
-      task.take(std::move(answers[i]));
-      const std::string text = json_line(task);
-      files.add(task, text, {to_text(start.x), to_text(start.y), to_text(goal.x), to_text(goal.y)},
-                task.path());
-      delivery.print(text);
-      bar.update(static_cast<std::int64_t>(from + i) + 1, "queries");
+    for (PolygonAnswer& answer : answers) {
+      if (answer.result.status == Status::interrupted) break;
+      const Point start = answer.start, goal = answer.goal;
+      task.set_seed(answer.parameters.seed);
+      task.take(std::move(answer));
+      output.add(task, {to_text(start.x), to_text(start.y), to_text(goal.x), to_text(goal.y)},
+                 task.path());
     }
   }
-  delivery.write([&](const std::string& output) {
-    files.write(output, [&](const auto& all) { write_paths_picture(output, *world, all); });
+  output.write_files([&](const std::string& picture, const auto& paths) {
+    write_paths_picture(picture, *world, paths);
   });
   return signals.interrupted() ? kInterrupted : kFound;
 }

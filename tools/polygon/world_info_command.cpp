@@ -79,7 +79,7 @@ std::string info_text(const Json& json) {
 
 }  // namespace
 
-int run_world_info(const WorldInfoCommand& command) {
+int run_command(const WorldInfoCommand& command) {
   const Json json = info_json(load_world(command.world));
   print(command.json ? line(json) : info_text(json));
   return kFound;

@@ -1,6 +1,5 @@
 #include "tools/record/json_values.h"
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -29,11 +28,8 @@ Json range_json(const Parameter& parameter) {
     return object;
   }
   object["values"] = Json::array();
-  for (std::size_t from = 0; from <= range.size();) {
-    const auto bar = std::min(range.find('|', from), range.size());
-    object["values"].push_back(json::parameter(std::string(range.substr(from, bar - from))));
-    from = bar + 1;
-  }
+  for (const auto value : split(range, '|'))
+    object["values"].push_back(json::parameter(std::string(value)));
   return object;
 }
 

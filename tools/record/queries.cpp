@@ -35,12 +35,8 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::vector<std::string_view> split_tabs(std::string_view line) {
-  std::vector<std::string_view> fields;
-  for (std::size_t from = 0; from <= line.size();) {
-    const auto to = std::min(line.find('\t', from), line.size());
-    fields.push_back(trimmed(line.substr(from, to - from)));
-    from = to + 1;
-  }
+  auto fields = split(line, '\t');
+  for (auto& field : fields) field = trimmed(field);
   return fields;
 }
 

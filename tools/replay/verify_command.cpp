@@ -294,7 +294,7 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
 
 }  // namespace
 
-int run_verify(const VerifyCommand& command) {
+int run_command(const VerifyCommand& command) {
   SignalWatcher signals;
   Last last;
   int code = kFound;

@@ -5,23 +5,20 @@
 #include <ostream>
 #include <utility>
 
+#include "tools/console/values.h"
 #include "tools/report/page_parts.h"
+#include "tools/report/thinned.h"
 
 namespace lasius::tool {
 namespace {
 
 constexpr std::size_t kMostPoints = 4000;  // of a curve
 
+constexpr Escape kHtml[] = {
+    {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
+
 constexpr std::array kCurves{"best",     "mean",           "arrived", "raw_best", "cut_mean",
                              "cut_best", "iteration_best", "steps",   "band",     "trail_entropy"};
-
-/// Every so-many-th of a list, and the last.
-Json thinned(const Json& list, std::size_t stride) {
-  Json kept = Json::array();
-  for (std::size_t i = 0; i < list.size(); i += stride) kept.push_back(list[i]);
-  if (!list.empty() && (list.size() - 1) % stride != 0) kept.push_back(list.back());
-  return kept;
-}
 
 std::size_t stride_for(std::size_t count, std::size_t most) {
   return std::max<std::size_t>(1, (count + most - 1) / most);
@@ -72,32 +69,6 @@ Json run_json(const Task& task, std::string_view kind, std::string title) {
   return content;
 }
 
-std::string html_text(std::string_view text) {
-  std::string safe;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      case '\'':
-        safe += "&#39;";
-        break;
-      default:
-        safe += letter;
-    }
-  }
-  return safe;
-}
-
 void write_report_page(std::ostream& out, const Json& content) {
   // As the writer of JSON has it: bad bytes are replaced.
   const std::string title = line(Json::array({content["title"]}));
@@ -106,7 +77,8 @@ void write_report_page(std::ostream& out, const Json& content) {
          "script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          "<title>"
-      << html_text(json::read(title, "title")[0].get<std::string>()) << "</title>\n<style>\n"
+      << with_escapes(json::read(title, "title")[0].get<std::string>(), kHtml)
+      << "</title>\n<style>\n"
       << kPageStyle << "</style>\n</head>\n<body>\n<main id=\"report\"></main>\n"
       << "<noscript>This page is drawn by its script.</noscript>\n"
       << "<script type=\"application/json\" id=\"content\">"

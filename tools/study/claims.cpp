@@ -1,7 +1,6 @@
 #include "tools/study/claims.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "tools/draw/text.h"
 #include "tools/study/values.h"
@@ -80,10 +79,6 @@ std::vector<Pair> scaled(std::vector<Pair> pairs, double factor) {
 
 std::string of(int part, int whole) {
   return std::to_string(part) + " of " + std::to_string(whole);
-}
-
-std::string interval_text(const Interval& interval, int decimals) {
-  return " [" + fixed(interval.low, decimals) + ", " + fixed(interval.high, decimals) + "]";
 }
 
 std::string number_text(double value) {

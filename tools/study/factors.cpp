@@ -105,9 +105,7 @@ Table factor_table(const Findings& findings, const Experiment& experiment) {
           share_text(quantile(all, 0.25)) + " to " + share_text(quantile(all, 0.75)), "-"});
       if (&level == levels.data() || pairs.empty()) continue;
       const RankTest test = rank_test(pairs);
-      const Interval interval = resampled_interval(pairs, share_less);
-      row.back() = fixed(test.effect, 2) + " [" + fixed(interval.low, 2) + ", " +
-                   fixed(interval.high, 2) + "]";
+      row.back() = fixed(test.effect, 2) + interval_text(resampled_interval(pairs, share_less), 2);
       p.push_back(std::min(1.0, 2 * std::min(test.less, test.greater)));
     }
   }

@@ -1,7 +1,6 @@
 #include "tools/study/map_source.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <sstream>
@@ -10,6 +9,7 @@
 
 #include "lasius/error.h"
 #include "lasius/io.h"
+#include "tools/console/values.h"
 
 namespace lasius::study {
 
@@ -18,18 +18,6 @@ bool is_generated(const std::string& source) {
   const auto by = source.find_first_not_of("0123456789", size);
   return size > 0 && by != std::string::npos && by > size && source[by] == 'x';
 }
-
-namespace {
-
-/// All of a word as a number.
-template <class Number>
-bool read_whole(std::string_view word, Number& number) {
-  const char* const end = word.data() + word.size();
-  const auto [stop, fault] = std::from_chars(word.data(), end, number);
-  return fault == std::errc{} && stop == end;
-}
-
-}  // namespace
 
 MadeMap made_map(const std::string& source) {
   std::istringstream in(source);
@@ -45,11 +33,11 @@ MadeMap made_map(const std::string& source) {
     if (at == kinds.end() || by == size.npos) return false;
     made.kind = static_cast<MapKind>(at - kinds.begin());
     const bool usual = words[2] == "default";
-    return read_whole(size.substr(0, by), options.width) &&
-           read_whole(size.substr(by + 1), options.height) &&
-           (usual || (read_whole(words[2], options.density) && options.density >= 0 &&
+    return tool::read_all(size.substr(0, by), options.width) &&
+           tool::read_all(size.substr(by + 1), options.height) &&
+           (usual || (tool::read_all(words[2], options.density) && options.density >= 0 &&
                       std::isfinite(options.density))) &&
-           read_whole(words[3], options.seed);
+           tool::read_all(words[3], options.seed);
   };
   if (!is_made())
     throw Error(ErrorCode::invalid_parameter, "no map is made by \"" + source + "\"",

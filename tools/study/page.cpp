@@ -8,6 +8,7 @@
 #include "tools/bitmap/bitmap_report.h"
 #include "tools/draw/line_chart.h"
 #include "tools/report/report.h"
+#include "tools/report/thinned.h"
 #include "tools/study/map_source.h"
 #include "tools/study/pictures.h"
 #include "tools/study/table.h"
@@ -29,11 +30,10 @@ Json rounded(double value) {
   return std::round(value * power) / power;
 }
 
-Json thinned(const std::vector<double>& values) {
-  const std::size_t stride = values.size() / kMostPoints + 1;
+Json values_json(const std::vector<double>& values) {
   Json list = Json::array();
-  for (std::size_t i = 0; i < values.size(); i += stride) list.push_back(rounded(values[i]));
-  if (!values.empty() && (values.size() - 1) % stride != 0) list.push_back(rounded(values.back()));
+  for (const double value : tool::thinned(values, values.size() / kMostPoints + 1))
+    list.push_back(rounded(value));
   return list;
 }
 
@@ -41,10 +41,10 @@ Json chart_json(const LineChart& chart) {
   Json curves = Json::array(), levels = Json::array();
   for (const Curve& curve : chart.curves)
     curves.push_back({{"name", curve.label},
-                      {"x", thinned(curve.x)},
-                      {"y", thinned(curve.y)},
-                      {"low", thinned(curve.low)},
-                      {"high", thinned(curve.high)}});
+                      {"x", values_json(curve.x)},
+                      {"y", values_json(curve.y)},
+                      {"low", values_json(curve.low)},
+                      {"high", values_json(curve.high)}});
   for (const Level& level : chart.levels)
     levels.push_back({{"name", level.label}, {"value", rounded(level.value)}});
   return {{"title", chart.title},  {"x_label", chart.x_label}, {"y_label", chart.y_label},
@@ -60,11 +60,7 @@ Json charts_json(const std::vector<LineChart>& charts) {
 Json table_json(const Table& table) { return {{"header", table.header}, {"rows", table.rows}}; }
 
 Json path_json(const std::vector<Point>& path) {
-  const std::size_t stride = path.size() / kMostPathVertices + 1;
-  std::vector<Point> kept;
-  for (std::size_t i = 0; i < path.size(); i += stride) kept.push_back(path[i]);
-  if (!path.empty() && (path.size() - 1) % stride != 0) kept.push_back(path.back());
-  return tool::points(kept);
+  return tool::points(tool::thinned(path, path.size() / kMostPathVertices + 1));
 }
 
 /// The map of a question with the best path of each contender.

@@ -1,7 +1,5 @@
 #include "tools/study/portrait.h"
 
-#include <algorithm>
-
 #include "lasius/error.h"
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/picture.h"

@@ -5,12 +5,11 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <ostream>
 #include <stdexcept>
 
-#include "core/base/output.h"
 #include "core/io/json_values.h"
 #include "lasius/version.h"
+#include "tools/study/files.h"
 
 namespace lasius::study {
 namespace {
@@ -112,8 +111,7 @@ void write_run(const std::filesystem::path& file, const std::string& key, const 
   json["checks"] = run.checks;
   json["path"] = Json::array();
   for (const Point p : run.path) json["path"].push_back({p.x, p.y});
-  const std::string text = json::dumped(json);
-  write_file(file.string(), [&](std::ostream& out) { out << text << '\n'; });
+  write_text(file, json::dumped(json) + '\n');
 }
 
 }  // namespace lasius::study

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <limits>
 #include <numeric>
+
+#include "tools/draw/text.h"
 
 namespace lasius::study {
 namespace {
@@ -105,6 +106,10 @@ double quantile(std::span<const double> values, double share) {
   // Equal neighbours need no arithmetic, which infinite ones do not bear.
   if (rest == 0 || sorted[below] == sorted[below + 1]) return sorted[below];
   return sorted[below] + rest * (sorted[below + 1] - sorted[below]);
+}
+
+std::string interval_text(const Interval& interval, int decimals) {
+  return " [" + fixed(interval.low, decimals) + ", " + fixed(interval.high, decimals) + "]";
 }
 
 double share_less(std::span<const Pair> questions) {

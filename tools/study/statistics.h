@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace lasius::study {
@@ -16,6 +17,9 @@ struct Interval {
   double low = 0;
   double high = 0;
 };
+
+/// " [0.25, 0.50]".
+std::string interval_text(const Interval& interval, int decimals);
 
 /// Independent runs of two contenders on one question.
 struct Pair {

@@ -42,15 +42,13 @@ void add_efforts(const Sample& sample, double target, const std::optional<double
       sample.each([&](const Run& run) { return value_of(sample, run, value, kUnknown, optimum); });
   const auto hits =
       static_cast<int>(std::ranges::count_if(efforts, [](double e) { return std::isfinite(e); }));
-  const Interval share = share_interval(hits, runs);
   double cost = 0;
   for (std::size_t r = 0; r < efforts.size(); ++r)
     cost += std::isfinite(efforts[r])
                 ? efforts[r]
                 : static_cast<double>(sample.runs[r].iterations) * sample.paths_an_iteration;
   const auto whole = [](double v) { return std::isinf(v) ? std::string("never") : fixed(v, 0); };
-  row.push_back(optimum ? std::to_string(hits) + " [" + fixed(share.low, 2) + ", " +
-                              fixed(share.high, 2) + "]"
+  row.push_back(optimum ? std::to_string(hits) + interval_text(share_interval(hits, runs), 2)
                         : "-");
   row.push_back(!optimum ? "-" : hits > 0 ? fixed(cost / hits, 0) : "unbounded");
   row.push_back(optimum ? whole(quantile(efforts, 0.25)) + ", " + whole(quantile(efforts, 0.5)) +
@@ -85,8 +83,7 @@ std::string effect_text(const Evidence& e) {
   const char* const what = e.claim->test == Claim::Test::most      ? "share "
                            : e.claim->test == Claim::Test::similar ? "ratio "
                                                                    : "A12 ";
-  return what + fixed(e.effect, 2) + " [" + fixed(e.interval.low, 2) + ", " +
-         fixed(e.interval.high, 2) + "]";
+  return what + fixed(e.effect, 2) + interval_text(e.interval, 2);
 }
 
 /// The hypothesis: what of whom, on which experiments.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <stdexcept>
 
+#include "tools/console/parameters.h"
 #include "tools/draw/text.h"
 #include "tools/study/statistics.h"
 
@@ -37,18 +39,10 @@ constexpr std::array kBudgets{Named{"end", "iterations"}, Named{"iterations", "i
                               Named{"steps", "steps"}, Named{"time", "seconds"},
                               Named{"paths", "paths"}};
 
-template <std::size_t N>
-std::string_view text_of(const std::array<Named, N>& list, const std::string& name) {
+std::string_view text_of(std::span<const Named> list, const std::string& name) {
   const auto found = std::ranges::find(list, name, &Named::name);
   if (found == list.end()) throw std::invalid_argument("no value or budget " + name);
   return found->text;
-}
-
-template <std::size_t N>
-std::vector<std::string_view> names_of(const std::array<Named, N>& list) {
-  std::vector<std::string_view> names;
-  for (const Named& named : list) names.push_back(named.name);
-  return names;
 }
 
 /// How many iterations a run did within a budget.
@@ -135,8 +129,8 @@ double effort(const Sample& sample, const Run& run, const Value& value, std::siz
 
 }  // namespace
 
-std::vector<std::string_view> value_names() { return names_of(kValues); }
-std::vector<std::string_view> budget_names() { return names_of(kBudgets); }
+std::vector<std::string_view> value_names() { return tool::names_of<Named>(kValues); }
+std::vector<std::string_view> budget_names() { return tool::names_of<Named>(kBudgets); }
 
 std::string target_text(double target, bool own_limit) {
   return (target > 0 ? "within " + fixed(100 * target, 1) + "% of " : std::string("at ")) +

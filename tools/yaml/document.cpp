@@ -211,6 +211,11 @@ std::string Node::text_or(std::string_view name, const std::string& usual) const
   return node == nullptr ? usual : node->text();
 }
 
+std::string Node::joined_or_empty(std::string_view name) const {
+  const Node* const node = find(name);
+  return node == nullptr ? std::string() : node->joined();
+}
+
 double Node::number_or(std::string_view name, double usual, double low, double high) const {
   const Node* const node = find(name);
   return node == nullptr ? usual : node->number(low, high);

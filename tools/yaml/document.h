@@ -52,6 +52,7 @@ class Node {
 
   // The same of the value of a key, which a map need not have.
   std::string text_or(std::string_view name, const std::string& usual) const;
+  std::string joined_or_empty(std::string_view name) const;
   double number_or(std::string_view name, double usual, double low, double high) const;
   std::int64_t integer_or(std::string_view name, std::int64_t usual, std::int64_t low,
                           std::int64_t high) const;

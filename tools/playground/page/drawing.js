@@ -51,8 +51,7 @@ export class Drawing {
       this.apply(this.cellAt(event));
     });
     on("pointermove", (event) => {
-      const box = view.canvas.getBoundingClientRect();
-      view.onHover(...view.place(event.clientX - box.left, event.clientY - box.top));
+      view.onHover(...view.place(...view.own(event)));
       if (this.last) this.apply(this.cellAt(event));
     });
     for (const end of ["pointerup", "pointercancel"]) on(end, () => (this.last = null));
@@ -61,8 +60,7 @@ export class Drawing {
   }
 
   cellAt(event) {
-    const box = this.view.canvas.getBoundingClientRect();
-    return this.view.place(event.clientX - box.left, event.clientY - box.top).map(Math.floor);
+    return this.view.place(...this.view.own(event)).map(Math.floor);
   }
 
   inside([x, y]) {

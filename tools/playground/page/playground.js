@@ -6,7 +6,7 @@ import { Curves } from "./curves.js";
 import { element, isNumber, numberText, themeButton } from "./dom.js";
 import { Engine, Stopped } from "./engine.js";
 import { field, numberField } from "./fields.js";
-import { copyButton, csvOf, saveFile } from "./files.js";
+import { copyButton, saveCsv, saveFile } from "./files.js";
 import { checkBox, percentText, statusText } from "./sheet.js";
 import { Stage, pairs } from "./stage.js";
 import { cumulated } from "./walk.js";
@@ -174,7 +174,7 @@ class Playground {
 
   savePath() {
     const points = pairs(this.answer.path), sums = cumulated(points);
-    saveFile("path.csv", new Blob([csvOf(["x", "y", "length"], points.map(([x, y], i) => [x, y, sums[i]]))], { type: "text/csv" }));
+    saveCsv("path.csv", ["x", "y", "length"], points.map(([x, y], i) => [x, y, sums[i]]));
   }
 
   question() {

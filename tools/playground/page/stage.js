@@ -12,8 +12,8 @@
 // While a run is under way the player follows it, until it is paused or moved by hand.
 
 import { Drawing } from "./drawing.js";
-import { element, numberText, onTheme, themeColour } from "./dom.js";
-import { saveFile } from "./files.js";
+import { channels, element, numberText, onTheme, themeColour } from "./dom.js";
+import { pictureButton } from "./files.js";
 import { HeatMap, codesOf, heatLegend, ramps, trailRange } from "./heat_map.js";
 import { MapView } from "./map_view.js";
 import { Player } from "./player.js";
@@ -32,7 +32,7 @@ class Walls {
   }
 
   paintAll() {
-    const [red, green, blue] = [1, 3, 5].map((at) => parseInt(themeColour("--wall").slice(at, at + 2), 16));
+    const [red, green, blue] = channels(themeColour("--wall"));
     for (let i = 0; i < this.cells.length; ++i) this.pixels.data.set([red, green, blue, this.cells[i] ? 255 : 0], 4 * i);
     this.context.putImageData(this.pixels, 0, 0);
   }
@@ -87,7 +87,7 @@ export class Stage {
       choices("Layer", [["trail", "Trail"], ["tracks", "Ants"], ["none", "Map"]], "trail", (name) => { this.shown = name; this.repaint(); }),
       checkBox("Path", true, (on) => { this.withPath = on; this.view.draw(); }),
       checkBox("Exact", true, (on) => { this.withExact = on; this.view.draw(); }),
-      element("button", { type: "button", onclick: async () => saveFile("map.png", await this.view.toBlob()) }, "Picture as PNG"));
+      pictureButton("map.png", () => this.view));
     this.player = new Player(card, { count: 1, name: "iteration", perSecond: 24, label: (i) => this.labelOf(i), onChange: (i) => this.show(i) });
     card.append(this.legend, swatches([["start", "--start"], ["goal", "--goal"], ["blocked", "--wall"],
                                        ["best path so far", "--path", "line"], ["exact", "--exact", "line"]]));

@@ -1,8 +1,8 @@
 // The report of an arm: it moves in space, and can be turned.
 
 import { Curves, indexAt } from "./curves.js";
-import { element, isNumber, numberText, onTheme, themeColour } from "./dom.js";
-import { csvOf, saveFile } from "./files.js";
+import { channels, element, isNumber, numberText, onTheme, themeColour } from "./dom.js";
+import { pictureButton, saveCsv } from "./files.js";
 import { numbersOf } from "./packed.js";
 import { Player } from "./player.js";
 import { Sheet, checkBox, percentText, swatches } from "./sheet.js";
@@ -25,8 +25,7 @@ async function bodiesOf(solids) {
 }
 
 function rgb(variable) {
-  const colour = themeColour(variable);
-  return [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
+  return channels(themeColour(variable));
 }
 
 /** Some lines on the ground, a round number of units apart. */
@@ -133,12 +132,12 @@ export async function showArm(content) {
   };
   const toggle = (name, text) => checkBox(text, on[name], (value) => { on[name] = value; hovered = null; show(frame); });
   const columns = ["t", ...motion.names, "x", "y", "z"];
-  const saveMotion = () => saveFile("motion.csv", new Blob([csvOf(columns, motion.times.map((t, i) =>
-    [t, ...joints[i], ...tips[i]].map((value) => Number(value.toPrecision(7)))))], { type: "text/csv" }));
+  const saveMotion = () => saveCsv("motion.csv", columns, motion.times.map((t, i) =>
+    [t, ...joints[i], ...tips[i]].map((value) => Number(value.toPrecision(7)))));
   if (tips.length > 1) tools.append(toggle("way", "Way of the tip"), toggle("ends", "Start and end"));
   if (content.lattice.length > 1) tools.append(toggle("lattice", "Lattice path"));
   tools.append(element("button", { type: "button", onclick: saveMotion }, "Path as CSV"),
-               element("button", { type: "button", onclick: async () => saveFile("arm.png", await view.toBlob()) }, "Picture as PNG"));
+               pictureButton("arm.png", () => view));
   if (tips.length > 1) {
     const total = motion.times.at(-1);
     const player = new Player(card, { count: tips.length, name: "time", perSecond: (tips.length - 1) / total, onChange: show,

@@ -1,8 +1,8 @@
 // The report of a plan on a bitmap.
 
 import { Curves, indexAt } from "./curves.js";
-import { element, isNumber, numberText, onTheme, themeColour } from "./dom.js";
-import { csvOf, saveFile } from "./files.js";
+import { channels, element, isNumber, numberText, onTheme, themeColour } from "./dom.js";
+import { pictureButton, saveCsv } from "./files.js";
 import { HeatMap, heatLegend, ramps, trailRange } from "./heat_map.js";
 import { MapView } from "./map_view.js";
 import { framesOf, unpacked } from "./packed.js";
@@ -16,7 +16,7 @@ export function wallImage({ width, height }, shares) {
   const image = element("canvas", { width, height }), context = image.getContext("2d");
   const paint = () => {
     const pixels = context.createImageData(width, height);
-    const [red, green, blue] = [1, 3, 5].map((at) => parseInt(themeColour("--wall").slice(at, at + 2), 16));
+    const [red, green, blue] = channels(themeColour("--wall"));
     for (let i = 0; i < shares.length; ++i) pixels.data.set([red, green, blue, shares[i]], 4 * i);
     context.putImageData(pixels, 0, 0);
   };
@@ -123,7 +123,7 @@ class BitmapStage {
       this.tools.append(checkBox("Path", true, (on) => { this.showPath = on; this.view.draw(); }));
       this.tools.append(element("button", { type: "button", onclick: () => this.savePath() }, "Path as CSV"));
     }
-    this.tools.append(element("button", { type: "button", onclick: () => this.savePicture() }, "Picture as PNG"));
+    this.tools.append(pictureButton("map.png", () => this.view));
     card.append(this.tools, this.host);
     const { window: [x, y, width, height] } = content.map;
     const ends = `from ${content.result.start} to ${content.result.goal}`;
@@ -233,10 +233,6 @@ class BitmapStage {
     const { path, sums } = this.hover, world = this.content.result.path_world;
     const columns = ["x", "y", "length", ...(world ? ["x_m", "y_m"] : [])];
     const rows = path.map(([x, y], i) => [x, y, sums[i], ...(world ? world[i] : [])]);
-    saveFile("path.csv", new Blob([csvOf(columns, rows)], { type: "text/csv" }));
-  }
-
-  async savePicture() {
-    saveFile("map.png", await this.view.toBlob());
+    saveCsv("path.csv", columns, rows);
   }
 }

@@ -4,6 +4,7 @@
 //   svgElement("path", {d: "..."})                the same for SVG
 //   numberText(12.3456, 2)                        "12.35"; "none" for what is no number
 //   themeColour("--path")                         "#d62728", the variable as the theme has it
+//   channels("#d62728")                           [214, 39, 40]
 //   paintSoon(view)                               view.paint() at the next frame of the screen
 //   onTheme(callback)                             called after every change of light and dark
 //   themeButton()                                 the button that changes it
@@ -83,6 +84,11 @@ export function isDark() {
 
 export function themeColour(name) {
   return getComputedStyle(root).getPropertyValue(name).trim();
+}
+
+/** Red, green and blue of "#d62728". */
+export function channels(colour) {
+  return [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
 }
 
 export function themeButton() {

@@ -2,8 +2,8 @@
 
 import { Curves, indexAt } from "./curves.js";
 import { groundLayer, placeText } from "./bitmap_page.js";
-import { element, isNumber, numberText, onTheme, themeColour } from "./dom.js";
-import { csvOf, saveFile } from "./files.js";
+import { channels, element, isNumber, numberText, onTheme, themeColour } from "./dom.js";
+import { pictureButton, saveCsv } from "./files.js";
 import { MapView } from "./map_view.js";
 import { framesOf, numbersOf, unpacked } from "./packed.js";
 import { Player } from "./player.js";
@@ -13,8 +13,8 @@ import { cumulated, nearestOn } from "./walk.js";
 const kShades = 4, kWallKinds = 3, kFirstWall = 2;  // as tools/drive/ground.h has them
 
 function mixed(below, above, share) {
-  const part = (colour, at) => parseInt(colour.slice(at, at + 2), 16);
-  return [1, 3, 5].map((at) => Math.round(part(below, at) + (part(above, at) - part(below, at)) * share));
+  const to = channels(above);
+  return channels(below).map((value, i) => Math.round(value + (to[i] - value) * share));
 }
 
 /** The colour of every code, for the theme at hand. */
@@ -147,10 +147,10 @@ async function stageOf(sheet) {
       if (hovered) view.disc(context, hovered.at, 4, themeColour("--track"), themeColour("--mark-rim"));
     },
   ];
-  const saveTrack = () => saveFile("track.csv", new Blob([csvOf(["tick", "x", "y", "length"],
-    result.track.map(([cx, cy], i) => [i * stride, cx, cy, sums[i]]))], { type: "text/csv" }));
+  const saveTrack = () => saveCsv("track.csv", ["tick", "x", "y", "length"],
+    result.track.map(([cx, cy], i) => [i * stride, cx, cy, sums[i]]));
   tools.append(element("button", { type: "button", onclick: saveTrack }, "Track as CSV"),
-               element("button", { type: "button", onclick: async () => saveFile("drive.png", await view.toBlob()) }, "Picture as PNG"));
+               pictureButton("drive.png", () => view));
   card.append(tools, host, readout);
   const player = new Player(card, { count: frames.ticks.length, name: "tick", perSecond: 12, onChange: show,
                                     label: (i) => `tick ${frames.ticks[i]} of ${result.ticks}` });

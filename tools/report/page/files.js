@@ -1,7 +1,8 @@
 // What a reader takes away: files and text.
 //
 //   saveFile("path.csv", blob)
-//   csvOf(["x", "y"], [[0.5, 0.5], ...])     -> text; numbers round-trip
+//   saveCsv("path.csv", ["x", "y"], [[0.5, 0.5], ...])   numbers round-trip
+//   pictureButton("map.png", () => view)     a button that saves what a view shows
 //   copyButton(() => text)                   a button that copies, and says so
 
 import { element } from "./dom.js";
@@ -14,9 +15,14 @@ export function saveFile(name, blob) {
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
-export function csvOf(columns, rows) {
+export function saveCsv(name, columns, rows) {
   const cell = (value) => (value == null || Number.isNaN(value) ? "" : String(value));
-  return [columns, ...rows].map((row) => row.map(cell).join(",") + "\n").join("");
+  const text = [columns, ...rows].map((row) => row.map(cell).join(",") + "\n").join("");
+  saveFile(name, new Blob([text], { type: "text/csv" }));
+}
+
+export function pictureButton(name, view) {
+  return element("button", { type: "button", onclick: async () => saveFile(name, await view().toBlob()) }, "Picture as PNG");
 }
 
 async function copied(text) {

@@ -11,7 +11,7 @@
 //   heatLegend(scale, [low, high], ramp, note)    an element
 //   ramps()                                       {trail, tracks}: for the theme at hand
 
-import { element, isDark, shortText } from "./dom.js";
+import { channels, element, isDark, shortText } from "./dom.js";
 
 const kRamps = {
   light: {
@@ -26,10 +26,6 @@ const kRamps = {
 
 export function ramps() {
   return kRamps[isDark() ? "dark" : "light"];
-}
-
-function channels(colour) {
-  return [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
 }
 
 /** Red, green and blue of a share of a ramp, 0 .. 1. */

@@ -7,42 +7,24 @@
 //   view.layers = [(context, view) => ...]     drawn in order by view.draw()
 //   view.at(x, y) -> [px, py]; view.place(px, py) -> [x, y]; view.scale: pixels a unit
 //   view.line(context, points, colour, width); view.disc(...); view.image(context, canvas, x, y, width, height)
-//   view.toBlob() -> PNG of what is shown
 //
 // Keys with the focus on it: + and - zoom, arrows move, 0 shows all.
 
-import { element, onTheme, paintSoon, themeColour } from "./dom.js";
+import { CanvasView } from "./canvas_view.js";
+import { themeColour } from "./dom.js";
 
-export class MapView {
+export class MapView extends CanvasView {
   constructor(host, { low, high, up = false, label, onHover = () => {} }) {
-    Object.assign(this, { low, high, up, onHover, layers: [], zoom: 1, pending: false });
+    super(host, { label, kind: "map", step: 1.5, all: "Show all" });
+    Object.assign(this, { low, high, up, onHover, layers: [] });
     this.middle = [0, 1].map((axis) => 0.5 * (low[axis] + high[axis]));
-    this.canvas = element("canvas", { role: "img", "aria-label": label, tabindex: 0, "data-keys": true });
-    const button = (text, title, action) =>
-      element("button", { type: "button", title, "aria-label": title, onclick: action }, text);
-    this.frame = element("div", { class: "map" }, this.canvas,
-                         element("div", { class: "zoom" }, button("+", "Zoom in", () => this.zoomBy(1.5)),
-                                 button("−", "Zoom out", () => this.zoomBy(1 / 1.5)),
-                                 button("⤢", "Show all", () => this.showAll())));
-    host.append(this.frame);
     this.listen();
-    onTheme(() => this.draw());
-    new ResizeObserver(() => this.resize()).observe(this.frame);
-    this.resize();
+    this.begin();
   }
 
-  resize() {
-    const width = this.frame.clientWidth;
-    if (width === 0) return;
+  heightFor(width) {
     const aspect = (this.high[1] - this.low[1]) / (this.high[0] - this.low[0]);
-    const height = Math.round(Math.min(width * aspect, Math.max(260, 0.72 * innerHeight)));
-    const density = Math.min(devicePixelRatio || 1, 2);
-    if (this.width === width && this.height === height && this.density === density) return;
-    Object.assign(this, { width, height, density });
-    this.canvas.width = Math.round(width * density);
-    this.canvas.height = Math.round(height * density);
-    this.canvas.style.height = `${height}px`;
-    this.draw();
+    return Math.min(width * aspect, Math.max(260, 0.72 * innerHeight));
   }
 
   get scale() {
@@ -89,16 +71,8 @@ export class MapView {
     this.draw();
   }
 
-  draw() {
-    paintSoon(this);
-  }
-
   paint() {
-    const context = this.canvas.getContext("2d");
-    context.setTransform(this.density, 0, 0, this.density, 0, 0);
-    context.fillStyle = themeColour("--outside");
-    context.fillRect(0, 0, this.width, this.height);
-    context.lineJoin = context.lineCap = "round";
+    const context = this.cleared(themeColour("--outside"));
     for (const layer of this.layers) layer(context, this);
   }
 
@@ -149,20 +123,19 @@ export class MapView {
     if (start) this.disc(context, start, 7, themeColour("--start"), rim);
   }
 
-  toBlob() {
-    this.paint();
-    return new Promise((done) => this.canvas.toBlob(done, "image/png"));
+  /** Nothing can be moved while all is shown. */
+  keys() {
+    const far = 60;
+    if (this.zoom === 1) return {};
+    return { ArrowLeft: () => this.moveBy(far, 0), ArrowRight: () => this.moveBy(-far, 0),
+             ArrowUp: () => this.moveBy(0, far), ArrowDown: () => this.moveBy(0, -far) };
   }
 
   listen() {
     const canvas = this.canvas;
     const pointers = new Map();
-    const own = (event) => {
-      const box = canvas.getBoundingClientRect();
-      return [event.clientX - box.left, event.clientY - box.top];
-    };
     canvas.addEventListener("pointerdown", (event) => {
-      pointers.set(event.pointerId, own(event));
+      pointers.set(event.pointerId, this.own(event));
       if (this.zoom > 1) canvas.setPointerCapture(event.pointerId);
     });
     for (const end of ["pointerup", "pointercancel", "pointerleave"])
@@ -171,26 +144,11 @@ export class MapView {
         if (end === "pointerleave") this.onHover(null, null);
       });
     canvas.addEventListener("pointermove", (event) => {
-      const now = own(event), before = pointers.get(event.pointerId);
+      const now = this.own(event), before = pointers.get(event.pointerId);
       if (before && this.zoom > 1) this.moveBy(now[0] - before[0], now[1] - before[1]);
       if (before) pointers.set(event.pointerId, now);
       this.onHover(...this.place(...now));
     });
-    canvas.addEventListener("dblclick", (event) => this.zoomBy(2, ...own(event)));
-    canvas.addEventListener("wheel", (event) => {
-      if (!event.ctrlKey && document.activeElement !== canvas) return;
-      event.preventDefault();
-      this.zoomBy(1.002 ** -event.deltaY, ...own(event));
-    }, { passive: false });
-    canvas.addEventListener("keydown", (event) => {
-      const far = 60, keys = {
-        "+": () => this.zoomBy(1.5), "=": () => this.zoomBy(1.5), "-": () => this.zoomBy(1 / 1.5),
-        0: () => this.showAll(), ArrowLeft: () => this.moveBy(far, 0), ArrowRight: () => this.moveBy(-far, 0),
-        ArrowUp: () => this.moveBy(0, far), ArrowDown: () => this.moveBy(0, -far) };
-      if (!(event.key in keys) || event.ctrlKey || event.metaKey) return;
-      if (this.zoom === 1 && event.key.startsWith("Arrow")) return;
-      keys[event.key]();
-      event.preventDefault();
-    });
+    canvas.addEventListener("dblclick", (event) => this.zoomBy(2, ...this.own(event)));
   }
 }

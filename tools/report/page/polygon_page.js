@@ -2,7 +2,7 @@
 
 import { Curves, indexAt } from "./curves.js";
 import { element, isNumber, numberText, onTheme, themeColour } from "./dom.js";
-import { csvOf, saveFile } from "./files.js";
+import { pictureButton, saveCsv } from "./files.js";
 import { MapView } from "./map_view.js";
 import { PathHover } from "./path_hover.js";
 import { Player } from "./player.js";
@@ -75,13 +75,12 @@ export async function showPolygon(content) {
     if (hovered) view.disc(context, hovered.at, 5, themeColour("--path"), themeColour("--mark-rim"));
   }];
   const toggle = (name, text) => checkBox(text, on[name], (value) => { on[name] = value; view.draw(); });
-  const savePath = () => saveFile("path.csv", new Blob([csvOf(["x", "y", "length"],
-    hover.path.map(([x, y], i) => [x, y, hover.sums[i]]))], { type: "text/csv" }));
+  const savePath = () => saveCsv("path.csv", ["x", "y", "length"], hover.path.map(([x, y], i) => [x, y, hover.sums[i]]));
   if (hover.path.length) tools.append(toggle("path", "Path"));
   if (world.lines.length) tools.append(toggle("lines", "Free lines"));
   if (content.dijkstra) tools.append(toggle("dijkstra", "Dijkstra's path"));
   if (hover.path.length) tools.append(element("button", { type: "button", onclick: savePath }, "Path as CSV"));
-  tools.append(element("button", { type: "button", onclick: async () => saveFile("world.png", await view.toBlob()) }, "Picture as PNG"));
+  tools.append(pictureButton("world.png", () => view));
   readout.textContent = note();
   if (frames && frames.iterations.length > 1) {
     const player = new Player(card, { count: frames.iterations.length, name: "iteration", perSecond: 20,

@@ -12,7 +12,8 @@
 //
 // Drag turns, so do the arrow keys; + and - zoom, 0 shows it as at first. z is up.
 
-import { element, onTheme, paintSoon, themeColour } from "./dom.js";
+import { CanvasView } from "./canvas_view.js";
+import { themeColour } from "./dom.js";
 
 export function moved(pose, [x, y, z]) {
   return [0, 4, 8].map((row) => pose[row] * x + pose[row + 1] * y + pose[row + 2] * z + pose[row + 3]);
@@ -85,27 +86,18 @@ export function solidFaces({ shape, size, radius, length, triangles }) {
   return faces;
 }
 
-export class SpaceView {
+export class SpaceView extends CanvasView {
   constructor(host, { label, low, high }) {
-    Object.assign(this, { faces: [], lines: [], dots: [], pending: false });
+    super(host, { label, kind: "map space", step: 1.25, all: "As at first" });
+    Object.assign(this, { faces: [], lines: [], dots: [] });
     this.middle = [0, 1, 2].map((i) => 0.5 * (low[i] + high[i]));
     this.reach = 0.5 * Math.hypot(...[0, 1, 2].map((i) => high[i] - low[i])) || 1;
-    this.canvas = element("canvas", { role: "img", "aria-label": label, tabindex: 0, "data-keys": true });
-    const button = (text, title, action) =>
-      element("button", { type: "button", title, "aria-label": title, onclick: action }, text);
-    this.frame = element("div", { class: "map space" }, this.canvas,
-                         element("div", { class: "zoom" }, button("+", "Zoom in", () => this.zoomBy(1.25)),
-                                 button("−", "Zoom out", () => this.zoomBy(0.8)),
-                                 button("⤢", "As at first", () => this.reset())));
-    host.append(this.frame);
-    this.reset();
+    this.showAll();
     this.listen();
-    onTheme(() => this.draw());
-    new ResizeObserver(() => this.resize()).observe(this.frame);
-    this.resize();
+    this.begin();
   }
 
-  reset() {
+  showAll() {
     Object.assign(this, { turn: -0.9, tilt: 0.45, zoom: 1 });
     this.draw();
   }
@@ -121,20 +113,8 @@ export class SpaceView {
     this.draw();
   }
 
-  resize() {
-    const width = this.frame.clientWidth;
-    if (width === 0) return;
-    const height = Math.round(Math.min(0.75 * width, Math.max(280, 0.7 * innerHeight)));
-    const density = Math.min(devicePixelRatio || 1, 2);
-    Object.assign(this, { width, height, density });
-    this.canvas.width = Math.round(width * density);
-    this.canvas.height = Math.round(height * density);
-    this.canvas.style.height = `${height}px`;
-    this.draw();
-  }
-
-  draw() {
-    paintSoon(this);
+  heightFor(width) {
+    return Math.min(0.75 * width, Math.max(280, 0.7 * innerHeight));
   }
 
   /** Right, up and away from the viewer. */
@@ -150,12 +130,7 @@ export class SpaceView {
   }
 
   paint() {
-    const context = this.canvas.getContext("2d");
-    context.setTransform(this.density, 0, 0, this.density, 0, 0);
-    context.fillStyle = themeColour("--free");
-    context.fillRect(0, 0, this.width, this.height);
-    context.lineJoin = context.lineCap = "round";
-    const look = this.look();
+    const context = this.cleared(themeColour("--free")), look = this.look();
     const items = [];
     for (const { points, colour, opacity = 1 } of this.faces) {
       const flat = points.map(look);
@@ -210,14 +185,9 @@ export class SpaceView {
     context.stroke();
   }
 
-  hover({ clientX, clientY }) {
-    const { left, top } = this.canvas.getBoundingClientRect();
-    this.onHover?.(clientX - left, clientY - top);
-  }
-
-  toBlob() {
-    this.paint();
-    return new Promise((done) => this.canvas.toBlob(done, "image/png"));
+  keys() {
+    return { ArrowLeft: () => this.turnBy(-0.1, 0), ArrowRight: () => this.turnBy(0.1, 0),
+             ArrowUp: () => this.turnBy(0, 0.1), ArrowDown: () => this.turnBy(0, -0.1) };
   }
 
   listen() {
@@ -228,23 +198,10 @@ export class SpaceView {
     });
     for (const end of ["pointerup", "pointercancel"]) this.canvas.addEventListener(end, () => (before = null));
     this.canvas.addEventListener("pointermove", (event) => {
-      if (!before) return this.hover(event);
+      if (!before) return this.onHover?.(...this.own(event));
       this.turnBy(-0.008 * (event.clientX - before[0]), 0.008 * (event.clientY - before[1]));
       before = [event.clientX, event.clientY];
     });
     this.canvas.addEventListener("pointerleave", () => this.onHover?.(null, null));
-    this.canvas.addEventListener("wheel", (event) => {
-      if (!event.ctrlKey && document.activeElement !== this.canvas) return;
-      event.preventDefault();
-      this.zoomBy(1.002 ** -event.deltaY);
-    }, { passive: false });
-    this.canvas.addEventListener("keydown", (event) => {
-      const keys = { ArrowLeft: () => this.turnBy(-0.1, 0), ArrowRight: () => this.turnBy(0.1, 0),
-                     ArrowUp: () => this.turnBy(0, 0.1), ArrowDown: () => this.turnBy(0, -0.1),
-                     "+": () => this.zoomBy(1.25), "=": () => this.zoomBy(1.25), "-": () => this.zoomBy(0.8), 0: () => this.reset() };
-      if (!(event.key in keys) || event.ctrlKey || event.metaKey) return;
-      keys[event.key]();
-      event.preventDefault();
-    });
   }
 }

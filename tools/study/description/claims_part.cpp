@@ -67,13 +67,9 @@ Claim baseline_of(const Node& node, const std::vector<std::string>& in,
 Claim claim_of(const Node& node, const std::string& control, std::vector<std::string> in,
                const std::vector<Experiment>& experiments) {
   static constexpr std::string_view kTests[] = {"less", "similar", "most", "arithmetic", "none"};
-  const auto joined = [&](const char* name) {
-    const Node* const text = node.find(name);
-    return text == nullptr ? std::string() : text->joined();
-  };
-  Claim claim{.text = joined("text"), .place = node.text_or("place", "")};
+  Claim claim{.text = node.joined_or_empty("text"), .place = node.text_or("place", "")};
   claim.test = static_cast<Claim::Test>(node.at("test").choice(kTests));
-  claim.note = joined("note");
+  claim.note = node.joined_or_empty("note");
   if (claim.test == Claim::Test::none) return claim;
   claim.in = std::move(in);
   claim.b = control;

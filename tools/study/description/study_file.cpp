@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "tools/console/values.h"
 #include "tools/study/description/study_parts.h"
 
 namespace lasius::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const Node& map, const char* name) {
-  const Node* const node = map.find(name);
-  return node == nullptr ? std::string() : node->joined();
-}
 
 std::vector<std::pair<std::string, std::vector<std::string>>> charts_of(const Node* charts) {
   std::vector<std::pair<std::string, std::vector<std::string>>> all;
@@ -40,8 +34,8 @@ class StudyReader {
                  "targets", "charts",      "portrait", "by_ant"});
     Study study{.name = root_.text_or("name", name),
                 .summary = root_.text_or("summary", ""),
-                .source = text_of(root_, "source"),
-                .text = text_of(root_, "text"),
+                .source = root_.joined_or_empty("source"),
+                .text = root_.joined_or_empty("text"),
                 .world = world_of(root_.find("world")),
                 .unit = root_.text_or("unit", "cells"),
                 .seeds = seeds_of(root_.find("seeds"), {})};
@@ -90,7 +84,7 @@ class StudyReader {
   Experiment filled_in(const Node& node, const Words& words) const {
     const Node* const questions = own_or_root(node, "questions");
     if (questions == nullptr) (void)node.at("questions");
-    Experiment e{.name = {}, .title = {}, .text = filled(text_of(node, "text"), words)};
+    Experiment e{.name = {}, .title = {}, .text = filled(node.joined_or_empty("text"), words)};
     e.truth = truth_of(own_or_root(node, "optimum"));
     e.contenders = contenders_of(root_, node.find("compare"), words, folder_, bitmap_);
     e.questions = questions_of(*questions, bitmap_ ? &maps_ : nullptr);

@@ -5,7 +5,6 @@
 
 #include "bench/peers/dstar_pilot.h"
 #include "lasius/drive.h"
-#include "lasius/error.h"
 #include "lasius/shortest_walk.h"
 #include "tools/study/sources/online_pilots.h"
 #include "tools/study/sources/online_worlds.h"

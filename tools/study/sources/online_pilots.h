@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 
 #include "lasius/navigator.h"
 
@@ -13,9 +14,18 @@ class ForgetfulPilot final : public Pilot {
   ForgetfulPilot(const Grid& map, Cell goal, const NavigatorOptions& options)
       : navigator_(map, goal, options) {}
 
-  void observe(const Rectangle& part, bool blocked) override;
-  void observe(std::span<const Cell> cells, bool blocked) override;
-  const Way& step(Cell robot, const StopCondition& stop) override;
+  void observe(const Rectangle& part, bool blocked) override {
+    navigator_.observe(part, blocked);
+    changed_ = true;
+  }
+  void observe(std::span<const Cell> cells, bool blocked) override {
+    navigator_.observe(cells, blocked);
+    changed_ = changed_ || !cells.empty();
+  }
+  const Way& step(Cell robot, const StopCondition& stop) override {
+    if (std::exchange(changed_, false)) navigator_.forget();
+    return navigator_.step(robot, stop);
+  }
   Cell goal() const noexcept override { return navigator_.goal(); }
   const Grid& map() const noexcept override { return navigator_.map(); }
   const Grid& passable() const noexcept override { return navigator_.passable(); }

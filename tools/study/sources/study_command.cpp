@@ -10,7 +10,6 @@
 #include "tools/console/progress.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
-#include "tools/draw/text.h"
 #include "tools/options/commands.h"
 #include "tools/record/outputs.h"
 #include "tools/study/bitmaps.h"
@@ -213,7 +212,7 @@ StudyCommand with_page(StudyCommand command) {
 
 }  // namespace
 
-int run_study(const StudyCommand& asked) {
+int run_command(const StudyCommand& asked) {
   const StudyCommand command = with_page(asked);
   if (command.name == "run" || is_document(command.name)) return run_users_study(command);
   const auto all = studies();

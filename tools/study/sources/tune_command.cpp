@@ -47,7 +47,7 @@ study::Tuned conduct_tuning(study::Tuning& tuning, const TuneCommand& command,
 
 }  // namespace
 
-int run_tune(const TuneCommand& command) {
+int run_command(const TuneCommand& command) {
   study::Tuning tuning = study::read_tuning(command.file);
   const fs::path folder = command.folder;
   study::make_folder(folder);

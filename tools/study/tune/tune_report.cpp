@@ -27,10 +27,6 @@ questions, by Holm's method over the families. "as good": the interval of the ra
 What was raced on decides nothing here.
 )";
 
-std::string interval_text(const Interval& interval) {
-  return " [" + fixed(interval.low, 3) + ", " + fixed(interval.high, 3) + "]";
-}
-
 std::string number_text(double value) {
   return std::isfinite(value) ? fixed(value, std::abs(value) < 10 ? 4 : 2) : "no path";
 }
@@ -56,8 +52,8 @@ Table family_table(const Tuning& tuning, const Tuned& tuned) {
               {}};
   for (const Family& f : tuned.families)
     table.rows.push_back({f.name.empty() ? "all" : f.name, std::to_string(f.pairs.size()),
-                          fixed(f.test.effect, 3) + interval_text(f.effect),
-                          fixed(f.ratio, 4) + interval_text(f.ratios), p_text(f.p),
+                          fixed(f.test.effect, 3) + interval_text(f.effect, 3),
+                          fixed(f.ratio, 4) + interval_text(f.ratios, 3), p_text(f.p),
                           family_verdict(f)});
   return table;
 }
@@ -75,8 +71,6 @@ std::vector<std::size_t> order_of(const Race& race) {
   return order;
 }
 
-std::size_t runs_of(const Tuned& tuned) { return tuned.rows.size(); }
-
 }  // namespace
 
 std::string verdict_text(const Tuning& tuning, const Tuned& tuned) {
@@ -87,8 +81,8 @@ std::string verdict_text(const Tuning& tuning, const Tuned& tuned) {
   const Family& all = tuned.families.front();
   return (winner == 0 ? "the default won; its strongest rival, " + judged + "," : judged) +
          " on other maps: " + family_verdict(all) + ", A12 " + fixed(all.test.effect, 3) +
-         interval_text(all.effect) + ", ratio of medians " + fixed(all.ratio, 4) +
-         interval_text(all.ratios) + ", p " + p_text(all.p);
+         interval_text(all.effect, 3) + ", ratio of medians " + fixed(all.ratio, 4) +
+         interval_text(all.ratios, 3) + ", p " + p_text(all.p);
 }
 
 std::string preset_text(const Tuning& tuning, const Tuned& tuned) {
@@ -121,7 +115,7 @@ Table candidate_table(const Tuning& tuning, const Tuned& tuned) {
         {tuning.candidates[c].name, settings_text(tuning.candidates[c].factors),
          std::to_string(runner.values.size()), there ? fixed(standing->mean_rank, 2) : "-",
          compared ? fixed(standing->mean_rank - standings.front().mean_rank, 2) +
-                        interval_text(standing->behind)
+                        interval_text(standing->behind, 3)
                   : "-",
          runner.values.empty() ? "-" : number_text(quantile(runner.values, 0.5)),
          there ? "-" : std::to_string(runner.left_after), there ? "-" : p_text(runner.p)});
@@ -142,7 +136,7 @@ std::string tune_page(const Tuning& tuning, const Tuned& tuned) {
       ". To use it: `--preset preset.yaml`.\n\n## Judged on other maps\n\n";
   text += tuned.families.empty() ? "Nothing was judged.\n" : family_table(tuning, tuned).markdown();
   text += "\n## The race\n\n" + std::to_string(tuned.race.blocks()) + " blocks, " +
-          std::to_string(runs_of(tuned)) + " runs, " + std::to_string(tuned.race.left().size()) +
+          std::to_string(tuned.rows.size()) + " runs, " + std::to_string(tuned.race.left().size()) +
           " of " + std::to_string(tuning.candidates.size()) + " candidates left; " +
           value_text(tuning.value) + ".\n\n" + candidate_table(tuning, tuned).markdown();
   return text + "\n## How to read the tables\n\n" + kHowToReadTuning +

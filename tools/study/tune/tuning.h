@@ -3,8 +3,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <optional>
-#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>

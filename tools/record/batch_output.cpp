@@ -1,15 +1,14 @@
-#include "tools/record/batch_files.h"
+#include "tools/record/batch_output.h"
 
 #include <cmath>
-#include <ostream>
 #include <sstream>
 
 #include "tools/console/values.h"
-#include "tools/record/outputs.h"
 
 namespace lasius::tool {
 
-BatchFiles::BatchFiles(const Task& task) {
+BatchOutput::BatchOutput(const Task& task, std::int64_t total)
+    : delivery_(task.options().outputs), bar_(wants_progress(task.options().messages), total) {
   for (const auto& file : task.options().outputs) {
     csv_ |= is_table(file);
     paths_ |= is_picture(file);
@@ -22,9 +21,12 @@ BatchFiles::BatchFiles(const Task& task) {
            m + ",optimum_gap\n";
 }
 
-void BatchFiles::add(const Task& task, const std::string& json_line,
-                     const std::vector<std::string>& ends, const std::vector<Point>& path) {
-  if (json_) lines_ += json_line;
+void BatchOutput::add(const Task& task, const std::vector<std::string>& ends,
+                      const std::vector<Point>& path) {
+  const std::string text = json_line(task);
+  delivery_.print(text);
+  bar_.update(++done_, "queries");
+  if (json_) lines_ += text;
   if (paths_ && task.has_path()) kept_.push_back(path);
   if (!csv_) return;
   const SearchResult& result = task.result();
@@ -41,10 +43,12 @@ void BatchFiles::add(const Task& task, const std::string& json_line,
   rows_ += row.str();
 }
 
-void BatchFiles::write(const std::string& file, const Draw& draw) const {
-  write_output(file, {.json = [&](auto& out) { out << lines_; },
-                      .csv = [&](auto& out) { out << rows_; },
-                      .picture = [&] { draw(kept_); }});
+void BatchOutput::write_files(const Draw& draw) {
+  delivery_.write([&](const std::string& file) {
+    write_output(file, {.json = [&](auto& out) { out << lines_; },
+                        .csv = [&](auto& out) { out << rows_; },
+                        .picture = [&] { draw(file, kept_); }});
+  });
 }
 
 }  // namespace lasius::tool

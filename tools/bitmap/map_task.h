@@ -1,0 +1,38 @@
+// What questions on a bitmap have in common: `plan`, each query of `batch`, `drive`.
+#pragma once
+
+#include <optional>
+
+#include "tools/bitmap/map_file.h"
+#include "tools/record/task.h"
+
+namespace lasius::tool {
+
+class MapTask : public Task {
+ public:
+  const RunOptions& options() const override = 0;
+  const Algorithm& algorithm() const override;
+  std::string parameter(std::string_view name) const override;
+
+  /// Of an invalid start or goal where it is, as it was given, and the free cell that is nearest.
+  std::string error() const override;
+
+  double shown(double length) const override { return map().length_in(options().frame, length); }
+  std::string unit() const override { return in_metres() ? "m" : ""; }
+
+  std::pair<Json, Json> ends() const override;
+  void add_settings(Json& json) const override;
+
+ protected:
+  virtual const LoadedMap& map() const = 0;
+  virtual const Place& start() const = 0;
+  virtual const Place& goal() const = 0;
+  virtual const std::optional<Cell>& nearest_free() const = 0;  ///< to an invalid start or goal
+
+  bool in_metres() const { return options().frame == Frame::world; }
+
+ private:
+  std::string invalid_text() const;
+};
+
+}  // namespace lasius::tool
