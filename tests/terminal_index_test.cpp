@@ -1,4 +1,6 @@
 // The terminal index of Li, Wang and Ma: its formulas, and its figures as far as they can be had.
+#include "core/colony/terminal_index.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -21,7 +21,8 @@ class BestPath {
  public:
   bool none() const noexcept { return points_.empty(); }
   const std::vector<Point>& points() const noexcept { return points_; }
-  double length() const noexcept { return length_; }  ///< infinite without one
+  /// NaN without one.
+  double length() const noexcept { return length_ < kInfinity ? length_ : kNaN; }
   /// The ant of the last offer that it is of, by index; -1 where it is an older one.
   int finder() const noexcept { return finder_; }
   /// Length of the shortest path or tour that was offered since begin_iteration(), NaN without one.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -17,6 +18,7 @@
 #include "core/colony/best_path.h"
 #include "core/colony/colony_memory.h"
 #include "core/colony/own_update.h"
+#include "core/colony/terminal_index.h"
 #include "core/colony/tour_measures.h"
 #include "core/colony/update.h"
 #include "core/colony/walk_setup.h"
@@ -159,9 +161,7 @@ class GridColony final : public ColonyWorld {
     return Walked{memory_.tours[ant].length, one.steps, one.arrived ? one.move_count + 1 : 0,
                   one.near};
   }
-  double best_length() const override {
-    return best_path_.length() < kInfinity ? best_path_.length() : kNaN;
-  }
+  double best_length() const override { return best_path_.length(); }
   double iteration_best() const override { return best_path_.iteration_best(); }
   bool settled() const override { return params_.agreement > 0 && agreed_ >= params_.agreement; }
 
@@ -276,7 +276,7 @@ class GridColony final : public ColonyWorld {
   /// ant left, or at once as long as there is no answer.
   AfterWalk after_walk(int first) {
     AfterWalk work;
-    const bool at_once = best_path_.length() == kInfinity && !ants_only_teach();
+    const bool at_once = std::isnan(best_path_.length()) && !ants_only_teach();
     work.ended = [this, first, at_once](int ant, int thread) {
       memory_.tours[first + ant] = measured(first + ant, thread);
       if (at_once) memory_.polisher.polish_ahead(ants_, first + ant, thread);
@@ -340,9 +340,9 @@ class GridColony final : public ColonyWorld {
     constexpr int kStepsADeposit = 8;  // some make a tile
     Poller poller(request_.stop, Poller::kSteps);
     for (int a = 0; a < params_.ants; ++a) {
-      if (!ants_[a].arrived) continue;
-      if (params_.straight_deposit == StraightDeposit::improving && a != best_path_.finder())
-        continue;
+      const bool chosen =
+          params_.straight_deposit == StraightDeposit::all || a == best_path_.finder();
+      if (!ants_[a].arrived || !chosen) continue;
       const PolishedPath& path = memory_.polisher.paths()[a];
       for (const Cell c : path.raster) {
         if (poller.stop_after(kStepsADeposit)) return;

@@ -41,19 +41,6 @@ void update_locally(Field& field, const Params& params, double tau0, const Tours
 void update_trail(Field& field, const Params& params, const Tours& tours,
                   const StopCondition& stop);
 
-/// The generation's answer of the terminal index: from the start always along the largest gradient,
-/// as `reading` has it, ties to the first move (Li, Wang & Ma, section 2.2). Empty while the start
-/// has no index, or when stopped.
-void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell goal,
-                    IndexAnswer reading, const StopCondition& stop, std::vector<std::uint8_t>& way);
-
-/// Fits the terminal index to cells of `part` that were blocked or freed: forgets every K(c) that
-/// no way holds up any more, that is, but for the goal's, where no move that exists leads to a c'
-/// with K(c') + step <= K(c); so what led through blocked cells goes, from cell to cell. Work grows
-/// with `part` and what is forgotten.
-void forget_lost_ways(Field& field, const Grid& grid, Corners corners, const kernels::Moves& moves,
-                      Cell goal, const Rectangle& part);
-
 /// How open the trail leaves the choice along a tour; see Convergence::trail_entropy.
 double trail_entropy(Field& field, Trail trail, const kernels::Moves& moves, Cell start,
                      std::span<const std::uint8_t> tour);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/colony/terminal_index.h"
 #include "core/colony/update.h"
 #include "core/grid/move_rule.h"
 #include "lasius/path.h"

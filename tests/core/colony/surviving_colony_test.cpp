@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/colony/colony.h"
-#include "core/colony/update.h"
+#include "core/colony/terminal_index.h"
 #include "core/grid/move_rule.h"
 #include "lasius/path.h"
 #include "tests/core/plan/planning.h"
