@@ -118,6 +118,7 @@ class ArmColony final : public ColonyWorld {
     ArmProgress view;
     view.questions = lattice_.questions();
     view.lower_bound = bound_;
+    view.joints = [this] { return joints_of(best_nodes()); };
     const Cause cause = show(observer_, run, view);
     if (lattice_.goals_blocked(false)) settled_ = true;
     if (parameters_.patience > 0 && !best_.empty() && idle_ >= parameters_.patience)
@@ -233,16 +234,29 @@ class ArmColony final : public ColonyWorld {
     result_.length = best_length_;
     if (bound_) result_.lower_bound = std::min(*bound_, best_length_);
     result_.optimal = bound_ && best_length_ <= *bound_ * (1 + kRounding);
-    const auto points = static_cast<Eigen::Index>(best_.size()) + 1;
-    result_.joints.resize(request_.start.size(), points);
-    result_.tips.resize(3, points);
-    Node at = lattice_.start();
-    for (Eigen::Index i = 0; i < points; ++i) {
-      if (i > 0) at = lattice_.to(at, best_[i - 1]);
-      std::copy_n(lattice_.configuration(at), request_.start.size(), result_.joints.col(i).data());
-      result_.tips.col(i) = Eigen::Vector3d(lattice_.position(at));
-    }
-    result_.goal = lattice_.goal_of(at);
+    const std::vector<Node> nodes = best_nodes();
+    result_.joints = joints_of(nodes);
+    result_.tips.resize(3, std::ssize(nodes));
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      result_.tips.col(i) = Eigen::Vector3d(lattice_.position(nodes[i]));
+    result_.goal = lattice_.goal_of(nodes.back());
+  }
+
+  /// Lattice points of the best tour so far; none without one.
+  std::vector<Node> best_nodes() const {
+    std::vector<Node> nodes;
+    if (best_.empty()) return nodes;
+    nodes.push_back(lattice_.start());
+    for (const int move : best_) nodes.push_back(lattice_.to(nodes.back(), move));
+    return nodes;
+  }
+
+  Eigen::MatrixXd joints_of(const std::vector<Node>& nodes) const {
+    const Eigen::Index joints = request_.start.size();
+    Eigen::MatrixXd values(joints, std::ssize(nodes));
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      std::copy_n(lattice_.configuration(nodes[i]), joints, values.col(i).data());
+    return values;
   }
 
   const Robot& robot_;

@@ -11,8 +11,9 @@ std::string_view to_string(Status status) noexcept {
 }
 
 std::string_view to_string(Fault fault) noexcept {
-  static constexpr std::array<std::string_view, 6> kNames{
-      "none", "start_outside", "start_blocked", "goal_outside", "goal_blocked", "disconnected"};
+  static constexpr std::array<std::string_view, 7> kNames{
+      "none",         "start_outside", "start_blocked", "goal_outside",
+      "goal_blocked", "disconnected",  "trapped"};
   return name_of(fault, kNames);
 }
 

@@ -260,6 +260,7 @@ class Drive {
     ++waited_;
     const bool aside = waited_ % kPatience == 0;
     if (aside && !world_.to_change() && trapped()) {
+      result_.fault = Fault::trapped;
       end(Status::no_path, "trapped: moving obstacles stand in the way for good");
       return robot_;
     }

@@ -198,6 +198,9 @@ struct Result : SearchResult {
 class ArmProgress : public Progress {
  public:
   Questions questions;  ///< so far
+  /// Joint values of the best way so far, a column for each lattice point, the start first; none
+  /// without one. Made when they are asked for; holds until the observer returns.
+  std::function<Eigen::MatrixXd()> joints;
 };
 /// Called on the thread that called `plan`.
 using Observer = std::function<void(const ArmProgress&)>;

@@ -84,11 +84,11 @@ struct Replan {
 /// How a drive went.
 struct DriveResult {
   /// Status::solved on arrival; Status::unreachable: proven on what is known at last;
-  /// Status::no_path: "trapped", moving obstacles stand in the way for good, or have for 16 384
-  /// ticks; Status::limit: no ticks or time left; Status::interrupted; Status::invalid: at
+  /// Status::no_path and Fault::trapped: moving obstacles stand in the way for good, or have for
+  /// 16 384 ticks; Status::limit: no ticks or time left; Status::interrupted; Status::invalid: at
   /// tick 0 the start is blocked in truth or outside, or the goal as the robot knows it then.
   Status status = Status::no_path;
-  Fault fault = Fault::none;  ///< why it is invalid or unreachable
+  Fault fault = Fault::none;  ///< why it is invalid, unreachable or trapped
   std::string error;          ///< the same in a sentence; empty for none
   /// To a start or goal that is invalid: free in truth, and for a goal on the robot's map too.
   std::optional<Cell> nearest_free;

@@ -27,6 +27,7 @@ enum class Fault {
   goal_outside,   ///< of the map or the boundary, or out of an arm's reach
   goal_blocked,   ///< by an obstacle; an arm touches something
   disconnected,   ///< proven: no path leads from start to goal
+  trapped,        ///< of a drive: moving obstacles stand in the way for good
 };
 /// The name, as in "start_outside".
 LASIUS_EXPORT std::string_view to_string(Fault fault) noexcept;

@@ -183,9 +183,9 @@ void bind_arm(py::module_& module) {
       .def(py::pickle(&knots, &trajectory_of));
   bind_parameter_class<arm::Params>(module).def(py::init<const std::string&>());
   bind_progress<arm::ArmProgress>(module, "Progress")
-      .def_property_readonly("questions", [](const View<arm::ArmProgress>& v) {
-        return questions(v.get().questions);
-      });
+      .def_property_readonly(
+          "questions", [](const View<arm::ArmProgress>& v) { return questions(v.get().questions); })
+      .def("joints", [](const View<arm::ArmProgress>& v) { return rows_of(v.get().joints()); });
   module.def("algorithms", [] { return described(arm::algorithms()); });
   module.def("plan", &plan_motion);
   module.def("recheck", &rechecked);

@@ -59,6 +59,13 @@ def test_no_motion(robot, query):
         result.trajectory.at(0)
 
 
+def test_an_observer_sees_the_best_way(robot):
+    query, seen = robot.random_query(seed=5, obstacles=3), []
+    result = arm.plan(robot, query.scene, query.start, arm.Goal.position(query.goal), "goritov2020",
+                      iterations=5, observer=lambda progress: seen.append(progress.joints()))
+    assert len(seen) == 5 and np.array_equal(seen[-1], result.joints)
+
+
 def test_what_is_refused(robot, query, tmp_path):
     assert arm.plan(robot, query.scene, [0, 0], arm.Goal.position(query.goal)).status == "invalid"
     with pytest.raises(lasius.InvalidParameter, match="pitch"):

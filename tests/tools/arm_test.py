@@ -196,6 +196,8 @@ class Arm(ProgramTest):
         self.assertEqual(result["goals"][0], {
             "kind": "pose", "values": [0.4, 0.5, 0, 0, 0, 2], "position_tolerance": 1e-4,
             "angle_tolerance": 0.01})
+        run = self.ended(self.arm("--angle-tolerance", "0.1", "--goal-joints", "-0.8,0.4,0.3", goal=None), 0)
+        self.assertIn("--angle-tolerance has no effect without --goal-pose", run.err)
         # Any one of several, in the order of the command line.
         result, samples = reached("--goal-joints", "3,2.5,2", "--goal", "0.4,0.5,0",
                                   "--goal", "0.8,0.2,0")

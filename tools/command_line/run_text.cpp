@@ -259,6 +259,12 @@ ArmCommand make_arm(const ArmText& text) {
   };
   tolerance("--position-tolerance", text.position_tolerance, arm.position_tolerance);
   tolerance("--angle-tolerance", text.angle_tolerance, arm.angle_tolerance);
+  if (std::ranges::find(arm.goals, ArmGoal::Kind::pose, &ArmGoal::kind) == arm.goals.end()) {
+    for (const auto& [option, value] : {std::pair{"--position-tolerance", text.position_tolerance},
+                                        {"--angle-tolerance", text.angle_tolerance}})
+      if (!value.empty())
+        arm.notes.push_back(std::string(option) + " has no effect without --goal-pose");
+  }
   take_real("--clearance", text.clearance, ArmCommand::kLeastClearance, ArmCommand::kMostClearance,
             arm.clearance);
   take_real("--duration", text.duration, ArmCommand::kLeastDuration, ArmCommand::kMostDuration,

@@ -173,8 +173,9 @@ Robot parse_robot(std::string_view text, const std::string& file, const Chain& c
   if (!chain.base.empty() || !chain.tip.empty() || !chain.set_joints.empty() ||
       !chain.srdf.empty() || !chain.joint_limits.empty() || !chain.allow_contact.empty() ||
       chain.use_visual || chain.bodiless) {
-    refuse("links or joints are named, but " + file + " is no URDF file",
-           "say it in the file; leave out what is for URDF");
+    refuse("options of a URDF robot are given (links, joints, bodies or files), but " + file +
+               " is no URDF file",
+           "say it in the file; leave them out");
   }
   return robot;
 }

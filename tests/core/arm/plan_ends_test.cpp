@@ -193,12 +193,16 @@ TEST(ArmPlan, AnObserverEndsSearchAndMotion) {
   Case c = make_case("industrial6", 3, 10, 0, 12);
   const SceneSensor sensor(c.robot, c.scene);
   c.parameters.iterations = 1000000;
-  const Result r = plan(c.robot, sensor, c.request, c.parameters, [](const ArmProgress& view) {
+  Eigen::MatrixXd best;
+  const Result r = plan(c.robot, sensor, c.request, c.parameters, [&](const ArmProgress& view) {
+    best = view.joints();
+    EXPECT_EQ(best.cols() == 0, std::isnan(view.best_length));
     if (view.iteration == 3) view.stop();
   });
   EXPECT_EQ(r.status, Status::interrupted);
   EXPECT_EQ(r.iterations, 4);
   ASSERT_GT(r.joints.cols(), 0);
+  EXPECT_EQ(best, r.joints);
   EXPECT_FALSE(r.trajectory.empty());
   EXPECT_TRUE(r.stops);
   EXPECT_LE(r.questions.trajectory, 16);

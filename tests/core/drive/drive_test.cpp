@@ -186,7 +186,8 @@ TEST(Drive, TrappedByWhatNeverGoesAway) {
   changes.obstacles = {{.tick = 0, .speed = 0, .track = {{3, 0}}}};
   const DriveResult r = drive(map, map, {0, 0}, {6, 0}, changes);
   EXPECT_EQ(r.status, Status::no_path);
-  EXPECT_TRUE(r.error.starts_with("trapped")) << r.error;
+  EXPECT_EQ(r.fault, Fault::trapped);
+  EXPECT_EQ(r.error, "trapped: moving obstacles stand in the way for good");
   EXPECT_EQ(r.track.size(), static_cast<std::size_t>(r.ticks) + 1);
 }
 
