@@ -141,6 +141,7 @@ std::vector<std::string> formulas(const Params& parameters) {
       "weight of the move from v to w: tau^alpha * (1 / s)^beta * (1 / (1 + theta))^gamma; s the "
       "length of the move, theta the angle between it and the way to the goal, radians",
       "choice: in proportion to the weight among points not yet visited",
+      "tau is pheromone, L the length of a tour",
       "update: tau <- persistence tau + sum over the arrived ants of 1 / L + elite_weight / L of "
       "the iteration's best"};
 }

@@ -60,6 +60,12 @@ std::vector<std::string> formulas(const Params& params) {
     if (!factor.where.empty()) where.append("; ").append(factor.where);
   }
   std::vector<std::string> lines{"weight of the move from i to j: " + weight + where};
+  lines.emplace_back(
+      index
+          ? "K is the terminal index of a cell, Kmin the least of those beside i; d a distance, E "
+            "the goal"
+          : "tau is pheromone, tau0 its first value; eta what ants learned; d a distance, E the "
+            "goal, L the length of a tour");
   lines.emplace_back(index
                          ? "choice: moves are discarded in proportion to their weight until one "
                            "is left"

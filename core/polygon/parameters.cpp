@@ -118,6 +118,7 @@ std::vector<std::string> formulas(const Params& parameters) {
   return {
       "weight of the point h on the next line: tau * eta^beta, eta = (1.1 - |h - h*|) / 1.1; h* "
       "that of the best path so far",
+      "tau is pheromone, tau0 its first value, h a fraction of the line, L the length of a path",
       "choice: the largest weight with probability `greedy`, else in proportion to the weight",
       "update: after each choice tau <- persistence tau + (1 - persistence) tau0; after the "
       "iteration, on the best path so far, tau <- persistence tau + (1 - persistence) / L"};

@@ -1,8 +1,9 @@
 // Each verdict is given data that must turn it.
+#include "tools/study/claims.h"
+
 #include <gtest/gtest.h>
 
 #include "tests/core/base/refusal.h"
-#include "tools/study/claims.h"
 #include "tools/study/values.h"
 
 namespace lasius::study {

@@ -1,11 +1,11 @@
+#include "tools/study/statistics.h"
+
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <random>
-
-#include "tools/study/statistics.h"
 
 namespace lasius::study {
 namespace {

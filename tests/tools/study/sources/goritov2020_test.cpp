@@ -1,9 +1,10 @@
+#include "tools/study/sources/goritov2020.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "tools/study/description/study_file.h"
-#include "tools/study/sources/goritov2020.h"
 
 namespace lasius::study {
 namespace {

@@ -1,4 +1,6 @@
 // The worlds of the study `online`, its pilots, and a drive of it.
+#include "tools/study/sources/online.h"
+
 #include <gtest/gtest.h>
 
 #include <set>
@@ -8,7 +10,6 @@
 #include "lasius/planner.h"
 #include "lasius/shortest_walk.h"
 #include "tools/study/description/study_file.h"
-#include "tools/study/sources/online.h"
 #include "tools/study/sources/online_pilots.h"
 #include "tools/study/sources/online_worlds.h"
 
