@@ -68,8 +68,8 @@ class LASIUS_EXPORT Planner {
   /// @throws as the constructor with options.
   [[nodiscard]] static std::optional<Planner> make_prepared(Grid&& grid,
                                                             const PrepareOptions& options = {});
-  /// A planner for the same map, prepared as by the constructor, and with its @throws. Copies the
-  /// bitmap and its components; this one stays as it is.
+  /// A planner for the same map, prepared as by the constructor. Copies the bitmap and its
+  /// components; this one stays as it is. @throws as the constructor with options.
   Planner prepared(const PrepareOptions& options) const;
   ~Planner();
   Planner(const Planner&) noexcept;  ///< copies share the map
