@@ -57,7 +57,8 @@ std::string did_you_mean(std::string_view name, std::span<const Described> known
   std::vector<std::string_view> names;
   for (const Described& one : known) {
     const std::string_view summary = one.summary;
-    if (summary.ends_with(symbol) || summary.find(symbol + ";") != summary.npos) {
+    if (summary.ends_with(symbol) || summary.find(symbol + ";") != summary.npos ||
+        summary.starts_with(std::string(name) + " of ")) {
       return did_you_mean(name, std::span(&one.name, 1));
     }
     names.push_back(one.name);

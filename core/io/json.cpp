@@ -155,7 +155,7 @@ Result result_from_json(std::string_view text) {
   if (!member<Json>(object, "lower_bound").is_null())
     result.lower_bound = member<double>(object, "lower_bound");
   result.optimal = member<bool>(object, "optimal");
-  if (object.contains("fault")) result.fault = named(object, "fault", Fault::disconnected);
+  if (object.contains("fault")) result.fault = named(object, "fault", Fault::trapped);
   result.own_rules = member_or(object, "own_rules", false);
   if (object.contains("nearest_free")) {
     const auto cell = whole_numbers(object, "nearest_free");

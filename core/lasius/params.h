@@ -317,8 +317,9 @@ LASIUS_EXPORT bool has_preset(std::string_view algorithm, Preset preset);
 LASIUS_EXPORT void set_parameter(Params& params, std::string_view name, std::string_view value);
 LASIUS_EXPORT std::string get_parameter(const Params& params, std::string_view name);
 
-/// Why a parameter has no effect beside the others, as "it is read only with update=rank"; empty
-/// where it has one. Planning does not refuse such a value: it waits for the setting that reads it.
+/// Why a run does not read a parameter, as "it is read only with update=rank" or "exact does not
+/// read it"; empty where it does. Own rules may read others: beta, with an own heuristic. Planning
+/// does not refuse a value that waits for the setting that reads it.
 /// @throws Error(invalid_parameter) for an unknown name.
 LASIUS_EXPORT std::string why_unread(const Params& params, std::string_view name);
 

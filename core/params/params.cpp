@@ -41,7 +41,8 @@ constexpr bool reads_beta(const Params& p) {
 }
 constexpr bool reads_deposit(const Params& p) {
   const bool straight = p.polish != Polish::none && p.straight_deposit != StraightDeposit::none;
-  return (p.update != Update::terminal_index && p.update != Update::learning) || straight;
+  const bool first = p.update == Update::learning && p.initial_pheromone == 0;
+  return (p.update != Update::terminal_index && p.update != Update::learning) || straight || first;
 }
 constexpr auto changes_with_time = is_positive<&Params::critical_time>;
 constexpr std::string_view kUntilCriticalTime = "critical_time above 0";
@@ -140,7 +141,9 @@ constexpr std::array kColony{
         .only_with("an update but terminal-index", is_not<&Params::update, Update::terminal_index>),
     Entry{{"deposit", "number", "0 .. 1e9", "an ant of tour length L deposits deposit / L, Q"},
           Number{&Params::deposit, 0, 1e9}}
-        .only_with("an update but terminal-index and learning, or straight_deposit", reads_deposit),
+        .only_with(
+            "an update but terminal-index, learning with initial_pheromone=0, or straight_deposit",
+            reads_deposit),
     Table::choice<&Params::straight_deposit, kStraightDepositNames>(
         "straight_deposit", "which straightened paths get pheromone too")
         .only_with("polish=straight|taut|local", is_not<&Params::polish, Polish::none>),
@@ -243,7 +246,9 @@ std::string get_parameter(const Params& params, std::string_view name) {
 }
 
 std::string why_unread(const Params& params, std::string_view name) {
-  return kTable.why_unread(params, name);
+  std::string why = kTable.why_unread(params, name);
+  const bool known = find_algorithm(params.algorithm()).has(name);
+  return known ? why : params.algorithm() + " does not read it";
 }
 
 bool Algorithm::has(std::string_view parameter) const noexcept {

@@ -108,11 +108,16 @@ class ParameterSet:
                 setattr(self._raw, name, whole(name, value))
             else:
                 self._raw.set(name, text_of(value))
-        for parameter in self._described().parameters:
-            if not told or parameter.name not in settings or not parameter.only_with:
-                continue
-            if why := self._raw.why_unread(parameter.name):
-                warnings.warn(f"{parameter.name} has no effect: {why}", stacklevel=callers_level())
+        if told:
+            self._tell_unread(settings)
+
+    def _tell_unread(self, settings: Dict[str, Any]) -> None:
+        """Warns of what the other settings leave unread."""
+        for name in settings:
+            known = "persistence" if name == "evaporation" else name
+            if any(p.name == known and p.only_with for p in self._described().parameters):
+                if why := self._raw.why_unread(known):
+                    warnings.warn(f"{name} has no effect: {why}", stacklevel=callers_level())
 
     @property
     def algorithm(self) -> str:
@@ -159,8 +164,11 @@ class ParameterSet:
         Raises:
             InvalidParameter: for an unknown name (with the nearest known one) or a value out of range.
         """
+        return self._with(settings)
+
+    def _with(self: Self, settings: Dict[str, Any], told: bool = True) -> Self:
         other = object.__new__(type(self))
-        other._set(self._raw.copy(), settings)
+        other._set(self._raw.copy(), settings, told)
         return other
 
     def validate(self) -> None:
@@ -193,12 +201,10 @@ class ParameterSet:
 
 def restored(kind: Type[Self], algorithm: str, seed: int, threads: int, values: Dict[str, Value]) -> Self:
     """Parameters that were pickled."""
-    params = object.__new__(kind)
-    params._set(kind(algorithm)._raw.copy(), {"seed": seed, "threads": threads, **values}, told=False)
-    return params
+    return kind(algorithm)._with({"seed": seed, "threads": threads, **values}, told=False)
 
 
-def chosen(kind: Type[Self], params: Union[None, str, Self], settings: Dict[str, Any]) -> Self:
+def chosen(kind: Type[Self], params: Union[None, str, Self], settings: Dict[str, Any], told: bool = True) -> Self:
     """The parameters that a call names: none, an algorithm, or some; and what it sets beside."""
     if params is None:
         params = kind(next(iter(kind._known())))
@@ -206,7 +212,7 @@ def chosen(kind: Type[Self], params: Union[None, str, Self], settings: Dict[str,
         params = kind(params)
     elif not isinstance(params, kind):
         raise TypeError(f"params is {params!r}: give an algorithm's name or a {kind.__module__}.Params")
-    return params.replace(**settings) if settings else params
+    return params._with(settings, told) if settings else params
 
 
 def algorithms() -> Dict[str, Algorithm]:

@@ -118,8 +118,9 @@ class Planner:
             InvalidParameter: for parameters out of range. A start or goal that is blocked or outside
                 is an answer, with the status "invalid".
         """
-        used = chosen(Params, params, named(settings, update, heuristic))
         own = own_rules(heuristic, update, schedule, self._grid)
+        told = all(rule is None for rule in own)  # own ones may read what built-in ones do not
+        used = chosen(Params, params, named(settings, update, heuristic), told)
         with watched(observer, progress, used) as watch:
             error, (search, *found) = self._raw.plan(
                 start, goal, used._raw, target_gap, time_limit, workspace, watch, *own
@@ -167,8 +168,9 @@ class Planner:
             KeyboardInterrupt: with Ctrl-C; its `result` holds the answers so far, the last of them
                 cut short.
         """
-        used = chosen(Params, params, named(settings, update, heuristic))
         own = own_rules(heuristic, update, schedule, self._grid)
+        told = all(rule is None for rule in own)  # own ones may read what built-in ones do not
+        used = chosen(Params, params, named(settings, update, heuristic), told)
         start_cells, goal_cells = int_rows(starts, "starts"), int_rows(goals, "goals")
         with counted(progress, len(start_cells) * max(seeds, 1)) as tell:
             error, columns = _lasius.batch(

@@ -59,7 +59,7 @@ class SearchResult(Record):
     """How a search ended, in any world."""
 
     status: str  #: "solved", "limit", "interrupted", "unreachable", "no_path" or "invalid"
-    fault: str  #: why it is invalid or unreachable: "none", "start_blocked", "disconnected", ...
+    fault: str  #: why it is invalid, unreachable or trapped: "none", "start_blocked", "disconnected", ...
     error: str  #: the same in a sentence; empty for none
     length: float  #: of the path; NaN without one
     lower_bound: Optional[float]  #: certified: no path is shorter
@@ -191,7 +191,7 @@ class DriveResult(Record):
     """How a drive went."""
 
     status: str  #: "solved" on arrival; else as of Result, "no_path" when trapped
-    fault: str  #: why it is invalid or unreachable
+    fault: str  #: why it is invalid, unreachable or trapped
     error: str  #: the same in a sentence; empty for none
     track: IntArray  #: (ticks + 1, 2), where the robot was, the start first
     ticks: int  #: moves and waits

@@ -29,8 +29,15 @@ class CheckSizes(TreeTest):
         self.assertRegex(out, rf"(?m)^ *\d+  {measure} .*TOO MUCH: at most \d+$")
 
     def test_too_much_code(self):
-        self.write("core/long.h", "\n" * 90000)
+        for number in range(1300):
+            self.write(f"core/{number // 40}/{number}.h", "\n" * 70)
         self.broken("C[+][+], lines in all")
+
+    def test_too_long_code(self):
+        for number in range(20):
+            self.write(f"core/{number}.h", "\n" * 70)
+        self.write("core/long.h", "\n" * 400)
+        self.broken("C[+][+], lines of the longest file")
 
     def test_too_large_a_folder(self):
         for number in range(41):

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "lasius/path.h"
+#include "tests/oracle/plane_rule.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius::oracle {
@@ -41,7 +41,10 @@ inline std::vector<Step> steps_of(Neighbours neighbours) {
 inline bool passes(const Grid& grid, Cell at, Step step, Corners corners) {
   const int reach = std::gcd(step.dx, step.dy);
   const int dx = step.dx / reach, dy = step.dy / reach;
-  if (dx * dx + dy * dy > 2) return visible(grid, at, {at.x + step.dx, at.y + step.dy});
+  if (dx * dx + dy * dy > 2) {
+    return rule::segment_obeys(
+        grid, {2 * at.x + 1, 2 * at.y + 1, 2 * (at.x + step.dx) + 1, 2 * (at.y + step.dy) + 1});
+  }
   for (int i = 0; i < reach; ++i) {
     const Cell from = at;
     at = {at.x + dx, at.y + dy};

@@ -105,6 +105,11 @@ def test_what_other_settings_leave_unread_is_told_where_it_was_said(planner):
     with pytest.warns(UserWarning, match="beta has no effect") as told:
         planner.plan(START, GOAL, "as", beta=1, iterations=1)
     assert told[0].filename == __file__
+    with pytest.warns(UserWarning, match="evaporation has no effect"):
+        lasius.Params("terminal-index", evaporation=0.3)
+    table = np.linspace(1, 2, planner.grid.shape[0] * planner.grid.shape[1]).reshape(planner.grid.shape)
+    ours = [planner.plan(START, GOAL, "as", heuristic=table, beta=beta, iterations=2) for beta in (1, 3)]
+    assert ours[0] != ours[1]  # an own heuristic is raised to beta: no warning
     assert lasius.Params("ras", ranks=9, update="rank").replace(ranks=8).ranks == 8  # filterwarnings = error
     assert lasius.algorithms()["as"]["ranks"].only_with == "update=rank"
 

@@ -141,6 +141,11 @@ class Usage(ProgramTest):
                 self.assertIn(f"{arguments[0]} has no effect", self.plan(*arguments).err)
                 self.assertEqual(self.plan("-q", *arguments).err, "")
         self.assertEqual(self.plan("--algorithm", "exact", "--target-gap", "3").err, "")
+        for algorithm in ("exact", "as", "grid-ga"):
+            self.assertIn("persistence, the share kept, or evaporation",
+                          self.plan("--algorithm", algorithm, "--set", "rho=0.1").err)
+        self.assertIn("evaporation=0.1 has no effect",
+                      self.plan("--algorithm", "terminal-index", "--iterations", "1", "--set", "evaporation=0.1").err)
         elitist = "--set elite_weight=3 has no effect: it is read only with update=elitist"
         self.assertIn(elitist, self.plan("--algorithm", "as", "--set", "elite_weight=3").err)
         self.assertEqual(self.plan("--algorithm", "eas", "--set", "elite_weight=3").err, "")

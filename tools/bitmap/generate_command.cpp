@@ -1,4 +1,3 @@
-
 #include "core/base/output.h"
 #include "lasius/generate.h"
 #include "lasius/io.h"

@@ -33,8 +33,9 @@ std::pair<std::string_view, std::string_view> setting_of(std::string_view settin
   std::ranges::replace(option, '_', '-');
   if (std::ranges::find(kOptions, option) != kOptions.end())
     throw UsageError(told + "this is an option, --" + option);
-  const bool other_word = name == "evaporation" || name == "rho";  // of persistence
-  if (algorithm.has(other_word ? "persistence" : name)) return {name, setting.substr(equals + 1)};
+  const auto value = setting.substr(equals + 1);
+  if (name == "rho") return {name, value};  // refused with both its meanings
+  if (algorithm.has(name == "evaporation" ? "persistence" : name)) return {name, value};
   const auto unknown =
       told + std::string(algorithm.name) + " has no parameter \"" + std::string(name) + "\"; ";
   if (!algorithm.parameters.empty())

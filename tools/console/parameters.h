@@ -73,6 +73,7 @@ void note_unread(const SearchOptions& options, const Params& params, const Algor
                  std::vector<std::string>& notes) {
   if constexpr (std::same_as<Params, lasius::Params>) {
     const auto note = [&](const std::string& told, std::string_view name) {
+      if (name == "evaporation") name = "persistence";
       if (!algorithm.has(name)) return;
       const std::string why = why_unread(params, name);
       if (!why.empty()) notes.push_back(told + " has no effect: " + why);

@@ -26,4 +26,5 @@ Json run_json(const Task& task, std::string_view kind, std::string title);
 /// Writes the page of `content`: an object of run_json with a view's own keys. Text from outside is
 /// only in its JSON, where no character can end the script that holds it, and escaped in the title.
 void write_report_page(std::ostream& out, const Json& content);
+
 }  // namespace lasius::tool

@@ -11,6 +11,7 @@ TEST(Names, OfEveryEnumeration) {
   EXPECT_EQ(to_string(Status::solved), "solved");
   EXPECT_EQ(to_string(Status::invalid), "invalid");
   EXPECT_EQ(to_string(Fault::none), "none");
+  EXPECT_EQ(to_string(Fault::disconnected), "disconnected");
   EXPECT_EQ(to_string(Fault::trapped), "trapped");
   EXPECT_EQ(to_string(ErrorCode::invalid_parameter), "invalid_parameter");
   EXPECT_EQ(to_string(ErrorCode::output_failed), "output_failed");

@@ -75,6 +75,7 @@ TEST(Json, KeepsNumbersBitForBitAndWritesNullForWhatIsNone) {
   result.lower_bound = 0.3;
   result.own_rules = true;
   result.error = "a \"quote\", \\ and \n";
+  result.fault = Fault::trapped;  // the last of them
   const std::string text = result_to_json(result);
   expect_says(text, "\"best\":[null,");
   EXPECT_EQ(text.find('\n'), text.size() - 1);

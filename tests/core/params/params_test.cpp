@@ -42,6 +42,8 @@ TEST(Params, MistypedNamesAreAnsweredWithTheNearest) {
             "unknown parameter \"alhpa\"; did you mean \"alpha\"?");
   EXPECT_EQ(refusal([&] { set_parameter(p, "q0", "1"); }),  // as sources have it
             "unknown parameter \"q0\"; did you mean \"greedy\"?");
+  EXPECT_EQ(refusal([&] { set_parameter(p, "q", "1"); }),
+            "unknown parameter \"q\"; did you mean \"index_spread\"?");
   EXPECT_EQ(refusal([&] { set_parameter(p, "mc", "1"); }),
             "unknown parameter \"mc\"; did you mean \"critical_time\"?");
   EXPECT_EQ(refusal([&] { Params("fan2044"); }),

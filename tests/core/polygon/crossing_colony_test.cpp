@@ -46,8 +46,8 @@ std::vector<double> means_by_the_formulas(const std::vector<double>& lengths, co
 }
 
 TEST(Ants, DrawAndUpdateByTheFormulas) {
-  World world = empty_world(
-      4, 2);  // a wedge, and one line from its tip up; small, so that 1 / L is much beside tau0
+  // A wedge, and one line from its tip up; small, so that 1 / L is much beside tau0.
+  World world = empty_world(4, 2);
   world.obstacles = {{{{1.8, 0}, {2.2, 0}, {2, 1}}, {}}};
   const Point start{0.5, 0.5}, goal{3.5, 0.3};
   const Planner planner(world);
