@@ -148,7 +148,6 @@ class CornerTable {
     set_slots((segment.words.size() < 4 * slots_ ? 2 : 4) * slots_);
     empty(segment.words);
     directory_[0].words = only_ = segment.words.data();
-    segment.used = corners_.size() - 1;
     for (std::uint32_t i = 1; i < size(); ++i) {
       const std::uint64_t place = place_of(corners_[i].x >> 1, corners_[i].y >> 1);
       *slot_of(place) = place << 32 | i;

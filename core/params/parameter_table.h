@@ -139,17 +139,22 @@ class ParameterTable {
     }
   };
 
+  /// With what other fields one is read, in words and in code.
+  struct Condition {
+    std::string_view words;
+    bool (*holds)(const Fields&);
+  };
+
   struct Entry {
     Parameter info;
     std::variant<Integer, Number, Choice> value;
+    bool (*is_read)(const Fields&) = nullptr;  // null: always
 
-    bool (*is_read)(const Fields&) = nullptr;  // null: by every run
-
-    /// The same, read only where `holds`, which `condition` says in words.
-    constexpr Entry only_with(std::string_view condition, bool (*holds)(const Fields&)) const {
+    /// The same, read only under a condition.
+    constexpr Entry only_with(const Condition& condition) const {
       Entry entry = *this;
-      entry.info.only_with = condition;
-      entry.is_read = holds;
+      entry.info.only_with = condition.words;
+      entry.is_read = condition.holds;
       return entry;
     }
   };

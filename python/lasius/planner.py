@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -14,7 +14,7 @@ from .errors import finish, made
 from .parameters import OptionalParams, Params, chosen
 from .progress import Shown, counted, watched
 from .results import BatchResult, Result, answer
-from .rules import Heuristic, Schedule, Update, named, own_rules
+from .rules import Heuristic, OwnRules, Schedule, Update, named, own_rules
 
 Observer = Callable[[Progress], Any]
 
@@ -118,9 +118,7 @@ class Planner:
             InvalidParameter: for parameters out of range. A start or goal that is blocked or outside
                 is an answer, with the status "invalid".
         """
-        own = own_rules(heuristic, update, schedule, self._grid)
-        told = all(rule is None for rule in own)  # own ones may read what built-in ones do not
-        used = chosen(Params, params, named(settings, update, heuristic), told)
+        used, own = self._asked(params, settings, heuristic, update, schedule)
         with watched(observer, progress, used) as watch:
             error, (search, *found) = self._raw.plan(
                 start, goal, used._raw, target_gap, time_limit, workspace, watch, *own
@@ -168,9 +166,7 @@ class Planner:
             KeyboardInterrupt: with Ctrl-C; its `result` holds the answers so far, the last of them
                 cut short.
         """
-        own = own_rules(heuristic, update, schedule, self._grid)
-        told = all(rule is None for rule in own)  # own ones may read what built-in ones do not
-        used = chosen(Params, params, named(settings, update, heuristic), told)
+        used, own = self._asked(params, settings, heuristic, update, schedule)
         start_cells, goal_cells = int_rows(starts, "starts"), int_rows(goals, "goals")
         with counted(progress, len(start_cells) * max(seeds, 1)) as tell:
             error, columns = _lasius.batch(
@@ -179,6 +175,19 @@ class Planner:
         index, seed, status, length, bound, optimal, *others = columns
         names = np.array(_lasius.status_names)[status]
         return finish(error, BatchResult(index, seed, names, length, bound, optimal.view(np.bool_), *others))
+
+    def _asked(
+        self,
+        params: OptionalParams,
+        settings: Dict[str, Any],
+        heuristic: Optional[Heuristic],
+        update: Union[None, str, Update],
+        schedule: Optional[Schedule],
+    ) -> Tuple[Params, OwnRules]:
+        """The parameters of a call, and what of a colony is the caller's own."""
+        own = own_rules(heuristic, update, schedule, self._grid)
+        told = all(rule is None for rule in own)  # own ones may read what built-in ones do not
+        return chosen(Params, params, named(settings, update, heuristic), told), own
 
     def prepared(self, *, threads: int = 0, max_bytes: int = 1 << 30) -> Planner:
         """A planner for the same map with its visibility graph, in which `exact` answers faster."""

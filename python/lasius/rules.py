@@ -17,6 +17,7 @@ from .arrays import FloatArray
 Update = Callable[[Pheromone, IterationTours], Any]
 Schedule = Callable[[int], Dict[str, float]]
 Heuristic = Union[str, npt.ArrayLike]
+OwnRules = Tuple[Optional[FloatArray], Optional[Update], Optional[Schedule]]
 
 
 def table_of(heuristic: Optional[Heuristic], grid: Grid) -> Optional[FloatArray]:
@@ -34,7 +35,7 @@ def table_of(heuristic: Optional[Heuristic], grid: Grid) -> Optional[FloatArray]
 
 def own_rules(
     heuristic: Optional[Heuristic], update: Union[None, str, Update], schedule: Optional[Schedule], grid: Grid
-) -> Tuple[Optional[FloatArray], Optional[Update], Optional[Schedule]]:
+) -> OwnRules:
     """What of a colony is the caller's own, as the library takes it."""
     return table_of(heuristic, grid), None if isinstance(update, str) else update, schedule
 

@@ -73,12 +73,11 @@ void note_unread(const SearchOptions& options, const Params& params, const Algor
                  std::vector<std::string>& notes) {
   if constexpr (std::same_as<Params, lasius::Params>) {
     const auto note = [&](const std::string& told, std::string_view name) {
-      if (name == "evaporation") name = "persistence";
-      if (!algorithm.has(name)) return;
       const std::string why = why_unread(params, name);
       if (!why.empty()) notes.push_back(told + " has no effect: " + why);
     };
-    for (const auto& [name, value] : options.named) note("--" + name, name);
+    for (const auto& [name, value] : options.named)
+      if (algorithm.has(name)) note("--" + name, name);
     for (const auto& setting : options.settings)
       note("--set " + setting, std::string_view(setting).substr(0, setting.find('=')));
   }
