@@ -31,18 +31,22 @@ class Poller {
     if (left_ > 0 || stopped()) return stopped();
     const std::int64_t done = interval_ - left_;
     left_ = interval_;
+    polled_ = true;
     cause_ = condition_->poll();
     if (alternate_ != nullptr && !stopped()) cause_ = alternate_->turn(done);
     return stopped();
   }
   bool stopped() const noexcept { return cause_ != StopCondition::Cause::none; }
   StopCondition::Cause cause() const noexcept { return cause_; }
+  /// True once the condition was polled.
+  bool polled() const noexcept { return polled_; }
 
  private:
   const StopCondition* condition_;
   Alternate* alternate_;
   std::int64_t interval_;
   std::int64_t left_;
+  bool polled_ = false;
   StopCondition::Cause cause_ = StopCondition::Cause::none;
 };
 

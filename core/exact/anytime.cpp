@@ -42,6 +42,7 @@ Anytime::Anytime(Memory& memory, const Grid& grid, Cell start, Cell goal,
   if (!deadline && !stop.token.stop_possible() && told_ == nullptr) return;
   share_ = deadline ? kEvenShare : kSmallShare;
   options_.improved = &tell_;
+  options_.improved_once_polled = told_ == nullptr;
   options_.beside = this;
 }
 

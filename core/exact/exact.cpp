@@ -162,7 +162,8 @@ void ExactSearch::run(const ExactOptions& options, const StopCondition& stop) {
 }
 
 bool ExactSearch::tell_improvement() {
-  return improvements_.tell(lower_, upper_, [this](std::vector<Point>& path) { trace(path); });
+  return improvements_.tell(lower_, upper_, poller_,
+                            [this](std::vector<Point>& path) { trace(path); });
 }
 
 void ExactSearch::begin(const Grid& grid, Cell start, Cell goal) {
@@ -190,7 +191,7 @@ bool ExactSearch::goal_in_sight() const noexcept {
 void ExactSearch::search(const Grid& grid, Cell start, Cell goal, const ExactOptions& options,
                          const StopCondition& stop, ExactAnswer& answer) {
   begin(grid, start, goal);
-  improvements_.begin(options.improved);
+  improvements_.begin(options);
   if (goal_in_sight()) {
     upper_ = lower_;
   } else {

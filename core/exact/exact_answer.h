@@ -25,7 +25,10 @@ struct ExactOptions {
   /// Stop once (length - lower_bound) / lower_bound is at most this, which is not negative.
   double target_gap = 0;
   const OnImproved* improved = nullptr;  ///< null: nobody looks on; must outlive the search
-  Alternate* beside = nullptr;           ///< takes turns with the search; likewise
+  /// The first that is told is the best when the stop condition was polled first: a search that
+  /// ends earlier cannot be cut.
+  bool improved_once_polled = false;
+  Alternate* beside = nullptr;  ///< takes turns with the search; likewise
 };
 
 /// How a search ended.
@@ -103,14 +106,17 @@ constexpr double kBucketWidth = 0.03125;
 /// Tells whoever looks on of each shorter path, once.
 class Improvements {
  public:
-  void begin(const OnImproved* told) noexcept {
-    told_ = told;
+  void begin(const ExactOptions& options) noexcept {
+    told_ = options.improved;
+    once_polled_ = options.improved_once_polled;
     least_ = kInfinity;
   }
   /// False where the search is to end. `trace(path)` makes the path of length `upper`, if finite.
+  /// @param poller  of the search; null when it has ended
   template <class Trace>
-  bool tell(double lower, double upper, const Trace& trace) {
+  bool tell(double lower, double upper, const Poller* poller, const Trace& trace) {
     if (told_ == nullptr || !(upper < least_)) return true;
+    if (once_polled_ && (poller == nullptr || !poller->polled())) return true;
     least_ = upper;
     trace(path_);
     return (*told_)(path_, path_length(path_), rounded_down(lower));
@@ -119,6 +125,7 @@ class Improvements {
 
  private:
   const OnImproved* told_ = nullptr;
+  bool once_polled_ = false;
   double least_ = 0;
   std::vector<Point> path_;
 };

@@ -276,7 +276,7 @@ void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Cell sta
   goal_ = half(goal);
   straight_ = exact::distance(start_.x, start_.y, goal_.x, goal_.y);
   lower_ = straight_;
-  improvements_.begin(options.improved);
+  improvements_.begin(options);
   if (kernels::sees(map_, start_, goal_)) {
     upper_ = lower_;
     last_ = kStart;
@@ -305,7 +305,7 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
   look_from_start();
   set_out();
   leave_start();
-  improvements_.begin(nullptr);
+  improvements_.begin({});
   run(0, kNoBudget);
   lengths.clear();
   lengths.reserve(graph.size());
@@ -317,7 +317,8 @@ bool PreparedSearch::flood(const Grid& grid, const CornerGraph& graph, Cell star
 }
 
 bool PreparedSearch::tell_improvement() {
-  return improvements_.tell(lower_, upper_, [this](std::vector<Point>& path) { trace(path); });
+  return improvements_.tell(lower_, upper_, poller_,
+                            [this](std::vector<Point>& path) { trace(path); });
 }
 
 std::int64_t PreparedSearch::bytes() const noexcept {
