@@ -98,7 +98,7 @@ class Lines {
   std::int64_t number_ = 0;
 };
 
-constexpr std::array<std::string_view, 4> kNames{"sx", "sy", "gx", "gy"};
+constexpr std::array<std::string_view, 4> kColumnNames{"sx", "sy", "gx", "gy"};
 
 QueryFile::Line make_line(const std::array<double, 4>& values) {
   return {{values[0], values[1]}, {values[2], values[3]}};
@@ -131,7 +131,7 @@ QueryFile read_scenario(Lines& lines, int width, int height) {
                  "name the map that the scenario is for");
     std::array<double, 4> values;
     for (std::size_t i = 0; i < 4; ++i)
-      values[i] = lines.coordinate(kNames[i], fields[4 + i], true);
+      values[i] = lines.coordinate(kColumnNames[i], fields[4 + i], true);
     file.queries.push_back(make_line(values));
   }
   return file;
@@ -143,12 +143,12 @@ QueryFile read_rows(Lines& lines, bool whole) {
   const auto header = tabs ? split_tabs(header_text) : split_blanks(header_text);
   std::array<std::size_t, 4> column;
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto found = std::find(header.begin(), header.end(), kNames[i]);
+    const auto found = std::find(header.begin(), header.end(), kColumnNames[i]);
     if (found == header.end())
       lines.fail("neither 'version 1' nor a header with columns sx sy gx gy",
                  "name a MovingAI .scen, or a TSV with such a header");
-    if (std::find(found + 1, header.end(), kNames[i]) != header.end())
-      lines.fail("two columns are named " + std::string(kNames[i]), "rename one of them");
+    if (std::find(found + 1, header.end(), kColumnNames[i]) != header.end())
+      lines.fail("two columns are named " + std::string(kColumnNames[i]), "rename one of them");
     column[i] = static_cast<std::size_t>(found - header.begin());
   }
   QueryFile file;
@@ -160,7 +160,7 @@ QueryFile read_rows(Lines& lines, bool whole) {
                  "give every column a value");
     std::array<double, 4> values;
     for (std::size_t i = 0; i < 4; ++i)
-      values[i] = lines.coordinate(kNames[i], fields[column[i]], whole);
+      values[i] = lines.coordinate(kColumnNames[i], fields[column[i]], whole);
     file.queries.push_back(make_line(values));
   }
   return file;

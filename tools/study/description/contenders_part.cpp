@@ -12,7 +12,7 @@ namespace lasius::study {
 namespace {
 
 constexpr int kMostPoints = 10000;
-constexpr std::int64_t kEndless = 1'000'000'000;  // iterations
+constexpr std::int64_t kEndlessIterations = 1'000'000'000;  // iterations
 
 /// A setting, and where it stands.
 struct Placed {
@@ -282,9 +282,9 @@ Budget budget_of(const Node* budget) {
 std::string iterations_of(const Node* budget) {
   if (budget == nullptr) return {};
   if (const Node* const iterations = budget->find("iterations"))
-    return std::to_string(iterations->integer(1, kEndless));
+    return std::to_string(iterations->integer(1, kEndlessIterations));
   const bool ends = budget->find("steps") != nullptr || budget->find("seconds") != nullptr;
-  return ends ? std::to_string(kEndless) : "";
+  return ends ? std::to_string(kEndlessIterations) : "";
 }
 
 Seeds seeds_of(const Node* seeds, Seeds usual) {

@@ -14,7 +14,7 @@
 namespace lasius::study {
 namespace {
 
-constexpr std::uint32_t kTries = 1 << 20;
+constexpr std::uint32_t kMostAttempts = 1 << 20;
 
 [[noreturn]] void fail(const Study& study, const Question& question, const std::string& problem,
                        const std::string& remedy) {
@@ -42,7 +42,7 @@ void draw_ends(const Study& study, const Planner& planner, const Draw& draw, std
   const double apart = draw.apart * std::hypot(grid.width(), grid.height());
   const r123::Philox4x32::key_type key{
       {static_cast<std::uint32_t>(draw.seed), static_cast<std::uint32_t>(draw.seed >> 32)}};
-  for (std::uint32_t attempt = 0; attempt < kTries; ++attempt) {
+  for (std::uint32_t attempt = 0; attempt < kMostAttempts; ++attempt) {
     const auto bits = r123::Philox4x32()({{attempt, number, 0xD4A3, 0}}, key);
     const auto below = [&](int i, int side) {
       return static_cast<int>(std::uint64_t{bits[static_cast<std::size_t>(i)]} *

@@ -10,7 +10,7 @@
 namespace lasius::study {
 namespace {
 
-constexpr double kSignificant = 0.05;
+constexpr double kLevel = 0.05;
 
 constexpr const char* kHowToReadTuning =
     R"(A block is one question with one seed; every candidate that is left answers it. After the first
@@ -27,7 +27,7 @@ questions, by Holm's method over the families. "as good": the interval of the ra
 What was raced on decides nothing here.
 )";
 
-std::string number_text(double value) {
+std::string value_text(double value) {
   return std::isfinite(value) ? fixed(value, std::abs(value) < 10 ? 4 : 2) : "no path";
 }
 
@@ -39,8 +39,8 @@ std::string settings_text(const Settings& settings) {
 }
 
 std::string family_verdict(const Family& family) {
-  if (family.p < kSignificant && family.effect.low > 0.5) return "better";
-  if (family.p < kSignificant && family.effect.high < 0.5) return "worse";
+  if (family.p < kLevel && family.effect.low > 0.5) return "better";
+  if (family.p < kLevel && family.effect.high < 0.5) return "worse";
   const bool close = family.ratios.low >= 0.99 && family.ratios.high <= 1.01;
   return close ? "as good" : "no difference shown";
 }
@@ -117,7 +117,7 @@ Table candidate_table(const Tuning& tuning, const Tuned& tuned) {
          compared ? fixed(standing->mean_rank - standings.front().mean_rank, 2) +
                         interval_text(standing->behind, 3)
                   : "-",
-         runner.values.empty() ? "-" : number_text(quantile(runner.values, 0.5)),
+         runner.values.empty() ? "-" : value_text(quantile(runner.values, 0.5)),
          there ? "-" : std::to_string(runner.left_after), there ? "-" : p_text(runner.p)});
   }
   return table;
