@@ -89,9 +89,9 @@ int run_command(const BatchCommand& command) {
       Answer answer{.start = start,
                     .goal = goal,
                     .result = found.result,
-                    .elapsed_ms = 1e3 * found.elapsed.count(),
-                    .index = index};
+                    .elapsed_ms = 1e3 * found.elapsed.count()};
       if (run.with_optimum) set_optima(run, any_angle[found.index], by_moves[found.index], answer);
+      task.set_index(index);
       task.set_seed(found.seed);
       task.take(std::move(answer));
       take(task.end_texts(), task.result().path);

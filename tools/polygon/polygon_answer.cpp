@@ -68,8 +68,7 @@ PolygonAnswer to_answer(const polygon::Params& parameters, const polygon::Reques
           .goal = *asked.goal,
           .result = std::move(result),
           .elapsed_ms = std::max(0.0, (elapsed - beside).count()),
-          .optimum = optimum,
-          .index = {}};
+          .optimum = optimum};
 }
 
 PolygonAnswer polygon_answer(const LoadedWorld& world, const PolygonCommand& command,

@@ -33,9 +33,8 @@ struct PolygonAnswer {
   polygon::Params parameters;
   Point start, goal;
   polygon::Result result;
-  double elapsed_ms = 0;             ///< without the search for the optimum, unless that is asked
-  std::optional<double> optimum;     ///< where it was found in time
-  std::optional<std::size_t> index;  ///< of a batch's query
+  double elapsed_ms = 0;          ///< without the search for the optimum, unless that is asked
+  std::optional<double> optimum;  ///< where it was found in time
 };
 
 /// What ran on what.

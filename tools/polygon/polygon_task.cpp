@@ -64,7 +64,6 @@ class PolygonTask : public Task {
     announce_algorithm(false);
   }
   void plan(const StopCondition& stop, const Watch& watch) override {
-    const auto index = answer_.index;
     if (std::ranges::any_of(options().outputs, is_page)) frames_.emplace();
     polygon::Observer observer;
     if (watch || frames_)
@@ -73,10 +72,9 @@ class PolygonTask : public Task {
         if (frames_) frames_->observe(progress);
       };
     take(polygon_answer(*world_, command_, answer_.parameters, stop, observer));
-    answer_.index = index;
   }
   void set_seed(std::uint64_t seed) { command_.seed = seed; }
-  /// Takes an answer that was found elsewhere, or only its index.
+  /// Takes an answer that was found elsewhere, or only its parameters.
   void take(PolygonAnswer answer) { answer_ = std::move(answer); }
 
   const SearchOptions& options() const override { return command_; }
@@ -96,14 +94,12 @@ class PolygonTask : public Task {
   std::optional<double> optimum() const override { return answer_.optimum; }
   double elapsed_ms() const override { return answer_.elapsed_ms; }
 
-  std::optional<std::size_t> index() const override { return answer_.index; }
   void remark() const override {
     if (!answer_.result.note.empty()) message(answer_.result.note);
   }
 
   void write_path(std::ostream& out, const char* between) const override {
-    for (const Point p : answer_.result.path)
-      out << to_text(p.x) << between << to_text(p.y) << "\n";
+    write_points(out, between, path());
   }
   void write_picture(const std::string& file) const override {
     write_polygon_picture(file, *world_, answer_);
@@ -206,13 +202,7 @@ std::unique_ptr<Task> recorded_polygon(const Recorded& from, SharedWorld& last) 
   command.goal = recorded_point(result, "goal");
   if (!last || last->options != command.world)
     last = std::make_shared<LoadedWorld>(load_world(command.world));
-  auto task = std::make_unique<PolygonTask>(std::move(command), last);
-  if (result.contains("index")) {
-    PolygonAnswer asked;
-    asked.index = recorded<std::size_t>(result, "index");
-    task->take(std::move(asked));
-  }
-  return task;
+  return std::make_unique<PolygonTask>(std::move(command), last);
 }
 
 int run_command(const PolygonCommand& command) {
@@ -245,8 +235,8 @@ int run_command(const PolygonBatchCommand& command) {
       mine.seed = found.seed;
       PolygonAnswer one = to_answer(mine, part[found.index], found.result, found.elapsed);
       if (!one.optimum) one.optimum = shortest[found.index];
-      one.index = first + found.index;
       const Point start = one.start, goal = one.goal;
+      task.set_index(first + found.index);
       task.set_seed(found.seed);
       task.take(std::move(one));
       take({to_text(start.x), to_text(start.y), to_text(goal.x), to_text(goal.y)}, task.path());
