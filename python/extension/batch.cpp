@@ -33,7 +33,7 @@ py::tuple batch(const Planner& planner, const IntRows& starts, const IntRows& go
   const OwnRules own = own_rules(given, params, call);
   const auto requests =
       requests_from<Request>(cells_from(starts, "starts"), cells_from(goals, "goals"), target_gap);
-  return run_batch(call, requests.size(), {threads, seeds, time_limit}, callback,
+  return run_batch(call, requests.size(), threads, seeds, time_limit, callback,
                    [&](const BatchOptions& options, const BatchReceiver& receive) {
                      plan_batch(planner, requests, params, options, receive, own);
                    });

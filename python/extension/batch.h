@@ -76,20 +76,14 @@ std::vector<Request> requests_from(const std::vector<Place>& starts,
   return requests;
 }
 
-/// What a batch is told of how it is run.
-struct BatchSettings {
-  int threads = 0, seeds = 1;
-  std::optional<double> time_limit;
-};
-
-/// (error, arrays) of `requests` answers asked for: plan(options, receive) is the plan_batch.
+/// (error, arrays) of a batch of so many requests: plan(options, receive) is the plan_batch.
 template <class Plan>
-py::tuple run_batch(Call& call, std::size_t requests, const BatchSettings& settings,
-                    const py::object& callback, const Plan& plan) {
-  BatchOptions options{
-      .threads = settings.threads, .token = call.condition().token, .seeds = settings.seeds};
-  if (settings.time_limit) options.time_limit = std::chrono::duration<double>(*settings.time_limit);
-  const std::size_t wanted = requests * static_cast<std::size_t>(std::max(settings.seeds, 1));
+py::tuple run_batch(Call& call, std::size_t requests, int threads, int seeds,
+                    std::optional<double> time_limit, const py::object& callback,
+                    const Plan& plan) {
+  BatchOptions options{.threads = threads, .token = call.condition().token, .seeds = seeds};
+  if (time_limit) options.time_limit = std::chrono::duration<double>(*time_limit);
+  const std::size_t wanted = requests * static_cast<std::size_t>(std::max(seeds, 1));
   Columns columns;
   Teller teller(call, callback);
   call.run_kept([&] {

@@ -83,7 +83,7 @@ py::tuple batch_among(const pg::Planner& planner, const Rows& starts, const Rows
   Call call;
   const auto requests = requests_from<pg::Request>(points_from(starts, "starts"),
                                                    points_from(goals, "goals"), target_gap);
-  return run_batch(call, requests.size(), {threads, seeds, time_limit}, callback,
+  return run_batch(call, requests.size(), threads, seeds, time_limit, callback,
                    [&](const BatchOptions& options, const pg::BatchReceiver& receive) {
                      pg::plan_batch(planner, requests, params, options, receive);
                    });

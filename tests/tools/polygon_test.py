@@ -355,7 +355,8 @@ class PolygonBatch(WorldTest):
 
     def test_a_signal_ends_it_after_whole_lines(self):
         self.write("q.tsv", "sx sy gx gy\n" + "20 180 160 90\n" * 100000)
-        process = self.start_program("batch", "world.geojson", "q.tsv", "--algorithm", "maklink-acs", "--threads", "2")
+        process = self.start_program("batch", "world.geojson", "q.tsv", "--algorithm", "maklink-acs", "--threads", "2",
+                                     bufsize=0)  # else what is read ahead is lost
         out = process.stdout.readline() + self.interrupted(process)[0]
         self.assertTrue(out.endswith(b"\n"))
         lines = [json.loads(line) for line in out.splitlines()]

@@ -5,7 +5,6 @@
 #include <ostream>
 
 #include "core/base/output.h"
-#include "lasius/polygon_batch.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"

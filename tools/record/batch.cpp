@@ -42,11 +42,11 @@ class BatchOutput {
     if (csv_) rows_ += row(ends);
   }
 
-  void write_files(const Batch::Draw& draw) {
+  void write_files(const Batch& batch) {
     delivery_.write([&](const std::string& file) {
       write_output(file, {.json = [&](auto& out) { out << lines_; },
                           .csv = [&](auto& out) { out << rows_; },
-                          .picture = [&] { draw(file, kept_); }});
+                          .picture = [&] { batch.draw(file, kept_); }});
     });
   }
 
@@ -88,7 +88,7 @@ int run_batch(const Batch& batch, const SignalWatcher& signals) {
   for (std::size_t from = 0; from < batch.queries && !signals.interrupted(); from += chunk)
     batch.answer(from, std::min(chunk, batch.queries - from), how,
                  [&](const auto& ends, const auto& path) { output.add(ends, path); });
-  output.write_files(batch.draw);
+  output.write_files(batch);
   return signals.interrupted() ? kInterrupted : kFound;
 }
 

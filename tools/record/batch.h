@@ -18,20 +18,15 @@ namespace lasius::tool {
 /// What a world plugs into run_batch.
 struct Batch {
   /// Takes the answer that the task holds now: start and goal as texts, and its path.
-  using Take =
-      std::function<void(const std::vector<std::string>& ends, const std::vector<Point>& path)>;
-  /// Answers `count` queries from `first` on with each seed, in order: the task holds one answer
-  /// after the other, and each is taken.
-  using Answer = std::function<void(std::size_t first, std::size_t count, const BatchOptions& how,
-                                    const Take& take)>;
-  /// Draws all paths into a file.
-  using Draw =
-      std::function<void(const std::string& file, const std::vector<std::vector<Point>>& paths)>;
+  using Take = std::function<void(const std::vector<std::string>&, const std::vector<Point>&)>;
 
   Task& task;  ///< tells of options and columns, too: those in metres end in _m
   std::size_t queries = 0;
-  Answer answer;
-  Draw draw;
+  /// Answers `count` queries from `first` on with each seed, in order, each taken in its turn.
+  std::function<void(std::size_t first, std::size_t count, const BatchOptions&, const Take&)>
+      answer;
+  /// Draws all paths into a file.
+  std::function<void(const std::string& file, const std::vector<std::vector<Point>>& paths)> draw;
 };
 
 /// Answers all queries, prints the answers as they come, and writes the files that are asked for.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lasius/error.h"
-#include "lasius/polygon_batch.h"
+#include "lasius/polygon_plan.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/polygon/known_world.h"
 
