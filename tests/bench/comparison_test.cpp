@@ -8,8 +8,9 @@
 #include "bench/report.h"
 #include "bench/statistics.h"
 #include "lasius/error.h"
+#include "lasius/map_io.h"
+#include "tests/core/base/made_files.h"
 #include "tests/core/base/refusal.h"
-#include "tests/core/map_files/map_files.h"
 
 namespace lasius::bench {
 namespace {

@@ -9,6 +9,12 @@ core/grid -> kernels/walk
 grid.h in core/grid
 core/plan -> core/grid
 planner.h in core/plan
+tests/oracle -> lasius/grid.h
+tools/* -> lasius/
+tools/draw ->
+bench -> lasius/ core/plan tests/oracle
+tests/ROOM -> tests/oracle
+tests/core/grid -> lasius/
 """
 
 
@@ -45,15 +51,6 @@ class CheckRooms(TreeTest):
         self.write("core/grid/grid.cpp", "#include <lasius/planner.h>\n")
         self.fails('core/grid may not include "lasius/planner.h"')
 
-    def test_a_header_of_a_folder_that_is_no_room(self):
-        include = '#include "bench/peer.h"\n'
-        self.write("core/plan/peer.cpp", include)
-        self.fails('core/plan/peer.cpp:1: "bench/peer.h" is in no room')
-        self.write(".ci/rooms", ROOMS + "bench/peer.h in core/plan\n")
-        self.assert_passes("check_rooms")
-        self.write("core/grid/peer.cpp", include)
-        self.fails('core/grid/peer.cpp:1: core/grid may not include "bench/peer.h" of core/plan')
-
     def test_an_arrow_is_not_passed_on(self):
         self.write("core/plan/search.cpp", '#include "kernels/walk/walk.h"\n')
         self.fails('core/plan may not include "kernels/walk/walk.h" of kernels/walk')
@@ -71,9 +68,63 @@ class CheckRooms(TreeTest):
         self.write("core/lasius/nobody.h", "")
         self.fails("core/attic/old.h: is in no room", "lasius/nobody.h: is in no room")
 
+    def test_rooms_of_a_top_folder_include_what_all_of_them_may(self):
+        self.write("tools/draw/draw.cpp", '#include "lasius/planner.h"\n')
+        self.assert_passes("check_rooms")
+        self.write("tools/draw/draw.cpp", '#include "core/plan/search.h"\n')
+        self.fails('tools/draw/draw.cpp:1: tools/draw may not include "core/plan/search.h"')
+
+    def test_tests_include_what_their_room_may_and_its_tests(self):
+        self.write("tests/core/plan/search_test.cpp",
+                   '#include "core/plan/search.h"\n#include "core/grid/cells.h"\n#include "lasius/planner.h"\n'
+                   '#include "tests/core/grid/cells.h"\n#include "tests/oracle/optimum.h"\n')
+        self.assert_passes("check_rooms")
+
+    def test_tests_against_the_arrows(self):
+        self.write("tests/core/plan/search_test.cpp",
+                   '#include "kernels/walk/walk.h"\n#include "tools/draw/draw.h"\n#include "bench/clocks.h"\n')
+        self.write("tests/kernels/walk/walk_test.cpp", '#include "tests/core/grid/cells.h"\n')
+        self.fails('tests/core/plan/search_test.cpp:1: tests/core/plan may not include "kernels/walk/walk.h"',
+                   'tests/core/plan/search_test.cpp:2: tests/core/plan may not include "tools/draw/draw.h"',
+                   'tests/core/plan/search_test.cpp:3: tests/core/plan may not include "bench/clocks.h"',
+                   'tests/kernels/walk/walk_test.cpp:1: tests/kernels/walk may not include "tests/core/grid/cells.h"')
+
+    def test_a_line_of_its_own_adds_to_a_mirror(self):
+        include = '#include "lasius/planner.h"\n'
+        self.write("tests/core/grid/cells_test.cpp", include + '#include "core/grid/cells.h"\n')
+        self.assert_passes("check_rooms")
+        self.write("tests/kernels/walk/walk_test.cpp", include)
+        self.fails('tests/kernels/walk/walk_test.cpp:1: tests/kernels/walk may not include "lasius/planner.h"')
+
+    def test_a_test_that_mirrors_no_room(self):
+        self.write("tests/core/attic/old_test.cpp", "")
+        self.fails("tests/core/attic/old_test.cpp: is in no room")
+
+    def test_a_benchmark_against_the_arrows(self):
+        self.write("bench/clocks.cpp", '#include "lasius/planner.h"\n#include "core/plan/search.h"\n')
+        self.assert_passes("check_rooms")
+        self.write("bench/clocks.cpp", '#include "core/grid/cells.h"\n#include "tests/core/plan/plans.h"\n')
+        self.fails('bench/clocks.cpp:1: bench may not include "core/grid/cells.h"',
+                   'bench/clocks.cpp:2: bench may not include "tests/core/plan/plans.h"')
+
+    def test_an_oracle_that_includes_the_library(self):
+        self.write("tests/oracle/optimum.h", '#include "lasius/grid.h"\n')
+        self.assert_passes("check_rooms")
+        self.write("tests/oracle/optimum.h", '#include "lasius/planner.h"\n#include "core/grid/cells.h"\n')
+        self.fails('tests/oracle/optimum.h:1: tests/oracle may not include "lasius/planner.h" of core/plan',
+                   'tests/oracle/optimum.h:2: tests/oracle may not include "core/grid/cells.h" of core/grid')
+
     def test_an_arrow_upwards(self):
         self.write(".ci/rooms", "core/grid -> core/plan\ncore/plan ->\n")
         self.fails("core/grid -> core/plan: not a room above it")
+
+    def test_a_mirror_arrow_upwards(self):
+        self.write(".ci/rooms", ROOMS.replace("core/grid -> lasius/", "core/grid -> tests/core/plan"))
+        self.fails("tests/core/grid -> tests/core/plan: not a room above it")
+
+    def test_an_arrow_to_a_header_that_there_is_not(self):
+        self.write(".ci/rooms", ROOMS + "docs/examples -> lasius/nobody.h\n")
+        self.fails("docs/examples -> lasius/nobody.h: not a room above it")
 
     def test_a_room_named_twice(self):
         self.write(".ci/rooms", ROOMS + "core/grid -> core/plan\n")
@@ -81,7 +132,7 @@ class CheckRooms(TreeTest):
 
     def test_a_line_that_says_nothing(self):
         self.write(".ci/rooms", ROOMS + "core/genetic\n")
-        self.fails(".ci/rooms:7: neither ROOM -> ROOM...")
+        self.fails(".ci/rooms:13: neither ROOM -> WHAT...")
 
 
 if __name__ == "__main__":

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/arm/part.h"
-#include "tests/core/arm/arms.h"
 #include "tests/core/arm/draw.h"
+#include "tests/core/arm/robot/arms.h"
 
 namespace lasius::arm {
 namespace {

@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "tests/core/arm/arms.h"
-#include "tests/oracle/urdf_oracle.h"
+#include "lasius/arm_generate.h"
+#include "lasius/arm_trajectory.h"
+#include "tests/core/arm/robot/arms.h"
+#include "tests/oracle/arm/urdf_oracle.h"
 
 namespace lasius::arm {
 namespace {

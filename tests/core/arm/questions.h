@@ -1,12 +1,15 @@
 // Questions and sensors for tests of planning.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <utility>
 
+#include "core/arm/robot/vec3.h"
+#include "lasius/arm_generate.h"
 #include "lasius/arm_plan.h"
-#include "tests/core/arm/arms.h"
+#include "tests/core/arm/robot/arms.h"
 
 namespace lasius::arm {
 
@@ -50,6 +53,18 @@ inline Params in_lattice() {
 
 inline JointVector last(const Result& result) {
   return result.joints.col(result.joints.cols() - 1);
+}
+
+/// A question with a lattice of `side` points, most of them between start and goal.
+inline Params lattice_of(const Robot& robot, const Request& request, int side) {
+  const Vec3 from = tip_position(robot, request.start),
+             to = request.goals[0].target.translation().eval();
+  const auto span = [](double a, double b) { return a < b ? b - a : a - b; };
+  Params parameters("goritov2020");
+  parameters.side = side;
+  parameters.pitch =
+      std::max({span(from.x, to.x), span(from.y, to.y), span(from.z, to.z)}) / (0.6 * side);
+  return parameters;
 }
 
 struct Case {

@@ -2,7 +2,7 @@
 
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
-#include "tests/core/arm/arms.h"
+#include "tests/core/arm/robot/arms.h"
 #include "tests/core/base/counting_time.h"
 
 namespace lasius::arm {

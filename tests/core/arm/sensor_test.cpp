@@ -2,10 +2,11 @@
 
 #include <limits>
 
+#include "lasius/arm_generate.h"
 #include "lasius/arm_sensor.h"
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
-#include "tests/core/arm/arms.h"
+#include "tests/core/arm/robot/arms.h"
 
 namespace lasius::arm {
 namespace {

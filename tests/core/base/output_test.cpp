@@ -6,8 +6,8 @@
 #include <unistd.h>
 
 #include "lasius/error.h"
+#include "tests/core/base/made_files.h"
 #include "tests/core/base/refusal.h"
-#include "tests/core/map_files/map_files.h"
 
 namespace lasius {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/grid/move_rule.h"
 #include "lasius/path.h"
 #include "tests/core/grid/centres.h"
-#include "tests/core/plan/planning.h"
+#include "tests/worlds/planning.h"
 
 namespace lasius {
 namespace {

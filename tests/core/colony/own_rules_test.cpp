@@ -15,9 +15,9 @@
 #include "core/grid/cell_distance.h"
 #include "lasius/batch.h"
 #include "tests/core/colony/own_published.h"
-#include "tests/core/plan/planning.h"
-#include "tests/core/plan/same_result.h"
+#include "tests/core/loop/same_result.h"
 #include "tests/worlds/grids.h"
+#include "tests/worlds/planning.h"
 
 namespace lasius {
 namespace {

@@ -9,7 +9,7 @@
 #include "lasius/error.h"
 #include "lasius/own_rules.h"
 #include "tests/core/base/refusal.h"
-#include "tests/core/plan/planning.h"
+#include "tests/worlds/planning.h"
 
 namespace lasius {
 namespace {

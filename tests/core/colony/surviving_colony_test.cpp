@@ -10,8 +10,8 @@
 #include "core/colony/terminal_index.h"
 #include "core/grid/move_rule.h"
 #include "lasius/path.h"
-#include "tests/core/plan/planning.h"
 #include "tests/worlds/grids.h"
+#include "tests/worlds/planning.h"
 
 namespace lasius {
 namespace {

@@ -17,8 +17,8 @@
 #include "core/grid/move_rule.h"
 #include "lasius/schedule.h"
 #include "tests/core/base/counting_time.h"
-#include "tests/core/plan/planning.h"
 #include "tests/kernels/base/instruction_sets.h"
+#include "tests/worlds/planning.h"
 
 namespace lasius {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "lasius/error.h"
 #include "tests/core/base/counting_time.h"
-#include "tests/core/drive/random_world.h"
-#include "tests/oracle/drive_checker.h"
+#include "tests/oracle/drive/drive_checker.h"
+#include "tests/worlds/changing_world.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius {

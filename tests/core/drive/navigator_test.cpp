@@ -9,9 +9,9 @@
 #include "lasius/error.h"
 #include "lasius/path.h"
 #include "lasius/planner.h"
-#include "tests/core/drive/random_world.h"
-#include "tests/core/plan/planning.h"
+#include "tests/worlds/changing_world.h"
 #include "tests/worlds/grids.h"
+#include "tests/worlds/planning.h"
 
 namespace lasius {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "lasius/planner.h"
-#include "tests/core/drive/random_world.h"
+#include "tests/worlds/changing_world.h"
 
 namespace lasius {
 namespace {

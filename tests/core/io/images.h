@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lasius/io.h"
-#include "tests/core/map_files/map_files.h"
+#include "tests/core/base/made_files.h"
 
 namespace lasius {
 

@@ -7,7 +7,7 @@
 #include "lasius/io_json.h"
 #include "lasius/planner.h"
 #include "tests/core/base/refusal.h"
-#include "tests/core/plan/same_result.h"
+#include "tests/core/loop/same_result.h"
 
 namespace lasius {
 namespace {

@@ -11,9 +11,9 @@
 #include "core/base/output.h"
 #include "lasius/error.h"
 #include "lasius/path.h"
+#include "tests/core/base/made_files.h"
 #include "tests/core/base/other_locale.h"
 #include "tests/core/base/refusal.h"
-#include "tests/core/map_files/map_files.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius {
@@ -30,7 +30,12 @@ Grid scattered(int width, int height) {
   });
 }
 
-using MapIo = Files;
+class MapIo : public Files {
+ protected:
+  Grid read(const std::string& content, const ReadOptions& options = {}) const {
+    return read_map(file(content), options).grid;
+  }
+};
 
 TEST_F(MapIo, ReadsMovingAi) {
   const Grid expected = drawn({"...##", "##..."});

@@ -11,7 +11,7 @@
 #include "lasius/error.h"
 #include "lasius/generate.h"
 #include "tests/core/base/counting_time.h"
-#include "tests/core/plan/same_result.h"
+#include "tests/core/loop/same_result.h"
 
 namespace lasius {
 namespace {

@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "lasius/batch.h"
-#include "tests/core/plan/planning.h"
+#include "tests/worlds/planning.h"
 
 namespace lasius {
 namespace {

@@ -10,9 +10,9 @@
 #include "lasius/map_io.h"
 #include "lasius/path.h"
 #include "lasius/planner.h"
-#include "tests/core/map_files/map_files.h"
-#include "tests/core/plan/planning.h"
+#include "tests/core/base/made_files.h"
 #include "tests/worlds/grids.h"
+#include "tests/worlds/planning.h"
 
 namespace lasius {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "lasius/path.h"
 #include "lasius/planner.h"
-#include "tests/core/plan/planning.h"
+#include "tests/worlds/planning.h"
 
 namespace lasius {
 namespace {

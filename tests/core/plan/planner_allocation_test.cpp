@@ -5,8 +5,8 @@
 #include <bit>
 #include <vector>
 
-#include "tests/core/plan/planning.h"
 #include "tests/measures/count_allocations.h"
+#include "tests/worlds/planning.h"
 
 namespace lasius {
 namespace {

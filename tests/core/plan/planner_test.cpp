@@ -13,9 +13,9 @@
 #include "lasius/path.h"
 #include "tests/core/base/counting_time.h"
 #include "tests/core/base/environment_variable.h"
-#include "tests/core/plan/planning.h"
-#include "tests/core/plan/same_result.h"
+#include "tests/core/loop/same_result.h"
 #include "tests/oracle/plane_rule.h"
+#include "tests/worlds/planning.h"
 
 namespace lasius {
 namespace {

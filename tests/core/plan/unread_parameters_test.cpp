@@ -13,7 +13,7 @@
 #include "lasius/params.h"
 #include "lasius/planner.h"
 #include "tests/core/params/parameter_ends.h"
-#include "tests/core/plan/planning.h"
+#include "tests/worlds/planning.h"
 
 namespace lasius {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "tests/core/base/counting_time.h"
-#include "tests/core/plan/planning.h"
+#include "tests/worlds/planning.h"
 
 namespace lasius {
 namespace {

@@ -13,7 +13,7 @@
 #include "lasius/error.h"
 #include "lasius/generate.h"
 #include "lasius/polygon_plan.h"
-#include "tests/core/map_files/map_files.h"
+#include "tests/core/base/made_files.h"
 #include "tests/core/polygon/refusal.h"
 
 namespace lasius::polygon {

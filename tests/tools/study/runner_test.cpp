@@ -5,8 +5,9 @@
 #include <stop_token>
 
 #include "lasius/error.h"
+#include "lasius/map_io.h"
+#include "tests/core/base/made_files.h"
 #include "tests/core/base/refusal.h"
-#include "tests/core/map_files/map_files.h"
 #include "tools/study/bitmaps.h"
 #include "tools/study/markdown.h"
 #include "tools/study/table.h"

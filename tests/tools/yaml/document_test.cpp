@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "lasius/error.h"
+#include "tests/core/base/made_files.h"
 #include "tests/core/base/refusal.h"
-#include "tests/core/map_files/map_files.h"
 #include "tools/yaml/preset_file.h"
 
 namespace lasius::tool {

@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "lasius/arm_generate.h"
+#include "lasius/arm_sensor.h"
 #include "lasius/error.h"
-#include "tests/core/arm/arms.h"
-#include "tests/core/arm/refusals.h"
-#include "tests/core/map_files/map_files.h"
+#include "tests/core/arm/robot/arms.h"
+#include "tests/core/arm/robot/refusals.h"
+#include "tests/core/base/made_files.h"
 
 namespace lasius::arm {
 namespace {

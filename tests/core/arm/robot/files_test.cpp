@@ -9,10 +9,10 @@
 
 #include "core/arm/robot/vec3.h"
 #include "lasius/error.h"
-#include "tests/core/arm/arms.h"
-#include "tests/core/arm/refusals.h"
+#include "tests/core/arm/robot/arms.h"
+#include "tests/core/arm/robot/refusals.h"
+#include "tests/core/base/made_files.h"
 #include "tests/core/base/other_locale.h"
-#include "tests/core/map_files/map_files.h"
 
 namespace lasius::arm {
 namespace {
@@ -200,20 +200,6 @@ TEST_F(SceneFile, AllShapes) {
   EXPECT_EQ(scene.obstacles[3].triangles->at(0)[1], Eigen::Vector3d(2, 0, 0));
   EXPECT_EQ(scene.obstacles[3].file, path("m.stl"));
   EXPECT_NO_THROW(validate(scene));
-}
-
-TEST(Generate, QuestionsAreFreeAndTheSameBySeed) {
-  const Robot robot = shipped("industrial6");
-  const Query a = generate_query(robot, {.seed = 3, .obstacles = 15, .wall = 1});
-  const Query b = generate_query(robot, {.seed = 3, .obstacles = 15, .wall = 1});
-  const Query c = generate_query(robot, {.seed = 4, .obstacles = 15, .wall = 1});
-  EXPECT_EQ(a.start, b.start);
-  EXPECT_EQ(a.goal, b.goal);
-  EXPECT_NE(a.start, c.start);
-  EXPECT_EQ(a.scene.obstacles.size(), 16u);
-  EXPECT_TRUE(SceneSensor(robot, a.scene).position_free(a.start));
-  EXPECT_THROW(generate_query(robot, {.obstacles = -1}), Error);
-  EXPECT_THROW(generate_query(robot, {.least_distance = 2}), Error);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "core/arm/robot/vec3.h"
 #include "lasius/error.h"
-#include "tests/core/arm/arms.h"
+#include "tests/core/arm/robot/arms.h"
 
 namespace lasius::arm {
 namespace {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "lasius/error.h"
-#include "tests/core/arm/arms.h"
+#include "tests/core/arm/robot/arms.h"
+#include "tests/core/base/made_files.h"
 #include "tests/core/base/refusal.h"
-#include "tests/core/map_files/map_files.h"
 
 namespace lasius::arm {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "lasius/error.h"
-#include "tests/core/arm/arms.h"
-#include "tests/core/arm/refusals.h"
+#include "tests/core/arm/robot/arms.h"
+#include "tests/core/arm/robot/refusals.h"
 
 namespace lasius::arm {
 namespace {

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "lasius/error.h"
+#include "lasius/map_io.h"
 #include "lasius/planner.h"
+#include "tests/core/base/made_files.h"
 #include "tests/core/base/refusal.h"
-#include "tests/core/map_files/map_files.h"
 #include "tools/study/description/draws.h"
 #include "tools/study/map_source.h"
-#include "tools/study/tune/tune_file.h"
 
 namespace lasius::study {
 namespace {
@@ -178,38 +178,6 @@ TEST_F(StudyFiles, LieBesideTheirMapsAndPresets) {
   EXPECT_THROW((void)read_study(path("none.yaml")), Error);
 }
 
-TEST_F(StudyFiles, TuneOnSomeMapsAndJudgeOnOthers) {
-  const std::string begin =
-      "algorithm: mmas\nset: {ants: 5}\nparameters: {persistence: {from: 0.5, to: 0.9}}\n"
-      "candidates: 4\nmaps: {b: {kind: blobs, size: 40x30, seeds: 1..2}, g: grid20a.map}\n";
-  const auto refused = [&](const std::string& rest) {
-    try {
-      (void)read_tuning(file(begin + rest, "t.yaml"));
-    } catch (const Error& error) {
-      return std::to_string(error.place().line) + ": " + error.problem();
-    }
-    return std::string();
-  };
-  const Tuning tuning = read_tuning(file(begin + "training: [{map: b, draw: 1}]\n", "t.yaml"));
-  ASSERT_EQ(tuning.candidates.size(), 4U);
-  EXPECT_EQ(tuning.candidates[0].name, "default");
-  EXPECT_TRUE(tuning.candidates[0].factors.empty());
-  EXPECT_EQ(tuning.candidates[0].settings, (Settings{{"ants", "5"}}));
-  EXPECT_EQ(tuning.candidates[3].factors.size(), 1U);
-  EXPECT_EQ(tuning.judging.experiments[0].questions[1].map, "blobs 40x30 default 1000002");
-  EXPECT_EQ(tuning.judging.seeds.count, 10);
-
-  EXPECT_EQ(refused("training: [{map: b, draw: 1}]\njudging: [{map: g, draw: 1}]\n"), "");
-  EXPECT_EQ(refused("training: [{map: g, draw: 1}]\n"),
-            "6: 'training' has \"g\", which there is not elsewhere");
-  EXPECT_EQ(refused("training: [{map: b, draw: 1}]\njudging: [{draw: 1}]\n"),
-            "7: 'judging' has \"blobs 40x30 default 1\", which is trained on");
-  EXPECT_EQ(refused(""), "1: 'training' is missing");
-  EXPECT_EQ(refused("training: [{map: b, draw: 1}]\nrace: {first: 3}\n"),
-            "7: 'first' is unknown here");
-  EXPECT_EQ(refused("training: [{map: b, draw: 1}]\nvalue: beauty\n"), "7: 'value' is \"beauty\"");
-}
-
 TEST(StudyFile, TheProgramsOwnAreFilesOfTheSameFormat) {
   for (const auto name : study_names()) {
     const Study study = make_study(name);
@@ -228,7 +196,6 @@ TEST(StudyFile, TheDocumentsQuoteFilesThatAreRead) {
   }
   const Study study = read_study((docs / "examples/study_persistence.yaml").string());
   EXPECT_EQ(study.experiments[0].contenders.size(), 8U);
-  EXPECT_EQ(read_tuning((docs / "examples/tune_mmas.yaml").string()).candidates.size(), 40U);
 }
 
 TEST(StudyFile, RefusesMistakesWithLineAndKey) {

@@ -4,8 +4,8 @@
 
 #include <stop_token>
 
+#include "tests/core/base/made_files.h"
 #include "tests/core/base/refusal.h"
-#include "tests/core/map_files/map_files.h"
 #include "tools/study/tune/tune_report.h"
 #include "tools/yaml/preset_file.h"
 

@@ -10,9 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "lasius/grid.h"
-#include "lasius/map_io.h"
-
 namespace lasius {
 
 namespace fs = std::filesystem;
@@ -36,9 +33,6 @@ class Files : public testing::Test {
   std::string file(const std::string& content, const std::string& name = "map") const {
     std::ofstream(path(name), std::ios::binary) << content;
     return path(name);
-  }
-  Grid read(const std::string& content, const ReadOptions& options = {}) const {
-    return read_map(file(content), options).grid;
   }
   std::vector<std::string> files() const {
     std::vector<std::string> names;

@@ -6,7 +6,7 @@
 #include "core/params/presets.h"
 #include "lasius/path.h"
 #include "tests/core/params/parameter_ends.h"
-#include "tests/core/plan/planning.h"
+#include "tests/worlds/planning.h"
 
 namespace lasius {
 namespace {

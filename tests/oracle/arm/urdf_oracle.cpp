@@ -1,4 +1,4 @@
-#include "tests/oracle/urdf_oracle.h"
+#include "tests/oracle/arm/urdf_oracle.h"
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>

@@ -1,6 +1,6 @@
 // Judges a drive: the world simulated anew, cell by cell, from its description.
 //
-// Shares nothing with the library but Grid.
+// Shares nothing with the library but Grid and the types that describe a world.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Arms and scenes for tests.
+// Arms and obstacles for tests.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "core/arm/robot/vec3.h"
-#include "lasius/arm_generate.h"
-#include "lasius/arm_plan.h"
+#include "lasius/arm_robot.h"
 
 namespace lasius::arm {
 
@@ -85,18 +84,6 @@ inline Triangles cube(double half) {
     triangles.push_back({corner(a), corner(c), corner(d)});
   }
   return triangles;
-}
-
-/// A question with a lattice of `side` points, most of them between start and goal.
-inline Params lattice_of(const Robot& robot, const Request& request, int side) {
-  const Vec3 from = tip_position(robot, request.start),
-             to = request.goals[0].target.translation().eval();
-  const auto span = [](double a, double b) { return a < b ? b - a : a - b; };
-  Params parameters("goritov2020");
-  parameters.side = side;
-  parameters.pitch =
-      std::max({span(from.x, to.x), span(from.y, to.y), span(from.z, to.z)}) / (0.6 * side);
-  return parameters;
 }
 
 }  // namespace lasius::arm

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "lasius/shortest_walk.h"
-#include "tests/core/drive/random_world.h"
+#include "tests/worlds/changing_world.h"
 
 namespace lasius::peers {
 namespace {
