@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lasius/batch.h"
+#include "lasius/batch_options.h"
 #include "lasius/clearance.h"
 #include "lasius/drive.h"
 #include "lasius/error.h"

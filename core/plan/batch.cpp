@@ -1,188 +1,39 @@
 #include "lasius/batch.h"
 
-#include <algorithm>
-#include <condition_variable>
-#include <exception>
-#include <mutex>
-#include <string>
-#include <vector>
+#include <memory>
 
-#include "core/base/parallel.h"
 #include "core/colony/own_update.h"
+#include "core/loop/batch_run.h"
 #include "core/params/parameter_table.h"
 
 namespace lasius {
-namespace {
-
-void check(const Grid& grid, std::span<const Request> requests, const Params& params,
-           const BatchOptions& options) {
-  validate(params);
-  if (options.own_rules != nullptr) check_own_rules(*options.own_rules, grid, params);
-  check_threads(options.threads);
-  if (options.time_limit && !(options.time_limit->count() >= 0)) {
-    throw invalid_parameter("time_limit is " + std::to_string(options.time_limit->count()) + " s",
-                            "it must be 0 or more, or none");
-  }
-  constexpr int kMostSeeds = 1 << 20;
-  if (options.seeds < 1 || options.seeds > kMostSeeds)
-    throw invalid_parameter("seeds is " + std::to_string(options.seeds),
-                            "it must be from 1 to " + std::to_string(kMostSeeds));
-  check_seed(params.seed + static_cast<std::uint64_t>(options.seeds) - 1);
-  const Algorithm& algorithm = find_algorithm(params.algorithm());
-  for (const Request& request : requests) check_certifies(algorithm, request.target_gap);
-}
-
-/// A token that asks to stop when either of two does.
-class EitherToken {
- public:
-  EitherToken(const std::stop_token& a, const std::stop_token& b)
-      : first_(a, Relay{source_}), second_(b, Relay{source_}) {}
-  std::stop_token get() const noexcept { return source_.get_token(); }
-
- private:
-  struct Relay {
-    std::stop_source& source;
-    void operator()() const { source.request_stop(); }
-  };
-  std::stop_source source_;
-  std::stop_callback<Relay> first_, second_;
-};
-
-/// Hands out tasks in order, a request and a seed each, and gives their answers on in order.
-class Sequencer {
- public:
-  Sequencer(std::size_t count, std::size_t window, const std::stop_token& token,
-            const BatchReceiver& receive)
-      : count_(count),
-        link_(token, [this] { stop_.request_stop(); }),
-        receive_(receive),
-        waiting_(window) {}
-
-  std::stop_token token() const noexcept { return stop_.get_token(); }
-
-  /// The next task to begin, or nothing. Waits while it is too far ahead of the oldest answer.
-  std::optional<std::size_t> next() {
-    std::unique_lock lock(mutex_);
-    moved_.wait(lock, [this] { return begun_ - received_ < waiting_.size() || fault_; });
-    if (begun_ == count_ || stop_.stop_requested()) return std::nullopt;
-    return begun_++;
-  }
-
-  void finish(std::size_t task, BatchAnswer answer) {
-    std::unique_lock lock(mutex_);
-    auto& slot = waiting_[task % waiting_.size()];
-    slot = std::move(answer);
-    if (!receiving_) give_on(lock);
-  }
-
-  void fail(std::exception_ptr fault) {
-    const std::lock_guard lock(mutex_);
-    note(std::move(fault));
-    moved_.notify_all();
-  }
-
-  std::size_t result() const {
-    if (fault_) std::rethrow_exception(fault_);
-    return received_;
-  }
-
- private:
-  /// Keeps the first fault, and stops what is in flight.
-  void note(std::exception_ptr fault) {
-    if (!fault_) fault_ = std::move(fault);
-    stop_.request_stop();
-  }
-
-  /// Gives on what is complete, without the lock, so that the others plan meanwhile.
-  void give_on(std::unique_lock<std::mutex>& lock) {
-    receiving_ = true;
-    while (auto& slot = waiting_[received_ % waiting_.size()]) {
-      if (fault_) break;
-      const BatchAnswer answer = std::move(*slot);
-      slot.reset();
-      lock.unlock();
-      std::exception_ptr fault;
-      try {
-        receive_(answer);
-      } catch (...) {
-        fault = std::current_exception();
-      }
-      lock.lock();
-      if (fault)
-        note(std::move(fault));
-      else
-        ++received_;
-      moved_.notify_all();
-    }
-    receiving_ = false;
-  }
-
-  const std::size_t count_;
-  std::stop_source stop_;
-  const std::stop_callback<std::function<void()>> link_;
-  const BatchReceiver& receive_;
-  std::mutex mutex_;
-  std::condition_variable moved_;
-  std::size_t begun_ = 0;
-  std::size_t received_ = 0;
-  bool receiving_ = false;
-  std::exception_ptr fault_;
-  std::vector<std::optional<BatchAnswer>> waiting_;  // ring: task modulo its size
-};
-
-}  // namespace
 
 std::size_t plan_batch(const Planner& planner, std::span<const Request> requests,
                        const Params& params, const BatchOptions& options,
-                       const BatchReceiver& receive) {
-  check(planner.grid(), requests, params, options);
-  if (!receive) {
-    throw invalid_parameter("the receiver is empty", "give one, or leave it out for all answers");
-  }
-  Params single = params;
-  single.threads = 1;
-  const OwnRules& own = options.own_rules != nullptr ? *options.own_rules : no_own_rules();
-  const int threads = thread_count(options.threads);
-  const auto seeds = static_cast<std::size_t>(options.seeds);
-  Sequencer sequencer(requests.size() * seeds, 64 + 8 * static_cast<std::size_t>(threads),
-                      options.token, receive);
-
-  const auto work = [&] {
-    Workspace workspace;
-    Params mine = single;
-    while (const auto task = sequencer.next()) {
-      const std::size_t index = *task / seeds;
-      mine.seed = params.seed + *task % seeds;
-      Request request = requests[index];
-      std::optional<EitherToken> either;
-      if (request.stop.token.stop_possible()) either.emplace(request.stop.token, sequencer.token());
-      request.stop.token = either ? either->get() : sequencer.token();
-      if (options.time_limit) {
-        request.stop.deadline =
-            std::min(request.stop.deadline, deadline_in(*options.time_limit, request.stop.now()));
-      }
-      const auto begin = Clock::now();
-      Result result = planner.plan(request, mine, own, &workspace);
-      sequencer.finish(*task, {index, mine.seed, std::move(result), Clock::now() - begin});
-    }
+                       const BatchReceiver& receive, const OwnRules& own) {
+  validate(params);
+  check_own_rules(own, planner.grid(), params);
+  const Algorithm& algorithm = find_algorithm(params.algorithm());
+  for (const Request& request : requests) check_certifies(algorithm, request.target_gap);
+  const auto make_plan = [&] {
+    Params mine = params;
+    mine.threads = 1;
+    return [&planner, &own, mine, workspace = std::make_shared<Workspace>()](
+               const Request& request, std::uint64_t seed) mutable {
+      mine.seed = seed;
+      return planner.plan(request, mine, own, workspace.get());
+    };
   };
-#pragma omp parallel num_threads(region_threads(threads))
-  {
-    try {
-      work();
-    } catch (...) {
-      sequencer.fail(std::current_exception());
-    }
-  }
-  return sequencer.result();
+  return run_batch<Result>(requests, params.seed, options, receive, make_plan);
 }
 
 std::vector<BatchAnswer> plan_batch(const Planner& planner, std::span<const Request> requests,
-                                    const Params& params, const BatchOptions& options) {
+                                    const Params& params, const BatchOptions& options,
+                                    const OwnRules& own) {
   std::vector<BatchAnswer> answers;
-  answers.reserve(requests.size() * static_cast<std::size_t>(std::max(options.seeds, 1)));
-  plan_batch(planner, requests, params, options,
-             [&](const BatchAnswer& answer) { answers.push_back(answer); });
+  plan_batch(
+      planner, requests, params, options,
+      [&](const BatchAnswer& answer) { answers.push_back(answer); }, own);
   return answers;
 }
 

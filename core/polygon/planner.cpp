@@ -312,12 +312,15 @@ Result answer(const Planner::Impl& world, const Place& start, const Place& goal,
 
 }  // namespace
 
+Ends ends_of(const Request& request, const World& world) {
+  return {end_of("start", request.start, world.start), end_of("goal", request.goal, world.goal)};
+}
+
 Result Planner::plan(const Request& request, const Params& parameters,
                      const Observer& observer) const {
   validate(parameters);
   check_target_gap(request.target_gap);
-  const Point start = end_of("start", request.start, impl_->world.start);
-  const Point goal = end_of("goal", request.goal, impl_->world.goal);
+  const auto [start, goal] = ends_of(request, impl_->world);
   const Place from = place_in(impl_->regions, start), to = place_in(impl_->regions, goal);
   Result result;
   if (from.regions.empty()) {

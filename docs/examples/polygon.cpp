@@ -2,6 +2,7 @@
 #include <lasius/polygon.h>
 
 #include <iostream>
+#include <vector>
 
 int main() {
   using namespace lasius::polygon;
@@ -14,5 +15,10 @@ int main() {
   const Result ants = planner.plan({}, Params("maklink-acs"));
   std::cout << exact.length << ", ants " << ants.length << " across " << ants.crossing.lines.size()
             << " lines\n";
+
+  // Many at once; a request that names no start or goal has the world's.
+  const std::vector<Request> requests{{}, {.goal = lasius::Point{80, 35}}};
+  for (const BatchAnswer& answer : plan_batch(planner, requests))
+    std::cout << answer.index << ": " << answer.result.length << '\n';
   return exact.optimal && ants.length > exact.length - 1e-9 ? 0 : 1;
 }

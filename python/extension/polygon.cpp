@@ -2,6 +2,7 @@
 #include "lasius/polygon.h"
 
 #include "python/extension/arrays.h"
+#include "python/extension/batch.h"
 #include "python/extension/call.h"
 #include "python/extension/modules.h"
 #include "python/extension/names.h"
@@ -75,6 +76,19 @@ py::tuple plan_among(const pg::Planner& planner, std::optional<Point> start,
   return py::make_tuple(call.error(), fields(result));
 }
 
+py::tuple batch_among(const pg::Planner& planner, const Rows& starts, const Rows& goals,
+                      const pg::Params& params, int threads, int seeds,
+                      std::optional<double> time_limit, double target_gap,
+                      const py::object& callback) {
+  Call call;
+  const auto requests = requests_from<pg::Request>(points_from(starts, "starts"),
+                                                   points_from(goals, "goals"), target_gap);
+  return run_batch(call, requests.size(), threads, seeds, time_limit, callback,
+                   [&](const BatchOptions& options, const pg::BatchReceiver& receive) {
+                     pg::plan_batch(planner, requests, params, options, receive);
+                   });
+}
+
 /// (ends (n, 4), regions (n, 2)) of all lines.
 py::tuple lines(const pg::Planner& planner) {
   std::vector<double> ends;
@@ -113,6 +127,7 @@ void bind_polygon(py::module_& module) {
   module.def("make_planner", &made_planner);
   py::class_<pg::Planner>(module, "Planner")
       .def("plan", &plan_among)
+      .def("batch", &batch_among)
       .def_property_readonly("margin", &pg::Planner::margin)
       .def_property_readonly("components", &pg::Planner::components)
       .def("free", &pg::Planner::free)

@@ -13,7 +13,7 @@ from .arrays import Cell, IntArray, int_rows
 from .errors import finish, made
 from .parameters import OptionalParams, Params, chosen
 from .progress import Shown, counted, watched
-from .results import BatchResult, Result, answer
+from .results import BatchResult, Result, answer, batch_result
 from .rules import Heuristic, OwnRules, Schedule, Update, named, own_rules
 
 Observer = Callable[[Progress], Any]
@@ -169,12 +169,10 @@ class Planner:
         used, own = self._asked(params, settings, heuristic, update, schedule)
         start_cells, goal_cells = int_rows(starts, "starts"), int_rows(goals, "goals")
         with counted(progress, len(start_cells) * max(seeds, 1)) as tell:
-            error, columns = _lasius.batch(
+            columns = _lasius.batch(
                 self._raw, start_cells, goal_cells, used._raw, threads, seeds, time_limit, target_gap, tell, *own
             )
-        index, seed, status, length, bound, optimal, *others = columns
-        names = np.array(_lasius.status_names)[status]
-        return finish(error, BatchResult(index, seed, names, length, bound, optimal.view(np.bool_), *others))
+        return batch_result(*columns)
 
     def _asked(
         self,

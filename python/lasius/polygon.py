@@ -16,14 +16,15 @@ from dataclasses import dataclass
 from typing import Any, Callable, Dict, Iterable, Iterator, List, Optional, Tuple, Union
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _lasius
 from .arrays import FloatArray, IntArray, Point
 from .errors import finish, made
 from .maps import Path
 from .parameters import Algorithm, ParameterSet, chosen, described
-from .progress import Shown, watched
-from .results import Record, SearchResult, answer
+from .progress import Shown, counted, watched
+from .results import BatchResult, Record, SearchResult, answer, batch_result
 
 if not hasattr(_lasius, "polygon"):
     raise ImportError("lasius was built without its component polygon")
@@ -292,6 +293,35 @@ class Planner:
         crossings = [None if way is None else Crossing(*way) for way in ways]
         others = (path, nearest, *crossings, optimum, note, used, self._world)
         return finish(error, answer(Result, search, *others))
+
+    def batch(
+        self,
+        starts: npt.ArrayLike,
+        goals: npt.ArrayLike,
+        params: Union[None, str, Params] = None,
+        *,
+        threads: int = 0,
+        seeds: int = 1,
+        time_limit: Optional[float] = None,
+        target_gap: float = 0.0,
+        progress: Shown = None,
+        **settings: Any,
+    ) -> BatchResult:
+        """Answers many questions side by side; as lasius.Planner.batch, lengths in the world's unit.
+
+        >>> world = World([[0, 0], [10, 0], [10, 10], [0, 10]], [[[4, 2], [6, 2], [6, 9], [4, 9]]])
+        >>> Planner(world).batch([[1, 5], [5, 5]], [[9, 5], [9, 5]])
+        <BatchResult: 2 answers: 1 invalid, 1 solved>
+
+        Args:
+            starts: finite numbers (n, 2), points (x, y).
+            goals: likewise.
+        """
+        used = chosen(Params, params, settings)
+        with counted(progress, len(np.asarray(starts)) * max(seeds, 1)) as tell:
+            return batch_result(
+                *self._raw.batch(starts, goals, used._raw, threads, seeds, time_limit, target_gap, tell)
+            )
 
     @property
     def world(self) -> World:

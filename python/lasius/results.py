@@ -9,8 +9,9 @@ from typing import Any, Callable, Dict, List, Optional, Tuple, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from ._lasius import Grid
+from ._lasius import Grid, status_names
 from .arrays import BoolArray, Cell, FloatArray, IntArray, LongArray, same
+from .errors import finish
 from .parameters import ParameterSet
 
 T = TypeVar("T")
@@ -146,7 +147,7 @@ class BatchResult(Record):
     index: LongArray  #: of the request
     seed: npt.NDArray[np.uint64]  #: that it was planned with
     status: npt.NDArray[np.str_]  #: as of Result
-    length: FloatArray  #: in cells; NaN without a path
+    length: FloatArray  #: in cells, or the world's unit; NaN without a path
     lower_bound: FloatArray  #: certified; NaN where nothing is
     optimal: BoolArray  #: proven shortest
     iterations: IntArray  #: done
@@ -172,6 +173,13 @@ class BatchResult(Record):
         names, counts = np.unique(self.status, return_counts=True)
         parts = ", ".join(f"{count} {name}" for name, count in zip(names, counts))
         return f"<BatchResult: {len(self)} answers: {parts}>"
+
+
+def batch_result(error: Optional[BaseException], columns: Tuple[Any, ...]) -> BatchResult:
+    """What the extension gives of a batch; or raises what was raised meanwhile, which carries it."""
+    index, seed, status, length, bound, optimal, *others = columns
+    names = np.array(status_names)[status]
+    return finish(error, BatchResult(index, seed, names, length, bound, optimal.view(np.bool_), *others))
 
 
 @dataclass(eq=False, repr=False)

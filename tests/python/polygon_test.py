@@ -90,3 +90,29 @@ def test_text_and_files(tmp_path):
 def test_an_end_in_an_obstacle():
     result = pg.Planner(pg.World(SQUARE, [BLOCK])).plan((5, 5), (9, 5))
     assert (result.status, result.fault) == ("invalid", "start_blocked") and result.nearest_free[0] in (4, 6)
+
+
+@pytest.mark.parametrize("threads", [1, 2, 5])
+def test_a_batch_is_as_one_by_one(maps, threads):
+    planner = pg.Planner(pg.World.read(maps / "maklink200.geojson"))
+    points = np.random.default_rng(3).uniform(0, 200, (2, 12, 2))
+    told = []
+    answers = planner.batch(*points, "maklink-acs", iterations=3, seed=5, seeds=2, threads=threads,
+                            progress=lambda done, total, text: told.append((done, total)))
+    assert answers.index.tolist() == [i for i in range(12) for _ in range(2)] and told[-1] == (24, 24)
+    assert answers.seed.tolist() == [5, 6] * 12 and {"invalid"} < set(answers.status.tolist())
+    for row in range(24):
+        one = planner.plan(*points[:, row // 2], "maklink-acs", iterations=3, seed=5 + row % 2)
+        assert answers.status[row] == one.status and np.array_equal(answers.path(row), one.path)
+        assert answers.length[row] == one.length or not one.found
+        assert answers.errors.get(row, "") == one.error
+
+
+def test_what_a_batch_refuses():
+    planner = pg.Planner(pg.World(SQUARE, [BLOCK]))
+    assert len(planner.batch([], [])) == 0
+    for starts, goals, options, error in [([[1, 1]], [[1, 1], [2, 2]], {}, ValueError), ([1, 1], [1, 1], {}, ValueError),
+                                          ([[1, np.nan]], [[1, 1]], {}, lasius.InvalidParameter),
+                                          ([[1, 1]], [[1, 1]], {"seeds": 0}, lasius.InvalidParameter)]:
+        with pytest.raises(error):
+            planner.batch(starts, goals, **options)

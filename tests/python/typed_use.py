@@ -32,6 +32,7 @@ def persist(trail: lasius.Pheromone, tours: lasius.IterationTours) -> None:
 own: lasius.Result = planner.plan((0, 0), (3, 3), "ras", update=persist, heuristic=np.ones((4, 4)))
 world = polygon.World([[0, 0], [1, 0], [1, 1]])
 way: polygon.Result = polygon.Planner(world).plan((0.1, 0.1), (0.5, 0.2))
+ways: lasius.BatchResult = polygon.Planner(world).batch([[0.1, 0.1]], [[0.5, 0.2]], seeds=2)
 motion: arm.Trajectory = arm.plan(arm.Robot.read("a.urdf"), arm.Scene(), [0.0], arm.Goal.joints([1.0])).trajectory
 planner.plan((0, 0), 3)  # type: ignore[arg-type]
 planner.plan((0, 0), (3, 3), observer=3)  # type: ignore[arg-type]

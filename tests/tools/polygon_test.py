@@ -310,7 +310,8 @@ class PolygonBatch(WorldTest):
 
     def test_each_query_is_what_plan_gives(self):
         self.write("open.geojson", collection(start=None, goal=None, margin=1.5))
-        for arguments in (["--algorithm", "maklink-acs", "--seed", "7", "--threads", "2"], []):
+        for arguments in (["--algorithm", "maklink-acs", "--seed", "7", "--threads", "2"], [],
+                          ["--algorithm", "real-ga", "--iterations", "3", "--gap", "--time-limit", "60"]):
             run = self.quiet(self.batch(*arguments, world="open.geojson"))
             lines = run.lines
             self.assertEqual([line["index"] for line in lines], [0, 1, 2, 3, 4])
@@ -351,6 +352,17 @@ class PolygonBatch(WorldTest):
         self.assertNotEqual(of_plan[0]["length"], of_plan[1]["length"])
         self.write("open.geojson", collection(start=None))
         self.refused(self.plan_world("--seed", "5-6", world="open.geojson"), 2, "--start is required")
+
+    def test_a_signal_ends_it_after_whole_lines(self):
+        self.write("q.tsv", "sx sy gx gy\n" + "20 180 160 90\n" * 100000)
+        process = self.start_program("batch", "world.geojson", "q.tsv", "--algorithm", "maklink-acs", "--threads", "2",
+                                     bufsize=0)  # else what is read ahead is lost
+        out = process.stdout.readline() + self.interrupted(process)[0]
+        self.assertTrue(out.endswith(b"\n"))
+        lines = [json.loads(line) for line in out.splitlines()]
+        self.assertEqual([line["index"] for line in lines], list(range(len(lines))))
+        self.assertLess(len(lines), 100000)
+        self.assertEqual(lines[0]["status"], "solved")
 
     def test_broken_queries_print_nothing(self):
         for queries, word in (("", "empty"), ("sx sy gx\n", "line 1"), ("sx sy gx gy\n1 1 2 x\n", "line 2"),

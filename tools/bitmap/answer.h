@@ -1,7 +1,6 @@
 // One question answered, with all that a result records.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 
 #include "lasius/batch.h"
@@ -21,7 +20,6 @@ struct Answer {
   std::optional<double> optimum{};
   /// With --gap: the shortest by the algorithm's own moves, any angle for `exact`.
   std::optional<double> grid_optimum{};
-  std::optional<std::size_t> index{};  ///< of a batch's query
 };
 
 /// Plans from `start` to `goal` under `stop`, then looks for --gap's optima under the token and,

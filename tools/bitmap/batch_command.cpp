@@ -1,6 +1,8 @@
-#include <algorithm>
-#include <chrono>
+#include <memory>
 #include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "core/base/output.h"
 #include "lasius/batch.h"
@@ -9,39 +11,28 @@
 #include "tools/bitmap/map_file.h"
 #include "tools/bitmap/picture.h"
 #include "tools/console/elapsed.h"
-#include "tools/console/exit_code.h"
 #include "tools/console/parameters.h"
 #include "tools/console/signals.h"
 #include "tools/console/team.h"
 #include "tools/options/commands.h"
-#include "tools/record/batch_output.h"
+#include "tools/record/batch.h"
 #include "tools/record/queries.h"
 
 namespace lasius::tool {
 namespace {
 
-/// What --gap adds to some queries.
-struct Optima {
-  std::vector<std::optional<double>> any_angle, by_moves;
-};
-
-Optima optima(const LoadedMap& map, const RunOptions& run, std::span<const Request> queries,
-              BatchOptions options) {
-  options.seeds = 1;
-  Optima found;
-  found.any_angle.resize(queries.size());
-  std::vector<Request> exact(queries.begin(), queries.end());
-  for (Request& query : exact) query.target_gap = 0;
-  plan_batch(*map.planner, exact, optimum_params(run), options, [&](const BatchAnswer& answer) {
-    if (answer.result.optimal) found.any_angle[answer.index] = answer.result.length;
-  });
-  found.by_moves.resize(queries.size());
+/// Of each query the length of the shortest walk by the algorithm's own moves, as far as it is
+/// known; none of `exact`.
+std::vector<std::optional<double>> own_optima(const LoadedMap& map, const RunOptions& run,
+                                              std::span<const Request> queries,
+                                              const std::stop_token& token) {
+  std::vector<std::optional<double>> found(queries.size());
   if (!moves_on_cells(run.params)) return found;
   const auto ask = [&](std::size_t i) {
-    const StopCondition stop{.token = options.token, .deadline = deadline_after(run.time_limit)};
-    found.by_moves[i] = shortest_by_own_moves(map, run, queries[i], stop);
+    const StopCondition stop{.token = token, .deadline = deadline_after(run.time_limit)};
+    found[i] = shortest_by_own_moves(map, run, queries[i], stop);
   };
-  share_out(queries.size(), options.threads, [&] { return ask; });
+  share_out(queries.size(), run.threads, [&] { return ask; });
   return found;
 }
 
@@ -83,37 +74,34 @@ int run_command(const BatchCommand& command) {
   check_outputs(run.outputs, {map.image});
   const QueryFile file = queries_of(command, map);
   BitmapTask task({.run = run, .start = {}, .goal = {}}, shared);
-  if (!run.messages.quiet) task.announce();
   const std::vector<Request> queries = requests_of(file, map, run);
-
-  BatchOptions options{.threads = run.params.threads, .token = signals.token(), .seeds = run.seeds};
-  if (run.time_limit) options.time_limit = std::chrono::duration<double>(*run.time_limit);
-  BatchOutput output(task, static_cast<std::int64_t>(queries.size()) * run.seeds);
-  // The optimum is asked beside each chunk, so that answers still stream.
-  const std::size_t chunk = run.with_optimum ? 256 : queries.size();
-  for (std::size_t from = 0; from < queries.size() && !signals.interrupted(); from += chunk) {
-    const auto part = std::span(queries).subspan(from, std::min(chunk, queries.size() - from));
-    Optima best;
-    if (run.with_optimum) best = optima(map, run, part, options);
-    plan_batch(*map.planner, part, run.params, options, [&](const BatchAnswer& found) {
-      const std::size_t index = from + found.index;
+  const auto answer_part = [&](std::size_t first, std::size_t count, const BatchOptions& how,
+                               const Batch::Take& take) {
+    const auto part = std::span(std::as_const(queries)).subspan(first, count);
+    std::vector<std::optional<double>> any_angle, by_moves;
+    if (run.with_optimum) {
+      any_angle = optima(*map.planner, part, optimum_params(run), how);
+      by_moves = own_optima(map, run, part, how.token);
+    }
+    const auto receive = [&](const BatchAnswer& found) {
+      const std::size_t index = first + found.index;
       const auto [start, goal] = ends_of(file, index, map, run.frame);
       Answer answer{.start = start,
                     .goal = goal,
                     .result = found.result,
-                    .elapsed_ms = std::chrono::duration<double, std::milli>(found.elapsed).count(),
-                    .index = index};
-      if (run.with_optimum)
-        set_optima(run, best.any_angle[found.index], best.by_moves[found.index], answer);
+                    .elapsed_ms = 1e3 * found.elapsed.count()};
+      if (run.with_optimum) set_optima(run, any_angle[found.index], by_moves[found.index], answer);
+      task.set_index(index);
       task.set_seed(found.seed);
       task.take(std::move(answer));
-      output.add(task, task.end_texts(), task.result().path);
-    });
-  }
-  output.write_files([&](const std::string& picture, const auto& paths) {
+      take(task.end_texts(), task.result().path);
+    };
+    plan_batch(*map.planner, part, run.params, how, receive);
+  };
+  const auto draw = [&](const std::string& picture, const auto& paths) {
     write_batch_picture(picture, map, run, paths);
-  });
-  return signals.interrupted() ? kInterrupted : kFound;
+  };
+  return run_batch({task, queries.size(), answer_part, draw}, signals);
 }
 
 }  // namespace lasius::tool

@@ -75,9 +75,7 @@ void BitmapTask::plan(const StopCondition& stop, const Watch& watch) {
       if (recorder_) recorder_->observe(progress);
       if (frames_) frames_->observe(progress);
     };
-  const auto index = answer_.index;
   answer_ = answer(*map_, run, answer_.start, answer_.goal, stop, observer);
-  answer_.index = index;
 }
 
 std::vector<std::string> BitmapTask::input_files() const {
@@ -104,8 +102,7 @@ void BitmapTask::remark() const {
 }
 
 void BitmapTask::write_path(std::ostream& out, const char* between) const {
-  for (const Point p : in_metres() ? map_->to_world(result().path) : result().path)
-    out << to_text(p.x) << between << to_text(p.y) << "\n";
+  write_points(out, between, in_metres() ? map_->to_world(result().path) : result().path);
 }
 
 void BitmapTask::write_picture(const std::string& file) const {
@@ -150,10 +147,7 @@ std::unique_ptr<Task> recorded_bitmap(const Recorded& from, SharedMap& last) {
   if (!same)
     last =
         std::make_shared<LoadedMap>(load_map(run.map, run.frame, run.params.corners, from.token));
-  auto task = std::make_unique<BitmapTask>(std::move(command), last);
-  if (from.result.contains("index"))
-    task->take({.index = recorded<std::size_t>(from.result, "index")});
-  return task;
+  return std::make_unique<BitmapTask>(std::move(command), last);
 }
 
 int run_command(const PlanCommand& command) {

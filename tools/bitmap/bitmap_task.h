@@ -40,7 +40,6 @@ class BitmapTask : public MapTask {
   /// Start and goal as they were asked for, a coordinate a text.
   std::vector<std::string> end_texts() const;
 
-  std::optional<std::size_t> index() const override { return answer_.index; }
   Json inputs() const override;
   void add_path(Json& json) const override;
   void add_findings(Json& json) const override;

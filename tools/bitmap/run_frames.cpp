@@ -7,7 +7,6 @@
 
 #include "tools/report/packed.h"
 #include "tools/report/report.h"
-#include "tools/report/thinned.h"
 
 namespace lasius::tool {
 namespace {
@@ -80,27 +79,15 @@ RunFrames::RunFrames(const Grid& grid, const Params& params)
 
 void RunFrames::observe(const GridProgress& progress) {
   rasters_.observe(progress);
-  keep_path(progress);
+  newest_.observe(progress);
   if (!frames_.wants(progress.iteration)) return;
   if (colony_) rasters_.capture(progress);
   frames_.add(frame());
 }
 
-void RunFrames::keep_path(const GridProgress& progress) {
-  if (!std::isfinite(progress.best_length) || (path_ && progress.best_length == best_)) return;
-  best_ = progress.best_length;
-  const Path all = progress.path();
-  path_ = std::make_shared<const Path>(thinned(all, all.size() / kMostPathVertices + 1));
-}
-
 RunFrames::Frame RunFrames::frame() const {
   const auto& newest = rasters_.newest();
-  Frame frame{.iteration = newest.iterations,
-              .ants = newest.ants,
-              .arrived = newest.arrived,
-              .trail = rasters_.pheromone().values.values,
-              .tracks = {},
-              .path = path_};
+  Frame frame{newest_, newest.ants, newest.arrived, rasters_.pheromone().values.values, {}};
   for (const std::uint32_t ants : newest.now.values)
     frame.tracks.push_back(static_cast<std::uint16_t>(std::min<std::uint32_t>(ants, 65535)));
   return frame;
@@ -127,17 +114,12 @@ Json RunFrames::json() const {
                {"height", size.height},
                {"cells_a_pixel", rasters_.cells_a_pixel()},
                {"reads_all", rasters_.reads_all()}};
-  for (const char* name : {"iterations", "arrived", "ants", "paths", "path_of"})
-    json[name] = Json::array();
-  const Path* last = nullptr;
+  for (const char* name : {"iterations", "arrived", "ants"}) json[name] = Json::array();
   for (const Frame& f : kept.all()) {
-    json["iterations"].push_back(f.iteration);
     json["arrived"].push_back(f.arrived);
     json["ants"].push_back(f.ants);
-    if (f.path && f.path.get() != last) json["paths"].push_back(points(*f.path));
-    last = f.path.get();
-    json["path_of"].push_back(static_cast<int>(json["paths"].size()) - 1);
   }
+  set_paths(json, kept.all());
   json["trail"] =
       colony_ ? trail_scale.json(index_ ? "terminal index" : "pheromone", trail) : Json(nullptr);
   const bool ants = rasters_.newest().ants > 0;

@@ -1,12 +1,12 @@
 // What a report plays of a run on a bitmap, gathered while it goes.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "tools/bitmap/picture_recorder.h"
 #include "tools/record/json_values.h"
 #include "tools/report/key_frames.h"
+#include "tools/report/path_frames.h"
 
 namespace lasius::tool {
 
@@ -18,7 +18,6 @@ class RunFrames {
   static constexpr std::int64_t kReadAll = std::int64_t{1} << 17;  ///< as PictureRecorder::Limits
   static constexpr std::size_t kMostBytes = 48U << 20;
   static constexpr std::size_t kMostFrames = 400;
-  static constexpr std::size_t kMostPathVertices = 2000;  ///< of a path that a frame keeps
 
   /// `grid` must outlive it.
   RunFrames(const Grid& grid, const Params& params);
@@ -28,29 +27,25 @@ class RunFrames {
   /// Null where there was nothing to observe; else
   ///   width, height, cells_a_pixel   of the rasters
   ///   reads_all                      whether the trail was read far from all tracks, too
-  ///   iterations, arrived, ants      of each frame, iterations from 1
+  ///   iterations, paths, path_of     see set_paths
+  ///   arrived, ants                  of each frame
   ///   trail {name, least, most, logarithmic, frames}, tracks {the same}   see page/heat_map.js;
   ///                                  null: a search without
-  ///   paths, path_of                 [[[x, y]...]...], and the number of each frame's path, or -1
   /// Frames are left out until they take at most kMostPackedBytes.
   Json json() const;
 
  private:
-  using Path = std::vector<Point>;
-  struct Frame {
-    int iteration = 0, ants = 0, arrived = 0;
+  struct Frame : PathFrame {
+    int ants = 0, arrived = 0;
     std::vector<float> trail;
     std::vector<std::uint16_t> tracks;
-    std::shared_ptr<const Path> path;  ///< shared with the frame before where it is the same
   };
   Frame frame() const;
-  void keep_path(const GridProgress& progress);
 
   PictureRecorder rasters_;
   bool colony_, index_;
   KeyFrames<Frame> frames_;
-  double best_ = 0;  ///< length of path_
-  std::shared_ptr<const Path> path_;
+  PathFrame newest_;
 };
 
 }  // namespace lasius::tool

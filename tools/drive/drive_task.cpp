@@ -189,8 +189,7 @@ class DriveTask : public MapTask {
   }
   void write_path(std::ostream& out, const char* between) const override {
     if (in_metres()) {
-      for (const Point p : centres_in_metres())
-        out << to_text(p.x) << between << to_text(p.y) << "\n";
+      write_points(out, between, centres_in_metres());
     } else {
       for (const Cell c : answer_.result.track) out << c.x << between << c.y << "\n";
     }

@@ -1,6 +1,7 @@
 // One question on a polygon world answered, with all that a result records.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -32,9 +33,8 @@ struct PolygonAnswer {
   polygon::Params parameters;
   Point start, goal;
   polygon::Result result;
-  double elapsed_ms = 0;             ///< without the search for the optimum, unless that is asked
-  std::optional<double> optimum;     ///< where it was found in time
-  std::optional<std::size_t> index;  ///< of a batch's query
+  double elapsed_ms = 0;          ///< without the search for the optimum, unless that is asked
+  std::optional<double> optimum;  ///< where it was found in time
 };
 
 /// What ran on what.
@@ -42,6 +42,11 @@ std::string polygon_title(const LoadedWorld& world, const polygon::Params& param
 
 /// @throws UsageError for unknown names; Error(invalid_parameter) for values.
 polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<std::string>& notes);
+
+/// The answer to `asked`, whose start and goal are given; `elapsed` with the search for the
+/// optimum.
+PolygonAnswer to_answer(const polygon::Params& parameters, const polygon::Request& asked,
+                        polygon::Result result, std::chrono::duration<double, std::milli> elapsed);
 
 /// Plans. Precondition: start and goal are given by the command or the world.
 PolygonAnswer polygon_answer(const LoadedWorld& world, const PolygonCommand& command,

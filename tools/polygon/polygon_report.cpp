@@ -43,11 +43,7 @@ Json world_json(const LoadedWorld& world) {
 }  // namespace
 
 void PolygonFrames::observe(const polygon::PlanProgress& progress) {
-  if (!newest_.path || progress.best_length != best_) {
-    best_ = progress.best_length;
-    newest_.path = std::make_shared<const Path>(progress.path());
-  }
-  newest_.iteration = progress.iteration + 1;
+  newest_.observe(progress);
   if (frames_.wants(progress.iteration)) frames_.add(newest_);
 }
 
@@ -55,14 +51,8 @@ Json PolygonFrames::json() const {
   if (newest_.iteration == 0) return nullptr;
   auto frames = frames_.all();
   if (frames.empty() || frames.back().iteration != newest_.iteration) frames.push_back(newest_);
-  Json json = {{"iterations", Json::array()}, {"paths", Json::array()}, {"path_of", Json::array()}};
-  const Path* last = nullptr;
-  for (const Frame& frame : frames) {
-    json["iterations"].push_back(frame.iteration);
-    if (frame.path.get() != last) json["paths"].push_back(points(*frame.path));
-    last = frame.path.get();
-    json["path_of"].push_back(json["paths"].size() - 1);
-  }
+  Json json;
+  set_paths(json, frames);
   return json;
 }
 

@@ -1,13 +1,13 @@
 // The page of a run among polygons.
 #pragma once
 
+#include <cstddef>
 #include <iosfwd>
-#include <memory>
-#include <vector>
 
 #include "tools/polygon/polygon_answer.h"
 #include "tools/record/task.h"
 #include "tools/report/key_frames.h"
+#include "tools/report/path_frames.h"
 
 namespace lasius::tool {
 
@@ -17,18 +17,12 @@ class PolygonFrames {
   static constexpr std::size_t kMostFrames = 400;
 
   void observe(const polygon::PlanProgress& progress);
-  /// {iterations, paths, path_of}, as RunFrames::json has them; null where there was nothing.
+  /// See set_paths; null where there was nothing.
   Json json() const;
 
  private:
-  using Path = std::vector<Point>;
-  struct Frame {
-    int iteration;
-    std::shared_ptr<const Path> path;
-  };
-  KeyFrames<Frame> frames_{kMostFrames};
-  double best_ = 0;
-  Frame newest_{0, nullptr};
+  KeyFrames<PathFrame> frames_{kMostFrames};
+  PathFrame newest_;
 };
 
 /// Adds to run_json: world {free, obstacles: polygons as lists of rings, lines [[a, b]...], low,

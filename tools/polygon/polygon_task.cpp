@@ -5,18 +5,16 @@
 #include <ostream>
 
 #include "core/base/output.h"
-#include "tools/console/elapsed.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
-#include "tools/console/team.h"
 #include "tools/console/values.h"
 #include "tools/console/worlds.h"
 #include "tools/options/commands.h"
 #include "tools/polygon/polygon_answer.h"
 #include "tools/polygon/polygon_picture.h"
 #include "tools/polygon/polygon_report.h"
-#include "tools/record/batch_output.h"
+#include "tools/record/batch.h"
 #include "tools/record/outputs.h"
 #include "tools/record/queries.h"
 #include "tools/record/recorded.h"
@@ -65,7 +63,6 @@ class PolygonTask : public Task {
     announce_algorithm(false);
   }
   void plan(const StopCondition& stop, const Watch& watch) override {
-    const auto index = answer_.index;
     if (std::ranges::any_of(options().outputs, is_page)) frames_.emplace();
     polygon::Observer observer;
     if (watch || frames_)
@@ -74,10 +71,9 @@ class PolygonTask : public Task {
         if (frames_) frames_->observe(progress);
       };
     take(polygon_answer(*world_, command_, answer_.parameters, stop, observer));
-    answer_.index = index;
   }
   void set_seed(std::uint64_t seed) { command_.seed = seed; }
-  /// Takes an answer that was found elsewhere, or only its index.
+  /// Takes an answer that was found elsewhere, or only its parameters.
   void take(PolygonAnswer answer) { answer_ = std::move(answer); }
 
   const SearchOptions& options() const override { return command_; }
@@ -97,14 +93,12 @@ class PolygonTask : public Task {
   std::optional<double> optimum() const override { return answer_.optimum; }
   double elapsed_ms() const override { return answer_.elapsed_ms; }
 
-  std::optional<std::size_t> index() const override { return answer_.index; }
   void remark() const override {
     if (!answer_.result.note.empty()) message(answer_.result.note);
   }
 
   void write_path(std::ostream& out, const char* between) const override {
-    for (const Point p : answer_.result.path)
-      out << to_text(p.x) << between << to_text(p.y) << "\n";
+    write_points(out, between, path());
   }
   void write_picture(const std::string& file) const override {
     write_polygon_picture(file, *world_, answer_);
@@ -194,28 +188,6 @@ std::vector<QueryFile::Line> queries_of(const PolygonBatchCommand& command,
   return {{plan.start ? *plan.start : *world.start, plan.goal ? *plan.goal : *world.goal}};
 }
 
-/// Answers queries `from` to `to`, counted once a seed, on all threads, in their order.
-std::vector<PolygonAnswer> answers_to(std::span<const QueryFile::Line> queries, std::size_t from,
-                                      std::size_t to, const PolygonCommand& command,
-                                      const LoadedWorld& world, const polygon::Params& parameters,
-                                      const std::stop_token& token) {
-  std::vector<PolygonAnswer> answers(to - from);
-  const auto seeds = static_cast<std::size_t>(command.seeds);
-  const auto answer = [&](std::size_t i) {
-    const std::size_t index = (from + i) / seeds;
-    PolygonCommand one = command;
-    one.start = queries[index].start;
-    one.goal = queries[index].goal;
-    polygon::Params mine = parameters;
-    mine.seed += (from + i) % seeds;
-    answers[i] = polygon_answer(world, one, mine,
-                                {.token = token, .deadline = deadline_after(command.time_limit)});
-    answers[i].index = index;
-  };
-  share_out(answers.size(), command.threads, [&] { return answer; });
-  return answers;
-}
-
 }  // namespace
 
 std::unique_ptr<Task> recorded_polygon(const Recorded& from, SharedWorld& last) {
@@ -229,13 +201,7 @@ std::unique_ptr<Task> recorded_polygon(const Recorded& from, SharedWorld& last) 
   command.goal = recorded_point(result, "goal");
   if (!last || last->options != command.world)
     last = std::make_shared<LoadedWorld>(load_world(command.world));
-  auto task = std::make_unique<PolygonTask>(std::move(command), last);
-  if (result.contains("index")) {
-    PolygonAnswer asked;
-    asked.index = recorded<std::size_t>(result, "index");
-    task->take(std::move(asked));
-  }
-  return task;
+  return std::make_unique<PolygonTask>(std::move(command), last);
 }
 
 int run_command(const PolygonCommand& command) {
@@ -249,31 +215,37 @@ int run_command(const PolygonBatchCommand& command) {
   SignalWatcher signals;
   const polygon::Params parameters = polygon_parameters(plan, plan.notes);
   const auto world = std::make_shared<LoadedWorld>(load_world(plan.world));
-  const auto queries = queries_of(command, world->planner.world());
+  std::vector<polygon::Request> queries;
+  for (const auto& [start, goal] : queries_of(command, world->planner.world()))
+    queries.push_back({.start = start, .goal = goal, .target_gap = plan.target_gap});
   PolygonTask task(plan, world);
   PolygonAnswer asked;
   asked.parameters = parameters;
   task.take(asked);
-  if (!plan.messages.quiet) task.announce();
-  const std::size_t total = queries.size() * static_cast<std::size_t>(plan.seeds);
-  BatchOutput output(task, static_cast<std::int64_t>(total));
-  const std::size_t chunk = 16 * static_cast<std::size_t>(plan.threads);
-  for (std::size_t from = 0; from < total && !signals.interrupted(); from += chunk) {
-    auto answers = answers_to(queries, from, std::min(from + chunk, total), plan, *world,
-                              parameters, signals.token());
-    for (PolygonAnswer& answer : answers) {
-      if (answer.result.status == Status::interrupted) break;
-      const Point start = answer.start, goal = answer.goal;
-      task.set_seed(answer.parameters.seed);
-      task.take(std::move(answer));
-      output.add(task, {to_text(start.x), to_text(start.y), to_text(goal.x), to_text(goal.y)},
-                 task.path());
-    }
-  }
-  output.write_files([&](const std::string& picture, const auto& paths) {
+  const auto answer_part = [&](std::size_t first, std::size_t count, const BatchOptions& how,
+                               const Batch::Take& take) {
+    const auto part = std::span(std::as_const(queries)).subspan(first, count);
+    // Each plan finds it, unless a limit cuts that short.
+    std::vector<std::optional<double>> shortest(count);
+    if (plan.with_optimum && plan.time_limit)
+      shortest = optima(world->planner, part, polygon::Params("exact"), how);
+    polygon::Params mine = parameters;
+    const auto receive = [&](const polygon::BatchAnswer& found) {
+      mine.seed = found.seed;
+      PolygonAnswer one = to_answer(mine, part[found.index], found.result, found.elapsed);
+      if (!one.optimum) one.optimum = shortest[found.index];
+      const Point start = one.start, goal = one.goal;
+      task.set_index(first + found.index);
+      task.set_seed(found.seed);
+      task.take(std::move(one));
+      take({to_text(start.x), to_text(start.y), to_text(goal.x), to_text(goal.y)}, task.path());
+    };
+    polygon::plan_batch(world->planner, part, parameters, how, receive);
+  };
+  const auto draw = [&](const std::string& picture, const auto& paths) {
     write_paths_picture(picture, *world, paths);
-  });
-  return signals.interrupted() ? kInterrupted : kFound;
+  };
+  return run_batch({task, queries.size(), answer_part, draw}, signals);
 }
 
 }  // namespace lasius::tool

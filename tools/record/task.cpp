@@ -258,7 +258,12 @@ void read_recorded(const Recorded& from, const Algorithm& algorithm, SearchOptio
   options.with_optimum = from.result.contains("optimum");
 }
 
+void write_points(std::ostream& out, const char* between, const std::vector<Point>& points) {
+  for (const Point p : points) out << to_text(p.x) << between << to_text(p.y) << "\n";
+}
+
 Json replay(Task& task, const Recorded& from) {
+  if (from.result.contains("index")) task.set_index(recorded<std::size_t>(from.result, "index"));
   task.open();
   task.load(from.token);
   check_inputs(task.inputs(), from.result);

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "lasius/geometry.h"
 #include "lasius/params.h"
 #include "lasius/progress.h"
 #include "lasius/search_result.h"
@@ -86,9 +87,12 @@ class Task {
   /// Only for tasks whose outputs may end in .html.
   virtual void write_report(std::ostream&) const {}
 
+  /// Its number, where it is a query of a batch.
+  std::optional<std::size_t> index() const { return index_; }
+  void set_index(std::size_t index) { index_ = index; }
+
   // What it adds to the JSON, in the order of the contract; Task writes the rest.
   virtual const char* format() const { return kPlanFormat; }
-  virtual std::optional<std::size_t> index() const { return {}; }  ///< of a batch's query
   virtual Json inputs() const = 0;                 ///< files by role, each with its name and hash
   virtual std::pair<Json, Json> ends() const = 0;  ///< start and goal
   /// Beside the algorithm's parameters: all that decides the result; add_limits is part of it.
@@ -106,7 +110,13 @@ class Task {
   /// With -v: what plans, and from which seed.
   void announce_algorithm(bool with_threads) const;
   void add_limits(Json& json) const;
+
+ private:
+  std::optional<std::size_t> index_;
 };
+
+/// Points as write_path gives them.
+void write_points(std::ostream& out, const char* between, const std::vector<Point>& points);
 
 /// Runs a task: outputs are checked, inputs read, progress is shown, and what was asked for is
 /// printed and written. The program's exit code.

@@ -17,8 +17,7 @@ namespace {
 std::string refusal_of(const Planner& planner, const Params& params, const OwnRules& own) {
   const std::vector<Request> requests{{.start = {0, 0}, .goal = {4, 3}}};
   const auto plan = refusal([&] { (void)planner.plan(requests[0], params, own); });
-  const auto batch =
-      refusal([&] { (void)plan_batch(planner, requests, params, {.own_rules = &own}); });
+  const auto batch = refusal([&] { (void)plan_batch(planner, requests, params, {}, own); });
   EXPECT_EQ(plan, batch);
   return plan;
 }

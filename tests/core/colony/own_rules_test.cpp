@@ -257,8 +257,7 @@ TEST(OwnRules, ABatchAnswersAsSinglePlansDo) {
   params.ranks = 3;
   const OwnRules own = rebuilt(params);
   params.ranks = 6;
-  const auto answers =
-      plan_batch(planner, requests, params, {.threads = 3, .seeds = 4, .own_rules = &own});
+  const auto answers = plan_batch(planner, requests, params, {.threads = 3, .seeds = 4}, own);
   ASSERT_EQ(answers.size(), 12U);
   for (const BatchAnswer& answer : answers) {
     params.seed = answer.seed;

@@ -1,0 +1,33 @@
+#include "core/loop/batch_run.h"
+#include "core/params/parameter_table.h"
+#include "core/polygon/route_plan.h"
+#include "lasius/polygon_plan.h"
+
+namespace lasius::polygon {
+
+std::size_t plan_batch(const Planner& planner, std::span<const Request> requests,
+                       const Params& parameters, const BatchOptions& options,
+                       const BatchReceiver& receive) {
+  validate(parameters);
+  for (const Request& request : requests) {
+    check_target_gap(request.target_gap);
+    (void)ends_of(request, planner.world());
+  }
+  const auto make_plan = [&] {
+    return [&planner, mine = parameters](const Request& request, std::uint64_t seed) mutable {
+      mine.seed = seed;
+      return planner.plan(request, mine);
+    };
+  };
+  return run_batch<Result>(requests, parameters.seed, options, receive, make_plan);
+}
+
+std::vector<BatchAnswer> plan_batch(const Planner& planner, std::span<const Request> requests,
+                                    const Params& parameters, const BatchOptions& options) {
+  std::vector<BatchAnswer> answers;
+  plan_batch(planner, requests, parameters, options,
+             [&](const BatchAnswer& answer) { answers.push_back(answer); });
+  return answers;
+}
+
+}  // namespace lasius::polygon
