@@ -9,7 +9,7 @@ function(lasius_unite target)
   if(NOT LASIUS_UNITY)
     return()
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 40)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
   # Given for unnamed namespaces in every file that is included, be it no header.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   if(ARGC EQUAL 1)

@@ -39,27 +39,28 @@ namespace fs = std::filesystem;
 using study::Evidence;
 using study::Findings;
 using study::Study;
-using study::World;
 
-bool was_built(World world) {
-  bool built = world == World::bitmap || world == World::online;
+bool was_built(study::World world) {
+  bool built = world == study::World::bitmap || world == study::World::online;
 #ifdef LASIUS_WITH_POLYGON
-  built = built || world == World::polygon;
+  built = built || world == study::World::polygon;
 #endif
 #ifdef LASIUS_WITH_ARM
-  built = built || world == World::arm;
+  built = built || world == study::World::arm;
 #endif
   return built;
 }
 
 std::unique_ptr<study::Domain> make_domain(const Study& study, const fs::path& maps) {
 #ifdef LASIUS_WITH_POLYGON
-  if (study.world == World::polygon) return std::make_unique<study::MaklinkWorld>(study, maps);
+  if (study.world == study::World::polygon)
+    return std::make_unique<study::MaklinkWorld>(study, maps);
 #endif
 #ifdef LASIUS_WITH_ARM
-  if (study.world == World::arm) return std::make_unique<study::ArmScenes>(study, maps);
+  if (study.world == study::World::arm) return std::make_unique<study::ArmScenes>(study, maps);
 #endif
-  if (study.world == World::online) return std::make_unique<study::OnlineDrives>(study, maps);
+  if (study.world == study::World::online)
+    return std::make_unique<study::OnlineDrives>(study, maps);
   return std::make_unique<study::Bitmaps>(study, maps);
 }
 
@@ -188,7 +189,7 @@ int run_users_study(const StudyCommand& command) {
   if (!was_built(study.world))
     throw UsageError(study.file + ": this lasius was built without that world");
   try {
-    if (study.world == World::bitmap) study::draw_questions(study, find_maps(command.maps));
+    if (study.world == study::World::bitmap) study::draw_questions(study, find_maps(command.maps));
   } catch (const Error& fault) {
     const bool ends = command.name == "run" && fault.place().file == study.file;
     if (!ends) throw;
