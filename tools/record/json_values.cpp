@@ -1,9 +1,11 @@
 #include "tools/record/json_values.h"
 
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/base/number_text.h"
 #include "tools/console/values.h"
 
 namespace lasius::tool {
@@ -21,15 +23,18 @@ std::optional<double> gap_to(const std::optional<double>& optimum, double length
 
 Json range_json(const Parameter& parameter) {
   Json object = {{"type", parameter.type}};
-  const std::string_view range = parameter.range;
-  if (const auto dots = range.find(" .. "); dots != std::string_view::npos) {
-    object["minimum"] = json::parameter(std::string(range.substr(0, dots)));
-    object["maximum"] = json::parameter(std::string(range.substr(dots + 4)));
+  if (parameter.choices.empty()) {
+    const auto end = [&](double value) {
+      const bool whole = parameter.type == "integer";
+      return whole ? Json(static_cast<std::int64_t>(value)) : json::parameter(number_text(value));
+    };
+    object["minimum"] = end(parameter.least);
+    object["maximum"] = end(parameter.most);
     return object;
   }
   object["values"] = Json::array();
-  for (const auto value : split(range, '|'))
-    object["values"].push_back(json::parameter(std::string(value)));
+  for (const auto choice : parameter.choices)
+    object["values"].push_back(json::parameter(std::string(choice)));
   return object;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,9 +30,8 @@ std::vector<std::string> other_values(const Parameter& parameter, const std::str
     }
     return values;
   }
-  std::istringstream range{std::string(parameter.range)};
-  for (std::string name; std::getline(range, name, '|');) {
-    if (name != value) values.push_back(name);
+  for (const std::string_view choice : parameter.choices) {
+    if (choice != value) values.emplace_back(choice);
   }
   return values;
 }
