@@ -231,8 +231,9 @@ struct Parameter {
   /// The settings of others with which it is read, as "update=rank"; empty: with all.
   std::string_view only_with = {};
 
-  /// What it may be, as "1 .. 1000000" or "a|b|c".
+  /// What it may be, as "1 .. 1000000" or "a|b|c"; and an end of it alone.
   LASIUS_EXPORT std::string range() const;
+  LASIUS_EXPORT std::string text_of(double end) const;
 };
 
 /// One algorithm: its name, where it comes from, what it reads of Params.

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "core/params/parameter_table.h"
 #include "core/params/presets.h"
-#include "core/params/rule_conditions.h"
 #include "core/params/schedule.h"
 
 namespace lasius {
@@ -15,20 +17,44 @@ namespace {
 using Table = ParameterTable<Params>;
 using Entry = Table::Entry;
 
-template <auto kMember, auto kValue>
-constexpr bool is(const Params& p) {
-  return p.*kMember == kValue;
+// Adds the rules that read a parameter where only some do: "update=rank|max-min", or "an update but
+// learning" where most do.
+template <class Rules>
+void add_readers(std::string& words, std::string_view kind, std::string_view parameter,
+                 const Rules& rules) {
+  const auto reads = [&](const auto& rule) { return rule.reads(parameter); };
+  const auto readers = static_cast<std::size_t>(std::ranges::count_if(rules, reads));
+  if (readers == 0 || readers == rules.size()) return;
+  const bool most = 2 * readers > rules.size();
+  if (!words.empty()) words += ", ";
+  if (most) words += kind.front() == 'u' ? "an " : "a ";
+  words += kind;
+  std::string_view before = most ? " but " : "=";
+  for (const auto& rule : rules) {
+    if (reads(rule) != most) words.append(std::exchange(before, "|")).append(rule.name);
+  }
 }
-template <auto kMember, auto kValue>
-constexpr bool is_not(const Params& p) {
-  return p.*kMember != kValue;
+// Those of every kind; empty: the parameter does not depend on them.
+std::string readers_of(std::string_view parameter) {
+  std::string words;
+  add_readers(words, "heuristic", parameter, kHeuristics);
+  add_readers(words, "visibility", parameter, kVisibilities);
+  add_readers(words, "update", parameter, kUpdates);
+  return words;
 }
-template <auto kMember>
-constexpr bool is_positive(const Params& p) {
-  return p.*kMember > 0;
+bool is_read_by_rules(const Params& p, std::string_view parameter) {
+  return rule_of(p.heuristic, kHeuristics).reads(parameter) ||
+         rule_of(p.visibility, kVisibilities).reads(parameter) ||
+         rule_of(p.update, kUpdates).reads(parameter);
 }
+std::string only_with(const Entry& e) {
+  std::string words = readers_of(e.info.name);
+  if (!words.empty() && e.is_read != nullptr) words += e.is_alternative ? ", or " : " and ";
+  return words.append(e.info.only_with);
+}
+
 constexpr Table::Condition kUntilCriticalTime{"critical_time above 0",
-                                              is_positive<&Params::critical_time>};
+                                              [](const Params& p) { return p.critical_time > 0; }};
 
 bool steps_differ(const Params& p) {
   return p.visibility == Visibility::inverse_step && p.neighbours != Neighbours::four;
@@ -45,17 +71,18 @@ bool deposit_counts_beside_update(const Params& p) {
 }
 
 // Every parameter of the grid colonies, with what it waits for beside the rules that read it.
-constexpr std::array kBesideRules{
+constexpr std::array kColony{
     Table::number("ants", &Params::ants, 1, 1000000, "ants an iteration, m"),
     Table::number("iterations", &Params::iterations, 0, 1000000000, "iterations, T"),
     Table::choice<&Params::neighbours, kNeighboursNames>("neighbours", "moves of an ant"),
     Table::choice<&Params::corners, kCornersNames>(
         "corners", "free side cells that a diagonal move needs: both, one, none")
-        .only_with({"neighbours above 4", is_not<&Params::neighbours, Neighbours::four>}),
+        .only_with({"neighbours above 4",
+                    [](const Params& p) { return p.neighbours != Neighbours::four; }}),
     Table::choice<&Params::polish, kPolishNames>("polish", "what is done with each ant's tour"),
     Table::number("straight_window", &Params::straight_window, 0, 1e6,
                   "how far from a segment a stretch may go that it replaces, cells", "10")
-        .only_with({"polish=local", is<&Params::polish, Polish::local>}),
+        .only_with({"polish=local", [](const Params& p) { return p.polish == Polish::local; }}),
     Table::choice<&Params::dead_end, kDeadEndNames>("dead_end",
                                                     "what an ant does when every move is closed"),
     Table::choice<&Params::walk_cut, kWalkCutNames>(
@@ -96,7 +123,7 @@ constexpr std::array kBesideRules{
     Table::number("distance_rule", &Params::distance_rule, 0, 1e6, "the same at the critical time"),
     Table::number("distance_rule_last", &Params::distance_rule_last, 0, 1e6,
                   "the same from the settling time on", "0")
-        .only_with({"settling_time above 0", is_positive<&Params::settling_time>}),
+        .only_with({"settling_time above 0", [](const Params& p) { return p.settling_time > 0; }}),
     Table::number(
         "settling_time", &Params::settling_time, 0, 1000000000,
         "iteration from which the share of the distance rule is its last one; 0: it stays", "0"),
@@ -117,7 +144,8 @@ constexpr std::array kBesideRules{
                     deposit_counts_beside_update}),
     Table::choice<&Params::straight_deposit, kStraightDepositNames>(
         "straight_deposit", "which straightened paths get pheromone too")
-        .only_with({"polish=straight|taut|local", is_not<&Params::polish, Polish::none>}),
+        .only_with({"polish=straight|taut|local",
+                    [](const Params& p) { return p.polish != Polish::none; }}),
     Table::number("elite_weight", &Params::elite_weight, 0, 1e6,
                   "weight of the best tour so far, e"),
     Table::number("ranks", &Params::ranks, 2, 1000000,
@@ -131,7 +159,8 @@ constexpr std::array kBesideRules{
                   "share of a crossed trail that returns to tau0, xi"),
     Table::number("batch", &Params::batch, 0, 1000000,
                   "ants that walk before a local update; 1 is the source, 0 all of them")
-        .only_with({"local_evaporation above 0", is_positive<&Params::local_evaporation>}),
+        .only_with(
+            {"local_evaporation above 0", [](const Params& p) { return p.local_evaporation > 0; }}),
     Table::number("agreement", &Params::agreement, 0, 1000000000,
                   "iterations in a row with all ants on one way that end the run; 0: never", "0"),
     Table::number("unknown_index", &Params::unknown_index, 1, 1e6,
@@ -143,24 +172,8 @@ constexpr std::array kBesideRules{
     Table::choice<&Params::reward_reading, kRewardNames>("reward_reading",
                                                          "reading of the reward's formula"),
     Table::number("penalty", &Params::penalty, 0, 1, "what a dead end leaves of tau and eta")
-        .only_with({"dead_end=kill", is<&Params::dead_end, DeadEnd::kill>}),
+        .only_with({"dead_end=kill", [](const Params& p) { return p.dead_end == DeadEnd::kill; }}),
 };
-
-constexpr auto kOnlyWith = [] {
-  std::array<Words, kBesideRules.size()> all;
-  std::ranges::transform(kBesideRules, all.begin(), [](const Entry& e) {
-    Words words = readers_of(e.info.name);
-    if (words.size > 0 && e.is_read != nullptr) words.add(e.is_alternative ? ", or " : " and ");
-    words.add(e.info.only_with);
-    return words;
-  });
-  return all;
-}();
-constexpr auto kColony = [] {
-  auto list = kBesideRules;
-  for (std::size_t i = 0; i < list.size(); ++i) list[i].info.only_with = kOnlyWith[i].view();
-  return list;
-}();
 
 // What the genetic algorithm has of its own.
 constexpr std::array kGenetic{
@@ -169,19 +182,6 @@ constexpr std::array kGenetic{
     Table::number("mutation", &Params::mutation, 0, 1,
                   "probability that a child gets a new way to the goal"),
 };
-
-// What rows of rules name is a parameter.
-constexpr bool are_parameters(const auto& rules) {
-  return std::ranges::all_of(rules, [](const auto& rule) {
-    std::ptrdiff_t known = 0;
-    for (const Entry& e : kColony) known += rule.reads(e.info.name) ? 1 : 0;
-    return known == (rule.parameters.empty() ? 0 : 1 + std::ranges::count(rule.parameters, ' '));
-  });
-}
-static_assert(are_parameters(kHeuristics) && are_parameters(kVisibilities) &&
-              are_parameters(kUpdates));
-
-constexpr auto kColonyParameters = Table::infos(kColony);
 
 // What the genetic algorithm shares with the colonies, then its own.
 constexpr auto kGeneticParameters = [] {
@@ -205,7 +205,19 @@ constexpr Table kTable(kEntries);
 
 }  // namespace
 
-std::span<const Parameter> colony_parameters() noexcept { return kColonyParameters; }
+std::span<const Parameter> colony_parameters() noexcept {
+  static const auto words = [] {
+    std::array<std::string, kColony.size()> all;
+    std::ranges::transform(kColony, all.begin(), only_with);
+    return all;
+  }();
+  static const auto list = [] {
+    auto all = Table::infos(kColony);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].only_with = words[i];
+    return all;
+  }();
+  return list;
+}
 std::span<const Parameter> genetic_parameters() noexcept { return kGeneticParameters; }
 
 void set_parameter(Params& params, std::string_view name, std::string_view value) {
@@ -221,24 +233,24 @@ std::string why_unread(const Params& params, std::string_view name) {
   const Entry& e = kTable.entry(name);
   if (!find_algorithm(params.algorithm()).has(name))
     return params.algorithm() + " does not read it";
-  const bool by_rules = readers_of(name).size == 0 || is_read_by_rules(params, name);
+  const bool by_rules = readers_of(name).empty() || is_read_by_rules(params, name);
   const bool beside = e.is_read == nullptr || e.is_read(params);
   const bool is_read = e.is_alternative ? by_rules || beside : by_rules && beside;
-  return is_read ? std::string() : "it is read only with " + std::string(e.info.only_with);
+  return is_read ? std::string() : "it is read only with " + only_with(e);
+}
+
+std::string Parameter::text_of(double end) const {
+  if (type == "integer") return number_text(static_cast<std::int64_t>(end));
+  std::string digits = number_text(end);  // 1e6, not 1e+06
+  const auto sign = digits.find('e') + 1;
+  if (sign > 0 && digits[sign + 1] == '0') digits.replace(sign, 2, digits[sign] == '-' ? "-" : "");
+  return digits;
 }
 
 std::string Parameter::range() const {
   std::string text;
   for (const std::string_view choice : choices) (text += text.empty() ? "" : "|") += choice;
-  const auto end = [this](double value) {
-    if (type == "integer") return number_text(static_cast<std::int64_t>(value));
-    std::string digits = number_text(value);  // 1e6, not 1e+06
-    const auto sign = digits.find('e') + 1;
-    if (sign > 0 && digits[sign + 1] == '0')
-      digits.replace(sign, 2, digits[sign] == '-' ? "-" : "");
-    return digits;
-  };
-  return choices.empty() ? end(least) + " .. " + end(most) : text;
+  return choices.empty() ? text_of(least) + " .. " + text_of(most) : text;
 }
 
 bool Algorithm::has(std::string_view parameter) const noexcept {

@@ -7,7 +7,6 @@
 #include "tools/command_line/option_kinds.h"
 #include "tools/command_line/run_text.h"
 #include "tools/console/exit_code.h"
-#include "tools/console/parameters.h"
 #include "tools/console/threads.h"
 #include "tools/console/values.h"
 #include "tools/console/worlds.h"
@@ -62,9 +61,8 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help,
   option("--corners", text.value_of("corners"), "Diagonal steps past blocked cells",
          "forbid|one-side|allow");
   option("--preset", text.preset,
-         ("Numbers to start with: usual, or the textbook's (of " + names_with(Preset::book) +
-          "), or a file's, as tune writes it")
-             .c_str(),
+         "Numbers to start with: usual, or the textbook's of algorithms that have them (see lasius "
+         "algorithms), or a file's, as tune writes it",
          "usual|book|FILE");
   option("--polish", text.value_of("polish"), "What is done with a path",
          "none|straight|taut|local");

@@ -12,14 +12,6 @@ const Algorithm& named_algorithm(std::span<const Algorithm> all, std::string_vie
   return *std::ranges::find(all, name, &Algorithm::name);
 }
 
-std::string names_with(Preset preset) {
-  std::string names;
-  for (const Algorithm& a : algorithms()) {
-    if (has_preset(a.name, preset)) (names += names.empty() ? "" : ", ") += a.name;
-  }
-  return names;
-}
-
 bool moves_on_cells(const Params& params) {
   return find_algorithm(params.algorithm()).kind != Algorithm::Kind::exact;
 }

@@ -27,9 +27,6 @@ std::vector<std::string_view> names_of(std::span<const Named> things) {
 /// One of a world's algorithms, by its name. Precondition: it is one.
 const Algorithm& named_algorithm(std::span<const Algorithm> all, std::string_view name);
 
-/// The algorithms on bitmaps that have numbers of this preset, as "as, eas".
-std::string names_with(Preset preset);
-
 /// True where the algorithm moves from cell to cell.
 bool moves_on_cells(const Params& params);
 
@@ -51,7 +48,7 @@ Params params_of(std::string_view algorithm, Preset preset = Preset::usual) {
   } else {
     if (preset != Preset::usual)
       throw UsageError("--preset " + std::string(to_string(preset)) + ": " +
-                       std::string(algorithm) + " has none; these have: " + names_with(preset));
+                       std::string(algorithm) + " has none; lasius algorithms NAME tells who has");
     return Params(algorithm);
   }
 }

@@ -1,11 +1,9 @@
 #include "tools/record/json_values.h"
 
 #include <cmath>
-#include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/base/number_text.h"
 #include "tools/console/values.h"
 
 namespace lasius::tool {
@@ -24,12 +22,8 @@ std::optional<double> gap_to(const std::optional<double>& optimum, double length
 Json range_json(const Parameter& parameter) {
   Json object = {{"type", parameter.type}};
   if (parameter.choices.empty()) {
-    const auto end = [&](double value) {
-      const bool whole = parameter.type == "integer";
-      return whole ? Json(static_cast<std::int64_t>(value)) : json::parameter(number_text(value));
-    };
-    object["minimum"] = end(parameter.least);
-    object["maximum"] = end(parameter.most);
+    object["minimum"] = json::parameter(parameter.text_of(parameter.least));
+    object["maximum"] = json::parameter(parameter.text_of(parameter.most));
     return object;
   }
   object["values"] = Json::array();

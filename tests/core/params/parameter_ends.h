@@ -22,13 +22,7 @@ namespace lasius {
 /// The ends of a number's range as text; nothing for a choice.
 inline std::optional<std::array<std::string, 2>> ends_of(const Parameter& parameter) {
   if (!parameter.choices.empty()) return std::nullopt;
-  std::array<std::string, 2> ends;
-  for (const bool high : {false, true}) {
-    const double end = high ? parameter.most : parameter.least;
-    ends[high] = parameter.type == "integer" ? std::to_string(static_cast<std::int64_t>(end))
-                                             : number_text(end);
-  }
-  return ends;
+  return {{parameter.text_of(parameter.least), parameter.text_of(parameter.most)}};
 }
 
 /// Expects the range that `parameter` tells to be the one that is kept: both ends are taken and the

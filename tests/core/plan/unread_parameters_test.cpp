@@ -145,6 +145,10 @@ TEST(UnreadParameters, SayWhy) {
   EXPECT_EQ(why_unread(Params("eas"), "elite_weight"), "");
   EXPECT_EQ(why_unread(Params("as"), "straight_deposit"),
             "it is read only with polish=straight|taut|local");
+  EXPECT_EQ(why_unread(Params("as"), "penalty"),
+            "it is read only with update=learning and dead_end=kill");
+  EXPECT_EQ(why_unread(Params("terminal-index"), "persistence"),
+            "it is read only with an update but terminal-index");
   EXPECT_EQ(why_unread(Params("as"), "ants"), "");
   EXPECT_EQ(why_unread(Params("exact"), "ants"), "exact does not read it");
   EXPECT_THROW(why_unread(Params("as"), "antz"), Error);
