@@ -231,8 +231,9 @@ struct Parameter {
   /// The settings of others with which it is read, as "update=rank"; empty: with all.
   std::string_view only_with = {};
 
-  /// What it may be, as "1 .. 1000000" or "a|b|c"; and an end of it alone.
+  /// What it may be, as "1 .. 1000000" or "a|b|c".
   LASIUS_EXPORT std::string range() const;
+  /// `least` or `most` as range() tells it.
   LASIUS_EXPORT std::string text_of(double end) const;
 };
 
