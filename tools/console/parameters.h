@@ -48,7 +48,7 @@ Params params_of(std::string_view algorithm, Preset preset = Preset::usual) {
   } else {
     if (preset != Preset::usual)
       throw UsageError("--preset " + std::string(to_string(preset)) + ": " +
-                       std::string(algorithm) + " has none; as, eas, ras, mmas and acs have");
+                       std::string(algorithm) + " has none; lasius algorithms NAME tells who has");
     return Params(algorithm);
   }
 }
