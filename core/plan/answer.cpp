@@ -32,7 +32,7 @@ class ExactView final : public GridProgress {
 };
 
 Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Request& request,
-                 Workspace::Impl& memory, const Observer& observer) {
+                 WorkspaceMemory& memory, const Observer& observer) {
   ExactAnswer& answer = memory.exact_answer;
   int improvements = 0;
   const OnImproved show = [&](const std::vector<Point>& path, double length, double bound) {
@@ -130,7 +130,7 @@ Result answer(const PlanningMap& map, const Request& request, const Params& para
 
   std::optional<Workspace> temporary;
   if (workspace == nullptr) workspace = &temporary.emplace();
-  Workspace::Impl& memory = workspace->impl();
+  WorkspaceMemory& memory = WorkspaceMemory::of(*workspace);
   switch (algorithm.kind) {
     case Algorithm::Kind::exact:
       result = run_exact(grid, map.graph, request, memory, observer);
