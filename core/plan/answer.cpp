@@ -59,7 +59,7 @@ Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Reques
     case ExactEnd::unreachable:
       return failed<Result>(Status::unreachable, Fault::disconnected, {});
     case ExactEnd::stopped:
-      result.status = status_after(answer.cause, Status::limit);
+      end_run(result, answer.cause, Status::limit);
       break;
   }
   result.path = answer.path;
@@ -119,7 +119,7 @@ Result answer(const PlanningMap& map, const Request& request, const Params& para
   const auto connected = map.connected(request.start, request.goal, corners);
   Result result;
   if (!connected) {
-    result.status = status_after(request.stop.poll(), Status::limit);
+    end_run(result, request.stop.poll(), Status::limit);
     return result;
   }
   if (!*connected) {
