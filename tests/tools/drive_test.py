@@ -45,7 +45,7 @@ class Drive(ProgramTest):
         help_text = self.run_program("drive", "--help").out
         self.assertIn("No effect: a drive always tells the optimum of its moves", " ".join(help_text.split()))
         self.assertNotIn("--tracks", help_text)
-        self.refused(self.drive("--tracks", "1"), 2, "--tracks")
+        self.refused(self.drive("--tracks", "1"), 2, "a drive's picture shows the robot's track")
 
     def test_an_unknown_wall_is_learned_and_gone_round(self):
         run = self.quiet(self.drive("--world", "truth.map", "--sense", "1", "--json", start="9,2"))

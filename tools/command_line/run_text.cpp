@@ -226,6 +226,8 @@ DriveCommand make_drive(const DriveText& text) {
     throw UsageError("--seed " + text.seed + ": one drive has one seed; a range is for plan");
   if (run.with_optimum)
     run.notes.emplace_back("--gap has no effect: a drive always tells the optimum of its moves");
+  if (!text.tracks.empty())
+    throw UsageError("--tracks: a drive's picture shows the robot's track; leave it out");
   run.map.prepare = text.prepare && !moves_on_cells(run.params);
   drive.world = text.world;
   drive.changes = text.changes;

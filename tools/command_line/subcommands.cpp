@@ -153,7 +153,7 @@ Subcommand add_drive(CLI::App& app) {
                    .outputs = kDriveOutputs});
   drive->get_option("--gap")->description(
       "No effect: a drive always tells the optimum of its moves");
-  drive->remove_option(drive->get_option("--tracks"));
+  drive->get_option("--tracks")->group("");
   return {drive, [raw]() -> Command { return make_drive(*raw); }};
 }
 
