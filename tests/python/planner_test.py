@@ -129,7 +129,8 @@ def test_what_does_not_compose_is_refused(planner):
 
 
 def test_no_time_is_an_answer(planner):
-    assert planner.plan(START, GOAL, "mmas", iterations=10**6, time_limit=0).status == "limit"
+    late = planner.plan(START, GOAL, "mmas", iterations=10**6, time_limit=0)
+    assert (late.status, late.limit) == ("limit", "time")
 
 
 def test_an_observer_sees_and_stops(planner):

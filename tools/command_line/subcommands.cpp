@@ -151,6 +151,9 @@ Subcommand add_drive(CLI::App& app) {
                    .target_gap = "Plan no further than to this certified gap (1 means 1%)",
                    .json = "Print one JSON object",
                    .outputs = kDriveOutputs});
+  drive->get_option("--gap")->description(
+      "No effect: a drive always tells the optimum of its moves");
+  drive->get_option("--tracks")->group("");
   return {drive, [raw]() -> Command { return make_drive(*raw); }};
 }
 
