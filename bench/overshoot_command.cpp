@@ -11,8 +11,8 @@
 #include "bench/figure_table.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
-#include "core/base/time_source.h"
 #include "lasius/planner.h"
+#include "lasius/stop.h"
 
 namespace lasius::bench {
 namespace {

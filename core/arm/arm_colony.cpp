@@ -217,7 +217,7 @@ class ArmColony final : public ColonyWorld {
 
   void finish(Cause cause) {
     const bool found = !best_.empty();
-    result_.status = status_after(cause, found ? Status::solved : Status::no_path);
+    end_run(result_, cause, found ? Status::solved : Status::no_path);
     // Where every way to it is closed, no ant may have tried the goal itself.
     if (lattice_.goals_blocked(!found && closed_)) {
       result_.status = Status::invalid;

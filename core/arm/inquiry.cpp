@@ -99,6 +99,10 @@ Result Inquiry::answer(const Search& search) {
   if (result.points[0] == 0 && !goals_.empty()) tell_lattice(result);
   result.questions.positions = std::max(result.questions.positions, asked_.positions);
   result.questions.motions = std::max(result.questions.motions, asked_.motions);
+  if (result.status != Status::limit)
+    result.limit = Limit::none;
+  else if (spent(2))  // so many a move takes
+    result.limit = Limit::questions;
   return result;
 }
 
@@ -137,9 +141,11 @@ bool Inquiry::position_free(const JointVector& q) {
   return sensor_.position_free(q);
 }
 StopCondition::Cause Inquiry::cause() const {
-  const bool spent = parameters_.max_questions > 0 &&
-                     asked_.positions + asked_.motions >= parameters_.max_questions;
-  return spent ? StopCondition::Cause::deadline : request_.stop.poll();
+  return spent(1) ? StopCondition::Cause::deadline : request_.stop.poll();
+}
+bool Inquiry::spent(int wanted) const noexcept {
+  return parameters_.max_questions > 0 &&
+         asked_.positions + asked_.motions + wanted > parameters_.max_questions;
 }
 
 std::optional<Result> Inquiry::find_targets() {
@@ -243,7 +249,7 @@ Result Inquiry::search_lattices(const Search& search) {
     for (const auto& point : targets.points) at.push_back(point.at);
     for (const End& end : targets.ends) at.push_back(point_near(from_, end.tip, pitch));
     if (at.empty() && ended()) {
-      result.status = status_after(cause(), Status::no_path);
+      end_run(result, cause(), Status::no_path);
       return result;
     }
     if (at.empty()) {
@@ -275,7 +281,7 @@ Result Inquiry::search_lattices(const Search& search) {
     asked_ = lattice.questions();
     if (result.fault == Fault::goal_blocked && !all_touch()) {
       result.fault = Fault::none;
-      result.status = status_after(cause(), Status::no_path);
+      end_run(result, cause(), Status::no_path);
       result.error = lattice.not_found() +
                      ", the posture tried at the goal touches something; try more postures";
     }

@@ -29,6 +29,8 @@ class Inquiry {
   /// True when nothing more is to be asked: told to stop, or no question is left.
   bool ended() const { return cause() != StopCondition::Cause::none; }
   StopCondition::Cause cause() const;
+  /// That the sensor may not be asked so many questions more.
+  bool spent(int wanted) const noexcept;
   /// True where the goal is a lattice point moved onto it.
   bool is_point(int g) const { return request_.goals[g].kind == Goal::Kind::position; }
   /// Postures that reach the goals, and the straight lines to them. An answer where there is one

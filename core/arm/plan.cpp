@@ -41,7 +41,7 @@ void measure(const Robot& robot, Result& result) {
 /// The answer of a search that knows the way, without joints.
 Result answer_of(const KnownWay& way, const Lattice& lattice) {
   Result result;
-  result.status = status_after(way.cause, way.cost ? Status::solved : Status::no_path);
+  end_run(result, way.cause, way.cost ? Status::solved : Status::no_path);
   if (!way.cost) return result;
   result.length = *way.cost * lattice.unit();
   result.lower_bound = result.length;
@@ -104,7 +104,10 @@ Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
     if (parameters.max_questions > 0)
       options.max_questions = parameters.max_questions - asked.positions - asked.motions;
     TrajectoryResult made = make_trajectory(robot, sensor, result.joints, options);
-    if (result.status == Status::solved) result.status = made.status;
+    if (result.status == Status::solved) {
+      result.status = made.status;
+      result.limit = made.limit;
+    }
     result.trajectory = std::move(made.trajectory);
     result.waypoints = made.waypoints;
     result.stops = made.stops;
@@ -140,7 +143,7 @@ Result straight_lattice_way(const Robot& robot, const Sensor& sensor, const Requ
     for (const int move : moves) {
       const bool open = lattice.open(at, move);
       if (poller.stop_after(1)) {
-        result.status = status_after(poller.cause(), result.status);
+        end_run(result, poller.cause(), result.status);
         return result;
       }
       if (!open) return result;

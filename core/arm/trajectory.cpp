@@ -48,11 +48,12 @@ class Asker {
     return sensor_.motion_free(from, to);
   }
   bool stopped() const noexcept { return poller_.stopped() || spent_; }
-  /// Questions that are spent count as a deadline.
-  StopCondition::Cause cause() const noexcept {
-    return spent_ && !poller_.stopped() ? StopCondition::Cause::deadline : poller_.cause();
+  /// Says in `result` how it ended, and what was asked.
+  void finish(TrajectoryResult& result) const {
+    end_run(result, poller_.cause(), spent_ ? Status::limit : Status::solved);
+    if (spent_ && !poller_.stopped()) result.limit = Limit::questions;
+    result.questions = asked_;
   }
-  std::int64_t asked() const noexcept { return asked_; }
   double clearance() const noexcept { return clearance_; }
 
  private:
@@ -298,8 +299,7 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
   way = cut_at_random(robot, options, std::move(way), asker);
   result.waypoints = static_cast<int>(way.size());
   if (way.size() == 1) {
-    result.questions = asker.asked();
-    result.status = status_after(asker.cause(), Status::solved);
+    asker.finish(result);
     result.trajectory = Trajectory({{0, way[0], JointVector::Zero(robot.size())}});
     return result;
   }
@@ -324,8 +324,7 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
   }
   if (options.duration > result.trajectory.duration())
     result.trajectory = slowed(result.trajectory, options.duration);
-  result.questions = asker.asked();
-  result.status = status_after(asker.cause(), Status::solved);
+  asker.finish(result);
   return result;
 }
 

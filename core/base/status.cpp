@@ -10,6 +10,11 @@ std::string_view to_string(Status status) noexcept {
   return name_of(status, kNames);
 }
 
+std::string_view to_string(Limit limit) noexcept {
+  static constexpr std::array<std::string_view, 4> kNames{"none", "time", "questions", "ticks"};
+  return name_of(limit, kNames);
+}
+
 std::string_view to_string(Fault fault) noexcept {
   static constexpr std::array<std::string_view, 7> kNames{
       "none",         "start_outside", "start_blocked", "goal_outside",

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/time_source.h"
 #include "lasius/enum_names.h"
 
 namespace lasius {
@@ -15,6 +14,7 @@ Clock::time_point deadline_in(std::chrono::duration<double> time, Clock::time_po
 }
 
 TimeSource::~TimeSource() = default;
+Clock::time_point TimeSource::now() const noexcept { return Clock::now(); }
 
 Clock::time_point StopCondition::now() const noexcept {
   return time != nullptr ? time->now() : Clock::now();

@@ -54,28 +54,28 @@ std::vector<Cell> move_steps(Neighbours neighbours) {
 }
 
 std::span<const TrailPlace> IterationTours::cells_of(int ant) const noexcept {
-  return numbered_->cells_of(ant);
+  return source_->cells_of(ant);
 }
 
 std::span<const TrailPlace> IterationTours::places_of(int ant) const noexcept {
-  return trail == Trail::cells ? numbered_->cells_of(ant) : numbered_->arcs_of(ant);
+  return trail == Trail::cells ? source_->cells_of(ant) : source_->arcs_of(ant);
 }
 
-std::span<const TrailPlace> IterationTours::cells() const noexcept { return numbered_->cells(); }
+std::span<const TrailPlace> IterationTours::cells() const noexcept { return source_->cells(); }
 
 std::span<const TrailPlace> IterationTours::arcs() const noexcept {
   if (trail == Trail::cells) return {};
-  return numbered_->arcs();
+  return source_->arcs();
 }
 
 std::span<const TrailPlace> IterationTours::best_cells() const noexcept {
   if (!(best_length > 0)) return {};
-  return numbered_->cells_of(ants());
+  return source_->cells_of(ants());
 }
 
 std::span<const TrailPlace> IterationTours::best_arcs() const noexcept {
   if (trail == Trail::cells || !(best_length > 0)) return {};
-  return numbered_->arcs_of(ants());
+  return source_->arcs_of(ants());
 }
 
 std::span<const TrailPlace> IterationTours::best_places() const noexcept {
@@ -124,14 +124,14 @@ StepWeights own_weights(const OwnRules& own, const Params& params, int iteration
   return w;
 }
 
-std::array<TrailPlace, kernels::kMaxMoves> NumberedTours::steps() const noexcept {
+std::array<TrailPlace, kernels::kMaxMoves> IterationTours::Source::steps() const noexcept {
   std::array<TrailPlace, kernels::kMaxMoves> step{};
   for (int k = 0; k < tours_->moves.count; ++k)
     step[k] = std::int64_t{tours_->moves[k].to.dy} * width_ + tours_->moves[k].to.dx;
   return step;
 }
 
-IterationTours NumberedTours::view(const Tours& tours, const Grid& grid, Trail trail) {
+IterationTours IterationTours::Source::view(const Tours& tours, const Grid& grid, Trail trail) {
   if (lists_ == nullptr || lists_.use_count() > 1) lists_ = std::make_shared<Lists>();
   tours_ = &tours;
   width_ = grid.width();
@@ -162,7 +162,7 @@ IterationTours NumberedTours::view(const Tours& tours, const Grid& grid, Trail t
   return view;
 }
 
-std::span<const TrailPlace> NumberedTours::cells_of(int number) noexcept {
+std::span<const TrailPlace> IterationTours::Source::cells_of(int number) noexcept {
   const auto moves = tour(number).moves;
   TrailPlace* const cells = lists_->cells.data() + lists_->offsets[number];
   if ((written_[number] & kCells) == 0) {
@@ -174,7 +174,7 @@ std::span<const TrailPlace> NumberedTours::cells_of(int number) noexcept {
   return {cells, moves.size() + 1};
 }
 
-std::span<const TrailPlace> NumberedTours::arcs_of(int number) noexcept {
+std::span<const TrailPlace> IterationTours::Source::arcs_of(int number) noexcept {
   const auto moves = tour(number).moves;
   TrailPlace* const arcs = lists_->arcs.data() + lists_->offsets[number] - number;
   if ((written_[number] & kArcs) == 0) {
@@ -189,12 +189,12 @@ std::span<const TrailPlace> NumberedTours::arcs_of(int number) noexcept {
   return {arcs, moves.size()};
 }
 
-std::span<const TrailPlace> NumberedTours::cells() noexcept {
+std::span<const TrailPlace> IterationTours::Source::cells() noexcept {
   for (int ant = 0; ant < ants(); ++ant) cells_of(ant);
   return {lists_->cells.data(), static_cast<std::size_t>(lists_->offsets[ants()])};
 }
 
-std::span<const TrailPlace> NumberedTours::arcs() noexcept {
+std::span<const TrailPlace> IterationTours::Source::arcs() noexcept {
   for (int ant = 0; ant < ants(); ++ant) arcs_of(ant);
   return {lists_->arcs.data(), static_cast<std::size_t>(lists_->offsets[ants()] - ants())};
 }
@@ -205,9 +205,8 @@ bool update_by_caller(Field& field, const OwnRules& own, const Params& params, c
   Poller poller(stop, Poller::kSteps);
   IterationTours view = numbered.view(tours, grid, params.trail);
   view.goal = goal;
-  Pheromone::Impl impl(field, grid, params, tours.moves.count, poller);
-  Pheromone trail(impl);
-  own.update(trail, view);
+  StoredPheromone stored(field, grid, params, tours.moves.count, poller);
+  own.update(stored.trail, view);
   return view.stopped();
 }
 

@@ -84,4 +84,16 @@ class Pheromone::Impl {
   Poller& poller;
 };
 
+/// A trail with what it acts on.
+class StoredPheromone {
+  Pheromone::Impl impl_;
+
+ public:
+  /// As Pheromone::Impl.
+  StoredPheromone(Field& field, const Grid& grid, const Params& params, int choices, Poller& stop)
+      : impl_(field, grid, params, choices, stop) {}
+
+  Pheromone trail{impl_};
+};
+
 }  // namespace lasius

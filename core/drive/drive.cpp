@@ -1,11 +1,9 @@
 #include "lasius/drive.h"
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -13,6 +11,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
+#include "core/drive/headway.h"
 #include "core/drive/path_walker.h"
 #include "core/drive/retreat.h"
 #include "core/drive/sensor.h"
@@ -56,8 +55,8 @@ class Drive {
         options_(options),
         stop_(stop),
         observer_(observer),
-        corners_(rule_of_walks(corners_of_paths(options.navigator.params))),
-        world_(truth, changes, options.navigator.radius),
+        corners_(rule_of_walks(pilot.corners())),
+        world_(truth, changes, pilot.radius()),
         pilot_(pilot),
         robot_(start),
         before_(start) {}
@@ -77,18 +76,26 @@ class Drive {
     world_.advance(tick_, {before_, robot_});
     replanned_ = false;
     if (tick_ == 0 && blocked_at_start()) return;
+    headway_.is_at(robot_, tick_);
     look();
     const Found found = robot_ == pilot_.goal() ? Found::way : find_way();
     result_.planning_ms += planning_.count();
     planning_ = {};
     if (ended_) return;
-    show(found);
+    const bool stopped = show(found);
     news_.clear();  // what is felt in the move is news of the next tick
     if (robot_ == pilot_.goal()) return end(Status::solved);
+    if (stopped) return end(Status::interrupted);
     if (const auto cause = stop_.poll(); cause != StopCondition::Cause::none) {
-      return end(status_after(cause, Status::limit));
+      end_run(result_, cause, Status::limit);
+      return end(result_.status);
     }
-    if (tick_ == options_.max_ticks) return end(Status::limit);
+    if (tick_ == options_.max_ticks) {
+      result_.limit = Limit::ticks;
+      return end(Status::limit);
+    }
+    if (world_.stirs() && !world_.to_change() && headway_.none(tick_, world_.still_changed_at()))
+      return end_trapped("moving obstacles close every way in turn");
     const Cell to = next_cell(found);
     if (ended_) return;
     go(to);
@@ -113,20 +120,10 @@ class Drive {
     result_.fault = fault;
     const StopCondition until_found{.token = stop_.token};
     Poller poller(until_found);
-    result_.nearest_free =
-        nearest_free(bad_start ? world_.passable() : free_as_seen(), cell, poller);
+    result_.nearest_free = nearest_free(
+        bad_start ? world_.passable() : walls_of_both(world_.passable(), pilot_.passable()), cell,
+        poller);
     return true;
-  }
-  /// Where the robot may be both in truth and as it knows.
-  Grid free_as_seen() const {
-    Grid grid = world_.passable();
-    std::vector<std::uint64_t> words(static_cast<std::size_t>(grid.words()));
-    for (int y = 0; y < grid.height(); ++y) {
-      std::transform(grid.row(y), grid.row(y) + grid.words(), pilot_.passable().row(y),
-                     words.begin(), std::bit_or<>());
-      grid.set_row(y, words.data());
-    }
-    return grid;
   }
 
   void look() {
@@ -239,16 +236,7 @@ class Drive {
   bool forget_walls(const Grid* kept) {
     const auto certain = certain_walls();
     if (!certain) return false;
-    std::vector<Cell> doubtful;
-    for (int y = 0; y < map_.height(); ++y) {
-      for (int word = 0; word < map_.words(); ++word) {
-        auto bits = pilot_.map().row(y)[word] & ~certain->row(y)[word];
-        if (kept != nullptr) bits &= ~kept->row(y)[word];
-        for (; bits != 0; bits &= bits - 1) {
-          doubtful.push_back({word * 64 + std::countr_zero(bits), y});
-        }
-      }
-    }
+    const std::vector<Cell> doubtful = walls_without(pilot_.map(), *certain, kept);
     tell(doubtful, false);
     return !doubtful.empty();
   }
@@ -260,14 +248,13 @@ class Drive {
     ++waited_;
     const bool aside = waited_ % kPatience == 0;
     if (aside && !world_.to_change() && trapped()) {
-      result_.fault = Fault::trapped;
-      end(Status::no_path, "trapped: moving obstacles stand in the way for good");
+      end_trapped("moving obstacles stand in the way for good");
       return robot_;
     }
     if (aside) {
       const auto tick = static_cast<std::uint64_t>(tick_);
       const auto words = kernels::random_words(
-          options_.navigator.params.seed,
+          options_.seed,
           {static_cast<std::uint32_t>(tick), static_cast<std::uint32_t>(tick >> 32), 0, 0});
       retreat_ = find_retreat(pilot_.passable(), corners_, robot_, words[0]);
     }
@@ -277,10 +264,15 @@ class Drive {
     return to;
   }
 
+  void end_trapped(const char* why) {
+    result_.fault = Fault::trapped;
+    end(Status::no_path, std::string("trapped: ") + why);
+  }
+
   /// Obstacles that wait for the robot, or never move, close all ways, wherever it went aside; or
   /// those that move have left none open for long.
   bool trapped() {
-    if (waited_ >= kLongWait) return true;
+    if (waited_ >= Headway::kLongWait) return true;
     return !joined(World::Without::those_that_move) && ++attempts_ > kAttempts;
   }
 
@@ -307,23 +299,26 @@ class Drive {
     learn(world_.felt({robot_, to}), true);
   }
 
-  void show(Found found) {
-    if (!observer_) return;
-    observer_({.tick = tick_,
-               .robot = robot_,
-               .world = &world_.now(),
-               .still = &world_.still(),
-               .robot_knows = &pilot_,
-               .way = found == Found::way && robot_ != pilot_.goal() ? way_ : nullptr,
-               .obstacles = world_.obstacles(),
-               .news = news_,
-               .replanned = replanned_});
+  /// True where the observer ends the drive.
+  bool show(Found found) {
+    if (!observer_) return false;
+    DriveTick view;
+    view.tick = tick_;
+    view.robot = robot_;
+    view.world = &world_.now();
+    view.still = &world_.still();
+    view.robot_knows = &pilot_;
+    view.way = found == Found::way && robot_ != pilot_.goal() ? way_ : nullptr;
+    view.obstacles = world_.obstacles();
+    view.news = news_;
+    view.replanned = replanned_;
+    observer_(view);
+    return view.stopped();
   }
 
   static constexpr int kPatience = 16;  // ticks without a way, then the robot moves aside
   static constexpr int kAttempts = 64;  // to move aside for what waits for the robot
-  static constexpr int kLongWait = 1 << 14;
-  static constexpr int kDoubts = 64;  // of what was learned, then of the whole map
+  static constexpr int kDoubts = 64;    // of what was learned, then of the whole map
 
   const Grid& map_;
   const DriveOptions& options_;
@@ -338,6 +333,7 @@ class Drive {
   News seen_;
   std::vector<Cell> news_;
   bool replanned_ = false;
+  Headway headway_{map_.width(), map_.height()};
   Milliseconds planning_{};
   int waited_ = 0, attempts_ = 0, doubts_ = 0;
   std::int64_t doubted_at_ = 0;  // tick
@@ -352,11 +348,11 @@ class Drive {
 }  // namespace
 
 DriveResult drive(const Grid& map, const Grid& truth, Cell start, Cell goal, const Changes& changes,
-                  const DriveOptions& options, const StopCondition& stop,
-                  const DriveObserver& observer) {
+                  const DriveOptions& options, const NavigatorOptions& navigator,
+                  const StopCondition& stop, const DriveObserver& observer) {
   check(map, truth, options);
-  Navigator navigator(map, goal, options.navigator);
-  return Drive(map, truth, start, navigator, changes, options, stop, observer).run();
+  Navigator pilot(map, goal, navigator);
+  return Drive(map, truth, start, pilot, changes, options, stop, observer).run();
 }
 
 DriveResult drive(Pilot& pilot, const Grid& truth, Cell start, const Changes& changes,

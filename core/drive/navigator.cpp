@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
 #include <utility>
 
 #include "core/base/held_bytes.h"
+#include "core/base/invalid_parameter.h"
 #include "core/colony/colony.h"
 #include "core/drive/edited_map.h"
 #include "core/drive/path_walker.h"
@@ -18,6 +20,15 @@ namespace lasius {
 namespace {
 
 using Connectivity = Components::Connectivity;
+
+/// @throws Error(invalid_parameter) unless the algorithm is of the kind that an option is for.
+void check_kind(const Algorithm& algorithm, Algorithm::Kind kind, const char* option,
+                const char* whose) {
+  if (algorithm.kind == kind) return;
+  throw invalid_parameter(
+      std::string(option) + " is set, which " + std::string(algorithm.name) + " ignores",
+      std::string("leave it out, or take ") + whose);
+}
 
 /// The components of a map that is edited, brought up to date when they are asked for.
 class LiveComponents {
@@ -105,6 +116,8 @@ class Navigator::Impl {
     validate(options.params);
     const Algorithm& algorithm = find_algorithm(options.params.algorithm());
     check_certifies(algorithm, options.target_gap);
+    if (options.prepare) check_kind(algorithm, Algorithm::Kind::exact, "prepare", "exact");
+    if (options.search_on) check_kind(algorithm, Algorithm::Kind::colony, "search_on", "a colony");
     if (algorithm.kind == Algorithm::Kind::colony) send_colony();
     corners = corners_of_paths(options.params);
     if (corners == Corners::allow) eight.emplace(map.passable(), Connectivity::eight);
@@ -253,6 +266,8 @@ void Navigator::forget() {
 const Grid& Navigator::map() const noexcept { return impl_->map.map(); }
 const Grid& Navigator::passable() const noexcept { return impl_->map.passable(); }
 bool Navigator::connected(Cell a, Cell b) { return *impl_->connected(a, b, impl_->corners, {}); }
+double Navigator::radius() const noexcept { return impl_->options.radius; }
+Corners Navigator::corners() const noexcept { return impl_->corners; }
 Preparation Navigator::preparation() const noexcept {
   Preparation now = impl_->preparation;
   if (impl_->graph) {

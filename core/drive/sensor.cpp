@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 
 #include "lasius/path.h"
 
@@ -46,6 +48,28 @@ void mark_walls_in_sight(const Grid& world, Cell robot, double range, Grid& wall
       [&](Cell cell) {
         if (sees(world, robot, cell)) walls.set_blocked(cell);
       });
+}
+
+Grid walls_of_both(const Grid& a, const Grid& b) {
+  Grid both = a;
+  std::vector<std::uint64_t> words(static_cast<std::size_t>(a.words()));
+  for (int y = 0; y < a.height(); ++y) {
+    std::transform(a.row(y), a.row(y) + a.words(), b.row(y), words.begin(), std::bit_or<>());
+    both.set_row(y, words.data());
+  }
+  return both;
+}
+
+std::vector<Cell> walls_without(const Grid& walls, const Grid& a, const Grid* b) {
+  std::vector<Cell> cells;
+  for (int y = 0; y < walls.height(); ++y) {
+    for (int word = 0; word < walls.words(); ++word) {
+      auto bits = walls.row(y)[word] & ~a.row(y)[word];
+      if (b != nullptr) bits &= ~b->row(y)[word];
+      for (; bits != 0; bits &= bits - 1) cells.push_back({word * 64 + std::countr_zero(bits), y});
+    }
+  }
+  return cells;
 }
 
 void sense(const Grid& world, const Grid& known, Cell robot, double range, const Growth& robot_disc,

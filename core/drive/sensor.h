@@ -17,6 +17,12 @@ struct News {
 /// Sets in `walls` the blocked cells that the robot sees, see sense().
 void mark_walls_in_sight(const Grid& world, Cell robot, double range, Grid& walls);
 
+/// Blocked where one of two maps of the same size is.
+Grid walls_of_both(const Grid& a, const Grid& b);
+
+/// The blocked cells of `walls` that are in neither of two other maps, `b` null for none.
+std::vector<Cell> walls_without(const Grid& walls, const Grid& a, const Grid* b);
+
 /// The cells whose centre is at most `range` cells from the robot's and that it sees, and those
 /// that it covers, as far as they are not as `known` has them. It sees a free cell where there is
 /// sight from centre to centre, a blocked one where there is sight to a free cell at one of its

@@ -133,6 +133,7 @@ Result result_from_json(std::string_view text) {
   const Json object = read_object(text);
   Result result;
   result.status = named(object, "status", Status::invalid);
+  if (result.status == Status::limit) result.limit = Limit::time;  // the only one on bitmaps
   result.error = member_or(object, "error", std::string());
   result.length = member_or(object, "length", result.length);
   for (const auto& point : member_or(object, "path", std::vector<std::vector<double>>())) {

@@ -67,6 +67,7 @@ struct TrajectoryResult {
   bool stops = false;              ///< it rests at every waypoint: nothing faster was found free
   std::int64_t questions = 0;      ///< motions that the sensor was asked about
   Status status = Status::solved;  ///< limit or interrupted where it was told to stop
+  Limit limit = Limit::none;       ///< which one ended it
 };
 
 /// A motion along `waypoints`, a column each, between which straight joint motions are free.

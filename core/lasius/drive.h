@@ -63,7 +63,6 @@ LASIUS_EXPORT Changes read_changes_file(const std::string& path, int width, int 
 
 /// How to drive.
 struct DriveOptions {
-  NavigatorOptions navigator = {};  ///< how it plans, and its radius
   /// The robot sees cells whose centre is at most so far from its own, in cells: a free one where
   /// `visible` holds between the centres, a blocked one at whose edge it sees a free cell, or
   /// stands. At least 1.
@@ -72,6 +71,7 @@ struct DriveOptions {
   /// Time for planning in a tick, in seconds, above 0: a search that takes longer ends with the
   /// best way so far. Drives can be replayed only where it is infinite.
   double seconds_per_tick = std::numeric_limits<double>::infinity();
+  std::uint64_t seed = 1;  ///< of the cells to which it goes aside, as Params::seed
 };
 
 /// A way that was planned.
@@ -85,9 +85,12 @@ struct Replan {
 struct DriveResult {
   /// Status::solved on arrival; Status::unreachable: proven on what is known at last;
   /// Status::no_path and Fault::trapped: moving obstacles stand in the way for good, or have for
-  /// 16 384 ticks; Status::limit: no ticks or time left; Status::interrupted; Status::invalid: at
-  /// tick 0 the start is blocked in truth or outside, or the goal as the robot knows it then.
+  /// 16 384 ticks, or close one way after the other: while nothing changed but them, and nothing
+  /// else was to, the robot entered no new cell for 16 384 ticks and 16 for each that it had been
+  /// in; Status::limit: no ticks or time left; Status::interrupted; Status::invalid: at tick 0 the
+  /// start is blocked in truth or outside, or the goal as the robot knows it then.
   Status status = Status::no_path;
+  Limit limit = Limit::none;  ///< which one ended it: of time or of ticks
   Fault fault = Fault::none;  ///< why it is invalid, unreachable or trapped
   std::string error;          ///< the same in a sentence; empty for none
   /// To a start or goal that is invalid: free in truth, and for a goal on the robot's map too.
@@ -103,7 +106,8 @@ struct DriveResult {
 };
 
 /// A tick as an observer sees it, after the robot has seen and planned, before it moves.
-struct DriveTick {
+class DriveTick {
+ public:
   std::int64_t tick = 0;               ///< from 0
   Cell robot;                          ///< where it is
   const Grid* world = nullptr;         ///< what is there, moving obstacles too
@@ -113,6 +117,13 @@ struct DriveTick {
   std::vector<Rectangle> obstacles;    ///< where the moving ones are, those that have appeared
   std::vector<Cell> news;              ///< cells that the robot learned in this tick
   bool replanned = false;              ///< the way was planned in this tick
+
+  /// Ends the drive here, where it has not arrived: Status::interrupted.
+  void stop() const noexcept { stopped_ = true; }
+  bool stopped() const noexcept { return stopped_; }  ///< true once stop() was called
+
+ private:
+  mutable bool stopped_ = false;
 };
 /// Called at each tick and on arrival, but not at one that ends without a way.
 using DriveObserver = std::function<void(const DriveTick&)>;
@@ -121,7 +132,7 @@ using DriveObserver = std::function<void(const DriveTick&)>;
 ///
 /// In each tick changes take place and obstacles move, then the robot sees, plans, and moves to the
 /// next cell of its way. It never enters a cell that is blocked at that tick, nor cuts a corner
-/// between two cells of which one is blocked, unless Params::corners of a colony allows all; with a
+/// between two cells of which one is blocked, unless Pilot::corners allows all; with a
 /// radius the same holds for its disc. What would block a cell that the robot covers, or has
 /// covered on its last move, waits: a change is deferred to the first tick at which it can be made,
 /// an obstacle stands. So neither do they swap.
@@ -132,14 +143,15 @@ using DriveObserver = std::function<void(const DriveTick&)>;
 /// at all it is told: it gives up where there is none, and else searches until it has arrived.
 /// @param map    what the robot knows in the beginning
 /// @param truth  what is there, of the same size
+/// @param navigator  how it plans, and its radius
 /// @throws Error(invalid_parameter) for sizes that differ, changes outside the map, and options out
-/// of range; what the observer throws.
+/// of range or, as Navigator, for other algorithms; what the observer throws.
 LASIUS_EXPORT DriveResult drive(const Grid& map, const Grid& truth, Cell start, Cell goal,
                                 const Changes& changes = {}, const DriveOptions& options = {},
+                                const NavigatorOptions& navigator = {},
                                 const StopCondition& stop = {}, const DriveObserver& observer = {});
 
-/// The same with a planner that is there already, to its goal; it knows what it has observed. Of
-/// `options.navigator` the robot's radius, the rule of corners and the seed count.
+/// The same with a planner that is there already, to its goal; it knows what it has observed.
 /// @throws likewise.
 LASIUS_EXPORT DriveResult drive(Pilot& pilot, const Grid& truth, Cell start,
                                 const Changes& changes = {}, const DriveOptions& options = {},

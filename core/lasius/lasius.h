@@ -20,6 +20,7 @@
 #include "lasius/progress.h"
 #include "lasius/request.h"
 #include "lasius/result.h"
+#include "lasius/rules.h"
 #include "lasius/schedule.h"
 #include "lasius/search_result.h"
 #include "lasius/shortest_walk.h"

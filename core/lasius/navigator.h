@@ -23,11 +23,11 @@ struct NavigatorOptions {
   /// Of the robot, in cells: it keeps this far from blocked cells and from the outside, as
   /// grow_obstacles() has it. 0: a point.
   double radius = 0;
-  /// Prepares the map for `exact`, see Planner; the visibility graph is then kept up to date.
+  /// Prepares the map, see Planner; the visibility graph is then kept up to date. For `exact` only.
   std::optional<PrepareOptions> prepare = {};
   double target_gap = 0;  ///< as in Request
-  /// A colony goes on searching in every step; else only where the way has to be planned anew.
-  /// Without effect on other algorithms.
+  /// Goes on searching in every step; else only where the way has to be planned anew. For colonies
+  /// only (Algorithm::Kind::colony).
   bool search_on = false;
 };
 
@@ -64,6 +64,10 @@ class LASIUS_EXPORT Pilot {
   virtual const Grid& passable() const noexcept = 0;
   /// True when the robot could get from one cell to the other, as far as is known.
   virtual bool connected(Cell a, Cell b) = 0;
+  /// Of the robot, in cells: see NavigatorOptions. A point, unless overridden.
+  virtual double radius() const noexcept { return 0; }
+  /// Corners::allow where its walks squeeze past blocked cells. Corners::forbid, unless overridden.
+  virtual Corners corners() const noexcept { return Corners::forbid; }
 };
 
 /// A planner that belongs to a robot: it has one map, tells it what it sees, and asks for a way
@@ -79,7 +83,8 @@ class LASIUS_EXPORT Navigator final : public Pilot {
  public:
   /// Labels the map's components, grows obstacles where the robot has a radius, and prepares the
   /// map if asked to. Start and goal may be blocked or outside: the answer tells.
-  /// @throws Error(invalid_parameter) for parameters, a radius or a gap that are out of range.
+  /// @throws Error(invalid_parameter) for parameters, a radius or a gap that are out of range, and
+  /// for options that are for other algorithms.
   Navigator(Grid map, Cell goal, const NavigatorOptions& options = {});
   ~Navigator() override;
   Navigator(Navigator&&) noexcept;  ///< one that was moved from may only be assigned to or end
@@ -102,6 +107,8 @@ class LASIUS_EXPORT Navigator final : public Pilot {
   const Grid& map() const noexcept override;
   const Grid& passable() const noexcept override;
   bool connected(Cell a, Cell b) override;
+  double radius() const noexcept override;
+  Corners corners() const noexcept override;  ///< of its paths, by its parameters
   /// What came of the visibility graph; its edges and bytes are those of now.
   Preparation preparation() const noexcept;
   std::int64_t bytes() const noexcept;  ///< memory held, a colony's trail not counted

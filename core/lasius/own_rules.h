@@ -25,8 +25,6 @@ using TrailPlace = std::int64_t;
 /// in a row by dx. Of Neighbours::four: up, left, right, down.
 LASIUS_EXPORT std::vector<Cell> move_steps(Neighbours neighbours);
 
-class NumberedTours;
-
 /// What the ants of one iteration have found, for an update. The object holds until the update
 /// returns, and so do its spans; those that were asked for by then hold for who keeps `memory`,
 /// too. Nothing is copied for the call: the numbers of a tour's cells and moves are written when
@@ -85,10 +83,11 @@ struct LASIUS_EXPORT IterationTours {
 
  private:
   friend class NumberedTours;
-  explicit IterationTours(NumberedTours& numbered) noexcept : numbered_(&numbered) {}
+  class Source;
+  explicit IterationTours(Source& source) noexcept : source_(&source) {}
   IterationTours(IterationTours&&) = default;
 
-  NumberedTours* numbered_;
+  Source* source_;
   mutable bool stopped_ = false;
 };
 
@@ -158,12 +157,13 @@ class LASIUS_EXPORT Pheromone {
   double least() const noexcept;      ///< as clamp() has it
   double most() const noexcept;       ///< as clamp() has it
 
-  class Impl;
-  explicit Pheromone(Impl& impl) noexcept : impl_(impl) {}  ///< for the library itself
   Pheromone(const Pheromone&) = delete;
   Pheromone& operator=(const Pheromone&) = delete;
 
  private:
+  friend class StoredPheromone;
+  class Impl;
+  explicit Pheromone(Impl& impl) noexcept : impl_(impl) {}
   void check_learned() const;
 
   Impl& impl_;

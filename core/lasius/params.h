@@ -11,6 +11,7 @@
 #include "lasius/enum_names.h"
 #include "lasius/export.h"
 #include "lasius/moves.h"
+#include "lasius/rules.h"
 
 namespace lasius {
 
@@ -66,39 +67,6 @@ constexpr std::string_view to_string(StraightDeposit value) noexcept {
   return name_of(value, kStraightDepositNames);
 }
 
-/// The part of a move's weight that depends on where it leads.
-enum class Heuristic {
-  uniform,            ///< 1
-  rescaled_distance,  ///< ((Dmax - d(j, E)) omega + mu)^lambda (Fan et al. 2004, eq. 4)
-  inverse_distance,   ///< (1 / d(j, E))^beta, d at least half a cell
-  distance,           ///< d(j, E)^beta, d at least half a cell; for rules where larger is worse
-  goal_angle,         ///< (1 / (1 + h / 45 degrees))^beta, h between the move and the way to E
-  learned,            ///< eta(j)^beta, eta learned from successful ants (Cong & Ponnambalam 2009)
-  distance_field,     ///< (1 / shortest way from j to E on the grid)^beta; map-sized work
-};
-/// Their names, in the same order.
-inline constexpr std::array<std::string_view, 7> kHeuristicNames{
-    "uniform",    "rescaled-distance", "inverse-distance", "distance",
-    "goal-angle", "learned",           "distance-field"};
-/// The name of a value.
-constexpr std::string_view to_string(Heuristic value) noexcept {
-  return name_of(value, kHeuristicNames);
-}
-
-/// The part of a move's weight that depends on the move and the one before it.
-enum class Visibility {
-  none,            ///< 1
-  inverse_step,    ///< (1 / length of the move)^beta (Fan et al. 2004, eq. 1)
-  heading_change,  ///< (1 / (1 + turn / 45 degrees))^beta; straight back is closed (the lecture)
-};
-/// Their names, in the same order.
-inline constexpr std::array<std::string_view, 3> kVisibilityNames{"none", "inverse-step",
-                                                                  "heading-change"};
-/// The name of a value.
-constexpr std::string_view to_string(Visibility value) noexcept {
-  return name_of(value, kVisibilityNames);
-}
-
 /// What carries pheromone.
 enum class Trail {
   cells,  ///< tau of a move is that of the cell it leads to
@@ -108,24 +76,6 @@ enum class Trail {
 inline constexpr std::array<std::string_view, 2> kTrailNames{"cells", "arcs"};
 /// The name of a value.
 constexpr std::string_view to_string(Trail value) noexcept { return name_of(value, kTrailNames); }
-
-/// How the trail changes after each iteration. L is an ant's tour length, Q `deposit`.
-enum class Update {
-  ant_system,      ///< every arrived ant: Q / L
-  elitist,         ///< the same, and elite_weight Q / L on the best tour so far
-  rank,            ///< the `ranks` - 1 best: (ranks - r) Q / L; the best so far: ranks Q / L
-  max_min,         ///< one best tour: Q / L, tau kept in [tau_min, tau_max]
-  colony_system,   ///< best tour so far only: tau <- persistence tau + (1 - persistence) Q / L
-  best_share,      ///< the elite_ants best of the iteration: Q / ants on each cell (the lecture)
-  terminal_index,  ///< no trail but the best known way from each cell (Li, Wang & Ma)
-  learning,        ///< rewards and penalties, ant by ant (Cong & Ponnambalam 2009, eq. 3, 4)
-};
-/// Their names, in the same order.
-inline constexpr std::array<std::string_view, 8> kUpdateNames{
-    "ant-system",    "elitist",    "rank",           "max-min",
-    "colony-system", "best-share", "terminal-index", "learning"};
-/// The name of a value.
-constexpr std::string_view to_string(Update value) noexcept { return name_of(value, kUpdateNames); }
 
 /// How a move is drawn from the weights of its row.
 enum class Selection {
@@ -165,14 +115,15 @@ constexpr std::string_view to_string(Reward value) noexcept { return name_of(val
 /// Whose numbers an algorithm starts with.
 enum class Preset {
   usual,  ///< those that are right on maps; of a published system its own
-  book,   ///< of as, eas, ras, mmas and acs: the textbook's (Dorigo & Stuetzle 2004, box 3.1)
+  book,   ///< the textbook's (Dorigo & Stuetzle 2004, box 3.1), of those that has_preset() names
 };
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 2> kPresetNames{"usual", "book"};
 /// The name of a value.
 constexpr std::string_view to_string(Preset value) noexcept { return name_of(value, kPresetNames); }
 
-/// The numbers of the families' updates, in any world; each update says which of them it reads.
+/// The numbers of the families' updates, in any world; a row of kUpdates says which of them its
+/// update reads.
 struct TrailParams {
   double persistence = 0.7;   ///< share of pheromone that remains, at least 2^-60 of it
   double deposit = 100;       ///< Q
@@ -269,14 +220,21 @@ struct LASIUS_EXPORT Params : TrailParams {
 
 /// One parameter of an algorithm, as `lasius algorithms` lists it.
 struct Parameter {
-  std::string_view name;     ///< as set_parameter() takes it
-  std::string_view type;     ///< "integer", "number" or "choice"
-  std::string_view range;    ///< "1 .. 1000000", "a|b|c"
-  std::string_view summary;  ///< a line
+  std::string_view name;                           ///< as set_parameter() takes it
+  std::string_view type;                           ///< "integer", "number" or "choice"
+  std::string_view summary;                        ///< a line
+  std::span<const std::string_view> choices = {};  ///< of a choice: its values
+  double least = 0;                                ///< of an integer or number, included
+  double most = 0;                                 ///< likewise
   /// Its value in results that were saved before it was there; empty: it always was.
   std::string_view earlier = {};
   /// The settings of others with which it is read, as "update=rank"; empty: with all.
   std::string_view only_with = {};
+
+  /// What it may be, as "1 .. 1000000" or "a|b|c".
+  LASIUS_EXPORT std::string range() const;
+  /// `least` or `most` as range() tells it.
+  LASIUS_EXPORT std::string text_of(double end) const;
 };
 
 /// One algorithm: its name, where it comes from, what it reads of Params.

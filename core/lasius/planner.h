@@ -42,10 +42,9 @@ class LASIUS_EXPORT Workspace {
   /// new Workspace. Between two calls. @throws std::bad_alloc, and is then as before.
   void release();
 
-  class Impl;                               ///< for the library itself
-  Impl& impl() noexcept { return *impl_; }  ///< for the library itself
-
  private:
+  friend struct WorkspaceMemory;
+  class Impl;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -37,6 +37,7 @@ struct Convergence {
 /// What the answers of all planners have in common. Without a path `length` is not a number.
 struct LASIUS_EXPORT SearchResult : Convergence {
   Status status = Status::no_path;  ///< how it ended
+  Limit limit = Limit::none;        ///< which one ended it
   Fault fault = Fault::none;        ///< why it is invalid or unreachable
   std::string error;                ///< the same in a sentence that names the place; empty for none
   double length;                    ///< of the path, in the world's unit

@@ -10,7 +10,7 @@ namespace lasius {
 /// How a plan ended: outcomes, not errors.
 enum class Status {
   solved,       ///< the algorithm ended by its own rule, with a path
-  limit,        ///< a deadline, or a limit of questions or ticks, ended it; the best so far
+  limit,        ///< a Limit ended it; the best so far
   interrupted,  ///< the stop token or an observer ended it; the best path so far, if any
   unreachable,  ///< proven: no path exists
   no_path,      ///< its iterations ended without a path
@@ -18,6 +18,16 @@ enum class Status {
 };
 /// The name, as in "no_path".
 LASIUS_EXPORT std::string_view to_string(Status status) noexcept;
+
+/// What ended a plan, a motion's making or a drive as Status::limit.
+enum class Limit {
+  none,       ///< it ended otherwise
+  time,       ///< a deadline
+  questions,  ///< of an arm's sensor: arm::Params::max_questions, TrajectoryOptions::max_questions
+  ticks,      ///< DriveOptions::max_ticks
+};
+/// The name, as in "ticks".
+LASIUS_EXPORT std::string_view to_string(Limit limit) noexcept;
 
 /// Why a request is invalid or its goal unreachable.
 enum class Fault {

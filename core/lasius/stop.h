@@ -16,14 +16,21 @@ using Clock = std::chrono::steady_clock;
 LASIUS_EXPORT Clock::time_point deadline_in(std::chrono::duration<double> time,
                                             Clock::time_point from = Clock::now()) noexcept;
 
-class TimeSource;
+/// A clock that deadlines are compared with: simulated time, say, or one that stands still while
+/// the caller is at work.
+class LASIUS_EXPORT TimeSource {
+ public:
+  virtual ~TimeSource();
+  /// Never earlier than what it said before. Thread-safe. The steady clock, unless overridden.
+  virtual Clock::time_point now() const noexcept;
+};
 
 /// When to stop. Long work polls it at least every 4096 ant steps or 65536 scanned words.
 struct StopCondition {
   std::stop_token token = {};  ///< ends the call as Status::interrupted
   /// Ends the call as Status::limit.
   Clock::time_point deadline = Clock::time_point::max();
-  /// For the library's own tests: the clock that is read; null: the steady clock.
+  /// The clock that is read, which outlives the call; null: the steady clock.
   const TimeSource* time = nullptr;
 
   /// The time that the deadline is compared with.

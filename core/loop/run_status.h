@@ -28,6 +28,13 @@ constexpr Status status_after(StopCondition::Cause cause, Status otherwise) noex
   return otherwise;
 }
 
+/// Says in `result` how a run ended; a deadline is the only limit here.
+template <class SomeResult>
+void end_run(SomeResult& result, StopCondition::Cause cause, Status otherwise) {
+  result.status = status_after(cause, otherwise);
+  result.limit = result.status == Status::limit ? Limit::time : Limit::none;
+}
+
 /// Makes `result` invalid or unreachable.
 template <class SomeResult>
 SomeResult failed(Status status, Fault fault, const std::string& why) {
@@ -53,7 +60,7 @@ SomeResult already_there() {
 inline Result result_after(StopCondition::Cause cause, Convergence run, std::vector<Point> best) {
   Result result;
   static_cast<Convergence&>(result) = std::move(run);
-  result.status = status_after(cause, best.empty() ? Status::no_path : Status::solved);
+  end_run(result, cause, best.empty() ? Status::no_path : Status::solved);
   if (best.empty()) return result;
   result.path = std::move(best);
   result.length = path_length(result.path);

@@ -72,70 +72,55 @@ inline const Algorithm& find_algorithm(std::span<const Algorithm> all, std::stri
   throw unknown_name("algorithm", name, names);
 }
 
-/// Names as a range tells them: "a|b|c".
-template <const auto& kNames>
-inline constexpr auto kJoinedText = [] {
-  constexpr std::size_t kLength = [] {
-    std::size_t length = kNames.size() - 1;
-    for (const std::string_view name : kNames) length += name.size();
-    return length;
-  }();
-  std::array<char, kLength> text{};
-  auto* to = text.data();
-  for (const std::string_view name : kNames) {
-    if (to != text.data()) *to++ = '|';
-    for (const char c : name) *to++ = c;
-  }
-  return text;
-}();
-template <const auto& kNames>
-inline constexpr std::string_view kJoined{kJoinedText<kNames>.data(), kJoinedText<kNames>.size()};
-
 /// How a table reads, writes and checks the fields of the struct `Fields`, which has a `seed` and
 /// `threads` beside those in the table.
 template <class Fields>
 class ParameterTable {
  public:
-  /// A number from `least` to `most`.
+  /// A number in its parameter's range.
   template <class Value>
   struct Bounded {
     Value Fields::*member;
-    Value least, most;
 
-    bool in_range(const Fields& fields) const { return holds(fields.*member); }
+    bool in_range(const Fields& fields, const Parameter& info) const {
+      return holds(fields.*member, info);
+    }
     bool same(const Fields& a, const Fields& b) const { return a.*member == b.*member; }
-    std::string text(const Fields& fields) const { return number_text(fields.*member); }
+    std::string text(const Fields& fields, const Parameter&) const {
+      return number_text(fields.*member);
+    }
     void set(Fields& fields, const Parameter& info, std::string_view text) const {
       const auto value = number_of<Value>(text);
-      if (!value || !holds(*value)) throw out_of_range(info, text);
+      if (!value || !holds(*value, info)) throw out_of_range(info, text);
       fields.*member = *value;
     }
 
    private:
-    bool holds(Value value) const { return value >= least && value <= most; }
+    static bool holds(Value value, const Parameter& info) {
+      return value >= info.least && value <= info.most;
+    }
   };
-  using Integer = Bounded<int>;
-  using Number = Bounded<double>;
 
-  /// One of a few names, kept as an enum or as the number that the name stands for.
+  /// One of its parameter's choices, kept as an enum or as the number that its name stands for.
   struct Choice {
-    std::span<const std::string_view> names;
     int (*get)(const Fields&);
     void (*put)(Fields&, int);
 
-    bool in_range(const Fields& fields) const {
-      return static_cast<std::size_t>(get(fields)) < names.size();
+    bool in_range(const Fields& fields, const Parameter& info) const {
+      return static_cast<std::size_t>(get(fields)) < info.choices.size();
     }
     bool same(const Fields& a, const Fields& b) const { return get(a) == get(b); }
-    std::string text(const Fields& fields) const {
-      return in_range(fields) ? std::string(names[get(fields)]) : "not one of its values";
+    std::string text(const Fields& fields, const Parameter& info) const {
+      return in_range(fields, info) ? std::string(info.choices[get(fields)])
+                                    : "not one of its values";
     }
     void set(Fields& fields, const Parameter& info, std::string_view text) const {
-      for (std::size_t i = 0; i < names.size(); ++i) {
-        if (names[i] == text) return put(fields, static_cast<int>(i));
+      const auto found = std::ranges::find(info.choices, text);
+      if (found != info.choices.end()) {
+        return put(fields, static_cast<int>(found - info.choices.begin()));
       }
       throw invalid_parameter(std::string(info.name) + " is \"" + std::string(text) + "\"",
-                              did_you_mean(text, names) + " It must be " + std::string(info.range));
+                              did_you_mean(text, info.choices) + " It must be " + info.range());
     }
   };
 
@@ -147,8 +132,9 @@ class ParameterTable {
 
   struct Entry {
     Parameter info;
-    std::variant<Integer, Number, Choice> value;
+    std::variant<Bounded<int>, Bounded<double>, Choice> value;
     bool (*is_read)(const Fields&) = nullptr;  // null: always
+    bool is_alternative = false;               // to the rules that read it, else beside them
 
     /// The same, read only under a condition.
     constexpr Entry only_with(const Condition& condition) const {
@@ -157,15 +143,32 @@ class ParameterTable {
       entry.is_read = condition.holds;
       return entry;
     }
+    /// The same, read under a condition as well as by the rules that read it.
+    constexpr Entry also_with(const Condition& condition) const {
+      Entry entry = only_with(condition);
+      entry.is_alternative = true;
+      return entry;
+    }
   };
+
+  /// A number from `least` to `most`.
+  static constexpr Entry number(std::string_view name, int Fields::*member, int least, int most,
+                                std::string_view summary, std::string_view earlier = {}) {
+    return {{name, "integer", summary, {}, 1.0 * least, 1.0 * most, earlier}, Bounded<int>{member}};
+  }
+  static constexpr Entry number(std::string_view name, double Fields::*member, double least,
+                                double most, std::string_view summary,
+                                std::string_view earlier = {}) {
+    return {{name, "number", summary, {}, least, most, earlier}, Bounded<double>{member}};
+  }
 
   /// The choice that the field `kMember` keeps as the index of its name.
   template <auto kMember, const auto& kNames>
   static constexpr Entry choice(std::string_view name, std::string_view summary,
                                 std::string_view earlier = {}) {
     using Value = std::remove_reference_t<decltype(std::declval<Fields&>().*kMember)>;
-    return {{name, "choice", kJoined<kNames>, summary, earlier},
-            Choice{kNames, [](const Fields& fields) { return static_cast<int>(fields.*kMember); },
+    return {{name, "choice", summary, kNames, 0, 0, earlier},
+            Choice{[](const Fields& fields) { return static_cast<int>(fields.*kMember); },
                    [](Fields& fields, int i) { fields.*kMember = static_cast<Value>(i); }}};
   }
 
@@ -181,6 +184,19 @@ class ParameterTable {
   constexpr explicit ParameterTable(std::span<const std::span<const Entry>> lists)
       : lists_(lists) {}
 
+  /// @throws Error(invalid_parameter) for an unknown name.
+  const Entry& entry(std::string_view name) const {
+    std::vector<Parameter> known;
+    for (const auto list : lists_) {
+      for (const Entry& e : list) {
+        if (e.info.name == name) return e;
+        known.push_back(e.info);
+      }
+    }
+    throw invalid_parameter("unknown parameter \"" + std::string(name) + "\"",
+                            did_you_mean(name, std::span<const Parameter>(known)));
+  }
+
   /// "evaporation" sets the persistence to 1 less it, where there is one.
   /// @throws Error(invalid_parameter) for an unknown name, a value that is none or out of range.
   void set(Fields& fields, std::string_view name, std::string_view text) const {
@@ -191,8 +207,9 @@ class ParameterTable {
             "rho is the share lost in some sources and the share kept in others",
             "set persistence, the share kept, or evaporation, the share lost");
       }
-      const Parameter lost{kEvaporation, kept.info.type, kept.info.range, ""};
-      const auto& number = std::get<Number>(kept.value);
+      Parameter lost = kept.info;
+      lost.name = kEvaporation;
+      const auto& number = std::get<Bounded<double>>(kept.value);
       number.set(fields, lost, text);
       fields.*number.member = 1 - fields.*number.member;
       return;
@@ -205,13 +222,6 @@ class ParameterTable {
   /// @throws Error(invalid_parameter) for an unknown name.
   std::string get(const Fields& fields, std::string_view name) const {
     return text_of(fields, entry(name));
-  }
-
-  /// Why this field has no effect beside the others; empty where it has one.
-  std::string why_unread(const Fields& fields, std::string_view name) const {
-    const Entry& e = entry(name);
-    if (e.is_read == nullptr || e.is_read(fields)) return {};
-    return "it is read only with " + std::string(e.info.only_with);
   }
 
   /// @throws Error(invalid_parameter) for the first field that is not as in `published`, though the
@@ -236,7 +246,8 @@ class ParameterTable {
   void check(const Fields& fields) const {
     for (const auto list : lists_) {
       for (const Entry& e : list) {
-        if (!std::visit([&](const auto& value) { return value.in_range(fields); }, e.value)) {
+        if (!std::visit([&](const auto& value) { return value.in_range(fields, e.info); },
+                        e.value)) {
           throw out_of_range(e.info, text_of(fields, e));
         }
       }
@@ -248,23 +259,12 @@ class ParameterTable {
  private:
   static Error out_of_range(const Parameter& info, std::string_view value) {
     return invalid_parameter(std::string(info.name) + " is " + std::string(value),
-                             "it must be " + std::string(info.range));
+                             "it must be " + info.range());
   }
 
   static std::string text_of(const Fields& fields, const Entry& entry) {
-    return std::visit([&](const auto& value) { return value.text(fields); }, entry.value);
-  }
-
-  const Entry& entry(std::string_view name) const {
-    std::vector<Parameter> known;
-    for (const auto list : lists_) {
-      for (const Entry& e : list) {
-        if (e.info.name == name) return e;
-        known.push_back(e.info);
-      }
-    }
-    throw invalid_parameter("unknown parameter \"" + std::string(name) + "\"",
-                            did_you_mean(name, std::span<const Parameter>(known)));
+    return std::visit([&](const auto& value) { return value.text(fields, entry.info); },
+                      entry.value);
   }
 
   std::span<const std::span<const Entry>> lists_;

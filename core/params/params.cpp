@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "core/params/parameter_table.h"
 #include "core/params/presets.h"
@@ -12,65 +16,73 @@ namespace {
 
 using Table = ParameterTable<Params>;
 using Entry = Table::Entry;
-using Integer = Table::Integer;
-using Number = Table::Number;
 
-template <auto kMember, auto kValue>
-constexpr bool is(const Params& p) {
-  return p.*kMember == kValue;
+// Adds the rules that read a parameter where only some do: "update=rank|max-min", or "an update but
+// learning" where most do.
+template <class Rules>
+void add_readers(std::string& words, std::string_view kind, std::string_view parameter,
+                 const Rules& rules) {
+  const auto reads = [&](const auto& rule) { return rule.reads(parameter); };
+  const auto readers = static_cast<std::size_t>(std::ranges::count_if(rules, reads));
+  if (readers == 0 || readers == rules.size()) return;
+  const bool most = 2 * readers > rules.size();
+  if (!words.empty()) words += ", ";
+  if (most) words += kind.front() == 'u' ? "an " : "a ";
+  words += kind;
+  std::string_view before = most ? " but " : "=";
+  for (const auto& rule : rules) {
+    if (reads(rule) != most) words.append(std::exchange(before, "|")).append(rule.name);
+  }
 }
-template <auto kMember, auto kValue>
-constexpr bool is_not(const Params& p) {
-  return p.*kMember != kValue;
+// Those of every kind; empty: the parameter does not depend on them.
+std::string readers_of(std::string_view parameter) {
+  std::string words;
+  add_readers(words, "heuristic", parameter, kHeuristics);
+  add_readers(words, "visibility", parameter, kVisibilities);
+  add_readers(words, "update", parameter, kUpdates);
+  return words;
 }
-template <auto kMember>
-constexpr bool is_positive(const Params& p) {
-  return p.*kMember > 0;
+bool is_read_by_rules(const Params& p, std::string_view parameter) {
+  return rule_of(p.heuristic, kHeuristics).reads(parameter) ||
+         rule_of(p.visibility, kVisibilities).reads(parameter) ||
+         rule_of(p.update, kUpdates).reads(parameter);
 }
-template <bool (*... kHold)(const Params&)>
-constexpr bool all_of(const Params& p) {
-  return (kHold(p) && ...);
+std::string only_with(const Entry& e) {
+  std::string words = readers_of(e.info.name);
+  if (!words.empty() && e.is_read != nullptr) words += e.is_alternative ? ", or " : " and ";
+  return words.append(e.info.only_with);
 }
 
-constexpr bool reads_beta(const Params& p) {
-  const bool steps_differ =
-      p.visibility == Visibility::inverse_step && p.neighbours != Neighbours::four;
-  return steps_differ || p.visibility == Visibility::heading_change ||
-         p.update == Update::terminal_index ||
-         !(p.heuristic == Heuristic::uniform || p.heuristic == Heuristic::rescaled_distance);
-}
-constexpr bool reads_deposit(const Params& p) {
-  const bool straight = p.polish != Polish::none && p.straight_deposit != StraightDeposit::none;
-  const bool first = p.update == Update::learning && p.initial_pheromone == 0;
-  return (p.update != Update::terminal_index && p.update != Update::learning) || straight || first;
-}
-// What several of them ask for.
-using Condition = Table::Condition;
-constexpr Condition kRescaled{"heuristic=rescaled-distance",
-                              is<&Params::heuristic, Heuristic::rescaled_distance>};
-constexpr Condition kUntilCriticalTime{"critical_time above 0",
-                                       is_positive<&Params::critical_time>};
-constexpr Condition kNoIndex{"an update but terminal-index",
-                             is_not<&Params::update, Update::terminal_index>};
-constexpr Condition kMaxMin{"update=max-min", is<&Params::update, Update::max_min>};
-constexpr Condition kIndex{"update=terminal-index", is<&Params::update, Update::terminal_index>};
-constexpr Condition kLearning{"update=learning", is<&Params::update, Update::learning>};
+constexpr Table::Condition kUntilCriticalTime{"critical_time above 0",
+                                              [](const Params& p) { return p.critical_time > 0; }};
 
-// Every parameter of the grid colonies.
+bool steps_differ(const Params& p) {
+  return p.visibility == Visibility::inverse_step && p.neighbours != Neighbours::four;
+}
+bool first_beta_counts(const Params& p) {
+  return p.critical_time > 0 && why_unread(p, "beta").empty();
+}
+bool straight_paths_deposit(const Params& p) {
+  return p.polish != Polish::none && p.straight_deposit != StraightDeposit::none;
+}
+bool deposit_counts_beside_update(const Params& p) {
+  const bool at_first = p.initial_pheromone == 0 && is_read_by_rules(p, "initial_pheromone");
+  return at_first || straight_paths_deposit(p);
+}
+
+// Every parameter of the grid colonies, with what it waits for beside the rules that read it.
 constexpr std::array kColony{
-    Entry{{"ants", "integer", "1 .. 1000000", "ants an iteration, m"},
-          Integer{&Params::ants, 1, 1000000}},
-    Entry{{"iterations", "integer", "0 .. 1000000000", "iterations, T"},
-          Integer{&Params::iterations, 0, 1000000000}},
+    Table::number("ants", &Params::ants, 1, 1000000, "ants an iteration, m"),
+    Table::number("iterations", &Params::iterations, 0, 1000000000, "iterations, T"),
     Table::choice<&Params::neighbours, kNeighboursNames>("neighbours", "moves of an ant"),
     Table::choice<&Params::corners, kCornersNames>(
         "corners", "free side cells that a diagonal move needs: both, one, none")
-        .only_with({"neighbours above 4", is_not<&Params::neighbours, Neighbours::four>}),
+        .only_with({"neighbours above 4",
+                    [](const Params& p) { return p.neighbours != Neighbours::four; }}),
     Table::choice<&Params::polish, kPolishNames>("polish", "what is done with each ant's tour"),
-    Entry{{"straight_window", "number", "0 .. 1e6",
-           "how far from a segment a stretch may go that it replaces, cells", "10"},
-          Number{&Params::straight_window, 0, 1e6}}
-        .only_with({"polish=local", is<&Params::polish, Polish::local>}),
+    Table::number("straight_window", &Params::straight_window, 0, 1e6,
+                  "how far from a segment a stretch may go that it replaces, cells", "10")
+        .only_with({"polish=local", [](const Params& p) { return p.polish == Polish::local; }}),
     Table::choice<&Params::dead_end, kDeadEndNames>("dead_end",
                                                     "what an ant does when every move is closed"),
     Table::choice<&Params::walk_cut, kWalkCutNames>(
@@ -82,141 +94,94 @@ constexpr std::array kColony{
                                                        "weight of a move by where it leads"),
     Table::choice<&Params::visibility, kVisibilityNames>(
         "visibility", "weight of a move by itself and the one before"),
-    Entry{{"alpha", "number", "0 .. 20", "exponent of pheromone from the critical time on"},
-          Number{&Params::alpha, 0, 20}},
-    Entry{{"beta", "number", "0 .. 20", "exponent of visibility and inverse distance, likewise"},
-          Number{&Params::beta, 0, 20}}
-        .only_with({"visibility=heading-change, or inverse-step with neighbours above 4, or a "
-                    "heuristic but uniform and rescaled-distance, or update=terminal-index",
-                    reads_beta}),
-    Entry{{"greedy", "number", "0 .. 1", "share of steps that take the largest weight, q0"},
-          Number{&Params::greedy, 0, 1}},
-    Entry{{"critical_time", "integer", "0 .. 1000000000",
-           "iteration from which exponents and shares are constant, but for the distance rule's "
-           "until settling_time, mc; 0: always"},
-          Integer{&Params::critical_time, 0, 1000000000}},
-    Entry{{"alpha_first", "number", "0 .. 20", "alpha at iteration 0"},
-          Number{&Params::alpha_first, 0, 20}}
+    Table::number("alpha", &Params::alpha, 0, 20,
+                  "exponent of pheromone from the critical time on"),
+    Table::number("beta", &Params::beta, 0, 20,
+                  "exponent of visibility and inverse distance, likewise")
+        .also_with({"visibility=inverse-step with neighbours above 4", steps_differ}),
+    Table::number("greedy", &Params::greedy, 0, 1,
+                  "share of steps that take the largest weight, q0"),
+    Table::number("critical_time", &Params::critical_time, 0, 1000000000,
+                  "iteration from which exponents and shares are constant, but for the distance "
+                  "rule's until settling_time, mc; 0: always"),
+    Table::number("alpha_first", &Params::alpha_first, 0, 20, "alpha at iteration 0")
         .only_with(kUntilCriticalTime),
-    Entry{{"beta_first", "number", "0 .. 20", "beta at iteration 0"},
-          Number{&Params::beta_first, 0, 20}}
-        .only_with({"those that read beta, and critical_time above 0",
-                    all_of<reads_beta, is_positive<&Params::critical_time>>}),
-    Entry{{"omega", "number", "0 .. 1000000", "rescaled distance: ((Dmax - d) omega + mu)^lambda"},
-          Number{&Params::omega, 0, 1e6}}
-        .only_with(kRescaled),
-    Entry{{"mu", "number", "0.000001 .. 1000000", "rescaled distance: offset"},
-          Number{&Params::mu, 1e-6, 1e6}}
-        .only_with(kRescaled),
-    Entry{{"lambda", "number", "0 .. 20", "rescaled distance: exponent"},
-          Number{&Params::lambda, 0, 20}}
-        .only_with(kRescaled),
-    Entry{{"pheromone_rule_first", "number", "0 .. 1000000",
-           "share of steps by pheromone alone at iteration 0"},
-          Number{&Params::pheromone_rule_first, 0, 1e6}}
+    Table::number("beta_first", &Params::beta_first, 0, 20, "beta at iteration 0")
+        .only_with({"those that read beta, and critical_time above 0", first_beta_counts}),
+    Table::number("omega", &Params::omega, 0, 1e6,
+                  "rescaled distance: ((Dmax - d) omega + mu)^lambda"),
+    Table::number("mu", &Params::mu, 1e-6, 1e6, "rescaled distance: offset"),
+    Table::number("lambda", &Params::lambda, 0, 20, "rescaled distance: exponent"),
+    Table::number("pheromone_rule_first", &Params::pheromone_rule_first, 0, 1e6,
+                  "share of steps by pheromone alone at iteration 0")
         .only_with(kUntilCriticalTime),
-    Entry{{"pheromone_rule", "number", "0 .. 1000000", "the same from the critical time on"},
-          Number{&Params::pheromone_rule, 0, 1e6}},
-    Entry{{"distance_rule_first", "number", "0 .. 1000000",
-           "share of steps by the heuristic alone at iteration 0"},
-          Number{&Params::distance_rule_first, 0, 1e6}}
+    Table::number("pheromone_rule", &Params::pheromone_rule, 0, 1e6,
+                  "the same from the critical time on"),
+    Table::number("distance_rule_first", &Params::distance_rule_first, 0, 1e6,
+                  "share of steps by the heuristic alone at iteration 0")
         .only_with(kUntilCriticalTime),
-    Entry{{"distance_rule", "number", "0 .. 1000000", "the same at the critical time"},
-          Number{&Params::distance_rule, 0, 1e6}},
-    Entry{
-        {"distance_rule_last", "number", "0 .. 1000000", "the same from the settling time on", "0"},
-        Number{&Params::distance_rule_last, 0, 1e6}}
-        .only_with({"settling_time above 0", is_positive<&Params::settling_time>}),
-    Entry{{"settling_time", "integer", "0 .. 1000000000",
-           "iteration from which the share of the distance rule is its last one; 0: it stays", "0"},
-          Integer{&Params::settling_time, 0, 1000000000}},
-    Entry{{"combined_rule_first", "number", "0 .. 1000000",
-           "share of steps by the product of both at iteration 0"},
-          Number{&Params::combined_rule_first, 0, 1e6}}
+    Table::number("distance_rule", &Params::distance_rule, 0, 1e6, "the same at the critical time"),
+    Table::number("distance_rule_last", &Params::distance_rule_last, 0, 1e6,
+                  "the same from the settling time on", "0")
+        .only_with({"settling_time above 0", [](const Params& p) { return p.settling_time > 0; }}),
+    Table::number(
+        "settling_time", &Params::settling_time, 0, 1000000000,
+        "iteration from which the share of the distance rule is its last one; 0: it stays", "0"),
+    Table::number("combined_rule_first", &Params::combined_rule_first, 0, 1e6,
+                  "share of steps by the product of both at iteration 0")
         .only_with(kUntilCriticalTime),
-    Entry{{"combined_rule", "number", "0 .. 1000000", "the same from the critical time on"},
-          Number{&Params::combined_rule, 0, 1e6}},
+    Table::number("combined_rule", &Params::combined_rule, 0, 1e6,
+                  "the same from the critical time on"),
     Table::choice<&Params::update, kUpdateNames>("update",
                                                  "how the trail changes after an iteration"),
-    Entry{{"persistence", "number", "0 .. 1", "share of pheromone that remains after an iteration"},
-          Number{&Params::persistence, 0, 1}}
-        .only_with(kNoIndex),
-    Entry{{"initial_pheromone", "number", "0 .. 1e9",
-           "pheromone everywhere at first, tau0; 0: the formula of the update's source"},
-          Number{&Params::initial_pheromone, 0, 1e9}}
-        .only_with(kNoIndex),
-    Entry{{"deposit", "number", "0 .. 1e9", "an ant of tour length L deposits deposit / L, Q"},
-          Number{&Params::deposit, 0, 1e9}}
-        .only_with(
-            {"an update but terminal-index, learning with initial_pheromone=0, or straight_deposit",
-             reads_deposit}),
+    Table::number("persistence", &Params::persistence, 0, 1,
+                  "share of pheromone that remains after an iteration"),
+    Table::number("initial_pheromone", &Params::initial_pheromone, 0, 1e9,
+                  "pheromone everywhere at first, tau0; 0: the formula of the update's source"),
+    Table::number("deposit", &Params::deposit, 0, 1e9,
+                  "an ant of tour length L deposits deposit / L, Q")
+        .also_with({"initial_pheromone=0 where that is read, or straight_deposit",
+                    deposit_counts_beside_update}),
     Table::choice<&Params::straight_deposit, kStraightDepositNames>(
         "straight_deposit", "which straightened paths get pheromone too")
-        .only_with({"polish=straight|taut|local", is_not<&Params::polish, Polish::none>}),
-    Entry{{"elite_weight", "number", "0 .. 1e6", "weight of the best tour so far, e"},
-          Number{&Params::elite_weight, 0, 1e6}}
-        .only_with({"update=elitist", is<&Params::update, Update::elitist>}),
-    Entry{{"ranks", "integer", "2 .. 1000000",
-           "weight of the best tour so far, w; w - 1 ranked ants deposit too"},
-          Integer{&Params::ranks, 2, 1000000}}
-        .only_with({"update=rank", is<&Params::update, Update::rank>}),
-    Entry{{"elite_ants", "integer", "1 .. 1000000", "ants that deposit"},
-          Integer{&Params::elite_ants, 1, 1000000}}
-        .only_with({"update=best-share", is<&Params::update, Update::best_share>}),
-    Entry{{"best_so_far_every", "integer", "0 .. 1000000000",
-           "iterations between deposits of the best tour so far; 0: never"},
-          Integer{&Params::best_so_far_every, 0, 1000000000}}
-        .only_with(kMaxMin),
-    Entry{{"best_probability", "number", "1e-9 .. 1",
-           "chance to draw the best tour again at the bounds, p_best"},
-          Number{&Params::best_probability, 1e-9, 1}}
-        .only_with(kMaxMin),
-    Entry{{"local_evaporation", "number", "0 .. 1",
-           "share of a crossed trail that returns to tau0, xi"},
-          Number{&Params::local_evaporation, 0, 1}}
-        .only_with({"update=colony-system", is<&Params::update, Update::colony_system>}),
-    Entry{{"batch", "integer", "0 .. 1000000",
-           "ants that walk before a local update; 1 is the source, 0 all of them"},
-          Integer{&Params::batch, 0, 1000000}}
-        .only_with({"update=colony-system and local_evaporation above 0",
-                    all_of<is<&Params::update, Update::colony_system>,
-                           is_positive<&Params::local_evaporation>>}),
-    Entry{{"agreement", "integer", "0 .. 1000000000",
-           "iterations in a row with all ants on one way that end the run; 0: never", "0"},
-          Integer{&Params::agreement, 0, 1000000000}},
-    Entry{{"unknown_index", "number", "1 .. 1e6",
-           "terminal index of unknown cells, for 20 x 20 cells"},
-          Number{&Params::unknown_index, 1, 1e6}}
-        .only_with(kIndex),
-    Entry{{"index_spread", "number", "0 .. 1", "q of K' = K - q Kmin"},
-          Number{&Params::index_spread, 0, 1}}
-        .only_with(kIndex),
-    Table::choice<&Params::index_answer, kIndexAnswerNames>(
-        "index_answer", "reading of \"the largest gradient\" that an answer follows", "least-way")
-        .only_with(kIndex),
-    Entry{{"reward", "number", "0 .. 1e6", "factor of the reward"}, Number{&Params::reward, 0, 1e6}}
-        .only_with(kLearning),
-    Table::choice<&Params::reward_reading, kRewardNames>("reward_reading",
-                                                         "reading of the reward's formula")
-        .only_with(kLearning),
-    Entry{{"penalty", "number", "0 .. 1", "what a dead end leaves of tau and eta"},
-          Number{&Params::penalty, 0, 1}}
+        .only_with({"polish=straight|taut|local",
+                    [](const Params& p) { return p.polish != Polish::none; }}),
+    Table::number("elite_weight", &Params::elite_weight, 0, 1e6,
+                  "weight of the best tour so far, e"),
+    Table::number("ranks", &Params::ranks, 2, 1000000,
+                  "weight of the best tour so far, w; w - 1 ranked ants deposit too"),
+    Table::number("elite_ants", &Params::elite_ants, 1, 1000000, "ants that deposit"),
+    Table::number("best_so_far_every", &Params::best_so_far_every, 0, 1000000000,
+                  "iterations between deposits of the best tour so far; 0: never"),
+    Table::number("best_probability", &Params::best_probability, 1e-9, 1,
+                  "chance to draw the best tour again at the bounds, p_best"),
+    Table::number("local_evaporation", &Params::local_evaporation, 0, 1,
+                  "share of a crossed trail that returns to tau0, xi"),
+    Table::number("batch", &Params::batch, 0, 1000000,
+                  "ants that walk before a local update; 1 is the source, 0 all of them")
         .only_with(
-            {"update=learning and dead_end=kill",
-             all_of<is<&Params::update, Update::learning>, is<&Params::dead_end, DeadEnd::kill>>}),
+            {"local_evaporation above 0", [](const Params& p) { return p.local_evaporation > 0; }}),
+    Table::number("agreement", &Params::agreement, 0, 1000000000,
+                  "iterations in a row with all ants on one way that end the run; 0: never", "0"),
+    Table::number("unknown_index", &Params::unknown_index, 1, 1e6,
+                  "terminal index of unknown cells, for 20 x 20 cells"),
+    Table::number("index_spread", &Params::index_spread, 0, 1, "q of K' = K - q Kmin"),
+    Table::choice<&Params::index_answer, kIndexAnswerNames>(
+        "index_answer", "reading of \"the largest gradient\" that an answer follows", "least-way"),
+    Table::number("reward", &Params::reward, 0, 1e6, "factor of the reward"),
+    Table::choice<&Params::reward_reading, kRewardNames>("reward_reading",
+                                                         "reading of the reward's formula"),
+    Table::number("penalty", &Params::penalty, 0, 1, "what a dead end leaves of tau and eta")
+        .only_with({"dead_end=kill", [](const Params& p) { return p.dead_end == DeadEnd::kill; }}),
 };
 
 // What the genetic algorithm has of its own.
 constexpr std::array kGenetic{
-    Entry{{"population", "integer", "2 .. 1000000", "paths of a generation"},
-          Integer{&Params::population, 2, 1000000}},
-    Entry{{"crossover", "number", "0 .. 1", "probability that two parents cross"},
-          Number{&Params::crossover, 0, 1}},
-    Entry{{"mutation", "number", "0 .. 1", "probability that a child gets a new way to the goal"},
-          Number{&Params::mutation, 0, 1}},
+    Table::number("population", &Params::population, 2, 1000000, "paths of a generation"),
+    Table::number("crossover", &Params::crossover, 0, 1, "probability that two parents cross"),
+    Table::number("mutation", &Params::mutation, 0, 1,
+                  "probability that a child gets a new way to the goal"),
 };
-
-constexpr auto kColonyParameters = Table::infos(kColony);
 
 // What the genetic algorithm shares with the colonies, then its own.
 constexpr auto kGeneticParameters = [] {
@@ -227,7 +192,7 @@ constexpr auto kGeneticParameters = [] {
   for (const Entry& e : kColony) {
     if (std::ranges::find(kShared, e.info.name) == kShared.end()) continue;
     *next = e.info;
-    if (e.info.name == "neighbours") next->range = "4|8";  // see validate()
+    if (e.info.name == "neighbours") next->choices = next->choices.first(2);  // see validate()
     ++next;
   }
   for (const Entry& e : kGenetic) *next++ = e.info;
@@ -240,7 +205,19 @@ constexpr Table kTable(kEntries);
 
 }  // namespace
 
-std::span<const Parameter> colony_parameters() noexcept { return kColonyParameters; }
+std::span<const Parameter> colony_parameters() noexcept {
+  static const auto words = [] {
+    std::array<std::string, kColony.size()> all;
+    std::ranges::transform(kColony, all.begin(), only_with);
+    return all;
+  }();
+  static const auto list = [] {
+    auto all = Table::infos(kColony);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].only_with = words[i];
+    return all;
+  }();
+  return list;
+}
 std::span<const Parameter> genetic_parameters() noexcept { return kGeneticParameters; }
 
 void set_parameter(Params& params, std::string_view name, std::string_view value) {
@@ -253,9 +230,27 @@ std::string get_parameter(const Params& params, std::string_view name) {
 
 std::string why_unread(const Params& params, std::string_view name) {
   if (name == kEvaporation) name = kPersistence;
-  std::string why = kTable.why_unread(params, name);
-  const bool known = find_algorithm(params.algorithm()).has(name);
-  return known ? why : params.algorithm() + " does not read it";
+  const Entry& e = kTable.entry(name);
+  if (!find_algorithm(params.algorithm()).has(name))
+    return params.algorithm() + " does not read it";
+  const bool by_rules = readers_of(name).empty() || is_read_by_rules(params, name);
+  const bool beside = e.is_read == nullptr || e.is_read(params);
+  const bool is_read = e.is_alternative ? by_rules || beside : by_rules && beside;
+  return is_read ? std::string() : "it is read only with " + only_with(e);
+}
+
+std::string Parameter::text_of(double end) const {
+  if (type == "integer") return number_text(static_cast<std::int64_t>(end));
+  std::string digits = number_text(end);  // 1e6, not 1e+06
+  const auto sign = digits.find('e') + 1;
+  if (sign > 0 && digits[sign + 1] == '0') digits.replace(sign, 2, digits[sign] == '-' ? "-" : "");
+  return digits;
+}
+
+std::string Parameter::range() const {
+  std::string text;
+  for (const std::string_view choice : choices) (text += text.empty() ? "" : "|") += choice;
+  return choices.empty() ? text_of(least) + " .. " + text_of(most) : text;
 }
 
 bool Algorithm::has(std::string_view parameter) const noexcept {
@@ -304,8 +299,7 @@ void validate(const Params& params) {
   const bool index = params.update == Update::terminal_index;
   const bool learning = params.update == Update::learning;
   const bool cells = params.trail == Trail::cells;
-  const bool straight_deposits =
-      params.polish != Polish::none && params.straight_deposit != StraightDeposit::none;
+  const bool straight_deposits = straight_paths_deposit(params);
   const auto refuse_if = [](bool wrong, const char* problem, const char* remedy) {
     if (wrong) throw invalid_parameter(problem, remedy);
   };

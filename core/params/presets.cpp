@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <tuple>
 #include <type_traits>
 
@@ -309,8 +310,12 @@ Params::Params(std::string_view algorithm, Preset preset) {
   algorithm_ = found.name;
   const Listed& entry = listed(found);
   if (preset == Preset::book && entry.set_book == nullptr) {
+    std::string others;
+    for (const Listed& one : presets()) {
+      if (one.set_book != nullptr) (others += others.empty() ? "" : ", ") += one.algorithm.name;
+    }
     throw invalid_parameter(algorithm_ + " has no preset book",
-                            "only as, eas, ras, mmas and acs have the numbers of a textbook");
+                            "those with the numbers of a textbook: " + others);
   }
   (preset == Preset::book ? entry.set_book : entry.set)(*this);
 }

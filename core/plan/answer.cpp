@@ -32,7 +32,7 @@ class ExactView final : public GridProgress {
 };
 
 Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Request& request,
-                 Workspace::Impl& memory, const Observer& observer) {
+                 WorkspaceMemory& memory, const Observer& observer) {
   ExactAnswer& answer = memory.exact_answer;
   int improvements = 0;
   const OnImproved show = [&](const std::vector<Point>& path, double length, double bound) {
@@ -59,7 +59,7 @@ Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Reques
     case ExactEnd::unreachable:
       return failed<Result>(Status::unreachable, Fault::disconnected, {});
     case ExactEnd::stopped:
-      result.status = status_after(answer.cause, Status::limit);
+      end_run(result, answer.cause, Status::limit);
       break;
   }
   result.path = answer.path;
@@ -119,7 +119,7 @@ Result answer(const PlanningMap& map, const Request& request, const Params& para
   const auto connected = map.connected(request.start, request.goal, corners);
   Result result;
   if (!connected) {
-    result.status = status_after(request.stop.poll(), Status::limit);
+    end_run(result, request.stop.poll(), Status::limit);
     return result;
   }
   if (!*connected) {
@@ -130,7 +130,7 @@ Result answer(const PlanningMap& map, const Request& request, const Params& para
 
   std::optional<Workspace> temporary;
   if (workspace == nullptr) workspace = &temporary.emplace();
-  Workspace::Impl& memory = workspace->impl();
+  WorkspaceMemory& memory = WorkspaceMemory::of(*workspace);
   switch (algorithm.kind) {
     case Algorithm::Kind::exact:
       result = run_exact(grid, map.graph, request, memory, observer);

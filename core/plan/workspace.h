@@ -11,8 +11,7 @@
 
 namespace lasius {
 
-class Workspace::Impl {
- public:
+struct WorkspaceMemory {
   ColonyMemory colony;
   GridGaMemory genetic;
   ExactSearch exact;
@@ -24,6 +23,13 @@ class Workspace::Impl {
     return static_cast<std::int64_t>(sizeof *this) + colony.bytes() + genetic.bytes() +
            exact.bytes() + prepared.bytes() + hurried.bytes() + held_bytes(exact_answer.path);
   }
+  static WorkspaceMemory& of(Workspace& workspace) noexcept;
 };
+
+class Workspace::Impl : public WorkspaceMemory {};
+
+inline WorkspaceMemory& WorkspaceMemory::of(Workspace& workspace) noexcept {
+  return *workspace.impl_;
+}
 
 }  // namespace lasius

@@ -10,48 +10,39 @@ namespace {
 
 using Table = ParameterTable<Params>;
 using Entry = Table::Entry;
-using Integer = Table::Integer;
-using Number = Table::Number;
 
-constexpr Entry kIterations{{"iterations", "integer", "0 .. 1000000000", "iterations, NC"},
-                            Integer{&Params::iterations, 0, 1000000000}};
-constexpr Entry kRoutes{{"routes", "integer", "1 .. 1000",
-                         "line sequences that are searched, the shortest through midpoints first"},
-                        Integer{&Params::routes, 1, 1000}};
+constexpr Entry kIterations =
+    Table::number("iterations", &Params::iterations, 0, 1000000000, "iterations, NC");
+constexpr Entry kRoutes =
+    Table::number("routes", &Params::routes, 1, 1000,
+                  "line sequences that are searched, the shortest through midpoints first");
 
 constexpr std::array kColony{
-    Entry{{"ants", "integer", "1 .. 1000000", "ants an iteration, m"},
-          Integer{&Params::ants, 1, 1000000}},
+    Table::number("ants", &Params::ants, 1, 1000000, "ants an iteration, m"),
     kIterations,
-    Entry{{"values", "integer", "2 .. 10001", "crossing points of a line, evenly spaced"},
-          Integer{&Params::values, 2, 10001}},
-    Entry{{"beta", "number", "0 .. 20", "exponent of visibility"}, Number{&Params::beta, 0, 20}},
-    Entry{{"greedy", "number", "0 .. 1", "share of choices that take the largest weight, q0"},
-          Number{&Params::greedy, 0, 1}},
-    Entry{{"persistence", "number", "0 .. 1", "share of pheromone that either update leaves"},
-          Number{&Params::persistence, 0, 1}},
-    Entry{{"initial_pheromone", "number", "0 .. 1e9",
-           "pheromone everywhere at first, tau0; 0: 1 / (lines x Dijkstra's length)"},
-          Number{&Params::initial_pheromone, 0, 1e9}},
+    Table::number("values", &Params::values, 2, 10001, "crossing points of a line, evenly spaced"),
+    Table::number("beta", &Params::beta, 0, 20, "exponent of visibility"),
+    Table::number("greedy", &Params::greedy, 0, 1,
+                  "share of choices that take the largest weight, q0"),
+    Table::number("persistence", &Params::persistence, 0, 1,
+                  "share of pheromone that either update leaves"),
+    Table::number("initial_pheromone", &Params::initial_pheromone, 0, 1e9,
+                  "pheromone everywhere at first, tau0; 0: 1 / (lines x Dijkstra's length)"),
     Table::choice<&Params::global_best, kGlobalBestNames>(
         "global_best", "which best path the global update deposits on"),
-    Entry{
-        {"agreement", "integer", "0 .. 1000000000",
-         "iterations in a row with all ants on one way that end the run; the source: 1; 0: never"},
-        Integer{&Params::agreement, 0, 1000000000}},
+    Table::number(
+        "agreement", &Params::agreement, 0, 1000000000,
+        "iterations in a row with all ants on one way that end the run; the source: 1; 0: never"),
     kRoutes,
 };
 
 constexpr std::array kGenetic{
     kIterations,
-    Entry{{"population", "integer", "2 .. 1000000", "chromosomes"},
-          Integer{&Params::population, 2, 1000000}},
-    Entry{{"crossover", "number", "0 .. 1", "probability that two parents cross"},
-          Number{&Params::crossover, 0, 1}},
-    Entry{{"mutation", "number", "0 .. 1", "probability that a gene is drawn anew"},
-          Number{&Params::mutation, 0, 1}},
-    Entry{{"blend", "number", "0 .. 1", "share of the other parent in a child that was crossed"},
-          Number{&Params::blend, 0, 1}},
+    Table::number("population", &Params::population, 2, 1000000, "chromosomes"),
+    Table::number("crossover", &Params::crossover, 0, 1, "probability that two parents cross"),
+    Table::number("mutation", &Params::mutation, 0, 1, "probability that a gene is drawn anew"),
+    Table::number("blend", &Params::blend, 0, 1,
+                  "share of the other parent in a child that was crossed"),
     kRoutes,
 };
 

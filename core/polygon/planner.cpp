@@ -269,7 +269,7 @@ Point end_of(const char* what, const std::optional<Point>& asked,
 
 Result exact(const ShortestPath& shortest, const Observer& observer) {
   Result result;
-  result.status = status_after(shortest.cause, Status::solved);
+  end_run(result, shortest.cause, Status::solved);
   result.lower_bound = shortest.lower_bound;
   result.path = shortest.path;
   result.length = shortest.path.empty() ? kNaN : shortest.length;

@@ -29,7 +29,7 @@ void RoutePlan::run(const Place& start, const Place& goal, double optimum, Resul
     return cause == StopCondition::Cause::none && result.crossing.length > enough;
   });
   if (cause == StopCondition::Cause::none) cause = poller_.cause();
-  result.status = status_after(cause, Status::solved);
+  end_run(result, cause, Status::solved);
   result.path = result.crossing.path;
   result.length = result.crossing.length;
 }

@@ -24,9 +24,10 @@ py::tuple replans(const std::vector<Replan>& all) {
 
 /// In the order of the fields of lasius.DriveResult.
 py::tuple fields(const DriveResult& r) {
-  return py::make_tuple(text(to_string(r.status)), text(to_string(r.fault)), r.error,
-                        to_array(std::span<const Cell>(r.track)), r.ticks, replans(r.replans),
-                        r.seen, r.length, r.planning_ms, r.waits, r.deferred_changes);
+  return py::make_tuple(text(to_string(r.status)), text(to_string(r.limit)),
+                        text(to_string(r.fault)), r.error, to_array(std::span<const Cell>(r.track)),
+                        r.ticks, replans(r.replans), r.seen, r.length, r.planning_ms, r.waits,
+                        r.deferred_changes);
 }
 
 py::tuple driven(const Grid& map, const Grid& truth, Cell start, Cell goal, const Changes& changes,
@@ -34,11 +35,12 @@ py::tuple driven(const Grid& map, const Grid& truth, Cell start, Cell goal, cons
                  std::optional<double> seconds_per_tick, std::optional<double> time_limit,
                  const py::object& callback) {
   Call call(time_limit);
-  DriveOptions options{.navigator = navigator, .sense = sense, .max_ticks = max_ticks};
+  DriveOptions options{.sense = sense, .max_ticks = max_ticks, .seed = navigator.params.seed};
   if (seconds_per_tick) options.seconds_per_tick = *seconds_per_tick;
   const DriveObserver observe = observer<DriveTick>(call, callback);
-  const DriveResult result = call.run(
-      [&] { return drive(map, truth, start, goal, changes, options, call.condition(), observe); });
+  const DriveResult result = call.run([&] {
+    return drive(map, truth, start, goal, changes, options, navigator, call.condition(), observe);
+  });
   return py::make_tuple(call.error(), fields(result));
 }
 
@@ -65,7 +67,8 @@ void bind_tick(py::module_& module) {
                              [](const Seen& v) { return rectangles(v.get().obstacles); })
       .def_property_readonly(
           "news", [](const Seen& v) { return to_array(std::span<const Cell>(v.get().news)); })
-      .def_property_readonly("replanned", [](const Seen& v) { return v.get().replanned; });
+      .def_property_readonly("replanned", [](const Seen& v) { return v.get().replanned; })
+      .def("stop", [](const Seen& v) { v.get().stop(); });
 }
 
 void bind_changes(py::module_& module) {

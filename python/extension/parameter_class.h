@@ -2,20 +2,25 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "lasius/params.h"
 #include "python/extension/arrays.h"
 
 namespace lasius::python {
 
-/// (name, summary, source, kind, ((name, type, range, summary, only_with), ...)) of each algorithm.
+/// (name, summary, source, kind, parameters) of each algorithm; of each parameter (name, type,
+/// range, summary, only_with, choices, least, most).
 inline py::list described(std::span<const Algorithm> algorithms) {
   py::list all;
   for (const Algorithm& algorithm : algorithms) {
     py::list parameters;
-    for (const Parameter& p : algorithm.parameters)
-      parameters.append(py::make_tuple(text(p.name), text(p.type), text(p.range), text(p.summary),
-                                       text(p.only_with)));
+    for (const Parameter& p : algorithm.parameters) {
+      py::list choices;
+      for (const std::string_view choice : p.choices) choices.append(text(choice));
+      parameters.append(py::make_tuple(text(p.name), text(p.type), p.range(), text(p.summary),
+                                       text(p.only_with), py::tuple(choices), p.least, p.most));
+    }
     all.append(py::make_tuple(text(algorithm.name), text(algorithm.summary), text(algorithm.source),
                               text(to_string(algorithm.kind)), py::tuple(parameters)));
   }

@@ -41,8 +41,8 @@ class Lent {
   py::object object_;
 };
 
-/// An observer that calls `function` with a view, and ends the search where it raises: by the
-/// call's token, too, which is all that a drive has. Empty for None. Both must live as long.
+/// An observer that calls `function` with a view, and ends the search or drive where it raises.
+/// Empty for None. Both must live as long.
 template <class Progress>
 std::function<void(const Progress&)> observer(Call& call, const py::object& function) {
   if (function.is_none()) return {};
@@ -51,9 +51,7 @@ std::function<void(const Progress&)> observer(Call& call, const py::object& func
       const Lent view(progress);
       function(view.get());
     });
-    if constexpr (requires { progress.stop(); }) {
-      if (!go_on) progress.stop();
-    }
+    if (!go_on) progress.stop();
   };
 }
 

@@ -35,9 +35,9 @@ class Navigator:
         goal: cell (x, y).
         params: an algorithm's name or Params; None: `exact`. A colony goes on with its pheromone.
         radius: of the robot, in cells.
-        prepare: keeps a visibility graph for `exact`.
+        prepare: keeps a visibility graph; for `exact` only.
         target_gap: as of Planner.plan.
-        search_on: a colony goes on searching in every step.
+        search_on: goes on searching in every step; for colonies only.
         **settings: parameters by name.
     """
 
@@ -179,10 +179,10 @@ def drive(
         params: as of Navigator, as `radius`, `prepare`, `target_gap`, `search_on` and settings.
         changes: what happens meanwhile.
         sense: how far it sees, in cells.
-        max_ticks: then it ends with the status "limit".
+        max_ticks: then it ends with the status "limit", its `limit` "ticks".
         seconds_per_tick: time for planning in a tick; None: any.
         time_limit: seconds for all.
-        observer: called with a DriveTick at each tick.
+        observer: called with a DriveTick at each tick; its stop() ends the drive there.
     """
     used = chosen(Params, params, settings)
     options = _lasius.NavigatorOptions(used._raw, radius, prepare, target_gap, search_on)
@@ -196,5 +196,5 @@ def drive(
 def drive_result(fields: Tuple[Any, ...], truth: Grid) -> DriveResult:
     """Of what the extension gives."""
     values = [*fields, truth]
-    values[5] = Replans(*values[5])
+    values[6] = Replans(*values[6])
     return DriveResult(*values)

@@ -23,9 +23,12 @@ class Parameter:
 
     name: str
     type: str  #: "integer", "number" or "choice"
-    range: str  #: "1 .. 1000000", "a|b|c"; "off|on" is a bool
+    range: str  #: "1 .. 1000000", "a|b|c"
     summary: str  #: a line
     only_with: str  #: the settings of others with which it is read, as "update=rank"; "": with all
+    choices: Tuple[str, ...]  #: of a choice: its values; ("off", "on") is a bool
+    least: float  #: of an integer or number, included
+    most: float  #: likewise
 
 
 @dataclass(frozen=True)
@@ -73,7 +76,7 @@ def whole(name: str, value: Any) -> int:
 
 def value_of(parameter: Parameter, text: str) -> Value:
     """The other way round."""
-    if parameter.range == "off|on":
+    if parameter.choices == ("off", "on"):
         return text == "on"
     if parameter.type == "integer":
         return int(text)

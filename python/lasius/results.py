@@ -60,6 +60,7 @@ class SearchResult(Record):
     """How a search ended, in any world."""
 
     status: str  #: "solved", "limit", "interrupted", "unreachable", "no_path" or "invalid"
+    limit: str  #: which one ended it: "none", "time" or, of an arm, "questions"
     fault: str  #: why it is invalid, unreachable or trapped: "none", "start_blocked", "disconnected", ...
     error: str  #: the same in a sentence; empty for none
     length: float  #: of the path; NaN without one
@@ -199,6 +200,7 @@ class DriveResult(Record):
     """How a drive went."""
 
     status: str  #: "solved" on arrival; else as of Result, "no_path" when trapped
+    limit: str  #: which one ended it: "none", "time" or "ticks"
     fault: str  #: why it is invalid, unreachable or trapped
     error: str  #: the same in a sentence; empty for none
     track: IntArray  #: (ticks + 1, 2), where the robot was, the start first

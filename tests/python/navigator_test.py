@@ -90,6 +90,20 @@ def test_changes_and_moving_obstacles(tmp_path):
         lasius.Changes.read(tmp_path / "bad.txt", open_grid())
 
 
+def test_an_observer_ends_a_drive():
+    run = lasius.drive(open_grid(), wall(), (2, 2), (28, 2),
+                       observer=lambda tick: tick.stop() if tick.tick == 4 else None)
+    assert run.status == "interrupted" and run.ticks == 4 and len(run.track) == 5
+    run = lasius.drive(open_grid(), wall(), (2, 2), (28, 2), max_ticks=3)
+    assert (run.status, run.limit, run.ticks) == ("limit", "ticks", 3)
+
+
+def test_options_that_an_algorithm_ignores_are_refused():
+    for options in ({"params": "acs", "prepare": True}, {"search_on": True}):
+        with pytest.raises(lasius.InvalidParameter, match="ignores"):
+            lasius.Navigator(open_grid(), (28, 2), **options)
+
+
 def test_what_an_observer_of_a_drive_raises():
     def fail(tick):
         raise RuntimeError("enough")

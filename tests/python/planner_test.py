@@ -111,7 +111,9 @@ def test_what_other_settings_leave_unread_is_told_where_it_was_said(planner):
     ours = [planner.plan(START, GOAL, "as", heuristic=table, beta=beta, iterations=2) for beta in (1, 3)]
     assert ours[0] != ours[1]  # an own heuristic is raised to beta: no warning
     assert lasius.Params("ras", ranks=9, update="rank").replace(ranks=8).ranks == 8  # filterwarnings = error
-    assert lasius.algorithms()["as"]["ranks"].only_with == "update=rank"
+    ranks, trail = (lasius.algorithms()["as"][name] for name in ("ranks", "trail"))
+    assert ranks.only_with == "update=rank" and (ranks.least, ranks.most, ranks.choices) == (2, 1000000, ())
+    assert trail.choices == ("cells", "arcs") and trail.range == "cells|arcs"
 
 
 def test_what_does_not_compose_is_refused(planner):
@@ -127,7 +129,8 @@ def test_what_does_not_compose_is_refused(planner):
 
 
 def test_no_time_is_an_answer(planner):
-    assert planner.plan(START, GOAL, "mmas", iterations=10**6, time_limit=0).status == "limit"
+    late = planner.plan(START, GOAL, "mmas", iterations=10**6, time_limit=0)
+    assert (late.status, late.limit) == ("limit", "time")
 
 
 def test_an_observer_sees_and_stops(planner):

@@ -41,6 +41,12 @@ class Drive(ProgramTest):
         self.assertAlmostEqual(length, result["length"], places=9)
         self.assertEqual(sum(a == b for a, b in zip(track, track[1:])), result["waits"])
 
+    def test_options_of_plan_that_are_none_of_a_drive(self):
+        help_text = self.run_program("drive", "--help").out
+        self.assertIn("No effect: a drive always tells the optimum of its moves", " ".join(help_text.split()))
+        self.assertNotIn("--tracks", help_text)
+        self.refused(self.drive("--tracks", "1"), 2, "a drive's picture shows the robot's track")
+
     def test_an_unknown_wall_is_learned_and_gone_round(self):
         run = self.quiet(self.drive("--world", "truth.map", "--sense", "1", "--json", start="9,2"))
         result = run.json

@@ -64,6 +64,14 @@ class Usage(ProgramTest):
             option = "--" + setting.split("=")[0].replace("_", "-")
             self.refused(self.run_program(*plan, "--set", setting), 2, "an option, " + option)
 
+    def test_a_parameter_is_set_once(self):
+        plan = ["plan", "small.map", "--start", "0,0", "--goal", "9,5", "--algorithm", "as"]
+        for command in (plan, ["study", "run", *plan[1:]]):
+            for first, second, name in (("ants=3", "ants=5", "ants"), ("ants=3", "ants=3", "ants"),
+                                        ("persistence=0.5", "evaporation=0.5", "persistence")):
+                run = self.run_program(*command, "--set", first, "--set", "alpha=1", "--set", second)
+                self.refused(run, 2, f"--set {first}, --set {second}: {name} is given more than once")
+
     def test_plain_words(self):
         plan = ["plan", "small.map", "--start", "0,0", "--goal", "9,5"]
         cases = [(["--seed", "1", "--seed", "2"], "--seed is given more than once"),

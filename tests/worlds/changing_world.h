@@ -23,6 +23,7 @@ struct RandomWorld {
   Cell start, goal;
   Changes changes;
   DriveOptions options;
+  NavigatorOptions navigator;
 };
 
 /// Numbers that are the same everywhere; the distributions of <random> are not.
@@ -68,7 +69,7 @@ inline RandomWorld draw_world(std::uint64_t seed, bool calm) {
   Grid map = truth;
   for (int i = draw.below(12); i > 0; --i) map.fill(draw_part(draw, map, 8), draw.one_in(2));
   if (draw.one_in(4)) map.fill(false);
-  RandomWorld world{map, truth, draw_free(draw, truth), draw_free(draw, truth), {}, {}};
+  RandomWorld world{map, truth, draw_free(draw, truth), draw_free(draw, truth), {}, {}, {}};
   for (int i = draw.below(30); i > 0; --i) {
     world.changes.cells.push_back(
         {draw.below(200), draw_part(draw, truth, 1 + draw.below(8)), draw.one_in(2)});
@@ -85,7 +86,7 @@ inline RandomWorld draw_world(std::uint64_t seed, bool calm) {
     world.changes.obstacles.push_back(obstacle);
   }
   world.options.sense = 1 + draw.below(12);
-  world.options.navigator.radius = draw.one_in(3) ? draw.below(5) / 2.0 : 0;
+  world.navigator.radius = draw.one_in(3) ? draw.below(5) / 2.0 : 0;
   world.options.max_ticks = calm ? 100'000 : 2000;
   return world;
 }

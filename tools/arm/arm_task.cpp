@@ -123,11 +123,6 @@ class ArmTask : public Task {
 
   const SearchResult& result() const override { return found_.plan; }
   double elapsed_ms() const override { return found_.elapsed_ms; }
-  std::string limit() const override {
-    const auto& time = command_.time_limit;
-    const bool in_time = !time || found_.elapsed_ms < 1000 * *time;
-    return found_.parameters.max_questions > 0 && in_time ? "--max-questions" : Task::limit();
-  }
 
   std::string unit() const override { return unit_of(found_.parameters.objective); }
   std::string progress_note(const Progress& progress) const override {

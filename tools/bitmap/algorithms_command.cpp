@@ -63,7 +63,7 @@ std::string algorithm_text(const World& world, const Algorithm& algorithm) {
   for (const auto& parameter : algorithm.parameters) {
     std::ostringstream left;
     left << "  " << parameter.name << "=" << world.default_text(algorithm, parameter.name) << "  ["
-         << parameter.range << "]";
+         << parameter.range() << "]";
     const auto width = left.str().size();
     text << left.str() << std::string(width + 2 > kColumn ? 2 : kColumn - width, ' ')
          << parameter.summary;

@@ -63,6 +63,7 @@ void read_search(const SearchText& text, SearchOptions& options,
     options.preset = static_cast<Preset>(choice_value("--preset", text.preset, kPresetNames));
   for (const auto& [name, value] : text.named)
     if (!value.empty()) options.named.emplace_back(name, value);
+  refuse_repeats(text.set);
   options.settings = text.set;
   read_seeds(text.seed, options);
   options.threads = thread_count(text.threads);
@@ -226,7 +227,7 @@ DriveCommand make_drive(const DriveText& text) {
   if (run.with_optimum)
     run.notes.emplace_back("--gap has no effect: a drive always tells the optimum of its moves");
   if (!text.tracks.empty())
-    run.notes.emplace_back("--tracks has no effect: a drive's picture shows the robot's track");
+    throw UsageError("--tracks: a drive's picture shows the robot's track; leave it out");
   run.map.prepare = text.prepare && !moves_on_cells(run.params);
   drive.world = text.world;
   drive.changes = text.changes;

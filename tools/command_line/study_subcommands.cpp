@@ -85,6 +85,7 @@ ShortStudy short_study(const ShortText& text) {
     (void)algorithm_of(World::Kind::bitmap, algorithm);
   if (!text.preset.empty() && !is_document(text.preset))
     (void)choice_value("--preset", text.preset, kPresetNames);
+  refuse_repeats(text.set);
   for (const std::string& setting : text.set)
     run.factors.push_back(factor_of(setting, run.algorithms));
   if (!text.steps.empty()) run.steps = real_value("--steps", text.steps, 1, 1e15);

@@ -61,8 +61,8 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help,
   option("--corners", text.value_of("corners"), "Diagonal steps past blocked cells",
          "forbid|one-side|allow");
   option("--preset", text.preset,
-         "Numbers to start with: usual, or of as, eas, ras, mmas and acs the textbook's, or a "
-         "file's, as tune writes it",
+         "Numbers to start with: usual, or the textbook's of algorithms that have them (see lasius "
+         "algorithms), or a file's, as tune writes it",
          "usual|book|FILE");
   option("--polish", text.value_of("polish"), "What is done with a path",
          "none|straight|taut|local");
@@ -151,6 +151,9 @@ Subcommand add_drive(CLI::App& app) {
                    .target_gap = "Plan no further than to this certified gap (1 means 1%)",
                    .json = "Print one JSON object",
                    .outputs = kDriveOutputs});
+  drive->get_option("--gap")->description(
+      "No effect: a drive always tells the optimum of its moves");
+  drive->get_option("--tracks")->group("");
   return {drive, [raw]() -> Command { return make_drive(*raw); }};
 }
 

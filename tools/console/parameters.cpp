@@ -52,4 +52,17 @@ std::pair<std::string_view, std::string_view> setting_of(std::string_view settin
                                 did_you_mean(name, other->parameters)));
 }
 
+void refuse_repeats(std::span<const std::string> settings) {
+  const auto name_of = [](std::string_view setting) {
+    const auto name = setting.substr(0, setting.find('='));
+    return name == "evaporation" ? "persistence" : name;
+  };
+  for (auto later = settings.begin(); later != settings.end(); ++later) {
+    const auto before = std::ranges::find(settings.begin(), later, name_of(*later), name_of);
+    if (before != later)
+      throw UsageError("--set " + *before + ", --set " + *later + ": " +
+                       std::string(name_of(*later)) + " is given more than once");
+  }
+}
+
 }  // namespace lasius::tool

@@ -39,6 +39,9 @@ std::pair<std::string_view, std::string_view> setting_of(std::string_view settin
                                                          const Algorithm& algorithm,
                                                          std::span<const Algorithm> all);
 
+/// @throws UsageError where two of --set are of one parameter.
+void refuse_repeats(std::span<const std::string> settings);
+
 /// The values that an algorithm has until it is told others. @throws UsageError or Error for a
 /// preset that it does not have.
 template <class Params>
@@ -48,7 +51,7 @@ Params params_of(std::string_view algorithm, Preset preset = Preset::usual) {
   } else {
     if (preset != Preset::usual)
       throw UsageError("--preset " + std::string(to_string(preset)) + ": " +
-                       std::string(algorithm) + " has none; as, eas, ras, mmas and acs have");
+                       std::string(algorithm) + " has none; lasius algorithms NAME tells who has");
     return Params(algorithm);
   }
 }

@@ -130,15 +130,17 @@ class DriveTask : public MapTask {
       time.go_on();
     };
     const auto begin = time.now();
-    const DriveOptions how = drive_options(stop);
-    Navigator navigator(map().grid(), goal().cell, how.navigator);
+    Navigator navigator(map().grid(), goal().cell, navigator_options(stop));
     // Time counts from when the map is prepared.
     StopCondition until = again(stop, options().time_limit);
     until.time = &time;
+    const DriveOptions how{
+        .sense = answer_.sense, .max_ticks = command_.max_ticks, .seed = options().params.seed};
     const DriveResult& driven = answer_.result = drive(
         navigator, answer_.truth().grid(), start().cell, answer_.changes, how, until, untimed);
     answer_.elapsed_ms = std::chrono::duration<double, std::milli>(time.now() - begin).count();
     result_.status = driven.status;
+    result_.limit = driven.limit;
     result_.fault = driven.fault;
     result_.error = driven.error;
     if (result_.status == Status::invalid) return;
@@ -157,9 +159,6 @@ class DriveTask : public MapTask {
   bool iterates() const override { return false; }
 
   const SearchResult& result() const override { return result_; }
-  std::string limit() const override {
-    return answer_.result.ticks >= command_.max_ticks ? "--max-ticks" : "the time limit";
-  }
   std::optional<double> optimum() const override { return answer_.optimum; }
   double elapsed_ms() const override { return answer_.elapsed_ms; }
   bool found() const override { return result_.status == Status::solved; }
@@ -256,17 +255,13 @@ class DriveTask : public MapTask {
   const Place& goal() const override { return answer_.goal; }
   const std::optional<Cell>& nearest_free() const override { return answer_.result.nearest_free; }
 
-  DriveOptions drive_options(const StopCondition& stop) const {
-    DriveOptions drive;
-    drive.navigator.params = options().params;
-    drive.navigator.radius = map().radius;
+  NavigatorOptions navigator_options(const StopCondition& stop) const {
+    NavigatorOptions navigator{.params = options().params, .radius = map().radius};
     if (map().prepare)
-      drive.navigator.prepare =
+      navigator.prepare =
           PrepareOptions{.threads = options().map.threads, .stop = {.token = stop.token}};
-    drive.navigator.target_gap = moves_on_cells(options().params) ? 0 : options().target_gap;
-    drive.sense = answer_.sense;
-    drive.max_ticks = command_.max_ticks;
-    return drive;
+    navigator.target_gap = moves_on_cells(options().params) ? 0 : options().target_gap;
+    return navigator;
   }
   /// By the corners that the robot's moves may pass, whatever its paths are made of.
   void look_for_optimum(const Grid& world, const StopCondition& stop) {

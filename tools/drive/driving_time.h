@@ -1,7 +1,7 @@
 // The clock of a drive.
 #pragma once
 
-#include "core/base/time_source.h"
+#include "lasius/stop.h"
 
 namespace lasius::tool {
 

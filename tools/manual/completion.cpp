@@ -164,9 +164,8 @@ class Completer {
   void add_setting(const std::string& before, const Parameter& parameter) {
     const std::string name = before + std::string(parameter.name) + "=";
     if (!word_.starts_with(name)) return add(name, parameter.summary);
-    if (parameter.type != "choice") return;
     const std::string part = before_part(name.size());
-    for (const auto value : split(parameter.range, '|')) add(part + std::string(value), "");
+    for (const auto choice : parameter.choices) add(part + std::string(choice), "");
   }
 
   const Manual& manual_;

@@ -87,7 +87,10 @@ val parameter_object(const Parameter& parameter) {
   val object = val::object();
   object.set("name", text_of(parameter.name));
   object.set("type", text_of(parameter.type));
-  object.set("range", text_of(parameter.range));
+  object.set("range", parameter.range());
+  object.set("choices", list_of(parameter.choices, text_of));
+  object.set("least", parameter.least);
+  object.set("most", parameter.most);
   object.set("summary", text_of(parameter.summary));
   return object;
 }

@@ -21,15 +21,14 @@ std::optional<double> gap_to(const std::optional<double>& optimum, double length
 
 Json range_json(const Parameter& parameter) {
   Json object = {{"type", parameter.type}};
-  const std::string_view range = parameter.range;
-  if (const auto dots = range.find(" .. "); dots != std::string_view::npos) {
-    object["minimum"] = json::parameter(std::string(range.substr(0, dots)));
-    object["maximum"] = json::parameter(std::string(range.substr(dots + 4)));
+  if (parameter.choices.empty()) {
+    object["minimum"] = json::parameter(parameter.text_of(parameter.least));
+    object["maximum"] = json::parameter(parameter.text_of(parameter.most));
     return object;
   }
   object["values"] = Json::array();
-  for (const auto value : split(range, '|'))
-    object["values"].push_back(json::parameter(std::string(value)));
+  for (const auto choice : parameter.choices)
+    object["values"].push_back(json::parameter(std::string(choice)));
   return object;
 }
 

@@ -36,6 +36,12 @@ int exit_code(const Task& task) {
   return task.found() ? kFound : kNoPath;
 }
 
+const char* limit_name(Limit limit) {
+  return limit == Limit::questions ? "--max-questions"
+         : limit == Limit::ticks   ? "--max-ticks"
+                                   : "the time limit";
+}
+
 std::string after(const Task& task) {
   return task.iterates() ? " after " + counted(task.result().iterations, "iteration") : "";
 }
@@ -46,7 +52,7 @@ std::string explain(const Task& task) {
     case Status::solved:
       return {};
     case Status::limit:
-      return task.limit() + " ended the run" + task.reached();
+      return limit_name(task.result().limit) + (" ended the run" + task.reached());
     case Status::interrupted:
       return "interrupted" + task.reached();
     case Status::no_path:

@@ -60,8 +60,7 @@ class Task {
   // What came of it.
   virtual const SearchResult& result() const = 0;
   virtual std::string error() const { return result().error; }
-  virtual std::string limit() const { return "the time limit"; }  ///< that ended it as `limit`
-  virtual std::optional<double> optimum() const { return {}; }    ///< found for --gap
+  virtual std::optional<double> optimum() const { return {}; }  ///< found for --gap
   virtual double elapsed_ms() const = 0;
   bool has_path() const;
   /// What was asked for is there: else the exit code is that of no path.

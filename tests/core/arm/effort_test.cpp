@@ -91,6 +91,7 @@ TEST(ArmPostures, NoMoreIsAskedThanMayBe) {
     EXPECT_LE(sensor.asked, most);
     EXPECT_GE(sensor.asked, most - 1);
     EXPECT_EQ(r.status, Status::limit) << most << " " << r.error;
+    EXPECT_EQ(r.limit, Limit::questions);
   }
 }
 
@@ -127,6 +128,7 @@ TEST(ArmPostures, StraightLinesCountAsQuestions) {
     p.max_questions = most;
     const Result r = plan(robot, Stuck(), request, p);
     EXPECT_EQ(r.status, Status::limit);
+    EXPECT_EQ(r.limit, Limit::questions);
     EXPECT_EQ(r.questions.positions + r.questions.motions, most);
   }
 }

@@ -185,6 +185,7 @@ TEST(ArmPlan, TokenAndDeadlineKeepTheBest) {
   c.request.stop = {.deadline = Clock::now()};
   const Result late = plan(c.robot, sensor, c.request, c.parameters);
   EXPECT_EQ(late.status, Status::limit);
+  EXPECT_EQ(late.limit, Limit::time);
   EXPECT_EQ(late.iterations, 0);
 }
 
@@ -279,6 +280,7 @@ TEST(ArmPlan, AMotionCutShortIsNotSolved) {
   request.stop = {.deadline = sensor.now() + asked + std::chrono::seconds(2), .time = &sensor};
   const Result cut = plan(robot, sensor, request, p);
   EXPECT_EQ(cut.status, Status::limit);
+  EXPECT_EQ(cut.limit, Limit::time);
   EXPECT_EQ(cut.length, found.length);
   EXPECT_GT(cut.questions.trajectory, 0);
   EXPECT_FALSE(cut.trajectory.empty());

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <stop_token>
 
-#include "core/base/time_source.h"
 #include "lasius/stop.h"
 
 namespace lasius {

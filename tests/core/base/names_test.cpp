@@ -10,6 +10,8 @@ namespace {
 TEST(Names, OfEveryEnumeration) {
   EXPECT_EQ(to_string(Status::solved), "solved");
   EXPECT_EQ(to_string(Status::invalid), "invalid");
+  EXPECT_EQ(to_string(Limit::none), "none");
+  EXPECT_EQ(to_string(Limit::ticks), "ticks");
   EXPECT_EQ(to_string(Fault::none), "none");
   EXPECT_EQ(to_string(Fault::disconnected), "disconnected");
   EXPECT_EQ(to_string(Fault::trapped), "trapped");

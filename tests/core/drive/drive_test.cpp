@@ -20,6 +20,10 @@ std::vector<Cell> row_of_cells(int from, int to, int y) {
   return cells;
 }
 
+DriveResult drive(const RandomWorld& w) {
+  return drive(w.map, w.truth, w.start, w.goal, w.changes, w.options, w.navigator);
+}
+
 /// It arrived, and tells its track's length.
 void expect_arrival(const DriveResult& r, Cell start, Cell goal) {
   EXPECT_EQ(r.track.front(), start);
@@ -49,9 +53,9 @@ TEST(Drive, WithANavigatorThatIsThereAlready) {
   int arrived = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const RandomWorld w = draw_world(seed, false);
-    Navigator navigator(w.map, w.goal, w.options.navigator);
+    Navigator navigator(w.map, w.goal, w.navigator);
     const DriveResult own = drive(navigator, w.truth, w.start, w.changes, w.options);
-    const DriveResult r = drive(w.map, w.truth, w.start, w.goal, w.changes, w.options);
+    const DriveResult r = drive(w);
     EXPECT_EQ(own.track, r.track) << "seed " << seed;
     EXPECT_EQ(own.status, r.status) << "seed " << seed;
     EXPECT_EQ(own.replans.size(), r.replans.size()) << "seed " << seed;
@@ -99,11 +103,9 @@ TEST(Drive, DoubtsTheMapWhereItKnowsNoOtherWay) {
   const Grid truth = drawn({"..@.@..",  //
                             "..@.@..",  //
                             "......."});
-  DriveOptions options;
-  options.sense = 1;  // the doors are not in sight
+  // The doors are not in sight.
   for (const double radius : {0.0, 0.4}) {
-    options.navigator.radius = radius;
-    const DriveResult r = drive(map, truth, {0, 0}, {6, 0}, {}, options);
+    const DriveResult r = drive(map, truth, {0, 0}, {6, 0}, {}, {.sense = 1}, {.radius = radius});
     EXPECT_EQ(r.status, Status::solved);
     EXPECT_EQ(DriveChecker(truth, {}, radius).fault(r.track), "");
     EXPECT_GT(r.seen, 0);
@@ -191,6 +193,29 @@ TEST(Drive, TrappedByWhatNeverGoesAway) {
   EXPECT_EQ(r.track.size(), static_cast<std::size_t>(r.ticks) + 1);
 }
 
+// Each corridor has an obstacle in it always, so none can be passed; out of sight it is forgotten.
+TEST(Drive, TrappedBetweenCorridorsThatAreClosedInTurn) {
+  const Grid map = drawn({"@@@@@@@@@@@@@@@",  //
+                          "...............",  //
+                          ".@@@@@@@@@@@@@.",  //
+                          ".@@@@@@@@@@@@@.",  //
+                          "...............",  //
+                          "@@@@@@@@@@@@@@@"});
+  Changes changes;
+  for (const int y : {1, 4})
+    changes.obstacles.push_back({.tick = 0, .speed = 0.5, .track = {{4, y}, {10, y}}});
+  const DriveResult r = drive(map, map, {0, 2}, {14, 2}, changes, {.sense = 3});
+  EXPECT_EQ(r.status, Status::no_path);
+  EXPECT_EQ(r.fault, Fault::trapped);
+  EXPECT_EQ(r.error, "trapped: moving obstacles close every way in turn");
+  EXPECT_GT(r.ticks, 16'384);
+  EXPECT_LT(r.ticks, 25'000);
+  EXPECT_EQ(DriveChecker(map, changes, 0).fault(r.track), "");
+  // It waits for a change that is to come, however late.
+  changes.cells = {{.tick = r.ticks + 1000, .part = {1, 2, 13, 1}, .blocked = false}};
+  EXPECT_EQ(drive(map, map, {0, 2}, {14, 2}, changes, {.sense = 3}).status, Status::solved);
+}
+
 TEST(Drive, GivesWayInACorridor) {
   const Grid map = drawn({".....@@@@@@@@",  //
                           ".............",  //
@@ -226,16 +251,35 @@ TEST(Drive, RefusesWhatMakesNoSense) {
   refuses({}, {.sense = nan});
   refuses({}, {.max_ticks = -1});
   refuses({}, {.seconds_per_tick = 0});
-  refuses({}, {.navigator = {.radius = -1}});
+  EXPECT_THROW((void)drive(map, map, {0, 0}, {3, 3}, {}, {}, {.radius = -1}), Error);
 }
 
 TEST(Drive, EndsByTicksTokenAndDeadline) {
   const Grid map(9, 3);
-  EXPECT_EQ(drive(map, map, {1, 1}, {7, 1}, {}, {.max_ticks = 3}).status, Status::limit);
-  EXPECT_EQ(drive(map, map, {1, 1}, {7, 1}, {}, {.max_ticks = 3}).track.size(), 4u);
-  EXPECT_EQ(drive(map, map, {1, 1}, {7, 1}, {}, {}, fired()).status, Status::interrupted);
-  EXPECT_EQ(drive(map, map, {1, 1}, {7, 1}, {}, {}, {.deadline = Clock::time_point::min()}).status,
-            Status::limit);
+  const DriveResult short_one = drive(map, map, {1, 1}, {7, 1}, {}, {.max_ticks = 3});
+  EXPECT_EQ(short_one.status, Status::limit);
+  EXPECT_EQ(short_one.limit, Limit::ticks);
+  EXPECT_EQ(short_one.track.size(), 4u);
+  EXPECT_EQ(drive(map, map, {1, 1}, {7, 1}, {}, {}, {}, fired()).status, Status::interrupted);
+  const DriveResult late =
+      drive(map, map, {1, 1}, {7, 1}, {}, {}, {}, {.deadline = Clock::time_point::min()});
+  EXPECT_EQ(late.status, Status::limit);
+  EXPECT_EQ(late.limit, Limit::time);
+}
+
+TEST(Drive, EndsWhereItsObserverStopsIt) {
+  const Grid map(9, 3);
+  const auto stop_at = [&](std::int64_t last) {
+    return drive(map, map, {1, 1}, {7, 1}, {}, {}, {}, {}, [=](const DriveTick& tick) {
+      EXPECT_FALSE(tick.stopped());
+      if (tick.tick == last) tick.stop();
+    });
+  };
+  const DriveResult r = stop_at(2);
+  EXPECT_EQ(r.status, Status::interrupted);
+  EXPECT_EQ(r.track, row_of_cells(1, 3, 1));
+  EXPECT_EQ(r.length, 2);
+  EXPECT_EQ(stop_at(6).status, Status::solved);  // it has arrived
 }
 
 TEST(Drive, NeverCollidesInRandomWorlds) {
@@ -243,9 +287,9 @@ TEST(Drive, NeverCollidesInRandomWorlds) {
   std::int64_t ticks = 0;
   for (std::uint64_t seed = 0; seed < worlds(300); ++seed) {
     const RandomWorld w = draw_world(seed, false);
-    const DriveResult r = drive(w.map, w.truth, w.start, w.goal, w.changes, w.options);
+    const DriveResult r = drive(w);
     if (r.status == Status::invalid) continue;
-    const double radius = w.options.navigator.radius;
+    const double radius = w.navigator.radius;
     EXPECT_EQ(DriveChecker(w.truth, w.changes, radius).fault(r.track), "") << "seed " << seed;
     if (r.status == Status::solved) expect_arrival(r, w.start, w.goal);
     solved += r.status == Status::solved;
@@ -259,9 +303,9 @@ TEST(Drive, ArrivesWhereTheTruthIsFixedAndJoined) {
   int joined = 0;
   for (std::uint64_t seed = 0; seed < worlds(400); ++seed) {
     const RandomWorld w = draw_world((1 << 20) + seed, true);
-    const DriveResult r = drive(w.map, w.truth, w.start, w.goal, w.changes, w.options);
+    const DriveResult r = drive(w);
     if (r.status == Status::invalid) continue;
-    DriveChecker checker(w.truth, w.changes, w.options.navigator.radius);
+    DriveChecker checker(w.truth, w.changes, w.navigator.radius);
     EXPECT_EQ(checker.fault(r.track), "") << "seed " << seed;
     if (r.status == Status::solved) {
       ++joined;
@@ -277,13 +321,13 @@ TEST(Drive, ArrivesWhereTheTruthIsFixedAndJoined) {
 
 TEST(Drive, IsTheSameOnAnyNumberOfThreads) {
   RandomWorld w = draw_world(7, false);
-  w.options.navigator.params = Params("acs");
-  w.options.navigator.params.iterations = 5;
+  w.navigator.params = Params("acs");
+  w.navigator.params.iterations = 5;
   w.options.max_ticks = 60;
   DriveResult first;
   for (const int threads : {1, 2, 5}) {
-    w.options.navigator.params.threads = threads;
-    DriveResult r = drive(w.map, w.truth, w.start, w.goal, w.changes, w.options);
+    w.navigator.params.threads = threads;
+    DriveResult r = drive(w);
     if (threads == 1) first = r;
     EXPECT_EQ(r.track, first.track);
     EXPECT_EQ(r.replans.size(), first.replans.size());

@@ -173,6 +173,13 @@ TEST(Navigator, RefusesBadOptions) {
   EXPECT_THROW(Navigator(Grid(3, 3), {0, 0}, {.radius = -1}), Error);
   EXPECT_THROW(Navigator(Grid(3, 3), {0, 0}, {.target_gap = -1}), Error);
   EXPECT_THROW(Navigator(Grid(3, 3), {0, 0}, {.params = Params("acs"), .target_gap = 0.1}), Error);
+  // Options that the algorithm ignores.
+  NavigatorOptions prepared{.params = Params("acs")};
+  prepared.prepare.emplace();
+  EXPECT_THROW(Navigator(Grid(3, 3), {0, 0}, prepared), Error);
+  for (const char* name : {"exact", "grid-ga"})
+    EXPECT_THROW(Navigator(Grid(3, 3), {0, 0}, {.params = Params(name), .search_on = true}), Error);
+  EXPECT_NO_THROW(Navigator(Grid(3, 3), {0, 0}, {.params = Params("acs"), .search_on = true}));
   Params bad("acs");
   bad.ants = 0;
   EXPECT_THROW(Navigator(Grid(3, 3), {0, 0}, {.params = bad}), Error);

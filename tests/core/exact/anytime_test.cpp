@@ -55,6 +55,7 @@ TEST(Anytime, OnDenseNoiseAPathIsSoonThere) {
   const CountingTime time(across.polls() / 20);
   const Result cut = across.plan(time.is_up());
   EXPECT_EQ(cut.status, Status::limit);
+  EXPECT_EQ(cut.limit, Limit::time);
   ASSERT_FALSE(cut.path.empty());
   EXPECT_LT(cut.length, 1.4 * cut.lower_bound.value());
 }

@@ -31,6 +31,7 @@ void expect_kept(const Result& result) {
   const Result read = result_from_json(result_to_json(result));
   expect_same(result, read);
   EXPECT_EQ(result.own_rules, read.own_rules);
+  EXPECT_EQ(result.limit, read.limit);
 }
 
 TEST(Json, KeepsTheParametersOfEveryAlgorithm) {
@@ -66,6 +67,7 @@ TEST(Json, KeepsTheAnswerOfEveryAlgorithm) {
 TEST(Json, KeepsNumbersBitForBitAndWritesNullForWhatIsNone) {
   Result result;
   result.status = Status::limit;
+  result.limit = Limit::time;
   result.length = 0.1 + 0.2;
   result.path = {{-0.0, 5e-324}, {1e308, 1.0 / 3}};
   result.iterations = 2;

@@ -9,8 +9,8 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <string>
+#include <string_view>
 
 #include "core/base/number_text.h"
 #include "lasius/error.h"
@@ -19,12 +19,10 @@
 
 namespace lasius {
 
-/// The ends of a number's range as its text tells them; nothing for a choice.
+/// The ends of a number's range as text; nothing for a choice.
 inline std::optional<std::array<std::string, 2>> ends_of(const Parameter& parameter) {
-  const std::string range(parameter.range), between = " .. ";
-  const std::size_t middle = range.find(between);
-  if (middle == std::string::npos) return std::nullopt;
-  return {{range.substr(0, middle), range.substr(middle + between.size())}};
+  if (!parameter.choices.empty()) return std::nullopt;
+  return {{parameter.text_of(parameter.least), parameter.text_of(parameter.most)}};
 }
 
 /// Expects the range that `parameter` tells to be the one that is kept: both ends are taken and the
@@ -43,8 +41,8 @@ void expect_range(const Parameter& parameter) {
   const auto ends = ends_of(parameter);
   if (!ends) {
     EXPECT_EQ(parameter.type, "choice");
-    std::istringstream names{std::string(parameter.range)};
-    for (std::string name; std::getline(names, name, '|');) {
+    for (const std::string_view choice : parameter.choices) {
+      const std::string name(choice);
       expect_taken(name);
       EXPECT_EQ(get_parameter(params, parameter.name), name);
       expect_refused(name + "x");

@@ -245,6 +245,7 @@ TEST_P(EveryColony, AnExpiredDeadlineEndsTheCallWithTheBestPathSoFar) {
     const Result result = far_.plan(params_);
     if (result.status == Status::solved) break;
     ASSERT_EQ(result.status, Status::limit) << readings;
+    EXPECT_EQ(result.limit, Limit::time);
     EXPECT_LE(time.polls() - readings, params_.ants + 40);
     EXPECT_EQ(result.best.size(), static_cast<std::size_t>(result.iterations));
     (result.path.empty() ? without : with) = true;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,9 +30,8 @@ std::vector<std::string> other_values(const Parameter& parameter, const std::str
     }
     return values;
   }
-  std::istringstream range{std::string(parameter.range)};
-  for (std::string name; std::getline(range, name, '|');) {
-    if (name != value) values.push_back(name);
+  for (const std::string_view choice : parameter.choices) {
+    if (choice != value) values.emplace_back(choice);
   }
   return values;
 }
@@ -147,6 +145,10 @@ TEST(UnreadParameters, SayWhy) {
   EXPECT_EQ(why_unread(Params("eas"), "elite_weight"), "");
   EXPECT_EQ(why_unread(Params("as"), "straight_deposit"),
             "it is read only with polish=straight|taut|local");
+  EXPECT_EQ(why_unread(Params("as"), "penalty"),
+            "it is read only with update=learning and dead_end=kill");
+  EXPECT_EQ(why_unread(Params("terminal-index"), "persistence"),
+            "it is read only with an update but terminal-index");
   EXPECT_EQ(why_unread(Params("as"), "ants"), "");
   EXPECT_EQ(why_unread(Params("exact"), "ants"), "exact does not read it");
   EXPECT_THROW(why_unread(Params("as"), "antz"), Error);

@@ -48,6 +48,7 @@ TEST(Stops, TokenAndDeadlineKeepTheBestPath) {
         planner.plan({.start = {}, .goal = {}, .stop = {.deadline = Clock::time_point::min()}},
                      Params(algorithm));
     EXPECT_EQ(late.status, Status::limit);
+    EXPECT_EQ(late.limit, Limit::time);
     EXPECT_EQ(late.path, late.dijkstra->path);
   }
 }

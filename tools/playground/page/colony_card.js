@@ -14,7 +14,7 @@ const kFirst = ["ants", "iterations", "population", "persistence", "alpha", "bet
 export class ColonyCard {
   constructor(host, { algorithms, formulas, onChange }) {
     Object.assign(this, { algorithms, formulas, onChange, values: {}, preset: "usual" });
-    this.name = selectField({ options: algorithms.map(({ name }) => name), value: "fan2004", label: "Algorithm",
+    this.name = selectField({ options: algorithms.map(({ name }) => name), value: algorithms.find(({ kind }) => kind === "colony").name, label: "Algorithm",
                               onChange: () => this.choose() });
     this.seed = numberField({ value: 1, min: 0, max: Number.MAX_SAFE_INTEGER, onChange: () => this.changed() });
     this.presets = element("span");
@@ -50,16 +50,15 @@ export class ColonyCard {
   }
 
   control(parameter) {
-    const { name, type, range, summary } = parameter;
+    const { name, type, range, choices, least, most, summary } = parameter;
     const value = this.algorithm().presets[this.preset][name];
-    const [low, high] = range.split(" .. ");
-    const input = type === "choice"
-      ? selectField({ options: range.split("|"), value })
-      : element("input", { type: "number", value, min: low, max: high, step: type === "integer" ? 1 : "any", required: true });
+    const input = choices.length > 0
+      ? selectField({ options: choices, value })
+      : element("input", { type: "number", value, min: least, max: most, step: type === "integer" ? 1 : "any", required: true });
     input.title = `${summary}: ${range}`;
     input.dataset.parameter = name;
     input.addEventListener("change", () => this.set(name, input));
-    return field(name.replaceAll("_", " "), input, type === "choice" ? null : range);
+    return field(name.replaceAll("_", " "), input, choices.length > 0 ? null : range);
   }
 
   set(name, input) {

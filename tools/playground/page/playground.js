@@ -192,9 +192,9 @@ class Playground {
   /** The corners that paths may squeeze past are those of the colony. */
   exactQuestion() {
     const corners = this.colony.valueOf("corners");
-    const exact = this.colony.algorithms.find(({ name }) => name === "exact");
+    const exact = this.colony.algorithms.find(({ kind }) => kind === "exact");
     const values = corners && exact.parameters.some(({ name }) => name === "corners") ? { corners } : {};
-    return { algorithm: "exact", preset: "usual", seed: 1, values, start: this.start, goal: this.goal };
+    return { algorithm: exact.name, preset: "usual", seed: 1, values, start: this.start, goal: this.goal };
   }
 
   async plan() {
@@ -226,7 +226,7 @@ class Playground {
     const { kind } = this.colony.algorithm(), question = this.question();
     const iterations = Number(this.colony.valueOf("iterations") ?? 1);
     const most = this.mostFrames();
-    this.stage.beginRun({ iterations, most, index: this.colony.valueOf("update") === "terminal-index" || question.algorithm === "terminal-index" });
+    this.stage.beginRun({ iterations, most, index: this.colony.valueOf("update") === "terminal-index" });
     const curves = { best: [], mean: [] };
     this.tellFigures(null);
     this.exact = null;

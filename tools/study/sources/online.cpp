@@ -19,6 +19,7 @@ constexpr std::int64_t kMaxTicks = 1000;
 /// How a contender drives.
 struct Policy {
   bool dstar_lite = false, anew = false;
+  NavigatorOptions navigator = {};
   DriveOptions options{.sense = kSense, .max_ticks = kMaxTicks};
 };
 
@@ -27,7 +28,7 @@ bool take(Policy& policy, const std::string& name, const std::string& value) {
   if (name == "replan") {
     policy.anew = value == "anew";
   } else if (name == "search_on") {
-    policy.options.navigator.search_on = value == "true";
+    policy.navigator.search_on = value == "true";
   } else if (name == "tick") {
     const double milliseconds = std::stod(value);
     if (milliseconds > 0) policy.options.seconds_per_tick = milliseconds / 1000;
@@ -42,13 +43,12 @@ Policy policy_of(Contender contender) {
   std::erase_if(contender.settings,
                 [&](const auto& setting) { return take(policy, setting.first, setting.second); });
   if (policy.dstar_lite) contender.algorithm = "exact";  // the same corner rule
-  policy.options.navigator.params =
-      configured(Params(contender.algorithm, contender.preset), contender);
+  policy.navigator.params = configured(Params(contender.algorithm, contender.preset), contender);
   return policy;
 }
 
 std::unique_ptr<Pilot> pilot_of(const OnlineWorld& world, const Policy& policy) {
-  const NavigatorOptions& how = policy.options.navigator;
+  const NavigatorOptions& how = policy.navigator;
   if (policy.dstar_lite)
     return std::make_unique<peers::DStarPilot>(world.known, world.start, world.goal);
   if (policy.anew) return std::make_unique<ForgetfulPilot>(world.known, world.goal, how);
@@ -81,7 +81,7 @@ OnlineDrives::OnlineDrives(const Study& study, std::filesystem::path maps)
 
 Task OnlineDrives::task(const Question& question, const Contender& contender) const {
   const Policy policy = policy_of(contender);
-  const Params& params = policy.options.navigator.params;
+  const Params& params = policy.navigator.params;
   constexpr std::int64_t kTicks = 200;
   Task task = task_of(question.map + ' ' + contender.algorithm, params,
                       parameters_of(algorithms(), params.algorithm()), kTicks);
@@ -89,7 +89,7 @@ Task OnlineDrives::task(const Question& question, const Contender& contender) co
   task.run = [this, &question, policy](std::uint64_t seed, bool pilot, const std::stop_token& stop,
                                        Workspace&) {
     Policy seeded = policy;
-    seeded.options.navigator.params.seed = seed;
+    seeded.navigator.params.seed = seeded.options.seed = seed;
     if (pilot) seeded.options.max_ticks = pilot_part(static_cast<int>(kTicks));
     return drive_once(make_online_world(question.map, seed, maps_), seeded, stop);
   };

@@ -30,6 +30,8 @@ class ForgetfulPilot final : public Pilot {
   const Grid& map() const noexcept override { return navigator_.map(); }
   const Grid& passable() const noexcept override { return navigator_.passable(); }
   bool connected(Cell a, Cell b) override { return navigator_.connected(a, b); }
+  double radius() const noexcept override { return navigator_.radius(); }
+  Corners corners() const noexcept override { return navigator_.corners(); }
 
  private:
   Navigator navigator_;
