@@ -33,7 +33,7 @@ struct MovingObstacle {
   std::int64_t tick = 0;    ///< when it appears, 0 or more; later, should the robot stand there
   int width = 1;            ///< columns, at least 1
   int height = 1;           ///< rows, at least 1
-  double speed = 0;         ///< moves to one of the eight neighbours a tick, 0 .. 64
+  double speed = 0;         ///< moves to one of the eight neighbours per tick, 0 .. 64
   std::vector<Cell> track;  ///< its top left cell at each point, inside the map; at least one
   friend bool operator==(const MovingObstacle&, const MovingObstacle&) = default;
 };
@@ -130,7 +130,8 @@ class DriveTick {
 /// Called at each tick and on arrival, but not at one that ends without a way.
 using DriveObserver = std::function<void(const DriveTick&)>;
 
-/// Drives a robot from `start` to `goal`, one move to one of the eight neighbours a tick, or none.
+/// Drives a robot from `start` to `goal`, in each tick one move to one of the eight neighbours, or
+/// none.
 ///
 /// In each tick changes take place and obstacles move, then the robot sees, plans, and moves to the
 /// next cell of its way. It never enters a cell that is blocked at that tick, nor cuts a corner
