@@ -101,7 +101,7 @@ Result Inquiry::answer(const Search& search) {
   result.questions.motions = std::max(result.questions.motions, asked_.motions);
   if (result.status != Status::limit)
     result.limit = Limit::none;
-  else if (spent(2))  // so many a move takes
+  else if (questions_ended_it_)
     result.limit = Limit::questions;
   return result;
 }
@@ -140,12 +140,11 @@ bool Inquiry::position_free(const JointVector& q) {
   ++asked_.positions;
   return sensor_.position_free(q);
 }
-StopCondition::Cause Inquiry::cause() const {
-  return spent(1) ? StopCondition::Cause::deadline : request_.stop.poll();
-}
-bool Inquiry::spent(int wanted) const noexcept {
-  return parameters_.max_questions > 0 &&
-         asked_.positions + asked_.motions + wanted > parameters_.max_questions;
+StopCondition::Cause Inquiry::cause() {
+  const int most = parameters_.max_questions;
+  if (most == 0 || asked_.positions + asked_.motions < most) return request_.stop.poll();
+  questions_ended_it_ = true;
+  return StopCondition::Cause::deadline;
 }
 
 std::optional<Result> Inquiry::find_targets() {
@@ -279,6 +278,7 @@ Result Inquiry::search_lattices(const Search& search) {
                      "smaller pitch, more postures";
     }
     asked_ = lattice.questions();
+    questions_ended_it_ |= lattice.questions_ended_it();
     if (result.fault == Fault::goal_blocked && !all_touch()) {
       result.fault = Fault::none;
       end_run(result, cause(), Status::no_path);

@@ -27,10 +27,9 @@ class Inquiry {
   Result stay(int goal) const;
   bool position_free(const JointVector& q);
   /// True when nothing more is to be asked: told to stop, or no question is left.
-  bool ended() const { return cause() != StopCondition::Cause::none; }
-  StopCondition::Cause cause() const;
-  /// That the sensor may not be asked so many questions more.
-  bool spent(int wanted) const noexcept;
+  bool ended() { return cause() != StopCondition::Cause::none; }
+  /// Questions that are spent count as a deadline; that it was they is noted.
+  StopCondition::Cause cause();
   /// True where the goal is a lattice point moved onto it.
   bool is_point(int g) const { return request_.goals[g].kind == Goal::Kind::position; }
   /// Postures that reach the goals, and the straight lines to them. An answer where there is one
@@ -59,6 +58,7 @@ class Inquiry {
   std::vector<int> goals_;  // that are not proven out of reach
   std::vector<End> ends_;
   Questions asked_;
+  bool questions_ended_it_ = false;
 };
 
 }  // namespace lasius::arm

@@ -147,6 +147,8 @@ class Lattice {
   }
   /// True when the next move to be tried could ask more than may be asked.
   bool spent() const noexcept { return most_asked_ > 0 && asked() + 2 > most_asked_; }
+  /// True once a LatticePoller stopped for that reason.
+  bool questions_ended_it() const noexcept { return questions_ended_it_; }
 
  private:
   enum Answer : std::uint8_t { kUnknown, kAsking, kYes, kNo };
@@ -207,6 +209,8 @@ class Lattice {
   mutable ZeroArray<std::uint8_t> position_;  // Answer by node: it is free
   mutable ZeroArray<std::uint8_t> edges_;     // Answer by edge: it is open
   mutable std::atomic<std::int64_t> positions_asked_{0}, motions_asked_{0};
+  friend class LatticePoller;
+  mutable std::atomic<bool> questions_ended_it_{false};
 };
 
 /// Polls after so many steps, and after every question that was asked: a sensor may take its time.
@@ -222,10 +226,11 @@ class LatticePoller {
     return poller_.stop_after(any ? interval_ : steps) || lattice_.spent();
   }
   bool stopped() const noexcept { return poller_.stopped() || lattice_.spent(); }
-  /// Questions that are spent count as a deadline.
+  /// Questions that are spent count as a deadline; that it was they is noted in the lattice.
   StopCondition::Cause cause() const noexcept {
-    return poller_.stopped() || !lattice_.spent() ? poller_.cause()
-                                                  : StopCondition::Cause::deadline;
+    if (poller_.stopped() || !lattice_.spent()) return poller_.cause();
+    lattice_.questions_ended_it_ = true;
+    return StopCondition::Cause::deadline;
   }
 
  private:

@@ -43,6 +43,7 @@ void check(const Grid& map, const Grid& truth, const DriveOptions& options) {
   above(options.seconds_per_tick, std::numeric_limits<double>::min(), "seconds_per_tick",
         "it must be above 0");
   above(static_cast<double>(options.max_ticks), 0, "max_ticks", "it must be 0 or more");
+  check_seed(options.seed);
 }
 
 /// A robot under way. See drive() for its rules.
@@ -76,7 +77,6 @@ class Drive {
     world_.advance(tick_, {before_, robot_});
     replanned_ = false;
     if (tick_ == 0 && blocked_at_start()) return;
-    headway_.is_at(robot_, tick_);
     look();
     const Found found = robot_ == pilot_.goal() ? Found::way : find_way();
     result_.planning_ms += planning_.count();
@@ -94,7 +94,8 @@ class Drive {
       result_.limit = Limit::ticks;
       return end(Status::limit);
     }
-    if (world_.stirs() && !world_.to_change() && headway_.none(tick_, world_.still_changed_at()))
+    headway_.count(robot_, world_.still_changed_at() == tick_, found == Found::not_yet);
+    if (world_.stirs() && !world_.to_change() && headway_.none())
       return end_trapped("moving obstacles close every way in turn");
     const Cell to = next_cell(found);
     if (ended_) return;
@@ -138,9 +139,9 @@ class Drive {
     tell(cells, blocked);
   }
   void tell(const std::vector<Cell>& cells, bool blocked) {
-    const auto begin = Clock::now();
+    const auto begin = stop_.now();
     pilot_.observe(cells, blocked);
-    planning_ += Clock::now() - begin;
+    planning_ += stop_.now() - begin;
   }
 
   /// One question to the pilot, within the tick's time.
@@ -151,9 +152,9 @@ class Drive {
                                                planning_.count() / 1000);
       stop.deadline = std::min(stop.deadline, deadline_in(left, stop.now()));
     }
-    const auto begin = Clock::now();
+    const auto begin = stop_.now();
     way_ = &pilot_.step(robot_, stop);
-    planning_ += Clock::now() - begin;
+    planning_ += stop_.now() - begin;
     if (!way_->replanned) return;
     if (replanned_) result_.replans.pop_back();  // of the same tick
     replanned_ = true;

@@ -1,37 +1,38 @@
 // Whether a robot gets on.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include "lasius/grid.h"
 
 namespace lasius {
 
-/// Where a robot has been.
+/// Counts the ticks since a robot was last in a cell that it had not been in before.
 class Headway {
  public:
   static constexpr int kLongWait = 1 << 14;  ///< ticks
 
   Headway(int width, int height) : been_(width, height) {}
 
-  void is_at(Cell cell, std::int64_t tick) {
-    if (been_.blocked(cell)) return;
+  /// One more tick. The count begins anew where the world `changed`, moving obstacles aside; a tick
+  /// in which the robot is still `planning` does not count.
+  void count(Cell cell, bool changed, bool planning) {
+    const bool entered = been_.free(cell);
     been_.set_blocked(cell, true);
-    ++cells_;
-    last_ = tick;
+    cells_ += entered;
+    if (entered || changed)
+      ticks_ = 0;
+    else if (!planning)
+      ++ticks_;
   }
-  /// That it has long been to and fro between cells that it knows, in a world that is still as it
-  /// was at `since`: for more ticks than it takes to look at all of these cells again and again.
-  bool none(std::int64_t tick, std::int64_t since) const noexcept {
-    constexpr int kRounds = 16;
-    return tick - std::max(last_, since) > kLongWait + kRounds * cells_;
-  }
+  /// True once the robot has entered no new cell for a long wait, and 16 ticks more for each cell
+  /// that it has been in.
+  bool none() const noexcept { return ticks_ > kLongWait + 16 * cells_; }
 
  private:
   Grid been_;               // blocked where it was
   std::int64_t cells_ = 0;  // of them
-  std::int64_t last_ = 0;   // tick of the last new one
+  std::int64_t ticks_ = 0;  // that count, since it entered the last of them
 };
 
 }  // namespace lasius

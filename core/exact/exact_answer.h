@@ -25,8 +25,8 @@ struct ExactOptions {
   /// Stop once (length - lower_bound) / lower_bound is at most this, which is not negative.
   double target_gap = 0;
   const OnImproved* improved = nullptr;  ///< null: nobody looks on; must outlive the search
-  /// The first that is told is the best when the stop condition was polled first: a search that
-  /// ends earlier cannot be cut.
+  /// Tells of no path before the stop condition was polled for the first time, and then of the best
+  /// so far: a search that ends before that cannot be cut short, so its path need not be told.
   bool improved_once_polled = false;
   Alternate* beside = nullptr;  ///< takes turns with the search; likewise
 };

@@ -66,7 +66,7 @@ struct TrajectoryResult {
   int waypoints = 0;               ///< left after shortcutting
   bool stops = false;              ///< it rests at every waypoint: nothing faster was found free
   std::int64_t questions = 0;      ///< motions that the sensor was asked about
-  Status status = Status::solved;  ///< limit or interrupted where it was told to stop
+  Status status = Status::solved;  ///< limit where time or questions ran out; interrupted
   Limit limit = Limit::none;       ///< which one ended it
 };
 

@@ -68,8 +68,8 @@ struct DriveOptions {
   /// stands. At least 1.
   double sense = 20;
   std::int64_t max_ticks = 1'000'000;  ///< 0 or more; after them it ends as Status::limit
-  /// Time for planning in a tick, in seconds, above 0: a search that takes longer ends with the
-  /// best way so far. Drives can be replayed only where it is infinite.
+  /// Time for planning in a tick, in seconds of the stop condition's clock, above 0: a search that
+  /// takes longer ends with the best way so far. Drives can be replayed only where it is infinite.
   double seconds_per_tick = std::numeric_limits<double>::infinity();
   /// As Params::seed; draws the cells to which the robot steps aside for obstacles: see drive().
   std::uint64_t seed = 1;
@@ -78,7 +78,7 @@ struct DriveOptions {
 /// A way that was planned.
 struct Replan {
   std::int64_t tick = 0;  ///< when
-  double ms = 0;          ///< spent on planning in this tick
+  double ms = 0;          ///< spent on planning in this tick, by the stop condition's clock
   double length = 0;  ///< of the way that came of it, in cells; not a number where there is none
 };
 
@@ -88,8 +88,9 @@ struct DriveResult {
   /// Status::no_path and Fault::trapped: moving obstacles stand in the way for good, or have for
   /// 16 384 ticks, or close one way after the other: while nothing changed but them, and nothing
   /// else was to, the robot entered no new cell for 16 384 ticks and 16 for each that it had been
-  /// in; Status::limit: no ticks or time left; Status::interrupted; Status::invalid: at tick 0 the
-  /// start is blocked in truth or outside, or the goal as the robot knows it then.
+  /// in, not counting those in which no plan was ready; Status::limit: no ticks or time left;
+  /// Status::interrupted; Status::invalid: at tick 0 the start is blocked in truth or outside, or
+  /// the goal as the robot knows it then.
   Status status = Status::no_path;
   Limit limit = Limit::none;  ///< which one ended it: of time or of ticks
   Fault fault = Fault::none;  ///< why it is invalid, unreachable or trapped
@@ -101,7 +102,7 @@ struct DriveResult {
   std::vector<Replan> replans;        ///< in order
   std::int64_t seen = 0;              ///< cells learned to be other than they were known
   double length = 0;                  ///< travelled, in cells
-  double planning_ms = 0;             ///< in all ticks
+  double planning_ms = 0;             ///< in all ticks, by the stop condition's clock
   std::int64_t waits = 0;             ///< ticks in which the robot stood
   std::int64_t deferred_changes = 0;  ///< sum over ticks of cells whose change waits for the robot
 };

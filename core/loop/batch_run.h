@@ -6,6 +6,7 @@
 #include <functional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "core/base/invalid_parameter.h"
 #include "lasius/batch_options.h"
@@ -20,8 +21,9 @@ struct BatchTask {
   std::uint64_t seed = 0;   ///< to plan with
   StopCondition stop = {};  ///< the request's, and the batch's
 };
-/// Does a task. What it returns gives the answer on.
-using BatchWorker = std::function<std::function<void()>(const BatchTask&)>;
+/// Does a task, and returns a function that hands the answer to the batch's receiver: it is called
+/// when the answers before were received. The task is the worker's to move from.
+using BatchWorker = std::function<std::function<void()>(BatchTask&)>;
 
 /// Does the tasks of a batch, each request with each seed from `seed` on: `stop_of` gives a
 /// request's own condition, `make_worker` is called on each thread. Ends and returns as plan_batch.
@@ -40,9 +42,9 @@ std::size_t run_batch(std::span<const Request> requests, std::uint64_t seed,
   if (!receive)
     throw invalid_parameter("the receiver is empty", "give one, or leave it out for all answers");
   const auto make_worker = [&]() -> BatchWorker {
-    return [&, plan = make_plan()](const BatchTask& task) mutable -> std::function<void()> {
+    return [&, plan = make_plan()](BatchTask& task) mutable -> std::function<void()> {
       Request request = requests[task.index];
-      request.stop = task.stop;
+      request.stop = std::move(task.stop);
       const auto begin = Clock::now();
       BatchAnswerOf<Result> answer{task.index, task.seed, plan(request, task.seed), {}};
       answer.elapsed = Clock::now() - begin;
@@ -51,6 +53,16 @@ std::size_t run_batch(std::span<const Request> requests, std::uint64_t seed,
   };
   const auto stop_of = [&](std::size_t index) { return requests[index].stop; };
   return run_tasks(requests.size(), seed, options, stop_of, make_worker);
+}
+
+/// All answers of a plan_batch: `batch` runs it, given the receiver.
+template <class Result, class Request, class Batch>
+std::vector<BatchAnswerOf<Result>> all_answers(std::span<const Request> requests,
+                                               const Batch& batch) {
+  std::vector<BatchAnswerOf<Result>> answers;
+  answers.reserve(requests.size());
+  batch([&](const BatchAnswerOf<Result>& answer) { answers.push_back(answer); });
+  return answers;
 }
 
 }  // namespace lasius

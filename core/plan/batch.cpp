@@ -30,11 +30,9 @@ std::size_t plan_batch(const Planner& planner, std::span<const Request> requests
 std::vector<BatchAnswer> plan_batch(const Planner& planner, std::span<const Request> requests,
                                     const Params& params, const BatchOptions& options,
                                     const OwnRules& own) {
-  std::vector<BatchAnswer> answers;
-  plan_batch(
-      planner, requests, params, options,
-      [&](const BatchAnswer& answer) { answers.push_back(answer); }, own);
-  return answers;
+  return all_answers<Result>(requests, [&](const BatchReceiver& receive) {
+    plan_batch(planner, requests, params, options, receive, own);
+  });
 }
 
 }  // namespace lasius

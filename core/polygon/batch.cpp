@@ -24,10 +24,9 @@ std::size_t plan_batch(const Planner& planner, std::span<const Request> requests
 
 std::vector<BatchAnswer> plan_batch(const Planner& planner, std::span<const Request> requests,
                                     const Params& parameters, const BatchOptions& options) {
-  std::vector<BatchAnswer> answers;
-  plan_batch(planner, requests, parameters, options,
-             [&](const BatchAnswer& answer) { answers.push_back(answer); });
-  return answers;
+  return all_answers<Result>(requests, [&](const BatchReceiver& receive) {
+    plan_batch(planner, requests, parameters, options, receive);
+  });
 }
 
 }  // namespace lasius::polygon

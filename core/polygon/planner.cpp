@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "core/base/poller.h"
 #include "core/base/special_values.h"
 #include "core/loop/run_status.h"
@@ -263,8 +264,12 @@ Result apart(Point start, Point goal) {
 Point end_of(const char* what, const std::optional<Point>& asked,
              const std::optional<Point>& written) {
   const auto& point = asked ? asked : written;
-  if (point && std::isfinite(point->x) && std::isfinite(point->y)) return *point;
-  throw invalid_parameter(std::string("the world has no ") + what, std::string("give a ") + what);
+  if (!point)
+    throw invalid_parameter(std::string("the world has no ") + what, std::string("give a ") + what);
+  if (std::isfinite(point->x) && std::isfinite(point->y)) return *point;
+  throw invalid_parameter(std::string("the ") + what + " is (" + number_text(point->x) + ", " +
+                              number_text(point->y) + ")",
+                          "give finite coordinates");
 }
 
 Result exact(const ShortestPath& shortest, const Observer& observer) {

@@ -318,7 +318,7 @@ class Planner:
             goals: likewise.
         """
         used = chosen(Params, params, settings)
-        with counted(progress, len(np.asarray(starts)) * max(seeds, 1)) as tell:
+        with counted(progress, np.asarray(starts).size // 2 * max(seeds, 1)) as tell:
             return batch_result(
                 *self._raw.batch(starts, goals, used._raw, threads, seeds, time_limit, target_gap, tell)
             )

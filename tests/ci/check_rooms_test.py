@@ -126,6 +126,12 @@ class CheckRooms(TreeTest):
         self.write(".ci/rooms", ROOMS + "docs/examples -> lasius/nobody.h\n")
         self.fails("docs/examples -> lasius/nobody.h: not a room above it")
 
+    def test_an_arrow_to_a_header_of_a_room_that_has_none_such(self):
+        self.write(".ci/rooms", ROOMS + "docs/examples -> core/grid/cells.h\n")
+        self.assert_passes("check_rooms")
+        self.write(".ci/rooms", ROOMS + "docs/examples -> core/grid/nobody.h\n")
+        self.fails("docs/examples -> core/grid/nobody.h: no such file")
+
     def test_a_room_named_twice(self):
         self.write(".ci/rooms", ROOMS + "core/grid -> core/plan\n")
         self.fails("core/grid: named twice")

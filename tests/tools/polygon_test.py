@@ -311,12 +311,15 @@ class PolygonBatch(WorldTest):
     def test_each_query_is_what_plan_gives(self):
         self.write("open.geojson", collection(start=None, goal=None, margin=1.5))
         for arguments in (["--algorithm", "maklink-acs", "--seed", "7", "--threads", "2"], [],
-                          ["--algorithm", "real-ga", "--iterations", "3", "--gap", "--time-limit", "60"]):
+                          ["--algorithm", "real-ga", "--iterations", "3", "--gap", "--time-limit", "60"],
+                          ["--algorithm", "real-ga", "--gap", "--time-limit", "0"]):
             run = self.quiet(self.batch(*arguments, world="open.geojson"))
             lines = run.lines
+            cut = "0" in arguments
             self.assertEqual([line["index"] for line in lines], [0, 1, 2, 3, 4])
             self.assertEqual([line["status"] for line in lines],
-                             ["solved", "solved", "invalid", "invalid", "solved"])
+                             [*2 * ["limit" if cut else "solved"], "invalid", "invalid", "solved"])
+            self.assertEqual([line["optimum"] is None for line in lines], [cut, cut, True, True, False])
             for line in lines:
                 self.assertIsNone(line["note"])
                 start, goal = ([f"{v!r}" for v in line[end]] for end in ("start", "goal"))

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "lasius/error.h"
-#include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"
 #include "tools/console/values.h"
 
@@ -62,32 +61,23 @@ polygon::Params polygon_parameters(const PolygonCommand& command, std::vector<st
 PolygonAnswer to_answer(const polygon::Params& parameters, const polygon::Request& asked,
                         polygon::Result result, std::chrono::duration<double, std::milli> elapsed) {
   const std::chrono::duration<double, std::milli> beside = result.optimum_time;
-  const auto optimum = result.optimum;
   return {.parameters = parameters,
           .start = *asked.start,
           .goal = *asked.goal,
           .result = std::move(result),
-          .elapsed_ms = std::max(0.0, (elapsed - beside).count()),
-          .optimum = optimum};
+          .elapsed_ms = std::max(0.0, (elapsed - beside).count())};
 }
 
 PolygonAnswer polygon_answer(const LoadedWorld& world, const PolygonCommand& command,
                              const polygon::Params& parameters, const StopCondition& stop,
                              const polygon::Observer& observer) {
-  polygon::Request asked{.start = command.start ? command.start : world.planner.world().start,
-                         .goal = command.goal ? command.goal : world.planner.world().goal,
-                         .stop = stop,
-                         .target_gap = command.target_gap};
+  const polygon::Request asked{.start = command.start ? command.start : world.planner.world().start,
+                               .goal = command.goal ? command.goal : world.planner.world().goal,
+                               .stop = stop,
+                               .target_gap = command.target_gap};
   const auto begin = Clock::now();
   polygon::Result result = world.planner.plan(asked, parameters, observer);
-  PolygonAnswer answer = to_answer(parameters, asked, std::move(result), Clock::now() - begin);
-  // A limit may have cut the search for it short: it gets as much time again.
-  if (command.with_optimum && !answer.optimum) {
-    asked.stop = again(stop, command.time_limit);
-    asked.target_gap = 0;
-    answer.optimum = world.planner.plan(asked, polygon::Params("exact")).optimum;
-  }
-  return answer;
+  return to_answer(parameters, asked, std::move(result), Clock::now() - begin);
 }
 
 }  // namespace lasius::tool

@@ -33,8 +33,7 @@ struct PolygonAnswer {
   polygon::Params parameters;
   Point start, goal;
   polygon::Result result;
-  double elapsed_ms = 0;          ///< without the search for the optimum, unless that is asked
-  std::optional<double> optimum;  ///< where it was found in time
+  double elapsed_ms = 0;  ///< without the search for the optimum, unless that is asked
 };
 
 /// What ran on what.

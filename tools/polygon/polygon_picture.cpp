@@ -69,7 +69,7 @@ std::string path_caption(const PolygonAnswer& answer) {
   const auto compare = [&](const char* name, double optimum) {
     text += study::against(result.length, optimum, name, study::fixed(optimum, 3));
   };
-  if (answer.optimum) compare("optimum", *answer.optimum);
+  if (answer.result.optimum) compare("optimum", *answer.result.optimum);
   if (result.discrete_optimum)
     compare("optimum of the algorithm's own crossings", result.discrete_optimum->length);
   return text;
@@ -129,9 +129,9 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
                .tours = {{genetic ? "mean of the population" : "mean tour of the ants",
                           result.mean}},
                .unit = "the world's units"};
-           if (answer.optimum)
+           if (answer.result.optimum)
              course.levels.push_back(
-                 {"optimum " + study::fixed(*answer.optimum, 3), *answer.optimum});
+                 {"optimum " + study::fixed(*answer.result.optimum, 3), *answer.result.optimum});
            if (result.discrete_optimum)
              course.levels.push_back({"optimum of its own crossings " +
                                           study::fixed(result.discrete_optimum->length, 3),

@@ -90,7 +90,7 @@ class PolygonTask : public Task {
 
   const SearchResult& result() const override { return answer_.result; }
   const std::vector<Point>& path() const { return answer_.result.path; }
-  std::optional<double> optimum() const override { return answer_.optimum; }
+  std::optional<double> optimum() const override { return answer_.result.optimum; }
   double elapsed_ms() const override { return answer_.elapsed_ms; }
 
   void remark() const override {
@@ -225,15 +225,10 @@ int run_command(const PolygonBatchCommand& command) {
   const auto answer_part = [&](std::size_t first, std::size_t count, const BatchOptions& how,
                                const Batch::Take& take) {
     const auto part = std::span(std::as_const(queries)).subspan(first, count);
-    // Each plan finds it, unless a limit cuts that short.
-    std::vector<std::optional<double>> shortest(count);
-    if (plan.with_optimum && plan.time_limit)
-      shortest = optima(world->planner, part, polygon::Params("exact"), how);
     polygon::Params mine = parameters;
     const auto receive = [&](const polygon::BatchAnswer& found) {
       mine.seed = found.seed;
       PolygonAnswer one = to_answer(mine, part[found.index], found.result, found.elapsed);
-      if (!one.optimum) one.optimum = shortest[found.index];
       const Point start = one.start, goal = one.goal;
       task.set_index(first + found.index);
       task.set_seed(found.seed);

@@ -263,6 +263,32 @@ TEST(ArmPlan, PolledAfterEveryMoveThatASensorIsAskedAbout) {
   }
 }
 
+// The limit that is told is the one that ended the search, however near the other was.
+TEST(ArmPlan, TellsOfTwoLimitsTheOneThatEndedIt) {
+  const Robot robot = two_links();
+  Request request = across(robot);
+  request.stop.deadline = Clock::time_point::min();
+  Params p;
+  const auto limit = [&](int most) {
+    p.max_questions = most;
+    return plan(robot, Nothing(), request, p).limit;
+  };
+  EXPECT_EQ(limit(1), Limit::questions);  // none is left after that about the start
+  EXPECT_EQ(limit(2), Limit::time);
+  EXPECT_EQ(limit(3), Limit::time);
+  request.stop = {};
+  EXPECT_EQ(limit(2), Limit::questions);
+  // In a lattice: the tenth question takes the last second, one more might be asked.
+  p = Params("goritov2020");
+  p.pitch = 0.02;
+  const Slow sensor;
+  request.stop = {.deadline = sensor.now() + std::chrono::seconds(10), .time = &sensor};
+  p.max_questions = 11;
+  const Result r = plan(robot, sensor, request, p);
+  EXPECT_EQ(r.status, Status::limit);
+  EXPECT_EQ(r.limit, Limit::time);
+}
+
 TEST(ArmPlan, AMotionCutShortIsNotSolved) {
   const Robot robot = two_links();
   Request request = across(robot);

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "lasius/error.h"
 #include "tests/core/base/counting_time.h"
@@ -216,6 +218,69 @@ TEST(Drive, TrappedBetweenCorridorsThatAreClosedInTurn) {
   EXPECT_EQ(drive(map, map, {0, 2}, {14, 2}, changes, {.sense = 3}).status, Status::solved);
 }
 
+/// Plans as a Navigator does, but has not done so before a tick; waits there. To observe takes it 3
+/// seconds, by the clock that it is.
+class SlowPilot final : public Pilot, public TimeSource {
+ public:
+  SlowPilot(const Grid& map, Cell goal, int ready) : pilot_(map, goal), left_(ready) {}
+  void observe(const Rectangle& part, bool blocked) override { pilot_.observe(part, blocked); }
+  void observe(std::span<const Cell> cells, bool blocked) override {
+    pilot_.observe(cells, blocked);
+    now_ += std::chrono::seconds(3);
+  }
+  const Way& step(Cell robot, const StopCondition& stop) override {
+    left = stop.deadline - stop.now();
+    if (left_-- <= 0) return pilot_.step(robot, {});
+    none_.status = Status::limit;
+    return none_;
+  }
+  Cell goal() const noexcept override { return pilot_.goal(); }
+  const Grid& map() const noexcept override { return pilot_.map(); }
+  const Grid& passable() const noexcept override { return pilot_.passable(); }
+  bool connected(Cell a, Cell b) override { return pilot_.connected(a, b); }
+  Clock::time_point now() const noexcept override { return now_; }
+
+  Clock::duration left{};  ///< for the last step
+
+ private:
+  Navigator pilot_;
+  int left_;  // steps without a way
+  Way none_;
+  Clock::time_point now_;
+};
+
+TEST(Drive, IsNotTrappedWhileItPlans) {
+  const Grid map(60, 60);
+  Changes changes;
+  changes.obstacles = {{.tick = 0, .speed = 1, .track = {{50, 50}, {55, 50}}}};
+  SlowPilot never(map, {9, 1}, 1 << 30);
+  const DriveResult r = drive(never, map, {1, 1}, changes, {.max_ticks = 20'000});
+  EXPECT_EQ(r.status, Status::limit);
+  EXPECT_EQ(r.limit, Limit::ticks);
+  SlowPilot late(map, {9, 1}, 20'000);
+  EXPECT_EQ(drive(late, map, {1, 1}, changes).status, Status::solved);
+}
+
+TEST(Drive, MeasuresPlanningByTheClockOfItsDeadline) {
+  const Grid map(9, 1);
+  Changes changes;
+  changes.cells = {{.tick = 0, .part = {7, 0, 1, 1}, .blocked = true}};
+  SlowPilot pilot(map, {5, 0}, 0);
+  const DriveResult r = drive(pilot, map, {1, 0}, changes, {.seconds_per_tick = 10},
+                              {.deadline = Clock::time_point::max(), .time = &pilot});
+  EXPECT_EQ(r.status, Status::solved);
+  ASSERT_FALSE(r.replans.empty());
+  EXPECT_EQ(r.replans[0].ms, 3000);
+  EXPECT_EQ(r.planning_ms, 3000);
+  EXPECT_EQ(pilot.left, std::chrono::seconds(10));  // of a tick without news
+  SlowPilot seeing(map, {1, 0}, 1 << 30);
+  EXPECT_EQ(drive(seeing, map, {3, 0}, changes, {.max_ticks = 0, .seconds_per_tick = 10},
+                  {.deadline = Clock::time_point::max(), .time = &seeing})
+                .status,
+            Status::limit);
+  EXPECT_EQ(seeing.left, std::chrono::seconds(7));
+}
+
 TEST(Drive, GivesWayInACorridor) {
   const Grid map = drawn({".....@@@@@@@@",  //
                           ".............",  //
@@ -251,6 +316,7 @@ TEST(Drive, RefusesWhatMakesNoSense) {
   refuses({}, {.sense = nan});
   refuses({}, {.max_ticks = -1});
   refuses({}, {.seconds_per_tick = 0});
+  refuses({}, {.seed = std::uint64_t{1} << 53});
   EXPECT_THROW((void)drive(map, map, {0, 0}, {3, 3}, {}, {}, {.radius = -1}), Error);
 }
 

@@ -3,11 +3,14 @@
 #include <chrono>
 #include <limits>
 #include <stdexcept>
+#include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "lasius/error.h"
 #include "lasius/polygon_plan.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/core/base/refusal.h"
 #include "tests/core/polygon/known_world.h"
 
 namespace lasius::polygon {
@@ -100,6 +103,8 @@ TEST(PolygonBatch, RefusesBadParametersBeforeAnyRequest) {
   refused(asked.planner, requests, {}, {});
   requests.back() = {.start = Point{kNaN, 1}};
   refused(asked.planner, requests, {}, {});
+  EXPECT_EQ(refusal([&] { (void)asked.planner.plan(requests.back()); }),
+            "the start is (nan, 1): give finite coordinates");
   // The world names no goal, nor does the second request.
   const Planner open(empty_world(10, 10, Point{1, 1}, std::nullopt));
   refused(open, {{.goal = Point{2, 2}}, {}}, {}, {});
@@ -112,9 +117,47 @@ TEST(PolygonBatch, RequestsKeepTheirOwnStops) {
   requests[2].stop.deadline = Clock::now() - std::chrono::hours(1);
   const auto answers = plan_batch(asked.planner, requests, few("maklink-acs"), {.threads = 2});
   ASSERT_EQ(answers.size(), 3U);
-  EXPECT_NE(answers[0].result.status, Status::interrupted);
+  EXPECT_EQ(answers[0].result.status, Status::solved);
   EXPECT_EQ(answers[1].result.status, Status::interrupted);
   EXPECT_EQ(answers[2].result.status, Status::limit);
+  EXPECT_EQ(answers[2].result.limit, Limit::time);
+}
+
+TEST(PolygonBatch, ATimeLimitHoldsForEachRequest) {
+  const Asked asked;
+  const std::vector<Request> requests(3);
+  using Seconds = std::chrono::duration<double>;
+  for (const auto& [seconds, status] : {std::pair(0.0, Status::limit), {3600.0, Status::solved}}) {
+    const auto answers = plan_batch(asked.planner, requests, few("maklink-acs"),
+                                    {.threads = 2, .time_limit = Seconds(seconds)});
+    ASSERT_EQ(answers.size(), 3U);
+    for (const BatchAnswer& answer : answers) {
+      EXPECT_EQ(answer.result.status, status);
+      EXPECT_EQ(answer.result.limit, status == Status::limit ? Limit::time : Limit::none);
+    }
+  }
+}
+
+/// Ends a batch when a request looks at the clock.
+class StopsBatch final : public TimeSource {
+ public:
+  Clock::time_point now() const noexcept override {
+    source.request_stop();
+    return {};
+  }
+  mutable std::stop_source source;
+};
+
+TEST(PolygonBatch, WhatIsInFlightAtAStopEndsInterruptedAndIsReceived) {
+  const Asked asked;
+  const StopsBatch clock;
+  std::vector<Request> requests(3);
+  requests[1].stop = {.deadline = Clock::time_point{} + std::chrono::hours(1), .time = &clock};
+  const auto answers = plan_batch(asked.planner, requests, few("maklink-acs"),
+                                  {.threads = 1, .token = clock.source.get_token()});
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(answers[0].result.status, Status::solved);
+  EXPECT_EQ(answers[1].result.status, Status::interrupted);
 }
 
 TEST(PolygonBatch, AStopEndsItAfterWhatWasBegun) {

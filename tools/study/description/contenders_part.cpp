@@ -12,7 +12,7 @@ namespace lasius::study {
 namespace {
 
 constexpr int kMostPoints = 10000;
-constexpr std::int64_t kEndlessIterations = 1'000'000'000;  // iterations
+constexpr std::int64_t kEndlessIterations = 1'000'000'000;
 
 /// A setting, and where it stands.
 struct Placed {
