@@ -7,7 +7,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
-#include "core/colony/pheromone_impl.h"
+#include "core/colony/stored_pheromone.h"
 #include "core/grid/move_rule.h"
 #include "core/loop/trail_rules.h"
 #include "core/params/parameter_table.h"
@@ -54,28 +54,28 @@ std::vector<Cell> move_steps(Neighbours neighbours) {
 }
 
 std::span<const TrailPlace> IterationTours::cells_of(int ant) const noexcept {
-  return source_->cells_of(ant);
+  return tours_->cells_of(ant);
 }
 
 std::span<const TrailPlace> IterationTours::places_of(int ant) const noexcept {
-  return trail == Trail::cells ? source_->cells_of(ant) : source_->arcs_of(ant);
+  return trail == Trail::cells ? tours_->cells_of(ant) : tours_->arcs_of(ant);
 }
 
-std::span<const TrailPlace> IterationTours::cells() const noexcept { return source_->cells(); }
+std::span<const TrailPlace> IterationTours::cells() const noexcept { return tours_->cells(); }
 
 std::span<const TrailPlace> IterationTours::arcs() const noexcept {
   if (trail == Trail::cells) return {};
-  return source_->arcs();
+  return tours_->arcs();
 }
 
 std::span<const TrailPlace> IterationTours::best_cells() const noexcept {
   if (!(best_length > 0)) return {};
-  return source_->cells_of(ants());
+  return tours_->cells_of(ants());
 }
 
 std::span<const TrailPlace> IterationTours::best_arcs() const noexcept {
   if (trail == Trail::cells || !(best_length > 0)) return {};
-  return source_->arcs_of(ants());
+  return tours_->arcs_of(ants());
 }
 
 std::span<const TrailPlace> IterationTours::best_places() const noexcept {
@@ -124,14 +124,14 @@ StepWeights own_weights(const OwnRules& own, const Params& params, int iteration
   return w;
 }
 
-std::array<TrailPlace, kernels::kMaxMoves> IterationTours::Source::steps() const noexcept {
+std::array<TrailPlace, kernels::kMaxMoves> NumberedTours::steps() const noexcept {
   std::array<TrailPlace, kernels::kMaxMoves> step{};
   for (int k = 0; k < tours_->moves.count; ++k)
     step[k] = std::int64_t{tours_->moves[k].to.dy} * width_ + tours_->moves[k].to.dx;
   return step;
 }
 
-IterationTours IterationTours::Source::view(const Tours& tours, const Grid& grid, Trail carrier) {
+IterationTours NumberedTours::view(const Tours& tours, const Grid& grid, Trail carrier) {
   if (lists_ == nullptr || lists_.use_count() > 1) lists_ = std::make_shared<Lists>();
   tours_ = &tours;
   width_ = grid.width();
@@ -162,7 +162,7 @@ IterationTours IterationTours::Source::view(const Tours& tours, const Grid& grid
   return view;
 }
 
-std::span<const TrailPlace> IterationTours::Source::cells_of(int number) noexcept {
+std::span<const TrailPlace> NumberedTours::cells_of(int number) noexcept {
   const auto walk = tour(number).moves;
   TrailPlace* const cells = lists_->cells.data() + lists_->offsets[number];
   if ((written_[number] & kCells) == 0) {
@@ -174,7 +174,7 @@ std::span<const TrailPlace> IterationTours::Source::cells_of(int number) noexcep
   return {cells, walk.size() + 1};
 }
 
-std::span<const TrailPlace> IterationTours::Source::arcs_of(int number) noexcept {
+std::span<const TrailPlace> NumberedTours::arcs_of(int number) noexcept {
   const auto walk = tour(number).moves;
   TrailPlace* const arcs = lists_->arcs.data() + lists_->offsets[number] - number;
   if ((written_[number] & kArcs) == 0) {
@@ -189,12 +189,12 @@ std::span<const TrailPlace> IterationTours::Source::arcs_of(int number) noexcept
   return {arcs, walk.size()};
 }
 
-std::span<const TrailPlace> IterationTours::Source::cells() noexcept {
+std::span<const TrailPlace> NumberedTours::cells() noexcept {
   for (int ant = 0; ant < ants(); ++ant) cells_of(ant);
   return {lists_->cells.data(), static_cast<std::size_t>(lists_->offsets[ants()])};
 }
 
-std::span<const TrailPlace> IterationTours::Source::arcs() noexcept {
+std::span<const TrailPlace> NumberedTours::arcs() noexcept {
   for (int ant = 0; ant < ants(); ++ant) arcs_of(ant);
   return {lists_->arcs.data(), static_cast<std::size_t>(lists_->offsets[ants()] - ants())};
 }
@@ -206,7 +206,7 @@ bool update_by_caller(Field& field, const OwnRules& own, const Params& params, c
   IterationTours view = numbered.view(tours, grid, params.trail);
   view.goal = goal;
   StoredPheromone stored(field, grid, params, tours.moves.count, poller);
-  own.update(stored.trail, view);
+  own.update(stored.pheromone, view);
   return view.stopped();
 }
 

@@ -32,7 +32,7 @@ inline const OwnRules& no_own_rules() {
 StepWeights own_weights(const OwnRules& own, const Params& params, int iteration);
 
 /// The tours of an iteration as numbers of cells and moves, written when they are asked for.
-class IterationTours::Source {
+class NumberedTours {
  public:
   /// What an update is given of these tours, which outlive its use. Memory is used again unless the
   /// caller keeps that of a view.
@@ -75,8 +75,6 @@ class IterationTours::Source {
   TrailPlace start_ = 0;
   int width_ = 0;
 };
-
-class NumberedTours : public IterationTours::Source {};
 
 /// Lets the caller's own update, which there is, change the trail. True where it asks for the end
 /// of the search. `stop` cuts its changes short.

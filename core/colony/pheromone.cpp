@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/number_text.h"
-#include "core/colony/pheromone_impl.h"
+#include "core/colony/stored_pheromone.h"
 #include "core/params/parameter_table.h"
 #include "kernels/walk/walk.h"
 
@@ -51,31 +51,32 @@ void check(std::span<const TrailPlace> places, std::int64_t count, std::span<con
 
 }  // namespace
 
-Trail Pheromone::trail() const noexcept { return impl_.kind; }
-std::int64_t Pheromone::places() const noexcept { return impl_.places(); }
+Trail Pheromone::trail() const noexcept { return stored_.kind; }
+std::int64_t Pheromone::places() const noexcept { return stored_.places(); }
 
 void Pheromone::persist(double persistence) {
   if (!(persistence >= 0 && persistence <= 1))
     throw invalid_parameter("persistence is " + number_text(persistence), "it must be 0 .. 1");
-  impl_.trail.evaporate(persistence);
+  stored_.trail.evaporate(persistence);
 }
 
 void Pheromone::add(std::span<const TrailPlace> places, double amount) {
-  check_places(places, impl_.places());
+  check_places(places, stored_.places());
   if (!is_tau(amount)) throw no_tau("amount", amount);
-  impl_.for_each(places, [&](GridPlace place, std::size_t) { impl_.trail.deposit(place, amount); });
+  stored_.for_each(places,
+                   [&](GridPlace place, std::size_t) { stored_.trail.deposit(place, amount); });
 }
 
 void Pheromone::add(std::span<const TrailPlace> places, std::span<const double> values) {
-  check(places, impl_.places(), values);
-  impl_.for_each(places,
-                 [&](GridPlace place, std::size_t i) { impl_.trail.deposit(place, values[i]); });
+  check(places, stored_.places(), values);
+  stored_.for_each(
+      places, [&](GridPlace place, std::size_t i) { stored_.trail.deposit(place, values[i]); });
 }
 
 void Pheromone::set(std::span<const TrailPlace> places, std::span<const double> values) {
-  check(places, impl_.places(), values);
-  impl_.for_each(places,
-                 [&](GridPlace place, std::size_t i) { impl_.trail.set_tau(place, values[i]); });
+  check(places, stored_.places(), values);
+  stored_.for_each(
+      places, [&](GridPlace place, std::size_t i) { stored_.trail.set_tau(place, values[i]); });
 }
 
 void Pheromone::clamp(double least, double most) {
@@ -83,52 +84,52 @@ void Pheromone::clamp(double least, double most) {
   if (!(most > 0 && most >= least))
     throw invalid_parameter("most is " + number_text(most) + ", least " + number_text(least),
                             "most must be positive, and not below least");
-  impl_.trail.bound(least, most);
+  stored_.trail.bound(least, most);
 }
 
 void Pheromone::get(std::span<const TrailPlace> places, std::span<double> values) const {
-  check_places(places, impl_.places());
+  check_places(places, stored_.places());
   check_lengths(places.size(), values.size());
   std::ranges::transform(places, values.begin(),
-                         [this](TrailPlace place) { return impl_.trail.tau(impl_.at(place)); });
+                         [this](TrailPlace place) { return stored_.trail.tau(stored_.at(place)); });
 }
 
 void Pheromone::check_learned() const {
-  if (impl_.learned) return;
+  if (stored_.learned) return;
   throw invalid_parameter("no cell has learned: the heuristic is another one",
                           "set heuristic to learned and update to learning");
 }
 
 void Pheromone::get_learned(std::span<const TrailPlace> cells, std::span<double> values) const {
   check_learned();
-  check_places(cells, impl_.cells);
+  check_places(cells, stored_.cells);
   check_lengths(cells.size(), values.size());
   std::ranges::transform(cells, values.begin(), [this](TrailPlace cell) {
-    return impl_.trail.field.eta(impl_.cell(cell));
+    return stored_.trail.field.eta(stored_.cell(cell));
   });
 }
 
 void Pheromone::set_learned(std::span<const TrailPlace> cells, std::span<const double> values) {
   check_learned();
-  check(cells, impl_.cells, values);
-  for (std::size_t i = 0; i < cells.size() && !impl_.poller.stop_after(1); ++i)
-    impl_.trail.field.set_eta(impl_.cell(cells[i]), values[i]);
+  check(cells, stored_.cells, values);
+  for (std::size_t i = 0; i < cells.size() && !stored_.poller.stop_after(1); ++i)
+    stored_.trail.field.set_eta(stored_.cell(cells[i]), values[i]);
 }
 
-int Pheromone::tiles() const noexcept { return impl_.trail.field.tiles(); }
+int Pheromone::tiles() const noexcept { return stored_.trail.field.tiles(); }
 
 TrailTile Pheromone::tile(int number) const {
   if (number < 0 || number >= tiles())
     throw invalid_parameter("tile " + std::to_string(number) + " is asked for",
                             "there are " + std::to_string(tiles()) + ", from 0");
   TrailTile tile;
-  tile.stored = impl_.trail.field.stored(number, tile.first);
+  tile.stored = stored_.trail.field.stored(number, tile.first);
   return tile;
 }
 
-double Pheromone::scale() const noexcept { return impl_.trail.field.scale(); }
-double Pheromone::untouched() const noexcept { return impl_.trail.field.untouched(); }
-double Pheromone::least() const noexcept { return impl_.trail.field.least(); }
-double Pheromone::most() const noexcept { return impl_.trail.field.most(); }
+double Pheromone::scale() const noexcept { return stored_.trail.field.scale(); }
+double Pheromone::untouched() const noexcept { return stored_.trail.field.untouched(); }
+double Pheromone::least() const noexcept { return stored_.trail.field.least(); }
+double Pheromone::most() const noexcept { return stored_.trail.field.most(); }
 
 }  // namespace lasius

@@ -16,6 +16,9 @@
 
 namespace lasius {
 
+class NumberedTours;  // internal, and so the next
+class StoredPheromone;
+
 /// What carries pheromone, or a cell, as a number. Cell (x, y) is y * width + x. With Trail::cells
 /// a place is a cell; with Trail::arcs it is a move out of one: cell * moves + k, k the number of
 /// the move in move_steps(), moves their count.
@@ -83,11 +86,10 @@ struct LASIUS_EXPORT IterationTours {
 
  private:
   friend class NumberedTours;
-  class Source;
-  explicit IterationTours(Source& source) noexcept : source_(&source) {}
+  explicit IterationTours(NumberedTours& tours) noexcept : tours_(&tours) {}
   IterationTours(IterationTours&&) = default;
 
-  Source* source_;
+  NumberedTours* tours_;
   mutable bool stopped_ = false;
 };
 
@@ -162,11 +164,10 @@ class LASIUS_EXPORT Pheromone {
 
  private:
   friend class StoredPheromone;
-  class Impl;
-  explicit Pheromone(Impl& impl) noexcept : impl_(impl) {}
+  explicit Pheromone(StoredPheromone& stored) noexcept : stored_(stored) {}
   void check_learned() const;
 
-  Impl& impl_;
+  StoredPheromone& stored_;
 };
 
 /// What of a colony is the caller's own, beside any parameters: what is left empty is as

@@ -267,8 +267,8 @@ LASIUS_EXPORT std::span<const Algorithm> algorithms() noexcept;
 /// One of them. @throws Error(invalid_parameter) for an unknown name, with the nearest known one.
 LASIUS_EXPORT const Algorithm& find_algorithm(std::string_view name);
 
-/// The rules of a colony in a line each: weight of a move, choice, update. tau is pheromone, E the
-/// goal, d the distance, L the length of a tour; other words are parameters. Empty for others.
+/// The rules of a colony in a line each, with what their symbols mean: weight of a move, choice,
+/// update. Other words are parameters. Empty for others.
 LASIUS_EXPORT std::vector<std::string> formulas(const Params& params);
 
 /// Has the algorithm numbers of this preset? @throws as find_algorithm().

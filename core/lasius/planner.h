@@ -21,6 +21,8 @@
 
 namespace lasius {
 
+struct WorkspaceMemory;  // internal
+
 /// Scratch memory of one call in flight. Keep one per thread: with it, `exact` and every colony
 /// allocate nothing but the result in a second call of the same size. A call without one gives its
 /// memory back before it returns, past a deadline, too: a tenth of a second for each gigabyte that
@@ -44,8 +46,7 @@ class LASIUS_EXPORT Workspace {
 
  private:
   friend struct WorkspaceMemory;
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<WorkspaceMemory> memory_;
 };
 
 /// A map made ready for planning. Immutable: use one from many threads, a Workspace each. After a

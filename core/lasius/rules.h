@@ -1,4 +1,4 @@
-// The published rules of colonies on bitmaps: an enumeration each, and a table with a row a rule.
+// The published rules of colonies on bitmaps: an enumeration a kind, and a table with a row a rule.
 #pragma once
 
 #include <algorithm>
@@ -8,16 +8,20 @@
 
 namespace lasius {
 
-/// What the library says of a rule.
+/// What the library says of a rule. In its formula i is the cell that an ant leaves, j the one that
+/// a move leads to, E the goal, d a straight distance, tau pheromone and L the length of a tour;
+/// what else is no parameter, `where` explains.
 template <class Value>
 struct Rule {
   Value value{};                ///< the rule
   std::string_view name;        ///< as options take it
-  std::string_view parameters;  ///< parted by blanks: which it reads, of those that not all do
+  std::string_view parameters;  ///< names of those that it reads and some other rule does not,
+                                ///< parted by blanks
   std::string_view formula;     ///< as formulas() tells it; empty: the factor 1
-  std::string_view where = {};  ///< what else the formula's symbols are
+  std::string_view where = {};  ///< its own symbols, explained
 
-  /// Does it read the parameter of this name?
+  /// Is it one of `parameters`? Whether its value counts may depend on other parameters, too: see
+  /// why_unread().
   constexpr bool reads(std::string_view parameter) const noexcept {
     for (std::string_view rest = parameters; !rest.empty();) {
       const std::string_view word = rest.substr(0, rest.find(' '));
@@ -46,8 +50,7 @@ constexpr std::array<std::string_view, kCount> rule_names(
   return names;
 }
 
-/// The part of a move's weight that depends on where it leads, from i to j; E is the goal, d a
-/// distance.
+/// The part of a move's weight that depends on where it leads.
 enum class Heuristic {
   uniform,            ///< 1
   rescaled_distance,  ///< of d(j, E) to the largest around i (Fan et al. 2004, eq. 4)
@@ -66,7 +69,8 @@ inline constexpr std::array kHeuristics{
     Rule<Heuristic>{Heuristic::distance, "distance", "beta", "d(j, E)^beta"},
     Rule<Heuristic>{Heuristic::goal_angle, "goal-angle", "beta", "(1 / (1 + h / 45 degrees))^beta",
                     "h between the move and the way to E"},
-    Rule<Heuristic>{Heuristic::learned, "learned", "beta", "eta(j)^beta"},
+    Rule<Heuristic>{Heuristic::learned, "learned", "beta", "eta(j)^beta",
+                    "eta what ants have learned of a cell"},
     Rule<Heuristic>{Heuristic::distance_field, "distance-field", "beta", "(1 / D(j))^beta",
                     "D the shortest way from j to E"},
 };
@@ -86,11 +90,11 @@ enum class Visibility {
 /// Their rows.
 inline constexpr std::array kVisibilities{
     Rule<Visibility>{Visibility::none, "none", "", ""},
-    // Reads beta where steps differ in length: see core/params/params.cpp.
-    Rule<Visibility>{Visibility::inverse_step, "inverse-step", "", "(1 / s)^beta",
+    Rule<Visibility>{Visibility::inverse_step, "inverse-step", "beta", "(1 / s)^beta",
                      "s the length of the move"},
     Rule<Visibility>{Visibility::heading_change, "heading-change", "beta",
-                     "(1 / (1 + turn / 45 degrees))^beta", "0 straight back"},
+                     "(1 / (1 + turn / 45 degrees))^beta",
+                     "turn the change of heading; 0 straight back"},
 };
 /// Their names, in the same order.
 inline constexpr std::array kVisibilityNames = rule_names(kVisibilities);
@@ -110,37 +114,46 @@ enum class Update {
   terminal_index,  ///< no trail but the best known way from each cell (Li, Wang & Ma)
   learning,        ///< rewards and penalties, ant by ant (Cong & Ponnambalam 2009, eq. 3, 4)
 };
-/// Their rows. L is the length of an ant's tour.
+/// Their rows.
 inline constexpr std::array kUpdates{
     Rule<Update>{Update::ant_system, "ant-system", "persistence initial_pheromone deposit",
                  "tau <- persistence tau + sum over the arrived ants of deposit / L"},
     Rule<Update>{Update::elitist, "elitist", "persistence initial_pheromone deposit elite_weight",
                  "tau <- persistence tau + sum over the arrived ants of deposit / L + elite_weight "
                  "deposit / L of the best so far"},
-    Rule<Update>{Update::rank, "rank", "persistence initial_pheromone deposit ranks",
-                 "tau <- persistence tau + sum over the ranks - 1 best, r = 1 .., of (ranks - r) "
-                 "deposit / L + ranks deposit / L of the best so far"},
+    Rule<Update>{
+        Update::rank, "rank", "persistence initial_pheromone deposit ranks",
+        "tau <- persistence tau + sum over the ranks - 1 best of (ranks - r) deposit / L + "
+        "ranks deposit / L of the best so far",
+        "r = 1 for the iteration's shortest tour, 2 for the next, and so on"},
     Rule<Update>{
         Update::max_min, "max-min",
         "persistence initial_pheromone deposit best_so_far_every best_probability",
         "tau <- persistence tau + deposit / L of the iteration's best, every best_so_far_every-th "
-        "time of the best so far; tau within [tau_min, tau_max] by best_probability"},
+        "time of the best so far; tau within [tau_min, tau_max]",
+        "tau_max = deposit / ((1 - persistence) L) of the best so far, tau_min such that at the "
+        "bounds that tour is drawn again with probability best_probability"},
     Rule<Update>{
         Update::colony_system, "colony-system",
         "persistence initial_pheromone deposit local_evaporation batch",
         "on the best tour so far tau <- persistence tau + (1 - persistence) deposit / L; after an "
-        "ant has passed tau <- (1 - local_evaporation) tau + local_evaporation tau0"},
+        "ant has passed tau <- (1 - local_evaporation) tau + local_evaporation tau0",
+        "tau0 the pheromone at first"},
     Rule<Update>{Update::best_share, "best-share",
                  "persistence initial_pheromone deposit elite_ants",
                  "tau <- persistence tau + deposit / ants on the elite_ants best of the iteration"},
-    Rule<Update>{Update::terminal_index, "terminal-index",
-                 "beta unknown_index index_spread index_answer",
-                 "backwards along every arrived ant's tour K(c) <- min(K(c), K(next) + step)"},
     Rule<Update>{
-        Update::learning, "learning", "persistence initial_pheromone reward reward_reading penalty",
+        Update::terminal_index, "terminal-index", "beta unknown_index index_spread index_answer",
+        "backwards along every arrived ant's tour K(c) <- min(K(c), K(next) + step)",
+        "K(c) the terminal index of a cell, next the cell after it, step the length of the "
+        "move there"},
+    Rule<Update>{
+        Update::learning, "learning",
+        "persistence initial_pheromone deposit reward reward_reading penalty",
         "after every ant tau <- persistence tau; on a tour that arrived tau <- tau (1 + reward "
         "rows / L) (affine: tau reward rows / L + 1), eta <- eta + rows / L; on the second half of "
-        "a dead end tau and eta <- penalty times themselves"},
+        "a dead end tau and eta <- penalty times themselves",
+        "rows the height of the map, eta that of the heuristic learned"},
 };
 /// Their names, in the same order.
 inline constexpr std::array kUpdateNames = rule_names(kUpdates);

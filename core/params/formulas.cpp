@@ -1,30 +1,50 @@
+#include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/params/schedule.h"
 #include "lasius/params.h"
 
 namespace lasius {
+namespace {
+
+// Is the number that of an enumerator? Compilers write others as casts: "= (lasius::Update)8".
+template <auto kValue>
+constexpr bool is_enumerator() {
+  return std::string_view(__PRETTY_FUNCTION__).find("= (") == std::string_view::npos;
+}
+// Has each enumerator one row, with a name? Others' numbers rule_names() refuses.
+template <class Value, std::size_t kCount>
+constexpr bool complete(const std::array<Rule<Value>, kCount>& rules) {
+  return std::ranges::none_of(rule_names(rules), &std::string_view::empty) &&
+         !is_enumerator<static_cast<Value>(kCount)>();
+}
+static_assert(complete(kHeuristics) && complete(kVisibilities) && complete(kUpdates));
+
+}  // namespace
+
 std::vector<std::string> formulas(const Params& params) {
   if (find_algorithm(params.algorithm()).kind != Algorithm::Kind::colony) return {};
   const bool index = params.update == Update::terminal_index;
   const std::string trail = index ? "(K(j) - index_spread Kmin)^alpha" : "tau^alpha";
   std::string weight = trail, where;
+  const auto explain = [](std::string& line, const auto& rule) {
+    if (!rule.where.empty()) line.append("; ").append(rule.where);
+  };
   const auto multiply = [&](const auto& rule) {
     if (!rule.formula.empty()) weight.append(" * ").append(rule.formula);
-    if (!rule.where.empty()) where.append("; ").append(rule.where);
+    explain(where, rule);
   };
   multiply(rule_of(params.heuristic, kHeuristics));
   multiply(rule_of(params.visibility, kVisibilities));
   std::vector<std::string> lines{"weight of the move from i to j: " + weight + where};
-  const bool learns = params.heuristic == Heuristic::learned || params.update == Update::learning;
-  lines.push_back(
+  lines.emplace_back(
       index
           ? "K is the terminal index of a cell, Kmin the least of those beside i; d a distance, E "
             "the goal"
-          : "tau is pheromone, tau0 its first value; " +
-                std::string(learns ? "eta what ants learned; " : "") +
-                "d a distance, E the goal, L the length of a tour");
+          : "tau is pheromone; d a distance, E the goal, L the length of a tour");
   lines.emplace_back(index
                          ? "choice: moves are discarded in proportion to their weight until one "
                            "is left"
@@ -37,7 +57,8 @@ std::vector<std::string> formulas(const Params& params) {
     lines.push_back("or, drawn by shares: the weight " + alone +
                     ", or that of the heuristic alone");
   }
-  lines.push_back("update: " + std::string(rule_of(params.update, kUpdates).formula));
+  const auto update = rule_of(params.update, kUpdates);
+  explain(lines.emplace_back("update: ").append(update.formula), update);
   if (params.polish != Polish::none && params.straight_deposit != StraightDeposit::none)
     lines.emplace_back("and deposit / S on the cells under straightened paths of length S");
   return lines;

@@ -134,19 +134,12 @@ class ParameterTable {
     Parameter info;
     std::variant<Bounded<int>, Bounded<double>, Choice> value;
     bool (*is_read)(const Fields&) = nullptr;  // null: always
-    bool is_alternative = false;               // to the rules that read it, else beside them
 
     /// The same, read only under a condition.
     constexpr Entry only_with(const Condition& condition) const {
       Entry entry = *this;
       entry.info.only_with = condition.words;
       entry.is_read = condition.holds;
-      return entry;
-    }
-    /// The same, read under a condition as well as by the rules that read it.
-    constexpr Entry also_with(const Condition& condition) const {
-      Entry entry = only_with(condition);
-      entry.is_alternative = true;
       return entry;
     }
   };

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
+#include <charconv>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,26 +17,38 @@ namespace {
 using Table = ParameterTable<Params>;
 using Entry = Table::Entry;
 
-// Adds the rules that read a parameter where only some do: "update=rank|max-min", or "an update but
-// learning" where most do.
+// With what a parameter is read, as told; made by the compiler.
+class Words {
+ public:
+  constexpr Words& add(std::string_view more) {
+    for (const char c : more) text_.at(size_++) = c;
+    return *this;
+  }
+  constexpr std::string_view view() const { return {text_.data(), size_}; }
+
+ private:
+  std::array<char, 300> text_{};
+  std::size_t size_ = 0;
+};
+
+// Adds the rules that read a parameter where only some do: "update=rank|max-min", or "any update
+// except learning" where most do.
 template <class Rules>
-void add_readers(std::string& words, std::string_view kind, std::string_view parameter,
-                 const Rules& rules) {
+constexpr void add_readers(Words& words, std::string_view kind, std::string_view parameter,
+                           const Rules& rules) {
   const auto reads = [&](const auto& rule) { return rule.reads(parameter); };
   const auto readers = static_cast<std::size_t>(std::ranges::count_if(rules, reads));
   if (readers == 0 || readers == rules.size()) return;
   const bool most = 2 * readers > rules.size();
-  if (!words.empty()) words += ", ";
-  if (most) words += kind.front() == 'u' ? "an " : "a ";
-  words += kind;
-  std::string_view before = most ? " but " : "=";
+  words.add(words.view().empty() ? "" : ", or ").add(most ? "any " : "").add(kind);
+  std::string_view before = most ? " except " : "=";
   for (const auto& rule : rules) {
-    if (reads(rule) != most) words.append(std::exchange(before, "|")).append(rule.name);
+    if (reads(rule) != most) words.add(std::exchange(before, "|")).add(rule.name);
   }
 }
 // Those of every kind; empty: the parameter does not depend on them.
-std::string readers_of(std::string_view parameter) {
-  std::string words;
+constexpr Words readers_of(std::string_view parameter) {
+  Words words;
   add_readers(words, "heuristic", parameter, kHeuristics);
   add_readers(words, "visibility", parameter, kVisibilities);
   add_readers(words, "update", parameter, kUpdates);
@@ -47,17 +59,21 @@ bool is_read_by_rules(const Params& p, std::string_view parameter) {
          rule_of(p.visibility, kVisibilities).reads(parameter) ||
          rule_of(p.update, kUpdates).reads(parameter);
 }
-std::string only_with(const Entry& e) {
-  std::string words = readers_of(e.info.name);
-  if (!words.empty() && e.is_read != nullptr) words += e.is_alternative ? ", or " : " and ";
-  return words.append(e.info.only_with);
+constexpr Words only_with(const Parameter& info) {
+  Words words = readers_of(info.name);
+  const bool both = !words.view().empty() && !info.only_with.empty();
+  const bool several = words.view().find(' ') != std::string_view::npos;
+  return words.add(both && several ? "," : "").add(both ? " and " : "").add(info.only_with);
 }
 
 constexpr Table::Condition kUntilCriticalTime{"critical_time above 0",
                                               [](const Params& p) { return p.critical_time > 0; }};
 
-bool steps_differ(const Params& p) {
-  return p.visibility == Visibility::inverse_step && p.neighbours != Neighbours::four;
+// Steps of one length make a factor that all moves have.
+bool beta_counts(const Params& p) {
+  return p.neighbours != Neighbours::four || p.visibility != Visibility::inverse_step ||
+         rule_of(p.heuristic, kHeuristics).reads("beta") ||
+         rule_of(p.update, kUpdates).reads("beta");
 }
 bool first_beta_counts(const Params& p) {
   return p.critical_time > 0 && why_unread(p, "beta").empty();
@@ -65,9 +81,8 @@ bool first_beta_counts(const Params& p) {
 bool straight_paths_deposit(const Params& p) {
   return p.polish != Polish::none && p.straight_deposit != StraightDeposit::none;
 }
-bool deposit_counts_beside_update(const Params& p) {
-  const bool at_first = p.initial_pheromone == 0 && is_read_by_rules(p, "initial_pheromone");
-  return at_first || straight_paths_deposit(p);
+bool deposit_counts(const Params& p) {
+  return p.update != Update::learning || p.initial_pheromone == 0 || straight_paths_deposit(p);
 }
 
 // Every parameter of the grid colonies, with what it waits for beside the rules that read it.
@@ -98,7 +113,7 @@ constexpr std::array kColony{
                   "exponent of pheromone from the critical time on"),
     Table::number("beta", &Params::beta, 0, 20,
                   "exponent of visibility and inverse distance, likewise")
-        .also_with({"visibility=inverse-step with neighbours above 4", steps_differ}),
+        .only_with({"neighbours above 4 if inverse-step alone reads it", beta_counts}),
     Table::number("greedy", &Params::greedy, 0, 1,
                   "share of steps that take the largest weight, q0"),
     Table::number("critical_time", &Params::critical_time, 0, 1000000000,
@@ -107,7 +122,7 @@ constexpr std::array kColony{
     Table::number("alpha_first", &Params::alpha_first, 0, 20, "alpha at iteration 0")
         .only_with(kUntilCriticalTime),
     Table::number("beta_first", &Params::beta_first, 0, 20, "beta at iteration 0")
-        .only_with({"those that read beta, and critical_time above 0", first_beta_counts}),
+        .only_with({"critical_time above 0, where beta is read", first_beta_counts}),
     Table::number("omega", &Params::omega, 0, 1e6,
                   "rescaled distance: ((Dmax - d) omega + mu)^lambda"),
     Table::number("mu", &Params::mu, 1e-6, 1e6, "rescaled distance: offset"),
@@ -140,8 +155,7 @@ constexpr std::array kColony{
                   "pheromone everywhere at first, tau0; 0: the formula of the update's source"),
     Table::number("deposit", &Params::deposit, 0, 1e9,
                   "an ant of tour length L deposits deposit / L, Q")
-        .also_with({"initial_pheromone=0 where that is read, or straight_deposit",
-                    deposit_counts_beside_update}),
+        .only_with({"initial_pheromone=0 or a straight_deposit if it is learning", deposit_counts}),
     Table::choice<&Params::straight_deposit, kStraightDepositNames>(
         "straight_deposit", "which straightened paths get pheromone too")
         .only_with({"polish=straight|taut|local",
@@ -199,25 +213,24 @@ constexpr auto kGeneticParameters = [] {
   return list;
 }();
 
+constexpr auto kWords = [] {
+  std::array<Words, kColony.size()> words;
+  std::ranges::transform(kColony, words.begin(), only_with, &Entry::info);
+  return words;
+}();
+constexpr auto kColonyParameters = [] {
+  auto list = Table::infos(kColony);
+  for (std::size_t i = 0; i < list.size(); ++i) list[i].only_with = kWords[i].view();
+  return list;
+}();
+
 constexpr std::array kEntries{std::span<const Entry>(kColony), std::span<const Entry>(kGenetic)};
 
 constexpr Table kTable(kEntries);
 
 }  // namespace
 
-std::span<const Parameter> colony_parameters() noexcept {
-  static const auto words = [] {
-    std::array<std::string, kColony.size()> all;
-    std::ranges::transform(kColony, all.begin(), only_with);
-    return all;
-  }();
-  static const auto list = [] {
-    auto all = Table::infos(kColony);
-    for (std::size_t i = 0; i < all.size(); ++i) all[i].only_with = words[i];
-    return all;
-  }();
-  return list;
-}
+std::span<const Parameter> colony_parameters() noexcept { return kColonyParameters; }
 std::span<const Parameter> genetic_parameters() noexcept { return kGeneticParameters; }
 
 void set_parameter(Params& params, std::string_view name, std::string_view value) {
@@ -233,18 +246,22 @@ std::string why_unread(const Params& params, std::string_view name) {
   const Entry& e = kTable.entry(name);
   if (!find_algorithm(params.algorithm()).has(name))
     return params.algorithm() + " does not read it";
-  const bool by_rules = readers_of(name).empty() || is_read_by_rules(params, name);
-  const bool beside = e.is_read == nullptr || e.is_read(params);
-  const bool is_read = e.is_alternative ? by_rules || beside : by_rules && beside;
-  return is_read ? std::string() : "it is read only with " + only_with(e);
+  const bool by_rules = readers_of(name).view().empty() || is_read_by_rules(params, name);
+  if (by_rules && (e.is_read == nullptr || e.is_read(params))) return {};
+  return "it is read only with " + std::string(only_with(e.info).view());
 }
 
 std::string Parameter::text_of(double end) const {
-  if (type == "integer") return number_text(static_cast<std::int64_t>(end));
-  std::string digits = number_text(end);  // 1e6, not 1e+06
-  const auto sign = digits.find('e') + 1;
-  if (sign > 0 && digits[sign + 1] == '0') digits.replace(sign, 2, digits[sign] == '-' ? "-" : "");
-  return digits;
+  const bool in_full = type == "integer" || end == 0 || (end >= 1e-6 && end < 1e7);
+  std::array<char, 32> digits;
+  char* const last =
+      std::to_chars(digits.begin(), digits.end(), end,
+                    in_full ? std::chars_format::fixed : std::chars_format::scientific)
+          .ptr;
+  std::string text(digits.begin(), last);  // 1e9, not 1e+09
+  const auto sign = text.find('e') + 1;
+  if (sign > 0 && text[sign + 1] == '0') text.replace(sign, 2, text[sign] == '-' ? "-" : "");
+  return text;
 }
 
 std::string Parameter::range() const {

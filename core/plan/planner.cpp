@@ -9,12 +9,12 @@
 
 namespace lasius {
 
-Workspace::Workspace() : impl_(std::make_unique<Impl>()) {}
+Workspace::Workspace() : memory_(std::make_unique<WorkspaceMemory>()) {}
 Workspace::~Workspace() = default;
 Workspace::Workspace(Workspace&&) noexcept = default;
 Workspace& Workspace::operator=(Workspace&&) noexcept = default;
-std::int64_t Workspace::bytes() const noexcept { return impl_->bytes(); }
-void Workspace::release() { impl_ = std::make_unique<Impl>(); }
+std::int64_t Workspace::bytes() const noexcept { return memory_->bytes(); }
+void Workspace::release() { memory_ = std::make_unique<WorkspaceMemory>(); }
 
 Planner::Planner(Grid grid) : impl_(Impl::make(std::move(grid), {})) {}
 Planner::Planner(Grid grid, const PrepareOptions& options)

@@ -23,13 +23,7 @@ struct WorkspaceMemory {
     return static_cast<std::int64_t>(sizeof *this) + colony.bytes() + genetic.bytes() +
            exact.bytes() + prepared.bytes() + hurried.bytes() + held_bytes(exact_answer.path);
   }
-  static WorkspaceMemory& of(Workspace& workspace) noexcept;
+  static WorkspaceMemory& of(Workspace& workspace) noexcept { return *workspace.memory_; }
 };
-
-class Workspace::Impl : public WorkspaceMemory {};
-
-inline WorkspaceMemory& WorkspaceMemory::of(Workspace& workspace) noexcept {
-  return *workspace.impl_;
-}
 
 }  // namespace lasius

@@ -130,6 +130,7 @@ class PolygonTest(WorldTest):
             (["--ants", "abc"], "ants is abc"),
             (["--algorithm", "maklink-acs", "--polish", "strait"], "straight"),
             (["-o", "x.jpg"], "-o x.jpg"),
+            (["--algorithm", "real-ga", "--preset", "book"], "real-ga has none; see lasius algorithms"),
         ]
         for arguments, part in cases:
             with self.subTest(arguments=arguments):

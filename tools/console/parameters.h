@@ -51,7 +51,8 @@ Params params_of(std::string_view algorithm, Preset preset = Preset::usual) {
   } else {
     if (preset != Preset::usual)
       throw UsageError("--preset " + std::string(to_string(preset)) + ": " +
-                       std::string(algorithm) + " has none; lasius algorithms NAME tells who has");
+                       std::string(algorithm) +
+                       " has none; see lasius algorithms for those that have");
     return Params(algorithm);
   }
 }

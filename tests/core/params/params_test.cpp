@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -121,6 +122,25 @@ TEST(Params, OnlyFamiliesHaveABook) {
   }
 }
 
+// In full, as JSON has them, but for the largest and the least.
+TEST(Params, RangesAsTold) {
+  const auto range = [](std::string_view name) {
+    return std::ranges::find(find_algorithm("as").parameters, name, &Parameter::name)->range();
+  };
+  EXPECT_EQ(range("iterations"), "0 .. 1000000000");
+  EXPECT_EQ(range("mu"), "0.000001 .. 1000000");
+  EXPECT_EQ(range("greedy"), "0 .. 1");
+  EXPECT_EQ(range("deposit"), "0 .. 1e9");
+  EXPECT_EQ(range("best_probability"), "1e-9 .. 1");
+  EXPECT_EQ(range("walk_cut"), "none|own-cells|entered-cells");
+}
+
+// Whatever the other parameters.
+TEST(Params, RowsOfRulesNameWhatTheirFormulasRead) {
+  EXPECT_TRUE(rule_of(Visibility::inverse_step, kVisibilities).reads("beta"));
+  EXPECT_TRUE(rule_of(Update::learning, kUpdates).reads("deposit"));
+}
+
 TEST(Params, EvaporationIsTheOtherWordForPersistence) {
   Params params("as");
   set_parameter(params, "evaporation", "0.25");
@@ -144,13 +164,17 @@ TEST(Params, FormulasAreThoseOfTheRulesInForce) {
       "s)^beta; Dmax the largest d around i; s the length of the move");
   EXPECT_EQ(formulas(params).back(),
             "update: tau <- persistence tau + sum over the arrived ants of deposit / L");
+  EXPECT_EQ(formulas(Params("acs")).back(),
+            "update: on the best tour so far tau <- persistence tau + (1 - persistence) deposit / "
+            "L; after an ant has passed tau <- (1 - local_evaporation) tau + local_evaporation "
+            "tau0; tau0 the pheromone at first");
   EXPECT_EQ(formulas(Params("fan2004")).back(),
             "and deposit / S on the cells under straightened paths of length S");
   EXPECT_EQ(formulas(Params("fan2004"))[3],
             "or, drawn by shares: the weight tau^alpha * (1 / s)^beta, or that of the heuristic "
             "alone");
   const auto tells_of_eta = [](const char* name) {
-    return formulas(Params(name))[1].find("eta what ants learned") != std::string::npos;
+    return formulas(Params(name))[0].find("eta what ants have learned") != std::string::npos;
   };
   EXPECT_TRUE(tells_of_eta("cong2009"));
   EXPECT_FALSE(tells_of_eta("fan2004"));

@@ -98,7 +98,7 @@ TEST_P(EveryColonysParameters, ChangeARunUnlessTheyAreSaidToBeUnread) {
 // Settings beside the presets' own, as "NAME=VALUE", of which the last is changed to another value.
 struct Beside {
   const char* algorithm;
-  std::vector<std::pair<const char*, const char*>> settings;
+  std::vector<std::string_view> settings;
   const char* name;
   const char* value;
   bool read;
@@ -107,32 +107,24 @@ struct Beside {
 TEST(UnreadParameters, WithOtherSettings) {
   const Planner planner(blobs(30, 18, 5));
   const Request request = far_apart(planner);
-  for (const Beside& c : std::vector<Beside>{
-           {"cong2009",
-            {{"initial_pheromone", "0"}, {"reward_reading", "affine"}},
-            "deposit",
-            "7",
-            true},
-           {"cong2009",
-            {{"initial_pheromone", "1"}, {"reward_reading", "affine"}},
-            "deposit",
-            "7",
-            false},
-           {"cong2009", {{"dead_end", "kill"}, {"ants", "30"}}, "penalty", "0.1", true},
-           {"cong2009", {{"dead_end", "backtrack"}}, "penalty", "0.1", false},
-           {"acs", {{"local_evaporation", "0"}}, "batch", "1", false},
-           {"acs", {{"local_evaporation", "0.3"}, {"batch", "0"}}, "batch", "1", true},
-           {"as", {{"visibility", "heading-change"}}, "beta", "1", true},
-           {"as",
-            {{"critical_time", "9"}, {"visibility", "inverse-step"}},
-            "beta_first",
-            "1",
-            true},
-           {"as", {{"update", "rank"}}, "ranks", "2", true},
-           {"fan2004", {{"polish", "taut"}}, "straight_window", "0", false}}) {
+  const std::vector<Beside> cases{
+      {"cong2009", {"initial_pheromone=0", "reward_reading=affine"}, "deposit", "7", true},
+      {"cong2009", {"initial_pheromone=1", "reward_reading=affine"}, "deposit", "7", false},
+      {"cong2009", {"dead_end=kill", "ants=30"}, "penalty", "0.1", true},
+      {"cong2009", {"dead_end=backtrack"}, "penalty", "0.1", false},
+      {"acs", {"local_evaporation=0"}, "batch", "1", false},
+      {"acs", {"local_evaporation=0.3", "batch=0"}, "batch", "1", true},
+      {"as", {"visibility=heading-change"}, "beta", "1", true},
+      {"as", {"heuristic=uniform", "visibility=inverse-step"}, "beta", "1", true},
+      {"as", {"heuristic=uniform", "visibility=inverse-step", "neighbours=4"}, "beta", "1", false},
+      {"as", {"critical_time=9", "visibility=inverse-step"}, "beta_first", "1", true},
+      {"as", {"update=rank"}, "ranks", "2", true},
+      {"fan2004", {"polish=taut"}, "straight_window", "0", false}};
+  for (const Beside& c : cases) {
     SCOPED_TRACE(std::string(c.algorithm) + ": " + c.name);
     Params params = quick(c.algorithm);
-    for (const auto& [name, value] : c.settings) set_parameter(params, name, value);
+    for (const std::string_view s : c.settings)
+      set_parameter(params, s.substr(0, s.find('=')), s.substr(s.find('=') + 1));
     EXPECT_EQ(why_unread(params, c.name).empty(), c.read);
     const Result usual = planner.plan(request, params);
     set_parameter(params, c.name, c.value);
@@ -148,7 +140,21 @@ TEST(UnreadParameters, SayWhy) {
   EXPECT_EQ(why_unread(Params("as"), "penalty"),
             "it is read only with update=learning and dead_end=kill");
   EXPECT_EQ(why_unread(Params("terminal-index"), "persistence"),
-            "it is read only with an update but terminal-index");
+            "it is read only with any update except terminal-index");
+  Params steps("cong2009");
+  steps.update = Update::ant_system;
+  steps.heuristic = Heuristic::uniform;
+  steps.visibility = Visibility::inverse_step;
+  EXPECT_EQ(
+      why_unread(steps, "beta"),
+      "it is read only with any heuristic except uniform|rescaled-distance, or any visibility "
+      "except none, or update=terminal-index, and neighbours above 4 if inverse-step alone "
+      "reads it");
+  EXPECT_EQ(why_unread(steps, "beta_first"),
+            "it is read only with critical_time above 0, where beta is read");
+  EXPECT_EQ(why_unread(Params("cong2009"), "deposit"),
+            "it is read only with any update except terminal-index, and initial_pheromone=0 or a "
+            "straight_deposit if it is learning");
   EXPECT_EQ(why_unread(Params("as"), "ants"), "");
   EXPECT_EQ(why_unread(Params("exact"), "ants"), "exact does not read it");
   EXPECT_THROW(why_unread(Params("as"), "antz"), Error);

@@ -1,4 +1,4 @@
-// What a Pheromone acts on.
+// The trail behind lasius::Pheromone.
 #pragma once
 
 #include <algorithm>
@@ -38,10 +38,11 @@ class PlaceDivisor {
   double reciprocal_;
 };
 
-class Pheromone::Impl {
+/// A trail as a Pheromone changes it, and that Pheromone.
+class StoredPheromone {
  public:
   /// The trail of a colony with `choices` moves out of a cell. Field and `stop` outlive the object.
-  Impl(Field& field, const Grid& grid, const Params& params, int choices, Poller& stop)
+  StoredPheromone(Field& field, const Grid& grid, const Params& params, int choices, Poller& stop)
       : trail{field},
         kind(params.trail),
         learned(params.heuristic == Heuristic::learned),
@@ -82,18 +83,7 @@ class Pheromone::Impl {
   const std::int64_t cells;
   const PlaceDivisor by_width, by_moves;
   Poller& poller;
-};
-
-/// A trail with what it acts on.
-class StoredPheromone {
-  Pheromone::Impl impl_;
-
- public:
-  /// As Pheromone::Impl.
-  StoredPheromone(Field& field, const Grid& grid, const Params& params, int choices, Poller& stop)
-      : impl_(field, grid, params, choices, stop) {}
-
-  Pheromone trail{impl_};
+  Pheromone pheromone{*this};
 };
 
 }  // namespace lasius
