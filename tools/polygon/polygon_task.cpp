@@ -245,7 +245,7 @@ int run_command(const PolygonBatchCommand& command) {
   const auto draw = [&](const std::string& picture, const auto& paths) {
     write_paths_picture(picture, *world, paths);
   };
-  return run_batch({task, queries.size(), answer_part, draw}, signals);
+  return run_batch({task, queries.size(), command.queries.empty(), answer_part, draw}, signals);
 }
 
 }  // namespace lasius::tool

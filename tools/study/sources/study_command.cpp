@@ -175,26 +175,37 @@ int finished(const Conduct& conduct, const fs::path& page) {
   return kFound;
 }
 
-/// A study of a user: from a file, or `run`, whose file is written first.
-Study users_study(const StudyCommand& command) {
-  if (command.name != "run") return study::read_study(command.name);
-  study::make_folder(command.folder);
-  const std::string file = (fs::path(command.folder) / "study.yaml").string();
-  study::write_text(file, study::study_text(command.run));
-  return study::read_study(file);
+/// The study that `run` asks for, as its file will say it. @throws UsageError
+Study short_study(const std::string& text, const std::string& file) {
+  try {
+    Study study = study::parse_study(text, file);
+    study.file = file;
+    return study;
+  } catch (const Error& fault) {
+    if (fault.place().file != file) throw;
+    throw UsageError("study run: " + fault.problem() + "; " + fault.remedy());
+  }
 }
 
 int run_users_study(const StudyCommand& command) {
-  Study study = users_study(command);
+  const bool is_short = command.name == "run";
+  const std::string text = is_short ? study::study_text(command.run) : "";
+  const std::string file = (fs::path(command.folder) / "study.yaml").string();
+  Study study = is_short ? short_study(text, file) : study::read_study(command.name);
   if (!was_built(study.world))
     throw UsageError(study.file + ": this lasius was built without that world");
   try {
     if (study.world == study::World::bitmap) study::draw_questions(study, find_maps(command.maps));
   } catch (const Error& fault) {
-    const bool ends = command.name == "run" && fault.place().file == study.file;
-    if (!ends) throw;
+    if (!is_short || fault.place().file != study.file) throw;
+    if (fault.code() == ErrorCode::file_missing)
+      throw Error(fault.code(), {.file = command.run.map}, fault.problem(), fault.remedy());
     message(fault.problem() + ": " + fault.remedy());
     return kInvalidQuery;
+  }
+  if (is_short) {
+    study::make_folder(command.folder);
+    study::write_text(file, text);
   }
   Conduct conduct(command);
   (void)conduct.run(study, command.folder);
