@@ -95,7 +95,7 @@ class Drive {
       return end(Status::limit);
     }
     if (world_.stirs() && !world_.to_change() && headway_.none(tick_, world_.still_changed_at()))
-      return end_trapped("moving obstacles close every way in turn");
+      return end_trapped("moving obstacles close every way, for good or in turn");
     const Cell to = next_cell(found);
     if (ended_) return;
     go(to);

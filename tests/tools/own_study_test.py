@@ -132,7 +132,8 @@ class OwnStudy(ProgramTest):
             self.refused(run, 3, f"bad.yaml, line {line}: ", key, nearest)
         self.refused(self.run_program("study", "none.yaml"), 3, "none.yaml")
         self.write("bad.yaml", good.replace("small.map", "none.map"))
-        self.refused(self.run_program("study", "bad.yaml", "-o", "bad"), 3, "none.map")
+        self.refused(self.run_program("study", "bad.yaml", "-o", "bad"), 3, "bad.yaml, line 22: ",
+                     " on none.map: cannot be opened")
         self.write("file", "")
         self.write("good.yaml", good)
         self.refused(self.run_program("study", "good.yaml", "-o", "file/x"), 7, "file/x")
@@ -163,6 +164,9 @@ class OwnStudy(ProgramTest):
                             (("--algorithm", "as", "--set", "persistance=1"), '"persistence"'),
                             (("--algorithm", "as", "--set", "ants=4,x"), "ants"),
                             (("--algorithm", "as", "--set", "ants"), "NAME=VALUE"),
+                            (("--algorithm", "as", "--set", "ants=3,"), "--set ants=3,: a value is missing"),
+                            (("--algorithm", "as,as"), "--algorithm as,as: as is given twice"),
+                            (("--algorithm", "as,fan2004", "--preset", "book"), "fan2004 has no preset book"),
                             (("--algorithm", "as", "--seeds", "0"), "--seeds"),
                             (("--algorithm", "as", "--seeds", "3..1"), "--seeds"),
                             (("--algorithm", "as", "--preset", "bok"), '"book"'),
@@ -174,7 +178,8 @@ class OwnStudy(ProgramTest):
         self.refused(self.run_program(*blocked, "--start", "3,2"), 4, "3,2", "nearest free cell")
         self.refused(self.run_program(*blocked, "--start", "99999999999,2"), 4, "outside")
         none = ("study", "run", "none.map", "--start", "0,0", "--goal", "9,5", "--algorithm", "as")
-        self.refused(self.run_program(*none), 3, "none.map")
+        self.refused(self.run_program(*none), 3, "lasius: none.map: ")
+        self.assertFalse(any(os.path.exists(self.path(name)) for name in ("r", "study-small", "study-none")))
 
     def test_tune_finds_what_is_planted_and_plan_takes_it(self):
         self.write("t.yaml", TUNING)
@@ -223,6 +228,9 @@ class OwnStudy(ProgramTest):
         for old, new, line, told in (("training:", "trainig:", 8, '"training"'),
                                      ("candidates: 8", "candidates: 1", 5, "'candidates'"),
                                      ("ants: [1, 10]", "nats: [1, 10]", 4, '"ants"'),
+                                     ("ants: [1, 10]", "persistence: {from: 0.5, to: 1.01}", 4, "'to' is \"1.01\""),
+                                     ("mmas", "mms", 2, '"mmas"'),
+                                     ("mmas", "maklink-acs", 2, "'algorithm'"),
                                      ("mmas", "exact", 3, "'ants'")):
             self.write("t.yaml", TUNING.replace(old, new, 1))
             self.refused(self.run_program("tune", "t.yaml"), 3, f"t.yaml, line {line}: ", told)

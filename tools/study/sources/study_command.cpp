@@ -10,6 +10,7 @@
 #include "tools/console/progress.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
+#include "tools/console/values.h"
 #include "tools/options/commands.h"
 #include "tools/record/outputs.h"
 #include "tools/study/bitmaps.h"
@@ -105,9 +106,9 @@ class Conduct {
     };
     const auto tell = [&](std::size_t runs, double seconds) {
       if (!command_.messages.quiet)
-        message(study.name + ": " + std::to_string(runs) + " runs, about " +
-                duration_text(seconds) + " with " + std::to_string(command_.threads) +
-                " threads, by a part of one run of each");
+        message(study.name + ": " + counted(static_cast<std::int64_t>(runs), "run") + ", about " +
+                duration_text(seconds) + " with " + counted(command_.threads, "thread") +
+                ", by a part of one run of each");
     };
     return study::run_study(study, domain,
                             {.seeds = seeds(study).count,
