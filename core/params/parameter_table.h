@@ -91,7 +91,8 @@ class ParameterTable {
     }
     void set(Fields& fields, const Parameter& info, std::string_view text) const {
       const auto value = number_of<Value>(text);
-      constexpr const char* kKind = std::is_same_v<Value, int> ? "a whole number, " : "a plain number, ";
+      constexpr const char* kKind =
+          std::is_same_v<Value, int> ? "a whole number, " : "a plain number, ";
       if (!value) throw out_of_range(info, text, kKind);
       if (!holds(*value, info)) throw out_of_range(info, text);
       fields.*member = *value;

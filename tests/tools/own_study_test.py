@@ -59,7 +59,7 @@ class OwnStudy(ProgramTest):
         self.write("s.yaml", SWEEP.replace("[1..2]", "1..2"))
         whole = self.run_program("study", "s.yaml", "-o", "whole", "--threads", 2)
         self.assertEqual((whole.code, whole.out), (0, "whole/report.md\n"), whole.err)
-        self.assertRegex(whole.err, r"^lasius: s: 108 runs, about \d+ (s|min) with 2 threads")
+        self.assertRegex(whole.err, r"lasius: s: 108 runs, about \d+ (s|min) with 2 threads")
         expected = self.runs_of("whole")
         self.assertEqual(len(expected), 108)
 
@@ -156,6 +156,16 @@ class OwnStudy(ProgramTest):
                          "--algorithm", "mmas")
         row = next(r for r in rows if r["contender"] == "mmas-2" and r["seed"] == "2")
         self.assertAlmostEqual(plan.json["length"], float(row["length"]), places=8)
+
+    def test_what_no_contender_reads_is_told_once(self):
+        run = (*self.SHORT, "--algorithm", "as", "--set", "elite_weight=2,3", "--set", "iterations=2", "--seeds", "1")
+        told = "elite_weight of as has no effect: it is read only with update=elitist"
+        self.assertEqual(self.ended(self.run_program(*run), 0).err.count(told), 1)
+        self.assertNotIn("no effect", self.run_program(*run, "--set", "update=elitist,ant-system", "-o", "s").err)
+        self.quiet(self.run_program(*run, "-q"))
+        self.write("p.yaml", "algorithm: as\nset: {elite_weight: 2}\n")
+        self.assertIn("the preset's elite_weight=2 has no effect", self.run_program(
+            "drive", *self.SHORT[2:], "--preset", "p.yaml", "--algorithm", "as").err)
 
     def test_the_short_form_refuses(self):
         form = (*self.SHORT, "-o", "r")

@@ -57,11 +57,10 @@ class PolygonTask : public Task {
     const auto count = [](const auto& all, const char* thing) {
       return counted(static_cast<std::int64_t>(all.size()), thing);
     };
-    message(world_->options.file +
-            ": " + count(world_->planner.world().obstacles, "obstacle") + ", " +
-            count(graph.lines, "line") + ", " + count(graph.regions, "region") +
-            printed(", hash %s, read in %.1f ms, ready after %.1f ms", hash_text(world_->hash).c_str(), world_->read_ms,
-                    world_->ready_ms));
+    message(world_->options.file + ": " + count(world_->planner.world().obstacles, "obstacle") +
+            ", " + count(graph.lines, "line") + ", " + count(graph.regions, "region") +
+            printed(", hash %s, read in %.1f ms, ready after %.1f ms",
+                    hash_text(world_->hash).c_str(), world_->read_ms, world_->ready_ms));
     announce_algorithm(false);
   }
   void plan(const StopCondition& stop, const Watch& watch) override {

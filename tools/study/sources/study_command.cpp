@@ -208,6 +208,10 @@ int run_users_study(const StudyCommand& command) {
     study::make_folder(command.folder);
     study::write_text(file, text);
   }
+  std::vector<study::Contender> contenders;
+  for (const study::Experiment& e : study.experiments)
+    contenders.insert(contenders.end(), e.contenders.begin(), e.contenders.end());
+  if (study.world == study::World::bitmap && !command.messages.quiet) tell_unread(contenders);
   Conduct conduct(command);
   (void)conduct.run(study, command.folder);
   return finished(conduct, fs::path(command.folder) / "report.md");

@@ -50,6 +50,7 @@ study::Tuned conduct_tuning(study::Tuning& tuning, const TuneCommand& command,
 
 int run_command(const TuneCommand& command) {
   study::Tuning tuning = study::read_tuning(command.file);
+  if (!command.messages.quiet) tell_unread(tuning.candidates);
   const fs::path folder = command.folder;
   study::make_folder(folder);
   for (const char* name : {"report.md", "race.csv", "candidates.csv", "preset.yaml"})
