@@ -32,8 +32,9 @@ inline int edit_distance(std::string_view a, std::string_view b) {
 
 /// Asks for the known name nearest to `name`, the first of equals: one that begins with it before
 /// others, and capitals count as small letters unless nothing else differs. Precondition: `known`
-/// is not empty.
-inline std::string did_you_mean(std::string_view name, std::span<const std::string_view> known) {
+/// is not empty. `list` tells where all are, and is added where the nearest is far.
+inline std::string did_you_mean(std::string_view name, std::span<const std::string_view> known,
+                                const std::string& list = {}) {
   const auto small = [](std::string_view text) {
     std::string letters(text);
     for (char& c : letters) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -46,13 +47,16 @@ inline std::string did_you_mean(std::string_view name, std::span<const std::stri
   };
   const auto nearest =
       std::ranges::min_element(known, [&](auto a, auto b) { return farness(a) < farness(b); });
-  return "did you mean \"" + std::string(*nearest) + "\"?";
+  const auto [other_begin, changes, exact_changes] = farness(*nearest);
+  const bool far = other_begin && 2 * static_cast<std::size_t>(changes) > name.size();
+  return "did you mean \"" + std::string(*nearest) + "\"?" + (far ? list : "");
 }
 
 /// The same among things with a name and a summary, such as parameters: one whose summary gives
 /// `name` as the symbol of its source ("ants an iteration, m") before the nearest.
 template <class Described>
-std::string did_you_mean(std::string_view name, std::span<const Described> known) {
+std::string did_you_mean(std::string_view name, std::span<const Described> known,
+                         const std::string& list = {}) {
   const std::string symbol = ", " + std::string(name);
   std::vector<std::string_view> names;
   for (const Described& one : known) {
@@ -63,7 +67,7 @@ std::string did_you_mean(std::string_view name, std::span<const Described> known
     }
     names.push_back(one.name);
   }
-  return did_you_mean(name, names);
+  return did_you_mean(name, names, list);
 }
 
 }  // namespace lasius

@@ -96,7 +96,7 @@ class Drive {
     }
     headway_.count(robot_, world_.still_changed_at() == tick_, found == Found::not_yet);
     if (world_.stirs() && !world_.to_change() && headway_.none())
-      return end_trapped("moving obstacles close every way in turn");
+      return end_trapped("moving obstacles close every way, for good or in turn");
     const Cell to = next_cell(found);
     if (ended_) return;
     go(to);

@@ -91,7 +91,10 @@ class ParameterTable {
     }
     void set(Fields& fields, const Parameter& info, std::string_view text) const {
       const auto value = number_of<Value>(text);
-      if (!value || !holds(*value, info)) throw out_of_range(info, text);
+      constexpr const char* kKind =
+          std::is_same_v<Value, int> ? "a whole number, " : "a plain number, ";
+      if (!value) throw out_of_range(info, text, kKind);
+      if (!holds(*value, info)) throw out_of_range(info, text);
       fields.*member = *value;
     }
 
@@ -250,9 +253,9 @@ class ParameterTable {
   }
 
  private:
-  static Error out_of_range(const Parameter& info, std::string_view value) {
+  static Error out_of_range(const Parameter& info, std::string_view value, const char* kind = "") {
     return invalid_parameter(std::string(info.name) + " is " + std::string(value),
-                             "it must be " + info.range());
+                             std::string("it must be ") + kind + info.range());
   }
 
   static std::string text_of(const Fields& fields, const Entry& entry) {

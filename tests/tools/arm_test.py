@@ -226,6 +226,7 @@ class Arm(ProgramTest):
         self.assertLessEqual(counts["positions"] + counts["motions"] + counts["trajectory"], 20)
         self.assertEqual((fewer.code, fewer.json["status"]), (6, "limit"))
         self.assertIn("--max-questions ended the run", fewer.err)
+        self.assertNotIn("no time", fewer.err)
         self.write("fewer.json", fewer.out)
         self.assertEqual(self.run_program("verify", "fewer.json").code, 0)
         for objective, unit in (("joint", "rad"), ("duration", "s")):

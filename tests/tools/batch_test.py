@@ -57,7 +57,7 @@ class Formats(ProgramTest):
         row = "0\tm.map\t10\t6\t0\t0\t9\t5\t1\n"
         cases = [
             ("", "empty"), ("\n\n", "empty"), ("sx sy gx\n1 2 3\n", "line 1"),
-            ("sx\tsy\tgx\tgy\tgy\n", "two columns"),
+            ("sx\tsy\tgx\tgy\tgy\n", "two columns"), ("sx\tsy\tgx\tgy\n0\t0\t9\t5\0\n", "gy holds a zero byte"),
             (HEADER + good + "a\t0\t0\t9\tfive\tx\n", "line 3"),
             (HEADER + good + "a\t0\t0\t9\t5.5\tx\n", "line 3"),
             (HEADER + good + good + "a\t0\t0\t9\n", "line 4"),
@@ -144,7 +144,30 @@ class Answers(ProgramTest):
     def test_ranges_of_seeds_that_are_none(self):
         for seeds in ("3-2", "3..2", "1-", "1..", "..", "..3", "-1..3", "1-..3", "1..+2", "1.5", "1-x", "1-100001", "9007199254740990-9007199254740992", "1-2-3"):
             self.refused(self.plan("--seed", seeds), 2, "--seed")
-        self.assertEqual(self.plan("--seed", "3-3").out.splitlines()[0], "solved")
+        self.refused(self.run_program("drive", "small.map", "--start", "0,0", "--goal", "9,5", "--seed", "3-3"), 2,
+                     "one drive has one seed")
+
+    def test_a_range_of_seeds_ends_as_one_seed_does_unless_any_found_a_path(self):
+        self.assertEqual([line["seed"] for line in self.quiet(self.plan("--seed", "3-3")).lines], [3])
+        for goal, code, why in (("7,2", 5, "different regions"), ("3,2", 4, "nearest free cell is (2, 2)")):
+            for seeds in ("1..1", "1..2"):
+                run = self.ended(self.plan("--seed", seeds, goal=goal), code, why)
+                self.assertEqual(len(run.lines), int(seeds[-1]))
+        none = ("--algorithm", "as", "--ants", "1", "--iterations", "1", "--set", "dead_end=kill")
+        found = [self.plan(*none, "--seed", str(seed)).code == 0 for seed in range(1, 9)]
+        self.assertEqual(set(found), {True, False})
+        self.ended(self.plan(*none, "--seed", "{0}-{0}".format(found.index(False) + 1)), 6, "no path after 1 iteration")
+        self.quiet(self.plan(*none, "--seed", "1-8"))
+
+    def test_batches_tell_of_limits(self):
+        self.write("q.tsv", "sx\tsy\tgx\tgy\n" + "0\t0\t9\t5\n" * 2)
+        cut = ("batch", "small.map", "q.tsv", "--algorithm", "mmas", "--time-limit", "0")
+        self.ended(self.run_program(*cut), 0, "the time limit ended 2 of 2 answers")
+        self.quiet(self.run_program(*cut, "-q"))
+        endless = self.start_program("plan", FAN, "--start", "14,14", "--goal", "380,179", "--algorithm", "as",
+                                     "--seed", "1-50", "--iterations", "1000000", "--time-limit", "0.3", "--threads", "1")
+        endless.stdout.readline()
+        self.holds(self.interrupted(endless)[1].decode(), " of 50 answers", "interrupted after ")
 
     def test_a_squeeze_has_no_optimum_as_plan_has_none(self):
         self.write("diagonal.map", "type octile\nheight 3\nwidth 3\nmap\n..@\n.@.\n...\n")

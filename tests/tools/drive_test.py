@@ -45,7 +45,12 @@ class Drive(ProgramTest):
         help_text = self.run_program("drive", "--help").out
         self.assertIn("No effect: a drive always tells the optimum of its moves", " ".join(help_text.split()))
         self.assertNotIn("--tracks", help_text)
-        self.refused(self.drive("--tracks", "1"), 2, "a drive's picture shows the robot's track")
+        for value in ("1", "abc"):
+            self.refused(self.drive("--tracks", value), 2, "a drive's picture shows the robot's track")
+        self.refused(self.drive("--tracks"), 2, "--tracks needs a value, N,N,...")
+        run = self.drive("--track", "1")
+        self.refused(run, 2, "did you mean")
+        self.assertNotIn('"--tracks"', run.err)
 
     def test_an_unknown_wall_is_learned_and_gone_round(self):
         run = self.quiet(self.drive("--world", "truth.map", "--sense", "1", "--json", start="9,2"))

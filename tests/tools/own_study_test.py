@@ -59,7 +59,7 @@ class OwnStudy(ProgramTest):
         self.write("s.yaml", SWEEP.replace("[1..2]", "1..2"))
         whole = self.run_program("study", "s.yaml", "-o", "whole", "--threads", 2)
         self.assertEqual((whole.code, whole.out), (0, "whole/report.md\n"), whole.err)
-        self.assertRegex(whole.err, r"^lasius: s: 108 runs, about \d+ (s|min) with 2 threads")
+        self.assertRegex(whole.err, r"lasius: s: 108 runs, about \d+ (s|min) with 2 threads")
         expected = self.runs_of("whole")
         self.assertEqual(len(expected), 108)
 
@@ -132,7 +132,8 @@ class OwnStudy(ProgramTest):
             self.refused(run, 3, f"bad.yaml, line {line}: ", key, nearest)
         self.refused(self.run_program("study", "none.yaml"), 3, "none.yaml")
         self.write("bad.yaml", good.replace("small.map", "none.map"))
-        self.refused(self.run_program("study", "bad.yaml", "-o", "bad"), 3, "none.map")
+        self.refused(self.run_program("study", "bad.yaml", "-o", "bad"), 3, "bad.yaml, line 22: ",
+                     " on none.map: cannot be opened")
         self.write("file", "")
         self.write("good.yaml", good)
         self.refused(self.run_program("study", "good.yaml", "-o", "file/x"), 7, "file/x")
@@ -156,6 +157,16 @@ class OwnStudy(ProgramTest):
         row = next(r for r in rows if r["contender"] == "mmas-2" and r["seed"] == "2")
         self.assertAlmostEqual(plan.json["length"], float(row["length"]), places=8)
 
+    def test_what_no_contender_reads_is_told_once(self):
+        run = (*self.SHORT, "--algorithm", "as", "--set", "elite_weight=2,3", "--set", "iterations=2", "--seeds", "1")
+        told = "elite_weight of as has no effect: it is read only with update=elitist"
+        self.assertEqual(self.ended(self.run_program(*run), 0).err.count(told), 1)
+        self.assertNotIn("no effect", self.run_program(*run, "--set", "update=elitist,ant-system", "-o", "s").err)
+        self.quiet(self.run_program(*run, "-q"))
+        self.write("p.yaml", "algorithm: as\nset: {elite_weight: 2}\n")
+        self.assertIn("the preset's elite_weight=2 has no effect", self.run_program(
+            "drive", *self.SHORT[2:], "--preset", "p.yaml", "--algorithm", "as").err)
+
     def test_the_short_form_refuses(self):
         form = (*self.SHORT, "-o", "r")
         self.refused(self.run_program(*form), 2, "--algorithm")
@@ -163,6 +174,9 @@ class OwnStudy(ProgramTest):
                             (("--algorithm", "as", "--set", "persistance=1"), '"persistence"'),
                             (("--algorithm", "as", "--set", "ants=4,x"), "ants"),
                             (("--algorithm", "as", "--set", "ants"), "NAME=VALUE"),
+                            (("--algorithm", "as", "--set", "ants=3,"), "--set ants=3,: a value is missing"),
+                            (("--algorithm", "as,as"), "--algorithm as,as: as is given twice"),
+                            (("--algorithm", "as,fan2004", "--preset", "book"), "fan2004 has no preset book"),
                             (("--algorithm", "as", "--seeds", "0"), "--seeds"),
                             (("--algorithm", "as", "--seeds", "3..1"), "--seeds"),
                             (("--algorithm", "as", "--preset", "bok"), '"book"'),
@@ -174,7 +188,8 @@ class OwnStudy(ProgramTest):
         self.refused(self.run_program(*blocked, "--start", "3,2"), 4, "3,2", "nearest free cell")
         self.refused(self.run_program(*blocked, "--start", "99999999999,2"), 4, "outside")
         none = ("study", "run", "none.map", "--start", "0,0", "--goal", "9,5", "--algorithm", "as")
-        self.refused(self.run_program(*none), 3, "none.map")
+        self.refused(self.run_program(*none), 3, "lasius: none.map: ")
+        self.assertFalse(any(os.path.exists(self.path(name)) for name in ("r", "study-small", "study-none")))
 
     def test_tune_finds_what_is_planted_and_plan_takes_it(self):
         self.write("t.yaml", TUNING)
@@ -223,6 +238,9 @@ class OwnStudy(ProgramTest):
         for old, new, line, told in (("training:", "trainig:", 8, '"training"'),
                                      ("candidates: 8", "candidates: 1", 5, "'candidates'"),
                                      ("ants: [1, 10]", "nats: [1, 10]", 4, '"ants"'),
+                                     ("ants: [1, 10]", "persistence: {from: 0.5, to: 1.01}", 4, "'to' is \"1.01\""),
+                                     ("mmas", "mms", 2, '"mmas"'),
+                                     ("mmas", "maklink-acs", 2, "'algorithm'"),
                                      ("mmas", "exact", 3, "'ants'")):
             self.write("t.yaml", TUNING.replace(old, new, 1))
             self.refused(self.run_program("tune", "t.yaml"), 3, f"t.yaml, line {line}: ", told)

@@ -208,6 +208,8 @@ class Json(ProgramTest):
         self.assertEqual((result["optimum"], result["optimum_gap"]), (None, None))
         self.assertGreater(result["grid_optimum"], 0)
         self.assertIn("optimum unknown, by its own moves", self.plan(*squeezing, **FAN).err)
+        nowhere = self.plan("--json", *squeezing, start="0,0", goal="0,0").json
+        self.assertEqual((nowhere["optimum"], nowhere["optimum_gap"]), (0, 0))
         upright = self.plan("--json", *squeezing[:-1], "4", **FAN).json  # passes no corner
         self.assertGreater(upright["optimum_gap"], 0)
 

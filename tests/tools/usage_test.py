@@ -60,9 +60,16 @@ class Usage(ProgramTest):
     def test_what_belongs_elsewhere_is_sent_there(self):
         plan = ["plan", "small.map", "--start", "0,0", "--goal", "9,5"]
         self.refused(self.run_program(*plan, "--algorithm", "goritov2020"), 2, "lasius arm")
-        for setting in ("time_limit=1", "time-limit=1", "seed=2", "threads=1", "target_gap=1"):
+        for setting in ("time_limit=1", "time-limit=1", "seed=2", "threads=1", "target_gap=1", "join=mitre", "radius=2"):
             option = "--" + setting.split("=")[0].replace("_", "-")
             self.refused(self.run_program(*plan, "--set", setting), 2, "an option, " + option)
+
+    def test_values_of_another_form_and_names_far_from_all(self):
+        for setting, words in (("ants=1e3", "ants is 1e3; it must be a whole number, 1 .. 1000000"),
+                               ("persistence=0x1p-1", "it must be a plain number, 0 .. 1"),
+                               ("ants=-3", "ants is -3; it must be 1 .. "), ("foo=3", "`lasius algorithms mmas` lists all")):
+            self.refused(self.plan("--algorithm", "mmas", "--set", setting), 2, words)
+        self.assertNotIn("lists", self.plan("--algorithm", "mmas", "--set", "persistance=3").err)
 
     def test_a_parameter_is_set_once(self):
         plan = ["plan", "small.map", "--start", "0,0", "--goal", "9,5", "--algorithm", "as"]

@@ -134,10 +134,11 @@ class ArmTask : public Task {
   void remark() const override {
     const arm::Result& motion = found_.plan;
     if (motion.stops)
-      message(
-          motion.status == Status::solved
-              ? "the motion rests at each waypoint: no faster one between them was found free"
-              : "the motion rests at each waypoint: there was no time to look for a faster one");
+      message(std::string("the motion rests at each waypoint: ") +
+              (motion.status == Status::solved ? "no faster one between them was found free"
+               : motion.limit == Limit::questions
+                   ? "no questions were left to look for a faster one"
+                   : "there was no time to look for a faster one"));
     if (command_.duration > 0 && motion.duration > command_.duration)
       message("the motion takes " + to_text(motion.duration) +
               " s, as the joints' limits ask, not " + to_text(command_.duration) + " s");

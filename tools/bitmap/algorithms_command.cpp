@@ -93,7 +93,8 @@ int run_command(const AlgorithmsCommand& command) {
       return command.name.empty() || a.name == command.name;
     };
     if (std::ranges::none_of(world.algorithms, asked)) continue;
-    if (!world.title.empty()) text.append("\n").append(world.title).append("\n");
+    if (!world.title.empty())
+      text.append(text.empty() ? "" : "\n").append(world.title).append("\n");
     Json& list = json[std::string(world.key)] = Json::array();
     for (const Algorithm& algorithm : world.algorithms) {
       if (!asked(algorithm)) continue;

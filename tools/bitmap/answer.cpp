@@ -49,7 +49,7 @@ Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, c
 
 void set_optima(const RunOptions& run, std::optional<double> any_angle,
                 std::optional<double> by_moves, Answer& answer) {
-  if (!squeezes(run.params)) answer.optimum = any_angle;
+  if (!squeezes(run.params) || answer.start.cell == answer.goal.cell) answer.optimum = any_angle;
   answer.grid_optimum = moves_on_cells(run.params) ? by_moves : answer.optimum;
 }
 

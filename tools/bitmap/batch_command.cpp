@@ -101,7 +101,7 @@ int run_command(const BatchCommand& command) {
   const auto draw = [&](const std::string& picture, const auto& paths) {
     write_batch_picture(picture, map, run, paths);
   };
-  return run_batch({task, queries.size(), answer_part, draw}, signals);
+  return run_batch({task, queries.size(), command.queries.empty(), answer_part, draw}, signals);
 }
 
 }  // namespace lasius::tool

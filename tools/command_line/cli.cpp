@@ -29,6 +29,7 @@ void refuse_extras(const CLI::App& app, const std::vector<std::string_view>& wor
     throw UsageError("\"" + word + "\" is one argument too many: no option follows --; see --help");
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
+    if (option->get_group() == kRefused) continue;
     for (const auto& name : option->get_lnames()) names.push_back("--" + name);
     for (const auto& name : option->get_snames()) names.push_back("-" + name);
   }

@@ -33,6 +33,7 @@ void read_seeds(const std::string& text, SearchOptions& options) {
     return;
   }
   std::tie(options.seed, options.seeds) = seed_range("--seed", text, 0);
+  options.ranged = true;
 }
 
 /// The numbers of a preset's file, and its algorithm where none is named.
@@ -74,7 +75,7 @@ void read_search(const SearchText& text, SearchOptions& options,
   check_endings(text.outputs, endings);
   options.outputs = text.outputs;
   const auto page = std::ranges::find_if(text.outputs, is_page);
-  if (options.seeds > 1 && page != text.outputs.end())
+  if (options.ranged && page != text.outputs.end())
     throw UsageError("-o " + *page + ": a report plays one run; give it one seed");
   options.messages = make_messages(text);
 }
@@ -220,14 +221,14 @@ PlanCommand make_plan(const EndsText& ends, RunOptions run) {
 
 DriveCommand make_drive(const DriveText& text) {
   if (is_world(text.map)) throw UsageError(text.map + ": drives are on bitmaps only");
+  if (!text.tracks.empty())
+    throw UsageError("--tracks: a drive's picture shows the robot's track; leave it out");
   DriveCommand drive{make_plan(text.ends, make_run(text, kDriveEndings))};
   RunOptions& run = drive.run;
-  if (run.seeds > 1)
+  if (run.ranged)
     throw UsageError("--seed " + text.seed + ": one drive has one seed; a range is for plan");
   if (run.with_optimum)
     run.notes.emplace_back("--gap has no effect: a drive always tells the optimum of its moves");
-  if (!text.tracks.empty())
-    throw UsageError("--tracks: a drive's picture shows the robot's track; leave it out");
   run.map.prepare = text.prepare && !moves_on_cells(run.params);
   drive.world = text.world;
   drive.changes = text.changes;
@@ -241,7 +242,7 @@ DriveCommand make_drive(const DriveText& text) {
 ArmCommand make_arm(const ArmText& text) {
   ArmCommand arm;
   read_search(text, arm, kArmEndings);
-  if (arm.seeds > 1)
+  if (arm.ranged)
     throw UsageError("--seed " + text.seed +
                      ": arm takes one seed; several are for plan and batch");
   arm.algorithm = algorithm_of(World::Kind::arm, text.algorithm);

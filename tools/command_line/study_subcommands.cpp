@@ -30,8 +30,9 @@ struct StudyText {
   ShortText run;
 };
 
-std::vector<std::string> values_in(const std::string& option, const std::string& text) {
-  const auto parts = split(text, ',');
+std::vector<std::string> values_in(const std::string& option, const std::string& text,
+                                   std::size_t from = 0) {
+  const auto parts = split(std::string_view(text).substr(from), ',');
   if (std::ranges::find(parts, "") != parts.end())
     throw UsageError(option + " " + text + ": a value is missing");
   return {parts.begin(), parts.end()};
@@ -44,7 +45,7 @@ std::pair<std::string, std::vector<std::string>> factor_of(
   if (equals == std::string::npos)
     throw UsageError("--set " + setting + ": not of the form NAME=VALUE,VALUE");
   const std::string name = setting.substr(0, equals);
-  auto values = values_in("--set", setting.substr(equals + 1));
+  auto values = values_in("--set", setting, equals + 1);
   bool known = false;
   for (const std::string& algorithm : algorithms) {
     if (!find_algorithm(algorithm).has(name)) continue;
@@ -81,8 +82,11 @@ ShortStudy short_study(const ShortText& text) {
     run.algorithms = {read_preset_file(text.preset).algorithm};
   else
     throw UsageError("study run: --algorithm is required; see --help");
-  for (const std::string& algorithm : run.algorithms)
+  for (const std::string& algorithm : run.algorithms) {
     (void)algorithm_of(World::Kind::bitmap, algorithm);
+    if (std::ranges::count(run.algorithms, algorithm) > 1)
+      throw UsageError("--algorithm " + text.algorithms + ": " + algorithm + " is given twice");
+  }
   if (!text.preset.empty() && !is_document(text.preset))
     (void)choice_value("--preset", text.preset, kPresetNames);
   refuse_repeats(text.set);

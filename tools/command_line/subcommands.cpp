@@ -44,7 +44,7 @@ constexpr const char* kDriveOutputs =
 constexpr SearchHelp kRunHelp = {
     .seed =
         "Seed, from 0 to 2^53-1 (default 1). A-B or A..B: every query with each of these seeds, "
-        "a JSON object a line, from plan too",
+        "a JSON object a line, from plan too, which ends with 0 where any of them returned a path",
     .time_limit =
         "Stop after this time, counted once the map is prepared; for batch by query. "
         "Each optimum of --gap may take as long again",
@@ -118,12 +118,12 @@ Subcommand add_plan(CLI::App& app) {
             const PolygonText& text = raw->polygon;
             if (is_world(raw->run.map)) {
               auto polygon = make_polygon(raw->run, text, kPlanEndings);
-              if (polygon.seeds > 1) return PolygonBatchCommand{std::move(polygon), ""};
+              if (polygon.ranged) return PolygonBatchCommand{std::move(polygon), ""};
               return polygon;
             }
             refuse_world_options(text.world);
             auto query = make_plan(text.ends, make_run(raw->run, kPlanEndings));
-            if (query.run.seeds > 1)
+            if (query.run.ranged)
               return BatchCommand{std::move(query.run), "", query.start, query.goal};
             return query;
           }};
@@ -153,7 +153,7 @@ Subcommand add_drive(CLI::App& app) {
                    .outputs = kDriveOutputs});
   drive->get_option("--gap")->description(
       "No effect: a drive always tells the optimum of its moves");
-  drive->get_option("--tracks")->group("");
+  drive->get_option("--tracks")->group(kRefused);
   return {drive, [raw]() -> Command { return make_drive(*raw); }};
 }
 

@@ -18,6 +18,9 @@ struct Subcommand {
   std::function<Command()> make;
 };
 
+/// The group of options that are only there to be refused: CLI11 tells no name of one without.
+inline constexpr const char* kRefused = "refused";
+
 /// All of them, added to the program's.
 std::vector<Subcommand> add_subcommands(CLI::App& app);
 

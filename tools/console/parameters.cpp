@@ -8,6 +8,14 @@
 
 namespace lasius::tool {
 
+namespace {
+
+std::string list_of(const Algorithm& algorithm) {
+  return " `lasius algorithms " + std::string(algorithm.name) + "` lists all";
+}
+
+}  // namespace
+
 const Algorithm& named_algorithm(std::span<const Algorithm> all, std::string_view name) {
   return *std::ranges::find(all, name, &Algorithm::name);
 }
@@ -28,10 +36,11 @@ std::pair<std::string_view, std::string_view> setting_of(std::string_view settin
   const auto equals = setting.find('=');
   if (equals == std::string_view::npos) throw UsageError(told + "not of the form NAME=VALUE");
   const auto name = setting.substr(0, equals);
-  constexpr std::array<std::string_view, 4> kOptions{"seed", "threads", "time-limit", "target-gap"};
+  constexpr std::array<std::string_view, 8> kOptions{
+      "seed", "threads", "time-limit", "target-gap", "margin", "join", "boundary", "radius"};
   std::string option(name);
   std::ranges::replace(option, '_', '-');
-  if (std::ranges::find(kOptions, option) != kOptions.end())
+  if (std::ranges::find(kOptions, option) != kOptions.end() && !algorithm.has(name))
     throw UsageError(told + "this is an option, --" + option);
   const auto value = setting.substr(equals + 1);
   if (name == "rho") return {name, value};  // refused with both its meanings
@@ -39,7 +48,7 @@ std::pair<std::string_view, std::string_view> setting_of(std::string_view settin
   const auto unknown =
       told + std::string(algorithm.name) + " has no parameter \"" + std::string(name) + "\"; ";
   if (!algorithm.parameters.empty())
-    throw UsageError(unknown + did_you_mean(name, algorithm.parameters));
+    throw UsageError(unknown + did_you_mean(name, algorithm.parameters, list_of(algorithm)));
   // One that needs none was meant for another.
   auto other = std::ranges::find_if(all, [&](const Algorithm& a) { return a.has(name); });
   const bool known = other != all.end();
@@ -49,7 +58,7 @@ std::pair<std::string_view, std::string_view> setting_of(std::string_view settin
   throw UsageError(unknown + "it takes none. " +
                    (known ? "One that has it: --algorithm " + std::string(other->name)
                           : "With --algorithm " + std::string(other->name) + ": " +
-                                did_you_mean(name, other->parameters)));
+                                did_you_mean(name, other->parameters, list_of(*other))));
 }
 
 void refuse_repeats(std::span<const std::string> settings) {

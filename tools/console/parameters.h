@@ -80,6 +80,8 @@ void note_unread(const SearchOptions& options, const Params& params, const Algor
       const std::string why = why_unread(params, name);
       if (!why.empty()) notes.push_back(told + " has no effect: " + why);
     };
+    for (const auto& [name, value] : options.preset_settings)
+      note("the preset's " + name + "=" + value, name);
     for (const auto& [name, value] : options.named)
       if (algorithm.has(name)) note("--" + name, name);
     for (const auto& setting : options.settings)

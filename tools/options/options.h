@@ -49,7 +49,8 @@ struct SearchOptions {
   std::vector<std::string> settings;                       ///< NAME=VALUE
   static constexpr int kMostSeeds = 100000;
   std::uint64_t seed = 1;
-  int seeds = 1;  ///< runs of `plan` and `batch`, with `seed` and those after it
+  int seeds = 1;        ///< runs of `plan` and `batch`, with `seed` and those after it
+  bool ranged = false;  ///< seeds were given as a range, also of one
   int threads = 1;
   double target_gap = 0;             ///< fraction
   std::optional<double> time_limit;  ///< seconds

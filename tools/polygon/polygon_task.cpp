@@ -54,12 +54,13 @@ class PolygonTask : public Task {
     Task::announce();
     if (!options().messages.verbose) return;
     const polygon::Maklink& graph = world_->planner.maklink();
-    message(world_->options.file +
-            printed(": %zu obstacles, %zu lines, %zu regions, hash %s, read in %.1f ms, ready "
-                    "after %.1f ms",
-                    world_->planner.world().obstacles.size(), graph.lines.size(),
-                    graph.regions.size(), hash_text(world_->hash).c_str(), world_->read_ms,
-                    world_->ready_ms));
+    const auto count = [](const auto& all, const char* thing) {
+      return counted(static_cast<std::int64_t>(all.size()), thing);
+    };
+    message(world_->options.file + ": " + count(world_->planner.world().obstacles, "obstacle") +
+            ", " + count(graph.lines, "line") + ", " + count(graph.regions, "region") +
+            printed(", hash %s, read in %.1f ms, ready after %.1f ms",
+                    hash_text(world_->hash).c_str(), world_->read_ms, world_->ready_ms));
     announce_algorithm(false);
   }
   void plan(const StopCondition& stop, const Watch& watch) override {
@@ -240,7 +241,7 @@ int run_command(const PolygonBatchCommand& command) {
   const auto draw = [&](const std::string& picture, const auto& paths) {
     write_paths_picture(picture, *world, paths);
   };
-  return run_batch({task, queries.size(), answer_part, draw}, signals);
+  return run_batch({task, queries.size(), command.queries.empty(), answer_part, draw}, signals);
 }
 
 }  // namespace lasius::tool

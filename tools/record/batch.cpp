@@ -7,6 +7,7 @@
 
 #include "tools/console/exit_code.h"
 #include "tools/console/progress.h"
+#include "tools/console/streams.h"
 #include "tools/console/values.h"
 #include "tools/record/outputs.h"
 
@@ -19,8 +20,9 @@ class BatchOutput {
   /// `total`: answers that will come.
   BatchOutput(const Task& task, std::size_t total)
       : task_(task),
+        total_(static_cast<std::int64_t>(total)),
         delivery_(task.options().outputs),
-        bar_(wants_progress(task.options().messages), static_cast<std::int64_t>(total)) {
+        bar_(std::in_place, wants_progress(task.options().messages), total_) {
     for (const auto& file : task.options().outputs) {
       csv_ |= is_table(file);
       paths_ |= is_picture(file);
@@ -36,10 +38,31 @@ class BatchOutput {
   void add(const std::vector<std::string>& ends, const std::vector<Point>& path) {
     const std::string text = json_line(task_);
     delivery_.print(text);
-    bar_.update(++done_, "queries");
+    bar_->update(++done_, "queries");
     if (json_) lines_ += text;
     if (paths_ && task_.has_path()) kept_.push_back(path);
     if (csv_) rows_ += row(ends);
+    const Status status = task_.result().status;
+    cut_ += status == Status::limit ? 1 : 0;
+    whole_ += status == Status::interrupted ? 0 : 1;
+    if (code_ == kFound) return;
+    code_ = exit_code(task_);
+    why_ = explain(task_);
+  }
+
+  /// Tells of answers that are missing or not final. The exit code.
+  int finish(const Batch& batch, bool interrupted) {
+    bar_.reset();
+    const auto say = [&](const std::string& text) {
+      if (!task_.options().messages.quiet) message(text);
+    };
+    const std::string all = " of " + counted(total_, "answer");
+    if (cut_ > 0) say("the time limit ended " + std::to_string(cut_) + all);
+    if (interrupted) say("interrupted after " + std::to_string(whole_) + all);
+    if (interrupted) return kInterrupted;
+    if (!batch.is_plan || code_ == kFound) return kFound;
+    message(why_);
+    return code_;
   }
 
   void write_files(const Batch& batch) {
@@ -67,9 +90,12 @@ class BatchOutput {
   }
 
   const Task& task_;
+  std::int64_t total_;
   Delivery delivery_;
-  ProgressLine bar_;
-  std::int64_t done_ = 0;
+  std::optional<ProgressLine> bar_;
+  std::int64_t done_ = 0, cut_ = 0, whole_ = 0;
+  int code_ = kNoPath;
+  std::string why_;
   bool json_ = false, csv_ = false, paths_ = false;
   std::string lines_, rows_;
   std::vector<std::vector<Point>> kept_;
@@ -89,7 +115,7 @@ int run_batch(const Batch& batch, const SignalWatcher& signals) {
     batch.answer(from, std::min(chunk, batch.queries - from), how,
                  [&](const auto& ends, const auto& path) { output.add(ends, path); });
   output.write_files(batch);
-  return signals.interrupted() ? kInterrupted : kFound;
+  return output.finish(batch, signals.interrupted());
 }
 
 }  // namespace lasius::tool

@@ -22,6 +22,7 @@ struct Batch {
 
   Task& task;  ///< tells of options and columns, too: those in metres end in _m
   std::size_t queries = 0;
+  bool is_plan = false;  ///< one query of `plan`, whose exit code says what came of it
   /// Answers `count` queries from `first` on with each seed, in order, each taken in its turn.
   std::function<void(std::size_t first, std::size_t count, const BatchOptions&, const Take&)>
       answer;

@@ -67,6 +67,8 @@ class Lines {
   }
 
   double coordinate(std::string_view name, std::string_view field, bool whole) const {
+    if (field.find('\0') != std::string_view::npos)
+      fail(std::string(name) + " holds a zero byte", "leave it out");
     if (whole) {
       if (const auto value = parse_whole(field)) return *value;
     } else if (const auto value = parse_real(field)) {

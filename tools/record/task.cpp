@@ -20,22 +20,6 @@
 namespace lasius::tool {
 namespace {
 
-int exit_code(const Task& task) {
-  switch (task.result().status) {
-    case Status::invalid:
-      return kInvalidQuery;
-    case Status::unreachable:
-      return kUnreachable;
-    case Status::interrupted:
-      return kInterrupted;
-    case Status::solved:
-    case Status::limit:
-    case Status::no_path:
-      break;
-  }
-  return task.found() ? kFound : kNoPath;
-}
-
 const char* limit_name(Limit limit) {
   return limit == Limit::questions ? "--max-questions"
          : limit == Limit::ticks   ? "--max-ticks"
@@ -44,29 +28,6 @@ const char* limit_name(Limit limit) {
 
 std::string after(const Task& task) {
   return task.iterates() ? " after " + counted(task.result().iterations, "iteration") : "";
-}
-
-/// One sentence for people: why a run has no path, or is not final; empty for `solved`.
-std::string explain(const Task& task) {
-  switch (task.result().status) {
-    case Status::solved:
-      return {};
-    case Status::limit:
-      return limit_name(task.result().limit) + (" ended the run" + task.reached());
-    case Status::interrupted:
-      return "interrupted" + task.reached();
-    case Status::no_path:
-      if (!task.error().empty()) return task.error();
-      return "no path" + after(task) + "; try more --iterations, " +
-             (task.algorithm().has("ants") ? "more --ants " : "") + "or another --seed" +
-             (task.algorithm().has("dead_end") && task.parameter("dead_end") == "kill"
-                  ? ", or --set dead_end=backtrack: its ants die where they are stuck"
-                  : "");
-    case Status::unreachable:
-    case Status::invalid:
-      return task.error();
-  }
-  return {};
 }
 
 /// Plans, with a progress line where it is wanted.
@@ -135,6 +96,44 @@ void check_inputs(const Json& inputs, const Json& result) {
 }
 
 }  // namespace
+
+int exit_code(const Task& task) {
+  switch (task.result().status) {
+    case Status::invalid:
+      return kInvalidQuery;
+    case Status::unreachable:
+      return kUnreachable;
+    case Status::interrupted:
+      return kInterrupted;
+    case Status::solved:
+    case Status::limit:
+    case Status::no_path:
+      break;
+  }
+  return task.found() ? kFound : kNoPath;
+}
+
+std::string explain(const Task& task) {
+  switch (task.result().status) {
+    case Status::solved:
+      return {};
+    case Status::limit:
+      return limit_name(task.result().limit) + (" ended the run" + task.reached());
+    case Status::interrupted:
+      return "interrupted" + task.reached();
+    case Status::no_path:
+      if (!task.error().empty()) return task.error();
+      return "no path" + after(task) + "; try more --iterations, " +
+             (task.algorithm().has("ants") ? "more --ants " : "") + "or another --seed" +
+             (task.algorithm().has("dead_end") && task.parameter("dead_end") == "kill"
+                  ? ", or --set dead_end=backtrack: its ants die where they are stuck"
+                  : "");
+    case Status::unreachable:
+    case Status::invalid:
+      return task.error();
+  }
+  return {};
+}
 
 Task::~Task() = default;
 

@@ -117,6 +117,11 @@ class Task {
 /// Points as write_path gives them.
 void write_points(std::ostream& out, const char* between, const std::vector<Point>& points);
 
+/// The exit code of a run that is planned.
+int exit_code(const Task& task);
+/// One sentence for people: why a run has no path, or is not final; empty for `solved`.
+std::string explain(const Task& task);
+
 /// Runs a task: outputs are checked, inputs read, progress is shown, and what was asked for is
 /// printed and written. The program's exit code.
 int run(Task& task);

@@ -209,7 +209,7 @@ TEST(Drive, TrappedBetweenCorridorsThatAreClosedInTurn) {
   const DriveResult r = drive(map, map, {0, 2}, {14, 2}, changes, {.sense = 3});
   EXPECT_EQ(r.status, Status::no_path);
   EXPECT_EQ(r.fault, Fault::trapped);
-  EXPECT_EQ(r.error, "trapped: moving obstacles close every way in turn");
+  EXPECT_EQ(r.error, "trapped: moving obstacles close every way, for good or in turn");
   EXPECT_GT(r.ticks, 16'384);
   EXPECT_LT(r.ticks, 25'000);
   EXPECT_EQ(DriveChecker(map, changes, 0).fault(r.track), "");

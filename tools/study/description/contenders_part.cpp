@@ -253,9 +253,9 @@ Factor factor_of(const Node& node, const Parameter& parameter) {
   const Node* const scale = node.find("scale");
   factor.logarithmic = scale != nullptr && scale->choice(kScales) == 1;
   factor.whole = parameter.type == "integer";
-  const double least = factor.logarithmic ? 1e-300 : -tool::kNoLimit;
-  factor.from = node.at("from").number(least, tool::kNoLimit);
-  factor.to = node.at("to").number(factor.from, tool::kNoLimit);
+  const double least = factor.logarithmic ? std::max(1e-300, parameter.least) : parameter.least;
+  factor.from = node.at("from").number(least, parameter.most);
+  factor.to = node.at("to").number(factor.from, parameter.most);
   factor.levels = static_cast<int>(node.integer_or("levels", 0, 2, kMostPoints));
   return factor;
 }

@@ -17,9 +17,18 @@ namespace {
 constexpr std::uint32_t kMostAttempts = 1 << 20;
 
 [[noreturn]] void fail(const Study& study, const Question& question, const std::string& problem,
-                       const std::string& remedy) {
-  throw Error(ErrorCode::file_broken, {.file = study.file, .line = question.line},
+                       const std::string& remedy, ErrorCode code = ErrorCode::file_broken) {
+  throw Error(code, {.file = study.file, .line = question.line},
               "question \"" + question.name + "\" on " + question.map + ": " + problem, remedy);
+}
+
+Grid map_of(const Study& study, const Question& question, const std::filesystem::path& maps) {
+  try {
+    return load_map(question.map, maps);
+  } catch (const Error& fault) {
+    if (fault.code() != ErrorCode::file_missing) throw;
+    fail(study, question, fault.problem(), fault.remedy(), fault.code());
+  }
 }
 
 std::string cell_text(Cell c) { return std::to_string(c.x) + "," + std::to_string(c.y); }
@@ -69,7 +78,7 @@ void draw_questions(Study& study, const std::filesystem::path& maps) {
     for (const Question& question : experiment.questions) {
       auto at = planners.find(question.map);
       if (at == planners.end())
-        at = planners.emplace(question.map, Planner(load_map(question.map, maps))).first;
+        at = planners.emplace(question.map, Planner(map_of(study, question, maps))).first;
       const Planner& planner = at->second;
       if (!question.draw) {
         check_end(study, question, planner, "start", question.start);

@@ -1,8 +1,11 @@
 #include "tools/study/sources/console.h"
 
 #include <algorithm>
+#include <map>
 
+#include "tools/console/streams.h"
 #include "tools/draw/text.h"
+#include "tools/study/runner.h"
 
 namespace lasius::tool {
 
@@ -13,6 +16,20 @@ std::filesystem::path find_maps(const std::string& option) {
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   const fs::path installed = program.parent_path() / LASIUS_INSTALLED_MAPS;
   return fs::is_directory(installed, ignored) ? installed : fs::path(LASIUS_SOURCE_MAPS);
+}
+
+void tell_unread(std::span<const study::Contender> contenders) {
+  std::map<std::pair<std::string, std::string>, std::string> reasons;  // empty: one reads it
+  for (const study::Contender& c : contenders) {
+    const Params params = study::configured(Params(c.algorithm, c.preset), c);
+    for (const auto& [name, value] : c.settings) {
+      const std::string why = why_unread(params, name);
+      const auto at = reasons.try_emplace({c.algorithm, name}, why).first;
+      if (why.empty()) at->second.clear();
+    }
+  }
+  for (const auto& [setting, why] : reasons)
+    if (!why.empty()) message(setting.second + " of " + setting.first + " has no effect: " + why);
 }
 
 std::string duration_text(double seconds) {

@@ -2,13 +2,19 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
+
+#include "tools/study/study.h"
 
 namespace lasius::tool {
 
 /// Maps are looked for in the option's folder, else beside the installed program, else in the
 /// source tree.
 std::filesystem::path find_maps(const std::string& option);
+
+/// Says once which settings none of these contenders, of bitmaps, reads.
+void tell_unread(std::span<const study::Contender> contenders);
 
 /// "12 s", "3 min", "1.5 h".
 std::string duration_text(double seconds);

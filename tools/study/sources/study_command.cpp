@@ -10,6 +10,7 @@
 #include "tools/console/progress.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
+#include "tools/console/values.h"
 #include "tools/options/commands.h"
 #include "tools/record/outputs.h"
 #include "tools/study/bitmaps.h"
@@ -105,9 +106,9 @@ class Conduct {
     };
     const auto tell = [&](std::size_t runs, double seconds) {
       if (!command_.messages.quiet)
-        message(study.name + ": " + std::to_string(runs) + " runs, about " +
-                duration_text(seconds) + " with " + std::to_string(command_.threads) +
-                " threads, by a part of one run of each");
+        message(study.name + ": " + counted(static_cast<std::int64_t>(runs), "run") + ", about " +
+                duration_text(seconds) + " with " + counted(command_.threads, "thread") +
+                ", by a part of one run of each");
     };
     return study::run_study(study, domain,
                             {.seeds = seeds(study).count,
@@ -175,27 +176,42 @@ int finished(const Conduct& conduct, const fs::path& page) {
   return kFound;
 }
 
-/// A study of a user: from a file, or `run`, whose file is written first.
-Study users_study(const StudyCommand& command) {
-  if (command.name != "run") return study::read_study(command.name);
-  study::make_folder(command.folder);
-  const std::string file = (fs::path(command.folder) / "study.yaml").string();
-  study::write_text(file, study::study_text(command.run));
-  return study::read_study(file);
+/// The study that `run` asks for, as its file will say it. @throws UsageError
+Study short_study(const std::string& text, const std::string& file) {
+  try {
+    Study study = study::parse_study(text, file);
+    study.file = file;
+    return study;
+  } catch (const Error& fault) {
+    if (fault.place().file != file) throw;
+    throw UsageError("study run: " + fault.problem() + "; " + fault.remedy());
+  }
 }
 
 int run_users_study(const StudyCommand& command) {
-  Study study = users_study(command);
+  const bool is_short = command.name == "run";
+  const std::string text = is_short ? study::study_text(command.run) : "";
+  const std::string file = (fs::path(command.folder) / "study.yaml").string();
+  Study study = is_short ? short_study(text, file) : study::read_study(command.name);
   if (!was_built(study.world))
     throw UsageError(study.file + ": this lasius was built without that world");
   try {
     if (study.world == study::World::bitmap) study::draw_questions(study, find_maps(command.maps));
   } catch (const Error& fault) {
-    const bool ends = command.name == "run" && fault.place().file == study.file;
-    if (!ends) throw;
+    if (!is_short || fault.place().file != study.file) throw;
+    if (fault.code() == ErrorCode::file_missing)
+      throw Error(fault.code(), {.file = command.run.map}, fault.problem(), fault.remedy());
     message(fault.problem() + ": " + fault.remedy());
     return kInvalidQuery;
   }
+  if (is_short) {
+    study::make_folder(command.folder);
+    study::write_text(file, text);
+  }
+  std::vector<study::Contender> contenders;
+  for (const study::Experiment& e : study.experiments)
+    contenders.insert(contenders.end(), e.contenders.begin(), e.contenders.end());
+  if (study.world == study::World::bitmap && !command.messages.quiet) tell_unread(contenders);
   Conduct conduct(command);
   (void)conduct.run(study, command.folder);
   return finished(conduct, fs::path(command.folder) / "report.md");

@@ -7,6 +7,7 @@
 #include "tools/console/progress.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
+#include "tools/console/values.h"
 #include "tools/options/commands.h"
 #include "tools/study/files.h"
 #include "tools/study/sources/console.h"
@@ -35,7 +36,7 @@ study::Tuned conduct_tuning(study::Tuning& tuning, const TuneCommand& command,
     if (!command.messages.quiet)
       message(tuning.name + ": " + std::to_string(tuning.candidates.size()) +
               " candidates, at most about " + duration_text(seconds) + " with " +
-              std::to_string(command.threads) + " threads, by a part of one run of each");
+              counted(command.threads, "thread") + ", by a part of one run of each");
   };
   return study::tune(tuning, {.threads = command.threads,
                               .folder = command.folder,
@@ -49,6 +50,7 @@ study::Tuned conduct_tuning(study::Tuning& tuning, const TuneCommand& command,
 
 int run_command(const TuneCommand& command) {
   study::Tuning tuning = study::read_tuning(command.file);
+  if (!command.messages.quiet) tell_unread(tuning.candidates);
   const fs::path folder = command.folder;
   study::make_folder(folder);
   for (const char* name : {"report.md", "race.csv", "candidates.csv", "preset.yaml"})
