@@ -207,6 +207,7 @@ class ArmColony final : public ColonyWorld {
   }
 
   void bound() {
+    if (lattice_.spent()) return;  // the search, which asks nothing, would be cut at once
     const KnownWay way = shortest_known_way(lattice_, Unknown::counts_as_free, request_.stop);
     if (way.cause != Cause::none) return;
     bound_at_ = lattice_.questions();

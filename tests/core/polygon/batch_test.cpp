@@ -104,7 +104,7 @@ TEST(PolygonBatch, RefusesBadParametersBeforeAnyRequest) {
   requests.back() = {.start = Point{kNaN, 1}};
   refused(asked.planner, requests, {}, {});
   EXPECT_EQ(refusal([&] { (void)asked.planner.plan(requests.back()); }),
-            "the start is (nan, 1): give finite coordinates");
+            "the start is (nan, 1); give finite coordinates");
   // The world names no goal, nor does the second request.
   const Planner open(empty_world(10, 10, Point{1, 1}, std::nullopt));
   refused(open, {{.goal = Point{2, 2}}, {}}, {}, {});
