@@ -285,8 +285,8 @@ void PreparedSearch::search(const Grid& grid, const CornerGraph& graph, Cell sta
     const bool ended = graph.detour() <= kMostDetour ? search_near(gap) : glance(gap);
     if (!ended) search_all(gap);
   }
-  tell_improvement();  // the last one; nothing is left to stop
   poller_ = nullptr;
+  tell_improvement();  // the last one; nothing is left to stop
   answer.path.clear();
   if (upper_ < kInfinity) trace(answer.path);
   conclude(lower_, upper_, told_to_stop_ ? StopCondition::Cause::token : poller.cause(),

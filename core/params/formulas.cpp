@@ -28,7 +28,8 @@ static_assert(complete(kHeuristics) && complete(kVisibilities) && complete(kUpda
 std::vector<std::string> formulas(const Params& params) {
   if (find_algorithm(params.algorithm()).kind != Algorithm::Kind::colony) return {};
   const bool index = params.update == Update::terminal_index;
-  std::string weight = index ? "(K(j) - index_spread Kmin)^alpha" : "tau^alpha", where;
+  const std::string trail = index ? "(K(j) - index_spread Kmin)^alpha" : "tau^alpha";
+  std::string weight = trail, where;
   const auto explain = [](std::string& line, const auto& rule) {
     if (!rule.where.empty()) line.append("; ").append(rule.where);
   };
@@ -49,8 +50,13 @@ std::vector<std::string> formulas(const Params& params) {
                            "is left"
                          : "choice: in proportion to the weight among cells not yet entered; with "
                            "probability `greedy` the largest");
-  if (mixes_rules(params))
-    lines.emplace_back("or, drawn by shares, by pheromone alone (tau^alpha) or by distance alone");
+  if (mixes_rules(params)) {
+    std::string alone = trail;
+    const auto factor = rule_of(params.visibility, kVisibilities).formula;
+    if (!factor.empty()) alone.append(" * ").append(factor);
+    lines.push_back("or, drawn by shares: the weight " + alone +
+                    ", or that of the heuristic alone");
+  }
   const auto update = rule_of(params.update, kUpdates);
   explain(lines.emplace_back("update: ").append(update.formula), update);
   if (params.polish != Polish::none && params.straight_deposit != StraightDeposit::none)
