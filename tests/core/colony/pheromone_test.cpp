@@ -1,7 +1,6 @@
 // An own update's hand on the trail, with numbers worked by hand.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <functional>
 #include <vector>
 
