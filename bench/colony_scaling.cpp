@@ -56,14 +56,10 @@ std::vector<double> iteration_times(const Planner& planner, const Course& course
 Course pasted(int side) {
   const Course& small = fan_course();
   Course large{"pasted", Grid(side, side), {}, {}};
-  const std::vector<std::uint64_t> blocked(large.grid.words(), ~std::uint64_t{0});
-  for (int y = 0; y < side; ++y) large.grid.set_row(y, blocked.data());
+  large.grid.fill(true);
   const int x0 = side / 2 - 217, y0 = side / 2 - 91;
-  for (int y = 0; y < small.grid.height(); ++y) {
-    for (int x = 0; x < small.grid.width(); ++x) {
-      if (small.grid.free({x, y})) large.grid.set_blocked({x0 + x, y0 + y}, false);
-    }
-  }
+  large.grid.paste({x0, y0, small.grid.width(), small.grid.height()},
+                   small.grid.bytes(Nonzero::blocked), Nonzero::blocked);
   large.start = {x0 + small.start.x, y0 + small.start.y};
   large.goal = {x0 + small.goal.x, y0 + small.goal.y};
   return large;
