@@ -3,7 +3,9 @@
 #include <bit>
 #include <boost/graph/astar_search.hpp>
 #include <boost/iterator/iterator_facade.hpp>
+#include <cstdint>
 #include <numbers>
+#include <utility>
 
 #include "bench/peers/move_grid.h"
 #include "bench/peers/peers.h"

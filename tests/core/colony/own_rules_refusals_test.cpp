@@ -1,6 +1,7 @@
 // What a caller's own rules may not be.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 

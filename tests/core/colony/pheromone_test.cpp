@@ -1,6 +1,7 @@
 // An own update's hand on the trail, with numbers worked by hand.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <vector>
 

@@ -1,6 +1,7 @@
 // What ants read and leave, for formulas with numbers worked by hand.
 #pragma once
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
