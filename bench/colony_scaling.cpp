@@ -2,6 +2,7 @@
 #include <atomic>
 #include <fstream>
 #include <optional>
+#include <random>
 #include <string>
 #include <thread>
 
@@ -9,6 +10,7 @@
 #include "bench/colony_figures.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
+#include "lasius/generate.h"
 
 namespace lasius::bench {
 namespace {
@@ -54,14 +56,10 @@ std::vector<double> iteration_times(const Planner& planner, const Course& course
 Course pasted(int side) {
   const Course& small = fan_course();
   Course large{"pasted", Grid(side, side), {}, {}};
-  const std::vector<std::uint64_t> blocked(large.grid.words(), ~std::uint64_t{0});
-  for (int y = 0; y < side; ++y) large.grid.set_row(y, blocked.data());
+  large.grid.fill(true);
   const int x0 = side / 2 - 217, y0 = side / 2 - 91;
-  for (int y = 0; y < small.grid.height(); ++y) {
-    for (int x = 0; x < small.grid.width(); ++x) {
-      if (small.grid.free({x, y})) large.grid.set_blocked({x0 + x, y0 + y}, false);
-    }
-  }
+  large.grid.paste({x0, y0, small.grid.width(), small.grid.height()},
+                   small.grid.bytes(Nonzero::blocked), Nonzero::blocked);
   large.start = {x0 + small.start.x, y0 + small.start.y};
   large.goal = {x0 + small.goal.x, y0 + small.goal.y};
   return large;
@@ -164,6 +162,34 @@ std::vector<Figure> measure_area(int rounds, int side) {
           {"map held, bits a cell", short_number(8 * held / cells), ""},
           {"peak memory, bits a cell", short_number(8 * peak / cells), "<= 2.25 + ants'"},
           {"peak memory beyond the map, MB", short_number((peak - held) / 1e6), ""}};
+}
+
+std::vector<Figure> measure_unreachable(int queries, int side) {
+  const Planner planner(generate(MapKind::random, {side, side, 0.4, 1}));
+  const Grid& grid = planner.grid();
+  Workspace workspace;
+  std::mt19937_64 random(1);
+  const auto cell = [&] {
+    for (;;) {
+      const Cell c{static_cast<int>(random() % static_cast<std::uint64_t>(side)),
+                   static_cast<int>(random() % static_cast<std::uint64_t>(side))};
+      if (grid.free(c)) return c;
+    }
+  };
+  std::vector<double> times;
+  bool proven = true;
+  while (static_cast<int>(times.size()) < queries) {
+    const Cell start = cell(), goal = cell();
+    if (planner.connected(start, goal)) continue;
+    const Stopwatch watch;
+    const Result result = planner.plan({start, goal}, Params("fan2004"), &workspace);
+    times.push_back(watch.microseconds());
+    proven = proven && result.status == Status::unreachable;
+  }
+  const std::string map = ", noise 40%, " + std::to_string(side) + " square";
+  return {{"unreachable, median microseconds" + map, short_number(median(times)), "< 1000"},
+          {"unreachable, largest", short_number(largest(times)), "< 1000"},
+          {"all proven unreachable", proven ? "yes" : "NO", "yes"}};
 }
 
 }  // namespace lasius::bench

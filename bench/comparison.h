@@ -14,7 +14,6 @@ namespace lasius::bench {
 struct ComparisonOptions {
   int rounds = 5;       ///< each planner answers all queries of a map this often
   double seconds = 20;  ///< a planner that spent this on a map starts no further round there
-  bool flush = false;   ///< print each map when it is done
 };
 
 /// One planner on one query.

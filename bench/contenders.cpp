@@ -11,6 +11,7 @@
 namespace lasius::bench {
 namespace {
 
+using peers::make;
 using peers::Optimality;
 
 // The search behind the algorithm `exact`, without the request around it, up to a certified gap in
@@ -77,11 +78,6 @@ class PulledAStar final : public peers::QueryPlanner {
   peers::BucketAStar search_;
   std::vector<Cell> cells_;
 };
-
-template <typename T>
-std::unique_ptr<peers::QueryPlanner> make(const Grid& grid) {
-  return std::make_unique<T>(grid);
-}
 
 }  // namespace
 

@@ -1,10 +1,23 @@
 // lasius_bench quality: gap to the optimum over many seeds, with and without pheromone.
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
 #include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
 
+#include "bench/colony_figures.h"
 #include "bench/commands.h"
-#include "bench/quality.h"
 #include "bench/report.h"
+#include "bench/statistics.h"
+#include "core/exact/exact.h"
+#include "core/grid/cell_distance.h"
 #include "lasius/error.h"
+#include "lasius/generate.h"
 #include "lasius/map_io.h"
 
 namespace lasius::bench {
@@ -19,6 +32,117 @@ struct Options {
   std::vector<std::string> courses;  // FILE,X,Y,X,Y
   std::string markdown;
 };
+
+/// One plan.
+struct QualityRun {
+  double gap = 0;            ///< (length - optimum) / optimum; infinite without a path
+  int last_improvement = 0;  ///< iteration, from 1, that found the answer; 0 without one
+  int last_as_walked = 0;    ///< that found the shortest of all tours, before any polish
+  double arrived = 0;        ///< share of all ants of all iterations
+};
+
+/// One course under one set of parameters, a run a seed.
+struct Quality {
+  std::string course;
+  double optimum = 0;
+  std::vector<QualityRun> runs;
+
+  double median_gap() const { return median(collect(&QualityRun::gap)); }
+  double worst_gap() const { return largest(collect(&QualityRun::gap)); }
+  double median_last_improvement() const { return median(collect(&QualityRun::last_improvement)); }
+  double median_last_as_walked() const { return median(collect(&QualityRun::last_as_walked)); }
+  double least_arrived() const { return quantile(collect(&QualityRun::arrived), 0); }
+
+ private:
+  template <class Value>
+  std::vector<double> collect(Value QualityRun::*value) const {
+    std::vector<double> values;
+    for (const QualityRun& run : runs) values.push_back(run.*value);
+    return values;
+  }
+};
+
+QualityRun run_once(const Planner& planner, const Course& course, const Params& params,
+                    double optimum, Workspace& workspace) {
+  QualityRun run;
+  double shortest = std::numeric_limits<double>::infinity();
+  const Result result = planner.plan({course.start, course.goal}, params, &workspace,
+                                     [&](const GridProgress& progress) {
+                                       for (int ant = 0; ant < progress.ants(); ++ant) {
+                                         const auto tour = progress.tour(ant);
+                                         const double length = length_of(tour);
+                                         if (tour.empty() || length >= shortest) continue;
+                                         shortest = length;
+                                         run.last_as_walked = progress.iteration + 1;
+                                       }
+                                     });
+  run.gap = result.path.empty() ? std::numeric_limits<double>::infinity()
+                                : (result.length - optimum) / optimum;
+  for (std::size_t q = 0; q < result.best.size(); ++q) {
+    // Not a number before the first path, which makes the first comparison false.
+    const bool same = q > 0 && result.best[q] >= result.best[q - 1];
+    if (!std::isnan(result.best[q]) && !same) run.last_improvement = static_cast<int>(q) + 1;
+  }
+  const int arrived = std::accumulate(result.arrived.begin(), result.arrived.end(), 0);
+  run.arrived =
+      static_cast<double>(arrived) / (static_cast<double>(params.ants) * result.iterations);
+  return run;
+}
+
+// The free cell nearest to a corner of the map, along its diagonal.
+Cell first_free(const Grid& grid, Cell from, int step) {
+  while (grid.blocked(from)) from = {from.x + step, from.y + step};
+  return from;
+}
+
+/// Plans the course with seeds 1 .. `seeds`, one thread a plan and as many plans at a time as there
+/// are cores. The optimum is that of the exact search.
+Quality measure_quality(const Course& course, const Params& params, int seeds) {
+  ExactSearch exact;
+  ExactAnswer answer;
+  exact.search(course.grid, course.start, course.goal, {}, {}, answer);
+  Quality quality{course.name, answer.length, {}};
+  quality.runs.resize(static_cast<std::size_t>(seeds));
+  const Planner planner(course.grid);
+  std::atomic<int> next{0};
+  const auto work = [&] {
+    Workspace workspace;
+    Params seeded = params;
+    seeded.threads = 1;
+    for (int i = next++; i < seeds; i = next++) {
+      seeded.seed = static_cast<std::uint64_t>(i) + 1;
+      quality.runs[i] = run_once(planner, course, seeded, answer.length, workspace);
+    }
+  };
+  {
+    std::vector<std::jthread> team(std::max(1u, std::thread::hardware_concurrency()));
+    for (auto& member : team) member = std::jthread(work);
+  }
+  return quality;
+}
+
+/// The same parameters with pheromone switched off: the rule that reads distances only, as in the
+/// first iteration. What is left is random walks that know the way, and straightening.
+Params without_pheromone(Params params) {
+  params.pheromone_rule_first = params.pheromone_rule = 0;
+  params.combined_rule_first = params.combined_rule = 0;
+  params.distance_rule_first = params.distance_rule = 1;
+  return params;
+}
+
+/// `count` generated blobs maps with a query from corner to corner, seeds from `seed`.
+std::vector<Course> blobs_courses(int count, std::uint64_t seed) {
+  constexpr int kWidth = 400, kHeight = 200;
+  std::vector<Course> courses;
+  for (std::uint64_t s = seed; static_cast<int>(courses.size()) < count; ++s) {
+    Grid grid = generate(MapKind::blobs, {kWidth, kHeight, -1, s});
+    const Cell start = first_free(grid, {10, 10}, 1);
+    const Cell goal = first_free(grid, {kWidth - 11, kHeight - 11}, -1);
+    if (!Planner(grid).connected(start, goal)) continue;
+    courses.push_back({"blobs, seed " + std::to_string(s), std::move(grid), start, goal});
+  }
+  return courses;
+}
 
 Course parse_course(const std::string& text) {
   const auto parts = CLI::detail::split(text, ',');

@@ -52,7 +52,7 @@ std::string table_of(const fs::path& map) {
 }
 
 void add_map(const fs::path& map, std::vector<QuerySource>& sources) {
-  sources.push_back({map.stem().string(), map.string(), table_of(map), {}, {}});
+  sources.push_back({.name = map.stem().string(), .map = map.string(), .table = table_of(map)});
 }
 
 // Two different cells that are joined; tries a bounded number of pairs.
@@ -114,7 +114,7 @@ std::vector<QuerySource> find_sources(const std::vector<std::string>& names) {
     } else if (path.extension() == ".tsv" || path.extension() == ".scen") {
       fs::path map = fs::path(path).replace_extension(".map");
       if (!fs::exists(map)) map = fs::path(path).replace_extension();  // NAME.map.scen
-      sources.push_back({map.stem().string(), map.string(), name, {}, {}});
+      sources.push_back({.name = map.stem().string(), .map = map.string(), .table = name});
     } else {
       add_map(path, sources);
     }
@@ -129,11 +129,9 @@ std::vector<QuerySource> generated_sources(const std::vector<int>& sides, std::u
     for (std::size_t k = 0; k < names.size(); ++k) {
       const auto kind = static_cast<MapKind>(k);
       const auto add = [&](double density, const std::string& suffix) {
-        sources.push_back({std::string(names[k]) + suffix + "-" + std::to_string(side),
-                           {},
-                           {},
-                           kind,
-                           {side, side, density, seed}});
+        sources.push_back({.name = std::string(names[k]) + suffix + "-" + std::to_string(side),
+                           .kind = kind,
+                           .options = {side, side, density, seed}});
       };
       if (kind != MapKind::random) {
         add(-1, "");
@@ -149,11 +147,9 @@ std::vector<QuerySource> noise_sources(const std::vector<int>& sides, std::uint6
   std::vector<QuerySource> sources;
   for (const int side : sides) {
     for (const char* percent : {"0.5", "1", "2", "5", "10", "20", "30", "40"}) {
-      sources.push_back({std::string("noise") + percent + "-" + std::to_string(side),
-                         {},
-                         {},
-                         MapKind::random,
-                         {side, side, std::stod(percent) / 100, seed}});
+      sources.push_back({.name = std::string("noise") + percent + "-" + std::to_string(side),
+                         .kind = MapKind::random,
+                         .options = {side, side, std::stod(percent) / 100, seed}});
     }
   }
   return sources;

@@ -31,9 +31,9 @@ std::vector<Query> read_queries(const std::string& path);
 /// One thing to load: a map file and its queries, or a generated map.
 struct QuerySource {
   std::string name;
-  std::string map, table;  ///< files; empty for generated maps
+  std::string map = {}, table = {};  ///< files; empty for generated maps
   MapKind kind = MapKind::open;
-  GenerateOptions options;
+  GenerateOptions options = {};
 };
 
 /// The maps named by files and folders: a .map with the .tsv or .scen beside it, a table with its

@@ -1,21 +1,31 @@
 // lasius_bench validity: every path of the colonies is checked, over many maps, by a rule that
 // shares no code with the library.
 #include <cmath>
+#include <filesystem>
 #include <iostream>
+#include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
+#include <string>
+#include <utility>
 
-#include "bench/answer_files.h"
 #include "bench/clocks.h"
 #include "bench/commands.h"
 #include "bench/query_set.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
+#include "core/base/output.h"
+#include "lasius/error.h"
+#include "lasius/map_io.h"
 #include "lasius/planner.h"
 #include "tests/oracle/plane_rule.h"
 
 namespace lasius::bench {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct Options {
   std::vector<std::string> maps;
@@ -27,6 +37,71 @@ struct Options {
   std::uint64_t seed = 1;
   std::string write;  // a folder for the answers
 };
+
+void write_text(const fs::path& file, const auto& write) {
+  write_file(file.string(), [&](std::ostream& out) {
+    out.precision(std::numeric_limits<double>::max_digits10);
+    write(out);
+  });
+}
+
+/// Writes into one folder, for each map NAME:
+///   NAME.map              the file that was read, byte for byte, or the generated map
+///   NAME.tsv              sx sy gx gy euclid; the exact any-angle length of each query
+///   NAME.ALGORITHM.jsonl  an object a query, in order: status, length, path as [x, y] in cells
+class AnswerFiles {
+ public:
+  /// Makes the folder. @throws Error(output_failed) when it is there and not empty.
+  explicit AnswerFiles(std::string folder);
+
+  /// `optima` stands in where a query has no length of its own.
+  void write_map(const QuerySource& source, const QuerySet& set,
+                 std::span<const double> optima) const;
+  void write_answers(const std::string& name, const std::string& algorithm,
+                     std::span<const Result> answers) const;
+
+ private:
+  std::string folder_;
+};
+
+AnswerFiles::AnswerFiles(std::string folder) : folder_(std::move(folder)) {
+  fs::create_directories(folder_);
+  if (!fs::is_empty(folder_)) {
+    throw Error(ErrorCode::output_failed, {folder_}, "not an empty folder", "name a new one");
+  }
+}
+
+void AnswerFiles::write_map(const QuerySource& source, const QuerySet& set,
+                            std::span<const double> optima) const {
+  const std::string name = (fs::path(folder_) / set.name).string();
+  if (source.map.empty()) {
+    lasius::write_map(set.grid, name + ".map");
+  } else {
+    fs::copy_file(source.map, name + ".map");  // throws where another map has that name
+  }
+  write_text(name + ".tsv", [&](std::ostream& out) {
+    out << "sx\tsy\tgx\tgy\teuclid\n";
+    for (std::size_t i = 0; i < set.queries.size(); ++i) {
+      const Query& q = set.queries[i];
+      out << q.start.x << '\t' << q.start.y << '\t' << q.goal.x << '\t' << q.goal.y << '\t'
+          << (std::isnan(q.optimum) ? optima[i] : q.optimum) << '\n';
+    }
+  });
+}
+
+void AnswerFiles::write_answers(const std::string& name, const std::string& algorithm,
+                                std::span<const Result> answers) const {
+  write_text(fs::path(folder_) / (name + "." + algorithm + ".jsonl"), [&](std::ostream& out) {
+    for (const Result& answer : answers) {
+      nlohmann::json path = nlohmann::json::array();
+      for (const Point p : answer.path) path.push_back({p.x, p.y});
+      out << nlohmann::json{{"status", to_string(answer.status)},
+                            {"length", answer.length},
+                            {"path", std::move(path)}}
+          << '\n';
+    }
+  });
+}
 
 std::string fault_of(const Grid& grid, const Query& query, const Result& result) {
   if (result.path.empty()) return result.status == Status::solved ? "solved without a path" : "";

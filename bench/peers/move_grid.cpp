@@ -10,18 +10,12 @@ MoveGrid::MoveGrid(const Grid& grid) : stride_(static_cast<std::uint32_t>(grid.w
   for (int y = 0; y < grid.height(); ++y) {
     for (int x = 0; x < grid.width(); ++x) {
       if (grid.blocked({x, y})) continue;
-      const bool east = grid.free({x + 1, y}), west = grid.free({x - 1, y});
-      const bool south = grid.free({x, y + 1}), north = grid.free({x, y - 1});
-      const bool legal[8] = {east,
-                             west,
-                             south,
-                             north,
-                             south && east && grid.free({x + 1, y + 1}),
-                             south && west && grid.free({x - 1, y + 1}),
-                             north && east && grid.free({x + 1, y - 1}),
-                             north && west && grid.free({x - 1, y - 1})};
       unsigned mask = 0;
-      for (unsigned k = 0; k < 8; ++k) mask |= static_cast<unsigned>(legal[k]) << k;
+      for (unsigned k = 0; k < 8; ++k) {
+        const int to_x = x + kMoveX[k], to_y = y + kMoveY[k];
+        const bool legal = grid.free({to_x, y}) && grid.free({x, to_y}) && grid.free({to_x, to_y});
+        mask |= static_cast<unsigned>(legal) << k;
+      }
       moves_[index({x, y})] = static_cast<std::uint8_t>(mask);
     }
   }

@@ -6,11 +6,6 @@
 namespace lasius::peers {
 namespace {
 
-template <typename T>
-std::unique_ptr<QueryPlanner> make(const Grid& grid) {
-  return std::make_unique<T>(grid);
-}
-
 constexpr Peer kPeers[] = {
     {"astar-bucket", "A*, 8 neighbours, bucket queue", Optimality::octile, make<BucketAStar>},
     {"astar-heap", "A*, 8 neighbours, binary heap", Optimality::octile, heap_astar},

@@ -16,6 +16,11 @@ enum class Optimality {
   none,       ///< any-angle, no promise
 };
 
+template <class Planner>
+std::unique_ptr<QueryPlanner> make(const Grid& grid) {
+  return std::make_unique<Planner>(grid);
+}
+
 struct Peer {
   std::string_view name;
   std::string_view summary;

@@ -1,7 +1,5 @@
 #include "core/colony/walk_cutter.h"
 
-#include <algorithm>
-
 #include "core/base/held_bytes.h"
 #include "core/base/poller.h"
 #include "core/base/special_values.h"

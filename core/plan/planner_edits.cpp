@@ -1,6 +1,5 @@
 // Planners made from planners: a map that changes.
 #include <set>
-#include <string>
 #include <tuple>
 #include <utility>
 

@@ -3,7 +3,6 @@
 #include <charconv>
 #include <cmath>
 #include <system_error>
-#include <vector>
 
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"

@@ -1,6 +1,5 @@
 #include "core/smooth/loop_cutter.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 

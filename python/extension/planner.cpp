@@ -1,6 +1,9 @@
 // Planner: made, prepared and edited without the interpreter's lock; plans.
 #include "lasius/planner.h"
 
+#include <atomic>
+#include <stdexcept>
+
 #include "python/extension/arrays.h"
 #include "python/extension/call.h"
 #include "python/extension/modules.h"
@@ -8,10 +11,36 @@
 #include "python/extension/own_rules.h"
 #include "python/extension/progress.h"
 #include "python/extension/results.h"
-#include "python/extension/workspace.h"
 
 namespace lasius::python {
 namespace {
+
+/// Scratch memory that Python keeps, with the sign that it is in use: one call at a time may use
+/// it.
+class SharedWorkspace {
+ public:
+  /// Uses it for as long as it lives. @throws std::runtime_error if another call does.
+  class Use {
+   public:
+    explicit Use(SharedWorkspace* shared) : shared_(shared) {
+      if (shared != nullptr && shared->busy_.exchange(true))
+        throw std::runtime_error("the workspace is in use by another call: take one a thread");
+    }
+    ~Use() {
+      if (shared_ != nullptr) shared_->busy_ = false;
+    }
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+    Workspace* get() const noexcept { return shared_ == nullptr ? nullptr : &shared_->workspace_; }
+
+   private:
+    SharedWorkspace* shared_;
+  };
+
+ private:
+  std::atomic<bool> busy_{false};
+  Workspace workspace_;
+};
 
 PrepareOptions prepare_options(int threads, std::int64_t max_bytes, Call& call) {
   return {.threads = threads, .max_bytes = max_bytes, .stop = call.condition()};

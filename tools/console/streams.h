@@ -1,7 +1,6 @@
 // Standard output for data, standard error for messages.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 namespace lasius::tool {

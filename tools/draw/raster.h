@@ -1,7 +1,6 @@
 // Cells of a map on the pixels of a picture: large maps shrink without losing thin walls.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "lasius/grid.h"

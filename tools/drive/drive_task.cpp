@@ -18,7 +18,6 @@
 #include "tools/drive/drive_answer.h"
 #include "tools/drive/drive_frames.h"
 #include "tools/drive/drive_picture.h"
-#include "tools/drive/driving_time.h"
 #include "tools/drive/film.h"
 #include "tools/drive/gif.h"
 #include "tools/options/commands.h"
@@ -28,6 +27,18 @@
 
 namespace lasius::tool {
 namespace {
+
+/// The time of a drive: it stands still while the drive is watched or drawn.
+class DrivingTime final : public TimeSource {
+ public:
+  Clock::time_point now() const noexcept override { return Clock::now() - paused_; }
+  void pause() noexcept { since_ = Clock::now(); }
+  void go_on() noexcept { paused_ += Clock::now() - since_; }
+
+ private:
+  Clock::time_point since_{};
+  Clock::duration paused_{};
+};
 
 constexpr const char* kSamePlace = "give both for the same place, in cells of the same size";
 

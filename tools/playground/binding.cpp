@@ -11,7 +11,6 @@
 #include <limits>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lasius/lasius.h"

@@ -90,8 +90,7 @@ std::string factor_value(const Contender& contender, const std::string& name) {
 
 Table factor_table(const Findings& findings, const Experiment& experiment) {
   Table table{{"parameter", "value", "runs", "median gap", "quartiles",
-               "A12 against the first value [95%]", "p, Holm"},
-              {}};
+               "A12 against the first value [95%]", "p, Holm"}};
   std::vector<double> p;
   for (const auto& name : factor_names(findings)) {
     const auto levels = factor_levels(findings, experiment, name);

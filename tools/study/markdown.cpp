@@ -28,7 +28,7 @@ thread.
 )";
 
 std::string settings_text(const Experiment& experiment) {
-  Table table{{"name", "algorithm", "settings over the defaults"}, {}};
+  Table table{{"name", "algorithm", "settings over the defaults"}};
   for (const Contender& c : experiment.contenders) {
     std::string settings;
     for (const auto& [name, value] : c.settings)

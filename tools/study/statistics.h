@@ -1,7 +1,6 @@
 // The statistics of the studies: small, exact where they can be, the same on every machine.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>

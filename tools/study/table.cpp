@@ -147,8 +147,7 @@ std::string called(const std::string& study, Seeds seeds) {
 
 Table result_table(const Findings& findings, const Experiment& experiment) {
   Table table{{"question", "algorithm", "paper: length", "shortest", "median", "quartiles",
-               "gap of the median", "runs with a path"},
-              {}};
+               "gap of the median", "runs with a path"}};
   auto& header = table.header;
   for (const double target : experiment.targets) {
     const std::string text = target_text(target);
@@ -175,8 +174,7 @@ Table result_table(const Findings& findings, const Experiment& experiment) {
 
 Table claim_table(std::span<const Evidence> evidence, bool studies) {
   Table table{{"claim", "place", "statistic", "control", "outcome", "effect [95%]", "p, Holm",
-               "seeds", "figures"},
-              {}};
+               "seeds", "figures"}};
   if (studies) table.header.insert(table.header.begin(), "study");
   for (const Evidence& e : evidence) {
     const bool ran = e.seeds > 0;
@@ -191,8 +189,7 @@ Table claim_table(std::span<const Evidence> evidence, bool studies) {
 
 Table evidence_table(std::span<const Evidence> evidence) {
   Table table{{"study", "claim", "place", "statistic", "control", "outcome", "effect", "low",
-               "high", "p_for", "p_against", "p_holm", "seeds", "questions", "figures", "command"},
-              {}};
+               "high", "p_for", "p_against", "p_holm", "seeds", "questions", "figures", "command"}};
   for (const Evidence& e : evidence)
     table.rows.push_back({e.study->name, e.claim->text, e.claim->place, statistic_text(*e.claim),
                           e.claim->b, verdict_text(e.verdict), fixed(e.effect, 6),
@@ -205,7 +202,7 @@ Table evidence_table(std::span<const Evidence> evidence) {
 
 Table run_table(const Findings& findings) {
   const auto factors = factor_names(findings);
-  Table table{{"experiment", "question", "map", "contender", "algorithm"}, {}};
+  Table table{{"experiment", "question", "map", "contender", "algorithm"}};
   for (const auto& name : factors) table.header.push_back("set." + name);
   for (const char* title : {"seed", "status", "length", "optimum", "gap", "own_limit", "iterations",
                             "last_gain", "paths", "steps", "checks", "seconds"})

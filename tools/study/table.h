@@ -11,7 +11,7 @@ namespace lasius::study {
 
 struct Table {
   std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<std::string>> rows = {};
 
   std::string markdown() const;
   std::string csv() const;

@@ -3,7 +3,6 @@
 // the border only.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -24,9 +24,8 @@ Grid random_grid(int width, int height, double density, std::mt19937& random) {
 }
 
 Cell random_free(const Grid& grid, std::mt19937& random) {
-  std::uniform_int_distribution<int> x(0, grid.width() - 1), y(0, grid.height() - 1);
   for (;;) {
-    const Cell c{x(random), y(random)};
+    const Cell c = random_cell(grid, random);
     if (grid.free(c)) return c;
   }
 }

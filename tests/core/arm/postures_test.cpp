@@ -50,6 +50,12 @@ KDL::Frame frame_by_kdl(const Robot& robot, const JointVector& q) {
   return tip;
 }
 
+/// Postures that reach a request's first goal, `most` at most.
+std::vector<End> ends_of_first_goal(const Robot& robot, const Request& request, int most) {
+  const std::array<int, 1> only{0};
+  return find_ends(robot, Kinematics(robot), request, only, 1, 0, 64, most);
+}
+
 // In an empty scene what the arm can reach is reached, from where it is stretched out, too.
 TEST(ArmPostures, ReachesWhateverJointValuesReach) {
   const Nothing sensor;
@@ -166,10 +172,7 @@ TEST(ArmPostures, NoPosturesAreLookedForOnceToldToStop) {
   std::stop_source source;
   Request request = across(robot);
   request.stop.token = source.get_token();
-  const std::array<int, 1> only{0};
-  const auto found = [&] {
-    return find_ends(robot, Kinematics(robot), request, only, 1, 0, 64, 8).size();
-  };
+  const auto found = [&] { return ends_of_first_goal(robot, request, 8).size(); };
   EXPECT_EQ(found(), 2u);
   source.request_stop();
   EXPECT_EQ(found(), 0u);
@@ -179,8 +182,7 @@ TEST(ArmPostures, JointsAreTurnedByWholeTurnsTowardsTheStart) {
   Robot robot = two_links();
   for (Joint& joint : robot.joints) joint.low = -6, joint.high = 6;
   const Request request = across(robot);
-  const std::array<int, 1> only{0};
-  const auto ends = find_ends(robot, Kinematics(robot), request, only, 1, 0, 64, 8);
+  const auto ends = ends_of_first_goal(robot, request, 8);
   ASSERT_EQ(ends.size(), 2u) << "and none is told twice";
   for (const End& end : ends) EXPECT_LE(largest_change(end.q, request.start), 3.1416);
 }
@@ -188,8 +190,7 @@ TEST(ArmPostures, JointsAreTurnedByWholeTurnsTowardsTheStart) {
 TEST(ArmPostures, AGoalIsNotBlockedWhereOneOfItsPosturesIs) {
   const Robot robot = two_links();
   const Request request = across(robot);
-  const std::array<int, 1> only{0};
-  const auto ends = find_ends(robot, Kinematics(robot), request, only, 1, 0, 64, 8);
+  const auto ends = ends_of_first_goal(robot, request, 8);
   ASSERT_EQ(ends.size(), 2u);
   // On the forearm as it comes to the goal from the start.
   const Solid forearm = place_links(robot, ends[0].q)[1].solids[0];
@@ -218,8 +219,7 @@ TEST(ArmPostures, MorePosturesAreLookedForWhereTheFirstAllTouch) {
   const Robot robot = shipped("redundant7");
   const JointVector start = JointVector::Constant(7, 0.3), there = JointVector::Constant(7, 0.7);
   const Request request{.start = start, .goals = {tip_position(robot, there)}};
-  const std::array<int, 1> only{0};
-  const auto first = find_ends(robot, Kinematics(robot), request, only, 1, 0, 64, 24);
+  const auto first = ends_of_first_goal(robot, request, 24);
   ASSERT_GT(first.size(), 4u);
   const Result r = plan(robot, Without(first), request);
   EXPECT_TRUE(r.direct) << r.error;

@@ -29,20 +29,26 @@ std::vector<float> row_of(const Grid& grid, Cell c, Cell goal, const Params& par
   return {row.begin(), row.begin() + moves.count};
 }
 
-/// Expects the row of a cell to be value(move)^beta beside the largest, 0 where it is blocked.
+/// Expects a row to be value^beta of each move beside the largest.
+void expect_shares(const std::vector<float>& row, std::vector<double> values) {
+  for (double& value : values) value = std::pow(value, kBeta);
+  const double largest = *std::max_element(values.begin(), values.end());
+  ASSERT_GT(largest, 0);
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    EXPECT_NEAR(row[k], values[k] / largest, 1e-6) << "move " << k << " of " << row.size();
+  }
+}
+
+/// Expects the row of a cell to be of value(move), 0 where it is blocked.
 void expect_row(const Grid& grid, Cell c, Cell goal, const Params& params,
                 const std::function<double(Cell to)>& value) {
   const auto moves = moves_of(params.neighbours);
-  std::vector<double> expected;
+  std::vector<double> values;
   for (int k = 0; k < moves.count; ++k) {
-    const Cell to{c.x + moves[k].to.dx, c.y + moves[k].to.dy};
-    expected.push_back(grid.blocked(to) ? 0 : std::pow(value(to), kBeta));
+    const Cell to = c + moves[k].to;
+    values.push_back(grid.blocked(to) ? 0 : value(to));
   }
-  const double largest = *std::max_element(expected.begin(), expected.end());
-  const auto row = row_of(grid, c, goal, params);
-  for (int k = 0; k < moves.count; ++k) {
-    EXPECT_NEAR(row[k], expected[k] / largest, 1e-6) << "move " << k << " of " << moves.count;
-  }
+  expect_shares(row_of(grid, c, goal, params), values);
 }
 
 double apart(Cell a, Cell b) { return std::hypot(a.x - b.x, a.y - b.y); }
@@ -94,18 +100,13 @@ TEST(HeuristicRows, DistanceFieldsAreOfTheAntsNeighbours) {
     for (const Cell c : {Cell{7, 3}, Cell{0, 2}, Cell{9, 5}, Cell{1, 5}}) {
       const auto row = row_of(grid, c, goal, with(Heuristic::distance_field, neighbours));
       const auto moves = moves_of(neighbours);
-      double largest = 0;
-      std::vector<double> expected;
+      std::vector<double> values;
       for (int k = 0; k < moves.count; ++k) {
-        const Cell to{c.x + moves[k].to.dx, c.y + moves[k].to.dy};
+        const Cell to = c + moves[k].to;
         const double way = row[k] > 0 ? length[to.y * grid.width() + to.x] : HUGE_VAL;
-        expected.push_back(std::pow(1 / std::max(way, 0.5), kBeta));
-        largest = std::max(largest, expected.back());
+        values.push_back(1 / std::max(way, 0.5));
       }
-      ASSERT_GT(largest, 0);
-      for (int k = 0; k < moves.count; ++k) {
-        EXPECT_NEAR(row[k], expected[k] / largest, 1e-6) << "move " << k << " of " << moves.count;
-      }
+      expect_shares(row, values);
     }
   }
 }

@@ -11,8 +11,6 @@
 
 namespace lasius {
 
-using OwnUpdate = decltype(OwnRules::update);
-
 inline void deposit_of_all(const Params& p, Pheromone& trail, const IterationTours& tours) {
   trail.persist(p.persistence);
   for (int a = 0; a < tours.ants(); ++a) {

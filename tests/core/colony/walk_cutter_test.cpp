@@ -12,6 +12,7 @@
 #include "core/grid/move_rule.h"
 #include "lasius/planner.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/core/loop/same_result.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius {
@@ -170,10 +171,8 @@ TEST(WalkCut, TheBestIsACutTourForAnyNumberOfThreads) {
     params.walk_cut = WalkCut::own_cells;
     for (const int threads : {2, 5}) {
       params.threads = threads;
-      const Result more = planner.plan({.start = start, .goal = goal}, params);
-      EXPECT_EQ(more.path, one.path) << name;
-      EXPECT_EQ(more.best, one.best) << name;
-      EXPECT_EQ(more.mean, one.mean) << name;
+      SCOPED_TRACE(name);
+      expect_same(planner.plan({.start = start, .goal = goal}, params), one);
     }
   }
 }

@@ -14,6 +14,7 @@
 #include "kernels/sight/sight.h"
 #include "lasius/generate.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/core/exact/exact_answers.h"
 #include "tests/oracle/dense_dijkstra.h"
 #include "tests/worlds/grids.h"
 
@@ -21,11 +22,6 @@ namespace lasius::exact {
 namespace {
 
 using Graph = std::shared_ptr<const CornerGraph>;
-
-Graph graph_of(const Grid& grid, PrepareOptions options = {.threads = 1}) {
-  Preparation report;
-  return CornerGraph::make(grid, options, report);
-}
 
 kernels::HalfPoint place(const CornerGraph& graph, std::uint32_t i) {
   return {2 * graph.corner(i).x(), 2 * graph.corner(i).y()};

@@ -18,11 +18,6 @@
 namespace lasius::exact {
 namespace {
 
-std::shared_ptr<CornerGraph> graph_of(const Grid& grid) {
-  Preparation report;
-  return CornerGraph::make(grid, {.threads = 1}, report);
-}
-
 // An edge by coordinates: from, side, to, onward side. In the order of the graph.
 using Edge = std::array<int, 6>;
 

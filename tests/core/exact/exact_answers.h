@@ -8,6 +8,7 @@
 #include <optional>
 #include <random>
 
+#include "core/exact/corner_graph.h"
 #include "core/exact/exact.h"
 #include "lasius/path.h"
 #include "tests/core/base/counting_time.h"
@@ -23,6 +24,13 @@ inline std::optional<Cell> random_free(const Grid& grid, std::mt19937& random) {
     if (grid.free(c)) return c;
   }
   return std::nullopt;
+}
+
+inline std::shared_ptr<exact::CornerGraph> graph_of(const Grid& grid,
+                                                    const PrepareOptions& options = {
+                                                        .threads = 1}) {
+  Preparation report;
+  return exact::CornerGraph::make(grid, options, report);
 }
 
 /// The answer of a search that may have answered others before.

@@ -19,11 +19,6 @@ using exact::CornerGraph;
 using exact::PreparedSearch;
 using Graph = std::shared_ptr<const CornerGraph>;
 
-Graph graph_of(const Grid& grid, int threads = 1) {
-  Preparation report;
-  return CornerGraph::make(grid, {.threads = threads}, report);
-}
-
 ExactAnswer solve(PreparedSearch& search, const Grid& grid, const Graph& graph, Cell start,
                   Cell goal, const ExactOptions& options = {}, const StopCondition& stop = {}) {
   ExactAnswer answer;

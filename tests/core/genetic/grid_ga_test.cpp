@@ -13,6 +13,7 @@
 #include "lasius/path.h"
 #include "lasius/planner.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/core/loop/same_result.h"
 #include "tests/oracle/visibility_graph.h"
 #include "tests/worlds/grids.h"
 
@@ -243,10 +244,7 @@ TEST(GridGa, EqualForAnyNumberOfThreads) {
     EXPECT_EQ(path_fault(world.grid, one.path), std::nullopt);
     for (const int threads : {2, 5}) {
       p.threads = threads;
-      const Result more = world.planner.plan({world.start, world.goal}, p);
-      EXPECT_EQ(more.path, one.path);
-      EXPECT_EQ(more.best, one.best);
-      EXPECT_EQ(more.mean, one.mean);
+      expect_same(world.planner.plan({world.start, world.goal}, p), one);
     }
   }
 }

@@ -61,12 +61,10 @@ TEST_F(LargeMap, AntsPlanInACornerOfIt) {
   const Request request = far_apart(Planner(small));
   constexpr int kAt = kLargeSide - 400;
   Grid large(kLargeSide, kLargeSide);
-  const std::vector<std::uint64_t> blocked(large.words(), ~std::uint64_t{0});
-  for (int y = 0; y < kLargeSide; ++y) large.set_row(y, blocked.data());
+  large.fill(true);
+  large.paste({kAt, kAt, small.width(), small.height()}, small.bytes(Nonzero::blocked),
+              Nonzero::blocked);
   const auto there = [](Cell c) { return Cell{c.x + kAt, c.y + kAt}; };
-  for (const Cell c : cells_of(small)) {
-    if (small.free(c)) large.set_blocked(there(c), false);
-  }
   const Planner planner(std::move(large));
   for (const char* algorithm : {"fan2004", "as"}) {
     Params params = quick(algorithm);
@@ -96,8 +94,7 @@ TEST_F(LargeMap, OfTwiceTheSideToo) {
 
 TEST(LargeBlockedMap, IsSearchedForTheNearestFreeCellUntilASignal) {
   Grid grid(4096, 4096);
-  const std::vector<std::uint64_t> blocked(grid.words(), ~std::uint64_t{0});
-  for (int y = 0; y < grid.height(); ++y) grid.set_row(y, blocked.data());
+  grid.fill(true);
   grid.set_blocked({0, 0}, false);
   const Planner planner(std::move(grid));
   EXPECT_EQ(planner.nearest_free({2000, 2000}), (Cell{0, 0}));

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -218,23 +217,14 @@ TEST(Planner, CellsThatFourNeighboursJoinNeedNoLabelsOfEight) {
 }
 
 TEST(Planner, UnreachableNeedsNoTimeAtAll) {
-  // Any poll at all would end the call with another status.
-  struct Expired : TimeSource {
-    Clock::time_point now() const noexcept override {
-      ++polls;
-      return Clock::time_point::max();
-    }
-    mutable std::atomic<int> polls{0};
-  } time;
+  const CountingTime time(0);  // any poll at all would end the call with another status
   Grid grid(1000, 1000);
   for (int y = 0; y < 1000; ++y) grid.set_blocked({500, y});
   const Planner planner(grid);
-  const Result result = planner.plan({.start = {1, 1},
-                                      .goal = {900, 900},
-                                      .stop = {.deadline = Clock::time_point{}, .time = &time}},
-                                     Params("fan2004"));
+  const Result result =
+      planner.plan({.start = {1, 1}, .goal = {900, 900}, .stop = time.is_up()}, Params("fan2004"));
   EXPECT_EQ(result.status, Status::unreachable);
-  EXPECT_EQ(time.polls, 0);
+  EXPECT_EQ(time.polls(), 0);
 }
 
 TEST_P(EveryColony, AnExpiredDeadlineEndsTheCallWithTheBestPathSoFar) {

@@ -56,15 +56,20 @@ kernels::ConeLimits whole(const BitmapView& map, int line0, int right, int down)
           .slope = 0};
 }
 
+/// Scans from the root within the collector's limits; true when they cut the scan off.
+template <int S>
+bool scan(const kernels::ConeFrame& f, HalfPoint root, Collector& found) {
+  std::vector<kernels::Interval> stack;
+  kernels::ConeScan<S, Collector> cone(f, stack, found);
+  return root.x % 2 != 0 ? cone.from_centre(S > 0 ? f.map.width : 0)
+                         : cone.from_corner(0, kernels::kLevelSlope);
+}
+
 template <int S>
 Places scan_quadrant(const BitmapView& map, HalfPoint root, int down) {
   const auto f = frame(map, root, S, down);
   Collector found{S, down, f.line0, whole(map, f.line0, S, down)};
-  std::vector<kernels::Interval> stack;
-  kernels::ConeScan<S, Collector> scan(f, stack, found);
-  const bool cut_off = root.x % 2 != 0 ? scan.from_centre(S > 0 ? map.width : 0)
-                                       : scan.from_corner(0, kernels::kLevelSlope);
-  EXPECT_FALSE(cut_off);
+  EXPECT_FALSE(scan<S>(f, root, found));
   return found.seen;
 }
 
@@ -147,14 +152,8 @@ void expect_strip_seen(const BitmapView& map, HalfPoint root, int down, std::mt1
   some.all.left0 = f.root + static_cast<kernels::Fixed>((middle - half) * one);
   some.all.right0 = f.root + static_cast<kernels::Fixed>((middle + half) * one);
   some.all.last_line = random_in(0, some.all.last_line, random);
-  std::vector<kernels::Interval> stack;
-  const auto run = [&](Collector& found) {
-    kernels::ConeScan<S, Collector> scan(f, stack, found);
-    return root.x % 2 != 0 ? scan.from_centre(S > 0 ? map.width : 0)
-                           : scan.from_corner(0, kernels::kLevelSlope);
-  };
-  EXPECT_FALSE(run(all));
-  const bool cut_off = run(some);
+  EXPECT_FALSE(scan<S>(f, root, all));
+  const bool cut_off = scan<S>(f, root, some);
   for (const auto& place : some.seen) EXPECT_TRUE(all.seen.contains(place));
   for (const auto& [x, y] : all.seen) {
     const double depth = down * (y - 0.5 * root.y);

@@ -9,7 +9,8 @@
 namespace lasius::study {
 namespace {
 
-/// Two contenders, a and b, on some questions of the experiment e, with made-up runs.
+/// Two contenders, a and b, on some questions of the experiment e, with made-up runs: a is shorter
+/// until a test says other.
 class Claims : public testing::Test {
  protected:
   explicit Claims(int questions = 2) {
@@ -24,6 +25,8 @@ class Claims : public testing::Test {
       for (const Contender& contender : kept.contenders)
         findings_.samples.push_back({&kept, &question, &contender});
     }
+    both("a", low_);
+    both("b", high_);
   }
   /// Runs of a contender: each ends with a length of `lengths`, reached in its last iteration.
   void runs(const std::string& contender, int question, const std::vector<double>& lengths,
@@ -77,8 +80,6 @@ class Claims : public testing::Test {
 };
 
 TEST_F(Claims, AreConfirmedAndRefutedByTheRuns) {
-  both("a", low_);
-  both("b", high_);
   const Evidence e = judge(less());
   EXPECT_EQ(e.verdict, Verdict::confirmed);
   EXPECT_EQ(e.effect, 1);
@@ -95,8 +96,6 @@ TEST_F(Claims, AreNotDecidedByASign) {
 }
 
 TEST_F(Claims, OneTieDoesNotUndoWhatOthersShow) {
-  both("a", low_);
-  both("b", high_);
   runs("a", 1, {10, 10, 10, 10, 10, 10, 10, 10});
   runs("b", 1, {10, 10, 10, 10, 10, 10, 10, 10});
   const Evidence e = judge(less());
@@ -113,8 +112,6 @@ TEST_F(Claims, WhereAllReachTheCeilingNothingIsDecided) {
 }
 
 TEST_F(Claims, AQuestionThatSaysTheOppositeLeavesThemOpen) {
-  runs("a", 0, low_);
-  runs("b", 0, high_);
   runs("a", 1, high_);
   runs("b", 1, low_);
   EXPECT_EQ(judge(less()).verdict, Verdict::undecided);
@@ -137,9 +134,8 @@ TEST_F(Claims, TheCorrectionIsOverTheWholeReport) {
   EXPECT_EQ(judge(less(), 1).verdict, Verdict::undecided);
 }
 
-TEST_F(Claims, FailedRunsCount) {
+TEST_F(Claims, FailedRunsCount) {  // the one that arrives is shorter
   both("a", {11, kFailed, kFailed, kFailed, kFailed, kFailed, kFailed, kFailed});
-  both("b", high_);  // the one that arrives is shorter
   const Evidence e = judge(less());
   EXPECT_EQ(e.verdict, Verdict::refuted);
   expect_says(e.figures, "a: success in 2 of 16");
@@ -164,8 +160,6 @@ TEST_F(Claims, SoonerIsToTheSameTarget) {
 
 TEST_F(Claims, AFactorHasToBeReached) {
   Claim claim = less();
-  both("a", low_);
-  both("b", high_);
   claim.factor = 1.1;
   EXPECT_EQ(judge(claim).verdict, Verdict::confirmed);
   claim.factor = 3;
@@ -195,8 +189,6 @@ TEST_F(Claims, MostCountsRuns) {
 
 TEST_F(Claims, NothingIsSaidWhereTheBaselineIsNotReproduced) {
   Claim claim = less();
-  both("a", low_);
-  both("b", high_);
   Claim baseline = less();
   baseline.a = "b";
   baseline.b.clear();
@@ -221,8 +213,6 @@ TEST_F(Claims, ArithmeticIsListedWithItsExceptions) {
 }
 
 TEST_F(Claims, APartialReportHasNoVerdicts) {
-  both("a", low_);
-  both("b", high_);
   findings_.whole = false;
   const Evidence e = judge(less());
   EXPECT_EQ(e.verdict, Verdict::undecided);
@@ -232,8 +222,6 @@ TEST_F(Claims, APartialReportHasNoVerdicts) {
 TEST_F(Claims, WhatWasNotRecordedIsNotJudged) {
   Claim claim = less();
   claim.value.name = "cut-best";
-  both("a", low_);
-  both("b", high_);
   expect_says(judge(claim).figures, "not recorded");
 }
 

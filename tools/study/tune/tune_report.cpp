@@ -48,8 +48,7 @@ std::string family_verdict(const Family& family) {
 Table family_table(const Tuning& tuning, const Tuned& tuned) {
   const std::string name = tuning.candidates[tuned.judged].name;
   Table table{{"maps", "questions", "A12, " + name + " less [95%]",
-               "median, " + name + " / default [95%]", "p", name + " is"},
-              {}};
+               "median, " + name + " / default [95%]", "p", name + " is"}};
   for (const Family& f : tuned.families)
     table.rows.push_back({f.name.empty() ? "all" : f.name, std::to_string(f.pairs.size()),
                           fixed(f.test.effect, 3) + interval_text(f.effect, 3),
@@ -102,9 +101,8 @@ std::string preset_text(const Tuning& tuning, const Tuned& tuned) {
 }
 
 Table candidate_table(const Tuning& tuning, const Tuned& tuned) {
-  Table table{
-      {"candidate", "settings", "blocks", "mean rank", "behind [95%]", "median", "left after", "p"},
-      {}};
+  Table table{{"candidate", "settings", "blocks", "mean rank", "behind [95%]", "median",
+               "left after", "p"}};
   const auto standings = tuned.race.standings();
   for (const std::size_t c : order_of(tuned.race)) {
     const Runner& runner = tuned.race.runners()[c];
