@@ -110,11 +110,11 @@ OptionText describe(const CLI::Option& option, std::string_view command) {
   return text;
 }
 
-/// Without those that are only there to be refused: they are in no group.
+/// Without those that are only there to be refused.
 std::vector<OptionText> options_of(const CLI::App& app, std::string_view command) {
   std::vector<OptionText> options;
   for (const CLI::Option* option : app.get_options())
-    if (!option->get_group().empty()) options.push_back(describe(*option, command));
+    if (option->get_group() != kRefused) options.push_back(describe(*option, command));
   std::stable_partition(options.begin(), options.end(),
                         [](const OptionText& option) { return option.is_argument(); });
   return options;
