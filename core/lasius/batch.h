@@ -14,11 +14,11 @@ namespace lasius {
 using BatchAnswer = BatchAnswerOf<Result>;      ///< one answer of a batch
 using BatchReceiver = BatchReceiverOf<Result>;  ///< called with each
 
-/// Answers `requests` with `params`, each on one thread and so, save for time limits, exactly as
-/// `planner.plan` does with the answer's seed. `receive` is called once a request and seed, in
-/// their order, the seeds of a request together, by one thread at a time, as soon as all earlier
-/// ones are answered. Memory: one Workspace a thread, and at most 64 + 8 threads answers that wait
-/// for an earlier one.
+/// Answers `requests` with `params`, each on one thread (Params::threads has no effect) and so,
+/// save for time limits, exactly as `planner.plan` does with the answer's seed. `receive` is called
+/// once for each request and seed, in their order, the seeds of a request together, by one thread
+/// at a time, as soon as all earlier ones are answered. Memory: one Workspace per thread, and at
+/// most 64 + 8 x threads answers that wait for an earlier one.
 ///
 /// Once the token asks to stop, nothing further is begun; those in flight end as `interrupted`
 /// and are received. What `receive` throws ends the batch likewise and is thrown again.

@@ -13,12 +13,13 @@ namespace lasius {
 /// How a batch is run.
 struct BatchOptions {
   int threads = 0;  ///< to 1024; 0: as many as OpenMP gives; never changes an answer
-  /// Time for each request, counted from when it is begun; not negative. A request's own deadline
-  /// holds beside it.
+  /// Time for each request, counted from when it is begun; not negative. With 0 a search ends
+  /// at its first look at the clock, as Status::limit unless it has its answer by then. A request's
+  /// own deadline holds beside it.
   std::optional<std::chrono::duration<double>> time_limit{};
   std::stop_token token{};  ///< ends the batch: see plan_batch
-  /// Each request is answered with the seed of the parameters and the seeds after it, as many as
-  /// this, 1 to 2^20.
+  /// How many seeds each request is answered with, 1 to 2^20: that of the parameters and those
+  /// after it, of which the last is at most 2^53 - 1.
   int seeds = 1;
 };
 

@@ -23,7 +23,7 @@ struct ClearanceField {
 };
 
 /// The clearance of every cell, by lower envelopes of parabolas (Felzenszwalb & Huttenlocher 2012)
-/// in integers: O(1) a cell, 4 bytes a cell.
+/// in integers: O(1) and 4 bytes per cell.
 [[nodiscard]] LASIUS_EXPORT ClearanceField clearance(const Grid& grid);
 /// The same, or empty if stopped. The measure of work is a cell read, as wide as a word here; what
 /// was measured is given back then, in a tenth of a second for each gigabyte.
@@ -32,7 +32,7 @@ struct ClearanceField {
 
 /// Blocks every cell whose centre lies at most `radius` cells from a blocked cell's square or from
 /// the outside, that is, where squared_half_cells <= 4 radius^2. Exact; radius 0 changes nothing.
-/// O(1) a cell; beside the grids some rows of memory, whatever the radius.
+/// O(1) per cell; beside the grids some rows of memory, whatever the radius.
 /// @throws Error(invalid_parameter) for a negative or not finite radius.
 [[nodiscard]] LASIUS_EXPORT Grid grow_obstacles(const Grid& grid, double radius);
 /// The same, or empty if stopped. The measure of work is a cell looked at; the new bitmap itself is

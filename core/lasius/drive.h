@@ -33,7 +33,7 @@ struct MovingObstacle {
   std::int64_t tick = 0;    ///< when it appears, 0 or more; later, should the robot stand there
   int width = 1;            ///< columns, at least 1
   int height = 1;           ///< rows, at least 1
-  double speed = 0;         ///< moves to one of the eight neighbours a tick, 0 .. 64
+  double speed = 0;         ///< moves to one of the eight neighbours per tick, 0 .. 64
   std::vector<Cell> track;  ///< its top left cell at each point, inside the map; at least one
   friend bool operator==(const MovingObstacle&, const MovingObstacle&) = default;
 };
@@ -67,11 +67,12 @@ struct DriveOptions {
   /// `visible` holds between the centres, a blocked one at whose edge it sees a free cell, or
   /// stands. At least 1.
   double sense = 20;
-  std::int64_t max_ticks = 1'000'000;  ///< the drive ends as Status::limit
+  std::int64_t max_ticks = 1'000'000;  ///< 0 or more; after them it ends as Status::limit
   /// Time for planning in a tick, in seconds of the stop condition's clock, above 0: a search that
   /// takes longer ends with the best way so far. Drives can be replayed only where it is infinite.
   double seconds_per_tick = std::numeric_limits<double>::infinity();
-  std::uint64_t seed = 1;  ///< of the cells to which it goes aside, as Params::seed
+  /// As Params::seed; draws the cells to which the robot steps aside for obstacles: see drive().
+  std::uint64_t seed = 1;
 };
 
 /// A way that was planned.
@@ -103,18 +104,19 @@ struct DriveResult {
   double length = 0;                  ///< travelled, in cells
   double planning_ms = 0;             ///< in all ticks, by the stop condition's clock
   std::int64_t waits = 0;             ///< ticks in which the robot stood
-  std::int64_t deferred_changes = 0;  ///< cells put off for the robot, once a tick
+  std::int64_t deferred_changes = 0;  ///< sum over ticks of cells whose change waits for the robot
 };
 
-/// A tick as an observer sees it, after the robot has seen and planned, before it moves.
+/// A tick as an observer sees it, after the robot has seen and planned, before it moves. Pointers
+/// hold until the observer returns.
 class DriveTick {
  public:
   std::int64_t tick = 0;               ///< from 0
   Cell robot;                          ///< where it is
-  const Grid* world = nullptr;         ///< what is there, moving obstacles too
+  const Grid* world = nullptr;         ///< what is there in truth, moving obstacles too
   const Grid* still = nullptr;         ///< the same without moving obstacles
   const Pilot* robot_knows = nullptr;  ///< its planner, with its map
-  const Way* way = nullptr;            ///< null where none was asked for, in a wait
+  const Way* way = nullptr;            ///< null where the planner gave none, and on arrival
   std::vector<Rectangle> obstacles;    ///< where the moving ones are, those that have appeared
   std::vector<Cell> news;              ///< cells that the robot learned in this tick
   bool replanned = false;              ///< the way was planned in this tick
@@ -129,19 +131,22 @@ class DriveTick {
 /// Called at each tick and on arrival, but not at one that ends without a way.
 using DriveObserver = std::function<void(const DriveTick&)>;
 
-/// Drives a robot from `start` to `goal`, one move to one of the eight neighbours a tick, or none.
+/// Drives a robot from `start` to `goal`, in each tick one move to one of the eight neighbours, or
+/// none.
 ///
 /// In each tick changes take place and obstacles move, then the robot sees, plans, and moves to the
 /// next cell of its way. It never enters a cell that is blocked at that tick, nor cuts a corner
 /// between two cells of which one is blocked, unless Pilot::corners allows all; with a
 /// radius the same holds for its disc. What would block a cell that the robot covers, or has
 /// covered on its last move, waits: a change is deferred to the first tick at which it can be made,
-/// an obstacle stands. So neither do they swap.
+/// an obstacle stands. So robot and obstacle never exchange cells.
 ///
 /// Where no way is known, the robot doubts walls that it has not seen since the world changed last,
 /// or ever: first those that it learned before, then those of the map. While obstacles move, or
-/// changes are to come, it waits first, and gives way to what waits for it. Whether there is a way
-/// at all it is told: it gives up where there is none, and else searches until it has arrived.
+/// changes are to come, it waits first, and every 16 ticks steps aside to a cell nearby, drawn at
+/// random, so that an obstacle that waits for it can pass. The simulation tells it from the truth
+/// whether a way exists at all: it gives up where none does, and else searches until it arrives,
+/// unless it is trapped.
 /// @param map    what the robot knows in the beginning
 /// @param truth  what is there, of the same size
 /// @param navigator  how it plans, and its radius

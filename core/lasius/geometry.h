@@ -19,10 +19,11 @@ struct Rectangle {
   friend bool operator==(const Rectangle&, const Rectangle&) = default;
 };
 
-/// A point in continuous cell coordinates, y downwards. The centre of cell (0, 0) is (0.5, 0.5).
+/// On a bitmap a point in continuous cell coordinates, y downwards; the centre of cell (0, 0) is
+/// (0.5, 0.5). Among polygons a point in the world's unit, y up.
 struct Point {
   double x = 0;  ///< to the right
-  double y = 0;  ///< downwards
+  double y = 0;  ///< downwards on a bitmap, up among polygons
   friend bool operator==(const Point&, const Point&) = default;
 };
 

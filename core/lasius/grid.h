@@ -21,7 +21,7 @@ constexpr std::string_view to_string(Nonzero nonzero) noexcept {
   return nonzero == Nonzero::blocked ? "blocked" : "free";
 }
 
-/// A bitmap of free and blocked cells, one bit a cell (1 = blocked), with a border of blocked
+/// A bitmap of free and blocked cells, one bit per cell (1 = blocked), with a border of blocked
 /// bits all around so that neighbours need no bounds check.
 ///
 /// Layout: row y is `words()` 64-bit words; cell x is bit x % 64 of word x / 64. Bits past the
@@ -33,7 +33,7 @@ class LASIUS_EXPORT Grid {
 
   /// A grid of free cells. @throws Error(invalid_parameter) unless 1 <= width, height <= kMaxSide.
   Grid(int width, int height);
-  /// A grid from one byte a cell, row by row from the top left. Packs 8 cells at a time: 4096 x
+  /// A grid from one byte per cell, row by row from the top left. Packs 8 cells at a time: 4096 x
   /// 4096 in a few milliseconds. @throws as above, and unless there are width x height bytes.
   Grid(int width, int height, std::span<const std::uint8_t> cells, Nonzero nonzero);
 
@@ -64,7 +64,7 @@ class LASIUS_EXPORT Grid {
   void fill(const Rectangle& part, bool blocked);
   /// Blocks or frees all cells.
   void fill(bool blocked) { fill({0, 0, width_, height_}, blocked); }
-  /// Sets the cells of a rectangle from bytes, row by row, `part.width` a row.
+  /// Sets the cells of a rectangle from bytes, row by row, `part.width` per row.
   void paste(const Rectangle& part, std::span<const std::uint8_t> cells, Nonzero nonzero);
   /// The cells of a rectangle as bytes 0 and 1, likewise.
   std::vector<std::uint8_t> bytes(const Rectangle& part, Nonzero nonzero) const;
@@ -73,7 +73,7 @@ class LASIUS_EXPORT Grid {
     return bytes({0, 0, width_, height_}, nonzero);
   }
 
-  int words() const noexcept { return words_; }       ///< words that hold cells, a row
+  int words() const noexcept { return words_; }       ///< words that hold cells, per row
   int stride() const noexcept { return words_ + 1; }  ///< words from one row to the next
   /// Words of row y, y in [-1, height()]; indices -1 .. words() are readable.
   const std::uint64_t* row(int y) const noexcept {

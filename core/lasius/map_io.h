@@ -13,7 +13,7 @@ namespace lasius {
 /// Pose of a map in the world, as ROS map_server gives it: the lower left corner of the lower left
 /// cell lies at (origin_x, origin_y), the map turned by `yaw` about it; world y points up.
 struct LASIUS_EXPORT WorldFrame {
-  double resolution = 1;  ///< metres a cell, > 0
+  double resolution = 1;  ///< metres per cell, > 0
   double origin_x = 0;    ///< metres
   double origin_y = 0;    ///< metres
   double yaw = 0;         ///< radians

@@ -26,7 +26,7 @@ struct NavigatorOptions {
   /// Prepares the map, see Planner; the visibility graph is then kept up to date. For `exact` only.
   std::optional<PrepareOptions> prepare = {};
   double target_gap = 0;  ///< as in Request
-  /// Goes on searching in every step; else only where the way has to be planned anew. For colonies
+  /// step() searches on every time; else only where the way has to be planned anew. For colonies
   /// only (Algorithm::Kind::colony).
   bool search_on = false;
 };
@@ -70,9 +70,10 @@ class LASIUS_EXPORT Pilot {
   virtual Corners corners() const noexcept { return Corners::forbid; }
 };
 
-/// A planner that belongs to a robot: it has one map, tells it what it sees, and asks for a way
-/// again and again. What an observation costs depends on what has changed, not on the size of the
-/// map; a way that what has changed neither blocks nor can shorten is kept.
+/// A planner that belongs to a robot, with one map. The robot's program tells the Navigator what
+/// the robot sees, and asks for the next way, again and again. What an observation costs depends on
+/// what has changed, not on the size of the map; the way is kept unless a change blocks it or could
+/// shorten it.
 ///
 /// The answers of `exact` are as short and as certain as a new Planner's. A colony goes on with the
 /// pheromone that it has, repaired around the change; forget() makes it begin anew.
@@ -99,7 +100,7 @@ class LASIUS_EXPORT Navigator final : public Pilot {
   /// Holds until the next call of any member that is not const.
   const Way& step(Cell robot, const StopCondition& stop = {}) override;
 
-  Cell goal() const noexcept override;  ///< of the map or not
+  Cell goal() const noexcept override;  ///< may lie outside the map
   void set_goal(Cell goal);  ///< the trail of a colony that led to another goal is forgotten
   /// A colony's trail, and the way kept so far, are forgotten.
   void forget();

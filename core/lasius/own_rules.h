@@ -94,7 +94,7 @@ struct LASIUS_EXPORT IterationTours {
 /// A part of the trail as it is stored, see Pheromone::tile().
 struct TrailTile {
   Cell first;  ///< top left cell; the tile may reach beyond the map
-  /// Pheromone::kTileSide rows of as many cells, of each cell one value, with arcs one a move, in
+  /// Pheromone::kTileSide rows of as many cells, of each cell one value, with arcs one per move, in
   /// units of Pheromone::scale().
   std::span<const float> stored;
 };
@@ -172,7 +172,7 @@ class LASIUS_EXPORT Pheromone {
 /// What of a colony is the caller's own, beside any parameters: what is left empty is as
 /// `Params` say. Only colonies on bitmaps take own rules.
 ///
-/// A plan calls `schedule`, then after its ants `update`, once an iteration, on the thread that
+/// A plan calls `schedule`, then after its ants `update`, once per iteration, on the thread that
 /// called the planner and never two of one plan at a time; a batch calls them from its threads, for
 /// several plans at a time. What they throw ends the plan and is thrown on.
 ///
@@ -184,10 +184,10 @@ struct OwnRules {
   /// The largest value of a heuristic.
   static constexpr double kMostHeuristic = 1e15;
   /// Values eta that take the place of Params::heuristic: a move's weight has the factor eta^beta.
-  /// One a cell, of where a move leads, width x height in all, or one a place of Trail::arcs, width
-  /// x height x moves; empty: none. From 0 to kMostHeuristic, less than 1 / kMostHeuristic counting
-  /// as that, but for moves that do not exist; one that does weighs at least 2^-60 of the best
-  /// beside it. Not copied: as it is until the plan ends. Looked through once a plan.
+  /// One per cell, of where a move leads, width x height in all, or one per place of Trail::arcs,
+  /// width x height x moves; empty: none. From 0 to kMostHeuristic, less than 1 / kMostHeuristic
+  /// counting as that, but for moves that do not exist; one that does weighs at least 2^-60 of the
+  /// best beside it. Not copied: as it is until the plan ends. Looked through once per plan.
   std::span<const double> heuristic = {};
 
   /// Takes the place of Params::update once the ants of an iteration have walked. What else lays

@@ -125,10 +125,10 @@ constexpr std::string_view to_string(Preset value) noexcept { return name_of(val
 /// The numbers of the families' updates, in any world; a row of kUpdates says which of them its
 /// update reads.
 struct TrailParams {
-  double persistence = 0.7;   ///< share of pheromone that remains, at least 2^-60 of it
-  double deposit = 100;       ///< Q
-  double elite_weight = 0;    ///< e of Update::elitist
-  int ranks = 6;              ///< w of Update::rank
+  double persistence = 0.7;   ///< share of pheromone that remains, 0 .. 1; below 2^-60 as 2^-60
+  double deposit = 100;       ///< Q, 0 .. 10^9
+  double elite_weight = 0;    ///< e of Update::elitist, 0 .. 10^6
+  int ranks = 6;              ///< w of Update::rank, at least 2
   int elite_ants = 1;         ///< ants that Update::best_share lets deposit
   int best_so_far_every = 0;  ///< Update::max_min: every how many iterations the best so far, not
                               ///< the iteration's best, deposits; 0: never
@@ -139,7 +139,9 @@ struct TrailParams {
 
 /// Parameters of one plan. The constructor sets the published values of an algorithm, which
 /// `algorithms()` lists with its parameters and their ranges; any of them may be changed. What the
-/// algorithm does not read must stay as the constructor left it: see validate().
+/// algorithm does not read must stay as the constructor left it: see validate(). Each field begins
+/// with the number of `fan2004` shown here, and the constructor changes those that differ and are
+/// read: so Params(), which is `exact`, has `ants` = 10, which nothing reads.
 struct LASIUS_EXPORT Params : TrailParams {
   Params() : Params("exact") {}
   /// @throws Error(invalid_parameter) for an unknown name, with the nearest known one, and for a
@@ -152,12 +154,12 @@ struct LASIUS_EXPORT Params : TrailParams {
   std::uint64_t seed = 1;  ///< at most 2^53 - 1
   int threads = 0;         ///< at most 1024; 0: as many as OpenMP gives; never changes the answer
 
-  int ants = 10;                             ///< m
-  int iterations = 120;                      ///< T
+  int ants = 10;                             ///< m, 1 .. 10^6
+  int iterations = 120;                      ///< T, 0 .. 10^9
   Neighbours neighbours = Neighbours::four;  ///< moves from a cell
   Corners corners = Corners::forbid;         ///< rule for diagonal steps past blocked cells
   Polish polish = Polish::local;             ///< what is done with each tour
-  double straight_window = 10;               ///< D of Polish::local, cells
+  double straight_window = 10;               ///< D of Polish::local, cells, 0 .. 10^6
   DeadEnd dead_end = DeadEnd::backtrack;     ///< where every way on is closed
   WalkCut walk_cut = WalkCut::own_cells;     ///< of every tour, before deposits
 
@@ -166,9 +168,9 @@ struct LASIUS_EXPORT Params : TrailParams {
   Trail trail = Trail::cells;                          ///< what carries pheromone
   Heuristic heuristic = Heuristic::rescaled_distance;  ///< by where a move leads
   Visibility visibility = Visibility::inverse_step;    ///< by the move and the one before
-  double alpha = 4;   ///< exponent of pheromone (of the terminal index)
-  double beta = 1.5;  ///< exponent of visibility and heuristic
-  double greedy = 0;  ///< share of steps that take the largest weight, q0 (ACS)
+  double alpha = 4;   ///< exponent of pheromone (of the terminal index), 0 .. 20
+  double beta = 1.5;  ///< exponent of visibility and heuristic, 0 .. 20
+  double greedy = 0;  ///< share of steps that take the largest weight, q0 (ACS), 0 .. 1
   // Time-varying exponents (Fan et al. 2004, eq. 5, 6): linear from the value at iteration 0 to
   // alpha and beta at iteration `critical_time`, constant after it.
   int critical_time = 10;  ///< mc; 0: constant from the start
@@ -176,25 +178,27 @@ struct LASIUS_EXPORT Params : TrailParams {
   double beta_first = 3;   ///< beta at iteration 0
 
   // Rescaled distance (Fan et al. 2004, eq. 4).
-  double omega = 10;  ///< scale, a cell
-  double mu = 2;      ///< offset
-  double lambda = 2;  ///< exponent
+  double omega = 10;  ///< scale, per cell, 0 .. 10^6
+  double mu = 2;      ///< offset, 10^-6 .. 10^6
+  double lambda = 2;  ///< exponent, 0 .. 20
 
   // Roulette between the rules (Fan et al. 2004, note 4): shares at iteration 0 and from
-  // `critical_time` on, linear between; that of distance alone goes on to its last value at
-  // `settling_time`. Only their ratios count.
-  double pheromone_rule_first = 0;    ///< by pheromone alone, at iteration 0
+  // `critical_time` on, linear between; that of the heuristic alone goes on to its last value at
+  // `settling_time`. Each 0 .. 10^6; only their ratios count.
+  double pheromone_rule_first = 0;    ///< by pheromone and visibility, at iteration 0
   double pheromone_rule = 0.01;       ///< the same from `critical_time` on
-  double distance_rule_first = 1;     ///< by visibility and heuristic alone, at iteration 0
+  double distance_rule_first = 1;     ///< by the heuristic alone, at iteration 0
   double distance_rule = 0.3;         ///< the same at `critical_time`
   double distance_rule_last = 0.002;  ///< the same from `settling_time` on
   int settling_time = 70;             ///< 0: the share at `critical_time` stays
-  double combined_rule_first = 0;     ///< by the product, at iteration 0
+  double combined_rule_first = 0;     ///< by the product of all, at iteration 0
   double combined_rule = 0.7;         ///< the same from `critical_time` on
 
   // Update: tau <- persistence * tau, then deposits. Its numbers are in TrailParams.
   Update update = Update::ant_system;  ///< how the trail changes
-  double initial_pheromone = 1;        ///< tau0; 0: the family's own formula, see docs/theory.md
+  /// tau0, up to 10^9. 0 stands for the formula of the update's source, see docs/theory.md: so no
+  /// trail begins with 0.
+  double initial_pheromone = 1;
   /// Polish::none makes no straight paths, and so implies StraightDeposit::none.
   StraightDeposit straight_deposit = StraightDeposit::all;
   int batch = 0;      ///< ants that walk before a local update; 0: all of them

@@ -27,7 +27,7 @@ namespace lasius {
 /// ants have touched. A call that threw leaves nothing in it that a later one sees.
 ///
 /// It holds what its largest calls took, whatever the map of the next one: the ants' tours, tiles
-/// of pheromone, the corners that `exact` reached. The cells that ants entered, a bit a cell and
+/// of pheromone, the corners that `exact` reached. The cells that ants entered, a bit per cell and
 /// ant, are given back on large maps when the next colony begins.
 class LASIUS_EXPORT Workspace {
  public:
@@ -114,8 +114,8 @@ class LASIUS_EXPORT Planner {
     bool blocked = true;  ///< else free
   };
   /// A planner for the map with some cells changed; this one stays as it is. Copies the bitmap
-  /// (one bit a cell) and labels only the tiles around changed cells again. What is excluded stays
-  /// excluded. @throws Error(invalid_parameter) for a cell outside the map.
+  /// (one bit per cell) and labels only the tiles around changed cells again. What is excluded
+  /// stays excluded. @throws Error(invalid_parameter) for a cell outside the map.
   Planner edited(std::span<const Edit> edits) const;
   /// The same, or empty if stopped while tiles were labelled; the bitmap's copy is not cut short.
   /// So with a condition below.
@@ -158,7 +158,7 @@ class LASIUS_EXPORT Planner {
 
   /// Memory held, in bytes, by part.
   struct Footprint {
-    std::int64_t bitmap = 0;            ///< one bit a cell and the border
+    std::int64_t bitmap = 0;            ///< one bit per cell and the border
     std::int64_t components = 0;        ///< as labelled so far
     std::int64_t visibility_graph = 0;  ///< 0 where the map is not prepared
   };

@@ -85,10 +85,14 @@ struct LASIUS_POLYGON_EXPORT Params {
   /// Stands for a number that grows with `values`.
   static constexpr int kUsualIterations = -1;
   int iterations = kUsualIterations;  ///< NC, or generations; see iterations_of
-  int values = 21;                    ///< crossing points of a line: h = 0, 1 / (values - 1) .. 1
-  double beta = 2;                    ///< exponent of visibility (1.1 - |h - h*|) / 1.1
-  double greedy = 0.5;                ///< q0
-  double persistence = 0.9;           ///< of both updates: 1 - rho
+  /// How many points of a line a path may cross it at. They lie at h = 0, 1 / (values - 1), .., 1:
+  /// h is the share of the way from the line's end a to its end b, as in Crossing::values.
+  int values = 21;
+  /// Exponent of visibility (1.1 - |h - h*|) / 1.1; h* is where the best path so far crosses the
+  /// line, at first Dijkstra's path.
+  double beta = 2;
+  double greedy = 0.5;       ///< q0
+  double persistence = 0.9;  ///< of both updates: 1 - rho
   /// tau0; 0: 1 / (d L) with d lines and L of Dijkstra's path, the formula of ACS (Dorigo &
   /// Gambardella 1997), which is 0.00022 on the source's world. Its own 0.0002 ties the balance of
   /// old and new paths to the unit of length.
@@ -158,10 +162,10 @@ struct Request {
   double target_gap = 0;  ///< stop at this gap to the exact optimum, as a fraction; 0: never
 };
 
-/// A way across lines, and the crossing point on each: a + value (b - a).
+/// A way across lines, and the crossing point on each: a + h (b - a).
 struct Crossing {
   std::vector<int> lines;      ///< numbers in Maklink::lines, in the order they are crossed
-  std::vector<double> values;  ///< 0 .. 1, one for each line
+  std::vector<double> values;  ///< h of each line: 0 at its end a, 1 at b
   std::vector<Point> path;     ///< start, crossing points, goal
   double length = 0;           ///< of the path, in the world's unit
 };

@@ -11,8 +11,8 @@ namespace lasius {
 
 using Clock = std::chrono::steady_clock;
 
-/// The time that is so long from then, for a deadline: then where it is negative, never (the
-/// clock's last time) from a century on.
+/// The deadline `from` + `time`: `from` itself where `time` is negative, and
+/// Clock::time_point::max(), which is never, where it is 100 years or more.
 LASIUS_EXPORT Clock::time_point deadline_in(std::chrono::duration<double> time,
                                             Clock::time_point from = Clock::now()) noexcept;
 
@@ -25,7 +25,8 @@ class LASIUS_EXPORT TimeSource {
   virtual Clock::time_point now() const noexcept;
 };
 
-/// When to stop. Long work polls it at least every 4096 ant steps or 65536 scanned words.
+/// When to stop. Long work polls it at least every 4096 ant steps, or 65536 words of 64 cells of a
+/// bitmap.
 struct StopCondition {
   std::stop_token token = {};  ///< ends the call as Status::interrupted
   /// Ends the call as Status::limit.

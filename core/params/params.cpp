@@ -113,7 +113,7 @@ constexpr std::array kColony{
     Table::number("mu", &Params::mu, 1e-6, 1e6, "rescaled distance: offset"),
     Table::number("lambda", &Params::lambda, 0, 20, "rescaled distance: exponent"),
     Table::number("pheromone_rule_first", &Params::pheromone_rule_first, 0, 1e6,
-                  "share of steps by pheromone alone at iteration 0")
+                  "share of steps by pheromone and visibility at iteration 0")
         .only_with(kUntilCriticalTime),
     Table::number("pheromone_rule", &Params::pheromone_rule, 0, 1e6,
                   "the same from the critical time on"),

@@ -210,7 +210,7 @@ class DriveResult(Record):
     length: float  #: travelled, in cells
     planning_ms: float  #: in all ticks
     waits: int  #: ticks in which the robot stood
-    deferred_changes: int  #: cells put off for the robot, once a tick
+    deferred_changes: int  #: sum over ticks of cells whose change waits for the robot
     truth: Grid  #: the world in the beginning
 
     def plot(self, axes: Any = None) -> Any:

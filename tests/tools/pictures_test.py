@@ -44,7 +44,7 @@ class Pictures(ProgramTest):
     def test_there_is_a_legend_for_everything(self):
         text = self.drawn("--iterations", "12")
         self.holds(text, "start", "goal", "blocked", "ants through a cell in one iteration",
-                   "in all up to it", "x, cells", "y, cells", "best path so far",
+                   "sum over all iterations so far", "x, cells", "y, cells", "best path so far",
                    "mean tour of the ants, as walked", "shortest tour of the iteration",
                    "pheromone after iteration 12", "white: less than")
         for iteration in (1, 10, 12):

@@ -172,7 +172,7 @@ void write_plan_picture(const std::string& file, const LoadedMap& map, const Run
       track_scale(tracks.empty() ? 1 : *std::ranges::max_element(tracks.back().so_far.values));
   if (!tracks.empty()) {
     page.legend.push_back(scale_key("ants through a cell in one iteration", now));
-    page.legend.push_back(scale_key("in all up to it, both logarithmic", so_far));
+    page.legend.push_back(scale_key("sum over all iterations so far, both logarithmic", so_far));
     page.bands.push_back(track_band(sheet, answer, *recorder, tracks, now, so_far));
   }
   std::vector<Panel> panels;
@@ -184,7 +184,7 @@ void write_plan_picture(const std::string& file, const LoadedMap& map, const Run
                       draw_path(canvas, box, sheet, answer.result.path, 3, 1);
                     }});
   if (!answer.result.best.empty())
-    panels.push_back({"convergence",
+    panels.push_back({"convergence: best path so far; tours by iteration",
                       [&](Canvas& canvas, const Box& box) { draw_run(canvas, box, sheet, answer); },
                       true});
   page.bands.push_back({{std::move(panels)}});

@@ -116,7 +116,7 @@ class Reader {
     for (std::size_t i = 1; i < cells.size(); ++i) {
       if (cells[i].empty()) continue;
       if (!text.empty()) text += "; ";
-      if (cells.size() > 2) text += header_[i] + ": ";
+      if (cells.size() > 2 && !header_[i].empty()) text += header_[i] + ": ";
       text += cells[i];
     }
     blocks_.push_back({Block::Kind::item, text, cells[0]});

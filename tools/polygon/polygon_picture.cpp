@@ -120,7 +120,7 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
       [&](Canvas& canvas, const Axes& axes) { canvas.polyline(axes.at(result.path), kPath, 3); });
   if (!result.best.empty())
     panels.push_back(
-        {"convergence",
+        {"convergence: best path so far; paths by iteration",
          [&](Canvas& canvas, const Box& box) {
            const bool genetic = polygon::find_algorithm(answer.parameters.algorithm()).kind ==
                                 Algorithm::Kind::genetic;

@@ -146,6 +146,14 @@ TEST(Params, FormulasAreThoseOfTheRulesInForce) {
             "update: tau <- persistence tau + sum over the arrived ants of deposit / L");
   EXPECT_EQ(formulas(Params("fan2004")).back(),
             "and deposit / S on the cells under straightened paths of length S");
+  EXPECT_EQ(formulas(Params("fan2004"))[3],
+            "or, drawn by shares: the weight tau^alpha * (1 / s)^beta, or that of the heuristic "
+            "alone");
+  const auto tells_of_eta = [](const char* name) {
+    return formulas(Params(name))[1].find("eta what ants learned") != std::string::npos;
+  };
+  EXPECT_TRUE(tells_of_eta("cong2009"));
+  EXPECT_FALSE(tells_of_eta("fan2004"));
   for (const Algorithm& algorithm : algorithms()) {
     if (algorithm.kind != Algorithm::Kind::colony) continue;
     EXPECT_GE(formulas(Params(algorithm.name)).size(), 3u) << algorithm.name;
