@@ -220,6 +220,7 @@ Contender described_contender(const Node& map, const std::string& name, const Se
                               const Node* place, const std::filesystem::path& folder) {
   const Words none;
   const Reader reader(map, none, folder, true);
+  (void)tool::known_params(map.at("algorithm").text(), Preset::usual, map.at("algorithm"));
   Described d{.contender = {.name = name, .label = name}};
   reader.take(d, map, true);
   return reader.finished(std::move(d), point, place);

@@ -7,7 +7,6 @@
 #include "tools/console/values.h"
 #include "tools/study/description/study_parts.h"
 #include "tools/study/map_source.h"
-#include "tools/yaml/preset_file.h"
 
 namespace lasius::study {
 namespace {
@@ -19,8 +18,6 @@ constexpr std::uint64_t kOtherSeeds = 1'000'000;
 
 std::vector<Contender> candidates_of(const Node& root, const fs::path& folder) {
   constexpr int kMostCandidates = 1000;
-  const Node& algorithm = root.at("algorithm");
-  (void)tool::known_params(algorithm.text(), Preset::usual, algorithm);
   std::vector<Contender> all{described_contender(root, "default", {}, nullptr, folder)};
   const Node& parameters = root.at("parameters");
   const auto factors = factors_of(parameters, {all.front().algorithm});
