@@ -131,7 +131,7 @@ std::array<TrailPlace, kernels::kMaxMoves> NumberedTours::steps() const noexcept
   return step;
 }
 
-IterationTours NumberedTours::view(const Tours& tours, const Grid& grid, Trail carrier) {
+IterationTours NumberedTours::view(const Tours& tours, const Grid& grid, Trail trail) {
   if (lists_ == nullptr || lists_.use_count() > 1) lists_ = std::make_shared<Lists>();
   tours_ = &tours;
   width_ = grid.width();
@@ -144,11 +144,11 @@ IterationTours NumberedTours::view(const Tours& tours, const Grid& grid, Trail c
   for (const Tour& tour : tours.ants) lists_->lengths.push_back(tour.length);
   const auto places = static_cast<std::size_t>(lists_->offsets.back());
   lists_->cells.grow(places);
-  if (carrier == Trail::arcs) lists_->arcs.grow(places);
-  const auto by_length = trail_rules::ranked(tours);
-  lists_->ranked.assign(by_length.begin(), by_length.end());
+  if (trail == Trail::arcs) lists_->arcs.grow(places);
+  const auto ranked = trail_rules::ranked(tours);
+  lists_->ranked.assign(ranked.begin(), ranked.end());
   IterationTours view(*this);
-  view.trail = carrier;
+  view.trail = trail;
   view.start = tours.start;
   view.iteration = tours.iteration;
   view.width = grid.width();
@@ -163,30 +163,30 @@ IterationTours NumberedTours::view(const Tours& tours, const Grid& grid, Trail c
 }
 
 std::span<const TrailPlace> NumberedTours::cells_of(int number) noexcept {
-  const auto walk = tour(number).moves;
+  const auto moves = tour(number).moves;
   TrailPlace* const cells = lists_->cells.data() + lists_->offsets[number];
   if ((written_[number] & kCells) == 0) {
     const auto step = steps();
     cells[0] = start_;
-    for (std::size_t i = 0; i < walk.size(); ++i) cells[i + 1] = cells[i] + step[walk[i]];
+    for (std::size_t i = 0; i < moves.size(); ++i) cells[i + 1] = cells[i] + step[moves[i]];
     written_[number] |= kCells;
   }
-  return {cells, walk.size() + 1};
+  return {cells, moves.size() + 1};
 }
 
 std::span<const TrailPlace> NumberedTours::arcs_of(int number) noexcept {
-  const auto walk = tour(number).moves;
+  const auto moves = tour(number).moves;
   TrailPlace* const arcs = lists_->arcs.data() + lists_->offsets[number] - number;
   if ((written_[number] & kArcs) == 0) {
     const auto step = steps();
     TrailPlace cell = start_;
-    for (std::size_t i = 0; i < walk.size(); ++i) {
-      arcs[i] = cell * tours_->moves.count + walk[i];
-      cell += step[walk[i]];
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+      arcs[i] = cell * tours_->moves.count + moves[i];
+      cell += step[moves[i]];
     }
     written_[number] |= kArcs;
   }
-  return {arcs, walk.size()};
+  return {arcs, moves.size()};
 }
 
 std::span<const TrailPlace> NumberedTours::cells() noexcept {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "lasius/path.h"
 
@@ -56,8 +55,8 @@ bool Anytime::tell(const std::vector<Point>& path, double length, double bound) 
 }
 
 StopCondition::Cause Anytime::turn(std::int64_t work) {
-  // What was found before the first turn is told after it.
-  const bool urgent = std::exchange(polled_, true) && share_ > kSmallShare && std::isinf(length_);
+  const bool first = work_ + owed_ == 0;  // what was found before is told after it
+  const bool urgent = !first && share_ > kSmallShare && std::isinf(length_);
   owed_ += (urgent ? kUrgentShare : share_) * static_cast<double>(work);
   if (resting_ || owed_ < (urgent ? kUrgentTurn : kTurn)) return StopCondition::Cause::none;
   if (!begun_) hurried_.begin_improving(grid_, start_, goal_);

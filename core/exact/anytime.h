@@ -55,7 +55,7 @@ class Anytime final : public Alternate {
   double share_ = 0;  // of the exact search's work that the hurried one does beside it
   double owed_ = 0;
   double work_ = 0;
-  bool polled_ = false, begun_ = false, resting_ = false;
+  bool begun_ = false, resting_ = false;
   double traced_ = kInfinity;  // upper bound when last traced
   // Of the best path of both.
   double length_ = kInfinity;

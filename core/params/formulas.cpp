@@ -29,17 +29,19 @@ std::vector<std::string> formulas(const Params& params) {
   if (find_algorithm(params.algorithm()).kind != Algorithm::Kind::colony) return {};
   const bool index = params.update == Update::terminal_index;
   const std::string trail = index ? "(K(j) - index_spread Kmin)^alpha" : "tau^alpha";
-  std::string weight = trail, where;
+  const auto heuristic = rule_of(params.heuristic, kHeuristics);
+  const auto visibility = rule_of(params.visibility, kVisibilities);
+  const auto update = rule_of(params.update, kUpdates);
+  const auto times = [](const std::string& weight, const auto& rule) {
+    return rule.formula.empty() ? weight : weight + " * " + std::string(rule.formula);
+  };
   const auto explain = [](std::string& line, const auto& rule) {
     if (!rule.where.empty()) line.append("; ").append(rule.where);
   };
-  const auto multiply = [&](const auto& rule) {
-    if (!rule.formula.empty()) weight.append(" * ").append(rule.formula);
-    explain(where, rule);
-  };
-  multiply(rule_of(params.heuristic, kHeuristics));
-  multiply(rule_of(params.visibility, kVisibilities));
-  std::vector<std::string> lines{"weight of the move from i to j: " + weight + where};
+  std::vector<std::string> lines{"weight of the move from i to j: " +
+                                 times(times(trail, heuristic), visibility)};
+  explain(lines.back(), heuristic);
+  explain(lines.back(), visibility);
   lines.emplace_back(
       index
           ? "K is the terminal index of a cell, Kmin the least of those beside i; d a distance, E "
@@ -50,14 +52,9 @@ std::vector<std::string> formulas(const Params& params) {
                            "is left"
                          : "choice: in proportion to the weight among cells not yet entered; with "
                            "probability `greedy` the largest");
-  if (mixes_rules(params)) {
-    std::string alone = trail;
-    const auto factor = rule_of(params.visibility, kVisibilities).formula;
-    if (!factor.empty()) alone.append(" * ").append(factor);
-    lines.push_back("or, drawn by shares: the weight " + alone +
+  if (mixes_rules(params))
+    lines.push_back("or, drawn by shares: the weight " + times(trail, visibility) +
                     ", or that of the heuristic alone");
-  }
-  const auto update = rule_of(params.update, kUpdates);
   explain(lines.emplace_back("update: ").append(update.formula), update);
   if (params.polish != Polish::none && params.straight_deposit != StraightDeposit::none)
     lines.emplace_back("and deposit / S on the cells under straightened paths of length S");

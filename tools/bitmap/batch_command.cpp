@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,6 +21,19 @@
 
 namespace lasius::tool {
 namespace {
+
+/// The length of each query's shortest path, where `exact` proves one in time.
+std::vector<std::optional<double>> optima(const LoadedMap& map, const RunOptions& run,
+                                          std::span<const Request> queries, BatchOptions how) {
+  how.seeds = 1;
+  std::vector<Request> requests(queries.begin(), queries.end());
+  for (Request& request : requests) request.target_gap = 0;
+  std::vector<std::optional<double>> found(queries.size());
+  plan_batch(*map.planner, requests, optimum_params(run), how, [&](const BatchAnswer& answer) {
+    if (answer.result.optimal) found[answer.index] = answer.result.length;
+  });
+  return found;
+}
 
 /// Of each query the length of the shortest walk by the algorithm's own moves, as far as it is
 /// known; none of `exact`.
@@ -77,10 +91,10 @@ int run_command(const BatchCommand& command) {
   const std::vector<Request> queries = requests_of(file, map, run);
   const auto answer_part = [&](std::size_t first, std::size_t count, const BatchOptions& how,
                                const Batch::Take& take) {
-    const auto part = std::span(std::as_const(queries)).subspan(first, count);
+    const auto part = std::span(queries).subspan(first, count);
     std::vector<std::optional<double>> any_angle, by_moves;
     if (run.with_optimum) {
-      any_angle = optima(*map.planner, part, optimum_params(run), how);
+      any_angle = optima(map, run, part, how);
       by_moves = own_optima(map, run, part, how.token);
     }
     const auto receive = [&](const BatchAnswer& found) {
@@ -98,10 +112,16 @@ int run_command(const BatchCommand& command) {
     };
     plan_batch(*map.planner, part, run.params, how, receive);
   };
+  // Optima are asked beside each part, so that answers still stream.
+  const auto answer_all = [&](const BatchOptions& how, const Batch::Take& take) {
+    const std::size_t most = run.with_optimum ? 256 : std::max<std::size_t>(queries.size(), 1);
+    for (std::size_t from = 0; from < queries.size() && !how.token.stop_requested(); from += most)
+      answer_part(from, std::min(most, queries.size() - from), how, take);
+  };
   const auto draw = [&](const std::string& picture, const auto& paths) {
     write_batch_picture(picture, map, run, paths);
   };
-  return run_batch({task, queries.size(), command.queries.empty(), answer_part, draw}, signals);
+  return run_batch({task, queries.size(), command.queries.empty(), answer_all, draw}, signals);
 }
 
 }  // namespace lasius::tool

@@ -223,25 +223,23 @@ int run_command(const PolygonBatchCommand& command) {
   PolygonAnswer asked;
   asked.parameters = parameters;
   task.take(asked);
-  const auto answer_part = [&](std::size_t first, std::size_t count, const BatchOptions& how,
-                               const Batch::Take& take) {
-    const auto part = std::span(std::as_const(queries)).subspan(first, count);
+  const auto answer_all = [&](const BatchOptions& how, const Batch::Take& take) {
     polygon::Params mine = parameters;
     const auto receive = [&](const polygon::BatchAnswer& found) {
       mine.seed = found.seed;
-      PolygonAnswer one = to_answer(mine, part[found.index], found.result, found.elapsed);
+      PolygonAnswer one = to_answer(mine, queries[found.index], found.result, found.elapsed);
       const Point start = one.start, goal = one.goal;
-      task.set_index(first + found.index);
+      task.set_index(found.index);
       task.set_seed(found.seed);
       task.take(std::move(one));
       take({to_text(start.x), to_text(start.y), to_text(goal.x), to_text(goal.y)}, task.path());
     };
-    polygon::plan_batch(world->planner, part, parameters, how, receive);
+    polygon::plan_batch(world->planner, queries, parameters, how, receive);
   };
   const auto draw = [&](const std::string& picture, const auto& paths) {
     write_paths_picture(picture, *world, paths);
   };
-  return run_batch({task, queries.size(), command.queries.empty(), answer_part, draw}, signals);
+  return run_batch({task, queries.size(), command.queries.empty(), answer_all, draw}, signals);
 }
 
 }  // namespace lasius::tool

@@ -1,8 +1,9 @@
 #include "tools/record/batch.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <sstream>
 
 #include "tools/console/exit_code.h"
@@ -109,11 +110,7 @@ int run_batch(const Batch& batch, const SignalWatcher& signals) {
   BatchOptions how{.threads = options.threads, .token = signals.token(), .seeds = options.seeds};
   if (options.time_limit) how.time_limit = std::chrono::duration<double>(*options.time_limit);
   BatchOutput output(batch.task, batch.queries * static_cast<std::size_t>(options.seeds));
-  // The optimum is asked beside each chunk, so that answers still stream.
-  const std::size_t chunk = options.with_optimum ? 256 : std::max<std::size_t>(batch.queries, 1);
-  for (std::size_t from = 0; from < batch.queries && !signals.interrupted(); from += chunk)
-    batch.answer(from, std::min(chunk, batch.queries - from), how,
-                 [&](const auto& ends, const auto& path) { output.add(ends, path); });
+  batch.answer(how, [&](const auto& ends, const auto& path) { output.add(ends, path); });
   output.write_files(batch);
   return output.finish(batch, signals.interrupted());
 }

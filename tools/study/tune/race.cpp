@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
+#include "core/base/special_values.h"
+
 namespace lasius::study {
 namespace {
-
-constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 /// Sum of squared ranks less what they would be were all equal.
 double rank_spread(const std::vector<std::vector<double>>& ranks) {
@@ -84,7 +83,7 @@ Friedman friedman(std::span<const std::vector<double>> blocks, double level) {
   }
   const double spread = rank_spread(ranks);
   if (spread <= 1e-9) {  // every block ties
-    test.critical = kUnbounded;
+    test.critical = kInfinity;
     return test;
   }
   double between = 0;
@@ -198,7 +197,7 @@ std::vector<Race::Standing> Race::standings() const {
   const auto there = left();
   const auto blocks = values_of(there);
   std::vector<Standing> all;
-  double critical = kUnbounded;
+  double critical = kInfinity;
   std::vector<double> sums(there.size(), 0);
   if (there.size() > 1 && blocks.size() > 1) {
     Friedman test = friedman(blocks, rules_.level);
@@ -215,7 +214,7 @@ std::vector<Race::Standing> Race::standings() const {
     const auto& values = runners_[there[i]].values;
     all.push_back({.candidate = there[i],
                    .mean_rank = sums[i] / count,
-                   .median = values.empty() ? kUnbounded : quantile(values, 0.5),
+                   .median = values.empty() ? kInfinity : quantile(values, 0.5),
                    .behind = {}});
   }
   std::ranges::stable_sort(all, [](const Standing& a, const Standing& b) {
