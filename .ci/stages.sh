@@ -54,7 +54,7 @@ made_documents() {
 # tidy CHECKS: core/ and kernels/, a room at a time, which halves the time; headers not precompiled. CHECKS are added to those of .clang-tidy.
 tidy() {
   cmake --preset dev-clang -B build/tidy -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DLASIUS_UNITY=ON \
-    -DLASIUS_UNITY_ROOMS=ON
+    -DLASIUS_SHORT_BUILD=ON
   sed -n 's/.*"file": "\(.*\)".*/\1/p' build/tidy/compile_commands.json |
     grep -E "^$PWD/(build/tidy/)?(core|kernels)/" | sort -u |
     xargs -n 1 -P "$(nproc)" clang-tidy --quiet --checks="$1,-bugprone-suspicious-include" -p build/tidy

@@ -1,10 +1,10 @@
 # Most of a small file's time goes into the templates of headers, which files that are compiled together
 # share. With LASIUS_UNITY not walks, sight and exact searches: what the compiler inlines there is
-# measured. With LASIUS_UNITY_ROOMS all of them, a room at a time.
+# measured. With LASIUS_SHORT_BUILD all of them, a room at a time: for sanitizers.
 
 # lasius_unite(TARGET [GROUP SOURCE...]): with LASIUS_UNITY the sources of a group are compiled as one;
 # without a group all sources of the target, several at a time in the order of its list. With
-# LASIUS_UNITY_ROOMS a target with groups is compiled by its folders in place of them.
+# LASIUS_SHORT_BUILD a target with groups is compiled by its folders in place of them.
 function(lasius_unite target)
   if(NOT LASIUS_UNITY)
     return()
@@ -17,7 +17,7 @@ function(lasius_unite target)
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
   list(POP_FRONT ARGN group)
-  if(LASIUS_UNITY_ROOMS)
+  if(LASIUS_SHORT_BUILD)
     get_target_property(sources ${target} SOURCES)
     foreach(source IN LISTS sources)
       get_filename_component(room ${source} DIRECTORY)
