@@ -18,7 +18,7 @@
 namespace lasius::bench {
 namespace {
 
-struct Options {
+struct AnytimeOptions {
   std::vector<int> sides = {1024, 8192};
   std::uint64_t seed = 1;
   std::size_t count = 20;
@@ -32,7 +32,8 @@ struct Outcome {
   int proven = 0;
 };
 
-Outcome run(const Planner& planner, const QuerySet& set, double deadline, Workspace& workspace) {
+Outcome run_anytime(const Planner& planner, const QuerySet& set, double deadline,
+                    Workspace& workspace) {
   Outcome outcome;
   for (const Query& query : set.queries) {
     const StopCondition stop{.deadline = deadline_in(std::chrono::duration<double>(deadline))};
@@ -57,7 +58,7 @@ std::string told(const Outcome& outcome) {
   return text.str();
 }
 
-void run(const Options& options) {
+void run_anytime(const AnytimeOptions& options) {
   std::cout
       << machine_line() << ". " << options.count << " queries a map, seed " << options.seed
       << ". Median certified gap when the deadline is over; how many queries have no path yet, "
@@ -72,7 +73,8 @@ void run(const Options& options) {
     const Planner planner(set.grid);
     std::cout << "| " << set.name << " |";
     for (const double deadline : kDeadlines) {
-      std::cout << ' ' << told(run(planner, set, deadline, workspace)) << " |" << std::flush;
+      std::cout << ' ' << told(run_anytime(planner, set, deadline, workspace)) << " |"
+                << std::flush;
     }
     std::cout << std::endl;
   }
@@ -82,7 +84,7 @@ void run(const Options& options) {
 
 void add_anytime_command(CLI::App& app) {
   const auto [command, options] =
-      add_command(app, "anytime", "The certified gap of `exact` against its deadline", run);
+      add_command(app, "anytime", "The certified gap of `exact` against its deadline", run_anytime);
   command.add_option("--sides", options.sides, "Sides of the maps")->capture_default_str();
   add_number(command, "--seed", options.seed, "Seed of maps and queries");
   add_number(command, "--queries", options.count, "Queries a map", 1);

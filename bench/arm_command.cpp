@@ -16,7 +16,7 @@
 namespace lasius::bench {
 namespace {
 
-struct Options {
+struct ArmOptions {
   int rounds = 5;
   int scenes = 60;
   int seeds = 60;
@@ -28,7 +28,7 @@ arm::Robot shipped(const std::string& name) {
 }
 
 /// A question, and a lattice of `side` points a side that reaches beyond start and goal.
-struct Case {
+struct ArmCase {
   arm::Robot robot;
   arm::Scene scene;
   arm::Request request;
@@ -39,12 +39,12 @@ double widest(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
 }
 
-Case make_case(const arm::Robot& robot, const arm::GenerateOptions& options, int side) {
+ArmCase make_case(const arm::Robot& robot, const arm::GenerateOptions& options, int side) {
   arm::Query query = arm::generate_query(robot, options);
-  Case c{robot,
-         std::move(query.scene),
-         {.start = std::move(query.start), .goals = {query.goal}, .motion = false},
-         arm::Params("goritov2020")};
+  ArmCase c{robot,
+            std::move(query.scene),
+            {.start = std::move(query.start), .goals = {query.goal}, .motion = false},
+            arm::Params("goritov2020")};
   c.parameters.seed = options.seed;
   c.parameters.threads = 1;
   c.parameters.side = side;
@@ -82,7 +82,7 @@ std::vector<Figure> measure_speed(int rounds) {
   std::vector<double> steps, ratios, per_position, per_motion, questions, planning;
   bool identical = true;
   for (std::uint64_t seed = 1; static_cast<int>(ratios.size()) < rounds; ++seed) {
-    Case c = make_case(robot, {.seed = seed, .obstacles = 20}, 40);
+    ArmCase c = make_case(robot, {.seed = seed, .obstacles = 20}, 40);
     const arm::SceneSensor sensor(c.robot, c.scene);
     const auto timed = [&](int threads, double& seconds) {
       c.parameters.threads = threads;
@@ -132,7 +132,7 @@ std::vector<Figure> measure_validity(int scenes) {
   const std::array robots{shipped("planar3"), shipped("industrial6"), shipped("redundant7")};
   for (std::uint64_t seed = 1; moved < scenes; ++seed) {
     const arm::Robot& robot = robots[seed % robots.size()];
-    const Case c = make_case(robot, random_scene(seed), 12);
+    const ArmCase c = make_case(robot, random_scene(seed), 12);
     const arm::SceneSensor sensor(c.robot, c.scene);
     const arm::Result found = arm::plan(c.robot, sensor, c.request, c.parameters);
     if (found.joints.cols() == 0) continue;
@@ -158,7 +158,7 @@ std::vector<Figure> measure_optimum(int seeds, int side, double elite_weight) {
   int solved = 0, near = 0, optimal = 0;
   std::vector<double> gaps;
   for (std::uint64_t seed = 1; solved < seeds; ++seed) {
-    Case c = make_case(robot, random_scene(seed), side);
+    ArmCase c = make_case(robot, random_scene(seed), side);
     c.parameters.elite_weight = elite_weight;
     c.parameters.threads = 0;
     const arm::SceneSensor sensor(c.robot, c.scene);
@@ -181,7 +181,7 @@ std::vector<Figure> measure_optimum(int seeds, int side, double elite_weight) {
           {what + "worst gap, %", short_number(100 * largest(gaps)), ""}};
 }
 
-void run(const Options& options) {
+void run_arm(const ArmOptions& options) {
   FigureTable table("maps/arms/industrial6.json, base set unless said otherwise.",
                     options.markdown);
   table.add(measure_speed(options.rounds));
@@ -195,7 +195,7 @@ void run(const Options& options) {
 
 void add_arm_command(CLI::App& app) {
   const auto [command, options] =
-      add_command(app, "arm", "Speed, validity and optima of goritov2020", run);
+      add_command(app, "arm", "Speed, validity and optima of goritov2020", run_arm);
   add_number(command, "--rounds", options.rounds, "Questions timed", 1, 1000);
   add_number(command, "--scenes", options.scenes, "Trajectories checked by FCL", 1, 100000);
   add_number(command, "--seeds", options.seeds, "Runs compared with the optimum", 1, 100000);

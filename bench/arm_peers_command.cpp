@@ -18,7 +18,7 @@
 namespace lasius::bench {
 namespace {
 
-struct Options {
+struct ArmPeersOptions {
   std::vector<std::string> robots;
   std::vector<int> obstacles{0, 5, 15};
   int queries = 20;
@@ -69,12 +69,12 @@ arm::Query query_of(const arm::Robot& robot, int obstacles, std::uint64_t number
 
 /// The goal is where the tip is at joint values that are free; every fourth question starts from
 /// home, where that is free.
-struct Case {
+struct PeersCase {
   arm::Query query;
   arm::SceneSensor sensor;
   std::uint32_t seed;
 
-  Case(const arm::Robot& robot, int obstacles, std::uint64_t number)
+  PeersCase(const arm::Robot& robot, int obstacles, std::uint64_t number)
       : query(query_of(robot, obstacles, number)),
         sensor(robot, query.scene),
         seed(static_cast<std::uint32_t>(number)) {
@@ -102,7 +102,7 @@ double travel(const arm::Trajectory& trajectory) {
 }
 
 /// What one planner did with all questions of a robot.
-struct Row {
+struct PeersRow {
   std::string planner;
   int solved = 0, unreachable = 0, outside = 0, contradicted = 0;
   std::vector<double> seconds = {}, questions = {}, travel_ratios = {};
@@ -112,7 +112,7 @@ std::string median_text(const std::vector<double>& values) {
   return values.empty() ? "" : short_number(median(values));
 }
 
-std::string cells(const Row& row) {
+std::string cells(const PeersRow& row) {
   std::ostringstream out;
   out << row.planner << " | " << row.solved << " | " << row.unreachable << " | " << row.outside
       << " | " << row.contradicted << " | " << median_text(row.seconds) << " | "
@@ -120,7 +120,7 @@ std::string cells(const Row& row) {
   return out.str();
 }
 
-void ask(const arm::Robot& robot, const Case& c, double cap, std::vector<Row>& rows) {
+void ask(const arm::Robot& robot, const PeersCase& c, double cap, std::vector<PeersRow>& rows) {
   std::optional<peers::JointTrial> peer;
   const auto run_peer = [&](double seconds) {
     return peers::run_rrt_connect(robot, c.sensor, c.query.start, c.query.goal, cap, seconds,
@@ -135,7 +135,7 @@ void ask(const arm::Robot& robot, const Case& c, double cap, std::vector<Row>& r
     const arm::Result found = arm::plan(robot, c.sensor, request, parameters);
     const double seconds = watch.seconds();
     peer = run_peer(seconds);
-    Row& row = rows[i];
+    PeersRow& row = rows[i];
     const bool solved = found.joints.cols() > 0;
     const bool outside = found.status == Status::invalid;
     row.solved += solved;
@@ -149,20 +149,20 @@ void ask(const arm::Robot& robot, const Case& c, double cap, std::vector<Row>& r
     if (peer->solved && peer->shortened_travel > 0 && !found.trajectory.empty())
       row.travel_ratios.push_back(travel(found.trajectory) / peer->shortened_travel);
   }
-  Row& row = rows.back();
+  PeersRow& row = rows.back();
   row.solved += peer->solved;
   row.seconds.push_back(peer->seconds);
   if (peer->solved) row.questions.push_back(static_cast<double>(peer->positions + peer->motions));
 }
 
-void compare(const Named& named, int obstacles, const Options& options, Output& out) {
-  std::vector<Row> rows;
+void compare(const Named& named, int obstacles, const ArmPeersOptions& options, Output& out) {
+  std::vector<PeersRow> rows;
   for (const Algorithm& algorithm : arm::algorithms())
     rows.push_back({.planner = std::string(algorithm.name)});
   rows.push_back({.planner = "RRT-Connect"});
   for (int i = 0; i < options.queries; ++i)
-    ask(named.robot, Case(named.robot, obstacles, options.seed + i), options.cap, rows);
-  for (const Row& row : rows)
+    ask(named.robot, PeersCase(named.robot, obstacles, options.seed + i), options.cap, rows);
+  for (const PeersRow& row : rows)
     out.write("| " + named.name + " | " + std::to_string(obstacles) + " | " + cells(row) + " |\n");
 }
 
@@ -190,7 +190,7 @@ std::vector<Proof> proofs() {
           {"lazy shortest way in that", source, true}};
 }
 
-void ask(const arm::Robot& robot, const Case& c, double cap, Proof& proof) {
+void ask(const arm::Robot& robot, const PeersCase& c, double cap, Proof& proof) {
   arm::Request request = c.request();
   request.motion = false;
   request.target_gap = 1e-9;
@@ -207,10 +207,10 @@ void ask(const arm::Robot& robot, const Case& c, double cap, Proof& proof) {
     proof.questions.push_back(asked(found.questions));
 }
 
-void prove(const Named& named, int obstacles, const Options& options, Output& out) {
+void prove(const Named& named, int obstacles, const ArmPeersOptions& options, Output& out) {
   auto all = proofs();
   for (int i = 0; i < options.proofs; ++i) {
-    const Case c(named.robot, obstacles, options.seed + i);
+    const PeersCase c(named.robot, obstacles, options.seed + i);
     for (Proof& proof : all) ask(named.robot, c, options.cap, proof);
   }
   for (const Proof& proof : all)
@@ -219,7 +219,7 @@ void prove(const Named& named, int obstacles, const Options& options, Output& ou
               median_text(proof.questions) + " |\n");
 }
 
-void run(const Options& options) {
+void run_arm_peers(const ArmPeersOptions& options) {
   std::vector<Named> robots;
   for (const auto& robot : options.robots) robots.push_back(read(robot));
   if (robots.empty())
@@ -252,8 +252,8 @@ void run(const Options& options) {
 }  // namespace
 
 void add_arm_peers_command(CLI::App& app) {
-  const auto [command, options] =
-      add_command(app, "arm-peers", "Arms beside OMPL's RRT-Connect; questions to a proof", run);
+  const auto [command, options] = add_command(
+      app, "arm-peers", "Arms beside OMPL's RRT-Connect; questions to a proof", run_arm_peers);
   command
       .add_option("--robot", options.robots,
                   "A robot's file, or FILE:BASE:TIP (repeatable; default the shipped ones)")

@@ -7,14 +7,14 @@
 namespace lasius::bench {
 namespace {
 
-struct Options {
+struct ColonyOptions {
   int rounds = 9;
   int side = 16384;
   int plans = 200;
   std::string markdown;
 };
 
-void run(const Options& options) {
+void run_colony(const ColonyOptions& options) {
   FigureTable table("maps/fan400x200.map; medians of " + std::to_string(options.rounds) +
                         " rounds in turns; steps in processor time, one thread.",
                     options.markdown);
@@ -29,7 +29,7 @@ void run(const Options& options) {
 
 void add_colony_command(CLI::App& app) {
   const auto [command, options] =
-      add_command(app, "colony", "Speed, threads, area, proofs of the colony", run);
+      add_command(app, "colony", "Speed, threads, area, proofs of the colony", run_colony);
   add_number(command, "--rounds", options.rounds, "Rounds of each measurement", 1, 1000);
   add_number(command, "--side", options.side, "Side of the large map", 1024, Grid::kMaxSide);
   add_number(command, "--plans", options.plans, "Plans for latencies", 1, 100000);

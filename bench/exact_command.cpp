@@ -13,8 +13,8 @@
 namespace lasius::bench {
 namespace {
 
-struct Options : QueryOptions {
-  Options() : QueryOptions{.count = 30, .rounds = 3} {}
+struct ExactOptions : QueryOptions {
+  ExactOptions() : QueryOptions{.count = 30, .rounds = 3} {}
 };
 
 constexpr double kGaps[] = {0.1, 0.03, 0.01, 0};
@@ -70,7 +70,7 @@ Threads compare_threads(const Planner& planner, const QuerySet& set, int rounds)
   return {median(gains), median(costs)};
 }
 
-void write_row(const QuerySet& set, const Options& options) {
+void write_row(const QuerySet& set, const ExactOptions& options) {
   const Stopwatch watch;
   const Planner planner(set.grid);
   const double prepared = 1000 * watch.seconds();
@@ -89,7 +89,7 @@ void write_row(const QuerySet& set, const Options& options) {
             << short_number(threads.cost) << " |" << std::endl;
 }
 
-void run(const Options& options) {
+void run_exact(const ExactOptions& options) {
   std::cout
       << machine_line() << ". " << options.count << " queries a map, seed " << options.maps.seed
       << ", median of " << options.rounds
@@ -106,8 +106,8 @@ void run(const Options& options) {
 }  // namespace
 
 void add_exact_command(CLI::App& app) {
-  const auto [command, options] =
-      add_command(app, "exact", "Preparation, anytime figures, memory and threads of `exact`", run);
+  const auto [command, options] = add_command(
+      app, "exact", "Preparation, anytime figures, memory and threads of `exact`", run_exact);
   add_query_options(command, options);
 }
 

@@ -17,7 +17,7 @@
 namespace lasius::bench {
 namespace {
 
-struct Options {
+struct OvershootOptions {
   MapOptions maps;
   std::vector<std::string> algorithms;
   int cuts = 1000;
@@ -92,7 +92,7 @@ class Overshoots {
 };
 
 /// Cuts calls of `run` short, at random, with `before` before each.
-Overshoots cut_short(const Options& options, const std::function<void()>& before,
+Overshoots cut_short(const OvershootOptions& options, const std::function<void()>& before,
                      const std::function<void(int, const StopCondition&)>& run) {
   std::mt19937_64 random(options.maps.seed);
   std::uniform_real_distribution<> limit(0, options.limit);
@@ -107,7 +107,7 @@ Overshoots cut_short(const Options& options, const std::function<void()>& before
 }
 
 /// What the machine does to a loop that only looks at the clock.
-std::string timer_row(const Options& options) {
+std::string timer_row(const OvershootOptions& options) {
   const auto wait = [](int, const StopCondition& stop) {
     while (stop.poll() == StopCondition::Cause::none) continue;
   };
@@ -119,7 +119,7 @@ std::string timer_row(const Options& options) {
 }
 
 /// One algorithm, in one workspace or in a fresh one each time, whose end is not counted.
-std::string row(const Options& options, const Planner& planner, const QuerySet& set,
+std::string row(const OvershootOptions& options, const Planner& planner, const QuerySet& set,
                 const std::string& algorithm, bool reused) {
   Params params(algorithm);
   params.threads = 1;
@@ -141,7 +141,7 @@ std::string row(const Options& options, const Planner& planner, const QuerySet& 
          " | " + short_number(static_cast<double>(most_bytes) / 1e6) + " |\n";
 }
 
-void run(const Options& options) {
+void run_overshoot(const OvershootOptions& options) {
   Output output(options.markdown);
   output.write(machine_line() + ". " + std::to_string(options.cuts) + " limits of up to " +
                short_number(options.limit) +
@@ -170,7 +170,8 @@ void run(const Options& options) {
 
 void add_overshoot_command(CLI::App& app) {
   const auto [command, options] = add_command(
-      app, "overshoot", "What plans go on doing when their time is up; on blobs if not told", run);
+      app, "overshoot", "What plans go on doing when their time is up; on blobs if not told",
+      run_overshoot);
   for (const Algorithm& algorithm : algorithms()) options.algorithms.emplace_back(algorithm.name);
   add_map_options(command, options.maps);
   command.add_option("--algorithms", options.algorithms, "Only these")

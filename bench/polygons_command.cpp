@@ -24,7 +24,7 @@ using polygon::Params;
 using polygon::Planner;
 using polygon::World;
 
-struct Options {
+struct PolygonsOptions {
   int rounds = 50;
   int worlds = 200;
   int scaled = 100;
@@ -251,7 +251,7 @@ std::vector<Figure> check_discs(int worlds, int& faults) {
       {"of these told unreachable or blocked", std::to_string(wrong), "0"}};
 }
 
-void run(const Options& options) {
+void run_polygons(const PolygonsOptions& options) {
   FigureTable table("Worlds of maps/ and random ones.", "");
   int faults = 0;
   table.add(measure_source_run(options.rounds));
@@ -266,7 +266,7 @@ void run(const Options& options) {
 
 void add_polygons_command(CLI::App& app) {
   const auto [command, options] =
-      add_command(app, "polygons", "Planning among polygons: speed and validity", run);
+      add_command(app, "polygons", "Planning among polygons: speed and validity", run_polygons);
   add_number(command, "--rounds", options.rounds, "Runs that are timed", 1, 10000);
   add_number(command, "--worlds", options.worlds, "Random worlds that are checked", 0, 1000000);
   add_number(command, "--scaled", options.scaled,

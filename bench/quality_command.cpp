@@ -23,7 +23,7 @@
 namespace lasius::bench {
 namespace {
 
-struct Options {
+struct QualityOptions {
   std::string algorithm = "fan2004";
   int seeds = 30;
   int blobs = 20;
@@ -167,7 +167,7 @@ void write_row(std::ostream& out, const Quality& with, const Quality& without) {
   out << " | " << percent(with.least_arrived()) << " |" << std::endl;
 }
 
-void run(const Options& options) {
+void run_quality(const QualityOptions& options) {
   std::vector<Course> courses;
   if (options.fan) courses.push_back(fan_course());
   for (const std::string& text : options.courses) courses.push_back(parse_course(text));
@@ -212,7 +212,7 @@ void run(const Options& options) {
 
 void add_quality_command(CLI::App& app) {
   const auto [command, options] =
-      add_command(app, "quality", "Gap to the optimum over many seeds", run);
+      add_command(app, "quality", "Gap to the optimum over many seeds", run_quality);
   command.add_option("--algorithm", options.algorithm, "Of the colony")->capture_default_str();
   add_number(command, "--seeds", options.seeds, "Runs of each course", 1, 100000);
   add_number(command, "--blobs", options.blobs, "Generated blobs maps of 400 x 200", 0, 10000);

@@ -12,7 +12,7 @@
 namespace lasius::bench {
 namespace {
 
-struct Options {
+struct QueriesOptions {
   MapOptions maps;
   std::vector<std::string> planners;
   std::string subject;
@@ -33,7 +33,7 @@ std::vector<peers::Peer> chosen(const std::vector<std::string>& names) {
   return found;
 }
 
-void run(const Options& options) {
+void run_queries(const QueriesOptions& options) {
   const auto planners = chosen(options.planners);
   std::size_t subject = 0;
   for (std::size_t p = 0; p < planners.size(); ++p) {
@@ -108,7 +108,7 @@ std::vector<QuerySource> sources_of(const MapOptions& options, std::vector<std::
 
 void add_queries_command(CLI::App& app) {
   const auto [command, options] =
-      add_command(app, "queries", "All planners on the same queries", run);
+      add_command(app, "queries", "All planners on the same queries", run_queries);
   add_map_options(command, options.maps);
   std::vector<std::string> names;
   for (const auto& planner : all_contenders()) names.emplace_back(planner.name);

@@ -18,7 +18,7 @@ namespace {
 using peers::kGaps;
 using peers::SamplingTrial;
 
-struct Options {
+struct SamplingOptions {
   MapOptions maps;
   std::string markdown, raw;
   std::size_t count = 3;
@@ -64,7 +64,7 @@ void write_rows(std::ostream& out, const std::vector<Row>& rows) {
   }
 }
 
-void write(std::ostream& out, const std::vector<Row>& rows, const Options& options) {
+void write(std::ostream& out, const std::vector<Row>& rows, const SamplingOptions& options) {
   out << machine_line() << "; " << peers::ompl_version() << ". " << options.count
       << " queries a map, " << options.seeds << " seeds, at most " << options.cap
       << " s each; median milliseconds to within a gap of the optimum (trials that got there).\n\n";
@@ -94,7 +94,7 @@ SamplingTrial time_exact(peers::QueryPlanner& exact, const Query& query) {
   return {seconds, {seconds, seconds, seconds}, length, path};
 }
 
-void run_map(const QuerySet& set, const Options& options, std::vector<Row>& rows) {
+void run_map(const QuerySet& set, const SamplingOptions& options, std::vector<Row>& rows) {
   const auto all = all_contenders();
   const auto exact =
       std::ranges::find(all, std::string_view("exact"), &peers::Peer::name)->make(set.grid);
@@ -118,7 +118,7 @@ void run_map(const QuerySet& set, const Options& options, std::vector<Row>& rows
   }
 }
 
-void run(const Options& options) {
+void run_sampling(const SamplingOptions& options) {
   std::vector<Row> rows;
   for (const QuerySource& source : sources_of(options.maps, {options.markdown, options.raw})) {
     std::cerr << source.name << std::endl;
@@ -135,7 +135,7 @@ void run(const Options& options) {
 
 void add_sampling_command(CLI::App& app) {
   const auto [command, options] =
-      add_command(app, "sampling", "OMPL's planners: time to 5, 1 and 0.1%", run);
+      add_command(app, "sampling", "OMPL's planners: time to 5, 1 and 0.1%", run_sampling);
   add_map_options(command, options.maps);
   add_number(command, "--queries", options.count, "Queries a map");
   add_number(command, "--seeds", options.seeds, "Runs of each query");

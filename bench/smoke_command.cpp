@@ -28,7 +28,7 @@ constexpr const char* kLines[] = {
 #endif
 };
 
-void run() {
+void run_smoke() {
   for (const char* line : kLines) {
     std::cout << "\nlasius_bench " << line << "\n\n";
     CLI::App app;
@@ -40,7 +40,7 @@ void run() {
 }  // namespace
 
 void add_smoke_command(CLI::App& app) {
-  app.add_subcommand("smoke", "Every mode once, in a few seconds")->callback(run);
+  app.add_subcommand("smoke", "Every mode once, in a few seconds")->callback(run_smoke);
 }
 
 }  // namespace lasius::bench

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ValidityOptions {
   std::vector<std::string> maps;
   std::vector<std::string> algorithms = {"fan2004", "as"};
   int random = 1000;
@@ -130,7 +130,7 @@ struct Tally {
 };
 using Tallies = std::map<std::string, Tally>;  // by algorithm
 
-void check(const QuerySource& source, const QuerySet& set, const Options& options,
+void check(const QuerySource& source, const QuerySet& set, const ValidityOptions& options,
            const AnswerFiles* files, Tallies& tallies) {
   const Planner planner(set.grid);
   Workspace workspace;
@@ -176,7 +176,8 @@ int unsolved(const Tally& tally) {
 }
 
 /// A row of the table, paths and median gap by algorithm; adds the map to the sums.
-void report(const std::string& map, const Options& options, const Tallies& here, Tallies& sums) {
+void report(const std::string& map, const ValidityOptions& options, const Tallies& here,
+            Tallies& sums) {
   std::cout << "| " << map;
   for (const std::string& algorithm : options.algorithms) {
     const Tally& tally = here.at(algorithm);
@@ -191,8 +192,8 @@ void report(const std::string& map, const Options& options, const Tallies& here,
   std::cout << " |" << std::endl;
 }
 
-void run(const Options& given) {
-  Options options = given;
+void run_validity(const ValidityOptions& given) {
+  ValidityOptions options = given;
   if (options.algorithms == std::vector<std::string>{"all"}) {
     options.algorithms.clear();
     for (const Algorithm& a : algorithms()) options.algorithms.emplace_back(a.name);
@@ -243,7 +244,7 @@ void run(const Options& given) {
 
 void add_validity_command(CLI::App& app) {
   const auto [command, options] =
-      add_command(app, "validity", "Checks every path of the colonies", run);
+      add_command(app, "validity", "Checks every path of the colonies", run_validity);
   command.add_option("--maps", options.maps, "Folders or files, as for queries; all their queries");
   command.add_option("--algorithms", options.algorithms, "Which; all")
       ->delimiter(',')

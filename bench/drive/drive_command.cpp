@@ -17,8 +17,8 @@
 namespace lasius::bench {
 namespace {
 
-struct Options : QueryOptions {
-  Options() : QueryOptions{.count = 5, .rounds = 3} {}
+struct CourseOptions : QueryOptions {
+  CourseOptions() : QueryOptions{.count = 5, .rounds = 3} {}
   double sense = 20;
   bool prepare = false;
 };
@@ -68,18 +68,19 @@ class AStarPilot final : public peers::GridPilot {
 
 Grid unknown(const QuerySet& set) { return {set.grid.width(), set.grid.height()}; }
 
-Navigator navigator_of(const QuerySet& set, const Query& query, const Options& options) {
+Navigator navigator_of(const QuerySet& set, const Query& query, const CourseOptions& options) {
   NavigatorOptions how;
   if (options.prepare) how.prepare.emplace();
   return {unknown(set), query.goal, how};
 }
 
 DriveResult drive_with(Pilot& pilot, const QuerySet& set, const Query& query,
-                       const Options& options, const DriveObserver& observer = {}) {
+                       const CourseOptions& options, const DriveObserver& observer = {}) {
   return drive(pilot, set.grid, query.start, {}, {.sense = options.sense}, {}, observer);
 }
 
-Course course_of(Pilot& pilot, const QuerySet& set, const Query& query, const Options& options) {
+Course course_of(Pilot& pilot, const QuerySet& set, const Query& query,
+                 const CourseOptions& options) {
   const DriveResult driven = drive_with(pilot, set, query, options);
   Course course{.planning_ms = driven.planning_ms,
                 .travelled = driven.length,
@@ -89,17 +90,17 @@ Course course_of(Pilot& pilot, const QuerySet& set, const Query& query, const Op
   return course;
 }
 
-Course drive_navigator(const QuerySet& set, const Query& query, const Options& options) {
+Course drive_navigator(const QuerySet& set, const Query& query, const CourseOptions& options) {
   Navigator navigator = navigator_of(set, query, options);
   return course_of(navigator, set, query, options);
 }
 
-Course drive_dstar(const QuerySet& set, const Query& query, const Options& options) {
+Course drive_dstar(const QuerySet& set, const Query& query, const CourseOptions& options) {
   peers::DStarPilot pilot(unknown(set), query.start, query.goal);
   return course_of(pilot, set, query, options);
 }
 
-Course drive_astar(const QuerySet& set, const Query& query, const Options& options) {
+Course drive_astar(const QuerySet& set, const Query& query, const CourseOptions& options) {
   AStarPilot pilot(unknown(set), query.goal);
   Course course = course_of(pilot, set, query, options);
   course.planning_ms = pilot.searching_ms();
@@ -108,7 +109,7 @@ Course drive_astar(const QuerySet& set, const Query& query, const Options& optio
 
 /// Lengths of the ways that were planned, to those of the shortest walks from the same cells on
 /// what was known: what D* Lite finds there.
-std::vector<double> ways(const QuerySet& set, const Query& query, const Options& options) {
+std::vector<double> ways(const QuerySet& set, const Query& query, const CourseOptions& options) {
   constexpr int kEvery = 8;  // a search from anew for each is long
   std::vector<double> ratios;
   int replans = 0;
@@ -145,7 +146,7 @@ Course best_of(int rounds, const Drive& drive) {
   return best;
 }
 
-MapFigures measure(const QuerySet& set, const Options& options) {
+MapFigures measure(const QuerySet& set, const CourseOptions& options) {
   MapFigures figures;
   for (const Query& query : set.queries) {
     const Course own =
@@ -169,7 +170,7 @@ MapFigures measure(const QuerySet& set, const Options& options) {
   return figures;
 }
 
-void run(const Options& options) {
+void run_drive(const CourseOptions& options) {
   std::cout
       << machine_line() << ". Unknown maps, a sensor of " << options.sense << " cells, at most "
       << options.count << " queries a map; the least of " << options.rounds
@@ -205,8 +206,8 @@ void run(const Options& options) {
 }  // namespace
 
 void add_drive_command(CLI::App& app) {
-  auto [command, options] =
-      add_command<Options>(app, "drive", "replanning under way against D* Lite and A*", run);
+  auto [command, options] = add_command<CourseOptions>(
+      app, "drive", "replanning under way against D* Lite and A*", run_drive);
   add_query_options(command, options);
   add_number(command, "--sense", options.sense, "cells that the robot sees", 1);
   command.add_flag("--prepare", options.prepare, "plan on the prepared map");

@@ -17,8 +17,8 @@
 namespace lasius::bench {
 namespace {
 
-struct Options : QueryOptions {
-  Options() : QueryOptions{.count = 100, .rounds = 5} {}
+struct EditsOptions : QueryOptions {
+  EditsOptions() : QueryOptions{.count = 100, .rounds = 5} {}
   int edits = 1000;
   int cells = 10;
   int side = 5;
@@ -26,7 +26,7 @@ struct Options : QueryOptions {
 };
 
 // Blocks or frees cells of a square, so many of them as long as there are any.
-Rectangle edit(Grid& grid, const Options& options, std::mt19937_64& random) {
+Rectangle edit(Grid& grid, const EditsOptions& options, std::mt19937_64& random) {
   const int side = options.side;
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   const Rectangle part{below(grid.width() - side + 1), below(grid.height() - side + 1), side, side};
@@ -61,7 +61,7 @@ double mean_time(const QuerySet& set, const exact::CornerGraph& graph, int round
   return sum / static_cast<double>(lengths.size());
 }
 
-void write_row(QuerySet set, const Options& options) {
+void write_row(QuerySet set, const EditsOptions& options) {
   Preparation report;
   const PrepareOptions prepare{.max_bytes = std::int64_t{4} << 30};
   const Stopwatch watch;
@@ -95,7 +95,7 @@ void write_row(QuerySet set, const Options& options) {
 }
 
 /// Of a Navigator's map, not prepared, until it is known again what is joined to what.
-void write_unprepared_row(const QuerySet& set, const Options& options) {
+void write_unprepared_row(const QuerySet& set, const EditsOptions& options) {
   const Query& query = set.queries.front();
   Navigator navigator(set.grid, query.goal);
   Grid grid = set.grid;
@@ -122,7 +122,7 @@ void write_unprepared_row(const QuerySet& set, const Options& options) {
             << std::endl;
 }
 
-void run_unprepared(const Options& options) {
+void run_unprepared(const EditsOptions& options) {
   std::cout << machine_line() << ". " << options.edits << " edits of up to " << options.cells
             << " cells in a square of " << options.side << ", blocked or freed; "
             << options.maps.seed
@@ -134,7 +134,7 @@ void run_unprepared(const Options& options) {
   }
 }
 
-void run(const Options& options) {
+void run_edits(const EditsOptions& options) {
   if (options.unprepared) return run_unprepared(options);
   std::cout << machine_line() << ". " << options.edits << " edits of up to " << options.cells
             << " cells in a square of " << options.side << ", blocked or freed; "
@@ -151,8 +151,8 @@ void run(const Options& options) {
 }  // namespace
 
 void add_edits_command(CLI::App& app) {
-  const auto [command, options] =
-      add_command(app, "edits", "A map that changes: edits, and queries on the prepared one", run);
+  const auto [command, options] = add_command(
+      app, "edits", "A map that changes: edits, and queries on the prepared one", run_edits);
   add_query_options(command, options);
   add_number(command, "--edits", options.edits, "Edits of each map", 1);
   add_number(command, "--cells", options.cells, "Cells that an edit changes, at most", 1);

@@ -20,7 +20,7 @@
 namespace lasius::bench {
 namespace {
 
-struct Options {
+struct SurviveOptions {
   int worlds = 30;
   std::uint64_t seed = 1;
   std::string algorithm = "ras";  // constant exponents: blank and surviving differ in the trail
@@ -116,7 +116,7 @@ double steps_until(SurvivingColony& colony, const World& world, double length, d
 }
 
 /// What came of one world.
-struct Outcome {
+struct Survival {
   World world;
   bool blocks;
   double before, after;     // optima
@@ -127,7 +127,7 @@ struct Outcome {
   }
 };
 
-Outcome run_world(int i, const Options& options) {
+Survival run_world(int i, const SurviveOptions& options) {
   Params params(options.algorithm);
   params.seed = options.seed + static_cast<std::uint64_t>(i);
   params.threads = 1;
@@ -175,7 +175,7 @@ std::pair<int, int> median_ranks(int n) {
   return {std::max(k - 1, 0), std::min(n - k, n - 1)};
 }
 
-void run(const Options& options) {
+void run_survive(const SurviveOptions& options) {
   Output output(options.markdown);
   output.write(machine_line() + ". `" + options.algorithm + "`, " + std::to_string(options.train) +
                " iterations before the change; then steps until a cut tour is within " +
@@ -185,7 +185,7 @@ void run(const Options& options) {
                "ratio |\n|---|---|--:|--:|--:|--:|--:|\n");
   std::vector<double> ratios;
   for (int i = 0; i < options.worlds; ++i) {
-    const Outcome o = run_world(i, options);
+    const Survival o = run_world(i, options);
     ratios.push_back(o.ratio());
     output.write("| " + std::string(to_string(o.world.kind)) + " " +
                  std::to_string(o.world.grid.width()) + " | " + (o.blocks ? "block " : "open ") +
@@ -207,7 +207,7 @@ void run(const Options& options) {
 
 void add_survive_command(CLI::App& app) {
   const auto [command, options] = add_command(
-      app, "survive", "What a trail that survives a change of the map saves a colony", run);
+      app, "survive", "What a trail that survives a change of the map saves a colony", run_survive);
   add_number(command, "--worlds", options.worlds, "Generated worlds", 1, 10000);
   add_number(command, "--seed", options.seed, "Of worlds and ants", 1, 1e9);
   command.add_option("--algorithm", options.algorithm, "The colony")->capture_default_str();
