@@ -90,7 +90,7 @@ MovingObstacle moving_obstacle(const Line& line) {
 
 Change change(const Line& line) {
   if (line.size() != 4 && line.size() != 6) {
-    line.fail(std::to_string(line.size()) + " words are no change", kForms);
+    line.fail("a change has 4 or 6 words, this line " + std::to_string(line.size()), kForms);
   }
   const Cell corner = line.cell(1);
   Change change{.tick = line.number<std::int64_t>(0, "tick"), .part = {corner.x, corner.y, 1, 1}};

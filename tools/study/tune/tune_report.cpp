@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lasius/version.h"
+#include "tools/console/values.h"
 #include "tools/draw/text.h"
 #include "tools/study/values.h"
 
@@ -133,9 +134,10 @@ std::string tune_page(const Tuning& tuning, const Tuned& tuned) {
       (winner.factors.empty() ? "the default" : "`" + settings_text(winner.factors) + "`") +
       ". To use it: `--preset preset.yaml`.\n\n## Judged on other maps\n\n";
   text += tuned.families.empty() ? "Nothing was judged.\n" : family_table(tuning, tuned).markdown();
-  text += "\n## The race\n\n" + std::to_string(tuned.race.blocks()) + " blocks, " +
-          std::to_string(tuned.rows.size()) + " runs, " + std::to_string(tuned.race.left().size()) +
-          " of " + std::to_string(tuning.candidates.size()) + " candidates left; " +
+  text += "\n## The race\n\n" + tool::counted(tuned.race.blocks(), "block") + ", " +
+          tool::counted(std::ssize(tuned.rows), "run") + ", " +
+          std::to_string(tuned.race.left().size()) + " of " +
+          std::to_string(tuning.candidates.size()) + " candidates left; " +
           value_text(tuning.value) + ".\n\n" + candidate_table(tuning, tuned).markdown();
   return text + "\n## How to read the tables\n\n" + kHowToReadTuning +
          "\nEvery run of the race: `race.csv`; the candidates: `candidates.csv`.\n";
