@@ -1,5 +1,7 @@
 #include "tools/bitmap/map_task.h"
 
+#include <nlohmann/json.hpp>
+
 #include "tools/bitmap/map_record.h"
 #include "tools/console/values.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lasius/error.h"
+#include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"
 #include "tools/console/values.h"
 
