@@ -32,8 +32,8 @@ struct Outcome {
   int proven = 0;
 };
 
-Outcome run_anytime(const Planner& planner, const QuerySet& set, double deadline,
-                    Workspace& workspace) {
+Outcome outcome_of(const Planner& planner, const QuerySet& set, double deadline,
+                   Workspace& workspace) {
   Outcome outcome;
   for (const Query& query : set.queries) {
     const StopCondition stop{.deadline = deadline_in(std::chrono::duration<double>(deadline))};
@@ -73,8 +73,7 @@ void run_anytime(const AnytimeOptions& options) {
     const Planner planner(set.grid);
     std::cout << "| " << set.name << " |";
     for (const double deadline : kDeadlines) {
-      std::cout << ' ' << told(run_anytime(planner, set, deadline, workspace)) << " |"
-                << std::flush;
+      std::cout << ' ' << told(outcome_of(planner, set, deadline, workspace)) << " |" << std::flush;
     }
     std::cout << std::endl;
   }
