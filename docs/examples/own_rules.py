@@ -15,7 +15,7 @@ def rank_based(trail, tours, ranks=6, persistence=0.9):
 
 if __name__ == "__main__":
     planner = lasius.Planner(lasius.generate("blobs", width=400, height=200, seed=61))
-    for seed in range(1, 21):
+    for seed in range(1, 4):
         params = lasius.Params("ras", iterations=5, seed=seed)
         own = planner.plan((14, 14), (380, 179), params, update=rank_based)
         assert own.own_rules and np.array_equal(own.path, planner.plan((14, 14), (380, 179), params).path)

@@ -37,9 +37,18 @@ export async function open(file, { width = 1280, scheme = "light" } = {}) {
   tab.on("pageerror", (fault) => faults.push(String(fault)));
   tab.on("dialog", (dialog) => { faults.push(`dialog: ${dialog.message()}`); dialog.dismiss(); });
   tab.on("request", (request) => request.url() !== url && !request.url().startsWith("blob:") && requests.push(request.url()));
-  await tab.goto(url);
-  await tab.waitForFunction(() => document.documentElement.dataset.whole, null, { timeout: 60000 });
-  return { tab, faults, requests, close: () => context.close() };
+  const load = async () => {
+    await tab.goto(url);
+    await tab.waitForFunction(() => document.documentElement.dataset.whole, null, { timeout: 60000 });
+  };
+  await load();
+  /** Loads the page anew in a window of another width and colour scheme. */
+  const again = async (changed) => {
+    await tab.setViewportSize({ width: changed.width, height: 900 });
+    await tab.emulateMedia({ colorScheme: changed.scheme });
+    await load();
+  };
+  return { tab, faults, requests, again, close: () => context.close() };
 }
 
 export async function end() {

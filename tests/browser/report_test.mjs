@@ -59,9 +59,10 @@ test("the checks find what they are for", checkTheChecks);
 for (const kind of Object.keys(kReports)) {
   test(`${kind}: one small file without network, faults, faint or nameless things, at every width`, async () => {
     assert.ok(statSync(file(kind)).size < 5e6);
+    const { tab, faults, requests, again, close } = await open(file(kind));
     for (const width of [1280, 390])
       for (const scheme of ["light", "dark"]) {
-        const { tab, faults, requests, close } = await open(file(kind), { width, scheme });
+        if (width !== 1280 || scheme !== "light") await again({ width, scheme });
         const where = `${kind} at ${width}, ${scheme}`;
         assert.deepEqual(faults, [], where);
         assert.deepEqual(requests, [], where);
@@ -76,8 +77,8 @@ for (const kind of Object.keys(kReports)) {
         assert.equal((await tab.locator("pre").textContent()).trim(), content.command);
         if (width === 1280 && scheme === "light")
           console.log(`${kind}: ${statSync(file(kind)).size} bytes, ready after ${await tab.evaluate(() => document.documentElement.dataset.ready)} ms`);
-        await close();
       }
+    await close();
   });
 }
 
@@ -105,6 +106,7 @@ for (const kind of kPlayed) {
     await tab.waitForFunction(() => Number(document.querySelector("input[type=range]").value) >= 2);
     await tab.keyboard.press(" ");
     await tab.getByRole("button", { name: "Play" }).waitFor();
+    await slider(tab).fill(String(Math.max(0, last - 40)));
     await tab.getByRole("combobox", { name: "Speed" }).selectOption("8");
     await tab.getByRole("button", { name: "Play" }).click();
     await tab.waitForFunction((most) => Number(document.querySelector("input[type=range]").value) === most, last);

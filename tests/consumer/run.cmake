@@ -12,10 +12,9 @@ function(run what)
   set(output "${out}" PARENT_SCOPE)
 endfunction()
 
-# expect_refusal(WHAT TEXT ARGUMENT...): configuring the consumer fails and the reason holds TEXT.
+# expect_refusal(WHAT TEXT ARGUMENT...): configuring the consumer again fails and the reason holds TEXT.
 function(expect_refusal what text)
-  file(REMOVE_RECURSE ${WORK_DIR}/refusal)
-  execute_process(COMMAND ${configure} -B ${WORK_DIR}/refusal ${ARGN}
+  execute_process(COMMAND ${configure} -B ${build} ${ARGN}
     OUTPUT_QUIET ERROR_VARIABLE err RESULT_VARIABLE failed)
   string(REGEX REPLACE "[ \n]+" " " err "${err}")
   string(FIND "${err}" "${text}" position)
@@ -98,12 +97,12 @@ endforeach()
 
 # What the config files refuse is the same for both kinds.
 if(KIND STREQUAL "static")
-  expect_refusal("an unknown component" "lasius has no component 'wings'" -DCOMPONENTS=wings)
+  expect_refusal("an unknown component" "lasius has no component 'wings'" -DCOMPONENTS=wings -DLASIUS_WANTED=${VERSION})
   if(NOT EXISTS ${prefix}/${LIBDIR}/cmake/lasius/lasius-arm-targets.cmake)
     expect_refusal("a component that was not built" "built without its component 'arm'"
-      -DCOMPONENTS=arm)
+      -DCOMPONENTS=arm -DLASIUS_WANTED=${VERSION})
   endif()
-  expect_refusal("another minor version" "compatible with requested version" -DLASIUS_WANTED=0.0)
+  expect_refusal("another minor version" "compatible with requested version" -DCOMPONENTS= -DLASIUS_WANTED=0.0)
 endif()
 
 # The same through pkg-config.
@@ -129,7 +128,8 @@ foreach(component IN LISTS components)
   run("use_${component} by pkg-config" ${WORK_DIR}/use_${component} ${WORK_DIR})
   if(component STREQUAL "arm")
     # Memory that Eigen allocates with another alignment could not be freed: the linker refuses.
-    execute_process(COMMAND ${CXX} ${source_arm}
+    file(WRITE ${WORK_DIR}/other_alignment.cpp "#include <lasius/arm_robot.h>\nint main() {}\n")
+    execute_process(COMMAND ${CXX} ${WORK_DIR}/other_alignment.cpp
         -DEIGEN_MAX_ALIGN_BYTES=64 -o ${WORK_DIR}/other_alignment ${flags} -std=c++20
       ERROR_VARIABLE err RESULT_VARIABLE failed)
     if(NOT failed OR NOT err MATCHES "compile_with_the_Eigen_alignment_of_lasius<64, false>")

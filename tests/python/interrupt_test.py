@@ -101,12 +101,19 @@ def test_handlers_are_as_before(planner):
 
 
 def test_making_a_planner_can_be_stopped():
+    grid = lasius.generate("blobs", width=4096, height=4096, seed=1)
     signal.signal(signal.SIGALRM, lambda *_: (_ for _ in ()).throw(TimeoutError("alarm")))
     try:
-        with pytest.raises(TimeoutError):
-            signal.raise_signal(signal.SIGALRM)
-            lasius.Planner(lasius.generate("open", width=64, height=64))
+        for wait in (0.001, 0.003, 0.01):
+            made = False
+            with pytest.raises(TimeoutError):
+                signal.setitimer(signal.ITIMER_REAL, wait)
+                lasius.Planner(grid, prepare=True)
+                made = True
+                signal.pause()
+            assert not made, wait
     finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, signal.SIG_DFL)
 
 

@@ -10,6 +10,9 @@ from conftest import GOAL, START
 from own_rules import rank_based
 
 
+FAR = (5, 40), (112, 44)  # on `small`
+
+
 def learning(trail, tours):
     """Cong & Ponnambalam 2009, eq. 3 and 4, in numpy."""
     for ant in range(len(tours.lengths)):
@@ -30,13 +33,18 @@ def same(a, b):
     np.testing.assert_array_equal(a.curves.steps, b.curves.steps)
 
 
+@pytest.fixture(scope="module")
+def small():
+    return lasius.Planner(lasius.generate("blobs", width=120, height=80, seed=3))
+
+
 @pytest.mark.parametrize("preset", ["usual", "book"])
-def test_ras_is_the_built_in_one_for_20_seeds(planner, preset):
+def test_ras_is_the_built_in_one_for_20_seeds(small, preset):
     for seed in range(1, 21):
         params = lasius.Params("ras", preset=preset, iterations=5, seed=seed, threads=1 + seed % 2)
-        own = planner.plan(START, GOAL, params, update=rank_based)
-        same(own, planner.plan(START, GOAL, params))
-        assert own.own_rules
+        own = small.plan(*FAR, params, update=rank_based)
+        same(own, small.plan(*FAR, params))
+        assert own.found and own.own_rules
 
 
 def test_cong2009_is_the_built_in_one():
@@ -160,14 +168,15 @@ def test_other_refusals(planner):
 
 
 @pytest.mark.parametrize("threads", [1, 2, 5])
-def test_a_batch(planner, threads):
-    starts, goals = [START, GOAL, START], [GOAL, START, (100, 100)]
-    own = planner.batch(starts, goals, "ras", update=rank_based, threads=threads, seeds=2, iterations=10)
-    built_in = planner.batch(starts, goals, "ras", seeds=2, iterations=10)
+def test_a_batch(small, threads):
+    start, goal = FAR
+    starts, goals = [start, goal, start], [goal, start, (60, 42)]
+    own = small.batch(starts, goals, "ras", update=rank_based, threads=threads, seeds=2, iterations=10)
+    built_in = small.batch(starts, goals, "ras", seeds=2, iterations=10)
     assert len(own) == 6 and np.array_equal(own.points, built_in.points) and own.errors == {}
-    table = np.ones((200, 400))
-    plain = planner.batch(starts, goals, "as", heuristic=table, schedule=lambda q: {"beta": 0.0}, iterations=3)
-    one = planner.plan(GOAL, START, "as", heuristic=table, schedule=lambda q: {"beta": 0.0}, iterations=3)
+    table = np.ones((80, 120))
+    plain = small.batch(starts, goals, "as", heuristic=table, schedule=lambda q: {"beta": 0.0}, iterations=3)
+    one = small.plan(goal, start, "as", heuristic=table, schedule=lambda q: {"beta": 0.0}, iterations=3)
     assert np.array_equal(plain.path(1), one.path)
 
 

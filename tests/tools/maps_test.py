@@ -110,8 +110,13 @@ class Algorithms(ProgramTest):
                         self.assertNotEqual(run.code, 2, run.err)
 
     def test_bounds_are_the_ones_that_hold(self):
+        seen = set()  # parameters that several algorithms share are tried with the first
         for entry in self.run_program("algorithms", "--json").json["algorithms"]:
             for parameter in entry["parameters"]:
+                bound = (parameter["name"], str(parameter.get("maximum", parameter.get("values"))))
+                if bound in seen:
+                    continue
+                seen.add(bound)
                 if parameter["type"] == "integer":
                     beyond = parameter["maximum"] + 1
                 elif parameter["type"] == "number":

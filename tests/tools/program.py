@@ -162,13 +162,18 @@ class ProgramTest(unittest.TestCase):
         for y in range(height):
             start = y * (size + 1)
             row = bytearray(raw[start + 1:start + 1 + size])
-            for i in range(size):
-                left = row[i - channels] if i >= channels else 0
-                corner = above[i - channels] if i >= channels else 0
-                guess = left + above[i] - corner
-                nearest = min((left, above[i], corner), key=lambda v: abs(guess - v))
-                row[i] = (row[i] + (0, left, above[i], (left + above[i]) // 2,
-                                    nearest)[raw[start]]) % 256
+            filtered = raw[start]
+            if filtered == 2:
+                row = bytearray((a + b) & 255 for a, b in zip(row, above))
+            elif filtered:
+                for i in range(size):
+                    left = row[i - channels] if i >= channels else 0
+                    guess = left if filtered == 1 else (left + above[i]) // 2
+                    if filtered == 4:
+                        corner = above[i - channels] if i >= channels else 0
+                        guess = min((left, above[i], corner),
+                                    key=lambda v: abs(left + above[i] - corner - v))
+                    row[i] = (row[i] + guess) & 255
             rows.append([tuple(row[i:i + 3]) for i in range(0, size, channels)])
             above = row
         return rows

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +21,13 @@ inline std::vector<const char*> colonies() {
   }
   return names;
 }
+
+/// The name of a test by its parameter's, an algorithm.
+inline constexpr auto by_algorithm = [](const auto& test) {
+  std::string name(test.param);
+  std::ranges::replace(name, '-', '_');
+  return name;
+};
 
 inline Grid blobs(int width = 120, int height = 80, std::uint64_t seed = 3) {
   return generate(MapKind::blobs, {.width = width, .height = height, .seed = seed});

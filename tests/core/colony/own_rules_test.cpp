@@ -26,15 +26,16 @@ class Rebuilt : public testing::TestWithParam<std::tuple<const char*, Preset>> {
 
 TEST_P(Rebuilt, APublishedUpdateGivesTheSamePlanFor20Seeds) {
   const auto [name, preset] = GetParam();
-  const FarApart far;
+  const Planner planner(blobs(60, 40));
+  const Request request = far_apart(planner);
   Params params(name, preset);
   params.iterations = 7;
   params.threads = 1;
   params.dead_end = DeadEnd::backtrack;
   int solved = 0;
   for (params.seed = 1; params.seed <= 20; ++params.seed) {
-    const Result own = far.plan(params, rebuilt(params));
-    expect_same(own, far.plan(params));
+    const Result own = planner.plan(request, params, rebuilt(params));
+    expect_same(own, planner.plan(request, params));
     EXPECT_TRUE(own.own_rules);
     solved += own.status == Status::solved;
   }

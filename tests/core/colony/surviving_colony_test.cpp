@@ -17,7 +17,7 @@ namespace lasius {
 namespace {
 
 class EveryColony : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(SurvivingColony, EveryColony, testing::ValuesIn(colonies()));
+INSTANTIATE_TEST_SUITE_P(SurvivingColony, EveryColony, testing::ValuesIn(colonies()), by_algorithm);
 
 Params few_ants(std::string_view algorithm) {
   Params params = quick(algorithm);
@@ -32,7 +32,7 @@ void expect_same_run(const Result& a, const Result& b) {
   EXPECT_EQ(a.arrived, b.arrived);
 }
 
-TEST_P(EveryColony, TheFirstRunIsThatOfRunColonyWhole_OrInTwo) {
+TEST_P(EveryColony, TheFirstRunIsThatOfRunColonyWholeOrInTwo) {
   FarApart far;
   Params params = quick(GetParam());
   params.agreement = 0;

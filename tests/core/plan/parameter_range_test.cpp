@@ -12,7 +12,7 @@ namespace lasius {
 namespace {
 
 class ParameterRange : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Colonies, ParameterRange, testing::ValuesIn(colonies()));
+INSTANTIATE_TEST_SUITE_P(Colonies, ParameterRange, testing::ValuesIn(colonies()), by_algorithm);
 
 TEST_P(ParameterRange, BothEndsOfEveryNumberEnd) {
   const Planner planner(blobs(60, 40));

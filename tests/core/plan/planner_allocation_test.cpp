@@ -18,7 +18,8 @@ std::int64_t allocations_of(const auto& action) {
 }
 
 class EveryColony : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(PlannerAllocation, EveryColony, testing::ValuesIn(colonies()));
+INSTANTIATE_TEST_SUITE_P(PlannerAllocation, EveryColony, testing::ValuesIn(colonies()),
+                         by_algorithm);
 
 struct Bounds {
   int least, most;

@@ -24,7 +24,7 @@ class EveryColony : public testing::TestWithParam<const char*> {
   FarApart far_;
   Params params_ = quick(GetParam());
 };
-INSTANTIATE_TEST_SUITE_P(Planner, EveryColony, testing::ValuesIn(colonies()));
+INSTANTIATE_TEST_SUITE_P(Planner, EveryColony, testing::ValuesIn(colonies()), by_algorithm);
 
 TEST_P(EveryColony, PlansAValidPathAndItsCurves) {
   const Result result = far_.plan(params_);

@@ -67,7 +67,8 @@ bool goes_with_others(std::string_view name) {
 }
 
 class EveryColonysParameters : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(UnreadParameters, EveryColonysParameters, testing::ValuesIn(colonies()));
+INSTANTIATE_TEST_SUITE_P(UnreadParameters, EveryColonysParameters, testing::ValuesIn(colonies()),
+                         by_algorithm);
 
 TEST_P(EveryColonysParameters, ChangeARunUnlessTheyAreSaidToBeUnread) {
   const Planner planner(blobs(40, 24));

@@ -57,7 +57,7 @@ std::vector<std::string_view> names() {
   for (const Algorithm& algorithm : algorithms()) all.push_back(algorithm.name);
   return all;
 }
-INSTANTIATE_TEST_SUITE_P(Workspace, KeptWorkspace, testing::ValuesIn(names()));
+INSTANTIATE_TEST_SUITE_P(Workspace, KeptWorkspace, testing::ValuesIn(names()), by_algorithm);
 
 TEST_P(KeptWorkspace, AfterCutsAnswersAndHoldsAsAFreshOneDoes) {
   const Params params = small(GetParam());

@@ -1,6 +1,7 @@
 // The instruction sets that kernels are tested on.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "kernels/base/cpu.h"
@@ -15,5 +16,12 @@ inline std::vector<Isa> supported_isas() {
   }
   return isas;
 }
+
+/// The name of a test by its parameter, an instruction set.
+inline constexpr auto by_isa = [](const auto& test) {
+  return std::string(test.param == Isa::scalar ? "scalar"
+                     : test.param == Isa::avx2 ? "avx2"
+                                               : "avx512");
+};
 
 }  // namespace lasius::kernels

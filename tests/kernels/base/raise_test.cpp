@@ -11,7 +11,7 @@ namespace lasius::kernels {
 namespace {
 
 class RaiseRow : public testing::TestWithParam<Isa> {};
-INSTANTIATE_TEST_SUITE_P(Raise, RaiseRow, testing::ValuesIn(supported_isas()));
+INSTANTIATE_TEST_SUITE_P(Raise, RaiseRow, testing::ValuesIn(supported_isas()), by_isa);
 
 /// `count` values from 2^-120 to 1, the range of shares, and one more.
 std::vector<double> shares(int count) {

@@ -27,7 +27,7 @@ WalkWorld wheel(bool factor) {
 }
 
 class EveryDraw : public testing::TestWithParam<Isa> {};
-INSTANTIATE_TEST_SUITE_P(Walk, EveryDraw, testing::ValuesIn(walk_isas()));
+INSTANTIATE_TEST_SUITE_P(Walk, EveryDraw, testing::ValuesIn(walk_isas()), by_isa);
 
 TEST_P(EveryDraw, DrawsAsTheScalarReferenceOnEveryMask) {
   std::mt19937 random(5);

@@ -142,7 +142,8 @@ class LockstepDraws : public testing::TestWithParam<Isa> {
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(LockstepDraws);
 INSTANTIATE_TEST_SUITE_P(Walk, LockstepDraws,
                          testing::ValuesIn(supported_isa() < Isa::avx2 ? std::vector<Isa>{}
-                                                                       : std::vector{Isa::avx2}));
+                                                                       : std::vector{Isa::avx2}),
+                         by_isa);
 
 TEST_P(LockstepDraws, EachLaneDrawsAsTheScalarReference) {
   expect_reference_of_all_draws<4>();

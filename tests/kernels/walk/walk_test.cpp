@@ -142,7 +142,7 @@ class World {
 };
 
 class EveryIsa : public testing::TestWithParam<Isa> {};
-INSTANTIATE_TEST_SUITE_P(Walk, EveryIsa, testing::ValuesIn(walk_isas()));
+INSTANTIATE_TEST_SUITE_P(Walk, EveryIsa, testing::ValuesIn(walk_isas()), by_isa);
 
 TEST_P(EveryIsa, WalksAsTheScalarReferenceHoweverManyTogether) {
   for (const WalkShape shape : all_shapes()) {
