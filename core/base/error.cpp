@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/printable.h"
 #include "lasius/enum_names.h"
 
 namespace lasius {
@@ -18,10 +19,23 @@ std::string sentence(const Error::Place& place, const std::string& problem,
   }
   text += problem;
   if (!remedy.empty()) text += "; " + remedy;
-  return text;
+  return printable(text);
 }
 
 }  // namespace
+
+std::string printable(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string shown;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7f)
+      shown.append("\\x").append({kDigits[byte / 16], kDigits[byte % 16]});
+    else
+      shown += c;
+  }
+  return shown;
+}
 
 std::string_view to_string(ErrorCode code) noexcept {
   static constexpr std::array<std::string_view, 5> kNames{

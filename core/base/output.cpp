@@ -14,12 +14,11 @@
 #include <vector>
 
 #include "core/base/output_target.h"
+#include "core/base/waiting.h"
 #include "lasius/error.h"
 
 namespace lasius {
 namespace {
-
-volatile std::sig_atomic_t waiting_for_reader = 0;  // a named pipe is being opened
 
 [[noreturn]] void fail_at_end(const std::string& path, int error = errno) {
   const std::string why = error == 0 ? "its text could not be made" : system_reason(error);
@@ -43,6 +42,12 @@ class Descriptor {
  private:
   int number_;
 };
+
+/// A stream opened for writing; a named pipe once somebody reads it.
+Descriptor opened(const std::string& stream) {
+  const Waiting waiting;
+  return Descriptor(::open(stream.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
+}
 
 /// The bytes of a stream, written to a descriptor.
 class Bytes : public std::streambuf {
@@ -221,19 +226,14 @@ void write_file(const std::string& path, const std::function<void(std::ostream&)
   check_target(target, path);
   if (target.descriptor) return write_to(*target.descriptor, path, write);
   if (target.stream()) {
-    waiting_for_reader = 1;
-    const Descriptor file(::open(target.file.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
-    const int error = errno;
-    waiting_for_reader = 0;
-    if (file.number() < 0) refuse_output(path, system_reason(error));
+    const Descriptor file = opened(target.file);
+    if (file.number() < 0) refuse_output(path, system_reason(errno));
     return write_to(file.number(), path, write);
   }
   Temporary temporary(target, path);
   write_to(temporary.descriptor(), path, write);
   temporary.replace(target);
 }
-
-bool output_waits_for_reader() noexcept { return waiting_for_reader != 0; }
 
 void abandon_outputs() noexcept {
   NamesLock::take();

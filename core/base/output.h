@@ -33,10 +33,6 @@ LASIUS_EXPORT void check_outputs(const std::vector<std::string>& outputs,
 /// pipe, an open file of this process (/dev/stdout, /dev/fd/3).
 LASIUS_EXPORT bool is_stream(const std::string& path);
 
-/// True while write_file waits for somebody to read a named pipe: nothing else could end that. For
-/// signal handlers.
-LASIUS_EXPORT bool output_waits_for_reader() noexcept;
-
 /// Removes the temporary files of this process. Whoever begins or completes a file from then on
 /// waits for ever: for signal handlers that end the program, where it may be called.
 LASIUS_EXPORT void abandon_outputs() noexcept;

@@ -8,6 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/waiting.h"
+
 namespace lasius {
 namespace {
 
@@ -22,6 +24,7 @@ std::ifstream open(const std::string& path) {
   if (fs::is_directory(path, error)) {
     throw Error(ErrorCode::file_broken, Error::Place{path}, "is a folder", "name a file in it");
   }
+  const Waiting waiting(!fs::is_regular_file(path, error));
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) {
@@ -89,6 +92,7 @@ std::string_view ByteReader::ahead(std::size_t count) {
     end_ -= at_;
     at_ = 0;
     if (in_->good()) {
+      const Waiting waiting(size_ < 0);
       in_->read(buffer_.data() + end_, static_cast<std::streamsize>(kBuffer - end_));
       end_ += static_cast<std::size_t>(in_->gcount());
     }

@@ -249,8 +249,20 @@ class Ends(ProgramTest):
 
     def test_a_pipe_that_nobody_reads(self):
         os.mkfifo(self.path("pipe.json"))
-        process = self.start_program("plan", f"{MAPS}/grid20a.map", "--start", "0,0", "--goal", "19,19",
-                                     "-q", "-o", "pipe.json")
+        self.ends_while_it_waits("plan", f"{MAPS}/grid20a.map", "--start", "0,0", "--goal", "19,19",
+                                 "-q", "-o", "pipe.json")
+
+    def test_a_pipe_that_nobody_writes(self):
+        for ending in ("map", "yaml", "tsv", "txt", "json"):
+            os.mkfifo(self.path("pipe." + ending))
+        ends = ("--start", "0,0", "--goal", "9,5")
+        for words in (("plan", "pipe.map", *ends), ("plan", "pipe.yaml", *ends), ("batch", "small.map", "pipe.tsv"),
+                      ("drive", "small.map", *ends, "--changes", "pipe.txt"), ("verify", "pipe.json")):
+            with self.subTest(words=words):
+                self.ends_while_it_waits(*words)
+
+    def ends_while_it_waits(self, *words):
+        process = self.start_program(*words)
         waits = ""
         while waits != "wait_for_partner":
             self.assertIsNone(process.poll())

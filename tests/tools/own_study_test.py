@@ -158,7 +158,7 @@ class OwnStudy(ProgramTest):
         self.assertEqual({r["set.persistence"] for r in rows}, {"0.5", "0.9"})
         self.assertEqual({r["iterations"] for r in rows}, {"5"})
         # Its file says the same.
-        self.ended(self.run_program("study", "r/study.yaml", "--seeds", "1-3", "-o", "r2"), 0)
+        self.ended(self.run_program("study", "r/study.yaml", "-o", "r2"), 0)
         self.assertEqual(self.runs_of("r2"), rows)
         # A run of plan with the same numbers is the same run.
         plan = self.plan("--set", "persistence=0.9", "--iterations", 5, "--seed", 2, "--json",
@@ -185,6 +185,7 @@ class OwnStudy(ProgramTest):
                             (("--algorithm", "as", "--set", "ants"), "NAME=VALUE"),
                             (("--algorithm", "as", "--set", "ants=3,"), "--set ants=3,: a value is missing"),
                             (("--algorithm", "as,as"), "--algorithm as,as: as is given twice"),
+                            (("--algorithm", "as", "--set", "ants=3,3"), "--set ants=3,3: 3 is given twice"),
                             (("--algorithm", "as,fan2004", "--preset", "book"), "fan2004 has no preset book"),
                             (("--algorithm", "as", "--seeds", "0"), "--seeds"),
                             (("--algorithm", "as", "--seeds", "3..1"), "--seeds"),
@@ -192,6 +193,7 @@ class OwnStudy(ProgramTest):
                             (("--algorithm", "as", "--steps", "0"), "--steps")):
             self.refused(self.run_program(*form, *words), 2, told)
         self.refused(self.run_program("study", "run", "--algorithm", "as"), 2, "MAP")
+        self.refused(self.run_program("study", "run", "w.wkt", *form[3:], "--algorithm", "as"), 2, "polygon world")
         self.refused(self.run_program("study", "fan2004", "--start", "1,1"), 2, "--start")
         blocked = ("study", "run", "small.map", "--goal", "9,5", "--algorithm", "as", "-o", "r")
         self.refused(self.run_program(*blocked, "--start", "3,2"), 4, "3,2", "nearest free cell")

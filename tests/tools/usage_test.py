@@ -5,6 +5,12 @@ from program import ProgramTest
 
 
 class Usage(ProgramTest):
+    def test_control_characters_are_shown(self):
+        """They neither cut a message short nor steer the terminal."""
+        self.write("zero.map", "type octile\nheight 1\0 2\nwidth 3\nmap\n...\n")
+        self.refused(self.run_program("info", "zero.map"), 3, "zero.map, line 2", r"1\x00 2", "whole number")
+        self.refused(self.plan("--algorithm", "\33[31mexact"), 2, r"\x1b[31mexact", 'did you mean "exact"')
+
     def test_version_and_help_go_to_stdout(self):
         version = self.quiet(self.run_program("--version"))
         self.assertRegex(version.out, r"^lasius \d+\.\d+\.\d+\n$")

@@ -46,6 +46,9 @@ std::pair<std::string, std::vector<std::string>> factor_of(
     throw UsageError("--set " + setting + ": not of the form NAME=VALUE,VALUE");
   const std::string name = setting.substr(0, equals);
   auto values = values_in("--set", setting, equals + 1);
+  for (const std::string& value : values)
+    if (std::ranges::count(values, value) > 1)
+      throw UsageError("--set " + setting + ": " + value + " is given twice");
   bool known = false;
   for (const std::string& algorithm : algorithms) {
     if (!find_algorithm(algorithm).has(name)) continue;
@@ -60,6 +63,9 @@ std::pair<std::string, std::vector<std::string>> factor_of(
 
 ShortStudy short_study(const ShortText& text) {
   if (text.map.empty()) throw UsageError("study run: MAP is required; see --help");
+  if (is_world(text.map))
+    throw UsageError("study run: " + text.map +
+                     " is a polygon world; own studies plan on bitmaps alone");
   if (text.start.empty()) throw UsageError("study run: --start is required; see --help");
   if (text.goal.empty()) throw UsageError("study run: --goal is required; see --help");
   const auto cell = [](const char* option, const std::string& value) {

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <stdexcept>
+#include <string_view>
+
+#include "core/base/printable.h"
 
 namespace lasius::tool {
 
@@ -21,7 +24,7 @@ enum Exit : int {
 /// A mistake on the command line; the message names the value and the nearest known one.
 class UsageError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit UsageError(std::string_view text) : std::runtime_error(printable(text)) {}
 };
 
 }  // namespace lasius::tool

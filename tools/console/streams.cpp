@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "core/base/printable.h"
 #include "lasius/error.h"
 
 namespace lasius::tool {
@@ -31,7 +32,7 @@ void print(std::string_view text) {
 }
 
 void message(std::string_view text) {
-  std::fprintf(stderr, "lasius: %.*s\n", static_cast<int>(text.size()), text.data());
+  std::fprintf(stderr, "lasius: %s\n", printable(text).c_str());
 }
 
 }  // namespace lasius::tool

@@ -104,7 +104,7 @@ Point pair_value(std::string_view option, std::string_view text, bool whole) {
   }
   throw bad_value(option, text,
                   whole ? "a cell X,Y (column and row, whole numbers, no blanks)"
-                        : "a point X,Y in metres (no blanks)");
+                        : "a point X,Y (two numbers, no blanks)");
 }
 
 Cell size_value(std::string_view option, std::string_view text) {

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "core/base/waiting.h"
 #include "lasius/error.h"
 #include "tools/console/values.h"
 
@@ -196,6 +197,8 @@ std::ifstream opened(const std::string& file) {
 }  // namespace
 
 QueryFile read_queries(const std::string& file, int width, int height, bool whole) {
+  std::error_code ignored;
+  const Waiting waiting(!std::filesystem::is_regular_file(file, ignored));
   auto in = opened(file);
   return read_queries(in, file, width, height, whole);
 }

@@ -295,11 +295,11 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
 }  // namespace
 
 int run_command(const VerifyCommand& command) {
+  const auto results = read_results(command.result);
   SignalWatcher signals;
   Last last;
   int code = kFound;
   std::size_t equal = 0;
-  const auto results = read_results(command.result);
   for (std::size_t i = 0; i < results.size(); ++i) {
     const std::string name = results.size() > 1 ? nth(command.result, i) : command.result;
     const int one = verify(command, results[i], name, last, signals.token());

@@ -27,12 +27,15 @@ Json contender_json(const tool::ShortStudy& run, const std::string& algorithm) {
 
 }  // namespace
 
-std::string study_text(const tool::ShortStudy& run) {
+std::string study_text(const tool::ShortStudy& run, const Seeds& seeds) {
   const bool file = !is_generated(run.map);
   const auto line = [](const std::string& key, const Json& value) {
     return key + ": " + json::dumped(value) + "\n";
   };
   std::string text = line("name", file ? fs::path(run.map).stem().string() : run.map);
+  if (seeds.count > 0)
+    text += line("seeds", std::to_string(seeds.first) + ".." +
+                              std::to_string(seeds.first + seeds.count - 1));
   text += "contenders:\n";
   for (const std::string& algorithm : run.algorithms)
     text += "  - " + json::dumped(contender_json(run, algorithm)) + "\n";

@@ -4,10 +4,12 @@
 #include <string>
 
 #include "tools/options/options.h"
+#include "tools/study/study.h"
 
 namespace lasius::study {
 
-/// The file that says the same: every algorithm at every combination of values.
-std::string study_text(const tool::ShortStudy& run);
+/// The file that says the same, with these seeds unless there are 0 of them: every algorithm at
+/// every combination of values.
+std::string study_text(const tool::ShortStudy& run, const Seeds& seeds);
 
 }  // namespace lasius::study

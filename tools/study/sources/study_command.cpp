@@ -190,7 +190,8 @@ Study short_study(const std::string& text, const std::string& file) {
 
 int run_users_study(const StudyCommand& command) {
   const bool is_short = command.name == "run";
-  const std::string text = is_short ? study::study_text(command.run) : "";
+  const std::string text =
+      is_short ? study::study_text(command.run, {command.first_seed, command.seeds}) : "";
   const std::string file = (fs::path(command.folder) / "study.yaml").string();
   Study study = is_short ? short_study(text, file) : study::read_study(command.name);
   if (!was_built(study.world))

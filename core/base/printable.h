@@ -1,0 +1,15 @@
+// Texts of others in messages.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lasius/export.h"
+
+namespace lasius {
+
+/// The text with control characters but line ends and tabs as \x1b: what stands in a file or a name
+/// neither cuts a message short nor steers the terminal that shows it.
+LASIUS_EXPORT std::string printable(std::string_view text);
+
+}  // namespace lasius
