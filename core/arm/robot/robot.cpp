@@ -37,6 +37,9 @@ Robot parse_short(std::string_view text, const std::string& file) {
                 {"name", "type", "axis", "link", "radius", "limits", "velocity", "acceleration"})) {
     Joint joint;
     joint.name = fields.text_or("name", "");
+    const auto same = [&](const Joint& other) { return other.name == joint.name; };
+    if (!joint.name.empty() && std::ranges::any_of(robot.joints, same))
+      fields.fail("name", "is another joint's, too", "give each joint a name of its own");
     const std::string type = fields.text_or("type", "revolute");
     if (type != "revolute" && type != "prismatic") {
       fields.fail("type", "is \"" + type + "\"", "it must be \"revolute\" or \"prismatic\"");

@@ -161,6 +161,7 @@ void RobotMaker::place_chain() {
     }
     places_[link->name] = {robot_.size(), at};
   }
+  if (model_.joints_.empty()) broken(source_.whole(), "it has no joint", "give it one that moves");
   if (robot_.joints.empty()) {
     refuse("no joint moves between " + in_quotes(base_->name) + " and " + in_quotes(tip_->name),
            "choose another base or tip");

@@ -19,17 +19,36 @@ namespace {
 
 constexpr std::size_t kMostLinks = 2000;  // urdfdom lets go of a chain by recursion
 
-/// What urdfdom would print, kept: its first complaint is our reason.
+/// What urdfdom would print: its first complaint is our reason, and comes of the part after those
+/// that it has told to be in.
 class Complaints final : public console_bridge::OutputHandler {
  public:
+  Complaints()
+      : handler_(console_bridge::getOutputHandler()), level_(console_bridge::getLogLevel()) {
+    console_bridge::useOutputHandler(this);
+    console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_DEBUG);
+  }
+  Complaints(const Complaints&) = delete;
+  Complaints& operator=(const Complaints&) = delete;
+  ~Complaints() override {
+    console_bridge::setLogLevel(level_);
+    console_bridge::useOutputHandler(handler_);
+  }
+
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first_.empty()) first_ = text;
+    if (any()) return;
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) first_ = text;
+    if (text.starts_with("urdfdom: successfully added a new ")) ++added_;
   }
   bool any() const { return !first_.empty(); }
-  std::string first() const { return first_.empty() ? "urdfdom does not say why" : first_; }
+  std::string first() const { return any() ? first_ : "urdfdom does not say why"; }
+  std::size_t added() const { return added_; }  ///< parts before it: materials, links, joints
 
  private:
+  console_bridge::OutputHandler* handler_;
+  console_bridge::LogLevel level_;
   std::string first_;
+  std::size_t added_ = 0;
 };
 
 /// A joint, and the line of its tag.
@@ -107,8 +126,8 @@ void UrdfFile::refuse_xacro(std::int64_t row) const {
               "make it first: xacro " + file_ + " > robot.urdf");
 }
 
-/// Notes the lines, which urdfdom does not keep, and where the XML is broken. What names no links,
-/// or names twice, is left to urdfdom to tell.
+/// Notes the lines, which urdfdom does not keep, and where the XML is broken. Names given
+/// twice are left to urdfdom to tell.
 void UrdfFile::read_xml(const std::string& text) {
   TiXmlDocument document;
   document.Parse(text.c_str());
@@ -119,7 +138,9 @@ void UrdfFile::read_xml(const std::string& text) {
        at = at->NextSiblingElement()) {
     if (at->ValueStr().starts_with("xacro:")) refuse_xacro(at->Row());
   }
+  each_child(*robot, "material", [&](const TiXmlElement& at) { parts_.push_back(at.Row()); });
   each_child(*robot, "link", [&](const TiXmlElement& link) {
+    parts_.push_back(link.Row());
     links_.emplace(attribute(&link, "name"), link.Row());
   });
   std::vector<Edge> joints;
@@ -128,9 +149,16 @@ void UrdfFile::read_xml(const std::string& text) {
     joints.push_back({attribute(&joint, "name"),
                       attribute(joint.FirstChildElement("parent"), "link"),
                       attribute(joint.FirstChildElement("child"), "link"), joint.Row()});
+    parts_.push_back(joint.Row());
     const Edge& edge = joints.back();
     const bool is_new = joints_.emplace(edge.name, edge.line).second;
-    told_by_urdfdom |= !is_new || edge.parent.empty() || edge.child.empty();
+    told_by_urdfdom |= !is_new;
+    if (edge.parent.empty() || edge.child.empty()) {
+      broken(line(edge.line),
+             "joint " + in_quotes(edge.name) + " has no " +
+                 (edge.parent.empty() ? "<parent link=...>" : "<child link=...>"),
+             "name the links that it joins");
+    }
   });
   if (std::max(links_.size(), joints.size()) > kMostLinks) {
     unsupported(whole(), "the robot has too many links",
@@ -142,26 +170,24 @@ void UrdfFile::read_xml(const std::string& text) {
 void UrdfFile::parse(const std::string& text) {
   static std::mutex one_at_a_time;  // the handler is the program's
   const std::scoped_lock lock(one_at_a_time);
-  Complaints complaints;
-  console_bridge::OutputHandler* const before = console_bridge::getOutputHandler();
-  console_bridge::useOutputHandler(&complaints);
+  const Complaints complaints;
   std::string fault;
   try {
     model_ = urdf::parseURDF(text);
   } catch (const std::exception& e) {
     fault = e.what();
   }
-  console_bridge::useOutputHandler(before);
   const auto expression = text.find("${");
   if (model_ == nullptr && expression != text.npos) refuse_xacro(line_at(text, expression));
+  const std::size_t part = complaints.added();
+  const std::int64_t row = broken_line_ < 0 && part < parts_.size() ? parts_[part] : broken_line_;
   if (model_ == nullptr) {
-    broken(broken_line_ < 0 ? whole() : line(broken_line_),
-           "this is no URDF (" + (fault.empty() ? complaints.first() : fault) + ")",
+    broken(line(row), "this is no URDF (" + (fault.empty() ? complaints.first() : fault) + ")",
            "check it with check_urdf");
   }
   // What the parser cannot read it leaves out: a link would pass through obstacles.
   if (complaints.any()) {
-    broken(whole(), "a part of it cannot be read (" + complaints.first() + ")",
+    broken(line(row), "a part of it cannot be read (" + complaints.first() + ")",
            "check it with check_urdf");
   }
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/arm/robot/xml_text.h"
 #include "lasius/error.h"
@@ -42,7 +43,8 @@ class UrdfFile {
 
   std::string file_;
   Lines links_, joints_;
-  std::int64_t broken_line_ = -1;  // of the XML
+  std::vector<std::int64_t> parts_;  // the lines of all as urdfdom reads them
+  std::int64_t broken_line_ = -1;    // of the XML
   urdf::ModelInterfaceSharedPtr model_;
 };
 

@@ -9,15 +9,20 @@
 
 namespace lasius::arm {
 
+namespace {
+
+constexpr double kLargestLimit = 1000;  // of a limit, radians or metres: what `validate` takes
+
+}  // namespace
+
 bool moves(const urdf::Joint& joint) {
   return joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS ||
          joint.type == urdf::Joint::PRISMATIC;
 }
 
 std::pair<double, double> range_of(const urdf::Joint& joint, const JointLimitsFile& limits) {
-  constexpr double kTurns = 1000;
   const bool continuous = joint.type == urdf::Joint::CONTINUOUS;
-  double low = continuous ? -kTurns : 0, high = continuous ? kTurns : 0;
+  double low = continuous ? -kLargestLimit : 0, high = continuous ? kLargestLimit : 0;
   if (!continuous && joint.limits != nullptr) {
     low = joint.limits->lower;
     high = joint.limits->upper;
@@ -48,11 +53,17 @@ Joint moving_joint(const urdf::Joint& joint, const Placement& at, const UrdfFile
   made.axis = (1 / length(axis)) * axis;
   made.kind = joint.type == urdf::Joint::PRISMATIC ? Joint::Kind::prismatic : Joint::Kind::revolute;
   std::tie(made.low, made.high) = range_of(joint, limits);
-  made.continuous = joint.type == urdf::Joint::CONTINUOUS && made.low == -1000 && made.high == 1000;
+  made.continuous = joint.type == urdf::Joint::CONTINUOUS && made.low == -kLargestLimit &&
+                    made.high == kLargestLimit;
   if (!(made.low < made.high)) {
     broken(source.joint(joint.name),
            "joint \"" + joint.name + "\" has limits that leave it no room",
            "give it a <limit> with lower below upper, and soft limits within");
+  }
+  if (made.low < -kLargestLimit || made.high > kLargestLimit) {
+    broken(source.joint(joint.name),
+           "joint \"" + joint.name + "\" has limits beyond " + number_text(kLargestLimit),
+           "give it a <limit> within, or take it for continuous");
   }
   const auto limit = limits.joints.find(joint.name);
   const bool listed = limit != limits.joints.end();

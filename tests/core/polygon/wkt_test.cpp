@@ -87,7 +87,7 @@ TEST(Wkt, NamesLineAndByteWhereAGeometryBegins) {
   for (const Case& c :
        {Case{"POLYGON ((0 0, 1 0, 0 0))", 1, 0},
         {"\n\n  POINT EMPTY", 3, 4},
-        {"# margin 1\n# margin -1\nPOINT (0 0)", 2, 11},
+        {"# margin 1\n# margin 2\nPOINT (0 0)", 2, 11},
         {"# here\r\nPOINT (0 0); POINT (0)", 2, 21},
         {"# here\rPOINT (0 0)\rPOINT (0)", 3, 19},
         {"POLYGON ((0 0, 9 0, 9 9, 0 0))\nPOLYGON ((0 0, 9 9,\n9 0, 0 9, 0 0))", 2, 31}}) {

@@ -40,6 +40,8 @@ TEST(ShortRobot, BadFields) {
   const std::string good = R"("axis": [0, 0, 1], "link": [1, 0, 0], "limits": [-1, 1])";
   EXPECT_NO_THROW(parse_robot(joint(good), "r.json"));
   const std::pair<std::string, std::string> cases[] = {
+      {joint(good + R"(, "name": "a"}, {"name": "a", )" + good),
+       "joints[1].name is another joint's"},
       {joint(good + R"(, "type": "round")"), "joints[0].type is \"round\""},
       {joint(good + R"(, "velocity": 0)"), "joints[0].velocity is 0"},
       {joint(good + R"(, "velocity": "fast")"), "not a number"},

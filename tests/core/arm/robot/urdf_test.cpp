@@ -48,6 +48,7 @@ TEST(Urdf, ChainsByName) {
 }
 
 TEST(Urdf, BadFiles) {
+  expect_error("<robot name=\"r\"><link name=\"b\"/></robot>", ErrorCode::file_broken, "no joint");
   expect_error("<robot", ErrorCode::file_broken, "URDF");
   expect_error("<a/>", ErrorCode::file_broken, "URDF");
   expect_error(with(kUrdf, "\"-0.2\"", "\"0.4\""), ErrorCode::file_broken, "no room");
@@ -71,6 +72,13 @@ TEST(Urdf, FaultsAreNamedByLine) {
       {"0 0 2", "0 0 0", 6},
       {"\"0.3\"", "\"-0.3\"", 8},
       {"prismatic", "planar", 8},
+      {"prismatic", "bending", 8},
+      {"\"-0.2\"", "\"nan\"", 8},
+      {"\"-0.2\"", "\"-1e300\"", 8},
+      {"<child link=\"d\"/>", "", 8},
+      {"<link name=\"d\"/>", "<link name=\"c\"/>", 5},
+      {"name=\"j2\"", "name=\"f\"", 8},
+      {"0 0 2", "0 2", 6},
       {"velocity=\"0.5\"", "velocity=\"-2.5\"", 8},
       {"<link name=\"d\"/>", "<xacro:include filename=\"d\"/>", 5},
       {"0 0 2", "${height} 0 2", 6},
