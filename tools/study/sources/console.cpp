@@ -33,9 +33,9 @@ void tell_unread(std::span<const study::Contender> contenders) {
 }
 
 std::string duration_text(double seconds) {
-  if (seconds < 90) return study::fixed(std::max(1.0, seconds), 0) + " s";
-  if (seconds < 5400) return study::fixed(seconds / 60, 0) + " min";
-  return study::fixed(seconds / 3600, 1) + " h";
+  if (seconds < 90) return fixed(std::max(1.0, seconds), 0) + " s";
+  if (seconds < 5400) return fixed(seconds / 60, 0) + " min";
+  return fixed(seconds / 3600, 1) + " h";
 }
 
 }  // namespace lasius::tool
