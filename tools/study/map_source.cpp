@@ -1,7 +1,6 @@
 #include "tools/study/map_source.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <sstream>
 #include <string_view>
