@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdint>
-#include <iostream>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -19,12 +17,11 @@ namespace lasius::bench {
 namespace {
 
 struct AnytimeOptions {
-  std::vector<int> sides = {1024, 8192};
-  std::uint64_t seed = 1;
+  MapOptions maps;
   std::size_t count = 20;
 };
 
-constexpr double kDeadlines[] = {0.003, 0.01, 0.03, 0.1, 0.3, 1};  // seconds
+constexpr int kDeadlines[] = {3, 10, 30, 100, 300, 1000};  // milliseconds
 
 /// What the queries of a map had when a deadline was over.
 struct Outcome {
@@ -32,11 +29,11 @@ struct Outcome {
   int proven = 0;
 };
 
-Outcome outcome_of(const Planner& planner, const QuerySet& set, double deadline,
+Outcome outcome_of(const Planner& planner, const QuerySet& set, int deadline,
                    Workspace& workspace) {
   Outcome outcome;
   for (const Query& query : set.queries) {
-    const StopCondition stop{.deadline = deadline_in(std::chrono::duration<double>(deadline))};
+    const StopCondition stop{.deadline = deadline_in(std::chrono::milliseconds(deadline))};
     const Result result =
         planner.plan({query.start, query.goal, stop}, Params("exact"), &workspace);
     outcome.gaps.push_back(result.path.empty() ? std::numeric_limits<double>::infinity()
@@ -59,23 +56,22 @@ std::string told(const Outcome& outcome) {
 }
 
 void run_anytime(const AnytimeOptions& options) {
-  std::cout
-      << machine_line() << ". " << options.count << " queries a map, seed " << options.seed
-      << ". Median certified gap when the deadline is over; how many queries have no path yet, "
-         "and how many are proven.\n\n| map |";
-  for (const double deadline : kDeadlines) std::cout << ' ' << 1000 * deadline << " ms |";
-  std::cout << "\n|---|";
-  for (std::size_t i = 0; i < std::size(kDeadlines); ++i) std::cout << "--:|";
-  std::cout << std::endl;
+  MapOptions maps = options.maps;
+  if (sources_of(maps).empty()) maps.sides = {1024, 8192};
+  std::vector<Table::Column> columns{"map"};
+  for (const int deadline : kDeadlines) columns.push_back(std::to_string(deadline) + " ms");
+  Table table(std::to_string(options.count) + " queries a map, seed " + std::to_string(maps.seed) +
+                  ". Median certified gap when the deadline is over; how many queries have no path "
+                  "yet, and how many are proven.",
+              columns);
   Workspace workspace;
-  for (const QuerySource& source : generated_sources(options.sides, options.seed)) {
+  for (const QuerySource& source : sources_of(maps)) {
     const QuerySet set = load(source, options.count);
     const Planner planner(set.grid);
-    std::cout << "| " << set.name << " |";
-    for (const double deadline : kDeadlines) {
-      std::cout << ' ' << told(outcome_of(planner, set, deadline, workspace)) << " |" << std::flush;
-    }
-    std::cout << std::endl;
+    std::vector<std::string> cells{set.name};
+    for (const int deadline : kDeadlines)
+      cells.push_back(told(outcome_of(planner, set, deadline, workspace)));
+    table.row(cells);
   }
 }
 
@@ -83,9 +79,11 @@ void run_anytime(const AnytimeOptions& options) {
 
 void add_anytime_command(CLI::App& app) {
   const auto [command, options] =
-      add_command(app, "anytime", "The certified gap of `exact` against its deadline", run_anytime);
-  command.add_option("--sides", options.sides, "Sides of the maps")->capture_default_str();
-  add_number(command, "--seed", options.seed, "Seed of maps and queries");
+      add_command(app, "anytime",
+                  "The certified gap of `exact` against its deadline; on maps of 1024 and 8192 "
+                  "cells a side if not told",
+                  run_anytime);
+  add_map_options(command, options.maps);
   add_number(command, "--queries", options.count, "Queries a map", 1);
 }
 

@@ -6,7 +6,6 @@
 
 #include "bench/clocks.h"
 #include "bench/commands.h"
-#include "bench/figure_table.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
 #include "lasius/arm_generate.h"
@@ -95,8 +94,8 @@ std::vector<Figure> measure_speed(int rounds) {
     const arm::Result a = timed(1, one);
     if (a.status != Status::solved) continue;
     const arm::Result b = timed(2, two);
-    identical = identical && a.joints == b.joints && a.best == b.best && a.mean == b.mean &&
-                a.questions == b.questions;
+    identical = identical && a.joints == b.joints && alike(a.best, b.best) &&
+                alike(a.mean, b.mean) && a.questions == b.questions;
     ratios.push_back(one / two);
     planning.push_back(one);
     steps.push_back(static_cast<double>(a.steps) / one);
@@ -182,8 +181,8 @@ std::vector<Figure> measure_optimum(int seeds, int side, double elite_weight) {
 }
 
 void run_arm(const ArmOptions& options) {
-  FigureTable table("maps/arms/industrial6.json, base set unless said otherwise.",
-                    options.markdown);
+  Table table = Table::of_figures("maps/arms/industrial6.json, base set unless said otherwise.",
+                                  options.markdown);
   table.add(measure_speed(options.rounds));
   table.add(measure_validity(options.scenes));
   for (const double elite : {16.0, 0.0}) table.add(measure_optimum(options.seeds, 12, elite));

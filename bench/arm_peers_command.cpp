@@ -1,13 +1,14 @@
 // lasius_bench arm-peers: arms beside OMPL's RRT-Connect, and the questions that a proof takes.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
-#include <sstream>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "bench/clocks.h"
 #include "bench/commands.h"
-#include "bench/figure_table.h"
 #include "bench/peers/joint_space.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
@@ -112,12 +113,15 @@ std::string median_text(const std::vector<double>& values) {
   return values.empty() ? "" : short_number(median(values));
 }
 
-std::string cells(const PeersRow& row) {
-  std::ostringstream out;
-  out << row.planner << " | " << row.solved << " | " << row.unreachable << " | " << row.outside
-      << " | " << row.contradicted << " | " << median_text(row.seconds) << " | "
-      << median_text(row.questions) << " | " << median_text(row.travel_ratios);
-  return out.str();
+std::vector<std::string> cells(const PeersRow& row) {
+  return {row.planner,
+          std::to_string(row.solved),
+          std::to_string(row.unreachable),
+          std::to_string(row.outside),
+          std::to_string(row.contradicted),
+          median_text(row.seconds),
+          median_text(row.questions),
+          median_text(row.travel_ratios)};
 }
 
 void ask(const arm::Robot& robot, const PeersCase& c, double cap, std::vector<PeersRow>& rows) {
@@ -155,15 +159,18 @@ void ask(const arm::Robot& robot, const PeersCase& c, double cap, std::vector<Pe
   if (peer->solved) row.questions.push_back(static_cast<double>(peer->positions + peer->motions));
 }
 
-void compare(const Named& named, int obstacles, const ArmPeersOptions& options, Output& out) {
+void compare(const Named& named, int obstacles, const ArmPeersOptions& options, Table& table) {
   std::vector<PeersRow> rows;
   for (const Algorithm& algorithm : arm::algorithms())
     rows.push_back({.planner = std::string(algorithm.name)});
   rows.push_back({.planner = "RRT-Connect"});
   for (int i = 0; i < options.queries; ++i)
     ask(named.robot, PeersCase(named.robot, obstacles, options.seed + i), options.cap, rows);
-  for (const PeersRow& row : rows)
-    out.write("| " + named.name + " | " + std::to_string(obstacles) + " | " + cells(row) + " |\n");
+  for (const PeersRow& row : rows) {
+    std::vector<std::string> line{named.name, std::to_string(obstacles)};
+    std::ranges::move(cells(row), std::back_inserter(line));
+    table.row(line);
+  }
 }
 
 /// Questions until the way is proven to be its lattice's shortest, of those that get there.
@@ -207,16 +214,15 @@ void ask(const arm::Robot& robot, const PeersCase& c, double cap, Proof& proof) 
     proof.questions.push_back(asked(found.questions));
 }
 
-void prove(const Named& named, int obstacles, const ArmPeersOptions& options, Output& out) {
+void prove(const Named& named, int obstacles, const ArmPeersOptions& options, Table& table) {
   auto all = proofs();
   for (int i = 0; i < options.proofs; ++i) {
     const PeersCase c(named.robot, obstacles, options.seed + i);
     for (Proof& proof : all) ask(named.robot, c, options.cap, proof);
   }
   for (const Proof& proof : all)
-    out.write("| " + named.name + " | " + std::to_string(obstacles) + " | " + proof.what + " | " +
-              median_text(proof.first) + " | " + std::to_string(proof.questions.size()) + " | " +
-              median_text(proof.questions) + " |\n");
+    table.row({named.name, std::to_string(obstacles), proof.what, median_text(proof.first),
+               std::to_string(proof.questions.size()), median_text(proof.questions)});
 }
 
 void run_arm_peers(const ArmPeersOptions& options) {
@@ -225,27 +231,34 @@ void run_arm_peers(const ArmPeersOptions& options) {
   if (robots.empty())
     for (const char* name : {"planar3", "industrial6", "redundant7"})
       robots.push_back(read(std::string(LASIUS_MAPS_DIR "/arms/") + name + ".json"));
-  Output out(options.markdown);
+  constexpr auto kText = Table::Align::left;
   const auto count = [&](int queries) {
     return std::to_string(queries) + " questions each from seed " + std::to_string(options.seed);
   };
-  out.write(
-      machine_line() + ". " + count(options.queries) + ", at most " + short_number(options.cap) +
-      " s, one thread; seconds, questions and joint travel are medians; joint travel is that "
-      "of the motion / of RRT-Connect's path, shortcut for as long as the motion took to "
-      "plan.\n\n| robot | obstacles | planner | solved | told unreachable | told invalid | of "
-      "both solved by RRT-Connect | seconds | questions | joint travel |\n"
-      "|---|--:|---|--:|--:|--:|--:|--:|--:|--:|\n");
+  Table table(count(options.queries) + ", at most " + short_number(options.cap) +
+                  " s, one thread; seconds, questions and joint travel are medians; joint travel "
+                  "is that of the motion / of RRT-Connect's path, shortcut for as long as the "
+                  "motion took to plan.",
+              {"robot",
+               "obstacles",
+               {"planner", kText},
+               "solved",
+               "told unreachable",
+               "told invalid",
+               "of both solved by RRT-Connect",
+               "seconds",
+               "questions",
+               "joint travel"},
+              options.markdown);
   const auto each = [&](const auto& measure) {
     for (const Named& named : robots)
-      for (const int obstacles : options.obstacles) measure(named, obstacles, options, out);
+      for (const int obstacles : options.obstacles) measure(named, obstacles, options, table);
   };
   each(compare);
-  out.write("\nQuestions until the way is proven to be the shortest of its lattice, " +
-            count(options.proofs) +
-            "; until the end of the iteration of a first path, and until the proof:\n\n"
-            "| robot | obstacles | search | first path | proven | proof |\n"
-            "|---|--:|---|--:|--:|--:|\n");
+  table.next("Questions until the way is proven to be the shortest of its lattice, " +
+                 count(options.proofs) +
+                 "; until the end of the iteration of a first path, and until the proof:",
+             {"robot", "obstacles", {"search", kText}, "first path", "proven", "proof"});
   each(prove);
 }
 

@@ -3,6 +3,10 @@
 
 #include <chrono>
 #include <ctime>
+#include <utility>
+#include <vector>
+
+#include "bench/statistics.h"
 
 namespace lasius::bench {
 
@@ -34,5 +38,17 @@ class ProcessorClock {
 };
 using ProcessorStopwatch = ProcessorClock<CLOCK_PROCESS_CPUTIME_ID>;  ///< of all threads
 using ThreadStopwatch = ProcessorClock<CLOCK_THREAD_CPUTIME_ID>;      ///< of this one
+
+/// Microseconds of processor time that a call takes: the median of so many.
+template <class Call>
+double median_microseconds(int rounds, const Call& call) {
+  std::vector<double> times;
+  for (int round = 0; round < rounds; ++round) {
+    const ThreadStopwatch watch;
+    call();
+    times.push_back(1e6 * watch.seconds());
+  }
+  return median(std::move(times));
+}
 
 }  // namespace lasius::bench

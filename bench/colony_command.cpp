@@ -2,7 +2,7 @@
 
 #include "bench/colony_figures.h"
 #include "bench/commands.h"
-#include "bench/figure_table.h"
+#include "bench/report.h"
 
 namespace lasius::bench {
 namespace {
@@ -15,9 +15,10 @@ struct ColonyOptions {
 };
 
 void run_colony(const ColonyOptions& options) {
-  FigureTable table("maps/fan400x200.map; medians of " + std::to_string(options.rounds) +
-                        " rounds in turns; steps in processor time, one thread.",
-                    options.markdown);
+  Table table =
+      Table::of_figures("maps/fan400x200.map; medians of " + std::to_string(options.rounds) +
+                            " rounds in turns; steps in processor time, one thread.",
+                        options.markdown);
   table.add(measure_steps(options.rounds));
   table.add(measure_variants(options.rounds));
   table.add(measure_threads(options.rounds));

@@ -1,10 +1,10 @@
-// The figures of the colony that the README states, each measured by one function.
+// The figures of `lasius_bench colony`, each group measured by one function.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "bench/figure_table.h"
+#include "bench/report.h"
 #include "lasius/grid.h"
 #include "lasius/planner.h"
 

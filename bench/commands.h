@@ -62,7 +62,7 @@ void add_map_options(CLI::App& command, MapOptions& options);
 /// Queries on each of them, time and again.
 struct QueryOptions {
   MapOptions maps = {};
-  std::size_t count;  ///< queries a map; 0: all of its table
+  std::size_t count;  ///< queries a map; 0: all of its table, 30 where it has none
   int rounds;
 };
 void add_query_options(CLI::App& command, QueryOptions& options);

@@ -111,7 +111,7 @@ double MapComparison::mean_gap(std::size_t planner) const {
 
 MapComparison compare(const QuerySet& set, std::span<const peers::Peer> planners,
                       const ComparisonOptions& options) {
-  MapComparison result{set.name, set.grid.width(), set.grid.height(), {}, {}};
+  MapComparison result{set.name, {}, {}};
   result.planners.resize(planners.size());
   std::vector<Contender> contenders(planners.size());
   for (std::size_t p = 0; p < planners.size(); ++p) {

@@ -36,7 +36,6 @@ struct PlannerRun {
 /// One map: the planners' runs in the order given, and the best known optimum of each query.
 struct MapComparison {
   std::string name;
-  int width = 0, height = 0;
   std::vector<double> optima;
   std::vector<PlannerRun> planners;
   /// Mean of (length - optimum) / optimum of a planner over the queries, as a fraction.

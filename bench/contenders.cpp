@@ -82,13 +82,12 @@ class PulledAStar final : public peers::QueryPlanner {
 }  // namespace
 
 std::vector<peers::Peer> all_contenders() {
-  std::vector<peers::Peer> all = {
-      {"exact", "lasius: exact any-angle search", Optimality::any_angle, make<Exact<0>>},
-      {"exact-prepared", "the same, on a prepared map", Optimality::any_angle, make<Prepared>},
-      {"exact-gap3", "the same, to a certified gap of 3%", Optimality::none, make<Exact<3>>},
-      {"exact-gap10", "the same, to a certified gap of 10%", Optimality::none, make<Exact<10>>},
-      {"astar-straight", "bucketed A*, straightened", Optimality::none, make<PulledAStar<false>>},
-      {"astar-taut", "bucketed A*, pulled taut", Optimality::none, make<PulledAStar<true>>}};
+  std::vector<peers::Peer> all = {{"exact", Optimality::any_angle, make<Exact<0>>},
+                                  {"exact-prepared", Optimality::any_angle, make<Prepared>},
+                                  {"exact-gap3", Optimality::none, make<Exact<3>>},
+                                  {"exact-gap10", Optimality::none, make<Exact<10>>},
+                                  {"astar-straight", Optimality::none, make<PulledAStar<false>>},
+                                  {"astar-taut", Optimality::none, make<PulledAStar<true>>}};
   const auto peers = peers::all_peers();
   all.insert(all.end(), peers.begin(), peers.end());
   return all;

@@ -1,6 +1,7 @@
 // lasius_bench exact: preparation, anytime figures, memory and threads of the exact planner.
 #include <algorithm>
-#include <iostream>
+#include <string>
+#include <vector>
 
 #include "bench/clocks.h"
 #include "bench/commands.h"
@@ -26,13 +27,9 @@ double mean_time(const QuerySet& set, double gap, int rounds, double& peak) {
   for (const Query& query : set.queries) {
     ExactSearch search;  // a new one, so that its memory is the query's own
     ExactAnswer answer;
-    std::vector<double> times;
-    for (int round = 0; round < rounds; ++round) {
-      const ThreadStopwatch watch;
+    sum += median_microseconds(rounds, [&] {
       search.search(set.grid, query.start, query.goal, {.target_gap = gap}, {}, answer);
-      times.push_back(1e6 * watch.seconds());
-    }
-    sum += median(times);
+    });
     peak = std::max(peak, static_cast<double>(search.bytes()));
   }
   return sum / static_cast<double>(set.queries.size());
@@ -70,37 +67,31 @@ Threads compare_threads(const Planner& planner, const QuerySet& set, int rounds)
   return {median(gains), median(costs)};
 }
 
-void write_row(const QuerySet& set, const ExactOptions& options) {
+void measure_map(const QuerySet& set, const ExactOptions& options, Table& table) {
   const Stopwatch watch;
   const Planner planner(set.grid);
   const double prepared = 1000 * watch.seconds();
   const auto held = planner.footprint();
   const double cells = static_cast<double>(set.grid.width()) * set.grid.height();
   const auto bytes = static_cast<double>(held.bitmap + held.components + held.visibility_graph);
-  std::cout << "| " << set.name << " | " << short_number(1e6 * prepared / cells) << " | "
-            << short_number(8 * bytes / cells) << " |";
+  std::vector<double> figures{1e6 * prepared / cells, 8 * bytes / cells};
   double peak = 0;
-  for (const double gap : kGaps) {
-    std::cout << ' ' << short_number(mean_time(set, gap, options.rounds, peak)) << " |"
-              << std::flush;
-  }
+  for (const double gap : kGaps) figures.push_back(mean_time(set, gap, options.rounds, peak));
   const Threads threads = compare_threads(planner, set, options.rounds);
-  std::cout << ' ' << short_number(peak / 1e6) << " | " << short_number(threads.gain) << " | "
-            << short_number(threads.cost) << " |" << std::endl;
+  figures.insert(figures.end(), {peak / 1e6, threads.gain, threads.cost});
+  table.row(set.name, figures);
 }
 
 void run_exact(const ExactOptions& options) {
-  std::cout
-      << machine_line() << ". " << options.count << " queries a map, seed " << options.maps.seed
-      << ", median of " << options.rounds
-      << " rounds. Preparation without the copy of the map; microseconds of processor time a "
-         "query, mean, to a certified gap.\n\n"
-      << "| map | prepared, ms a million cells | bits a cell | gap 10% | gap 3% | gap 1% | "
-         "proven | MB a query, most | batch, time with 1 / 2 threads | processor time, 2 / 1 |\n"
-      << "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
-  for (const QuerySource& source : sources_of(options.maps)) {
-    write_row(load(source, options.count), options);
-  }
+  Table table(
+      std::to_string(options.count) + " queries a map, seed " + std::to_string(options.maps.seed) +
+          ", median of " + std::to_string(options.rounds) +
+          " rounds. Preparation without the copy of the map; microseconds of processor "
+          "time a query, mean, to a certified gap.",
+      {"map", "prepared, ms a million cells", "bits a cell", "gap 10%", "gap 3%", "gap 1%",
+       "proven", "MB a query, most", "batch, time with 1 / 2 threads", "processor time, 2 / 1"});
+  for (const QuerySource& source : sources_of(options.maps))
+    measure_map(load(source, options.count), options, table);
 }
 
 }  // namespace

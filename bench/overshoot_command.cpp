@@ -8,7 +8,6 @@
 
 #include "bench/clocks.h"
 #include "bench/commands.h"
-#include "bench/figure_table.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
 #include "lasius/planner.h"
@@ -76,15 +75,15 @@ class Overshoots {
     processor_.push_back(overshoot->processor);
     wall_.push_back(overshoot->wall);
   }
-  /// The cells of a row.
-  std::string cells() const {
-    std::string text = std::to_string(wall_.size());
-    for (const auto* values : {&processor_, &wall_}) {
-      for (const double share : {0.5, 0.999, 1.0}) {
-        text += " | " + (values->empty() ? "-" : short_number(quantile(*values, share)));
-      }
-    }
-    return text;
+  /// The row of a map and what ran on it; `more` is its last cell.
+  std::vector<std::string> row(const std::string& map, const std::string& what,
+                               const std::string& more) const {
+    std::vector<std::string> cells{map, what, std::to_string(wall_.size())};
+    for (const auto* values : {&processor_, &wall_})
+      for (const double share : {0.5, 0.999, 1.0})
+        cells.push_back(values->empty() ? "-" : short_number(quantile(*values, share)));
+    cells.push_back(more);
+    return cells;
   }
 
  private:
@@ -107,20 +106,19 @@ Overshoots cut_short(const OvershootOptions& options, const std::function<void()
 }
 
 /// What the machine does to a loop that only looks at the clock.
-std::string timer_row(const OvershootOptions& options) {
+std::vector<std::string> timer_row(const OvershootOptions& options) {
   const auto wait = [](int, const StopCondition& stop) {
     while (stop.poll() == StopCondition::Cause::none) continue;
   };
-  return "| | a loop that looks at the clock | " +
-         cut_short(
+  return cut_short(
              options, [] {}, wait)
-             .cells() +
-         " | |\n";
+      .row("", "a loop that looks at the clock", "");
 }
 
 /// One algorithm, in one workspace or in a fresh one each time, whose end is not counted.
-std::string row(const OvershootOptions& options, const Planner& planner, const QuerySet& set,
-                const std::string& algorithm, bool reused) {
+std::vector<std::string> algorithm_row(const OvershootOptions& options, const Planner& planner,
+                                       const QuerySet& set, const std::string& algorithm,
+                                       bool reused) {
   Params params(algorithm);
   params.threads = 1;
   if (find_algorithm(algorithm).has("iterations")) params.iterations = 1'000'000;
@@ -135,20 +133,29 @@ std::string row(const OvershootOptions& options, const Planner& planner, const Q
     params.seed = static_cast<std::uint64_t>(i) + 1;
     planner.plan({.start = query.start, .goal = query.goal, .stop = stop}, params, &*workspace);
   };
-  const std::string cells = cut_short(options, before, plan).cells();
+  const Overshoots overshoots = cut_short(options, before, plan);
   before();
-  return "| " + set.name + " | `" + algorithm + "`, " + (reused ? "one" : "fresh") + " | " + cells +
-         " | " + short_number(static_cast<double>(most_bytes) / 1e6) + " |\n";
+  return overshoots.row(set.name, "`" + algorithm + "`, " + (reused ? "one" : "fresh"),
+                        short_number(static_cast<double>(most_bytes) / 1e6));
 }
 
 void run_overshoot(const OvershootOptions& options) {
-  Output output(options.markdown);
-  output.write(machine_line() + ". " + std::to_string(options.cuts) + " limits of up to " +
-               short_number(options.limit) +
-               " ms, one thread; milliseconds past the limit, of those that were passed. Aim: at "
-               "most 5 ms of processor time.\n\n| map | algorithm, workspace | passed | processor, "
-               "median | 99.9% | worst | wall clock, median | 99.9% | worst | workspace, MB |\n"
-               "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+  constexpr auto kText = Table::Align::left;
+  Table table(
+      std::to_string(options.cuts) + " limits of up to " + short_number(options.limit) +
+          " ms, one thread; milliseconds past the limit, of those that were passed. Aim: at "
+          "most 5 ms of processor time.",
+      {"map",
+       {"algorithm, workspace", kText},
+       "passed",
+       "processor, median",
+       "99.9%",
+       "worst",
+       "wall clock, median",
+       "99.9%",
+       "worst",
+       "workspace, MB"},
+      options.markdown);
   MapOptions maps = options.maps;
   if (sources_of(maps).empty()) {
     maps.sides = {512, 2048, 8192, 16384};
@@ -157,10 +164,10 @@ void run_overshoot(const OvershootOptions& options) {
   for (const QuerySource& source : sources_of(maps)) {
     const QuerySet set = load(source, 100);
     const Planner planner(set.grid);
-    output.write(timer_row(options));
+    table.row(timer_row(options));
     for (const std::string& algorithm : options.algorithms) {
       for (const bool reused : {false, true}) {
-        output.write(row(options, planner, set, algorithm, reused));
+        table.row(algorithm_row(options, planner, set, algorithm, reused));
       }
     }
   }

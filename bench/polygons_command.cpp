@@ -9,7 +9,6 @@
 
 #include "bench/clocks.h"
 #include "bench/commands.h"
-#include "bench/figure_table.h"
 #include "bench/peers/textbook_crossings.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
@@ -180,7 +179,9 @@ struct Case {
 /// Whether all algorithms go the same way at all scales, bit for bit; the gap of `maklink-acs`.
 bool same_at_all_scales(const Case& one, std::vector<double>& gaps) {
   const auto first = one.answers(1);
-  const polygon::Result& ants = first[1];
+  const auto known = polygon::algorithms();
+  const auto ants_at = std::ranges::find(known, "maklink-acs", &Algorithm::name) - known.begin();
+  const polygon::Result& ants = first[static_cast<std::size_t>(ants_at)];
   if (ants.optimum && ants.length > 0) gaps.push_back(ants.length / *ants.optimum - 1);
   bool same = true;
   for (const int exponent : {-10, 7, 20}) {
@@ -252,7 +253,7 @@ std::vector<Figure> check_discs(int worlds, int& faults) {
 }
 
 void run_polygons(const PolygonsOptions& options) {
-  FigureTable table("Worlds of maps/ and random ones.", "");
+  Table table = Table::of_figures("Worlds of maps/ and random ones.");
   int faults = 0;
   table.add(measure_source_run(options.rounds));
   table.add(measure_preparation(std::max(1, options.rounds / 10)));

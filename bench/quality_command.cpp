@@ -1,11 +1,12 @@
 // lasius_bench quality: gap to the optimum over many seeds, with and without pheromone.
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <sstream>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -14,6 +15,8 @@
 #include "bench/commands.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
+#include "core/base/number_text.h"
+#include "core/base/text_lines.h"
 #include "core/exact/exact.h"
 #include "core/grid/cell_distance.h"
 #include "lasius/error.h"
@@ -89,10 +92,11 @@ QualityRun run_once(const Planner& planner, const Course& course, const Params& 
   return run;
 }
 
-// The free cell nearest to a corner of the map, along its diagonal.
-Cell first_free(const Grid& grid, Cell from, int step) {
-  while (grid.blocked(from)) from = {from.x + step, from.y + step};
-  return from;
+// The free cell nearest to a corner of the map, along its diagonal; nothing where there is none.
+std::optional<Cell> first_free(const Grid& grid, Cell from, int step) {
+  for (; grid.contains(from); from = {from.x + step, from.y + step})
+    if (grid.free(from)) return from;
+  return std::nullopt;
 }
 
 /// Plans the course with seeds 1 .. `seeds`, one thread a plan and as many plans at a time as there
@@ -136,35 +140,44 @@ std::vector<Course> blobs_courses(int count, std::uint64_t seed) {
   std::vector<Course> courses;
   for (std::uint64_t s = seed; static_cast<int>(courses.size()) < count; ++s) {
     Grid grid = generate(MapKind::blobs, {kWidth, kHeight, -1, s});
-    const Cell start = first_free(grid, {10, 10}, 1);
-    const Cell goal = first_free(grid, {kWidth - 11, kHeight - 11}, -1);
-    if (!Planner(grid).connected(start, goal)) continue;
-    courses.push_back({"blobs, seed " + std::to_string(s), std::move(grid), start, goal});
+    const auto start = first_free(grid, {10, 10}, 1);
+    const auto goal = first_free(grid, {kWidth - 11, kHeight - 11}, -1);
+    if (!start || !goal || !Planner(grid).connected(*start, *goal)) continue;
+    courses.push_back({"blobs, seed " + std::to_string(s), std::move(grid), *start, *goal});
   }
   return courses;
 }
 
 Course parse_course(const std::string& text) {
-  const auto parts = CLI::detail::split(text, ',');
-  if (parts.size() != 5) {
-    throw Error(ErrorCode::invalid_parameter, "course " + text, "give FILE,X,Y,X,Y");
+  const auto parts = words_of(text, ",");
+  std::array<int, 4> cells{};
+  bool good = parts.size() == 1 + cells.size();
+  for (std::size_t i = 0; good && i < cells.size(); ++i) {
+    const auto number = number_of<int>(parts[i + 1]);
+    good = number.has_value();
+    cells[i] = number.value_or(0);
   }
-  Course course{parts[0].substr(parts[0].find_last_of('/') + 1), read_map(parts[0]).grid, {}, {}};
-  course.start = {std::stoi(parts[1]), std::stoi(parts[2])};
-  course.goal = {std::stoi(parts[3]), std::stoi(parts[4])};
-  return course;
+  if (!good)
+    throw Error(ErrorCode::invalid_parameter, "course " + text + " is not FILE,X,Y,X,Y",
+                "give a map, and two cells in whole numbers");
+  const std::string file(parts[0]);
+  return {file.substr(file.find_last_of('/') + 1),
+          read_map(file).grid,
+          {cells[0], cells[1]},
+          {cells[2], cells[3]}};
 }
 
 std::string percent(double share) { return short_number(100 * share); }
 
-void write_row(std::ostream& out, const Quality& with, const Quality& without) {
-  out << "| " << with.course << " | " << short_number(with.optimum);
+std::vector<std::string> quality_row(const Quality& with, const Quality& without) {
+  std::vector<std::string> cells{with.course, short_number(with.optimum)};
   for (const Quality* q : {&with, &without}) {
-    out << " | " << percent(q->median_gap()) << " | " << percent(q->worst_gap()) << " | "
-        << short_number(q->median_last_improvement()) << " | "
-        << short_number(q->median_last_as_walked());
+    cells.insert(cells.end(), {percent(q->median_gap()), percent(q->worst_gap()),
+                               short_number(q->median_last_improvement()),
+                               short_number(q->median_last_as_walked())});
   }
-  out << " | " << percent(with.least_arrived()) << " |" << std::endl;
+  cells.push_back(percent(with.least_arrived()));
+  return cells;
 }
 
 void run_quality(const QualityOptions& options) {
@@ -175,27 +188,19 @@ void run_quality(const QualityOptions& options) {
   for (Course& course : blobs) courses.push_back(std::move(course));
 
   const Params params(options.algorithm);
-  std::ostringstream table;
-  Output output(options.markdown);
-  const auto flush = [&] {
-    output.write(table.str());
-    table.str({});
-  };
-  table << machine_line() << ". `" << options.algorithm << "`, its defaults, seeds 1 to "
-        << options.seeds
-        << "; gap to the exact optimum in per cent, iteration of the last improvement and of that "
-           "of the shortest tour as walked, both in the median, least share of ants that arrived "
-           "in a run; then the same with pheromone switched off.\n\n"
-        << "| map | optimum | median gap | worst gap | last improvement | as walked | no "
-           "pheromone: median | worst | last improvement | as walked | arrived, % |\n"
-        << "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
-  flush();
+  Table table("`" + options.algorithm + "`, its defaults, seeds 1 to " +
+                  std::to_string(options.seeds) +
+                  "; gap to the exact optimum in per cent, iteration of the last improvement and "
+                  "of that of the shortest tour as walked, both in the median, least share of ants "
+                  "that arrived in a run; then the same with pheromone switched off.",
+              {"map", "optimum", "median gap", "worst gap", "last improvement", "as walked",
+               "no pheromone: median", "worst", "last improvement", "as walked", "arrived, %"},
+              options.markdown);
   Quality all, all_without;
   for (const Course& course : courses) {
     const Quality with = measure_quality(course, params, options.seeds);
     const Quality without = measure_quality(course, without_pheromone(params), options.seeds);
-    write_row(table, with, without);
-    flush();
+    table.row(quality_row(with, without));
     if (!course.name.starts_with("blobs")) continue;
     all.runs.insert(all.runs.end(), with.runs.begin(), with.runs.end());
     all_without.runs.insert(all_without.runs.end(), without.runs.begin(), without.runs.end());
@@ -203,8 +208,7 @@ void run_quality(const QualityOptions& options) {
   if (!all.runs.empty()) {
     all.course = "**all blobs**";
     all.optimum = std::numeric_limits<double>::quiet_NaN();
-    write_row(table, all, all_without);
-    flush();
+    table.row(quality_row(all, all_without));
   }
 }
 

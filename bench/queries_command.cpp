@@ -4,7 +4,6 @@
 
 #include "bench/commands.h"
 #include "bench/contenders.h"
-#include "bench/figure_table.h"
 #include "bench/report.h"
 #include "core/base/output.h"
 #include "lasius/error.h"
@@ -12,11 +11,13 @@
 namespace lasius::bench {
 namespace {
 
+constexpr const char* kQueriesHelp = "Queries a map; 0: all of its table, 30 where it has none";
+
 struct QueriesOptions {
   MapOptions maps;
   std::vector<std::string> planners;
   std::string subject;
-  std::string markdown, raw;
+  std::string markdown;
   std::size_t count = 30;
   ComparisonOptions comparison;
 };
@@ -39,7 +40,7 @@ void run_queries(const QueriesOptions& options) {
   for (std::size_t p = 0; p < planners.size(); ++p) {
     if (planners[p].name == options.subject) subject = p;
   }
-  const auto sources = sources_of(options.maps, {options.markdown, options.raw});
+  const auto sources = sources_of(options.maps, {options.markdown});
   std::vector<MapComparison> results;
   for (const QuerySource& source : sources) {
     std::cerr << source.name << std::endl;
@@ -50,8 +51,6 @@ void run_queries(const QueriesOptions& options) {
   std::ostringstream text;
   write_markdown(text, results, planners, subject, options.comparison, seeds);
   Output(options.markdown).write(text.str());
-  if (!options.raw.empty())
-    write_file(options.raw, [&](std::ostream& out) { write_tsv(out, results, planners); });
   if (count_faults(results) != 0) throw CLI::RuntimeError(1);
 }
 
@@ -81,7 +80,7 @@ void add_map_options(CLI::App& command, MapOptions& options) {
 
 void add_query_options(CLI::App& command, QueryOptions& options) {
   add_map_options(command, options.maps);
-  add_number(command, "--queries", options.count, "Queries a map; 0: all of its table");
+  add_number(command, "--queries", options.count, kQueriesHelp);
   add_number(command, "--rounds", options.rounds, "Rounds of each query", 1, 1000);
 }
 
@@ -117,13 +116,12 @@ void add_queries_command(CLI::App& app) {
       ->check(CLI::IsMember(names));
   command.add_option("--subject", options.subject, "The planner that ratios are against")
       ->check(CLI::IsMember(names));
-  add_number(command, "--queries", options.count, "Queries a map; 0: all of its table");
+  add_number(command, "--queries", options.count, kQueriesHelp);
   add_number(command, "--rounds", options.comparison.rounds, "Rounds over the queries of a map", 1,
              1000);
   add_number(command, "--seconds", options.comparison.seconds,
              "A planner that spent this on a map starts no further round there");
   add_output(command, options.markdown);
-  command.add_option("--raw", options.raw, "Write every measurement here, as TSV");
 }
 
 }  // namespace lasius::bench

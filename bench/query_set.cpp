@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
-#include <sstream>
+#include <string_view>
 
+#include "core/base/number_text.h"
+#include "core/base/text_lines.h"
 #include "core/grid/components.h"
 #include "lasius/error.h"
 #include "lasius/map_io.h"
@@ -21,14 +23,9 @@ struct Columns {
   std::size_t optimum = ~std::size_t{0};
 };
 
-std::vector<std::string> fields_of(const std::string& line) {
-  std::istringstream in(line);
-  std::vector<std::string> fields;
-  for (std::string field; in >> field;) fields.push_back(field);
-  return fields;
-}
+constexpr std::string_view kBlanks = " \t\r\v\f";
 
-Columns columns_of(const std::vector<std::string>& header, const std::string& path) {
+Columns columns_of(const std::vector<std::string_view>& header, const std::string& path) {
   const auto find = [&](const char* name) {
     const auto it = std::find(header.begin(), header.end(), name);
     return static_cast<std::size_t>(it - header.begin());
@@ -40,6 +37,15 @@ Columns columns_of(const std::vector<std::string>& header, const std::string& pa
   }
   if (find("euclid") < header.size()) columns.optimum = find("euclid");
   return columns;
+}
+
+// A field as a number; false where there is none.
+template <class Number>
+bool take(const std::vector<std::string_view>& fields, std::size_t column, Number& to) {
+  if (column >= fields.size()) return false;
+  const auto number = number_of<Number>(fields[column]);
+  if (number) to = *number;
+  return number.has_value();
 }
 
 // The table that belongs to a map: NAME.tsv, else NAME.map.scen or NAME.scen; empty without one.
@@ -75,23 +81,20 @@ std::vector<Query> read_queries(const std::string& path) {
   if (!in) throw Error(ErrorCode::file_missing, {path}, "cannot be opened", "check the name");
   std::string line;
   std::getline(in, line);
-  const auto header = fields_of(line);
+  const auto header = words_of(line, kBlanks);
   const bool scen = !header.empty() && header[0] == "version";
   const Columns columns = scen ? Columns{} : columns_of(header, path);
-  const std::size_t needed = std::max({columns.sx, columns.sy, columns.gx, columns.gy}) + 1;
   std::vector<Query> queries;
   for (std::int64_t number = 2; std::getline(in, line); ++number) {
-    const auto fields = fields_of(line);
+    const auto fields = words_of(line, kBlanks);
     if (fields.empty()) continue;
-    try {
-      if (fields.size() < needed) throw std::invalid_argument("short");
-      Query q{{std::stoi(fields[columns.sx]), std::stoi(fields[columns.sy])},
-              {std::stoi(fields[columns.gx]), std::stoi(fields[columns.gy])}};
-      if (columns.optimum < fields.size()) q.optimum = std::stod(fields[columns.optimum]);
-      queries.push_back(q);
-    } catch (const std::logic_error&) {
+    Query q;
+    bool good = take(fields, columns.sx, q.start.x) && take(fields, columns.sy, q.start.y) &&
+                take(fields, columns.gx, q.goal.x) && take(fields, columns.gy, q.goal.y);
+    if (columns.optimum < fields.size()) good = take(fields, columns.optimum, q.optimum) && good;
+    if (!good)
       throw Error(ErrorCode::file_broken, {path, number}, "not a query", "give sx sy gx gy");
-    }
+    queries.push_back(q);
   }
   return queries;
 }

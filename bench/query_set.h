@@ -47,8 +47,8 @@ std::vector<QuerySource> generated_sources(const std::vector<int>& sides, std::u
 /// Maps of isolated blocked cells at the given sides, from 0.5 to 40% of them.
 std::vector<QuerySource> noise_sources(const std::vector<int>& sides, std::uint64_t seed);
 
-/// Loads one; generated maps get `count` queries between random cells that are joined, and a table
-/// gives at most `count`, spread evenly (0: all).
+/// Loads one; a table gives at most `count` queries, spread evenly (0: all), and a map without one
+/// gets `count` between random cells that are joined (0: 30).
 QuerySet load(const QuerySource& source, std::size_t count);
 
 }  // namespace lasius::bench

@@ -5,9 +5,11 @@
 #include <cstdio>
 #include <fstream>
 #include <functional>
-#include <iomanip>
+#include <iostream>
 #include <sstream>
+#include <string_view>
 
+#include "core/base/output.h"
 #include "lasius/version.h"
 
 namespace lasius::bench {
@@ -22,12 +24,6 @@ std::string cpu_name() {
 }
 
 using Value = std::function<double(const MapComparison&, std::size_t planner)>;
-
-void write_row(std::ostream& out, const std::string& name, const std::vector<double>& values) {
-  out << "| " << name << " |";
-  for (const double value : values) out << ' ' << short_number(value) << " |";
-  out << '\n';
-}
 
 // One line a map, then the geometric mean where it means something.
 void write_table(std::ostream& out, std::span<const MapComparison> maps,
@@ -44,11 +40,11 @@ void write_table(std::ostream& out, std::span<const MapComparison> maps,
       row.push_back(value(map, p));
       logs[p] += std::log(row.back());
     }
-    write_row(out, map.name, row);
+    out << table_line(map.name, row);
   }
   if (mean && maps.size() > 1) {
     for (double& v : logs) v = std::exp(v / static_cast<double>(maps.size()));
-    write_row(out, "**geometric mean**", logs);
+    out << table_line("**geometric mean**", logs);
   }
   out << '\n';
 }
@@ -89,6 +85,49 @@ std::string short_number(double value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
   return text;
+}
+
+std::string table_line(const std::vector<std::string>& cells) {
+  std::string line = "|";
+  for (const std::string& cell : cells) line += " " + cell + " |";
+  return line + "\n";
+}
+
+std::string table_line(const std::string& name, const std::vector<double>& figures) {
+  std::vector<std::string> cells{name};
+  for (const double figure : figures) cells.push_back(short_number(figure));
+  return table_line(cells);
+}
+
+void Output::write(const std::string& text) {
+  std::cout << text << std::flush;
+  text_ += text;
+  if (!file_.empty()) write_file(file_, [&](std::ostream& out) { out << text_; });
+}
+
+Table::Table(const std::string& heading, const std::vector<Column>& columns, std::string file)
+    : output_(std::move(file)) {
+  output_.write(machine_line() + ". " + heading + "\n\n");
+  begin(columns);
+}
+
+void Table::begin(const std::vector<Column>& columns) {
+  std::vector<std::string> names;
+  std::string rule = "|---|";
+  for (const Column& column : columns) {
+    if (!names.empty()) rule += column.align == Align::left ? "---|" : "--:|";
+    names.push_back(column.name);
+  }
+  output_.write(table_line(names) + rule + "\n");
+}
+
+void Table::add(const std::vector<Figure>& figures) {
+  for (const Figure& figure : figures) row({figure.what, figure.value, figure.aim});
+}
+
+void Table::next(const std::string& text, const std::vector<Column>& columns) {
+  output_.write("\n" + text + "\n\n");
+  begin(columns);
 }
 
 std::size_t count_faults(std::span<const MapComparison> maps) {
@@ -136,22 +175,6 @@ void write_markdown(std::ostream& out, std::span<const MapComparison> maps,
     table("Held by the preparation, megabytes, where it is counted", false,
           [](const Map& m, std::size_t p) { return 1e-6 * m.planners[p].prepared_bytes; });
   write_faults(out, maps, planners);
-}
-
-void write_tsv(std::ostream& out, std::span<const MapComparison> maps,
-               std::span<const peers::Peer> planners) {
-  out << "map\twidth\theight\tplanner\tquery\tmicroseconds\trounds\tlength\toptimum\tfault\n"
-      << std::setprecision(12);
-  for (const MapComparison& map : maps) {
-    for (std::size_t p = 0; p < planners.size(); ++p) {
-      for (std::size_t q = 0; q < map.optima.size(); ++q) {
-        const Measurement& m = map.planners[p].queries[q];
-        out << map.name << '\t' << map.width << '\t' << map.height << '\t' << planners[p].name
-            << '\t' << q << '\t' << m.microseconds << '\t' << m.rounds << '\t' << m.length << '\t'
-            << map.optima[q] << '\t' << m.fault << '\n';
-      }
-    }
-  }
 }
 
 }  // namespace lasius::bench

@@ -6,11 +6,10 @@
 #include "bench/clocks.h"
 #include "bench/commands.h"
 #include "bench/contenders.h"
-#include "bench/figure_table.h"
 #include "bench/peers/sampling.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
-#include "core/base/output.h"
+#include "core/base/number_text.h"
 
 namespace lasius::bench {
 namespace {
@@ -20,7 +19,7 @@ using peers::SamplingTrial;
 
 struct SamplingOptions {
   MapOptions maps;
-  std::string markdown, raw;
+  std::string markdown;
   std::size_t count = 3;
   int seeds = 3;
   double cap = 2;
@@ -54,44 +53,24 @@ std::vector<Row> over_all_maps(const std::vector<Row>& rows) {
   return all;
 }
 
-void write_rows(std::ostream& out, const std::vector<Row>& rows) {
+void write_rows(Table& table, const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     std::vector<double> first;
     for (const SamplingTrial& t : row.trials) first.push_back(1000 * t.first_seconds);
-    out << "| " << row.map << " | " << row.planner << " | " << short_number(median(first));
-    for (std::size_t g = 0; g < kGaps.size(); ++g) out << " | " << cell(row.trials, g);
-    out << " |\n";
+    std::vector<std::string> cells{row.map, row.planner, short_number(median(first))};
+    for (std::size_t g = 0; g < kGaps.size(); ++g) cells.push_back(cell(row.trials, g));
+    table.row(cells);
   }
 }
 
-void write(std::ostream& out, const std::vector<Row>& rows, const SamplingOptions& options) {
-  out << machine_line() << "; " << peers::ompl_version() << ". " << options.count
-      << " queries a map, " << options.seeds << " seeds, at most " << options.cap
-      << " s each; median milliseconds to within a gap of the optimum (trials that got there).\n\n";
-  out << "| map | planner | any path | 5% | 1% | 0.1% |\n|---|---|--:|--:|--:|--:|\n";
-  write_rows(out, rows);
-  write_rows(out, over_all_maps(rows));
-}
-
-void write_raw(std::ostream& out, const std::vector<Row>& rows) {
-  out << "map\tplanner\ttrial\tfirst_s\tto_5pct_s\tto_1pct_s\tto_0.1pct_s\tlength\n";
-  for (const Row& row : rows) {
-    for (std::size_t i = 0; i < row.trials.size(); ++i) {
-      const SamplingTrial& t = row.trials[i];
-      out << row.map << '\t' << row.planner << '\t' << i << '\t' << t.first_seconds << '\t'
-          << t.seconds[0] << '\t' << t.seconds[1] << '\t' << t.seconds[2] << '\t' << t.length
-          << '\n';
-    }
-  }
-}
-
-// Our exact search as a row of the same table: its only path is the optimum.
-SamplingTrial time_exact(peers::QueryPlanner& exact, const Query& query) {
+// Our exact search as a row of the same table: its only path is the optimum, which `length`
+// becomes.
+SamplingTrial time_exact(peers::QueryPlanner& exact, const Query& query, double& length) {
   std::vector<Point> path;
   const Stopwatch watch;
-  const double length = exact.plan(query.start, query.goal, path);
+  length = exact.plan(query.start, query.goal, path);
   const double seconds = watch.seconds();
-  return {seconds, {seconds, seconds, seconds}, length, path};
+  return {seconds, {seconds, seconds, seconds}};
 }
 
 void run_map(const QuerySet& set, const SamplingOptions& options, std::vector<Row>& rows) {
@@ -100,10 +79,8 @@ void run_map(const QuerySet& set, const SamplingOptions& options, std::vector<Ro
       std::ranges::find(all, std::string_view("exact"), &peers::Peer::name)->make(set.grid);
   Row ours{set.name, "lasius exact", {}};
   std::vector<double> optima;
-  for (const Query& query : set.queries) {
-    ours.trials.push_back(time_exact(*exact, query));
-    optima.push_back(ours.trials.back().length);
-  }
+  for (const Query& query : set.queries)
+    ours.trials.push_back(time_exact(*exact, query, optima.emplace_back()));
   rows.push_back(ours);
   for (std::size_t s = 0; s < peers::sampler_names().size(); ++s) {
     Row row{set.name, std::string(peers::sampler_names()[s]), {}};
@@ -120,15 +97,18 @@ void run_map(const QuerySet& set, const SamplingOptions& options, std::vector<Ro
 
 void run_sampling(const SamplingOptions& options) {
   std::vector<Row> rows;
-  for (const QuerySource& source : sources_of(options.maps, {options.markdown, options.raw})) {
+  for (const QuerySource& source : sources_of(options.maps, {options.markdown})) {
     std::cerr << source.name << std::endl;
     run_map(load(source, options.count), options, rows);
   }
-  std::ostringstream text;
-  write(text, rows, options);
-  Output(options.markdown).write(text.str());
-  if (!options.raw.empty())
-    write_file(options.raw, [&](std::ostream& out) { write_raw(out, rows); });
+  constexpr auto kText = Table::Align::left;
+  Table table(peers::ompl_version() + ". " + std::to_string(options.count) + " queries a map, " +
+                  std::to_string(options.seeds) + " seeds, at most " + number_text(options.cap) +
+                  " s each; median milliseconds to within a gap of the optimum (trials that got "
+                  "there).",
+              {"map", {"planner", kText}, "any path", "5%", "1%", "0.1%"}, options.markdown);
+  write_rows(table, rows);
+  write_rows(table, over_all_maps(rows));
 }
 
 }  // namespace
@@ -141,7 +121,6 @@ void add_sampling_command(CLI::App& app) {
   add_number(command, "--seeds", options.seeds, "Runs of each query");
   add_number(command, "--cap", options.cap, "Seconds a run");
   add_output(command, options.markdown);
-  command.add_option("--raw", options.raw, "Write every run here, as TSV");
 }
 
 }  // namespace lasius::bench

@@ -1,4 +1,4 @@
-// lasius_bench smoke: every mode once, on little input, in a few seconds.
+// lasius_bench smoke: every command once, on little input, in a few seconds.
 #include <iostream>
 
 #include "bench/commands.h"
@@ -8,8 +8,12 @@ namespace {
 
 constexpr const char* kLines[] = {
     "queries --generated 96 --queries 4 --rounds 1",
-    "anytime --sides 96 --queries 2",
+    "anytime --generated 96 --queries 2",
     "exact --noise 96 --queries 4 --rounds 1",
+    "edits --generated 96 --kinds blobs --queries 4 --rounds 1 --edits 20",
+    "edits --unprepared --generated 96 --kinds blobs --edits 20",
+    "drive --generated 96 --kinds blobs,maze --queries 1 --rounds 1",
+    "survive --worlds 2 --train 20 --budget 2e4",
     "colony --rounds 1 --side 1024 --plans 4",
     "overshoot --generated 96 --cuts 2 --limit 2",
     "quality --seeds 1 --blobs 1 --no-fan",
@@ -40,7 +44,7 @@ void run_smoke() {
 }  // namespace
 
 void add_smoke_command(CLI::App& app) {
-  app.add_subcommand("smoke", "Every mode once, in a few seconds")->callback(run_smoke);
+  app.add_subcommand("smoke", "Every command once, in a few seconds")->callback(run_smoke);
 }
 
 }  // namespace lasius::bench

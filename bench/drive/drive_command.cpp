@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <iostream>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/clocks.h"
@@ -11,24 +13,17 @@
 #include "bench/query_set.h"
 #include "bench/report.h"
 #include "bench/statistics.h"
+#include "core/base/number_text.h"
 #include "lasius/drive.h"
 #include "lasius/shortest_walk.h"
 
 namespace lasius::bench {
 namespace {
 
-struct CourseOptions : QueryOptions {
-  CourseOptions() : QueryOptions{.count = 5, .rounds = 3} {}
+struct DriveOptions : QueryOptions {
+  DriveOptions() : QueryOptions{.count = 5, .rounds = 3} {}
   double sense = 20;
   bool prepare = false;
-};
-
-/// One drive by one planner: every tick sees, then plans.
-struct Course {
-  double planning_ms = 0;  // seeing is not planning
-  double travelled = 0;
-  std::vector<double> ticks_ms;  // of ticks in which a way was planned
-  bool arrived = false;
 };
 
 /// A* from anew where the walk is blocked. It cannot be stopped; what has become free is not asked
@@ -68,48 +63,37 @@ class AStarPilot final : public peers::GridPilot {
 
 Grid unknown(const QuerySet& set) { return {set.grid.width(), set.grid.height()}; }
 
-Navigator navigator_of(const QuerySet& set, const Query& query, const CourseOptions& options) {
+Navigator navigator_of(const QuerySet& set, const Query& query, const DriveOptions& options) {
   NavigatorOptions how;
   if (options.prepare) how.prepare.emplace();
   return {unknown(set), query.goal, how};
 }
 
 DriveResult drive_with(Pilot& pilot, const QuerySet& set, const Query& query,
-                       const CourseOptions& options, const DriveObserver& observer = {}) {
+                       const DriveOptions& options, const DriveObserver& observer = {}) {
   return drive(pilot, set.grid, query.start, {}, {.sense = options.sense}, {}, observer);
 }
 
-Course course_of(Pilot& pilot, const QuerySet& set, const Query& query,
-                 const CourseOptions& options) {
-  const DriveResult driven = drive_with(pilot, set, query, options);
-  Course course{.planning_ms = driven.planning_ms,
-                .travelled = driven.length,
-                .ticks_ms = {},
-                .arrived = driven.status == Status::solved};
-  for (const Replan& replan : driven.replans) course.ticks_ms.push_back(replan.ms);
-  return course;
-}
-
-Course drive_navigator(const QuerySet& set, const Query& query, const CourseOptions& options) {
+DriveResult drive_navigator(const QuerySet& set, const Query& query, const DriveOptions& options) {
   Navigator navigator = navigator_of(set, query, options);
-  return course_of(navigator, set, query, options);
+  return drive_with(navigator, set, query, options);
 }
 
-Course drive_dstar(const QuerySet& set, const Query& query, const CourseOptions& options) {
+DriveResult drive_dstar(const QuerySet& set, const Query& query, const DriveOptions& options) {
   peers::DStarPilot pilot(unknown(set), query.start, query.goal);
-  return course_of(pilot, set, query, options);
+  return drive_with(pilot, set, query, options);
 }
 
-Course drive_astar(const QuerySet& set, const Query& query, const CourseOptions& options) {
+DriveResult drive_astar(const QuerySet& set, const Query& query, const DriveOptions& options) {
   AStarPilot pilot(unknown(set), query.goal);
-  Course course = course_of(pilot, set, query, options);
-  course.planning_ms = pilot.searching_ms();
-  return course;
+  DriveResult driven = drive_with(pilot, set, query, options);
+  driven.planning_ms = pilot.searching_ms();
+  return driven;
 }
 
 /// Lengths of the ways that were planned, to those of the shortest walks from the same cells on
 /// what was known: what D* Lite finds there.
-std::vector<double> ways(const QuerySet& set, const Query& query, const CourseOptions& options) {
+std::vector<double> ways(const QuerySet& set, const Query& query, const DriveOptions& options) {
   constexpr int kEvery = 8;  // a search from anew for each is long
   std::vector<double> ratios;
   int replans = 0;
@@ -135,78 +119,79 @@ struct MapFigures {
   std::vector<double> ticks, dstar_ticks, travelled, ways;
 };
 
-/// Each planner in turn, several times: the least total counts, since noise only adds.
+/// The same drive several times: the least planning time counts, since noise only adds.
 template <class Drive>
-Course best_of(int rounds, const Drive& drive) {
-  Course best = drive();
+DriveResult best_of(int rounds, const Drive& drive) {
+  DriveResult best = drive();
   for (int i = 1; i < rounds; ++i) {
-    const Course course = drive();
-    if (course.planning_ms < best.planning_ms) best = course;
+    DriveResult driven = drive();
+    if (driven.planning_ms < best.planning_ms) best = std::move(driven);
   }
   return best;
 }
 
-MapFigures measure(const QuerySet& set, const CourseOptions& options) {
+/// Of the ticks in which a way was planned.
+void add_ticks(const DriveResult& driven, std::vector<double>& ticks) {
+  for (const Replan& replan : driven.replans) ticks.push_back(replan.ms);
+}
+
+MapFigures measure(const QuerySet& set, const DriveOptions& options) {
   MapFigures figures;
   for (const Query& query : set.queries) {
-    const Course own =
-        best_of(options.rounds, [&] { return drive_navigator(set, query, options); });
-    const Course dstar = best_of(options.rounds, [&] { return drive_dstar(set, query, options); });
-    const Course astar = best_of(options.rounds, [&] { return drive_astar(set, query, options); });
-    if (!own.arrived || !dstar.arrived || !astar.arrived) {
-      std::cout << set.name << ": a drive did not arrive\n";
+    const auto best = [&](const auto& drive) {
+      DriveResult driven = best_of(options.rounds, [&] { return drive(set, query, options); });
+      if (driven.status == Status::solved) return driven;
+      std::cerr << set.name << ": a drive from " << pair_text(query.start.x, query.start.y)
+                << " to " << pair_text(query.goal.x, query.goal.y) << " did not arrive\n";
       throw CLI::RuntimeError(1);
-    }
+    };
+    const DriveResult own = best(drive_navigator), dstar = best(drive_dstar),
+                      astar = best(drive_astar);
     figures.lasius_ms += own.planning_ms;
     figures.dstar_ms += dstar.planning_ms;
     figures.astar_ms += astar.planning_ms;
-    figures.ticks.insert(figures.ticks.end(), own.ticks_ms.begin(), own.ticks_ms.end());
-    figures.dstar_ticks.insert(figures.dstar_ticks.end(), dstar.ticks_ms.begin(),
-                               dstar.ticks_ms.end());
-    figures.travelled.push_back(own.travelled / dstar.travelled);
+    add_ticks(own, figures.ticks);
+    add_ticks(dstar, figures.dstar_ticks);
+    figures.travelled.push_back(own.length / dstar.length);
     const auto more = ways(set, query, options);
     figures.ways.insert(figures.ways.end(), more.begin(), more.end());
   }
   return figures;
 }
 
-void run_drive(const CourseOptions& options) {
-  std::cout
-      << machine_line() << ". Unknown maps, a sensor of " << options.sense << " cells, at most "
-      << options.count << " queries a map; the least of " << options.rounds
-      << " drives. Planning time of all drives: `exact` in a Navigator, as a share of D* "
-         "Lite's and of A*'s from anew; milliseconds of a tick that plans; travelled, to D* "
-         "Lite's (mean over queries); the ways planned, to the shortest walks there (mean)."
-         "\n\n| map | ms | / D* Lite | / A* | p50 | p99 | max | D* Lite p99 | max | travelled "
-         "| ways |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
-      << std::endl;
+void run_drive(const DriveOptions& options) {
+  Table table("Unknown maps, a sensor of " + number_text(options.sense) + " cells, at most " +
+                  std::to_string(options.count) + " queries a map; the least of " +
+                  std::to_string(options.rounds) +
+                  " drives. Planning time of all drives: `exact` in a Navigator, as a share of D* "
+                  "Lite's and of A*'s from anew; milliseconds of a tick that plans; travelled, to "
+                  "D* Lite's (mean over queries); the ways planned, to the shortest walks there "
+                  "(mean).",
+              {"map", "ms", "/ D* Lite", "/ A*", "p50", "p99", "max", "D* Lite p99", "max",
+               "travelled", "ways"});
   int sooner = 0, maps = 0;
   std::vector<double> travelled, ways;
   for (const QuerySource& source : sources_of(options.maps)) {
     const QuerySet set = load(source, options.count);
     const MapFigures f = measure(set, options);
-    std::cout << "| " << set.name << " | " << short_number(f.lasius_ms) << " | "
-              << short_number(f.lasius_ms / f.dstar_ms) << " | "
-              << short_number(f.lasius_ms / f.astar_ms) << " | " << short_number(median(f.ticks))
-              << " | " << short_number(quantile(f.ticks, 0.99)) << " | "
-              << short_number(largest(f.ticks)) << " | "
-              << short_number(quantile(f.dstar_ticks, 0.99)) << " | "
-              << short_number(largest(f.dstar_ticks)) << " | " << short_number(mean(f.travelled))
-              << " | " << short_number(mean(f.ways)) << " |" << std::endl;
+    table.row(set.name,
+              {f.lasius_ms, f.lasius_ms / f.dstar_ms, f.lasius_ms / f.astar_ms, median(f.ticks),
+               quantile(f.ticks, 0.99), largest(f.ticks), quantile(f.dstar_ticks, 0.99),
+               largest(f.dstar_ticks), mean(f.travelled), mean(f.ways)});
     ++maps;
     sooner += f.lasius_ms < f.dstar_ms ? 1 : 0;
     travelled.push_back(mean(f.travelled));
     ways.push_back(mean(f.ways));
   }
-  std::cout << "\nLess planning time than D* Lite on " << sooner << " of " << maps
-            << " maps; travelled " << short_number(mean(travelled)) << ", ways "
-            << short_number(mean(ways)) << " in the mean over maps.\n";
+  table.close("Less planning time than D* Lite on " + std::to_string(sooner) + " of " +
+              std::to_string(maps) + " maps; travelled " + short_number(mean(travelled)) +
+              ", ways " + short_number(mean(ways)) + " in the mean over maps.");
 }
 
 }  // namespace
 
 void add_drive_command(CLI::App& app) {
-  auto [command, options] = add_command<CourseOptions>(
+  auto [command, options] = add_command<DriveOptions>(
       app, "drive", "replanning under way against D* Lite and A*", run_drive);
   add_query_options(command, options);
   add_number(command, "--sense", options.sense, "cells that the robot sees", 1);

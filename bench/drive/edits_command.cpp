@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iostream>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "bench/clocks.h"
@@ -41,35 +42,36 @@ Rectangle edit(Grid& grid, const EditsOptions& options, std::mt19937_64& random)
 }
 
 // Microseconds of processor time a query, mean; medians over the rounds, but for one to warm up.
-double mean_time(const QuerySet& set, const exact::CornerGraph& graph, int rounds,
-                 std::vector<double>& lengths) {
+double prepared_time(const QuerySet& set, const exact::CornerGraph& graph, int rounds,
+                     std::vector<double>& lengths) {
   exact::PreparedSearch search;
   ExactAnswer answer;
   double sum = 0;
   lengths.clear();
   for (const Query& query : set.queries) {
     if (set.grid.blocked(query.start) || set.grid.blocked(query.goal)) continue;
-    std::vector<double> times;
-    for (int round = 0; round <= rounds; ++round) {
-      const ThreadStopwatch watch;
+    const auto plan = [&] {
       search.search(set.grid, graph, query.start, query.goal, {}, {}, answer);
-      if (round > 0) times.push_back(1e6 * watch.seconds());
-    }
-    sum += median(times);
+    };
+    plan();  // to warm up
+    sum += median_microseconds(rounds, plan);
     lengths.push_back(answer.length);
   }
   return sum / static_cast<double>(lengths.size());
 }
 
-void write_row(QuerySet set, const EditsOptions& options) {
+void measure_prepared(QuerySet set, const EditsOptions& options, Table& table) {
   Preparation report;
   const PrepareOptions prepare{.max_bytes = std::int64_t{4} << 30};
   const Stopwatch watch;
   const auto graph = exact::CornerGraph::make(set.grid, prepare, report);
   const double prepared = watch.seconds();
-  if (graph == nullptr) return;
+  const auto left_out = [&] {
+    std::cerr << set.name << ": left out, " << to_string(report.state) << '\n';
+  };
+  if (graph == nullptr) return left_out();
   std::vector<double> lengths, fresh_lengths, times;
-  const double before = mean_time(set, *graph, options.rounds, lengths);
+  const double before = prepared_time(set, *graph, options.rounds, lengths);
   std::mt19937_64 random(options.maps.seed);
   for (int i = 0; i < options.edits; ++i) {
     const Rectangle part = edit(set.grid, options, random);
@@ -78,8 +80,9 @@ void write_row(QuerySet set, const EditsOptions& options) {
     times.push_back(spent.microseconds());
   }
   const auto fresh = exact::CornerGraph::make(set.grid, prepare, report);
-  const double anew = mean_time(set, *fresh, options.rounds, fresh_lengths);
-  const double after = mean_time(set, *graph, options.rounds, lengths);
+  if (fresh == nullptr) return left_out();
+  const double anew = prepared_time(set, *fresh, options.rounds, fresh_lengths);
+  const double after = prepared_time(set, *graph, options.rounds, lengths);
   int differ = 0, landmarks = 0;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     differ += std::abs(lengths[i] - fresh_lengths[i]) > 1e-9 * fresh_lengths[i];
@@ -87,15 +90,17 @@ void write_row(QuerySet set, const EditsOptions& options) {
   for (std::size_t i = 0; i < graph->landmarks().cells().size(); ++i) {
     landmarks += graph->landmarks().bounds(i);
   }
-  std::cout << "| " << set.name << " | " << short_number(prepared) << " | "
-            << short_number(median(times)) << " | " << short_number(quantile(times, 0.99)) << " | "
-            << short_number(largest(times)) << " | " << short_number(before) << " | "
-            << short_number(anew) << " | " << short_number(after) << " | " << landmarks << " | "
-            << differ + (graph->edge_count() != fresh->edge_count()) << " |" << std::endl;
+  std::vector<std::string> cells{set.name};
+  for (const double figure :
+       {prepared, median(times), quantile(times, 0.99), largest(times), before, anew, after})
+    cells.push_back(short_number(figure));
+  cells.push_back(std::to_string(landmarks));
+  cells.push_back(std::to_string(differ + (graph->edge_count() != fresh->edge_count())));
+  table.row(cells);
 }
 
 /// Of a Navigator's map, not prepared, until it is known again what is joined to what.
-void write_unprepared_row(const QuerySet& set, const EditsOptions& options) {
+void measure_unprepared(const QuerySet& set, const EditsOptions& options, Table& table) {
   const Query& query = set.queries.front();
   Navigator navigator(set.grid, query.goal);
   Grid grid = set.grid;
@@ -116,36 +121,30 @@ void write_unprepared_row(const QuerySet& set, const EditsOptions& options) {
     (void)navigator.connected(query.start, query.goal);
     times.push_back(1e6 * watch.seconds());
   }
-  std::cout << "| " << set.name << " | " << short_number(median(times)) << " | "
-            << short_number(quantile(times, 0.99)) << " | " << short_number(largest(times)) << " | "
-            << short_number(static_cast<double>(navigator.bytes() - before) / options.edits) << " |"
-            << std::endl;
-}
-
-void run_unprepared(const EditsOptions& options) {
-  std::cout << machine_line() << ". " << options.edits << " edits of up to " << options.cells
-            << " cells in a square of " << options.side << ", blocked or freed; "
-            << options.maps.seed
-            << " is the seed. Microseconds of processor time until it is known what is joined to "
-               "what; bytes held more after each edit, mean.\n\n"
-            << "| map | edit, us, median | 99% | most | bytes |\n|---|--:|--:|--:|--:|\n";
-  for (const QuerySource& source : sources_of(options.maps)) {
-    write_unprepared_row(load(source, 1), options);
-  }
+  table.row(set.name, {median(times), quantile(times, 0.99), largest(times),
+                       static_cast<double>(navigator.bytes() - before) / options.edits});
 }
 
 void run_edits(const EditsOptions& options) {
-  if (options.unprepared) return run_unprepared(options);
-  std::cout << machine_line() << ". " << options.edits << " edits of up to " << options.cells
-            << " cells in a square of " << options.side << ", blocked or freed; "
-            << options.maps.seed << " is the seed; " << options.count
-            << " queries, median of rounds: " << options.rounds << ".\n\n"
-            << "| map | prepared, s | edit, us, median | 99% | most | query, us, before | on a "
-               "fresh graph | on the edited one | landmarks left | differences |\n"
-            << "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
-  for (const QuerySource& source : sources_of(options.maps)) {
-    write_row(load(source, options.count), options);
+  const std::string what = std::to_string(options.edits) + " edits of up to " +
+                           std::to_string(options.cells) + " cells in a square of " +
+                           std::to_string(options.side) + ", blocked or freed; " +
+                           std::to_string(options.maps.seed) + " is the seed";
+  if (options.unprepared) {
+    Table table(what +
+                    ". Microseconds of processor time until it is known what is joined to what; "
+                    "bytes held more after each edit, mean.",
+                {"map", "edit, us, median", "99%", "most", "bytes"});
+    for (const QuerySource& source : sources_of(options.maps))
+      measure_unprepared(load(source, 1), options, table);
+    return;
   }
+  Table table(what + "; " + std::to_string(options.count) +
+                  " queries, median of rounds: " + std::to_string(options.rounds) + ".",
+              {"map", "prepared, s", "edit, us, median", "99%", "most", "query, us, before",
+               "on a fresh graph", "on the edited one", "landmarks left", "differences"});
+  for (const QuerySource& source : sources_of(options.maps))
+    measure_prepared(load(source, options.count), options, table);
 }
 
 }  // namespace

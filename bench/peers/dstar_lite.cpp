@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "bench/peers/move_grid.h"
 #include "bench/peers/octile_costs.h"
 
 namespace lasius::peers {
@@ -20,34 +19,27 @@ constexpr std::uint32_t plus(std::uint32_t a, std::uint32_t b) noexcept {
 
 DStarLite::DStarLite(Grid map, Cell robot, Cell goal)
     : map_(std::move(map)),
-      robot_(index(robot)),
-      goal_(index(goal)),
-      moves_(static_cast<std::size_t>(map_.width()) * map_.height()),
+      moves_(map_),
+      robot_(moves_.index(robot)),
+      goal_(moves_.index(goal)),
       nodes_(moves_.size(), Node{kFar, kFar, 0}),
       heap_(1) {
-  for (Index i = 0; i < moves_.size(); ++i) moves_[i] = legal_moves(cell(i));
   nodes_[goal_].rhs = 0;
   update(goal_);
 }
 
-std::uint8_t DStarLite::legal_moves(Cell c) const noexcept {
-  if (map_.blocked(c)) return 0;
-  unsigned moves = 0;
-  for (int k = 0; k < 8; ++k) {
-    const Cell to{c.x + kMoveX[k], c.y + kMoveY[k]};
-    const bool open = map_.free(to) && map_.free({to.x, c.y}) && map_.free({c.x, to.y});
-    moves |= static_cast<unsigned>(open) << k;
+template <class Visit>
+void DStarLite::each_move(Index from, const Visit& visit) const {
+  for (unsigned k = 0; k < 8; ++k) {
+    if ((moves_.moves(from) >> k & 1) == 0) continue;
+    visit(static_cast<Index>(static_cast<std::int32_t>(from) + moves_.offsets()[k]),
+          k < 4 ? kCosts.straight : kCosts.diagonal);
   }
-  return static_cast<std::uint8_t>(moves);
-}
-
-DStarLite::Cost DStarLite::cost(int move) const noexcept {
-  return move < 4 ? kCosts.straight : kCosts.diagonal;
 }
 
 DStarLite::Cost DStarLite::heuristic(Index i) const noexcept {
-  const Cell c = cell(i);
-  return kCosts.distance(c.x, c.y, cell(robot_));
+  const Cell c = moves_.cell(i);
+  return kCosts.distance(c.x, c.y, moves_.cell(robot_));
 }
 
 DStarLite::Key DStarLite::key(Index i) const noexcept {
@@ -58,11 +50,7 @@ DStarLite::Key DStarLite::key(Index i) const noexcept {
 DStarLite::Cost DStarLite::best_rhs(Index i) const noexcept {
   if (i == goal_) return 0;
   Cost best = kFar;
-  for (int k = 0; k < 8; ++k) {
-    if ((moves_[i] >> k & 1) == 0) continue;
-    const auto to = static_cast<Index>(static_cast<int>(i) + kMoveY[k] * map_.width() + kMoveX[k]);
-    best = std::min(best, plus(cost(k), nodes_[to].g));
-  }
+  each_move(i, [&](Index to, Cost cost) { best = std::min(best, plus(cost, nodes_[to].g)); });
   return best;
 }
 
@@ -85,17 +73,15 @@ void DStarLite::expand(Index u) {
   } else {
     update(u);
   }
-  for (int k = 0; k < 8; ++k) {
-    if ((moves_[u] >> k & 1) == 0) continue;  // moves are legal both ways
-    const auto s = static_cast<Index>(static_cast<int>(u) + kMoveY[k] * map_.width() + kMoveX[k]);
-    if (s == goal_) continue;
+  each_move(u, [&](Index s, Cost cost) {  // moves are legal both ways
+    if (s == goal_) return;
     if (lowered) {
-      nodes_[s].rhs = std::min(nodes_[s].rhs, plus(cost(k), node.g));
-    } else if (nodes_[s].rhs == plus(cost(k), before)) {
+      nodes_[s].rhs = std::min(nodes_[s].rhs, plus(cost, node.g));
+    } else if (nodes_[s].rhs == plus(cost, before)) {
       nodes_[s].rhs = best_rhs(s);
     }
     update(s);
-  }
+  });
 }
 
 // ComputeShortestPath of the paper.
@@ -114,8 +100,8 @@ void DStarLite::search() {
 
 double DStarLite::plan(Cell robot) {
   // Keys in the heap are of where the robot was; k_m keeps them below those of where it is.
-  km_ += kCosts.distance(robot.x, robot.y, cell(robot_));
-  robot_ = index(robot);
+  km_ += kCosts.distance(robot.x, robot.y, moves_.cell(robot_));
+  robot_ = moves_.index(robot);
   search();
   const Cost length = nodes_[robot_].rhs;
   return length == kFar ? std::numeric_limits<double>::infinity()
@@ -123,19 +109,16 @@ double DStarLite::plan(Cell robot) {
 }
 
 Cell DStarLite::next() const {
+  if (robot_ == goal_) return moves_.cell(robot_);
   Cost best = kFar;
   Index to = robot_;
-  for (int k = 0; k < 8 && robot_ != goal_; ++k) {
-    if ((moves_[robot_] >> k & 1) == 0) continue;
-    const auto s =
-        static_cast<Index>(static_cast<int>(robot_) + kMoveY[k] * map_.width() + kMoveX[k]);
-    const Cost length = plus(cost(k), nodes_[s].g);
-    if (length < best) {
-      best = length;
-      to = s;
-    }
-  }
-  return cell(to);
+  each_move(robot_, [&](Index s, Cost cost) {
+    const Cost length = plus(cost, nodes_[s].g);
+    if (length >= best) return;
+    best = length;
+    to = s;
+  });
+  return moves_.cell(to);
 }
 
 void DStarLite::observe(std::span<const Cell> cells, bool blocked) {
@@ -149,9 +132,9 @@ void DStarLite::observe(std::span<const Cell> cells, bool blocked) {
       }
     }
   };
-  around_each([&](Cell c) { moves_[index(c)] = legal_moves(c); });
+  around_each([&](Cell c) { moves_.renew(map_, c); });
   around_each([&](Cell c) {
-    const Index i = index(c);
+    const Index i = moves_.index(c);
     nodes_[i].rhs = best_rhs(i);
     update(i);
   });

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/peers/move_grid.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 
@@ -35,14 +36,11 @@ class DStarLite {
     std::uint32_t place;  // in the heap, from 1; 0: not there
   };
 
-  Index index(Cell c) const noexcept { return static_cast<Index>(c.y * map_.width() + c.x); }
-  Cell cell(Index i) const noexcept {
-    return {static_cast<int>(i) % map_.width(), static_cast<int>(i) / map_.width()};
-  }
   Cost heuristic(Index i) const noexcept;
   Key key(Index i) const noexcept;
-  std::uint8_t legal_moves(Cell c) const noexcept;
-  Cost cost(int move) const noexcept;
+  /// Calls `visit` with each cell that a move leads to, and its cost.
+  template <class Visit>
+  void each_move(Index from, const Visit& visit) const;
   Cost best_rhs(Index i) const noexcept;
   void update(Index i);
   void expand(Index i);
@@ -56,9 +54,9 @@ class DStarLite {
   void set_key(Index i, const Key& key);
 
   Grid map_;
+  MoveGrid moves_;
   Index robot_, goal_;
   std::int64_t km_ = 0;
-  std::vector<std::uint8_t> moves_;
   std::vector<Node> nodes_;
   std::vector<std::pair<Key, Index>> heap_;  // from 1
 };

@@ -152,7 +152,6 @@ JointTrial run_rrt_connect(const arm::Robot& robot, const arm::Sensor& sensor,
   trial.motions = counter.motions;
   if (!trial.solved) return trial;
   og::PathGeometric path(*problem->getSolutionPath()->as<og::PathGeometric>());
-  trial.first_travel = path.length();
   og::PathSimplifier(information, problem->getGoal())
       .simplify(path, std::max(0.0, seconds_in_all - trial.seconds), true);
   trial.shortened_travel = path.length();

@@ -19,6 +19,9 @@ class MoveGrid {
  public:
   explicit MoveGrid(const Grid& grid);
 
+  /// Looks up the moves of one cell of the grid again.
+  void renew(const Grid& grid, Cell c) noexcept;
+
   std::uint32_t index(Cell c) const noexcept {
     return static_cast<std::uint32_t>(c.y) * stride_ + static_cast<std::uint32_t>(c.x);
   }

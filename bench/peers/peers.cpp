@@ -7,14 +7,14 @@ namespace lasius::peers {
 namespace {
 
 constexpr Peer kPeers[] = {
-    {"astar-bucket", "A*, 8 neighbours, bucket queue", Optimality::octile, make<BucketAStar>},
-    {"astar-heap", "A*, 8 neighbours, binary heap", Optimality::octile, heap_astar},
-    {"theta", "Theta*", Optimality::none, theta_star},
-    {"lazy-theta", "Lazy Theta*", Optimality::none, lazy_theta_star},
+    {"astar-bucket", Optimality::octile, make<BucketAStar>},
+    {"astar-heap", Optimality::octile, heap_astar},
+    {"theta", Optimality::none, theta_star},
+    {"lazy-theta", Optimality::none, lazy_theta_star},
 #ifdef LASIUS_HAVE_BOOST_GRAPH
-    {"astar-boost", "A*, 8 neighbours, Boost.Graph", Optimality::octile, boost_astar},
+    {"astar-boost", Optimality::octile, boost_astar},
 #endif
-    {"anya", "ANYA", Optimality::any_angle, make<Anya>},
+    {"anya", Optimality::any_angle, make<Anya>},
 };
 
 }  // namespace

@@ -23,7 +23,6 @@ std::unique_ptr<QueryPlanner> make(const Grid& grid) {
 
 struct Peer {
   std::string_view name;
-  std::string_view summary;
   Optimality optimality;
   std::unique_ptr<QueryPlanner> (*make)(const Grid&);
 };

@@ -35,7 +35,7 @@ Point point_of(const ob::State* state) {
   return {values[0], values[1]};
 }
 
-// One query set up for OMPL, with the clock and the best path so far.
+// One query set up for OMPL, with the clock.
 class Trial {
  public:
   Trial(const Grid& grid, Cell start, Cell goal, double optimum, double cap)
@@ -68,13 +68,13 @@ class Trial {
                                                      const std::vector<const ob::State*>&,
                                                      const ob::Cost cost) { note(cost.value()); });
     trial_.seconds.fill(kNever);
-    trial_.first_seconds = trial_.length = kNever;
+    trial_.first_seconds = kNever;
   }
 
   SamplingTrial optimise(const ob::PlannerPtr& planner) {
     begin(planner);
     planner->solve(until_done());
-    if (problem_->hasExactSolution()) take(*problem_->getSolutionPath()->as<og::PathGeometric>());
+    if (problem_->hasExactSolution()) note(problem_->getSolutionPath()->length());
     return trial_;
   }
 
@@ -87,7 +87,7 @@ class Trial {
       if (planner->solve(until_done()) != ob::PlannerStatus::EXACT_SOLUTION) break;
       og::PathGeometric path(*problem_->getSolutionPath()->as<og::PathGeometric>());
       og::PathSimplifier(information_, problem_->getGoal()).simplifyMax(path);
-      take(path);
+      note(path.length());
     }
     return trial_;
   }
@@ -114,14 +114,6 @@ class Trial {
     for (std::size_t i = 0; i < kGaps.size(); ++i) {
       if (length <= optimum_ * (1 + kGaps[i])) trial_.seconds[i] = std::min(trial_.seconds[i], now);
     }
-  }
-  void take(og::PathGeometric& path) {
-    const double length = path.length();
-    note(length);
-    if (length >= trial_.length) return;
-    trial_.length = length;
-    trial_.path.clear();
-    for (const ob::State* state : path.getStates()) trial_.path.push_back(point_of(state));
   }
 
   double optimum_, cap_;

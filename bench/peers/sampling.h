@@ -6,7 +6,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "lasius/grid.h"
 
@@ -24,13 +23,11 @@ inline constexpr std::array<double, 3> kGaps = {0.05, 0.01, 0.001};
 struct SamplingTrial {
   double first_seconds = 0;         ///< to any path; infinite without one
   std::array<double, 3> seconds{};  ///< to each of kGaps; infinite where not reached
-  double length = 0;                ///< of the best path; infinite without one
-  std::vector<Point> path;          ///< the best one
 };
 
 /// One run until the length is within 0.1% of `optimum` or `cap_seconds` have passed. The planners
 /// have OMPL's default parameters. RRTConnect starts again after each path has been simplified
-/// (PathSimplifier::simplifyMax), and the best one counts.
+/// (PathSimplifier::simplifyMax).
 SamplingTrial run_sampler(Sampler sampler, const Grid& grid, Cell start, Cell goal, double optimum,
                           double cap_seconds, std::uint32_t seed);
 

@@ -1,7 +1,6 @@
 #include "bench/peers/textbook_ants.h"
 
 #include <cmath>
-#include <limits>
 
 namespace lasius::peers {
 
@@ -16,8 +15,7 @@ TextbookAnts::TextbookAnts(const Grid& grid, Cell start, Cell goal, const Option
       heuristic_(height_, std::vector<double>(width_)),
       tabu_(height_, std::vector<char>(width_, 0)),
       tours_(options.ants),
-      random_(options.seed),
-      best_length_(std::numeric_limits<double>::infinity()) {
+      random_(options.seed) {
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
       blocked_[y][x] = grid.blocked({x, y});
@@ -63,10 +61,7 @@ void TextbookAnts::walk(Tour& tour) {
 }
 
 void TextbookAnts::iterate() {
-  for (Tour& tour : tours_) {
-    walk(tour);
-    if (tour.arrived) best_length_ = std::min(best_length_, tour.length);
-  }
+  for (Tour& tour : tours_) walk(tour);
   for (auto& row : pheromone_) {
     for (double& tau : row) tau *= 1 - options_.evaporation;
   }

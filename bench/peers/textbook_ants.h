@@ -29,7 +29,6 @@ class TextbookAnts {
   void iterate();
 
   std::int64_t steps() const noexcept { return steps_; }  ///< moves made since construction
-  double best_length() const noexcept { return best_length_; }
 
  private:
   struct Tour {
@@ -49,7 +48,6 @@ class TextbookAnts {
   std::vector<Tour> tours_;
   std::mt19937 random_;
   std::int64_t steps_ = 0;
-  double best_length_;
 };
 
 }  // namespace lasius::peers

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <utility>
 
 #include "tools/arm/arm_outline.h"
@@ -38,11 +37,12 @@ struct Frame {
   const Aspect& view;
   Axes axes;
 
-  Frame(const Aspect& seen, const Box& box, const SpaceBounds& bounds)
+  Frame(const Aspect& seen, const Box& box, const Eigen::AlignedBox3d& bounds)
       : view(seen), axes{.box = box, .x = {}, .y = {}} {
+    const double room = 0.53 * std::max(bounds.sizes().maxCoeff(), 0.01);
     const auto around = [&](int axis) {
-      const double middle = 0.5 * (bounds.low[axis] + bounds.high[axis]);
-      return Range{middle - 0.53 * bounds.widest(), middle + 0.53 * bounds.widest()};
+      const double middle = bounds.center()[axis];
+      return Range{middle - room, middle + room};
     };
     axes.x = around(view.across);
     axes.y = around(view.up);
@@ -104,8 +104,8 @@ std::vector<Vector3d> tip_path(const ArmAnswer& answer) {
   return path;
 }
 
-void draw_view(Canvas& canvas, const Box& box, const Aspect& view, const SpaceBounds& bounds,
-               const ArmAnswer& answer) {
+void draw_view(Canvas& canvas, const Box& box, const Aspect& view,
+               const Eigen::AlignedBox3d& bounds, const ArmAnswer& answer) {
   const Frame frame(view, box, bounds);
   static constexpr const char* kNames[] = {"x, m", "y, m", "z, m"};
   draw_axes(canvas, frame.axes, kNames[view.across], kNames[view.up], true);
@@ -155,17 +155,17 @@ std::vector<Key> keys_of(const ArmAnswer& answer) {
   return keys;
 }
 
-study::LineChart joint_chart(const ArmAnswer& answer) {
+LineChart joint_chart(const ArmAnswer& answer) {
   constexpr int kSamples = 300;
-  study::LineChart chart{.title = "joints",
-                         .x_label = "time, s",
-                         .y_label = "value, rad or m",
-                         .curves = {},
-                         .lengths = false};
+  LineChart chart{.title = "joints",
+                  .x_label = "time, s",
+                  .y_label = "value, rad or m",
+                  .curves = {},
+                  .lengths = false};
   const arm::Trajectory& trajectory = answer.plan.trajectory;
   const auto names = joint_names(answer.robot);
   for (int j = 0; j < answer.robot.size(); ++j) {
-    study::Curve curve{.label = names[j], .colour = study::palette(static_cast<std::size_t>(j))};
+    Curve curve{.label = names[j], .colour = palette(static_cast<std::size_t>(j))};
     for (int i = 0; i <= kSamples; ++i) {
       const double t = trajectory.duration() * i / kSamples;
       curve.x.push_back(t);
@@ -177,9 +177,9 @@ study::LineChart joint_chart(const ArmAnswer& answer) {
 }
 
 /// So far, by iteration: a step from the start of each to its end. Precondition: there is one.
-study::LineChart question_chart(const std::vector<arm::Questions>& asked) {
-  study::Curve positions{.label = "positions", .colour = study::palette(1)};
-  study::Curve motions{.label = "motions", .colour = study::palette(0)};
+LineChart question_chart(const std::vector<arm::Questions>& asked) {
+  Curve positions{.label = "positions", .colour = palette(1)};
+  Curve motions{.label = "motions", .colour = palette(0)};
   const auto add = [&](double x, const arm::Questions& count) {
     positions.x.push_back(x);
     motions.x.push_back(x);
@@ -199,34 +199,28 @@ study::LineChart question_chart(const std::vector<arm::Questions>& asked) {
 /// What came of it, below or beside the title.
 std::string figures_text(const ArmAnswer& answer) {
   if (answer.plan.tips.cols() == 0) return std::string(to_string(answer.plan.status));
-  std::array<char, 200> figures;
-  std::snprintf(
-      figures.data(), figures.size(),
+  return printed(
       "%s %.3g %s, %lld positions and %lld motions asked, takes %.2f s",
       answer.plan.direct ? "straight in joint space," : "lattice path", answer.plan.length,
       unit_of(answer.parameters.objective), static_cast<long long>(answer.plan.questions.positions),
       static_cast<long long>(answer.plan.questions.motions), answer.plan.trajectory.duration());
-  return figures.data();
 }
 
 }  // namespace
 
-SpaceBounds bounds_of(const ArmAnswer& answer) {
-  SpaceBounds bounds;
+Eigen::AlignedBox3d bounds_of(const ArmAnswer& answer) {
+  Eigen::AlignedBox3d bounds;
   for (const auto& q : poses(answer))
     for (const arm::Link& link : arm::place_links(answer.robot, q))
       for (const arm::Solid& solid : link.solids)
-        for (const Vector3d& p : outline(solid)) bounds.add(p);
-  for (const Eigen::Vector3d p : answer.plan.tips.colwise()) bounds.add(p);
-  for (const arm::Goal& goal : answer.goals) bounds.add(tip_of(answer.robot, goal));
+        for (const Vector3d& p : outline(solid)) bounds.extend(p);
+  for (const Eigen::Vector3d p : answer.plan.tips.colwise()) bounds.extend(p);
+  for (const arm::Goal& goal : answer.goals) bounds.extend(tip_of(answer.robot, goal));
   // Obstacles far from the arm may be cut off.
-  const SpaceBounds arm = bounds;
-  const double room = arm.widest();
+  const Vector3d room = Vector3d::Constant(0.3 * std::max(bounds.sizes().maxCoeff(), 0.01));
+  const Eigen::AlignedBox3d near(bounds.min() - room, bounds.max() + room);
   for (const auto& o : answer.scene.obstacles)
-    for (const Vector3d& p : outline(o)) {
-      const Vector3d low = arm.low.array() - 0.3 * room, high = arm.high.array() + 0.3 * room;
-      bounds.add(p.cwiseMax(low).cwiseMin(high));
-    }
+    for (const Vector3d& p : outline(o)) bounds.extend(p.cwiseMax(near.min()).cwiseMin(near.max()));
   return bounds;
 }
 
@@ -239,27 +233,24 @@ void write_arm_picture(const std::string& file, const ArmCommand& command,
                        const ArmAnswer& answer) {
   const arm::Result& plan = answer.plan;
   const bool moves = !plan.trajectory.empty() && plan.trajectory.duration() > 0;
-  const SpaceBounds bounds = bounds_of(answer);
+  const Eigen::AlignedBox3d bounds = bounds_of(answer);
   std::vector<Panel> views, charts;
   for (const Aspect& view : kViews)
     views.push_back({view.name, [&](Canvas& canvas, const Box& box) {
                        draw_view(canvas, box, view, bounds, answer);
                      }});
   const auto add = [&](const auto& draw_chart) { charts.push_back({"", draw_chart, true}); };
-  if (moves)
-    add([&](Canvas& canvas, const Box& box) { study::draw(canvas, box, joint_chart(answer)); });
+  if (moves) add([&](Canvas& canvas, const Box& box) { draw(canvas, box, joint_chart(answer)); });
   if (!plan.best.empty())
     add([&](Canvas& canvas, const Box& box) {
-      study::Course course{.best = {{"best lattice path so far", plan.best}},
-                           .tours = {{"mean tour of the ants", plan.mean}},
-                           .unit = unit_of(answer.parameters.objective)};
-      if (plan.lower_bound) course.levels = {{"lower bound", *plan.lower_bound}};
-      study::draw_course(canvas, box, course);
+      Convergence convergence{.best = {{"best lattice path so far", plan.best}},
+                              .tours = {{"mean tour of the ants", plan.mean}},
+                              .unit = unit_of(answer.parameters.objective)};
+      if (plan.lower_bound) convergence.levels = {{"lower bound", *plan.lower_bound}};
+      draw_convergence(canvas, box, convergence);
     });
   if (!plan.asked.empty())
-    add([&](Canvas& canvas, const Box& box) {
-      study::draw(canvas, box, question_chart(plan.asked));
-    });
+    add([&](Canvas& canvas, const Box& box) { draw(canvas, box, question_chart(plan.asked)); });
   Page page{.title = arm_title(command, answer) + ": " + figures_text(answer),
             .legend = keys_of(answer),
             .cells = false,

@@ -1,24 +1,16 @@
 // Pictures of an arm's motion.
 #pragma once
 
-#include <algorithm>
+#include <Eigen/Geometry>
 #include <string>
 
 #include "tools/arm/arm_answer.h"
 
 namespace lasius::tool {
 
-/// The part of space that all views show: boxes around what was added.
-struct SpaceBounds {
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e9), high = Eigen::Vector3d::Constant(-1e9);
-  void add(const Eigen::Vector3d& p) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  double widest() const { return std::max((high - low).maxCoeff(), 0.01); }
-};
-/// All of the arm in poses of its motion, its way and goals, and obstacles that are near.
-SpaceBounds bounds_of(const ArmAnswer& answer);
+/// The part of space that all views show: all of the arm in poses of its motion, its way and goals,
+/// and obstacles that are near.
+Eigen::AlignedBox3d bounds_of(const ArmAnswer& answer);
 
 /// What ran on what.
 std::string arm_title(const ArmCommand& command, const ArmAnswer& answer);

@@ -137,9 +137,9 @@ void write_arm_report(std::ostream& out, const Task& task, const ArmCommand& com
   Json content = run_json(task, "arm", arm_title(command, answer));
   content["solids"] = solids_json(answer);
   content["motion"] = motion_json(answer);
-  const SpaceBounds bounds = bounds_of(answer);
-  content["low"] = vector_json(bounds.low);
-  content["high"] = vector_json(bounds.high);
+  const Eigen::AlignedBox3d bounds = bounds_of(answer);
+  content["low"] = vector_json(bounds.min());
+  content["high"] = vector_json(bounds.max());
   content["lattice"] = Json::array();
   if (!answer.plan.direct)
     for (const Vector3d p : answer.plan.tips.colwise())

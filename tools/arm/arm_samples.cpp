@@ -12,14 +12,6 @@
 namespace lasius::tool {
 namespace {
 
-/// A field of CSV: in quotes where it needs them.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
-  return quoted + "\"";
-}
-
 /// A number that every YAML reader takes for a real one: with a point, also before an exponent.
 std::string yaml_real(double value) {
   std::string text = to_text(value);
@@ -69,7 +61,7 @@ void write_csv(std::ostream& out, const arm::Robot& robot, const arm::Trajectory
                double rate) {
   out << "t";
   for (const char* what : {"", "_velocity", "_acceleration"})
-    for (const std::string& name : joint_names(robot)) out << "," << field(name + what);
+    for (const std::string& name : joint_names(robot)) out << "," << csv_field(name + what);
   out << ",x,y,z\n";
   if (trajectory.empty()) return;
   for (const double t : sample_times(trajectory, rate)) {

@@ -59,11 +59,11 @@ TrailScale trail_scale(const Raster<float>& raster, bool index) {
 
 std::string path_caption(const Sheet& sheet, const Answer& answer) {
   const Result& result = answer.result;
-  if (result.path.empty()) return study::no_path_text(result.status);
+  if (result.path.empty()) return no_path_text(result.status);
   std::string text = "path, length " + sheet.length(result.length);
   if (result.optimal) return text + ", proven shortest";
   const auto compare = [&](double length, const char* name, const std::optional<double>& optimum) {
-    if (optimum) text += study::against(length, *optimum, name, sheet.length(*optimum));
+    if (optimum) text += against(length, *optimum, name, sheet.length(*optimum));
   };
   compare(result.length, "any-angle optimum", answer.optimum);
   if (const auto gap = grid_gap(answer, sheet.run.params)) {
@@ -137,7 +137,7 @@ void draw_run(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& 
   const bool cut = sheet.run.params.walk_cut != WalkCut::none;
   const auto& shortest = cut ? result.cut_best : result.raw_best;
   static const std::vector<double> kNone;
-  study::Course course{
+  Convergence convergence{
       .best = {{"best path so far", result.best}},
       .tours = {{colony ? "mean tour of the ants, as walked" : "mean of the population",
                  result.mean},
@@ -147,12 +147,12 @@ void draw_run(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& 
       .scale = sheet.map.length_in(sheet.run.frame, 1)};
   const auto level = [&](const char* name, const std::optional<double>& cells, Colour colour) {
     if (cells)
-      course.levels.push_back(
-          {name + std::string(" ") + sheet.length(*cells), course.scale * *cells, colour});
+      convergence.levels.push_back(
+          {name + std::string(" ") + sheet.length(*cells), convergence.scale * *cells, colour});
   };
   level("any-angle optimum", answer.optimum, kInk);
   level("optimum of its own moves", answer.grid_optimum, {0.55, 0.25, 0.6});
-  study::draw_course(canvas, box, course);
+  draw_convergence(canvas, box, convergence);
 }
 
 }  // namespace

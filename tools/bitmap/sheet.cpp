@@ -44,7 +44,7 @@ Axes Sheet::axes(const Box& box) const {
 
 std::string Sheet::length(double cells, int decimals) const {
   // A line does not end between number and unit.
-  return study::fixed(map.length_in(run.frame, cells), decimals) + "\u00a0" + unit();
+  return fixed(map.length_in(run.frame, cells), decimals) + "\u00a0" + unit();
 }
 
 void Sheet::frame(Canvas& canvas, const Box& box) const {
@@ -68,7 +68,7 @@ std::string Sheet::note() const {
     return std::to_string(side.from) + " to " + std::to_string(side.to - 1);
   };
   return "cropped to columns " + span(window.columns) + ", rows " + span(window.rows) +
-         ": the rest, " + study::fixed(100 * left, 0) + "% of the map, has no free cell" +
+         ": the rest, " + fixed(100 * left, 0) + "% of the map, has no free cell" +
          (map.frame && !map.unknown_is_free ? " (unknown or blocked)" : "");
 }
 

@@ -12,11 +12,12 @@ namespace {
 /// What the program is to know of an arm.
 void add_robot_options(CLI::App& app, ArmText& text) {
   const AddOption option = option_adder(app);
-  option("--base", text.base, "Link that a URDF's chain begins with (default the root)", "LINK");
-  option("--tip", text.tip, "Link that it ends with (default the only leaf)", "LINK");
-  option("--srdf", text.srdf, "SRDF of the robot: pairs of links not to check, named states",
+  option("--base", text.taken.base_link, "Link that a URDF's chain begins with (default the root)",
+         "LINK");
+  option("--tip", text.taken.tip_link, "Link that it ends with (default the only leaf)", "LINK");
+  option("--srdf", text.taken.srdf, "SRDF of the robot: pairs of links not to check, named states",
          "FILE");
-  option("--joint-limits", text.joint_limits,
+  option("--joint-limits", text.taken.joint_limits,
          "MoveIt's joint_limits.yaml: velocities and accelerations", "FILE");
   add_repeatable(app, "--allow-contact", text.contacts,
                  "Do not check this pair of links (repeatable)", "LINK,LINK");
@@ -26,9 +27,9 @@ void add_robot_options(CLI::App& app, ArmText& text) {
                  "NAME=VALUE");
   add_repeatable(app, "--package", text.packages,
                  "Folder of a package, for package://NAME/... (repeatable)", "NAME=DIR");
-  add_switch(app, "--use-visual", text.visual,
+  add_switch(app, "--use-visual", text.taken.visual,
              "Links without collision geometry have the body that is seen of them");
-  add_switch(app, "--bodiless", text.bodiless,
+  add_switch(app, "--bodiless", text.taken.bodiless,
              "Plan for the tip alone: no link has a body, nothing is checked");
 }
 
@@ -72,8 +73,8 @@ Subcommand add_arm(CLI::App& app) {
   auto raw = std::make_shared<Raw>();
   auto* arm = app.add_subcommand("arm", "Plan an arm's motion among obstacles that it learns");
   const AddOption option = option_adder(*arm);
-  option("ROBOT", raw->robot, "Robot: URDF, or JSON as in maps/arms", "FILE")->required();
-  option("--scene", raw->scene, "Obstacles: JSON as in maps/arms", "FILE")->required();
+  option("ROBOT", raw->taken.robot, "Robot: URDF, or JSON as in maps/arms", "FILE")->required();
+  option("--scene", raw->taken.scene, "Obstacles: JSON as in maps/arms", "FILE")->required();
   option("--start", raw->start, "Joint values, radians or metres, or the name of a state (--srdf)",
          "Q1,Q2,...|NAME")
       ->required();

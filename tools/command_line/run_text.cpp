@@ -107,13 +107,8 @@ ArmGoal arm_goal(const std::string& option, const std::string& text) {
   return {ArmGoal::Kind::position, reals_value(option, text, 3, 3), {}};
 }
 
-/// What is to be known of the robot, beside its file.
+/// What is to be known of the robot, beside files and links.
 void read_robot_options(const ArmText& text, ArmCommand& arm) {
-  arm.robot = text.robot;
-  arm.base_link = text.base;
-  arm.tip_link = text.tip;
-  arm.srdf = text.srdf;
-  arm.joint_limits = text.joint_limits;
   const auto once = [](const char* option, const std::string& name, bool first) {
     if (!first) throw UsageError(std::string(option) + " " + name + " is given twice");
   };
@@ -128,8 +123,6 @@ void read_robot_options(const ArmText& text, ArmCommand& arm) {
     const double number = real_value("--set-joint " + name, value, -kNoLimit, kNoLimit);
     once("--set-joint", name, arm.joint_values.emplace(name, number).second);
   }
-  arm.visual = text.visual;
-  arm.bodiless = text.bodiless;
 }
 
 }  // namespace
@@ -240,7 +233,7 @@ DriveCommand make_drive(const DriveText& text) {
 }
 
 ArmCommand make_arm(const ArmText& text) {
-  ArmCommand arm;
+  ArmCommand arm = text.taken;
   read_search(text, arm, kArmEndings);
   if (arm.ranged)
     throw UsageError("--seed " + text.seed +
@@ -248,7 +241,6 @@ ArmCommand make_arm(const ArmText& text) {
   arm.algorithm = algorithm_of(World::Kind::arm, text.algorithm);
   if (text.plain) arm.named.insert(arm.named.end(), {{"shortcut", "off"}, {"shortcuts", "0"}});
   read_robot_options(text, arm);
-  arm.scene = text.scene;
   if (is_numeric(text.start))
     arm.start = reals_value("--start", text.start, 1, 16);
   else

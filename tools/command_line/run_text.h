@@ -64,13 +64,12 @@ DriveCommand make_drive(const DriveText& text);
 /// Options of arm.
 struct ArmText : SearchText {
   ArmText();
-  std::string robot, base, tip, srdf, joint_limits, scene, start, clearance, rate, recheck,
-      duration;
-  std::string position_tolerance, angle_tolerance;
+  ArmCommand taken;  ///< what is taken as it stands: files, links, switches
+  std::string start, clearance, rate, recheck, duration, position_tolerance, angle_tolerance;
   std::vector<std::string> packages, contacts, joint_values;
   /// Option and value of each goal, as they follow each other.
   std::vector<std::pair<std::string, std::string>> goals;
-  bool plain = false, visual = false, bodiless = false;
+  bool plain = false;
 };
 
 /// @throws UsageError. Values of parameters are looked at when the command runs.

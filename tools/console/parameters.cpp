@@ -16,10 +16,6 @@ std::string list_of(const Algorithm& algorithm) {
 
 }  // namespace
 
-const Algorithm& named_algorithm(std::span<const Algorithm> all, std::string_view name) {
-  return *std::ranges::find(all, name, &Algorithm::name);
-}
-
 bool moves_on_cells(const Params& params) {
   return find_algorithm(params.algorithm()).kind != Algorithm::Kind::exact;
 }

@@ -24,9 +24,6 @@ std::vector<std::string_view> names_of(std::span<const Named> things) {
   return names;
 }
 
-/// One of a world's algorithms, by its name. Precondition: it is one.
-const Algorithm& named_algorithm(std::span<const Algorithm> all, std::string_view name);
-
 /// True where the algorithm moves from cell to cell.
 bool moves_on_cells(const Params& params);
 
@@ -94,7 +91,8 @@ void note_unread(const SearchOptions& options, const Params& params, const Algor
 template <class Params>
 Params make_params(const SearchOptions& options, World::Kind kind, std::span<const Algorithm> all,
                    std::vector<std::string>& notes) {
-  const Algorithm& algorithm = named_algorithm(all, algorithm_of(kind, options.algorithm));
+  const Algorithm& algorithm =
+      *std::ranges::find(all, algorithm_of(kind, options.algorithm), &Algorithm::name);
   auto params = params_of<Params>(algorithm.name, options.preset);
   for (const auto& [name, value] : options.preset_settings) set_parameter(params, name, value);
   for (const auto& [name, value] : options.named) {

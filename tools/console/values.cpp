@@ -13,12 +13,6 @@
 namespace lasius::tool {
 namespace {
 
-template <class Number>
-std::optional<Number> parse_all(std::string_view text) {
-  Number value{};
-  return read_all(text, value) ? std::optional(value) : std::nullopt;
-}
-
 UsageError bad_value(std::string_view option, std::string_view text, const std::string& wanted) {
   return UsageError(std::string(option) + ": \"" + std::string(text) + "\" is not " + wanted);
 }
@@ -26,11 +20,11 @@ UsageError bad_value(std::string_view option, std::string_view text, const std::
 }  // namespace
 
 std::optional<std::int64_t> parse_integer(std::string_view text) {
-  return parse_all<std::int64_t>(text);
+  return number_of<std::int64_t>(text);
 }
 
 std::optional<double> parse_real(std::string_view text) {
-  const auto value = parse_all<double>(text);
+  const auto value = number_of<double>(text);
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
@@ -110,8 +104,8 @@ Point pair_value(std::string_view option, std::string_view text, bool whole) {
 Cell size_value(std::string_view option, std::string_view text) {
   const auto cross = text.find('x');
   if (cross != std::string_view::npos) {
-    const auto width = parse_all<int>(text.substr(0, cross));
-    const auto height = parse_all<int>(text.substr(cross + 1));
+    const auto width = number_of<int>(text.substr(0, cross));
+    const auto height = number_of<int>(text.substr(cross + 1));
     if (width && height) return {*width, *height};
   }
   throw bad_value(option, text, "a size WxH, as in 400x200");
@@ -121,7 +115,7 @@ std::vector<int> list_value(std::string_view option, std::string_view text) {
   const auto parts = split(text, ',');
   std::vector<int> values;
   for (const auto part : parts)
-    if (const auto value = parse_all<int>(part); value && *value >= 1) values.push_back(*value);
+    if (const auto value = number_of<int>(part); value && *value >= 1) values.push_back(*value);
   constexpr std::size_t kMost = 20;
   if (values.size() < parts.size() || values.size() > kMost)
     throw bad_value(option, text, "a list of 1 to 20 whole numbers from 1, as in 10,50");
@@ -183,6 +177,12 @@ std::string with_escapes(std::string_view text, std::span<const Escape> escapes)
       out += known->second;
   }
   return out;
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  constexpr Escape kQuote[] = {{'"', "\"\""}};
+  return '"' + with_escapes(text, kQuote) + '"';
 }
 
 std::string file_name(const std::string& path) {

@@ -1,14 +1,12 @@
 // Values on the command line and in files, read strictly: all of the text, or an error.
 #pragma once
 
-#include <charconv>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -21,14 +19,6 @@ inline constexpr std::int64_t kMaxExactInteger = (std::int64_t{1} << 53) - 1;
 
 /// An upper bound for numbers that have none.
 inline constexpr double kNoLimit = std::numeric_limits<double>::max();
-
-/// Reads all of `text` as a number; false where it is none.
-template <class Number>
-bool read_all(std::string_view text, Number& number) {
-  const char* const end = text.data() + text.size();
-  const auto [stop, fault] = std::from_chars(text.data(), end, number);
-  return fault == std::errc{} && stop == end;
-}
 
 /// All of `text` as a number, or nothing. Reals are finite.
 std::optional<std::int64_t> parse_integer(std::string_view text);
@@ -86,6 +76,9 @@ std::string row_text(std::string_view name, const std::string& value);
 /// A character and what stands in its place.
 using Escape = std::pair<char, std::string_view>;
 std::string with_escapes(std::string_view text, std::span<const Escape> escapes);
+
+/// A field of CSV: in quotes where it needs them.
+std::string csv_field(const std::string& text);
 
 /// The last part of a file's path.
 std::string file_name(const std::string& path);

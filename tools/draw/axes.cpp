@@ -1,11 +1,10 @@
 #include "tools/draw/axes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 
+#include "tools/console/values.h"
 #include "tools/draw/colours.h"
 #include "tools/draw/text.h"
 
@@ -27,7 +26,7 @@ std::vector<double> log_ticks(const Range& range) {
 /// A mark's number with the decimals that marks `step` apart need.
 std::string tick_label(double value, double step) {
   if (std::abs(value) >= 1e9) return short_number(value);
-  return study::fixed(value, step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+  return fixed(value, step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
 }
 
 double step_of(const std::vector<double>& marks) {
@@ -64,9 +63,7 @@ std::vector<double> axis_marks(const Range& range, bool logarithmic, int count) 
 }
 
 std::string short_number(double value) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.4g", std::abs(value) < 1e-300 ? 0.0 : value);
-  return text.data();
+  return printed("%.4g", std::abs(value) < 1e-300 ? 0.0 : value);
 }
 
 double share_of(const Range& range, bool logarithmic, double value) {

@@ -11,6 +11,7 @@
 
 #include "core/base/output.h"
 #include "core/io/json_values.h"
+#include "tools/console/values.h"
 
 namespace lasius::tool {
 namespace {
@@ -213,19 +214,13 @@ void Canvas::text(Point at, const std::string& text, double size, Align align, C
 }
 
 std::string Canvas::description() const {
+  static constexpr Escape kXml[] = {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}};
   std::string text = "<desc>\n";
   for (const std::string& words : words_) {
-    for (const char c : utf8(words)) {
-      if (c == '&')
-        text += "&amp;";
-      else if (c == '<')
-        text += "&lt;";
-      else if (c == '>')
-        text += "&gt;";
-      else
-        text += static_cast<unsigned char>(c) < 0x20 ? '?' : c;  // XML has none of them
-    }
-    text += '\n';
+    std::string line = utf8(words);
+    const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
+    std::ranges::replace_if(line, is_control, '?');  // XML has none of them
+    text += with_escapes(line, kXml) + '\n';
   }
   return text + "</desc>\n";
 }

@@ -106,8 +106,7 @@ Key goal_key(const std::string& label) {
 
 Key scale_key(const std::string& label, const ColourScale& scale) {
   constexpr double kBar = 110, kDigit = 9;
-  const std::string low = study::fixed(scale.range.low, 0),
-                    high = study::fixed(scale.range.high, 0);
+  const std::string low = fixed(scale.range.low, 0), high = fixed(scale.range.high, 0);
   const double bar = kDigit * static_cast<double>(low.size()) + 5, after = bar + kBar + 5;
   const auto symbol = [=](Canvas& canvas, Point p) {
     canvas.text({p.x, p.y + 5}, low, kLabelSize, Align::left, kInk);

@@ -8,18 +8,8 @@
 #include "tools/draw/colours.h"
 #include "tools/draw/legend.h"
 
-namespace lasius::study {
+namespace lasius::tool {
 namespace {
-
-using tool::Align;
-using tool::Axes;
-using tool::Box;
-using tool::Canvas;
-using tool::Colour;
-using tool::draw_curve;
-using tool::kInk;
-using tool::kLabelSize;
-using tool::Range;
 
 constexpr const char* kIteration = "iteration";  // a whole number
 
@@ -77,13 +67,12 @@ void draw_curve(Canvas& canvas, const Axes& axes, const Curve& curve) {
   }
 }
 
-std::vector<tool::Key> keys_of(const LineChart& chart) {
-  std::vector<tool::Key> keys;
+std::vector<Key> keys_of(const LineChart& chart) {
+  std::vector<Key> keys;
   for (const Curve& curve : chart.curves)
-    keys.push_back(tool::line_key(curve.label, curve.colour, curve.dots ? 4 : 2.5));
+    keys.push_back(line_key(curve.label, curve.colour, curve.dots ? 4 : 2.5));
   if (chart.level_keys)
-    for (const auto& level : chart.levels)
-      keys.push_back(tool::dashed_key(level.label, level.colour));
+    for (const auto& level : chart.levels) keys.push_back(dashed_key(level.label, level.colour));
   return keys;
 }
 
@@ -102,13 +91,13 @@ Colour palette(std::size_t index) {
 }
 
 void draw(Canvas& canvas, const Box& box, const LineChart& chart) {
-  constexpr double kTitle = 32, kBelow = tool::kAxisBottom + 10;
+  constexpr double kTitle = 32, kBelow = kAxisBottom + 10;
   const double top = box.y + (chart.title.empty() ? 8 : kTitle);
-  const double width = box.width - tool::kAxisLeft - 10;
+  const double width = box.width - kAxisLeft - 10;
   const auto keys = keys_of(chart);
   Canvas measure;
-  const double bottom = box.y + box.height - tool::draw_legend(measure, {}, width, keys) - kBelow;
-  Axes axes{.box = {box.x + tool::kAxisLeft, top, width, std::max(20.0, bottom - top)},
+  const double bottom = box.y + box.height - draw_legend(measure, {}, width, keys) - kBelow;
+  Axes axes{.box = {box.x + kAxisLeft, top, width, std::max(20.0, bottom - top)},
             .x = span_of_x(chart),
             .y = {},
             .whole_x = chart.x_label == kIteration};
@@ -122,31 +111,31 @@ void draw(Canvas& canvas, const Box& box, const LineChart& chart) {
                     level.colour, 1.5);
   for (auto curve = chart.curves.rbegin(); curve != chart.curves.rend(); ++curve)
     draw_curve(canvas, axes, *curve);
-  tool::draw_legend(canvas, {axes.box.x, bottom + kBelow}, width, keys);
+  draw_legend(canvas, {axes.box.x, bottom + kBelow}, width, keys);
 }
 
-void draw_course(Canvas& canvas, const Box& box, const Course& course) {
+void draw_convergence(Canvas& canvas, const Box& box, const Convergence& convergence) {
   static constexpr std::array<Colour, 3> kBest{
       {{0.8, 0.15, 0.15}, {0.9, 0.62, 0.0}, {0.55, 0.3, 0.1}}};
   static constexpr std::array<Colour, 3> kTours{
       {{0.25, 0.45, 0.7}, {0.0, 0.62, 0.45}, {0.8, 0.47, 0.65}}};
-  const auto chart_of = [&](const std::vector<Course::Series>& all, const auto& colours) {
+  const auto chart_of = [&](const std::vector<Convergence::Series>& all, const auto& colours) {
     LineChart chart{.title = "",
                     .x_label = kIteration,
-                    .y_label = "length, " + course.unit,
-                    .levels = course.levels,
+                    .y_label = "length, " + convergence.unit,
+                    .levels = convergence.levels,
                     .lengths = false,
                     .logarithmic = true,
-                    .level_keys = &all == &course.best};
+                    .level_keys = &all == &convergence.best};
     for (const auto& [label, values] : all) {
       if (values.empty()) continue;
       Curve curve{.label = label,
                   .colour = colours[chart.curves.size() % colours.size()],
                   .stairs = false,
-                  .width = &all == &course.best ? 2.5 : 1.5};
+                  .width = &all == &convergence.best ? 2.5 : 1.5};
       for (const double value : values) {
         curve.x.push_back(static_cast<double>(curve.x.size() + 1));
-        curve.y.push_back(course.scale * value);
+        curve.y.push_back(convergence.scale * value);
       }
       chart.curves.push_back(std::move(curve));
     }
@@ -155,9 +144,9 @@ void draw_course(Canvas& canvas, const Box& box, const Course& course) {
   const bool beside = box.width > 2 * box.height;
   Box part{box.x, box.y, beside ? std::floor(box.width / 2) : box.width,
            beside ? box.height : std::floor(box.height / 2)};
-  draw(canvas, part, chart_of(course.best, kBest));
+  draw(canvas, part, chart_of(convergence.best, kBest));
   (beside ? part.x : part.y) += beside ? part.width : part.height;
-  draw(canvas, part, chart_of(course.tours, kTours));
+  draw(canvas, part, chart_of(convergence.tours, kTours));
 }
 
-}  // namespace lasius::study
+}  // namespace lasius::tool

@@ -6,11 +6,11 @@
 
 #include "tools/draw/canvas.h"
 
-namespace lasius::study {
+namespace lasius::tool {
 
 struct Curve {
   std::string label;
-  tool::Colour colour;
+  Colour colour;
   std::vector<double> x = {};
   std::vector<double> y = {};    ///< NaN or infinite where there is none
   std::vector<double> low = {};  ///< of a band around it; empty: none
@@ -24,7 +24,7 @@ struct Curve {
 struct Level {
   std::string label;
   double value;
-  tool::Colour colour{0.15, 0.17, 0.2};
+  Colour colour{0.15, 0.17, 0.2};
 };
 
 struct LineChart {
@@ -38,15 +38,15 @@ struct LineChart {
 
 /// Draws over the whole box: title, axes, curves, and the legend below. With `lengths` the vertical
 /// axis leaves out what lies far above the last values of the curves.
-void draw(tool::Canvas& canvas, const tool::Box& box, const LineChart& chart);
+void draw(Canvas& canvas, const Box& box, const LineChart& chart);
 
 /// The colour of curve or path number `index`, told apart by people who see colours differently
 /// (Okabe and Ito 2008).
-tool::Colour palette(std::size_t index);
+Colour palette(std::size_t index);
 
-/// The course of a search, in two charts above or beside each other: the best so far, and an
+/// How a search converged, in two charts above or beside each other: the best so far, and an
 /// iteration's tours, each with the dashed levels.
-struct Course {
+struct Convergence {
   struct Series {
     std::string label;
     const std::vector<double>& values;  ///< by iteration; NaN where there is none
@@ -56,6 +56,6 @@ struct Course {
   std::string unit = "cells";
   double scale = 1;  ///< of all values: units by what they are given in
 };
-void draw_course(tool::Canvas& canvas, const tool::Box& box, const Course& course);
+void draw_convergence(Canvas& canvas, const Box& box, const Convergence& convergence);
 
-}  // namespace lasius::study
+}  // namespace lasius::tool

@@ -7,18 +7,17 @@
 #include "tools/draw/line_chart.h"
 #include "tools/draw/page.h"
 
-namespace lasius::study {
+namespace lasius::tool {
 
 /// Walls, start and goal of a map over the whole box, and axes around it, which are returned: what
 /// is drawn by them comes above.
-tool::Axes draw_map(tool::Canvas& canvas, const tool::Box& box, const Grid& grid, Cell start,
-                    Cell goal);
+Axes draw_map(Canvas& canvas, const Box& box, const Grid& grid, Cell start, Cell goal);
 /// What stands for these.
-std::vector<tool::Key> map_keys();
+std::vector<Key> map_keys();
 
 /// Writes FILE.svg and FILE.png.
-void save(const tool::Page& page, const std::filesystem::path& file);
+void save(const Page& page, const std::filesystem::path& file);
 /// The same, of charts side by side.
 void save(const std::vector<LineChart>& charts, const std::filesystem::path& file);
 
-}  // namespace lasius::study
+}  // namespace lasius::tool

@@ -1,19 +1,16 @@
 #include "tools/draw/text.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <string_view>
 
-namespace lasius::study {
+#include "tools/console/values.h"
+
+namespace lasius::tool {
 
 std::string fixed(double value, int decimals) {
   if (!std::isfinite(value)) return "-";
-  std::array<char, 64> text;
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  const std::string_view shown = text.data();
-  const bool zero = shown.find_first_not_of("-0.") == std::string_view::npos;
-  return std::string(zero && shown.front() == '-' ? shown.substr(1) : shown);
+  const std::string text = printed("%.*f", decimals, value);
+  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+  return zero && text.front() == '-' ? text.substr(1) : text;
 }
 
 std::string p_text(double p) { return p < 0.001 ? "< 0.001" : fixed(p, 3); }
@@ -51,4 +48,4 @@ std::string no_path_text(Status status) {
   return "no path found in all iterations";
 }
 
-}  // namespace lasius::study
+}  // namespace lasius::tool

@@ -5,7 +5,7 @@
 
 #include "lasius/status.h"
 
-namespace lasius::study {
+namespace lasius::tool {
 
 /// With this many decimals, 0 without a sign; "-" where it is not finite.
 std::string fixed(double value, int decimals);
@@ -24,4 +24,4 @@ std::string against(double length, double optimum, const std::string& name,
 /// Why there is no path.
 std::string no_path_text(Status status);
 
-}  // namespace lasius::study
+}  // namespace lasius::tool

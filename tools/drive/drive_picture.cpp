@@ -94,9 +94,9 @@ std::string caption(const Sheet& sheet, const DriveAnswer& answer) {
                      counted(result.ticks, "tick") + ", " + counted(result.waits, "wait") +
                      " among them, length " + sheet.length(result.length);
   if (answer.ratio())
-    text += study::against(result.length, *answer.optimum,
-                           "optimum of the robot's moves through the world at the start",
-                           sheet.length(*answer.optimum));
+    text += against(result.length, *answer.optimum,
+                    "optimum of the robot's moves through the world at the start",
+                    sheet.length(*answer.optimum));
   return text + "; " + counted(static_cast<std::int64_t>(result.replans.size()), "plan") + ", " +
          counted(result.seen, "cell") + " learned, sight " + sheet.length(answer.sense);
 }

@@ -63,11 +63,11 @@ void draw_graph(Canvas& canvas, const Axes& axes, const LoadedWorld& world,
 
 std::string path_caption(const PolygonAnswer& answer) {
   const auto& result = answer.result;
-  if (result.path.empty()) return study::no_path_text(result.status);
-  std::string text = "path, length " + study::fixed(result.length, 3);
+  if (result.path.empty()) return no_path_text(result.status);
+  std::string text = "path, length " + fixed(result.length, 3);
   if (result.optimal) return text + ", proven shortest";
   const auto compare = [&](const char* name, double optimum) {
-    text += study::against(result.length, optimum, name, study::fixed(optimum, 3));
+    text += against(result.length, optimum, name, fixed(optimum, 3));
   };
   if (answer.result.optimum) compare("optimum", *answer.result.optimum);
   if (result.discrete_optimum)
@@ -110,8 +110,7 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
                            },
                            8});
     page.legend.push_back(line_key("Dijkstra's path over midpoints", kDijkstra, 2.5));
-    add("MAKLINK lines, midpoints, Dijkstra's path, length " +
-            study::fixed(result.dijkstra->length, 3),
+    add("MAKLINK lines, midpoints, Dijkstra's path, length " + fixed(result.dijkstra->length, 3),
         world.planner.maklink().free_space,
         [&](Canvas& canvas, const Axes& axes) { draw_graph(canvas, axes, world, answer); });
   }
@@ -124,20 +123,20 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
          [&](Canvas& canvas, const Box& box) {
            const bool genetic = polygon::find_algorithm(answer.parameters.algorithm()).kind ==
                                 Algorithm::Kind::genetic;
-           study::Course course{
+           Convergence convergence{
                .best = {{"best path so far", result.best}},
                .tours = {{genetic ? "mean of the population" : "mean tour of the ants",
                           result.mean}},
                .unit = "the world's units"};
            if (answer.result.optimum)
-             course.levels.push_back(
-                 {"optimum " + study::fixed(*answer.result.optimum, 3), *answer.result.optimum});
+             convergence.levels.push_back(
+                 {"optimum " + fixed(*answer.result.optimum, 3), *answer.result.optimum});
            if (result.discrete_optimum)
-             course.levels.push_back({"optimum of its own crossings " +
-                                          study::fixed(result.discrete_optimum->length, 3),
-                                      result.discrete_optimum->length,
-                                      {0.55, 0.25, 0.6}});
-           study::draw_course(canvas, box, course);
+             convergence.levels.push_back(
+                 {"optimum of its own crossings " + fixed(result.discrete_optimum->length, 3),
+                  result.discrete_optimum->length,
+                  {0.55, 0.25, 0.6}});
+           draw_convergence(canvas, box, convergence);
          },
          true});
   page.bands.push_back({{std::move(panels)}});

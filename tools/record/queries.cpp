@@ -5,9 +5,9 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 
+#include "core/base/text_lines.h"
 #include "core/base/waiting.h"
 #include "lasius/error.h"
 #include "tools/console/values.h"
@@ -16,19 +16,10 @@ namespace lasius::tool {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\v\f";
-
-std::vector<std::string_view> split_blanks(std::string_view line) {
-  std::vector<std::string_view> fields;
-  for (auto from = line.find_first_not_of(kBlanks); from != std::string_view::npos;) {
-    const auto to = std::min(line.find_first_of(kBlanks, from), line.size());
-    fields.push_back(line.substr(from, to - from));
-    from = line.find_first_not_of(kBlanks, to);
-  }
-  return fields;
-}
+constexpr const char* kRemedyMissing = "name a .scen or .tsv file of queries";
 
 std::string_view trimmed(std::string_view text) {
-  const auto fields = split_blanks(text);
+  const auto fields = words_of(text, kBlanks);
   if (fields.empty()) return {};
   return {fields.front().data(),
           static_cast<std::size_t>(fields.back().data() + fields.back().size() -
@@ -109,18 +100,18 @@ QueryFile::Line make_line(const std::array<double, 4>& values) {
 
 /// By the first line.
 bool is_scenario(const Lines& lines) {
-  const auto first = split_blanks(lines.text());
+  const auto first = words_of(lines.text(), kBlanks);
   constexpr std::size_t kLeastColumns = 4;  // of a table, one of which may be its version
   return first.front() == "version" && first.size() < kLeastColumns;
 }
 
 QueryFile read_scenario(Lines& lines, int width, int height) {
-  const auto version = split_blanks(lines.text());
+  const auto version = words_of(lines.text(), kBlanks);
   if (version.size() != 2 || (version[1] != "1" && version[1] != "1.0"))
     lines.fail("the first line is not 'version 1'", "only scenarios of version 1 are read");
   QueryFile file{.queries = {}, .scenario = true};
   while (lines.next()) {
-    const auto fields = split_blanks(lines.text());
+    const auto fields = words_of(lines.text(), kBlanks);
     if (fields.size() != 9)
       lines.fail(std::to_string(fields.size()) + " fields instead of 9",
                  "write: bucket map width height sx sy gx gy optimal");
@@ -143,7 +134,7 @@ QueryFile read_scenario(Lines& lines, int width, int height) {
 QueryFile read_rows(Lines& lines, bool whole) {
   const bool tabs = lines.text().find('\t') != std::string_view::npos;
   const std::string header_text(lines.text());
-  const auto header = tabs ? split_tabs(header_text) : split_blanks(header_text);
+  const auto header = tabs ? split_tabs(header_text) : words_of(header_text, kBlanks);
   std::array<std::size_t, 4> column;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto found = std::find(header.begin(), header.end(), kColumnNames[i]);
@@ -156,7 +147,7 @@ QueryFile read_rows(Lines& lines, bool whole) {
   }
   QueryFile file;
   while (lines.next()) {
-    const auto fields = tabs ? split_tabs(lines.text()) : split_blanks(lines.text());
+    const auto fields = tabs ? split_tabs(lines.text()) : words_of(lines.text(), kBlanks);
     if (fields.size() != header.size())
       lines.fail(std::to_string(fields.size()) + " fields, but the header has " +
                      std::to_string(header.size()),
@@ -180,9 +171,7 @@ QueryFile read_queries(std::istream& in, const std::string& file, int width, int
   return read_rows(lines, whole);
 }
 
-namespace {
-
-std::ifstream opened(const std::string& file) {
+std::ifstream opened(const std::string& file, const std::string& remedy) {
   std::ifstream in;
   std::error_code ignored;
   errno = 0;
@@ -190,21 +179,19 @@ std::ifstream opened(const std::string& file) {
   if (!in.is_open())
     throw Error(ErrorCode::file_missing, {.file = file},
                 std::string("cannot be opened: ") + std::strerror(errno != 0 ? errno : EISDIR),
-                "name a .scen or .tsv file of queries");
+                remedy);
   return in;
 }
-
-}  // namespace
 
 QueryFile read_queries(const std::string& file, int width, int height, bool whole) {
   std::error_code ignored;
   const Waiting waiting(!std::filesystem::is_regular_file(file, ignored));
-  auto in = opened(file);
+  auto in = opened(file, kRemedyMissing);
   return read_queries(in, file, width, height, whole);
 }
 
 QueryFile read_table(const std::string& file) {
-  auto in = opened(file);
+  auto in = opened(file, kRemedyMissing);
   Lines lines(in, file);
   constexpr const char* kRemedy = "give a TSV with columns sx sy gx gy";
   if (!lines.next()) lines.fail("is empty", kRemedy);

@@ -1,7 +1,7 @@
 // Files of queries: MovingAI scenarios, and tables with columns sx sy gx gy.
 #pragma once
 
-#include <iosfwd>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -32,5 +32,8 @@ QueryFile read_table(const std::string& file);
 /// The same from a stream; `file` is named in errors.
 QueryFile read_queries(std::istream& in, const std::string& file, int width, int height,
                        bool whole);
+
+/// A file to read. @throws Error(file_missing) with the reason and `remedy`, also for a folder.
+std::ifstream opened(const std::string& file, const std::string& remedy);
 
 }  // namespace lasius::tool

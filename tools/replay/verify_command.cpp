@@ -1,8 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,6 +8,7 @@
 #include <utility>
 
 #include "core/base/json_place.h"
+#include "core/base/number_text.h"
 #include "core/io/json_values.h"
 #include "lasius/error.h"
 #include "lasius/version.h"
@@ -19,10 +17,12 @@
 #include "tools/console/exit_code.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
+#include "tools/console/values.h"
 #include "tools/console/worlds.h"
 #include "tools/drive/drive_task.h"
 #include "tools/options/commands.h"
 #include "tools/polygon/polygon_task.h"
+#include "tools/record/queries.h"
 #include "tools/record/recorded.h"
 
 namespace lasius::tool {
@@ -48,11 +48,7 @@ std::string nth(const std::string& file, std::size_t i) {
 
 /// The objects of a file: one result, or one a line.
 std::vector<Saved> read_results(const std::string& file) {
-  std::error_code ignored;
-  std::ifstream stream;
-  if (!std::filesystem::is_directory(file, ignored)) stream.open(file, std::ios::binary);
-  if (!stream.is_open())
-    throw Error(ErrorCode::file_missing, {.file = file}, "cannot be opened", "name a saved result");
+  auto stream = opened(file, "name a saved result");
   const std::string bytes(std::istreambuf_iterator<char>(stream), {});
   const std::string_view text = bytes;
   std::vector<Saved> results;
@@ -76,16 +72,15 @@ using Version = std::array<int, 3>;
 
 /// "1.2.3" as numbers; nothing where the text is none such.
 std::optional<Version> version_of(std::string_view text) {
+  const auto parts = split(text, '.');
   Version version{};
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (std::size_t i = 0; i < version.size(); ++i) {
-    if (i > 0 && (at == end || *at++ != '.')) return std::nullopt;
-    const auto [stop, fault] = std::from_chars(at, end, version[i]);
-    if (fault != std::errc{}) return std::nullopt;
-    at = stop;
+  if (parts.size() != version.size()) return std::nullopt;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto number = number_of<int>(parts[i]);
+    if (!number) return std::nullopt;
+    version[i] = *number;
   }
-  return at == end ? std::optional(version) : std::nullopt;
+  return version;
 }
 
 /// The version that wrote a result. @throws Error where it is missing, or none whose results this
@@ -145,18 +140,9 @@ void forget_times(Json& result) {
     if (replan.is_object()) replan.erase("ms");
 }
 
-/// What a result has null that a limit or a signal may have cut off, though the replay has it.
-std::string not_recorded(const Json& recorded, const Json& replay) {
-  const auto is_null = [](const Json& result, const char* key) {
-    return result.contains(key) && result[key].is_null();
-  };
-  for (const char* key : {"optimum", "grid_optimum"})
-    if (is_null(recorded, key) && !is_null(replay, key)) return key;
-  return {};
-}
-
-/// The first difference between a result and its replay, or nothing. What may differ is left out.
-std::string difference(Json recorded, Json replay) {
+/// The first difference between a result and its replay, or nothing. What may differ is left out;
+/// `cut` becomes the optimum that is null in the result and found by the replay, if one is.
+std::string difference(Json recorded, Json replay, std::string& cut) {
   for (const char* free : {"threads", "elapsed_ms", "version"})
     if (recorded.contains(free)) replay[free] = recorded[free];
   forget_times(recorded);
@@ -170,6 +156,8 @@ std::string difference(Json recorded, Json replay) {
   for (const Keys& keys :
        {Keys{"optimum", "optimum_gap", "ratio"}, Keys{"grid_optimum", "grid_gap"}}) {
     if (!recorded.contains(keys.front()) || !recorded[keys.front()].is_null()) continue;
+    if (cut.empty() && replay.contains(keys.front()) && !replay[keys.front()].is_null())
+      cut = keys.front();
     for (const char* key : keys) {
       if (recorded.contains(key) != replay.contains(key) ||
           (recorded.contains(key) && !recorded[key].is_null()))
@@ -283,8 +271,9 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
   // They called a goal blocked without looking for other postures.
   if (format == kArmFormat && tells_no_bodies(result) && status == "invalid")
     replay["questions"] = value_at(result, "questions");
-  const std::string key = difference(result, replay);
-  if (const auto cut = not_recorded(result, replay); key.empty() && !cut.empty() && !command.quiet)
+  std::string cut;
+  const std::string key = difference(result, replay, cut);
+  if (key.empty() && !cut.empty() && !command.quiet)
     message(std::string(name).append(": its '").append(cut).append(
         "' is null, the replay has one; all else is equal"));
   if (key.empty()) return kFound;

@@ -17,6 +17,8 @@ constexpr std::size_t kMostPoints = 4000;  // of a curve
 constexpr Escape kHtml[] = {
     {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
 
+constexpr Escape kScript[] = {{'<', "\\u003c"}};
+
 constexpr std::array kCurves{"best",     "mean",           "arrived", "raw_best", "cut_mean",
                              "cut_best", "iteration_best", "steps",   "band",     "trail_entropy"};
 
@@ -42,12 +44,6 @@ Json take_curves(Json& result) {
     result.erase(name);
   }
   return curves;
-}
-
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
-  return text;
 }
 
 }  // namespace
@@ -81,8 +77,8 @@ void write_report_page(std::ostream& out, const Json& content) {
       << "</title>\n<style>\n"
       << kPageStyle << "</style>\n</head>\n<body>\n<main id=\"report\"></main>\n"
       << "<noscript>This page is drawn by its script.</noscript>\n"
-      << "<script type=\"application/json\" id=\"content\">"
-      << replaced(line(content), "<", "\\u003c") << "</script>\n<script type=\"module\">\n"
+      << "<script type=\"application/json\" id=\"content\">" << with_escapes(line(content), kScript)
+      << "</script>\n<script type=\"module\">\n"
       << kPageScript << "</script>\n</body>\n</html>\n";
 }
 

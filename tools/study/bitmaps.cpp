@@ -87,9 +87,9 @@ Task Bitmaps::task(const Question& question, const Contender& contender) const {
   const Params params = params_of(contender);
   const Planner& planner = planners_.at(question.map);
   const Grid& grid = planner.grid();
-  Task task = task_of(
-      question_key(grid, question, params.algorithm()) + budget_key(contender.budget), params,
-      parameters_of(algorithms(), params.algorithm()), grid.width() + grid.height());
+  Task task =
+      task_of(question_key(grid, question, params.algorithm()) + budget_key(contender.budget),
+              params, find_algorithm(params.algorithm()).parameters, grid.width() + grid.height());
   if (std::isfinite(contender.budget.steps))
     task.work = std::min(task.work, static_cast<std::int64_t>(contender.budget.steps));
   task.run = [&planner, &question, params, limit = shortest(question, params),

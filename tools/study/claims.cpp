@@ -8,6 +8,8 @@
 namespace lasius::study {
 namespace {
 
+using tool::fixed;
+
 constexpr double kSignificant = 0.05;
 using Test = Claim::Test;
 

@@ -10,6 +10,8 @@
 namespace lasius::study {
 namespace {
 
+using tool::fixed;
+
 std::string share_text(double fraction) { return fixed(100 * fraction, 2) + "%"; }
 
 /// A value of a factor, or a part of its range, and the gaps of the runs that had it, by question.
@@ -110,7 +112,7 @@ Table factor_table(const Findings& findings, const Experiment& experiment) {
   }
   const auto adjusted = holm(p);
   auto next = adjusted.begin();
-  for (auto& row : table.rows) row.push_back(row.back() == "-" ? "-" : p_text(*next++));
+  for (auto& row : table.rows) row.push_back(row.back() == "-" ? "-" : tool::p_text(*next++));
   return table;
 }
 

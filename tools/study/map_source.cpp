@@ -1,12 +1,12 @@
 #include "tools/study/map_source.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <sstream>
 #include <string_view>
 #include <vector>
 
+#include "core/base/number_text.h"
 #include "lasius/error.h"
 #include "lasius/io.h"
 #include "tools/console/values.h"
@@ -33,11 +33,13 @@ MadeMap made_map(const std::string& source) {
     if (at == kinds.end() || by == size.npos) return false;
     made.kind = static_cast<MapKind>(at - kinds.begin());
     const bool usual = words[2] == "default";
-    return tool::read_all(size.substr(0, by), options.width) &&
-           tool::read_all(size.substr(by + 1), options.height) &&
-           (usual || (tool::read_all(words[2], options.density) && options.density >= 0 &&
-                      std::isfinite(options.density))) &&
-           tool::read_all(words[3], options.seed);
+    const auto width = number_of<int>(size.substr(0, by));
+    const auto height = number_of<int>(size.substr(by + 1));
+    const auto density = usual ? options.density : tool::parse_real(words[2]).value_or(-1);
+    const auto seed = number_of<std::uint64_t>(words[3]);
+    if (!width || !height || !(usual || density >= 0) || !seed) return false;
+    options = {*width, *height, density, *seed};
+    return true;
   };
   if (!is_made())
     throw Error(ErrorCode::invalid_parameter, "no map is made by \"" + source + "\"",

@@ -37,23 +37,23 @@ Json values_json(const std::vector<double>& values) {
   return list;
 }
 
-Json chart_json(const LineChart& chart) {
+Json chart_json(const tool::LineChart& chart) {
   Json curves = Json::array(), levels = Json::array();
-  for (const Curve& curve : chart.curves)
+  for (const tool::Curve& curve : chart.curves)
     curves.push_back({{"name", curve.label},
                       {"x", values_json(curve.x)},
                       {"y", values_json(curve.y)},
                       {"low", values_json(curve.low)},
                       {"high", values_json(curve.high)}});
-  for (const Level& level : chart.levels)
+  for (const tool::Level& level : chart.levels)
     levels.push_back({{"name", level.label}, {"value", rounded(level.value)}});
   return {{"title", chart.title},  {"x_label", chart.x_label}, {"y_label", chart.y_label},
           {"calm", chart.lengths}, {"curves", curves},         {"levels", levels}};
 }
 
-Json charts_json(const std::vector<LineChart>& charts) {
+Json charts_json(const std::vector<tool::LineChart>& charts) {
   Json list = Json::array();
-  for (const LineChart& chart : charts) list.push_back(chart_json(chart));
+  for (const tool::LineChart& chart : charts) list.push_back(chart_json(chart));
   return list;
 }
 

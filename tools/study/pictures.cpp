@@ -14,6 +14,8 @@
 namespace lasius::study {
 namespace {
 
+using tool::fixed;
+
 constexpr std::size_t kMostDrawn = 12;  ///< contenders: more cannot be told apart
 
 }  // namespace
@@ -44,9 +46,9 @@ namespace fs = std::filesystem;
 
 /// Median and quartiles over the runs of all samples, by paths built; a run without a path yet
 /// counts as infinitely long.
-Curve curve_of(const std::vector<const Sample*>& samples, std::vector<double> Run::*values,
-               std::size_t number) {
-  Curve curve{.label = samples.front()->contender->label, .colour = palette(number)};
+tool::Curve curve_of(const std::vector<const Sample*>& samples, std::vector<double> Run::*values,
+                     std::size_t number) {
+  tool::Curve curve{.label = samples.front()->contender->label, .colour = tool::palette(number)};
   std::size_t iterations = 0;
   for (const Sample* sample : samples)
     for (const Run& run : sample->runs) iterations = std::max(iterations, (run.*values).size());
@@ -67,21 +69,22 @@ Curve curve_of(const std::vector<const Sample*>& samples, std::vector<double> Ru
   return curve;
 }
 
-LineChart chart_of(const std::string& title, const Study& study) {
+tool::LineChart chart_of(const std::string& title, const Study& study) {
   return {.title = title + ": median, band of the quartiles",
           .x_label = "paths built",
           .y_label = "length, " + study.unit};
 }
 
 /// Share of the runs within the experiment's target, by paths built.
-LineChart run_lengths(const std::vector<const Sample*>& samples, double optimum) {
+tool::LineChart run_lengths(const std::vector<const Sample*>& samples, double optimum) {
   const double target = samples.front()->experiment->targets.front();
-  LineChart chart{.title = "Runs " + target_text(target),
-                  .x_label = "paths built",
-                  .y_label = "share of the runs",
-                  .lengths = false};
+  tool::LineChart chart{.title = "Runs " + target_text(target),
+                        .x_label = "paths built",
+                        .y_label = "share of the runs",
+                        .lengths = false};
   for (const Sample* sample : samples) {
-    Curve curve{.label = sample->contender->label, .colour = palette(chart.curves.size())};
+    tool::Curve curve{.label = sample->contender->label,
+                      .colour = tool::palette(chart.curves.size())};
     auto efforts = sample->each([&](const Run& run) {
       return value_of(*sample, run, {.name = "effort", .at = "paths", .target = target}, kUnknown,
                       optimum);
@@ -110,7 +113,8 @@ std::string legend_of(const Sample& sample, const std::optional<double>& optimum
   const Run* const run = best_run(sample);
   if (run == nullptr) return sample.contender->label + ": no path";
   const std::string text = sample.contender->label + ": " + fixed(run->length, 3);
-  return optimum ? text + against(run->length, *optimum, "optimum", fixed(*optimum, 3)) : text;
+  return optimum ? text + tool::against(run->length, *optimum, "optimum", fixed(*optimum, 3))
+                 : text;
 }
 
 /// The map with the best path of each contender, the first one on top; lengths below.
@@ -120,13 +124,13 @@ void draw_paths(const Findings& findings, const Experiment& experiment, const Qu
   const auto optimum = findings.optimum(experiment, question);
   std::vector<tool::Key> keys;
   for (const Sample* sample : samples)
-    keys.push_back(tool::line_key(legend_of(*sample, optimum), palette(keys.size()), 3));
-  std::ranges::copy(map_keys(), std::back_inserter(keys));
+    keys.push_back(tool::line_key(legend_of(*sample, optimum), tool::palette(keys.size()), 3));
+  std::ranges::copy(tool::map_keys(), std::back_inserter(keys));
   const auto draw = [&](tool::Canvas& canvas, const tool::Box& box) {
-    const tool::Axes axes = draw_map(canvas, box, grid, question.start, question.goal);
+    const tool::Axes axes = tool::draw_map(canvas, box, grid, question.start, question.goal);
     for (std::size_t i = samples.size(); i-- > 0;)
       if (const Run* const run = best_run(*samples[i]))  // wider below: equal paths stay visible
-        canvas.polyline(axes.at(run->path), palette(i), 3 + 2.5 * static_cast<double>(i));
+        canvas.polyline(axes.at(run->path), tool::palette(i), 3 + 2.5 * static_cast<double>(i));
   };
   save(tool::Page{.title = "Best paths on " + question.name,
                   .legend = keys,
@@ -138,27 +142,29 @@ void draw_paths(const Findings& findings, const Experiment& experiment, const Qu
 
 }  // namespace
 
-std::vector<LineChart> convergence_charts(const Study& study, const Findings& findings,
-                                          const Experiment& experiment, const Question& question) {
-  LineChart chart = chart_of("Best length so far on " + question.name, study);
+std::vector<tool::LineChart> convergence_charts(const Study& study, const Findings& findings,
+                                                const Experiment& experiment,
+                                                const Question& question) {
+  tool::LineChart chart = chart_of("Best length so far on " + question.name, study);
   const auto optimum = findings.optimum(experiment, question);
   if (optimum) chart.levels = {{optimum_text(experiment.truth), *optimum}};
   const auto samples = drawn(findings, experiment, question);
   for (const Sample* sample : samples)
     chart.curves.push_back(curve_of({sample}, &Run::best, chart.curves.size()));
-  if (std::ranges::all_of(chart.curves, [](const Curve& c) { return c.x.size() < 2; })) return {};
-  std::vector<LineChart> charts{std::move(chart)};
+  if (std::ranges::all_of(chart.curves, [](const tool::Curve& c) { return c.x.size() < 2; }))
+    return {};
+  std::vector<tool::LineChart> charts{std::move(chart)};
   if (optimum)
-    if (LineChart lengths = run_lengths(samples, *optimum);
-        std::ranges::any_of(lengths.curves, [](const Curve& c) { return c.y.back() > 0; }))
+    if (tool::LineChart lengths = run_lengths(samples, *optimum);
+        std::ranges::any_of(lengths.curves, [](const tool::Curve& c) { return c.y.back() > 0; }))
       charts.push_back(std::move(lengths));
   return charts;
 }
 
-std::vector<LineChart> contender_charts(const Study& study, const Findings& findings,
-                                        const Experiment& experiment,
-                                        const std::vector<std::string>& contenders) {
-  std::vector<LineChart> charts{chart_of("Best so far", study), chart_of("Mean tour", study)};
+std::vector<tool::LineChart> contender_charts(const Study& study, const Findings& findings,
+                                              const Experiment& experiment,
+                                              const std::vector<std::string>& contenders) {
+  std::vector<tool::LineChart> charts{chart_of("Best so far", study), chart_of("Mean tour", study)};
   for (const std::string& name : contenders) {
     const auto samples = findings.of(experiment.name, name);
     if (samples.empty()) continue;

@@ -22,13 +22,14 @@ const Run* best_run(const Sample& sample);
 
 /// The best so far of each contender, and the run lengths where the optimum is known and a run
 /// comes near it; nothing where there is no course to draw, as of runs of one iteration.
-std::vector<LineChart> convergence_charts(const Study& study, const Findings& findings,
-                                          const Experiment& experiment, const Question& question);
+std::vector<tool::LineChart> convergence_charts(const Study& study, const Findings& findings,
+                                                const Experiment& experiment,
+                                                const Question& question);
 
 /// Best and mean tours of some contenders over all questions.
-std::vector<LineChart> contender_charts(const Study& study, const Findings& findings,
-                                        const Experiment& experiment,
-                                        const std::vector<std::string>& contenders);
+std::vector<tool::LineChart> contender_charts(const Study& study, const Findings& findings,
+                                              const Experiment& experiment,
+                                              const std::vector<std::string>& contenders);
 
 /// Draws, for every question of every experiment, the convergence, the run lengths and on bitmaps
 /// the best path of each contender, or the experiment's own charts, into `folder`/pictures as SVG

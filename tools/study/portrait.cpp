@@ -74,22 +74,23 @@ Figure draw_ants(const Place& place, const StopCondition& stop) {
     const auto draw = [&, colour](tool::Canvas& canvas, const tool::Box& box) {
       std::vector<Point> points;
       for (const Cell c : cells) points.push_back(centre(c));
-      const auto axes = draw_map(canvas, box, grid, place.question.start, place.question.goal);
-      canvas.polyline(axes.at(points), palette(colour), 3);
+      const auto axes =
+          tool::draw_map(canvas, box, grid, place.question.start, place.question.goal);
+      canvas.polyline(axes.at(points), tool::palette(colour), 3);
     };
     return tool::Panel{std::move(caption), draw};
   };
-  LineChart chart{.title = "Tours of " + place.label() + " on " + place.question.name,
-                  .x_label = "ant",
-                  .y_label = "length, cells"};
+  tool::LineChart chart{.title = "Tours of " + place.label() + " on " + place.question.name,
+                        .x_label = "ant",
+                        .y_label = "length, cells"};
   chart.curves.push_back(
-      {.label = "ants that arrive", .colour = palette(0), .x = ants.number, .y = ants.tour});
+      {.label = "ants that arrive", .colour = tool::palette(0), .x = ants.number, .y = ants.tour});
   chart.curves.back().dots = true;
   const auto tours = [&](tool::Canvas& canvas, const tool::Box& box) { draw(canvas, box, chart); };
   save(
       tool::Page{
           .title = "",
-          .legend = map_keys(),
+          .legend = tool::map_keys(),
           .wide = 1.0 * grid.width(),
           .high = 1.0 * grid.height(),
           .bands = {{.rows = {{walk(ants.dead, 1,

@@ -123,11 +123,6 @@ std::optional<double> Domain::optimum(const Question&, const Truth&, const StopC
   return std::nullopt;
 }
 
-std::span<const Parameter> parameters_of(std::span<const Algorithm> algorithms,
-                                         std::string_view name) {
-  return std::ranges::find(algorithms, name, &Algorithm::name)->parameters;
-}
-
 double thread_seconds() {
   timespec now{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

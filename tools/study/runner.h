@@ -63,10 +63,6 @@ Task task_of(std::string about, const AnyParams& params, std::span<const Paramet
   return task;
 }
 
-/// The parameters of one of `algorithms`.
-std::span<const Parameter> parameters_of(std::span<const Algorithm> algorithms,
-                                         std::string_view name);
-
 /// Iterations of a pilot, of so many.
 inline int pilot_part(int iterations) { return (iterations + 7) / 8; }
 

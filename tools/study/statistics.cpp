@@ -12,6 +12,8 @@
 namespace lasius::study {
 namespace {
 
+using tool::fixed;
+
 /// Ranks from 1, doubled so that mean ranks of ties are integers; values that differ by less than a
 /// rounding are ties.
 std::vector<int> doubled_ranks(std::vector<double> values) {

@@ -91,7 +91,7 @@ struct Experiment {
   std::vector<std::pair<std::string, std::vector<std::string>>> charts = {};
 };
 
-/// A number that is taken of each run, by a name that `kValueNames` explains.
+/// A number that is taken of each run, by a name of value_names().
 struct Value {
   std::string name = "length";
   std::string at = "end";    ///< or a budget common to both: "steps", "time", "paths", "iterations"

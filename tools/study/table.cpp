@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/console/values.h"
 #include "tools/draw/text.h"
 #include "tools/study/factors.h"
 #include "tools/study/values.h"
 
 namespace lasius::study {
 namespace {
+
+using tool::fixed;
 
 const Published* published(const Sample& sample) {
   for (const Published& p : sample.question->published)
@@ -73,8 +76,9 @@ std::vector<std::string> result_row(const Findings& findings, const Sample& samp
                                    " of " + std::to_string(runs)};
   for (const double target : sample.experiment->targets) add_efforts(sample, target, optimum, row);
   row.push_back(paper ? fixed(paper->iterations, 0) : "-");
-  row.push_back(paper ? seconds_text(paper->seconds) : "-");
-  row.push_back(seconds_text(quantile(sample.each([](const Run& r) { return r.seconds; }), 0.5)));
+  row.push_back(paper ? tool::seconds_text(paper->seconds) : "-");
+  row.push_back(
+      tool::seconds_text(quantile(sample.each([](const Run& r) { return r.seconds; }), 0.5)));
   return row;
 }
 
@@ -106,9 +110,10 @@ std::string statistic_text(const Claim& claim) {
 }  // namespace
 
 std::string Table::markdown() const {
-  const auto line = [](const std::vector<std::string>& cells) {
+  constexpr tool::Escape kCell[] = {{'|', "\\|"}, {'\n', " "}, {'\r', " "}};
+  const auto line = [&](const std::vector<std::string>& cells) {
     std::string text = "|";
-    for (const auto& cell : cells) text += " " + cell + " |";
+    for (const auto& cell : cells) text += " " + tool::with_escapes(cell, kCell) + " |";
     return text + "\n";
   };
   std::string text = line(header) + "|";
@@ -121,17 +126,8 @@ std::string Table::markdown() const {
 std::string Table::csv() const {
   const auto line = [](const std::vector<std::string>& cells) {
     std::string text;
-    for (const auto& cell : cells) {
-      if (!text.empty()) text += ',';
-      const bool quoted = cell.find_first_of(",\"") != std::string::npos;
-      if (!quoted) {
-        text += cell;
-        continue;
-      }
-      text += '"';
-      for (const char c : cell) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-      text += '"';
-    }
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      text += (i > 0 ? "," : "") + tool::csv_field(cells[i]);
     return text + "\n";
   };
   std::string text = line(header);
@@ -180,8 +176,8 @@ Table claim_table(std::span<const Evidence> evidence, bool studies) {
     const bool ran = e.seeds > 0;
     table.rows.push_back({e.claim->text, e.claim->place, statistic_text(*e.claim),
                           e.claim->b.empty() ? "-" : e.claim->b, verdict_text(e.verdict),
-                          effect_text(e), p_text(e.adjusted), ran ? std::to_string(e.seeds) : "-",
-                          e.figures});
+                          effect_text(e), tool::p_text(e.adjusted),
+                          ran ? std::to_string(e.seeds) : "-", e.figures});
     if (studies) table.rows.back().insert(table.rows.back().begin(), '`' + e.study->name + '`');
   }
   return table;

@@ -13,8 +13,8 @@ struct Table {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows = {};
 
-  std::string markdown() const;
-  std::string csv() const;
+  std::string markdown() const;  ///< a cell's bars are escaped, its line breaks blanks
+  std::string csv() const;       ///< as RFC 4180 quotes it; lines end in LF
 };
 
 /// The command that runs a study, by what it takes.

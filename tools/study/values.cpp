@@ -12,6 +12,8 @@
 namespace lasius::study {
 namespace {
 
+using tool::fixed;
+
 using Curve = std::vector<double>;
 
 struct Named {

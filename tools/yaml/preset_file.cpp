@@ -4,13 +4,6 @@
 
 namespace lasius::tool {
 
-std::vector<std::pair<std::string, std::string>> settings_of(const Node* set) {
-  std::vector<std::pair<std::string, std::string>> settings;
-  if (set == nullptr) return settings;
-  for (const auto& [name, value] : set->entries()) settings.emplace_back(name, value.text());
-  return settings;
-}
-
 void try_setting(Params& params, const std::string& name, const std::string& value,
                  const Node& place) {
   try {
@@ -46,9 +39,12 @@ PresetFile read_preset_file(const std::string& file) {
   Params params =
       known_params(preset.algorithm, preset.preset, over != nullptr ? *over : root.at("algorithm"));
   const Node* const set = root.find("set");
-  preset.settings = settings_of(set);
-  for (const auto& [name, value] : preset.settings)
-    try_setting(params, name, value, *set->find(name));
+  if (set != nullptr) {
+    for (const auto& [name, value] : set->entries()) {
+      preset.settings.emplace_back(name, value.text());
+      try_setting(params, name, value.text(), value);
+    }
+  }
   try {
     validate(params);
   } catch (const Error& fault) {

@@ -22,9 +22,6 @@ struct PresetFile {
 /// algorithm or parameter.
 PresetFile read_preset_file(const std::string& file);
 
-/// The values of a `set`, as they are. @throws Error(file_broken) for one that is no text.
-std::vector<std::pair<std::string, std::string>> settings_of(const Node* set);
-
 /// Tries one value. @throws Error(file_broken) at `place`, saying what the library says.
 void try_setting(Params& params, const std::string& name, const std::string& value,
                  const Node& place);

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace lasius::study {
+namespace lasius::tool {
 namespace {
 
 TEST(Fixed, RoundsAndKeepsSigns) {
@@ -24,4 +24,4 @@ TEST(Fixed, ZeroHasNoSign) {
 }
 
 }  // namespace
-}  // namespace lasius::study
+}  // namespace lasius::tool

@@ -12,7 +12,7 @@
 namespace lasius::study {
 namespace {
 
-/// FactorDraws of one dimension.
+/// Numbers drawn for one factor.
 class FactorDraws {
  public:
   FactorDraws(std::uint64_t seed, std::size_t dimension)

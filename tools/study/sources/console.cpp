@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 
+#include "tools/console/progress.h"
 #include "tools/console/streams.h"
 #include "tools/draw/text.h"
 #include "tools/study/runner.h"
@@ -32,10 +34,19 @@ void tell_unread(std::span<const study::Contender> contenders) {
     if (!why.empty()) message(setting.second + " of " + setting.first + " has no effect: " + why);
 }
 
+std::function<void(std::int64_t, std::int64_t, const std::string&)> progress_shown(
+    const Messages& messages) {
+  constexpr std::int64_t kParts = 1000;
+  const auto bar = std::make_shared<ProgressLine>(wants_progress(messages), kParts);
+  return [bar](std::int64_t done, std::int64_t total, const std::string& note) {
+    bar->update(done * kParts / std::max<std::int64_t>(total, 1), note);
+  };
+}
+
 std::string duration_text(double seconds) {
-  if (seconds < 90) return study::fixed(std::max(1.0, seconds), 0) + " s";
-  if (seconds < 5400) return study::fixed(seconds / 60, 0) + " min";
-  return study::fixed(seconds / 3600, 1) + " h";
+  if (seconds < 90) return fixed(std::max(1.0, seconds), 0) + " s";
+  if (seconds < 5400) return fixed(seconds / 60, 0) + " min";
+  return fixed(seconds / 3600, 1) + " h";
 }
 
 }  // namespace lasius::tool

@@ -44,10 +44,10 @@ struct ArmScenes::Case {
   ArmGround ground;
 
   Case(const arm::Robot& robot, const arm::GenerateOptions& options)
-      : Case(robot, options, arm::generate_query(robot, options)) {}
+      : Case(robot, arm::generate_query(robot, options)) {}
 
  private:
-  Case(const arm::Robot& robot, const arm::GenerateOptions& options, arm::Query query)
+  Case(const arm::Robot& robot, arm::Query query)
       : scene(std::move(query.scene)),
         request{.start = std::move(query.start), .goals = {query.goal}, .motion = false},
         parameters(parameters_for(arm::tip_position(robot, request.start), query.goal)),
@@ -60,8 +60,7 @@ struct ArmScenes::Case {
     };
     const double nearest =
         parameters.pitch * (moves(from[0], to[0]) + moves(from[1], to[1]) + moves(from[2], to[2]));
-    ground = {options, best.length, best.length / nearest, straight.status == Status::solved,
-              best.points};
+    ground = {best.length, best.length / nearest, straight.status == Status::solved};
   }
 };
 

@@ -1,7 +1,6 @@
 // System D: what one parameter after another does to arms among unknown obstacles.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -15,11 +14,9 @@ namespace lasius::study {
 
 /// What was measured of a question itself.
 struct ArmGround {
-  arm::GenerateOptions made;  ///< what its scene was made with
-  double optimum = 0;         ///< metres
-  double detour = 1;          ///< optimum / Manhattan distance
-  bool straight = true;
-  std::array<int, 3> points{};
+  double optimum = 0;    ///< metres
+  double detour = 1;     ///< optimum / Manhattan distance
+  bool straight = true;  ///< the straight way is open
 };
 
 /// The arm maps/arms/industrial6.json in generated scenes: a question's map is "scene SEED WALL",

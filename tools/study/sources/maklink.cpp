@@ -17,7 +17,7 @@ MaklinkWorld::MaklinkWorld(const Study& study, const std::filesystem::path& maps
 Task MaklinkWorld::task(const Question& question, const Contender& contender) const {
   const auto params = configured(polygon::Params(contender.algorithm), contender);
   Task task = task_of(question.map + ' ' + contender.algorithm, params,
-                      parameters_of(polygon::algorithms(), contender.algorithm), kCrossed);
+                      polygon::find_algorithm(contender.algorithm).parameters, kCrossed);
   task.run = [this, params](std::uint64_t seed, bool pilot, const std::stop_token& stop,
                             Workspace&) {
     auto seeded = params;

@@ -84,7 +84,7 @@ Task OnlineDrives::task(const Question& question, const Contender& contender) co
   const Params& params = policy.navigator.params;
   constexpr std::int64_t kTicks = 200;
   Task task = task_of(question.map + ' ' + contender.algorithm, params,
-                      parameters_of(algorithms(), params.algorithm()), kTicks);
+                      find_algorithm(params.algorithm()).parameters, kTicks);
   for (const auto& [name, value] : contender.settings) task.key += ' ' + name + '=' + value;
   task.run = [this, &question, policy](std::uint64_t seed, bool pilot, const std::stop_token& stop,
                                        Workspace&) {

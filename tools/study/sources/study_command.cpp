@@ -7,7 +7,6 @@
 #include "core/base/output.h"
 #include "lasius/error.h"
 #include "tools/console/exit_code.h"
-#include "tools/console/progress.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
@@ -99,11 +98,6 @@ class Conduct {
 
  private:
   Findings conduct(const Study& study, const study::Domain& domain, const fs::path& folder) {
-    constexpr std::int64_t kParts = 1000;
-    ProgressLine bar(wants_progress(command_.messages), kParts);
-    const auto show = [&](std::int64_t done, std::int64_t total, const std::string& note) {
-      bar.update(done * kParts / std::max<std::int64_t>(total, 1), note);
-    };
     const auto tell = [&](std::size_t runs, double seconds) {
       if (!command_.messages.quiet)
         message(study.name + ": " + counted(static_cast<std::int64_t>(runs), "run") + ", about " +
@@ -116,7 +110,7 @@ class Conduct {
                              .folder = folder,
                              .stop = signals_.token(),
                              .estimate = tell,
-                             .progress = show,
+                             .progress = progress_shown(command_.messages),
                              .first_seed = seeds(study).first});
   }
 

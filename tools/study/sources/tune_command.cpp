@@ -1,10 +1,8 @@
 // lasius tune: a race over parameters, and what it writes.
-#include <algorithm>
 #include <filesystem>
 
 #include "core/base/output.h"
 #include "tools/console/exit_code.h"
-#include "tools/console/progress.h"
 #include "tools/console/signals.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
@@ -27,11 +25,6 @@ void write_tuning(const study::Tuning& tuning, const study::Tuned& tuned, const 
 
 study::Tuned conduct_tuning(study::Tuning& tuning, const TuneCommand& command,
                             const std::stop_token& stop) {
-  constexpr std::int64_t kParts = 1000;
-  ProgressLine bar(wants_progress(command.messages), kParts);
-  const auto show = [&](std::int64_t done, std::int64_t total, const std::string& note) {
-    bar.update(done * kParts / std::max<std::int64_t>(total, 1), note);
-  };
   const auto tell = [&](double seconds) {
     if (!command.messages.quiet)
       message(tuning.name + ": " + std::to_string(tuning.candidates.size()) +
@@ -43,7 +36,7 @@ study::Tuned conduct_tuning(study::Tuning& tuning, const TuneCommand& command,
                               .maps = find_maps(command.maps),
                               .stop = stop,
                               .estimate = tell,
-                              .progress = show});
+                              .progress = progress_shown(command.messages)});
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 namespace lasius::study {
 namespace {
 
+using tool::fixed;
+
 constexpr double kLevel = 0.05;
 
 constexpr const char* kHowToReadTuning =
@@ -53,7 +55,7 @@ Table family_table(const Tuning& tuning, const Tuned& tuned) {
   for (const Family& f : tuned.families)
     table.rows.push_back({f.name.empty() ? "all" : f.name, std::to_string(f.pairs.size()),
                           fixed(f.test.effect, 3) + interval_text(f.effect, 3),
-                          fixed(f.ratio, 4) + interval_text(f.ratios, 3), p_text(f.p),
+                          fixed(f.ratio, 4) + interval_text(f.ratios, 3), tool::p_text(f.p),
                           family_verdict(f)});
   return table;
 }
@@ -82,7 +84,7 @@ std::string verdict_text(const Tuning& tuning, const Tuned& tuned) {
   return (winner == 0 ? "the default won; its strongest rival, " + judged + "," : judged) +
          " on other maps: " + family_verdict(all) + ", A12 " + fixed(all.test.effect, 3) +
          interval_text(all.effect, 3) + ", ratio of medians " + fixed(all.ratio, 4) +
-         interval_text(all.ratios, 3) + ", p " + p_text(all.p);
+         interval_text(all.ratios, 3) + ", p " + tool::p_text(all.p);
 }
 
 std::string preset_text(const Tuning& tuning, const Tuned& tuned) {
@@ -117,7 +119,7 @@ Table candidate_table(const Tuning& tuning, const Tuned& tuned) {
                         interval_text(standing->behind, 3)
                   : "-",
          runner.values.empty() ? "-" : value_text(quantile(runner.values, 0.5)),
-         there ? "-" : std::to_string(runner.left_after), there ? "-" : p_text(runner.p)});
+         there ? "-" : std::to_string(runner.left_after), there ? "-" : tool::p_text(runner.p)});
   }
   return table;
 }
