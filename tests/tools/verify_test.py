@@ -93,11 +93,15 @@ class Verify(ProgramTest):
         self.write("r.json", json.dumps(result))
         self.refused(self.run_program("verify", "-q", "r.json"), 3, "r.json", 'lacks its "version"')
 
-    def test_what_may_differ_must_be_there(self):
+    def test_what_may_differ_must_be_there_and_a_number(self):
         result = self.save()
         for key in ("threads", "elapsed_ms"):
-            self.write("r.json", json.dumps({k: v for k, v in result.items() if k != key}))
-            self.refused(self.run_program("verify", "-q", "r.json"), 1, f"'{key}'")
+            for changed in ({k: v for k, v in result.items() if k != key}, {**result, key: None},
+                            {**result, key: -1}, {**result, key: "1"}):
+                self.write("r.json", json.dumps(changed))
+                self.refused(self.run_program("verify", "-q", "r.json"), 1, f"'{key}'")
+            self.write("r.json", json.dumps({**result, key: 7}))
+            self.quiet(self.run_program("verify", "-q", "r.json"))
 
     def test_names_that_are_given_twice(self):
         text = json.dumps(self.save())

@@ -133,18 +133,24 @@ void forget_places(Json& input) {
     if (file.is_object()) file.erase("file");
 }
 
-/// Leaves out how long each plan of a drive took.
+/// Takes a number that no replay has to repeat for 0.
+void forget(Json& of, const char* key) {
+  if (!of.is_object() || !of.contains(key)) return;
+  if (of[key].is_number() && of[key].get<double>() >= 0) of[key] = 0;
+}
+
+/// Leaves out how long it took, and on how many threads.
 void forget_times(Json& result) {
+  forget(result, "threads");
+  forget(result, "elapsed_ms");
   if (!result.contains("replans") || !result["replans"].is_array()) return;
-  for (Json& replan : result["replans"])
-    if (replan.is_object()) replan.erase("ms");
+  for (Json& replan : result["replans"]) forget(replan, "ms");
 }
 
 /// The first difference between a result and its replay, or nothing. What may differ is left out;
 /// `cut` becomes the optimum that is null in the result and found by the replay, if one is.
 std::string difference(Json recorded, Json replay, std::string& cut) {
-  for (const char* free : {"threads", "elapsed_ms", "version"})
-    if (recorded.contains(free)) replay[free] = recorded[free];
+  if (recorded.contains("version")) replay["version"] = recorded["version"];
   forget_times(recorded);
   forget_times(replay);
   for (const char* input : {"map", "world", "changes", "robot", "scene"}) {
