@@ -179,7 +179,8 @@ class Planner::Impl {
     if (!round) return {};
     const int from = piece_of(*round, start), to = piece_of(*round, goal);
     if (answer.status == Status::invalid) {
-      const bool at_start = answer.fault == Fault::start_blocked;
+      const bool at_start =
+          answer.fault == Fault::start_blocked || answer.fault == Fault::start_outside;
       if ((at_start ? from : to) < 0) return {};
       return std::string("with round joins the ") + (at_start ? "start" : "goal") +
              " is free: mitre joins reach farther than the margin";
