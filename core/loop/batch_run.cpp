@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/params/parameter_table.h"
 
@@ -20,7 +21,7 @@ namespace {
 void check(const BatchOptions& options, std::uint64_t seed) {
   check_threads(options.threads);
   if (options.time_limit && !(options.time_limit->count() >= 0)) {
-    throw invalid_parameter("time_limit is " + std::to_string(options.time_limit->count()) + " s",
+    throw invalid_parameter("time_limit is " + number_text(options.time_limit->count()) + " s",
                             "it must be 0 or more, or none");
   }
   constexpr int kMostSeeds = 1 << 20;
@@ -127,9 +128,12 @@ std::size_t run_tasks(std::size_t requests, std::uint64_t seed, const BatchOptio
                       const std::function<StopCondition(std::size_t)>& stop_of,
                       const std::function<BatchWorker()>& make_worker) {
   check(options, seed);
-  const int threads = thread_count(options.threads);
   const auto seeds = static_cast<std::size_t>(options.seeds);
-  Sequencer sequencer(requests * seeds, 64 + 8 * static_cast<std::size_t>(threads), options.token);
+  const std::size_t tasks = requests * seeds;
+  // A worker without a task would still make all that a plan works with.
+  const int threads = static_cast<int>(
+      std::clamp<std::size_t>(tasks, 1, static_cast<std::size_t>(thread_count(options.threads))));
+  Sequencer sequencer(tasks, 64 + 8 * static_cast<std::size_t>(threads), options.token);
 
   const auto work = [&] {
     const BatchWorker worker = make_worker();
