@@ -1,3 +1,4 @@
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <locale>
@@ -19,9 +20,11 @@ bool in_range(Vec3 v) {
   return std::abs(v.x) <= kFar && std::abs(v.y) <= kFar && std::abs(v.z) <= kFar;
 }
 
+static_assert(std::endian::native == std::endian::little, "as numbers in the files are");
+
 std::uint32_t count_of(const std::string& bytes) {
   std::uint32_t count;
-  std::memcpy(&count, bytes.data() + kHead - 4, sizeof count);  // little endian, as this machine
+  std::memcpy(&count, bytes.data() + kHead - 4, sizeof count);
   return count;
 }
 
