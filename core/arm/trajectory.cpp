@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/arm/check_clearance.h"
+#include "core/arm/plan_check.h"
 #include "core/arm/robot/kinematics.h"
 #include "core/arm/robot/vec3.h"
 #include "core/arm/spline.h"

@@ -1,11 +1,10 @@
-#include "core/params/presets.h"
-
 #include <algorithm>
 #include <array>
 #include <string>
 #include <tuple>
 #include <type_traits>
 
+#include "core/params/grid_parameters.h"
 #include "core/params/parameter_table.h"
 
 namespace lasius {
