@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/zero_array.h"
+#include "core/base/large_array.h"
 #include "core/colony/heuristic.h"
 #include "kernels/base/raise.h"
 #include "kernels/walk/walk.h"

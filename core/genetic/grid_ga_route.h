@@ -5,9 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/growing_array.h"
+#include "core/base/large_array.h"
 #include "core/base/poller.h"
-#include "core/base/zero_array.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/moves.h"
