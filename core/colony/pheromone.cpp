@@ -55,8 +55,7 @@ Trail Pheromone::trail() const noexcept { return stored_.kind; }
 std::int64_t Pheromone::places() const noexcept { return stored_.places(); }
 
 void Pheromone::persist(double persistence) {
-  if (!(persistence >= 0 && persistence <= 1))
-    throw invalid_parameter("persistence is " + number_text(persistence), "it must be 0 .. 1");
+  require(persistence >= 0 && persistence <= 1, "persistence", persistence, "it must be 0 .. 1");
   stored_.field.evaporate(persistence);
 }
 

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/params/parameter_table.h"
 
@@ -20,14 +19,10 @@ namespace {
 
 void check(const BatchOptions& options, std::uint64_t seed) {
   check_threads(options.threads);
-  if (options.time_limit && !(options.time_limit->count() >= 0)) {
-    throw invalid_parameter("time_limit is " + number_text(options.time_limit->count()) + " s",
-                            "it must be 0 or more, or none");
-  }
-  constexpr int kMostSeeds = 1 << 20;
-  if (options.seeds < 1 || options.seeds > kMostSeeds)
-    throw invalid_parameter("seeds is " + std::to_string(options.seeds),
-                            "it must be from 1 to " + std::to_string(kMostSeeds));
+  const double limit = options.time_limit ? options.time_limit->count() : 0;
+  require(limit >= 0, "time_limit", limit, "it must be 0 or more seconds, or none");
+  require(options.seeds >= 1 && options.seeds <= 1 << 20, "seeds", options.seeds,
+          "it must be from 1 to 1048576");
   check_seed(seed + static_cast<std::uint64_t>(options.seeds) - 1);
 }
 

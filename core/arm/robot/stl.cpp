@@ -4,8 +4,8 @@
 #include <locale>
 #include <sstream>
 
+#include "core/arm/robot/refusals.h"
 #include "core/arm/robot/vec3.h"
-#include "core/arm/robot/xml_text.h"
 #include "core/base/text_lines.h"
 #include "core/map_files/byte_reader.h"
 #include "lasius/arm_robot.h"

@@ -140,7 +140,7 @@ TEST(Batch, RefusesBadParametersBeforeAnyQuery) {
     plan_batch(scene.planner, requests, brief(),
                {.time_limit = std::chrono::duration<double>(-1e-9)});
   };
-  expect_says(refusal(late), "time_limit is -1e-09 s");
+  expect_says(refusal(late), "time_limit is -1e-09; it must be 0");
   EXPECT_THROW(plan_batch(scene.planner, requests, brief(), {}, BatchReceiver()), Error);
   requests.back().target_gap = kNaN;
   refused({}, {});
