@@ -102,18 +102,15 @@ std::optional<Query> attempt(const Robot& robot, const GenerateOptions& options,
 Query generate_query(const Robot& robot, const GenerateOptions& options) {
   constexpr int kAttempts = 10000;
   validate(robot);
-  const auto check = [](bool good, const char* name, const char* range) {
-    if (good) return;
-    throw invalid_parameter(std::string(name) + " is out of range", range);
-  };
-  check(options.obstacles >= 0 && options.obstacles <= 1000, "obstacles", "it must be 0 .. 1000");
-  check(options.wall >= 0 && options.wall <= 100, "wall", "it must be 0 .. 100");
-  check(options.least_distance >= 0 && options.least_distance <= 1, "least_distance",
-        "it must be 0 .. 1");
+  const int obstacles = options.obstacles;
+  const double wall = options.wall, distance = options.least_distance;
+  require(obstacles >= 0 && obstacles <= 1000, "obstacles", obstacles, "it must be 0 .. 1000");
+  require(wall >= 0 && wall <= 100, "wall", wall, "it must be 0 .. 100");
+  require(distance >= 0 && distance <= 1, "least_distance", distance, "it must be 0 .. 1");
   for (int i = 0; i < kAttempts; ++i) {
     if (auto query = attempt(robot, options, i)) return *std::move(query);
   }
-  throw invalid_parameter(std::to_string(options.obstacles) + " obstacles leave this arm no room",
+  throw invalid_parameter(std::to_string(obstacles) + " obstacles leave this arm no room",
                           "ask for fewer, or for a shorter distance");
 }
 

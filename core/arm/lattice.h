@@ -11,8 +11,8 @@
 
 #include "core/arm/ends.h"
 #include "core/arm/robot/kinematics.h"
+#include "core/base/large_array.h"
 #include "core/base/poller.h"
-#include "core/base/zero_array.h"
 #include "lasius/arm_plan.h"
 #include "lasius/stop.h"
 

@@ -1,7 +1,7 @@
 #include "core/arm/arm_colony.h"
-#include "core/arm/check_clearance.h"
 #include "core/arm/inquiry.h"
 #include "core/arm/lattice_way.h"
+#include "core/arm/plan_check.h"
 #include "core/base/poller.h"
 #include "core/loop/run_status.h"
 #include "lasius/arm_plan.h"

@@ -185,9 +185,7 @@ void check(const Robot& robot, const Scene& scene, const Trajectory& trajectory,
     check_values(robot, as_span(knot.q));
     check_values(robot, as_span(knot.ddq));
   }
-  if (samples < 1) {
-    throw invalid_parameter("samples is " + std::to_string(samples), "it must be at least 1");
-  }
+  require(samples >= 1, "samples", samples, "it must be at least 1");
 }
 
 /// Follows a trajectory with KDL and FCL.

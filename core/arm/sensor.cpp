@@ -8,7 +8,6 @@
 #include "core/arm/robot/kinematics.h"
 #include "core/arm/robot/solid.h"
 #include "core/base/invalid_parameter.h"
-#include "core/base/number_text.h"
 #include "core/base/special_values.h"
 #include "lasius/arm_sensor.h"
 
@@ -183,10 +182,8 @@ std::string Sensor::contact(const JointRef&) const { return {}; }
 SceneSensor::SceneSensor(const Robot& robot, const Scene& scene, double clearance) {
   validate(robot);
   validate(scene);
-  if (!(clearance >= kLeastClearance && clearance <= 1)) {
-    throw invalid_parameter("clearance is " + number_text(clearance),
-                            "it must be 0.000001 .. 1 metres");
-  }
+  require(clearance >= kLeastClearance && clearance <= 1, "clearance", clearance,
+          "it must be 0.000001 .. 1 metres");
   impl_ = std::make_unique<const Impl>(robot, scene, clearance);
 }
 SceneSensor::~SceneSensor() = default;

@@ -3,12 +3,11 @@
 #include <cmath>
 #include <utility>
 
-#include "core/arm/check_clearance.h"
+#include "core/arm/plan_check.h"
 #include "core/arm/robot/kinematics.h"
 #include "core/arm/robot/vec3.h"
 #include "core/arm/spline.h"
 #include "core/base/invalid_parameter.h"
-#include "core/base/number_text.h"
 #include "core/base/poller.h"
 #include "core/loop/run_status.h"
 #include "kernels/base/random_stream.h"
@@ -16,15 +15,14 @@
 
 namespace lasius::arm {
 void check_clearance(const Sensor& sensor) {
-  if (sensor.clearance() >= Sensor::kLeastClearance) return;
-  throw invalid_parameter("the sensor's clearance is " + number_text(sensor.clearance()),
-                          "it must be at least 0.000001 metres");
+  const double clearance = sensor.clearance();
+  require(clearance >= Sensor::kLeastClearance, "the sensor's clearance", clearance,
+          "it must be at least 0.000001 metres");
 }
 
 void check_duration(double seconds) {
-  if (seconds >= 0 && std::isfinite(seconds)) return;
-  throw invalid_parameter("duration is " + number_text(seconds),
-                          "it must be a number of seconds, or 0 for as few as the limits allow");
+  require(seconds >= 0 && std::isfinite(seconds), "duration", seconds,
+          "it must be a number of seconds, or 0 for as few as the limits allow");
 }
 
 namespace {

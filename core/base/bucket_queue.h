@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "core/base/growing_list.h"
+#include "core/base/large_array.h"
 #include "core/base/poller.h"
 #include "core/base/special_values.h"
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "lasius/error.h"
 
 namespace lasius {
@@ -11,6 +13,13 @@ namespace lasius {
 /// `problem` names the value, `remedy` says what it may be.
 inline Error invalid_parameter(std::string problem, std::string remedy) {
   return {ErrorCode::invalid_parameter, std::move(problem), std::move(remedy)};
+}
+
+/// @throws Error(invalid_parameter) "NAME is VALUE" with what it must be, unless that is good.
+template <class Number>
+void require(bool good, std::string_view name, Number value, std::string_view remedy) {
+  if (good) return;
+  throw invalid_parameter(std::string(name) + " is " + number_text(value), std::string(remedy));
 }
 
 }  // namespace lasius

@@ -10,7 +10,7 @@
 #include "core/base/special_values.h"
 #include "core/colony/field_tile.h"
 #include "core/grid/cell_distance.h"
-#include "core/params/schedule.h"
+#include "core/params/grid_parameters.h"
 
 namespace lasius {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/zero_array.h"
+#include "core/base/large_array.h"
 #include "core/colony/heuristic.h"
 #include "kernels/base/raise.h"
 #include "kernels/walk/walk.h"
@@ -16,6 +16,12 @@
 #include "lasius/schedule.h"
 
 namespace lasius {
+
+/// What carries pheromone on a grid: with arcs a move out of a cell, with cells the cell itself.
+struct GridPlace {
+  Cell cell;
+  int move = 0;
+};
 
 /// tau of every cell or arc, and from it the rows that ants draw from.
 ///
@@ -68,6 +74,11 @@ class Field {
   double tau(Cell c, int move) const;
   void set_tau(Cell c, int move, double value);
   void deposit(Cell c, int move, double amount);
+
+  // The same by place, as the rules of a trail name them.
+  double tau(GridPlace p) const { return tau(p.cell, p.move); }
+  void set_tau(GridPlace p, double value) { set_tau(p.cell, p.move, value); }
+  void deposit(GridPlace p, double amount) { deposit(p.cell, p.move, amount); }
 
   /// Raises tau where it was never changed, and the rows next to it. `value` is above the old one.
   void raise_untouched(double value);

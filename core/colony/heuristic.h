@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "core/base/large_array.h"
 #include "core/base/poller.h"
-#include "core/base/zero_array.h"
 #include "kernels/base/moves.h"
 #include "kernels/base/raise.h"
 #include "lasius/geometry.h"

@@ -10,8 +10,8 @@
 #include "core/colony/stored_pheromone.h"
 #include "core/grid/move_rule.h"
 #include "core/loop/trail_rules.h"
+#include "core/params/grid_parameters.h"
 #include "core/params/parameter_table.h"
-#include "core/params/schedule.h"
 
 namespace lasius {
 namespace {

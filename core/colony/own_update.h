@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "core/base/growing_array.h"
 #include "core/base/held_bytes.h"
+#include "core/base/large_array.h"
 #include "core/colony/update.h"
 #include "lasius/grid.h"
 #include "lasius/own_rules.h"

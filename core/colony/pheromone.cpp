@@ -1,4 +1,4 @@
-// A caller's own update acts on the trail by the same steps as the built-in ones (FieldTrail).
+// A caller's own update acts on the trail by the same steps as the built-in ones.
 
 #include <algorithm>
 #include <string>
@@ -55,28 +55,27 @@ Trail Pheromone::trail() const noexcept { return stored_.kind; }
 std::int64_t Pheromone::places() const noexcept { return stored_.places(); }
 
 void Pheromone::persist(double persistence) {
-  if (!(persistence >= 0 && persistence <= 1))
-    throw invalid_parameter("persistence is " + number_text(persistence), "it must be 0 .. 1");
-  stored_.trail.evaporate(persistence);
+  require(persistence >= 0 && persistence <= 1, "persistence", persistence, "it must be 0 .. 1");
+  stored_.field.evaporate(persistence);
 }
 
 void Pheromone::add(std::span<const TrailPlace> places, double amount) {
   check_places(places, stored_.places());
   if (!is_tau(amount)) throw no_tau("amount", amount);
   stored_.for_each(places,
-                   [&](GridPlace place, std::size_t) { stored_.trail.deposit(place, amount); });
+                   [&](GridPlace place, std::size_t) { stored_.field.deposit(place, amount); });
 }
 
 void Pheromone::add(std::span<const TrailPlace> places, std::span<const double> values) {
   check(places, stored_.places(), values);
   stored_.for_each(
-      places, [&](GridPlace place, std::size_t i) { stored_.trail.deposit(place, values[i]); });
+      places, [&](GridPlace place, std::size_t i) { stored_.field.deposit(place, values[i]); });
 }
 
 void Pheromone::set(std::span<const TrailPlace> places, std::span<const double> values) {
   check(places, stored_.places(), values);
   stored_.for_each(
-      places, [&](GridPlace place, std::size_t i) { stored_.trail.set_tau(place, values[i]); });
+      places, [&](GridPlace place, std::size_t i) { stored_.field.set_tau(place, values[i]); });
 }
 
 void Pheromone::clamp(double least, double most) {
@@ -84,14 +83,14 @@ void Pheromone::clamp(double least, double most) {
   if (!(most > 0 && most >= least))
     throw invalid_parameter("most is " + number_text(most) + ", least " + number_text(least),
                             "most must be positive, and not below least");
-  stored_.trail.bound(least, most);
+  stored_.field.bound(least, most);
 }
 
 void Pheromone::get(std::span<const TrailPlace> places, std::span<double> values) const {
   check_places(places, stored_.places());
   check_lengths(places.size(), values.size());
   std::ranges::transform(places, values.begin(),
-                         [this](TrailPlace place) { return stored_.trail.tau(stored_.at(place)); });
+                         [this](TrailPlace place) { return stored_.field.tau(stored_.at(place)); });
 }
 
 void Pheromone::check_learned() const {
@@ -104,32 +103,31 @@ void Pheromone::get_learned(std::span<const TrailPlace> cells, std::span<double>
   check_learned();
   check_places(cells, stored_.cells);
   check_lengths(cells.size(), values.size());
-  std::ranges::transform(cells, values.begin(), [this](TrailPlace cell) {
-    return stored_.trail.field.eta(stored_.cell(cell));
-  });
+  std::ranges::transform(cells, values.begin(),
+                         [this](TrailPlace cell) { return stored_.field.eta(stored_.cell(cell)); });
 }
 
 void Pheromone::set_learned(std::span<const TrailPlace> cells, std::span<const double> values) {
   check_learned();
   check(cells, stored_.cells, values);
   for (std::size_t i = 0; i < cells.size() && !stored_.poller.stop_after(1); ++i)
-    stored_.trail.field.set_eta(stored_.cell(cells[i]), values[i]);
+    stored_.field.set_eta(stored_.cell(cells[i]), values[i]);
 }
 
-int Pheromone::tiles() const noexcept { return stored_.trail.field.tiles(); }
+int Pheromone::tiles() const noexcept { return stored_.field.tiles(); }
 
 TrailTile Pheromone::tile(int number) const {
   if (number < 0 || number >= tiles())
     throw invalid_parameter("tile " + std::to_string(number) + " is asked for",
                             "there are " + std::to_string(tiles()) + ", from 0");
   TrailTile tile;
-  tile.stored = stored_.trail.field.stored(number, tile.first);
+  tile.stored = stored_.field.stored(number, tile.first);
   return tile;
 }
 
-double Pheromone::scale() const noexcept { return stored_.trail.field.scale(); }
-double Pheromone::untouched() const noexcept { return stored_.trail.field.untouched(); }
-double Pheromone::least() const noexcept { return stored_.trail.field.least(); }
-double Pheromone::most() const noexcept { return stored_.trail.field.most(); }
+double Pheromone::scale() const noexcept { return stored_.field.scale(); }
+double Pheromone::untouched() const noexcept { return stored_.field.untouched(); }
+double Pheromone::least() const noexcept { return stored_.field.least(); }
+double Pheromone::most() const noexcept { return stored_.field.most(); }
 
 }  // namespace lasius

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/base/growing_array.h"
 #include "core/base/held_bytes.h"
+#include "core/base/large_array.h"
 #include "core/colony/walkers.h"
 #include "core/smooth/path_maker.h"
 #include "kernels/walk/walk.h"

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "core/base/poller.h"
-#include "core/colony/grid_tours.h"
+#include "core/colony/field.h"
 #include "lasius/grid.h"
 #include "lasius/own_rules.h"
 #include "lasius/params.h"
@@ -41,9 +41,9 @@ class PlaceDivisor {
 /// A trail as a Pheromone changes it, and that Pheromone.
 class StoredPheromone {
  public:
-  /// The trail of a colony with `choices` moves out of a cell. Field and `stop` outlive the object.
-  StoredPheromone(Field& field, const Grid& grid, const Params& params, int choices, Poller& stop)
-      : trail{field},
+  /// The trail of a colony with `choices` moves out of a cell. It and `stop` outlive the object.
+  StoredPheromone(Field& trail, const Grid& grid, const Params& params, int choices, Poller& stop)
+      : field(trail),
         kind(params.trail),
         learned(params.heuristic == Heuristic::learned),
         width(grid.width()),
@@ -75,7 +75,7 @@ class StoredPheromone {
     }
   }
 
-  FieldTrail trail;
+  Field& field;
   const Trail kind;
   const bool learned;  ///< cells teach, see Heuristic::learned
   const int width;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/colony/field.h"
-#include "core/colony/grid_tours.h"
+#include "core/colony/update.h"
 #include "kernels/base/moves.h"
 #include "lasius/params.h"
 #include "lasius/stop.h"

@@ -4,7 +4,6 @@
 
 #include "core/base/poller.h"
 #include "core/base/special_values.h"
-#include "core/colony/grid_tours.h"
 #include "core/colony/terminal_index.h"
 #include "core/loop/trail_rules.h"
 #include "kernels/base/power.h"
@@ -92,31 +91,29 @@ double initial_pheromone(const Params& params, double straight_distance) noexcep
 void update_locally(Field& field, const Params& params, double tau0, const Tours& batch,
                     const StopCondition& stop) {
   if (params.update != Update::colony_system || params.local_evaporation == 0) return;
-  FieldTrail trail{field};
   Poller poller(stop, Poller::kSteps);
   const GridTours tours{batch, params.trail, poller};
   for (const Tour& tour : tours.ants) {
-    tours.along(tour, [&](GridPlace place) { trail_rules::pass(trail, params, tau0, place); });
+    tours.along(tour, [&](GridPlace place) { trail_rules::pass(field, params, tau0, place); });
   }
 }
 
 void update_trail(Field& field, const Params& params, const Tours& all, const StopCondition& stop) {
-  FieldTrail trail{field};
   Poller poller(stop, Poller::kSteps);
   const GridTours tours{all, params.trail, poller};
   switch (params.update) {
     case Update::ant_system:
-      return trail_rules::ant_system(trail, params, tours);
+      return trail_rules::ant_system(field, params, tours);
     case Update::elitist:
-      return trail_rules::elitist(trail, params, tours, tours.best_so_far);
+      return trail_rules::elitist(field, params, tours, tours.best_so_far);
     case Update::rank:
-      return trail_rules::rank(trail, params, tours);
+      return trail_rules::rank(field, params, tours);
     case Update::max_min:
-      return trail_rules::max_min(trail, params, tours);
+      return trail_rules::max_min(field, params, tours);
     case Update::colony_system:
-      return trail_rules::colony_system(trail, params, tours, tours.best_so_far);
+      return trail_rules::colony_system(field, params, tours, tours.best_so_far);
     case Update::best_share:
-      return trail_rules::best_share(trail, params, tours);
+      return trail_rules::best_share(field, params, tours);
     case Update::terminal_index:
       return update_terminal_index(field, tours);
     case Update::learning:

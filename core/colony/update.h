@@ -1,11 +1,15 @@
 // How the trail of a grid changes after ants have walked.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/base/poller.h"
 #include "core/colony/field.h"
 #include "core/colony/walkers.h"
+#include "core/grid/move_rule.h"
 #include "kernels/base/moves.h"
 #include "lasius/params.h"
 #include "lasius/stop.h"
@@ -27,6 +31,26 @@ struct Tours {
   int iteration = 0;
   int rows = 0;               ///< height of the map
   std::vector<int>& ranking;  ///< scratch: ants by length of their tours
+};
+
+/// Tours of a grid as the rules of a trail see them.
+struct GridTours : Tours {
+  Trail trail;
+  Poller& poller;
+
+  /// With arcs, visits the cells that moves leave, with cells all of them; fewer when stopped.
+  template <class Visit>
+  void along(const Tour& tour, const Visit& visit) const {
+    Cell c = start;
+    for (const int k : tour.moves) {
+      if (poller.stop_after(1)) return;
+      visit(GridPlace{c, trail == Trail::arcs ? k : 0});
+      c = c + moves[k].to;
+    }
+    if (trail == Trail::cells) visit(GridPlace{c});
+  }
+  int choices() const { return moves.count; }
+  std::size_t moves_of(const Tour& tour) const { return tour.moves.size(); }
 };
 
 /// tau0: `initial_pheromone`, or where that is 0 the formula of the update's source with the

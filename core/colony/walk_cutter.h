@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/growing_array.h"
+#include "core/base/large_array.h"
 #include "core/grid/cell_set.h"
 #include "kernels/base/moves.h"
 #include "kernels/base/packed_cell.h"

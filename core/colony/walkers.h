@@ -9,9 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "core/base/growing_array.h"
+#include "core/base/large_array.h"
 #include "core/base/poller.h"
-#include "core/base/zero_array.h"
 #include "core/grid/move_rule.h"
 #include "kernels/walk/walk.h"
 #include "lasius/geometry.h"

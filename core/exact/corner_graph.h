@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/large_array.h"
 #include "core/base/special_values.h"
-#include "core/base/zero_array.h"
 #include "core/exact/corner_landmarks.h"
 #include "core/exact/quadrant.h"
 #include "lasius/grid.h"

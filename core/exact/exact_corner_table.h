@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/growing_list.h"
 #include "core/base/held_bytes.h"
+#include "core/base/large_array.h"
 
 namespace lasius::exact {
 

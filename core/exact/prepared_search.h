@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/bucket_queue.h"
+#include "core/base/large_array.h"
 #include "core/base/poller.h"
-#include "core/base/zero_array.h"
 #include "core/exact/corner_graph.h"
 #include "core/exact/exact_answer.h"
 #include "kernels/sight/scan_cone.h"

@@ -111,19 +111,6 @@ class Maze {
   std::vector<std::uint8_t> squares_;
 };
 
-class RowBits {
- public:
-  explicit RowBits(int words) : words_(words) {}
-  void block_all() { std::ranges::fill(words_, ~std::uint64_t{0}); }
-  void clear(int from, int to) {
-    for (int x = from; x < to; ++x) words_[x >> 6] &= ~(std::uint64_t{1} << (x & 63));
-  }
-  const std::uint64_t* data() const noexcept { return words_.data(); }
-
- private:
-  std::vector<std::uint64_t> words_;
-};
-
 }  // namespace
 
 void make_maze(Grid& grid, BlockedShare share, const MapRandom& random, Poller& poller) {
@@ -134,20 +121,20 @@ void make_maze(Grid& grid, BlockedShare share, const MapRandom& random, Poller& 
   maze.grow(MapDraws(random, MapStream::maze), poller);
   maze.add_loops(MapDraws(random, MapStream::maze_loops), poller);
 
-  RowBits row(grid.words());
+  grid.fill(true);
+  const auto repeat = [&grid](int row, int end) {
+    for (int y = row + 1; y < end; ++y) grid.set_row(y, grid.row(row));
+  };
   for (int j = 0; j < down.count && !poller.stop_after(grid.width()); ++j) {
-    row.block_all();
+    const int row = down.start(j), wall = down.end(j);  // the wall below, which the last has not
     for (int i = 0; i < across.count; ++i) {
-      const bool joined = i + 1 < across.count && maze.open_right(i, j);
-      row.clear(across.start(i), joined ? across.start(i + 1) : across.end(i));
+      const int x = across.start(i), width = across.end(i) - x;
+      const bool joined = maze.open_right(i, j);
+      grid.fill({x, row, joined ? across.start(i + 1) - x : width, 1}, false);
+      if (maze.open_down(i, j)) grid.fill({x, wall, width, 1}, false);
     }
-    for (int y = down.start(j); y < down.end(j); ++y) grid.set_row(y, row.data());
-    if (j + 1 == down.count) break;
-    row.block_all();
-    for (int i = 0; i < across.count; ++i) {
-      if (maze.open_down(i, j)) row.clear(across.start(i), across.end(i));
-    }
-    for (int y = down.end(j); y < down.start(j + 1); ++y) grid.set_row(y, row.data());
+    repeat(row, wall);
+    if (j + 1 < down.count) repeat(wall, down.start(j + 1));
   }
 }
 

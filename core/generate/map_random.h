@@ -37,21 +37,15 @@ class MapRandom {
 };
 
 /// Random numbers one after another, of one place in a stream.
-class MapDraws {
+class MapDraws : public kernels::RandomStream {
  public:
   MapDraws(const MapRandom& random, MapStream stream, std::uint32_t a = 0, std::uint32_t b = 0)
-      : words_(random.seed(), a, b, static_cast<std::uint32_t>(stream)) {}
+      : RandomStream(random.seed(), a, b, static_cast<std::uint32_t>(stream)) {}
 
-  std::uint32_t next() { return words_.next(); }
-  /// Uniform in [0, count).
-  int below(int count) { return words_.below(count); }
   /// Uniform in [low, high], low where the range is empty.
   int between(int low, int high) { return high <= low ? low : low + below(high - low + 1); }
   /// True in `share` of 256 cases.
   bool chance(int share) { return below(256) < share; }
-
- private:
-  kernels::RandomStream words_;
 };
 
 }  // namespace lasius

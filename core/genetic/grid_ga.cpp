@@ -40,11 +40,11 @@ class GridGa final : public ColonyWorld {
         joined_(joined),
         memory_(memory),
         observer_(observer),
-        moves_{params.neighbours == Neighbours::four ? 4 : 8, params.corners},
         threads_(std::clamp(thread_count(params.threads), 1, params.population)) {
     const auto threads = static_cast<std::size_t>(threads_);
     if (memory.scratch.size() < threads) memory.scratch.resize(threads);
-    for (int t = 0; t < threads_; ++t) memory.scratch[t].routes.reset(grid, moves_, request.stop);
+    for (int t = 0; t < threads_; ++t)
+      memory.scratch[t].routes.reset(grid, params.neighbours, params.corners, request.stop);
     resize(memory.population);
     resize(memory.children);
   }
@@ -142,8 +142,8 @@ class GridGa final : public ColonyWorld {
     made.tour = kNaN;
     made.length = kInfinity;
     if (scratch.draft.empty()) return;
-    auto way = scratch.maker.cut(grid_, scratch.draft, moves_.neighbours > 4, moves_.corners,
-                                 request_.stop);
+    auto way = scratch.maker.cut(grid_, scratch.draft, params_.neighbours != Neighbours::four,
+                                 params_.corners, request_.stop);
     const bool stopped = way.empty();
     if (stopped) way = scratch.draft;
     made.cells.assign(way.begin(), way.end());
@@ -252,7 +252,6 @@ class GridGa final : public ColonyWorld {
   const std::function<bool(Cell)>& joined_;
   GridGaMemory& memory_;
   const Observer& observer_;
-  RouteMoves moves_;
   int threads_;
 
   double best_length_ = kInfinity;

@@ -5,9 +5,11 @@
 
 namespace lasius {
 
-void RouteMaker::reset(const Grid& grid, const RouteMoves& moves, const StopCondition& stop) {
+void RouteMaker::reset(const Grid& grid, Neighbours neighbours, Corners corners,
+                       const StopCondition& stop) {
   grid_ = &grid;
-  moves_ = moves;
+  moves_ = moves_of(neighbours);
+  corners_ = corners;
   words_ = grid.words();
   Poller poller(stop);
   const std::int64_t room = std::int64_t{words_} * grid.height();
@@ -29,25 +31,16 @@ void RouteMaker::forget(Poller& poller) {
   marked_count_ = 0;
 }
 
-bool RouteMaker::legal(Cell at, int dx, int dy) const noexcept {
-  if (grid_->blocked({at.x + dx, at.y + dy})) return false;
-  if (dx == 0 || dy == 0) return true;
-  return moves_.neighbours > 4 &&
-         diagonal_allowed(*grid_, moves_.corners, {at.x + dx, at.y}, {at.x, at.y + dy});
-}
-
 Cell RouteMaker::nearest_open(Cell at, Cell to) const noexcept {
   Cell nearest = at;
   std::int64_t least = 0;
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      const Cell next{at.x + dx, at.y + dy};
-      if (next == at || !legal(at, dx, dy) || entered(next)) continue;
-      const std::int64_t x = to.x - next.x, y = to.y - next.y;
-      if (nearest == at || x * x + y * y < least) {
-        nearest = next;
-        least = x * x + y * y;
-      }
+  for (int k = 0; k < moves_.count; ++k) {
+    const Cell next = at + moves_[k].to;
+    if (!move_exists(*grid_, corners_, at, moves_[k]) || entered(next)) continue;
+    const std::int64_t x = to.x - next.x, y = to.y - next.y;
+    if (nearest == at || x * x + y * y < least) {
+      nearest = next;
+      least = x * x + y * y;
     }
   }
   return nearest;

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/growing_array.h"
+#include "core/base/large_array.h"
 #include "core/base/poller.h"
-#include "core/base/zero_array.h"
+#include "kernels/base/moves.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
 #include "lasius/moves.h"
@@ -15,19 +15,13 @@
 
 namespace lasius {
 
-/// The moves of a walk: 4 or 8 neighbours under a rule of corners.
-struct RouteMoves {
-  int neighbours = 8;
-  Corners corners = Corners::forbid;
-};
-
 /// Makes walks on a grid. Address space is reserved by area, memory touched only where walks go.
 /// One per thread.
 class RouteMaker {
  public:
   /// Gets ready for a grid, which must outlive the walks on it. What a large map's walks touched is
   /// given back. When stopped, another reset is to come before a walk.
-  void reset(const Grid& grid, const RouteMoves& moves, const StopCondition& stop);
+  void reset(const Grid& grid, Neighbours neighbours, Corners corners, const StopCondition& stop);
 
   /// Appends to `route` the walk from its last cell to `to`: always to the open neighbour nearest
   /// to it in a straight line, ties in scan order; no cell is entered twice, and where none is open
@@ -38,7 +32,6 @@ class RouteMaker {
   std::int64_t bytes() const noexcept { return entered_.bytes() + marked_.bytes(); }  ///< held
 
  private:
-  bool legal(Cell at, int dx, int dy) const noexcept;
   /// The open neighbour nearest to `to`, or `at` where none is open.
   Cell nearest_open(Cell at, Cell to) const noexcept;
   std::int64_t word_of(Cell c) const noexcept { return std::int64_t{c.y} * words_ + (c.x >> 6); }
@@ -47,7 +40,8 @@ class RouteMaker {
   void forget(Poller& poller);
 
   const Grid* grid_ = nullptr;
-  RouteMoves moves_;
+  kernels::Moves moves_;
+  Corners corners_ = Corners::forbid;
   int words_ = 0;                     // a row of `entered_`
   ZeroArray<std::uint64_t> entered_;  // a bit a cell
   GrowingArray<Cell> marked_;         // those whose bit may be set

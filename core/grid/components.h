@@ -47,9 +47,6 @@ class LASIUS_EXPORT Components {
               const StopCondition& stop = {});
 
   /// A copy brought up to date; `changed` are all cells that differ. Empty if stopped.
-  Components updated(const Grid& edited, std::span<const Cell> changed) const {
-    return *updated(edited, changed, {});
-  }
   [[nodiscard]] std::optional<Components> updated(const Grid& edited, std::span<const Cell> changed,
                                                   const StopCondition& stop) const;
 

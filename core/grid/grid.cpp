@@ -37,7 +37,6 @@ void check_bytes(std::size_t count, int width, int height) {
 std::uint64_t packed(const std::uint8_t* bytes) noexcept {
   std::uint64_t word;
   std::memcpy(&word, bytes, sizeof word);
-  if constexpr (std::endian::native == std::endian::big) word = __builtin_bswap64(word);
   // The top bit of each byte that is not 0; then all of them side by side.
   constexpr std::uint64_t kLow = 0x7f7f7f7f7f7f7f7fULL;
   const std::uint64_t set = ((((word & kLow) + kLow) | word) & ~kLow) >> 7;

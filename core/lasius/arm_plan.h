@@ -29,9 +29,7 @@ enum class Pheromone {
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 2> kPheromoneNames{"arcs", "edges"};
 /// The name of a value.
-constexpr std::string_view to_string(Pheromone value) noexcept {
-  return name_of(value, kPheromoneNames);
-}
+constexpr std::string_view to_string(Pheromone v) noexcept { return name_of(v, kPheromoneNames); }
 
 /// What a way through the lattice is measured by.
 enum class Objective {
@@ -42,9 +40,7 @@ enum class Objective {
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 3> kObjectiveNames{"length", "joint", "duration"};
 /// The name of a value.
-constexpr std::string_view to_string(Objective value) noexcept {
-  return name_of(value, kObjectiveNames);
-}
+constexpr std::string_view to_string(Objective v) noexcept { return name_of(v, kObjectiveNames); }
 
 /// Parameters of one plan. The constructor sets the values of an algorithm, which `algorithms()`
 /// lists: `postures`, the default, or `goritov2020`, the source's system and base set (Goritov &

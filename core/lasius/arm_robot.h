@@ -70,9 +70,7 @@ struct Solid {
 inline constexpr std::array<std::string_view, 5> kShapeNames{"box", "sphere", "cylinder", "mesh",
                                                              "capsule"};
 /// The name of a value, as files have it.
-constexpr std::string_view to_string(Solid::Shape value) noexcept {
-  return name_of(value, kShapeNames);
-}
+constexpr std::string_view to_string(Solid::Shape v) noexcept { return name_of(v, kShapeNames); }
 
 /// A part of a robot that has a body.
 struct Link {
@@ -103,9 +101,7 @@ struct Joint {
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 2> kJointKindNames{"revolute", "prismatic"};
 /// The name of a value, as robots' files have it.
-constexpr std::string_view to_string(Joint::Kind value) noexcept {
-  return name_of(value, kJointKindNames);
-}
+constexpr std::string_view to_string(Joint::Kind v) noexcept { return name_of(v, kJointKindNames); }
 
 /// A chain of 1 to kMaxJoints joints on a base that stands still.
 struct Robot {
@@ -175,8 +171,8 @@ struct LinkPair {
 inline constexpr std::array<std::string_view, 4> kLinkPairCheckNames{"checked", "rigid",
                                                                      "neighbours", "allowed"};
 /// The name of a value.
-constexpr std::string_view to_string(LinkPair::Check value) noexcept {
-  return name_of(value, kLinkPairCheckNames);
+constexpr std::string_view to_string(LinkPair::Check v) noexcept {
+  return name_of(v, kLinkPairCheckNames);
 }
 /// All pairs of links that have solids, in order. Precondition: a robot that `validate` accepts.
 LASIUS_ARM_EXPORT std::vector<LinkPair> link_pairs(const Robot& robot);

@@ -17,9 +17,7 @@ enum class Corners {
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 3> kCornersNames{"forbid", "one-side", "allow"};
 /// The name of a value.
-constexpr std::string_view to_string(Corners value) noexcept {
-  return name_of(value, kCornersNames);
-}
+constexpr std::string_view to_string(Corners v) noexcept { return name_of(v, kCornersNames); }
 
 /// Moves of an ant. Moves of more than one cell need every cell that they sweep to be free.
 enum class Neighbours {
@@ -34,8 +32,6 @@ enum class Neighbours {
 inline constexpr std::array<std::string_view, 6> kNeighboursNames{"4",   "8",  "16",
                                                                   "16k", "24", "32"};
 /// The name of a value.
-constexpr std::string_view to_string(Neighbours value) noexcept {
-  return name_of(value, kNeighboursNames);
-}
+constexpr std::string_view to_string(Neighbours v) noexcept { return name_of(v, kNeighboursNames); }
 
 }  // namespace lasius

@@ -30,7 +30,7 @@ enum class Polish {
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 4> kPolishNames{"none", "straight", "taut", "local"};
 /// The name of a value.
-constexpr std::string_view to_string(Polish value) noexcept { return name_of(value, kPolishNames); }
+constexpr std::string_view to_string(Polish v) noexcept { return name_of(v, kPolishNames); }
 
 /// What is left of a walk before it is measured, deposited and offered.
 enum class WalkCut {
@@ -42,9 +42,7 @@ enum class WalkCut {
 inline constexpr std::array<std::string_view, 3> kWalkCutNames{"none", "own-cells",
                                                                "entered-cells"};
 /// The name of a value.
-constexpr std::string_view to_string(WalkCut value) noexcept {
-  return name_of(value, kWalkCutNames);
-}
+constexpr std::string_view to_string(WalkCut v) noexcept { return name_of(v, kWalkCutNames); }
 
 /// What an ant does when every way on is closed.
 enum class DeadEnd {
@@ -54,17 +52,15 @@ enum class DeadEnd {
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 2> kDeadEndNames{"backtrack", "kill"};
 /// The name of a value.
-constexpr std::string_view to_string(DeadEnd value) noexcept {
-  return name_of(value, kDeadEndNames);
-}
+constexpr std::string_view to_string(DeadEnd v) noexcept { return name_of(v, kDeadEndNames); }
 
 /// Which straightened paths get pheromone too (Fan et al. 2004, step 3).
 enum class StraightDeposit { none, improving, all };
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 3> kStraightDepositNames{"none", "improving", "all"};
 /// The name of a value.
-constexpr std::string_view to_string(StraightDeposit value) noexcept {
-  return name_of(value, kStraightDepositNames);
+constexpr std::string_view to_string(StraightDeposit v) noexcept {
+  return name_of(v, kStraightDepositNames);
 }
 
 /// What carries pheromone.
@@ -75,7 +71,7 @@ enum class Trail {
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 2> kTrailNames{"cells", "arcs"};
 /// The name of a value.
-constexpr std::string_view to_string(Trail value) noexcept { return name_of(value, kTrailNames); }
+constexpr std::string_view to_string(Trail v) noexcept { return name_of(v, kTrailNames); }
 
 /// How a move is drawn from the weights of its row.
 enum class Selection {
@@ -85,9 +81,7 @@ enum class Selection {
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 2> kSelectionNames{"roulette", "inverse-roulette"};
 /// The name of a value.
-constexpr std::string_view to_string(Selection value) noexcept {
-  return name_of(value, kSelectionNames);
-}
+constexpr std::string_view to_string(Selection v) noexcept { return name_of(v, kSelectionNames); }
 
 /// Which move has "the largest gradient" that the terminal index's answer follows (Li, Wang & Ma):
 /// j at distance s from c.
@@ -98,8 +92,8 @@ enum class IndexAnswer {
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 2> kIndexAnswerNames{"least-way", "steepest"};
 /// The name of a value.
-constexpr std::string_view to_string(IndexAnswer value) noexcept {
-  return name_of(value, kIndexAnswerNames);
+constexpr std::string_view to_string(IndexAnswer v) noexcept {
+  return name_of(v, kIndexAnswerNames);
 }
 
 /// Cong & Ponnambalam 2009, eq. 3 is broken in print: which reading to take.
@@ -110,7 +104,7 @@ enum class Reward {
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 2> kRewardNames{"factor", "affine"};
 /// The name of a value.
-constexpr std::string_view to_string(Reward value) noexcept { return name_of(value, kRewardNames); }
+constexpr std::string_view to_string(Reward v) noexcept { return name_of(v, kRewardNames); }
 
 /// Whose numbers an algorithm starts with.
 enum class Preset {
@@ -120,7 +114,7 @@ enum class Preset {
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 2> kPresetNames{"usual", "book"};
 /// The name of a value.
-constexpr std::string_view to_string(Preset value) noexcept { return name_of(value, kPresetNames); }
+constexpr std::string_view to_string(Preset v) noexcept { return name_of(v, kPresetNames); }
 
 /// The numbers of the families' updates, in any world; a row of kUpdates says which of them its
 /// update reads.

@@ -32,7 +32,7 @@ enum class Join {
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 4> kJoinNames{"mitre", "round", "bevel", "chords"};
 /// The name of a value.
-constexpr std::string_view to_string(Join value) noexcept { return name_of(value, kJoinNames); }
+constexpr std::string_view to_string(Join v) noexcept { return name_of(v, kJoinNames); }
 
 /// What the margin does to the boundary.
 enum class Boundary {
@@ -42,9 +42,7 @@ enum class Boundary {
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 2> kBoundaryNames{"shrink", "keep"};
 /// The name of a value.
-constexpr std::string_view to_string(Boundary value) noexcept {
-  return name_of(value, kBoundaryNames);
-}
+constexpr std::string_view to_string(Boundary v) noexcept { return name_of(v, kBoundaryNames); }
 
 /// How a world grows by the robot's margin.
 struct GrowOptions {
@@ -62,9 +60,7 @@ enum class GlobalBest {
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 2> kGlobalBestNames{"so-far", "iteration"};
 /// The name of a value.
-constexpr std::string_view to_string(GlobalBest value) noexcept {
-  return name_of(value, kGlobalBestNames);
-}
+constexpr std::string_view to_string(GlobalBest v) noexcept { return name_of(v, kGlobalBestNames); }
 
 /// Parameters of one plan. The constructor sets the published values of an algorithm, which
 /// `algorithms()` lists with its parameters and their ranges; what the algorithm does not read must

@@ -77,9 +77,7 @@ inline constexpr std::array kHeuristics{
 /// Their names, in the same order.
 inline constexpr std::array kHeuristicNames = rule_names(kHeuristics);
 /// The name of a value.
-constexpr std::string_view to_string(Heuristic value) noexcept {
-  return rule_of(value, kHeuristics).name;
-}
+constexpr std::string_view to_string(Heuristic v) noexcept { return rule_of(v, kHeuristics).name; }
 
 /// The part of a move's weight that depends on the move and the one before it.
 enum class Visibility {
@@ -99,8 +97,8 @@ inline constexpr std::array kVisibilities{
 /// Their names, in the same order.
 inline constexpr std::array kVisibilityNames = rule_names(kVisibilities);
 /// The name of a value.
-constexpr std::string_view to_string(Visibility value) noexcept {
-  return rule_of(value, kVisibilities).name;
+constexpr std::string_view to_string(Visibility v) noexcept {
+  return rule_of(v, kVisibilities).name;
 }
 
 /// How the trail changes after each iteration.
@@ -158,8 +156,6 @@ inline constexpr std::array kUpdates{
 /// Their names, in the same order.
 inline constexpr std::array kUpdateNames = rule_names(kUpdates);
 /// The name of a value.
-constexpr std::string_view to_string(Update value) noexcept {
-  return rule_of(value, kUpdates).name;
-}
+constexpr std::string_view to_string(Update v) noexcept { return rule_of(v, kUpdates).name; }
 
 }  // namespace lasius

@@ -19,14 +19,10 @@ namespace {
 
 void check(const BatchOptions& options, std::uint64_t seed) {
   check_threads(options.threads);
-  if (options.time_limit && !(options.time_limit->count() >= 0)) {
-    throw invalid_parameter("time_limit is " + std::to_string(options.time_limit->count()) + " s",
-                            "it must be 0 or more, or none");
-  }
-  constexpr int kMostSeeds = 1 << 20;
-  if (options.seeds < 1 || options.seeds > kMostSeeds)
-    throw invalid_parameter("seeds is " + std::to_string(options.seeds),
-                            "it must be from 1 to " + std::to_string(kMostSeeds));
+  const double limit = options.time_limit ? options.time_limit->count() : 0;
+  require(limit >= 0, "time_limit", limit, "it must be 0 or more seconds, or none");
+  require(options.seeds >= 1 && options.seeds <= 1 << 20, "seeds", options.seeds,
+          "it must be from 1 to 1048576");
   check_seed(seed + static_cast<std::uint64_t>(options.seeds) - 1);
 }
 
@@ -127,9 +123,12 @@ std::size_t run_tasks(std::size_t requests, std::uint64_t seed, const BatchOptio
                       const std::function<StopCondition(std::size_t)>& stop_of,
                       const std::function<BatchWorker()>& make_worker) {
   check(options, seed);
-  const int threads = thread_count(options.threads);
   const auto seeds = static_cast<std::size_t>(options.seeds);
-  Sequencer sequencer(requests * seeds, 64 + 8 * static_cast<std::size_t>(threads), options.token);
+  const std::size_t tasks = requests * seeds;
+  // A worker without a task would still make all that a plan works with.
+  const int threads = static_cast<int>(
+      std::clamp<std::size_t>(tasks, 1, static_cast<std::size_t>(thread_count(options.threads))));
+  Sequencer sequencer(tasks, 64 + 8 * static_cast<std::size_t>(threads), options.token);
 
   const auto work = [&] {
     const BatchWorker worker = make_worker();

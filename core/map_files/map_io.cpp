@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "core/base/invalid_parameter.h"
-#include "core/base/number_text.h"
 #include "core/base/output.h"
 #include "core/map_files/byte_reader.h"
 #include "core/map_files/movingai.h"
@@ -31,10 +30,8 @@ Point WorldFrame::to_world(Point cells, int height) const noexcept {
 }
 
 PixelRule plain_rule(double free_below) {
-  if (!(free_below > 0 && free_below <= 1)) {
-    throw invalid_parameter("free_below is " + number_text(free_below),
-                            "it must lie above 0 and be at most 1");
-  }
+  require(free_below > 0 && free_below <= 1, "free_below", free_below,
+          "it must lie above 0 and be at most 1");
   return {[free_below](int level, int white) { return white - level >= free_below * white; }};
 }
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/params/schedule.h"
+#include "core/params/grid_parameters.h"
 #include "lasius/params.h"
 
 namespace lasius {

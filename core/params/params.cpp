@@ -7,9 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "core/params/grid_parameters.h"
 #include "core/params/parameter_table.h"
-#include "core/params/presets.h"
-#include "core/params/schedule.h"
 
 namespace lasius {
 namespace {

@@ -1,11 +1,10 @@
-#include "core/params/presets.h"
-
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
-#include <tuple>
-#include <type_traits>
+#include <string_view>
 
+#include "core/params/grid_parameters.h"
 #include "core/params/parameter_table.h"
 
 namespace lasius {
@@ -204,94 +203,87 @@ void grid_ga(Params& p) {
 }
 
 struct Listed {
-  Algorithm algorithm;
+  std::string_view name, summary, source;
   void (*set)(Params&);
   void (*set_book)(Params&) = nullptr;
+  Algorithm::Kind kind = Algorithm::Kind::colony;
 };
 
-/// Made on first use, so that Params may be made before main() begins.
-const auto& presets() {
-  static const std::array list{
-      Listed{{"exact",
-              "the shortest any-angle path, with a proof; before that the best path so far with a "
-              "certified gap",
-              "lasius: weighted A* and A* over taut corners, see docs/exact.md",
-              {},
-              Algorithm::Kind::exact},
-             exact},
-      Listed{{"fan2004",
-              "bitmaps of many irregular obstacles: pheromone, rescaled distance and their product "
-              "mixed by roulette, exponents that vary with time, tours pulled straight",
-              "Fan, Luo, Yi, Zhang: Path planning for robots based on ant colony optimization "
-              "algorithm under complex environment. Control and Decision 19 (2), 2004",
-              colony_parameters()},
-             fan2004},
-      Listed{{"as", "ant system, the classic: every ant that arrives deposits",
-              "Dorigo, Maniezzo, Colorni: Ant System: optimization by a colony of cooperating "
-              "agents. IEEE Trans. SMC-B 26 (1), 1996",
-              colony_parameters()},
-             ant_system,
-             ant_system_book},
-      Listed{{"eas", "elitist ant system: the best tour so far deposits as well",
-              "Dorigo, Stuetzle: Ant Colony Optimization. MIT Press, 2004, section 3.3.2",
-              colony_parameters()},
-             elitist,
-             elitist_book},
-      Listed{{"ras", "rank-based ant system: the best ants deposit, weighted by rank",
-              "Bullnheimer, Hartl, Strauss: A new rank-based version of the Ant System. Central "
-              "European J. for Operations Research 7 (1), 1999",
-              colony_parameters()},
-             rank_based,
-             rank_based_book},
-      Listed{{"mmas", "MAX-MIN ant system: one best ant deposits, pheromone between bounds",
-              "Stuetzle, Hoos: MAX-MIN Ant System. Future Generation Computer Systems 16 (8), 2000",
-              colony_parameters()},
-             max_min,
-             max_min_book},
-      Listed{{"acs", "ant colony system: pseudo-random proportional rule, local and global update",
-              "Dorigo, Gambardella: Ant Colony System: a cooperative learning approach to the "
-              "traveling salesman problem. IEEE Trans. Evolutionary Computation 1 (1), 1997",
-              colony_parameters()},
-             colony_system,
-             colony_system_book},
-      Listed{
-          {"terminal-index",
+constexpr std::array kListed{
+    Listed{"exact",
+           "the shortest any-angle path, with a proof; before that the best path so far with a "
+           "certified gap",
+           "lasius: weighted A* and A* over taut corners, see docs/exact.md", exact, nullptr,
+           Algorithm::Kind::exact},
+    Listed{"fan2004",
+           "bitmaps of many irregular obstacles: pheromone, rescaled distance and their product "
+           "mixed by roulette, exponents that vary with time, tours pulled straight",
+           "Fan, Luo, Yi, Zhang: Path planning for robots based on ant colony optimization "
+           "algorithm under complex environment. Control and Decision 19 (2), 2004",
+           fan2004},
+    Listed{"as", "ant system, the classic: every ant that arrives deposits",
+           "Dorigo, Maniezzo, Colorni: Ant System: optimization by a colony of cooperating "
+           "agents. IEEE Trans. SMC-B 26 (1), 1996",
+           ant_system, ant_system_book},
+    Listed{"eas", "elitist ant system: the best tour so far deposits as well",
+           "Dorigo, Stuetzle: Ant Colony Optimization. MIT Press, 2004, section 3.3.2", elitist,
+           elitist_book},
+    Listed{"ras", "rank-based ant system: the best ants deposit, weighted by rank",
+           "Bullnheimer, Hartl, Strauss: A new rank-based version of the Ant System. Central "
+           "European J. for Operations Research 7 (1), 1999",
+           rank_based, rank_based_book},
+    Listed{"mmas", "MAX-MIN ant system: one best ant deposits, pheromone between bounds",
+           "Stuetzle, Hoos: MAX-MIN Ant System. Future Generation Computer Systems 16 (8), 2000",
+           max_min, max_min_book},
+    Listed{"acs", "ant colony system: pseudo-random proportional rule, local and global update",
+           "Dorigo, Gambardella: Ant Colony System: a cooperative learning approach to the "
+           "traveling salesman problem. IEEE Trans. Evolutionary Computation 1 (1), 1997",
+           colony_system, colony_system_book},
+    Listed{"terminal-index",
            "the best known way from each cell in place of pheromone, moves discarded one by one; "
            "its ants die in dead ends, so it is meant for maps like its source's 20 x 20 and 30 "
            "x 30 cells, or dead_end=backtrack",
-           "Li, Wang, Ma: ant colony path planning with a terminal index", colony_parameters()},
-          terminal_index},
-      Listed{
-          {"cong2009",
+           "Li, Wang, Ma: ant colony path planning with a terminal index", terminal_index},
+    Listed{"cong2009",
            "one ant at a time, learned heuristic, penalties for dead ends; its ants die there, so "
            "it is meant for small maps",
            "Cong, Ponnambalam: Mobile robot path planning using ant colony optimization. "
            "IEEE/ASME Int. Conf. on Advanced Intelligent Mechatronics, 2009",
-           colony_parameters()},
-          cong2009},
-      Listed{{"lecture-grid", "heading change as heuristic, the iteration's best ant deposits",
-              "lecture on ant algorithms for robot path planning, grid part", colony_parameters()},
-             lecture_grid},
-      Listed{{"grid-ga",
-              "genetic algorithm, the comparator: paths of cells that cross where they meet",
-              "Ahn, Ramakrishna: A genetic algorithm for shortest path routing problem and the "
-              "sizing of populations. IEEE Trans. Evolutionary Computation 6 (6), 2002",
-              genetic_parameters(), Algorithm::Kind::genetic},
-             grid_ga},
-  };
-  return list;
+           cong2009},
+    Listed{"lecture-grid", "heading change as heuristic, the iteration's best ant deposits",
+           "lecture on ant algorithms for robot path planning, grid part", lecture_grid},
+    Listed{"grid-ga",
+           "genetic algorithm, the comparator: paths of cells that cross where they meet",
+           "Ahn, Ramakrishna: A genetic algorithm for shortest path routing problem and the "
+           "sizing of populations. IEEE Trans. Evolutionary Computation 6 (6), 2002",
+           grid_ga, nullptr, Algorithm::Kind::genetic},
+};
+
+std::span<const Parameter> parameters_of(Algorithm::Kind kind) noexcept {
+  switch (kind) {
+    case Algorithm::Kind::colony:
+      return colony_parameters();
+    case Algorithm::Kind::genetic:
+      return genetic_parameters();
+    case Algorithm::Kind::exact:
+      break;
+  }
+  return {};
 }
 
 const Listed& listed(const Algorithm& algorithm) {
-  return presets()[static_cast<std::size_t>(&algorithm - algorithms().data())];
+  return kListed[static_cast<std::size_t>(&algorithm - algorithms().data())];
 }
 
 }  // namespace
 
 std::span<const Algorithm> algorithms() noexcept {
+  // Made on first use, so that Params may be made before main() begins.
   static const auto list = [] {
-    std::array<Algorithm, std::tuple_size_v<std::remove_cvref_t<decltype(presets())>>> all;
-    std::ranges::transform(presets(), all.begin(), &Listed::algorithm);
+    std::array<Algorithm, kListed.size()> all;
+    std::ranges::transform(kListed, all.begin(), [](const Listed& one) -> Algorithm {
+      return {one.name, one.summary, one.source, parameters_of(one.kind), one.kind};
+    });
     return all;
   }();
   return list;
@@ -311,8 +303,8 @@ Params::Params(std::string_view algorithm, Preset preset) {
   const Listed& entry = listed(found);
   if (preset == Preset::book && entry.set_book == nullptr) {
     std::string others;
-    for (const Listed& one : presets()) {
-      if (one.set_book != nullptr) (others += others.empty() ? "" : ", ") += one.algorithm.name;
+    for (const Listed& one : kListed) {
+      if (one.set_book != nullptr) (others += others.empty() ? "" : ", ") += one.name;
     }
     throw invalid_parameter(algorithm_ + " has no preset book",
                             "those with the numbers of a textbook: " + others);

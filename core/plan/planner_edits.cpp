@@ -10,22 +10,15 @@
 namespace lasius {
 namespace {
 
-/// Directions, each once.
-class Known {
- public:
-  explicit Known(std::span<const Planner::Direction> directions) {
-    for (const auto& d : directions) add(d);
-  }
-  /// False where it was there.
-  bool add(const Planner::Direction& d) { return keys_.insert(key(d)).second; }
-  bool contains(const Planner::Direction& d) const { return keys_.contains(key(d)); }
+/// A direction as it is ordered, to find it again.
+using Key = std::tuple<int, int, int, int>;
+Key key_of(const Planner::Direction& d) { return {d.from.x, d.from.y, d.dx, d.dy}; }
 
- private:
-  using Key = std::tuple<int, int, int, int>;
-  static Key key(const Planner::Direction& d) { return {d.from.x, d.from.y, d.dx, d.dy}; }
-
-  std::set<Key> keys_;
-};
+std::set<Key> keys_of(std::span<const Planner::Direction> directions) {
+  std::set<Key> keys;
+  for (const auto& d : directions) keys.insert(key_of(d));
+  return keys;
+}
 
 }  // namespace
 
@@ -75,7 +68,7 @@ Planner Planner::exclude(std::span<const Direction> reported) const {
 std::optional<Planner> Planner::exclude(std::span<const Direction> reported,
                                         const StopCondition& stop) const {
   std::vector<Direction> directions = impl_->excluded;
-  Known known(directions);
+  std::set<Key> known = keys_of(directions);
   for (const Direction& d : reported) {
     if (!impl_->grid.contains(d.from)) {
       throw invalid_parameter("excluded direction starts outside the map, at " + cell_name(d.from),
@@ -86,7 +79,7 @@ std::optional<Planner> Planner::exclude(std::span<const Direction> reported,
       throw invalid_parameter(pair_text(d.dx, d.dy) + " is no direction",
                               "give one of the eight steps to a neighbour");
     }
-    if (known.add(d)) directions.push_back(d);
+    if (known.insert(key_of(d)).second) directions.push_back(d);
   }
   return if_made(impl_->next({}, std::move(directions), stop));
 }
@@ -95,10 +88,10 @@ Planner Planner::allow(std::span<const Direction> gone) const { return *allow(go
 
 std::optional<Planner> Planner::allow(std::span<const Direction> gone,
                                       const StopCondition& stop) const {
-  const Known allowed(gone);
+  const std::set<Key> allowed = keys_of(gone);
   std::vector<Direction> directions;
   for (const Direction& d : impl_->excluded) {
-    if (!allowed.contains(d)) directions.push_back(d);
+    if (!allowed.contains(key_of(d))) directions.push_back(d);
   }
   return if_made(impl_->next({}, std::move(directions), stop));
 }

@@ -1,7 +1,7 @@
 // What the two searchers over crossing points have in common.
 #pragma once
 
-#include "core/polygon/crossing_colony.h"
+#include "core/polygon/crossing_run.h"
 
 namespace lasius::polygon {
 

@@ -20,13 +20,6 @@
 namespace lasius::polygon {
 namespace {
 
-double checked_margin(double margin) {
-  if (const auto wrong = margin_fault(margin)) {
-    throw invalid_parameter(*wrong, kMarginRemedy);
-  }
-  return margin;
-}
-
 const World& checked(const World& world) {
   check(world);
   return world;
@@ -127,7 +120,9 @@ Point nearest_edge(const std::vector<Polygon>& areas, const Ring& boundary, Poin
 }
 
 GrowOptions with_margin(GrowOptions options, double margin) {
-  options.margin = checked_margin(options.margin.value_or(margin));
+  options.margin = options.margin.value_or(margin);
+  if (const auto wrong = margin_fault(*options.margin))
+    throw invalid_parameter(*wrong, kMarginRemedy);
   return options;
 }
 
@@ -179,7 +174,8 @@ class Planner::Impl {
     if (!round) return {};
     const int from = piece_of(*round, start), to = piece_of(*round, goal);
     if (answer.status == Status::invalid) {
-      const bool at_start = answer.fault == Fault::start_blocked;
+      const bool at_start =
+          answer.fault == Fault::start_blocked || answer.fault == Fault::start_outside;
       if ((at_start ? from : to) < 0) return {};
       return std::string("with round joins the ") + (at_start ? "start" : "goal") +
              " is free: mitre joins reach farther than the margin";

@@ -41,7 +41,7 @@ Call::Call(std::optional<double> time_limit) {
   if (closed) throw std::runtime_error("the interpreter is ending: nothing is planned any more");
   if (time_limit) {
     if (!(*time_limit >= 0))
-      throw py::value_error("time_limit is " + std::to_string(*time_limit) +
+      throw py::value_error("time_limit is " + std::string(py::repr(py::float_(*time_limit))) +
                             " s: it must be 0 or more, or None");
     deadline_ = deadline_in(std::chrono::duration<double>(*time_limit));
   }

@@ -2,6 +2,7 @@
 import json
 import math
 import os
+import subprocess
 import unittest
 
 from program import MAPS, ProgramTest
@@ -165,6 +166,24 @@ class Json(ProgramTest):
                     "time_limit": 100, "target_gap": 0.01, "radius": 0, "unknown": "blocked",
                     "frame": "cell", "corners": "forbid", "neighbours": 4}
         self.assertEqual({key: result["parameters"][key] for key in expected}, expected)
+
+    def test_the_library_reads_the_parameters(self):
+        """params_from_json passes over all that is no parameter, whatever was asked."""
+        self.write("metric.pgm", "P2\n10 6\n255\n" + "255 " * 60)
+        self.write("metric.yaml", "image: metric.pgm\nresolution: 1\norigin: [0, 0, 0]\n"
+                   "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")
+        metric = {"map_file": "metric.yaml", "start": "0.5,0.5"}
+        for words, where in ((["--iterations", "2"], {}),
+                             (["--ants", "7", "--radius", "0.25", "--time-limit", "9", "--gap"], {}),
+                             (["--algorithm", "exact", "--prepare", "--target-gap", "0.1"], {}),
+                             (["--unknown-free", "--frame", "world"], metric)):
+            with self.subTest(words=words):
+                saved = self.ended(self.plan("--json", *words, **where), 0)
+                run = subprocess.run([os.environ["LASIUS_READ_PARAMS"]], input=saved.out,
+                                     capture_output=True, text=True, check=False)
+                self.assertEqual((run.returncode, run.stderr), (0, ""))
+                read = json.loads(run.stdout)["parameters"]
+                self.assertEqual(read, {name: saved.json["parameters"][name] for name in read})
 
     def test_set_wins_over_the_options_own_name(self):
         result = self.plan("--json", "--set", "ants=4", "--ants", "3").json

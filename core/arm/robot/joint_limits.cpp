@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/arm/robot/xml_text.h"
+#include "core/arm/robot/refusals.h"
 #include "core/base/did_you_mean.h"
 #include "core/base/number_text.h"
 #include "core/base/special_values.h"

@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/arm/robot/refusals.h"
 #include "core/arm/robot/vec3.h"
 #include "core/arm/robot/xml_text.h"
 #include "core/map_files/byte_reader.h"

@@ -5,6 +5,7 @@
 
 #include "core/arm/robot/json_fields.h"
 #include "core/arm/robot/kinematics.h"
+#include "core/arm/robot/refusals.h"
 #include "core/arm/robot/solid.h"
 #include "core/arm/robot/urdf.h"
 #include "core/arm/robot/vec3.h"
@@ -63,10 +64,6 @@ Robot parse_short(std::string_view text, const std::string& file) {
   robot.tip.translation() = Eigen::Vector3d(origin);
   robot.may_touch = top.pairs("may_touch", robot.size());
   return robot;
-}
-
-void refuse(const std::string& problem, const std::string& remedy) {
-  throw Error(ErrorCode::invalid_parameter, problem, remedy);
 }
 
 bool finite(Vec3 v) { return std::isfinite(v.x + v.y + v.z) && length(v) <= 2 * kFar; }

@@ -16,13 +16,13 @@ namespace {
 constexpr double kThin = 1e-6;
 
 Obstacle::Shape shape_of(const JsonFields& fields) {
-  const auto kNames = std::span(kShapeNames).first<4>();
+  const auto names = std::span(kShapeNames).first<4>();
   const std::string name = fields.text("shape");
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (name == kNames[i]) return static_cast<Obstacle::Shape>(i);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (name == names[i]) return static_cast<Obstacle::Shape>(i);
   }
   fields.fail("shape", "is \"" + name + "\"",
-              did_you_mean(name, kNames) + " It must be box|sphere|cylinder|mesh");
+              did_you_mean(name, names) + " It must be box|sphere|cylinder|mesh");
 }
 
 void refuse_foreign(const JsonFields& fields, std::string_view shape,

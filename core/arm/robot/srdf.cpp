@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/arm/robot/refusals.h"
 #include "core/arm/robot/xml_text.h"
 #include "core/base/number_text.h"
 #include "core/map_files/byte_reader.h"

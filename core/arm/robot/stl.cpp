@@ -1,10 +1,11 @@
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <locale>
 #include <sstream>
 
+#include "core/arm/robot/refusals.h"
 #include "core/arm/robot/vec3.h"
-#include "core/arm/robot/xml_text.h"
 #include "core/base/text_lines.h"
 #include "core/map_files/byte_reader.h"
 #include "lasius/arm_robot.h"
@@ -19,9 +20,11 @@ bool in_range(Vec3 v) {
   return std::abs(v.x) <= kFar && std::abs(v.y) <= kFar && std::abs(v.z) <= kFar;
 }
 
+static_assert(std::endian::native == std::endian::little, "as numbers in the files are");
+
 std::uint32_t count_of(const std::string& bytes) {
   std::uint32_t count;
-  std::memcpy(&count, bytes.data() + kHead - 4, sizeof count);  // little endian, as this machine
+  std::memcpy(&count, bytes.data() + kHead - 4, sizeof count);
   return count;
 }
 

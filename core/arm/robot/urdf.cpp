@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/arm/robot/joint_limits.h"
+#include "core/arm/robot/refusals.h"
 #include "core/arm/robot/srdf.h"
 #include "core/arm/robot/urdf_file.h"
 #include "core/arm/robot/urdf_geometry.h"
@@ -18,10 +19,6 @@ namespace lasius::arm {
 namespace {
 
 using LinkPtr = urdf::LinkConstSharedPtr;
-
-[[noreturn]] void refuse(const std::string& problem, const std::string& remedy) {
-  throw Error(ErrorCode::invalid_parameter, problem, remedy);
-}
 
 /// The names of a map's entries.
 template <class Map>

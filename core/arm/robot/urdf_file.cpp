@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/arm/robot/refusals.h"
 #include "core/arm/robot/xml_text.h"
 #include "core/base/text_lines.h"
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/arm/robot/mesh_file.h"
+#include "core/arm/robot/refusals.h"
 #include "core/base/number_text.h"
 
 namespace lasius::arm {

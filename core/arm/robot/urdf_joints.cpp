@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/arm/robot/refusals.h"
 #include "core/arm/robot/urdf_geometry.h"
 #include "core/base/number_text.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/arm/robot/refusals.h"
 #include "core/base/text_lines.h"
 
 namespace lasius::arm {

@@ -6,19 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "lasius/error.h"
-
 namespace lasius::arm {
-
-[[noreturn]] inline void broken(Error::Place place, const std::string& problem,
-                                const std::string& remedy) {
-  throw Error(ErrorCode::file_broken, std::move(place), problem, remedy);
-}
-
-[[noreturn]] inline void unsupported(Error::Place place, const std::string& problem,
-                                     const std::string& remedy) {
-  throw Error(ErrorCode::file_unsupported, std::move(place), problem, remedy);
-}
 
 /// The parser recurses, as deep as elements nest, compares each attribute with all others of its
 /// tag, and ends at a zero byte. @throws Error(file_broken) with the line, where that would hurt.

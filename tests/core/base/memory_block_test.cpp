@@ -8,8 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/base/growing_array.h"
-#include "core/base/zero_array.h"
+#include "core/base/large_array.h"
 #include "tests/core/base/counting_time.h"
 
 namespace lasius {

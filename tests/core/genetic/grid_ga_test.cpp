@@ -51,7 +51,7 @@ TEST(RouteMaker, StepsBackOutOfADeadEnd) {
                            "..#.",  //
                            "...."});
   RouteMaker maker;
-  maker.reset(grid, {.neighbours = 4, .corners = Corners::forbid}, {});
+  maker.reset(grid, Neighbours::four, Corners::forbid, {});
   StopCondition never;
   Poller poller(never, 1000);
   Cells route{{0, 2}};
@@ -61,7 +61,7 @@ TEST(RouteMaker, StepsBackOutOfADeadEnd) {
   // With row 3 closed, (1, 2) is a dead end, and the walk goes round the top.
   Grid closed = grid;
   for (int x = 1; x < 4; ++x) closed.set_blocked({x, 3});
-  maker.reset(closed, {.neighbours = 4, .corners = Corners::forbid}, {});
+  maker.reset(closed, Neighbours::four, Corners::forbid, {});
   route = {{0, 2}};
   ASSERT_TRUE(maker.extend(route, {3, 2}, poller));
   EXPECT_EQ(route, (Cells{{0, 2}, {0, 1}, {0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 1}, {3, 2}}));
@@ -71,7 +71,7 @@ TEST(RouteMaker, LeavesTheRouteWhereThereIsNoWay) {
   const Grid grid = drawn({"..#.",  //
                            "..#."});
   RouteMaker maker;
-  maker.reset(grid, {}, {});
+  maker.reset(grid, Neighbours::eight, Corners::forbid, {});
   StopCondition never;
   Poller poller(never, 1000);
   Cells route{{0, 0}, {1, 0}};
@@ -89,17 +89,17 @@ TEST(RouteMaker, WalksAsBeforeOnceItWasCutShortAndReset) {
     Poller poller(never);
     Cells expected{{0, 0}};
     RouteMaker fresh, kept;
-    fresh.reset(grid, {}, never);
+    fresh.reset(grid, Neighbours::eight, Corners::forbid, never);
     ASSERT_TRUE(fresh.extend(expected, {side - 1, side - 1}, poller));
     for (const int cells : {1, 100, 299}) {
       const CountingTime time(0);
       const StopCondition up = time.is_up();
       Poller until(up, 4 * cells);
       Cells route{{0, 0}};
-      kept.reset(grid, {}, never);
+      kept.reset(grid, Neighbours::eight, Corners::forbid, never);
       EXPECT_FALSE(kept.extend(route, {side - 1, side - 1}, until));
       EXPECT_EQ(route, (Cells{{0, 0}}));
-      kept.reset(grid, {}, never);
+      kept.reset(grid, Neighbours::eight, Corners::forbid, never);
       ASSERT_TRUE(kept.extend(route, {side - 1, side - 1}, poller));
       EXPECT_EQ(route, expected);
     }
@@ -115,7 +115,7 @@ TEST(RouteMaker, ObeysTheRuleOfCorners) {
   const auto walk = [&](Corners corners) {
     Cells route{{0, 0}};
     RouteMaker maker;
-    maker.reset(grid, {8, corners}, {});
+    maker.reset(grid, Neighbours::eight, corners, {});
     EXPECT_TRUE(maker.extend(route, {1, 1}, poller));
     return route.size();
   };

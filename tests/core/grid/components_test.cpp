@@ -148,7 +148,7 @@ TEST(Components, AnEditEqualsAFreshBuild) {
           grid.set_blocked(c, grid.free(c));
           changed.push_back(c);
         }
-        components = components.updated(grid, changed);
+        components = *components.updated(grid, changed, {});
         ASSERT_EQ(components, Components(grid, connectivity));
       }
       expect_equal(grid, components, connectivity, random, 20);

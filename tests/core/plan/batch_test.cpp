@@ -11,6 +11,7 @@
 #include "lasius/error.h"
 #include "lasius/generate.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/core/base/refusal.h"
 #include "tests/core/loop/same_result.h"
 
 namespace lasius {
@@ -135,6 +136,11 @@ TEST(Batch, RefusesBadParametersBeforeAnyQuery) {
   for (const double seconds : {-1.0, kNaN}) {
     refused(brief(), {.time_limit = std::chrono::duration<double>(seconds)});
   }
+  const auto late = [&] {
+    plan_batch(scene.planner, requests, brief(),
+               {.time_limit = std::chrono::duration<double>(-1e-9)});
+  };
+  expect_says(refusal(late), "time_limit is -1e-09; it must be 0");
   EXPECT_THROW(plan_batch(scene.planner, requests, brief(), {}, BatchReceiver()), Error);
   requests.back().target_gap = kNaN;
   refused({}, {});

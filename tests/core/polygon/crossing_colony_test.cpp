@@ -1,12 +1,11 @@
 // The ants' draws, updates and lengths against the formulas.
-#include "core/polygon/crossing_colony.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "core/polygon/crossing_run.h"
 #include "kernels/base/proportional.h"
 #include "kernels/base/random_stream.h"
 #include "tests/core/polygon/known_world.h"

@@ -109,6 +109,7 @@ TEST(Margin, AMitreThatClosesAPassageSaysSo) {
   result = mitre.plan({.start = Point{30, 20}});
   EXPECT_EQ(result.status, Status::invalid);
   expect_says(result.note, "round joins the start is free");
+  EXPECT_EQ(mitre.plan({.start = Point{-3, 5}}).note, "");  // outside, whatever the joins
   result = mitre.plan({.goal = Point{6, 6}});
   EXPECT_EQ(result.status, Status::solved);
   expect_says(result.note, "mitre joins close passages");

@@ -1,4 +1,4 @@
-// The two searchers over crossing points of one line sequence. Both run in the common loop.
+// One run over the crossing points of one line sequence: by a colony, or by the genetic algorithm.
 #pragma once
 
 #include <functional>

@@ -1,9 +1,16 @@
-// When ants choose between rules.
+// The parameters that algorithms on bitmaps read, and what some of them say together.
 #pragma once
+
+#include <span>
 
 #include "lasius/params.h"
 
 namespace lasius {
+
+/// The parameters that every grid colony reads.
+std::span<const Parameter> colony_parameters() noexcept;
+/// Those of the genetic comparator.
+std::span<const Parameter> genetic_parameters() noexcept;
 
 /// True when ants choose between rules at some iteration, rather than always combine them.
 inline bool mixes_rules(const Params& p) noexcept {

@@ -1,0 +1,28 @@
+// What readers and checks of robots and scenes throw.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "lasius/error.h"
+
+namespace lasius::arm {
+
+/// @throws Error(file_broken)
+[[noreturn]] inline void broken(Error::Place place, const std::string& problem,
+                                const std::string& remedy) {
+  throw Error(ErrorCode::file_broken, std::move(place), problem, remedy);
+}
+
+/// @throws Error(file_unsupported)
+[[noreturn]] inline void unsupported(Error::Place place, const std::string& problem,
+                                     const std::string& remedy) {
+  throw Error(ErrorCode::file_unsupported, std::move(place), problem, remedy);
+}
+
+/// @throws Error(invalid_parameter), of a value that a caller gave.
+[[noreturn]] inline void refuse(const std::string& problem, const std::string& remedy) {
+  throw Error(ErrorCode::invalid_parameter, problem, remedy);
+}
+
+}  // namespace lasius::arm
