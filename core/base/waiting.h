@@ -5,8 +5,8 @@
 
 namespace lasius {
 
-/// While it lives, this process waits for somebody else: to open a named pipe, or to write to it.
-/// One at a time.
+/// While it lives, this process opens what may be a named pipe, and waits until somebody opens its
+/// other end. One at a time.
 class LASIUS_EXPORT Waiting {
  public:
   explicit Waiting(bool waits = true) noexcept;

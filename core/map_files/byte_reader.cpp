@@ -92,7 +92,6 @@ std::string_view ByteReader::ahead(std::size_t count) {
     end_ -= at_;
     at_ = 0;
     if (in_->good()) {
-      const Waiting waiting(size_ < 0);
       in_->read(buffer_.data() + end_, static_cast<std::streamsize>(kBuffer - end_));
       end_ += static_cast<std::size_t>(in_->gcount());
     }

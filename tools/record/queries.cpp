@@ -175,6 +175,7 @@ std::ifstream opened(const std::string& file, const std::string& remedy) {
   std::ifstream in;
   std::error_code ignored;
   errno = 0;
+  const Waiting waiting(!std::filesystem::is_regular_file(file, ignored));
   if (!std::filesystem::is_directory(file, ignored)) in.open(file, std::ios::binary);
   if (!in.is_open())
     throw Error(ErrorCode::file_missing, {.file = file},
@@ -184,8 +185,6 @@ std::ifstream opened(const std::string& file, const std::string& remedy) {
 }
 
 QueryFile read_queries(const std::string& file, int width, int height, bool whole) {
-  std::error_code ignored;
-  const Waiting waiting(!std::filesystem::is_regular_file(file, ignored));
   auto in = opened(file, kRemedyMissing);
   return read_queries(in, file, width, height, whole);
 }
