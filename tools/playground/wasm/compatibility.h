@@ -60,6 +60,19 @@ inline to_chars_result to_chars(char* first, char* last, double value) {
   return {first + length, errc()};
 }
 
+/// The first of "%.0f" or "%.0e" on that reads back as the same number.
+inline to_chars_result to_chars(char* first, char* last, double value, chars_format format) {
+  const char* const text = format == chars_format::fixed ? "%.*f" : "%.*e";
+  const auto room = static_cast<size_t>(last - first);
+  int length = 0;
+  for (int digits = 0; digits <= 17; ++digits) {
+    length = snprintf(first, room, text, digits, value);
+    if (length < 0 || static_cast<size_t>(length) >= room) return {last, errc::value_too_large};
+    if (strtod(first, nullptr) == value) break;
+  }
+  return {first + length, errc()};
+}
+
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
   const string text(first, last);  // strtod steps over blanks and a plus sign, from_chars does not
   if (text.empty() || !(text[0] == '-' || text[0] == '.' || (text[0] >= '0' && text[0] <= '9'))) {
@@ -118,24 +131,47 @@ constexpr void copy(Range&& range, Out out) {
   std::copy(std::begin(range), std::end(range), out);
 }
 
-template <class Range, class Out, class Function>
-constexpr void transform(Range&& range, Out out, Function function) {
-  std::transform(std::begin(range), std::end(range), out,
-                 [&](const auto& each) { return std::invoke(function, each); });
+template <class Range, class Out, class Function, class Projection = identity>
+constexpr void transform(Range&& range, Out out, Function function, Projection projection = {}) {
+  for (const auto& each : range) *out++ = std::invoke(function, std::invoke(projection, each));
 }
 
 template <class Range>
-constexpr void sort(Range&& range) {
-  std::sort(std::begin(range), std::end(range));
+constexpr void reverse(Range&& range) {
+  std::reverse(std::begin(range), std::end(range));
 }
 
-struct lasius_ascending {};  // what `{}` names as the order
+template <class Range, class Predicate>
+constexpr auto count_if(Range&& range, Predicate predicate) {
+  return std::count_if(std::begin(range), std::end(range), std::ref(predicate));
+}
 
-template <class Range, class Projection>
-void stable_sort(Range&& range, lasius_ascending, Projection projection) {
-  std::stable_sort(std::begin(range), std::end(range), [&](const auto& a, const auto& b) {
-    return std::invoke(projection, a) < std::invoke(projection, b);
-  });
+/// Whether what the projection makes of one comes before what it makes of another.
+template <class Less, class Projection>
+constexpr auto lasius_order(Less& less, Projection& projection) {
+  return [&](const auto& a, const auto& b) {
+    return std::invoke(less, std::invoke(projection, a), std::invoke(projection, b));
+  };
+}
+
+template <class Range, class Less = std::less<>, class Projection = identity>
+constexpr auto min_element(Range&& range, Less less = {}, Projection projection = {}) {
+  return std::min_element(std::begin(range), std::end(range), lasius_order(less, projection));
+}
+
+template <class Range, class Less = std::less<>, class Projection = identity>
+constexpr auto max_element(Range&& range, Less less = {}, Projection projection = {}) {
+  return std::max_element(std::begin(range), std::end(range), lasius_order(less, projection));
+}
+
+template <class Range, class Less = std::less<>, class Projection = identity>
+constexpr void sort(Range&& range, Less less = {}, Projection projection = {}) {
+  std::sort(std::begin(range), std::end(range), lasius_order(less, projection));
+}
+
+template <class Range, class Less = std::less<>, class Projection = identity>
+void stable_sort(Range&& range, Less less = {}, Projection projection = {}) {
+  std::stable_sort(std::begin(range), std::end(range), lasius_order(less, projection));
 }
 
 }  // namespace ranges
