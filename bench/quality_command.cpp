@@ -151,7 +151,7 @@ std::vector<Course> blobs_courses(int count, std::uint64_t seed) {
 Course parse_course(const std::string& text) {
   const auto parts = words_of(text, ",");
   std::array<int, 4> cells{};
-  bool good = parts.size() == 1 + cells.size();
+  bool good = parts.size() == 1 + cells.size() && std::ranges::count(text, ',') == 4;
   for (std::size_t i = 0; good && i < cells.size(); ++i) {
     const auto number = number_of<int>(parts[i + 1]);
     good = number.has_value();

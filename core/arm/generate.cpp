@@ -104,9 +104,11 @@ Query generate_query(const Robot& robot, const GenerateOptions& options) {
   validate(robot);
   const int obstacles = options.obstacles;
   const double wall = options.wall, distance = options.least_distance;
-  require(obstacles >= 0 && obstacles <= 1000, "obstacles", obstacles, "it must be 0 .. 1000");
-  require(wall >= 0 && wall <= 100, "wall", wall, "it must be 0 .. 100");
-  require(distance >= 0 && distance <= 1, "least_distance", distance, "it must be 0 .. 1");
+  require_parameter(obstacles >= 0 && obstacles <= 1000, "obstacles", obstacles,
+                    "it must be 0 .. 1000");
+  require_parameter(wall >= 0 && wall <= 100, "wall", wall, "it must be 0 .. 100");
+  require_parameter(distance >= 0 && distance <= 1, "least_distance", distance,
+                    "it must be 0 .. 1");
   for (int i = 0; i < kAttempts; ++i) {
     if (auto query = attempt(robot, options, i)) return *std::move(query);
   }

@@ -185,7 +185,7 @@ void check(const Robot& robot, const Scene& scene, const Trajectory& trajectory,
     check_values(robot, as_span(knot.q));
     check_values(robot, as_span(knot.ddq));
   }
-  require(samples >= 1, "samples", samples, "it must be at least 1");
+  require_parameter(samples >= 1, "samples", samples, "it must be at least 1");
 }
 
 /// Follows a trajectory with KDL and FCL.

@@ -182,8 +182,8 @@ std::string Sensor::contact(const JointRef&) const { return {}; }
 SceneSensor::SceneSensor(const Robot& robot, const Scene& scene, double clearance) {
   validate(robot);
   validate(scene);
-  require(clearance >= kLeastClearance && clearance <= 1, "clearance", clearance,
-          "it must be 0.000001 .. 1 metres");
+  require_parameter(clearance >= kLeastClearance && clearance <= 1, "clearance", clearance,
+                    "it must be 0.000001 .. 1 metres");
   impl_ = std::make_unique<const Impl>(robot, scene, clearance);
 }
 SceneSensor::~SceneSensor() = default;

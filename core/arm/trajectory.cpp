@@ -16,13 +16,13 @@
 namespace lasius::arm {
 void check_clearance(const Sensor& sensor) {
   const double clearance = sensor.clearance();
-  require(clearance >= Sensor::kLeastClearance, "the sensor's clearance", clearance,
-          "it must be at least 0.000001 metres");
+  require_parameter(clearance >= Sensor::kLeastClearance, "the sensor's clearance", clearance,
+                    "it must be at least 0.000001 metres");
 }
 
 void check_duration(double seconds) {
-  require(seconds >= 0 && std::isfinite(seconds), "duration", seconds,
-          "it must be a number of seconds, or 0 for as few as the limits allow");
+  require_parameter(seconds >= 0 && std::isfinite(seconds), "duration", seconds,
+                    "it must be a number of seconds, or 0 for as few as the limits allow");
 }
 
 namespace {

@@ -24,19 +24,6 @@ std::string sentence(const Error::Place& place, const std::string& problem,
 
 }  // namespace
 
-std::string printable(std::string_view text) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string shown;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7f)
-      shown.append("\\x").append({kDigits[byte / 16], kDigits[byte % 16]});
-    else
-      shown += c;
-  }
-  return shown;
-}
-
 std::string_view to_string(ErrorCode code) noexcept {
   static constexpr std::array<std::string_view, 5> kNames{
       "invalid_parameter", "file_missing", "file_broken", "file_unsupported", "output_failed"};

@@ -17,7 +17,7 @@ inline Error invalid_parameter(std::string problem, std::string remedy) {
 
 /// @throws Error(invalid_parameter) "NAME is VALUE" with what it must be, unless that is good.
 template <class Number>
-void require(bool good, std::string_view name, Number value, std::string_view remedy) {
+void require_parameter(bool good, std::string_view name, Number value, std::string_view remedy) {
   if (good) return;
   throw invalid_parameter(std::string(name) + " is " + number_text(value), std::string(remedy));
 }

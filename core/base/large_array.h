@@ -8,6 +8,7 @@
 
 #include "core/base/held_bytes.h"
 #include "core/base/memory_block.h"
+#include "core/base/poller.h"
 
 namespace lasius {
 

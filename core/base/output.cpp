@@ -13,8 +13,8 @@
 #include <streambuf>
 #include <vector>
 
+#include "core/base/opening_pipe.h"
 #include "core/base/output_target.h"
-#include "core/base/waiting.h"
 #include "lasius/error.h"
 
 namespace lasius {
@@ -45,7 +45,7 @@ class Descriptor {
 
 /// A stream opened for writing; a named pipe once somebody reads it.
 Descriptor opened(const std::string& stream) {
-  const Waiting waiting;
+  const OpeningPipe opening(stream);
   return Descriptor(::open(stream.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
 }
 

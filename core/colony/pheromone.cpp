@@ -55,7 +55,8 @@ Trail Pheromone::trail() const noexcept { return stored_.kind; }
 std::int64_t Pheromone::places() const noexcept { return stored_.places(); }
 
 void Pheromone::persist(double persistence) {
-  require(persistence >= 0 && persistence <= 1, "persistence", persistence, "it must be 0 .. 1");
+  require_parameter(persistence >= 0 && persistence <= 1, "persistence", persistence,
+                    "it must be 0 .. 1");
   stored_.field.evaporate(persistence);
 }
 

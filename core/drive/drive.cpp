@@ -35,11 +35,11 @@ void check(const Grid& map, const Grid& truth, const DriveOptions& options) {
                                 " cells, the map " + size_text(map.width(), map.height()),
                             "give both for the same place, in cells of the same size");
   }
-  require(options.sense >= 1, "sense", options.sense, "it must be at least 1 cell");
+  require_parameter(options.sense >= 1, "sense", options.sense, "it must be at least 1 cell");
   const double tick = options.seconds_per_tick;
-  require(tick >= std::numeric_limits<double>::min(), "seconds_per_tick", tick,
-          "it must be above 0");
-  require(options.max_ticks >= 0, "max_ticks", options.max_ticks, "it must be 0 or more");
+  require_parameter(tick >= std::numeric_limits<double>::min(), "seconds_per_tick", tick,
+                    "it must be above 0");
+  require_parameter(options.max_ticks >= 0, "max_ticks", options.max_ticks, "it must be 0 or more");
   check_seed(options.seed);
 }
 

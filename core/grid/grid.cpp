@@ -35,6 +35,7 @@ void check_bytes(std::size_t count, int width, int height) {
 
 /// Eight bytes as eight bits, the first one lowest; set where the byte is not 0.
 std::uint64_t packed(const std::uint8_t* bytes) noexcept {
+  static_assert(std::endian::native == std::endian::little);
   std::uint64_t word;
   std::memcpy(&word, bytes, sizeof word);
   // The top bit of each byte that is not 0; then all of them side by side.

@@ -78,7 +78,8 @@ class NearestRows {
 
 // With distances as in clearance.h, (2 columns - 1)^2 + (2 rows - 1)^2 <= 4 radius^2.
 Growth::Growth(const Grid& grid, double radius) {
-  require(radius >= 0 && std::isfinite(radius), "radius", radius, "it must be 0 or more cells");
+  require_parameter(radius >= 0 && std::isfinite(radius), "radius", radius,
+                    "it must be 0 or more cells");
   // Past the longest side everything is blocked, and nothing overflows.
   const double reach = std::min(radius, static_cast<double>(Grid::kMaxSide));
   const auto limit = static_cast<std::int64_t>(4 * reach * reach);

@@ -20,9 +20,9 @@ namespace {
 void check(const BatchOptions& options, std::uint64_t seed) {
   check_threads(options.threads);
   const double limit = options.time_limit ? options.time_limit->count() : 0;
-  require(limit >= 0, "time_limit", limit, "it must be 0 or more seconds, or none");
-  require(options.seeds >= 1 && options.seeds <= 1 << 20, "seeds", options.seeds,
-          "it must be from 1 to 1048576");
+  require_parameter(limit >= 0, "time_limit", limit, "it must be 0 or more seconds, or none");
+  require_parameter(options.seeds >= 1 && options.seeds <= 1 << 20, "seeds", options.seeds,
+                    "it must be from 1 to 1048576");
   check_seed(seed + static_cast<std::uint64_t>(options.seeds) - 1);
 }
 

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/waiting.h"
+#include "core/base/opening_pipe.h"
 
 namespace lasius {
 namespace {
@@ -24,7 +24,7 @@ std::ifstream open(const std::string& path) {
   if (fs::is_directory(path, error)) {
     throw Error(ErrorCode::file_broken, Error::Place{path}, "is a folder", "name a file in it");
   }
-  const Waiting waiting(!fs::is_regular_file(path, error));
+  const OpeningPipe opening(path);
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) {

@@ -30,8 +30,8 @@ Point WorldFrame::to_world(Point cells, int height) const noexcept {
 }
 
 PixelRule plain_rule(double free_below) {
-  require(free_below > 0 && free_below <= 1, "free_below", free_below,
-          "it must lie above 0 and be at most 1");
+  require_parameter(free_below > 0 && free_below <= 1, "free_below", free_below,
+                    "it must lie above 0 and be at most 1");
   return {[free_below](int level, int white) { return white - level >= free_below * white; }};
 }
 

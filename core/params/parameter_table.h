@@ -28,7 +28,7 @@ inline constexpr double kLeastPheromone = 1e-12;
 /// @throws Error(invalid_parameter) unless a request's target gap is a number from 0 up, or
 /// infinite.
 inline void check_target_gap(double gap) {
-  require(gap >= 0, "target_gap", gap, "it is a fraction: 0 or more, 0.01 for 1%");
+  require_parameter(gap >= 0, "target_gap", gap, "it is a fraction: 0 or more, 0.01 for 1%");
 }
 
 /// @throws Error(invalid_parameter) for a gap that the algorithm cannot certify.
@@ -42,13 +42,14 @@ inline void check_certifies(const Algorithm& algorithm, double target_gap) {
 
 /// @throws Error(invalid_parameter) unless it is a number of threads that may be asked for.
 inline void check_threads(int threads) {
-  require(threads >= 0 && threads <= 1024, "threads", threads, "it must be 0 (all cores) to 1024");
+  require_parameter(threads >= 0 && threads <= 1024, "threads", threads,
+                    "it must be 0 (all cores) to 1024");
 }
 
 /// @throws Error(invalid_parameter) for a seed that JSON does not keep exactly.
 inline void check_seed(std::uint64_t seed) {
   constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 53) - 1;
-  require(seed <= kMostSeed, "seed", seed, "it must be at most 2^53 - 1");
+  require_parameter(seed <= kMostSeed, "seed", seed, "it must be at most 2^53 - 1");
 }
 
 /// For a name that is none of `known`, the names of the things that `kind` says.

@@ -13,8 +13,8 @@ namespace lasius::polygon {
 namespace {
 
 void check_resolution(double resolution) {
-  require(resolution > 0 && std::isfinite(resolution), "resolution", resolution,
-          "it must be above 0");
+  require_parameter(resolution > 0 && std::isfinite(resolution), "resolution", resolution,
+                    "it must be above 0");
 }
 
 /// Where the edges of free space meet the level y, from the left.

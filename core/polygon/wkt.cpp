@@ -77,8 +77,6 @@ class WktReader {
     if (read.ptr != number.data() + number.size()) {
       fail("margin " + std::string(number) + " is no number", "write it as in \"margin 1.5\"");
     }
-    if (has_margin_) fail("a margin is given again", "keep one of them");
-    has_margin_ = true;
     maker_.set_margin(read.ec == std::errc() ? margin : HUGE_VAL, "");
   }
 
@@ -144,7 +142,6 @@ class WktReader {
   WorldMaker maker_;
   std::size_t at_ = 0;
   std::size_t begin_ = 0;
-  bool has_margin_ = false;
   int number_ = 0;
 };
 

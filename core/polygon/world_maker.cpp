@@ -70,6 +70,8 @@ void WorldMaker::add_point(std::optional<Point>& to, Point p, const std::string&
 
 void WorldMaker::set_margin(double margin, const std::string& place) {
   if (const auto wrong = margin_fault(margin)) fail_(place, *wrong, kMarginRemedy);
+  if (has_margin_) fail_(place, "the margin is given again", "keep one of them");
+  has_margin_ = true;
   world_.margin = margin;
 }
 

@@ -39,6 +39,7 @@ class WorldMaker {
   Geos geos_;
   World world_;
   bool has_boundary_ = false;
+  bool has_margin_ = false;
 };
 
 }  // namespace lasius::polygon

@@ -7,6 +7,7 @@ import random
 import resource
 import signal
 import struct
+import time
 import unittest
 
 from program import MAPS, ProgramTest, refuse_constant
@@ -263,9 +264,10 @@ class Ends(ProgramTest):
 
     def ends_while_it_waits(self, *words):
         process = self.start_program(*words)
-        waits = ""
+        waits, deadline = "", time.monotonic() + 60
         while waits != "wait_for_partner":
             self.assertIsNone(process.poll())
+            self.assertLess(time.monotonic(), deadline, f"it waits for {waits}")
             with open(f"/proc/{process.pid}/wchan", encoding="ascii") as file:
                 waits = file.read()
         self.interrupted(process, signal.SIGTERM)

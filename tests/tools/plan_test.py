@@ -184,6 +184,7 @@ class Json(ProgramTest):
                 self.assertEqual((run.returncode, run.stderr), (0, ""))
                 read = json.loads(run.stdout)["parameters"]
                 self.assertEqual(read, {name: saved.json["parameters"][name] for name in read})
+                self.assertEqual("ants" in read, saved.json["algorithm"] != "exact")
 
     def test_set_wins_over_the_options_own_name(self):
         result = self.plan("--json", "--set", "ants=4", "--ants", "3").json

@@ -93,7 +93,7 @@ class Report(ProgramTest):
         self.assertEqual((clearance["values"][0], clearance["values"][-1]), (0.5, 0.5))
         self.assertLess(min(clearance["values"]), 0.1)  # it touches corners
 
-    def test_a_long_run_on_a_large_map_stays_small(self):
+    def test_a_long_run_is_thinned(self):
         self.run_program("generate", "blobs", "--size", "500x300", "--seed", "3", "-o", "big.map")
         rows = self.read("big.map").decode().splitlines()[4:]
         start = next(f"{x},10" for x in range(10, 500) if rows[10][x] == ".")

@@ -64,7 +64,7 @@ DriveCommand make_drive(const DriveText& text);
 /// Options of arm.
 struct ArmText : SearchText {
   ArmText();
-  ArmCommand taken;  ///< what is taken as it stands: files, links, switches
+  ArmCommand taken;  ///< options whose text is their value: files, links, switches
   std::string start, clearance, rate, recheck, duration, position_tolerance, angle_tolerance;
   std::vector<std::string> packages, contacts, joint_values;
   /// Option and value of each goal, as they follow each other.

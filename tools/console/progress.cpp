@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/base/printable.h"
+
 namespace lasius::tool {
 
 bool wants_progress(const Messages& messages) {
@@ -28,7 +30,7 @@ void ProgressLine::update(std::int64_t done, const std::string& note) {
 
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   if (total_ <= 0) {
-    std::fprintf(stderr, "\r\033[K%.0f s  %s", elapsed, note.c_str());
+    std::fprintf(stderr, "\r\033[K%.0f s  %s", elapsed, printable(note).c_str());
     return;
   }
   constexpr int kWidth = 24;
@@ -38,7 +40,8 @@ void ProgressLine::update(std::int64_t done, const std::string& note) {
   if (limit_seconds_ > 0) left = std::min(left, std::max(0.0, limit_seconds_ - elapsed));
   const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
   std::fprintf(stderr, "\r\033[K[%s] %lld/%lld  %s  %.0f s left", bar.c_str(),
-               static_cast<long long>(done), static_cast<long long>(total_), note.c_str(), left);
+               static_cast<long long>(done), static_cast<long long>(total_),
+               printable(note).c_str(), left);
 }
 
 }  // namespace lasius::tool

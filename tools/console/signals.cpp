@@ -7,8 +7,8 @@
 #include <csignal>
 #include <system_error>
 
+#include "core/base/opening_pipe.h"
 #include "core/base/output.h"
-#include "core/base/waiting.h"
 #include "tools/console/exit_code.h"
 
 namespace lasius::tool {
@@ -30,7 +30,7 @@ void end_at_once(int number) {
 }
 
 extern "C" void on_signal(int number) {
-  const bool at_once = write_end < 0 || signals_seen != 0 || Waiting::now();
+  const bool at_once = write_end < 0 || signals_seen != 0 || OpeningPipe::under_way();
   if (at_once || number == SIGQUIT) return end_at_once(number);
   signals_seen = 1;
   const int saved = errno;

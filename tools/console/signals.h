@@ -12,8 +12,8 @@ namespace lasius::tool {
 void end_on_signals();
 
 /// While it lives, the first of SIGINT, SIGTERM and SIGHUP asks the token to stop instead, and only
-/// a second signal, or one while a named pipe has no other end (Waiting), ends it at
-/// once. The handler itself only writes one byte to a pipe; a thread does the rest. One at a time.
+/// a second signal, or one while a named pipe waits for its other end, ends the program at once.
+/// The handler itself only writes one byte to a pipe; a thread does the rest. One at a time.
 /// Precondition: end_on_signals was called.
 class SignalWatcher {
  public:

@@ -1,8 +1,10 @@
 #include "tools/record/json_values.h"
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "tools/console/values.h"
 
@@ -33,8 +35,10 @@ Json range_json(const Parameter& parameter) {
 }
 
 std::uint64_t file_hash(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
   std::uint64_t hash = 0xcbf29ce484222325;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return hash;
+  std::ifstream in(file, std::ios::binary);
   for (char c = 0; in.get(c);) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   return hash;
 }

@@ -20,7 +20,8 @@ Json range_json(const Parameter& parameter);
 /// The hash as results give it: 16 hexadecimal digits.
 std::string hash_text(std::uint64_t hash);
 
-/// The hash of the bytes of a file that was just read (FNV-1a).
+/// The hash of the bytes of a file that was just read (FNV-1a); of a pipe, which can be read but
+/// once, that of nothing.
 std::uint64_t file_hash(const std::string& file);
 
 }  // namespace lasius::tool

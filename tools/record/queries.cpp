@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include "core/base/opening_pipe.h"
 #include "core/base/text_lines.h"
-#include "core/base/waiting.h"
 #include "lasius/error.h"
 #include "tools/console/values.h"
 
@@ -175,7 +175,7 @@ std::ifstream opened(const std::string& file, const std::string& remedy) {
   std::ifstream in;
   std::error_code ignored;
   errno = 0;
-  const Waiting waiting(!std::filesystem::is_regular_file(file, ignored));
+  const OpeningPipe opening(file);
   if (!std::filesystem::is_directory(file, ignored)) in.open(file, std::ios::binary);
   if (!in.is_open())
     throw Error(ErrorCode::file_missing, {.file = file},

@@ -133,26 +133,27 @@ void forget_places(Json& input) {
     if (file.is_object()) file.erase("file");
 }
 
-/// Takes a number that no replay has to repeat for 0.
-void forget(Json& of, const char* key) {
+/// A number from 0 up becomes 0: its value is not compared, but that it is one.
+void compare_kind_alone(Json& of, const char* key) {
   if (!of.is_object() || !of.contains(key)) return;
   if (of[key].is_number() && of[key].get<double>() >= 0) of[key] = 0;
 }
 
-/// Leaves out how long it took, and on how many threads.
-void forget_times(Json& result) {
-  forget(result, "threads");
-  forget(result, "elapsed_ms");
+/// What no replay repeats: how long it took, and on how many threads.
+void forget_effort(Json& result) {
+  compare_kind_alone(result, "threads");
+  compare_kind_alone(result, "elapsed_ms");
   if (!result.contains("replans") || !result["replans"].is_array()) return;
-  for (Json& replan : result["replans"]) forget(replan, "ms");
+  for (Json& replan : result["replans"]) compare_kind_alone(replan, "ms");
 }
 
 /// The first difference between a result and its replay, or nothing. What may differ is left out;
-/// `cut` becomes the optimum that is null in the result and found by the replay, if one is.
-std::string difference(Json recorded, Json replay, std::string& cut) {
+/// `missing_optimum` becomes the optimum that is null in the result and found by the replay, if one
+/// is.
+std::string difference(Json recorded, Json replay, std::string& missing_optimum) {
   if (recorded.contains("version")) replay["version"] = recorded["version"];
-  forget_times(recorded);
-  forget_times(replay);
+  forget_effort(recorded);
+  forget_effort(replay);
   for (const char* input : {"map", "world", "changes", "robot", "scene"}) {
     for (Json* of : {&recorded, &replay})
       if (of->contains(input)) forget_places((*of)[input]);
@@ -162,8 +163,8 @@ std::string difference(Json recorded, Json replay, std::string& cut) {
   for (const Keys& keys :
        {Keys{"optimum", "optimum_gap", "ratio"}, Keys{"grid_optimum", "grid_gap"}}) {
     if (!recorded.contains(keys.front()) || !recorded[keys.front()].is_null()) continue;
-    if (cut.empty() && replay.contains(keys.front()) && !replay[keys.front()].is_null())
-      cut = keys.front();
+    if (missing_optimum.empty() && replay.contains(keys.front()) && !replay[keys.front()].is_null())
+      missing_optimum = keys.front();
     for (const char* key : keys) {
       if (recorded.contains(key) != replay.contains(key) ||
           (recorded.contains(key) && !recorded[key].is_null()))
@@ -277,11 +278,13 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
   // They called a goal blocked without looking for other postures.
   if (format == kArmFormat && tells_no_bodies(result) && status == "invalid")
     replay["questions"] = value_at(result, "questions");
-  std::string cut;
-  const std::string key = difference(result, replay, cut);
-  if (key.empty() && !cut.empty() && !command.quiet)
-    message(std::string(name).append(": its '").append(cut).append(
-        "' is null, the replay has one; all else is equal"));
+  std::string missing_optimum;
+  const std::string key = difference(result, replay, missing_optimum);
+  if (key.empty() && !missing_optimum.empty() && !command.quiet)
+    message(std::string(name)
+                .append(": its '")
+                .append(missing_optimum)
+                .append("' is null, the replay has one; all else is equal"));
   if (key.empty()) return kFound;
   message(std::string(name).append(": differs from its replay in '").append(key).append("'"));
   return kInternal;

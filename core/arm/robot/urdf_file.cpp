@@ -8,6 +8,7 @@
 #include <exception>
 #include <mutex>
 #include <set>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -25,7 +26,9 @@ constexpr std::size_t kMostLinks = 2000;  // urdfdom lets go of a chain by recur
 class Complaints final : public console_bridge::OutputHandler {
  public:
   Complaints()
-      : handler_(console_bridge::getOutputHandler()), level_(console_bridge::getLogLevel()) {
+      : thread_(std::this_thread::get_id()),
+        handler_(console_bridge::getOutputHandler()),
+        level_(console_bridge::getLogLevel()) {
     console_bridge::useOutputHandler(this);
     console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_DEBUG);
   }
@@ -37,15 +40,16 @@ class Complaints final : public console_bridge::OutputHandler {
   }
 
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (any()) return;
+    if (std::this_thread::get_id() != thread_ || !first_.empty())
+      return;  // the handler is the program's
     if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) first_ = text;
     if (text.starts_with("urdfdom: successfully added a new ")) ++added_;
   }
-  bool any() const { return !first_.empty(); }
-  std::string first() const { return any() ? first_ : "urdfdom does not say why"; }
+  const std::string& first() const { return first_; }
   std::size_t added() const { return added_; }  ///< parts before it: materials, links, joints
 
  private:
+  std::thread::id thread_;
   console_bridge::OutputHandler* handler_;
   console_bridge::LogLevel level_;
   std::string first_;
@@ -127,6 +131,11 @@ void UrdfFile::refuse_xacro(std::int64_t row) const {
               "make it first: xacro " + file_ + " > robot.urdf");
 }
 
+void UrdfFile::refuse_expressions(const std::string& text) const {
+  const auto expression = text.find("${");
+  if (expression != text.npos) refuse_xacro(line_at(text, expression));
+}
+
 /// Notes the lines, which urdfdom does not keep, and where the XML is broken. Names given
 /// twice are left to urdfdom to tell.
 void UrdfFile::read_xml(const std::string& text) {
@@ -139,22 +148,26 @@ void UrdfFile::read_xml(const std::string& text) {
        at = at->NextSiblingElement()) {
     if (at->ValueStr().starts_with("xacro:")) refuse_xacro(at->Row());
   }
-  each_child(*robot, "material", [&](const TiXmlElement& at) { parts_.push_back(at.Row()); });
+  const std::string version = attribute(robot, "version");
+  if (attribute(robot, "name").empty() || (!version.empty() && version != "1.0"))
+    part_lines_.push_back(robot->Row());
+  each_child(*robot, "material", [&](const TiXmlElement& at) { part_lines_.push_back(at.Row()); });
   each_child(*robot, "link", [&](const TiXmlElement& link) {
-    parts_.push_back(link.Row());
+    part_lines_.push_back(link.Row());
     links_.emplace(attribute(&link, "name"), link.Row());
   });
   std::vector<Edge> joints;
-  bool told_by_urdfdom = false;
+  bool twice = false;
   each_child(*robot, "joint", [&](const TiXmlElement& joint) {
     joints.push_back({attribute(&joint, "name"),
                       attribute(joint.FirstChildElement("parent"), "link"),
                       attribute(joint.FirstChildElement("child"), "link"), joint.Row()});
-    parts_.push_back(joint.Row());
+    part_lines_.push_back(joint.Row());
     const Edge& edge = joints.back();
     const bool is_new = joints_.emplace(edge.name, edge.line).second;
-    told_by_urdfdom |= !is_new;
+    twice |= !is_new;
     if (edge.parent.empty() || edge.child.empty()) {
+      refuse_expressions(text);
       broken(line(edge.line),
              "joint " + in_quotes(edge.name) + " has no " +
                  (edge.parent.empty() ? "<parent link=...>" : "<child link=...>"),
@@ -165,30 +178,36 @@ void UrdfFile::read_xml(const std::string& text) {
     unsupported(whole(), "the robot has too many links",
                 "at most " + std::to_string(kMostLinks) + " are read");
   }
-  if (!told_by_urdfdom) check_tree(joints, whole());
+  if (!twice) check_tree(joints, whole());
 }
 
 void UrdfFile::parse(const std::string& text) {
   static std::mutex one_at_a_time;  // the handler is the program's
   const std::scoped_lock lock(one_at_a_time);
-  const Complaints complaints;
-  std::string fault;
-  try {
-    model_ = urdf::parseURDF(text);
-  } catch (const std::exception& e) {
-    fault = e.what();
+  std::string fault, complaint;
+  std::size_t part = 0;
+  {
+    Complaints complaints;
+    try {
+      model_ = urdf::parseURDF(text);
+    } catch (const std::exception& e) {
+      fault = e.what();
+    }
+    complaint = complaints.first();
+    part = complaints.added();
   }
-  const auto expression = text.find("${");
-  if (model_ == nullptr && expression != text.npos) refuse_xacro(line_at(text, expression));
-  const std::size_t part = complaints.added();
-  const std::int64_t row = broken_line_ < 0 && part < parts_.size() ? parts_[part] : broken_line_;
+  const std::int64_t row =
+      broken_line_ < 0 && part < part_lines_.size() ? part_lines_[part] : broken_line_;
   if (model_ == nullptr) {
-    broken(line(row), "this is no URDF (" + (fault.empty() ? complaints.first() : fault) + ")",
+    refuse_expressions(text);
+    if (!fault.empty()) complaint = fault;
+    broken(line(row),
+           "this is no URDF (" + (complaint.empty() ? "urdfdom does not say why" : complaint) + ")",
            "check it with check_urdf");
   }
   // What the parser cannot read it leaves out: a link would pass through obstacles.
-  if (complaints.any()) {
-    broken(line(row), "a part of it cannot be read (" + complaints.first() + ")",
+  if (!complaint.empty()) {
+    broken(line(row), "a part of it cannot be read (" + complaint + ")",
            "check it with check_urdf");
   }
 }

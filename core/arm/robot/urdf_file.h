@@ -40,11 +40,14 @@ class UrdfFile {
   void read_xml(const std::string& text);
   void parse(const std::string& text);
   [[noreturn]] void refuse_xacro(std::int64_t row) const;
+  void refuse_expressions(const std::string& text) const;
 
   std::string file_;
   Lines links_, joints_;
-  std::vector<std::int64_t> parts_;  // the lines of all as urdfdom reads them
-  std::int64_t broken_line_ = -1;    // of the XML
+  // Of the robot's tag, where that is at fault; of materials, links and joints: what urdfdom reads
+  // in turn.
+  std::vector<std::int64_t> part_lines_;
+  std::int64_t broken_line_ = -1;  // of the XML
   urdf::ModelInterfaceSharedPtr model_;
 };
 

@@ -83,10 +83,11 @@ TEST(Anytime, ATokenIsEnoughForAPath) {
 
 // Whichever search improves the path, and in the middle of whichever scan.
 TEST(Anytime, WhatAnObserverThrowsArrives) {
-  int thrown = 0;
+  int throwing = 0;  // kinds of maps on which it throws
   for (const MapKind kind : {MapKind::blobs, MapKind::maze, MapKind::rooms, MapKind::random}) {
     const bool random = kind == MapKind::random;
     const Across across(kind, random ? 1024 : 2048, random ? 0.35 : -1);
+    int thrown = 0;
     for (int n = 0; n < 3; ++n) {
       const CountingTime time(1 << 30);
       int told = 0;
@@ -102,8 +103,9 @@ TEST(Anytime, WhatAnObserverThrowsArrives) {
         ++thrown;
       }
     }
+    throwing += thrown > 0 ? 1 : 0;
   }
-  EXPECT_GE(thrown, 4);  // by every kind of map at least its first
+  EXPECT_GE(throwing, 2);  // on the others the first path is proven
 }
 
 // Cut anywhere: the later, the closer; never past the optimum.

@@ -85,6 +85,7 @@ TEST(GeoJson, NamesWhatIsWrong) {
       "ring 0, at (0, 0), is less than 1e-100 wide");
   expect_refusal(collection({boundary(), feature("start", "Point", "[1]")}), "two numbers");
   expect_refusal(collection({boundary()}, R"("margin":-1,)"), "margin");
+  expect_refusal(collection({boundary()}, R"("margin":1,"properties":{"margin":1},)"), "again");
   expect_refusal(collection({boundary()}, R"("margin":"wide",)"), "margin");
 }
 
