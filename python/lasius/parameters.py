@@ -253,7 +253,8 @@ class Params(ParameterSet):
 
     Args:
         algorithm: its name, see `algorithms()`.
-        preset: "usual", or "book": the textbook's numbers of as, eas, ras, mmas and acs.
+        preset: "usual", or "book": the textbook's numbers, of algorithms that have them; what is
+            raised for another one names them.
         **settings: any parameter by name; `seed` (to 2**53 - 1) and `threads` (0: as many as OpenMP
             gives; never changes the answer).
     """
