@@ -72,8 +72,8 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help,
          "cell|world");
   option("--radius", text.radius,
          "Grow obstacles: block cells whose centre is within R of one or of the map's edge; R in "
-         "cells (metres with --frame world). Paths keep R - 0.71 cells: where a disc of radius R has "
-         "to be safe, give R + 0.71",
+         "cells (metres with --frame world). Paths keep R - 0.71 cells: give R + 0.71 where a disc "
+         "of radius R has to be safe",
          "R");
   add_switch(app, "--unknown-free", text.unknown_free, "Unknown cells of a ROS map count as free");
   add_switch(app, "--prepare", text.prepare, kPrepare);
