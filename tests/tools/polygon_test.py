@@ -103,6 +103,8 @@ class PolygonTest(WorldTest):
     def test_wkt(self):
         text = "".join(f"POLYGON (({', '.join(f'{x} {y}' for x, y in ring + [ring[0]])}))\n"
                        for ring in [WORLD["boundary"]] + WORLD["obstacle"])
+        self.write("world.wkt", text + "POINT (20 180)\n")
+        self.refused(self.plan_world(world="world.wkt"), 2, "WKT: the second POINT")
         self.write("world.wkt", text + "POINT (20 180)\nPOINT (160 90)\n")
         run = self.plan_world("--json", world="world.wkt")
         self.assertAlmostEqual(run.json["length"], OPTIMUM, places=8)

@@ -28,13 +28,14 @@ Json crossing_length(const std::optional<polygon::Crossing>& crossing) {
 
 /// @throws UsageError where neither the command nor the world says where to start or end.
 void check_ends(const PolygonCommand& command, const polygon::World& world) {
-  const auto check = [&](const std::string& role, bool given) {
+  const auto check = [&](const std::string& role, const char* place, bool given) {
     if (!given)
       throw UsageError("--" + role + " is required: " + command.world.file +
-                       " has no feature with the role " + role);
+                       " has none (GeoJSON: a feature with the role " + role + "; WKT: the " +
+                       place + " POINT)");
   };
-  check("start", command.start || world.start);
-  check("goal", command.goal || world.goal);
+  check("start", "first", command.start || world.start);
+  check("goal", "second", command.goal || world.goal);
 }
 
 /// `plan` on a polygon world, and each query of `batch`.
@@ -54,11 +55,9 @@ class PolygonTask : public Task {
     Task::announce();
     if (!options().messages.verbose) return;
     const polygon::Maklink& graph = world_->planner.maklink();
-    const auto count = [](const auto& all, const char* thing) {
-      return counted(static_cast<std::int64_t>(all.size()), thing);
-    };
-    message(world_->options.file + ": " + count(world_->planner.world().obstacles, "obstacle") +
-            ", " + count(graph.lines, "line") + ", " + count(graph.regions, "region") +
+    message(world_->options.file + ": " +
+            counted(world_->planner.world().obstacles.size(), "obstacle") + ", " +
+            counted(graph.lines.size(), "line") + ", " + counted(graph.regions.size(), "region") +
             printed(", hash %s, read in %.1f ms, ready after %.1f ms",
                     hash_text(world_->hash).c_str(), world_->read_ms, world_->ready_ms));
     announce_algorithm(false);
@@ -194,8 +193,7 @@ std::vector<QueryFile::Line> queries_of(const PolygonBatchCommand& command,
 std::unique_ptr<Task> recorded_polygon(const Recorded& from, SharedWorld& last) {
   const Json& result = from.result;
   PolygonCommand command;
-  const auto name = recorded<std::string>(result, "algorithm");
-  const auto known = algorithm_of(World::Kind::polygon, name);
+  const auto known = algorithm_of(World::Kind::polygon, recorded<std::string>(result, "algorithm"));
   read_recorded(from, polygon::find_algorithm(known), command);
   command.world = recorded_world(from);
   command.start = recorded_point(result, "start");
