@@ -227,9 +227,9 @@ class ArmColony final : public ColonyWorld {
     }
     result_.questions = lattice_.questions();
     if (result_.status == Status::no_path && detour_.empty())
-      result_.error = lattice_.not_found() +
-                      (closed_ ? ", every way in it is closed; try a smaller pitch, more postures"
-                               : "; try more iterations");
+      result_.error =
+          lattice_.not_found() +
+          (closed_ ? ", every way in it is closed; " + lattice_.larger() : "; try more iterations");
     if (!found && !detour_.empty()) take_detour();
     if (!found) return;
     result_.length = best_length_;

@@ -274,8 +274,8 @@ Result Inquiry::search_lattices(const Search& search) {
       append(search(lattice, parameters_), result);
     } else {
       result.error = lattice.not_found() +
-                     ": joint values continued from the start do not reach the goal; try a "
-                     "smaller pitch, more postures";
+                     ": joint values continued from the start do not reach the goal; " +
+                     lattice.larger();
     }
     asked_ = lattice.questions();
     questions_ended_it_ |= lattice.questions_ended_it();

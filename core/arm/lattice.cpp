@@ -257,5 +257,9 @@ std::string Lattice::not_found() const {
   return "not found in this lattice (pitch " + number_text(pitch_) +
          " m, postures tried: " + std::to_string(postures()) + ")";
 }
+std::string Lattice::larger() const {
+  return std::string("try a smaller pitch") +
+         (postures() < most_postures_ ? "" : ", more postures");
+}
 
 }  // namespace lasius::arm

@@ -131,6 +131,8 @@ class Lattice {
   bool goals_blocked(bool ask) const;
   /// Where no way was found, for people.
   std::string not_found() const;
+  /// What to try then: more postures only where it has all that it may have.
+  std::string larger() const;
 
   bool position_free(Node v) const;
   /// Tries straight motions from the start to `via`, and on to the ends nearest to it: the end, -1

@@ -290,6 +290,10 @@ class Arm(ProgramTest):
         self.assertIn("at the goal", run.json["error"])
         run = status(6, "no_path", "--set", "joint_step=0.01", "--set", "direct=off")
         self.assertIn("not found in this lattice", run.err)
+        run = status(6, "no_path", "--set", "joint_step=0.01", "--set", "direct=off",
+                     "--goal-joints", "0.3,1.1,0.2", start="0,0,0", goal=None)
+        self.assertIn("try a smaller pitch", run.err)
+        self.assertNotIn("more postures", run.err)
         status(6, "no_path", "--set", "iterations=0")
         status(6, "limit", "--time-limit", "0")
         self.refused(self.arm("-o", "nowhere/m.json"), 7, "nowhere")
@@ -429,6 +433,10 @@ class Arm(ProgramTest):
         self.assertTrue(any("acceleration" in note for note in notes), notes)
         for note in notes:
             self.assertIn(note, run.err)
+        far = self.ur5("--tip", "tool0", "--goal", "9,9,9", "--json")
+        self.assertEqual(far.json["robot"]["notes"], notes)
+        self.assertTrue(far.err.startswith("lasius: goal 9,9,9 is outside"), far.err)
+        self.assertEqual(len(far.err.splitlines()), 1, far.err)
         self.assertEqual(self.ur5("--tip", "tool0", "--goal-joints", UR5_GOAL, "-q").err, "")
         run = self.ur5("--tip", "tool0", "--goal-joints", UR5_GOAL, "--json", "--set-joint",
                        "left_finger_joint=0.02")

@@ -83,8 +83,7 @@ class ArmTask : public Task {
     if (!command_.messages.verbose) return;
     message(command_.robot + ": " + counted(found_.robot.size(), "joint"));
     announce_bodies();
-    message(command_.scene + ": " +
-            counted(static_cast<std::int64_t>(found_.scene.obstacles.size()), "obstacle"));
+    message(command_.scene + ": " + counted(found_.scene.obstacles.size(), "obstacle"));
     announce_algorithm(true);
   }
   void plan(const StopCondition& stop, const Watch& watch) override {
@@ -130,9 +129,11 @@ class ArmTask : public Task {
     return Task::progress_note(progress) + ", " +
            counted(asked.positions + asked.motions, "question");
   }
-  /// What of the motion is not as one may expect.
+  /// What of the motion is not as one may expect, and what it takes for granted.
   void remark() const override {
     const arm::Result& motion = found_.plan;
+    if (found())
+      for (const std::string& note : found_.robot.notes) message(note);
     if (motion.stops)
       message(std::string("the motion rests at each waypoint: ") +
               (motion.status == Status::solved ? "no faster one between them was found free"
@@ -239,8 +240,6 @@ class ArmTask : public Task {
     for (const auto* file : {&command_.srdf, &command_.joint_limits})
       if (!file->empty() && std::ranges::find(files, *file) == files.end()) files.push_back(*file);
     found_.robot_files = hashed(files);
-    command_.notes.insert(command_.notes.end(), found_.robot.notes.begin(),
-                          found_.robot.notes.end());
   }
   void announce_bodies() const {
     const auto joints = joint_names(found_.robot);
