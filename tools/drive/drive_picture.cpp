@@ -97,7 +97,7 @@ std::string caption(const Sheet& sheet, const DriveAnswer& answer) {
     text += against(result.length, *answer.optimum,
                     "optimum of the robot's moves through the world at the start",
                     sheet.length(*answer.optimum));
-  return text + "; " + counted(static_cast<std::int64_t>(result.replans.size()), "plan") + ", " +
+  return text + "; " + counted(result.replans.size(), "plan") + ", " +
          counted(result.seen, "cell") + " learned, sight " + sheet.length(answer.sense);
 }
 

@@ -190,7 +190,7 @@ class DriveTask : public MapTask {
     if (options().json || !has_path()) return;
     const DriveResult& result = answer_.result;
     std::string text = counted(result.ticks, "tick") + ", " +
-                       counted(static_cast<std::int64_t>(result.replans.size()), "plan") + ", " +
+                       counted(result.replans.size(), "plan") + ", " +
                        counted(result.seen, "cell") + " learned, " + counted(result.waits, "wait");
     if (const auto ratio = answer_.ratio())
       text += "; " + decimal_text(*ratio, 4) + " of the optimum of 8 moves, " +

@@ -47,8 +47,7 @@ TEST(Exact, BendsAroundAWall) {
 
 TEST(Exact, DoesNotSqueezeBetweenDiagonalBlocks) {
   EXPECT_EQ(solve(drawn({".#", "#."}), {0, 0}, {1, 1}).end, ExactEnd::unreachable);
-  const auto around = solve(drawn({".#.", "#..", "..."}), {0, 0}, {2, 2});
-  EXPECT_EQ(around.end, ExactEnd::unreachable);
+  EXPECT_EQ(solve(drawn({".#.", "#..", "..."}), {0, 0}, {2, 2}).end, ExactEnd::unreachable);
 }
 
 TEST(Exact, SlidesAlongEdgesAndStraightPastCorners) {

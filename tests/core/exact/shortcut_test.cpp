@@ -58,8 +58,7 @@ TEST(Shortcut, BendsOnlyWhereTheCellsTouchACorner) {
   cells.add({3, 0});
   search.shortcut(grid, {1, 2}, {5, 2}, 100, cells, kAnyWork, {}, path);
   EXPECT_EQ(path, (std::vector<Point>{{1.5, 2.5}, {3, 1}, {4, 1}, {5.5, 2.5}}));
-  const double length = path_length(path);
-  search.shortcut(grid, {1, 2}, {5, 2}, length, cells, kAnyWork, {}, path);
+  search.shortcut(grid, {1, 2}, {5, 2}, path_length(path), cells, kAnyWork, {}, path);
   EXPECT_TRUE(path.empty());
   search.shortcut(grid, {1, 2}, {2, 4}, 100, cells, kAnyWork, {}, path);
   EXPECT_EQ(path, (std::vector<Point>{{1.5, 2.5}, {2.5, 4.5}}));

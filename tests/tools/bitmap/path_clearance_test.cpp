@@ -47,8 +47,7 @@ TEST(ClearanceAlong, SamplesAreEvenAndEndWithThePath) {
 
 TEST(ClearanceAlong, APointAndALongPath) {
   const Grid grid(2000, 3);
-  const auto point = clearance_along(grid, {{4.5, 1.5}}, 0);
-  EXPECT_EQ(point.values, (std::vector{1.5, 1.5}));
+  EXPECT_EQ(clearance_along(grid, {{4.5, 1.5}}, 0).values, (std::vector{1.5, 1.5}));
   const auto line = clearance_along(grid, {{0.5, 1.5}, {1999.5, 1.5}}, 1999);
   EXPECT_EQ(line.values.size(), ClearanceAlong::kMostSamples + 1U);
 }

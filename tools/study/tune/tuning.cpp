@@ -41,10 +41,8 @@ class Conductor {
     for (int block = 0; block < tuning_.blocks && tuned.race.left().size() > 1; ++block) {
       if (!run_block(block, tuned)) return tuned;
       if (options_.progress)
-        options_.progress(
-            block + 1, tuning_.blocks,
-            tool::counted(static_cast<std::int64_t>(tuned.race.left().size()), "candidate") +
-                " left");
+        options_.progress(block + 1, tuning_.blocks,
+                          tool::counted(tuned.race.left().size(), "candidate") + " left");
     }
     const std::size_t winner = tuned.race.best();
     tuned.judged = winner != 0 ? winner : tuned.race.rival();
