@@ -67,6 +67,7 @@ void refuse_output(const std::string& path, const std::string& why) {
 
 Target find_target(const std::string& path) {
   constexpr int kMostLinks = 40;  // Linux's
+  if (path.find('\0') != path.npos) refuse_output(path, "its name holds a zero byte");
   Target target{path};
   struct stat status {};
   for (int links = 0; links <= kMostLinks; ++links) {

@@ -10,7 +10,8 @@ Clock::time_point deadline_in(std::chrono::duration<double> time, Clock::time_po
   using Seconds = std::chrono::duration<double>;
   constexpr Seconds kCentury = std::chrono::hours(24 * 36525);
   if (!(time < kCentury)) return Clock::time_point::max();
-  return from + std::chrono::duration_cast<Clock::duration>(std::max(time, Seconds(0)));
+  const auto wait = std::chrono::duration_cast<Clock::duration>(std::max(time, Seconds(0)));
+  return from > Clock::time_point::max() - wait ? Clock::time_point::max() : from + wait;
 }
 
 TimeSource::~TimeSource() = default;

@@ -121,13 +121,15 @@ std::optional<std::string> fault_of(const MovingObstacle& obstacle, int width, i
 }
 
 void check_changes(const Changes& changes, int width, int height) {
-  const auto check = [&](const auto& one) {
-    if (const auto fault = fault_of(one, width, height)) {
-      throw invalid_parameter(*fault, "see lasius/drive.h");
+  const auto check = [&](const auto& all, const char* what) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (const auto fault = fault_of(all[i], width, height))
+        throw invalid_parameter(what + std::to_string(i) + ": " + *fault,
+                                "correct it, or leave it out");
     }
   };
-  for (const Change& one : changes.cells) check(one);
-  for (const MovingObstacle& one : changes.obstacles) check(one);
+  check(changes.cells, "change ");
+  check(changes.obstacles, "moving obstacle ");
 }
 
 Changes read_changes(std::string_view text, const std::string& name, int width, int height) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
 #include "core/drive/headway.h"
@@ -241,7 +242,16 @@ class Drive {
 
   /// The cell to be in at the next tick; the robot's own for a wait.
   Cell next_cell(Found found) {
-    if (found == Found::way) return way_->walk.size() > 1 ? way_->walk[1] : robot_;
+    if (found == Found::way && way_->walk.size() < 2) return robot_;
+    if (found == Found::way) {
+      const Cell next = way_->walk[1];
+      if (std::abs(std::int64_t{next.x} - robot_.x) > 1 ||
+          std::abs(std::int64_t{next.y} - robot_.y) > 1)
+        throw invalid_parameter(
+            "the pilot's walk does not go on in a neighbour of the robot's cell",
+            "give each cell of the way in Way::walk");
+      return next;
+    }
     if (found == Found::not_yet) return robot_;
     ++waited_;
     const bool aside = waited_ % kPatience == 0;

@@ -44,6 +44,8 @@ Grid generate(MapKind kind, const GenerateOptions& options) { return *generate(k
 
 std::optional<Grid> generate(MapKind kind, const GenerateOptions& options,
                              const StopCondition& stop) {
+  if (static_cast<std::size_t>(kind) >= kKinds.size())
+    throw invalid_parameter("the kind of map is none", "take one of MapKind");
   const Kind& entry = kKinds[static_cast<std::size_t>(kind)];
   if (!(options.density <= entry.most)) {
     throw invalid_parameter(

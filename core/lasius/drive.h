@@ -158,7 +158,7 @@ LASIUS_EXPORT DriveResult drive(const Grid& map, const Grid& truth, Cell start, 
                                 const StopCondition& stop = {}, const DriveObserver& observer = {});
 
 /// The same with a planner that is there already, to its goal; it knows what it has observed.
-/// @throws likewise.
+/// @throws likewise, and where its walk leads to no neighbour of the robot's cell.
 LASIUS_EXPORT DriveResult drive(Pilot& pilot, const Grid& truth, Cell start,
                                 const Changes& changes = {}, const DriveOptions& options = {},
                                 const StopCondition& stop = {}, const DriveObserver& observer = {});

@@ -301,6 +301,8 @@ Params::Params(std::string_view algorithm, Preset preset) {
   const Algorithm& found = find_algorithm(algorithm);
   algorithm_ = found.name;
   const Listed& entry = listed(found);
+  if (to_string(preset).empty())
+    throw invalid_parameter("the preset is none", "take one of Preset");
   if (preset == Preset::book && entry.set_book == nullptr) {
     std::string others;
     for (const Listed& one : kListed) {

@@ -2,9 +2,16 @@
 
 #include "core/base/did_you_mean.h"
 #include "lasius/lasius.h"
+#include "lasius/version.h"
 
 namespace lasius {
 namespace {
+
+TEST(Version, HasThreeNumbers) {
+  EXPECT_EQ(std::to_string(LASIUS_VERSION_MAJOR) + "." + std::to_string(LASIUS_VERSION_MINOR) +
+                "." + std::to_string(LASIUS_VERSION_PATCH),
+            LASIUS_VERSION);
+}
 
 // The first and the last value of every public enumeration; what is no value has no name.
 TEST(Names, OfEveryEnumeration) {

@@ -89,12 +89,14 @@ TEST_F(Outputs, AreRefusedBeforeAnyWork) {
   fs::create_directory(path("folder"));
   file("old", "read_only");
   fs::permissions(path("read_only"), fs::perms::owner_read);
-  const std::pair<std::string, const char*> cases[] = {{path("folder"), "folder"},
-                                                       {path("read_only"), "read-only"},
-                                                       {path("none/file"), "none"},
-                                                       {path("read_only/file"), "Not a directory"},
-                                                       {path(std::string(256, 'x')), "too long"},
-                                                       {"/dev/fd/99999", "Bad file descriptor"}};
+  const std::pair<std::string, const char*> cases[] = {
+      {path("folder"), "folder"},
+      {path("read_only"), "read-only"},
+      {path("none/file"), "none"},
+      {path("read_only/file"), "Not a directory"},
+      {path(std::string(256, 'x')), "too long"},
+      {path(std::string("old\0x", 5)), "zero byte"},
+      {"/dev/fd/99999", "Bad file descriptor"}};
   for (const auto& refused : cases) {
     const auto& name = refused.first;
     const char* const word = refused.second;

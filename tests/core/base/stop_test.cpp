@@ -36,6 +36,9 @@ TEST(Deadline, IsSoFarFromAnyTime) {
   const Clock::time_point then{std::chrono::seconds(7)};
   EXPECT_EQ(deadline_in(Seconds(0.5), then), then + std::chrono::milliseconds(500));
   EXPECT_EQ(deadline_in(Seconds(-1), then), then);
+  constexpr auto kNever = Clock::time_point::max();
+  EXPECT_EQ(deadline_in(Seconds(5), kNever), kNever);
+  EXPECT_EQ(deadline_in(Seconds(5), kNever - std::chrono::seconds(4)), kNever);
 }
 
 TEST(Poller, LooksOnceABudgetIsSpentAndNeverAgainOnceStopped) {

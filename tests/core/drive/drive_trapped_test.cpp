@@ -76,6 +76,35 @@ class SlowPilot final : public Pilot, public TimeSource {
   Clock::time_point now_;
 };
 
+/// A walk that leaves cells out.
+class JumpingPilot final : public Pilot {
+ public:
+  explicit JumpingPilot(const Grid& map) : pilot_(map, {14, 2}) {}
+  void observe(const Rectangle& part, bool blocked) override { pilot_.observe(part, blocked); }
+  void observe(std::span<const Cell> cells, bool blocked) override {
+    pilot_.observe(cells, blocked);
+  }
+  const Way& step(Cell robot, const StopCondition& stop) override {
+    way_ = pilot_.step(robot, stop);
+    way_.walk = {robot, {robot.x + 6, robot.y}};
+    return way_;
+  }
+  Cell goal() const noexcept override { return pilot_.goal(); }
+  const Grid& map() const noexcept override { return pilot_.map(); }
+  const Grid& passable() const noexcept override { return pilot_.passable(); }
+  bool connected(Cell a, Cell b) override { return pilot_.connected(a, b); }
+
+ private:
+  Navigator pilot_;
+  Way way_;
+};
+
+TEST(Drive, RefusesAPilotWhoseWalkLeavesCellsOut) {
+  const Grid map(16, 5);
+  JumpingPilot pilot(map);
+  EXPECT_THROW((void)drive(pilot, map, {0, 2}), Error);
+}
+
 TEST(Drive, IsNotTrappedWhileItPlans) {
   const Grid map(60, 60);
   Changes changes;

@@ -170,6 +170,7 @@ TEST(Generate, RefusesBadSizesAndDensities) {
     EXPECT_THROW((void)generate(kind, {10, 10, max_density(kind) + 1e-9}), Error)
         << to_string(kind);
   }
+  EXPECT_THROW((void)generate(static_cast<MapKind>(6), {}), Error);
   EXPECT_THROW((void)generate(MapKind::blobs, {0, 10}), Error);
   EXPECT_THROW((void)generate(MapKind::blobs, {10, 32769}), Error);
 }

@@ -109,6 +109,8 @@ TEST(Params, ANameComesWithItsNumbers) {
   expect_says(refusal([] { Params misspelt("ass"); }), "\"as\"");
 }
 
+TEST(Params, NoPresetIsRefused) { EXPECT_THROW(Params("acs", static_cast<Preset>(9)), Error); }
+
 TEST(Params, ABookIsASecondPresetOfItsOwn) {
   int books = 0;
   for (const Algorithm& algorithm : algorithms()) {
