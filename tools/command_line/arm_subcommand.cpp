@@ -111,7 +111,7 @@ Subcommand add_arm(CLI::App& app) {
          "SECONDS");
   option("--rate", raw->rate, "Samples of the trajectory a second (default 100)", "HZ");
   option("--recheck", raw->recheck,
-         "Check the trajectory at N times by KDL and FCL and say what they find", "N");
+         "Check the trajectory at N instants by KDL and FCL and say what they find", "N");
   return {arm, [raw, arm]() -> Command {
             raw->goals = in_order(*arm);
             return make_arm(*raw);
