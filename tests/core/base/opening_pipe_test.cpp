@@ -8,8 +8,6 @@
 #include <string>
 #include <thread>
 
-#include "core/map_files/byte_reader.h"
-
 namespace lasius {
 namespace {
 
@@ -26,13 +24,21 @@ TEST(OpeningPipe, IsUnderWayWhileANamedPipeIsOpened) {
   std::remove(pipe.c_str());
 }
 
-TEST(OpeningPipe, FilesAreReadOnSeveralThreads) {
-  const auto read = [] {
-    for (int i = 0; i < 50; ++i)
-      EXPECT_FALSE(read_text(LASIUS_MAPS_DIR "/grid20a.map", 1 << 20).empty());
+TEST(OpeningPipe, IsCountedOnSeveralThreads) {
+  const std::string pipe = testing::TempDir() + "lasius_opening_pipes";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const auto open_and_close = [&] {
+    for (int i = 0; i < 1000; ++i) {
+      const OpeningPipe opening(pipe);
+      EXPECT_TRUE(OpeningPipe::under_way());
+    }
   };
-  std::jthread other(read);
-  read();
+  {
+    const std::jthread other(open_and_close);
+    open_and_close();
+  }
+  EXPECT_FALSE(OpeningPipe::under_way());
+  std::remove(pipe.c_str());
 }
 
 }  // namespace
