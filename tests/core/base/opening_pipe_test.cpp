@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <string>
@@ -11,9 +12,15 @@
 namespace lasius {
 namespace {
 
+/// The path of a named pipe of this process.
+std::string made_pipe(const std::string& name) {
+  const std::string pipe = testing::TempDir() + name + std::to_string(::getpid());
+  EXPECT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  return pipe;
+}
+
 TEST(OpeningPipe, IsUnderWayWhileANamedPipeIsOpened) {
-  const std::string pipe = testing::TempDir() + "lasius_opening_pipe";
-  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const std::string pipe = made_pipe("one");
   EXPECT_FALSE(OpeningPipe::under_way());
   {
     const OpeningPipe opening(pipe);
@@ -25,8 +32,7 @@ TEST(OpeningPipe, IsUnderWayWhileANamedPipeIsOpened) {
 }
 
 TEST(OpeningPipe, IsCountedOnSeveralThreads) {
-  const std::string pipe = testing::TempDir() + "lasius_opening_pipes";
-  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const std::string pipe = made_pipe("shared");
   const auto open_and_close = [&] {
     for (int i = 0; i < 1000; ++i) {
       const OpeningPipe opening(pipe);
