@@ -19,7 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _lasius
-from .arrays import FloatArray
+from .arrays import FloatArray, reduced
 from .errors import finish
 from .maps import Path
 from .parameters import Algorithm, ParameterSet, chosen, described
@@ -193,6 +193,7 @@ class Trajectory:
     """A motion in time: smooth, at rest at both ends."""
 
     __slots__ = ("_raw",)
+    __reduce_ex__ = reduced
 
     def __init__(self, raw: Any) -> None:
         self._raw = raw

@@ -1,4 +1,4 @@
-"""Types of arrays, and arrays as the library takes them."""
+"""Types of arrays, and values as the library and pickle take them."""
 
 from __future__ import annotations
 
@@ -37,3 +37,7 @@ def same(a: Any, b: Any) -> bool:
     return bool(a == b)
 
 
+def reduced(value: Any, protocol: Any) -> Any:
+    """`__reduce_ex__` of what has no __init__ without arguments: pickle's protocols 0 and 1 made instances
+    of it without its __new__, and instances of the extension's classes so made end the process."""
+    return object.__reduce_ex__(value, max(protocol, 2))

@@ -248,7 +248,9 @@ class Planner:
         return self._raw.footprint()
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        return (restored, (self._grid, self.preparation.state == "ready", self.excluded))
+        excluded = self.excluded  # what they block counts as blocked in the planner's map
+        grid = self.allow(excluded).grid if len(excluded) else self._grid
+        return (restored, (grid, self.preparation.state == "ready", excluded))
 
     def __repr__(self) -> str:
         return f"Planner({self._grid!r}{', prepare=True' if self.preparation.state == 'ready' else ''})"
@@ -256,8 +258,10 @@ class Planner:
 
 def restored(grid: Grid, prepare: bool, excluded: IntArray) -> Planner:
     """A planner that was pickled: its map is labelled and prepared anew."""
-    planner = Planner(grid, prepare=prepare)
-    return planner.exclude(excluded) if len(excluded) else planner
+    planner = Planner(grid)
+    if len(excluded):
+        planner = planner.exclude(excluded)
+    return planner.prepared() if prepare else planner
 
 
 def directions_of(rows: npt.ArrayLike) -> IntArray:
