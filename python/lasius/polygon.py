@@ -236,15 +236,16 @@ class Result(SearchResult):
         return axes
 
 
-def plot_world(world: World, axes: Any = None) -> Any:
-    """Draws boundary and obstacles; needs matplotlib."""
+def plot_world(world: Optional[World], axes: Any = None) -> Any:
+    """Draws boundary and obstacles; needs matplotlib. None: the axes alone."""
     from . import plots
 
     axes = axes if axes is not None else plots.new_axes(False)[0]
-    outline, holes = world.boundary
-    axes.plot(*np.vstack([outline, outline[:1]]).T, color="black", linewidth=1)
-    for ring in [*holes, *(outer for outer, _ in world.obstacles)]:
-        axes.fill(*ring.T, color="#8c8c8c")
+    if world is not None:
+        outline, holes = world.boundary
+        axes.plot(*np.vstack([outline, outline[:1]]).T, color="black", linewidth=1)
+        for ring in [*holes, *(outer for outer, _ in world.obstacles)]:
+            axes.fill(*ring.T, color="#8c8c8c")
     axes.set(aspect="equal", xlabel="x", ylabel="y")
     return axes
 
