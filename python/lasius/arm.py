@@ -11,7 +11,6 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
@@ -19,9 +18,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _lasius
-from .arrays import FloatArray, reduced
+from .arrays import FloatArray, Path, file_name, reduced
 from .errors import finish
-from .maps import Path
 from .parameters import Algorithm, ParameterSet, chosen, described
 from .progress import Shown, watched
 from .results import Record, SearchResult, answer
@@ -46,7 +44,7 @@ class Scene:
     @classmethod
     def read(cls, path: Path) -> Scene:
         """From JSON, see docs/worlds.md."""
-        return cls(_raw.read_scene(os.fspath(path)))
+        return cls(_raw.read_scene(file_name(path)))
 
     @property
     def name(self) -> str:
@@ -77,7 +75,7 @@ class Robot:
         set_joints: Optional[Dict[str, float]] = None,
         srdf: Path = "",
         joint_limits: Path = "",
-        packages: Optional[Dict[str, str]] = None,
+        packages: Optional[Dict[str, Path]] = None,
         use_visual: bool = False,
         bodiless: bool = False,
     ) -> Robot:
@@ -95,8 +93,8 @@ class Robot:
         """
         return cls(
             _raw.read_robot(
-                os.fspath(path), base, tip, set_joints or {}, os.fspath(srdf), os.fspath(joint_limits),
-                packages or {}, use_visual, bodiless,
+                file_name(path), base, tip, set_joints or {}, file_name(srdf), file_name(joint_limits),
+                {name: file_name(folder) for name, folder in (packages or {}).items()}, use_visual, bodiless,
             )
         )
 

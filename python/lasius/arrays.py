@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Tuple
+import os
+from typing import Any, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -14,6 +15,7 @@ BoolArray = npt.NDArray[np.bool_]
 
 Cell = Tuple[int, int]
 Point = Tuple[float, float]
+Path = Union[str, "os.PathLike[str]"]
 
 
 def int_rows(rows: npt.ArrayLike, name: str) -> IntArray:
@@ -25,6 +27,14 @@ def int_rows(rows: npt.ArrayLike, name: str) -> IntArray:
         raise TypeError(f"{name} is an array of {array.dtype}: give integers")
     limits = np.iinfo(np.int32)  # far outside of any map
     return np.ascontiguousarray(np.clip(array, limits.min, limits.max), np.int32)
+
+
+def file_name(path: Path) -> bytes:
+    """A path as the system has it: os.listdir gives names that are no UTF-8, too."""
+    name = os.fsencode(path)
+    if b"\0" in name:
+        raise ValueError(f"{path!r} is no path: it has a NUL byte")
+    return name
 
 
 def same(a: Any, b: Any) -> bool:

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
-from typing import List, Optional, Union
+from typing import List, Optional
 
 import numpy.typing as npt
 
 from . import _lasius
 from ._lasius import Grid, WorldFrame
-from .arrays import Cell, FloatArray
+from .arrays import Cell, FloatArray, Path, file_name
 from .errors import made
-
-Path = Union[str, "os.PathLike[str]"]
 
 
 @dataclass(frozen=True)
@@ -35,12 +32,12 @@ def read_map(path: Path, *, unknown_is_free: bool = False, free_below: float = 0
     Raises:
         FileMissing, FileBroken, FileUnsupported: with the file, the line or offset, and the remedy.
     """
-    return Map(*_lasius.read_map(os.fspath(path), unknown_is_free, free_below))
+    return Map(*_lasius.read_map(file_name(path), unknown_is_free, free_below))
 
 
 def write_map(grid: Grid, path: Path) -> None:
     """Writes .map, .pbm or .png by the name's ending, whole or not at all."""
-    _lasius.write_map(grid, os.fspath(path))
+    _lasius.write_map(grid, file_name(path))
 
 
 def map_kinds() -> List[str]:

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import os
 from typing import Any, Callable, Optional, Tuple
 
 import numpy.typing as npt
 
 from . import _lasius
 from ._lasius import DriveTick, Grid
-from .arrays import Cell, int_rows
+from .arrays import Cell, Path, file_name, int_rows
 from .errors import finish
-from .maps import Path
 from .parameters import OptionalParams, Params, chosen
 from .results import DriveResult, Replans, Way, answer
 
@@ -137,11 +135,13 @@ class Changes:
 
     @classmethod
     def read(cls, path: Path, grid: Grid) -> Changes:
-        """From a file as `lasius drive --changes` takes it, see docs/driving.md."""
-        name = os.fspath(path)
-        with open(name, encoding="utf-8") as file:
-            changes = cls()
-            changes._raw = _lasius.read_changes(file.read(), name, grid.width, grid.height)
+        """From a file as `lasius drive --changes` takes it, see docs/driving.md.
+
+        Raises:
+            FileMissing, FileBroken: as of read_map.
+        """
+        changes = cls()
+        changes._raw = _lasius.read_changes(file_name(path), grid.width, grid.height)
         return changes
 
 

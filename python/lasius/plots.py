@@ -132,7 +132,7 @@ def png_of_grid(grid: Grid) -> bytes:
     from . import _lasius
 
     with tempfile.NamedTemporaryFile(suffix=".png") as file:
-        _lasius.write_map(Grid(blocked_picture(grid), free=False), file.name)
+        _lasius.write_map(Grid(blocked_picture(grid), free=False), file.name.encode())
         with open(file.name, "rb") as written:
             return written.read()
 

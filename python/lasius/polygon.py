@@ -11,7 +11,6 @@ An area is a ring (an array (n, 2), the first vertex not repeated or repeated), 
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, Iterable, Iterator, List, Optional, Tuple, Union
 
@@ -19,9 +18,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _lasius
-from .arrays import FloatArray, IntArray, Point
+from .arrays import FloatArray, IntArray, Path, Point, file_name
 from .errors import finish, made
-from .maps import Path
 from .parameters import Algorithm, ParameterSet, chosen, described
 from .progress import Shown, counted, watched
 from .results import BatchResult, Record, SearchResult, answer, batch_result
@@ -119,7 +117,7 @@ class World:
         Args:
             repair: geometry that is not valid is repaired, not refused.
         """
-        return cls._of(_raw.read_world(os.fspath(path), repair))
+        return cls._of(_raw.read_world(file_name(path), repair))
 
     @classmethod
     def from_geojson(cls, text: str, *, repair: bool = False) -> World:
@@ -132,7 +130,7 @@ class World:
 
     def write(self, path: Path) -> None:
         """GeoJSON or, to names that end in .wkt, WKT."""
-        self._raw.write(os.fspath(path))
+        self._raw.write(file_name(path))
 
     @property
     def boundary(self) -> Area:

@@ -1,7 +1,8 @@
 """Maps from arrays of any strides, and what says which values are free."""
 
-import pickle
 import copy
+import os
+import pickle
 
 import numpy as np
 import pytest
@@ -130,6 +131,25 @@ def test_files_that_are_not_there(tmp_path):
     assert caught.value.line == 2 and caught.value.file.endswith("broken.map") and caught.value.remedy
     copied = pickle.loads(pickle.dumps(caught.value))
     assert type(copied) is lasius.FileBroken and copied.line == 2 and str(copied) == str(caught.value)
+
+
+def test_names_that_are_no_text(tmp_path):
+    names = [os.fsencode(tmp_path) + b"/caf\xe9.png", os.fsdecode(os.fsencode(tmp_path) + b"/caf\xe9.png")]
+    grid = lasius.generate("rooms", width=60, height=50, seed=2)
+    for name in names:
+        lasius.write_map(grid, name)
+        assert os.listdir(os.fsencode(tmp_path)) == [b"caf\xe9.png"] and lasius.read_map(name).grid == grid
+        os.remove(name)
+        with pytest.raises(lasius.FileMissing) as missing:
+            lasius.read_map(name)
+        assert missing.value.file == names[1] and names[1] in str(missing.value)
+    lasius.write_map(grid, names[0])
+    (tmp_path / "it.yaml").write_bytes(b"image: caf\xe9.png\nresolution: 0.5\norigin: [1.0, 2.0, 0.0]\n"
+                                       b"negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")
+    assert lasius.read_map(tmp_path / "it.yaml").image.endswith("caf\udce9.png")
+    for name in ("a\0b.png", b"a\0b.png"):
+        with pytest.raises(ValueError, match="NUL"):
+            lasius.read_map(name)
 
 
 def test_clearance_by_hand():

@@ -88,6 +88,12 @@ def test_changes_and_moving_obstacles(tmp_path):
     (tmp_path / "bad.txt").write_text("3 10 0 maybe\n")
     with pytest.raises(lasius.FileBroken, match="bad.txt"):
         lasius.Changes.read(tmp_path / "bad.txt", open_grid())
+    with pytest.raises(lasius.FileMissing, match="none.txt"):
+        lasius.Changes.read(tmp_path / "none.txt", open_grid())
+    (tmp_path / "bad.txt").write_bytes(b"3 10 0 caf\xe9\n")
+    with pytest.raises(lasius.FileBroken, match="caf\udce9") as broken:
+        lasius.Changes.read(tmp_path / "bad.txt", open_grid())
+    assert broken.value.line == 1
 
 
 def test_an_observer_ends_a_drive():
