@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from . import _lasius
 from ._lasius import Grid, WorldFrame
-from .arrays import Cell, FloatArray, Path, file_name
+from .arrays import Cell, FloatArray, Path, file_name, unmasked
 from .errors import made
 
 
@@ -109,13 +109,13 @@ def path_length(path: npt.ArrayLike) -> float:
     >>> path_length([[0.5, 0.5], [3.5, 4.5]])
     5.0
     """
-    return float(_lasius.path_length(path))
+    return float(_lasius.path_length(unmasked(path, "path")))
 
 
 def path_fault(grid: Grid, path: npt.ArrayLike, corners: str = "forbid") -> Optional[str]:
     """Why a polyline (n, 2) breaks the rule of the plane, or None if it obeys; exact. Vertices are
     multiples of 0.5."""
-    return _lasius.path_fault(grid, path, corners)
+    return _lasius.path_fault(grid, unmasked(path, "path"), corners)
 
 
 def visible(grid: Grid, a: Cell, b: Cell) -> bool:
@@ -125,4 +125,4 @@ def visible(grid: Grid, a: Cell, b: Cell) -> bool:
 
 def pull_taut(grid: Grid, path: npt.ArrayLike, corners: str = "forbid") -> FloatArray:
     """The shortest path (m, 2) that goes the same way round all obstacles as a valid one (n, 2)."""
-    return made(*_lasius.pull_taut(grid, path, corners))
+    return made(*_lasius.pull_taut(grid, unmasked(path, "path"), corners))

@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from . import _lasius
 from ._lasius import DriveTick, Grid
-from .arrays import Cell, Path, file_name, int_rows
+from .arrays import Cell, Path, file_name, flag_of, int_rows
 from .errors import finish
 from .parameters import OptionalParams, Params, chosen
 from .results import DriveResult, Replans, Way, answer
@@ -58,11 +58,11 @@ class Navigator:
 
     def observe(self, cells: npt.ArrayLike, blocked: bool) -> None:
         """Each of these cells, integers (n, 2), is blocked or free. What lies outside is ignored."""
-        self._raw.observe(int_rows(cells, "cells"), blocked)
+        self._raw.observe(int_rows(cells, "cells"), flag_of(blocked, "blocked"))
 
     def observe_rectangle(self, x: int, y: int, width: int, height: int, blocked: bool) -> None:
         """All cells from (x, y) to (x + width - 1, y + height - 1) are blocked or free."""
-        self._raw.observe_rectangle(x, y, width, height, blocked)
+        self._raw.observe_rectangle(x, y, width, height, flag_of(blocked, "blocked"))
 
     def step(self, robot: Cell, *, time_limit: Optional[float] = None) -> Way:
         """The way to the goal from where the robot is now. Ctrl-C as of Planner.plan.
@@ -119,7 +119,7 @@ class Changes:
 
     def add_change(self, tick: int, x: int, y: int, width: int = 1, height: int = 1, *, blocked: bool) -> None:
         """At the beginning of a tick the cells of a rectangle become blocked or free."""
-        self._raw.add_change(tick, x, y, width, height, blocked)
+        self._raw.add_change(tick, x, y, width, height, flag_of(blocked, "blocked"))
 
     def add_obstacle(
         self, *, width: int, height: int, speed: float, track: npt.ArrayLike, tick: int = 0

@@ -11,10 +11,11 @@ from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple, Type, T
 import numpy as np
 
 from . import _lasius
-from .errors import InvalidParameter
+from .errors import invalid
 
 Value = Union[bool, int, float, str]
 MOST_SEED = 2**53 - 1
+MOST_THREADS = 1024
 
 
 @dataclass(frozen=True)
@@ -68,9 +69,14 @@ def text_of(value: Any) -> str:
 
 def whole(name: str, value: Any) -> int:
     """A seed or a number of threads, which are no text and no float."""
-    number = operator.index(value)
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} is {value!r:.60}: give an integer") from None
     if name == "seed" and not 0 <= number <= MOST_SEED:
-        raise InvalidParameter(f"seed is {number}; it must be 0 .. {MOST_SEED}")
+        raise invalid(f"seed is {number}", f"it must be 0 .. {MOST_SEED}")
+    if name == "threads" and not 0 <= number <= MOST_THREADS:
+        raise invalid(f"threads is {number}", f"it must be 0 (all cores) to {MOST_THREADS}")
     return number
 
 

@@ -9,9 +9,9 @@ import numpy.typing as npt
 
 from . import _lasius
 from ._lasius import Grid, Progress, Workspace
-from .arrays import Cell, IntArray, int_rows
+from .arrays import Cell, IntArray, flags_of, int_rows
 from .errors import finish, made
-from .parameters import OptionalParams, Params, chosen
+from .parameters import OptionalParams, Params, chosen, whole
 from .progress import Shown, counted, watched
 from .results import BatchResult, Result, answer, batch_result
 from .rules import Heuristic, OwnRules, Schedule, Update, named, own_rules
@@ -54,6 +54,7 @@ class Planner:
     def __init__(self, grid: Grid, *, prepare: bool = False, threads: int = 0, max_bytes: int = 1 << 30) -> None:
         if not isinstance(grid, Grid):
             raise TypeError(f"grid is a {type(grid).__name__}: make one by lasius.Grid(array, free=...)")
+        threads = whole("threads", threads)
         self._grid = grid
         self._raw = made(*_lasius.make_planner(grid))
         if prepare:
@@ -205,7 +206,7 @@ class Planner:
             blocked: what they become: one bool, or one for each.
         """
         rows = int_rows(cells, "cells")
-        flags = np.ascontiguousarray(np.broadcast_to(np.asarray(blocked, np.bool_), len(rows)))
+        flags = np.ascontiguousarray(np.broadcast_to(flags_of(blocked, "blocked"), len(rows)))
         return Planner._of(made(*self._raw.edited(rows, flags)))
 
     def exclude(self, directions: npt.ArrayLike) -> Planner:

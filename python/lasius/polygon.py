@@ -18,7 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _lasius
-from .arrays import FloatArray, IntArray, Path, Point, file_name
+from .arrays import FloatArray, IntArray, Path, Point, file_name, unmasked
 from .errors import finish, made
 from .parameters import Algorithm, ParameterSet, chosen, described
 from .progress import Shown, counted, watched
@@ -36,7 +36,7 @@ AreaLike = Any
 
 def ring_of(points: Any) -> Ring:
     """A ring as an array (n, 2), its first vertex not repeated; of 3-D coordinates x and y."""
-    ring = np.asarray(points, np.float64)
+    ring = np.asarray(unmasked(points, "a ring"), np.float64)
     if ring.ndim != 2 or ring.shape[1] < 2:
         raise ValueError(f"a ring of the shape {ring.shape}: give (n, 2)")
     ring = ring[:, :2]
@@ -317,6 +317,7 @@ class Planner:
             goals: likewise.
         """
         used = chosen(Params, params, settings)
+        starts, goals = unmasked(starts, "starts"), unmasked(goals, "goals")
         with counted(progress, np.asarray(starts).size // 2 * max(seeds, 1)) as tell:
             return batch_result(
                 *self._raw.batch(starts, goals, used._raw, threads, seeds, time_limit, target_gap, tell)

@@ -96,6 +96,17 @@ def test_changes_and_moving_obstacles(tmp_path):
     assert broken.value.line == 1
 
 
+@pytest.mark.parametrize("blocked", [None, "x", 1])
+def test_what_is_neither_blocked_nor_free(blocked):
+    navigator = lasius.Navigator(open_grid(), (1, 1))
+    for tell in (lambda: navigator.observe([[1, 1]], blocked), lambda: navigator.observe_rectangle(1, 1, 1, 1, blocked),
+                 lambda: lasius.Changes().add_change(1, 1, 1, blocked=blocked)):
+        with pytest.raises(TypeError, match="blocked is .*: give True or False"):
+            tell()
+    navigator.observe([[1, 2]], np.True_)
+    assert not navigator.map.free((1, 2))
+
+
 def test_an_observer_ends_a_drive():
     run = lasius.drive(open_grid(), wall(), (2, 2), (28, 2),
                        observer=lambda tick: tick.stop() if tick.tick == 4 else None)
