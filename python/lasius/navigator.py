@@ -8,12 +8,14 @@ import numpy.typing as npt
 
 from . import _lasius
 from ._lasius import DriveTick, Grid
+from .arguments import explained
 from .arrays import Cell, Path, file_name, flag_of, int_rows
 from .errors import finish
 from .parameters import OptionalParams, Params, chosen
 from .results import DriveResult, Replans, Way, answer
 
 
+@explained
 class Navigator:
     """A planner that belongs to a robot: tell it what is seen, ask for the way again and again. An
     observation costs what has changed, not the size of the map.
@@ -104,6 +106,7 @@ class Navigator:
         return bool(self._raw.connected(a, b))
 
 
+@explained
 class Changes:
     """What happens to a world in a drive.
 
@@ -145,6 +148,7 @@ class Changes:
         return changes
 
 
+@explained
 def drive(
     grid: Grid,
     truth: Grid,

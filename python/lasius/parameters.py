@@ -11,6 +11,7 @@ from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple, Type, T
 import numpy as np
 
 from . import _lasius
+from .arguments import explained
 from .errors import invalid
 
 Value = Union[bool, int, float, str]
@@ -100,6 +101,7 @@ def callers_level() -> int:
 Self = TypeVar("Self", bound="ParameterSet")
 
 
+@explained
 class ParameterSet:
     """The parameters of one algorithm of one world. They never change; `replace` makes others."""
 
@@ -244,6 +246,7 @@ def _known() -> Dict[str, Algorithm]:
     return _table
 
 
+@explained
 class Params(ParameterSet):
     """The parameters of one algorithm on bitmaps, its published values where nothing else is said.
 

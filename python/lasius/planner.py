@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from . import _lasius
 from ._lasius import Grid, Progress, Workspace
+from .arguments import explained
 from .arrays import Cell, IntArray, flags_of, int_rows
 from .errors import finish, made
 from .parameters import OptionalParams, Params, chosen, whole
@@ -33,6 +34,7 @@ class Preparation:
         return f"<Preparation: {self.state}, {self.vertices} vertices, {self.edges} edges, {self.bytes} bytes>"
 
 
+@explained
 class Planner:
     """A map made ready for planning. It never changes: use one from many threads.
 
@@ -269,6 +271,7 @@ def directions_of(rows: npt.ArrayLike) -> IntArray:
     return int_rows(rows, "directions")
 
 
+@explained
 def plan(grid: Grid, start: Cell, goal: Cell, params: OptionalParams = None, **options: Any) -> Result:
     """Answers one question on a map. For more than one make a Planner, whose `plan` this is.
 

@@ -18,6 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _lasius
+from .arguments import explained
 from .arrays import FloatArray, IntArray, Path, Point, file_name, unmasked
 from .errors import finish, made
 from .parameters import Algorithm, ParameterSet, chosen, described
@@ -73,6 +74,7 @@ def areas_of(source: AreaLike) -> Iterator[Area]:
         yield ring_of(source), []
 
 
+@explained
 class World:
     """A boundary, obstacles in it, perhaps a start and a goal.
 
@@ -180,6 +182,7 @@ def algorithms() -> Dict[str, Algorithm]:
     return described(_raw.algorithms())
 
 
+@explained
 class Params(ParameterSet):
     """The parameters of one algorithm among polygons.
 
@@ -248,6 +251,7 @@ def plot_world(world: Optional[World], axes: Any = None) -> Any:
     return axes
 
 
+@explained
 class Planner:
     """A world made ready: obstacles grown, the MAKLINK graph made. It never changes: use one from many
     threads.

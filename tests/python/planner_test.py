@@ -237,8 +237,8 @@ def test_prepared_and_edited(planner):
 
 @pytest.mark.parametrize("threads", [-1, 1025, 2**40])
 def test_threads_out_of_range(planner, threads):
-    for use in (lambda: lasius.Planner(planner.grid, threads=threads),
-                lambda: lasius.Params("as", threads=threads),
+    for use in (lambda: lasius.Planner(planner.grid, threads=threads), lambda: planner.prepared(threads=threads),
+                lambda: planner.batch([START], [GOAL], threads=threads), lambda: lasius.Params("as", threads=threads),
                 lambda: planner.plan(START, GOAL, threads=threads)):
         with pytest.raises(lasius.InvalidParameter, match=f"threads is {threads}.*1024"):
             use()
