@@ -6,6 +6,7 @@ from __future__ import annotations
 import difflib
 import functools
 import inspect
+import operator
 import re
 import sys
 import types
@@ -31,6 +32,13 @@ def shown(value: Any) -> str:
     return words if 0 < len(words) <= 60 else f"a {type(value).__name__}"
 
 
+def fits_int(value: Any) -> bool:
+    try:
+        return operator.index(value) is not None
+    except TypeError:
+        return False
+
+
 def fits_float(value: Any) -> bool:
     return not isinstance(value, str) and (hasattr(value, "__float__") or hasattr(value, "__index__"))
 
@@ -38,19 +46,19 @@ def fits_float(value: Any) -> bool:
 def fits_array(value: Any) -> bool:
     try:
         return np.asarray(value).dtype.kind in "biuf"
-    except ValueError:  # rows of different lengths
+    except (TypeError, ValueError):  # rows of different lengths
         return False
 
 
 FITS: Dict[str, Tuple[Callable[[Any], bool], str]] = {
-    "int": (lambda value: hasattr(value, "__index__"), "an integer"),
+    "int": (fits_int, "an integer"),
     "float": (fits_float, "a number"),
     "bool": (lambda value: isinstance(value, (bool, np.bool_)), "True or False"),
     "str": (lambda value: isinstance(value, str), "a string"),
     "npt.ArrayLike": (fits_array, "an array of numbers"),
     "Observer": (callable, "a function"),
     "Schedule": (callable, "a function"),
-    "Shown": (lambda value: value in (None, True, False) or callable(value), "True or a function"),
+    "Shown": (lambda v: v is None or isinstance(v, bool) or callable(v), "True or a function"),
     "Union[None, str, Update]": (lambda v: v is None or isinstance(v, str) or callable(v), "a name or a function"),
 }
 
@@ -71,7 +79,7 @@ def fault_of(name: str, value: Any, annotation: str, known: Dict[str, Any]) -> O
         wanted = f"a {__package__ if public else asked.__module__}.{kind}"
     elif fits(value):
         least, most = RANGES.get(name, (-(2**31), 2**31 - 1))
-        if kind != "int" or least <= value.__index__() <= most:
+        if kind != "int" or least <= operator.index(value) <= most:
             return None
         remedy = f"it must be {least} .. {most}" if name in RANGES else "it must fit into 32 bits"
         return invalid(f"{name} is {value}", remedy)
