@@ -167,7 +167,8 @@ void bind_goal(py::module_& module) {
           [](const Eigen::Matrix4d& pose, double position_tolerance, double angle_tolerance) {
             return arm::Goal::pose(pose_from(pose), position_tolerance, angle_tolerance);
           })
-      .def_static("joints", [](const JointVector& q) { return arm::Goal::joints(q); });
+      .def_static("joints", [](const JointVector& q) { return arm::Goal::joints(q); })
+      .attr("tolerance") = arm::Goal::kTolerance;
 }
 
 }  // namespace

@@ -45,6 +45,12 @@ py::array_t<Number> to_array(const std::vector<Number>& numbers) {
 /// The text of a `to_string`.
 inline py::str text(std::string_view name) { return py::str(name.data(), name.size()); }
 
+/// A file's name, or a sentence with one: bytes that are no UTF-8 as os.fsdecode has them.
+inline py::object words(std::string_view name) {
+  return py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
+      name.data(), static_cast<py::ssize_t>(name.size()), "surrogateescape"));
+}
+
 }  // namespace lasius::python
 
 namespace pybind11::detail {

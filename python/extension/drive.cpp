@@ -84,8 +84,7 @@ void bind_changes(py::module_& module) {
                               double speed, const IntRows& track) {
         changes.obstacles.push_back({tick, width, height, speed, cells_from(track, "track")});
       });
-  module.def("read_changes", [](const std::string& words, const std::string& name, int width,
-                                int height) { return read_changes(words, name, width, height); });
+  module.def("read_changes", &read_changes_file);
 }
 
 }  // namespace

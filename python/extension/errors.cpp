@@ -8,11 +8,11 @@ namespace lasius::python {
 
 py::object exception(const Error& error) {
   const py::object kinds = py::module_::import("lasius.errors").attr("KINDS");
-  py::object made = kinds[text(to_string(error.code()))](error.what());
-  made.attr("problem") = error.problem();
-  made.attr("remedy") = error.remedy();
+  py::object made = kinds[text(to_string(error.code()))](words(error.what()));
+  made.attr("problem") = words(error.problem());
+  made.attr("remedy") = words(error.remedy());
   const Error::Place& place = error.place();
-  if (!place.file.empty()) made.attr("file") = place.file;
+  if (!place.file.empty()) made.attr("file") = words(place.file);
   if (place.line >= 0) made.attr("line") = place.line;
   if (place.offset >= 0) made.attr("offset") = place.offset;
   return made;

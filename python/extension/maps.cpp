@@ -22,7 +22,7 @@ py::tuple read(const std::string& path, bool unknown_is_free, double free_below)
     const py::gil_scoped_release released;
     return read_any_map(path, {unknown_is_free, free_below});
   }();
-  return py::make_tuple(map.grid, map.frame, map.image);
+  return py::make_tuple(map.grid, map.frame, words(map.image));
 }
 
 py::tuple generated(const std::string& kind, int width, int height, std::optional<double> density,
@@ -44,10 +44,8 @@ void bind_maps(py::module_& module) {
                          "Where a map lies in the world, as ROS map_server has it: metres a cell, "
                          "the lower left corner in metres, yaw in radians; y points up.")
       .def(py::init([](double resolution, double origin_x, double origin_y, double yaw) {
-             return WorldFrame{resolution, origin_x, origin_y, yaw};
-           }),
-           py::arg("resolution"), py::arg("origin_x") = 0.0, py::arg("origin_y") = 0.0,
-           py::arg("yaw") = 0.0)
+        return WorldFrame{resolution, origin_x, origin_y, yaw};
+      }))
       .def_readonly("resolution", &WorldFrame::resolution, "metres a cell")
       .def_readonly("origin_x", &WorldFrame::origin_x, "metres")
       .def_readonly("origin_y", &WorldFrame::origin_y, "metres")

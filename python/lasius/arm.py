@@ -11,7 +11,6 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
@@ -19,9 +18,9 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _lasius
-from .arrays import FloatArray
+from .arguments import explained, shown
+from .arrays import FloatArray, Path, file_name, numbers_of, reduced
 from .errors import finish
-from .maps import Path
 from .parameters import Algorithm, ParameterSet, chosen, described
 from .progress import Shown, watched
 from .results import Record, SearchResult, answer
@@ -30,11 +29,44 @@ if not hasattr(_lasius, "arm"):
     raise ImportError("lasius was built without its component arm")
 _raw: Any = _lasius.arm
 
-Goal = _raw.Goal
 Progress = _raw.Progress
 LEAST_CLEARANCE = 0.002
+TOLERANCE: float = _raw.Goal.tolerance
 
 
+@explained
+class Goal:
+    """What the arm is to reach."""
+
+    __slots__ = ("_raw",)
+
+    def __init__(self, raw: Any) -> None:
+        self._raw = raw
+
+    @classmethod
+    def position(cls, position: npt.ArrayLike) -> Goal:
+        """The tip at a point (3,), metres, its orientation free."""
+        return cls(_raw.Goal.position(numbers_of(position, (3,), "position")))
+
+    @classmethod
+    def pose(
+        cls, pose: npt.ArrayLike, position_tolerance: float = TOLERANCE, angle_tolerance: float = TOLERANCE
+    ) -> Goal:
+        """The tip's frame at a pose (4, 4), as Robot.tip_pose gives it.
+
+        Args:
+            position_tolerance: metres that it may be away, 1e-7 or more.
+            angle_tolerance: radians that it may be turned, likewise; pi or more: any orientation.
+        """
+        return cls(_raw.Goal.pose(numbers_of(pose, (4, 4), "pose"), position_tolerance, angle_tolerance))
+
+    @classmethod
+    def joints(cls, joints: npt.ArrayLike) -> Goal:
+        """A value for each joint, (joints,); one that turns freely may get there by any number of turns."""
+        return cls(_raw.Goal.joints(numbers_of(joints, (-1,), "joints")))
+
+
+@explained
 class Scene:
     """What stands around a robot; without a file nothing."""
 
@@ -46,7 +78,7 @@ class Scene:
     @classmethod
     def read(cls, path: Path) -> Scene:
         """From JSON, see docs/worlds.md."""
-        return cls(_raw.read_scene(os.fspath(path)))
+        return cls(_raw.read_scene(file_name(path)))
 
     @property
     def name(self) -> str:
@@ -59,6 +91,7 @@ class Scene:
         return f"<Scene: {len(self)} obstacles>"
 
 
+@explained
 class Robot:
     """A chain of joints on a base that stands still; read from a file."""
 
@@ -77,7 +110,7 @@ class Robot:
         set_joints: Optional[Dict[str, float]] = None,
         srdf: Path = "",
         joint_limits: Path = "",
-        packages: Optional[Dict[str, str]] = None,
+        packages: Optional[Dict[str, Path]] = None,
         use_visual: bool = False,
         bodiless: bool = False,
     ) -> Robot:
@@ -95,8 +128,8 @@ class Robot:
         """
         return cls(
             _raw.read_robot(
-                os.fspath(path), base, tip, set_joints or {}, os.fspath(srdf), os.fspath(joint_limits),
-                packages or {}, use_visual, bodiless,
+                file_name(path), base, tip, set_joints or {}, file_name(srdf), file_name(joint_limits),
+                {name: file_name(folder) for name, folder in (packages or {}).items()}, use_visual, bodiless,
             )
         )
 
@@ -170,6 +203,7 @@ def algorithms() -> Dict[str, Algorithm]:
     return described(_raw.algorithms())
 
 
+@explained
 class Params(ParameterSet):
     """The parameters of one algorithm for arms."""
 
@@ -189,10 +223,12 @@ class State(Record):
     ddq: FloatArray  #: accelerations
 
 
+@explained
 class Trajectory:
     """A motion in time: smooth, at rest at both ends."""
 
     __slots__ = ("_raw",)
+    __reduce_ex__ = reduced
 
     def __init__(self, raw: Any) -> None:
         self._raw = raw
@@ -264,11 +300,12 @@ class Recheck(Record):
     tip_error: float  #: largest distance between KDL's tip and ours
 
 
+@explained
 def plan(
     robot: Robot,
     scene: Scene,
     start: npt.ArrayLike,
-    goals: Union[Any, Sequence[Any]],
+    goals: Union[Goal, Sequence[Goal]],
     params: Union[None, str, Params] = None,
     *,
     motion: bool = True,
@@ -285,7 +322,7 @@ def plan(
     Args:
         start: (joints,), where it stands.
         goals: one Goal or several, any of which is to be reached: Goal.position(p) of the tip,
-            (3,); Goal.pose(T), (4, 4); Goal.joints(q), (joints,).
+            (3,); Goal.pose(T), (4, 4), within tolerances; Goal.joints(q), (joints,).
         params: an algorithm's name or Params; None: `postures`.
         motion: makes the motion, too.
         duration: seconds that it is to take; 0: as few as the limits allow.
@@ -296,26 +333,33 @@ def plan(
     used = chosen(Params, params, settings)
     sensor = _raw.SceneSensor(robot._raw, scene._raw, clearance)
     wanted = [goals] if isinstance(goals, Goal) else list(goals)
+    for goal in wanted:
+        if not isinstance(goal, Goal):
+            raise TypeError(f"goals has {shown(goal)}: give Goal.position(p), Goal.pose(T) or Goal.joints(q)")
+    raw = [goal._raw for goal in wanted]
     with watched(observer, progress, used) as watch:
         error, fields = _raw.plan(
-            robot._raw, sensor, start, wanted, used._raw, target_gap, motion, duration, time_limit, watch
+            robot._raw, sensor, start, raw, used._raw, target_gap, motion, duration, time_limit, watch
         )
     search, joints, tips, trajectory, *others, questions, steps = fields
     values = (joints, tips, Trajectory(trajectory), *others, Questions(*questions), steps, used)
     return finish(error, answer(Result, search, *values))
 
 
+@explained
 def recheck(robot: Robot, scene: Scene, trajectory: Trajectory, samples: int = 1000) -> Recheck:
     """Checks a motion at so many times, and between them; no code of the planner's takes part."""
     error, fields = _raw.recheck(robot._raw, scene._raw, trajectory._raw, samples)
     return finish(error, Recheck(*fields))
 
 
+@explained
 def position_free(robot: Robot, scene: Scene, joints: npt.ArrayLike, clearance: float = LEAST_CLEARANCE) -> bool:
     """True when the arm touches nothing at joint values (joints,)."""
     return bool(_raw.SceneSensor(robot._raw, scene._raw, clearance).position_free(joints))
 
 
+@explained
 def distance(robot: Robot, scene: Scene, joints: npt.ArrayLike) -> float:
     """Metres from what moves of the arm at joint values (joints,) to what it must not touch; inf where there is nothing."""
     return float(_raw.SceneSensor(robot._raw, scene._raw, LEAST_CLEARANCE).distance(joints))

@@ -1,11 +1,14 @@
-"""Types of arrays, and arrays as the library takes them."""
+"""Types of arrays, and values as the library and pickle take them."""
 
 from __future__ import annotations
 
-from typing import Any, Tuple
+import os
+from typing import Any, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
+
+from .errors import invalid
 
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int32]
@@ -14,17 +17,64 @@ BoolArray = npt.NDArray[np.bool_]
 
 Cell = Tuple[int, int]
 Point = Tuple[float, float]
+Path = Union[str, "os.PathLike[str]"]
 
 
 def int_rows(rows: npt.ArrayLike, name: str) -> IntArray:
-    """Rows of integers. Numbers with a fraction are refused, not cut off."""
-    array = np.asarray(rows)
+    """Rows of integers. Numbers with a fraction are refused, not cut off, and so are those of no map."""
+    array = np.asarray(unmasked(rows, name))
     if array.size == 0:
         return np.empty((0, 2), np.int32)
-    if array.dtype.kind not in "iu":
+    huge = array.dtype.kind == "O" and all(isinstance(number, int) for number in array.flat)
+    if array.dtype.kind not in "iu" and not huge:
         raise TypeError(f"{name} is an array of {array.dtype}: give integers")
-    limits = np.iinfo(np.int32)  # far outside of any map
-    return np.ascontiguousarray(np.clip(array, limits.min, limits.max), np.int32)
+    limits = np.iinfo(np.int32)
+    beyond = array[(array < limits.min) | (array > limits.max)]
+    if beyond.size > 0:
+        raise invalid(f"{name} has {beyond[0]}", f"numbers of cells are {limits.min} .. {limits.max}")
+    return np.ascontiguousarray(array, np.int32)
+
+
+def unmasked(array: npt.ArrayLike, name: str) -> npt.ArrayLike:
+    """The array; refuses one whose mask would be lost."""
+    if isinstance(array, np.ma.MaskedArray):
+        raise TypeError(f"{name} is a masked array: say what masked values are by .filled(value)")
+    return array
+
+
+def flags_of(value: npt.ArrayLike, name: str) -> BoolArray:
+    """A bool or an array of them. What only counts as true or false is refused: it is most likely a mistake."""
+    flags = np.asarray(unmasked(value, name))
+    if flags.dtype.kind != "b" and flags.size > 0:
+        raise TypeError(f"{name} is {value!r:.60}: give True or False, or an array of them")
+    return flags.astype(np.bool_)
+
+
+def flag_of(value: Any, name: str) -> bool:
+    """True or False."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} is {value!r:.60}: give True or False")
+    return bool(value)
+
+
+def numbers_of(value: npt.ArrayLike, shape: Tuple[int, ...], name: str) -> FloatArray:
+    """An array of this shape, in which -1 is any length."""
+    try:
+        array = np.asarray(unmasked(value, name), np.float64)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} is {value!r:.60}: give an array of numbers") from None
+    if len(array.shape) != len(shape) or any(a != b for a, b in zip(array.shape, shape) if b >= 0):
+        wanted = str(shape).replace("-1", "n")
+        raise ValueError(f"{name} has the shape {array.shape}: give {wanted}")
+    return array
+
+
+def file_name(path: Path) -> bytes:
+    """A path as the system has it: os.listdir gives names that are no UTF-8, too."""
+    name = os.fsencode(path)
+    if b"\0" in name:
+        raise ValueError(f"{path!r} is no path: it has a NUL byte")
+    return name
 
 
 def same(a: Any, b: Any) -> bool:
@@ -37,3 +87,7 @@ def same(a: Any, b: Any) -> bool:
     return bool(a == b)
 
 
+def reduced(value: Any, protocol: Any) -> Any:
+    """`__reduce_ex__` of what has no __init__ without arguments: pickle's protocols 0 and 1 made instances
+    of it without its __new__, and instances of the extension's classes so made end the process."""
+    return object.__reduce_ex__(value, max(protocol, 2))

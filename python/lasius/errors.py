@@ -54,6 +54,13 @@ KINDS: Dict[str, Type[Error]] = {
 }
 
 
+def invalid(problem: str, remedy: str) -> InvalidParameter:
+    """As the library makes them."""
+    error = InvalidParameter(f"{problem}; {remedy}")
+    error.problem, error.remedy = problem, remedy
+    return error
+
+
 def finish(error: Optional[BaseException], result: T) -> T:
     """`result`; or raises what a callback or a signal handler raised meanwhile, which carries it."""
     if error is None:

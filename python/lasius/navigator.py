@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-import os
 from typing import Any, Callable, Optional, Tuple
 
 import numpy.typing as npt
 
 from . import _lasius
 from ._lasius import DriveTick, Grid
-from .arrays import Cell, int_rows
+from .arguments import explained
+from .arrays import Cell, Path, file_name, flag_of, int_rows
 from .errors import finish
-from .maps import Path
 from .parameters import OptionalParams, Params, chosen
 from .results import DriveResult, Replans, Way, answer
 
 
+@explained
 class Navigator:
     """A planner that belongs to a robot: tell it what is seen, ask for the way again and again. An
     observation costs what has changed, not the size of the map.
@@ -60,11 +60,11 @@ class Navigator:
 
     def observe(self, cells: npt.ArrayLike, blocked: bool) -> None:
         """Each of these cells, integers (n, 2), is blocked or free. What lies outside is ignored."""
-        self._raw.observe(int_rows(cells, "cells"), blocked)
+        self._raw.observe(int_rows(cells, "cells"), flag_of(blocked, "blocked"))
 
     def observe_rectangle(self, x: int, y: int, width: int, height: int, blocked: bool) -> None:
         """All cells from (x, y) to (x + width - 1, y + height - 1) are blocked or free."""
-        self._raw.observe_rectangle(x, y, width, height, blocked)
+        self._raw.observe_rectangle(x, y, width, height, flag_of(blocked, "blocked"))
 
     def step(self, robot: Cell, *, time_limit: Optional[float] = None) -> Way:
         """The way to the goal from where the robot is now. Ctrl-C as of Planner.plan.
@@ -106,6 +106,7 @@ class Navigator:
         return bool(self._raw.connected(a, b))
 
 
+@explained
 class Changes:
     """What happens to a world in a drive.
 
@@ -121,7 +122,7 @@ class Changes:
 
     def add_change(self, tick: int, x: int, y: int, width: int = 1, height: int = 1, *, blocked: bool) -> None:
         """At the beginning of a tick the cells of a rectangle become blocked or free."""
-        self._raw.add_change(tick, x, y, width, height, blocked)
+        self._raw.add_change(tick, x, y, width, height, flag_of(blocked, "blocked"))
 
     def add_obstacle(
         self, *, width: int, height: int, speed: float, track: npt.ArrayLike, tick: int = 0
@@ -137,14 +138,17 @@ class Changes:
 
     @classmethod
     def read(cls, path: Path, grid: Grid) -> Changes:
-        """From a file as `lasius drive --changes` takes it, see docs/driving.md."""
-        name = os.fspath(path)
-        with open(name, encoding="utf-8") as file:
-            changes = cls()
-            changes._raw = _lasius.read_changes(file.read(), name, grid.width, grid.height)
+        """From a file as `lasius drive --changes` takes it, see docs/driving.md.
+
+        Raises:
+            FileMissing, FileBroken: as of read_map.
+        """
+        changes = cls()
+        changes._raw = _lasius.read_changes(file_name(path), grid.width, grid.height)
         return changes
 
 
+@explained
 def drive(
     grid: Grid,
     truth: Grid,

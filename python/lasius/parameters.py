@@ -11,10 +11,12 @@ from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple, Type, T
 import numpy as np
 
 from . import _lasius
-from .errors import InvalidParameter
+from .arguments import explained
+from .errors import invalid
 
 Value = Union[bool, int, float, str]
 MOST_SEED = 2**53 - 1
+MOST_THREADS = 1024
 
 
 @dataclass(frozen=True)
@@ -68,9 +70,14 @@ def text_of(value: Any) -> str:
 
 def whole(name: str, value: Any) -> int:
     """A seed or a number of threads, which are no text and no float."""
-    number = operator.index(value)
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} is {value!r:.60}: give an integer") from None
     if name == "seed" and not 0 <= number <= MOST_SEED:
-        raise InvalidParameter(f"seed is {number}; it must be 0 .. {MOST_SEED}")
+        raise invalid(f"seed is {number}", f"it must be 0 .. {MOST_SEED}")
+    if name == "threads" and not 0 <= number <= MOST_THREADS:
+        raise invalid(f"threads is {number}", f"it must be 0 (all cores) to {MOST_THREADS}")
     return number
 
 
@@ -94,6 +101,7 @@ def callers_level() -> int:
 Self = TypeVar("Self", bound="ParameterSet")
 
 
+@explained
 class ParameterSet:
     """The parameters of one algorithm of one world. They never change; `replace` makes others."""
 
@@ -238,6 +246,7 @@ def _known() -> Dict[str, Algorithm]:
     return _table
 
 
+@explained
 class Params(ParameterSet):
     """The parameters of one algorithm on bitmaps, its published values where nothing else is said.
 

@@ -9,9 +9,10 @@ import numpy.typing as npt
 
 from . import _lasius
 from ._lasius import Grid, Progress, Workspace
-from .arrays import Cell, IntArray, int_rows
+from .arguments import explained
+from .arrays import Cell, IntArray, flags_of, int_rows
 from .errors import finish, made
-from .parameters import OptionalParams, Params, chosen
+from .parameters import OptionalParams, Params, chosen, whole
 from .progress import Shown, counted, watched
 from .results import BatchResult, Result, answer, batch_result
 from .rules import Heuristic, OwnRules, Schedule, Update, named, own_rules
@@ -33,6 +34,7 @@ class Preparation:
         return f"<Preparation: {self.state}, {self.vertices} vertices, {self.edges} edges, {self.bytes} bytes>"
 
 
+@explained
 class Planner:
     """A map made ready for planning. It never changes: use one from many threads.
 
@@ -54,6 +56,7 @@ class Planner:
     def __init__(self, grid: Grid, *, prepare: bool = False, threads: int = 0, max_bytes: int = 1 << 30) -> None:
         if not isinstance(grid, Grid):
             raise TypeError(f"grid is a {type(grid).__name__}: make one by lasius.Grid(array, free=...)")
+        threads = whole("threads", threads)
         self._grid = grid
         self._raw = made(*_lasius.make_planner(grid))
         if prepare:
@@ -205,7 +208,7 @@ class Planner:
             blocked: what they become: one bool, or one for each.
         """
         rows = int_rows(cells, "cells")
-        flags = np.ascontiguousarray(np.broadcast_to(np.asarray(blocked, np.bool_), len(rows)))
+        flags = np.ascontiguousarray(np.broadcast_to(flags_of(blocked, "blocked"), len(rows)))
         return Planner._of(made(*self._raw.edited(rows, flags)))
 
     def exclude(self, directions: npt.ArrayLike) -> Planner:
@@ -248,7 +251,9 @@ class Planner:
         return self._raw.footprint()
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        return (restored, (self._grid, self.preparation.state == "ready", self.excluded))
+        excluded = self.excluded  # what they block counts as blocked in the planner's map
+        grid = self.allow(excluded).grid if len(excluded) else self._grid
+        return (restored, (grid, self.preparation.state == "ready", excluded))
 
     def __repr__(self) -> str:
         return f"Planner({self._grid!r}{', prepare=True' if self.preparation.state == 'ready' else ''})"
@@ -256,14 +261,17 @@ class Planner:
 
 def restored(grid: Grid, prepare: bool, excluded: IntArray) -> Planner:
     """A planner that was pickled: its map is labelled and prepared anew."""
-    planner = Planner(grid, prepare=prepare)
-    return planner.exclude(excluded) if len(excluded) else planner
+    planner = Planner(grid)
+    if len(excluded):
+        planner = planner.exclude(excluded)
+    return planner.prepared() if prepare else planner
 
 
 def directions_of(rows: npt.ArrayLike) -> IntArray:
     return int_rows(rows, "directions")
 
 
+@explained
 def plan(grid: Grid, start: Cell, goal: Cell, params: OptionalParams = None, **options: Any) -> Result:
     """Answers one question on a map. For more than one make a Planner, whose `plan` this is.
 

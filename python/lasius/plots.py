@@ -45,10 +45,15 @@ def axes_of(figure: Any, curves: bool) -> Tuple[Any, Any]:
     return upper, lower
 
 
-def draw_map(grid: Grid, axes: Any) -> Any:
-    """Blocked cells dark, row 0 at the top, a cell from 0 to 1 along each axis."""
-    extent = (0, grid.width, grid.height, 0)
-    axes.imshow(blocked_picture(grid), cmap="Greys", vmin=0, vmax=1.4, extent=extent, interpolation="nearest")
+def draw_map(grid: Optional[Grid], axes: Any) -> Any:
+    """Blocked cells dark, row 0 at the top, a cell from 0 to 1 along each axis. None, of an answer that was
+    parted from its map: the axes alone."""
+    if grid is None:
+        axes.yaxis.set_inverted(True)
+    else:
+        extent = (0, grid.width, grid.height, 0)
+        picture = blocked_picture(grid)
+        axes.imshow(picture, cmap="Greys", vmin=0, vmax=1.4, extent=extent, interpolation="nearest")
     axes.set(aspect="equal", xlabel="x, cells", ylabel="y, cells")
     return axes
 
@@ -127,7 +132,7 @@ def png_of_grid(grid: Grid) -> bytes:
     from . import _lasius
 
     with tempfile.NamedTemporaryFile(suffix=".png") as file:
-        _lasius.write_map(Grid(blocked_picture(grid), free=False), file.name)
+        _lasius.write_map(Grid(blocked_picture(grid), free=False), file.name.encode())
         with open(file.name, "rb") as written:
             return written.read()
 

@@ -11,7 +11,6 @@ An area is a ring (an array (n, 2), the first vertex not repeated or repeated), 
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, Iterable, Iterator, List, Optional, Tuple, Union
 
@@ -19,9 +18,9 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _lasius
-from .arrays import FloatArray, IntArray, Point
+from .arguments import explained
+from .arrays import FloatArray, IntArray, Path, Point, file_name, unmasked
 from .errors import finish, made
-from .maps import Path
 from .parameters import Algorithm, ParameterSet, chosen, described
 from .progress import Shown, counted, watched
 from .results import BatchResult, Record, SearchResult, answer, batch_result
@@ -38,7 +37,7 @@ AreaLike = Any
 
 def ring_of(points: Any) -> Ring:
     """A ring as an array (n, 2), its first vertex not repeated; of 3-D coordinates x and y."""
-    ring = np.asarray(points, np.float64)
+    ring = np.asarray(unmasked(points, "a ring"), np.float64)
     if ring.ndim != 2 or ring.shape[1] < 2:
         raise ValueError(f"a ring of the shape {ring.shape}: give (n, 2)")
     ring = ring[:, :2]
@@ -75,6 +74,7 @@ def areas_of(source: AreaLike) -> Iterator[Area]:
         yield ring_of(source), []
 
 
+@explained
 class World:
     """A boundary, obstacles in it, perhaps a start and a goal.
 
@@ -119,7 +119,7 @@ class World:
         Args:
             repair: geometry that is not valid is repaired, not refused.
         """
-        return cls._of(_raw.read_world(os.fspath(path), repair))
+        return cls._of(_raw.read_world(file_name(path), repair))
 
     @classmethod
     def from_geojson(cls, text: str, *, repair: bool = False) -> World:
@@ -132,7 +132,7 @@ class World:
 
     def write(self, path: Path) -> None:
         """GeoJSON or, to names that end in .wkt, WKT."""
-        self._raw.write(os.fspath(path))
+        self._raw.write(file_name(path))
 
     @property
     def boundary(self) -> Area:
@@ -182,6 +182,7 @@ def algorithms() -> Dict[str, Algorithm]:
     return described(_raw.algorithms())
 
 
+@explained
 class Params(ParameterSet):
     """The parameters of one algorithm among polygons.
 
@@ -236,19 +237,21 @@ class Result(SearchResult):
         return axes
 
 
-def plot_world(world: World, axes: Any = None) -> Any:
-    """Draws boundary and obstacles; needs matplotlib."""
+def plot_world(world: Optional[World], axes: Any = None) -> Any:
+    """Draws boundary and obstacles; needs matplotlib. None: the axes alone."""
     from . import plots
 
     axes = axes if axes is not None else plots.new_axes(False)[0]
-    outline, holes = world.boundary
-    axes.plot(*np.vstack([outline, outline[:1]]).T, color="black", linewidth=1)
-    for ring in [*holes, *(outer for outer, _ in world.obstacles)]:
-        axes.fill(*ring.T, color="#8c8c8c")
+    if world is not None:
+        outline, holes = world.boundary
+        axes.plot(*np.vstack([outline, outline[:1]]).T, color="black", linewidth=1)
+        for ring in [*holes, *(outer for outer, _ in world.obstacles)]:
+            axes.fill(*ring.T, color="#8c8c8c")
     axes.set(aspect="equal", xlabel="x", ylabel="y")
     return axes
 
 
+@explained
 class Planner:
     """A world made ready: obstacles grown, the MAKLINK graph made. It never changes: use one from many
     threads.
@@ -318,6 +321,7 @@ class Planner:
             goals: likewise.
         """
         used = chosen(Params, params, settings)
+        starts, goals = unmasked(starts, "starts"), unmasked(goals, "goals")
         with counted(progress, np.asarray(starts).size // 2 * max(seeds, 1)) as tell:
             return batch_result(
                 *self._raw.batch(starts, goals, used._raw, threads, seeds, time_limit, target_gap, tell)

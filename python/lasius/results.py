@@ -103,7 +103,7 @@ class Result(SearchResult):
     start: Cell  #: as asked
     goal: Cell  #: as asked
     params: ParameterSet  #: as asked
-    grid: Grid  #: the map
+    grid: Grid  #: the map; None where it was left out by dataclasses.replace
 
     def plot(self, axes: Any = None) -> Any:
         """Draws map, path and, of a colony, its curves. Needs matplotlib.

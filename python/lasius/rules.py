@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._lasius import Grid, IterationTours, Pheromone
-from .arrays import FloatArray
+from .arrays import FloatArray, unmasked
 
 Update = Callable[[Pheromone, IterationTours], Any]
 Schedule = Callable[[int], Dict[str, float]]
@@ -25,7 +25,7 @@ def table_of(heuristic: Optional[Heuristic], grid: Grid) -> Optional[FloatArray]
     None for the name of a built-in one."""
     if heuristic is None or isinstance(heuristic, str):
         return None
-    table = np.ascontiguousarray(heuristic, np.float64)
+    table = np.ascontiguousarray(unmasked(heuristic, "heuristic"), np.float64)
     if table.ndim not in (2, 3) or table.shape[:2] != grid.shape:
         raise ValueError(
             f"heuristic has the shape {table.shape}: give {grid.shape}, a value a cell, or {grid.shape} x moves"

@@ -40,6 +40,22 @@ def test_goals_of_every_kind(robot, query):
     assert arm.plan(robot, query.scene, query.start, goals, seed=2).goal in (0, 1, 2)
 
 
+def test_a_pose_has_tolerances_with_defaults(robot, query):
+    pose = robot.tip_pose(query.goal_joints)
+    loose = arm.Goal.pose(pose, position_tolerance=1e-3, angle_tolerance=4)
+    assert arm.plan(robot, query.scene, query.start, [arm.Goal.pose(pose), loose], seed=2).found
+    assert arm.TOLERANCE == 1e-7
+    tight = arm.plan(robot, query.scene, query.start, arm.Goal.pose(pose, position_tolerance=1e-8))
+    assert tight.status == "invalid" and "1e-07" in tight.error
+    for make, words in ((lambda: arm.Goal.position([1, 2]), r"position has the shape \(2,\): give \(3,\)"),
+                        (lambda: arm.Goal.pose(np.eye(3)), r"pose has the shape \(3, 3\): give \(4, 4\)"),
+                        (lambda: arm.Goal.joints([[1]]), r"joints has the shape \(1, 1\): give \(n,\)")):
+        with pytest.raises(ValueError, match=words):
+            make()
+    with pytest.raises(TypeError, match="position is 'x'"):
+        arm.Goal.position("x")
+
+
 def test_a_motion_is_smooth_and_free(robot, query):
     result = arm.plan(robot, query.scene, query.start, arm.Goal.position(query.goal), seed=2)
     motion = result.trajectory
@@ -72,8 +88,13 @@ def test_what_is_refused(robot, query, tmp_path):
         arm.Params(pich=1)
     with pytest.raises(lasius.FileMissing):
         arm.Robot.read(tmp_path / "none.urdf")
-    with pytest.raises(TypeError):
-        arm.plan(robot, query.scene, query.start, [query.goal])
+    for goals in ([query.goal], query.goal):
+        with pytest.raises(TypeError, match="goals has .*: give Goal.position"):
+            arm.plan(robot, query.scene, query.start, goals)
+    with pytest.raises(TypeError, match="scene is a Robot: give a lasius.arm.Scene"):
+        arm.plan(robot, robot, query.start, arm.Goal.position(query.goal))
+    with pytest.raises(TypeError, match="start is 'abc': give an array"):
+        arm.plan(robot, query.scene, "abc", arm.Goal.position(query.goal))
     outside = arm.plan(robot, query.scene, query.start, arm.Goal.position([99, 0, 0]))
     assert outside.status == "invalid" and outside.error
 

@@ -39,7 +39,7 @@ def test_seeds_of_a_colony(planner, cells):
 
 
 def test_bad_queries_are_answers(planner):
-    answers = planner.batch([[14, 14], [-1, 0]], [[10**12, 0], [14, 14]])
+    answers = planner.batch([[14, 14], [-1, 0]], [[10**9, 0], [14, 14]])
     assert answers.status.tolist() == ["invalid", "invalid"] and sorted(answers.errors) == [0, 1]
     assert np.isnan(answers.length).all() and len(answers.path(0)) == 0
 
@@ -53,6 +53,10 @@ def test_an_empty_batch(planner):
     ([[1, 1]], [[1, 1], [2, 2]], {}, ValueError),
     ([[1.0, 1.0]], [[1, 1]], {}, TypeError),
     ([1, 1], [1, 1], {}, ValueError),
+    ([[1, 1]], [[2**40, 1]], {}, lasius.InvalidParameter),
+    ([[1, 1]], [[2**70, 1]], {}, lasius.InvalidParameter),
+    (np.array([[2**63, 1]], np.uint64), [[1, 1]], {}, lasius.InvalidParameter),
+    (np.ma.masked_array([[1, 1]], [[True, False]]), [[1, 1]], {}, TypeError),
     ([[1, 1]], [[1, 1]], {"seeds": 0}, lasius.InvalidParameter),
     ([[1, 1]], [[1, 1]], {"threads": -1}, lasius.InvalidParameter),
     ([[1, 1]], [[1, 1]], {"time_limit": -1}, lasius.InvalidParameter),
@@ -61,6 +65,13 @@ def test_an_empty_batch(planner):
 def test_what_is_refused(planner, starts, goals, options, error):
     with pytest.raises(error):
         planner.batch(starts, goals, **options)
+
+
+def test_numbers_of_no_map_are_told_as_they_are(planner):
+    with pytest.raises(ValueError, match="starts has 1099511627776"):
+        planner.batch([[2**40, 1]], [[1, 1]])
+    with pytest.raises(ValueError, match="1099511627776"):
+        planner.plan((2**40, 1), (1, 1))
 
 
 def test_a_callback_counts_and_its_exception_ends_the_batch(planner, cells):

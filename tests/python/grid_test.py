@@ -1,7 +1,8 @@
 """Maps from arrays of any strides, and what says which values are free."""
 
-import pickle
 import copy
+import os
+import pickle
 
 import numpy as np
 import pytest
@@ -88,8 +89,17 @@ def test_what_is_no_map(array, free, error, words):
 
 
 def test_free_must_be_said():
-    with pytest.raises(TypeError):
+    with pytest.raises(TypeError, match="missing 1 required keyword-only argument: 'free'"):
         lasius.Grid(np.zeros((3, 3), np.uint8))
+
+
+def test_arrays_that_are_none_and_that_have_a_mask():
+    with pytest.raises(TypeError, match="array is a list: give one of numpy"):
+        lasius.Grid([[0, 1]], free=0)
+    masked = np.ma.masked_array(np.zeros((2, 2), np.uint8), [[True, False], [False, False]])
+    with pytest.raises(TypeError, match="array is a masked array.*filled"):
+        lasius.Grid(masked, free=0)
+    assert lasius.Grid(masked.filled(1), free=0).count_free() == 3
 
 
 @pytest.mark.parametrize("width", [1, 64, 65])
@@ -118,6 +128,18 @@ def test_a_ros_map_has_a_frame(tmp_path):
     assert np.array_equal(frame.to_world([[0, 4], [6, 0]], 4), [[1, 2], [4, 4]])
     assert np.array_equal(frame.to_cells([[1, 2]], 4), [[0, 4]])
     assert pickle.loads(pickle.dumps(frame)).origin_y == 2
+    assert lasius.read_map(tmp_path / "it.yaml") == lasius.read_map(tmp_path / "it.yaml")
+
+
+def test_frames_are_values():
+    frame = lasius.WorldFrame(0.5, 1, yaw=2)
+    assert frame == eval(repr(frame), {"WorldFrame": lasius.WorldFrame}) != lasius.WorldFrame(0.5, 1, yaw=2.5)
+    assert hash(frame) == hash(copy.copy(frame)) and frame != (0.5, 1.0, 0.0, 2.0)
+    for numbers in ((0,), (-1,), (np.nan,), (np.inf,), (1, np.nan), (1, 0, np.inf), (1, 0, 0, np.nan)):
+        with pytest.raises(lasius.InvalidParameter, match="resolution must be above 0"):
+            lasius.WorldFrame(*numbers)
+    with pytest.raises(TypeError, match="yaw is 'north': give a number"):
+        lasius.WorldFrame(1, yaw="north")
 
 
 def test_files_that_are_not_there(tmp_path):
@@ -130,6 +152,25 @@ def test_files_that_are_not_there(tmp_path):
     assert caught.value.line == 2 and caught.value.file.endswith("broken.map") and caught.value.remedy
     copied = pickle.loads(pickle.dumps(caught.value))
     assert type(copied) is lasius.FileBroken and copied.line == 2 and str(copied) == str(caught.value)
+
+
+def test_names_that_are_no_text(tmp_path):
+    names = [os.fsencode(tmp_path) + b"/caf\xe9.png", os.fsdecode(os.fsencode(tmp_path) + b"/caf\xe9.png")]
+    grid = lasius.generate("rooms", width=60, height=50, seed=2)
+    for name in names:
+        lasius.write_map(grid, name)
+        assert os.listdir(os.fsencode(tmp_path)) == [b"caf\xe9.png"] and lasius.read_map(name).grid == grid
+        os.remove(name)
+        with pytest.raises(lasius.FileMissing) as missing:
+            lasius.read_map(name)
+        assert missing.value.file == names[1] and names[1] in str(missing.value)
+    lasius.write_map(grid, names[0])
+    (tmp_path / "it.yaml").write_bytes(b"image: caf\xe9.png\nresolution: 0.5\norigin: [1.0, 2.0, 0.0]\n"
+                                       b"negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")
+    assert lasius.read_map(tmp_path / "it.yaml").image.endswith("caf\udce9.png")
+    for name in ("a\0b.png", b"a\0b.png"):
+        with pytest.raises(ValueError, match="NUL"):
+            lasius.read_map(name)
 
 
 def test_clearance_by_hand():
@@ -167,5 +208,8 @@ def test_paths_of_ones_own():
     assert lasius.path_fault(grid, taut) is None and lasius.path_length(taut) < 8
     assert lasius.visible(grid, (0, 0), (4, 0)) and not lasius.visible(grid, (0, 2), (4, 2))
     assert lasius.shortest_walk(grid, (0, 2), (4, 2), "4") == 8
+    assert lasius.shortest_walk(grid, (0, 2), (4, 2), neighbours=4) == 8
     with pytest.raises(ValueError, match="shape"):
         lasius.path_length([[1, 2, 3]])
+    with pytest.raises(TypeError, match="path is a masked array"):
+        lasius.path_length(np.ma.masked_array(bent, np.array(bent) < 1))

@@ -88,6 +88,23 @@ def test_changes_and_moving_obstacles(tmp_path):
     (tmp_path / "bad.txt").write_text("3 10 0 maybe\n")
     with pytest.raises(lasius.FileBroken, match="bad.txt"):
         lasius.Changes.read(tmp_path / "bad.txt", open_grid())
+    with pytest.raises(lasius.FileMissing, match="none.txt"):
+        lasius.Changes.read(tmp_path / "none.txt", open_grid())
+    (tmp_path / "bad.txt").write_bytes(b"3 10 0 caf\xe9\n")
+    with pytest.raises(lasius.FileBroken, match="caf\udce9") as broken:
+        lasius.Changes.read(tmp_path / "bad.txt", open_grid())
+    assert broken.value.line == 1
+
+
+@pytest.mark.parametrize("blocked", [None, "x", 1])
+def test_what_is_neither_blocked_nor_free(blocked):
+    navigator = lasius.Navigator(open_grid(), (1, 1))
+    for tell in (lambda: navigator.observe([[1, 1]], blocked), lambda: navigator.observe_rectangle(1, 1, 1, 1, blocked),
+                 lambda: lasius.Changes().add_change(1, 1, 1, blocked=blocked)):
+        with pytest.raises(TypeError, match="blocked is .*: give True or False"):
+            tell()
+    navigator.observe([[1, 2]], np.True_)
+    assert not navigator.map.free((1, 2))
 
 
 def test_an_observer_ends_a_drive():

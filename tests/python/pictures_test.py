@@ -1,5 +1,6 @@
 """Pictures, pages in notebooks, progress."""
 
+import dataclasses
 import io
 import sys
 import types
@@ -41,6 +42,20 @@ def test_answers_in_a_notebook(planner, pyplot):
     assert "445.001" in page and "data:image/png;base64," in page
     bad = planner.plan(START, (999, 0))._repr_html_()
     assert "is outside the map" in bad and "<script" not in bad
+
+
+def test_an_answer_without_its_map(planner, pyplot):
+    for result in (planner.plan(START, GOAL), planner.plan(START, GOAL, "fan2004", iterations=2), planner.plan(START, (999, 0))):
+        bare = dataclasses.replace(result, grid=None)
+        axes = bare.plot()
+        below, above = axes.get_ylim()
+        assert len(axes.images) == 0 and below > above, "row 0 is at the top"
+        assert bare._repr_png_().startswith(PNG) and "data:image/png" in bare._repr_html_()
+    drive = lasius.drive(planner.grid, planner.grid, START, (20, 14))
+    assert len(dataclasses.replace(drive, truth=None).plot().lines) == 3
+    polygon = pytest.importorskip("lasius.polygon", reason="built without the component polygon")
+    way = polygon.Planner(polygon.World([[0, 0], [9, 0], [9, 9], [0, 9]])).plan((1, 1), (8, 8))
+    assert len(dataclasses.replace(way, world=None).plot().lines) == 3
 
 
 def test_without_matplotlib(planner, monkeypatch):

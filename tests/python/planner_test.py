@@ -228,6 +228,20 @@ def test_prepared_and_edited(planner):
     with pytest.raises(ValueError):
         planner.edited([[1, 2], [3, 4]], [True, False, True])
     assert planner.edited([], True).grid == planner.grid
+    masked = np.ma.masked_array([[1, 1]], [[True, False]])
+    for cells, blocked in (([[1, 1]], "x"), ([[1, 1]], None), ([[1, 1]], [1]), (masked, True), ([[1, 1]], masked[0] > 0)):
+        with pytest.raises(TypeError, match="True or False|masked"):
+            planner.edited(cells, blocked)
+    assert planner.edited([[14, 14]], np.True_).grid != planner.grid
+
+
+@pytest.mark.parametrize("threads", [-1, 1025, 2**40])
+def test_threads_out_of_range(planner, threads):
+    for use in (lambda: lasius.Planner(planner.grid, threads=threads), lambda: planner.prepared(threads=threads),
+                lambda: planner.batch([START], [GOAL], threads=threads), lambda: lasius.Params("as", threads=threads),
+                lambda: planner.plan(START, GOAL, threads=threads)):
+        with pytest.raises(lasius.InvalidParameter, match=f"threads is {threads}.*1024"):
+            use()
 
 
 def test_excluded_directions():

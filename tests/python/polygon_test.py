@@ -112,7 +112,7 @@ def test_what_a_batch_refuses():
     planner = pg.Planner(pg.World(SQUARE, [BLOCK]))
     assert len(planner.batch([], [])) == 0
     for starts, goals, options, error in [([[1, 1]], [[1, 1], [2, 2]], {}, ValueError), ([1, 1], [1, 1], {}, ValueError),
-                                          (5, 5, {}, ValueError), ((p for p in [[1, 1]]), [[1, 1]], {}, TypeError),
+                                          (5, 5, {}, ValueError), (np.ma.masked_array([[1, 1]], True), [[1, 1]], {}, TypeError), ((p for p in [[1, 1]]), [[1, 1]], {}, TypeError),
                                           ([[1, np.nan]], [[1, 1]], {}, lasius.InvalidParameter),
                                           ([[1, 1]], [[1, 1]], {"seeds": 0}, lasius.InvalidParameter)]:
         with pytest.raises(error) as refused:

@@ -34,6 +34,9 @@ world = polygon.World([[0, 0], [1, 0], [1, 1]])
 way: polygon.Result = polygon.Planner(world).plan((0.1, 0.1), (0.5, 0.2))
 ways: lasius.BatchResult = polygon.Planner(world).batch([[0.1, 0.1]], [[0.5, 0.2]], seeds=2)
 motion: arm.Trajectory = arm.plan(arm.Robot.read("a.urdf"), arm.Scene(), [0.0], arm.Goal.joints([1.0])).trajectory
+pose: arm.Goal = arm.Goal.pose(np.eye(4), angle_tolerance=0.1)
+frame: bool = lasius.WorldFrame(0.05) == lasius.WorldFrame(0.1)
+walk: Optional[float] = lasius.shortest_walk(grid, (0, 0), (3, 3), neighbours=8)
 planner.plan((0, 0), 3)  # type: ignore[arg-type]
 planner.plan((0, 0), (3, 3), observer=3)  # type: ignore[arg-type]
 planner.plan((0, 0), (3, 3), "ras", update=3)  # type: ignore[arg-type]
