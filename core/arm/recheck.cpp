@@ -15,7 +15,6 @@
 #include <kdl/chain.hpp>
 #include <kdl/frames.hpp>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -71,7 +71,7 @@ def draw_line(points: Any, axes: Any) -> None:
 def draw_curves(result: Any, axes: Any) -> None:
     """Best and mean length by iteration."""
     iterations = np.arange(1, len(result.curves) + 1)
-    axes.plot(iterations, result.curves.mean, color="#7f7f7f", label="mean tour")
+    axes.plot(iterations, result.curves.mean, color="#7f7f7f", label="mean tour, as walked")
     axes.plot(iterations, result.curves.best, color="#d62728", label="best path")
     axes.set(xlabel="iteration", ylabel="length")
     axes.legend(fontsize="small")

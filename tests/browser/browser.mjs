@@ -95,6 +95,17 @@ export function faintTexts(tab, least = 4.5) {
   }, least);
 }
 
+/** Buttons that lie on a map or a scene. */
+export function coveringButtons(tab) {
+  return tab.evaluate(() => [...document.querySelectorAll("canvas")].flatMap((canvas) => {
+    const map = canvas.getBoundingClientRect();
+    return [...document.querySelectorAll("button")].filter((button) => {
+      const { left, right, top, bottom } = button.getBoundingClientRect();
+      return left < map.right && right > map.left && top < map.bottom && bottom > map.top;
+    }).map((button) => button.getAttribute("aria-label") ?? button.textContent);
+  }));
+}
+
 /** What has no name for a screen reader: controls, pictures. */
 export function nameless(tab) {
   return tab.evaluate(() => [...document.querySelectorAll("button, input, select, canvas, svg[role=img], [role=img], [role=region]")]

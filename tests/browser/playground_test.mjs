@@ -12,7 +12,7 @@ if (!existsSync(page_file)) {
   console.log(`SKIPPED: ${page_file} is missing; run tools/playground/build`);
   process.exit(77);
 }
-const { end, faintTexts, folder, nameless, open, overflow, pixels } = await import("./browser.mjs");
+const { coveringButtons, end, faintTexts, folder, nameless, open, overflow, pixels } = await import("./browser.mjs");
 const kWait = { timeout: 120000 };
 
 /** A tab with what the tests do in it; nothing went wrong in it when it is closed. */
@@ -223,6 +223,7 @@ test("wide and narrow, light and dark", async () => {
       await page.locator("summary", { hasText: "Formulas" }).click();
       assert.ok((await overflow(page)) <= 0, `${width}, ${scheme}: too wide`);
       assert.deepEqual(await nameless(page), []);
+      assert.deepEqual(await coveringButtons(page), []);
       assert.deepEqual((await faintTexts(page)).faint, []);
       seen.add(await shown());
       if (pictures) await page.screenshot({ path: path.join(pictures, `playground-${width}-${scheme}.png`), fullPage: true });

@@ -4,7 +4,7 @@ import { execFileSync } from "node:child_process";
 import { copyFileSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { checkTheChecks, end, faintTexts, folder, nameless, open, overflow, pixels } from "./browser.mjs";
+import { checkTheChecks, coveringButtons, end, faintTexts, folder, nameless, open, overflow, pixels } from "./browser.mjs";
 
 const maps = process.env.LASIUS_MAPS_DIR;
 const map = (name) => path.join(maps, name);
@@ -71,6 +71,7 @@ for (const kind of Object.keys(kReports)) {
         assert.deepEqual(faint, [], where);
         assert.ok(count > 15, `${where}: ${count} texts`);
         assert.deepEqual(await nameless(tab), [], where);
+        assert.deepEqual(await coveringButtons(tab), [], where);
         assert.equal(await tab.evaluate(() => document.documentElement.dataset.theme), scheme);
         const content = contentOf(kind);
         assert.equal(await tab.locator("h1").textContent(), content.title);
@@ -130,6 +131,68 @@ test("colony: curves and slider move each other", async () => {
   await tab.mouse.click(box.x + 0.6 * box.width, box.y + 0.5 * box.height);
   const at = await position(tab);
   assert.ok(at > 10 && at < 30, `clicked in the middle, at ${at}`);
+  await close();
+});
+
+test("colony: names, colours and the trail's scale are those of the picture", async () => {
+  run(...kReports.colony, "-q", "-o", "colony.svg");
+  const words = /<desc>(.*?)<\/desc>/s.exec(readFileSync(path.join(folder, "colony.svg"), "utf8"))[1].replaceAll("\n", " ");
+  const { tab, close } = await open(file("colony"));
+  const keys = await tab.locator(".key").evaluateAll((list) => list.map((key) => [key.firstChild.nextSibling.textContent,
+    getComputedStyle(key.querySelector(".key-line")).borderTopColor]));
+  const colours = { "best path so far": "204, 38, 38", "any-angle optimum": "28, 32, 38", "mean tour, as walked": "64, 115, 179",
+                    "shortest tour, as walked": "140, 77, 26", "mean tour after the cut": "0, 158, 115", "shortest tour after the cut": "204, 120, 166",
+                    "optimum of its own moves": "140, 64, 153" };
+  assert.deepEqual(Object.fromEntries(keys), Object.fromEntries(Object.entries(colours).map(([name, rgb]) => [name, `rgb(${rgb})`])));
+  for (const name of Object.keys(colours)) if (name !== "shortest tour, as walked") assert.ok(words.includes(name), name);
+  await tab.keyboard.press("Home");
+  const values = Object.fromEntries(await tab.locator(".key").evaluateAll((list) =>
+    list.map((key) => [key.firstChild.nextSibling.textContent, Number(key.lastChild.textContent)])));
+  for (const what of [", as walked", " after the cut"]) assert.ok(values[`mean tour${what}`] > values[`shortest tour${what}`], what);
+  for (const what of ["mean", "shortest"]) assert.ok(values[`${what} tour, as walked`] > values[`${what} tour after the cut`], what);
+  const shown = Number(await tab.locator(".legend-ticks span").first().textContent()), drawn = Number(/white: less than ([\d.e-]+)/.exec(words)[1]);
+  assert.ok(Math.abs(shown / drawn - 1) < 0.1, `${shown} on the page, ${drawn} in the picture`);
+  await close();
+});
+
+test("grown obstacles are paler than those of the map", async () => {
+  run("plan", map("grid20a.map"), "--start", "0,0", "--goal", "19,19", "--radius", "1", "-q", "-o", file("radius"));
+  const { tab, close } = await open(file("radius"));
+  await pixels(tab);
+  const seen = await tab.evaluate(() => {
+    const canvas = document.querySelector(".map canvas"), { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    const colours = new Set();
+    for (let i = 0; i < data.length; i += 4) colours.add(data.slice(i, i + 3).join());
+    return ["148,154,163", "211,214,218", "255,255,255"].map((colour) => colours.has(colour));
+  });
+  assert.deepEqual(seen, [true, true, true]);
+  await tab.getByText("blocked once obstacles are grown by 1 cell", { exact: true }).waitFor();
+  await close();
+});
+
+test("drive: charts go to the last tick, and tell no length where no way was found", async () => {
+  writeFileSync(path.join(folder, "lane.map"), `type octile\nheight 3\nwidth 20\nmap\n${"@".repeat(20)}\n${".".repeat(20)}\n${"@".repeat(20)}\n`);
+  writeFileSync(path.join(folder, "lane.txt"), "3 10 1 blocked\n14 10 1 free\n");
+  run("drive", "lane.map", "--start", "0,1", "--goal", "19,1", "--changes", "lane.txt", "--sense", "4", "-q", "-o", file("lane"));
+  const { tab, close } = await open(file("lane"));
+  const [start, stuck, on] = contentOf("lane").result.replans, chart = tab.locator(".curves").first();
+  assert.deepEqual([start.length > 0, stuck.length, on.length > 0], [true, null, true]);
+  const at = async (tick) => {
+    await slider(tab).fill(String(tick));
+    return [await chart.locator(".key-value").textContent(), Number(await chart.locator(".cursor line").getAttribute("x1"))];
+  };
+  const ends = [stuck.tick - 1, stuck.tick, on.tick - 1, on.tick, contentOf("lane").result.ticks];
+  const told = [];
+  for (const tick of ends) told.push(await at(tick));
+  assert.deepEqual(told.map(([value]) => value), [start.length, "–", "–", on.length, on.length].map(String));
+  for (let i = 1; i < told.length; ++i) assert.ok(told[i][1] > told[i - 1][1], "the cursor moves to the end");
+  const { line, clip } = await chart.evaluate((frame) => {
+    const clip = frame.querySelector("clipPath rect"), [x, width] = ["x", "width"].map((name) => Number(clip.getAttribute(name)));
+    const line = frame.querySelector(".curve").getBBox();
+    return { line: { x: line.x, width: line.width }, clip: { x, width } };
+  });
+  assert.ok(line.x >= clip.x + 3 && line.x + line.width <= clip.x + clip.width - 3, "no point is cut in half");
+  assert.equal((await chart.locator(".curve").getAttribute("d")).match(/M/g).length, 2);
   await close();
 });
 

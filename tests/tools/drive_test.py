@@ -4,7 +4,7 @@ import os
 import unittest
 
 from gif import read_film
-from program import MAPS, SMALL_MAP, ProgramTest
+from program import MAPS, SMALL_MAP, SVG, ProgramTest
 
 # What small.map does not tell: its gap in row 4 is shut, one in row 2 is open.
 TRUTH = SMALL_MAP.replace("....@.....", "....@@@@@@")
@@ -245,6 +245,17 @@ class Drive(ProgramTest):
         self.holds(self.words("p.svg"), "a way was planned", "never learned", "moving obstacle",
                    "through truth.map")
         self.assertLessEqual(max(self.png_size("p.png")), 2000)
+
+    def test_a_picture_has_a_dot_where_a_way_was_found(self):
+        rows = ["@" * 20, "." * 20, "@" * 20]
+        self.write("lane.map", "type octile\nheight 3\nwidth 20\nmap\n" + "\n".join(rows) + "\n")
+        self.write("c.txt", "3 10 1 blocked\n14 10 1 free\n")
+        result = self.drive("--changes", "c.txt", "--sense", "4", "--json", "-o", "p.svg", start="0,1",
+                            goal="19,1", map_file="lane.map").json
+        self.assertEqual([plan["length"] is None for plan in result["replans"]], [False, True, False])
+        lines = [path.get("d").split() for path in self.svg_root("p.svg").iter(SVG + "path")]
+        dots = [d for d in lines if len(d) == 6 and d[1:3] == d[4:6]]
+        self.assertEqual(len(dots), 2 + 1)  # one is the legend's
 
     def test_a_film_shows_the_robot_at_each_tick(self):
         result = self.drive("--json", "-o", "f.gif").json

@@ -45,16 +45,39 @@ class Pictures(ProgramTest):
         text = self.drawn("--iterations", "12")
         self.holds(text, "start", "goal", "blocked", "ants through a cell in one iteration",
                    "sum over all iterations so far", "x, cells", "y, cells", "best path so far",
-                   "mean tour of the ants, as walked", "shortest tour of the iteration",
+                   "mean tour, as walked", "shortest tour after the cut",
                    "pheromone after iteration 12", "white: less than")
         for iteration in (1, 10, 12):
             self.holds(text, f"iteration {iteration} alone: 10 of 10 ants arrive, mean tour",
                        f"all ants up to iteration {iteration}")
 
-    def test_the_mean_of_cut_tours_is_shown_where_walks_are_cut(self):
-        cut = "mean tour after the cut"
-        self.assertIn(cut, self.drawn("--set", "walk_cut=own-cells", "--iterations", "3"))
-        self.assertNotIn(cut, self.drawn("--set", "walk_cut=none", "--iterations", "3"))
+    def test_tours_are_cut_or_as_walked(self):
+        names = [f"{name} tour{what}" for what in (", as walked", " after the cut") for name in ("mean", "shortest")]
+        for cut, shown in (("own-cells", [True, False, True, True]), ("none", [True, True, False, False])):
+            text = self.drawn("--set", f"walk_cut={cut}", "--iterations", "3")
+            self.assertEqual([name in text for name in names], shown, cut)
+
+    def test_an_optimum_that_the_best_path_lies_on_is_said_to_be_reached(self):
+        text = self.drawn("--gap", "--iterations", "3", algorithm="as", **GRID)
+        self.holds(text, "optimum of its own moves 33.90 cells, reached in iteration ")
+        self.assertEqual(text.count("reached in iteration"), 1)
+
+    def test_obstacles_and_what_they_grow_by_have_two_greys(self):
+        grown, wall = (212, 214, 218), (148, 154, 163)
+        for radius in (0, 3):
+            text = self.drawn("--radius", str(radius), "-o", "run.png", algorithm="exact",
+                              **{**FAN, "goal": "60,63"})
+            colours = {pixel for row in self.png_pixels("run.png") for pixel in row}
+            self.assertIn(wall, colours)
+            self.assertEqual(grown in colours, radius > 0)
+            self.assertEqual("blocked once obstacles are grown by 3.00 cells" in text, radius > 0)
+
+    def test_a_batch_says_how_many_paths_and_why_others_are_missing(self):
+        self.write("q.tsv", "sx\tsy\tgx\tgy\n0\t0\t19\t19\n0\t0\t50\t50\n")
+        self.quiet(self.run_program("batch", GRID["map_file"], "q.tsv", "-o", "run.svg"))
+        text = self.words("run.svg")
+        self.holds(text, "start", "goal", "1 path; answers: solved 1, invalid 1")
+        self.assertNotIn("1 paths", text)
 
     def test_both_optima_are_named(self):
         text = self.drawn("--gap", "--iterations", "3", algorithm="acs", **GRID)

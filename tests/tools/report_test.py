@@ -47,6 +47,22 @@ class Report(ProgramTest):
         self.assertFalse(re.findall(r"<(?:link|iframe|img|object|embed)\b|<script[^>]+src|@import|url\((?!#)", page))
         self.assertNotRegex(page, r"(?m)^(?:import|export) ")
 
+    def test_a_radius_keeps_the_obstacles_as_they_were(self):
+        near = {**FAN, "goal": "60,63"}
+        self.assertIsNone(self.reported(**near)[1]["map"]["obstacles"])
+        grown = self.reported("--radius", "3", **near)[1]["map"]
+        walls, obstacles = (unpacked(grown[part]["shares"]) for part in ("walls", "obstacles"))
+        self.assertTrue(all(a >= b for a, b in zip(walls, obstacles, strict=True)))
+        self.assertGreater(sum(map(bool, walls)), 1.3 * sum(map(bool, obstacles)))
+
+    def test_an_unknown_index_has_no_code_and_others_all(self):
+        trail = self.reported("--algorithm", "terminal-index", map_file=os.path.join(MAPS, "grid20a.map"),
+                              start="0,0", goal="19,19")[1]["frames"]["trail"]
+        first, *_, last = frames(trail["frames"], 400)
+        self.assertEqual(set(first), {0})
+        self.assertGreater(len(set(last)), 50)
+        self.assertLess(trail["most"], 200)
+
     def test_it_has_the_result_and_the_command(self):
         result, content = self.reported("--iterations", "12", "--gap")
         shown = content["result"]

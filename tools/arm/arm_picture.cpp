@@ -243,7 +243,7 @@ void write_arm_picture(const std::string& file, const ArmCommand& command,
   if (moves) add([&](Canvas& canvas, const Box& box) { draw(canvas, box, joint_chart(answer)); });
   if (!plan.best.empty())
     add([&](Canvas& canvas, const Box& box) {
-      Convergence convergence{.best = {{"best lattice path so far", plan.best}},
+      Convergence convergence{.best = {"best lattice path so far", plan.best},
                               .tours = {{"mean tour of the ants", plan.mean}},
                               .unit = unit_of(answer.parameters.objective)};
       if (plan.lower_bound) convergence.levels = {{"lower bound", *plan.lower_bound}};

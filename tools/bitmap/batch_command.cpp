@@ -118,8 +118,8 @@ int run_command(const BatchCommand& command) {
     for (std::size_t from = 0; from < queries.size() && !how.token.stop_requested(); from += most)
       answer_part(from, std::min(most, queries.size() - from), how, take);
   };
-  const auto draw = [&](const std::string& picture, const auto& paths) {
-    write_batch_picture(picture, map, run, paths);
+  const auto draw = [&](const auto& picture, const auto& paths, const auto& caption) {
+    write_batch_picture(picture, map, run, paths, caption);
   };
   return run_batch({task, queries.size(), command.queries.empty(), answer_all, draw}, signals);
 }

@@ -11,7 +11,6 @@
 #include "tools/console/values.h"
 #include "tools/options/commands.h"
 #include "tools/record/outputs.h"
-#include "tools/record/recorded.h"
 
 namespace lasius::tool {
 namespace {

@@ -25,11 +25,12 @@ double finite(double number) {
 }
 
 /// False, and the grid as it was, when stopped.
-bool grow(Grid& grid, double radius, const StopCondition& stop) {
-  if (radius == 0) return true;
-  auto grown = grow_obstacles(grid, radius, stop);
-  if (grown) grid = std::move(*grown);
-  return grown.has_value();
+bool grow(LoadedMap& map, const StopCondition& stop) {
+  if (map.radius == 0) return true;
+  auto grown = grow_obstacles(*map.grid_alone, map.radius, stop);
+  if (!grown) return false;
+  map.as_read = std::exchange(map.grid_alone, std::move(grown));
+  return true;
 }
 
 /// Nothing, and the grid as it was, when stopped.
@@ -72,13 +73,12 @@ LoadedMap read_map(const MapOptions& options, Frame frame) {
 LoadedMap load_map(const MapOptions& options, Frame frame, Corners corners,
                    const std::stop_token& token) {
   LoadedMap map = read_map(options, frame);
-  Grid& grid = *map.grid_alone;
   const StopCondition stop{.token = token};
   const auto start = Clock::now();
-  const bool whole = grow(grid, map.radius, stop);
+  const bool whole = grow(map, stop);
   map.read_ms += ms_since(start);
   const auto ready_start = Clock::now();
-  if (whole) map.planner = make_planner(grid, options, corners, stop);
+  if (whole) map.planner = make_planner(*map.grid_alone, options, corners, stop);
   if (map.planner) map.grid_alone.reset();
   map.ready_ms = ms_since(ready_start);
   return map;

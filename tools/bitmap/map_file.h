@@ -25,6 +25,7 @@ struct LoadedMap {
   bool prepare = false;              ///< more was asked for: see Planner::preparation
   std::optional<Planner> planner{};  ///< nothing: the token fired before it was made
   std::optional<Grid> grid_alone{};  ///< without a planner: the grid as far as it came
+  std::optional<Grid> as_read{};     ///< before obstacles grew, where they did
   double read_ms = 0;                ///< reading, and growing obstacles
   double ready_ms = 0;               ///< making the planner
 

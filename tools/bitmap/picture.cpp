@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 
 #include "tools/bitmap/sheet.h"
 #include "tools/console/parameters.h"
@@ -25,10 +24,10 @@ ColourScale track_scale(double most) {
   return most > 1 ? ColourScale{{1, most}, true, kAnts} : ColourScale{{0, 1}, false, kAnts};
 }
 
-/// What of a trail has colours: values in [least, below).
+/// What of a trail has colours: values from `least` on.
 struct TrailScale {
   ColourScale colours;
-  double least = 0, below = std::numeric_limits<double>::infinity();
+  double least = 0;
 };
 
 /// The part of the pheromone that tells cells apart: four decades below the most at most, and no
@@ -42,13 +41,7 @@ TrailScale trail_scale(const Raster<float>& raster, bool index) {
     if (v > 0) values.push_back(v);
   if (values.empty()) return {{{0, 1}, false, kHeat}};
   std::ranges::sort(values, std::greater<>());
-  if (index) {
-    const double unknown = values.front();
-    const auto known = std::ranges::find_if(values, [&](float v) { return v < unknown; });
-    const auto skipped = (values.end() - known) / 100;
-    const double most = known == values.end() ? 1 : *(known + skipped);
-    return {{{0, std::max(1.0, most)}, false, kFar}, 0, unknown};
-  }
+  if (index) return {{{0, std::max(1.0F, values[values.size() / 100])}, false, kFar}};
   // All ants meet at the start and goal: the few cells there would take a decade for themselves.
   const double high = values[std::min<std::size_t>(16, values.size() / 100)];
   const auto matter = std::ranges::count_if(values, [&](float v) { return v >= kDecades * high; });
@@ -123,7 +116,7 @@ Panel trail_panel(const Sheet& sheet, const Answer& answer, const PictureRecorde
       const int side = recorder.cells_a_pixel();
       const double value = index ? chosen(trail.values, side, columns, rows, std::less<>())
                                  : chosen(trail.values, side, columns, rows, std::greater<>());
-      return value >= scale.least && value < scale.below ? scale.colours.at(value) : kFree;
+      return value >= scale.least ? scale.colours.at(value) : kFree;
     });
     draw_bar(canvas, box, scale.colours);
     draw_marks(canvas, box, sheet, answer.start.cell, answer.goal.cell, false);
@@ -134,21 +127,24 @@ Panel trail_panel(const Sheet& sheet, const Answer& answer, const PictureRecorde
 void draw_run(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& answer) {
   const Result& result = answer.result;
   const bool colony = find_algorithm(sheet.run.params.algorithm()).kind == Algorithm::Kind::colony;
-  const bool cut = sheet.run.params.walk_cut != WalkCut::none;
-  const auto& shortest = cut ? result.cut_best : result.raw_best;
+  const bool cut = sheet.run.params.walk_cut != WalkCut::none, several = sheet.run.params.ants > 1;
   static const std::vector<double> kNone;
   Convergence convergence{
-      .best = {{"best path so far", result.best}},
-      .tours = {{colony ? "mean tour of the ants, as walked" : "mean of the population",
-                 result.mean},
+      .best = {"best path so far", result.best},
+      .tours = {{colony ? "mean tour, as walked" : "mean of the population", result.mean},
                 {"mean tour after the cut", cut ? result.cut_mean : kNone},
-                {"shortest tour of the iteration", sheet.run.params.ants > 1 ? shortest : kNone}},
+                {"shortest tour after the cut", cut && several ? result.cut_best : kNone},
+                {"shortest tour, as walked", !cut && several ? result.raw_best : kNone}},
       .unit = sheet.unit(),
       .scale = sheet.map.length_in(sheet.run.frame, 1)};
   const auto level = [&](const char* name, const std::optional<double>& cells, Colour colour) {
-    if (cells)
-      convergence.levels.push_back(
-          {name + std::string(" ") + sheet.length(*cells), convergence.scale * *cells, colour});
+    if (!cells) return;
+    std::string label = name + std::string(" ") + sheet.length(*cells);
+    // From there on the curve of the best path lies on the line.
+    const auto on_it = [&](double best) { return std::abs(best - *cells) <= 1e-9 * *cells; };
+    if (const auto at = std::ranges::find_if(result.best, on_it); at != result.best.end())
+      label += ", reached in iteration " + std::to_string(at - result.best.begin() + 1);
+    convergence.levels.push_back({std::move(label), convergence.scale * *cells, colour});
   };
   level("any-angle optimum", answer.optimum, kInk);
   level("optimum of its own moves", answer.grid_optimum, {0.55, 0.25, 0.6});
@@ -163,7 +159,6 @@ void write_plan_picture(const std::string& file, const LoadedMap& map, const Run
   const auto tracks =
       recorder != nullptr ? recorder->tracks() : std::vector<PictureRecorder::Tracks>{};
   Page page = sheet.page(map_title(map, run));
-  page.legend = {start_key(), goal_key(), area_key("blocked", kWall)};
   if (!answer.result.path.empty()) page.legend.push_back(line_key("path", kPath, 3));
   std::uint32_t most = 0;
   for (const auto& kept : tracks) most = std::max(most, *std::ranges::max_element(kept.now.values));
@@ -192,12 +187,15 @@ void write_plan_picture(const std::string& file, const LoadedMap& map, const Run
 }
 
 void write_batch_picture(const std::string& file, const LoadedMap& map, const RunOptions& run,
-                         const std::vector<std::vector<Point>>& paths) {
+                         const std::vector<std::vector<Point>>& paths, const std::string& caption) {
   const Sheet sheet{map, map.grid(), run, shown_of(map, {})};
   Page page = sheet.page(map_title(map, run));
-  page.legend = {area_key("blocked", kWall), line_key("path", kPath, 1.5)};
-  page.bands = {{{{{std::to_string(paths.size()) + " paths", [&](Canvas& canvas, const Box& box) {
+  page.legend.push_back(line_key("path", kPath, 1.5));
+  const auto cell = [](Point p) { return Cell{static_cast<int>(p.x), static_cast<int>(p.y)}; };
+  page.bands = {{{{{caption, [&](Canvas& canvas, const Box& box) {
                       paint_map(canvas, box, sheet, free_ground);
+                      for (const auto& path : paths)
+                        draw_marks(canvas, box, sheet, cell(path.front()), cell(path.back()), true);
                       for (const auto& path : paths) draw_path(canvas, box, sheet, path, 1.5, 0);
                     }}}}}};
   write_page(file, page);

@@ -18,8 +18,8 @@ namespace lasius::tool {
 void write_plan_picture(const std::string& file, const LoadedMap& map, const RunOptions& run,
                         const Answer& answer, const PictureRecorder* recorder);
 
-/// All paths of a batch on the map.
+/// All paths of a batch on the map, none of them empty.
 void write_batch_picture(const std::string& file, const LoadedMap& map, const RunOptions& run,
-                         const std::vector<std::vector<Point>>& paths);
+                         const std::vector<std::vector<Point>>& paths, const std::string& caption);
 
 }  // namespace lasius::tool

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace lasius::tool {
 namespace {
+
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<int> usual(const Params& params) {
   std::vector<int> chosen{1, params.critical_time > 0 ? params.critical_time : 10, 50,
@@ -52,16 +55,14 @@ void PictureRecorder::observe(const GridProgress& progress) {
 
 void PictureRecorder::capture(const GridProgress& progress) {
   auto& values = pheromone_.values;
-  if (values.width == 0)
-    values = Raster<float>(newest_.now.width, newest_.now.height,
-                           std::numeric_limits<float>::quiet_NaN());
+  if (values.width == 0) values = Raster<float>(newest_.now.width, newest_.now.height, kNone);
   pheromone_.iterations = done_;
   for (int y = 0; y < values.height; ++y) {
     const int bottom = std::min((y + 1) * cells_a_pixel_, grid_.height());
     for (int x = 0; x < values.width; ++x) {
       if (!reads_all_ && !touched_near(x, y)) continue;
       const int right = std::min((x + 1) * cells_a_pixel_, grid_.width());
-      double shown = std::numeric_limits<double>::quiet_NaN();
+      double shown = kNone;
       for (int r = y * cells_a_pixel_; r < bottom; ++r)
         for (int c = x * cells_a_pixel_; c < right; ++c)
           if (grid_.free({c, r})) {
@@ -71,6 +72,9 @@ void PictureRecorder::capture(const GridProgress& progress) {
       values.at(x, y) = static_cast<float>(shown);
     }
   }
+  if (!index_) return;
+  const float unknown = chosen(values, 1, {0, values.width}, {0, values.height}, std::greater<>());
+  std::replace(values.values.begin(), values.values.end(), unknown, kNone);
 }
 
 bool PictureRecorder::touched_near(int x, int y) const {

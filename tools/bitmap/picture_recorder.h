@@ -32,7 +32,7 @@ class PictureRecorder {
     Raster<std::uint32_t> now, so_far;
   };
   /// Largest pheromone, or least terminal index, under each pixel after `iterations` iterations;
-  /// NaN where no cell is free, or was read.
+  /// NaN where no cell is free, or was read, or the index is unknown: has its largest value.
   struct Pheromone {
     int iterations = 0;
     Raster<float> values;

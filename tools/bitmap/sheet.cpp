@@ -73,10 +73,15 @@ std::string Sheet::note() const {
 }
 
 Page Sheet::page(std::string title) const {
-  return {.title = std::move(title),
-          .note = note(),
-          .wide = 1.0 * window.width(),
-          .high = 1.0 * window.height()};
+  Page page{.title = std::move(title),
+            .note = note(),
+            .legend = {start_key(), goal_key(), area_key("blocked", kWall)},
+            .wide = 1.0 * window.width(),
+            .high = 1.0 * window.height()};
+  if (map.as_read)
+    page.legend.push_back(
+        area_key("blocked once obstacles are grown by " + length(map.radius), kGrown));
+  return page;
 }
 
 std::string map_title(const LoadedMap& map, const RunOptions& run) {
@@ -95,12 +100,16 @@ void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet,
   const auto share =
       blocked_share(sheet.grid, window, std::min(window.width(), static_cast<int>(box.width)),
                     std::min(window.height(), static_cast<int>(box.height)));
+  const auto& read = sheet.map.as_read;
+  const auto inner = read ? blocked_share(*read, window, share.width, share.height) : share;
   Raster<Colour> pixels(share.width, share.height);
   for (int y = 0; y < share.height; ++y) {
     const Span rows = cells_under(y, share.height, window.rows);
     for (int x = 0; x < share.width; ++x) {
       const Span columns = cells_under(x, share.width, window.columns);
-      pixels.at(x, y) = blend(ground(columns, rows), kWall, wall_strength(share.at(x, y)));
+      Colour colour = ground(columns, rows);
+      if (read) colour = blend(colour, kGrown, wall_strength(share.at(x, y)));
+      pixels.at(x, y) = blend(colour, kWall, wall_strength(inner.at(x, y)));
     }
   }
   canvas.image(pixels, box);

@@ -13,8 +13,6 @@
 
 namespace lasius::tool {
 
-inline constexpr Colour kWall{0.58, 0.605, 0.64};
-
 /// The cells that are shown: all around free ones, start and goal, where that leaves out a tenth
 /// of the map or more.
 Window shown_of(const LoadedMap& map, const std::vector<Cell>& ends);
@@ -31,8 +29,8 @@ struct Sheet {
   std::string length(double cells, int decimals = 2) const;
   /// In cells; in metres of the world where the map is not turned in it.
   void frame(Canvas& canvas, const Box& box) const;
-  std::string note() const;  ///< what the window leaves out
-  Page page(std::string title) const;
+  std::string note() const;            ///< what the window leaves out
+  Page page(std::string title) const;  ///< its legend has start, goal, blocked cells
 };
 
 /// What is drawn on: "on" a map of so many cells, and the seed.

@@ -1,8 +1,9 @@
 #include "tools/draw/line_chart.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
+#include <span>
 
 #include "tools/draw/axes.h"
 #include "tools/draw/colours.h"
@@ -79,15 +80,10 @@ std::vector<Key> keys_of(const LineChart& chart) {
 }  // namespace
 
 Colour palette(std::size_t index) {
-  static constexpr std::array<Colour, 8> kColours{{{0.84, 0.37, 0.0},
-                                                   {0.0, 0.45, 0.7},
-                                                   {0.0, 0.62, 0.45},
-                                                   {0.8, 0.47, 0.65},
-                                                   {0.9, 0.62, 0.0},
-                                                   {0.34, 0.71, 0.91},
-                                                   {0.35, 0.35, 0.35},
-                                                   {0.55, 0.3, 0.1}}};
-  return kColours[index % kColours.size()];
+  static constexpr Colour kColours[] = {{0.84, 0.37, 0.0},  {0.0, 0.45, 0.7}, {0.0, 0.62, 0.45},
+                                        {0.8, 0.47, 0.65},  {0.9, 0.62, 0.0}, {0.34, 0.71, 0.91},
+                                        {0.35, 0.35, 0.35}, {0.55, 0.3, 0.1}};
+  return kColours[index % std::size(kColours)];
 }
 
 void draw(Canvas& canvas, const Box& box, const LineChart& chart) {
@@ -115,38 +111,36 @@ void draw(Canvas& canvas, const Box& box, const LineChart& chart) {
 }
 
 void draw_convergence(Canvas& canvas, const Box& box, const Convergence& convergence) {
-  static constexpr std::array<Colour, 3> kBest{
-      {{0.8, 0.15, 0.15}, {0.9, 0.62, 0.0}, {0.55, 0.3, 0.1}}};
-  static constexpr std::array<Colour, 3> kTours{
-      {{0.25, 0.45, 0.7}, {0.0, 0.62, 0.45}, {0.8, 0.47, 0.65}}};
-  const auto chart_of = [&](const std::vector<Convergence::Series>& all, const auto& colours) {
+  // Of the best path so far, then of the tours.
+  static constexpr Colour kColours[] = {
+      {0.8, 0.15, 0.15}, {0.25, 0.45, 0.7}, {0.0, 0.62, 0.45}, {0.8, 0.47, 0.65}, {0.55, 0.3, 0.1}};
+  const auto chart_of = [&](std::span<const Convergence::Series> all, std::size_t colour) {
     LineChart chart{.title = "",
                     .x_label = kIteration,
                     .y_label = "length, " + convergence.unit,
                     .levels = convergence.levels,
                     .lengths = false,
                     .logarithmic = true,
-                    .level_keys = &all == &convergence.best};
+                    .level_keys = colour == 0};
     for (const auto& [label, values] : all) {
-      if (values.empty()) continue;
       Curve curve{.label = label,
-                  .colour = colours[chart.curves.size() % colours.size()],
+                  .colour = kColours[colour++],
                   .stairs = false,
-                  .width = &all == &convergence.best ? 2.5 : 1.5};
+                  .width = chart.level_keys ? 2.5 : 1.5};
       for (const double value : values) {
         curve.x.push_back(static_cast<double>(curve.x.size() + 1));
         curve.y.push_back(convergence.scale * value);
       }
-      chart.curves.push_back(std::move(curve));
+      if (!values.empty()) chart.curves.push_back(std::move(curve));
     }
     return chart;
   };
   const bool beside = box.width > 2 * box.height;
   Box part{box.x, box.y, beside ? std::floor(box.width / 2) : box.width,
            beside ? box.height : std::floor(box.height / 2)};
-  draw(canvas, part, chart_of(convergence.best, kBest));
+  draw(canvas, part, chart_of({&convergence.best, 1}, 0));
   (beside ? part.x : part.y) += beside ? part.width : part.height;
-  draw(canvas, part, chart_of(convergence.tours, kTours));
+  draw(canvas, part, chart_of(convergence.tours, 1));
 }
 
 }  // namespace lasius::tool

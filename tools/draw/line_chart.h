@@ -51,7 +51,8 @@ struct Convergence {
     std::string label;
     const std::vector<double>& values;  ///< by iteration; NaN where there is none
   };
-  std::vector<Series> best, tours;  ///< a series without values is left out
+  Series best;
+  std::vector<Series> tours;  ///< four at most; one without values is left out
   std::vector<Level> levels = {};
   std::string unit = "cells";
   double scale = 1;  ///< of all values: units by what they are given in

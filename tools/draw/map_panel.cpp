@@ -5,11 +5,6 @@
 #include "tools/draw/colours.h"
 
 namespace lasius::tool {
-namespace {
-
-constexpr Colour kBlockedCells{0.42, 0.45, 0.49};
-
-}  // namespace
 
 Axes draw_map(Canvas& canvas, const Box& box, const Grid& grid, Cell start, Cell goal) {
   const auto share =
@@ -17,7 +12,7 @@ Axes draw_map(Canvas& canvas, const Box& box, const Grid& grid, Cell start, Cell
                     std::min(grid.height(), static_cast<int>(box.height)));
   Raster<Colour> pixels(share.width, share.height);
   std::ranges::transform(share.values, pixels.values.begin(), [](float blocked) {
-    return blend({1, 1, 1}, kBlockedCells, blocked);
+    return blend({1, 1, 1}, kWall, blocked);
   });
   canvas.image(pixels, box);
   const Axes axes{.box = box,
@@ -32,9 +27,7 @@ Axes draw_map(Canvas& canvas, const Box& box, const Grid& grid, Cell start, Cell
   return axes;
 }
 
-std::vector<Key> map_keys() {
-  return {start_key(), goal_key(), area_key("blocked", kBlockedCells)};
-}
+std::vector<Key> map_keys() { return {start_key(), goal_key(), area_key("blocked", kWall)}; }
 
 void save(const Page& page, const std::filesystem::path& file) {
   for (const char* ending : {".svg", ".png"}) write_page(file.string() + ending, page);

@@ -82,6 +82,7 @@ void draw_track(Canvas& canvas, const Axes& axes, const Sheet& sheet, const Driv
   draw_path(canvas, axes.box, sheet, track, 2.5, 1);
   const double cell = axes.box.width / sheet.window.width();
   for (const Replan& replan : result.replans) {
+    if (!(replan.length >= 0)) continue;  // no way was found
     const Point at = track[static_cast<std::size_t>(replan.tick)];
     const Point dot = axes.at(at.x, at.y);  // without a rim: the next may be beside it
     canvas.line(dot, dot, kInk, std::clamp(0.7 * cell, 5.0, 9.0));

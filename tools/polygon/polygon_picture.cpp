@@ -13,7 +13,7 @@
 namespace lasius::tool {
 namespace {
 
-constexpr Colour kWall{0.36, 0.39, 0.44};
+constexpr Colour kSolid{0.36, 0.39, 0.44};
 constexpr Colour kLine{0.26, 0.57, 0.78};
 constexpr Colour kMidpoint{0.03, 0.19, 0.42};
 constexpr Colour kDijkstra{0.55, 0.3, 0.65};
@@ -23,29 +23,23 @@ Axes axes_of(const LoadedWorld& world, const Box& box) {
   return {.box = box, .x = {low.x, high.x}, .y = {low.y, high.y}};
 }
 
-double area(const polygon::Ring& ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-    sum += (a.x - ring[0].x) * (b.y - ring[0].y) - (a.y - ring[0].y) * (b.x - ring[0].x);
-  }
-  return std::abs(sum);
-}
-
 /// Free space in white on the grown obstacles' grey, the obstacles as drawn in a darker one; the
 /// axes around it.
 void draw_world(Canvas& canvas, const Axes& axes, const LoadedWorld& world,
                 std::vector<polygon::Polygon> pieces) {
   canvas.fill(axes.box, kPaleWall);
-  std::ranges::stable_sort(
-      pieces, [](const auto& a, const auto& b) { return area(a.outer) > area(b.outer); });
+  // One within a hole of another begins to the right of it.
+  const auto left = [](const auto& piece) {
+    return std::ranges::min(piece.outer, {}, &Point::x).x;
+  };
+  std::ranges::stable_sort(pieces, {}, left);
   for (const auto& piece : pieces) {
     canvas.area(axes.at(piece.outer), kFree, 1);
     for (const auto& hole : piece.holes) canvas.area(axes.at(hole), kPaleWall, 1);
   }
   canvas.clip(axes.box);
   for (const auto& obstacle : world.planner.world().obstacles)
-    if (obstacle.holes.empty()) canvas.area(axes.at(obstacle.outer), kWall, 1);
+    if (obstacle.holes.empty()) canvas.area(axes.at(obstacle.outer), kSolid, 1);
   canvas.unclip();
   draw_axes(canvas, axes, "x, the world's units", "y, the world's units", false);
 }
@@ -75,10 +69,16 @@ std::string path_caption(const PolygonAnswer& answer) {
   return text;
 }
 
+void draw_ends(Canvas& canvas, const Axes& axes, Point start, Point goal) {
+  canvas.diamond(axes.at(goal.x, goal.y), 11, kGoal);
+  canvas.ring(axes.at(start.x, start.y), 8, kStart);
+}
+
 Page page_of(const LoadedWorld& world, std::string title) {
   const Point low = world.low(), high = world.high();
   return {.title = std::move(title),
-          .legend = {area_key("obstacle", kWall), area_key("margin, or outside", kPaleWall)},
+          .legend = {start_key(), goal_key(), area_key("obstacle", kSolid),
+                     area_key("margin, or outside", kPaleWall)},
           .wide = high.x - low.x,
           .high = high.y - low.y,
           .cells = false};
@@ -95,13 +95,11 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
     panels.push_back({caption, [&world, &answer, &pieces, draw](Canvas& canvas, const Box& box) {
                         const Axes axes = axes_of(world, box);
                         draw_world(canvas, axes, world, pieces);
-                        canvas.diamond(axes.at(answer.goal.x, answer.goal.y), 11, kGoal);
-                        canvas.ring(axes.at(answer.start.x, answer.start.y), 8, kStart);
+                        draw_ends(canvas, axes, answer.start, answer.goal);
                         draw(canvas, axes);
                       }});
   };
   Page page = page_of(world, polygon_title(world, answer.parameters));
-  page.legend.insert(page.legend.begin(), {start_key(), goal_key()});
   if (result.dijkstra) {
     page.legend.push_back(dashed_key("MAKLINK line", kLine));
     page.legend.push_back({"its midpoint",
@@ -124,7 +122,7 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
            const bool genetic = polygon::find_algorithm(answer.parameters.algorithm()).kind ==
                                 Algorithm::Kind::genetic;
            Convergence convergence{
-               .best = {{"best path so far", result.best}},
+               .best = {"best path so far", result.best},
                .tours = {{genetic ? "mean of the population" : "mean tour of the ants",
                           result.mean}},
                .unit = "the world's units"};
@@ -144,13 +142,14 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
 }
 
 void write_paths_picture(const std::string& file, const LoadedWorld& world,
-                         const std::vector<std::vector<Point>>& paths) {
-  const std::string count = std::to_string(paths.size()) + " paths";
-  Page page = page_of(world, count + " on " + file_name(world.options.file));
+                         const std::vector<std::vector<Point>>& paths, const std::string& caption) {
+  Page page = page_of(world, "batch on " + file_name(world.options.file));
   page.legend.push_back(line_key("path", kPath, 1.5));
-  page.bands = {{{{{count, [&](Canvas& canvas, const Box& box) {
+  page.bands = {{{{{caption, [&](Canvas& canvas, const Box& box) {
                       const Axes axes = axes_of(world, box);
                       draw_world(canvas, axes, world, world.planner.free_space());
+                      for (const auto& path : paths)
+                        draw_ends(canvas, axes, path.front(), path.back());
                       for (const auto& path : paths) canvas.polyline(axes.at(path), kPath, 1.5);
                     }}}}}};
   write_page(file, page);

@@ -14,6 +14,6 @@ void write_polygon_picture(const std::string& file, const LoadedWorld& world,
 
 /// All paths of a batch.
 void write_paths_picture(const std::string& file, const LoadedWorld& world,
-                         const std::vector<std::vector<Point>>& paths);
+                         const std::vector<std::vector<Point>>& paths, const std::string& caption);
 
 }  // namespace lasius::tool

@@ -234,8 +234,8 @@ int run_command(const PolygonBatchCommand& command) {
     };
     polygon::plan_batch(world->planner, queries, parameters, how, receive);
   };
-  const auto draw = [&](const std::string& picture, const auto& paths) {
-    write_paths_picture(picture, *world, paths);
+  const auto draw = [&](const auto& picture, const auto& paths, const auto& caption) {
+    write_paths_picture(picture, *world, paths, caption);
   };
   return run_batch({task, queries.size(), command.queries.empty(), answer_all, draw}, signals);
 }

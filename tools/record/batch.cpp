@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <sstream>
 
@@ -41,11 +42,9 @@ class BatchOutput {
     delivery_.print(text);
     bar_->update(++done_, "queries");
     if (json_) lines_ += text;
+    ++answers_[task_.result().status];
     if (paths_ && task_.has_path()) kept_.push_back(path);
     if (csv_) rows_ += row(ends);
-    const Status status = task_.result().status;
-    cut_ += status == Status::limit ? 1 : 0;
-    whole_ += status == Status::interrupted ? 0 : 1;
     if (code_ == kFound) return;
     code_ = exit_code(task_);
     why_ = explain(task_);
@@ -54,12 +53,12 @@ class BatchOutput {
   /// Tells of answers that are missing or not final. The exit code.
   int finish(const Batch& batch, bool interrupted) {
     bar_.reset();
-    const auto say = [&](const std::string& text) {
-      if (!task_.options().messages.quiet) message(text);
+    const auto say = [&](const char* what, std::int64_t count) {
+      if (!task_.options().messages.quiet)
+        message(what + std::to_string(count) + " of " + counted(total_, "answer"));
     };
-    const std::string all = " of " + counted(total_, "answer");
-    if (cut_ > 0) say("the time limit ended " + std::to_string(cut_) + all);
-    if (interrupted) say("interrupted after " + std::to_string(whole_) + all);
+    if (const auto cut = answers_[Status::limit]) say("the time limit ended ", cut);
+    if (interrupted) say("interrupted after ", done_ - answers_[Status::interrupted]);
     if (interrupted) return kInterrupted;
     if (!batch.is_plan || code_ == kFound) return kFound;
     message(why_);
@@ -70,11 +69,18 @@ class BatchOutput {
     delivery_.write([&](const std::string& file) {
       write_output(file, {.json = [&](auto& out) { out << lines_; },
                           .csv = [&](auto& out) { out << rows_; },
-                          .picture = [&] { batch.draw(file, kept_); }});
+                          .picture = [&] { batch.draw(file, kept_, caption()); }});
     });
   }
 
  private:
+  std::string caption() const {
+    std::string text = counted(static_cast<std::int64_t>(kept_.size()), "path") + "; answers:";
+    for (const auto& [status, count] : answers_)
+      text.append(text.back() == ':' ? " " : ", ").append(to_string(status)) +=
+          printed(" %lld", static_cast<long long>(count));
+    return text;
+  }
   std::string row(const std::vector<std::string>& ends) const {
     const SearchResult& result = task_.result();
     const double none = std::nan("");
@@ -94,7 +100,8 @@ class BatchOutput {
   std::int64_t total_;
   Delivery delivery_;
   std::optional<ProgressLine> bar_;
-  std::int64_t done_ = 0, cut_ = 0, whole_ = 0;
+  std::int64_t done_ = 0;
+  std::map<Status, std::int64_t> answers_;  ///< how many, by their status
   int code_ = kNoPath;
   std::string why_;
   bool json_ = false, csv_ = false, paths_ = false;

@@ -24,8 +24,9 @@ struct Batch {
   bool is_plan = false;  ///< one query of `plan`, whose exit code says what came of it
   /// Answers the queries with each seed, in order, each taken in its turn.
   std::function<void(const BatchOptions&, const Take&)> answer;
-  /// Draws all paths into a file.
-  std::function<void(const std::string& file, const std::vector<std::vector<Point>>& paths)> draw;
+  using Paths = std::vector<std::vector<Point>>;
+  /// Draws all paths into a file; the caption counts them, and the answers by their status.
+  std::function<void(const std::string& file, const Paths&, const std::string& caption)> draw;
 };
 
 /// Answers all queries, prints the answers as they come, and writes the files that are asked for.

@@ -11,7 +11,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/colony/update.h"
 #include "lasius/planner.h"
 #include "lasius/schedule.h"
 #include "tests/core/colony/walked_grid.h"

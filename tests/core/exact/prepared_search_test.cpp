@@ -7,7 +7,6 @@
 
 #include "core/exact/exact.h"
 #include "lasius/generate.h"
-#include "tests/core/base/counting_time.h"
 #include "tests/core/exact/exact_answers.h"
 #include "tests/measures/count_allocations.h"
 #include "tests/worlds/shared_maps.h"

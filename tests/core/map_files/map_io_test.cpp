@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/output.h"
 #include "lasius/error.h"
 #include "lasius/path.h"
 #include "tests/core/base/made_files.h"

@@ -11,7 +11,6 @@
 #include "lasius/path.h"
 #include "lasius/planner.h"
 #include "tests/core/base/made_files.h"
-#include "tests/worlds/grids.h"
 #include "tests/worlds/planning.h"
 
 namespace lasius {

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "core/params/grid_parameters.h"
 #include "lasius/path.h"
 #include "tests/core/params/parameter_ends.h"
 #include "tests/worlds/planning.h"

@@ -257,8 +257,8 @@ class Playground {
       list.forEach((value, i) => isNumber(value) && (x.push(i + 1), y.push(value)));
       return { x, y };
     };
-    this.charts[0].set([{ name: "best path so far", steps: true, ...points(Array.from(best)) }]);
-    this.charts[1].set([{ name: "mean tour, as walked", colour: "var(--curve-2)", ...points(Array.from(mean)) }]);
+    this.charts[0].set([{ name: "best path so far", steps: true, colour: "var(--best)", ...points(Array.from(best)) }]);
+    this.charts[1].set([{ name: "mean tour, as walked", colour: "var(--tour-mean)", ...points(Array.from(mean)) }]);
   }
 
   finished(answer, kind) {

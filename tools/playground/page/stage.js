@@ -14,7 +14,7 @@
 import { Drawing } from "./drawing.js";
 import { channels, element, numberText, onTheme, themeColour } from "./dom.js";
 import { pictureButton } from "./files.js";
-import { HeatMap, codesOf, heatLegend, ramps, trailRange } from "./heat_map.js";
+import { HeatMap, codesOf, heatLegend, rampOf, trailRange } from "./heat_map.js";
 import { MapView } from "./map_view.js";
 import { Player } from "./player.js";
 import { checkBox, choices, swatches } from "./sheet.js";
@@ -72,7 +72,12 @@ export class Stage {
     this.readout = element("div", { class: "hover", role: "status" });
     this.legend = element("div");
     card.append(tools, host, this.readout, this.layerBox);
-    this.view = new MapView(host, { low: [0, 0], high: [1, 1], label: "Map", onHover: (x, y) => this.pointed(x, y) });
+    this.layerBox.append(
+      choices("Layer", [["trail", "Trail"], ["tracks", "Ants"], ["none", "Map"]], "trail", (name) => { this.shown = name; this.repaint(); }),
+      checkBox("Path", true, (on) => { this.withPath = on; this.view.draw(); }),
+      checkBox("Exact", true, (on) => { this.withExact = on; this.view.draw(); }),
+      pictureButton("map.png", () => this.view));
+    this.view = new MapView(host, { low: [0, 0], high: [1, 1], label: "Map", tools: this.layerBox, onHover: (x, y) => this.pointed(x, y) });
     this.drawing = new Drawing(tools, { size: () => this.size, onStart, onGoal, onCells: (cells, blocked) => {
       for (const [x, y] of cells) this.map.cells[y * this.map.width + x] = blocked ? 1 : 0;
       this.walls.paint(cells);
@@ -83,11 +88,6 @@ export class Stage {
     this.view.layers = [(c) => this.drawGround(c), (c) => this.drawHeat(c),
                         (c, view) => this.walls && view.image(c, this.walls.image, 0, 0, this.size.width, this.size.height, view.scale < 1),
                         (c) => this.drawPaths(c), (c) => this.drawCursor(c)];
-    this.layerBox.append(
-      choices("Layer", [["trail", "Trail"], ["tracks", "Ants"], ["none", "Map"]], "trail", (name) => { this.shown = name; this.repaint(); }),
-      checkBox("Path", true, (on) => { this.withPath = on; this.view.draw(); }),
-      checkBox("Exact", true, (on) => { this.withExact = on; this.view.draw(); }),
-      pictureButton("map.png", () => this.view));
     this.player = new Player(card, { count: 1, name: "iteration", perSecond: 24, label: (i) => this.labelOf(i), onChange: (i) => this.show(i) });
     card.append(this.legend, swatches([["start", "--start"], ["goal", "--goal"], ["blocked", "--wall"],
                                        ["best path so far", "--path", "line"], ["exact", "--exact", "line"]]));
@@ -150,8 +150,8 @@ export class Stage {
   endRun() {
     if (this.frames.length === 0) return;
     const stride = Math.ceil(this.frames.length / kSampled);
-    const sample = this.frames.filter((_, i) => i % stride === 0);
-    this.range = trailRange(sample.map(({ trail }) => codesOf(trail, this.scales.trail)));
+    const sample = this.frames.filter((_, i) => (this.frames.length - 1 - i) % stride === 0);
+    this.range = trailRange(sample.map(({ trail }) => codesOf(trail, this.scales.trail)), this.scales.trail);
     this.repaint();
   }
 
@@ -189,9 +189,10 @@ export class Stage {
     this.painted = any;
     if (any) {
       const scale = this.scales[shown], codes = codesOf(frame[shown], scale);
-      const range = shown === "tracks" ? [1, 255] : this.range ?? trailRange([codes]);
-      this.heat.paint(codes, range, ramps()[shown]);
-      this.legend.append(heatLegend(scale, range, ramps()[shown], range[0] > 1 ? "clear: less than that" : ""));
+      const range = shown === "tracks" ? [1, 255] : this.range ?? trailRange([codes], scale);
+      const ramp = rampOf(shown, scale), note = scale.logarithmic ? (range[0] > 1 ? "clear: less than that" : "") : "clear: unknown";
+      this.heat.paint(codes, range, ramp);
+      this.legend.append(heatLegend(scale, range, ramp, note));
     }
     if (!this.pointing) this.readout.textContent = this.frameText();
     this.view.draw();

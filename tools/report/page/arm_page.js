@@ -64,12 +64,12 @@ function motionCharts(sheet, motion, joints) {
     const card = sheet.card("right", "Search");
     const levels = isNumber(content.result.lower_bound) ? [{ name: "lower bound", value: content.result.lower_bound }] : [];
     new Curves(card, { title: "Length by iteration", xLabel: "iteration", yLabel: `length, ${unit}`, decimals: 3, calm: true, levels,
-                       series: [{ name: "best lattice path so far", x: curves.iteration, y: curves.best, steps: true },
-                                { name: "mean tour of the ants", x: curves.iteration, y: curves.mean }] });
+                       series: [{ name: "best lattice path so far", x: curves.iteration, y: curves.best, steps: true, colour: "var(--best)" },
+                                { name: "mean tour of the ants", x: curves.iteration, y: curves.mean, colour: "var(--tour-mean)" }] });
     if (asked.positions.length > 1)
       new Curves(card, { title: "Questions asked so far", xLabel: "iteration", yLabel: "questions", decimals: 0,
-                         series: [{ name: "positions", y: asked.positions, steps: true },
-                                  { name: "motions", y: asked.motions, steps: true }] });
+                         series: [{ name: "positions", y: asked.positions, steps: true, colour: "var(--curve-2)" },
+                                  { name: "motions", y: asked.motions, steps: true, colour: "var(--curve-1)" }] });
   }
   return charts;
 }
@@ -93,8 +93,16 @@ export async function showArm(content) {
   const card = sheet.card("left"), tools = element("div", { class: "row" }), host = element("div");
   const readout = element("div", { class: "hover", role: "status" });
   card.append(tools, host, readout);
-  const view = new SpaceView(host, { low: content.low, high: content.high, label: "The arm among its obstacles" });
   const on = { way: true, lattice: content.lattice.length > 1, ends: tips.length > 1 };
+  const toggle = (name, text) => checkBox(text, on[name], (value) => { on[name] = value; hovered = null; show(frame); });
+  const columns = ["t", ...motion.names, "x", "y", "z"];
+  const saveMotion = () => saveCsv("motion.csv", columns, motion.times.map((t, i) =>
+    [t, ...joints[i], ...tips[i]].map((value) => Number(value.toPrecision(7)))));
+  if (tips.length > 1) tools.append(toggle("way", "Way of the tip"), toggle("ends", "Start and end"));
+  if (content.lattice.length > 1) tools.append(toggle("lattice", "Lattice path"));
+  tools.append(element("button", { type: "button", onclick: saveMotion }, "Path as CSV"),
+               pictureButton("arm.png", () => view));
+  const view = new SpaceView(host, { low: content.low, high: content.high, label: "The arm among its obstacles", tools });
   const sums = cumulated(tips);
   let frame = 0, hovered = null;
 
@@ -130,14 +138,6 @@ export async function showArm(content) {
     hovered = x == null || !on.way || tips.length < 2 ? null : nearestOnScreen(view, tips, x, y);
     if (hovered !== before) show(frame);
   };
-  const toggle = (name, text) => checkBox(text, on[name], (value) => { on[name] = value; hovered = null; show(frame); });
-  const columns = ["t", ...motion.names, "x", "y", "z"];
-  const saveMotion = () => saveCsv("motion.csv", columns, motion.times.map((t, i) =>
-    [t, ...joints[i], ...tips[i]].map((value) => Number(value.toPrecision(7)))));
-  if (tips.length > 1) tools.append(toggle("way", "Way of the tip"), toggle("ends", "Start and end"));
-  if (content.lattice.length > 1) tools.append(toggle("lattice", "Lattice path"));
-  tools.append(element("button", { type: "button", onclick: saveMotion }, "Path as CSV"),
-               pictureButton("arm.png", () => view));
   if (tips.length > 1) {
     const total = motion.times.at(-1);
     const player = new Player(card, { count: tips.length, name: "time", perSecond: (tips.length - 1) / total, onChange: show,

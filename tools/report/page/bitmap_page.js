@@ -3,7 +3,7 @@
 import { Curves, indexAt } from "./curves.js";
 import { channels, element, isNumber, numberText, onTheme, themeColour } from "./dom.js";
 import { pictureButton, saveCsv } from "./files.js";
-import { HeatMap, heatLegend, ramps, trailRange } from "./heat_map.js";
+import { HeatMap, heatLegend, rampOf, trailRange } from "./heat_map.js";
 import { MapView } from "./map_view.js";
 import { framesOf, unpacked } from "./packed.js";
 import { Player } from "./player.js";
@@ -11,12 +11,12 @@ import { PathHover } from "./path_hover.js";
 import { Sheet, checkBox, choices, percentText, swatches } from "./sheet.js";
 import { cumulated } from "./walk.js";
 
-/** Walls as an image: the theme's colour, as strong as the share of blocked cells. */
-export function wallImage({ width, height }, shares) {
-  const image = element("canvas", { width, height }), context = image.getContext("2d");
+/** Walls as an image: a colour of the theme, as strong as the share of blocked cells. */
+export async function wallImage({ width, height, shares: packed }, variable = "--wall") {
+  const shares = await unpacked(packed), image = element("canvas", { width, height }), context = image.getContext("2d");
   const paint = () => {
     const pixels = context.createImageData(width, height);
-    const [red, green, blue] = channels(themeColour("--wall"));
+    const [red, green, blue] = channels(themeColour(variable));
     for (let i = 0; i < shares.length; ++i) pixels.data.set([red, green, blue, shares[i]], 4 * i);
     context.putImageData(pixels, 0, 0);
   };
@@ -47,7 +47,7 @@ async function layersOf(frames) {
   for (const name of ["trail", "tracks"]) {
     if (!frames[name]) continue;
     const list = framesOf(await unpacked(frames[name].frames), size);
-    layers[name] = { scale: frames[name], frames: list, range: name === "trail" ? trailRange(list) : [1, 255] };
+    layers[name] = { scale: frames[name], frames: list, range: name === "trail" ? trailRange(list, frames[name]) : [1, 255] };
   }
   return layers;
 }
@@ -84,18 +84,22 @@ function curvesOf(sheet, curves) {
   if (!curves.best) return [];
   const { content } = sheet, scale = content.scale, unit = content.unit || "cells";
   const scaled = (values) => values?.map((value) => (isNumber(value) ? scale * value : null)) ?? [];
-  const x = curves.iteration;
-  const level = (name, value) => (isNumber(value) ? [{ name, value: scale * value }] : []);
+  const x = curves.iteration, { walk_cut, ants } = content.result.parameters;
+  const level = (name, value, colour) => (isNumber(value) ? [{ name, value: scale * value, colour }] : []);
+  const series = (name, values, colour, more = {}) => ({ name, x, y: scaled(values), colour: `var(${colour})`, ...more });
+  const cut = walk_cut && walk_cut !== "none", several = ants !== 1;
   const card = sheet.card("right", "Convergence");
+  // Names and colours are those of pictures (tools/bitmap/picture.cpp).
   return [
     new Curves(card, { title: "Best path so far", calm: true, xLabel: "iteration", yLabel: `length, ${unit}`,
-                       levels: level("optimum, any angle", content.result.optimum),
-                       series: [{ name: "best path so far", x, y: scaled(curves.best), steps: true }] }),
+                       levels: level("any-angle optimum", content.result.optimum, "var(--ink)"),
+                       series: [series("best path so far", curves.best, "--best", { steps: true })] }),
     new Curves(card, { title: "Tours of the iteration", calm: true, xLabel: "iteration", yLabel: `length, ${unit}`,
-                       levels: level("optimum of its own moves", content.result.grid_optimum),
-                       series: [{ name: "mean tour, as walked", x, y: scaled(curves.mean), colour: "var(--curve-2)" },
-                                { name: "shortest tour", x, y: scaled(curves.raw_best), colour: "var(--curve-3)" },
-                                { name: "mean after cutting loops", x, y: scaled(curves.cut_mean), colour: "var(--curve-4)", dashed: true }] }),
+                       levels: level("optimum of its own moves", content.result.grid_optimum, "var(--own-optimum)"),
+                       series: [series(curves.raw_best ? "mean tour, as walked" : "mean of the population", curves.mean, "--tour-mean"),
+                                series("shortest tour, as walked", several ? curves.raw_best : [], "--tour-raw"),
+                                series("mean tour after the cut", cut ? curves.cut_mean : [], "--tour-mean-cut"),
+                                series("shortest tour after the cut", cut && several ? curves.cut_best : [], "--tour-cut")] }),
   ];
 }
 
@@ -127,9 +131,10 @@ class BitmapStage {
     card.append(this.tools, this.host);
     const { window: [x, y, width, height] } = content.map;
     const ends = `from ${content.result.start} to ${content.result.goal}`;
-    this.view = new MapView(this.host, { low: [x, y], high: [x + width, y + height], label: `Map with the path ${ends}`,
+    this.view = new MapView(this.host, { low: [x, y], high: [x + width, y + height], label: `Map with the path ${ends}`, tools: this.tools,
                                          onHover: (px, py) => this.pointed(px, py) });
-    const walls = wallImage(content.map.walls, await unpacked(content.map.walls.shares));
+    const { obstacles } = content.map, walls = await wallImage(content.map.walls, obstacles ? "--grown" : "--wall");
+    const inner = obstacles && (await wallImage(obstacles));
     const heat = this.heat = content.frames ? new HeatMap(content.frames.width, content.frames.height) : null;
     this.view.layers = [
       groundLayer(content.map),
@@ -137,7 +142,9 @@ class BitmapStage {
         const side = content.frames?.cells_a_pixel;
         if (heat && this.shown !== "none") view.image(context, heat.image, 0, 0, side * heat.image.width, side * heat.image.height);
       },
-      (context, view) => view.image(context, walls, x, y, width, height, view.scale < 1),
+      (context, view) => {
+        for (const image of [walls, inner]) if (image) view.image(context, image, x, y, width, height, view.scale < 1);
+      },
       (context, view) => this.drawPath(context, view),
     ];
     card.append(this.readout, this.legend);
@@ -161,9 +168,11 @@ class BitmapStage {
   }
 
   addKeys() {
-    this.card.append(swatches([["start", "--start"], ["goal", "--goal"], ["blocked", "--wall"], ["path", "--path", "line"]]));
-    if (this.content.radius > 0)
-      this.card.append(element("p", { class: "note" }, `Obstacles are shown, and clearance is measured, grown by ${numberText(this.content.radius)} cells.`));
+    const { radius, map } = this.content, cells = `${numberText(radius)} ${radius === 1 ? "cell" : "cells"}`;
+    this.card.append(swatches([["start", "--start"], ["goal", "--goal"], ["blocked", "--wall"],
+                               ...(map.obstacles ? [[`blocked once obstacles are grown by ${cells}`, "--grown"]] : []), ["path", "--path", "line"]]));
+    if (radius > 0)
+      this.card.append(element("p", { class: "note" }, `Obstacles are grown by ${cells}; clearance is measured to them as grown.`));
     if (this.content.thinned)
       this.card.append(element("p", { class: "note" }, `The path is long: the page holds one vertex in ${this.content.thinned}.`));
   }
@@ -183,9 +192,10 @@ class BitmapStage {
     if (!this.view) return;
     const layer = this.layers[this.shown];
     if (layer) {
-      const ramp = ramps()[this.shown];
+      const ramp = rampOf(this.shown, layer.scale);
       this.heat.paint(layer.frames[this.frame], layer.range, ramp);
-      const low = layer.range[0] > 1 ? "clear: less than that" : "";
+      const index = !layer.scale.logarithmic ? "clear: unknown; the longest 1% as the end of the scale" : "";
+      const low = index || (layer.range[0] > 1 ? "clear: less than that" : "");
       const far = this.content.frames.reads_all ? "" : "clear: less than that, or far from all tracks";
       const note = this.shown === "trail" ? far || low : "";
       this.legend.replaceChildren(heatLegend(layer.scale, layer.range, ramp, note));

@@ -2,8 +2,10 @@
 //
 //   class View extends CanvasView               has heightFor(width), paint(), zoomBy(factor, px, py),
 //                                               showAll() and keys(): {key: action}, the arrows
-//     super(host, {label, kind, step, all})     kind: class of its frame; step: of the zoom by buttons
-//                                               and keys; all: what the last button shows
+//     super(host, {label, kind, step, all, tools})
+//                                               kind: class of its frame; step: of the zoom by buttons
+//                                               and keys; all: what the last button shows; tools: the row
+//                                               that the buttons join, else one of their own above it
 //     this.begin()                              when there is all that paint() needs
 //   view.draw()                                 paint() at the next frame of the screen
 //   view.cleared(colour) -> context             to paint on
@@ -13,16 +15,17 @@
 import { element, onTheme, paintSoon } from "./dom.js";
 
 export class CanvasView {
-  constructor(host, { label, kind, step, all }) {
+  constructor(host, { label, kind, step, all, tools }) {
     Object.assign(this, { step, zoom: 1, pending: false });
     this.canvas = element("canvas", { role: "img", "aria-label": label, tabindex: 0, "data-keys": true });
     const button = (text, title, action) =>
       element("button", { type: "button", title, "aria-label": title, onclick: action }, text);
-    this.frame = element("div", { class: kind }, this.canvas,
-                         element("div", { class: "zoom" }, button("+", "Zoom in", () => this.zoomBy(step)),
-                                 button("−", "Zoom out", () => this.zoomBy(1 / step)),
-                                 button("⤢", all, () => this.showAll())));
+    const zoom = element("div", { class: "zoom" }, button("+", "Zoom in", () => this.zoomBy(step)),
+                         button("−", "Zoom out", () => this.zoomBy(1 / step)), button("⤢", all, () => this.showAll()));
+    this.frame = element("div", { class: kind }, this.canvas);
     host.append(this.frame);
+    if (tools) tools.append(zoom);
+    else host.prepend(zoom);
   }
 
   begin() {

@@ -1,9 +1,11 @@
 // A chart of curves over a common axis, as SVG, with a cursor.
 //
-//   chart = new Curves(host, {title, xLabel, yLabel, series, levels, logarithmic, calm, dots, decimals, onPick})
+//   chart = new Curves(host, {title, xLabel, yLabel, series, levels, logarithmic, calm, dots, decimals, span, onPick})
 //     series  [{name, x, y, low, high, steps, dashed}]  x defaults to 1, 2, ...; null or NaN where
-//             there is none; low and high make a band; steps: a value holds until the next
-//     levels  [{name, value}]                           dashed lines across
+//             there is none; low and high make a band; steps: a value holds until the next, or until the
+//             place where there is none
+//     levels  [{name, value, colour}]                   dashed lines across
+//     span    [from, to]                                of the axis, wherever the points lie
 //     onPick(x)                                         a place on the axis was clicked
 //   chart.cursor(x)   shows a line and the values there
 //   chart.set(series) other values: of a run that is under way
@@ -48,8 +50,8 @@ export function indexAt(x, at) {
 }
 
 export class Curves {
-  constructor(host, { title, xLabel, yLabel, series, levels = [], logarithmic = false, calm = false, dots = false, decimals = 2, onPick }) {
-    Object.assign(this, { title, xLabel, yLabel, levels, logarithmic, calm, dots, decimals, onPick, hidden: new Set(), x: null });
+  constructor(host, { title, xLabel, yLabel, series, levels = [], logarithmic = false, calm = false, dots = false, decimals = 2, span, onPick }) {
+    Object.assign(this, { title, xLabel, yLabel, levels, logarithmic, calm, dots, decimals, span, onPick, hidden: new Set(), x: null });
     this.picture = svgElement("svg", { role: "img" });
     this.legend = element("div", { class: "keys" });
     this.frame = element("div", { class: "curves" }, title ? element("h3", {}, title) : null, this.picture, this.legend);
@@ -81,7 +83,7 @@ export class Curves {
       return [button, value];
     };
     const keys = this.series.map((s, i) => key(s.name, s.colour, s.dashed, i));
-    const levels = this.levels.map((l, i) => key(l.name, "var(--muted)", true, this.series.length + i));
+    const levels = this.levels.map((l, i) => key(l.name, l.colour ?? "var(--muted)", true, this.series.length + i));
     this.values = keys.map(([, value]) => value);
     levels.forEach(([, value], i) => (value.textContent = numberText(this.levels[i].value, this.decimals)));
     this.legend.replaceChildren(...[...keys, ...levels].map(([button]) => button));
@@ -109,6 +111,7 @@ export class Curves {
     if (this.calm && later > low) high = Math.min(high, low + 8 * (later - low));
     if (low === high) [low, high] = this.logarithmic ? [low / 2, high * 2] : [low - Math.max(1, 0.02 * Math.abs(low)), high + Math.max(1, 0.02 * Math.abs(high))];
     const room = this.logarithmic ? 0 : 0.05 * (high - low);
+    if (this.span) [from, to] = this.span;
     if (!(from < to)) [from, to] = isNumber(from) ? [from - 1, to + 1] : [0, 1];
     return { from, to, low: low - (low >= 0 && low < room ? low : room), high: high + room, levels };
   }
@@ -136,8 +139,9 @@ export class Curves {
     text(0, 0, "middle", this.yLabel, { transform: `translate(12 ${0.5 * (kTop + height - kBottom)}) rotate(-90)` });
     const clip = `clip${Curves.count = (Curves.count ?? 0) + 1}`;
     const body = svgElement("g", { "clip-path": `url(#${clip})` });
-    for (const { value } of levels)
-      body.append(svgElement("line", { class: "level", x1: kLeft, x2: width - kRight, y1: this.py(value), y2: this.py(value) }));
+    for (const { value, colour } of levels)
+      body.append(svgElement("line", { class: "level", x1: kLeft, x2: width - kRight, y1: this.py(value), y2: this.py(value),
+                                       style: colour ? `stroke:${colour}` : null }));
     for (const s of [...this.shown()].reverse()) {
       if (s.low) body.append(svgElement("path", { class: "band", d: this.bandPath(s), style: `fill:${s.colour}` }));
       if (this.dots) body.append(...this.points(s));
@@ -147,7 +151,7 @@ export class Curves {
     this.marks = svgElement("g", { class: "cursor" });
     this.picture.replaceChildren(
       svgElement("title", {}, this.summary()),
-      svgElement("clipPath", { id: clip }, svgElement("rect", { x: kLeft, y: kTop - 4, width: Math.max(0, width - kLeft - kRight), height: height - kTop - kBottom + 8 })),
+      svgElement("clipPath", { id: clip }, svgElement("rect", { x: kLeft - 4, y: kTop - 4, width: Math.max(0, width - kLeft - kRight + 8), height: height - kTop - kBottom + 8 })),
       axis, body, this.marks);
     this.picture.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.picture.setAttribute("height", height);
@@ -166,8 +170,12 @@ export class Curves {
   curvePath(x, y, steps) {
     let d = "", open = false;
     y.forEach((value, i) => {
-      if (!isNumber(value) || (this.logarithmic && value <= 0)) return void (open = false);
-      const px = this.px(x[i]).toFixed(1), py = this.py(value).toFixed(1);
+      const px = this.px(x[i]).toFixed(1);
+      if (!isNumber(value) || (this.logarithmic && value <= 0)) {
+        if (open && steps) d += `H${px}`;
+        return void (open = false);
+      }
+      const py = this.py(value).toFixed(1);
       d += open ? (steps ? `H${px}V${py}` : `L${px} ${py}`) : `M${px} ${py}`;
       if (!open && !isNumber(y[i + 1])) d += "h0.01";
       open = true;

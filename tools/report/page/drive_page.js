@@ -59,14 +59,16 @@ function waysOf(numbers, lengths) {
 
 function chartsOf(sheet) {
   const { result, scale, unit } = sheet.content;
-  const replans = result.replans.filter((replan) => isNumber(replan.length));
+  const { replans } = result;
   if (replans.length < 2) return [];
-  const card = sheet.card("right", "Plans under way");
+  const card = sheet.card("right", "Plans under way"), span = [0, result.ticks];
   const x = replans.map((replan) => replan.tick);
+  // No length where no way was found; the last one is followed to the end.
+  const lengths = replans.map(({ length }) => (isNumber(length) ? scale * length : null));
   return [
-    new Curves(card, { title: "Way ahead when it was planned", xLabel: "tick", yLabel: `length, ${unit || "cells"}`,
-                       series: [{ name: "length of the way", x, y: replans.map((replan) => scale * replan.length), steps: true }] }),
-    new Curves(card, { title: "Time to plan", xLabel: "tick", yLabel: "milliseconds", decimals: 3, dots: true,
+    new Curves(card, { title: "Way ahead when it was planned", xLabel: "tick", yLabel: `length, ${unit || "cells"}`, span,
+                       series: [{ name: "length of the way", x: [...x, result.ticks], y: [...lengths, lengths.at(-1)], steps: true }] }),
+    new Curves(card, { title: "Time to plan", xLabel: "tick", yLabel: "milliseconds", decimals: 3, dots: true, span,
                        series: [{ name: "time in the tick", x, y: replans.map((replan) => replan.ms), colour: "var(--curve-2)" }] }),
   ];
 }
@@ -109,8 +111,12 @@ async function stageOf(sheet) {
     return `On the track: ${placeText(map, at)} · tick ${tick} · ${sheet.length(length)} travelled · ${clearance(tick)}`;
   };
   const { window: [x, y, width, height] } = map;
+  const saveTrack = () => saveCsv("track.csv", ["tick", "x", "y", "length"],
+    result.track.map(([cx, cy], i) => [i * stride, cx, cy, sums[i]]));
+  tools.append(element("button", { type: "button", onclick: saveTrack }, "Track as CSV"),
+               pictureButton("drive.png", () => view));
   const view = new MapView(host, {
-    low: [x, y], high: [x + width, y + height], label: `Map with the robot's track from ${result.start} to ${result.goal}`,
+    low: [x, y], high: [x + width, y + height], label: `Map with the robot's track from ${result.start} to ${result.goal}`, tools,
     onHover: (px, py) => {
       const found = px == null ? null : nearestOn(upTo(), sums, px, py);
       hovered = found && found.distance <= 12 / view.scale ? found : null;
@@ -147,10 +153,6 @@ async function stageOf(sheet) {
       if (hovered) view.disc(context, hovered.at, 4, themeColour("--track"), themeColour("--mark-rim"));
     },
   ];
-  const saveTrack = () => saveCsv("track.csv", ["tick", "x", "y", "length"],
-    result.track.map(([cx, cy], i) => [i * stride, cx, cy, sums[i]]));
-  tools.append(element("button", { type: "button", onclick: saveTrack }, "Track as CSV"),
-               pictureButton("drive.png", () => view));
   card.append(tools, host, readout);
   const player = new Player(card, { count: frames.ticks.length, name: "tick", perSecond: 12, onChange: show,
                                     label: (i) => `tick ${frames.ticks[i]} of ${result.ticks}` });

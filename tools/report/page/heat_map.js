@@ -5,27 +5,30 @@
 //
 //   scale = {name, least, most, logarithmic}
 //   codesOf(values, scale)                        any array of numbers -> Uint8Array of codes
-//   trailRange(frames)                            the codes [low, high] that tell cells apart
+//   trailRange(frames, scale)                     the codes [low, high] that tell cells apart, as
+//                                                 pictures have it (trail_scale in tools/bitmap/picture.cpp)
 //   heat = new HeatMap(width, height)
 //   heat.paint(codes, [low, high], ramp)          codes below low are clear; heat.image to draw
 //   heatLegend(scale, [low, high], ramp, note)    an element
-//   ramps()                                       {trail, tracks}: for the theme at hand
+//   rampOf("trail" | "tracks", scale)             for the theme at hand
 
 import { channels, element, isDark, shortText } from "./dom.js";
 
 const kRamps = {
   light: {
-    trail: ["#fff3c4", "#fecb5f", "#ee7b2d", "#b5260f", "#4a0310"],
-    tracks: ["#d5e6f7", "#7db6dd", "#2f7ab9", "#083a72"],
+    trail: ["#fffad9", "#ffcc59", "#de521a", "#45001a"],
+    tracks: ["#bdd9f2", "#4291c7", "#082961"],
+    index: ["#450054", "#21738f", "#5ec961", "#fce624"],
   },
   dark: {
     trail: ["#3a1c1f", "#7d2a1c", "#cc5a1a", "#f6ab3b", "#fff6cf"],
     tracks: ["#16293f", "#1f5c8f", "#4ba0d8", "#d3ecff"],
+    index: ["#6b1a80", "#21738f", "#5ec961", "#fce624"],
   },
 };
 
-export function ramps() {
-  return kRamps[isDark() ? "dark" : "light"];
+export function rampOf(shown, { logarithmic }) {
+  return kRamps[isDark() ? "dark" : "light"][shown === "trail" && !logarithmic ? "index" : shown];
 }
 
 /** Red, green and blue of a share of a ramp, 0 .. 1. */
@@ -51,24 +54,42 @@ export function valueOf(code, { least, most, logarithmic }) {
   return logarithmic ? least * (most / least) ** share : least + share * (most - least);
 }
 
-export function trailRange(frames) {
+function countsOf(frames) {
   const counts = new Float64Array(256);
-  const stride = Math.ceil(frames.length / 16);  // some frames say enough
-  for (let i = frames.length - 1; i >= 0; i -= stride) for (const code of frames[i]) ++counts[code];
-  let total = 0;
-  for (let code = 1; code < 256; ++code) total += counts[code];
+  for (const codes of frames) for (const code of codes) ++counts[code];
+  return counts;
+}
+
+/** The code at a place of all above 0, the largest first. */
+function fromAbove(counts, place) {
+  for (let code = 255, seen = 0; code > 1; --code) if ((seen += counts[code]) > place) return code;
+  return 1;
+}
+
+const sumOf = (counts, from, to = 256) => counts.subarray(from, to).reduce((all, count) => all + count, 0);
+
+/** Where at last all is on one way: the frames before say more. */
+function rangeOfAll(frames) {
+  const stride = Math.ceil(frames.length / 16);  // some say enough
+  const counts = countsOf(frames.filter((_, i) => (frames.length - 1 - i) % stride === 0)), total = sumOf(counts, 1);
   if (total === 0) return [1, 255];
-  const quantile = (share) => {
-    let seen = 0;
-    for (let code = 1; code < 256; ++code) if ((seen += counts[code]) >= share * total) return code;
-    return 255;
-  };
-  // Start and goal, where all ants meet, do not take the end of the scale for themselves.
-  const high = quantile(0.999);
+  const high = fromAbove(counts, 0.001 * total);
   // What most cells have, the trail where no ant has been, is left clear where it is the least.
   const usual = counts.indexOf(Math.max(...counts.subarray(1)));
-  const low = Math.max(quantile(0.05), usual < high && counts[usual] > 0.3 * total ? usual + 1 : 1);
+  const low = Math.max(fromAbove(counts, 0.95 * total), usual < high && counts[usual] > 0.3 * total ? usual + 1 : 1);
   return low < high ? [low, high] : [1, Math.max(high, 2)];
+}
+
+export function trailRange(frames, scale) {
+  const last = countsOf(frames.slice(-1)), total = sumOf(last, 1);
+  // Of an index all that is known, the longest 1% as one colour.
+  if (!scale.logarithmic) return [1, Math.max(2, fromAbove(last, Math.floor(total / 100)))];
+  // Start and goal, where all ants meet, do not take the end of the scale for themselves.
+  const high = fromAbove(last, Math.min(16, Math.floor(total / 100)));
+  const decades = Math.log10(scale.most / scale.least), least = Math.max(1, Math.ceil(high - (254 * 4) / (decades || 1)));
+  const matter = sumOf(last, least), usual = fromAbove(last, Math.floor(0.95 * matter));
+  const low = usual < high ? usual : fromAbove(last, matter - 1);
+  return total > 0 && low < high ? [low, high] : rangeOfAll(frames);
 }
 
 export class HeatMap {

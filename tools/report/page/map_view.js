@@ -1,8 +1,9 @@
 // A plane with layers on a canvas: zoom, drag, hover.
 //
-//   view = new MapView(host, {low: [x, y], high: [x, y], up, label, onHover})
+//   view = new MapView(host, {low: [x, y], high: [x, y], up, label, tools, onHover})
 //     low, high     corners of what is shown, in the world's coordinates
 //     up            true: y grows upwards (polygon worlds); else downwards (bitmaps)
+//     tools         the row that the buttons join which zoom
 //     onHover(x, y) the pointer's place in the world, null where it left
 //   view.layers = [(context, view) => ...]     drawn in order by view.draw()
 //   view.at(x, y) -> [px, py]; view.place(px, py) -> [x, y]; view.scale: pixels a unit
@@ -14,8 +15,8 @@ import { CanvasView } from "./canvas_view.js";
 import { themeColour } from "./dom.js";
 
 export class MapView extends CanvasView {
-  constructor(host, { low, high, up = false, label, onHover = () => {} }) {
-    super(host, { label, kind: "map", step: 1.5, all: "Show all" });
+  constructor(host, { low, high, up = false, label, tools, onHover = () => {} }) {
+    super(host, { label, kind: "map", step: 1.5, all: "Show all", tools });
     Object.assign(this, { low, high, up, onHover, layers: [] });
     this.middle = [0, 1].map((axis) => 0.5 * (low[axis] + high[axis]));
     this.listen();

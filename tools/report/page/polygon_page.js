@@ -31,9 +31,10 @@ function chartOf(sheet) {
   const card = sheet.card("right", "Convergence");
   const levels = [["optimum", result.optimum], ["optimum of the lines crossed", result.maklink?.sequence_optimum]]
     .filter(([, value]) => isNumber(value)).map(([name, value]) => ({ name, value }));
+  const mean = "ants" in result.parameters ? "mean tour of the ants" : "mean of the population";
   return new Curves(card, { title: "Length by iteration", xLabel: "iteration", yLabel: "length", decimals: 3, calm: true, levels,
-                            series: [{ name: "best path so far", x: curves.iteration, y: curves.best, steps: true },
-                                     { name: "mean of the iteration", x: curves.iteration, y: curves.mean }] });
+                            series: [{ name: "best path so far", x: curves.iteration, y: curves.best, steps: true, colour: "var(--best)" },
+                                     { name: mean, x: curves.iteration, y: curves.mean, colour: "var(--tour-mean)" }] });
 }
 
 export async function showPolygon(content) {
@@ -57,8 +58,15 @@ export async function showPolygon(content) {
   let frame = frames ? frames.iterations.length - 1 : 0, hovered = null;
   const path = () => (frames && frame < frames.iterations.length - 1 ? frames.paths[frames.path_of[frame]] : hover.path);
   const note = () => (path().length ? `path of length ${numberText(cumulated(path()).at(-1), 3)}` : "no path");
+  const toggle = (name, text) => checkBox(text, on[name], (value) => { on[name] = value; view.draw(); });
+  const savePath = () => saveCsv("path.csv", ["x", "y", "length"], hover.path.map(([x, y], i) => [x, y, hover.sums[i]]));
+  if (hover.path.length) tools.append(toggle("path", "Path"));
+  if (world.lines.length) tools.append(toggle("lines", "Free lines"));
+  if (content.dijkstra) tools.append(toggle("dijkstra", "Dijkstra's path"));
+  if (hover.path.length) tools.append(element("button", { type: "button", onclick: savePath }, "Path as CSV"));
+  tools.append(pictureButton("world.png", () => view));
   const view = new MapView(host, {
-    low: world.low, high: world.high, up: true, label: `World with the path from ${place(result.start)} to ${place(result.goal)}`,
+    low: world.low, high: world.high, up: true, label: `World with the path from ${place(result.start)} to ${place(result.goal)}`, tools,
     onHover: (x, y) => {
       hovered = x == null ? null : hover.near(x, y, 12 / view.scale);
       readout.textContent = hovered ? hover.text(hovered) : x == null ? note() : place([x, y]);
@@ -74,13 +82,6 @@ export async function showPolygon(content) {
     view.ends(context, result.start, result.goal);
     if (hovered) view.disc(context, hovered.at, 5, themeColour("--path"), themeColour("--mark-rim"));
   }];
-  const toggle = (name, text) => checkBox(text, on[name], (value) => { on[name] = value; view.draw(); });
-  const savePath = () => saveCsv("path.csv", ["x", "y", "length"], hover.path.map(([x, y], i) => [x, y, hover.sums[i]]));
-  if (hover.path.length) tools.append(toggle("path", "Path"));
-  if (world.lines.length) tools.append(toggle("lines", "Free lines"));
-  if (content.dijkstra) tools.append(toggle("dijkstra", "Dijkstra's path"));
-  if (hover.path.length) tools.append(element("button", { type: "button", onclick: savePath }, "Path as CSV"));
-  tools.append(pictureButton("world.png", () => view));
   readout.textContent = note();
   if (frames && frames.iterations.length > 1) {
     const player = new Player(card, { count: frames.iterations.length, name: "iteration", perSecond: 20,

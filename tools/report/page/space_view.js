@@ -1,6 +1,6 @@
 // Solids in space on a canvas, to be turned.
 //
-//   view = new SpaceView(host, {label, low: [x, y, z], high: [x, y, z]})
+//   view = new SpaceView(host, {label, low: [x, y, z], high: [x, y, z], tools})
 //   view.faces = [{points: [[x, y, z]...], colour: [r, g, b], opacity}]   convex, flat
 //   view.lines = [{points, colour: "css", width}]
 //   view.dots  = [{at, colour: "css", radius}]
@@ -87,8 +87,8 @@ export function solidFaces({ shape, size, radius, length, triangles }) {
 }
 
 export class SpaceView extends CanvasView {
-  constructor(host, { label, low, high }) {
-    super(host, { label, kind: "map space", step: 1.25, all: "As at first" });
+  constructor(host, { label, low, high, tools }) {
+    super(host, { label, kind: "map space", step: 1.25, all: "As at first", tools });
     Object.assign(this, { faces: [], lines: [], dots: [] });
     this.middle = [0, 1, 2].map((i) => 0.5 * (low[i] + high[i]));
     this.reach = 0.5 * Math.hypot(...[0, 1, 2].map((i) => high[i] - low[i])) || 1;

@@ -4,13 +4,12 @@ import { Curves, kCurveColours } from "./curves.js";
 import { groundLayer, placeText, wallImage } from "./bitmap_page.js";
 import { element, isNumber, numberText, onTheme, themeColour } from "./dom.js";
 import { MapView } from "./map_view.js";
-import { unpacked } from "./packed.js";
 import { Sheet } from "./sheet.js";
 import { dataTable } from "./table.js";
 
 /** The map with the best path of every contender, the first on top. */
 async function showMap(host, map, unit) {
-  const { window: [x, y, width, height] } = map, walls = wallImage(map.walls, await unpacked(map.walls.shares));
+  const { window: [x, y, width, height] } = map, walls = await wallImage(map.walls);
   const readout = element("div", { class: "hover", role: "status" });
   const view = new MapView(host, { low: [x, y], high: [x + width, y + height], label: "Map with the best path of each contender",
                                    onHover: (px, py) => { readout.textContent = px == null ? "" : placeText(map, [px, py]); } });
