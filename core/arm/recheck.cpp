@@ -193,9 +193,7 @@ bool breaks_limit(const Robot& robot, const Trajectory::State& state) {
 void check(const Robot& robot, const Scene& scene, const Trajectory& trajectory, int samples) {
   validate(robot);
   validate(scene);
-  if (trajectory.empty()) {
-    throw invalid_parameter("the trajectory is empty", "give it a knot");
-  }
+  if (trajectory.empty()) throw invalid_parameter("the trajectory is empty", "give it a knot");
   for (const Trajectory::Knot& knot : trajectory.knots()) {
     check_values(robot, as_span(knot.q));
     check_values(robot, as_span(knot.ddq), 1e300);
@@ -214,9 +212,8 @@ class Follower {
   Follower(const Robot& robot, const Scene& scene, const Trajectory& trajectory,
            const StopCondition& stop)
       : robot_(robot), trajectory_(trajectory), chain_(make_chain(robot)), poller_(stop, 16) {
-    for (const Obstacle& o : scene.obstacles) {
+    for (const Obstacle& o : scene.obstacles)
       if (!is_nothing(o)) obstacles_.push_back(place(o));
-    }
     for (std::size_t i = 0; i < robot.links.size(); ++i) {
       for (const Solid& solid : robot.links[i].solids) {
         if (is_nothing(solid)) continue;
