@@ -75,14 +75,14 @@ JointVector first_guess(const Robot& robot, const Kinematics& arm, const JointVe
 }  // namespace
 
 std::string values_fault(const Robot& robot, const JointVector& q, const std::string& what,
-                         JointNames names) {
+                         JointNames names, double hair) {
   if (q.size() != robot.size()) {
     return what + " has " + std::to_string(q.size()) + " joint values, the robot needs " +
            std::to_string(robot.size());
   }
   for (int j = 0; j < robot.size(); ++j) {
     const Joint& joint = robot.joints[j];
-    if (q[j] >= joint.low && q[j] <= joint.high) continue;
+    if (q[j] >= joint.low - hair && q[j] <= joint.high + hair) continue;
     const bool named = names == JointNames::told && !joint.name.empty();
     return what + ": joint " + std::to_string(j + 1) + (named ? " (" + joint.name + ")" : "") +
            " is " + number_text(q[j]) + ", its limits are " + number_text(joint.low) + " .. " +
@@ -139,7 +139,8 @@ std::string goal_fault(const Robot& robot, const Kinematics& arm, std::span<cons
         target.angle_tolerance >= Goal::kTolerance))
     return "goal: its tolerances must be at least " + number_text(Goal::kTolerance);
   const Eigen::Matrix3d turn = goal.target.linear();
-  if (!((turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-6))
+  if (!((turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-6 &&
+        turn.determinant() > 0))
     return "goal: its orientation is no rotation";
   const Vec3 at = target.at.position;
   const std::string name = "goal " + text(at);

@@ -20,10 +20,10 @@ struct End {
 /// Whether a message has the names of joints beside their numbers.
 enum class JointNames { told, left_out };
 
-/// Why these are no joint values within the limits; empty where they are. `what` names them,
-/// "start" say.
+/// Why these are no joint values within the limits, by more than a hair; empty where they are.
+/// `what` names them, "start" say.
 std::string values_fault(const Robot& robot, const JointVector& q, const std::string& what,
-                         JointNames names);
+                         JointNames names, double hair = 0);
 
 /// Why no joint values within the limits reach the goal from `start`: a proof. Empty without one.
 std::string goal_fault(const Robot& robot, const Kinematics& arm, std::span<const double> start,

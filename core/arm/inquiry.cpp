@@ -99,6 +99,7 @@ Result Inquiry::answer(const Search& search) {
   if (result.points[0] == 0 && !goals_.empty()) tell_lattice(result);
   result.questions.positions = std::max(result.questions.positions, asked_.positions);
   result.questions.motions = std::max(result.questions.motions, asked_.motions);
+  if (result.status == Status::limit || result.status == Status::interrupted) result.error.clear();
   if (result.status != Status::limit)
     result.limit = Limit::none;
   else if (questions_ended_it_)
@@ -272,7 +273,8 @@ Result Inquiry::search_lattices(const Search& search) {
     add_postures(lattice);
     if (lattice.has_target()) {
       append(search(lattice, parameters_), result);
-    } else {
+    } else {  // or they were not looked for: it was told to stop
+      end_run(result, cause(), Status::no_path);
       result.error = lattice.not_found() +
                      ": joint values continued from the start do not reach the goal; " +
                      lattice.larger();

@@ -10,6 +10,7 @@
 #include <fcl/narrowphase/distance_result.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <kdl/chain.hpp>
@@ -92,6 +93,19 @@ Eigen::Quaterniond turn_of_z(const Eigen::Vector3d& to) {
   return {s * 0.5, -v.y() * inverse, v.x() * inverse, 0};
 }
 
+/// FCL takes a triangle without area for touching everything: its corners are moved by a nanometre.
+std::array<Eigen::Vector3d, 3> with_area(const std::array<Eigen::Vector3d, 3>& triangle) {
+  constexpr double kHair = 1e-9;
+  const auto& [a, b, c] = triangle;
+  const Eigen::Vector3d u = b - a, v = c - a;
+  const double size = std::max(u.norm(), v.norm());
+  if (u.cross(v).norm() > 1e-12 * size * size) return triangle;
+  Eigen::Vector3d along = Eigen::Vector3d::UnitX();
+  if (size > kHair) along = (u.norm() < size ? v : u) / size;
+  const Eigen::Vector3d across = along.unitOrthogonal();
+  return {a, b + kHair * across, c + kHair * along.cross(across)};
+}
+
 /// A solid as FCL has it: what is long along z, about its middle.
 Placed place_shape(const Solid& s) {
   fcl::Transform3d at(s.pose.matrix());
@@ -113,8 +127,9 @@ Placed place_shape(const Solid& s) {
   }
   auto mesh = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
   mesh->beginModel();
-  if (s.triangles != nullptr) {
-    for (const auto& [a, b, c] : *s.triangles) mesh->addTriangle(a, b, c);
+  for (const auto& triangle : *s.triangles) {
+    const auto [a, b, c] = with_area(triangle);
+    mesh->addTriangle(a, b, c);
   }
   mesh->endModel();
   return {mesh, at};
@@ -177,14 +192,17 @@ bool breaks_limit(const Robot& robot, const Trajectory::State& state) {
 void check(const Robot& robot, const Scene& scene, const Trajectory& trajectory, int samples) {
   validate(robot);
   validate(scene);
-  if (trajectory.empty()) {
-    throw invalid_parameter("the trajectory is empty", "give it a knot");
-  }
+  if (trajectory.empty()) throw invalid_parameter("the trajectory is empty", "give it a knot");
   for (const Trajectory::Knot& knot : trajectory.knots()) {
     check_values(robot, as_span(knot.q));
-    check_values(robot, as_span(knot.ddq));
+    check_values(robot, as_span(knot.ddq), 1e300);
   }
   require_parameter(samples >= 1, "samples", samples, "it must be at least 1");
+}
+
+/// FCL has no mesh without triangles.
+bool is_nothing(const Solid& s) {
+  return s.shape == Solid::Shape::mesh && (s.triangles == nullptr || s.triangles->empty());
 }
 
 /// Follows a trajectory with KDL and FCL.
@@ -193,9 +211,11 @@ class Follower {
   Follower(const Robot& robot, const Scene& scene, const Trajectory& trajectory,
            const StopCondition& stop)
       : robot_(robot), trajectory_(trajectory), chain_(make_chain(robot)), poller_(stop, 16) {
-    for (const Obstacle& o : scene.obstacles) obstacles_.push_back(place(o));
+    for (const Obstacle& o : scene.obstacles)
+      if (!is_nothing(o)) obstacles_.push_back(place(o));
     for (std::size_t i = 0; i < robot.links.size(); ++i) {
       for (const Solid& solid : robot.links[i].solids) {
+        if (is_nothing(solid)) continue;
         parts_.push_back({place(solid), static_cast<int>(i), robot.links[i].body});
       }
     }

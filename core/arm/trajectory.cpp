@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "core/arm/ends.h"
 #include "core/arm/plan_check.h"
 #include "core/arm/robot/kinematics.h"
 #include "core/arm/robot/vec3.h"
@@ -285,7 +287,11 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
   constexpr int kRounds = 6;
   validate(robot);
   check_duration(options.duration);
-  for (const auto q : waypoints.colwise()) check_values(robot, as_span(q));
+  for (Eigen::Index i = 0; i < waypoints.cols(); ++i) {
+    const std::string fault = values_fault(
+        robot, waypoints.col(i), "waypoint " + std::to_string(i + 1), JointNames::told, 1e-9);
+    if (!fault.empty()) throw invalid_parameter(fault, "bring it within them");
+  }
   TrajectoryResult result;
   if (waypoints.cols() == 0) return result;
   Waypoints way;

@@ -47,7 +47,7 @@ inline const bool kSameAlignment =
 /// The corners of a surface's triangles, one after another.
 using Triangles = std::vector<std::array<Eigen::Vector3d, 3>>;
 
-/// What links and obstacles are made of.
+/// What links and obstacles are made of. A mesh without triangles is nothing.
 struct Solid {
   /// What it is, and so which of its measures count.
   enum class Shape {
@@ -76,7 +76,7 @@ constexpr std::string_view to_string(Solid::Shape v) noexcept { return name_of(v
 struct Link {
   std::string name;  ///< for messages; may be empty
   int body = 0;      ///< what it moves with: 0 is the base, i joint i - 1
-  int parent = -1;   ///< number of the link that it hangs on, with which it may touch; -1: none
+  int parent = -1;  ///< number of the link that it hangs on, which it may touch; -1: none. No loops
   std::vector<Solid> solids;  ///< in the frame of the joint that it moves with, or of the base
 };
 
@@ -94,9 +94,9 @@ struct Joint {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< in its own frame, of length 1
   double low = 0;                                   ///< least value, -1000 or more
   double high = 0;                                  ///< largest value, `low` to 1000
-  bool continuous = false;  ///< turns on and on: values a turn apart are one posture
-  double velocity = 1;      ///< largest |dq/dt|, above 0, at most 1e6
-  double acceleration = 1;  ///< largest |d2q/dt2|, above 0, at most 1e6
+  bool continuous = false;  ///< revolute, turns on and on: values a turn apart are one posture
+  double velocity = 1;      ///< largest |dq/dt|, 1e-9 .. 1e12
+  double acceleration = 1;  ///< largest |d2q/dt2|, 1e-9 .. 1e12
 };
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 2> kJointKindNames{"revolute", "prismatic"};
@@ -185,7 +185,8 @@ LASIUS_ARM_EXPORT std::string link_name(const Robot& robot, int link);
 LASIUS_ARM_EXPORT void validate(const Robot& robot);
 
 /// Where the tip is in the world at joint values `q`, within their limits or not.
-/// @throws Error(invalid_parameter) as `validate`, and where `q` has not a number for each joint.
+/// @throws Error(invalid_parameter) as `validate`, and where `q` has not a number from -1e6 to 1e6
+///         for each joint.
 LASIUS_ARM_EXPORT Eigen::Vector3d tip_position(const Robot& robot, const JointRef& q);
 
 /// Where the tip's frame is in the world. @throws as tip_position.

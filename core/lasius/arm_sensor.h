@@ -44,7 +44,7 @@ class LASIUS_ARM_EXPORT SceneSensor final : public Sensor {
   /// What comes nearer than twice `clearance` counts as touched, and nothing that counts as free is
   /// nearer than `clearance`. Copies both.
   /// @throws Error(invalid_parameter) for a robot or scene that `validate` refuses and a clearance
-  ///         that is not kLeastClearance .. 1; its questions, where values do not fit the robot.
+  ///         that is not kLeastClearance .. 1; its questions, of values as `tip_position`.
   SceneSensor(const Robot& robot, const Scene& scene, double clearance = kClearance);
   ~SceneSensor() override;
 

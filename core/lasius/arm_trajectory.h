@@ -80,9 +80,10 @@ struct TrajectoryResult {
 /// as straight motions. Where it is not free, or leaves the joint limits, knots are added on the
 /// straight motion there, and in the end, or when it is told to stop, it rests at each waypoint,
 /// which is always free.
-/// @throws Error(invalid_parameter) for a robot that `validate` refuses, waypoints that have not a
-///         number for each joint, a duration that is none, and a sensor's clearance below its
-///         least; what the sensor throws.
+/// @throws Error(invalid_parameter) for a robot that `validate` refuses, a waypoint that has not a
+///         number for each joint or is outside the joint limits (by more than 1e-9, also of joints
+///         that turn on and on), a duration that is none, and a sensor's clearance below its least;
+///         what the sensor throws.
 LASIUS_ARM_EXPORT TrajectoryResult make_trajectory(
     const Robot& robot, const Sensor& sensor, const Eigen::Ref<const Eigen::MatrixXd>& waypoints,
     const TrajectoryOptions& options = {});
@@ -101,7 +102,8 @@ struct Recheck {
 };
 /// Checks a trajectory at `samples` times from its start to its end, at least one.
 /// @throws Error(invalid_parameter) for a robot or scene that `validate` refuses, a trajectory that
-///         is empty or not of this robot's joints, and less than one sample.
+///         is empty, not of this robot's joints or not within what `tip_position` takes, and less
+///         than one sample.
 LASIUS_ARM_EXPORT Recheck recheck(const Robot& robot, const Scene& scene,
                                   const Trajectory& trajectory, int samples = 1000,
                                   const StopCondition& stop = {});

@@ -12,7 +12,7 @@ struct SineCosine {
   double cosine = 1;
 };
 
-/// sin x and cos x for |x| < 10^5; error below 1e-15. Reduction by pi/2 in three parts (Cody &
+/// sin x and cos x for |x| <= 10^6; error below 1e-15. Reduction by pi/2 in three parts (Cody &
 /// Waite), then Taylor's series on [-pi/4, pi/4].
 inline SineCosine sine_cosine(double x) noexcept {
   constexpr double kShift = 0x1.8p52;  // adding it rounds to a whole number

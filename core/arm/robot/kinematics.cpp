@@ -75,15 +75,15 @@ struct Step {
 
 }  // namespace
 
-void check_values(const Robot& robot, std::span<const double> q) {
+void check_values(const Robot& robot, std::span<const double> q, double most) {
   if (q.size() != robot.joints.size()) {
     throw invalid_parameter(
         "a position has " + std::to_string(q.size()) + " values",
         "it must have one for each of the " + std::to_string(robot.joints.size()) + " joints");
   }
-  if (!std::ranges::all_of(q, [](double value) { return std::isfinite(value); })) {
-    throw invalid_parameter("a position has a joint value that is no number",
-                            "give finite numbers");
+  if (!std::ranges::all_of(q, [most](double value) { return std::abs(value) <= most; })) {
+    throw invalid_parameter("a position has a joint value that is no number or too large",
+                            "give numbers from -1000000 to 1000000");
   }
 }
 

@@ -12,8 +12,8 @@ namespace lasius::arm {
 /// Values of up to kMaxJoints joints.
 using JointArray = std::array<double, Robot::kMaxJoints>;
 
-/// @throws Error(invalid_parameter) unless `q` holds a number for each joint.
-void check_values(const Robot& robot, std::span<const double> q);
+/// @throws Error(invalid_parameter) unless `q` holds a number for each joint, none beyond `most`.
+void check_values(const Robot& robot, std::span<const double> q, double most = 1e6);
 
 /// No point of what moves with joint `body` - 1 is further than this from its origin.
 double extent(const Robot& robot, int body);

@@ -70,21 +70,26 @@ bool finite(Vec3 v) { return std::isfinite(v.x + v.y + v.z) && length(v) <= 2 * 
 
 void check_rotation(const Pose& pose, const std::string& what) {
   const Rotation r = from_eigen(pose).rotation;
+  bool good = dot(cross({r[0], r[1], r[2]}, {r[3], r[4], r[5]}), {r[6], r[7], r[8]}) > 0;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j <= i; ++j) {
       double product = 0;
       for (int k = 0; k < 3; ++k) product += r[3 * i + k] * r[3 * j + k];
-      if (!(std::abs(product - (i == j)) < 1e-6)) {
-        refuse(what + ": its rotation is none", "its rows must be orthonormal");
-      }
+      good = good && std::abs(product - (i == j)) < 1e-6;
     }
+  }
+  if (!good) {
+    refuse(what + ": its rotation is none", "its rows must be orthonormal, its determinant 1");
   }
 }
 
 void check_solid(const Solid& s, const std::string& what) {
+  if (const int shape = static_cast<int>(s.shape); shape < 0 || shape >= std::ssize(kShapeNames))
+    refuse(what + ": its shape is " + std::to_string(shape), "0 is a box, 4 a capsule");
   const auto size = [&](double v, const char* name) {
     if (!(v > 0 && v <= kFar)) {
-      refuse(what + ": its " + name + " is out of range", "above 0, at most 1000 m");
+      refuse(what + ": its " + name + " is out of range",
+             "above 0 (of a capsule 0 or more), at most 1000 m");
     }
   };
   if (!finite(from_eigen(s.pose).position)) {
@@ -120,19 +125,28 @@ void check_solid(const Solid& s, const std::string& what) {
 void check_links(const Robot& robot) {
   const int count = static_cast<int>(robot.links.size());
   std::size_t solids = 0;
+  const auto field = [&](int i, const char* name, int value) {
+    return "links[" + std::to_string(i) + "]." + name + " is " + std::to_string(value);
+  };
   for (int i = 0; i < count; ++i) {
     const Link& link = robot.links[i];
-    const std::string what = link_name(robot, i);
     if (link.body < 0 || link.body > robot.size()) {
-      refuse(what + " moves with joint " + std::to_string(link.body),
+      refuse(field(i, "body", link.body),
              "0 is the base, the last joint is " + std::to_string(robot.size()));
     }
     if (link.parent < -1 || link.parent >= count) {
-      refuse(what + " hangs on link " + std::to_string(link.parent),
-             "links are counted from 0, -1 is none");
+      refuse(field(i, "parent", link.parent), "links are counted from 0, -1 is none");
     }
+    const std::string what = link_name(robot, i);
     for (const Solid& solid : link.solids) check_solid(solid, what);
     solids += link.solids.size();
+  }
+  std::vector<int> seen(count, -1);  // on the way from which link
+  for (int i = 0; i < count; ++i) {
+    int at = i;
+    for (; at >= 0 && seen[at] < 0; at = robot.links[at].parent) seen[at] = i;
+    if (at >= 0 && seen[at] == i)
+      refuse(field(at, "parent", robot.links[at].parent), "no link may hang on itself, in a loop");
   }
   if (solids > Robot::kMaxSolids) {
     refuse("the robot has " + std::to_string(solids) + " solids",
@@ -203,10 +217,19 @@ void validate(const Robot& robot) {
     if (!(joint.low <= joint.high && joint.low >= -kMostTurn && joint.high <= kMostTurn)) {
       refuse(what + ": its limits are not in order", "-1000 <= low <= high <= 1000");
     }
-    if (!(joint.velocity > 0 && joint.velocity <= 1e6 && joint.acceleration > 0 &&
-          joint.acceleration <= 1e6)) {
-      refuse(what + ": velocity or acceleration is out of range", "above 0, at most 1e6");
+    const auto is_limit = [](double v) { return v >= 1e-9 && v <= 1e12; };
+    if (!is_limit(joint.velocity) || !is_limit(joint.acceleration)) {
+      refuse(what + ": velocity or acceleration is out of range", "1e-9 .. 1e12");
     }
+    if (const int kind = static_cast<int>(joint.kind);
+        kind < 0 || kind >= std::ssize(kJointKindNames))
+      refuse(what + ": its kind is " + std::to_string(kind), "0 is revolute, 1 prismatic");
+    if (joint.continuous && joint.kind == Joint::Kind::prismatic)
+      refuse(what + ": it is prismatic and continuous", "only what is revolute turns on and on");
+  }
+  for (const auto& [name, q] : robot.states) {
+    if (q.size() != robot.size() || !q.allFinite())
+      refuse("state \"" + name + "\" has not a number for each joint", "give it one for each");
   }
   if (!finite(from_eigen(robot.tip).position)) refuse("the tip is out of range", "within 1000 m");
   check_rotation(robot.tip, "the tip");

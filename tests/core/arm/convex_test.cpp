@@ -101,10 +101,8 @@ Solid random_solid(Draw& draw, int i, double away, double most_radius) {
 
 TEST(Part, AMeshIsAsFarAsTheBoxThatItMakes) {
   Draw draw;
-  Solid box, mesh;
+  Solid box, mesh = mesh_of(cube(0.2));
   box.size = {0.4, 0.4, 0.4};
-  mesh.shape = Solid::Shape::mesh;
-  mesh.triangles = std::make_shared<const Triangles>(cube(0.2));
   int apart = 0;
   for (int i = 0; i < 500; ++i) {
     const Placement at = draw.pose(0.8);
@@ -124,9 +122,7 @@ TEST(Part, AMeshIsAsFarAsTheBoxThatItMakes) {
 // Else what touches would be passed over.
 TEST(Part, BallsAreNeverFurtherApartThanWhatTheyHold) {
   Draw draw;
-  Solid probe;
-  probe.shape = Solid::Shape::sphere;
-  probe.radius = 1e-6;
+  Solid probe = ball({0, 0, 0}, 1e-6);
   for (int i = 0; i < 5000; ++i) {
     const Solid solid = random_solid(draw, i, 0.3, 0.5);
     probe.pose.translation() = Eigen::Vector3d(draw.point(1));

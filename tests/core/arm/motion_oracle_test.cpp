@@ -38,14 +38,12 @@ const Case kCases[] = {
 
 /// A mesh in reach of most arms.
 Obstacle wedge(double height) {
-  Obstacle mesh;
-  mesh.shape = Solid::Shape::mesh;
-  mesh.pose.translation() = Eigen::Vector3d(0.35, -0.2, height);
   Triangles triangles = read_mesh(kRobots + "/wedge.stl");
   for (auto& triangle : triangles) {
     for (Eigen::Vector3d& corner : triangle) corner *= 0.3;
   }
-  mesh.triangles = std::make_shared<const Triangles>(std::move(triangles));
+  Obstacle mesh = mesh_of(triangles);
+  mesh.pose.translation() = Eigen::Vector3d(0.35, -0.2, height);
   return mesh;
 }
 

@@ -280,6 +280,19 @@ TEST(ArmPlan, TellsOfTwoLimitsTheOneThatEndedIt) {
   EXPECT_EQ(limit(2), Limit::questions);
 }
 
+TEST(ArmPlan, WhatIsStoppedAtOnceDoesNotSayThatThereIsNoWay) {
+  const Robot robot = shipped("planar3");
+  for (const std::uint64_t seed : {4, 10, 25, 32, 33, 56}) {
+    const Query query = generate_query(robot, {.seed = seed, .obstacles = 3});
+    const SceneSensor sensor(robot, query.scene);
+    Request request{.start = query.start, .goals = {query.goal}, .stop = fired()};
+    EXPECT_EQ(plan(robot, sensor, request).status, Status::interrupted) << seed;
+    request.stop = {.deadline = Clock::time_point::min()};
+    EXPECT_EQ(plan(robot, sensor, request).limit, Limit::time) << seed;
+    EXPECT_EQ(plan(robot, sensor, request).error, "");
+  }
+}
+
 TEST(ArmPlan, AMotionCutShortIsNotSolved) {
   const Robot robot = two_links();
   Request request = across(robot);

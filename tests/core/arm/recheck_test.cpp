@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "lasius/arm_sensor.h"
 #include "lasius/arm_trajectory.h"
 #include "lasius/error.h"
 #include "tests/core/arm/robot/arms.h"
@@ -38,6 +39,28 @@ TEST(Recheck, LooksBetweenItsSamples) {
                                {1, joints({1, 0}), joints({0, 0})},
                                {2, joints({0.8, 0}), joints({0, 0})}});
   EXPECT_EQ(recheck(robot, {"", {rod}}, to_and_fro, 2).unproven, 1);
+}
+
+TEST(Recheck, MeasuresMeshesWithoutAreaOrTrianglesAsTheSensorDoes) {
+  const Eigen::Vector3d p(0.2, 0.03, -0.01), u(0.1, 0.02, 0.03), q = p + u, m = p + 0.3 * u;
+  Obstacle box, null = mesh_of({});
+  box.size = {0.1, 0.2, 0.3};
+  null.triangles = nullptr;
+  for (const Obstacle& flat : {null, mesh_of({}), mesh_of({{p, p, p}}), mesh_of({{p, m, q}}),
+                               mesh_of({{p, p, q}}), mesh_of({{p, q, q}})}) {
+    Robot robot = two_links();
+    robot.links[1].solids = {flat};
+    for (Obstacle other : {box, ball({0, 0, 0}, 0.1), mesh_of(cube(0.1)), mesh_of({{u, u, p}})}) {
+      other.pose.translation() = Eigen::Vector3d(0.5, 0.6, 0.02);
+      const Scene scene{"", {null, other, mesh_of({})}};
+      for (const double turn : {0.0, 0.4, 0.9, 1.4}) {
+        const JointVector at = joints({turn, 0.3});
+        const Recheck check = recheck(robot, scene, Trajectory({{0, at, joints({0, 0})}}), 1);
+        EXPECT_NEAR(check.nearest, SceneSensor(robot, scene).distance(at), 1e-5) << turn;
+        EXPECT_GT(check.nearest, 0.001);
+      }
+    }
+  }
 }
 
 TEST(Recheck, EndsWhenToldTo) {

@@ -9,6 +9,7 @@
 #include "lasius/error.h"
 #include "tests/core/arm/questions.h"
 #include "tests/core/base/counting_time.h"
+#include "tests/core/base/refusal.h"
 
 namespace lasius::arm {
 namespace {
@@ -328,10 +329,19 @@ TEST(Trajectory, SmallCases) {
   const auto still = make_trajectory(robot, Nothing(), columns(one));
   EXPECT_EQ(still.trajectory.duration(), 0);
   EXPECT_EQ(still.trajectory.at(5).q, one[0]);
-  const std::vector<JointVector> wrong{joints({1, 2, 3})};
-  EXPECT_THROW(make_trajectory(robot, Nothing(), columns(wrong)), Error);
-  const std::vector<JointVector> endless{joints({1, 2}), joints({1, HUGE_VAL})};
-  EXPECT_THROW(make_trajectory(robot, Nothing(), columns(endless)), Error);
+  EXPECT_THROW(make_trajectory(robot, Nothing(), joints({1, 2, 3})), Error);
+  EXPECT_THROW(make_trajectory(robot, Nothing(), joints({1, HUGE_VAL})), Error);
+}
+
+TEST(Trajectory, RefusesWaypointsOutsideTheJointLimits) {
+  Robot robot = two_links();
+  robot.joints[1].continuous = true;  // it has limits all the same
+  const auto make = [&](double q) {
+    return make_trajectory(robot, Nothing(), columns(positions({{0, 3}, {0.5, q}}))).status;
+  };
+  expect_says(error_of([&] { return make(5); }),
+              "waypoint 2: joint 2 is 5, its limits are -3 .. 3");
+  for (const double q : {-3.0, 3 + 1e-12}) EXPECT_EQ(make(q), Status::solved) << q;
 }
 
 TEST(Trajectory, FclFindsNoContactOnRandomScenes) {

@@ -72,18 +72,22 @@ inline Obstacle ball(const Eigen::Vector3d& at, double radius) {
 
 /// The surface of a cube.
 inline Triangles cube(double half) {
-  const auto corner = [half](int i) {
-    return Vec3{(i & 1) != 0 ? half : -half, (i & 2) != 0 ? half : -half,
-                (i & 4) != 0 ? half : -half};
-  };
   Triangles triangles;
-  for (const auto& [a, b, c, d] :
-       {std::array{0, 1, 3, 2}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
-        std::array{2, 3, 7, 6}, std::array{0, 2, 6, 4}, std::array{1, 3, 7, 5}}) {
-    triangles.push_back({corner(a), corner(b), corner(c)});
-    triangles.push_back({corner(a), corner(c), corner(d)});
+  for (int axis = 0; axis < 6; ++axis) {
+    const Eigen::Matrix3d sides = (axis < 3 ? half : -half) * Eigen::Matrix3d::Identity();
+    const Eigen::Vector3d u = sides.col((axis + 1) % 3), v = sides.col((axis + 2) % 3);
+    const Eigen::Vector3d middle = sides.col(axis % 3);
+    triangles.push_back({middle - u - v, middle + u - v, middle + u + v});
+    triangles.push_back({middle - u - v, middle + u + v, middle - u + v});
   }
   return triangles;
+}
+
+inline Obstacle mesh_of(const Triangles& triangles) {
+  Obstacle mesh;
+  mesh.shape = Solid::Shape::mesh;
+  mesh.triangles = std::make_shared<const Triangles>(triangles);
+  return mesh;
 }
 
 }  // namespace lasius::arm

@@ -7,8 +7,10 @@
 #include <random>
 
 #include "core/arm/robot/vec3.h"
+#include "lasius/arm_sensor.h"
 #include "lasius/error.h"
 #include "tests/core/arm/robot/arms.h"
+#include "tests/core/base/refusal.h"
 
 namespace lasius::arm {
 namespace {
@@ -24,6 +26,7 @@ TEST(Kinematics, TwoLinksByHand) {
   expect_tip({kQuarter, 0}, {0, 0.9, 0});
   expect_tip({0, kQuarter}, {0.5, 0.4, 0});
   expect_tip({kQuarter, -kQuarter}, {0.4, 0.5, 0});
+  expect_tip({1e6, 0}, {0.9 * std::cos(1e6), 0.9 * std::sin(1e6), 0});
 }
 
 TEST(Kinematics, APrismaticJointAndATurnedFrameByHand) {
@@ -53,10 +56,15 @@ TEST(Kinematics, LinksMoveWithTheirJoints) {
 
 TEST(Kinematics, RefusesValuesThatAreNotTheJoints) {
   const Robot robot = two_links();
+  const SceneSensor sensor(robot, {});
   for (const JointVector& q :
-       {joints({}), joints({0}), joints({0, 0, 0}), joints({0, std::nan("")})}) {
+       {joints({}), joints({0}), joints({0, 0, 0}), joints({0, std::nan("")}), joints({1e6 + 1, 0}),
+        joints({0, -1e18}), joints({1e300, 0})}) {
     EXPECT_THROW(tip_position(robot, q), Error);
     EXPECT_THROW(place_links(robot, q), Error);
+    EXPECT_THROW(sensor.contact(q), Error);
+    EXPECT_THROW(sensor.motion_free(q, joints({0, 0})), Error);
+    EXPECT_THROW(sensor.motion_free(joints({0, 0}), q), Error);
   }
   Robot centipede = robot;
   centipede.joints.resize(Robot::kMaxJoints + 1, robot.joints[1]);
@@ -131,15 +139,30 @@ TEST(Kinematics, RefusesWhatIsOutOfReachOrBeyondALimit) {
   EXPECT_FALSE(Kinematics(robot).reach_for({0.4, 0, 0}, q, q));
 }
 
-TEST(Robot, ShippedOnesAreValidAndAgreeWithKdl) {
-  for (const char* name : {"planar3", "industrial6", "redundant7"}) {
-    const Robot robot = shipped(name);
-    EXPECT_NO_THROW(validate(robot)) << name;
-    EXPECT_FALSE(robot.name.empty());
-  }
-  EXPECT_EQ(shipped("planar3").size(), 3);
-  EXPECT_EQ(shipped("industrial6").size(), 6);
-  EXPECT_EQ(shipped("redundant7").size(), 7);
+TEST(Robot, WhatIsOutOfItsRangeIsRefusedByName) {
+  const auto refused = [](const std::string& words, auto spoil) {
+    Robot robot = two_links();
+    spoil(robot, robot.joints[1], robot.links[1]);
+    expect_says(error_of([&] { validate(robot); }, words), words);
+  };
+  refused("its axis", [](auto&, auto& j, auto&) { j.axis.z() = 2; });
+  refused("its limits", [](auto&, auto& j, auto&) { j.low = 4; });
+  refused("2: velocity", [](auto&, auto& j, auto&) { j.velocity = 0.9e-9; });
+  refused("acceleration", [](auto&, auto& j, auto&) { j.acceleration = 1e-200; });
+  refused("state \"up\" has", [](auto& r, auto&, auto&) { r.states["up"] = joints({1}); });
+  refused("state \"up\" has", [](auto& r, auto&, auto&) { r.states["up"] = joints({0, NAN}); });
+  refused("2: its rotation", [](auto&, auto& j, auto&) { j.frame.linear().col(2) *= -1; });
+  refused("2: its kind is 9", [](auto&, auto& j, auto&) { j.kind = Joint::Kind{9}; });
+  refused("2: it is prismatic and", [](auto&, auto& j, auto&) {
+    j.kind = Joint::Kind::prismatic;
+    j.continuous = true;
+  });
+  refused("2: its shape is 9", [](auto&, auto&, auto& l) { l.solids[0].shape = Solid::Shape{9}; });
+  refused("of a capsule 0", [](auto&, auto&, auto& l) { l.solids[0].radius = -1; });
+  refused("links[1].body is 99", [](auto&, auto&, auto& l) { l.body = 99; });
+  refused("links[1].parent is 2", [](auto&, auto&, auto& l) { l.parent = 2; });
+  refused("links[1].parent is 1", [](auto&, auto&, auto& l) { l.parent = 1; });
+  refused("links[0].parent is 1", [](auto& r, auto&, auto&) { r.links[0].parent = 1; });
 }
 
 }  // namespace
