@@ -95,8 +95,8 @@ struct Joint {
   double low = 0;                                   ///< least value, -1000 or more
   double high = 0;                                  ///< largest value, `low` to 1000
   bool continuous = false;  ///< revolute, turns on and on: values a turn apart are one posture
-  double velocity = 1;      ///< largest |dq/dt|, 1e-9 .. 1e12
-  double acceleration = 1;  ///< largest |d2q/dt2|, 1e-9 .. 1e12
+  double velocity = 1;      ///< largest |dq/dt|, 1e-9 .. 1e6
+  double acceleration = 1;  ///< largest |d2q/dt2|, 1e-9 .. 1e6
 };
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 2> kJointKindNames{"revolute", "prismatic"};

@@ -217,9 +217,9 @@ void validate(const Robot& robot) {
     if (!(joint.low <= joint.high && joint.low >= -kMostTurn && joint.high <= kMostTurn)) {
       refuse(what + ": its limits are not in order", "-1000 <= low <= high <= 1000");
     }
-    const auto is_limit = [](double v) { return v >= 1e-9 && v <= 1e12; };
+    const auto is_limit = [](double v) { return v >= 1e-9 && v <= 1e6; };
     if (!is_limit(joint.velocity) || !is_limit(joint.acceleration)) {
-      refuse(what + ": velocity or acceleration is out of range", "1e-9 .. 1e12");
+      refuse(what + ": velocity or acceleration is out of range", "1e-9 .. 1e6");
     }
     if (const int kind = static_cast<int>(joint.kind);
         kind < 0 || kind >= std::ssize(kJointKindNames))
