@@ -47,8 +47,8 @@ inline py::str text(std::string_view name) { return py::str(name.data(), name.si
 
 /// A file's name, or a sentence with one: bytes that are no UTF-8 as os.fsdecode has them.
 inline py::object words(std::string_view name) {
-  return py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
-      name.data(), static_cast<py::ssize_t>(name.size()), "surrogateescape"));
+  return py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeUTF8(name.data(), static_cast<py::ssize_t>(name.size()), "surrogateescape"));
 }
 
 }  // namespace lasius::python
