@@ -132,8 +132,8 @@ struct TrailParams {
 };
 
 /// Parameters of one plan. The constructor sets the published values of an algorithm, which
-/// `algorithms()` lists with its parameters and their ranges; any of them may be changed. What the
-/// algorithm does not read must stay as the constructor left it: see validate(). Each field begins
+/// `algorithms()` lists with its parameters and their ranges; any of them may be changed. What
+/// nothing reads must stay as the constructor left it: see validate(). Each field begins
 /// with the number of `fan2004` shown here, and the constructor changes those that differ and are
 /// read: so Params(), which is `exact`, has `ants` = 10, which nothing reads.
 struct LASIUS_EXPORT Params : TrailParams {
@@ -274,13 +274,18 @@ LASIUS_EXPORT void set_parameter(Params& params, std::string_view name, std::str
 LASIUS_EXPORT std::string get_parameter(const Params& params, std::string_view name);
 
 /// Why a run does not read a parameter, as "it is read only with update=rank" or "exact does not
-/// read it"; empty where it does. Own rules may read others: beta, with an own heuristic. Planning
-/// does not refuse a value that waits for the setting that reads it.
+/// read it"; empty where it does. Own rules may read others: beta, with an own heuristic.
 /// @throws Error(invalid_parameter) for an unknown name.
 LASIUS_EXPORT std::string why_unread(const Params& params, std::string_view name);
 
+/// Gives every parameter that why_unread() tells of the value of its algorithm: the run stays the
+/// same, and validate() takes it. For sweeps, whose settings are not all read together.
+/// @throws nothing
+LASIUS_EXPORT void reset_unread(Params& params);
+
 /// @throws Error(invalid_parameter) for the first field that is out of range, does not compose with
-/// another, or was changed although the algorithm does not read it.
+/// another, or was changed although nothing reads it, be it for the algorithm or for its other
+/// settings: `ranks` without update=rank. Values that ask for nothing ("none", 0) may always stand.
 LASIUS_EXPORT void validate(const Params& params);
 
 }  // namespace lasius

@@ -12,6 +12,9 @@ std::span<const Parameter> colony_parameters() noexcept;
 /// Those of the genetic comparator.
 std::span<const Parameter> genetic_parameters() noexcept;
 
+/// validate(), but that own rules may read a parameter that waits for another setting.
+void validate(const Params& params, bool own_rules);
+
 /// True when ants choose between rules at some iteration, rather than always combine them.
 inline bool mixes_rules(const Params& p) noexcept {
   return p.pheromone_rule_first > 0 || p.pheromone_rule > 0 || p.distance_rule_first > 0 ||

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -75,7 +75,7 @@ bool beta_counts(const Params& p) {
          rule_of(p.update, kUpdates).reads("beta");
 }
 bool first_beta_counts(const Params& p) {
-  return p.critical_time > 0 && why_unread(p, "beta").empty();
+  return p.critical_time > 0 && beta_counts(p) && is_read_by_rules(p, "beta");
 }
 bool straight_paths_deposit(const Params& p) {
   return p.polish != Polish::none && p.straight_deposit != StraightDeposit::none;
@@ -227,6 +227,36 @@ constexpr std::array kEntries{std::span<const Entry>(kColony), std::span<const E
 
 constexpr Table kTable(kEntries);
 
+bool waits(const Params& p, const Entry& e) {
+  const bool by_rules = readers_of(e.info.name).view().empty() || is_read_by_rules(p, e.info.name);
+  return !by_rules || (e.is_read != nullptr && !e.is_read(p));
+}
+
+// Throws for a parameter of the algorithm that is neither in a preset's nor in this way read.
+void check_waiting(const Params& params, const Params& published, const Algorithm& algorithm) {
+  std::optional<Params> book;
+  const auto is_published = [&](const Entry& e) {
+    return std::visit(
+        [&](const auto& value) {
+          if (value.same(params, published)) return true;
+          if (!has_preset(algorithm.name, Preset::book)) return false;
+          if (!book) book.emplace(algorithm.name, Preset::book);
+          return value.same(params, *book);
+        },
+        e.value);
+  };
+  for (const auto list : kEntries) {
+    for (const Entry& e : list) {
+      if (!algorithm.has(e.info.name) || !waits(params, e) || is_published(e)) continue;
+      const std::string value = kTable.get(params, e.info.name);
+      if (value == "none" || value == "0") continue;
+      throw invalid_parameter(
+          std::string(e.info.name) + " is " + value + ", but " + why_unread(params, e.info.name),
+          "leave it at " + kTable.get(published, e.info.name) + ", or change what it waits for");
+    }
+  }
+}
+
 }  // namespace
 
 std::span<const Parameter> colony_parameters() noexcept { return kColonyParameters; }
@@ -245,41 +275,24 @@ std::string why_unread(const Params& params, std::string_view name) {
   const Entry& e = kTable.entry(name);
   if (!find_algorithm(params.algorithm()).has(name))
     return params.algorithm() + " does not read it";
-  const bool by_rules = readers_of(name).view().empty() || is_read_by_rules(params, name);
-  if (by_rules && (e.is_read == nullptr || e.is_read(params))) return {};
+  if (!waits(params, e)) return {};
   return "it is read only with " + std::string(only_with(e.info).view());
 }
 
-std::string Parameter::text_of(double end) const {
-  const bool in_full = type == "integer" || end == 0 || (end >= 1e-6 && end < 1e7);
-  std::array<char, 32> digits;
-  char* const last =
-      std::to_chars(digits.begin(), digits.end(), end,
-                    in_full ? std::chars_format::fixed : std::chars_format::scientific)
-          .ptr;
-  std::string text(digits.begin(), last);  // 1e9, not 1e+09
-  const auto sign = text.find('e') + 1;
-  if (sign > 0 && text[sign + 1] == '0') text.replace(sign, 2, text[sign] == '-' ? "-" : "");
-  return text;
+void reset_unread(Params& params) {
+  const Params given = params;
+  const Params published(params.algorithm());
+  for (const auto list : kEntries) {
+    for (const Entry& e : list) {
+      if (why_unread(given, e.info.name).empty()) continue;
+      kTable.set(params, e.info.name, kTable.get(published, e.info.name));
+    }
+  }
 }
 
-std::string Parameter::range() const {
-  std::string text;
-  for (const std::string_view choice : choices) (text += text.empty() ? "" : "|") += choice;
-  return choices.empty() ? text_of(least) + " .. " + text_of(most) : text;
-}
+void validate(const Params& params) { validate(params, false); }
 
-bool Algorithm::has(std::string_view parameter) const noexcept {
-  return std::ranges::any_of(parameters,
-                             [parameter](const Parameter& p) { return p.name == parameter; });
-}
-
-std::string_view to_string(Algorithm::Kind kind) noexcept {
-  static constexpr std::array<std::string_view, 3> kNames{"exact", "colony", "genetic"};
-  return name_of(kind, kNames);
-}
-
-void validate(const Params& params) {
+void validate(const Params& params, bool own_rules) {
   const Algorithm& algorithm = find_algorithm(params.algorithm());
   Params published(algorithm.name);
   published.seed = params.seed;
@@ -289,6 +302,7 @@ void validate(const Params& params) {
   if (params == published) return;  // valid; saves time on short queries
   kTable.check(params);
   kTable.check_unread(params, published, algorithm);
+  if (!own_rules) check_waiting(params, published, algorithm);
   const double first =
       params.pheromone_rule_first + params.distance_rule_first + params.combined_rule_first;
   const double last = params.pheromone_rule + params.distance_rule + params.combined_rule;

@@ -10,6 +10,7 @@
 #include "core/genetic/grid_ga.h"
 #include "core/grid/nearest_free.h"
 #include "core/loop/run_status.h"
+#include "core/params/grid_parameters.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/workspace.h"
 #include "lasius/path.h"
@@ -103,7 +104,7 @@ Corners corners_of_paths(const Params& params) {
 
 Result answer(const PlanningMap& map, const Request& request, const Params& params,
               Workspace* workspace, const Observer& observer, const OwnRules& own) {
-  validate(params);
+  validate(params, !own.none());
   const Algorithm& algorithm = find_algorithm(params.algorithm());
   check_certifies(algorithm, request.target_gap);
   const Grid& grid = map.grid;

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import operator
 import sys
-import warnings
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple, Type, TypeVar, Union
 
@@ -90,14 +89,6 @@ def value_of(parameter: Parameter, text: str) -> Value:
     return float(text) if parameter.type == "number" else text
 
 
-def callers_level() -> int:
-    """Of the stack of the function that asks: where the package was called from."""
-    level, frame = 1, sys._getframe(1)
-    while frame.f_back and frame.f_globals.get("__package__") == __package__:
-        level, frame = level + 1, frame.f_back
-    return level
-
-
 Self = TypeVar("Self", bound="ParameterSet")
 
 
@@ -112,23 +103,13 @@ class ParameterSet:
     def __init__(self, algorithm: str, **settings: Any) -> None:
         raise NotImplementedError
 
-    def _set(self, raw: Any, settings: Dict[str, Any], told: bool = True) -> None:
+    def _set(self, raw: Any, settings: Dict[str, Any]) -> None:
         self._raw = raw
         for name, value in settings.items():
             if name in ("seed", "threads"):
                 setattr(self._raw, name, whole(name, value))
             else:
                 self._raw.set(name, text_of(value))
-        if told:
-            self._tell_unread(settings)
-
-    def _tell_unread(self, settings: Dict[str, Any]) -> None:
-        """Warns of what the other settings leave unread."""
-        for name in settings:
-            known = "persistence" if name == "evaporation" else name
-            if any(p.name == known and p.only_with for p in self._described().parameters):
-                if why := self._raw.why_unread(known):
-                    warnings.warn(f"{name} has no effect: {why}", stacklevel=callers_level())
 
     @property
     def algorithm(self) -> str:
@@ -177,9 +158,9 @@ class ParameterSet:
         """
         return self._with(settings)
 
-    def _with(self: Self, settings: Dict[str, Any], told: bool = True) -> Self:
+    def _with(self: Self, settings: Dict[str, Any]) -> Self:
         other = object.__new__(type(self))
-        other._set(self._raw.copy(), settings, told)
+        other._set(self._raw.copy(), settings)
         return other
 
     def validate(self) -> None:
@@ -212,10 +193,10 @@ class ParameterSet:
 
 def restored(kind: Type[Self], algorithm: str, seed: int, threads: int, values: Dict[str, Value]) -> Self:
     """Parameters that were pickled."""
-    return kind(algorithm)._with({"seed": seed, "threads": threads, **values}, told=False)
+    return kind(algorithm)._with({"seed": seed, "threads": threads, **values})
 
 
-def chosen(kind: Type[Self], params: Union[None, str, Self], settings: Dict[str, Any], told: bool = True) -> Self:
+def chosen(kind: Type[Self], params: Union[None, str, Self], settings: Dict[str, Any]) -> Self:
     """The parameters that a call names: none, an algorithm, or some; and what it sets beside."""
     if params is None:
         params = kind(next(iter(kind._known())))
@@ -223,7 +204,7 @@ def chosen(kind: Type[Self], params: Union[None, str, Self], settings: Dict[str,
         params = kind(params)
     elif not isinstance(params, kind):
         raise TypeError(f"params is {params!r}: give an algorithm's name or a {kind.__module__}.Params")
-    return params._with(settings, told) if settings else params
+    return params._with(settings) if settings else params
 
 
 def algorithms() -> Dict[str, Algorithm]:
@@ -273,6 +254,15 @@ class Params(ParameterSet):
 
     def __init__(self, algorithm: str = "exact", *, preset: str = "usual", **settings: Any) -> None:
         self._set(_lasius.Params(algorithm, preset), settings)
+
+    def reset_unread(self) -> Params:
+        """The same run; what its other settings leave unread has the algorithm's value, not yours.
+
+        Planning refuses such values (`ranks` without update="rank"); in a sweep they may come up.
+        """
+        other = self._with({})
+        other._raw.reset_unread()
+        return other
 
 
 OptionalParams = Optional[Union[str, Params]]

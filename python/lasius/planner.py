@@ -187,8 +187,7 @@ class Planner:
     ) -> Tuple[Params, OwnRules]:
         """The parameters of a call, and what of a colony is the caller's own."""
         own = own_rules(heuristic, update, schedule, self._grid)
-        told = all(rule is None for rule in own)  # own ones may read what built-in ones do not
-        return chosen(Params, params, named(settings, update, heuristic), told), own
+        return chosen(Params, params, named(settings, update, heuristic)), own
 
     def prepared(self, *, threads: int = 0, max_bytes: int = 1 << 30) -> Planner:
         """A planner for the same map with its visibility graph, in which `exact` answers faster."""

@@ -98,19 +98,17 @@ def test_parameters_never_change():
         lasius.Params("mmas").crossover
 
 
-def test_what_other_settings_leave_unread_is_told_where_it_was_said(planner):
-    with pytest.warns(UserWarning, match="ranks has no effect: it is read only with update=rank") as told:
-        lasius.Params("as", ranks=9)
-    assert told[0].filename == __file__
-    with pytest.warns(UserWarning, match="beta has no effect") as told:
-        planner.plan(START, GOAL, "as", beta=1, iterations=1)
-    assert told[0].filename == __file__
-    with pytest.warns(UserWarning, match="evaporation has no effect"):
-        lasius.Params("terminal-index", evaporation=0.3)
+def test_what_other_settings_leave_unread_is_refused(planner):
+    idle = lasius.Params("as", ranks=9)
+    with pytest.raises(lasius.InvalidParameter, match="ranks is 9, but it is read only with update=rank"):
+        planner.plan(START, GOAL, idle)
+    assert idle.reset_unread() == lasius.Params("as") and idle.ranks == 9
+    with pytest.raises(lasius.InvalidParameter, match="beta is 1, but"):
+        planner.plan(START, GOAL, "as", beta=1)
     table = np.linspace(1, 2, planner.grid.shape[0] * planner.grid.shape[1]).reshape(planner.grid.shape)
     ours = [planner.plan(START, GOAL, "as", heuristic=table, beta=beta, iterations=2) for beta in (1, 3)]
-    assert ours[0] != ours[1]  # an own heuristic is raised to beta: no warning
-    assert lasius.Params("ras", ranks=9, update="rank").replace(ranks=8).ranks == 8  # filterwarnings = error
+    assert ours[0] != ours[1]  # an own heuristic is raised to beta
+    assert lasius.Params("ras", ranks=9, update="rank").replace(ranks=8).ranks == 8
     ranks, trail = (lasius.algorithms()["as"][name] for name in ("ranks", "trail"))
     assert ranks.only_with == "update=rank" and (ranks.least, ranks.most, ranks.choices) == (2, 1000000, ())
     assert trail.choices == ("cells", "arcs") and trail.range == "cells|arcs"

@@ -68,9 +68,10 @@ void check_elsewhere(std::span<const Algorithm> all, const std::string& name,
   }
 }
 
-/// Says in `notes` which of the parameters that were asked for the others leave unread.
+/// Drops those of the parameters that were asked for which the others leave unread, and says so in
+/// `notes`: one set of options may serve several algorithms.
 template <class Params>
-void note_unread(const SearchOptions& options, const Params& params, const Algorithm& algorithm,
+void drop_unread(const SearchOptions& options, Params& params, const Algorithm& algorithm,
                  std::vector<std::string>& notes) {
   if constexpr (std::same_as<Params, lasius::Params>) {
     const auto note = [&](const std::string& told, std::string_view name) {
@@ -83,6 +84,7 @@ void note_unread(const SearchOptions& options, const Params& params, const Algor
       if (algorithm.has(name)) note("--" + name, name);
     for (const auto& setting : options.settings)
       note("--set " + setting, std::string_view(setting).substr(0, setting.find('=')));
+    reset_unread(params);
   }
 }
 
@@ -108,7 +110,7 @@ Params make_params(const SearchOptions& options, World::Kind kind, std::span<con
     const auto [name, value] = setting_of(setting, algorithm, all);
     set_parameter(params, name, value);
   }
-  note_unread(options, params, algorithm, notes);
+  drop_unread(options, params, algorithm, notes);
   params.seed = options.seed;
   params.threads = options.threads;
   validate(params);

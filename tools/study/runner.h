@@ -37,11 +37,12 @@ class Domain {
 };
 
 /// Takes a contender's settings over `params`, its algorithm's defaults, on one
-/// thread. @throws Error(invalid_parameter)
+/// thread; those that nothing reads stay as they were. @throws Error(invalid_parameter)
 template <class AnyParams>
 AnyParams configured(AnyParams params, const Contender& contender) {
   for (const auto& [name, value] : contender.settings) set_parameter(params, name, value);
   params.threads = 1;
+  if constexpr (std::same_as<AnyParams, Params>) reset_unread(params);
   validate(params);
   return params;
 }

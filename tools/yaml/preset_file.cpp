@@ -45,6 +45,7 @@ PresetFile read_preset_file(const std::string& file) {
       try_setting(params, name, value.text(), value);
     }
   }
+  reset_unread(params);
   try {
     validate(params);
   } catch (const Error& fault) {

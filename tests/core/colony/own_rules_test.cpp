@@ -113,6 +113,7 @@ TEST(OwnRules, TheBuiltInScheduleAsAnOwnOneChangesNothing) {
 TEST(OwnRules, AnOwnScheduleSetsExponentsAndShares) {
   const FarApart far;
   Params params = quick("acs");
+  params.heuristic = Heuristic::inverse_distance;
   params.critical_time = 0;
   params.greedy = 0.7;
   params.alpha = 2;

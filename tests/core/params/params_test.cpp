@@ -201,6 +201,8 @@ TEST(Params, WhatAnAlgorithmDoesNotReadMustStay) {
   Params colony("as");
   colony.population = 51;
   EXPECT_THROW(validate(colony), Error);
+  reset_unread(colony);
+  EXPECT_EQ(colony, Params("as"));
   // Without straight paths there is nothing that could be laid: no contradiction.
   Params raw("fan2004");
   raw.polish = Polish::none;
@@ -209,6 +211,29 @@ TEST(Params, WhatAnAlgorithmDoesNotReadMustStay) {
   EXPECT_NO_THROW(validate(raw));
   raw.polish = Polish::straight;
   EXPECT_THROW(validate(raw), Error);
+}
+
+TEST(Params, WhatWaitsForAnothersValueMustStay) {
+  Params params("as");
+  params.ranks = 9;
+  params.beta_first = 2;
+  params.ants = 7;
+  EXPECT_EQ(refusal([&] { validate(params); }),
+            "beta_first is 2, but it is read only with critical_time above 0, where beta is read; "
+            "leave it at 5, or change what it waits for");
+  Params read = params;
+  read.update = Update::rank;
+  read.critical_time = 5;
+  read.heuristic = Heuristic::inverse_distance;
+  EXPECT_NO_THROW(validate(read));
+  reset_unread(read);
+  EXPECT_EQ(read.ranks, 9);
+  reset_unread(params);
+  EXPECT_NO_THROW(validate(params));
+  EXPECT_EQ(params.ranks, Params("as").ranks);
+  EXPECT_EQ(params.ants, 7);
+  params.elite_weight = 0;  // asks for nothing
+  EXPECT_NO_THROW(validate(params));
 }
 
 TEST(Params, KindsAreTold) {

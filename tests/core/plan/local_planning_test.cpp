@@ -40,7 +40,7 @@ Params ants() {
   Params p("lecture-grid");
   p.heuristic = Heuristic::goal_angle;
   p.visibility = Visibility::none;
-  p.beta = p.beta_first = 5;
+  p.beta = 5;
   p.polish = Polish::none;
   p.neighbours = Neighbours::eight;
   p.iterations = 20;

@@ -42,6 +42,7 @@ TEST_P(ParameterRange, BothEndsOfEveryNumberEnd) {
   usual.initial_pheromone = 0;
   usual.deposit = 1e-12;
   usual.persistence = 0;
+  reset_unread(usual);
   expect_plan(usual, "least pheromone");
 }
 

@@ -71,8 +71,8 @@ TEST(Planner, GivesTheSamePlanWithEveryKernelAtTheEndsOfItsExponents) {
   const std::vector<std::pair<const char*, Settings>> cases = {
       {"as", {{"alpha", "11"}}},
       {"as", {{"alpha", "20"}}},
-      {"terminal-index", {{"index_spread", "1"}, {"alpha", "5.119"}, {"alpha_first", "5.119"}}},
-      {"terminal-index", {{"index_spread", "1"}, {"alpha", "20"}, {"alpha_first", "20"}}}};
+      {"terminal-index", {{"index_spread", "1"}, {"alpha", "5.119"}}},
+      {"terminal-index", {{"index_spread", "1"}, {"alpha", "20"}}}};
   for (const Grid& grid : {Grid(40, 40), blobs(100, 60)}) {
     const Planner planner(grid);
     const Request request = far_apart(planner);
@@ -118,6 +118,7 @@ TEST_P(EveryColony, PlansWithEveryNeighbourhoodCornerRuleAndPolish) {
         params.corners = corners;
         params.polish = polish;
         params.dead_end = polish == Polish::straight ? DeadEnd::kill : params.dead_end;
+        reset_unread(params);  // four neighbours know no corners
         const Result result = planner.plan(request, params, &workspace);
         if (result.path.empty()) {
           ASSERT_EQ(params.dead_end, DeadEnd::kill);
@@ -197,7 +198,8 @@ TEST(Planner, UnreachableGoalsAreProvenUnderTheRuleInForce) {
   EXPECT_NE(planner.plan(request, params).error, "");
   params.corners = Corners::allow;
   EXPECT_EQ(planner.plan(request, params).status, Status::solved);
-  params.neighbours = Neighbours::four;  // the rule has no say
+  params.neighbours = Neighbours::four;  // the rule would have no say
+  params.corners = Corners::forbid;
   EXPECT_EQ(planner.plan(request, params).status, Status::unreachable);
 }
 
