@@ -10,11 +10,13 @@
 
 namespace lasius::polygon {
 
-inline double distance_to_segment(Point a, Point b, Point p) {
+/// Squares, which take a tenth of the time of roots.
+inline double square_of_distance_to_segment(Point a, Point b, Point p) {
   const double dx = b.x - a.x, dy = b.y - a.y;
   const double along = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
   const double share = std::clamp(along, 0.0, 1.0);
-  return std::hypot(a.x + share * dx - p.x, a.y + share * dy - p.y);
+  const double x = a.x + share * dx - p.x, y = a.y + share * dy - p.y;
+  return x * x + y * y;
 }
 
 /// From a point to the nearest edge of an obstacle, or of the boundary if that counts.
@@ -22,11 +24,12 @@ inline double distance_to_edges(const World& world, Point p, bool boundary) {
   double least = std::numeric_limits<double>::infinity();
   const auto look = [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i)
-      least = std::min(least, distance_to_segment(ring[i], ring[(i + 1) % ring.size()], p));
+      least =
+          std::min(least, square_of_distance_to_segment(ring[i], ring[(i + 1) % ring.size()], p));
   };
   for (const Polygon& obstacle : world.obstacles) look(obstacle.outer);
   if (boundary) look(world.boundary.outer);
-  return least;
+  return std::sqrt(least);
 }
 
 /// Cells on whose centres a disc fits, with half a cell more so that it fits between neighbouring
@@ -58,7 +61,7 @@ class DiscBitmap {
       for (int x = 0; x < side_; ++x) {
         if (component_[index(x, y)] < 0) continue;
         const Point c = centre(x, y);
-        const double d = std::hypot(c.x - p.x, c.y - p.y);
+        const double d = (c.x - p.x) * (c.x - p.x) + (c.y - p.y) * (c.y - p.y);
         if (d < least) {
           least = d;
           best = c;
@@ -83,7 +86,8 @@ class DiscBitmap {
               top = column(std::max(a.y, b.y) + radius);
     for (int y = column(std::min(a.y, b.y) - radius); y <= top; ++y)
       for (int x = column(std::min(a.x, b.x) - radius); x <= right; ++x)
-        if (distance_to_segment(a, b, centre(x, y)) < radius) component_[index(x, y)] = kBlocked;
+        if (square_of_distance_to_segment(a, b, centre(x, y)) < radius * radius)
+          component_[index(x, y)] = kBlocked;
   }
   /// Even-odd rule, row by row.
   void fill(const Ring& ring) {

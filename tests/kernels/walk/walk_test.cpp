@@ -187,12 +187,22 @@ TEST_P(EveryIsa, WalksInLockStepAsOneByOne) {
       if (world.view.goal == pack(3, 2)) {
         EXPECT_GT(last->numbers, 10 * first->numbers) << name(shape);
       }
-      // One by one, and in one group or two, even or not.
-      for (const int together : {1, 5, 6, 8, 9, 11, 15, kMaxSlots}) {
-        for (const int rounds : {4, 10, 128}) {
-          EXPECT_EQ(world.walk(GetParam(), kAnts, together, rounds), reference)
-              << name(shape) << ", " << what << ", " << together << " together, " << rounds;
-        }
+      // One by one, and in one group or two, even or not; in few rounds at a time or in many.
+      constexpr std::array<std::pair<int, int>, 12> kCalls{{{1, 4},
+                                                            {5, 128},
+                                                            {6, 4},
+                                                            {6, 10},
+                                                            {8, 4},
+                                                            {8, 128},
+                                                            {9, 10},
+                                                            {11, 4},
+                                                            {11, 128},
+                                                            {15, 10},
+                                                            {kMaxSlots, 4},
+                                                            {kMaxSlots, 128}}};
+      for (const auto& [together, rounds] : kCalls) {
+        EXPECT_EQ(world.walk(GetParam(), kAnts, together, rounds), reference)
+            << name(shape) << ", " << what << ", " << together << " together, " << rounds;
       }
     }
   }
