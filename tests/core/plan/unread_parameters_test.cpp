@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(UnreadParameters, EveryColonysParameters, testing::Valu
                          by_algorithm);
 
 TEST_P(EveryColonysParameters, ChangeARunUnlessTheyAreSaidToBeUnread) {
-  const Planner planner(blobs(24, 16));
+  const Planner planner(blobs(32, 20));
   const Request request = far_apart(planner);
   Params published = quick(GetParam());
   published.iterations = 20;
