@@ -9,7 +9,7 @@ namespace lasius::exact {
 
 namespace {
 
-// A deadline gives both searches the same time until the hurried one has done so much work (words,
+// A deadline gives both searches the same time until the bounding one has done so much work (words,
 // half a second), less from then on. Who may only look on or press a key waits longer.
 constexpr double kEvenShare = 1;
 constexpr double kLateShare = 1.0 / 8;
@@ -28,7 +28,7 @@ constexpr double kSmallGap = 0.01;
 Anytime::Anytime(Memory& memory, const Grid& grid, Cell start, Cell goal,
                  const ExactOptions& options, const StopCondition& stop)
     : memory_(memory),
-      hurried_(memory.search),
+      bounding_(memory.search),
       grid_(grid),
       start_(start),
       goal_(goal),
@@ -59,18 +59,18 @@ StopCondition::Cause Anytime::turn(std::int64_t work) {
   const bool urgent = !first && share_ > kSmallShare && std::isinf(length_);
   owed_ += (urgent ? kUrgentShare : share_) * static_cast<double>(work);
   if (resting_ || owed_ < (urgent ? kUrgentTurn : kTurn)) return StopCondition::Cause::none;
-  if (!begun_) hurried_.begin_improving(grid_, start_, goal_);
+  if (!begun_) bounding_.begin_improving(grid_, start_, goal_);
   begun_ = true;
   work_ += owed_;
   if (work_ > kLate) share_ = std::min(share_, kLateShare);
   Poller poller(stop_, kWordsPerPoll);
-  const bool more = hurried_.improve(static_cast<std::int64_t>(owed_), poller);
+  const bool more = bounding_.improve(static_cast<std::int64_t>(owed_), poller);
   owed_ = 0;
-  const double bound = rounded_down(hurried_.lower());
+  const double bound = rounded_down(bounding_.lower());
   bool go_on = true;
-  if (hurried_.upper() < traced_) {
-    traced_ = hurried_.upper();
-    hurried_.trace(memory_.traced);
+  if (bounding_.upper() < traced_) {
+    traced_ = bounding_.upper();
+    bounding_.trace(memory_.traced);
     go_on = tell(memory_.traced, path_length(memory_.traced), bound);
   }
   bound_ = std::max(bound_, bound);

@@ -1,4 +1,4 @@
-// A path soon under a deadline: a hurried search in turns with the exact one.
+// A path soon under a deadline: a bounding search in turns with the exact one.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ class Anytime final : public Alternate {
 
   /// What the exact search is to run with.
   const ExactOptions& options() const noexcept { return options_; }
-  /// Puts what the hurried search has into the answer of an exact one that was cut.
+  /// Puts what the bounding search has into the answer of an exact one that was cut.
   void merge(ExactAnswer& answer) const;
 
   StopCondition::Cause turn(std::int64_t work) override;
@@ -45,14 +45,14 @@ class Anytime final : public Alternate {
   bool tell(const std::vector<Point>& path, double length, double bound);
 
   Memory& memory_;
-  ExactSearch& hurried_;
+  ExactSearch& bounding_;
   const Grid& grid_;
   Cell start_, goal_;
   const StopCondition& stop_;
   const OnImproved* told_;
   OnImproved tell_;
   ExactOptions options_;
-  double share_ = 0;  // of the exact search's work that the hurried one does beside it
+  double share_ = 0;  // of the exact search's work that the bounding one does beside it
   double owed_ = 0;
   double work_ = 0;
   bool begun_ = false, resting_ = false;

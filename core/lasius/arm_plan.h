@@ -149,6 +149,11 @@ struct LASIUS_ARM_EXPORT Goal {
   JointVector values;                      ///< of the joints
 };
 
+/// Their names.
+inline constexpr std::array<std::string_view, 3> kGoalKindNames{"position", "pose", "joints"};
+/// The name of a value.
+constexpr std::string_view to_string(Goal::Kind v) noexcept { return name_of(v, kGoalKindNames); }
+
 /// What is asked of the planner.
 struct Request {
   JointVector start;        ///< a value for each joint

@@ -15,7 +15,8 @@ namespace lasius {
 /// Numbers read back as the same, bit for bit.
 LASIUS_IO_EXPORT std::string params_to_json(const Params& params);
 
-/// The parameters in such a text, validated. What it leaves out stays as the constructor of Params
+/// The parameters in such a text, validated; values that are not read, which earlier releases
+/// saved, are reset as by reset_unread(). What it leaves out stays as the constructor of Params
 /// sets it, other members are skipped: so what `lasius plan --json` printed will do, whose
 /// "parameters" hold the settings of its request beside them.
 /// @throws Error(file_broken) where the text is no JSON object with an algorithm's name, or a

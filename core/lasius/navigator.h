@@ -84,8 +84,8 @@ class LASIUS_EXPORT Navigator final : public Pilot {
  public:
   /// Labels the map's components, grows obstacles where the robot has a radius, and prepares the
   /// map if asked to. Start and goal may be blocked or outside: the answer tells.
-  /// @throws Error(invalid_parameter) for parameters, a radius or a gap that are out of range, and
-  /// for options that are for other algorithms.
+  /// @throws Error(invalid_parameter) for parameters that validate() refuses, a radius or a gap out
+  /// of range, and for options that are for other algorithms.
   Navigator(Grid map, Cell goal, const NavigatorOptions& options = {});
   ~Navigator() override;
   Navigator(Navigator&&) noexcept;  ///< one that was moved from may only be assigned to or end

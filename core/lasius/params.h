@@ -133,7 +133,7 @@ struct TrailParams {
 
 /// Parameters of one plan. The constructor sets the published values of an algorithm, which
 /// `algorithms()` lists with its parameters and their ranges; any of them may be changed. What
-/// nothing reads must stay as the constructor left it: see validate(). Each field begins
+/// is not read must stay as the constructor left it: see validate(). Each field begins
 /// with the number of `fan2004` shown here, and the constructor changes those that differ and are
 /// read: so Params(), which is `exact`, has `ants` = 10, which nothing reads.
 struct LASIUS_EXPORT Params : TrailParams {
@@ -278,14 +278,15 @@ LASIUS_EXPORT std::string get_parameter(const Params& params, std::string_view n
 /// @throws Error(invalid_parameter) for an unknown name.
 LASIUS_EXPORT std::string why_unread(const Params& params, std::string_view name);
 
-/// Gives every parameter that why_unread() tells of the value of its algorithm: the run stays the
-/// same, and validate() takes it. For sweeps, whose settings are not all read together.
-/// @throws nothing
+/// Sets every parameter that is not read back to its published value: the run is the same, and
+/// validate() accepts it. For sweeps, whose settings do not all go together; not for parameters
+/// that own rules read. @throws std::bad_alloc alone
 LASIUS_EXPORT void reset_unread(Params& params);
 
-/// @throws Error(invalid_parameter) for the first field that is out of range, does not compose with
-/// another, or was changed although nothing reads it, be it for the algorithm or for its other
-/// settings: `ranks` without update=rank. Values that ask for nothing ("none", 0) may always stand.
+/// Checks every field. @throws Error(invalid_parameter) for the first one that is out of range,
+/// does not go with another, or was changed although it is not read: by the algorithm, or with its
+/// other settings (`ranks` without Update::rank). Values of either preset are no change, and with
+/// Polish::none straight_deposit may have any.
 LASIUS_EXPORT void validate(const Params& params);
 
 }  // namespace lasius

@@ -236,9 +236,9 @@ class LASIUS_POLYGON_EXPORT Planner {
 
   /// Answers one request. Deterministic in (world, request, parameters) and the version of GEOS;
   /// a deadline or token may change the answer. An unreachable goal is proven first.
-  /// @throws Error(invalid_parameter) for parameters or a target gap out of range, without start or
-  /// goal, or where their coordinates are not finite; what the observer throws. Start or goal
-  /// outside or blocked is an answer: Status::invalid.
+  /// @throws Error(invalid_parameter) for parameters that validate() refuses, a target gap out of
+  /// range, without start or goal, or where their coordinates are not finite; what the observer
+  /// throws. Start or goal outside or blocked is an answer: Status::invalid.
   Result plan(const Request& request = {}, const Params& parameters = {},
               const Observer& observer = {}) const;
 
@@ -256,7 +256,8 @@ using BatchReceiver = BatchReceiverOf<Result>;  ///< called with each
 /// `planner.plan` does with the answer's seed. Order, threads, stops, what is thrown on and what is
 /// returned are those of lasius::plan_batch; a start or goal that is outside or blocked is an
 /// answer, Status::invalid.
-/// @throws Error(invalid_parameter) for parameters, options or a target gap out of range, for a
+/// @throws Error(invalid_parameter) for parameters that validate() refuses, options or a target gap
+/// out of range, for a
 ///         request without start or goal where the world names none, for coordinates of either
 ///         that are not finite, and for an empty receiver, before anything is planned.
 LASIUS_POLYGON_EXPORT std::size_t plan_batch(const Planner& planner,

@@ -92,7 +92,7 @@ inline constexpr std::array kVisibilities{
                      "s the length of the move"},
     Rule<Visibility>{Visibility::heading_change, "heading-change", "beta",
                      "(1 / (1 + turn / 45 degrees))^beta",
-                     "turn the change of heading; 0 straight back"},
+                     "turn the change of heading; straight back the factor is 0"},
 };
 /// Their names, in the same order.
 inline constexpr std::array kVisibilityNames = rule_names(kVisibilities);

@@ -12,8 +12,12 @@ std::span<const Parameter> colony_parameters() noexcept;
 /// Those of the genetic comparator.
 std::span<const Parameter> genetic_parameters() noexcept;
 
-/// validate(), but that own rules may read a parameter that waits for another setting.
-void validate(const Params& params, bool own_rules);
+/// What of a colony is the caller's own, and may read parameters that wait for another setting.
+struct OwnParts {
+  bool heuristic = false, update = false, schedule = false;
+};
+/// The public one, which knows of none.
+void validate(const Params& params, const OwnParts& own);
 
 /// True when ants choose between rules at some iteration, rather than always combine them.
 inline bool mixes_rules(const Params& p) noexcept {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,7 +38,7 @@ constexpr void add_readers(Words& words, std::string_view kind, std::string_view
   const auto readers = static_cast<std::size_t>(std::ranges::count_if(rules, reads));
   if (readers == 0 || readers == rules.size()) return;
   const bool most = 2 * readers > rules.size();
-  words.add(words.view().empty() ? "" : ", or ").add(most ? "any " : "").add(kind);
+  words.add(most ? "any " : "").add(kind);
   std::string_view before = most ? " except " : "=";
   for (const auto& rule : rules) {
     if (reads(rule) != most) words.add(std::exchange(before, "|")).add(rule.name);
@@ -47,11 +46,13 @@ constexpr void add_readers(Words& words, std::string_view kind, std::string_view
 }
 // Those of every kind; empty: the parameter does not depend on them.
 constexpr Words readers_of(std::string_view parameter) {
-  Words words;
-  add_readers(words, "heuristic", parameter, kHeuristics);
-  add_readers(words, "visibility", parameter, kVisibilities);
-  add_readers(words, "update", parameter, kUpdates);
-  return words;
+  Words heuristics, visibilities, updates, several;
+  add_readers(heuristics, "heuristic", parameter, kHeuristics);
+  add_readers(visibilities, "visibility", parameter, kVisibilities);
+  add_readers(updates, "update", parameter, kUpdates);
+  if (heuristics.view().empty() && visibilities.view().empty()) return updates;
+  if (visibilities.view().empty() && updates.view().empty()) return heuristics;
+  return several.add("a heuristic, visibility or update with it in its formula");
 }
 bool is_read_by_rules(const Params& p, std::string_view parameter) {
   return rule_of(p.heuristic, kHeuristics).reads(parameter) ||
@@ -112,7 +113,7 @@ constexpr std::array kColony{
                   "exponent of pheromone from the critical time on"),
     Table::number("beta", &Params::beta, 0, 20,
                   "exponent of visibility and inverse distance, likewise")
-        .only_with({"neighbours above 4 if inverse-step alone reads it", beta_counts}),
+        .only_with({"neighbours above 4 where that is inverse-step alone", beta_counts}),
     Table::number("greedy", &Params::greedy, 0, 1,
                   "share of steps that take the largest weight, q0"),
     Table::number("critical_time", &Params::critical_time, 0, 1000000000,
@@ -121,7 +122,7 @@ constexpr std::array kColony{
     Table::number("alpha_first", &Params::alpha_first, 0, 20, "alpha at iteration 0")
         .only_with(kUntilCriticalTime),
     Table::number("beta_first", &Params::beta_first, 0, 20, "beta at iteration 0")
-        .only_with({"critical_time above 0, where beta is read", first_beta_counts}),
+        .only_with({"critical_time above 0 and settings that read beta", first_beta_counts}),
     Table::number("omega", &Params::omega, 0, 1e6,
                   "rescaled distance: ((Dmax - d) omega + mu)^lambda"),
     Table::number("mu", &Params::mu, 1e-6, 1e6, "rescaled distance: offset"),
@@ -154,7 +155,7 @@ constexpr std::array kColony{
                   "pheromone everywhere at first, tau0; 0: the formula of the update's source"),
     Table::number("deposit", &Params::deposit, 0, 1e9,
                   "an ant of tour length L deposits deposit / L, Q")
-        .only_with({"initial_pheromone=0 or a straight_deposit if it is learning", deposit_counts}),
+        .only_with({"for learning also initial_pheromone=0 or a straight_deposit", deposit_counts}),
     Table::choice<&Params::straight_deposit, kStraightDepositNames>(
         "straight_deposit", "which straightened paths get pheromone too")
         .only_with({"polish=straight|taut|local",
@@ -227,32 +228,42 @@ constexpr std::array kEntries{std::span<const Entry>(kColony), std::span<const E
 
 constexpr Table kTable(kEntries);
 
+// Is it read only with other values of other parameters?
 bool waits(const Params& p, const Entry& e) {
   const bool by_rules = readers_of(e.info.name).view().empty() || is_read_by_rules(p, e.info.name);
   return !by_rules || (e.is_read != nullptr && !e.is_read(p));
 }
 
-// Throws for a parameter of the algorithm that is neither in a preset's nor in this way read.
-void check_waiting(const Params& params, const Params& published, const Algorithm& algorithm) {
-  std::optional<Params> book;
-  const auto is_published = [&](const Entry& e) {
-    return std::visit(
-        [&](const auto& value) {
-          if (value.same(params, published)) return true;
-          if (!has_preset(algorithm.name, Preset::book)) return false;
-          if (!book) book.emplace(algorithm.name, Preset::book);
-          return value.same(params, *book);
-        },
-        e.value);
+// Does a rule of the caller's own take its place beside it, and may read it?
+bool may_own_rules_read(std::string_view name, const OwnParts& own) {
+  const auto until_critical_time = [name](const Entry& e) {
+    return e.info.name == name && e.is_read == kUntilCriticalTime.holds;
   };
+  const auto updates_with_it = [name](const Rule<Update>& update) {
+    return update.value != Update::terminal_index && update.reads(name);  // no own one replaces it
+  };
+  const bool beta = name == "beta" || name == "beta_first";
+  return (own.heuristic && beta) ||
+         (own.update && std::ranges::any_of(kUpdates, updates_with_it)) ||
+         (own.schedule && (beta || std::ranges::any_of(kColony, until_critical_time)));
+}
+
+// Calls take(entry) for each parameter of the algorithm whose value is of no preset, but that the
+// others leave unread.
+template <class Take>
+void find_waiting(const Params& params, const Params& published, const OwnParts& own,
+                  const Take& take) {
+  const Algorithm& algorithm = find_algorithm(params.algorithm());
   for (const auto list : kEntries) {
     for (const Entry& e : list) {
-      if (!algorithm.has(e.info.name) || !waits(params, e) || is_published(e)) continue;
-      const std::string value = kTable.get(params, e.info.name);
-      if (value == "none" || value == "0") continue;
-      throw invalid_parameter(
-          std::string(e.info.name) + " is " + value + ", but " + why_unread(params, e.info.name),
-          "leave it at " + kTable.get(published, e.info.name) + ", or change what it waits for");
+      const auto same = [&](const Params& others) {
+        return std::visit([&](const auto& value) { return value.same(params, others); }, e.value);
+      };
+      if (same(published) || !algorithm.has(e.info.name) || !waits(params, e)) continue;
+      if (has_preset(algorithm.name, Preset::book) && same(Params(algorithm.name, Preset::book)))
+        continue;
+      if (e.info.name == "straight_deposit") continue;  // Polish::none implies that there is none
+      if (!may_own_rules_read(e.info.name, own)) take(e);
     }
   }
 }
@@ -280,19 +291,21 @@ std::string why_unread(const Params& params, std::string_view name) {
 }
 
 void reset_unread(Params& params) {
-  const Params given = params;
   const Params published(params.algorithm());
-  for (const auto list : kEntries) {
-    for (const Entry& e : list) {
-      if (why_unread(given, e.info.name).empty()) continue;
-      kTable.set(params, e.info.name, kTable.get(published, e.info.name));
-    }
-  }
+  Params reset = params;
+  const auto take = [&](const Entry& e) {
+    kTable.set(reset, e.info.name, kTable.get(published, e.info.name));
+  };
+  find_waiting(params, published, {}, take);
+  for (const auto list : kEntries)
+    for (const Entry& e : list)
+      if (!find_algorithm(params.algorithm()).has(e.info.name)) take(e);
+  params = reset;
 }
 
-void validate(const Params& params) { validate(params, false); }
+void validate(const Params& params) { validate(params, OwnParts{}); }
 
-void validate(const Params& params, bool own_rules) {
+void validate(const Params& params, const OwnParts& own) {
   const Algorithm& algorithm = find_algorithm(params.algorithm());
   Params published(algorithm.name);
   published.seed = params.seed;
@@ -302,7 +315,14 @@ void validate(const Params& params, bool own_rules) {
   if (params == published) return;  // valid; saves time on short queries
   kTable.check(params);
   kTable.check_unread(params, published, algorithm);
-  if (!own_rules) check_waiting(params, published, algorithm);
+  find_waiting(params, published, own, [&](const Entry& e) {
+    const std::string name =
+        e.info.name == kPersistence ? "persistence (1 - evaporation)" : std::string(e.info.name);
+    throw invalid_parameter(
+        name + " is " + kTable.get(params, e.info.name) + ", but " +
+            why_unread(params, e.info.name),
+        "leave it at " + kTable.get(published, e.info.name) + ", or change that setting, too");
+  });
   const double first =
       params.pheromone_rule_first + params.distance_rule_first + params.combined_rule_first;
   const double last = params.pheromone_rule + params.distance_rule + params.combined_rule;

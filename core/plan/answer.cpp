@@ -41,7 +41,7 @@ Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Reques
     observer(view);
     return !view.stopped();
   };
-  exact::Anytime anytime(memory.hurried, grid, request.start, request.goal,
+  exact::Anytime anytime(memory.bounding, grid, request.start, request.goal,
                          {.target_gap = request.target_gap, .improved = observer ? &show : nullptr},
                          request.stop);
   if (graph != nullptr) {
@@ -104,7 +104,7 @@ Corners corners_of_paths(const Params& params) {
 
 Result answer(const PlanningMap& map, const Request& request, const Params& params,
               Workspace* workspace, const Observer& observer, const OwnRules& own) {
-  validate(params, !own.none());
+  validate(params, own);
   const Algorithm& algorithm = find_algorithm(params.algorithm());
   check_certifies(algorithm, request.target_gap);
   const Grid& grid = map.grid;

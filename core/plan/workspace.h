@@ -16,12 +16,12 @@ struct WorkspaceMemory {
   GridGaMemory genetic;
   ExactSearch exact;
   exact::PreparedSearch prepared;
-  exact::Anytime::Memory hurried;  ///< beside one of these
+  exact::Anytime::Memory bounding;  ///< beside one of these
   ExactAnswer exact_answer;
 
   std::int64_t bytes() const noexcept {
     return static_cast<std::int64_t>(sizeof *this) + colony.bytes() + genetic.bytes() +
-           exact.bytes() + prepared.bytes() + hurried.bytes() + held_bytes(exact_answer.path);
+           exact.bytes() + prepared.bytes() + bounding.bytes() + held_bytes(exact_answer.path);
   }
   static WorkspaceMemory& of(Workspace& workspace) noexcept { return *workspace.memory_; }
 };

@@ -164,7 +164,7 @@ class ParameterSet:
         return other
 
     def validate(self) -> None:
-        """Raises InvalidParameter where they do not compose; planning does that, too."""
+        """Raises InvalidParameter where they do not compose or one was changed that is not read, as planning does."""
         self._raw.validate()
 
     def formulas(self) -> List[str]:
@@ -255,10 +255,14 @@ class Params(ParameterSet):
     def __init__(self, algorithm: str = "exact", *, preset: str = "usual", **settings: Any) -> None:
         self._set(_lasius.Params(algorithm, preset), settings)
 
-    def reset_unread(self) -> Params:
-        """The same run; what its other settings leave unread has the algorithm's value, not yours.
+    def why_unread(self, name: str) -> str:
+        """Why a run does not read a parameter, as "it is read only with update=rank"; "" where it does."""
+        return str(self._raw.why_unread(name))
 
-        Planning refuses such values (`ranks` without update="rank"); in a sweep they may come up.
+    def without_unread(self) -> Params:
+        """Parameters of the same run with published values in place of those that are not read.
+
+        `plan` refuses such values (`ranks` without update="rank"), which a sweep may come to.
         """
         other = self._with({})
         other._raw.reset_unread()

@@ -102,7 +102,8 @@ def test_what_other_settings_leave_unread_is_refused(planner):
     idle = lasius.Params("as", ranks=9)
     with pytest.raises(lasius.InvalidParameter, match="ranks is 9, but it is read only with update=rank"):
         planner.plan(START, GOAL, idle)
-    assert idle.reset_unread() == lasius.Params("as") and idle.ranks == 9
+    assert idle.without_unread() == lasius.Params("as") and idle.ranks == 9
+    assert idle.why_unread("ranks") == "it is read only with update=rank" and idle.why_unread("ants") == ""
     with pytest.raises(lasius.InvalidParameter, match="beta is 1, but"):
         planner.plan(START, GOAL, "as", beta=1)
     table = np.linspace(1, 2, planner.grid.shape[0] * planner.grid.shape[1]).reshape(planner.grid.shape)

@@ -33,6 +33,19 @@ class Verify(ProgramTest):
                 self.assertEqual(self.save(*arguments)["status"], "solved")
                 self.assertEqual(self.run_program("verify", "r.json").code, 0)
 
+    def test_values_that_are_not_read_are_told_and_replayed(self):
+        for arguments in (["--set", "ranks=9"], ["--preset", "book", "--set", "omega=3"],
+                          ["--neighbours", "4", "--corners", "allow"]):
+            with self.subTest(arguments=arguments):
+                result = self.save("--algorithm", "as", *arguments)
+                name, _, value = arguments[-1].rpartition("=")
+                self.assertEqual(str(result["parameters"][name or "corners"]), value)
+                self.assertEqual(self.run_program("verify", "r.json").code, 0)
+        early = self.save("--algorithm", "as", "--preset", "book")
+        early["parameters"]["omega"] = 10  # as releases before 0.3.0 saved it
+        self.write("r.json", json.dumps(early))
+        self.assertEqual(self.run_program("verify", "r.json").code, 0)
+
     def test_a_parameter_that_came_later(self):
         result = self.save("--algorithm", "as", "--preset", "book")
         del result["parameters"]["walk_cut"]

@@ -41,7 +41,7 @@ Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, c
                         .target_gap = moves_on_cells(run.params) ? 0 : run.target_gap};
   Workspace workspace;  // to give back a large one takes time, which is not the plan's
   const auto begin = Clock::now();
-  answer.result = map.planner->plan(request, run.params, &workspace, observer);
+  answer.result = map.planner->plan(request, as_read(run.params), &workspace, observer);
   answer.elapsed_ms = ms_since(begin);
   if (run.with_optimum) add_optima(map, run, stop, answer);
   return answer;

@@ -68,10 +68,9 @@ void check_elsewhere(std::span<const Algorithm> all, const std::string& name,
   }
 }
 
-/// Drops those of the parameters that were asked for which the others leave unread, and says so in
-/// `notes`: one set of options may serve several algorithms.
+/// Says in `notes` which of the parameters that were asked for the others leave unread.
 template <class Params>
-void drop_unread(const SearchOptions& options, Params& params, const Algorithm& algorithm,
+void note_unread(const SearchOptions& options, const Params& params, const Algorithm& algorithm,
                  std::vector<std::string>& notes) {
   if constexpr (std::same_as<Params, lasius::Params>) {
     const auto note = [&](const std::string& told, std::string_view name) {
@@ -84,11 +83,18 @@ void drop_unread(const SearchOptions& options, Params& params, const Algorithm& 
       if (algorithm.has(name)) note("--" + name, name);
     for (const auto& setting : options.settings)
       note("--set " + setting, std::string_view(setting).substr(0, setting.find('=')));
-    reset_unread(params);
   }
 }
 
-/// The parameters that were asked for, validated. What has no effect is said in `notes`.
+/// The parameters of the same run for a plan, which refuses values that are not read: one set of
+/// options may serve several algorithms, and a result tells what was asked for.
+template <class Params>
+Params as_read(Params params) {
+  if constexpr (std::same_as<Params, lasius::Params>) reset_unread(params);
+  return params;
+}
+
+/// The parameters that were asked for, valid as as_read(). What has no effect is said in `notes`.
 /// @throws UsageError for unknown names, with the nearest; Error(invalid_parameter) for values.
 template <class Params>
 Params make_params(const SearchOptions& options, World::Kind kind, std::span<const Algorithm> all,
@@ -110,10 +116,10 @@ Params make_params(const SearchOptions& options, World::Kind kind, std::span<con
     const auto [name, value] = setting_of(setting, algorithm, all);
     set_parameter(params, name, value);
   }
-  drop_unread(options, params, algorithm, notes);
+  note_unread(options, params, algorithm, notes);
   params.seed = options.seed;
   params.threads = options.threads;
-  validate(params);
+  validate(as_read(params));
   return params;
 }
 

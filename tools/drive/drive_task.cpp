@@ -267,7 +267,7 @@ class DriveTask : public MapTask {
   const std::optional<Cell>& nearest_free() const override { return answer_.result.nearest_free; }
 
   NavigatorOptions navigator_options(const StopCondition& stop) const {
-    NavigatorOptions navigator{.params = options().params, .radius = map().radius};
+    NavigatorOptions navigator{.params = as_read(options().params), .radius = map().radius};
     if (map().prepare)
       navigator.prepare =
           PrepareOptions{.threads = options().map.threads, .stop = {.token = stop.token}};

@@ -37,7 +37,7 @@ class Domain {
 };
 
 /// Takes a contender's settings over `params`, its algorithm's defaults, on one
-/// thread; those that nothing reads stay as they were. @throws Error(invalid_parameter)
+/// thread; those of its settings that are not read are left out. @throws Error(invalid_parameter)
 template <class AnyParams>
 AnyParams configured(AnyParams params, const Contender& contender) {
   for (const auto& [name, value] : contender.settings) set_parameter(params, name, value);

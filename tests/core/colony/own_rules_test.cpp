@@ -127,6 +127,34 @@ TEST(OwnRules, AnOwnScheduleSetsExponentsAndShares) {
   EXPECT_NE(far.plan(params).steps, expected.steps);
 }
 
+// Of what waits for another setting, own rules may read what they take the place of, no more.
+TEST(OwnRules, MayReadWhatBuiltInOnesWouldNot) {
+  const std::vector<double> table(12, 1.0);
+  const OwnRules heuristic{.heuristic = table},
+      update{.update = [](Pheromone&, const IterationTours&) {}},
+      schedule{.schedule = [](int) { return StepWeights{}; }};
+  const auto refused = [](const char* name, const OwnRules& own) {
+    Params params("as");
+    params.critical_time = 0;
+    set_parameter(params, name, "3");
+    try {
+      validate(params, own);
+    } catch (const Error&) {
+      return true;
+    }
+    return false;
+  };
+  for (const char* name : {"beta", "beta_first", "alpha_first", "ranks"})
+    EXPECT_TRUE(refused(name, {})) << name;
+  EXPECT_FALSE(refused("beta", heuristic));
+  EXPECT_TRUE(refused("ranks", heuristic));
+  EXPECT_FALSE(refused("ranks", update));
+  EXPECT_TRUE(refused("beta", update));
+  EXPECT_FALSE(refused("alpha_first", schedule));
+  EXPECT_FALSE(refused("beta_first", schedule));
+  EXPECT_TRUE(refused("ranks", schedule));
+}
+
 TEST(OwnRules, TheInverseDistanceAsATableChangesNothing) {
   const FarApart far;
   const Grid& grid = far.planner.grid();

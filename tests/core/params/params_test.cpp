@@ -219,21 +219,39 @@ TEST(Params, WhatWaitsForAnothersValueMustStay) {
   params.beta_first = 2;
   params.ants = 7;
   EXPECT_EQ(refusal([&] { validate(params); }),
-            "beta_first is 2, but it is read only with critical_time above 0, where beta is read; "
-            "leave it at 5, or change what it waits for");
+            "beta_first is 2, but it is read only with critical_time above 0 and settings that "
+            "read beta; leave it at 5, or change that setting, too");
   Params read = params;
   read.update = Update::rank;
   read.critical_time = 5;
   read.heuristic = Heuristic::inverse_distance;
   EXPECT_NO_THROW(validate(read));
+  const Params before = read;
   reset_unread(read);
-  EXPECT_EQ(read.ranks, 9);
+  EXPECT_EQ(read, before);
   reset_unread(params);
   EXPECT_NO_THROW(validate(params));
   EXPECT_EQ(params.ranks, Params("as").ranks);
   EXPECT_EQ(params.ants, 7);
-  params.elite_weight = 0;  // asks for nothing
-  EXPECT_NO_THROW(validate(params));
+  Params index("terminal-index");
+  set_parameter(index, "evaporation", "1");
+  expect_says(refusal([&] { validate(index); }), "persistence (1 - evaporation) is 0, but");
+}
+
+// Values that are published are nobody's mistake, nor is what Polish::none implies.
+TEST(Params, WhatNobodyAskedForMayWait) {
+  Params book("as", Preset::book);
+  const Params before = book;
+  reset_unread(book);
+  EXPECT_EQ(book, before);
+  for (const char* name : {"fan2004", "as"}) {
+    for (const StraightDeposit deposit : {StraightDeposit::none, StraightDeposit::improving}) {
+      Params params(name);
+      params.polish = Polish::none;
+      params.straight_deposit = deposit;
+      EXPECT_NO_THROW(validate(params)) << name;
+    }
+  }
 }
 
 TEST(Params, KindsAreTold) {

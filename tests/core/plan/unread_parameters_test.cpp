@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "core/base/number_text.h"
+#include "core/colony/colony.h"
+#include "core/params/grid_parameters.h"
 #include "lasius/error.h"
 #include "lasius/params.h"
 #include "lasius/planner.h"
-#include "lasius/schedule.h"
 #include "tests/core/params/parameter_ends.h"
 #include "tests/worlds/planning.h"
 
@@ -46,16 +47,18 @@ bool same_run(const Result& a, const Result& b) {
          std::ranges::equal(a.mean, b.mean, same_number);
 }
 
-// Nothing where the parameters do not go together. The schedule is the built-in one: with an own
-// rule, values that wait for another setting are not refused.
+// Nothing where the parameters do not go together; values that are not read are not refused.
 std::optional<Result> run(const Planner& planner, const Request& request, const Params& params) {
+  Params read = params;
+  reset_unread(read);
   try {
-    return planner.plan(request, params, OwnRules{.schedule = [&](int iteration) {
-                          return schedule(params, iteration);
-                        }});
+    validate(read);
   } catch (const Error&) {
     return {};
   }
+  if (params.selection == Selection::inverse_roulette && mixes_rules(params)) return {};
+  ColonyMemory memory;
+  return run_colony(planner.grid(), request, params, memory, {}, {});
 }
 
 // What is read, but may well change nothing: values of which only the ratio counts, times between
@@ -152,16 +155,14 @@ TEST(UnreadParameters, SayWhy) {
   steps.update = Update::ant_system;
   steps.heuristic = Heuristic::uniform;
   steps.visibility = Visibility::inverse_step;
-  EXPECT_EQ(
-      why_unread(steps, "beta"),
-      "it is read only with any heuristic except uniform|rescaled-distance, or any visibility "
-      "except none, or update=terminal-index, and neighbours above 4 if inverse-step alone "
-      "reads it");
+  EXPECT_EQ(why_unread(steps, "beta"),
+            "it is read only with a heuristic, visibility or update with it in its formula, and "
+            "neighbours above 4 where that is inverse-step alone");
   EXPECT_EQ(why_unread(steps, "beta_first"),
-            "it is read only with critical_time above 0, where beta is read");
+            "it is read only with critical_time above 0 and settings that read beta");
   EXPECT_EQ(why_unread(Params("cong2009"), "deposit"),
-            "it is read only with any update except terminal-index, and initial_pheromone=0 or a "
-            "straight_deposit if it is learning");
+            "it is read only with any update except terminal-index, and for learning also "
+            "initial_pheromone=0 or a straight_deposit");
   EXPECT_EQ(why_unread(Params("as"), "ants"), "");
   EXPECT_EQ(why_unread(Params("exact"), "ants"), "exact does not read it");
   EXPECT_THROW(why_unread(Params("as"), "antz"), Error);
