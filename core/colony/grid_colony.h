@@ -92,9 +92,7 @@ class GridColony final : public ColonyWorld {
     agreed_ = 0;
     BestTour& best = memory_.best;
     if (!best.walkable(grid_, params_.corners, moves_, request_.start)) best.drop();
-    const Corners corners =
-        params_.neighbours == Neighbours::four ? Corners::forbid : params_.corners;
-    if (path_fault(grid_, best_path_.points(), corners)) best_path_.drop();
+    if (path_fault(grid_, best_path_.points(), params_.corners)) best_path_.drop();
   }
 
   // What the loop asks for.

@@ -278,9 +278,10 @@ LASIUS_EXPORT std::string get_parameter(const Params& params, std::string_view n
 /// @throws Error(invalid_parameter) for an unknown name.
 LASIUS_EXPORT std::string why_unread(const Params& params, std::string_view name);
 
-/// Sets every parameter that is not read back to its published value: the run is the same, and
-/// validate() accepts it. For sweeps, whose settings do not all go together; not for parameters
-/// that own rules read. @throws std::bad_alloc alone
+/// Sets every parameter that the algorithm has but its other settings leave unread to the usual
+/// preset's value: the run is the same, and validate() does not refuse it for them. For sweeps,
+/// whose settings do not all go together; not for parameters that own rules read. Values that
+/// validate() lets stand stay.
 LASIUS_EXPORT void reset_unread(Params& params);
 
 /// Checks every field. @throws Error(invalid_parameter) for the first one that is out of range,

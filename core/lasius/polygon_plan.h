@@ -257,9 +257,9 @@ using BatchReceiver = BatchReceiverOf<Result>;  ///< called with each
 /// returned are those of lasius::plan_batch; a start or goal that is outside or blocked is an
 /// answer, Status::invalid.
 /// @throws Error(invalid_parameter) for parameters that validate() refuses, options or a target gap
-/// out of range, for a
-///         request without start or goal where the world names none, for coordinates of either
-///         that are not finite, and for an empty receiver, before anything is planned.
+///         out of range, for a request without start or goal where the world names none, for
+///         coordinates of either that are not finite, and for an empty receiver, before anything is
+///         planned.
 LASIUS_POLYGON_EXPORT std::size_t plan_batch(const Planner& planner,
                                              std::span<const Request> requests,
                                              const Params& parameters, const BatchOptions& options,

@@ -16,7 +16,8 @@ std::span<const Parameter> genetic_parameters() noexcept;
 struct OwnParts {
   bool heuristic = false, update = false, schedule = false;
 };
-/// The public one, which knows of none.
+/// As the public one, which knows of none: values that `own` may read are not refused.
+/// @throws Error(invalid_parameter)
 void validate(const Params& params, const OwnParts& own);
 
 /// True when ants choose between rules at some iteration, rather than always combine them.

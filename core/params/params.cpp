@@ -293,13 +293,9 @@ std::string why_unread(const Params& params, std::string_view name) {
 void reset_unread(Params& params) {
   const Params published(params.algorithm());
   Params reset = params;
-  const auto take = [&](const Entry& e) {
+  find_waiting(params, published, {}, [&](const Entry& e) {
     kTable.set(reset, e.info.name, kTable.get(published, e.info.name));
-  };
-  find_waiting(params, published, {}, take);
-  for (const auto list : kEntries)
-    for (const Entry& e : list)
-      if (!find_algorithm(params.algorithm()).has(e.info.name)) take(e);
+  });
   params = reset;
 }
 
@@ -321,7 +317,7 @@ void validate(const Params& params, const OwnParts& own) {
     throw invalid_parameter(
         name + " is " + kTable.get(params, e.info.name) + ", but " +
             why_unread(params, e.info.name),
-        "leave it at " + kTable.get(published, e.info.name) + ", or change that setting, too");
+        "set it to " + kTable.get(published, e.info.name) + ", or change that setting, too");
   });
   const double first =
       params.pheromone_rule_first + params.distance_rule_first + params.combined_rule_first;

@@ -98,8 +98,7 @@ std::pair<Fault, std::string> fault_of_end(const Grid& grid, bool at_start, Cell
 
 Corners corners_of_paths(const Params& params) {
   const bool exact = find_algorithm(params.algorithm()).kind == Algorithm::Kind::exact;
-  const bool squeezes = !exact && params.neighbours != Neighbours::four;
-  return squeezes ? params.corners : Corners::forbid;
+  return exact ? Corners::forbid : params.corners;
 }
 
 Result answer(const PlanningMap& map, const Request& request, const Params& params,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import operator
-import sys
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple, Type, TypeVar, Union
 
@@ -164,7 +163,7 @@ class ParameterSet:
         return other
 
     def validate(self) -> None:
-        """Raises InvalidParameter where they do not compose or one was changed that is not read, as planning does."""
+        """Raises InvalidParameter where they do not compose or one was changed that is not read. Planning does that, too, but accepts what own rules may read."""
         self._raw.validate()
 
     def formulas(self) -> List[str]:

@@ -10,7 +10,7 @@
 
 namespace lasius::polygon {
 
-/// Squares, which take a tenth of the time of roots.
+/// The square of the distance; a root would take ten times as long.
 inline double square_of_distance_to_segment(Point a, Point b, Point p) {
   const double dx = b.x - a.x, dy = b.y - a.y;
   const double along = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);

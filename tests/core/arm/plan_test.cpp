@@ -84,6 +84,12 @@ class Witness final : public Sensor {
   mutable std::set<std::pair<Point3, Point3>> motions_;
 };
 
+TEST(Goal, KindsAreNamed) {
+  EXPECT_EQ(to_string(Goal::position({1, 0, 0}).kind), "position");
+  EXPECT_EQ(to_string(Goal::pose(Pose::Identity()).kind), "pose");
+  EXPECT_EQ(to_string(Goal::joints(JointVector::Zero(2)).kind), "joints");
+}
+
 TEST(ArmPlan, AsksOnlyAboutWhatAntsTryAndNothingTwice) {
   for (const int threads : {1, 3}) {
     for (const std::uint64_t seed : {3u, 7u, 12u}) {

@@ -142,7 +142,7 @@ TEST(Anytime, PathAndBoundHoldAndOnlyImproveAtEveryStop) {
   }
 }
 
-// Where every path has a mirror image, a hurried search must not decide which of the two is
+// Where every path has a mirror image, the bounding search must not decide which of the two is
 // returned.
 TEST(Anytime, ADeadlineThatIsNotReachedChangesNothing) {
   std::mt19937 random(15);
@@ -187,7 +187,7 @@ TEST(Anytime, AnObserverSeesShorterPathsAndHigherBounds) {
   EXPECT_DOUBLE_EQ(lengths.back(), whole.length);
 }
 
-// The hurried search alone: weights fall until the gap is small.
+// The bounding search alone: weights fall until the gap is small.
 TEST(Anytime, ImprovingEndsCloseToTheOptimum) {
   const Across across(MapKind::random, 500, 0.3);
   const Result whole = across.plan({});

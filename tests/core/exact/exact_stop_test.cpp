@@ -43,7 +43,7 @@ TEST(ExactStop, BoundsHoldAtEveryStop) {
   EXPECT_GT(with_path, 4);
 }
 
-// Stopped at a random look at the clock, hurried or not.
+// Stopped at a random look at the clock, with the bounding search or not.
 TEST(ExactStop, BoundsHoldAtRandomStopsOnEveryKindOfMap) {
   std::mt19937 random(14);
   ExactSearch search;

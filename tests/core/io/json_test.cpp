@@ -103,6 +103,16 @@ TEST(Json, ReadsWhatTheProgramPrints) {
 }
 
 // Numbers that a type does not hold are named, not cut.
+TEST(Json, ParametersThatAreNotReadAreReset) {
+  Params idle("as");
+  idle.ranks = 9;
+  idle.ants = 7;
+  const Params read = params_from_json(params_to_json(idle));
+  EXPECT_EQ(read.ranks, Params("as").ranks);
+  EXPECT_EQ(read.ants, 7);
+  EXPECT_THROW(params_from_json(R"({"algorithm":"exact","parameters":{"ants":5}})"), Error);
+}
+
 TEST(Json, RefusesNumbersThatDoNotFit) {
   expect_says(params_refusal(R"({"algorithm": "exact", "threads": 4294967297})"), "threads");
   const std::string whole =

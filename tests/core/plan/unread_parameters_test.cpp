@@ -61,6 +61,23 @@ std::optional<Result> run(const Planner& planner, const Request& request, const 
   return run_colony(planner.grid(), request, params, memory, {}, {});
 }
 
+bool is_refused(const Params& params) {
+  try {
+    validate(params);
+  } catch (const Error&) {
+    return true;
+  }
+  return false;
+}
+
+// Is it the textbook's value, or what Polish::none implies?
+bool may_stand(const Params& params, std::string_view name) {
+  if (name == "straight_deposit") return true;
+  const auto value = get_parameter(params, name);
+  return has_preset(params.algorithm(), Preset::book) &&
+         get_parameter(Params(params.algorithm(), Preset::book), name) == value;
+}
+
 // What is read, but may well change nothing: values of which only the ratio counts, times between
 // equal shares, an end that comes only to those who agree.
 bool may_change_nothing(std::string_view name) {
@@ -93,6 +110,7 @@ TEST_P(EveryColonysParameters, ChangeARunUnlessTheyAreSaidToBeUnread) {
       set_parameter(changed, parameter.name, value);
       const auto result = run(planner, request, changed);
       if (!result) continue;
+      EXPECT_EQ(is_refused(changed), !why.empty() && !may_stand(changed, parameter.name)) << value;
       ++runs;
       if (!same_run(*result, usual)) ++changes;
     }
