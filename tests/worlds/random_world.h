@@ -75,7 +75,7 @@ inline Request random_request(const Planner& planner, std::uint64_t seed) {
   return {.start = free_point(planner, dice), .goal = free_point(planner, dice)};
 }
 
-/// Independent of the library but for the obstacles as grown: GEOS decides.
+/// Independent of the library but for obstacles that it has merged: GEOS decides.
 class Referee {
  public:
   explicit Referee(const std::vector<Polygon>& obstacles) : context_(GEOS_init_r()) {
@@ -105,6 +105,15 @@ class Referee {
     GEOSGeom_destroy_r(context_, shrunk);
     GEOSGeom_destroy_r(context_, line);
     return !meets;
+  }
+
+  /// From a path to the nearest obstacle.
+  double distance(const std::vector<Point>& path) const {
+    GEOSGeometry* line = line_of(path);
+    double least = 0;
+    const bool found = GEOSDistance_r(context_, line, obstacles_, &least) == 1;
+    GEOSGeom_destroy_r(context_, line);
+    return found ? least : std::nan("");
   }
 
   /// Whether the segment misses the inside of every obstacle.
