@@ -249,7 +249,7 @@ struct Algorithm {
   std::span<const Parameter> parameters;  ///< that it reads
   Kind kind = Kind::colony;               ///< what runs it
 
-  /// Does it read the parameter of this name?
+  /// Does it read the parameter of this name? "evaporation" is another word for persistence.
   LASIUS_EXPORT bool has(std::string_view parameter) const noexcept;
 };
 /// The name, as in "colony".

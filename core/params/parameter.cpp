@@ -29,6 +29,7 @@ std::string Parameter::range() const {
 }
 
 bool Algorithm::has(std::string_view parameter) const noexcept {
+  if (parameter == "evaporation") parameter = "persistence";
   return std::ranges::any_of(parameters,
                              [parameter](const Parameter& p) { return p.name == parameter; });
 }

@@ -54,8 +54,8 @@ constexpr Words readers_of(std::string_view parameter) {
   if (visibilities.view().empty() && updates.view().empty()) return heuristics;
   return several.add("a heuristic, visibility or update with it in its formula");
 }
-bool is_read_by_rules(const Params& p, std::string_view parameter) {
-  return rule_of(p.heuristic, kHeuristics).reads(parameter) ||
+bool is_read_by_rules(const Params& p, std::string_view parameter, bool own_heuristic = false) {
+  return (!own_heuristic && rule_of(p.heuristic, kHeuristics).reads(parameter)) ||
          rule_of(p.visibility, kVisibilities).reads(parameter) ||
          rule_of(p.update, kUpdates).reads(parameter);
 }
@@ -229,8 +229,9 @@ constexpr std::array kEntries{std::span<const Entry>(kColony), std::span<const E
 constexpr Table kTable(kEntries);
 
 // Is it read only with other values of other parameters?
-bool waits(const Params& p, const Entry& e) {
-  const bool by_rules = readers_of(e.info.name).view().empty() || is_read_by_rules(p, e.info.name);
+bool waits(const Params& p, const Entry& e, bool own_heuristic = false) {
+  const bool by_rules =
+      readers_of(e.info.name).view().empty() || is_read_by_rules(p, e.info.name, own_heuristic);
   return !by_rules || (e.is_read != nullptr && !e.is_read(p));
 }
 
@@ -259,7 +260,8 @@ void find_waiting(const Params& params, const Params& published, const OwnParts&
       const auto same = [&](const Params& others) {
         return std::visit([&](const auto& value) { return value.same(params, others); }, e.value);
       };
-      if (same(published) || !algorithm.has(e.info.name) || !waits(params, e)) continue;
+      if (same(published) || !algorithm.has(e.info.name) || !waits(params, e, own.heuristic))
+        continue;
       if (has_preset(algorithm.name, Preset::book) && same(Params(algorithm.name, Preset::book)))
         continue;
       if (e.info.name == "straight_deposit") continue;  // Polish::none implies that there is none

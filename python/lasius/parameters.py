@@ -104,6 +104,8 @@ class ParameterSet:
 
     def _set(self, raw: Any, settings: Dict[str, Any]) -> None:
         self._raw = raw
+        if "evaporation" in settings and "persistence" in settings:
+            raise invalid("evaporation and persistence are both given", "persistence is 1 - evaporation: give one")
         for name, value in settings.items():
             if name in ("seed", "threads"):
                 setattr(self._raw, name, whole(name, value))

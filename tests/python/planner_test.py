@@ -115,6 +115,12 @@ def test_what_other_settings_leave_unread_is_refused(planner):
     assert trail.choices == ("cells", "arcs") and trail.range == "cells|arcs"
 
 
+def test_evaporation_and_persistence_are_one():
+    assert lasius.Params("as", evaporation=0.25) == lasius.Params("as", persistence=0.75)
+    with pytest.raises(lasius.InvalidParameter, match="both given"):
+        lasius.Params("as", evaporation=0.25, persistence=0.75)
+
+
 def test_what_does_not_compose_is_refused(planner):
     with pytest.raises(lasius.InvalidParameter):
         planner.plan(START, GOAL, "mmas", target_gap=0.1)

@@ -225,7 +225,7 @@ class Drive(ProgramTest):
 
     def test_a_recorded_drive_is_replayed(self):
         self.write("c.txt", "4 9 0 blocked\n9 9 0 free\n0 move 1 1 0.5 0 3 2 3\n")
-        for more in ([], ["--algorithm", "fan2004", "--iterations", "4"], ["--max-ticks", "5"]):
+        for more in ([], ["--algorithm", "fan2004", "--iterations", "4"], ["--max-ticks", "5", "--time-limit", "100"], ["--max-ticks", "5"]):
             self.drive("--world", "truth.map", "--changes", "c.txt", "--sense", "2", *more,
                        "-o", "r.json", "-q", start="9,2")
             for threads in ("1", "2"):

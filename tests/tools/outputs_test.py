@@ -61,6 +61,14 @@ class Inputs(ProgramTest):
         os.symlink("small.map", self.path("link.json"))
         self.refused_over("small.map", "batch", "small.map", "q.csv", "-o", "link.json")
 
+    def test_a_preset(self):
+        self.write("p.json", '{"algorithm": "as", "set": {"iterations": 2}}')
+        self.write("q.tsv", QUERIES)
+        ends = ("--algorithm", "as", "--preset", "p.json", "-o", "p.json")
+        for words in (["plan", "small.map", *QUERY[:4]], ["drive", "small.map", *QUERY[:4]],
+                      ["batch", "small.map", "q.tsv"]):
+            self.refused_over("p.json", *words, *ends)
+
     def test_a_world(self):
         self.write("world.json", WORLD)
         run = self.run_program("plan", "world.json", "--algorithm", "exact", "--start", "1,1",

@@ -157,6 +157,10 @@ class OwnStudy(ProgramTest):
         self.assertEqual(len(rows), 12)
         self.assertEqual({r["set.persistence"] for r in rows}, {"0.5", "0.9"})
         self.assertEqual({r["iterations"] for r in rows}, {"5"})
+        lost = self.run_program(*self.SHORT, "--algorithm", "as,mmas", "--set", "evaporation=0.5,0.1",
+                                "--set", "iterations=5", "--seeds", "1..3", "-o", "lost")
+        self.assertEqual(lost.code, 0, lost.err)
+        self.assertEqual([r["length"] for r in self.runs_of("lost")], [r["length"] for r in rows])
         # Its file says the same.
         self.ended(self.run_program("study", "r/study.yaml", "-o", "r2"), 0)
         self.assertEqual(self.runs_of("r2"), rows)
@@ -243,6 +247,8 @@ class OwnStudy(ProgramTest):
                      '"persistence"')
         self.write("p.yaml", "algorithm: mmas\n")
         self.refused(self.plan("--preset", "p.yaml", "--algorithm", "as"), 2, "mmas")
+        self.write("p.yaml", "algorithm: as\nset: {evaporation: 0.3, persistence: 0.2}\n")
+        self.refused(self.plan("--preset", "p.yaml"), 3, "p.yaml, line 2: ", "'evaporation'", "keep one")
         self.refused(self.plan("--preset", "none.yaml", "--algorithm", "as"), 3, "none.yaml")
         self.refused(self.plan("--preset", "bok", "--algorithm", "as"), 2, '"book"')
         for old, new, line, told in (("training:", "trainig:", 8, '"training"'),
@@ -255,6 +261,10 @@ class OwnStudy(ProgramTest):
             self.write("t.yaml", TUNING.replace(old, new, 1))
             self.refused(self.run_program("tune", "t.yaml"), 3, f"t.yaml, line {line}: ", told)
         self.refused(self.run_program("tune", "none.yaml"), 3, "none.yaml")
+        os.mkdir(self.path("here"))
+        self.write("here/preset.yaml", "algorithm: mmas\n")
+        self.write("here/t.yaml", TUNING.replace("algorithm: mmas", "algorithm: mmas\npreset: preset.yaml", 1))
+        self.refused(self.run_program("tune", "here/t.yaml", "-o", "here"), 2, "preset.yaml", "one file")
         self.write("t.yaml", TUNING)
         self.write("file", "")
         self.refused(self.run_program("tune", "t.yaml", "-o", "file/x"), 7, "file/x")

@@ -80,7 +80,7 @@ std::vector<Request> requests_of(const QueryFile& file, const LoadedMap& map,
 
 int run_command(const BatchCommand& command) {
   const RunOptions& run = command.run;
-  check_outputs(run.outputs, {run.map.file, command.queries});
+  check_outputs(run.outputs, {run.map.file, command.queries, run.preset_file});
   SignalWatcher signals;
   const auto shared = std::make_shared<LoadedMap>(
       load_map(run.map, run.frame, run.params.corners, signals.token()));

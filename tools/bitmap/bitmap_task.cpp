@@ -78,7 +78,7 @@ void BitmapTask::plan(const StopCondition& stop, const Watch& watch) {
 }
 
 std::vector<std::string> BitmapTask::input_files() const {
-  return {options().map.file, map_ ? map_->image : std::string()};
+  return {options().map.file, map_ ? map_->image : std::string(), options().preset_file};
 }
 
 /// What --gap found.

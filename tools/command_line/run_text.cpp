@@ -44,6 +44,7 @@ void take_preset(const SearchText& text, SearchOptions& options) {
     throw UsageError("--preset " + text.preset + " is of " + preset.algorithm + ", not of " +
                      options.algorithm + "; leave --algorithm out");
   options.preset = preset.preset;
+  options.preset_file = text.preset;
   options.preset_settings = std::move(preset.settings);
 }
 

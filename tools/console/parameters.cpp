@@ -40,7 +40,7 @@ std::pair<std::string_view, std::string_view> setting_of(std::string_view settin
     throw UsageError(told + "this is an option, --" + option);
   const auto value = setting.substr(equals + 1);
   if (name == "rho") return {name, value};  // refused with both its meanings
-  if (algorithm.has(name == "evaporation" ? "persistence" : name)) return {name, value};
+  if (algorithm.has(name)) return {name, value};
   const auto unknown =
       told + std::string(algorithm.name) + " has no parameter \"" + std::string(name) + "\"; ";
   if (!algorithm.parameters.empty())

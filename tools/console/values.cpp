@@ -59,7 +59,7 @@ std::int64_t integer_value(std::string_view option, std::string_view text, std::
 
 double real_value(std::string_view option, std::string_view text, double low, double high) {
   const auto value = parse_real(text);
-  if (value && *value >= low && *value <= high) return *value;
+  if (value && *value >= low && *value <= high) return *value + 0.0;  // -0 is 0
   std::string wanted = "a number from " + to_text(low);
   wanted += high < kNoLimit ? " to " + to_text(high) : " up";
   throw bad_value(option, text, wanted);

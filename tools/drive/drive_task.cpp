@@ -162,7 +162,7 @@ class DriveTask : public MapTask {
   const RunOptions& options() const override { return command_.run; }
   std::vector<std::string> input_files() const override {
     std::vector<std::string> files{options().map.file, answer_.map.image, command_.world,
-                                   command_.changes};
+                                   command_.changes, options().preset_file};
     if (answer_.world) files.push_back(answer_.world->image);
     return files;
   }

@@ -43,7 +43,8 @@ struct Messages {
 struct SearchOptions {
   std::string algorithm;          ///< empty: the world's first
   Preset preset = Preset::usual;  ///< of a colony on bitmaps
-  /// Of a preset's file, before all others.
+  std::string preset_file;        ///< empty: none
+  /// Of that file, before all others.
   std::vector<std::pair<std::string, std::string>> preset_settings;
   std::vector<std::pair<std::string, std::string>> named;  ///< parameters with their own option
   std::vector<std::string> settings;                       ///< NAME=VALUE

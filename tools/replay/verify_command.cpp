@@ -211,9 +211,10 @@ std::unique_ptr<Task> task_of(const Recorded& recorded, Last& last) {
 /// True where no clock took part: the number of questions, or of ticks, was what ended it.
 bool ended_by_count(const Json& result) {
   const Json& given = value_at(result, "parameters");
+  if (given.is_object() && given.contains("max_ticks"))
+    return value_at(result, "ticks") == given["max_ticks"];
   const bool counted =
-      given.is_object() && ((given.contains("max_questions") && given["max_questions"] != 0) ||
-                            given.contains("max_ticks"));
+      given.is_object() && given.contains("max_questions") && given["max_questions"] != 0;
   return counted && value_at(given, "time_limit").is_null();
 }
 

@@ -37,6 +37,7 @@ struct Contender {
   Settings settings = {};  ///< over its defaults
   Settings factors = {};   ///< those of the settings that a sweep has set
   Budget budget = {};
+  std::string preset_file = {};  ///< whose settings are among those above; empty: none
 };
 
 /// What the source reports of one contender on one question; kUnknown where it does not.

@@ -8,8 +8,7 @@ void try_setting(Params& params, const std::string& name, const std::string& val
                  const Node& place) {
   try {
     const Algorithm& algorithm = find_algorithm(params.algorithm());
-    const bool other_word = name == "evaporation" || name == "rho";  // of persistence
-    if (!algorithm.has(other_word ? "persistence" : name)) {
+    if (name != "rho" && !algorithm.has(name)) {  // which is refused with both its meanings
       Params other;  // knows the names of all, and the nearest to one that none has
       set_parameter(other, name, value);
       place.fail("is no parameter of " + params.algorithm(),
@@ -20,6 +19,12 @@ void try_setting(Params& params, const std::string& name, const std::string& val
     if (fault.code() == ErrorCode::file_broken) throw;
     place.fail("is refused: " + fault.problem(), fault.remedy());
   }
+}
+
+void refuse_both_words(const Node& set) {
+  const Node* const lost = set.find("evaporation");
+  if (lost != nullptr && set.find("persistence") != nullptr)
+    lost->fail("is given beside \"persistence\", which is 1 less it", "keep one of them");
 }
 
 Params known_params(const std::string& algorithm, Preset preset, const Node& place) {
@@ -40,6 +45,7 @@ PresetFile read_preset_file(const std::string& file) {
       known_params(preset.algorithm, preset.preset, over != nullptr ? *over : root.at("algorithm"));
   const Node* const set = root.find("set");
   if (set != nullptr) {
+    refuse_both_words(*set);
     for (const auto& [name, value] : set->entries()) {
       preset.settings.emplace_back(name, value.text());
       try_setting(params, name, value.text(), value);

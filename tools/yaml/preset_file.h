@@ -22,6 +22,9 @@ struct PresetFile {
 /// algorithm or parameter.
 PresetFile read_preset_file(const std::string& file);
 
+/// @throws Error(file_broken) where settings hold evaporation and persistence.
+void refuse_both_words(const Node& set);
+
 /// Tries one value. @throws Error(file_broken) at `place`, saying what the library says.
 void try_setting(Params& params, const std::string& name, const std::string& value,
                  const Node& place);

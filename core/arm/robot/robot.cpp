@@ -186,7 +186,7 @@ Robot parse_robot(std::string_view text, const std::string& file, const Chain& c
   Robot robot = parse_short(text, file);
   if (!chain.base.empty() || !chain.tip.empty() || !chain.set_joints.empty() ||
       !chain.srdf.empty() || !chain.joint_limits.empty() || !chain.allow_contact.empty() ||
-      chain.use_visual || chain.bodiless) {
+      !chain.packages.empty() || chain.use_visual || chain.bodiless) {
     refuse("options of a URDF robot are given (links, joints, bodies or files), but " + file +
                " is no URDF file",
            "say it in the file; leave them out");

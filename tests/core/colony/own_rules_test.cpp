@@ -148,6 +148,10 @@ TEST(OwnRules, MayReadWhatBuiltInOnesWouldNot) {
     EXPECT_TRUE(refused(name, {})) << name;
   EXPECT_FALSE(refused("beta", heuristic));
   EXPECT_TRUE(refused("ranks", heuristic));
+  Params rescaled("fan2004");
+  rescaled.omega = 3;
+  EXPECT_NO_THROW(validate(rescaled));
+  EXPECT_THROW(validate(rescaled, heuristic), Error);
   EXPECT_FALSE(refused("ranks", update));
   EXPECT_TRUE(refused("beta", update));
   EXPECT_FALSE(refused("alpha_first", schedule));

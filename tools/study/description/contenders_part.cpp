@@ -30,7 +30,10 @@ struct Described {
   bool swept = true;
 
   void set(const std::string& name, std::string value, const Node& where) {
-    std::erase_if(settings, [&](const Placed& s) { return s.name == name; });
+    const auto parameter = [](const std::string& word) {
+      return word == "evaporation" ? "persistence" : word;
+    };
+    std::erase_if(settings, [&](const Placed& s) { return parameter(s.name) == parameter(name); });
     settings.push_back({name, std::move(value), &where});
   }
 };
@@ -62,9 +65,11 @@ class Reader {
       d.contender.algorithm = d.algorithm->text();
     }
     if (const Node* const preset = from.find("preset")) take_preset(d, *preset);
-    if (const Node* const set = from.find("set"))
+    if (const Node* const set = from.find("set")) {
+      tool::refuse_both_words(*set);
       for (const auto& [parameter, value] : set->entries())
         d.set(parameter, filled(value.text(), words_), value);
+    }
     if (const Node* const budget = from.find("budget")) d.budget = budget;
   }
 
@@ -98,7 +103,8 @@ class Reader {
       d.contender.preset = static_cast<Preset>(preset.choice(kPresetNames));
       return;
     }
-    const auto file = tool::read_preset_file((folder_ / preset.text()).string());
+    d.contender.preset_file = (folder_ / preset.text()).string();
+    const auto file = tool::read_preset_file(d.contender.preset_file);
     if (file.algorithm != d.contender.algorithm)
       preset.fail("is of " + file.algorithm + ", not of " + d.contender.algorithm,
                   "name its algorithm");
@@ -234,7 +240,7 @@ const Parameter& parameter_of(const Node& factor, const std::vector<std::string>
   std::vector<std::string_view> known;
   for (const std::string& algorithm : algorithms) {
     for (const Parameter& p : find_algorithm(algorithm).parameters) {
-      if (p.name == factor.key()) return p;
+      if (p.name == (factor.key() == "evaporation" ? "persistence" : factor.key())) return p;
       known.push_back(p.name);
     }
   }

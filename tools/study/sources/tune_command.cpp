@@ -46,8 +46,10 @@ int run_command(const TuneCommand& command) {
   if (!command.messages.quiet) tell_unread(tuning.candidates);
   const fs::path folder = command.folder;
   study::make_folder(folder);
+  std::vector<std::string> inputs{command.file};
+  for (const study::Contender& c : tuning.candidates) inputs.push_back(c.preset_file);
   for (const char* name : {"report.md", "race.csv", "candidates.csv", "preset.yaml"})
-    check_outputs({(folder / name).string()}, {command.file});  // before hours of work
+    check_outputs({(folder / name).string()}, inputs);  // before hours of work
   const SignalWatcher signals;
   const study::Tuned tuned = conduct_tuning(tuning, command, signals.token());
   write_tuning(tuning, tuned, folder);
