@@ -110,11 +110,11 @@ const Kind kKinds[] = {
      [](std::mt19937& r) {
        return random_grid(random_in(20, 70, r), random_in(20, 70, r), random_in(0, 4, r), r);
      }},
-    {"noise", 12, 40, 5,
+    {"noise", 8, 40, 5,
      [](std::mt19937& r) {
        return random_grid(random_in(20, 70, r), random_in(20, 70, r), random_in(10, 45, r), r);
      }},
-    {"blobs", 12, 50, 6, [](std::mt19937& r) { return generated(MapKind::blobs, r); }},
+    {"blobs", 8, 50, 6, [](std::mt19937& r) { return generated(MapKind::blobs, r); }},
     {"rooms", 12, 50, 6, [](std::mt19937& r) { return generated(MapKind::rooms, r); }},
     {"maze", 8, 50, 3, [](std::mt19937& r) { return generated(MapKind::maze, r); }},
     {"large", 8, 12, 30, [](std::mt19937& r) { return generated(MapKind::blobs, r); }},

@@ -178,7 +178,7 @@ TEST(Margin, NothingIsUnreachableThatADiscReaches) {
     world.margin = dice.real(0.5, 6) / std::sqrt(1 + i % 6);
     const DiscBitmap discs(world, world.margin * 1.005, 0.4);
     const Planner planner(world);
-    for (int k = 0; k < 20; ++k) {
+    for (int k = 0; k < 14; ++k) {
       const Point start = discs.free_near({dice.real(0, 200), dice.real(0, 200)});
       const Point goal = discs.free_near({dice.real(0, 200), dice.real(0, 200)});
       EXPECT_TRUE(planner.free(start)) << i;
