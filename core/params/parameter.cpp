@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/params/parameter_table.h"
 #include "lasius/enum_names.h"
 #include "lasius/params.h"
 
@@ -29,7 +30,7 @@ std::string Parameter::range() const {
 }
 
 bool Algorithm::has(std::string_view parameter) const noexcept {
-  if (parameter == "evaporation") parameter = "persistence";
+  if (parameter == kEvaporation) parameter = kPersistence;
   return std::ranges::any_of(parameters,
                              [parameter](const Parameter& p) { return p.name == parameter; });
 }

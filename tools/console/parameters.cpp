@@ -5,6 +5,7 @@
 
 #include "core/base/did_you_mean.h"
 #include "tools/console/exit_code.h"
+#include "tools/console/values.h"
 
 namespace lasius::tool {
 
@@ -59,8 +60,7 @@ std::pair<std::string_view, std::string_view> setting_of(std::string_view settin
 
 void refuse_repeats(std::span<const std::string> settings) {
   const auto name_of = [](std::string_view setting) {
-    const auto name = setting.substr(0, setting.find('='));
-    return name == "evaporation" ? "persistence" : name;
+    return parameter_meant_by(setting.substr(0, setting.find('=')));
   };
   for (auto later = settings.begin(); later != settings.end(); ++later) {
     const auto before = std::ranges::find(settings.begin(), later, name_of(*later), name_of);

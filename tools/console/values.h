@@ -35,6 +35,12 @@ std::int64_t integer_value(std::string_view option, std::string_view text, std::
                            std::int64_t high);
 double real_value(std::string_view option, std::string_view text, double low, double high);
 
+/// The parameter that a word sets: "evaporation" is 1 less persistence, others are their own.
+template <class Text>
+Text parameter_meant_by(Text word) {
+  return word == "evaporation" ? Text("persistence") : word;
+}
+
 /// The parts of a text between `at`: one more than there are of these.
 std::vector<std::string_view> split(std::string_view text, char at);
 

@@ -14,6 +14,7 @@
 #include "core/colony/own_update.h"
 #include "core/grid/cell_distance.h"
 #include "lasius/batch.h"
+#include "tests/core/base/refusal.h"
 #include "tests/core/colony/own_published.h"
 #include "tests/core/loop/same_result.h"
 #include "tests/worlds/grids.h"
@@ -137,12 +138,7 @@ TEST(OwnRules, MayReadWhatBuiltInOnesWouldNot) {
     Params params("as");
     params.critical_time = 0;
     set_parameter(params, name, "3");
-    try {
-      validate(params, own);
-    } catch (const Error&) {
-      return true;
-    }
-    return false;
+    return refusal([&] { validate(params, own); }) != "accepted";
   };
   for (const char* name : {"beta", "beta_first", "alpha_first", "ranks"})
     EXPECT_TRUE(refused(name, {})) << name;

@@ -14,6 +14,7 @@
 #include "lasius/error.h"
 #include "lasius/params.h"
 #include "lasius/planner.h"
+#include "tests/core/base/refusal.h"
 #include "tests/core/params/parameter_ends.h"
 #include "tests/worlds/planning.h"
 
@@ -47,27 +48,18 @@ bool same_run(const Result& a, const Result& b) {
          std::ranges::equal(a.mean, b.mean, same_number);
 }
 
+bool is_refused(const Params& params) {
+  return refusal([&] { validate(params); }) != "accepted";
+}
+
 // Nothing where the parameters do not go together; values that are not read are not refused.
 std::optional<Result> run(const Planner& planner, const Request& request, const Params& params) {
   Params read = params;
   reset_unread(read);
-  try {
-    validate(read);
-  } catch (const Error&) {
-    return {};
-  }
-  if (params.selection == Selection::inverse_roulette && mixes_rules(params)) return {};
+  const bool two_rules = params.selection == Selection::inverse_roulette && mixes_rules(params);
+  if (is_refused(read) || two_rules) return {};
   ColonyMemory memory;
   return run_colony(planner.grid(), request, params, memory, {}, {});
-}
-
-bool is_refused(const Params& params) {
-  try {
-    validate(params);
-  } catch (const Error&) {
-    return true;
-  }
-  return false;
 }
 
 // Is it the textbook's value, or what Polish::none implies?

@@ -30,10 +30,9 @@ struct Described {
   bool swept = true;
 
   void set(const std::string& name, std::string value, const Node& where) {
-    const auto parameter = [](const std::string& word) {
-      return word == "evaporation" ? "persistence" : word;
-    };
-    std::erase_if(settings, [&](const Placed& s) { return parameter(s.name) == parameter(name); });
+    const auto parameter = tool::parameter_meant_by(name);
+    std::erase_if(settings,
+                  [&](const Placed& s) { return tool::parameter_meant_by(s.name) == parameter; });
     settings.push_back({name, std::move(value), &where});
   }
 };
@@ -240,7 +239,7 @@ const Parameter& parameter_of(const Node& factor, const std::vector<std::string>
   std::vector<std::string_view> known;
   for (const std::string& algorithm : algorithms) {
     for (const Parameter& p : find_algorithm(algorithm).parameters) {
-      if (p.name == (factor.key() == "evaporation" ? "persistence" : factor.key())) return p;
+      if (p.name == tool::parameter_meant_by(factor.key())) return p;
       known.push_back(p.name);
     }
   }
