@@ -97,7 +97,7 @@ class ArmColony final : public ColonyWorld {
     idle_ = 0;
   }
 
-  void update(int) override {
+  void update_trail(int) override {
     const Tours tours{lattice_, trail_, tours_};
     // e = 0 is the plain ant system (eq. 10), else the iteration's best counts e times more (11).
     if (parameters_.elite_weight == 0 || shortest_ == nullptr) {

@@ -12,6 +12,8 @@ std::int64_t json_line(std::string_view text, std::string_view path) {
   return JsonPlace::line(text, path);
 }
 
-std::string json_text(const nlohmann::json& value) { return value.dump(); }
+std::string json_text(const nlohmann::json& value) {
+  return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
 
 }  // namespace lasius

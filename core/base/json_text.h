@@ -13,7 +13,7 @@ namespace lasius {
 nlohmann::json read_json(std::string_view text, const std::string& file);
 /// JsonPlace::line: where the value at `path` begins.
 std::int64_t json_line(std::string_view text, std::string_view path);
-/// A value on one line.
+/// A value on one line; bytes that are no UTF-8 are replaced.
 std::string json_text(const nlohmann::json& value);
 
 }  // namespace lasius

@@ -2,6 +2,11 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <exception>
+#include <thread>
+#include <vector>
+
 namespace lasius {
 namespace {
 
@@ -28,13 +33,35 @@ void await_change(const std::atomic<T>& what, T value) noexcept {
 
 std::atomic<pid_t> region_process = 0;  // the one that had the first parallel region
 
+/// Of so many threads those that the system has room for. An OpenMP runtime that gets fewer than it
+/// wants ends the process, so they are tried before.
+int available(int wanted) noexcept {
+  thread_local int had = 1;  // a region's threads stay for the next one of this thread
+  if (wanted <= had) return wanted;
+  std::atomic<bool> counted{false};
+  std::vector<std::thread> tried;
+  try {
+    tried.reserve(static_cast<std::size_t>(wanted));
+    while (std::ssize(tried) < wanted - had) tried.emplace_back([&] { counted.wait(false); });
+  } catch (const std::exception&) {  // no thread, or no memory for one
+  }
+  counted = true;
+  counted.notify_all();
+  for (std::thread& one : tried) one.join();
+  const int found = static_cast<int>(std::ssize(tried));
+  // The last of what there is stays for others.
+  if (had + found < wanted) return std::max(had, (had + found) / 2);
+  return had = wanted;
+}
+
 }  // namespace
 
 int region_threads(int wanted) noexcept {
   if (wanted <= 1) return wanted;
   const pid_t here = getpid();
   pid_t first = 0;
-  return region_process.compare_exchange_strong(first, here) || first == here ? wanted : 1;
+  const bool ours = region_process.compare_exchange_strong(first, here) || first == here;
+  return ours ? available(wanted) : 1;
 }
 
 ThreadTeam* ThreadTeam::led_here() noexcept { return led; }

@@ -12,9 +12,9 @@
 
 namespace lasius {
 
-/// How many threads a parallel region that is about to begin may have: `wanted`, but 1 in a process
-/// that was forked from one that had such regions. GNU's OpenMP runtime would wait there for
-/// threads that a fork does not copy.
+/// How many threads a parallel region that is about to begin may have: `wanted`, or fewer where the
+/// system has no more, but 1 in a process that was forked from one that had such regions. GNU's
+/// OpenMP runtime would wait there for threads that a fork does not copy.
 LASIUS_EXPORT int region_threads(int wanted) noexcept;
 
 /// The threads of one OpenMP region, kept over many loops. One of them leads; it never waits for a

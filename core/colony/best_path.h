@@ -28,15 +28,13 @@ class BestPath {
   /// Length of the shortest path or tour that was offered since begin_iteration(), NaN without one.
   double iteration_best() const noexcept { return iteration_best_; }
 
+  bool shorter_than(const BestPath& other) const noexcept { return length_ < other.length_; }
+
   void begin_iteration() noexcept { iteration_best_ = kNaN; }
   void drop() noexcept {
     points_.clear();
     length_ = kInfinity;
   }
-  /// Gives the path away, and takes it back.
-  std::vector<Point> give() noexcept { return std::move(points_); }
-  void take_back(const std::vector<Point>& points) { points_ = points; }
-
   /// Offers every path as the best one, ties to the lower index. Of tours that are not polished, by
   /// choice or for lack of time, the shortest is offered. `paths` may be of more ants than `tours`.
   void offer(std::span<const PolishedPath> paths, std::span<const Tour> tours,

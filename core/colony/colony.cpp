@@ -6,14 +6,16 @@ namespace lasius {
 
 Result run_colony(const Grid& grid, const Request& request, const Params& params,
                   ColonyMemory& memory, const Observer& observer, const OwnRules& own) {
-  GridColony colony(grid, params, memory, own);
+  GridColony colony(grid, params, memory, own, GridColony::After::nothing);
   colony.begin(request);
   return colony.run(request, params.iterations, observer);
 }
 
 struct SurvivingColony::Impl {
   Impl(const Grid& on, Cell to, const Params& p)
-      : goal(to), params(p), colony(on, params, memory, no_own_rules()) {}
+      : goal(to),
+        params(p),
+        colony(on, params, memory, no_own_rules(), GridColony::After::more_runs) {}
 
   Cell goal;
   Params params;
@@ -32,10 +34,7 @@ Result SurvivingColony::run(Cell start, int iterations, const StopCondition& sto
   // Not to be cut short: a trail in pieces is of no use to the next run.
   if (impl_->blank) colony.begin({.start = start, .goal = impl_->goal});
   impl_->blank = false;
-  Result result =
-      colony.run({.start = start, .goal = impl_->goal, .stop = stop}, iterations, observer);
-  colony.keep_path(result.path);
-  return result;
+  return colony.run({.start = start, .goal = impl_->goal, .stop = stop}, iterations, observer);
 }
 
 void SurvivingColony::changed(const Rectangle& part) {

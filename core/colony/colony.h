@@ -36,8 +36,9 @@ class SurvivingColony {
   /// Up to `iterations` more, from `start`, which is free, joined to the goal and not equal to it.
   /// The result's path is the best since the start last moved or a change spoilt it; from a start
   /// that the best tour passes, the rest of that is offered before ants walk. Curves are this
-  /// run's; an observer's Progress::iteration counts all. After a deadline, passes over the trail
-  /// are completed, since it is needed again: they take longer the more cells ants know.
+  /// run's; an observer's Progress::iteration counts all. An iteration that is cut short leaves the
+  /// trail as it was, to the bit, and its number to the next run: only its path may be in the
+  /// result. Passes over the trail are completed: they take longer the more cells ants know.
   Result run(Cell start, int iterations, const StopCondition& stop = {},
              const Observer& observer = {});
 

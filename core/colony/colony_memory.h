@@ -23,6 +23,7 @@ struct ColonyMemory {
   std::vector<double> raw_lengths;  // of the ants' tours, not cut
   std::vector<WalkCutter> cutters;  // by thread
   std::vector<int> ranking;         // of the ants
+  std::vector<EarlierTau> earlier;  // before an iteration's local updates
   BestTour best;                    // so far
   Ant answer;                       // of a colony whose ants only teach it
   std::vector<std::uint8_t> way;    // its moves, as they are found
@@ -31,7 +32,7 @@ struct ColonyMemory {
 
   std::int64_t bytes() const noexcept {
     return field.bytes() + walkers.bytes() + held_bytes_of_all(ants) + answer.bytes() +
-           held_bytes(tours, raw_lengths, ranking, way) + best.bytes() + polisher.bytes() +
+           held_bytes(tours, raw_lengths, ranking, earlier, way) + best.bytes() + polisher.bytes() +
            numbered.bytes() + held_bytes_of_all(cutters);
   }
 };

@@ -177,7 +177,7 @@ void Field::store(float& stored, double value) {
 }
 
 void Field::equalise(const Rectangle& part, double radius, double share, double level) {
-  for_all_tiles(1, [&](Tile& tile) {
+  for_all_tiles(1, {}, [&](Tile& tile) {
     for (int i = 0; i < static_cast<int>(kTileCells); ++i) {
       const Cell c{tile.x0 + i % kTileSide, tile.y0 + i / kTileSide};
       const double g = share * (1 - distance(c, part) / radius);
@@ -189,7 +189,7 @@ void Field::equalise(const Rectangle& part, double radius, double share, double 
 
 void Field::raise_untouched(double value) {
   untouched_ = static_cast<float>(value * per_scale_);
-  for_all_tiles(1, [&](Tile& tile) {
+  for_all_tiles(1, {}, [&](Tile& tile) {
     for (std::ptrdiff_t cell = 0; cell < kTileCells; ++cell) {
       const bool touched = (tile.touched[cell / kTileSide] >> cell % kTileSide & 1) != 0;
       if (!touched) std::fill_n(tile.tau + cell * taus(), taus(), untouched_);
@@ -243,7 +243,7 @@ void Field::shrink_stored() {
   // A power of two keeps every ratio exact; values too small to matter in any draw stay positive.
   const auto shrink = [](float& v) { v = std::max(v * static_cast<float>(kRescaleBelow), kTiny); };
   shrink(untouched_);
-  for_all_tiles(1, [&](Tile& tile) { std::for_each_n(tile.tau, kTileCells * taus(), shrink); });
+  for_all_tiles(1, {}, [&](Tile& tile) { std::for_each_n(tile.tau, kTileCells * taus(), shrink); });
 }
 
 void Field::bound(double least, double most) noexcept {

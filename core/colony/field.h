@@ -41,8 +41,8 @@ class Field {
 
   /// Forgets everything and gets ready for one plan; tau is `untouched` everywhere, eta 1. Tiles
   /// are kept for reuse. `grid` must outlive the field's use, and so must `heuristic`, see
-  /// HeuristicRows. What goes over all tiles is cut short by `stop`, this function too; then only
-  /// another reset makes the field whole again.
+  /// HeuristicRows. What makes rows of all tiles is cut short by `stop`, this function too; then
+  /// only another reset makes the field whole again. What changes pheromone never is.
   void reset(const Grid& grid, const kernels::Moves& moves, Cell goal, const Params& params,
              double untouched, const StopCondition& stop, std::span<const double> heuristic = {});
 
@@ -142,7 +142,7 @@ class Field {
 
   /// Calls action(tile) for all tiles, on up to `threads` threads; for fewer when stopped.
   template <class Action>
-  void for_all_tiles(int threads, const Action& action);
+  void for_all_tiles(int threads, const StopCondition& stop, const Action& action);
 
   const Grid* grid_ = nullptr;
   StopCondition stop_;

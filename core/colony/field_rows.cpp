@@ -217,7 +217,7 @@ void Field::read_index(const Tile& tile, int cell, Count moves, double* index) c
 void Field::edited(const Rectangle& part) {
   const bool everywhere = params_.heuristic == Heuristic::distance_field;
   if (everywhere) heuristic_.reset(*grid_, moves_, goal_, params_, stop_);
-  for_all_tiles(1, [&](Tile& tile) {
+  for_all_tiles(1, stop_, [&](Tile& tile) {
     const bool beside =
         tile.x0 < part.x + part.width + reach_ && tile.y0 < part.y + part.height + reach_ &&
         part.x < tile.x0 + kTileSide + reach_ && part.y < tile.y0 + kTileSide + reach_;
@@ -235,7 +235,7 @@ void Field::refresh(const StepWeights& weights, int threads) {
                        (weights.beta != weights_.beta && learned_);
   was_bounded_ = bounded;
   weights_ = weights;
-  for_all_tiles(threads, [&](Tile& tile) {
+  for_all_tiles(threads, stop_, [&](Tile& tile) {
     if (heuristic) fill_heuristic(tile);
     if (heuristic || all_stale_) {
       fill_every_row(tile);

@@ -31,14 +31,14 @@ struct Field::Tile {
 };
 
 template <class Action>
-void Field::for_all_tiles(int threads, const Action& action) {
+void Field::for_all_tiles(int threads, const StopCondition& stop, const Action& action) {
   constexpr int kManyTiles = 64;  // fewer are not worth waking threads for
   constexpr int kTilesAPoll = 4;
   const int tiles = static_cast<int>(used_.size());
   std::atomic<bool> stopped{false};
   parallel_for(tiles, tiles > kManyTiles ? threads : 1, [&](int i, int) {
     if (stopped) return;
-    if (i % kTilesAPoll == 0 && stop_.poll() != StopCondition::Cause::none) {
+    if (i % kTilesAPoll == 0 && stop.poll() != StopCondition::Cause::none) {
       stopped = true;
     } else {
       action(*used_[i]);

@@ -4,19 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "core/base/kernel_choice.h"
 #include "core/base/parallel.h"
-#include "core/base/poller.h"
 #include "core/base/special_values.h"
 #include "core/colony/best_path.h"
 #include "core/colony/colony_memory.h"
+#include "core/colony/colony_view.h"
 #include "core/colony/own_update.h"
 #include "core/colony/terminal_index.h"
 #include "core/colony/tour_measures.h"
@@ -37,12 +35,17 @@ namespace lasius {
 /// A colony on a bitmap. Its grid and its start may change between runs.
 class GridColony final : public ColonyWorld {
  public:
+  /// What comes after a run: another one goes on with the trail, or nothing reads it again.
+  enum class After { nothing, more_runs };
+
   /// `own`, checked, may take the place of some rules. All outlive the object.
-  GridColony(const Grid& grid, const Params& params, ColonyMemory& memory, const OwnRules& own)
+  GridColony(const Grid& grid, const Params& params, ColonyMemory& memory, const OwnRules& own,
+             After after)
       : grid_(grid),
         params_(params),
         own_(own),
         memory_(memory),
+        after_(after),
         threads_(thread_count(params.threads)),
         moves_(moves_of(params.neighbours)) {
     const auto ants = static_cast<std::size_t>(params.ants);
@@ -67,6 +70,7 @@ class GridColony final : public ColonyWorld {
     trail_level_ = 0;
     memory_.best.drop();
     best_path_.drop();
+    cut_path_.drop();
   }
 
   /// Goes on from `request.start`, with the trail as it is.
@@ -76,10 +80,9 @@ class GridColony final : public ColonyWorld {
     const auto cause = run_colony_loop(*this, iterations, request_.stop, run);
     constexpr int kMany = 1 << 30;  // schedules have long ended
     if (first_iteration_ < kMany) first_iteration_ += run.iterations;
-    return result_after(cause, std::move(run), best_path_.give());
+    const bool cut = cut_path_.shorter_than(best_path_);
+    return result_after(cause, std::move(run), (cut ? cut_path_ : best_path_).points());
   }
-  /// What `run` gave away, for the next one.
-  void keep_path(const std::vector<Point>& path) { best_path_.take_back(path); }
 
   /// Fits what is remembered to cells that have changed.
   void changed(const Rectangle& part) {
@@ -92,61 +95,52 @@ class GridColony final : public ColonyWorld {
     agreed_ = 0;
     BestTour& best = memory_.best;
     if (!best.walkable(grid_, params_.corners, moves_, request_.start)) best.drop();
-    if (path_fault(grid_, best_path_.points(), params_.corners)) best_path_.drop();
+    for (BestPath* path : {&best_path_, &cut_path_}) {
+      if (path_fault(grid_, path->points(), params_.corners)) path->drop();
+    }
   }
 
   // What the loop asks for.
 
-  /// Sends all ants, batch by batch, and measures their tours.
+  /// Sends all ants, batch by batch, measures their tours and polishes them. Where nothing reads
+  /// the trail after a cut, one thread lays the walks' trails meanwhile: they have nothing to do
+  /// with the polish.
   StopCondition::Cause send_ants(int q) override {
     q += first_iteration_;
     iteration_ = q;
     best_path_.begin_iteration();
-    all_walked_ = false;
-    const StepWeights weights =
-        own_.schedule ? own_weights(own_, params_, q) : schedule(params_, q);
-    set_iteration(world_, params_, moves_, shape_, weights, q);
-    for (Ant& ant : ants_) ant.arrived = false;
-    for (Tour& tour : memory_.tours) tour = {{}, kNaN};
-    std::ranges::fill(memory_.raw_lengths, kNaN);
-    const int batch = params_.batch > 0 ? params_.batch : params_.ants;
-    for (int first = 0; first < params_.ants; first += batch) {
-      const int count = std::min(batch, params_.ants - first);
-      const auto ants = ants_.subspan(first, count);
-      memory_.field.refresh(weights, threads_);
-      memory_.field.fill(world_);
-      const auto cause =
-          memory_.walkers.walk(world_, kernel_, ants, first, request_.stop, after_walk(first));
-      if (cause != StopCondition::Cause::none) return cause;
-      memory_.best.offer(std::span(memory_.tours).subspan(first, count));
-      update_locally(memory_.field, params_, tau0_, tours(first, count), request_.stop);
+    learned_ = false;
+    memory_.earlier.clear();
+    auto cause = walk(q);
+    // Where time ran out as the last ant was measured, its tour may not be cut.
+    if (cause == StopCondition::Cause::none) cause = request_.stop.poll();
+    const bool whole = cause == StopCondition::Cause::none;
+    if (!whole || !ants_only_teach()) {
+      const bool meanwhile = whole && after_ == After::nothing && !own_.update;
+      memory_.polisher.polish(ants_, request_.stop, [this, meanwhile] {
+        if (meanwhile) learn_from_walks();
+      });
+      if (whole) cause = request_.stop.poll();
     }
-    all_walked_ = true;
-    return StopCondition::Cause::none;
+    if (cause != StopCondition::Cause::none) take_back(memory_.field, memory_.earlier);
+    return cause;
   }
 
-  /// One thread lays the walks' trails meanwhile: they have nothing to do with the polish.
   void offer() override {
-    if (ants_only_teach() && all_walked_) return;
-    offer(ants_, memory_.tours, [this] {
-      if (all_walked_ && !own_.update) lay_trails();
-    });
+    if (!ants_only_teach()) offer(best_path_, memory_.tours);
   }
+  void offer_cut() override { offer(cut_path_, memory_.tours); }
 
-  void update(int) override {
+  void update_trail(int) override {
+    if (!learned_) learn_from_walks();
     if (ants_only_teach()) {
-      lay_trails();
-      best_known_way(memory_.field, moves_, request_.start, request_.goal, params_.index_answer,
-                     request_.stop, memory_.way);
-      const Ant& ant = as_ant(memory_.way);
-      if (!ant.arrived) return offer(ants_, memory_.tours, {});  // no way is known, or no time left
-      offer_alone(ant);
+      offer_what_is_known();
     } else {
-      // On the caller's thread.
-      if (own_.update)
+      if (own_.update)  // on the caller's thread
         own_stop_ = update_by_caller(memory_.field, own_, params_, grid_, request_.goal,
-                                     tours(0, params_.ants), memory_.numbered, request_.stop);
-      lay_straight_trails();
+                                     tours(0, params_.ants), memory_.numbered);
+      lay_straight_paths(memory_.field, params_, ants_, memory_.polisher.paths(),
+                         best_path_.finder());
     }
     agreed_ = all_agree() ? agreed_ + 1 : 0;
   }
@@ -170,43 +164,19 @@ class GridColony final : public ColonyWorld {
   }
 
   StopCondition::Cause observe(const Convergence& run) override {
-    View view(*this);
+    ColonyView view(best_path_, ants_, moves_, request_.start, memory_.field);
     view.iteration = first_iteration_;
     const auto cause = show(*observer_, run, view);
     return own_stop_ ? StopCondition::Cause::token : cause;
   }
 
  private:
-  /// What an observer sees.
-  class View final : public GridProgress {
-   public:
-    explicit View(const GridColony& colony) : colony_(colony) {}
-    std::vector<Point> path() const override { return colony_.best_path_.points(); }
-    int ants() const override { return colony_.ants(); }
-    std::vector<Cell> tour(int ant) const override {
-      return walked(ant).arrived ? walk(ant) : std::vector<Cell>{};
-    }
-    std::vector<Cell> walk(int ant) const override {
-      std::vector<Cell> cells;
-      along_tour(walked(ant).tour(), colony_.moves_, colony_.request_.start,
-                 [&](Cell c) { cells.push_back(c); });
-      return cells;
-    }
-    double pheromone(Cell c) const override { return colony_.memory_.field.pheromone(c); }
-
-   private:
-    const Ant& walked(int ant) const {
-      if (ant < 0 || ant >= ants()) throw std::out_of_range("there is no such ant");
-      return colony_.ants_[ant];
-    }
-    const GridColony& colony_;
-  };
-
   /// Gets ready for a run. A best tour that passes the new start goes on from there.
   void set_out(const Request& request, const Observer& observer) {
     if (request.start != request_.start) {
       memory_.best.go_on_from(request_.start, request.start, moves_);
       best_path_.drop();
+      cut_path_.drop();
     }
     request_ = request;
     observer_ = &observer;
@@ -217,7 +187,11 @@ class GridColony final : public ColonyWorld {
                               params_.walk_cut == WalkCut::entered_cells,
                           request_.stop);
     memory_.polisher.reset(grid_, request_, moves_, params_, threads_);
-    if (best_path_.none() && !memory_.best.none()) offer_alone(as_ant(memory_.best.moves()));
+    if (!best_path_.none() || memory_.best.none()) return;
+    const Ant& rest = as_ant(memory_.best.moves());
+    memory_.polisher.polish({&rest, 1}, request.stop, {});
+    const bool whole = request.stop.poll() == StopCondition::Cause::none;
+    offer_answer(whole ? best_path_ : cut_path_);
   }
 
   /// Could a way through free cells of `part` be shorter than the best tour?
@@ -247,6 +221,29 @@ class GridColony final : public ColonyWorld {
   double untouched() const {
     if (params_.update != Update::terminal_index) return tau0_;
     return params_.unknown_index * std::max(grid_.width(), grid_.height()) / 20;
+  }
+
+  /// Sends all ants of iteration q, batch by batch, and measures their tours.
+  StopCondition::Cause walk(int q) {
+    const StepWeights weights =
+        own_.schedule ? own_weights(own_, params_, q) : schedule(params_, q);
+    set_iteration(world_, params_, moves_, shape_, weights, q);
+    for (Ant& ant : ants_) ant.arrived = false;
+    for (Tour& tour : memory_.tours) tour = {{}, kNaN};
+    std::ranges::fill(memory_.raw_lengths, kNaN);
+    const int batch = params_.batch > 0 ? params_.batch : params_.ants;
+    for (int first = 0; first < params_.ants; first += batch) {
+      const int count = std::min(batch, params_.ants - first);
+      const auto ants = ants_.subspan(first, count);
+      memory_.field.refresh(weights, threads_);
+      memory_.field.fill(world_);
+      const auto cause =
+          memory_.walkers.walk(world_, kernel_, ants, first, request_.stop, after_walk(first));
+      if (cause != StopCondition::Cause::none) return cause;
+      update_locally(memory_.field, params_, tau0_, tours(first, count),
+                     after_ == After::more_runs ? &memory_.earlier : nullptr);
+    }
+    return StopCondition::Cause::none;
   }
 
   /// The tour of an ant that has just ended, measured and cut; none where there was no time to.
@@ -297,7 +294,12 @@ class GridColony final : public ColonyWorld {
             .ranking = memory_.ranking};
   }
 
-  void lay_trails() { update_trail(memory_.field, params_, tours(0, params_.ants), request_.stop); }
+  /// The best tour, and the paper's update, which a caller's own takes the place of.
+  void learn_from_walks() {
+    memory_.best.offer(memory_.tours);
+    if (!own_.update) lasius::update_trail(memory_.field, params_, tours(0, params_.ants));
+    learned_ = true;
+  }
 
   /// Did two ants or more arrive, all by one way?
   bool all_agree() const {
@@ -307,7 +309,7 @@ class GridColony final : public ColonyWorld {
            });
   }
 
-  /// The answer of the terminal index is read from what its ants taught it, where there is time.
+  /// The answer of the terminal index is read from what its ants taught it.
   bool ants_only_teach() const { return params_.update == Update::terminal_index; }
 
   /// A way that no ant of this iteration has gone, as one more ant.
@@ -320,33 +322,25 @@ class GridColony final : public ColonyWorld {
     return ant;
   }
 
-  void offer_alone(const Ant& ant) {
-    const Tour tour{ant.tour(), ant.arrived ? length_of(ant.tour(), moves_) : kNaN};
-    offer({&ant, 1}, {&tour, 1}, {});
+  /// Offers what the terminal index knows by now, or where it knows no way what the ants found.
+  /// Nothing is polled: the trail has changed.
+  void offer_what_is_known() {
+    best_known_way(memory_.field, moves_, request_.start, request_.goal, params_.index_answer,
+                   memory_.way);
+    const Ant& way = as_ant(memory_.way);
+    memory_.polisher.polish(way.arrived ? std::span(&way, 1) : ants_, {}, {});
+    if (way.arrived) return offer_answer(best_path_);
+    offer(best_path_, memory_.tours);
   }
 
-  /// Polishes the tours and offers what comes of them as the best path.
-  void offer(std::span<const Ant> ants, std::span<const Tour> tours,
-             const std::function<void()>& meanwhile) {
-    memory_.polisher.polish(ants, meanwhile);
-    best_path_.offer(memory_.polisher.paths(), tours, moves_, request_.start);
+  /// Offers the way of `memory_.answer`, once it is polished.
+  void offer_answer(BestPath& to) const {
+    const Tour tour{memory_.answer.tour(), length_of(memory_.answer.tour(), moves_)};
+    offer(to, {&tour, 1});
   }
-
-  /// Q / L on the cells under straightened paths (Fan et al. 2004, step 3).
-  void lay_straight_trails() {
-    if (params_.straight_deposit == StraightDeposit::none) return;
-    constexpr int kStepsADeposit = 8;  // some make a tile
-    Poller poller(request_.stop, Poller::kSteps);
-    for (int a = 0; a < params_.ants; ++a) {
-      const bool chosen =
-          params_.straight_deposit == StraightDeposit::all || a == best_path_.finder();
-      if (!ants_[a].arrived || !chosen) continue;
-      const PolishedPath& path = memory_.polisher.paths()[a];
-      for (const Cell c : path.raster) {
-        if (poller.stop_after(kStepsADeposit)) return;
-        memory_.field.deposit(c, 0, params_.deposit / path.length);
-      }
-    }
+  /// Offers tours that are polished.
+  void offer(BestPath& to, std::span<const Tour> tours) const {
+    to.offer(memory_.polisher.paths(), tours, moves_, request_.start);
   }
 
   const Grid& grid_;
@@ -354,6 +348,7 @@ class GridColony final : public ColonyWorld {
   const Params& params_;
   const OwnRules& own_;
   ColonyMemory& memory_;
+  After after_;
   std::span<Ant> ants_;
   const Observer* observer_ = nullptr;
   int threads_;
@@ -366,11 +361,12 @@ class GridColony final : public ColonyWorld {
 
   int first_iteration_ = 0;  // of this run
   int iteration_ = 0;
-  bool all_walked_ = false;
+  bool learned_ = false;    // from this iteration's walks
   bool own_stop_ = false;   // the caller's update asks for the end
   int agreed_ = 0;          // iterations in a row in which all ants took one way
   double trail_level_ = 0;  // most tau on the best tour when it was last needed
-  BestPath best_path_;      // so far, polished
+  BestPath best_path_;      // of whole iterations so far, polished
+  BestPath cut_path_;       // of those that were cut short
 };
 
 }  // namespace lasius

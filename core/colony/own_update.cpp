@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "core/base/number_text.h"
-#include "core/base/poller.h"
 #include "core/colony/stored_pheromone.h"
 #include "core/grid/move_rule.h"
 #include "core/loop/trail_rules.h"
@@ -206,12 +205,10 @@ std::span<const TrailPlace> NumberedTours::arcs() noexcept {
 }
 
 bool update_by_caller(Field& field, const OwnRules& own, const Params& params, const Grid& grid,
-                      Cell goal, const Tours& tours, NumberedTours& numbered,
-                      const StopCondition& stop) {
-  Poller poller(stop, Poller::kSteps);
+                      Cell goal, const Tours& tours, NumberedTours& numbered) {
   IterationTours view = numbered.view(tours, grid, params.trail);
   view.goal = goal;
-  StoredPheromone stored(field, grid, params, tours.moves.count, poller);
+  StoredPheromone stored(field, grid, params, tours.moves.count);
   own.update(stored.pheromone, view);
   return view.stopped();
 }

@@ -13,7 +13,6 @@
 #include "lasius/grid.h"
 #include "lasius/own_rules.h"
 #include "lasius/params.h"
-#include "lasius/stop.h"
 
 namespace lasius {
 
@@ -77,9 +76,8 @@ class NumberedTours {
 };
 
 /// Lets the caller's own update, which there is, change the trail. True where it asks for the end
-/// of the search. `stop` cuts its changes short.
+/// of the search.
 bool update_by_caller(Field& field, const OwnRules& own, const Params& params, const Grid& grid,
-                      Cell goal, const Tours& tours, NumberedTours& numbered,
-                      const StopCondition& stop);
+                      Cell goal, const Tours& tours, NumberedTours& numbered);
 
 }  // namespace lasius

@@ -111,7 +111,7 @@ void Pheromone::get_learned(std::span<const TrailPlace> cells, std::span<double>
 void Pheromone::set_learned(std::span<const TrailPlace> cells, std::span<const double> values) {
   check_learned();
   check(cells, stored_.cells, values);
-  for (std::size_t i = 0; i < cells.size() && !stored_.poller.stop_after(1); ++i)
+  for (std::size_t i = 0; i < cells.size(); ++i)
     stored_.field.set_eta(stored_.cell(cells[i]), values[i]);
 }
 

@@ -35,13 +35,14 @@ class Polisher {
   void reset(const Grid& grid, const Request& request, const kernels::Moves& moves,
              const Params& params, int threads);
 
-  /// Makes the path of every ant that arrived, unless tours are not to be polished. When stopped,
-  /// those whose loops are cut get rougher but valid paths, the others none. One of the threads
-  /// does what is to be done `meanwhile`, if anything.
-  void polish(std::span<const Ant> ants, const std::function<void()>& meanwhile);
+  /// Makes the path of every ant that arrived, unless tours are not to be polished. When stopped by
+  /// `stop`, those whose loops are cut get rougher but valid paths, the others none. One of the
+  /// threads does what is to be done `meanwhile`, if anything.
+  void polish(std::span<const Ant> ants, const StopCondition& stop,
+              const std::function<void()>& meanwhile);
 
-  /// Makes the path of one ant ahead of the call that makes the others, on thread `thread`; one
-  /// that is made stays as it is.
+  /// Makes the path of one ant ahead of the call that makes the others, on thread `thread`, unless
+  /// the run is stopped; one that is made stays as it is.
   void polish_ahead(std::span<const Ant> ants, int ant, int thread);
 
   /// By ant; perhaps of more than there are.
@@ -56,9 +57,9 @@ class Polisher {
 
     std::int64_t bytes() const noexcept { return cells.bytes() + maker.bytes(); }
   };
-  std::span<const Cell> swept_cells(std::span<const std::uint8_t> tour,
+  std::span<const Cell> swept_cells(std::span<const std::uint8_t> tour, const StopCondition& stop,
                                     GrowingArray<Cell>& cells) const;
-  void make(const Ant& ant, Scratch& scratch, PolishedPath& path) const;
+  void make(const Ant& ant, const StopCondition& stop, Scratch& scratch, PolishedPath& path) const;
 
   const Grid* grid_ = nullptr;
   const kernels::Moves* moves_ = nullptr;

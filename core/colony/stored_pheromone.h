@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <span>
 
-#include "core/base/poller.h"
 #include "core/colony/field.h"
 #include "lasius/grid.h"
 #include "lasius/own_rules.h"
@@ -41,8 +40,8 @@ class PlaceDivisor {
 /// A trail as a Pheromone changes it, and that Pheromone.
 class StoredPheromone {
  public:
-  /// The trail of a colony with `choices` moves out of a cell. It and `stop` outlive the object.
-  StoredPheromone(Field& trail, const Grid& grid, const Params& params, int choices, Poller& stop)
+  /// The trail of a colony with `choices` moves out of a cell, which outlives the object.
+  StoredPheromone(Field& trail, const Grid& grid, const Params& params, int choices)
       : field(trail),
         kind(params.trail),
         learned(params.heuristic == Heuristic::learned),
@@ -50,8 +49,7 @@ class StoredPheromone {
         moves(kind == Trail::arcs ? choices : 1),
         cells(std::int64_t{width} * grid.height()),
         by_width(width),
-        by_moves(moves),
-        poller(stop) {}
+        by_moves(moves) {}
 
   std::int64_t places() const noexcept { return cells * moves; }
   Cell cell(TrailPlace cell) const noexcept {
@@ -62,14 +60,13 @@ class StoredPheromone {
     const auto [number, move] = by_moves.divide(place);
     return {cell(number), static_cast<int>(move)};
   }
-  /// Calls act(at(place), i) for the i-th place, one after the other; for fewer when stopped. The
-  /// divisions go ahead of a block, so that its misses of the cache overlap.
+  /// Calls act(at(place), i) for the i-th place, one after the other. The divisions go ahead of
+  /// a block, so that its misses of the cache overlap.
   template <class Act>
   void for_each(std::span<const TrailPlace> places, const Act& act) const {
     std::array<GridPlace, 64> block;
     for (std::size_t i = 0; i < places.size();) {
       const auto count = std::min(block.size(), places.size() - i);
-      if (poller.stop_after(static_cast<std::int64_t>(count))) return;
       for (std::size_t k = 0; k < count; ++k) block[k] = at(places[i + k]);
       for (std::size_t k = 0; k < count; ++k, ++i) act(block[k], i);
     }
@@ -82,7 +79,6 @@ class StoredPheromone {
   const int moves;  ///< places a cell
   const std::int64_t cells;
   const PlaceDivisor by_width, by_moves;
-  Poller& poller;
   Pheromone pheromone{*this};
 };
 

@@ -5,7 +5,6 @@
 #include <queue>
 #include <tuple>
 
-#include "core/base/poller.h"
 #include "core/base/special_values.h"
 #include "core/grid/move_rule.h"
 #include "core/loop/trail_rules.h"
@@ -23,14 +22,10 @@ void update_terminal_index(Field& field, const GridTours& tours) {
   for (const Tour& tour : tours.ants) {
     if (!arrived(tour)) continue;
     Cell c = tours.start;
-    for (const int k : tour.moves) {
-      if (tours.poller.stop_after(1)) return;
-      c = c + tours.moves[k].to;
-    }
+    for (const int k : tour.moves) c = c + tours.moves[k].to;
     field.set_tau(c, 0, 0);
     double least = field.tau(c, 0);
     for (std::size_t i = tour.moves.size(); i-- > 0;) {
-      if (tours.poller.stop_after(1)) return;
       const kernels::Move& move = tours.moves[tour.moves[i]];
       const double through = least + move.length;
       c = {c.x - move.to.dx, c.y - move.to.dy};
@@ -43,17 +38,14 @@ void update_terminal_index(Field& field, const GridTours& tours) {
 }
 
 void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell goal,
-                    IndexAnswer reading, const StopCondition& stop,
-                    std::vector<std::uint8_t>& way) {
+                    IndexAnswer reading, std::vector<std::uint8_t>& way) {
   way.clear();
   const double unknown = field.untouched();
   if (field.tau(start, 0) >= unknown) return;
   // K falls at each move, by at least the step: the way ends at the goal. Not so beyond 2^24, where
   // a step is lost in rounding: no way then.
   double before = kInfinity;
-  Poller poller(stop, Poller::kSteps);
   for (Cell c = start; c != goal;) {
-    if (poller.stop_after(1)) return way.clear();
     const double here = field.tau(c, 0);
     if (!(here < before)) return way.clear();
     before = here;

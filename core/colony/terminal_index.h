@@ -8,7 +8,6 @@
 #include "core/colony/update.h"
 #include "kernels/base/moves.h"
 #include "lasius/params.h"
-#include "lasius/stop.h"
 
 namespace lasius {
 
@@ -18,9 +17,9 @@ void update_terminal_index(Field& field, const GridTours& tours);
 
 /// The generation's answer of the terminal index: from the start always along the largest gradient,
 /// as `reading` has it, ties to the first move (Li, Wang & Ma, section 2.2). Empty while the start
-/// has no index, or when stopped.
+/// has no index.
 void best_known_way(Field& field, const kernels::Moves& moves, Cell start, Cell goal,
-                    IndexAnswer reading, const StopCondition& stop, std::vector<std::uint8_t>& way);
+                    IndexAnswer reading, std::vector<std::uint8_t>& way);
 
 /// Fits the terminal index to cells of `part` that were blocked or freed: forgets every K(c) that
 /// no way holds up any more, that is, but for the goal's, where no move that exists leads to a c'

@@ -1,9 +1,10 @@
 #include "core/colony/update.h"
 
 #include <algorithm>
+#include <ranges>
 
-#include "core/base/poller.h"
 #include "core/base/special_values.h"
+#include "core/colony/polish.h"
 #include "core/colony/terminal_index.h"
 #include "core/loop/trail_rules.h"
 #include "kernels/base/power.h"
@@ -89,18 +90,24 @@ double initial_pheromone(const Params& params, double straight_distance) noexcep
 }
 
 void update_locally(Field& field, const Params& params, double tau0, const Tours& batch,
-                    const StopCondition& stop) {
+                    std::vector<EarlierTau>* before) {
   if (params.update != Update::colony_system || params.local_evaporation == 0) return;
-  Poller poller(stop, Poller::kSteps);
-  const GridTours tours{batch, params.trail, poller};
+  const GridTours tours{batch, params.trail};
   for (const Tour& tour : tours.ants) {
-    tours.along(tour, [&](GridPlace place) { trail_rules::pass(field, params, tau0, place); });
+    tours.along(tour, [&](GridPlace place) {
+      if (before != nullptr) before->push_back({place, field.tau(place)});
+      trail_rules::pass(field, params, tau0, place);
+    });
   }
 }
 
-void update_trail(Field& field, const Params& params, const Tours& all, const StopCondition& stop) {
-  Poller poller(stop, Poller::kSteps);
-  const GridTours tours{all, params.trail, poller};
+void take_back(Field& field, std::vector<EarlierTau>& before) {
+  for (const auto& [place, tau] : std::views::reverse(before)) field.set_tau(place, tau);
+  before.clear();
+}
+
+void update_trail(Field& field, const Params& params, const Tours& all) {
+  const GridTours tours{all, params.trail};
   switch (params.update) {
     case Update::ant_system:
       return trail_rules::ant_system(field, params, tours);
@@ -118,6 +125,16 @@ void update_trail(Field& field, const Params& params, const Tours& all, const St
       return update_terminal_index(field, tours);
     case Update::learning:
       return learning(field, params, tours);
+  }
+}
+
+void lay_straight_paths(Field& field, const Params& params, std::span<const Ant> ants,
+                        std::span<const PolishedPath> paths, int finder) {
+  if (params.straight_deposit == StraightDeposit::none) return;
+  for (int a = 0; a < static_cast<int>(ants.size()); ++a) {
+    const bool chosen = params.straight_deposit == StraightDeposit::all || a == finder;
+    if (!ants[a].arrived || !chosen) continue;
+    for (const Cell c : paths[a].raster) field.deposit(c, 0, params.deposit / paths[a].length);
   }
 }
 

@@ -6,15 +6,15 @@
 #include <span>
 #include <vector>
 
-#include "core/base/poller.h"
 #include "core/colony/field.h"
 #include "core/colony/walkers.h"
 #include "core/grid/move_rule.h"
 #include "kernels/base/moves.h"
 #include "lasius/params.h"
-#include "lasius/stop.h"
 
 namespace lasius {
+
+struct PolishedPath;
 
 /// The tour of one ant as the updates see it.
 struct Tour {
@@ -36,14 +36,12 @@ struct Tours {
 /// Tours of a grid as the rules of a trail see them.
 struct GridTours : Tours {
   Trail trail;
-  Poller& poller;
 
-  /// With arcs, visits the cells that moves leave, with cells all of them; fewer when stopped.
+  /// With arcs, visits the cells that moves leave, with cells all of them.
   template <class Visit>
   void along(const Tour& tour, const Visit& visit) const {
     Cell c = start;
     for (const int k : tour.moves) {
-      if (poller.stop_after(1)) return;
       visit(GridPlace{c, trail == Trail::arcs ? k : 0});
       c = c + moves[k].to;
     }
@@ -57,13 +55,26 @@ struct GridTours : Tours {
 /// straight distance from start to goal in place of a first tour's length.
 double initial_pheromone(const Params& params, double straight_distance) noexcept;
 
-/// After every batch of ants: the local update (ACS), if there is one. Cut short by `stop`.
-void update_locally(Field& field, const Params& params, double tau0, const Tours& batch,
-                    const StopCondition& stop);
+/// What tau was at a place.
+struct EarlierTau {
+  GridPlace place;
+  double tau;
+};
 
-/// After every iteration. Cut short by `stop`.
-void update_trail(Field& field, const Params& params, const Tours& tours,
-                  const StopCondition& stop);
+/// After every batch of ants: the local update (ACS), if there is one. Enters in `before`, unless
+/// that is null, what it changes.
+void update_locally(Field& field, const Params& params, double tau0, const Tours& batch,
+                    std::vector<EarlierTau>* before);
+/// Takes such changes back, to the bit, and empties the list.
+void take_back(Field& field, std::vector<EarlierTau>& before);
+
+/// After every iteration. Work grows with the moves of its tours and of the best one.
+void update_trail(Field& field, const Params& params, const Tours& tours);
+
+/// After every iteration: Q / L on the cells under straightened paths (Fan et al. 2004, step 3), of
+/// all ants or of `finder` alone, -1 being none.
+void lay_straight_paths(Field& field, const Params& params, std::span<const Ant> ants,
+                        std::span<const PolishedPath> paths, int finder);
 
 /// How open the trail leaves the choice along a tour; see Convergence::trail_entropy.
 double trail_entropy(Field& field, Trail trail, const kernels::Moves& moves, Cell start,

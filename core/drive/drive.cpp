@@ -83,14 +83,14 @@ class Drive {
     const bool stopped = show(found);
     news_.clear();  // what is felt in the move is news of the next tick
     if (robot_ == pilot_.goal()) return end(Status::solved);
+    if (tick_ == options_.max_ticks) {
+      result_.limit = Limit::ticks;
+      return end(Status::limit);
+    }
     if (stopped) return end(Status::interrupted);
     if (const auto cause = stop_.poll(); cause != StopCondition::Cause::none) {
       end_run(result_, cause, Status::limit);
       return end(result_.status);
-    }
-    if (tick_ == options_.max_ticks) {
-      result_.limit = Limit::ticks;
-      return end(Status::limit);
     }
     headway_.count(robot_, world_.still_changed_at() == tick_, found == Found::not_yet);
     if (world_.stirs() && !world_.to_change() && headway_.none())

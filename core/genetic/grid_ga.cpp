@@ -72,7 +72,7 @@ class GridGa final : public ColonyWorld {
   }
 
   /// The children take over; the best one of their parents lives on.
-  void update(int q) override {
+  void update_trail(int q) override {
     if (q > 0) {
       const auto best = fittest(memory_.population), heir = fittest(memory_.children);
       if (heir->length > best->length) {

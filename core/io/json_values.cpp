@@ -74,10 +74,10 @@ Json read(std::string_view text, const std::string& file, std::size_t from) {
   return JsonPlace::parse<Json>(text, file, from);
 }
 
-std::string dumped(const Json& value) { return value.dump(); }
-
-std::string line(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+std::string dumped(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
+
+std::string line(const Json& value) { return dumped(value) + "\n"; }
 
 }  // namespace lasius::json

@@ -80,7 +80,7 @@ struct LASIUS_EXPORT IterationTours {
   std::span<const TrailPlace> best_arcs() const noexcept;    ///< its moves as arcs() has them
   std::span<const TrailPlace> best_places() const noexcept;  ///< as places_of()
 
-  /// Ends the search after this iteration, as Progress::stop() does: Status::interrupted.
+  /// Ends the search after this iteration, as Progress::stop() does.
   void stop() const noexcept { stopped_ = true; }
   bool stopped() const noexcept { return stopped_; }  ///< true once stop() was called
 
@@ -108,9 +108,9 @@ struct TrailTile {
 /// Values are stored as 32-bit floats, at least 2^-100 in stored units: tau never becomes 0, and
 /// where it would grow beyond 10^200 all of it is scaled down, since ants see ratios only. Calls
 /// work through places in their order; a place that is given twice is changed twice. A call that
-/// throws has changed nothing. Once the request's stop condition holds, a call may be cut short:
-/// the iteration is then not recorded. The object holds until the update returns, and belongs to
-/// the thread that the update is called on.
+/// throws has changed nothing. An update is called for whole iterations alone, and none of its
+/// calls is cut short: a request to stop is heeded once the iteration is recorded. The object holds
+/// until the update returns, and belongs to the thread that the update is called on.
 ///
 /// All calls that take places throw Error(invalid_parameter) for one out of range, and for spans of
 /// different lengths.

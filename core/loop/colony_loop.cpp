@@ -55,20 +55,21 @@ void record(const ColonyWorld& world, Convergence& run) {
 /// The main loop.
 StopCondition::Cause loop(ColonyWorld& world, int iterations, const StopCondition& stop,
                           Convergence& run) {
-  auto cause = StopCondition::Cause::none;
-  for (int q = 0; q < iterations && cause == StopCondition::Cause::none; ++q) {
-    cause = world.send_ants(q);
+  for (int q = 0; q < iterations; ++q) {
+    auto cause = world.send_ants(q);
+    if (cause != StopCondition::Cause::none) {
+      world.offer_cut();
+      return cause;
+    }
     world.offer();
-    if (cause == StopCondition::Cause::none) cause = stop.poll();
-    if (cause != StopCondition::Cause::none) break;
-    world.update(q);
-    cause = stop.poll();
-    if (cause != StopCondition::Cause::none) break;
+    world.update_trail(q);
     record(world, run);
     cause = world.observe(run);
-    if (world.settled()) break;
+    if (world.settled() || q + 1 == iterations) break;
+    if (cause == StopCondition::Cause::none) cause = stop.poll();
+    if (cause != StopCondition::Cause::none) return cause;
   }
-  return cause;
+  return StopCondition::Cause::none;
 }
 
 }  // namespace

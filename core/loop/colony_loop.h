@@ -16,13 +16,18 @@ class ColonyWorld {
  public:
   virtual ~ColonyWorld() = default;
 
-  /// Sends all ants of iteration q and measures their tours. Other than `none` when it was cut
-  /// short: then some ants count as lost.
+  /// Sends all ants of iteration q, measures their tours and makes paths of them: all that may take
+  /// long, so all that polls. Other than `none` when it was cut short: then some ants count as
+  /// lost, and a trail that another run goes on with is what it was before.
   virtual StopCondition::Cause send_ants(int q) = 0;
-  /// Offers what the ants found as the best path so far.
+  /// Offers what the ants of a whole iteration found as the best path so far.
   virtual void offer() = 0;
-  /// Changes the trail by what the ants found. May be cut short, too.
-  virtual void update(int q) = 0;
+  /// Offers what the ants of an iteration found that was cut short: to the result alone, where
+  /// another run goes on from here.
+  virtual void offer_cut() { offer(); }
+  /// The world's rule: changes the trail by what the ants of a whole iteration found. Polls
+  /// nowhere: its work is bounded by what the ants have walked.
+  virtual void update_trail(int q) = 0;
 
   virtual int ants() const = 0;
   /// Threads that stand by for its parallel loops.
@@ -54,9 +59,13 @@ class ColonyWorld {
   virtual StopCondition::Cause observe(const Convergence& run) = 0;
 };
 
-/// The main loop: send the ants, offer, update, record, up to `iterations` times. Returns why it
-/// was cut short, or `none`. An iteration that was cut short is not recorded and does not update,
-/// but what its ants found is offered. Exported for the components; not a public header.
+/// The main loop: send the ants, offer, update the trail, record, observe, up to `iterations`
+/// times. Returns why it was cut short, or `none`.
+///
+/// An iteration is whole or nothing. Once all ants are back it is offered, updated and recorded
+/// before anything polls; one that was cut short leaves no record and no trail, though what its
+/// ants found is offered. Whoever asks to stop in the last iteration, or in one that settles, comes
+/// too late: the search has ended by itself. Exported for the components; not a public header.
 LASIUS_EXPORT StopCondition::Cause run_colony_loop(ColonyWorld& world, int iterations,
                                                    const StopCondition& stop, Convergence& run);
 

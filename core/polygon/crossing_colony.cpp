@@ -132,7 +132,7 @@ class CrossingColony final : public CrossingSearch {
     for (int g = 0; g < gates_; ++g) see_around(g, best_choices_[g]);
   }
 
-  void update(int) override {
+  void update_trail(int) override {
     const Tour best = parameters_.global_best == GlobalBest::iteration
                           ? tour(iteration_best_)
                           : Tour{best_choices_, best_tour_length_};

@@ -56,7 +56,7 @@ class CrossingGa final : public CrossingSearch {
   }
 
   /// Elitist selection: of parents and children the fittest live on.
-  void update(int q) override {
+  void update_trail(int q) override {
     if (q == 0) {
       population_ = children_;
     } else {

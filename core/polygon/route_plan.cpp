@@ -25,7 +25,8 @@ void RoutePlan::run(const Place& start, const Place& goal, double optimum, Resul
   const double enough = request_.target_gap > 0 ? optimum * (1 + request_.target_gap) : 0;
   StopCondition::Cause cause = StopCondition::Cause::none;
   midpoint_routes(regions_, start, goal, parameters_.routes, poller_, [&](const Route& route) {
-    cause = search(route, enough, result);
+    cause = asked_;  // though there is another route
+    if (cause == StopCondition::Cause::none) cause = search(route, enough, result);
     return cause == StopCondition::Cause::none && result.crossing.length > enough;
   });
   if (cause == StopCondition::Cause::none) cause = poller_.cause();
@@ -41,7 +42,7 @@ StopCondition::Cause RoutePlan::search(const Route& route, double enough, Result
   if (!route.gates.empty()) {
     const RunControl control{request_.stop, enough - beside_,
                              [&](const Convergence& now, const std::function<Crossing()>& best) {
-                               return observe(now, best, result);
+                               return asked_ = observe(now, best, result);
                              }};
     run = find_algorithm(parameters_.algorithm()).kind == Algorithm::Kind::genetic
               ? run_crossing_ga(route, dijkstra, parameters_, control)

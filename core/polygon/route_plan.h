@@ -42,7 +42,8 @@ class RoutePlan {
   const Params& parameters_;
   const Request& request_;
   const Observer& observer_;
-  Poller poller_;  // of what is not left to the runs
+  Poller poller_;                                            // of what is not left to the runs
+  StopCondition::Cause asked_ = StopCondition::Cause::none;  // for the end, by an observer
 };
 
 }  // namespace lasius::polygon

@@ -72,7 +72,7 @@ ArmCommand recorded_command(const Recorded& from) {
   const Algorithm& algorithm = arm::find_algorithm(recorded<std::string>(from.result, "algorithm"));
   const bool early = tells_no_bodies(from.result);
   const Json result = early ? with_later_parameters(from.result, algorithm) : from.result;
-  const Recorded question{result, from.found, from.threads, from.token};
+  const Recorded question{result, from.found, from.threads};
   ArmCommand command;
   read_recorded(question, algorithm, command);
   command.robot = from.found(recorded<std::string>(result, "robot/file"));

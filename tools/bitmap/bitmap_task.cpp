@@ -144,8 +144,7 @@ std::unique_ptr<Task> recorded_bitmap(const Recorded& from, SharedMap& last) {
                     last->unknown_is_free == run.map.unknown_is_free &&
                     last->prepare == run.map.prepare;
   if (!same)
-    last =
-        std::make_shared<LoadedMap>(load_map(run.map, run.frame, run.params.corners, from.token));
+    last = std::make_shared<LoadedMap>(load_map(run.map, run.frame, run.params.corners, {}));
   return std::make_unique<BitmapTask>(std::move(command), last);
 }
 

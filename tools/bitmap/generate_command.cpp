@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "core/base/output.h"
 #include "lasius/generate.h"
 #include "lasius/io.h"
@@ -18,9 +20,10 @@ int run_command(const GenerateCommand& command) {
     message("--density is " + to_text(most) + ": this kind of map gets no denser");
   }
   const Grid map = generate(command.kind, options);
-  const SignalWatcher signals;  // what is begun is written whole
+  std::optional<SignalWatcher> signals;
+  if (is_stream(command.output)) signals.emplace();  // what is begun is written whole
   write_any_map(map, command.output);
-  return signals.interrupted() ? kInterrupted : kFound;
+  return signals && signals->interrupted() ? kInterrupted : kFound;
 }
 
 }  // namespace lasius::tool

@@ -19,6 +19,7 @@ constexpr char kQuit = 'q';
 
 volatile std::sig_atomic_t write_end = -1;
 volatile std::sig_atomic_t signals_seen = 0;
+volatile std::sig_atomic_t nobody_polls = 0;
 
 /// Ends the program, with no half-written file left behind; by SIGQUIT as the system does, which
 /// may save its memory for a debugger.
@@ -30,7 +31,8 @@ void end_at_once(int number) {
 }
 
 extern "C" void on_signal(int number) {
-  const bool at_once = write_end < 0 || signals_seen != 0 || OpeningPipe::under_way();
+  const bool at_once =
+      write_end < 0 || signals_seen != 0 || nobody_polls != 0 || OpeningPipe::under_way();
   if (at_once || number == SIGQUIT) return end_at_once(number);
   signals_seen = 1;
   const int saved = errno;
@@ -58,12 +60,16 @@ void end_on_signals() {
 SignalWatcher::SignalWatcher() {
   if (::pipe2(pipe_, O_CLOEXEC) != 0)
     throw std::system_error(errno, std::generic_category(), "no pipe for signals");
-  waiter_ = std::thread([this] {
-    char byte = 0;
-    while (::read(pipe_[0], &byte, 1) < 0 && errno == EINTR) {
-    }
-    if (byte == kStop) source_.request_stop();
-  });
+  try {
+    waiter_ = std::thread([this] {
+      char byte = 0;
+      while (::read(pipe_[0], &byte, 1) < 0 && errno == EINTR) {
+      }
+      if (byte == kStop) source_.request_stop();
+    });
+  } catch (const std::system_error& fault) {
+    throw std::system_error(fault.code(), "no thread for signals");
+  }
   signals_seen = 0;
   write_end = pipe_[1];
 }
@@ -77,5 +83,8 @@ SignalWatcher::~SignalWatcher() {
 }
 
 bool SignalWatcher::interrupted() const noexcept { return signals_seen != 0; }
+
+EndAtOnce::EndAtOnce() noexcept { nobody_polls = 1; }
+EndAtOnce::~EndAtOnce() { nobody_polls = 0; }
 
 }  // namespace lasius::tool

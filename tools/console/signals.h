@@ -14,10 +14,11 @@ void end_on_signals();
 /// While it lives, the first of SIGINT, SIGTERM and SIGHUP asks the token to stop instead, and only
 /// a second signal, or one while a named pipe waits for its other end, ends the program at once.
 /// The handler itself only writes one byte to a pipe; a thread does the rest. One at a time.
-/// Precondition: end_on_signals was called.
+/// Precondition: end_on_signals was called. So it lives where the token is polled: elsewhere the
+/// first signal is to end the program.
 class SignalWatcher {
  public:
-  SignalWatcher();
+  SignalWatcher();  ///< @throws std::system_error where the system has no pipe or thread left
   ~SignalWatcher();
   SignalWatcher(const SignalWatcher&) = delete;
   SignalWatcher& operator=(const SignalWatcher&) = delete;
@@ -29,6 +30,16 @@ class SignalWatcher {
   int pipe_[2];
   std::stop_source source_;
   std::thread waiter_;
+};
+
+/// While it lives, a signal ends the program at once though a SignalWatcher lives, too: for work
+/// that polls nothing, and whose files are whole or not there.
+class EndAtOnce {
+ public:
+  EndAtOnce() noexcept;
+  ~EndAtOnce();
+  EndAtOnce(const EndAtOnce&) = delete;
+  EndAtOnce& operator=(const EndAtOnce&) = delete;
 };
 
 }  // namespace lasius::tool

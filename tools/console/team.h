@@ -5,14 +5,16 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace lasius::tool {
 
 /// Calls `worker(i)` once for every i below `count`, in rising order, on the calling thread and
-/// `threads` - 1 others. Each thread has the worker that `make_worker()` gives it there. What one
-/// throws comes out when the others have finished the number they are at.
+/// `threads` - 1 others, or as many as the system has. Each thread has the worker that
+/// `make_worker()` gives it there. What one throws comes out when the others have finished the
+/// number they are at.
 template <class MakeWorker>
 void share_out(std::size_t count, int threads, const MakeWorker& make_worker) {
   std::atomic<std::size_t> next{0};
@@ -30,7 +32,10 @@ void share_out(std::size_t count, int threads, const MakeWorker& make_worker) {
   };
   {
     std::vector<std::jthread> team;
-    for (int t = 1; t < threads; ++t) team.emplace_back(run);
+    try {
+      for (int t = 1; t < threads; ++t) team.emplace_back(run);
+    } catch (const std::system_error&) {  // the system has no more: these do the work
+    }
     run();
   }
   if (fault) std::rethrow_exception(fault);

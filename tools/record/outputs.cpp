@@ -1,7 +1,10 @@
 #include "tools/record/outputs.h"
 
+#include <optional>
+
 #include "core/base/output.h"
 #include "lasius/error.h"
+#include "tools/console/signals.h"
 #include "tools/console/streams.h"
 
 namespace lasius::tool {
@@ -45,6 +48,8 @@ void Delivery::print(const std::string& text) {
 
 void Delivery::write(const std::function<void(const std::string& file)>& write) {
   for (const auto& file : files_) {
+    std::optional<EndAtOnce> whole_or_not_there;
+    if (!is_stream(file)) whole_or_not_there.emplace();
     try {
       write(file);
     } catch (const Error& error) {

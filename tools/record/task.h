@@ -134,7 +134,6 @@ struct Recorded {
   const Json& result;
   std::function<std::string(const std::string&)> found;  ///< where a file is that it names
   int threads = 1;
-  std::stop_token token;
   std::string map = {};  ///< in place of the map that it names; empty: none
 
   std::string map_file() const;

@@ -15,7 +15,6 @@
 #include "tools/arm/arm_task.h"
 #include "tools/bitmap/bitmap_task.h"
 #include "tools/console/exit_code.h"
-#include "tools/console/signals.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
 #include "tools/console/worlds.h"
@@ -231,8 +230,7 @@ Json replay_of(const Error::Place& place, const Recorded& recorded, Last& last) 
 }
 
 /// Replays one result and says what is wrong. Its exit code.
-int verify(const VerifyCommand& command, const Saved& saved, const std::string& name, Last& last,
-           const std::stop_token& token) {
+int verify(const VerifyCommand& command, const Saved& saved, const std::string& name, Last& last) {
   const Json& result = saved.json;
   const Error::Place place{.file = name, .offset = saved.offset};
   const std::string format = text_of(result, "format");
@@ -259,7 +257,6 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
   const Recorded recorded{.result = result,
                           .found = [&](const auto& file) { return found(command, file); },
                           .threads = command.threads,
-                          .token = token,
                           .map = command.map};
   const std::string why = format == kArmFormat ? why_not_replayed(recorded) : std::string();
   if (!why.empty()) {
@@ -267,7 +264,6 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
     return kInternal;
   }
   Json replay = replay_of(place, recorded, last);
-  if (token.stop_requested()) return kInterrupted;
   if (version != LASIUS_VERSION) {
     tell_evaporation(replay["parameters"], value_at(result, "parameters"));
     keep_known(replay, result);
@@ -295,14 +291,12 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
 
 int run_command(const VerifyCommand& command) {
   const auto results = read_results(command.result);
-  SignalWatcher signals;
   Last last;
   int code = kFound;
   std::size_t equal = 0;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const std::string name = results.size() > 1 ? nth(command.result, i) : command.result;
-    const int one = verify(command, results[i], name, last, signals.token());
-    if (one == kInterrupted) return one;
+    const int one = verify(command, results[i], name, last);
     if (one == kFound) ++equal;
     // A difference weighs more than a result that cannot be replayed.
     if (code != kInternal && one != kFound) code = one;

@@ -35,9 +35,10 @@ Measured measure(const Claim& claim, const Findings& findings) {
   Measured all;
   for (const std::string& experiment : claim.in) {
     for (const Sample* a : findings.of(experiment, claim.a)) {
+      if (a->runs.empty()) continue;  // of many questions, after a signal most
       const Sample* const b =
           claim.b.empty() ? a : findings.find(experiment, a->question->name, claim.b);
-      if (b == nullptr || a->runs.empty() || b->runs.empty()) continue;
+      if (b == nullptr || b->runs.empty()) continue;
       const double budget = common_budget(claim.value, *a, *b);
       const auto optimum = findings.optimum(*a->experiment, *a->question);
       const auto values = [&](const Sample& sample) {
@@ -264,8 +265,18 @@ Evidence weigh(const Study& study, const Claim& claim, const Findings& findings)
 double least_p(const Evidence& e, int seeds) {
   seeds /= e.claim->value.best_of;
   if (e.claim->test != Test::most) return least_rank_p(e.questions, seeds);
-  return std::min(1.0,
-                  2 * std::pow(std::max(e.claim->share, 1 - e.claim->share), e.questions * seeds));
+  const double runs = static_cast<double>(e.questions) * seeds;
+  return std::min(1.0, 2 * std::pow(std::max(e.claim->share, 1 - e.claim->share), runs));
+}
+
+/// Why the seeds that were run cannot decide among `family` claims, and how many could.
+std::string too_few_seeds(const Evidence& e, double family) {
+  std::string text = "cannot decide with " + std::to_string(e.seeds) + " seeds";
+  int more = e.seeds;
+  while (more < kMostSeeds && least_p(e, more) * family >= kSignificant) ++more;
+  if (least_p(e, more) * family >= kSignificant)
+    return text + ", nor with the " + std::to_string(kMostSeeds) + " that a study may have";
+  return text + "; " + std::to_string(more) + " could";
 }
 
 Verdict verdict_of(const Evidence& e) {
@@ -326,10 +337,7 @@ void decide(std::span<Evidence> evidence) {
         else
           e.verdict = verdict_of(e);
       } else if (least_p(e, e.seeds) * family >= kSignificant) {
-        int more = e.seeds;
-        while (least_p(e, more) * family >= kSignificant) ++more;
-        note("cannot decide with " + std::to_string(e.seeds) + " seeds; " + std::to_string(more) +
-             " could");
+        note(too_few_seeds(e, family));
       }
     }
   }

@@ -24,7 +24,7 @@ struct Place {
   const std::string& label() const { return experiment.contenders.front().label; }
 };
 
-Figure draw_run(const Place& place, const StopCondition& stop) {
+Figure draw_run(const Place& place) {
   tool::RunOptions run;
   run.map.file = (place.maps / place.question.map).string();
   run.params = place.params;
@@ -32,7 +32,7 @@ Figure draw_run(const Place& place, const StopCondition& stop) {
   tool::PictureRecorder recorder(map.grid(), run.track_iterations, run.params);
   const auto at = [&](Cell c) { return tool::to_place(map, {1.0 * c.x, 1.0 * c.y}, run.frame); };
   const tool::Answer found =
-      tool::answer(map, run, at(place.question.start), at(place.question.goal), stop,
+      tool::answer(map, run, at(place.question.start), at(place.question.goal), {},
                    [&](const GridProgress& progress) { recorder.observe(progress); });
   for (const char* ending : {".svg", ".png"})
     tool::write_plan_picture((place.folder / (place.stem() + ending)).string(), map, run, found,
@@ -64,10 +64,10 @@ struct Ants {
   }
 };
 
-Figure draw_ants(const Place& place, const StopCondition& stop) {
+Figure draw_ants(const Place& place) {
   const Planner planner(load_map(place.question.map, place.maps));
   Ants ants;
-  (void)planner.plan({place.question.start, place.question.goal, stop}, place.params, nullptr,
+  (void)planner.plan({place.question.start, place.question.goal}, place.params, nullptr,
                      [&](const GridProgress& progress) { ants.observe(progress); });
   const Grid& grid = planner.grid();
   const auto walk = [&](const std::vector<Cell>& cells, std::size_t colour, std::string caption) {
@@ -108,8 +108,8 @@ Figure draw_ants(const Place& place, const StopCondition& stop) {
 
 }  // namespace
 
-std::vector<Figure> draw_portraits(const Study& study, const fs::path& folder, const fs::path& maps,
-                                   const StopCondition& stop) {
+std::vector<Figure> draw_portraits(const Study& study, const fs::path& folder,
+                                   const fs::path& maps) {
   std::vector<Figure> figures;
   for (const Experiment& experiment : study.experiments) {
     if (!experiment.portrait && !experiment.by_ant) continue;
@@ -121,7 +121,7 @@ std::vector<Figure> draw_portraits(const Study& study, const fs::path& folder, c
     }
     for (const Question& question : experiment.questions) {
       const Place place{experiment, question, params, folder, maps};
-      figures.push_back(experiment.by_ant ? draw_ants(place, stop) : draw_run(place, stop));
+      figures.push_back(experiment.by_ant ? draw_ants(place) : draw_run(place));
     }
   }
   return figures;

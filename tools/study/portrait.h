@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <vector>
 
-#include "lasius/stop.h"
 #include "tools/study/markdown.h"
 #include "tools/study/study.h"
 
@@ -14,6 +13,6 @@ namespace lasius::study {
 /// draws tracks, pheromone, path and convergence; or a dead end, a success and the tours ant by
 /// ant. A contender that the library does not have is left out.
 std::vector<Figure> draw_portraits(const Study& study, const std::filesystem::path& folder,
-                                   const std::filesystem::path& maps, const StopCondition& stop);
+                                   const std::filesystem::path& maps);
 
 }  // namespace lasius::study

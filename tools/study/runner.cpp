@@ -52,6 +52,10 @@ std::vector<Job> list_jobs(const Study& study, const Domain& domain, const Runne
   for (const Experiment& experiment : study.experiments) {
     for (const Contender& contender : experiment.contenders) {
       for (const Question& question : experiment.questions) {
+        if (options.stop.stop_requested()) {
+          findings.whole = false;
+          return jobs;
+        }
         std::shared_ptr<const Task> task;
         try {
           task = std::make_shared<Task>(domain.task(question, contender));

@@ -127,6 +127,8 @@ struct Claim {
 enum class World { bitmap, polygon, arm, online };
 
 /// Runs of every contender: seeds `first` to `first` + `count` - 1.
+inline constexpr int kMostSeeds = 100000;
+
 struct Seeds {
   std::uint64_t first = 1;
   int count = 30;

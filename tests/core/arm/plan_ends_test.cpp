@@ -209,6 +209,25 @@ TEST(ArmPlan, AnObserverEndsSearchAndMotion) {
   EXPECT_LE(r.questions.trajectory, 16);
 }
 
+TEST(ArmPlan, AnObserverComesTooLateOnceTheSearchHasEnded) {
+  Case c = make_case("industrial6", 3, 10, 0, 12);
+  const SceneSensor sensor(c.robot, c.scene);
+  for (const int patience : {0, 2}) {  // to the last iteration, or until it settles
+    c.parameters.iterations = patience > 0 ? 1000000 : 3;
+    c.parameters.patience = patience;
+    const Result whole = plan(c.robot, sensor, c.request, c.parameters);
+    ASSERT_EQ(whole.status, Status::solved);
+    for (const int before : {1, 0}) {
+      const Result r = plan(c.robot, sensor, c.request, c.parameters, [&](const ArmProgress& view) {
+        if (view.iteration + 1 == whole.iterations - before) view.stop();
+      });
+      EXPECT_EQ(r.iterations, whole.iterations - before);
+      EXPECT_EQ(r.status, before > 0 ? Status::interrupted : Status::solved) << patience;
+      if (before == 0) EXPECT_EQ(r.joints, whole.joints);
+    }
+  }
+}
+
 TEST(ArmPlan, PolledAmongAntsOfFewSteps) {
   const Robot robot = two_links();
   Request request = across(robot);

@@ -175,12 +175,11 @@ class BestKnownWay : public testing::Test {
                   .ants = {&tour, 1},
                   .best_so_far = tour,
                   .rows = 20,
-                  .ranking = ranking},
-                 {});
+                  .ranking = ranking});
   }
   Moves answer(IndexAnswer reading) {
     Moves way{kEast};
-    best_known_way(field_, moves_, kStart, kGoal, reading, {}, way);
+    best_known_way(field_, moves_, kStart, kGoal, reading, way);
     return way;
   }
 

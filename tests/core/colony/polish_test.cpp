@@ -49,7 +49,7 @@ TEST_F(Polishing, APathMadeAheadStaysThoughTimeIsUp) {
   polisher_.polish_ahead(ants, 0, 0);
   source_.request_stop();
   polisher_.polish_ahead(ants, 0, 1);
-  polisher_.polish(ants, {});
+  polisher_.polish(ants, request_.stop, {});
   EXPECT_EQ(polisher_.paths()[0].length, std::sqrt(5.0));
   EXPECT_EQ(polisher_.paths()[0].points.size(), 2u);
   EXPECT_TRUE(std::isnan(polisher_.paths()[1].length));
@@ -59,10 +59,10 @@ TEST_F(Polishing, APathMadeAheadIsOfOneIterationOnly) {
   std::vector<Ant> ants;
   ants.push_back(ant({{1, 0}, {0, 1}, {1, 0}}));
   polisher_.polish_ahead(ants, 0, 0);
-  polisher_.polish(ants, {});
+  polisher_.polish(ants, request_.stop, {});
   ants[0] = ant({{1, 0}, {1, 0}, {0, 1}, {0, 1}, {0, 1}});
   polisher_.polish_ahead(ants, 0, 0);
-  polisher_.polish(ants, {});
+  polisher_.polish(ants, request_.stop, {});
   EXPECT_EQ(polisher_.paths()[0].length, std::sqrt(13.0));
 }
 

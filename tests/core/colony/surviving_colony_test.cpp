@@ -215,8 +215,7 @@ TEST(TerminalIndex, ForgetsWhatLedThroughBlockedCellsAndNothingElse) {
                     .ants = {&tour, 1},
                     .best_so_far = tour,
                     .rows = 20,
-                    .ranking = ranking},
-                   {});
+                    .ranking = ranking});
     }
     for (int edits = 0; edits < 3; ++edits) {
       const Rectangle part = map.edit();

@@ -74,7 +74,7 @@ double learn(WalkedGrid& index, const std::string& strokes) {
 double answer(WalkedGrid& index) {
   std::vector<std::uint8_t> way;
   best_known_way(index.rows.field, index.rows.moves, index.start, index.goal,
-                 IndexAnswer::least_way, {}, way);
+                 IndexAnswer::least_way, way);
   double length = 0;
   for (const int k : way) length += index.rows.moves[k].length;
   return length;

@@ -50,7 +50,7 @@ struct WalkedGrid {
     for (const int k : walked.back()) length += rows.moves[k].length;
     lengths.push_back(arrived ? length : std::nan(""));
   }
-  void update(int best_so_far = -1, int iteration = 0, const StopCondition& stop = {}) {
+  void update(int best_so_far = -1, int iteration = 0) {
     std::vector<Tour> ants;
     for (std::size_t a = 0; a < walked.size(); ++a) ants.push_back({walked[a], lengths[a]});
     std::vector<int> ranking;
@@ -62,8 +62,7 @@ struct WalkedGrid {
                   .best_so_far = best_so_far < 0 ? none : ants[best_so_far],
                   .iteration = iteration,
                   .rows = grid.height(),
-                  .ranking = ranking},
-                 stop);
+                  .ranking = ranking});
   }
   double tau(int x, int y, int move = 0) const { return rows.field.tau({x, y}, move); }
 

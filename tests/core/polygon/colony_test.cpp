@@ -75,6 +75,27 @@ TEST(Stops, ObserversSeeAndStopEveryAlgorithm) {
   }
 }
 
+TEST(Stops, AnObserverComesTooLateInTheLastIterationOfTheLastRoute) {
+  const Planner planner(known_world());
+  int routes = 0;
+  for (const char* algorithm : {"maklink-acs", "real-ga"}) {
+    Params parameters(algorithm);
+    parameters.iterations = 3;
+    const Result whole = planner.plan({}, parameters);
+    routes += whole.iterations / parameters.iterations;
+    for (int at = 0; at < whole.iterations; ++at) {
+      const Result result = planner.plan({}, parameters, [&](const PlanProgress& view) {
+        if (view.iteration == at) view.stop();
+      });
+      const bool last = at + 1 == whole.iterations;
+      EXPECT_EQ(result.iterations, at + 1);
+      EXPECT_EQ(result.status, last ? Status::solved : Status::interrupted) << at;
+      if (last) EXPECT_EQ(result.path, whole.path);
+    }
+  }
+  EXPECT_GT(routes, 2);
+}
+
 TEST(Stops, ThePathThatAnObserverSeesIsTheBestOfAllRoutes) {
   const Planner planner(known_world());
   int runs = 0;

@@ -126,6 +126,20 @@ TEST_F(Claims, TooFewSeedsCannotDecideAndItIsSaidHowManyWould) {
   expect_says(e.figures, "cannot decide with 3 seeds; 4 could");
 }
 
+TEST_F(Claims, WhatNoNumberOfSeedsDecidesIsSaid) {
+  Claim claim = less();
+  claim.test = Claim::Test::most;
+  claim.b.clear();
+  for (const double share : {0.0, 1e-300, 1.0, 1 - 1e-12}) {
+    claim.share = share;
+    claim.to = share < 0.5 ? 1 : 20;  // no run, or all of them
+    expect_says(judge(claim).figures, "nor with the 100000 that a study may have");
+  }
+  claim.share = 0.9;  // 0.9^36 is 0.0225
+  both("a", {10, 10});
+  expect_says(judge(claim).figures, "cannot decide with 2 seeds; 18 could");
+}
+
 TEST_F(Claims, TheCorrectionIsOverTheWholeReport) {
   for (const char* name : {"a", "b"}) runs(name, 1, {10, 10, 10, 10});
   runs("a", 0, {11, 12, 13, 14});

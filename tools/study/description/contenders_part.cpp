@@ -297,11 +297,10 @@ std::string iterations_of(const Node* budget) {
 Seeds seeds_of(const Node* seeds, Seeds usual) {
   if (seeds == nullptr) return usual;
   const auto range = tool::parse_range(seeds->text());
-  constexpr int kMost = 100000;
   if (!range || range->first < 1 || range->second > tool::kMaxExactInteger ||
-      range->second - range->first >= kMost)
+      range->second - range->first >= kMostSeeds)
     seeds->fail("is \"" + seeds->text() + "\"",
-                "say N, or A..B, from 1; at most " + std::to_string(kMost) + " of them");
+                "say N, or A..B, from 1; at most " + std::to_string(kMostSeeds) + " of them");
   return {static_cast<std::uint64_t>(range->first),
           static_cast<int>(range->second - range->first) + 1};
 }

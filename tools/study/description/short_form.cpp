@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/json_values.h"
+#include "tools/console/exit_code.h"
 #include "tools/study/map_source.h"
 #include "tools/yaml/document.h"
 
@@ -25,12 +26,22 @@ Json contender_json(const tool::ShortStudy& run, const std::string& algorithm) {
   return contender;
 }
 
+/// Of the file, which is UTF-8 throughout. @throws UsageError for a name that is not.
+std::string text_of(const Json& value) {
+  std::string text = json::dumped(value);
+  if (json::read(text, "") != value)
+    throw tool::UsageError("study run: " + text +
+                           " is not UTF-8, as a study's file has to be; "
+                           "rename the file");
+  return text;
+}
+
 }  // namespace
 
 std::string study_text(const tool::ShortStudy& run, const Seeds& seeds) {
   const bool file = !is_generated(run.map);
   const auto line = [](const std::string& key, const Json& value) {
-    return key + ": " + json::dumped(value) + "\n";
+    return key + ": " + text_of(value) + "\n";
   };
   std::string text = line("name", file ? fs::path(run.map).stem().string() : run.map);
   if (seeds.count > 0)
@@ -38,7 +49,7 @@ std::string study_text(const tool::ShortStudy& run, const Seeds& seeds) {
                               std::to_string(seeds.first + seeds.count - 1));
   text += "contenders:\n";
   for (const std::string& algorithm : run.algorithms)
-    text += "  - " + json::dumped(contender_json(run, algorithm)) + "\n";
+    text += "  - " + text_of(contender_json(run, algorithm)) + "\n";
   if (!run.factors.empty()) text += "sweep:\n  design: grid\n  factors:\n";
   for (const auto& [name, values] : run.factors) text += line("    " + name, values);
   if (run.steps || run.seconds) text += "budget:\n";
@@ -47,7 +58,7 @@ std::string study_text(const tool::ShortStudy& run, const Seeds& seeds) {
   const Json question = {{"map", file ? absolute(run.map) : run.map},
                          {"start", {run.start.x, run.start.y}},
                          {"goal", {run.goal.x, run.goal.y}}};
-  return text + "questions:\n  - " + json::dumped(question) + "\n";
+  return text + "questions:\n  - " + text_of(question) + "\n";
 }
 
 }  // namespace lasius::study

@@ -114,13 +114,15 @@ class Conduct {
                              .first_seed = seeds(study).first});
   }
 
+  /// Polls nothing: a signal ends it, and what was run is kept.
   void write(const Study& study, const Findings& findings, const fs::path& folder) const {
+    const EndAtOnce runs_are_kept;
     auto evidence = study::weigh(study, findings);
     study::decide(evidence);
     std::vector<study::Figure> figures;
     if (findings.whole) {
       figures = study::draw_pictures(study, findings, folder, maps_);
-      for (auto& figure : study::draw_portraits(study, folder, maps_, {.token = signals_.token()}))
+      for (auto& figure : study::draw_portraits(study, folder, maps_))
         figures.push_back(std::move(figure));
     }
     std::string results;

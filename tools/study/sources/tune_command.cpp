@@ -17,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void write_tuning(const study::Tuning& tuning, const study::Tuned& tuned, const fs::path& folder) {
+  const EndAtOnce runs_are_kept;
   study::write_text(folder / "race.csv", race_table(tuned).csv());
   study::write_text(folder / "candidates.csv", candidate_table(tuning, tuned).csv());
   study::write_text(folder / "report.md", tune_page(tuning, tuned));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lasius/error.h"
+#include "tools/console/signals.h"
 #include "tools/console/values.h"
 #include "tools/study/bitmaps.h"
 #include "tools/study/description/draws.h"
@@ -108,6 +109,7 @@ class Conductor {
     runner.progress = options_.progress;
     const Findings findings = run_study(part, domain, runner);
     check_all_ran(findings);
+    const tool::EndAtOnce runs_are_kept;
     if (findings.whole) tuned.families = judge(findings, tuning_, judged.name);
     return findings.whole;
   }
@@ -132,8 +134,11 @@ void weigh(Family& family) {
 }  // namespace
 
 Tuned tune(Tuning& tuning, const TuneOptions& options) {
-  draw_questions(tuning.training, options.maps);
-  draw_questions(tuning.judging, options.maps);
+  {
+    const tool::EndAtOnce nothing_is_polled;
+    draw_questions(tuning.training, options.maps);
+    draw_questions(tuning.judging, options.maps);
+  }
   return Conductor(tuning, options).run();
 }
 
