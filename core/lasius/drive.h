@@ -121,7 +121,7 @@ class DriveTick {
   std::vector<Cell> news;              ///< cells that the robot learned in this tick
   bool replanned = false;              ///< the way was planned in this tick
 
-  /// Ends the drive here, where it has not arrived: Status::interrupted.
+  /// Ends the drive here, where it has neither arrived nor spent its ticks: Status::interrupted.
   void stop() const noexcept { stopped_ = true; }
   bool stopped() const noexcept { return stopped_; }  ///< true once stop() was called
 

@@ -26,8 +26,8 @@ class Progress {
   /// Null from an exact search.
   const Convergence* curves = nullptr;
 
-  /// Ends the search, where it has not ended by itself: its answer is the best so far, its status
-  /// Status::interrupted.
+  /// Ends the search, where it has not ended by itself, as in its last iteration or in one in which
+  /// it settles: its answer is the best so far, its status Status::interrupted.
   void stop() const noexcept { stopped_ = true; }
   /// True once stop() was called.
   bool stopped() const noexcept { return stopped_; }

@@ -4,11 +4,12 @@ namespace lasius::study {
 
 const Sample* Findings::find(std::string_view experiment, std::string_view question,
                              std::string_view contender) const {
-  for (const Sample& s : samples)
-    if (s.experiment->name == experiment && s.question->name == question &&
-        s.contender->name == contender)
-      return &s;
-  return nullptr;
+  for (; numbered_ < samples.size(); ++numbered_) {
+    const Sample& s = samples[numbered_];
+    numbers_.try_emplace({s.experiment->name, s.question->name, s.contender->name}, numbered_);
+  }
+  const auto found = numbers_.find({experiment, question, contender});
+  return found == numbers_.end() ? nullptr : &samples[found->second];
 }
 
 std::vector<const Sample*> Findings::of(std::string_view experiment,
@@ -21,9 +22,8 @@ std::vector<const Sample*> Findings::of(std::string_view experiment,
 
 std::optional<double> Findings::optimum(const Experiment& experiment,
                                         const Question& question) const {
-  for (const Optimum& o : optima)
-    if (o.experiment == &experiment && o.question == &question) return o.length;
-  return std::nullopt;
+  const auto found = optima.find({&experiment, &question});
+  return found == optima.end() ? std::nullopt : std::optional(found->second);
 }
 
 }  // namespace lasius::study

@@ -1,9 +1,13 @@
 // What the runs of a study found.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lasius/planner.h"
@@ -67,19 +71,20 @@ class Findings {
   std::vector<Sample> samples;  ///< with the runs that were done
   std::vector<Absent> absent;
   bool whole = true;  ///< false after an interruption
-  struct Optimum {
-    const Question* question;
-    const Experiment* experiment;
-    double length;
-  };
-  std::vector<Optimum> optima;  ///< where known
+  std::map<std::pair<const Experiment*, const Question*>, double> optima;  ///< where known
 
-  /// Null where the contender is absent.
+  /// Null where the contender is absent. What is asked for question by question is looked up, not
+  /// searched for: a study may have 100 000 of them.
   const Sample* find(std::string_view experiment, std::string_view question,
                      std::string_view contender) const;
   /// The samples of a contender, one a question.
   std::vector<const Sample*> of(std::string_view experiment, std::string_view contender) const;
   std::optional<double> optimum(const Experiment& experiment, const Question& question) const;
+
+ private:
+  using Names = std::array<std::string_view, 3>;  ///< of experiment, question, contender
+  mutable std::map<Names, std::size_t> numbers_;  ///< of the samples, the first `numbered_` of them
+  mutable std::size_t numbered_ = 0;
 };
 
 }  // namespace lasius::study

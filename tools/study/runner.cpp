@@ -136,9 +136,11 @@ double thread_seconds() {
 Findings run_study(const Study& study, const Domain& domain, const RunnerOptions& options) {
   Findings findings;
   for (const Experiment& experiment : study.experiments)
-    for (const Question& question : experiment.questions)
+    for (const Question& question : experiment.questions) {
+      if (options.stop.stop_requested()) break;
       if (const auto length = domain.optimum(question, experiment.truth, {.token = options.stop}))
-        findings.optima.push_back({&question, &experiment, *length});
+        findings.optima.emplace(std::pair(&experiment, &question), *length);
+    }
   auto jobs = list_jobs(study, domain, options, findings);
   if (!jobs.empty()) work(jobs, options);
   for (Sample& sample : findings.samples)

@@ -21,7 +21,7 @@ class Claims : public testing::Test {
     study_.experiments = {e};
     const Experiment& kept = study_.experiments[0];
     for (const Question& question : kept.questions) {
-      findings_.optima.push_back({&question, &kept, 10});
+      findings_.optima.emplace(std::pair(&kept, &question), 10);
       for (const Contender& contender : kept.contenders)
         findings_.samples.push_back({&kept, &question, &contender});
     }
