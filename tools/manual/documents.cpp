@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "tools/manual/topics.h"
-#include "tools/manual/wrapped.h"
 
 namespace lasius::tool {
 namespace {

@@ -6,7 +6,6 @@
 #include "tools/console/exit_code.h"
 #include "tools/console/streams.h"
 #include "tools/manual/documents.h"
-#include "tools/manual/plain_text.h"
 #include "tools/manual/topics.h"
 #include "tools/options/commands.h"
 
