@@ -14,6 +14,7 @@ namespace lasius {
 namespace {
 
 struct Unprepared {
+  static constexpr int kGrids = 200;
   explicit Unprepared(const Grid&) {}
   void search(ExactSearch& search, const Grid& grid, Cell start, Cell goal,
               const ExactOptions& options, ExactAnswer& answer) const {
@@ -23,6 +24,7 @@ struct Unprepared {
 };
 
 struct Prepared {
+  static constexpr int kGrids = 40;
   explicit Prepared(const Grid& grid) : graph(graph_of(grid)) {}
   void search(exact::PreparedSearch& search, const Grid& grid, Cell start, Cell goal,
               const ExactOptions& options, ExactAnswer& answer) const {
@@ -44,7 +46,8 @@ class BothSearches : public testing::Test {
   }
   typename Map::Search search_;
 };
-TYPED_TEST_SUITE(BothSearches, (testing::Types<Unprepared, Prepared>));
+using Kinds = testing::Types<Unprepared, Prepared>;
+TYPED_TEST_SUITE(BothSearches, Kinds);
 
 TYPED_TEST(BothSearches, EqualBruteForceOnTheWidestMaps) {
   for (const bool tall : {false, true}) {
@@ -83,7 +86,8 @@ TYPED_TEST(BothSearches, TheTargetGapIsCertified) {
       });
     }
   };
-  for (int i = 0; i < 200; ++i) look(random_grid(60, 60, random_in(5, 42, random), random), 1);
+  for (int i = 0; i < TypeParam::kGrids; ++i)
+    look(random_grid(60, 60, random_in(5, 42, random), random), 1);
   for (const MapKind kind : {MapKind::blobs, MapKind::maze, MapKind::rooms, MapKind::city})
     look(generate(kind, {200, 150, -1, 3}), 20);
   EXPECT_GT(early, 60);
