@@ -58,7 +58,6 @@ BucketAStar::Outcome BucketAStar::search(Cell start, Cell goal) {
   buckets_[bucket % kBuckets].push_back(
       {start_index, static_cast<std::uint16_t>(start.x), static_cast<std::uint16_t>(start.y)});
   std::uint32_t best = ~std::uint32_t{0};  // cost of the goal so far
-  std::int64_t expansions = 0;
 
   for (std::uint32_t empty = 0; empty < kBuckets;) {
     auto& queue = buckets_[bucket % kBuckets];
@@ -77,7 +76,6 @@ BucketAStar::Outcome BucketAStar::search(Cell start, Cell goal) {
     const std::uint32_t cost = node.cost;
     if (best != ~std::uint32_t{0} && cost + costs.distance(item.x, item.y, goal) >= best) continue;
     node.state |= kClosed;
-    ++expansions;
     for (unsigned mask = moves_.moves(item.index); mask != 0; mask &= mask - 1) {
       const auto k = static_cast<unsigned>(std::countr_zero(mask));
       const auto next_index = item.index + static_cast<std::uint32_t>(offsets[k]);
@@ -94,7 +92,6 @@ BucketAStar::Outcome BucketAStar::search(Cell start, Cell goal) {
       }
     }
   }
-  expansions_ += expansions;
   return best != ~std::uint32_t{0} || start == goal ? Outcome::reached : Outcome::unreachable;
 }
 

@@ -24,8 +24,6 @@ class BucketAStar final : public QueryPlanner {
   /// The cells of a shortest path, start to goal, in `cells`; its length or kNoPath.
   double plan_cells(Cell start, Cell goal, std::vector<Cell>& cells);
 
-  std::int64_t expansions() const noexcept { return expansions_; }  ///< since construction
-
  private:
   // A cell's state: valid when the stamp is the query's.
   struct Node {
@@ -52,7 +50,6 @@ class BucketAStar final : public QueryPlanner {
   std::uint32_t stamp_ = 0;
   std::size_t scale_ = 0;
   unsigned bucket_shift_ = 0;
-  std::int64_t expansions_ = 0;
 };
 
 }  // namespace lasius::peers

@@ -31,7 +31,6 @@ TWO_JOINTS = """<robot name="two">
 </robot>
 """
 
-RESULTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "results")
 ROBOTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "core", "arm", "robots")
 
 
@@ -483,26 +482,6 @@ class Arm(ProgramTest):
         run = self.ended(ask(TWO_JOINTS.replace("collision>", "visual>"), "--use-visual"), 0)
         self.assertEqual([body["name"] for body in run.json["robot"]["bodies"]],
                          ["foot", "upper", "lower"])
-
-    def test_results_that_say_nothing_of_bodies(self):
-        for file in (PLANAR, FLAT, os.path.join(RESULTS, "planar3_early.json")):
-            shutil.copy(file, self.path(os.path.basename(file)))
-        early = json.loads(self.read("planar3_early.json"))
-        self.assertNotIn("bodies", early["robot"])
-        verified = self.run_program("verify", "planar3_early.json")
-        self.assertEqual((verified.code, verified.out),
-                         (0, "1 of 1 result is equal to the replay\n"), verified.err)
-        blocked = self.arm("--json", "--algorithm", "goritov2020", robot="planar3.json",
-                           scene="flat.json", start="0.3,0,0").json
-        lattice = {"pitch": 0.045, "points": [40, 40, 41]}
-        self.write("blocked.json", json.dumps({**blocked, "version": "0.2.0", "lattice": lattice,
-                                               "robot": early["robot"]}))
-        self.assertEqual(self.run_program("verify", "blocked.json").code, 0)
-        self.assertEqual(self.replay_of({**early, "joints": early["joints"][1:]}).code, 1)
-        self.write("planar3.json", TWO_JOINTS)
-        verified = self.run_program("verify", "planar3_early.json")
-        self.assertEqual((verified.code, verified.out), (1, "0 of 1 result is equal to the replay\n"))
-        self.assertIn("no list of bodies", verified.err)
 
     def test_a_long_motion_says_that_it_is_sampled_less_often(self):
         with open(PLANAR, encoding="utf-8") as file:

@@ -9,7 +9,8 @@ import unittest
 
 from program import MAPS, PROGRAM, ProgramTest
 
-DOCUMENTS = os.path.join(os.path.dirname(MAPS), "docs")
+ROOT = os.path.dirname(MAPS)
+DOCUMENTS = os.path.join(ROOT, "docs")
 
 
 def document(name):
@@ -136,8 +137,12 @@ class Help(HelpTest):
 class ManualPages(HelpTest):
     def setUp(self):
         super().setUp()
-        os.mkdir(self.path("man"))
-        self.text("help", "--man", "man")
+        self.make_pages("man")
+
+    def make_pages(self, folder):
+        os.mkdir(self.path(folder))
+        subprocess.run([os.path.join(ROOT, "tools", "manual", "make_manual"), "pages", PROGRAM, self.path(folder)],
+                       check=True, timeout=60)
 
     def pages(self):
         return sorted(os.listdir(self.path("man")))
@@ -146,8 +151,7 @@ class ManualPages(HelpTest):
         self.assertEqual(self.pages(), sorted(["lasius.1", *(f"lasius-{name}.1" for name in self.commands())]))
 
     def test_the_same_every_time(self):
-        os.mkdir(self.path("again"))
-        self.text("help", "--man", "again")
+        self.make_pages("again")
         for name in self.pages():
             self.assertEqual(self.read(f"man/{name}"), self.read(f"again/{name}"))
 

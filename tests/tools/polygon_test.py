@@ -279,23 +279,6 @@ class PolygonTest(WorldTest):
         self.assertIn(run.json["note"], run.err)
         self.assertNotIn("note", self.plan_world("--join", "mitre", "-q", world="spikes.geojson").err)
 
-    def test_results_from_before_the_boundary_shrank(self):
-        """A result without "boundary" is of 0.1.0: round joins of chords, the boundary kept."""
-        made = {}
-        for join in ("chords", "mitre"):
-            result = self.plan_world("--margin", "3", "--join", join, "--boundary", "keep",
-                                     "--algorithm", "maklink-acs", "--json").json
-            for key in ("note", "optimum", "optimum_gap"):
-                del result[key]
-            del result["parameters"]["boundary"]
-            if join == "chords":
-                result["parameters"]["join"] = "round"
-            result["version"] = "0.1.0"
-            made[join] = result
-            self.write("old.json", json.dumps(result))
-            self.ended(self.run_program("verify", "old.json"), 0)
-        self.assertNotEqual(made["chords"]["path"], made["mitre"]["path"])
-
     def test_values_ask_for_iterations(self):
         for arguments, iterations in ((["--set", "values=41"], 800), (["--set", "values=7"], 200),
                                       (["--iterations", "30", "--set", "values=41"], 30)):

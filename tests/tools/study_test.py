@@ -56,8 +56,8 @@ class Study(ProgramTest):
         out, err = self.interrupted(process, timeout=None)
         self.assertEqual(out, b"", err)
         text = self.read("out/claims.md").decode()
-        self.assertIn("| `fan2004` |", text)
-        self.assertIn("interrupted", text)
+        self.assertIn("\n## `fan2004`\n", text)
+        self.assertIn("interrupted", self.read("out/claims/fan2004.md").decode())
         self.assertNotIn("| confirmed |", text)
 
     def test_goes_on_where_it_stopped_and_reports(self):

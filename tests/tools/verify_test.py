@@ -42,28 +42,18 @@ class Verify(ProgramTest):
                 self.assertEqual(str(result["parameters"][name or "corners"]), value)
                 self.assertEqual(self.run_program("verify", "r.json").code, 0)
         early = self.save("--algorithm", "as", "--preset", "book")
-        early["parameters"]["omega"] = 10  # as releases before 0.3.0 saved it
+        early["parameters"]["omega"] = 10  # which `as` does not read
         self.write("r.json", json.dumps(early))
         self.assertEqual(self.run_program("verify", "r.json").code, 0)
 
     def test_a_parameter_that_came_later(self):
         result = self.save("--algorithm", "as", "--preset", "book")
-        del result["parameters"]["walk_cut"]
-        result["version"] = "0.1.0"
-        self.write("r.json", json.dumps(result))
-        self.assertEqual(self.run_program("verify", "r.json").code, 0)
-        # fan2004 as it was until 0.2.0, with shares that do not settle and no cut.
-        result = self.save("--algorithm", "fan2004", "--polish", "straight",
-                           *(text for setting in ("walk_cut=none", "pheromone_rule=0.1",
-                                                  "distance_rule=0.1", "combined_rule=0.8",
-                                                  "settling_time=0", "distance_rule_last=0")
-                             for text in ("--set", setting)))
-        for name in ("walk_cut", "straight_window", "distance_rule_last", "settling_time",
-                     "agreement"):
-            del result["parameters"][name]
+        if result["version"] == "0.3.0":
+            self.skipTest("SKIPPED: 0.3.0 is the oldest version whose results are replayed")
         for name in ("band", "trail_entropy", "iteration_best"):
             del result[name]
-        result["version"] = "0.2.0"
+        del result["parameters"]["walk_cut"]
+        result["version"] = "0.3.0"
         self.write("r.json", json.dumps(result))
         self.assertEqual(self.run_program("verify", "r.json").code, 0)
         del result["parameters"]["ants"]
@@ -91,13 +81,13 @@ class Verify(ProgramTest):
     def test_versions(self):
         result = self.save()
         own = result["version"]
-        for version in ("0.1.0", "0.1.7", own):
+        for version in ("0.3.0", own):
             self.write("r.json", json.dumps({**result, "version": version}))
             run = self.ended(self.run_program("verify", "r.json"), 0)
-            self.assertEqual("made by version 0.1" in run.err, version != own)
+            self.assertEqual("made by version" in run.err, version != own)
         major = int(own.split(".")[0])
-        for version in (f"{major + 1}.0.0", own + "1", "0.0.9", "0.1", "0.1.0.1", "0.1.0-x", "-1.2.3",
-                        "new", "", None, 2, 0.2, ["0.1.0"], {"is": "0.1.0"}, "9" * 40 + ".0.0"):
+        for version in (f"{major + 1}.0.0", own + "1", "0.1.0", "0.2.9", "0.3", "0.3.0.1", "0.3.0-x", "-1.2.3",
+                        "new", "", None, 2, 0.3, ["0.3.0"], {"is": "0.3.0"}, "9" * 40 + ".0.0"):
             with self.subTest(version=version):
                 self.write("r.json", json.dumps({**result, "version": version}))
                 self.refused(self.run_program("verify", "-q", "r.json"), 3, "r.json",

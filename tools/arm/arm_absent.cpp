@@ -15,7 +15,5 @@ namespace {
 
 int run_command(const ArmCommand&) { refuse(); }
 std::unique_ptr<Task> recorded_arm(const Recorded&) { refuse(); }
-bool tells_no_bodies(const Json&) { refuse(); }
-std::string why_not_replayed(const Recorded&) { refuse(); }
 
 }  // namespace lasius::tool

@@ -146,10 +146,6 @@ Json trajectory_json(const ArmAnswer& answer, double rate) {
 }
 
 std::vector<ArmGoal> recorded_goals(const Json& result) {
-  if (!result.contains("goals")) {  // of 0.2.0 and before
-    const auto [x, y, z] = recorded<std::array<double, 3>>(result, "goal");
-    return {{ArmGoal::Kind::position, {x, y, z}, {}}};
-  }
   std::vector<ArmGoal> goals;
   for (const Json& goal : recorded<std::vector<Json>>(result, "goals")) {
     const auto kind = static_cast<ArmGoal::Kind>(

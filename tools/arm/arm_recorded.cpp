@@ -1,6 +1,5 @@
 #include "tools/arm/arm_recorded.h"
 
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -11,19 +10,6 @@
 
 namespace lasius::tool {
 namespace {
-
-/// The result with the values that parameters of later versions had then.
-Json with_later_parameters(const Json& result, const Algorithm& algorithm) {
-  Json complete = result;
-  Json& values = complete["parameters"];
-  const arm::Params then(algorithm.name);
-  for (const Parameter& parameter : algorithm.parameters) {
-    const std::string name(parameter.name);
-    if (name == "persistence" && values.contains("evaporation")) continue;  // read_recorded() does
-    if (!values.contains(name)) values[name] = json::parameter(get_parameter(then, name));
-  }
-  return complete;
-}
 
 void read_robot(const Recorded& from, ArmCommand& command) {
   const Json& result = from.result;
@@ -57,24 +43,11 @@ void read_goals(const Json& result, ArmCommand& command) {
 
 }  // namespace
 
-bool tells_no_bodies(const Json& result) { return !value_at(result, "robot").contains("bodies"); }
-
-std::string why_not_replayed(const Recorded& from) {
-  if (!tells_no_bodies(from.result)) return {};
-  std::ifstream robot(from.found(recorded<std::string>(from.result, "robot/file")));
-  char first = 0;
-  if (!(robot >> first) || first == '{') return {};  // what is wrong with it reading it tells
-  return "it holds no list of bodies: it was made before all of a URDF robot's body was seen, and "
-         "may touch what was left out; plan it again";
-}
-
 ArmCommand recorded_command(const Recorded& from) {
   const Algorithm& algorithm = arm::find_algorithm(recorded<std::string>(from.result, "algorithm"));
-  const bool early = tells_no_bodies(from.result);
-  const Json result = early ? with_later_parameters(from.result, algorithm) : from.result;
-  const Recorded question{result, from.found, from.threads};
+  const Json& result = from.result;
   ArmCommand command;
-  read_recorded(question, algorithm, command);
+  read_recorded(from, algorithm, command);
   command.robot = from.found(recorded<std::string>(result, "robot/file"));
   command.scene = from.found(recorded<std::string>(result, "scene/file"));
   command.base_link = recorded_optional<std::string>(result, "robot/base_link").value_or("");
@@ -84,19 +57,14 @@ ArmCommand recorded_command(const Recorded& from) {
                                     ArmCommand::kMostClearance);
   command.rate =
       recorded_real(result, "parameters/rate", ArmCommand::kLeastRate, ArmCommand::kMostRate);
-  if (value_at(result, "parameters").contains("duration") &&
-      !value_at(result, "parameters/duration").is_null())
+  if (!value_at(result, "parameters/duration").is_null())
     command.duration = recorded_real(result, "parameters/duration", ArmCommand::kLeastDuration,
                                      ArmCommand::kMostDuration);
   if (result.contains("recheck"))
     command.recheck =
         static_cast<int>(recorded_integer(result, "recheck/samples", 1, ArmCommand::kMostRecheck));
-  if (early) {
-    command.goals = recorded_goals(result);
-  } else {
-    read_goals(result, command);
-    read_robot(question, command);
-  }
+  read_goals(result, command);
+  read_robot(from, command);
   return command;
 }
 

@@ -1,10 +1,10 @@
-# The manual pages, which the program itself writes when it is linked, and the shells' completion.
+# The manual pages, of what the program says when it is linked, and the shells' completion.
 if(NOT CMAKE_CROSSCOMPILING OR CMAKE_CROSSCOMPILING_EMULATOR)
   set(manual ${PROJECT_BINARY_DIR}/man)
   add_custom_command(TARGET lasius_program POST_BUILD
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${manual}
-    COMMAND lasius_program help --man ${manual}
+    COMMAND ${LASIUS_MAKE_MANUAL} pages $<TARGET_FILE:lasius_program> ${manual}
     COMMAND sh -c "gzip -9nf man/*.1"
     WORKING_DIRECTORY ${PROJECT_BINARY_DIR} VERBATIM)
   install(DIRECTORY ${manual}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)

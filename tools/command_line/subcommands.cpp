@@ -283,7 +283,8 @@ Subcommand add_help(CLI::App& app) {
   auto* help = app.add_subcommand("help", "Tell of a topic or a command");
   const AddOption option = option_adder(*help);
   option("TOPIC", raw->topic, "A topic, or a command; without it what there is", "TOPIC");
-  option("--man", raw->pages, "Write the manual pages into this folder", "DIR");
+  add_switch(*help, "--json", raw->json,
+             "All that there is to tell, of which the manual pages are made");
   return {help, [raw]() -> Command { return *raw; }};
 }
 

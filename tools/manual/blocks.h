@@ -1,7 +1,9 @@
-// A text as blocks, from which a page for the terminal or for `man` is made.
+// A text as blocks, from which a page for the terminal or for `man` is made, and lines.
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lasius::tool {
@@ -24,8 +26,18 @@ inline Block paragraph(const std::string& text) { return {Block::Kind::paragraph
 
 using Blocks = std::vector<Block>;
 
+/// For a terminal of 80 columns.
+std::string plain_text(const Blocks& blocks);
+
 inline void append(Blocks& to, const Blocks& blocks) {
   to.insert(to.end(), blocks.begin(), blocks.end());
+}
+
+/// Takes the first line off a text, and returns it.
+inline std::string_view next_line(std::string_view& text) {
+  const auto line = text.substr(0, text.find('\n'));
+  text.remove_prefix(std::min(text.size(), line.size() + 1));
+  return line;
 }
 
 }  // namespace lasius::tool

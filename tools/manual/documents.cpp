@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "tools/manual/pages.h"
 #include "tools/manual/topics.h"
-#include "tools/manual/wrapped.h"
 
 namespace lasius::tool {
 namespace {
@@ -32,23 +30,6 @@ void append_help(Blocks& blocks, const OptionText& option) {
     blocks.push_back({Block::Kind::item, std::string(line.substr(meaning)),
                       std::string(line.substr(0, gap)), 1});
   }
-}
-
-/// Names of fields: the labels of a section's tables, each once.
-std::string field_names(const std::vector<std::string_view>& sections) {
-  std::string names;
-  for (const auto section : sections)
-    for (const Block& block : document_section(section)) {
-      if (block.kind != Block::Kind::item || block.label.front() != '`') continue;
-      std::string_view label = block.label;
-      while (!label.empty()) {
-        const auto comma = std::min(label.find(", "), label.size());
-        const auto name = label.substr(0, comma);
-        if (names.find(name) == names.npos) names.append(names.empty() ? "" : ", ").append(name);
-        label.remove_prefix(std::min(label.size(), comma + 2));
-      }
-    }
-  return names;
 }
 
 }  // namespace
@@ -92,7 +73,8 @@ Blocks note_blocks(const Notes& notes) {
   }
   if (!notes.json.empty()) {
     blocks.push_back(heading("JSON"));
-    blocks.push_back(paragraph(field_names(notes.json) + "."));
+    const auto fields = std::ranges::find(field_names(), notes.json, &FieldNames::heading);
+    blocks.push_back(paragraph(std::string(fields->names) + "."));
     blocks.push_back(paragraph("What they mean: `lasius help json`."));
   }
   blocks.push_back(heading("Exit codes"));

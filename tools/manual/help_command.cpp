@@ -1,15 +1,11 @@
 #include <algorithm>
-#include <filesystem>
-#include <ostream>
+#include <nlohmann/json.hpp>
 
 #include "core/base/did_you_mean.h"
-#include "core/base/output.h"
+#include "lasius/version.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/streams.h"
 #include "tools/manual/documents.h"
-#include "tools/manual/man_page.h"
-#include "tools/manual/pages.h"
-#include "tools/manual/plain_text.h"
 #include "tools/manual/topics.h"
 #include "tools/options/commands.h"
 
@@ -20,13 +16,13 @@ constexpr const char* kSynopsis = "lasius COMMAND [arguments and options]";
 constexpr const char* kMore =
     "Of a command or topic: `lasius COMMAND --help`, `lasius help TOPIC`.";
 
-std::string program_text(const Manual& manual) {
-  Blocks blocks = command_list(manual);
+Blocks program_blocks(const Manual& manual) {
+  Blocks blocks{paragraph(manual.summary + ".")};
+  append(blocks, command_list(manual));
   append(blocks, option_blocks(manual.options));
   append(blocks, topic_list());
   blocks.push_back(paragraph(kMore));
-  return std::string("Usage: ") + kSynopsis + "\n\n" + manual.summary + ".\n\n" +
-         plain_text(blocks);
+  return blocks;
 }
 
 Blocks command_blocks(const CommandText& command) {
@@ -37,9 +33,8 @@ Blocks command_blocks(const CommandText& command) {
   return blocks;
 }
 
-std::string command_text(const CommandText& command) {
-  Blocks blocks = command_blocks(command);
-  return "Usage: " + usage(command) + "\n\n" + plain_text(blocks);
+std::string with_usage(const std::string& usage, const Blocks& blocks) {
+  return "Usage: " + usage + "\n\n" + plain_text(blocks);
 }
 
 const CommandText* find_command(const Manual& manual, std::string_view name) {
@@ -63,67 +58,54 @@ void refuse_topic(const Manual& manual, const std::string& name) {
 
 std::string topic_text(const Topic& topic) {
   return std::string(topic.name) + ": " + std::string(topic.summary) + ".\n\n" +
-         plain_text(topic.blocks());
+         plain_text(topic.blocks);
 }
 
 std::string text_of(const HelpCommand& help) {
   const Manual& manual = help.manual;
-  if (help.topic.empty()) return program_text(manual);
+  if (help.topic.empty()) return with_usage(kSynopsis, program_blocks(manual));
   if (const Topic* topic = find_topic(help.topic); topic != nullptr && !help.of_command)
     return topic_text(*topic);
   const CommandText* command = find_command(manual, help.topic);
   if (command == nullptr) refuse_topic(manual, help.topic);
-  return command_text(*command);
+  return with_usage(usage(*command), command_blocks(*command));
 }
 
-std::string see_also(const Manual& manual, std::string_view but) {
-  std::string text;
+using Json = nlohmann::ordered_json;
+
+Json blocks_json(const Blocks& blocks) {
+  constexpr const char* kKinds[] = {"heading", "paragraph", "item", "code"};
+  Json json = Json::array();
+  for (const Block& block : blocks)
+    json.push_back({{"kind", kKinds[static_cast<int>(block.kind)]},
+                    {"text", block.text},
+                    {"label", block.label},
+                    {"depth", block.depth}});
+  return json;
+}
+
+/// All that there is to tell, of which the manual pages are made.
+Json manual_json(const Manual& manual) {
+  Json json = {{"version", LASIUS_VERSION}, {"summary", manual.summary},
+               {"usage", kSynopsis},        {"blocks", blocks_json(program_blocks(manual))},
+               {"commands", Json::array()}, {"topics", Json::array()}};
   for (const CommandText& command : manual.commands)
-    if (command.name != but)
-      text += (text.empty() ? "`lasius-" : ", `lasius-") + command.name + "`(1)";
-  return but.empty() ? text : "`lasius`(1), " + text;
-}
-
-std::string program_page(const Manual& manual) {
-  Blocks blocks{heading("Description"), paragraph(manual.summary + ".")};
-  append(blocks, command_list(manual));
-  append(blocks, option_blocks(manual.options));
-  append(blocks, topic_list());
-  blocks.push_back(paragraph(kMore));
+    json["commands"].push_back({{"name", command.name},
+                                {"summary", command.summary},
+                                {"usage", usage(command)},
+                                {"blocks", blocks_json(command_blocks(command))}});
   for (const Topic& topic : topics())
-    if (topic.in_man_page) {
-      blocks.push_back(heading(std::string(topic.name)));
-      append(blocks, topic.blocks());
-    }
-  append(blocks, {heading("See also"), paragraph(see_also(manual, ""))});
-  return roff_title("lasius", manual.summary, release_date(), {kSynopsis}) + roff(blocks);
-}
-
-std::string command_page(const Manual& manual, const CommandText& command) {
-  Blocks blocks{heading("Description")};
-  append(blocks, command_blocks(command));
-  append(blocks, {heading("See also"), paragraph(see_also(manual, command.name))});
-  return roff_title("lasius-" + command.name, command.summary, release_date(), {usage(command)}) +
-         roff(blocks);
-}
-
-void write_pages(const Manual& manual, const std::string& folder) {
-  const auto write = [&](const std::string& name, const std::string& page) {
-    write_file((std::filesystem::path(folder) / (name + ".1")).string(),
-               [&](std::ostream& file) { file << page; });
-  };
-  write("lasius", program_page(manual));
-  for (const CommandText& command : manual.commands)
-    write("lasius-" + command.name, command_page(manual, command));
+    json["topics"].push_back({{"name", topic.name},
+                              {"summary", topic.summary},
+                              {"in_man_page", topic.in_man_page},
+                              {"blocks", blocks_json(topic.blocks)}});
+  return json;
 }
 
 }  // namespace
 
 int run_command(const HelpCommand& command) {
-  if (!command.pages.empty())
-    write_pages(command.manual, command.pages);
-  else
-    print(text_of(command));
+  print(command.json ? manual_json(command.manual).dump() + "\n" : text_of(command));
   return kFound;
 }
 

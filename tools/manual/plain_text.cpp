@@ -1,13 +1,26 @@
-#include "tools/manual/plain_text.h"
-
 #include <algorithm>
 #include <string_view>
 #include <utility>
 
-#include "tools/manual/wrapped.h"
+#include "tools/manual/blocks.h"
 
 namespace lasius::tool {
 namespace {
+
+/// `text` broken at blanks into lines of at most `width` bytes; a longer word is a line of its own.
+std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
+  std::vector<std::string> lines(1);
+  while (!text.empty()) {
+    const auto word = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(text.size(), word.size() + 1));
+    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > width)
+      lines.emplace_back();
+    else if (!lines.back().empty())
+      lines.back() += ' ';
+    lines.back() += word;
+  }
+  return lines;
+}
 
 constexpr std::size_t kColumns = 80, kIndent = 2, kWidestLabel = 24;
 

@@ -46,9 +46,7 @@ struct Notes {
   std::string detail = {};  ///< sentences behind the summary
   std::vector<Example> examples = {};
   std::vector<ExitText> exits = {};
-  /// Headings of the documents whose tables tell the fields of its JSON, as "program/JSON of a
-  /// plan".
-  std::vector<std::string_view> json = {};
+  std::string_view json = {};  ///< heading that tells its fields: a `RESULTS` of make_manual
   bool on_bitmaps = false, on_polygons = false, on_arms = false;  ///< whose algorithms it runs
 };
 
@@ -68,7 +66,7 @@ struct Manual {
 struct HelpCommand {
   Manual manual;
   std::string topic;        ///< a topic or command; empty: the program
-  std::string pages = {};   ///< folder to write the man pages to; empty: none
+  bool json = false;        ///< all that there is to tell, for tools
   bool of_command = false;  ///< `topic` is a command, be there a topic of its name
 };
 

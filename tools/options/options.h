@@ -198,7 +198,6 @@ struct WorldOptions {
   std::optional<double> margin;
   int join = 1;               ///< index in kJoins
   int boundary = 0;           ///< index in kBoundaries
-  bool before_round = false;  ///< recorded when `round` was chords, and the boundary was kept
   friend bool operator==(const WorldOptions&, const WorldOptions&) = default;
 };
 

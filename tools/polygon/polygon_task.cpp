@@ -122,8 +122,8 @@ class PolygonTask : public Task {
     add_limits(json);
     json["margin"] = number(world_->planner.margin());
     const WorldOptions& made = world_->options;
-    json["join"] = made.before_round ? recorded_join(made.join) : kJoins[made.join];
-    if (!made.before_round) json["boundary"] = kBoundaries[made.boundary];
+    json["join"] = kJoins[made.join];
+    json["boundary"] = kBoundaries[made.boundary];
     json["repair"] = made.repair;
   }
   void add_path(Json& json) const override { json["path"] = points(answer_.result.path); }
@@ -140,23 +140,17 @@ class PolygonTask : public Task {
         {"dijkstra_path", found.dijkstra ? points(found.dijkstra->path) : Json(nullptr)},
         {"discrete_optimum", crossing_length(found.discrete_optimum)},
         {"sequence_optimum", crossing_length(found.sequence_optimum)}};
-    if (!world_->options.before_round) json["note"] = text_or_null(found.note);
+    json["note"] = text_or_null(found.note);
   }
 
  private:
-  /// As it was called when the result was recorded.
-  static std::string_view recorded_join(int join) {
-    const bool chords = join == static_cast<int>(polygon::Join::chords);
-    return to_string(chords ? polygon::Join::round : static_cast<polygon::Join>(join));
-  }
-
   PolygonCommand command_;
   SharedWorld world_;
   std::optional<PolygonFrames> frames_;
   PolygonAnswer answer_;
 };
 
-/// The world of a result. One without "boundary" is older than that: `round` meant chords then.
+/// The world of a result.
 WorldOptions recorded_world(const Recorded& from) {
   const Json& result = from.result;
   WorldOptions world;
@@ -168,14 +162,7 @@ WorldOptions recorded_world(const Recorded& from) {
     return static_cast<int>(choice_value(name, recorded<std::string>(result, key), names));
   };
   world.join = choice("join", kJoins);
-  world.before_round = !result["parameters"].contains("boundary");
-  if (!world.before_round) {
-    world.boundary = choice("boundary", kBoundaries);
-  } else {
-    world.boundary = static_cast<int>(polygon::Boundary::keep);
-    if (world.join == static_cast<int>(polygon::Join::round))
-      world.join = static_cast<int>(polygon::Join::chords);
-  }
+  world.boundary = choice("boundary", kBoundaries);
   return world;
 }
 

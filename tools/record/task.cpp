@@ -247,12 +247,6 @@ void read_recorded(const Recorded& from, const Algorithm& algorithm, SearchOptio
   const Json& values = value_at(from.result, "parameters");
   for (const Parameter& parameter : algorithm.parameters) {
     const std::string name(parameter.name);
-    // The word of arms and polygons until 0.3.0.
-    if (name == "persistence" && !values.contains(name) && values.contains("evaporation")) {
-      const double lost = recorded_real(from.result, "parameters/evaporation", 0, 1);
-      options.named.emplace_back(name, number_text(1 - lost));
-      continue;
-    }
     const bool later = !parameter.earlier.empty() && !values.contains(name);
     options.named.emplace_back(name,
                                later ? std::string(parameter.earlier)

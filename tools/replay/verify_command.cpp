@@ -85,7 +85,7 @@ std::optional<Version> version_of(std::string_view text) {
 /// The version that wrote a result. @throws Error where it is missing, or none whose results this
 /// program knows.
 std::string checked_version(const Json& result, const Error::Place& place) {
-  constexpr const char* kFirst = "0.1.0";
+  constexpr const char* kFirst = "0.3.0";
   if (!result.contains("version")) throw broken(place, "lacks its \"version\"");
   const Json& version = result["version"];
   if (version.is_string()) {
@@ -100,7 +100,7 @@ std::string checked_version(const Json& result, const Error::Place& place) {
               "verify it with the version that wrote it");
 }
 
-/// Leaves out of a replay what an early result did not tell.
+/// Leaves out of a replay what a result of an older version did not tell.
 void keep_known(Json& replay, const Json& recorded) {
   for (auto it = replay.begin(); it != replay.end();) {
     const bool known = recorded.contains(it.key());
@@ -108,19 +108,6 @@ void keep_known(Json& replay, const Json& recorded) {
       keep_known(*it, recorded[it.key()]);
     it = known ? std::next(it) : replay.erase(it);
   }
-}
-
-/// Tells persistence as results before 0.3.0 did.
-void tell_evaporation(Json& replay, const Json& recorded) {
-  if (!recorded.contains("evaporation") || recorded.contains("persistence")) return;
-  Json told = Json::object();
-  for (const auto& [name, value] : replay.items()) {
-    if (name == "persistence")
-      told["evaporation"] = recorded["evaporation"];
-    else
-      told[name] = value;
-  }
-  replay = std::move(told);
 }
 
 /// Leaves out where an input was found.
@@ -258,23 +245,8 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
                           .found = [&](const auto& file) { return found(command, file); },
                           .threads = command.threads,
                           .map = command.map};
-  const std::string why = format == kArmFormat ? why_not_replayed(recorded) : std::string();
-  if (!why.empty()) {
-    message(name + ": cannot be replayed: " + why);
-    return kInternal;
-  }
   Json replay = replay_of(place, recorded, last);
-  if (version != LASIUS_VERSION) {
-    tell_evaporation(replay["parameters"], value_at(result, "parameters"));
-    keep_known(replay, result);
-  }
-  // They told of a lattice also where none was needed to answer.
-  if (format == kArmFormat && tells_no_bodies(result) && result.contains("lattice") &&
-      replay["lattice"]["points"] == Json({0, 0, 0}))
-    replay["lattice"] = result["lattice"];
-  // They called a goal blocked without looking for other postures.
-  if (format == kArmFormat && tells_no_bodies(result) && status == "invalid")
-    replay["questions"] = value_at(result, "questions");
+  if (version != LASIUS_VERSION) keep_known(replay, result);
   std::string missing_optimum;
   const std::string key = difference(result, replay, missing_optimum);
   if (key.empty() && !missing_optimum.empty() && !command.quiet)

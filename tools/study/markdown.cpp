@@ -76,14 +76,32 @@ std::string report_page(const Study& study, const Findings& findings,
     text += "Not run: " + a.contender + " in `" + a.experiment + "` (" + a.reason + ").\n\n";
   if (!evidence.empty())
     text += (study.file.empty() ? "## What the source claims\n\n" : "## Claims\n\n") +
-            claim_table(evidence, false).markdown() + "\n";
+            claim_table(evidence).markdown() + "\n";
   for (const Experiment& experiment : study.experiments)
     text += section(experiment, findings, figures);
   return text + "## How to read the tables\n\n" + kHowToRead + "\n" + kHowToReadResults +
          "\nEvery run: `runs.csv`; the tables: `claims.csv`, `results.csv`.\n";
 }
 
+std::vector<std::span<const Evidence>> by_study(std::span<const Evidence> evidence) {
+  std::vector<std::span<const Evidence>> all;
+  while (!evidence.empty()) {
+    const Study* const study = evidence.front().study;
+    const auto other = std::ranges::find_if(evidence, [&](auto& e) { return e.study != study; });
+    const auto count = static_cast<std::size_t>(other - evidence.begin());
+    all.push_back(evidence.first(count));
+    evidence = evidence.subspan(count);
+  }
+  return all;
+}
+
 std::string claims_page(std::span<const Evidence> evidence, const std::string& command) {
+  std::string outcomes;
+  for (const auto of_one : by_study(evidence)) {
+    const std::string& name = of_one.front().study->name;
+    outcomes += "\n## `" + name + "`\n\nPlaces, statistics, tests and figures: [" + name +
+                "](claims/" + name + ".md).\n\n" + outcome_table(of_one).markdown();
+  }
   const auto count = [&](Verdict verdict) {
     return std::to_string(std::ranges::count(evidence, verdict, &Evidence::verdict)) + " " +
            verdict_text(verdict);
@@ -94,7 +112,13 @@ std::string claims_page(std::span<const Evidence> evidence, const std::string& c
          count(Verdict::arithmetic) + ", " + count(Verdict::none) +
          ". A row's own command is `lasius study STUDY --seeds SEEDS`, whose report corrects over "
          "its own rows only.\n\n" +
-         kHowToRead + "\n" + claim_table(evidence, true).markdown();
+         kHowToRead + outcomes;
+}
+
+std::string claim_details(std::span<const Evidence> evidence) {
+  return "# The claims of " + evidence.front().study->title() +
+         "\n\nHow to read them, and those of the other sources: [claims.md](../claims.md).\n" +
+         claim_table(evidence).markdown_lists();
 }
 
 }  // namespace lasius::study

@@ -136,7 +136,7 @@ void write_study_page(std::ostream& out, const PageInput& input) {
                   {"text", study.text},       {"unit", study.unit},     {"command", input.called},
                   {"version", LASIUS_VERSION}};
   content["whole"] = input.findings.whole;
-  content["claims"] = table_json(claim_table(input.evidence, false));
+  content["claims"] = table_json(claim_table(input.evidence));
   content["experiments"] = Json::array();
   Views views(input);
   for (const Experiment& experiment : study.experiments)

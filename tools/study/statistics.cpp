@@ -14,24 +14,6 @@ namespace {
 
 using tool::fixed;
 
-/// Ranks from 1, doubled so that mean ranks of ties are integers; values that differ by less than a
-/// rounding are ties.
-std::vector<int> doubled_ranks(std::vector<double> values) {
-  for (double& v : values)
-    if (std::isfinite(v)) v = std::round(v * 1e7);
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return values[a] < values[b]; });
-  std::vector<int> ranks(values.size());
-  for (std::size_t i = 0; i < order.size();) {
-    std::size_t end = i + 1;
-    while (end < order.size() && values[order[end]] == values[order[i]]) ++end;
-    for (std::size_t k = i; k < end; ++k) ranks[order[k]] = static_cast<int>(i + 1 + end);
-    i = end;
-  }
-  return ranks;
-}
-
 /// Doubled ranks of one question, those of a first, and what follows from them.
 struct Stratum {
   std::vector<int> ranks;
@@ -98,6 +80,22 @@ double solve(const Tail& tail, bool rises) {
 }
 
 }  // namespace
+
+std::vector<int> doubled_ranks(std::vector<double> values) {
+  for (double& v : values)
+    if (std::isfinite(v)) v = std::round(v * 1e7);
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return values[a] < values[b]; });
+  std::vector<int> ranks(values.size());
+  for (std::size_t i = 0; i < order.size();) {
+    std::size_t end = i + 1;
+    while (end < order.size() && values[order[end]] == values[order[i]]) ++end;
+    for (std::size_t k = i; k < end; ++k) ranks[order[k]] = static_cast<int>(i + 1 + end);
+    i = end;
+  }
+  return ranks;
+}
 
 double quantile(std::span<const double> values, double share) {
   std::vector<double> sorted(values.begin(), values.end());

@@ -12,6 +12,10 @@ namespace lasius::study {
 /// 1996). Values may be infinite. Precondition: not empty.
 double quantile(std::span<const double> values, double share);
 
+/// Ranks from 1, doubled so that mean ranks of ties are whole; values that differ by less than a
+/// rounding are ties. Values may be infinite.
+std::vector<int> doubled_ranks(std::vector<double> values);
+
 struct Interval {
   double low = 0;
   double high = 0;

@@ -90,6 +90,8 @@ std::string effect_text(const Evidence& e) {
   return what + fixed(e.effect, 2) + interval_text(e.interval, 2);
 }
 
+std::string control_text(const Evidence& e) { return e.claim->b.empty() ? "-" : e.claim->b; }
+
 /// The hypothesis: what of whom, on which experiments.
 std::string statistic_text(const Claim& claim) {
   if (claim.test == Claim::Test::none || claim.test == Claim::Test::arithmetic) return "-";
@@ -120,6 +122,16 @@ std::string Table::markdown() const {
   for (std::size_t i = 0; i < header.size(); ++i) text += "---|";
   text += "\n";
   for (const auto& row : rows) text += line(row);
+  return text;
+}
+
+std::string Table::markdown_lists() const {
+  std::string text;
+  for (const auto& row : rows) {
+    text += "\n## " + row[0] + "\n\n";
+    for (std::size_t i = 1; i < row.size(); ++i)
+      if (!row[i].empty() && row[i] != "-") text += "* " + header[i] + ": " + row[i] + "\n";
+  }
   return text;
 }
 
@@ -168,18 +180,22 @@ Table result_table(const Findings& findings, const Experiment& experiment) {
   return table;
 }
 
-Table claim_table(std::span<const Evidence> evidence, bool studies) {
+Table claim_table(std::span<const Evidence> evidence) {
   Table table{{"claim", "place", "statistic", "control", "outcome", "effect [95%]", "p, Holm",
                "seeds", "figures"}};
-  if (studies) table.header.insert(table.header.begin(), "study");
   for (const Evidence& e : evidence) {
     const bool ran = e.seeds > 0;
-    table.rows.push_back({e.claim->text, e.claim->place, statistic_text(*e.claim),
-                          e.claim->b.empty() ? "-" : e.claim->b, verdict_text(e.verdict),
-                          effect_text(e), tool::p_text(e.adjusted),
+    table.rows.push_back({e.claim->text, e.claim->place, statistic_text(*e.claim), control_text(e),
+                          verdict_text(e.verdict), effect_text(e), tool::p_text(e.adjusted),
                           ran ? std::to_string(e.seeds) : "-", e.figures});
-    if (studies) table.rows.back().insert(table.rows.back().begin(), '`' + e.study->name + '`');
   }
+  return table;
+}
+
+Table outcome_table(std::span<const Evidence> evidence) {
+  Table table{{"claim", "outcome", "effect [95%]", "control"}};
+  for (const Evidence& e : evidence)
+    table.rows.push_back({e.claim->text, verdict_text(e.verdict), effect_text(e), control_text(e)});
   return table;
 }
 

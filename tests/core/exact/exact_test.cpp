@@ -7,8 +7,6 @@
 
 #include "lasius/generate.h"
 #include "tests/core/exact/exact_answers.h"
-#include "tests/measures/count_allocations.h"
-#include "tests/worlds/shared_maps.h"
 
 namespace lasius {
 namespace {
@@ -99,51 +97,6 @@ TEST(Exact, EqualsBruteForceInWideSparseGrids) {
   EXPECT_GT(expect_exact(60, 20260103, sparse).reachable, 40);
 }
 
-TEST(Exact, EqualsBruteForceOnTheWidestMaps) {
-  for (const bool tall : {false, true}) {
-    const auto [grid, start, goal] = widest_puzzle(tall);
-    ExactSearch search;
-    expect_exact(grid, start, goal, search);
-    expect_path(grid, start, goal, solve(search, grid, start, goal, {0.05}));
-  }
-}
-
-TEST(Exact, EqualsTheKnownOptimaOfRealMaps) {
-  const auto tables = bench_test::shared_tables();
-  if (tables.empty()) GTEST_SKIP() << "no maps in " << bench_test::shared_dir();
-  ExactSearch search;
-  for (const auto& table : tables) {
-    const auto map = bench_test::load_shared(table);
-    SCOPED_TRACE(map.name);
-    for (const auto& q : map.queries) {
-      const ExactAnswer answer = solve(search, map.grid, q.start, q.goal);
-      EXPECT_TRUE(answer.optimal);
-      EXPECT_NEAR(answer.length, q.euclid, 1e-6);
-      expect_path(map.grid, q.start, q.goal, answer);
-    }
-  }
-}
-
-TEST(Exact, TheTargetGapIsCertified) {
-  std::mt19937 random(5);
-  ExactSearch search;
-  int early = 0;
-  const auto look = [&](const Grid& grid) {
-    const Cell start = *random_free(grid, random), goal = *random_free(grid, random);
-    early += expect_gaps(grid, start, goal, [&](const ExactOptions& options) {
-      return solve(search, grid, start, goal, options);
-    });
-  };
-  for (int i = 0; i < 200; ++i) {
-    look(random_grid(60, 60, random_in(5, 42, random), random));
-  }
-  for (const MapKind kind : {MapKind::blobs, MapKind::maze, MapKind::rooms, MapKind::city}) {
-    const Grid grid = generate(kind, {200, 150, -1, 3});
-    for (int i = 0; i < 20; ++i) look(grid);
-  }
-  EXPECT_GT(early, 100);
-}
-
 TEST(Exact, AnyPathWillDoWithAnUnboundedGap) {
   std::mt19937 random(8);
   ExactSearch search;
@@ -171,37 +124,6 @@ TEST(Exact, PathsTooLongForTheRoundingAreNotCalledOptimal) {
   const ExactAnswer longer = concluded(0x1p26);
   EXPECT_FALSE(longer.optimal);
   EXPECT_EQ(longer.lower_bound, 0x1p26 - 1);  // 2^26 additions, each off by up to 2^-27
-}
-
-TEST(Exact, EqualRunsGiveEqualAnswersWhateverCameBefore) {
-  std::mt19937 random(6);
-  ExactSearch used;
-  int found = 0;
-  for (int i = 0; i < 20; ++i) {
-    const Grid grid = random_grid(80, 50, 20, random);
-    const auto start = random_free(grid, random);
-    const auto goal = random_free(grid, random);
-    const ExactAnswer again = solve(used, grid, *start, *goal);
-    const ExactAnswer fresh = solve(grid, *start, *goal);
-    EXPECT_EQ(fresh.path, again.path);
-    EXPECT_EQ(fresh.end, again.end);
-    found += fresh.path.empty() ? 0 : 1;
-  }
-  EXPECT_GT(found, 10);
-}
-
-TEST(Exact, ASecondSearchDoesNotAllocate) {
-  std::mt19937 random(7);
-  const Grid grid = random_grid(120, 120, 25, random);
-  ExactSearch search;
-  ExactAnswer answer;
-  const Cell start = *random_free(grid, random);
-  std::vector<Cell> goals;
-  for (int i = 0; i < 20; ++i) goals.push_back(*random_free(grid, random));
-  EXPECT_EQ(allocations_of_the_second([&] {
-              for (const Cell goal : goals) search.search(grid, start, goal, {}, {}, answer);
-            }),
-            0);
 }
 
 }  // namespace

@@ -8,8 +8,6 @@
 #include "core/exact/exact.h"
 #include "lasius/generate.h"
 #include "tests/core/exact/exact_answers.h"
-#include "tests/measures/count_allocations.h"
-#include "tests/worlds/shared_maps.h"
 
 namespace lasius {
 namespace {
@@ -73,22 +71,6 @@ TEST(PreparedSearch, EqualsTheUnpreparedOneOnGeneratedMaps) {
   EXPECT_GT(reachable, 150);
 }
 
-TEST(PreparedSearch, EqualsTheKnownOptimaOfRealMaps) {
-  const auto tables = bench_test::shared_tables();
-  if (tables.empty()) GTEST_SKIP() << "no maps in " << bench_test::shared_dir();
-  PreparedSearch search;
-  for (const auto& table : tables) {
-    const auto map = bench_test::load_shared(table);
-    SCOPED_TRACE(map.name);
-    const Graph graph = graph_of(map.grid);
-    for (const auto& q : map.queries) {
-      const ExactAnswer answer = solve(search, map.grid, graph, q.start, q.goal);
-      EXPECT_TRUE(answer.optimal);
-      EXPECT_NEAR(answer.length, q.euclid, 1e-6);
-    }
-  }
-}
-
 TEST(PreparedSearch, KnowsWhatHasNoCornersOrNoWay) {
   PreparedSearch search;
   const Grid open(20, 10);
@@ -101,29 +83,6 @@ TEST(PreparedSearch, KnowsWhatHasNoCornersOrNoWay) {
     EXPECT_EQ(none.end, ExactEnd::unreachable);
     EXPECT_TRUE(std::isinf(none.lower_bound));
   }
-}
-
-TEST(PreparedSearch, EqualsBruteForceOnTheWidestMaps) {
-  PreparedSearch search;
-  for (const bool tall : {false, true}) {
-    const auto [grid, start, goal] = widest_puzzle(tall);
-    expect_optimum(grid, start, goal, solve(search, grid, graph_of(grid), start, goal));
-  }
-}
-
-TEST(PreparedSearch, TheTargetGapIsCertified) {
-  std::mt19937 random(15);
-  PreparedSearch search;
-  int early = 0;
-  for (int i = 0; i < 30; ++i) {
-    const Grid grid = random_grid(60, 60, random_in(15, 42, random), random);
-    const Graph graph = graph_of(grid);
-    const Cell start = *random_free(grid, random), goal = *random_free(grid, random);
-    early += expect_gaps(grid, start, goal, [&](const ExactOptions& options) {
-      return solve(search, grid, graph, start, goal, options);
-    });
-  }
-  EXPECT_GT(early, 10);
 }
 
 // On a map where paths seldom leave the straight line, searches keep near it at first.
@@ -165,38 +124,6 @@ TEST_P(PreparedSearchStop, BoundsHoldWheneverItComes) {
     return solve(search, grid, graph, start, goal, {}, stop);
   });
   EXPECT_GT(stops.stopped, 0);
-}
-
-TEST(PreparedSearch, EqualRunsGiveEqualAnswersWhateverCameBefore) {
-  std::mt19937 random(17);
-  PreparedSearch used;
-  int found = 0;
-  for (int i = 0; i < 20; ++i) {
-    const Grid grid = random_grid(random_in(20, 90, random), 50, 20, random);
-    const Graph graph = graph_of(grid);
-    const Cell start = *random_free(grid, random), goal = *random_free(grid, random);
-    PreparedSearch fresh;
-    const ExactAnswer again = solve(used, grid, graph, start, goal);
-    EXPECT_EQ(solve(fresh, grid, graph, start, goal).path, again.path);
-    found += again.path.empty() ? 0 : 1;
-  }
-  EXPECT_GT(found, 10);
-}
-
-TEST(PreparedSearch, ASecondSearchDoesNotAllocate) {
-  std::mt19937 random(18);
-  const Grid grid = random_grid(120, 120, 25, random);
-  const Graph graph = graph_of(grid);
-  PreparedSearch search;
-  ExactAnswer answer;
-  const Cell start = *random_free(grid, random);
-  std::vector<Cell> goals;
-  for (int i = 0; i < 20; ++i) goals.push_back(*random_free(grid, random));
-  EXPECT_EQ(allocations_of_the_second([&] {
-              for (const Cell goal : goals)
-                search.search(grid, *graph, start, goal, {}, {}, answer);
-            }),
-            0);
 }
 
 }  // namespace

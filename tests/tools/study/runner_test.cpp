@@ -185,14 +185,17 @@ TEST_F(StudyRunner, ReportsPaperAndOurs) {
   EXPECT_EQ(results.rows[1][2], "23.500");
   auto evidence = weigh(s, findings);
   decide(evidence);
-  const Table claims = claim_table(evidence, false);
+  const Table claims = claim_table(evidence);
   ASSERT_EQ(claims.rows.size(), 2u);
   EXPECT_EQ(claims.rows[0].size(), claims.header.size());
   EXPECT_EQ(claims.rows[1].back(), "not run");
   const std::string page = report_page(s, findings, evidence, {.first = 1, .count = 4}, {});
   expect_says(page, "Not run: none such");
   expect_says(page, "| As wins. | page 1 |");
-  expect_says(claims_page(evidence, "lasius study all"), "| `test` | As wins. |");
+  expect_says(claims_page(evidence, "lasius study all"),
+              "## `test`\n\nPlaces, statistics, tests and figures: [test](claims/test.md).\n\n"
+              "| claim | outcome | effect [95%] | control |\n|---|---|---|---|\n| As wins. | ");
+  expect_says(claim_details(evidence), "## As wins.\n\n* place: page 1\n* statistic: ");
 }
 
 }  // namespace

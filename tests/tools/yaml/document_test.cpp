@@ -5,22 +5,16 @@
 #include "lasius/error.h"
 #include "tests/core/base/made_files.h"
 #include "tests/core/base/refusal.h"
+#include "tests/tools/yaml/fault_line.h"
 #include "tools/yaml/preset_file.h"
 
 namespace lasius::tool {
 namespace {
 
-/// "LINE: PROBLEM; REMEDY" of what reading and `use` throw; empty where nothing does.
+/// What reading and `use` throw.
 template <class Use>
 std::string fault(const std::string& text, const Use& use) {
-  try {
-    use(parse_document(text, "f.yaml"));
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::file_broken);
-    EXPECT_EQ(error.place().file, "f.yaml");
-    return std::to_string(error.place().line) + ": " + error.problem() + "; " + error.remedy();
-  }
-  return {};
+  return fault_line([&] { use(parse_document(text, "f.yaml")); }, "f.yaml");
 }
 std::string fault(const std::string& text) {
   return fault(text, [](const Node&) {});
@@ -113,13 +107,7 @@ class PresetFiles : public Files {
  protected:
   std::string refusal(const std::string& text) {
     file(text, "p.yaml");
-    try {
-      (void)read_preset_file(path("p.yaml"));
-    } catch (const Error& error) {
-      EXPECT_EQ(error.place().file, path("p.yaml"));
-      return std::to_string(error.place().line) + ": " + error.problem() + "; " + error.remedy();
-    }
-    return {};
+    return fault_line([&] { return read_preset_file(path("p.yaml")); }, path("p.yaml"));
   }
 };
 

@@ -144,7 +144,7 @@ class Conduct {
   SignalWatcher signals_;
 };
 
-/// All studies, each in a folder of its own, and one table of their claims.
+/// All studies, each in a folder of its own, and the pages of their claims.
 fs::path conduct_all(Conduct& conduct, const std::vector<Study>& all, const StudyCommand& command) {
   const fs::path folder = command.folder;
   std::vector<Evidence> evidence;
@@ -159,6 +159,10 @@ fs::path conduct_all(Conduct& conduct, const std::vector<Study>& all, const Stud
   std::string called = "lasius study all";
   if (command.seeds > 0) called = study::called("all", {command.first_seed, command.seeds});
   study::write_text(folder / "claims.csv", evidence_table(evidence).csv());
+  study::make_folder(folder / "claims");
+  for (const auto of_one : study::by_study(evidence))
+    study::write_text(folder / "claims" / (of_one.front().study->name + ".md"),
+                      claim_details(of_one));
   study::write_text(folder / "claims.md", claims_page(evidence, called));
   return folder / "claims.md";
 }

@@ -10,15 +10,6 @@
 namespace lasius::study {
 namespace {
 
-/// Sum of squared ranks less what they would be were all equal.
-double rank_spread(const std::vector<std::vector<double>>& ranks) {
-  double squares = 0;
-  for (const auto& block : ranks)
-    for (const double r : block) squares += r * r;
-  const auto n = static_cast<double>(ranks.size()), m = static_cast<double>(ranks.front().size());
-  return squares - n * m * (m + 1) * (m + 1) / 4;
-}
-
 double difference(double a, double b) { return a == b ? 0 : a - b; }  // infinite ones, too
 
 }  // namespace
@@ -62,26 +53,18 @@ double student_quantile(double p, int freedom) {
   return (low + high) / 2;
 }
 
-std::vector<double> mean_ranks(std::span<const double> values) {
-  std::vector<double> ranks;
-  for (const double v : values) {
-    const auto less = std::ranges::count_if(values, [&](double other) { return other < v; });
-    const auto equal = std::ranges::count(values, v);
-    ranks.push_back(static_cast<double>(less) + static_cast<double>(equal + 1) / 2);
-  }
-  return ranks;
-}
-
 Friedman friedman(std::span<const std::vector<double>> blocks, double level) {
   const std::size_t candidates = blocks.front().size();
   const auto n = static_cast<double>(blocks.size()), m = static_cast<double>(candidates);
   Friedman test{.rank_sums = std::vector<double>(candidates, 0)};
-  std::vector<std::vector<double>> ranks;
+  double spread = -n * m * (m + 1) * (m + 1) / 4;  // of squared ranks, were all equal
   for (const auto& block : blocks) {
-    ranks.push_back(mean_ranks(block));
-    for (std::size_t c = 0; c < candidates; ++c) test.rank_sums[c] += ranks.back()[c];
+    const auto ranks = doubled_ranks(block);
+    for (std::size_t c = 0; c < candidates; ++c) {
+      test.rank_sums[c] += ranks[c] / 2.0;
+      spread += ranks[c] * ranks[c] / 4.0;
+    }
   }
-  const double spread = rank_spread(ranks);
   if (spread <= 1e-9) {  // every block ties
     test.critical = kInfinity;
     return test;
@@ -111,11 +94,11 @@ SignedRanks signed_ranks(std::span<const double> a, std::span<const double> b) {
     above.push_back(d > 0);
   }
   if (sizes.empty()) return {};
-  const auto ranks = mean_ranks(sizes);
-  std::size_t sum = 0, total = 0;  // doubled, so that mean ranks are whole
+  const auto ranks = doubled_ranks(std::move(sizes));
+  std::size_t sum = 0, total = 0;
   double squares = 0;
   for (std::size_t i = 0; i < ranks.size(); ++i) {
-    const auto doubled = static_cast<std::size_t>(std::lround(2 * ranks[i]));
+    const auto doubled = static_cast<std::size_t>(ranks[i]);
     total += doubled;
     squares += static_cast<double>(doubled * doubled);
     if (above[i]) sum += doubled;
@@ -129,8 +112,8 @@ SignedRanks signed_ranks(std::span<const double> a, std::span<const double> b) {
   }
   std::vector<double> law(total + 1, 0);
   law[0] = 1;
-  for (const double r : ranks) {
-    const auto doubled = static_cast<std::size_t>(std::lround(2 * r));
+  for (const int r : ranks) {
+    const auto doubled = static_cast<std::size_t>(r);
     for (std::size_t s = total + 1; s-- > 0;)
       law[s] = law[s] / 2 + (s >= doubled ? law[s - doubled] / 2 : 0);
   }
@@ -205,8 +188,8 @@ std::vector<Race::Standing> Race::standings() const {
     critical = test.critical;
   } else {
     for (const auto& block : blocks) {
-      const auto ranks = mean_ranks(block);
-      for (std::size_t i = 0; i < ranks.size(); ++i) sums[i] += ranks[i];
+      const auto ranks = doubled_ranks(block);
+      for (std::size_t i = 0; i < ranks.size(); ++i) sums[i] += ranks[i] / 2.0;
     }
   }
   const double count = std::max(1.0, static_cast<double>(blocks.size()));

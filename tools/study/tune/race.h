@@ -23,9 +23,6 @@ double student_beyond(double t, int freedom);
 /// The t that |T| exceeds with this probability, 0 < p < 1.
 double student_quantile(double p, int freedom);
 
-/// Ranks from 1 in each block, ties at their mean rank. Values may be infinite.
-std::vector<double> mean_ranks(std::span<const double> values);
-
 /// Friedman's test over blocks, each with a value of every candidate, with Conover's comparison of
 /// two candidates after it.
 struct Friedman {

@@ -9,6 +9,7 @@
 #include "lasius/planner.h"
 #include "tests/core/base/made_files.h"
 #include "tests/core/base/refusal.h"
+#include "tests/tools/yaml/fault_line.h"
 #include "tools/study/description/draws.h"
 #include "tools/study/map_source.h"
 
@@ -18,16 +19,8 @@ namespace {
 const std::string kQuestions = "questions: [{map: grid20a.map, start: [0, 19], goal: [19, 0]}]\n";
 const std::string kAs = "contenders: [{name: as, algorithm: as}]\n";
 
-/// "LINE: PROBLEM; REMEDY" of a study that is refused; empty where it is not.
 std::string fault(const std::string& text) {
-  try {
-    (void)parse_study(text, "s.yaml");
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::file_broken) << error.what();
-    EXPECT_EQ(error.place().file, "s.yaml");
-    return std::to_string(error.place().line) + ": " + error.problem() + "; " + error.remedy();
-  }
-  return {};
+  return fault_line([&] { return parse_study(text, "s.yaml"); }, "s.yaml");
 }
 
 std::vector<std::string> names_of(const std::vector<Contender>& contenders) {
@@ -144,12 +137,7 @@ TEST(StudyFile, DrawnEndsAreJoinedApartAndTheSameAgain) {
 TEST(StudyFile, EndsThatNoRobotCanHoldAreRefusedWithTheirLine) {
   const auto refused = [](const std::string& questions) {
     Study study = parse_study(kAs + "questions:\n" + questions, "s.yaml");
-    try {
-      draw_questions(study, LASIUS_MAPS_DIR);
-    } catch (const Error& error) {
-      return std::to_string(error.place().line) + ": " + error.problem() + "; " + error.remedy();
-    }
-    return std::string();
+    return fault_line([&] { draw_questions(study, LASIUS_MAPS_DIR); }, study.file);
   };
   EXPECT_EQ(
       refused("  - {name: a, map: grid20a.map, start: [0, 19], goal: [19, 0]}\n"

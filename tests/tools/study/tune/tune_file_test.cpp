@@ -4,8 +4,9 @@
 
 #include <string>
 
-#include "lasius/error.h"
 #include "tests/core/base/made_files.h"
+#include "tests/core/base/refusal.h"
+#include "tests/tools/yaml/fault_line.h"
 
 namespace lasius::study {
 namespace {
@@ -17,12 +18,8 @@ TEST_F(TuningFiles, TuneOnSomeMapsAndJudgeOnOthers) {
       "algorithm: mmas\nset: {ants: 5}\nparameters: {persistence: {from: 0.5, to: 0.9}}\n"
       "candidates: 4\nmaps: {b: {kind: blobs, size: 40x30, seeds: 1..2}, g: grid20a.map}\n";
   const auto refused = [&](const std::string& rest) {
-    try {
-      (void)read_tuning(file(begin + rest, "t.yaml"));
-    } catch (const Error& error) {
-      return std::to_string(error.place().line) + ": " + error.problem();
-    }
-    return std::string();
+    const std::string name = file(begin + rest, "t.yaml");
+    return fault_line([&] { return read_tuning(name); }, name);
   };
   const Tuning tuning = read_tuning(file(begin + "training: [{map: b, draw: 1}]\n", "t.yaml"));
   ASSERT_EQ(tuning.candidates.size(), 4U);
@@ -34,14 +31,15 @@ TEST_F(TuningFiles, TuneOnSomeMapsAndJudgeOnOthers) {
   EXPECT_EQ(tuning.judging.seeds.count, 10);
 
   EXPECT_EQ(refused("training: [{map: b, draw: 1}]\njudging: [{map: g, draw: 1}]\n"), "");
-  EXPECT_EQ(refused("training: [{map: g, draw: 1}]\n"),
-            "6: 'training' has \"g\", which there is not elsewhere");
-  EXPECT_EQ(refused("training: [{map: b, draw: 1}]\njudging: [{draw: 1}]\n"),
-            "7: 'judging' has \"blobs 40x30 default 1\", which is trained on");
-  EXPECT_EQ(refused(""), "1: 'training' is missing");
-  EXPECT_EQ(refused("training: [{map: b, draw: 1}]\nrace: {first: 3}\n"),
-            "7: 'first' is unknown here");
-  EXPECT_EQ(refused("training: [{map: b, draw: 1}]\nvalue: beauty\n"), "7: 'value' is \"beauty\"");
+  expect_says(refused("training: [{map: g, draw: 1}]\n"),
+              "6: 'training' has \"g\", which there is not elsewhere");
+  expect_says(refused("training: [{map: b, draw: 1}]\njudging: [{draw: 1}]\n"),
+              "7: 'judging' has \"blobs 40x30 default 1\", which is trained on");
+  expect_says(refused(""), "1: 'training' is missing");
+  expect_says(refused("training: [{map: b, draw: 1}]\nrace: {first: 3}\n"),
+              "7: 'first' is unknown here");
+  expect_says(refused("training: [{map: b, draw: 1}]\nvalue: beauty\n"),
+              "7: 'value' is \"beauty\"");
 }
 
 TEST(TuningFile, TheOneOfTheDocumentsIsRead) {
