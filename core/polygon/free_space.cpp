@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/base/invalid_parameter.h"
+#include "core/polygon/arrangement.h"
 #include "core/polygon/geos.h"
 #include "core/polygon/grow.h"
 #include "core/polygon/rings.h"
@@ -14,6 +16,8 @@ namespace lasius::polygon {
 namespace {
 
 constexpr int kLatticeBits = 42;
+/// In grid units. A wall that has grown by less may have gone in the rounding.
+constexpr double kSafeGrowth = 8;
 
 Lattice lattice_of(const World& world) {
   const auto [low, high] = bounds_of(world.boundary.outer);
@@ -58,7 +62,10 @@ void part_touching_rings(std::vector<Corner>& corners) {
       int first = corners[c].previous;
       for (const int other : group) {
         const int before = corners[other].previous;
-        if (turns_after(out, corners[before].at - at, corners[first].at - at)) first = before;
+        // The other side of a wall is met last, after a full turn.
+        const LatticePoint last = corners[first].at - at, way = corners[before].at - at;
+        if (same_direction(out, way)) continue;
+        if (same_direction(out, last) || turns_after(out, way, last)) first = before;
       }
       joined.emplace_back(first, c);
     }
@@ -95,12 +102,6 @@ void drop_flat_corners(std::vector<Corner>& corners) {
   }
 }
 
-void remember(FreeSpace& space, const Polygon& p) {
-  for (const Ring* ring : rings_of(p)) {
-    for (const Point at : *ring) space.written.try_emplace(space.lattice.nearest(at), at);
-  }
-}
-
 /// What lies so near to the boundary's box that its growth could reach it.
 Geos::Geometry clipped(const Geos& geos, const Geos::Geometry& obstacles, const Ring& boundary,
                        double margin) {
@@ -109,6 +110,31 @@ Geos::Geometry clipped(const Geos& geos, const Geos::Geometry& obstacles, const 
   high = {high.x + 4 * margin, high.y + 4 * margin};
   const auto box = geos.polygon({{low, {high.x, low.y}, high, {low.x, high.y}}, {}});
   return geos.own(GEOSIntersection_r(geos.context(), obstacles.get(), box.get()));
+}
+
+void remember(FreeSpace& space, const Ring& points) {
+  for (const Point at : points) space.written.try_emplace(space.lattice.nearest(at), at);
+}
+void remember(FreeSpace& space, const Polygon& p) {
+  for (const Ring* ring : rings_of(p)) remember(space, *ring);
+}
+
+/// In grid units, as far as they are near the boundary's box. Clipped point by point: what touches
+/// is noded once only, later.
+Geos::Geometry walls_of(const Geos& geos, const World& world, const Lattice& lattice,
+                        const Ring& boundary, double margin) {
+  std::vector<Geos::Geometry> lines;
+  for (const Ring& wall : world.walls) {
+    Ring scaled;
+    for (const Point p : wall) scaled.push_back(lattice.scaled(p));
+    scaled.erase(std::unique(scaled.begin(), scaled.end()), scaled.end());
+    if (scaled.size() > 1) lines.push_back(geos.line(scaled));
+  }
+  const auto [low, high] = bounds_of(boundary);
+  const double around = std::max({4 * margin, high.x - low.x, high.y - low.y});
+  const auto all = geos.collection(std::move(lines), GEOS_MULTILINESTRING);
+  return geos.own(GEOSClipByRect_r(geos.context(), all.get(), low.x - around, low.y - around,
+                                   high.x + around, high.y + around));
 }
 
 /// Coordinates back in the world.
@@ -140,12 +166,18 @@ FreeSpace make_free_space(const World& world, const GrowOptions& growth, Tangent
   Geos::Geometry obstacles = geos.collection(std::move(parts));
   obstacles = geos.own(GEOSUnaryUnion_r(context, obstacles.get()));
   Geos::Geometry boundary = geos.polygon({wall.outer, {}});
-  if (const double margin = *growth.margin / space.lattice.spacing; margin > 0) {
+  const double margin = *growth.margin / space.lattice.spacing;
+  const auto walls = walls_of(geos, world, space.lattice, wall.outer, margin);
+  if (margin > 0) {
     if (tangents == Tangents::few) obstacles = clipped(geos, obstacles, wall.outer, margin);
-    auto [more, less] = grow(geos, std::move(obstacles), wall.outer, margin, growth, tangents);
+    auto [more, less] = grow(geos, std::move(obstacles), geos.lines(walls.get()), wall.outer,
+                             margin, growth, tangents);
     obstacles = std::move(more);
     boundary = std::move(less);
   }
+  std::optional<Arrangement> walled;
+  if (!world.walls.empty() && margin < kSafeGrowth)
+    walled.emplace(geos, boundary, obstacles, walls);
   // The overlay rounds to whole numbers and stays valid.
   obstacles = geos.own(GEOSIntersectionPrec_r(context, obstacles.get(), boundary.get(), 1));
   // Obstacles that only touch the boundary leave points and lines behind.
@@ -156,19 +188,26 @@ FreeSpace make_free_space(const World& world, const GrowOptions& growth, Tangent
   const Geos::Geometry free =
       geos.own(GEOSDifferencePrec_r(context, boundary.get(), obstacles.get(), 1));
 
-  const std::vector<Polygon> pieces = geos.polygons(free.get());
+  const std::vector<Polygon> pieces = walled ? walled->pieces() : geos.polygons(free.get());
   if (pieces.empty()) {
     throw invalid_parameter("the obstacles leave no free space",
                             "give a smaller margin or a larger boundary");
   }
-  for (const Polygon& piece : pieces) {
-    add_ring(space, piece.outer, true);
-    for (const Ring& hole : piece.holes) add_ring(space, hole, false);
+  if (walled) {
+    std::vector<Corner> sides = walled->sides();
+    part_touching_rings(sides);
+    space.corners = walled->free_sides(sides);
+  } else {
+    for (const Polygon& piece : pieces) {
+      add_ring(space, piece.outer, true);
+      for (const Ring& hole : piece.holes) add_ring(space, hole, false);
+    }
+    part_touching_rings(space.corners);
   }
-  part_touching_rings(space.corners);
   drop_flat_corners(space.corners);
   remember(space, world.boundary);
   for (const Polygon& p : world.obstacles) remember(space, p);
+  for (const Ring& w : world.walls) remember(space, w);
   space.pieces = unscaled(space, pieces);
   space.obstacles = unscaled(space, inside);
   return space;

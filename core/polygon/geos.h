@@ -38,11 +38,12 @@ class Geos {
   }
 
   Geometry polygon(const Polygon& p) const;
-  Geometry collection(std::vector<Geometry> parts) const;
+  Geometry line(const Ring& points) const;
+  Geometry collection(std::vector<Geometry> parts, int type = GEOS_MULTIPOLYGON) const;
   /// All polygons of a geometry; other parts are left out.
   std::vector<Polygon> polygons(const GEOSGeometry* g) const;
-  /// Null where the text is no geometry.
-  Geometry read_wkt(const std::string& text) const;
+  /// All its lines, rings of polygons not among them.
+  std::vector<Ring> lines(const GEOSGeometry* g) const;
   std::string write_wkt(const GEOSGeometry* g) const;
 
   /// What GEOS said last.
@@ -51,6 +52,8 @@ class Geos {
  private:
   [[noreturn]] void fail() const;
   Geometry ring(const Ring& points) const;
+  Owned<GEOSCoordSequence, GEOSCoordSeq_destroy_r> sequence(const Ring& points, bool closed) const;
+  Ring points(const GEOSGeometry* line) const;
   Ring ring(const GEOSGeometry* g) const;
 
   GEOSContextHandle_t context_;

@@ -1,6 +1,7 @@
 #include "core/polygon/world_maker.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -22,8 +23,15 @@ bool all_numbers(const Polygon& polygon) {
       rings_of(polygon), [](const Ring* ring) { return std::ranges::all_of(*ring, is_number); });
 }
 
+/// Names and EPSG codes of the usual systems whose coordinates are longitude and latitude.
+constexpr std::array<std::string_view, 26> kInDegrees{
+    "CRS84", "CRS84H", "CRS83", "CRS27", "WGS84", "4019", "4148", "4152", "4167",
+    "4171",  "4230",   "4258",  "4267",  "4269",  "4277", "4283", "4314", "4322",
+    "4326",  "4490",   "4612",  "4617",  "4674",  "4979", "6318", "6668"};
+
 constexpr const char* kPointProblem = "has a coordinate that is no number within 1e12";
 constexpr const char* kCorrect = "correct the ring";
+constexpr const char* kCorrectLine = "correct the line";
 constexpr const char* kRepair = "correct the ring, or read the world with --repair";
 
 }  // namespace
@@ -59,6 +67,30 @@ void WorldMaker::add_obstacle(Polygon polygon, const std::string& place) {
   for (Polygon& part : checked(std::move(polygon), place)) {
     world_.obstacles.push_back(std::move(part));
   }
+}
+
+void WorldMaker::add_wall(Ring line, const std::string& place) {
+  if (const auto wrong = wall_fault(line)) fail_(place, *wrong, kCorrectLine);
+  line.erase(std::unique(line.begin(), line.end()), line.end());
+  world_.walls.push_back(std::move(line));
+}
+
+Ring WorldMaker::closed(Ring points, const std::string& place) const {
+  if (points.size() > 1 && points.front() == points.back()) {
+    points.pop_back();
+  } else if (!options_.repair) {
+    fail_(place, "is not closed", "end it with its first point, or read the world with --repair");
+  }
+  return points;
+}
+
+void WorldMaker::set_crs(std::string_view name) {
+  // "urn:ogc:def:crs:OGC:1.3:CRS84", "EPSG:4326", "http://www.opengis.net/def/crs/EPSG/0/4326".
+  const std::string_view code = name.substr(name.find_last_of(":/#") + 1);
+  if (std::ranges::find(kInDegrees, code) == kInDegrees.end() || !world_.notes.empty()) return;
+  world_.notes.push_back(
+      "the coordinates are degrees (" + std::string(name) +
+      "), and a length in degrees is no distance: project them first, to UTM say");
 }
 
 void WorldMaker::add_point(std::optional<Point>& to, Point p, const std::string& what,
@@ -100,6 +132,10 @@ void check(const World& world) {
   for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
     look(world.obstacles[i], "obstacle " + std::to_string(i));
   }
+  for (std::size_t i = 0; i < world.walls.size(); ++i) {
+    if (const auto wrong = wall_fault(world.walls[i]))
+      refuse("wall " + std::to_string(i) + ": " + *wrong, kCorrectLine);
+  }
 }
 
 std::uint64_t hash(const World& world) noexcept {
@@ -130,6 +166,7 @@ std::uint64_t hash(const World& world) noexcept {
     mix_real(p ? p->y : 0);
   }
   mix_real(world.margin);
+  for (const Ring& wall : world.walls) mix_ring(wall);
   return value;
 }
 

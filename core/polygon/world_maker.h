@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/polygon/geos.h"
@@ -24,9 +25,14 @@ class WorldMaker {
 
   void add_boundary(Polygon polygon, const std::string& place);
   void add_obstacle(Polygon polygon, const std::string& place);
+  void add_wall(Ring line, const std::string& place);
   void add_start(Point p, const std::string& place) { add_point(world_.start, p, "start", place); }
   void add_goal(Point p, const std::string& place) { add_point(world_.goal, p, "goal", place); }
   void set_margin(double margin, const std::string& place);
+  /// A ring as a file has it, ended by its first point: without that.
+  Ring closed(Ring points, const std::string& place) const;
+  /// A coordinate system by name or code: one of degrees is noted, once.
+  void set_crs(std::string_view name);
   World finish();
 
  private:

@@ -37,6 +37,7 @@ Json info_json(const LoadedWorld& loaded) {
   json["boundary"] = to_string(planner.boundary());
   json["obstacles"] = world.obstacles.size();
   json["corners"] = corners(world.obstacles);
+  json["walls"] = world.walls.size();
   json["grown_obstacles"] = planner.grown_obstacles().size();
   json["free_corners"] = corners(planner.free_space());
   json["components"] = planner.components();
@@ -67,6 +68,7 @@ std::string info_text(const Json& json) {
   row("margin", dumped(json["margin"]) + ", " + json["join"].get<std::string>() +
                     " joins, boundary: " + json["boundary"].get<std::string>());
   row("obstacles", dumped(json["obstacles"]) + " with " + count("corners", "corner") + ", " +
+                       (json["walls"] == 0 ? "" : count("walls", "wall") + ", ") +
                        dumped(json["grown_obstacles"]) + " grown and merged");
   row("free space", count("components", "component") + ", " + count("free_corners", "corner"));
   row("maklink", count("lines", "line") + ", " + count("regions", "convex region"));
