@@ -139,28 +139,26 @@ class WktReader {
     const std::string_view kind = read_kind();
     const bool multiple = kind.starts_with("MULTI"), area = kind.ends_with("POLYGON");
     const bool opens_world = area && !maker_.has_boundary();
+    const auto pass_over = [&] {
+      if (kind == "POINT") refuse("is empty", "give it coordinates");
+      if (opens_world) refuse("is empty", "give the boundary first, as one polygon");
+    };
     const auto part = [&] {
-      if (took("EMPTY")) {
-        if (kind == "POINT") refuse("is empty", "give it coordinates");
-        if (opens_world) refuse("is empty", "give the boundary first, as one polygon");
-        return;
-      }
+      if (took("EMPTY")) return pass_over();
       need("(");
-      if (kind == "POINT") {
-        add_point();
-      } else if (kind == "GEOMETRYCOLLECTION") {
+      if (kind == "POINT") return add_point();
+      if (kind == "GEOMETRYCOLLECTION") {
         list([&] { read_geometry(depth + 1); });
-      } else if (!area) {
-        maker_.add_wall(kind == "LINEARRING" ? read_loop() : read_positions(), place_);
-      } else if (opens_world && maker_.has_boundary()) {
-        refuse("is in several parts", "give the boundary first, as one polygon");
-      } else {
-        add_polygon();
+        return need(")");
       }
-      need(")");
+      if (!area) return add_wall(kind == "LINEARRING");
+      if (opens_world && maker_.has_boundary())
+        refuse("is in several parts", "give the boundary first, as one polygon");
+      add_polygon();
     };
     if (kind == "MULTIPOINT") refuse("is a MULTIPOINT", "give the start and the goal as POINTs");
-    if (!multiple || took("EMPTY")) return multiple ? void() : part();
+    if (!multiple) return part();
+    if (took("EMPTY")) return pass_over();
     need("(");
     list(part);
     need(")");
@@ -173,6 +171,7 @@ class WktReader {
 
   void add_point() {
     const Point p = read_position();
+    need(")");
     if (!maker_.so_far().start) return maker_.add_start(p, place_);
     if (maker_.so_far().goal) refuse("is a third point", "give start and goal only");
     maker_.add_goal(p, place_);
@@ -186,25 +185,30 @@ class WktReader {
       if (rings > 0 && took("EMPTY")) return;  // an empty hole
       need("(");
       Ring ring = maker_.closed(read_positions(), place);
-      need(")");
       if (rings++ == 0)
         polygon.outer = std::move(ring);
       else
         polygon.holes.push_back(std::move(ring));
     });
+    need(")");
     maker_.has_boundary() ? maker_.add_obstacle(std::move(polygon), place_)
                           : maker_.add_boundary(std::move(polygon), place_);
   }
 
+  void add_wall(bool loop) {
+    Ring line = read_positions();
+    if (loop) {
+      line = maker_.closed(std::move(line), place_);
+      line.push_back(line.front());
+    }
+    maker_.add_wall(std::move(line), place_);
+  }
+
+  /// To the ")" after them.
   Ring read_positions() {
     Ring points;
     list([&] { points.push_back(read_position()); });
-    return points;
-  }
-  /// Closed: its first point at the end, too.
-  Ring read_loop() {
-    Ring points = maker_.closed(read_positions(), place_);
-    points.push_back(points.front());
+    need(")");
     return points;
   }
 

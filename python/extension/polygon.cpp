@@ -35,10 +35,12 @@ pg::Polygon polygon_from(const py::handle& source) {
   return polygon;
 }
 
-pg::World world(const py::object& boundary, const py::list& obstacles, std::optional<Point> start,
+pg::World world(const py::object& boundary, const py::list& obstacles,
+                const std::vector<Rows>& walls, std::optional<Point> start,
                 std::optional<Point> goal, double margin) {
   pg::World made{polygon_from(boundary), {}, start, goal, margin};
   for (const py::handle& obstacle : obstacles) made.obstacles.push_back(polygon_from(obstacle));
+  for (const Rows& wall : walls) made.walls.push_back(points_from(wall, "a line"));
   pg::check(made);
   return made;
 }
@@ -105,6 +107,13 @@ void bind_world(py::module_& module) {
       .def(py::init(&world))
       .def("boundary", [](const pg::World& w) { return rings(w.boundary); })
       .def("obstacles", [](const pg::World& w) { return rings(w.obstacles); })
+      .def("walls",
+           [](const pg::World& w) {
+             py::list all;
+             for (const pg::Ring& wall : w.walls) all.append(to_array(std::span(wall)));
+             return all;
+           })
+      .def_readonly("notes", &pg::World::notes)
       .def_readonly("start", &pg::World::start)
       .def_readonly("goal", &pg::World::goal)
       .def_readonly("margin", &pg::World::margin)
