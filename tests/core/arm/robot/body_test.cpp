@@ -269,6 +269,7 @@ joint_limits:
   refused("joint_limits:\n  j1:\n    has_velocity_limits: true\n    max_velocity: 0\n", 4, "is 0");
   refused("joint_limits:\n  j1:\n    has_velocity_limits: 7\n", 3, "neither true nor false");
   refused("joint_limits:\n  j1: 3\n", 2, "no list of keys");
+  refused("joint_limits:\n---\njoint_limits:\n", 1, "something follows the document");
   refused("joint_limits:\n  j1: [\n", 3, "broken YAML");
   refused("joint_limits:\n  j9: {has_velocity_limits: false}\n", 2, "did you mean");
   refused("joint_limits:\n  j1: {}\n  j1: {}\n", 3, "names \"j1\" twice");
