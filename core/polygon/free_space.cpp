@@ -2,24 +2,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
-#include "core/base/invalid_parameter.h"
 #include "core/polygon/geos.h"
 #include "core/polygon/grow.h"
 #include "core/polygon/rings.h"
+#include "core/polygon/touching.h"
 
 namespace lasius::polygon {
 namespace {
 
 constexpr int kLatticeBits = 42;
+/// Points that are so near touch: computed ones are rounded a few times on their way here.
+constexpr double kRoundings = 8;
 
-Lattice lattice_of(const World& world) {
-  const auto [low, high] = bounds_of(world.boundary.outer);
+int exponent_of(double value) {
   int exponent = 0;
-  std::frexp(std::max(high.x - low.x, high.y - low.y), &exponent);
-  return {low.x, low.y, std::ldexp(1.0, exponent - kLatticeBits)};
+  std::frexp(value, &exponent);
+  return exponent;
+}
+
+/// The grid of a world, and how far apart on it points are that touch. A grid finer than that would
+/// tell apart what rounding has parted, and open slits.
+std::pair<Lattice, double> lattice_of(const World& world) {
+  const auto [low, high] = bounds_of(world.boundary.outer);
+  const int size = exponent_of(std::max(high.x - low.x, high.y - low.y));
+  const int most = exponent_of(std::max({-low.x, -low.y, high.x, high.y}));
+  const double touching = kRoundings * std::ldexp(1.0, most - std::numeric_limits<double>::digits);
+  const double spacing = std::max(std::ldexp(1.0, size - kLatticeBits), 2 * touching);
+  return {{low.x, low.y, spacing}, touching / spacing};
 }
 
 Polygon scaled(const Lattice& lattice, const Polygon& polygon) {
@@ -127,20 +140,23 @@ std::vector<Polygon> unscaled(const FreeSpace& space, std::vector<Polygon> list)
 
 FreeSpace make_free_space(const World& world, const GrowOptions& growth, Tangents tangents) {
   FreeSpace space;
-  space.lattice = lattice_of(world);
+  const auto [lattice, touching] = lattice_of(world);
+  space.lattice = lattice;
   const Geos geos;
   const auto context = geos.context();
 
+  std::vector<Polygon> given{scaled(lattice, world.boundary)};
+  for (const Polygon& p : world.obstacles) given.push_back(scaled(lattice, p));
+  const double margin = *growth.margin / lattice.spacing;
+  if (margin <= touching) join_touching(given, touching);  // else what touches grows together
+  const Polygon& wall = given.front();
   std::vector<Geos::Geometry> parts;
-  for (const Polygon& p : world.obstacles) {
-    parts.push_back(geos.polygon(scaled(space.lattice, p)));
-  }
-  const Polygon wall = scaled(space.lattice, world.boundary);
+  for (std::size_t i = 1; i < given.size(); ++i) parts.push_back(geos.polygon(given[i]));
   for (const Ring& hole : wall.holes) parts.push_back(geos.polygon({hole, {}}));
   Geos::Geometry obstacles = geos.collection(std::move(parts));
   obstacles = geos.own(GEOSUnaryUnion_r(context, obstacles.get()));
   Geos::Geometry boundary = geos.polygon({wall.outer, {}});
-  if (const double margin = *growth.margin / space.lattice.spacing; margin > 0) {
+  if (margin > 0) {
     if (tangents == Tangents::few) obstacles = clipped(geos, obstacles, wall.outer, margin);
     auto [more, less] = grow(geos, std::move(obstacles), wall.outer, margin, growth, tangents);
     obstacles = std::move(more);
@@ -157,10 +173,6 @@ FreeSpace make_free_space(const World& world, const GrowOptions& growth, Tangent
       geos.own(GEOSDifferencePrec_r(context, boundary.get(), obstacles.get(), 1));
 
   const std::vector<Polygon> pieces = geos.polygons(free.get());
-  if (pieces.empty()) {
-    throw invalid_parameter("the obstacles leave no free space",
-                            "give a smaller margin or a larger boundary");
-  }
   for (const Polygon& piece : pieces) {
     add_ring(space, piece.outer, true);
     for (const Ring& hole : piece.holes) add_ring(space, hole, false);

@@ -66,17 +66,31 @@ Geos::Geometry Geos::collection(std::vector<Geometry> parts) const {
                                          static_cast<unsigned>(raw.size())));
 }
 
-Ring Geos::ring(const GEOSGeometry* g) const {
-  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(context_, g);
+std::vector<Point> Geos::points(const GEOSGeometry* line) const {
+  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(context_, line);
   unsigned count = 0;
   GEOSCoordSeq_getSize_r(context_, sequence, &count);
-  Ring points;
-  for (unsigned i = 0; i + 1 < count; ++i) {
-    Point p;
-    GEOSCoordSeq_getXY_r(context_, sequence, i, &p.x, &p.y);
-    points.push_back(p);
-  }
+  std::vector<Point> points(count);
+  for (unsigned i = 0; i < count; ++i)
+    GEOSCoordSeq_getXY_r(context_, sequence, i, &points[i].x, &points[i].y);
   return points;
+}
+
+Ring Geos::ring(const GEOSGeometry* g) const {
+  Ring closed = points(g);
+  if (!closed.empty()) closed.pop_back();
+  return closed;
+}
+
+std::vector<std::vector<Point>> Geos::lines(const GEOSGeometry* g) const {
+  const int type = GEOSGeomTypeId_r(context_, g);
+  if (type == GEOS_LINESTRING && GEOSisEmpty_r(context_, g) == 0) return {points(g)};
+  std::vector<std::vector<Point>> list;
+  if (type != GEOS_MULTILINESTRING && type != GEOS_GEOMETRYCOLLECTION) return list;
+  const int parts = GEOSGetNumGeometries_r(context_, g);
+  for (int i = 0; i < parts; ++i)
+    for (auto& line : lines(GEOSGetGeometryN_r(context_, g, i))) list.push_back(std::move(line));
+  return list;
 }
 
 std::vector<Polygon> Geos::polygons(const GEOSGeometry* g) const {

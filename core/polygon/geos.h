@@ -38,9 +38,14 @@ class Geos {
   }
 
   Geometry polygon(const Polygon& p) const;
+  /// A closed line.
+  Geometry ring(const Ring& points) const;
+  /// Of polygons, if any; it takes over the parts.
   Geometry collection(std::vector<Geometry> parts) const;
   /// All polygons of a geometry; other parts are left out.
   std::vector<Polygon> polygons(const GEOSGeometry* g) const;
+  /// All lines of a geometry, their points in order; other parts are left out.
+  std::vector<std::vector<Point>> lines(const GEOSGeometry* g) const;
   /// Null where the text is no geometry.
   Geometry read_wkt(const std::string& text) const;
   std::string write_wkt(const GEOSGeometry* g) const;
@@ -50,7 +55,7 @@ class Geos {
 
  private:
   [[noreturn]] void fail() const;
-  Geometry ring(const Ring& points) const;
+  std::vector<Point> points(const GEOSGeometry* line) const;
   Ring ring(const GEOSGeometry* g) const;
 
   GEOSContextHandle_t context_;
