@@ -88,20 +88,6 @@ std::optional<std::string> wall_fault(const Ring& line) {
   return points_fault(line, "the line", 2);
 }
 
-std::vector<Polygon> repaired(const Geos& geos, Polygon polygon) {
-  drop_repeats(polygon.outer);
-  if (polygon.outer.size() < 3) return {};
-  std::vector<Ring> holes;
-  for (Ring& hole : polygon.holes) {
-    drop_repeats(hole);
-    if (hole.size() >= 3) holes.push_back(std::move(hole));
-  }
-  polygon.holes = std::move(holes);
-  const auto geometry = geos.polygon(polygon);
-  const auto valid = geos.own(GEOSMakeValid_r(geos.context(), geometry.get()));
-  return geos.polygons(valid.get());
-}
-
 std::optional<std::string> margin_fault(double margin) {
   if (margin >= 0 && margin <= kMostCoordinate) return std::nullopt;
   return "margin is " + number_text(margin);

@@ -1,4 +1,4 @@
-// What is wrong with the rings of a polygon, by ring and point, and its repair; with a margin.
+// What is wrong with the rings of a polygon, by ring and point; with a margin.
 #pragma once
 
 #include <optional>
@@ -23,9 +23,6 @@ std::optional<std::string> wall_fault(const Ring& line);
 
 /// Takes out points that repeat the one before.
 void drop_repeats(Ring& ring);
-
-/// The same area as valid polygons; none where nothing is left. Precondition: finite coordinates.
-std::vector<Polygon> repaired(const Geos& geos, Polygon polygon);
 
 /// What is wrong with a margin, or nothing; and the remedy.
 std::optional<std::string> margin_fault(double margin);

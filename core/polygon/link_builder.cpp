@@ -45,7 +45,8 @@ LinkBuilder::LinkBuilder(FreeSpace& space, Poller& poller)
 
 /// A net over all corners, empty.
 Cells LinkBuilder::net() const {
-  LatticePoint low = at(0), high = low;
+  LatticePoint low, high;
+  if (!space_.corners.empty()) low = high = at(0);
   for (const Corner& c : space_.corners) {
     low = {std::min(low.x, c.at.x), std::min(low.y, c.at.y)};
     high = {std::max(high.x, c.at.x), std::max(high.y, c.at.y)};

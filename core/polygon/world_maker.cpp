@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/invalid_parameter.h"
 #include "core/polygon/geometry_check.h"
@@ -36,37 +37,40 @@ constexpr const char* kRepair = "correct the ring, or read the world with --repa
 
 }  // namespace
 
-std::vector<Polygon> WorldMaker::checked(Polygon polygon, const std::string& place) {
+Repair WorldMaker::checked(Polygon polygon, bool is_boundary, const std::string& place) {
   const bool numbers = all_numbers(polygon);
   if (numbers) {
     drop_repeats(polygon.outer);
     for (Ring& hole : polygon.holes) drop_repeats(hole);
   }
   const auto wrong = fault(geos_, polygon);
-  if (!wrong) return {std::move(polygon)};
+  if (!wrong) return {{std::move(polygon)}, {}, {}};
   if (!numbers) fail_(place, *wrong, kCorrect);
   if (!options_.repair) fail_(place, *wrong, kRepair);
+  Repair repair;
   try {
-    return repaired(geos_, std::move(polygon));
+    repair = repaired(geos_, polygon, is_boundary);
   } catch (const Error& error) {
     fail_(place, error.problem(), error.remedy());
-    throw;
   }
+  for (Ring& line : repair.lines)
+    if (!wall_fault(line)) add_wall(std::move(line), place);  // else a point
+  return repair;
 }
 
 void WorldMaker::add_boundary(Polygon polygon, const std::string& place) {
   if (has_boundary_) fail_(place, "is a second boundary", "give one boundary, and obstacles in it");
-  auto parts = checked(std::move(polygon), place);
+  auto [parts, holes, walls] = checked(std::move(polygon), true, place);
   if (parts.empty()) fail_(place, "encloses no area", "draw the boundary around the free space");
   world_.boundary = std::move(*std::ranges::max_element(
       parts, [](const Polygon& a, const Polygon& b) { return area(a.outer) < area(b.outer); }));
+  std::ranges::move(holes, std::back_inserter(world_.obstacles));
   has_boundary_ = true;
 }
 
 void WorldMaker::add_obstacle(Polygon polygon, const std::string& place) {
-  for (Polygon& part : checked(std::move(polygon), place)) {
-    world_.obstacles.push_back(std::move(part));
-  }
+  auto parts = checked(std::move(polygon), false, place).areas;
+  std::ranges::move(parts, std::back_inserter(world_.obstacles));
 }
 
 void WorldMaker::add_wall(Ring line, const std::string& place) {

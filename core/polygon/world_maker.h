@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/polygon/geos.h"
+#include "core/polygon/repair.h"
 #include "lasius/error.h"
 
 namespace lasius::polygon {
@@ -36,7 +37,7 @@ class WorldMaker {
   World finish();
 
  private:
-  std::vector<Polygon> checked(Polygon polygon, const std::string& place);
+  Repair checked(Polygon polygon, bool is_boundary, const std::string& place);
   void add_point(std::optional<Point>& to, Point p, const std::string& what,
                  const std::string& place);
 

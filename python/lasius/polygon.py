@@ -275,7 +275,9 @@ class Result(SearchResult):
     """One answer among polygons; lengths in the world's unit."""
 
     path: FloatArray  #: (n, 2)
+    goal_reached: Optional[Point]  #: with a goal tolerance: where the path ends
     nearest_free: Optional[Point]  #: to a start or goal that is blocked or outside
+    nearest_reachable: Optional[Point]  #: the same among the points that are joined to the other end
     crossing: Optional[Crossing]  #: of the ants' or the genetic algorithm's best path
     dijkstra: Optional[Crossing]  #: through midpoints
     discrete_optimum: Optional[Crossing]  #: of the same lines and values
@@ -345,6 +347,7 @@ class Planner:
         *,
         time_limit: Optional[float] = None,
         target_gap: float = 0.0,
+        goal_tolerance: float = 0.0,
         observer: Optional[Callable[[Any], Any]] = None,
         progress: Shown = None,
         **settings: Any,
@@ -353,14 +356,18 @@ class Planner:
 
         Args:
             start: point (x, y), shapely's too; None: the world's; likewise goal.
+            goal_tolerance: where the goal cannot be reached, the path ends at the point nearest to it that can
+                be, at most so far from it; `goal_reached` of the result tells where.
         """
         used = chosen(Params, params, settings)
         start, goal = point_of(start, "start"), point_of(goal, "goal")
         with watched(observer, progress, used) as watch:
-            error, fields = self._raw.plan(start, goal, used._raw, target_gap, time_limit, watch)
-        search, path, nearest, *ways, optimum, note = fields
+            error, fields = self._raw.plan(
+                start, goal, used._raw, target_gap, goal_tolerance, time_limit, watch
+            )
+        search, path, reached, nearest, reachable, *ways, optimum, note = fields
         crossings = [None if way is None else Crossing(*way) for way in ways]
-        others = (path, nearest, *crossings, optimum, note, used, self._world)
+        others = (path, reached, nearest, reachable, *crossings, optimum, note, used, self._world)
         return finish(error, answer(Result, search, *others))
 
     def batch(
@@ -373,6 +380,7 @@ class Planner:
         seeds: int = 1,
         time_limit: Optional[float] = None,
         target_gap: float = 0.0,
+        goal_tolerance: float = 0.0,
         progress: Shown = None,
         **settings: Any,
     ) -> BatchResult:
@@ -385,12 +393,15 @@ class Planner:
         Args:
             starts: finite numbers (n, 2), points (x, y).
             goals: likewise.
+            goal_tolerance: as of `plan`.
         """
         used = chosen(Params, params, settings)
         starts, goals = unmasked(starts, "starts"), unmasked(goals, "goals")
         with counted(progress, np.asarray(starts).size // 2 * max(seeds, 1)) as tell:
             return batch_result(
-                *self._raw.batch(starts, goals, used._raw, threads, seeds, time_limit, target_gap, tell)
+                *self._raw.batch(
+                    starts, goals, used._raw, threads, seeds, time_limit, target_gap, goal_tolerance, tell
+                )
             )
 
     @property
@@ -426,6 +437,6 @@ class Planner:
         """Is it in free space, its edges included?"""
         return bool(self._raw.free(point))
 
-    def nearest_free(self, point: Point) -> Point:
-        """The point of free space nearest to one."""
+    def nearest_free(self, point: Point) -> Optional[Point]:
+        """The point of free space nearest to one, if there is one."""
         return self._raw.nearest_free(point)

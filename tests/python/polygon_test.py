@@ -184,6 +184,31 @@ def test_text_and_files(tmp_path):
 def test_an_end_in_an_obstacle():
     result = pg.Planner(pg.World(SQUARE, [BLOCK])).plan((5, 5), (9, 5))
     assert (result.status, result.fault) == ("invalid", "start_blocked") and result.nearest_free[0] in (4, 6)
+    assert result.nearest_reachable == result.nearest_free
+
+
+def test_a_goal_that_cannot_be_reached():
+    shelf = [[[3, 3], [7, 3], [7, 4], [3, 4]], [[3, 6], [7, 6], [7, 7], [3, 7]], [[3, 3], [4, 3], [4, 7], [3, 7]],
+             [[6, 3], [7, 3], [7, 7], [6, 7]], [[4.4, 4.4], [5.5, 4.4], [5.5, 5.5], [4.4, 5.5]]]
+    planner = pg.Planner(pg.World(SQUARE, shelf))
+    result = planner.plan((1, 5), (4.6, 5))
+    assert result.nearest_free == (4.4, 5) and result.nearest_reachable == (3, 5)
+    assert "can be reached from the start is (3, 5); (4.4, 5) is nearer, but cannot be reached" in result.error
+    for goal in (4.6, 5), (4.2, 5):  # blocked, and free but walled in
+        near = planner.plan((1, 5), goal, goal_tolerance=1.7)
+        assert near.goal_reached == (3, 5) and near.length == 2 and near.path.tolist() == [[1, 5], [3, 5]]
+        far = planner.plan((1, 5), goal, goal_tolerance=1)
+        assert not far.found and far.goal_reached is None and "(3, 5), is 1." in far.error
+    batch = planner.batch([[1, 5]], [[4.6, 5]], goal_tolerance=2)
+    assert batch.length.tolist() == [2]
+    assert planner.plan((1, 5), (1, 6), goal_tolerance=1).goal_reached == (1, 6)
+
+
+def test_no_space_is_free():
+    planner = pg.Planner(pg.World(SQUARE), margin=6)
+    result = planner.plan((1, 5), (9, 5))
+    assert result.status == "invalid" and result.nearest_free is None and planner.nearest_free((1, 5)) is None
+    assert planner.components == 0 and "no space is free with a margin of 6" in result.error
 
 
 @pytest.mark.parametrize("threads", [1, 2, 5])
