@@ -45,6 +45,7 @@ Json info_json(const LoadedWorld& loaded) {
   json["regions"] = planner.maklink().regions.size();
   json["start"] = optional_point(world.start);
   json["goal"] = optional_point(world.goal);
+  json["notes"] = world.notes;
   json["read_ms"] = number(loaded.read_ms);
   json["prepare_ms"] = number(loaded.ready_ms);
   return json;
@@ -82,7 +83,9 @@ std::string info_text(const Json& json) {
 }  // namespace
 
 int run_command(const WorldInfoCommand& command) {
-  const Json json = info_json(load_world(command.world));
+  const LoadedWorld world = load_world(command.world);
+  for (const auto& note : world.planner.world().notes) message(command.world.file + ": " + note);
+  const Json json = info_json(world);
   print(command.json ? line(json) : info_text(json));
   return kFound;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,36 @@ TEST(Walls, NothingSlipsBetweenTheirTouchingEnds) {
   EXPECT_EQ(Planner(room({{{30, -1e9}, {30, 1e12}}})).plan().length, 18) << "outside";
 }
 
+TEST(Walls, TouchFarFromTheOriginWhereComputedPointsDo) {
+  for (int i = 0; i < 80; ++i) {
+    Dice dice(i);
+    const double turn = dice.real(0, 2 * std::numbers::pi);
+    const Point far{i % 2 == 0 ? 4.5e5 : -31, i % 2 == 0 ? 5.4e6 : 7};
+    const auto at = [&](double x, double y) {
+      return Point{far.x + x * std::cos(turn) - y * std::sin(turn),
+                   far.y + x * std::sin(turn) + y * std::cos(turn)};
+    };
+    const auto between = [&](Point a, Point b) {
+      const double share = dice.real(0.2, 0.8);
+      return Point{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+    };
+    World world;
+    world.boundary.outer = {at(0, 0), at(40, 0), at(40, 30), at(0, 30)};
+    const Point low = between(at(10, 0), at(30, 0)), high = between(at(10, 30), at(30, 30));
+    const Point tip = at(dice.real(12, 28), dice.real(12, 18));
+    world.walls = {{low, tip}, {high, between(low, tip)}};
+    if (i % 3 == 0) {  // an obstacle in place of the tip
+      world.obstacles = {{{tip, at(20, 22), at(12, 12)}, {}}};
+      if (i % 2 == 0) std::ranges::reverse(world.obstacles[0].outer);
+      world.walls[1][1] = between(world.obstacles[0].outer[0], world.obstacles[0].outer[1]);
+    }
+    world.start = at(1, 15), world.goal = at(39, 15);
+    EXPECT_EQ(Planner(world).plan().status, Status::unreachable) << i;
+    world.walls.pop_back();
+    EXPECT_EQ(Planner(world).plan().status, Status::solved) << i;
+  }
+}
+
 TEST(Walls, KeepTheMargin) {
   World world = room({{{10, 0}, {10, 6}}});
   const Result result = Planner(world, {.margin = 1, .boundary = Boundary::keep}).plan();
@@ -123,6 +154,7 @@ TEST(Walls, AreAsThinAreasAmongRandomObstacles) {
     const std::string which = "world " + std::to_string(i);
     const double step = i % 2 == 0 ? 0 : 10;  // on a coarse grid they touch, cross and overlap
     World world = random_world(700 + i, i % 12, step);
+    world.margin = i % 5 == 0 ? 0.4 : 0;
     Dice dice(900 + i);
     const auto at = [&] {
       const double v = dice.real(-10, 210);
@@ -159,12 +191,11 @@ TEST(Walls, AreAsThinAreasAmongRandomObstacles) {
         closed += expected.status == Status::unreachable;
         continue;
       }
-      EXPECT_NEAR(result.length, expected.length, 1e-3) << which << ", " << q;
+      EXPECT_NEAR(result.length, expected.length, 1e-3 + 0.05 * world.margin) << which << ", " << q;
       Params colony("maklink-acs");
       colony.iterations = 20;
       const Result walked = planner.plan(request, colony);
-      EXPECT_GE(walked.sequence_optimum->length, result.length - 1e-9) << which;
-      EXPECT_GE(walked.length, walked.sequence_optimum->length - 1e-9) << which;
+      EXPECT_GE(walked.length, result.length - 1e-9) << which;
       ++solved;
     }
   }
