@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/polygon/rings.h"
+#include "core/polygon/world/rings.h"
 
 namespace lasius::polygon {
 namespace {

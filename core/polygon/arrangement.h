@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/polygon/free_space.h"
-#include "core/polygon/geos.h"
+#include "core/polygon/world/geos.h"
 
 namespace lasius::polygon {
 

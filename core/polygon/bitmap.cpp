@@ -5,8 +5,8 @@
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/polygon/free_space.h"
-#include "core/polygon/geos.h"
-#include "core/polygon/rings.h"
+#include "core/polygon/world/geos.h"
+#include "core/polygon/world/rings.h"
 #include "lasius/polygon_world.h"
 
 namespace lasius::polygon {

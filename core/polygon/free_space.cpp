@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "core/polygon/arrangement.h"
-#include "core/polygon/geos.h"
 #include "core/polygon/grow.h"
-#include "core/polygon/rings.h"
 #include "core/polygon/touching.h"
+#include "core/polygon/world/geos.h"
+#include "core/polygon/world/rings.h"
 
 namespace lasius::polygon {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/polygon/arcs.h"
-#include "core/polygon/lattice_point.h"
+#include "core/polygon/world/lattice_point.h"
 #include "lasius/polygon_plan.h"
 
 namespace lasius::polygon {

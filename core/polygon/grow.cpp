@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/polygon/rings.h"
+#include "core/polygon/world/rings.h"
 
 namespace lasius::polygon {
 namespace {

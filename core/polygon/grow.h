@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/polygon/arcs.h"
-#include "core/polygon/geos.h"
+#include "core/polygon/world/geos.h"
 #include "lasius/polygon_plan.h"
 
 namespace lasius::polygon {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/special_values.h"
-#include "core/polygon/rings.h"
+#include "core/polygon/world/rings.h"
 
 namespace lasius::polygon {
 namespace {

@@ -9,13 +9,13 @@
 #include "core/loop/run_status.h"
 #include "core/params/parameter_table.h"
 #include "core/polygon/free_space.h"
-#include "core/polygon/geometry_check.h"
 #include "core/polygon/nearest.h"
 #include "core/polygon/regions.h"
-#include "core/polygon/rings.h"
 #include "core/polygon/route.h"
 #include "core/polygon/route_plan.h"
 #include "core/polygon/shortest_path.h"
+#include "core/polygon/world/geometry_check.h"
+#include "core/polygon/world/rings.h"
 #include "lasius/polygon_plan.h"
 
 namespace lasius::polygon {

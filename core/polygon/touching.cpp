@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/polygon/lattice_point.h"
+#include "core/polygon/world/lattice_point.h"
 
 namespace lasius::polygon {
 namespace {

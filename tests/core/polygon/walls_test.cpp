@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/polygon/rings.h"
+#include "core/polygon/world/rings.h"
 #include "lasius/planner.h"
 #include "lasius/polygon_plan.h"
 #include "tests/worlds/random_world.h"

@@ -1,4 +1,4 @@
-#include "core/polygon/geometry_check.h"
+#include "core/polygon/world/geometry_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/special_values.h"
-#include "core/polygon/rings.h"
+#include "core/polygon/world/rings.h"
 
 namespace lasius::polygon {
 namespace {

@@ -14,7 +14,7 @@
 #include "lasius/generate.h"
 #include "lasius/polygon_plan.h"
 #include "tests/core/base/made_files.h"
-#include "tests/core/polygon/refusal.h"
+#include "tests/core/polygon/world/refusal.h"
 
 namespace lasius::polygon {
 namespace {

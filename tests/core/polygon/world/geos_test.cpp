@@ -1,4 +1,4 @@
-#include "core/polygon/geos.h"
+#include "core/polygon/world/geos.h"
 
 #include <gtest/gtest.h>
 

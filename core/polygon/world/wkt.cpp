@@ -9,7 +9,7 @@
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/base/text_lines.h"
-#include "core/polygon/world_maker.h"
+#include "core/polygon/world/world_maker.h"
 
 namespace lasius::polygon {
 namespace {

@@ -1,9 +1,9 @@
-#include "core/polygon/repair.h"
+#include "core/polygon/world/repair.h"
 
 #include <utility>
 
-#include "core/polygon/geometry_check.h"
-#include "core/polygon/rings.h"
+#include "core/polygon/world/geometry_check.h"
+#include "core/polygon/world/rings.h"
 
 namespace lasius::polygon {
 namespace {

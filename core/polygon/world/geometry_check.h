@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/polygon/geos.h"
+#include "core/polygon/world/geos.h"
 
 namespace lasius::polygon {
 

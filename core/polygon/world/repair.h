@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/polygon/geos.h"
+#include "core/polygon/world/geos.h"
 
 namespace lasius::polygon {
 

@@ -4,7 +4,7 @@
 
 #include "core/base/did_you_mean.h"
 #include "core/base/json_text.h"
-#include "core/polygon/world_maker.h"
+#include "core/polygon/world/world_maker.h"
 
 namespace lasius::polygon {
 namespace {

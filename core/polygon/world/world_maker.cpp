@@ -1,4 +1,4 @@
-#include "core/polygon/world_maker.h"
+#include "core/polygon/world/world_maker.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "core/base/invalid_parameter.h"
-#include "core/polygon/geometry_check.h"
-#include "core/polygon/rings.h"
+#include "core/polygon/world/geometry_check.h"
+#include "core/polygon/world/rings.h"
 
 namespace lasius::polygon {
 namespace {

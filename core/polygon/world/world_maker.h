@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/polygon/geos.h"
-#include "core/polygon/repair.h"
+#include "core/polygon/world/geos.h"
+#include "core/polygon/world/repair.h"
 #include "lasius/error.h"
 
 namespace lasius::polygon {

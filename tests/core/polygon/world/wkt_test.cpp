@@ -3,7 +3,7 @@
 #include <string>
 
 #include "lasius/error.h"
-#include "tests/core/polygon/refusal.h"
+#include "tests/core/polygon/world/refusal.h"
 
 namespace lasius::polygon {
 namespace {
