@@ -228,6 +228,7 @@ TEST_F(FilesOfRobot, Srdf) {
   refused("<disable_collisions link1=\"a\"/>", 2, "has no link2");
   refused("<group_state name=\"x\">\n<joint name=\"j1\" value=\"one\"/></group_state>", 3, "one");
   refused("<group_state name=\"x\">", 2, "no XML");
+  refused("</robot>\n<robot name=\"r\">", 3, "a second document follows the first");
   const std::string all = "<robot name=\"r\"><disable_default_collisions link=\"b\"/>";
   EXPECT_EQ(read(all + "</robot>").may_touch, (std::vector{std::pair{0, 1}}));
   EXPECT_TRUE(read(all + "<enable_collisions link1=\"c\" link2=\"b\"/></robot>").may_touch.empty());
