@@ -170,7 +170,7 @@ TEST(Walls, AreAsThinAreasAmongRandomObstacles) {
     }
     const Planner planner(world), thin(thickened(world, 1e-6));
     double whole = 0, cut = 0;
-    for (const Polygon& piece : planner.free_space()) {
+    for (const Polygon& piece : planner.maklink().free_space) {
       whole += std::abs(doubled_area(piece.outer));
       for (const Ring& hole : piece.holes) whole -= std::abs(doubled_area(hole));
     }
