@@ -191,7 +191,8 @@ TEST_F(HostileFiles, PolygonWorlds) {
   refused(read_world_file, "a.wkt", filled("POLYGON ((", "0 0,", "0 0))"), "distinct points");
   refused(read_world_file, "a.wkt", filled("POLYGON((0 0,9 0,9 9,0 0)", ",(0 0,9 0,9 9,0 0)", ")"),
           "Self-intersection");
-  refused(read_world_file, "a.wkt", filled("", "(", ""), "nested too deep");
+  refused(read_world_file, "a.wkt", filled("", "(", ""), "the name of a geometry");
+  refused(read_world_file, "a.wkt", filled("", "GEOMETRYCOLLECTION(", ""), "nested too deep");
   refused(read_world_file, "a.wkt", filled("GEOMETRYCOLLECTION(", "POINT EMPTY,", "POINT(0 0))"),
           "is empty");
 }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/text_lines.h"
+#include "core/base/yaml_documents.h"
 
 namespace lasius {
 namespace {
@@ -136,6 +137,7 @@ RosMap read_ros_yaml(ByteReader& in) {
   }
   end_lines_in_lf(text);
   try {
+    if (documents_in(text) > 1) in.fail_at_line(1, kMoreDocuments, kOneDocument);
     return read_fields(Fields(in, YAML::Load(text)));
   } catch (const YAML::Exception& error) {
     in.fail_at_line(error.mark.is_null() ? 1 : error.mark.line + 1, "broken YAML: " + error.msg,

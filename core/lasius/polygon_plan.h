@@ -155,6 +155,9 @@ struct Request {
   std::optional<Point> goal = {};   ///< in place of the world's
   StopCondition stop = {};          ///< deadline and token of the plan
   double target_gap = 0;  ///< stop at this gap to the exact optimum, as a fraction; 0: never
+  /// Where the goal cannot be reached, the path ends at the point nearest to it that can be, at
+  /// most so far from it; 0 or more.
+  double goal_tolerance = 0;
 };
 
 /// A way across lines, and the crossing point on each: a + h (b - a).
@@ -169,9 +172,13 @@ struct Crossing {
 /// so every path has its true gap. The crossings are empty or missing for `exact`.
 struct Result : SearchResult {
   std::vector<Point> path;            ///< one point where start and goal are the same; or empty
+  std::optional<Point> goal_reached;  ///< with a goal tolerance: where the path ends
   std::optional<Point> nearest_free;  ///< to a start or goal that is blocked or outside
-  Crossing crossing;                  ///< of the ants' or the genetic algorithm's best path
-  std::optional<Crossing> dijkstra;   ///< through midpoints; none for `exact`
+  /// The same among the points that are joined to the other end, where that is free; with a goal
+  /// tolerance also of a goal in another piece of free space.
+  std::optional<Point> nearest_reachable;
+  Crossing crossing;                 ///< of the ants' or the genetic algorithm's best path
+  std::optional<Crossing> dijkstra;  ///< through midpoints; none for `exact`
   /// Of the same lines and values, by dynamic programming; none where the run was stopped first.
   std::optional<Crossing> discrete_optimum;
   std::optional<Crossing> sequence_optimum;  ///< of the same lines, any crossing points (funnel)
@@ -194,12 +201,14 @@ using Observer = std::function<void(const PlanProgress&)>;
 /// one from many threads.
 ///
 /// A path may touch obstacles and slide along their edges; it may not pass between two that touch.
-/// Coordinates are put on a grid of 2^-42 of the world's size: in it every decision (sides, sight,
-/// convexity) is made in integers, without rounding.
+/// Coordinates are put on a grid of 2^-42 of the world's size, but no finer than 16 roundings of
+/// the largest coordinate of the boundary: in it every decision (sides, sight, convexity) is made
+/// in integers, without rounding. What is within 8 of these roundings of an edge or a corner
+/// touches it. Where the obstacles or the margin leave no free space, no start or goal is free.
 class LASIUS_POLYGON_EXPORT Planner {
  public:
   /// @throws Error(invalid_parameter) for a world that `check` refuses, a margin that is not a
-  ///         number of at least 0, where no free space is left, or GEOS cannot work with it.
+  ///         number of at least 0, or where GEOS cannot work with it.
   explicit Planner(const World& world, const GrowOptions& options = {});
   /// As the constructor, for those who may have to stop: empty if stopped while lines were drawn.
   /// Growing and merging the obstacles, GEOS's part, is not cut short.
@@ -231,8 +240,8 @@ class LASIUS_POLYGON_EXPORT Planner {
 
   /// Is it in free space, its edges included? False of what is no number.
   bool free(Point p) const;
-  /// The point of free space nearest to `p`.
-  Point nearest_free(Point p) const;
+  /// The point of free space nearest to `p`, if there is one.
+  std::optional<Point> nearest_free(Point p) const;
 
   /// Answers one request. Deterministic in (world, request, parameters) and the version of GEOS;
   /// a deadline or token may change the answer. An unreachable goal is proven first.

@@ -34,7 +34,14 @@ struct World {
   std::optional<Point> start;      ///< of a request that names none
   std::optional<Point> goal;       ///< likewise
   double margin = 0;               ///< of the robot, at least 0: obstacles grow by it
-  friend bool operator==(const World&, const World&) = default;
+  /// Obstacles of no width, each a line of two points or more: a path may touch one and slide along
+  /// it, but not cross it. A closed line ends with its first point.
+  std::vector<Ring> walls = {};
+  std::vector<std::string> notes = {};  ///< what reading it has to say to people; compared by none
+  friend bool operator==(const World& a, const World& b) {
+    return a.boundary == b.boundary && a.obstacles == b.obstacles && a.start == b.start &&
+           a.goal == b.goal && a.margin == b.margin && a.walls == b.walls;
+  }
 };
 
 /// A hash of all numbers of a world, and of nothing else.
@@ -48,16 +55,21 @@ struct ReadOptions {
 /// Reads a world, GeoJSON or WKT told apart by content.
 ///
 /// GeoJSON: a FeatureCollection in planar coordinates. Each feature's property `role` is `boundary`
-/// (one Polygon), `obstacle` (Polygon or MultiPolygon), `start` or `goal` (Point); holes are
-/// allowed. The collection's member `margin`, or that of its member `properties`, is the robot's.
+/// (one Polygon), `obstacle` (Polygon, LineString, Multi- of both, GeometryCollection), `start` or
+/// `goal` (Point); holes are allowed. The collection's member `margin`, or that of its member
+/// `properties`, is the robot's.
 ///
-/// WKT: one or more geometries, one after another or in GEOMETRYCOLLECTIONs. The first POLYGON is
-/// the boundary; all further POLYGONs and MULTIPOLYGONs are obstacles; the first POINT is the
-/// start, the second the goal. What follows a # is a comment, but for "margin NUMBER" alone: the
-/// robot's.
+/// WKT: one or more geometries, one after another or in GEOMETRYCOLLECTIONs, each with or without
+/// EWKT's "SRID=NUMBER;". The first POLYGON is the boundary; all further POLYGONs, LINESTRINGs,
+/// LINEARRINGs and MULTI- of them are obstacles; the first POINT is the start, the second the goal.
+/// What follows a # is a comment, but for "margin NUMBER" alone: the robot's.
+///
+/// Lines become walls. Empty obstacles are passed over, an empty boundary or point is refused. A
+/// coordinate system in degrees is told in World::notes.
 ///
 /// Geometry is checked: every ring has at least three distinct corners, is closed, does not cross
-/// itself or another ring of its polygon. Zero-length edges are dropped.
+/// itself or another ring of its polygon; every line has two distinct points. Zero-length edges are
+/// dropped.
 /// @throws Error(file_missing, file_broken, file_unsupported above 256 MiB), naming the file, the
 ///         line and byte or the feature, ring and point, and the remedy.
 LASIUS_POLYGON_EXPORT World read_world(const std::string& path, const ReadOptions& options = {});
@@ -91,7 +103,8 @@ LASIUS_POLYGON_EXPORT void check(const World& world);
 LASIUS_POLYGON_EXPORT World from_grid(const Grid& grid, const WorldFrame& frame = {});
 
 /// A bitmap of `resolution` per cell, its lower left corner at that of the boundary's bounding box:
-/// a cell is free where its centre lies in the free space, obstacles grown by the margin included.
+/// a cell is free where its centre lies in the free space, obstacles grown by the margin included,
+/// and no wall passes through it.
 /// @throws Error(invalid_parameter) for a resolution that is not above 0 or gives too many cells.
 LASIUS_POLYGON_EXPORT Map to_grid(const World& world, double resolution);
 

@@ -31,6 +31,11 @@ inline void check_target_gap(double gap) {
   require_parameter(gap >= 0, "target_gap", gap, "it is a fraction: 0 or more, 0.01 for 1%");
 }
 
+/// @throws Error(invalid_parameter) unless a request's goal tolerance is a number from 0 up.
+inline void check_goal_tolerance(double tolerance) {
+  require_parameter(tolerance >= 0, "goal_tolerance", tolerance, "it must be 0 or more");
+}
+
 /// @throws Error(invalid_parameter) for a gap that the algorithm cannot certify.
 inline void check_certifies(const Algorithm& algorithm, double target_gap) {
   check_target_gap(target_gap);

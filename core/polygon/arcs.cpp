@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/polygon/cells.h"
-#include "core/polygon/rings.h"
+#include "core/polygon/world/rings.h"
 
 namespace lasius::polygon {
 namespace {

@@ -11,6 +11,7 @@ std::size_t plan_batch(const Planner& planner, std::span<const Request> requests
   validate(parameters);
   for (const Request& request : requests) {
     check_target_gap(request.target_gap);
+    check_goal_tolerance(request.goal_tolerance);
     (void)ends_of(request, planner.world());
   }
   const auto make_plan = [&] {

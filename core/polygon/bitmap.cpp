@@ -5,8 +5,8 @@
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/polygon/free_space.h"
-#include "core/polygon/geos.h"
-#include "core/polygon/rings.h"
+#include "core/polygon/world/geos.h"
+#include "core/polygon/world/rings.h"
 #include "lasius/polygon_world.h"
 
 namespace lasius::polygon {
@@ -31,6 +31,35 @@ std::vector<double> crossings(const std::vector<Polygon>& pieces, double y) {
   }
   std::ranges::sort(list);
   return list;
+}
+
+/// Blocks the cells that a wall passes through: none leads across it.
+void draw_walls(const World& world, double resolution, Point low, Grid& grid) {
+  const auto cell = [](double at, int cells) {
+    return static_cast<int>(std::clamp(std::floor(at), 0.0, cells - 1.0));
+  };
+  for (const Ring& wall : world.walls) {
+    for (std::size_t i = 0; i + 1 < wall.size(); ++i) {
+      // In cells from the lower left corner; b is the upper end.
+      const auto in_cells = [&](Point p) {
+        return Point{(p.x - low.x) / resolution, (p.y - low.y) / resolution};
+      };
+      Point a = in_cells(wall[i]), b = in_cells(wall[i + 1]);
+      if (a.y > b.y) std::swap(a, b);
+      if (b.y < 0 || a.y > grid.height()) continue;
+      for (int row = cell(a.y, grid.height()); row <= cell(b.y, grid.height()); ++row) {
+        const auto at = [&](double y) {
+          return a.y < b.y ? a.x + std::clamp((y - a.y) / (b.y - a.y), 0.0, 1.0) * (b.x - a.x)
+                           : a.x;
+        };
+        const double from = at(row), to = a.y < b.y ? at(row + 1.0) : b.x;
+        if (std::max(from, to) < 0 || std::min(from, to) > grid.width()) continue;
+        const int left = cell(std::min(from, to), grid.width());
+        const int right = cell(std::max(from, to), grid.width());
+        grid.fill({left, grid.height() - 1 - row, right + 1 - left, 1}, true);
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -95,6 +124,7 @@ Map to_grid(const World& world, double resolution) {
       map.grid.fill({from, y, first(cuts[i + 1]) - from, 1}, false);
     }
   }
+  draw_walls(world, resolution, low, map.grid);
   return map;
 }
 

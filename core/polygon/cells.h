@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/polygon/lattice_point.h"
+#include "core/polygon/world/lattice_point.h"
 
 namespace lasius::polygon {
 

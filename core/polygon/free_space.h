@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/polygon/arcs.h"
-#include "core/polygon/lattice_point.h"
+#include "core/polygon/world/lattice_point.h"
 #include "lasius/polygon_plan.h"
 
 namespace lasius::polygon {
@@ -32,7 +32,7 @@ struct FreeSpace {
   }
 };
 
-/// `growth` names the margin. @throws Error(invalid_parameter) where no free space is left.
+/// `growth` names the margin. Without pieces where nothing is left.
 FreeSpace make_free_space(const World& world, const GrowOptions& growth, Tangents tangents);
 
 }  // namespace lasius::polygon

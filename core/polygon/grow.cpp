@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/polygon/rings.h"
+#include "core/polygon/world/rings.h"
 
 namespace lasius::polygon {
 namespace {
@@ -14,6 +14,7 @@ constexpr int kQuadrantSegments = 8;
 
 using BufferParams = Geos::Owned<GEOSBufferParams, GEOSBufferParams_destroy_r>;
 
+/// Lines end in half a circle, or a square where joins are mitres.
 Geos::Geometry buffered(const Geos& geos, const Geos::Geometry& area, double margin, Join join) {
   const auto context = geos.context();
   const auto how = geos.own<BufferParams>(GEOSBufferParams_create_r(context));
@@ -21,6 +22,8 @@ Geos::Geometry buffered(const Geos& geos, const Geos::Geometry& area, double mar
                                   join == Join::mitre   ? GEOSBUF_JOIN_MITRE
                                   : join == Join::bevel ? GEOSBUF_JOIN_BEVEL
                                                         : GEOSBUF_JOIN_ROUND);
+  if (join == Join::mitre)
+    GEOSBufferParams_setEndCapStyle_r(context, how.get(), GEOSBUF_CAP_SQUARE);
   GEOSBufferParams_setMitreLimit_r(context, how.get(), kMitreLimit);
   GEOSBufferParams_setQuadrantSegments_r(context, how.get(), kQuadrantSegments);
   return geos.own(GEOSBufferWithParams_r(context, area.get(), how.get(), margin));
@@ -62,8 +65,14 @@ Geos::Geometry merged(const Geos& geos, std::vector<Geos::Geometry> parts) {
   return geos.own(GEOSUnaryUnion_r(geos.context(), all.get()));
 }
 
-Grown round_grown(const Geos& geos, const Geos::Geometry& obstacles, const Ring& boundary,
-                  bool shrinks, double margin, Tangents tangents) {
+/// A wall as the outline of an area of no width, there and back.
+Ring around(Ring wall) {
+  for (std::size_t i = wall.size() - 1; i-- > 1;) wall.push_back(wall[i]);
+  return wall;
+}
+
+Grown round_grown(const Geos& geos, const Geos::Geometry& obstacles, const std::vector<Ring>& walls,
+                  const Ring& boundary, bool shrinks, double margin, Tangents tangents) {
   std::vector<Geos::Geometry> parts, strips;
   std::vector<Ring> rings;
   for (const Polygon& p : geos.polygons(obstacles.get())) {
@@ -71,6 +80,7 @@ Grown round_grown(const Geos& geos, const Geos::Geometry& obstacles, const Ring&
     for (const Ring& hole : p.holes) rings.push_back(turned(hole, false));
     parts.push_back(geos.polygon(p));
   }
+  for (const Ring& wall : walls) rings.push_back(around(wall));
   rings.push_back(turned(boundary, false));  // also where it stays: few tangents keep off it
   const Arcs arcs = arcs_of(rings, margin, tangents);
   for (std::size_t r = 0; r + 1 < rings.size(); ++r)
@@ -86,14 +96,20 @@ Grown round_grown(const Geos& geos, const Geos::Geometry& obstacles, const Ring&
 
 }  // namespace
 
-Grown grow(const Geos& geos, Geos::Geometry obstacles, const Ring& boundary, double margin,
-           const GrowOptions& options, Tangents tangents) {
+Grown grow(const Geos& geos, Geos::Geometry obstacles, const std::vector<Ring>& walls,
+           const Ring& boundary, double margin, const GrowOptions& options, Tangents tangents) {
   const bool shrinks = options.boundary == Boundary::shrink;
   if (options.join == Join::round)
-    return round_grown(geos, obstacles, boundary, shrinks, margin, tangents);
+    return round_grown(geos, obstacles, walls, boundary, shrinks, margin, tangents);
   auto inside = geos.polygon({boundary, {}});
   if (shrinks) inside = buffered(geos, inside, -margin, options.join);
-  return {buffered(geos, obstacles, margin, options.join), std::move(inside)};
+  std::vector<Geos::Geometry> parts;
+  for (const Ring& wall : walls) parts.push_back(geos.line(wall));
+  const auto lines = geos.collection(std::move(parts), GEOS_MULTILINESTRING);
+  parts.clear();
+  parts.push_back(buffered(geos, obstacles, margin, options.join));
+  if (!walls.empty()) parts.push_back(buffered(geos, lines, margin, options.join));
+  return {walls.empty() ? std::move(parts[0]) : merged(geos, std::move(parts)), std::move(inside)};
 }
 
 }  // namespace lasius::polygon

@@ -1,8 +1,10 @@
 // Obstacles grown, and the boundary shrunk, by the robot's margin; in grid units.
 #pragma once
 
+#include <vector>
+
 #include "core/polygon/arcs.h"
-#include "core/polygon/geos.h"
+#include "core/polygon/world/geos.h"
 #include "lasius/polygon_plan.h"
 
 namespace lasius::polygon {
@@ -13,9 +15,9 @@ struct Grown {
   Geos::Geometry boundary;  ///< its inside, perhaps in several pieces, or nothing
 };
 
-/// Preconditions: valid polygons that do not overlap, one for the boundary, without its holes; a
-/// margin above 0. `tangents` are those of round joins.
-Grown grow(const Geos& geos, Geos::Geometry obstacles, const Ring& boundary, double margin,
-           const GrowOptions& options, Tangents tangents);
+/// Preconditions: valid polygons that do not overlap, one for the boundary, without its holes;
+/// walls of two distinct points or more; a margin above 0. `tangents` are those of round joins.
+Grown grow(const Geos& geos, Geos::Geometry obstacles, const std::vector<Ring>& walls,
+           const Ring& boundary, double margin, const GrowOptions& options, Tangents tangents);
 
 }  // namespace lasius::polygon

@@ -45,7 +45,8 @@ LinkBuilder::LinkBuilder(FreeSpace& space, Poller& poller)
 
 /// A net over all corners, empty.
 Cells LinkBuilder::net() const {
-  LatticePoint low = at(0), high = low;
+  LatticePoint low, high;
+  if (!space_.corners.empty()) low = high = at(0);
   for (const Corner& c : space_.corners) {
     low = {std::min(low.x, c.at.x), std::min(low.y, c.at.y)};
     high = {std::max(high.x, c.at.x), std::max(high.y, c.at.y)};
@@ -86,7 +87,9 @@ bool LinkBuilder::reflex(int corner) const {
 LinkBuilder::Sector LinkBuilder::sector(int corner, LatticePoint d) const {
   const Corner& c = space_.corners[corner];
   const LatticePoint first = at(c.next) - c.at, last = at(c.previous) - c.at;
-  if (!turns_after(first, first, d) || !turns_after(first, d, last)) return Sector::closed;
+  const bool full = same_direction(first, last);  // at the end of a wall
+  if (!turns_after(first, first, d) || (!full && !turns_after(first, d, last)))
+    return Sector::closed;
   LatticePoint before = first, after = last;
   for (const int link : fans_[corner]) {
     const LatticePoint other = direction(link, corner);
@@ -96,7 +99,7 @@ LinkBuilder::Sector LinkBuilder::sector(int corner, LatticePoint d) const {
     }
     before = other;
   }
-  if (cross(before, d) == 0 && dot(before, d) > 0) return Sector::closed;
+  if (same_direction(before, d)) return Sector::closed;
   return convex_turn(before, after) ? Sector::convex : Sector::reflex;
 }
 

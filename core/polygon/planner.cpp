@@ -9,12 +9,13 @@
 #include "core/loop/run_status.h"
 #include "core/params/parameter_table.h"
 #include "core/polygon/free_space.h"
-#include "core/polygon/geometry_check.h"
+#include "core/polygon/nearest.h"
 #include "core/polygon/regions.h"
-#include "core/polygon/rings.h"
 #include "core/polygon/route.h"
 #include "core/polygon/route_plan.h"
 #include "core/polygon/shortest_path.h"
+#include "core/polygon/world/geometry_check.h"
+#include "core/polygon/world/rings.h"
 #include "lasius/polygon_plan.h"
 
 namespace lasius::polygon {
@@ -64,61 +65,6 @@ std::pair<std::size_t, std::size_t> passages(const FreeSpace& space) {
   return {space.pieces.size(), holes};
 }
 
-/// The point of a segment nearest to p.
-Point nearest_on(Point a, Point b, Point p) {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  const double share = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
-  if (!(share > 0)) return a;
-  return share >= 1 ? b : Point{a.x + share * dx, a.y + share * dy};
-}
-
-/// On the grid a point of the border may fall just outside: then the free point of the grid that is
-/// nearest to it stands for it.
-Place place_in(const Regions& regions, Point p) {
-  Place place{p, regions.space().lattice.nearest(p), {}};
-  const double limit = std::ldexp(1.0, 44);
-  const Point s = regions.space().lattice.scaled(p);
-  if (!(std::abs(s.x) < limit && std::abs(s.y) < limit)) return place;
-  constexpr std::int64_t kReach = 2;
-  for (std::int64_t reach = 0; reach <= kReach; ++reach) {
-    for (std::int64_t dy = -reach; dy <= reach; ++dy) {
-      for (std::int64_t dx = -reach; dx <= reach; ++dx) {
-        if (std::max(std::abs(dx), std::abs(dy)) != reach) continue;
-        const LatticePoint at{place.at.x + dx, place.at.y + dy};
-        auto holding = regions.holding(at);
-        if (!holding.empty()) return {p, at, std::move(holding)};
-      }
-    }
-  }
-  return place;
-}
-
-/// The point of some areas' edges nearest to p, in a world with this boundary.
-Point nearest_edge(const std::vector<Polygon>& areas, const Ring& boundary, Point p) {
-  // Squared distances from p, but for that of p from q, the nearest point of the box around the
-  // world: else all points would be as near to a p that is far away, by rounding.
-  const auto [low, high] = bounds_of(boundary);
-  const Point q{std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y)};
-  const auto compared = [&](Point near) {
-    const double dx = near.x - q.x, dy = near.y - q.y;
-    return dx * (dx - 2 * (p.x - q.x)) + dy * (dy - 2 * (p.y - q.y));
-  };
-  Point best = areas.front().outer.front();
-  double least = kInfinity;
-  const auto look = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point near = nearest_on(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], p);
-      if (!(compared(near) < least)) continue;
-      least = compared(near);
-      best = near;
-    }
-  };
-  for (const Polygon& area : areas) {
-    for (const Ring* ring : rings_of(area)) look(*ring);
-  }
-  return best;
-}
-
 GrowOptions with_margin(GrowOptions options, double margin) {
   options.margin = options.margin.value_or(margin);
   if (const auto wrong = margin_fault(*options.margin))
@@ -153,20 +99,50 @@ class Planner::Impl {
   Place enter(Point p) const {
     Place place = place_in(lined(), p);
     if (!place.regions.empty()) return place;
-    return place_in(lined(), nearest_edge(few->space().pieces, world.boundary.outer, p));
+    return place_in(lined(), nearest_point(lined().space(), world.boundary.outer, p).value_or(p));
   }
 
-  /// The answer to a start or goal that is not free.
-  Result blocked(bool at_start, Point p, Point nearest) const {
+  /// The answer to a start or goal that is not free; `other` is the other one.
+  Result blocked(bool at_start, Point p, const Place& other) const {
     const bool inside = polygon::inside(world.boundary.outer, p);
     const Fault fault = at_start ? (inside ? Fault::start_blocked : Fault::start_outside)
                                  : (inside ? Fault::goal_blocked : Fault::goal_outside);
     auto result = failed<Result>(Status::invalid, fault,
                                  (at_start ? "start " : "goal ") + text(p) +
-                                     (inside ? " is blocked" : " is outside the boundary") +
-                                     "; the nearest free point is " + text(nearest));
+                                     (inside ? " is blocked; " : " is outside the boundary; "));
+    const auto nearest = nearest_point(regions.space(), world.boundary.outer, p);
     result.nearest_free = nearest;
+    if (!nearest) {
+      result.error += "no space is free";
+      if (const double margin = *growth.margin; margin > 0)
+        result.error += " with a margin of " + number_text(margin);
+      return result;
+    }
+    result.error += "the nearest free point ";
+    if (other.regions.empty() || joined(regions, other, place_in(regions, *nearest))) {
+      if (!other.regions.empty()) result.nearest_reachable = nearest;
+      result.error += "is " + text(*nearest);
+      return result;
+    }
+    const Point leads = nearest_joined(regions, world.boundary.outer, other, p).given;
+    result.nearest_reachable = leads;
+    result.error += (at_start ? "from which the goal can be reached is " + text(leads)
+                              : "that can be reached from the start is " + text(leads)) +
+                    "; " + text(*nearest) + " is nearer, but " +
+                    (at_start ? "does not lead there" : "cannot be reached");
     return result;
+  }
+
+  /// Where a path to a goal that cannot be reached ends; with its place, or nothing and why.
+  std::optional<Place> instead_of(const Place& goal, const Place& start, double tolerance,
+                                  Result& refusal) const {
+    const Place near = nearest_joined(regions, world.boundary.outer, start, goal.given);
+    refusal.nearest_reachable = near.given;
+    const double away = distance(near.given, goal.given);
+    if (away <= tolerance) return near;
+    refusal.error += "; the nearest point that can be reached, " + text(near.given) + ", is " +
+                     number_text(away) + " from the goal, its tolerance " + number_text(tolerance);
+    return std::nullopt;
   }
 
   /// What mitre joins take away from start and goal, or from the whole.
@@ -228,9 +204,9 @@ const std::vector<Polygon>& Planner::grown_obstacles() const noexcept {
 
 bool Planner::free(Point p) const { return !place_in(impl_->regions, p).regions.empty(); }
 
-Point Planner::nearest_free(Point p) const {
+std::optional<Point> Planner::nearest_free(Point p) const {
   if (free(p)) return p;
-  return nearest_edge(impl_->regions.space().pieces, impl_->world.boundary.outer, p);
+  return nearest_point(impl_->regions.space(), impl_->world.boundary.outer, p);
 }
 
 namespace {
@@ -241,13 +217,6 @@ Result stay(Point at) {
   result.path = {at};
   result.optimum = 0;
   return result;
-}
-
-bool joined(const Regions& regions, const Place& start, const Place& goal) {
-  return std::ranges::any_of(start.regions, [&](int a) {
-    return std::ranges::any_of(goal.regions,
-                               [&](int b) { return regions.piece(a) == regions.piece(b); });
-  });
 }
 
 /// The answer where no way leads from one to the other.
@@ -285,11 +254,10 @@ Result exact(const ShortestPath& shortest, const Observer& observer) {
   return result;
 }
 
-/// Precondition: both ends are free.
+/// Precondition: both ends are free, and joined.
 Result answer(const Planner::Impl& world, const Place& start, const Place& goal,
               const Request& request, const Params& parameters, const Observer& observer) {
   if (start.given == goal.given) return stay(start.given);
-  if (!joined(world.regions, start, goal)) return apart(start.given, goal.given);
   const auto begin = std::chrono::steady_clock::now();
   const ShortestPath shortest = shortest_path(world.regions, start, goal, request.stop);
   const auto took = std::chrono::steady_clock::now() - begin;
@@ -321,15 +289,23 @@ Result Planner::plan(const Request& request, const Params& parameters,
                      const Observer& observer) const {
   validate(parameters);
   check_target_gap(request.target_gap);
+  check_goal_tolerance(request.goal_tolerance);
   const auto [start, goal] = ends_of(request, impl_->world);
-  const Place from = place_in(impl_->regions, start), to = place_in(impl_->regions, goal);
+  const Regions& regions = impl_->regions;
+  const Place from = place_in(regions, start);
+  std::optional<Place> to = place_in(regions, goal);
   Result result;
   if (from.regions.empty()) {
-    result = impl_->blocked(true, start, nearest_free(start));
-  } else if (to.regions.empty()) {
-    result = impl_->blocked(false, goal, nearest_free(goal));
-  } else {
-    result = answer(*impl_, from, to, request, parameters, observer);
+    result = impl_->blocked(true, start, *to);
+    to.reset();
+  } else if (start != goal && !joined(regions, from, *to)) {
+    result = to->regions.empty() ? impl_->blocked(false, goal, from) : apart(start, goal);
+    to = request.goal_tolerance > 0 ? impl_->instead_of(*to, from, request.goal_tolerance, result)
+                                    : std::nullopt;
+  }
+  if (to) {
+    result = answer(*impl_, from, *to, request, parameters, observer);
+    if (request.goal_tolerance > 0) result.goal_reached = to->given;
   }
   result.note = impl_->note(result, start, goal);
   return result;

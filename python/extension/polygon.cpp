@@ -35,10 +35,12 @@ pg::Polygon polygon_from(const py::handle& source) {
   return polygon;
 }
 
-pg::World world(const py::object& boundary, const py::list& obstacles, std::optional<Point> start,
+pg::World world(const py::object& boundary, const py::list& obstacles,
+                const std::vector<Rows>& walls, std::optional<Point> start,
                 std::optional<Point> goal, double margin) {
   pg::World made{polygon_from(boundary), {}, start, goal, margin};
   for (const py::handle& obstacle : obstacles) made.obstacles.push_back(polygon_from(obstacle));
+  for (const Rows& wall : walls) made.walls.push_back(points_from(wall, "a line"));
   pg::check(made);
   return made;
 }
@@ -52,8 +54,8 @@ py::object crossing(const std::optional<pg::Crossing>& way) {
 
 /// In the order of the fields of lasius.polygon.Result.
 py::tuple fields(const pg::Result& r) {
-  return py::make_tuple(search_fields(r), to_array(std::span(r.path)), r.nearest_free,
-                        crossing(r.crossing), crossing(r.dijkstra), crossing(r.discrete_optimum),
+  return py::make_tuple(search_fields(r), to_array(std::span(r.path)), r.goal_reached,
+                        r.nearest_free, r.nearest_reachable, crossing(r.crossing), crossing(r.dijkstra), crossing(r.discrete_optimum),
                         crossing(r.sequence_optimum), r.optimum, r.note);
 }
 
@@ -67,11 +69,13 @@ py::tuple made_planner(const pg::World& world, std::optional<double> margin,
 
 py::tuple plan_among(const pg::Planner& planner, std::optional<Point> start,
                      std::optional<Point> goal, const pg::Params& params, double target_gap,
-                     std::optional<double> time_limit, const py::object& callback) {
+                     double goal_tolerance, std::optional<double> time_limit,
+                     const py::object& callback) {
   Call call(time_limit);
   const pg::Observer observe = observer<Progress>(call, callback);
   const pg::Result result = call.run([&] {
-    return planner.plan({start, goal, call.condition(), target_gap}, params, observe);
+    return planner.plan({start, goal, call.condition(), target_gap, goal_tolerance}, params,
+                        observe);
   });
   return py::make_tuple(call.error(), fields(result));
 }
@@ -79,10 +83,11 @@ py::tuple plan_among(const pg::Planner& planner, std::optional<Point> start,
 py::tuple batch_among(const pg::Planner& planner, const Rows& starts, const Rows& goals,
                       const pg::Params& params, int threads, int seeds,
                       std::optional<double> time_limit, double target_gap,
-                      const py::object& callback) {
+                      double goal_tolerance, const py::object& callback) {
   Call call;
-  const auto requests = requests_from<pg::Request>(points_from(starts, "starts"),
+  auto requests = requests_from<pg::Request>(points_from(starts, "starts"),
                                                    points_from(goals, "goals"), target_gap);
+  for (pg::Request& request : requests) request.goal_tolerance = goal_tolerance;
   return run_batch(call, requests.size(), threads, seeds, time_limit, callback,
                    [&](const BatchOptions& options, const pg::BatchReceiver& receive) {
                      pg::plan_batch(planner, requests, params, options, receive);
@@ -105,6 +110,13 @@ void bind_world(py::module_& module) {
       .def(py::init(&world))
       .def("boundary", [](const pg::World& w) { return rings(w.boundary); })
       .def("obstacles", [](const pg::World& w) { return rings(w.obstacles); })
+      .def("walls",
+           [](const pg::World& w) {
+             py::list all;
+             for (const pg::Ring& wall : w.walls) all.append(to_array(std::span(wall)));
+             return all;
+           })
+      .def_readonly("notes", &pg::World::notes)
       .def_readonly("start", &pg::World::start)
       .def_readonly("goal", &pg::World::goal)
       .def_readonly("margin", &pg::World::margin)

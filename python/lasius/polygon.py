@@ -1,7 +1,8 @@
 """Planning among polygons. Coordinates are plain planar ones, y up, in any unit.
 
 An area is a ring (an array (n, 2), the first vertex not repeated or repeated), a pair (ring, [hole,
-...]), or anything with `__geo_interface__`: shapely's geometries and GeoJSON-like objects.
+...]), or anything with `__geo_interface__`: shapely's geometries and GeoJSON-like objects, whose lines are walls
+of no width.
 
 >>> world = World([[0, 0], [10, 0], [10, 10], [0, 10]], [[[4, 2], [6, 2], [6, 9], [4, 9]]])
 >>> result = Planner(world).plan((1, 5), (9, 5))
@@ -11,6 +12,7 @@ An area is a ring (an array (n, 2), the first vertex not repeated or repeated), 
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, Iterable, Iterator, List, Optional, Tuple, Union
 
@@ -20,7 +22,7 @@ import numpy.typing as npt
 from . import _lasius
 from .arguments import explained
 from .arrays import FloatArray, IntArray, Path, Point, file_name, unmasked
-from .errors import finish, made
+from .errors import finish, invalid, made
 from .parameters import Algorithm, ParameterSet, chosen, described
 from .progress import Shown, counted, watched
 from .results import BatchResult, Record, SearchResult, answer, batch_result
@@ -35,43 +37,94 @@ Area = Tuple[Ring, List[Ring]]  #: outline and holes
 AreaLike = Any
 
 
+def points_of(points: Any, name: str) -> FloatArray:
+    """Points as an array (n, 2); of 3-D coordinates x and y."""
+    array = np.asarray(unmasked(points, name), np.float64)
+    if array.ndim != 2 or array.shape[1] < 2:
+        raise ValueError(f"{name} of the shape {array.shape}: give (n, 2)")
+    return np.ascontiguousarray(array[:, :2])
+
+
 def ring_of(points: Any) -> Ring:
-    """A ring as an array (n, 2), its first vertex not repeated; of 3-D coordinates x and y."""
-    ring = np.asarray(unmasked(points, "a ring"), np.float64)
-    if ring.ndim != 2 or ring.shape[1] < 2:
-        raise ValueError(f"a ring of the shape {ring.shape}: give (n, 2)")
-    ring = ring[:, :2]
+    """A ring, its first vertex not repeated."""
+    ring = points_of(points, "a ring")
     closed = len(ring) > 1 and bool((ring[0] == ring[-1]).all())
     return np.ascontiguousarray(ring[:-1] if closed else ring)
 
 
-def areas_of_geometry(geometry: Dict[str, Any]) -> Iterator[Area]:
-    """All areas of a GeoJSON object."""
-    kind = geometry["type"]
-    if kind == "Polygon":
-        outer, *holes = geometry["coordinates"]
-        yield ring_of(outer), [ring_of(hole) for hole in holes]
-    elif kind == "MultiPolygon":
-        for polygon in geometry["coordinates"]:
-            yield from areas_of_geometry({"type": "Polygon", "coordinates": polygon})
-    elif kind == "Feature":
-        yield from areas_of_geometry(geometry["geometry"])
-    elif kind in ("FeatureCollection", "GeometryCollection"):
-        for part in geometry["features" if kind == "FeatureCollection" else "geometries"]:
-            yield from areas_of_geometry(part)
-    else:
-        raise ValueError(f"a geometry of type {kind}: give polygons")
+PARTS = {"FeatureCollection": "features", "GeometryCollection": "geometries"}
 
 
-def areas_of(source: AreaLike) -> Iterator[Area]:
-    """The areas of anything that stands for some."""
+def geometry_of(source: Any) -> Optional[Dict[str, Any]]:
+    """What shapely's geometries and GeoJSON-like objects are as a dictionary; None of all others."""
+    if getattr(source, "is_empty", False) is True:  # an empty point of shapely 1.8 cannot say so itself
+        return {"type": source.geom_type, PARTS.get(source.geom_type, "coordinates"): ()}
     geometry = source if isinstance(source, dict) else getattr(source, "__geo_interface__", None)
-    if geometry is not None:
-        yield from areas_of_geometry(geometry)
-    elif isinstance(source, tuple) and len(source) == 2 and np.ndim(source[0]) == 2:
-        yield ring_of(source[0]), [ring_of(hole) for hole in source[1]]
-    else:
-        yield ring_of(source), []
+    if geometry is not None and not isinstance(geometry.get("type"), str):
+        raise ValueError("a geometry without type: give one of GeoJSON's")
+    return geometry
+
+
+def parts_of(geometry: Dict[str, Any], name: str) -> Iterator[Tuple[str, Any]]:
+    """The parts of a GeoJSON object that are not empty, each with its kind: Polygon, LineString, LinearRing, Point."""
+    kind = geometry["type"]
+    member = PARTS.get(kind, "geometry" if kind == "Feature" else "coordinates")
+    content = geometry.get(member)
+    if content is None:
+        raise invalid(f"{name}: a {kind} without {member}", "give it some, or leave it out")
+    if kind == "Feature":
+        yield from parts_of(content, name)
+    elif kind in PARTS:
+        for part in content:
+            yield from parts_of(part, name)
+    elif kind in ("MultiPolygon", "MultiLineString", "MultiPoint"):
+        yield from ((kind[5:], part) for part in content if len(part) > 0)
+    elif kind not in ("Polygon", "LineString", "LinearRing", "Point"):
+        raise invalid(f"{name}: a geometry of type {kind}", "give one of GeoJSON's")
+    elif len(content) > 0:
+        yield kind, content
+
+
+def area_of(rings: Any) -> Area:
+    outer, *holes = rings
+    return ring_of(outer), [ring_of(hole) for hole in holes]
+
+
+def shapes_of(source: Any, name: str) -> Iterator[Tuple[str, Any]]:
+    """The areas and lines of anything that stands for some, each with its kind, Polygon or LineString."""
+    geometry = geometry_of(source)
+    if geometry is None:
+        pair = isinstance(source, tuple) and len(source) == 2 and np.ndim(source[0]) == 2
+        yield "Polygon", area_of((source[0], *source[1])) if pair else (ring_of(source), [])
+        return
+    for kind, content in parts_of(geometry, name):
+        if kind == "Point":
+            raise invalid(f"{name}: a point is no obstacle", "give polygons or lines")
+        yield ("Polygon", area_of(content)) if kind == "Polygon" else ("LineString", points_of(content, "a line"))
+
+
+def boundary_of(source: AreaLike) -> Area:
+    geometry = geometry_of(source)
+    if geometry is None:
+        return next(shapes_of(source, "boundary"))[1]
+    parts = list(parts_of(geometry, "boundary"))
+    kinds = [kind for kind, _ in parts if kind != "Polygon"]
+    if len(parts) != 1 or kinds:
+        what = f"a {kinds[0]}" if kinds else f"of {len(parts)} areas" if parts else "empty"
+        raise invalid(f"boundary is {what}", "give one polygon")
+    return area_of(parts[0][1])
+
+
+def point_of(source: Any, name: str) -> Any:
+    """A shapely point as (x, y); all else as it is."""
+    geometry = None if source is None else geometry_of(source)
+    if geometry is None:
+        return source
+    parts = list(parts_of(geometry, name))
+    if [kind for kind, _ in parts] != ["Point"]:
+        what = "empty" if not parts else f"a {geometry['type']}"
+        raise invalid(f"{name} is {what}", "give one point")
+    return tuple(float(value) for value in parts[0][1][:2])
 
 
 @explained
@@ -80,11 +133,13 @@ class World:
 
     Args:
         boundary: one area; its holes are obstacles.
-        obstacles: areas, which may overlap, or one geometry with several.
-        start: point (x, y) of requests that name none; likewise goal.
+        obstacles: areas and lines, which may overlap, or one geometry with several. A line is a wall of no
+            width: paths may touch it, but not cross it. Empty ones are passed over.
+        start: point (x, y), shapely's too, of requests that name none; likewise goal.
         margin: of the robot: obstacles grow by it.
     Raises:
-        InvalidParameter: for rings that cross themselves or have no area.
+        InvalidParameter: for rings that cross themselves or have no area, and geometries that cannot be what
+            they are given as.
     """
 
     __slots__ = ("_raw",)
@@ -98,18 +153,20 @@ class World:
         goal: Optional[Point] = None,
         margin: float = 0.0,
     ) -> None:
-        outlines = list(areas_of(boundary))
-        if len(outlines) != 1:
-            raise ValueError(f"a boundary of {len(outlines)} areas: give one")
-        whole = isinstance(obstacles, dict) or hasattr(obstacles, "__geo_interface__")
-        parts = [obstacles] if whole else list(obstacles)
-        areas = [area for part in parts for area in areas_of(part)]
-        self._raw = _raw.World(outlines[0], areas, start, goal, margin)
+        whole = geometry_of(obstacles)
+        parts = [whole] if whole is not None else list(obstacles)
+        names = ["obstacles"] if whole is not None else [f"obstacles[{i}]" for i in range(len(parts))]
+        shapes = [shape for part, name in zip(parts, names) for shape in shapes_of(part, name)]
+        areas, walls = ([shape for kind, shape in shapes if kind == k] for k in ("Polygon", "LineString"))
+        ends = point_of(start, "start"), point_of(goal, "goal")
+        self._raw = _raw.World(boundary_of(boundary), areas, walls, *ends, margin)
 
     @classmethod
     def _of(cls, raw: Any) -> World:
         world = cls.__new__(cls)
         world._raw = raw
+        for note in raw.notes:
+            warnings.warn(note, stacklevel=4)
         return world
 
     @classmethod
@@ -145,6 +202,11 @@ class World:
         return self._raw.obstacles()
 
     @property
+    def walls(self) -> List[FloatArray]:
+        """Obstacles of no width: lines."""
+        return self._raw.walls()
+
+    @property
     def start(self) -> Optional[Point]:
         return self._raw.start
 
@@ -165,7 +227,8 @@ class World:
         return (restored, (self.to_geojson(),))
 
     def __repr__(self) -> str:
-        return f"<World: {len(self.obstacles)} obstacles, margin {self.margin:g}>"
+        walls = f"{len(self.walls)} walls, " if self.walls else ""
+        return f"<World: {len(self.obstacles)} obstacles, {walls}margin {self.margin:g}>"
 
 
 def restored(text: str) -> World:
@@ -212,7 +275,9 @@ class Result(SearchResult):
     """One answer among polygons; lengths in the world's unit."""
 
     path: FloatArray  #: (n, 2)
+    goal_reached: Optional[Point]  #: with a goal tolerance: where the path ends
     nearest_free: Optional[Point]  #: to a start or goal that is blocked or outside
+    nearest_reachable: Optional[Point]  #: the same among the points that are joined to the other end
     crossing: Optional[Crossing]  #: of the ants' or the genetic algorithm's best path
     dijkstra: Optional[Crossing]  #: through midpoints
     discrete_optimum: Optional[Crossing]  #: of the same lines and values
@@ -247,6 +312,8 @@ def plot_world(world: Optional[World], axes: Any = None) -> Any:
         axes.plot(*np.vstack([outline, outline[:1]]).T, color="black", linewidth=1)
         for ring in [*holes, *(outer for outer, _ in world.obstacles)]:
             axes.fill(*ring.T, color="#8c8c8c")
+        for wall in world.walls:
+            axes.plot(*wall.T, color="#8c8c8c", linewidth=2)
     axes.set(aspect="equal", xlabel="x", ylabel="y")
     return axes
 
@@ -280,6 +347,7 @@ class Planner:
         *,
         time_limit: Optional[float] = None,
         target_gap: float = 0.0,
+        goal_tolerance: float = 0.0,
         observer: Optional[Callable[[Any], Any]] = None,
         progress: Shown = None,
         **settings: Any,
@@ -287,14 +355,19 @@ class Planner:
         """Answers one question; as lasius.Planner.plan.
 
         Args:
-            start: point (x, y); None: the world's; likewise goal.
+            start: point (x, y), shapely's too; None: the world's; likewise goal.
+            goal_tolerance: where the goal cannot be reached, the path ends at the point nearest to it that can
+                be, at most so far from it; `goal_reached` of the result tells where.
         """
         used = chosen(Params, params, settings)
+        start, goal = point_of(start, "start"), point_of(goal, "goal")
         with watched(observer, progress, used) as watch:
-            error, fields = self._raw.plan(start, goal, used._raw, target_gap, time_limit, watch)
-        search, path, nearest, *ways, optimum, note = fields
+            error, fields = self._raw.plan(
+                start, goal, used._raw, target_gap, goal_tolerance, time_limit, watch
+            )
+        search, path, reached, nearest, reachable, *ways, optimum, note = fields
         crossings = [None if way is None else Crossing(*way) for way in ways]
-        others = (path, nearest, *crossings, optimum, note, used, self._world)
+        others = (path, reached, nearest, reachable, *crossings, optimum, note, used, self._world)
         return finish(error, answer(Result, search, *others))
 
     def batch(
@@ -307,6 +380,7 @@ class Planner:
         seeds: int = 1,
         time_limit: Optional[float] = None,
         target_gap: float = 0.0,
+        goal_tolerance: float = 0.0,
         progress: Shown = None,
         **settings: Any,
     ) -> BatchResult:
@@ -319,12 +393,15 @@ class Planner:
         Args:
             starts: finite numbers (n, 2), points (x, y).
             goals: likewise.
+            goal_tolerance: as of `plan`.
         """
         used = chosen(Params, params, settings)
         starts, goals = unmasked(starts, "starts"), unmasked(goals, "goals")
         with counted(progress, np.asarray(starts).size // 2 * max(seeds, 1)) as tell:
             return batch_result(
-                *self._raw.batch(starts, goals, used._raw, threads, seeds, time_limit, target_gap, tell)
+                *self._raw.batch(
+                    starts, goals, used._raw, threads, seeds, time_limit, target_gap, goal_tolerance, tell
+                )
             )
 
     @property
@@ -360,6 +437,6 @@ class Planner:
         """Is it in free space, its edges included?"""
         return bool(self._raw.free(point))
 
-    def nearest_free(self, point: Point) -> Point:
-        """The point of free space nearest to one."""
+    def nearest_free(self, point: Point) -> Optional[Point]:
+        """The point of free space nearest to one, if there is one."""
         return self._raw.nearest_free(point)

@@ -23,6 +23,7 @@ void check(const std::string& text) {
   if (const auto world = read(text, json, false)) {
     polygon::check(*world);
     require(read(polygon::to_geojson(*world), true, false) == world);
+    if (world->start || !world->goal) require(read(polygon::to_wkt(*world), false, false) == world);
   }
   if (const auto world = read(text, json, true)) polygon::check(*world);
 }

@@ -41,6 +41,100 @@ def test_shapely():
     assert grown.area == pytest.approx(3 * 8) or grown.area == pytest.approx(4)
 
 
+POINT, EMPTY = {"type": "Point", "coordinates": [1, 5]}, {"type": "Polygon", "coordinates": []}
+WALL = {"type": "LineString", "coordinates": [[5, 0], [5, 8, 3]]}
+MIXED = {"type": "GeometryCollection", "geometries": [WALL, EMPTY, geometry([[7, 1], [8, 1], [8, 2]])]}
+
+
+@pytest.mark.parametrize("obstacles, areas, walls", [
+    ([EMPTY], 0, 0), (EMPTY, 0, 0), ([geometry(BLOCK), EMPTY, geometry(BLOCK)], 2, 0), (WALL, 0, 1), ([WALL, BLOCK], 1, 1),
+    (MIXED, 1, 1), ([MIXED, {"type": "Feature", "geometry": MIXED}], 2, 2),
+    ({"type": "MultiPolygon", "coordinates": [[], [BLOCK + BLOCK[:1]], []]}, 1, 0),
+    ({"type": "MultiLineString", "coordinates": [[], [[1, 1], [2, 2]], [[3, 3], [4, 3]]]}, 0, 2),
+    *[({"type": kind, "coordinates": []}, 0, 0) for kind in ("Point", "LineString", "LinearRing", "MultiPoint",
+                                                            "MultiLineString", "MultiPolygon")],
+    ({"type": "GeometryCollection", "geometries": []}, 0, 0), ({"type": "FeatureCollection", "features": []}, 0, 0),
+])
+def test_every_geometry_is_read_as_an_obstacle(obstacles, areas, walls):
+    world = pg.World(SQUARE, obstacles)
+    assert (len(world.obstacles), len(world.walls)) == (areas, walls)
+    assert pg.World.from_geojson(world.to_geojson()) == world and pickle.loads(pickle.dumps(world)) == world
+    pytest.importorskip("matplotlib")
+    assert len(pg.plot_world(world).lines) == 1 + walls
+
+
+def test_a_wall_is_gone_round():
+    world = pg.World(SQUARE, WALL, start=POINT, goal={"type": "Point", "coordinates": [9, 5, 1]})
+    result = pg.Planner(world).plan()
+    assert world.start == (1, 5) and result.path.tolist() == [[1, 5], [5, 8], [9, 5]] and "1 walls" in repr(world)
+    assert pg.Planner(world).plan(POINT, POINT).length == 0
+
+
+@pytest.mark.parametrize("make, says", [
+    (lambda: pg.World(EMPTY), "boundary is empty; give one polygon"),
+    (lambda: pg.World({"type": "GeometryCollection", "geometries": []}), "boundary is empty"),
+    (lambda: pg.World(WALL), "boundary is a LineString"),
+    (lambda: pg.World({"type": "MultiPolygon", "coordinates": [[SQUARE], [BLOCK]]}), "boundary is of 2 areas"),
+    (lambda: pg.World(SQUARE, [BLOCK, POINT]), "obstacles[1]: a point is no obstacle; give polygons or lines"),
+    (lambda: pg.World(SQUARE, {"type": "MultiPoint", "coordinates": [[1, 1]]}), "obstacles: a point is no obstacle"),
+    (lambda: pg.World(SQUARE, {"type": "Polygon"}), "obstacles: a Polygon without coordinates"),
+    (lambda: pg.World(SQUARE, {"type": "Feature", "geometry": None}), "obstacles: a Feature without geometry"),
+    (lambda: pg.World(SQUARE, {"type": "Circle", "coordinates": [1, 2]}), "obstacles: a geometry of type Circle"),
+    (lambda: pg.World(SQUARE, [{"type": "LineString", "coordinates": [[1, 1], [1, 1]]}]), "wall 0: the line has only 1 distinct point"),
+    (lambda: pg.World(SQUARE, start=geometry(BLOCK)), "start is a Polygon; give one point"),
+    (lambda: pg.World(SQUARE, goal={"type": "Point", "coordinates": []}), "goal is empty; give one point"),
+    (lambda: pg.Planner(pg.World(SQUARE)).plan((1, 1), WALL), "goal is a LineString"),
+])
+def test_what_a_geometry_cannot_be(make, says):
+    with pytest.raises(lasius.InvalidParameter) as refused:
+        make()
+    assert says in str(refused.value)
+
+
+def test_shapely_objects_of_every_kind():
+    shapely = pytest.importorskip("shapely.geometry", reason="needs shapely")
+    box = shapely.box(0, 0, 10, 10)
+    block = shapely.Polygon([(4, 2, 5), (6, 2, 5), (6, 9, 5), (4, 9, 5)])
+    wall = shapely.LineString([(1, 1, 7), (2, 2, 7)])
+    ring = shapely.LinearRing([(1, 1), (2, 2), (2, 1)])
+    kinds = [  # areas and walls as an obstacle, or None
+        (block, (1, 0)), (wall, (0, 1)), (ring, (0, 1)), (shapely.Point(1, 2, 3), None), (shapely.MultiPoint([(1, 2)]), None),
+        (shapely.MultiPolygon([block, shapely.box(8, 8, 9, 9)]), (2, 0)), (shapely.MultiLineString([wall, ring]), (0, 2)),
+        (shapely.GeometryCollection([block, wall]), (1, 1)), (shapely.GeometryCollection([shapely.Point(1, 2)]), None),
+        (block.buffer(-5), (0, 0)), *[(getattr(shapely, kind)(), (0, 0)) for kind in (
+            "Point", "LineString", "LinearRing", "Polygon", "MultiPoint", "MultiLineString", "MultiPolygon",
+            "GeometryCollection")]]
+    for shape, holds in kinds:
+        for obstacles in (shape, [shape], [shapely.Polygon(), shape]):
+            if holds is None:
+                with pytest.raises(lasius.InvalidParameter, match="a point is no obstacle"):
+                    pg.World(box, obstacles)
+            else:
+                world = pg.World(box, obstacles)
+                assert (len(world.obstacles), len(world.walls)) == holds, shape
+        if holds == (1, 0):
+            assert len(pg.World(shape).boundary[0]) == 4
+        else:
+            with pytest.raises(lasius.InvalidParameter, match="boundary is "):
+                pg.World(shape)
+        if shape.geom_type in ("Point", "MultiPoint") and not shape.is_empty:
+            assert pg.World(box, start=shape).start == (1, 2)
+        elif holds is not None:
+            for end in ("start", "goal"):
+                with pytest.raises(lasius.InvalidParameter, match=end + " is "):
+                    pg.World(box, **{end: shape})
+
+
+def test_degrees_are_warned_of(tmp_path):
+    text = pg.World(SQUARE, [BLOCK]).to_geojson()
+    crs = '"crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:OGC:1.3:CRS84"}}, "features"'
+    (tmp_path / "it.geojson").write_text(text.replace('"features"', crs))
+    for read in (lambda: pg.World.from_geojson(text.replace('"features"', crs)), lambda: pg.World.read(tmp_path / "it.geojson")):
+        with pytest.warns(UserWarning, match="degrees .*CRS84.*project them first") as warned:
+            assert read() == pg.World.from_geojson(text)
+        assert warned[0].filename == __file__
+
+
 def test_holes_are_obstacles_of_a_boundary():
     result = pg.Planner(pg.World((SQUARE, [BLOCK]))).plan((1, 5), (9, 5))
     assert result.length == pytest.approx(LENGTH)
@@ -90,6 +184,31 @@ def test_text_and_files(tmp_path):
 def test_an_end_in_an_obstacle():
     result = pg.Planner(pg.World(SQUARE, [BLOCK])).plan((5, 5), (9, 5))
     assert (result.status, result.fault) == ("invalid", "start_blocked") and result.nearest_free[0] in (4, 6)
+    assert result.nearest_reachable == result.nearest_free
+
+
+def test_a_goal_that_cannot_be_reached():
+    shelf = [[[3, 3], [7, 3], [7, 4], [3, 4]], [[3, 6], [7, 6], [7, 7], [3, 7]], [[3, 3], [4, 3], [4, 7], [3, 7]],
+             [[6, 3], [7, 3], [7, 7], [6, 7]], [[4.4, 4.4], [5.5, 4.4], [5.5, 5.5], [4.4, 5.5]]]
+    planner = pg.Planner(pg.World(SQUARE, shelf))
+    result = planner.plan((1, 5), (4.6, 5))
+    assert result.nearest_free == (4.4, 5) and result.nearest_reachable == (3, 5)
+    assert "can be reached from the start is (3, 5); (4.4, 5) is nearer, but cannot be reached" in result.error
+    for goal in (4.6, 5), (4.2, 5):  # blocked, and free but walled in
+        near = planner.plan((1, 5), goal, goal_tolerance=1.7)
+        assert near.goal_reached == (3, 5) and near.length == 2 and near.path.tolist() == [[1, 5], [3, 5]]
+        far = planner.plan((1, 5), goal, goal_tolerance=1)
+        assert not far.found and far.goal_reached is None and "(3, 5), is 1." in far.error
+    batch = planner.batch([[1, 5]], [[4.6, 5]], goal_tolerance=2)
+    assert batch.length.tolist() == [2]
+    assert planner.plan((1, 5), (1, 6), goal_tolerance=1).goal_reached == (1, 6)
+
+
+def test_no_space_is_free():
+    planner = pg.Planner(pg.World(SQUARE), margin=6)
+    result = planner.plan((1, 5), (9, 5))
+    assert result.status == "invalid" and result.nearest_free is None and planner.nearest_free((1, 5)) is None
+    assert planner.components == 0 and "no space is free with a margin of 6" in result.error
 
 
 @pytest.mark.parametrize("threads", [1, 2, 5])

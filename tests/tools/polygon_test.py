@@ -110,6 +110,40 @@ class PolygonTest(WorldTest):
         self.assertAlmostEqual(run.json["length"], OPTIMUM, places=8)
         self.assertEqual(run.json["map"]["hash"], self.plan_world("--json").json["map"]["hash"])
 
+    def test_an_empty_geometry_swallows_nothing(self):
+        box = "POLYGON ((0 0, 20 0, 20 12, 0 12, 0 0))"
+        ends = "POINT (1 6) POINT (19 6)"
+        block = "POLYGON ((8 2, 12 2, 12 10, 8 10, 8 2))"
+        for text in (f"{box} POLYGON EMPTY {block} {ends}", f"{box} GEOMETRYCOLLECTION EMPTY;{block}\n{ends}"):
+            self.write("it.wkt", text)
+            run = self.quiet(self.plan_world(world="it.wkt"))
+            self.assertAlmostEqual(float(run.out.splitlines()[1]), 2 * math.hypot(7, 4) + 4, places=9)
+        self.write("it.wkt", f"{box}\nPOLYGON EMPTY, {block} {ends}")
+        self.refused(self.plan_world(world="it.wkt"), 3,
+                     'line 2, byte 53: geometry 2: "," stands where the name of a geometry must stand')
+
+    def test_walls_are_told_drawn_and_replayed(self):
+        self.write("it.wkt", "POLYGON ((0 0, 20 0, 20 10, 0 10, 0 0)) LINESTRING (10 0, 10 6) POINT (1 1) POINT (19 1)")
+        run = self.quiet(self.plan_world("--algorithm", "maklink-acs", "-o", "it.json", "-o", "it.svg", "-o", "it.html",
+                                         world="it.wkt"))
+        self.assertAlmostEqual(json.loads(self.read("it.json"))["optimum"], 2 * math.hypot(9, 5), places=12)
+        self.assertIn('"walls":[[[10', self.read("it.html").decode().replace(".0", ""))
+        self.quiet(self.run_program("verify", "it.json"))
+        self.assertIn("obstacles    0 with 0 corners, 1 wall, 0 grown and merged",
+                      self.quiet(self.run_program("info", "it.wkt")).out)
+        self.assertEqual(self.run_program("info", "it.wkt", "--json").json["walls"], 1)
+
+    def test_degrees_are_told(self):
+        degrees = collection().replace('"margin"', '"crs": {"type": "name", "properties": {"name": "EPSG:4326"}}, "margin"')
+        self.write("it.geojson", degrees)
+        self.write("it.wkt", "SRID=4326;POLYGON ((0 0, 200 0, 200 200, 0 0)) POINT (2 1) POINT (9 1)")
+        self.write("it.tsv", "sx\tsy\tgx\tgy\n2\t1\t9\t1\n")
+        for command in ("plan", "info", "batch"):
+            for world in ("it.geojson", "it.wkt"):
+                run = self.run_program(command, world, *(["it.tsv"] if command == "batch" else []))
+                self.assertEqual(run.code, 0)
+                self.assertIn(f"{world}: the coordinates are degrees", run.err)
+
     def test_usage(self):
         self.write("open.geojson", collection(start=None))
         cases = [

@@ -1,8 +1,6 @@
 // Random polygon worlds, and what GEOS says of paths in them.
 #pragma once
 
-#include <geos_c.h>
-
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "lasius/polygon_plan.h"
+#include "tests/worlds/areas.h"
 
 namespace lasius::polygon {
 
@@ -66,7 +65,7 @@ inline World random_world(std::uint64_t seed, int count, double step = 0) {
 
 /// A free point of a planner's world.
 inline Point free_point(const Planner& planner, Dice& dice) {
-  return planner.nearest_free({dice.real(0, 200), dice.real(0, 200)});
+  return *planner.nearest_free({dice.real(0, 200), dice.real(0, 200)});
 }
 
 /// A question between two of them.
@@ -78,71 +77,33 @@ inline Request random_request(const Planner& planner, std::uint64_t seed) {
 /// Independent of the library but for obstacles that it has merged: GEOS decides.
 class Referee {
  public:
-  explicit Referee(const std::vector<Polygon>& obstacles) : context_(GEOS_init_r()) {
-    std::vector<GEOSGeometry*> parts;
-    for (const auto& p : obstacles) {
-      std::vector<GEOSGeometry*> holes;
-      for (const auto& hole : p.holes) holes.push_back(ring(hole));
-      parts.push_back(GEOSGeom_createPolygon_r(context_, ring(p.outer), holes.data(),
-                                               static_cast<unsigned>(holes.size())));
-    }
-    obstacles_ = GEOSGeom_createCollection_r(context_, GEOS_MULTIPOLYGON, parts.data(),
-                                             static_cast<unsigned>(parts.size()));
-  }
-  ~Referee() {
-    GEOSGeom_destroy_r(context_, obstacles_);
-    GEOS_finish_r(context_);
-  }
-  Referee(const Referee&) = delete;
-  Referee& operator=(const Referee&) = delete;
+  explicit Referee(const std::vector<Polygon>& obstacles) : obstacles_(areas_.all_of(obstacles)) {}
 
   /// Whether a path stays clear of the obstacles once they are shrunk.
   bool clear(const std::vector<Point>& path, double shrink) const {
     if (path.size() < 2) return true;
-    GEOSGeometry* line = line_of(path);
-    GEOSGeometry* shrunk = GEOSBuffer_r(context_, obstacles_, -shrink, 1);
-    const bool meets = GEOSIntersects_r(context_, line, shrunk) == 1;
-    GEOSGeom_destroy_r(context_, shrunk);
-    GEOSGeom_destroy_r(context_, line);
-    return !meets;
+    const auto shrunk = areas_.grown(obstacles_, -shrink, true);
+    const auto line = areas_.line(path);
+    return GEOSIntersects_r(areas_.context(), line.get(), shrunk.get()) == 0;
   }
 
   /// From a path to the nearest obstacle.
   double distance(const std::vector<Point>& path) const {
-    GEOSGeometry* line = line_of(path);
     double least = 0;
-    const bool found = GEOSDistance_r(context_, line, obstacles_, &least) == 1;
-    GEOSGeom_destroy_r(context_, line);
+    const auto line = areas_.line(path);
+    const bool found = GEOSDistance_r(areas_.context(), line.get(), obstacles_.get(), &least) == 1;
     return found ? least : std::nan("");
   }
 
   /// Whether the segment misses the inside of every obstacle.
   bool sees(Point a, Point b) const {
-    GEOSGeometry* line = line_of({a, b});
-    const bool enters = GEOSRelatePattern_r(context_, line, obstacles_, "T********") == 1;
-    GEOSGeom_destroy_r(context_, line);
-    return !enters;
+    const auto line = areas_.line({a, b});
+    return GEOSRelatePattern_r(areas_.context(), line.get(), obstacles_.get(), "T********") == 0;
   }
 
  private:
-  GEOSCoordSequence* sequence(const std::vector<Point>& points, bool closed) const {
-    const auto count = static_cast<unsigned>(points.size());
-    GEOSCoordSequence* s = GEOSCoordSeq_create_r(context_, count + (closed ? 1 : 0), 2);
-    for (unsigned i = 0; i < count + (closed ? 1 : 0); ++i) {
-      const Point p = points[i % count];
-      GEOSCoordSeq_setXY_r(context_, s, i, p.x, p.y);
-    }
-    return s;
-  }
-  GEOSGeometry* ring(const Ring& points) const {
-    return GEOSGeom_createLinearRing_r(context_, sequence(points, true));
-  }
-  GEOSGeometry* line_of(const std::vector<Point>& points) const {
-    return GEOSGeom_createLineString_r(context_, sequence(points, false));
-  }
-
-  GEOSContextHandle_t context_;
-  GEOSGeometry* obstacles_ = nullptr;
+  Areas areas_;
+  Areas::Area obstacles_;
 };
 
 }  // namespace lasius::polygon

@@ -40,6 +40,7 @@ void draw_world(Canvas& canvas, const Axes& axes, const LoadedWorld& world,
   canvas.clip(axes.box);
   for (const auto& obstacle : world.planner.world().obstacles)
     if (obstacle.holes.empty()) canvas.area(axes.at(obstacle.outer), kSolid, 1);
+  for (const auto& wall : world.planner.world().walls) canvas.polyline(axes.at(wall), kSolid, 2);
   canvas.unclip();
   draw_axes(canvas, axes, "x, the world's units", "y, the world's units", false);
 }

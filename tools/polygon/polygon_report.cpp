@@ -31,6 +31,12 @@ Json world_json(const LoadedWorld& world) {
                {"margin", world.planner.margin()},
                {"free", polygons_json(world.planner.free_space(), left)}};
   json["obstacles"] = polygons_json(world.planner.world().obstacles, left);
+  json["walls"] = Json::array();
+  for (const auto& wall : world.planner.world().walls) {
+    if (left < wall.size()) break;
+    left -= wall.size();
+    json["walls"].push_back(points(wall));
+  }
   json["lines"] = Json::array();
   for (const auto& line : world.planner.maklink().lines) {
     if (left < 2) break;

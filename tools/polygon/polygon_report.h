@@ -25,8 +25,8 @@ class PolygonFrames {
   PathFrame newest_;
 };
 
-/// Adds to run_json: world {free, obstacles: polygons as lists of rings, lines [[a, b]...], low,
-/// high, margin}, dijkstra, frames. `frames` may be null.
+/// Adds to run_json: world {free, obstacles: polygons as lists of rings, walls, lines [[a, b]...],
+/// low, high, margin}, dijkstra, frames. `frames` may be null.
 void write_polygon_report(std::ostream& out, const Task& task, const LoadedWorld& world,
                           const PolygonAnswer& answer, const PolygonFrames* frames);
 

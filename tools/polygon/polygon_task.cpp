@@ -53,6 +53,8 @@ class PolygonTask : public Task {
   }
   void announce() const override {
     Task::announce();
+    for (const auto& note : world_->planner.world().notes)
+      message(world_->options.file + ": " + note);
     if (!options().messages.verbose) return;
     const polygon::Maklink& graph = world_->planner.maklink();
     message(world_->options.file + ": " +

@@ -37,6 +37,7 @@ Json info_json(const LoadedWorld& loaded) {
   json["boundary"] = to_string(planner.boundary());
   json["obstacles"] = world.obstacles.size();
   json["corners"] = corners(world.obstacles);
+  json["walls"] = world.walls.size();
   json["grown_obstacles"] = planner.grown_obstacles().size();
   json["free_corners"] = corners(planner.free_space());
   json["components"] = planner.components();
@@ -44,6 +45,7 @@ Json info_json(const LoadedWorld& loaded) {
   json["regions"] = planner.maklink().regions.size();
   json["start"] = optional_point(world.start);
   json["goal"] = optional_point(world.goal);
+  json["notes"] = world.notes;
   json["read_ms"] = number(loaded.read_ms);
   json["prepare_ms"] = number(loaded.ready_ms);
   return json;
@@ -67,6 +69,7 @@ std::string info_text(const Json& json) {
   row("margin", dumped(json["margin"]) + ", " + json["join"].get<std::string>() +
                     " joins, boundary: " + json["boundary"].get<std::string>());
   row("obstacles", dumped(json["obstacles"]) + " with " + count("corners", "corner") + ", " +
+                       (json["walls"] == 0 ? "" : count("walls", "wall") + ", ") +
                        dumped(json["grown_obstacles"]) + " grown and merged");
   row("free space", count("components", "component") + ", " + count("free_corners", "corner"));
   row("maklink", count("lines", "line") + ", " + count("regions", "convex region"));
@@ -80,7 +83,9 @@ std::string info_text(const Json& json) {
 }  // namespace
 
 int run_command(const WorldInfoCommand& command) {
-  const Json json = info_json(load_world(command.world));
+  const LoadedWorld world = load_world(command.world);
+  for (const auto& note : world.planner.world().notes) message(command.world.file + ": " + note);
+  const Json json = info_json(world);
   print(command.json ? line(json) : info_text(json));
   return kFound;
 }

@@ -1,17 +1,16 @@
 #include "tools/yaml/document.h"
 
-#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <limits>
-#include <sstream>
 
 #include "core/base/did_you_mean.h"
 #include "core/base/output.h"
 #include "core/base/text_lines.h"
+#include "core/base/yaml_documents.h"
 #include "lasius/error.h"
 #include "tools/console/values.h"
 
@@ -32,32 +31,6 @@ std::string shown(const std::string& text) {
   return line;
 }
 
-/// Takes what a parser finds, and keeps nothing.
-class Nobody final : public YAML::EventHandler {
-  using Mark = YAML::Mark;
-  using Anchor = YAML::anchor_t;
-  void OnDocumentStart(const Mark&) override {}
-  void OnDocumentEnd() override {}
-  void OnNull(const Mark&, Anchor) override {}
-  void OnAlias(const Mark&, Anchor) override {}
-  void OnScalar(const Mark&, const std::string&, Anchor, const std::string&) override {}
-  void OnSequenceStart(const Mark&, const std::string&, Anchor,
-                       YAML::EmitterStyle::value) override {}
-  void OnSequenceEnd() override {}
-  void OnMapStart(const Mark&, const std::string&, Anchor, YAML::EmitterStyle::value) override {}
-  void OnMapEnd() override {}
-};
-
-/// 0, 1, or 2 for more. LoadAll of yaml-cpp 0.7 never ends on a text such as ", a: b".
-int documents_in(const std::string& text) {
-  std::istringstream in(text);
-  YAML::Parser parser(in);
-  Nobody nobody;
-  int count = 0;
-  while (count < 2 && parser.HandleNextDocument(nobody)) ++count;
-  return count;
-}
-
 std::string range_text(double low, double high) {
   if (high >= std::numeric_limits<double>::max()) return "at least " + to_text(low);
   return "from " + to_text(low) + " to " + to_text(high);
@@ -76,8 +49,7 @@ class DocumentReader {
     root.file_ = file_;
     try {
       if (const int documents = documents_in(text); documents != 1)
-        root.fail(documents == 0 ? "the file is empty" : "something follows the document",
-                  "keep one document a file");
+        root.fail(documents == 0 ? "the file is empty" : kMoreDocuments, kOneDocument);
       const YAML::Node document = YAML::Load(text);
       root = node_of(document, "", document.Mark().line + 1);
     } catch (const YAML::Exception& error) {

@@ -10,6 +10,7 @@
 #include "core/base/number_text.h"
 #include "core/base/special_values.h"
 #include "core/base/text_lines.h"
+#include "core/base/yaml_documents.h"
 #include "core/map_files/byte_reader.h"
 
 namespace lasius::arm {
@@ -108,6 +109,7 @@ JointLimitsFile read_joint_limits(const std::string& file,
   std::string text = read_text(file, kMostBytes);
   end_lines_in_lf(text);
   try {
+    if (documents_in(text) > 1) broken({.file = file, .line = 1}, kMoreDocuments, kOneDocument);
     return read_level(YAML::Load(text), file, joints);
   } catch (const YAML::Exception& error) {
     broken({.file = file, .line = error.mark.is_null() ? 1 : error.mark.line + 1},

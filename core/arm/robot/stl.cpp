@@ -1,11 +1,13 @@
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <locale>
-#include <sstream>
+#include <optional>
+#include <string_view>
 
 #include "core/arm/robot/refusals.h"
 #include "core/arm/robot/vec3.h"
+#include "core/base/number_text.h"
 #include "core/base/text_lines.h"
 #include "core/map_files/byte_reader.h"
 #include "lasius/arm_robot.h"
@@ -45,31 +47,45 @@ Triangles parse_binary(const std::string& bytes, const std::string& file) {
   return triangles;
 }
 
-Triangles parse_ascii(const std::string& text, const std::string& file) {
+/// Word by word, however they are spread over lines: no vertex is passed over.
+Triangles parse_ascii(std::string_view text, const std::string& file) {
+  constexpr std::string_view kBlanks = " \t\r\v\f";
   Triangles triangles;
-  std::istringstream lines(text);
-  std::string line;
   std::size_t corner = 0;
-  bool solid = false;
-  for (std::int64_t number = 1; std::getline(lines, line); ++number) {
-    std::istringstream words(line);
-    words.imbue(std::locale::classic());
-    std::string word;
-    words >> word;
-    if (word == "solid" || word == "endsolid") solid = word == "solid";
-    if (word == "facet" && corner != 0) {
-      broken({.file = file, .line = number}, "a facet begins before the last one has 3 vertices",
-             "a facet has exactly 3");
+  bool solid = false, begun = false;  // a facet that has no vertex yet
+  std::int64_t number = 1;
+  const auto refuse = [&](const char* problem, const char* remedy) {
+    broken({.file = file, .line = number}, problem, remedy);
+  };
+  for (; !text.empty(); ++number) {
+    const auto end = std::min(text.find('\n'), text.size());
+    const auto words = words_of(text.substr(0, end), kBlanks);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    const auto real = [&](std::size_t i) {
+      if (i >= words.size()) return std::optional<double>();
+      return number_of<double>(words[i].substr(words[i].starts_with('+') ? 1 : 0));
+    };
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const std::string_view word = words[i];
+      if (word == "solid" || word == "endsolid") {
+        solid = word == "solid";
+        if (solid) break;  // its name follows
+      }
+      const bool facet = word == "facet";
+      if ((facet || word == "endfacet" || word == "endsolid") && (corner != 0 || begun))
+        refuse("a facet ends before it has 3 vertices", "a facet has exactly 3");
+      begun = begun || facet;
+      if (word == "endsolid") break;
+      if (word != "vertex") continue;
+      const auto x = real(i + 1), y = real(i + 2), z = real(i + 3);
+      if (!x || !y || !z || real(i + 4) || !in_range({*x, *y, *z}))
+        refuse("a vertex is not three numbers within 1000 m", "as in: vertex 0.1 0.2 0.3");
+      i += 3;
+      begun = false;
+      if (corner == 0) triangles.emplace_back();
+      triangles.back()[corner] = Vec3(*x, *y, *z);
+      corner = (corner + 1) % 3;
     }
-    if (word != "vertex") continue;
-    Vec3 v;
-    if (!(words >> v.x >> v.y >> v.z) || !in_range(v)) {
-      broken({.file = file, .line = number}, "a vertex is not three numbers within 1000 m",
-             "as in: vertex 0.1 0.2 0.3");
-    }
-    if (corner == 0) triangles.emplace_back();
-    triangles.back()[corner] = v;
-    corner = (corner + 1) % 3;
   }
   if (corner != 0) {
     broken({.file = file}, "the last facet has fewer than 3 vertices", "a facet has exactly 3");

@@ -1,6 +1,7 @@
 #include "core/arm/robot/xml_text.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/arm/robot/refusals.h"
 #include "core/base/text_lines.h"
@@ -29,6 +30,7 @@ void check_xml(std::string_view text, const std::string& file) {
            "leave it out: XML is text");
   }
   int depth = 0;
+  bool rooted = false;
   for (auto at = text.find('<'); at < text.size(); at = text.find('<', at + 1)) {
     const auto tag = text.substr(at);
     if (tag.starts_with("<!--")) {
@@ -43,6 +45,10 @@ void check_xml(std::string_view text, const std::string& file) {
       if (end > kLongestTag) {
         broken({.file = file, .line = line_at(text, at)}, "a tag is too long",
                "none has more than " + std::to_string(kLongestTag) + " bytes");
+      }
+      if (depth == 0 && std::exchange(rooted, true)) {
+        broken({.file = file, .line = line_at(text, at)}, "a second document follows the first",
+               "keep one document a file");
       }
       if (tag[end - 1] != '/') ++depth;
       at += end;

@@ -9,7 +9,8 @@
 namespace lasius::arm {
 
 /// The parser recurses, as deep as elements nest, compares each attribute with all others of its
-/// tag, and ends at a zero byte. @throws Error(file_broken) with the line, where that would hurt.
+/// tag, ends at a zero byte, and what follows the first element is read by none. @throws
+/// Error(file_broken) with the line, where that would hurt.
 void check_xml(std::string_view text, const std::string& file);
 
 inline std::string in_quotes(const std::string& name) { return '"' + name + '"'; }

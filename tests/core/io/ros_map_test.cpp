@@ -137,6 +137,8 @@ const BrokenRos kBrokenRosMaps[] = {
      "finite number"},
     {"origin_nan", "image: image\nresolution: 1\norigin: [1, .nan, 0]\n", kBroken, 3,
      "finite number"},
+    {"another_document", kTop + kTrinary + "---\nnegate: 1\n", kBroken, 1,
+     "something follows the document"},
     {"twice", kTop + "negate: 0\nresolution: 0.1\n" + kTrinary, kBroken, 5,
      "'resolution' is given again"},
     {"no_negate", kTop + "occupied_thresh: 0.65\nfree_thresh: 0.2\n", kBroken, 1, "'negate'"},

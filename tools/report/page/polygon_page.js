@@ -9,6 +9,8 @@ import { Player } from "./player.js";
 import { Sheet, checkBox, percentText, swatches } from "./sheet.js";
 import { cumulated, nearestOn } from "./walk.js";
 
+const thereAndBack = (line) => [...line, ...line.slice(1, -1).reverse()];
+
 /** Distance from a point to the nearest edge of the free space. */
 function clearanceTo(rings) {
   const closed = rings.map((ring) => [...ring, ring[0]]), sums = closed.map(cumulated);
@@ -50,7 +52,7 @@ export async function showPolygon(content) {
   const chart = chartOf(sheet), card = sheet.card("left");
   const tools = element("div", { class: "row" }), host = element("div"), readout = element("div", { class: "hover", role: "status" });
   card.append(tools, host, readout);
-  const clearance = clearanceTo(world.free.flat());
+  const clearance = clearanceTo([...world.free.flat(), ...world.walls.map(thereAndBack)]);
   const place = ([x, y]) => `x ${numberText(x, 3)}, y ${numberText(y, 3)}`;
   const hover = new PathHover(result.path ?? [], { name: "path", place, length: (value) => numberText(value, 3),
                                                    clearance: (found) => numberText(clearance(found.at), 3) });
@@ -75,6 +77,7 @@ export async function showPolygon(content) {
   view.layers = [(context) => {
     for (const rings of world.free) fillRings(context, view, rings, themeColour("--free"));
     for (const rings of world.obstacles) fillRings(context, view, rings, themeColour("--wall"));
+    for (const wall of world.walls) view.line(context, wall, themeColour("--wall"), 2);
     if (on.lines) for (const line of world.lines) view.line(context, line, themeColour("--graph"), 1.2, [5, 4]);
     if (on.dijkstra) view.line(context, content.dijkstra, themeColour("--other"), 2.5);
     if (on.path) view.line(context, path(), themeColour("--path-rim"), 6);

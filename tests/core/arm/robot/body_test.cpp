@@ -228,6 +228,7 @@ TEST_F(FilesOfRobot, Srdf) {
   refused("<disable_collisions link1=\"a\"/>", 2, "has no link2");
   refused("<group_state name=\"x\">\n<joint name=\"j1\" value=\"one\"/></group_state>", 3, "one");
   refused("<group_state name=\"x\">", 2, "no XML");
+  refused("</robot>\n<robot name=\"r\">", 3, "a second document follows the first");
   const std::string all = "<robot name=\"r\"><disable_default_collisions link=\"b\"/>";
   EXPECT_EQ(read(all + "</robot>").may_touch, (std::vector{std::pair{0, 1}}));
   EXPECT_TRUE(read(all + "<enable_collisions link1=\"c\" link2=\"b\"/></robot>").may_touch.empty());
@@ -269,6 +270,7 @@ joint_limits:
   refused("joint_limits:\n  j1:\n    has_velocity_limits: true\n    max_velocity: 0\n", 4, "is 0");
   refused("joint_limits:\n  j1:\n    has_velocity_limits: 7\n", 3, "neither true nor false");
   refused("joint_limits:\n  j1: 3\n", 2, "no list of keys");
+  refused("joint_limits:\n---\njoint_limits:\n", 1, "something follows the document");
   refused("joint_limits:\n  j1: [\n", 3, "broken YAML");
   refused("joint_limits:\n  j9: {has_velocity_limits: false}\n", 2, "did you mean");
   refused("joint_limits:\n  j1: {}\n  j1: {}\n", 3, "names \"j1\" twice");

@@ -97,6 +97,11 @@ endsolid s
   ASSERT_EQ(text.size(), 1u);
   EXPECT_EQ(text, binary);
   EXPECT_EQ(text[0][2], Eigen::Vector3d(0, 2.5, 0));
+  std::string two = "solid s facet\n";
+  for (int i = 0; i < 2; ++i)
+    two +=
+        "facet normal 0 0 1 outer loop vertex 0 0 0 vertex +1 0 0 vertex 0 2.5 0 endloop endfacet ";
+  EXPECT_EQ(read_stl(file(two + "\nendsolid", "l.stl")), Triangles(2, text[0])) << "on one line";
   const OtherLocale other;
   EXPECT_EQ(read_stl(path("a.stl")), text);
 }
@@ -111,6 +116,11 @@ TEST_F(StlFile, BadOnes) {
   refused("solid s\nvertex 1 2 x\n");
   refused("solid s\nvertex 1 2 3\nvertex 1 2 3\n");
   refused("solid s\nfacet\nvertex 1 2 3\nfacet\n");
+  for (const char* facet :
+       {"vertex 0 0 0 1\nvertex 1 0 0\nvertex 0 1 0\n", "vertex 0 0 0vertex 1 0 0\n",
+        "vertx 0 0 0\nvertx 1 0 0\nvertx 0 1 0\nendfacet\n", "vertex 0,0,0\n"})
+    refused("solid s\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\nfacet\n" +
+            std::string(facet) + "endsolid\n");
   refused("solid s\nvertex 1 2 1e9\nvertex 1 2 3\nvertex 1 2 3\n");
   refused(binary_stl(2, {0, 0, 0, 1, 0, 0, 0, 1, 0}));
   refused(binary_stl(0xffffffff, {0, 0, 0, 1, 0, 0, 0, 1, 0}));

@@ -1,4 +1,4 @@
-#include "core/polygon/geometry_check.h"
+#include "core/polygon/world/geometry_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/special_values.h"
-#include "core/polygon/rings.h"
+#include "core/polygon/world/rings.h"
 
 namespace lasius::polygon {
 namespace {
@@ -31,9 +31,8 @@ std::string place_of(const Polygon& polygon, Point at) {
   return place += " and " + std::to_string((edge + 1) % rings[ring]->size());
 }
 
-std::optional<std::string> ring_fault(const Ring& ring, std::size_t number) {
-  std::string which = "ring ";
-  which += std::to_string(number);
+/// `least`: of distinct points.
+std::optional<std::string> points_fault(const Ring& ring, std::string which, std::size_t least) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point p = ring[i];
     if (std::abs(p.x) <= kMostCoordinate && std::abs(p.y) <= kMostCoordinate) continue;
@@ -43,12 +42,13 @@ std::optional<std::string> ring_fault(const Ring& ring, std::size_t number) {
   Ring distinct = ring;
   std::ranges::sort(distinct, [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-  if (distinct.size() >= 3) {
+  if (distinct.size() >= least) {
     const auto [low, high] = bounds_of(ring);
     if (std::max(high.x - low.x, high.y - low.y) >= kLeastExtent) return std::nullopt;
     return which += ", at " + text(ring[0]) + ", is less than 1e-100 wide";
   }
-  which += " has only " + std::to_string(distinct.size()) + " distinct points";
+  which += " has only " + std::to_string(distinct.size()) +
+           (distinct.size() == 1 ? " distinct point" : " distinct points");
   if (!distinct.empty()) which += ", the first " + text(ring[0]);
   return which;
 }
@@ -63,7 +63,7 @@ void drop_repeats(Ring& ring) {
 std::optional<std::string> fault(const Geos& geos, const Polygon& polygon) {
   const auto rings = rings_of(polygon);
   for (std::size_t r = 0; r < rings.size(); ++r) {
-    if (auto wrong = ring_fault(*rings[r], r)) return wrong;
+    if (auto wrong = points_fault(*rings[r], "ring " + std::to_string(r), 3)) return wrong;
   }
   const auto context = geos.context();
   const auto geometry = geos.polygon(polygon);
@@ -84,18 +84,8 @@ std::optional<std::string> fault(const Geos& geos, const Polygon& polygon) {
   return problem;
 }
 
-std::vector<Polygon> repaired(const Geos& geos, Polygon polygon) {
-  drop_repeats(polygon.outer);
-  if (polygon.outer.size() < 3) return {};
-  std::vector<Ring> holes;
-  for (Ring& hole : polygon.holes) {
-    drop_repeats(hole);
-    if (hole.size() >= 3) holes.push_back(std::move(hole));
-  }
-  polygon.holes = std::move(holes);
-  const auto geometry = geos.polygon(polygon);
-  const auto valid = geos.own(GEOSMakeValid_r(geos.context(), geometry.get()));
-  return geos.polygons(valid.get());
+std::optional<std::string> wall_fault(const Ring& line) {
+  return points_fault(line, "the line", 2);
 }
 
 std::optional<std::string> margin_fault(double margin) {

@@ -55,6 +55,10 @@ inline bool segments_meet(LatticePoint a, LatticePoint b, LatticePoint c, Lattic
   return on_segment(a, b, c) || on_segment(a, b, d) || on_segment(c, d, a);
 }
 
+inline bool same_direction(LatticePoint a, LatticePoint b) noexcept {
+  return cross(a, b) == 0 && dot(a, b) > 0;
+}
+
 /// Whether the turn from direction a to direction b, counter-clockwise, is at most 180 degrees.
 /// Equal directions are a full turn.
 inline bool convex_turn(LatticePoint a, LatticePoint b) noexcept {

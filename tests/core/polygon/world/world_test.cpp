@@ -14,7 +14,7 @@
 #include "lasius/generate.h"
 #include "lasius/polygon_plan.h"
 #include "tests/core/base/made_files.h"
-#include "tests/core/polygon/refusal.h"
+#include "tests/core/polygon/world/refusal.h"
 
 namespace lasius::polygon {
 namespace {
@@ -174,6 +174,7 @@ TEST(World, TheHashIsOfEveryNumber) {
                      {{{4, 4}, {8, 4}, {8, 8}}, {{{5, 5}, {6, 5}, {6, 6}}}}};
   world.start = Point{0.1, 0.2};
   world.margin = 0.125;
+  world.walls = {{{6, 1}, {7, 2}}};
   std::vector<std::uint64_t> seen{hash(world)};
   const auto expect_another = [&](const World& other, const std::string& changed) {
     const std::uint64_t value = hash(other);
@@ -204,6 +205,7 @@ TEST(World, TheHashIsOfEveryNumber) {
   change(other.start->x, "start's x");
   change(other.start->y, "start's y");
   change(other.margin, "margin");
+  for (Point& p : other.walls[0]) change(p.x, "wall's x");
   std::swap(other.start, other.goal);
   expect_another(other, "a goal in place of the start");
   std::swap(other.start, other.goal);
@@ -230,6 +232,11 @@ TEST(World, IsRefusedWhereItsNumbersAreNone) {
   world.start = Point{3, 1};
   world.goal = Point{3, 1e13};
   EXPECT_THROW(check(world), Error);
+  for (const Ring& wall : {Ring{}, Ring{{1, 1}, {1, 1}}, Ring{{1, 1}, {nan, 1}}}) {
+    world = good;
+    world.walls = {wall};
+    expect_says(error_of([&] { check(world); }), "wall 0: the line has ");
+  }
 }
 
 using WorldFile = Files;
@@ -244,8 +251,8 @@ TEST_F(WorldFile, ReadsByContentAndReportsMissingFiles) {
   EXPECT_EQ(read_world(name), world);
   std::ofstream(name) << " \n";
   EXPECT_THROW(read_world(name), Error);
-  for (const auto& [ending, content, says] : {std::tuple{".wkt", "((((", "no geometry"},
-                                              {".wkt", "null", "no geometry"},
+  for (const auto& [ending, content, says] : {std::tuple{".wkt", "((((", "the name of a geometry"},
+                                              {".wkt", "null", "the name of a geometry"},
                                               {".geojson", "null", "no FeatureCollection"},
                                               {".geojson", "((((", "not JSON"},
                                               {".json", "POINT EMPTY", "is empty"},

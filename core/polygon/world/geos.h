@@ -38,11 +38,15 @@ class Geos {
   }
 
   Geometry polygon(const Polygon& p) const;
-  Geometry collection(std::vector<Geometry> parts) const;
+  /// A closed line.
+  Geometry ring(const Ring& points) const;
+  Geometry line(const Ring& points) const;
+  /// Of polygons, if any, or of what the type says; it takes over the parts.
+  Geometry collection(std::vector<Geometry> parts, int type = GEOS_MULTIPOLYGON) const;
   /// All polygons of a geometry; other parts are left out.
   std::vector<Polygon> polygons(const GEOSGeometry* g) const;
-  /// Null where the text is no geometry.
-  Geometry read_wkt(const std::string& text) const;
+  /// All its lines, their points in order; rings of polygons are not among them.
+  std::vector<Ring> lines(const GEOSGeometry* g) const;
   std::string write_wkt(const GEOSGeometry* g) const;
 
   /// What GEOS said last.
@@ -50,7 +54,8 @@ class Geos {
 
  private:
   [[noreturn]] void fail() const;
-  Geometry ring(const Ring& points) const;
+  Owned<GEOSCoordSequence, GEOSCoordSeq_destroy_r> sequence(const Ring& points, bool closed) const;
+  Ring points(const GEOSGeometry* line) const;
   Ring ring(const GEOSGeometry* g) const;
 
   GEOSContextHandle_t context_;

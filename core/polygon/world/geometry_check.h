@@ -1,11 +1,11 @@
-// What is wrong with the rings of a polygon, by ring and point, and its repair; with a margin.
+// What is wrong with the rings of a polygon, by ring and point; with a margin.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/polygon/geos.h"
+#include "core/polygon/world/geos.h"
 
 namespace lasius::polygon {
 
@@ -18,11 +18,11 @@ inline constexpr double kLeastExtent = 1e-100;
 /// 1"), or nothing. Ring 0 is the outer one, points count from 0.
 std::optional<std::string> fault(const Geos& geos, const Polygon& polygon);
 
+/// The same of a wall.
+std::optional<std::string> wall_fault(const Ring& line);
+
 /// Takes out points that repeat the one before.
 void drop_repeats(Ring& ring);
-
-/// The same area as valid polygons; none where nothing is left. Precondition: finite coordinates.
-std::vector<Polygon> repaired(const Geos& geos, Polygon polygon);
 
 /// What is wrong with a margin, or nothing; and the remedy.
 std::optional<std::string> margin_fault(double margin);

@@ -4,7 +4,7 @@
 
 #include "core/base/did_you_mean.h"
 #include "core/base/json_text.h"
-#include "core/polygon/world_maker.h"
+#include "core/polygon/world/world_maker.h"
 
 namespace lasius::polygon {
 namespace {
@@ -20,9 +20,9 @@ class GeoJsonReader {
   GeoJsonReader(std::string_view text, const std::string& name, const ReadOptions& options)
       : text_(text),
         name_(name),
-        maker_(options, [this](const auto& place, const auto& problem,
-                               const auto& remedy) { fail(place, problem, remedy); }),
-        repair_(options.repair) {}
+        maker_(options, [this](const auto& place, const auto& problem, const auto& remedy) {
+          fail(place, problem, remedy);
+        }) {}
 
   World read() {
     const Json json = read_json(text_, name_);
@@ -33,6 +33,7 @@ class GeoJsonReader {
     if (features == json.end() || !features->is_array()) {
       fail("", "has no list of features", kShape);
     }
+    read_crs(json);
     read_margin(json);
     if (const auto more = json.find("properties"); more != json.end()) read_margin(*more);
     for (std::size_t i = 0; i < features->size(); ++i) {
@@ -54,6 +55,14 @@ class GeoJsonReader {
     if (!json.is_object()) return {};
     const auto found = json.find(key);
     return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+  }
+
+  /// GeoJSON's older member, "crs": {"type": "name", "properties": {"name": "EPSG:4326"}}.
+  void read_crs(const Json& json) {
+    const auto crs = json.find("crs");
+    if (crs == json.end() || !crs->is_object()) return;
+    const auto properties = crs->find("properties");
+    if (properties != crs->end()) maker_.set_crs(text_of(*properties, "name"));
   }
 
   void read_margin(const Json& json) {
@@ -79,32 +88,63 @@ class GeoJsonReader {
     if (geometry == feature.end() || !geometry->is_object()) {
       fail(place, "has no geometry", "give it one, or take the feature out");
     }
-    const std::string type = text_of(*geometry, "type");
-    const auto found = geometry->find("coordinates");
-    if (found == geometry->end() || !found->is_array()) {
-      fail(place, "has no coordinates", "give it some, or take the feature out");
-    }
-    if (role == "start" || role == "goal") {
-      if (type != "Point") fail(place, "is a " + type, "give a Point");
-      const Point p = position(*found, place);
-      role == "start" ? maker_.add_start(p, place) : maker_.add_goal(p, place);
-    } else if (type == "Polygon") {
-      Polygon p = polygon(*found, place);
-      role == "boundary" ? maker_.add_boundary(std::move(p), place)
-                         : maker_.add_obstacle(std::move(p), place);
-    } else if (type == "MultiPolygon" && role == "obstacle") {
-      for (std::size_t i = 0; i < found->size(); ++i) {
-        const std::string part = std::string(place) + ", polygon " + std::to_string(i);
-        maker_.add_obstacle(polygon((*found)[i], part), part);
-      }
+    if (role == "obstacle") return add_obstacle(*geometry, place);
+    const std::string type = type_of(*geometry);
+    const char* wanted = role == "boundary" ? "Polygon" : "Point";
+    if (type != wanted) fail(place, "is a " + type, std::string("give a ") + wanted);
+    const Json& coordinates = list_of(*geometry, "coordinates", place);
+    if (role == "boundary") {
+      if (coordinates.empty()) fail(place, "is empty", "give it a list of rings");
+      maker_.add_boundary(polygon(coordinates, place), place);
     } else {
-      fail(place, "is a " + (type.empty() ? "geometry without type" : type),
-           role == "boundary" ? "give a Polygon" : "give a Polygon or a MultiPolygon");
+      const Point p = position(coordinates, place);
+      role == "start" ? maker_.add_start(p, place) : maker_.add_goal(p, place);
     }
   }
 
+  static std::string type_of(const Json& geometry) {
+    const std::string type = text_of(geometry, "type");
+    return type.empty() ? "geometry without type" : type;
+  }
+
+  const Json& list_of(const Json& geometry, const char* member, const std::string& place) const {
+    const auto found = geometry.find(member);
+    if (found == geometry.end() || !found->is_array())
+      fail(place, std::string("has no ") + member, "give it some, or take the feature out");
+    return *found;
+  }
+
+  /// What is empty stands for no obstacle.
+  void add_obstacle(const Json& geometry, const std::string& place) {
+    if (!geometry.is_object()) fail(place, "is no geometry", "give polygons or lines");
+    const std::string type = type_of(geometry);
+    if (type == "GeometryCollection") {
+      each(list_of(geometry, "geometries", place), place, ", geometry ",
+           [&](const Json& part, const std::string& at) { add_obstacle(part, at); });
+      return;
+    }
+    const bool multiple = type.starts_with("Multi");
+    const std::string one = multiple ? type.substr(5) : type;
+    const bool area = one == "Polygon";
+    if (!area && one != "LineString" && type != "LinearRing")
+      fail(place, "is a " + type, "give polygons, lines, or Multi- or GeometryCollections of them");
+    const Json& coordinates = list_of(geometry, "coordinates", place);
+    const auto add = [&](const Json& part, const std::string& at) {
+      if (part.is_array() && part.empty()) return;
+      area ? maker_.add_obstacle(polygon(part, at), at) : maker_.add_wall(positions(part, at), at);
+    };
+    multiple ? each(coordinates, place, area ? ", polygon " : ", line ", add)
+             : add(coordinates, place);
+  }
+
+  static void each(const Json& list, const std::string& place, const char* kind, const auto& take) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+      take(list[i], std::string(place).append(kind).append(std::to_string(i)));
+  }
+
   Point position(const Json& json, const std::string& place) const {
-    if (!json.is_array() || json.size() < 2 || !json[0].is_number() || !json[1].is_number()) {
+    const auto is_number = [](const Json& value) { return value.is_number(); };
+    if (!json.is_array() || json.size() < 2 || !std::ranges::all_of(json, is_number)) {
       fail(place, "has a position that is no list of two numbers", "write it as [x, y]");
     }
     return {json[0].get<double>(), json[1].get<double>()};
@@ -116,7 +156,8 @@ class GeoJsonReader {
     }
     Polygon result;
     for (std::size_t r = 0; r < json.size(); ++r) {
-      Ring points = ring(json[r], place + ", ring " + std::to_string(r));
+      const std::string at = place + ", ring " + std::to_string(r);
+      Ring points = maker_.closed(positions(json[r], at), at);
       if (r == 0) {
         result.outer = std::move(points);
       } else {
@@ -126,17 +167,11 @@ class GeoJsonReader {
     return result;
   }
 
-  Ring ring(const Json& json, const std::string& place) const {
+  Ring positions(const Json& json, const std::string& place) const {
     if (!json.is_array()) fail(place, "is no list of positions", "write it as [[x, y], ...]");
     Ring points;
-    for (std::size_t i = 0; i < json.size(); ++i) {
-      points.push_back(position(json[i], std::string(place) + ", point " + std::to_string(i)));
-    }
-    if (points.size() > 1 && points.front() == points.back()) {
-      points.pop_back();
-    } else if (!repair_) {
-      fail(place, "is not closed", "end it with its first point, or read the world with --repair");
-    }
+    each(json, place, ", point ",
+         [&](const Json& point, const std::string& at) { points.push_back(position(point, at)); });
     return points;
   }
 
@@ -144,24 +179,24 @@ class GeoJsonReader {
   const std::string& name_;
   std::string path_;  // of the feature that is read
   WorldMaker maker_;
-  bool repair_;
 };
 
 std::string position(Point p) {
   return std::string("[").append(json_text(p.x)).append(",").append(json_text(p.y)).append("]");
 }
 
-/// Closed, as the format has it.
-std::string positions(const Ring& ring) {
+/// `closed` by its first point, as the format has rings.
+std::string positions(const Ring& points, bool closed) {
   std::string text = "[";
-  for (const Point p : ring) text += position(p) + ",";
-  return text + (ring.empty() ? "]" : position(ring[0]) + "]");
+  for (const Point p : points) text.append(text.size() > 1 ? "," : "").append(position(p));
+  if (closed && !points.empty()) text.append(",").append(position(points[0]));
+  return text + "]";
 }
 
 std::string rings(const Polygon& polygon) {
   std::string text = "[";
-  text += positions(polygon.outer);
-  for (const Ring& hole : polygon.holes) text.append(",").append(positions(hole));
+  text += positions(polygon.outer, true);
+  for (const Ring& hole : polygon.holes) text.append(",").append(positions(hole, true));
   return text + "]";
 }
 
@@ -180,6 +215,8 @@ std::string to_geojson(const World& world) {
   std::vector<std::string> features{feature("boundary", "Polygon", rings(world.boundary))};
   for (const Polygon& p : world.obstacles)
     features.push_back(feature("obstacle", "Polygon", rings(p)));
+  for (const Ring& wall : world.walls)
+    features.push_back(feature("obstacle", "LineString", positions(wall, false)));
   if (world.start) features.push_back(feature("start", "Point", position(*world.start)));
   if (world.goal) features.push_back(feature("goal", "Point", position(*world.goal)));
   // A line a feature, for people and for diffs.

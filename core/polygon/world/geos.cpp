@@ -1,4 +1,4 @@
-#include "core/polygon/geos.h"
+#include "core/polygon/world/geos.h"
 
 #include <new>
 
@@ -8,7 +8,6 @@ namespace lasius::polygon {
 namespace {
 
 using Sequence = Geos::Owned<GEOSCoordSequence, GEOSCoordSeq_destroy_r>;
-using Reader = Geos::Owned<GEOSWKTReader, GEOSWKTReader_destroy_r>;
 using Writer = Geos::Owned<GEOSWKTWriter, GEOSWKTWriter_destroy_r>;
 
 void free_text(GEOSContextHandle_t context, char* text) { GEOSFree_r(context, text); }
@@ -40,14 +39,22 @@ void Geos::fail() const {
 
 // GEOS takes over the parts of what it makes, also where that fails.
 
-Geos::Geometry Geos::ring(const Ring& points) const {
+Sequence Geos::sequence(const Ring& points, bool closed) const {
   const auto count = static_cast<unsigned>(points.size());
-  auto sequence = own<Sequence>(GEOSCoordSeq_create_r(context_, count + 1, 2));
-  for (unsigned i = 0; i <= count; ++i) {
+  auto made = own<Sequence>(GEOSCoordSeq_create_r(context_, count + (closed ? 1 : 0), 2));
+  for (unsigned i = 0; i < count + (closed ? 1 : 0); ++i) {
     const Point p = points[i < count ? i : 0];
-    GEOSCoordSeq_setXY_r(context_, sequence.get(), i, p.x, p.y);
+    GEOSCoordSeq_setXY_r(context_, made.get(), i, p.x, p.y);
   }
-  return own(GEOSGeom_createLinearRing_r(context_, sequence.release()));
+  return made;
+}
+
+Geos::Geometry Geos::ring(const Ring& points) const {
+  return own(GEOSGeom_createLinearRing_r(context_, sequence(points, true).release()));
+}
+
+Geos::Geometry Geos::line(const Ring& points) const {
+  return own(GEOSGeom_createLineString_r(context_, sequence(points, false).release()));
 }
 
 Geos::Geometry Geos::polygon(const Polygon& p) const {
@@ -60,23 +67,37 @@ Geos::Geometry Geos::polygon(const Polygon& p) const {
                                       static_cast<unsigned>(raw.size())));
 }
 
-Geos::Geometry Geos::collection(std::vector<Geometry> parts) const {
+Geos::Geometry Geos::collection(std::vector<Geometry> parts, int type) const {
   std::vector<GEOSGeometry*> raw = released(parts);
-  return own(GEOSGeom_createCollection_r(context_, GEOS_MULTIPOLYGON, raw.data(),
-                                         static_cast<unsigned>(raw.size())));
+  return own(
+      GEOSGeom_createCollection_r(context_, type, raw.data(), static_cast<unsigned>(raw.size())));
+}
+
+Ring Geos::points(const GEOSGeometry* line) const {
+  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(context_, line);
+  unsigned count = 0;
+  GEOSCoordSeq_getSize_r(context_, sequence, &count);
+  Ring points(count);
+  for (unsigned i = 0; i < count; ++i)
+    GEOSCoordSeq_getXY_r(context_, sequence, i, &points[i].x, &points[i].y);
+  return points;
 }
 
 Ring Geos::ring(const GEOSGeometry* g) const {
-  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(context_, g);
-  unsigned count = 0;
-  GEOSCoordSeq_getSize_r(context_, sequence, &count);
-  Ring points;
-  for (unsigned i = 0; i + 1 < count; ++i) {
-    Point p;
-    GEOSCoordSeq_getXY_r(context_, sequence, i, &p.x, &p.y);
-    points.push_back(p);
+  Ring all = points(g);
+  if (!all.empty()) all.pop_back();
+  return all;
+}
+
+std::vector<Ring> Geos::lines(const GEOSGeometry* g) const {
+  const int type = GEOSGeomTypeId_r(context_, g);
+  if (type == GEOS_POINT || type == GEOS_POLYGON || GEOSisEmpty_r(context_, g) == 1) return {};
+  if (type == GEOS_LINESTRING || type == GEOS_LINEARRING) return {points(g)};
+  std::vector<Ring> list;
+  for (int i = 0; i < GEOSGetNumGeometries_r(context_, g); ++i) {
+    for (Ring& line : lines(GEOSGetGeometryN_r(context_, g, i))) list.push_back(std::move(line));
   }
-  return points;
+  return list;
 }
 
 std::vector<Polygon> Geos::polygons(const GEOSGeometry* g) const {
@@ -97,11 +118,6 @@ std::vector<Polygon> Geos::polygons(const GEOSGeometry* g) const {
     }
   }
   return list;
-}
-
-Geos::Geometry Geos::read_wkt(const std::string& text) const {
-  const auto reader = own<Reader>(GEOSWKTReader_create_r(context_));
-  return {GEOSWKTReader_read_r(context_, reader.get(), text.c_str()), {context_}};
 }
 
 std::string Geos::write_wkt(const GEOSGeometry* g) const {

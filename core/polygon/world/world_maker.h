@@ -3,9 +3,11 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "core/polygon/geos.h"
+#include "core/polygon/world/geos.h"
+#include "core/polygon/world/repair.h"
 #include "lasius/error.h"
 
 namespace lasius::polygon {
@@ -24,13 +26,18 @@ class WorldMaker {
 
   void add_boundary(Polygon polygon, const std::string& place);
   void add_obstacle(Polygon polygon, const std::string& place);
+  void add_wall(Ring line, const std::string& place);
   void add_start(Point p, const std::string& place) { add_point(world_.start, p, "start", place); }
   void add_goal(Point p, const std::string& place) { add_point(world_.goal, p, "goal", place); }
   void set_margin(double margin, const std::string& place);
+  /// A ring as a file has it, ended by its first point: without that.
+  Ring closed(Ring points, const std::string& place) const;
+  /// A coordinate system by name or code: one of degrees is noted, once.
+  void set_crs(std::string_view name);
   World finish();
 
  private:
-  std::vector<Polygon> checked(Polygon polygon, const std::string& place);
+  Repair checked(Polygon polygon, bool is_boundary, const std::string& place);
   void add_point(std::optional<Point>& to, Point p, const std::string& what,
                  const std::string& place);
 

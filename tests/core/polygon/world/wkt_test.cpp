@@ -3,7 +3,7 @@
 #include <string>
 
 #include "lasius/error.h"
-#include "tests/core/polygon/refusal.h"
+#include "tests/core/polygon/world/refusal.h"
 
 namespace lasius::polygon {
 namespace {
@@ -16,6 +16,7 @@ TEST(Wkt, ReadsWhatItWrites) {
   world.start = Point{0.1, 0.2};
   world.goal = Point{9, 9.3};
   world.margin = 0.125;
+  world.walls = {{{1, 5}, {2, 5.5}}, {{3, 3}, {4, 3}, {4, 3.5}, {3, 3}}};
   EXPECT_EQ(parse_wkt(to_wkt(world), "w"), world);
   EXPECT_EQ(parse_geojson(to_geojson(world), "w"), world);
   EXPECT_EQ(hash(parse_wkt(to_wkt(world), "w")), hash(world));
@@ -70,16 +71,20 @@ TEST(Wkt, OnlyACommentThatIsAMarginIsOne) {
 TEST(Wkt, NamesWhatIsWrong) {
   expect_refusal("MULTIPOLYGON (((0 0, 9 0, 9 9, 0 0)), ((20 0, 29 0, 29 9, 20 0)))",
                  "geometry 0 is in several parts", true);
-  expect_refusal("POLYGON ((0 0, 1 0, 1 1, 0 0))\nPOLYGON ((0 0, 1 0", "line 2, byte 31", true);
-  expect_refusal("POLYGON ((0 0, 1 0, 1 1))", "line 1", true);
-  expect_refusal("LINESTRING (0 0, 1 1)", "neither polygon nor point", true);
+  expect_refusal("POLYGON ((0 0, 1 0, 1 1, 0 0))\nPOLYGON ((0 0, 1 0",
+                 "line 2, byte 50: geometry 1: the file ends where \")\" must stand", true);
+  expect_refusal("POLYGON ((0 0, 1 0, 1 1))", "line 1, byte 0: geometry 0, ring 0: is not closed",
+                 true);
+  expect_refusal("MULTIPOINT ((0 0), (1 1))", "is a MULTIPOINT", true);
   expect_refusal("POINT (1 1)", "no boundary", true);
   expect_refusal("POINT EMPTY", "empty", true);
   expect_refusal("POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))", "Self-intersection", true);
-  expect_refusal(std::string(100, '('), "nested too deep", true);
+  std::string nested;
+  for (int i = 0; i < 17; ++i) nested += "GEOMETRYCOLLECTION (";
+  expect_refusal(nested, "nested too deep", true);
 }
 
-TEST(Wkt, NamesLineAndByteWhereAGeometryBegins) {
+TEST(Wkt, NamesLineAndByteOfATokenOrOfTheGeometry) {
   struct Case {
     const char* text;
     std::int64_t line, offset;
@@ -88,8 +93,9 @@ TEST(Wkt, NamesLineAndByteWhereAGeometryBegins) {
        {Case{"POLYGON ((0 0, 1 0, 0 0))", 1, 0},
         {"\n\n  POINT EMPTY", 3, 4},
         {"# margin 1\n# margin 2\nPOINT (0 0)", 2, 11},
-        {"# here\r\nPOINT (0 0); POINT (0)", 2, 21},
-        {"# here\rPOINT (0 0)\rPOINT (0)", 3, 19},
+        {"# here\r\nPOINT (0 0); POINT (0)", 2, 29},
+        {"# here\rPOINT (0 0)\rPOINT (0)", 3, 27},
+        {"POLYGON ((0 0, 9 0,\n9 9 0 9, 0 0))", 2, 24},
         {"POLYGON ((0 0, 9 0, 9 9, 0 0))\nPOLYGON ((0 0, 9 9,\n9 0, 0 9, 0 0))", 2, 31}}) {
     const Error error = error_of([&] { return parse_wkt(c.text, "w"); }, c.text);
     EXPECT_EQ(error.place().line, c.line) << error.what();

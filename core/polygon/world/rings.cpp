@@ -1,9 +1,9 @@
-#include "core/polygon/rings.h"
+#include "core/polygon/world/rings.h"
 
 #include <algorithm>
 
 #include "core/base/number_text.h"
-#include "core/polygon/lattice_point.h"
+#include "core/polygon/world/lattice_point.h"
 
 namespace lasius::polygon {
 
