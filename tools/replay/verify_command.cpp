@@ -271,6 +271,10 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
   if (version != LASIUS_VERSION) {
     tell_evaporation(replay["parameters"], value_at(result, "parameters"));
     keep_known(replay, result);
+    // Messages are worded anew now and then.
+    if (text_of(result, "error").empty() == text_of(replay, "error").empty() &&
+        replay.contains("error"))
+      replay["error"] = result["error"];
   }
   // They told of a lattice also where none was needed to answer.
   if (format == kArmFormat && tells_no_bodies(result) && result.contains("lattice") &&
