@@ -59,11 +59,15 @@ FileKind kind_of_json(std::string_view text) {
       {"lasius-plan/1", FileKind::result},      {"lasius-drive/1", FileKind::result},
       {"lasius-arm-plan/1", FileKind::result},  {"FeatureCollection", FileKind::geojson},
       {"GeometryCollection", FileKind::geojson}};
+  const auto without_blanks = [](std::string_view t) {
+    return t.substr(0, t.find_last_not_of(" \t\r\n") + 1);
+  };
   return first_of(kFormats, FileKind::unknown, [&](std::string_view word) {
     for (auto at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
-      auto colon = text.find_last_not_of(" \t\r\n", at == 0 ? 0 : at - 2);
-      if (at == 0 || text[at - 1] != '"' || colon == text.npos || text[colon] != ':') continue;
-      const auto key = text.substr(0, colon);
+      if (at == 0 || text[at - 1] != '"') continue;
+      const auto before = without_blanks(text.substr(0, at - 1));
+      if (!before.ends_with(':')) continue;
+      const auto key = without_blanks(before.substr(0, before.size() - 1));
       if (key.ends_with("\"format\"") || key.ends_with("\"type\"")) return true;
     }
     return false;
