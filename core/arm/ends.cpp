@@ -20,17 +20,6 @@ std::string text(Vec3 p) {
   return number_text(p.x) + "," + number_text(p.y) + "," + number_text(p.z);
 }
 
-/// Two lengths, the first with as many digits as tell it from the second.
-std::pair<std::string, std::string> metres(double length, double than) {
-  std::array<char, 32> digits, others;
-  for (int count = 4; count <= 17; ++count) {
-    std::snprintf(digits.data(), digits.size(), "%.*g", count, length);
-    std::snprintf(others.data(), others.size(), "%.*g", count, than);
-    if (std::string_view(digits.data()) != others.data()) break;
-  }
-  return {digits.data(), others.data()};
-}
-
 /// The normal of the plane in which the tip moves, whatever the joints do; nothing where it moves
 /// in all of space, or along a line.
 std::optional<Vec3> plane_of(const Kinematics& arm, const Kinematics::Poses& poses) {
@@ -45,6 +34,12 @@ std::optional<Vec3> plane_of(const Kinematics& arm, const Kinematics::Poses& pos
     if (off > kParallel) return std::nullopt;
   }
   return normal;
+}
+
+std::string limits_fault(const Robot& robot, const JointVector& q, const std::string& what, int j) {
+  const Joint& joint = robot.joints[j];
+  return what + ": " + joint_name(robot, j) + " is " + number_text(q[j]) + ", its limits are " +
+         number_text(joint.low) + " .. " + number_text(joint.high);
 }
 
 /// Turned by whole turns, as near to `start` as the limits let it: every joint, or those alone that
@@ -74,21 +69,40 @@ JointVector first_guess(const Robot& robot, const Kinematics& arm, const JointVe
 
 }  // namespace
 
+std::pair<std::string, std::string> metres(double length, double than) {
+  std::array<char, 32> digits, others;
+  for (int count = 4; count <= 17; ++count) {
+    std::snprintf(digits.data(), digits.size(), "%.*g", count, length);
+    std::snprintf(others.data(), others.size(), "%.*g", count, than);
+    if (std::string_view(digits.data()) != others.data()) break;
+  }
+  return {digits.data(), others.data()};
+}
+
 std::string values_fault(const Robot& robot, const JointVector& q, const std::string& what,
-                         JointNames names, double hair) {
+                         double hair) {
   if (q.size() != robot.size()) {
     return what + " has " + std::to_string(q.size()) + " joint values, the robot needs " +
            std::to_string(robot.size());
   }
   for (int j = 0; j < robot.size(); ++j) {
     const Joint& joint = robot.joints[j];
-    if (q[j] >= joint.low - hair && q[j] <= joint.high + hair) continue;
-    const bool named = names == JointNames::told && !joint.name.empty();
-    return what + ": joint " + std::to_string(j + 1) + (named ? " (" + joint.name + ")" : "") +
-           " is " + number_text(q[j]) + ", its limits are " + number_text(joint.low) + " .. " +
-           number_text(joint.high);
+    if (!(q[j] >= joint.low - hair && q[j] <= joint.high + hair))
+      return limits_fault(robot, q, what, j);
   }
   return {};
+}
+
+JointVector within_limits(const Robot& robot, JointVector q, const std::string& what,
+                          std::vector<std::string>& notes) {
+  if (q.size() != robot.size()) return q;
+  for (int j = 0; j < robot.size(); ++j) {
+    const double limit = std::clamp(q[j], robot.joints[j].low, robot.joints[j].high);
+    if (q[j] == limit || !(std::abs(q[j] - limit) <= Request::kLimitTolerance)) continue;
+    notes.push_back(limits_fault(robot, q, what, j) + ": taken at the limit");
+    q[j] = limit;
+  }
+  return q;
 }
 
 JointVector random_values(const Robot& robot, const JointVector& start, std::uint64_t seed,
@@ -124,16 +138,21 @@ TipTarget tip_target(const Goal& goal) {
           any ? 2 * std::numbers::pi : goal.angle_tolerance};
 }
 
-bool is_at(const Kinematics& arm, const Goal& goal, std::span<const double> q) {
-  if (goal.kind != Goal::Kind::joints) return arm.is_at(tip_target(goal), q);
-  return largest_change(goal.values, Eigen::Map<const JointVector>(q.data(), arm.size())) <=
-         Goal::kTolerance;
+bool is_at(const Robot& robot, const Kinematics& arm, const Goal& goal, const JointVector& q) {
+  if (goal.kind != Goal::Kind::joints) return arm.is_at(tip_target(goal), as_span(q));
+  double most = 0;
+  for (int j = 0; j < robot.size(); ++j) {
+    const double change = goal.values[j] - q[j];
+    most = std::max(
+        most, std::abs(robot.joints[j].continuous ? std::remainder(change, 2 * std::numbers::pi)
+                                                  : change));
+  }
+  return most <= Goal::kTolerance;
 }
 
 std::string goal_fault(const Robot& robot, const Kinematics& arm, std::span<const double> start,
                        const Goal& goal) {
-  if (goal.kind == Goal::Kind::joints)
-    return values_fault(robot, goal.values, "goal", JointNames::left_out);
+  if (goal.kind == Goal::Kind::joints) return values_fault(robot, goal.values, "goal");
   const TipTarget target = tip_target(goal);
   if (!(target.position_tolerance >= Goal::kTolerance &&
         target.angle_tolerance >= Goal::kTolerance))

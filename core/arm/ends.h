@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/arm/robot/kinematics.h"
@@ -17,13 +18,18 @@ struct End {
   Vec3 tip;
 };
 
-/// Whether a message has the names of joints beside their numbers.
-enum class JointNames { told, left_out };
+/// Two lengths for a message, the first with as many digits as tell it from the second.
+std::pair<std::string, std::string> metres(double length, double than);
 
 /// Why these are no joint values within the limits, by more than a hair; empty where they are.
 /// `what` names them, "start" say.
 std::string values_fault(const Robot& robot, const JointVector& q, const std::string& what,
-                         JointNames names, double hair = 0);
+                         double hair = 0);
+
+/// Values that are outside of the limits by no more than Request::kLimitTolerance, taken at them; a
+/// note of each is added. `what` as of values_fault.
+JointVector within_limits(const Robot& robot, JointVector q, const std::string& what,
+                          std::vector<std::string>& notes);
 
 /// Why no joint values within the limits reach the goal from `start`: a proof. Empty without one.
 std::string goal_fault(const Robot& robot, const Kinematics& arm, std::span<const double> start,
@@ -32,8 +38,8 @@ std::string goal_fault(const Robot& robot, const Kinematics& arm, std::span<cons
 /// What a goal asks of the tip. Precondition: it is none of joint values.
 TipTarget tip_target(const Goal& goal);
 
-/// True when the arm reaches the goal with these values.
-bool is_at(const Kinematics& arm, const Goal& goal, std::span<const double> q);
+/// True when the arm reaches the goal with these values; joints that turn freely by any turns.
+bool is_at(const Robot& robot, const Kinematics& arm, const Goal& goal, const JointVector& q);
 
 /// Postures that reach the goals of these numbers, those nearest to the start first: of each, what
 /// inverse kinematics makes of the start, of the start bent, and of random values within the

@@ -83,12 +83,16 @@ Inquiry::Inquiry(const Robot& robot, const Sensor& sensor, const Request& reques
   validate(robot);
   validate(given);
   check_target_gap(request.target_gap);
+  request_.start = within_limits(robot, request.start, "start", notes_);
+  for (Goal& goal : request_.goals)
+    if (goal.kind == Goal::Kind::joints)
+      goal.values = within_limits(robot, goal.values, "goal", notes_);
   // What fits in the last questions must not depend on who comes first.
   parameters_.threads = given.max_questions > 0 ? 1 : thread_count(given.threads);
 }
 
 Result Inquiry::answer(const Search& search) {
-  const std::string fault = values_fault(robot_, request_.start, "start", JointNames::told);
+  const std::string fault = values_fault(robot_, request_.start, "start");
   if (!fault.empty()) return invalid(Fault::start_outside, fault);
   arm_.emplace(robot_);
   if (parameters_.pitch == 0) parameters_.pitch = arm_->reach() / 20;
@@ -97,6 +101,7 @@ Result Inquiry::answer(const Search& search) {
   from_ = arm_->tip(poses);
   Result result = to_goals(search);
   if (result.points[0] == 0 && !goals_.empty()) tell_lattice(result);
+  result.notes = notes_;
   result.questions.positions = std::max(result.questions.positions, asked_.positions);
   result.questions.motions = std::max(result.questions.motions, asked_.motions);
   if (result.status == Status::limit || result.status == Status::interrupted) result.error.clear();
@@ -123,7 +128,7 @@ Result Inquiry::to_goals(const Search& search) {
                                              (contact.empty() ? "" : ": " + contact));
   }
   for (const int g : goals_) {
-    if (is_at(*arm_, request_.goals[g], as_span(request_.start))) return stay(g);
+    if (is_at(robot_, *arm_, request_.goals[g], request_.start)) return stay(g);
   }
   if (auto done = find_targets()) return *std::move(done);
   return search_lattices(search);

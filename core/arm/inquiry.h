@@ -16,10 +16,13 @@ class Inquiry {
   using Search = std::function<Result(const Lattice&, const Params&)>;
 
   /// @throws Error(invalid_parameter) as `plan` does. All are read as long as it is there.
+  /// The request is kept with start and joint goals within the limits that they miss by a hair.
   Inquiry(const Robot& robot, const Sensor& sensor, const Request& request, const Params& given);
 
   /// Has the question answered, by `search` once for each pitch where it comes to that.
   Result answer(const Search& search);
+
+  const Request& request() const noexcept { return request_; }
 
  private:
   Result to_goals(const Search& search);
@@ -51,12 +54,13 @@ class Inquiry {
 
   const Robot& robot_;
   const Sensor& sensor_;
-  const Request& request_;
+  Request request_;
   Params parameters_;
   std::optional<Kinematics> arm_;
   Vec3 from_;
   std::vector<int> goals_;  // that are not proven out of reach
   std::vector<End> ends_;
+  std::vector<std::string> notes_;  // of the request
   Questions asked_;
   bool questions_ended_it_ = false;
 };

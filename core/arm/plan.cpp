@@ -78,14 +78,14 @@ Goal Goal::joints(const JointRef& q) {
 
 Result plan(const Robot& robot, const Sensor& sensor, const Request& request,
             const Params& parameters, const Observer& observer) {
-  const auto search = [&](const Lattice& lattice, const Params& p) {
-    return run_arm_colony(robot, lattice, request, p, observer);
-  };
   if (request.motion) {
     check_clearance(sensor);
     check_duration(request.duration);
   }
-  Result result = Inquiry(robot, sensor, request, parameters).answer(search);
+  Inquiry inquiry(robot, sensor, request, parameters);
+  Result result = inquiry.answer([&](const Lattice& lattice, const Params& p) {
+    return run_arm_colony(robot, lattice, inquiry.request(), p, observer);
+  });
   if (result.joints.cols() == 0) return result;
   if (request.motion) {
     StopCondition stop = request.stop;

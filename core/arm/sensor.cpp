@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/arm/ends.h"
 #include "core/arm/part.h"
 #include "core/arm/robot/kinematics.h"
 #include "core/arm/robot/solid.h"
@@ -126,34 +127,47 @@ class SceneSensor::Impl {
   /// Shortens `step` so that two parts that near each other at `speed` do not touch in it; false
   /// where they do now. Those that pass are twice the clearance apart: steps have a least length,
   /// and the motion ends.
-  bool shorten(const Part::Placed& a, const Part::Placed& b, double speed, double& step) const {
+  bool shorten(const Part::Placed& a, const Part::Placed& b, double speed, double& step,
+               double* nearest) const {
     // Nothing nearer than this matters: neither contact nor a shorter step.
     const double enough = std::max(2 * clearance_, clearance_ + step * speed);
     if (gap_between(a.ball, b.ball) >= enough) return true;
     const double gap = distance_between(a, b, enough);
     if (gap >= enough) return true;
-    if (gap < 2 * clearance_) return false;
+    if (gap < 2 * clearance_) {
+      *nearest = gap;
+      return false;
+    }
     step = std::min(step, (gap - clearance_) / speed);
     return true;
   }
 
   /// Shortens `step` to what all distances allow; false on contact.
   bool advance(const Frame& frame, double& step, std::string* told) const {
+    double gap = 0;
     for (int i = 0; i < static_cast<int>(parts_.size()); ++i) {
       if (body(i) == 0) continue;
       for (std::size_t o = 0; o < placed_.size(); ++o) {
-        if (shorten(frame.parts[i], placed_[o], frame.speed[i], step)) continue;
-        if (told != nullptr) *told = name(i) + " and " + obstacle_name(o);
+        if (shorten(frame.parts[i], placed_[o], frame.speed[i], step, &gap)) continue;
+        if (told != nullptr) *told = name(i) + " and " + obstacle_name(o) + apart(gap);
         return false;
       }
     }
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
       const auto& [a, b] = pairs_[p];
-      if (shorten(frame.parts[a], frame.parts[b], frame.nearing[p], step)) continue;
-      if (told != nullptr) *told = name(a) + " and " + name(b);
+      if (shorten(frame.parts[a], frame.parts[b], frame.nearing[p], step, &gap)) continue;
+      if (told != nullptr) *told = name(a) + " and " + name(b) + apart(gap);
       return false;
     }
     return true;
+  }
+
+  /// What is said of two that count as touching and do not.
+  std::string apart(double gap) const {
+    if (!(gap > 0)) return {};
+    const auto [is, least] = metres(gap, 2 * clearance_);
+    return ", " + is + " m apart (less than twice the clearance, " + least +
+           " m, counts as touching)";
   }
 
   std::string obstacle_name(std::size_t index) const {

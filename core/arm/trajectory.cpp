@@ -288,8 +288,8 @@ TrajectoryResult make_trajectory(const Robot& robot, const Sensor& sensor,
   validate(robot);
   check_duration(options.duration);
   for (Eigen::Index i = 0; i < waypoints.cols(); ++i) {
-    const std::string fault = values_fault(
-        robot, waypoints.col(i), "waypoint " + std::to_string(i + 1), JointNames::told, 1e-9);
+    const std::string fault =
+        values_fault(robot, waypoints.col(i), "waypoint " + std::to_string(i + 1), 1e-9);
     if (!fault.empty()) throw invalid_parameter(fault, "bring it within them");
   }
   TrajectoryResult result;

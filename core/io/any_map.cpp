@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "core/base/file_kind.h"
 #include "core/base/output.h"
 #include "core/io/png_reader.h"
 #include "core/io/ros_map.h"
@@ -50,10 +51,12 @@ Map read_any_map(const std::string& path, const ReadOptions& options) {
   const std::string_view head = in.ahead(kHead);
   if (is_movingai(head)) return {read_movingai(in), std::nullopt};
   if (is_png(head) || is_pnm(head)) return {read_image(in, rule), std::nullopt};
+  constexpr const char* kMaps =
+      "give a MovingAI .map, a PBM, PGM or PNG image, or a ROS map's .yaml";
+  refuse_other_kinds(in.ahead(ByteReader::kBuffer), path, {FileKind::ros_map, FileKind::image},
+                     kMaps);
   if (is_yaml_name(path)) return read_ros_map(in, options);
-  in.fail_at_offset(0, "this is no map that is read",
-                    "give a MovingAI .map, a PBM, PGM or PNG image, or a ROS map's .yaml",
-                    ErrorCode::file_unsupported);
+  in.fail_at_offset(0, "this is no map that is read", kMaps, ErrorCode::file_unsupported);
 }
 
 void write_any_map(const Grid& grid, const std::string& path) {

@@ -33,9 +33,11 @@ constexpr std::string_view to_string(Pheromone v) noexcept { return name_of(v, k
 
 /// What a way through the lattice is measured by.
 enum class Objective {
-  length,    ///< moves times pitch, metres: the source's L
-  joint,     ///< joint travel: how long the way is in joint space, radians and metres alike
-  duration,  ///< seconds that the joints' velocities ask for, straight from point to point
+  length,  ///< moves times pitch, metres: the source's L
+  joint,   ///< joint travel: how long the way is in joint space, radians and metres alike
+  /// Seconds that a way takes at the joints' largest velocities, straight from point to point: less
+  /// than a motion along it, which speeds up and slows down, and is told by Result::duration.
+  duration,
 };
 /// Their names, in the same order.
 inline constexpr std::array<std::string_view, 3> kObjectiveNames{"length", "joint", "duration"};
@@ -162,6 +164,10 @@ struct Request {
   double target_gap = 0;  ///< stop at this gap to what was learned so far, as a fraction; 0: never
   bool motion = true;     ///< make the motion, too; if not, the answer is waypoints
   double duration = 0;    ///< TrajectoryOptions::duration, the source's T
+
+  /// Values of the start and of joint goals that are outside of a joint's limits by no more are
+  /// taken at the limit, which Result::notes tells: radians or metres.
+  static constexpr double kLimitTolerance = 1e-3;
 };
 
 /// Questions that the sensor was asked: by the search each once, then by the making of the motion.
@@ -173,8 +179,9 @@ struct Questions {
 };
 
 /// One answer; `length` is in the unit of the objective: metres of lattice moves, radians (or
-/// metres) of the joints, seconds. Without a path `joints` and `tips` have no columns, and the
-/// trajectory is empty. Where the search is solved, `status` is that of the motion.
+/// metres) of the joints, seconds at full speed (no motion's: see Objective). Without a path
+/// `joints` and `tips` have no columns, and the trajectory is empty. Where the search is solved,
+/// `status` is that of the motion.
 struct Result : SearchResult {
   Eigen::MatrixXd joints;       ///< q^(0) .. q^(p), a column for each lattice point of the path
   Eigen::Matrix3Xd tips;        ///< where the tip is then, likewise
@@ -190,8 +197,9 @@ struct Result : SearchResult {
   int postures = 0;             ///< that its points have at most
   std::array<int, 3> points{};  ///< of the lattice, by axis
   Questions questions;          ///< that the sensor was asked
-  std::vector<Questions> asked;  ///< the same so far, after each iteration
-  std::int64_t steps = 0;        ///< of all ants, those taken back included
+  std::vector<Questions> asked;    ///< the same so far, after each iteration
+  std::int64_t steps = 0;          ///< of all ants, those taken back included
+  std::vector<std::string> notes;  ///< what of the request was changed, for people
 };
 
 /// What an observer sees after each iteration.

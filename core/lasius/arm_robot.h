@@ -118,6 +118,7 @@ struct Robot {
   std::map<std::string, JointVector> states;  ///< postures that its files name
   std::vector<std::string> files;             ///< that were read because another one names them
   std::vector<std::string> notes;             ///< what was assumed in reading it, for people
+  std::vector<std::string> warnings;          ///< what is likely a mistake in its files, for people
 
   /// How many joints it has.
   int size() const noexcept { return static_cast<int>(joints.size()); }
@@ -203,8 +204,9 @@ struct Obstacle : Solid {
 
 /// What stands around a robot, in metres; the robot's base is at the origin.
 struct Scene {
-  std::string name;                 ///< for results; may be empty
-  std::vector<Obstacle> obstacles;  ///< in any order, overlapping or not
+  std::string name;                        ///< for results; may be empty
+  std::vector<Obstacle> obstacles;         ///< in any order, overlapping or not
+  std::vector<std::string> warnings = {};  ///< what is likely a mistake in its files, for people
 };
 
 /// Reads a scene in JSON (format "lasius-scene/1", see docs/worlds.md); meshes are STL, OBJ or DAE

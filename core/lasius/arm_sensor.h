@@ -41,8 +41,8 @@ class LASIUS_ARM_EXPORT Sensor {
 /// have used up its distance, then measured again, so that what is called free is free all along.
 class LASIUS_ARM_EXPORT SceneSensor final : public Sensor {
  public:
-  /// What comes nearer than twice `clearance` counts as touched, and nothing that counts as free is
-  /// nearer than `clearance`. Copies both.
+  /// What comes nearer than twice `clearance` counts as touched, an obstacle and another link
+  /// alike, and nothing that counts as free is nearer than `clearance`. Copies both.
   /// @throws Error(invalid_parameter) for a robot or scene that `validate` refuses and a clearance
   ///         that is not kLeastClearance .. 1; its questions, of values as `tip_position`.
   SceneSensor(const Robot& robot, const Scene& scene, double clearance = kClearance);
@@ -53,7 +53,7 @@ class LASIUS_ARM_EXPORT SceneSensor final : public Sensor {
   double clearance() const override;
 
   /// What is in the way at `q`, for people: "the base and link 3 (after elbow)", or of a URDF's
-  /// links by their names; empty where it is free.
+  /// links by their names, and how far apart where they do not touch; empty where it is free.
   std::string contact(const JointRef& q) const override;
 
   /// Metres from what moves of the robot at `q` to the nearest obstacle or link that it is checked

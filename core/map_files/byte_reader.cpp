@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/file_kind.h"
 #include "core/base/opening_pipe.h"
 
 namespace lasius {
@@ -127,7 +128,7 @@ std::string read_text(const std::string& path, std::int64_t most, Empty empty) {
     if (size <= most) return;
     throw Error(ErrorCode::file_unsupported, Error::Place{path},
                 "is larger than " + std::to_string(most) + " bytes",
-                "this is no file of this kind");
+                "this is " + told(kind_of(in.ahead(ByteReader::kBuffer))));
   };
   check(in.left());
   std::string text;

@@ -36,7 +36,8 @@ py::tuple questions(const arm::Questions& q) {
 py::tuple fields(const arm::Result& r) {
   return py::make_tuple(search_fields(r), rows_of(r.joints), rows_of(r.tips), r.trajectory,
                         r.waypoints, r.stops, r.goal, r.direct, r.tip_travel, r.joint_travel,
-                        r.duration, r.pitch, r.postures, r.points, questions(r.questions), r.steps);
+                        r.duration, r.pitch, r.postures, r.points, questions(r.questions), r.steps,
+                        r.notes);
 }
 
 py::tuple plan_motion(const arm::Robot& robot, const arm::SceneSensor& sensor,
@@ -124,6 +125,7 @@ void bind_worlds(py::module_& module) {
   py::class_<arm::Robot>(module, "Robot")
       .def_readonly("name", &arm::Robot::name)
       .def_readonly("notes", &arm::Robot::notes)
+      .def_readonly("warnings", &arm::Robot::warnings)
       .def_readonly("states", &arm::Robot::states)
       .def("__len__", &arm::Robot::size)
       .def("joint_names", &joint_names)
@@ -137,6 +139,7 @@ void bind_worlds(py::module_& module) {
   py::class_<arm::Scene>(module, "Scene")
       .def(py::init<>())
       .def_readonly("name", &arm::Scene::name)
+      .def_readonly("warnings", &arm::Scene::warnings)
       .def("__len__", [](const arm::Scene& scene) { return scene.obstacles.size(); });
   module.def("read_robot", &read_robot);
   module.def("read_scene", [](const std::string& path) { return arm::read_scene(path); });

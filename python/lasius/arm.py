@@ -11,6 +11,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
@@ -32,6 +33,13 @@ _raw: Any = _lasius.arm
 Progress = _raw.Progress
 LEAST_CLEARANCE = 0.002
 TOLERANCE: float = _raw.Goal.tolerance
+
+
+def _warned(raw: Any) -> Any:
+    """What was read, after warnings of what is likely a mistake in its files."""
+    for text in raw.warnings:
+        warnings.warn(text, stacklevel=4)
+    return raw
 
 
 @explained
@@ -77,8 +85,8 @@ class Scene:
 
     @classmethod
     def read(cls, path: Path) -> Scene:
-        """From JSON, see docs/worlds.md."""
-        return cls(_raw.read_scene(file_name(path)))
+        """From JSON, see docs/worlds.md. Warns of a mesh that seems to be in millimetres."""
+        return cls(_warned(_raw.read_scene(file_name(path))))
 
     @property
     def name(self) -> str:
@@ -114,7 +122,8 @@ class Robot:
         use_visual: bool = False,
         bodiless: bool = False,
     ) -> Robot:
-        """From URDF or the short description in JSON, see docs/worlds.md.
+        """From URDF or the short description in JSON, see docs/worlds.md. Warns of a mesh that seems to be
+        in millimetres.
 
         Args:
             base: link that stands still; empty: the root.
@@ -126,12 +135,11 @@ class Robot:
             use_visual: links without collision geometry take what is drawn of them.
             bodiless: no link has a body, whatever the file says.
         """
-        return cls(
-            _raw.read_robot(
-                file_name(path), base, tip, set_joints or {}, file_name(srdf), file_name(joint_limits),
-                {name: file_name(folder) for name, folder in (packages or {}).items()}, use_visual, bodiless,
-            )
+        raw = _raw.read_robot(
+            file_name(path), base, tip, set_joints or {}, file_name(srdf), file_name(joint_limits),
+            {name: file_name(folder) for name, folder in (packages or {}).items()}, use_visual, bodiless,
         )
+        return cls(_warned(raw))
 
     @property
     def name(self) -> str:
@@ -268,7 +276,8 @@ class Questions(Record):
 
 @dataclass(eq=False, repr=False)
 class Result(SearchResult):
-    """One answer for an arm; `length` in the unit of the objective."""
+    """One answer for an arm; `length` in the unit of the objective, for "duration" seconds at the joints' largest
+    velocities throughout: what the motion takes is `duration`."""
 
     joints: FloatArray  #: (n, joints), the lattice points of the path; no rows without one
     tips: FloatArray  #: (n, 3), where the tip is then
@@ -285,6 +294,7 @@ class Result(SearchResult):
     points: List[int]  #: of the lattice, by axis
     questions: Questions
     steps: int  #: of all ants
+    notes: List[str]  #: what of the request was changed: values a hair outside of a joint's limits
     params: ParameterSet  #: as asked
 
 
@@ -320,13 +330,15 @@ def plan(
     """A short way of the arm from where it stands to a goal, and a motion along it.
 
     Args:
-        start: (joints,), where it stands.
+        start: (joints,), where it stands. Values outside of a joint's limits by at most 0.001 are taken at the
+            limit, which Result.notes tells; of Goal.joints, too.
         goals: one Goal or several, any of which is to be reached: Goal.position(p) of the tip,
             (3,); Goal.pose(T), (4, 4), within tolerances; Goal.joints(q), (joints,).
         params: an algorithm's name or Params; None: `postures`.
         motion: makes the motion, too.
         duration: seconds that it is to take; 0: as few as the limits allow.
-        clearance: that the arm keeps from everything, metres.
+        clearance: that the arm keeps from everything, its own links too, metres. What comes nearer than twice
+            as much counts as touched.
         time_limit, target_gap, observer, progress: as of lasius.Planner.plan.
         **settings: parameters by name.
     """
@@ -341,8 +353,8 @@ def plan(
         error, fields = _raw.plan(
             robot._raw, sensor, start, raw, used._raw, target_gap, motion, duration, time_limit, watch
         )
-    search, joints, tips, trajectory, *others, questions, steps = fields
-    values = (joints, tips, Trajectory(trajectory), *others, Questions(*questions), steps, used)
+    search, joints, tips, trajectory, *others, questions, steps, notes = fields
+    values = (joints, tips, Trajectory(trajectory), *others, Questions(*questions), steps, notes, used)
     return finish(error, answer(Result, search, *values))
 
 
@@ -355,8 +367,15 @@ def recheck(robot: Robot, scene: Scene, trajectory: Trajectory, samples: int = 1
 
 @explained
 def position_free(robot: Robot, scene: Scene, joints: npt.ArrayLike, clearance: float = LEAST_CLEARANCE) -> bool:
-    """True when the arm touches nothing at joint values (joints,)."""
+    """True when nothing that the arm must not touch, obstacle or link, is nearer than twice the clearance at joint
+    values (joints,): what a plan with this clearance counts as free. See contact and distance."""
     return bool(_raw.SceneSensor(robot._raw, scene._raw, clearance).position_free(joints))
+
+
+@explained
+def contact(robot: Robot, scene: Scene, joints: npt.ArrayLike, clearance: float = LEAST_CLEARANCE) -> str:
+    """What is in the way where position_free is False, and how far apart the two are; "" where nothing is."""
+    return str(_raw.SceneSensor(robot._raw, scene._raw, clearance).contact(joints))
 
 
 @explained

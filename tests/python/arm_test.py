@@ -105,7 +105,33 @@ def test_parameters_and_scenes(robot, maps):
     assert len(arm.Scene()) == 0 and len(arm.Scene.read(maps / "arms/cell.json")) > 0
     assert arm.position_free(robot, arm.Scene(), np.zeros(3))
     assert arm.distance(robot, arm.Scene(), [0.0, 2.5, 1.9]) == 0.0  # links 1 and 3 touch
-    assert arm.distance(robot, arm.Scene(), np.zeros(3)) > arm.LEAST_CLEARANCE
+    far = arm.distance(robot, arm.Scene(), np.zeros(3))
+    assert far > 2 * arm.LEAST_CLEARANCE and arm.contact(robot, arm.Scene(), np.zeros(3)) == ""
+    assert arm.position_free(robot, arm.Scene(), np.zeros(3), far / 2.001)
+    assert not arm.position_free(robot, arm.Scene(), np.zeros(3), far / 1.999)  # twice the clearance counts
+    assert "m apart (less than twice the clearance" in arm.contact(robot, arm.Scene(), np.zeros(3), far / 1.999)
+
+
+def test_values_a_hair_outside_of_the_limits(robot):
+    low, high = robot.limits
+    result = arm.plan(robot, arm.Scene(), [0, 0, high[2] + 5e-4], arm.Goal.joints([0.1, 0, 0]))
+    assert result.status == "solved" and result.joints[0, 2] == high[2]
+    assert len(result.notes) == 1 and "start: joint 3 (wrist)" in result.notes[0]
+    assert arm.plan(robot, arm.Scene(), [0, 0, high[2] + 2e-3], arm.Goal.joints([0.1, 0, 0])).status == "invalid"
+
+
+def test_a_mesh_in_millimetres_is_warned_of(tmp_path):
+    corners = "facet\nvertex 0 0 0\nvertex 900 0 0\nvertex 0 1 0\nendfacet\n"
+    (tmp_path / "m.stl").write_text(f"solid s\n{corners}endsolid\n")
+    link = '<collision><geometry><mesh filename="m.stl"/></geometry></collision>'
+    (tmp_path / "r.urdf").write_text(
+        f'<robot name="r"><link name="a"/><link name="b">{link}</link><joint name="j" type="continuous">'
+        '<parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint></robot>')
+    (tmp_path / "s.json").write_text('{"format": "lasius-scene/1", "obstacles": [{"shape": "mesh", "file": "m.stl"}]}')
+    for read in (lambda: arm.Robot.read(tmp_path / "r.urdf"), lambda: arm.Scene.read(tmp_path / "s.json")):
+        with pytest.warns(UserWarning, match="m.stl is 900 m long: if it is in millimetres") as told:
+            read()
+        assert told[0].filename == __file__
 
 
 URDF = """<robot name="two"><link name="base"/><link name="upper"/><link name="tip"/>

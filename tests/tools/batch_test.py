@@ -42,6 +42,8 @@ class Formats(ProgramTest):
                     run = self.batch(f"version {version}\n" + blank.join(fields) + "\n", name="q.scen")
                     self.assertEqual(run.code, 0, run.err)
                     self.assertEqual([q["goal"] for q in run.lines], [[9, 5]])
+        run = self.batch("version 1\n0\tmy 2 maps/a b.map\t10\t6\t0\t0\t9\t5\t1\n0 a 10 6 0 0 9 0 1\n", name="q.scen")
+        self.assertEqual([q["goal"] for q in run.lines], [[9, 5], [9, 0]], run.err)
 
     def test_a_table_whose_first_column_is_a_version(self):
         run = self.batch("version\tsx\tsy\tgx\tgy\n1\t0\t0\t9\t5\n")
@@ -66,6 +68,7 @@ class Formats(ProgramTest):
             ("version 1\n" + row + "0\tm.map\t10\t6\t0\t0\t9\t5\n", "line 3"),
             ("version 1\n" + row + row.replace("10", "11"), "line 3"),
             ("version 1\n" + row.replace("\t1\n", "\tone\n"), "line 2"),
+            ("version 1\n" + row.replace("\t1\n", "\t1\t1\n"), "10 fields instead of 9"),
             ("version 1\n" + row.replace("9\t5", "9\tx"), "line 2"),
         ]
         for queries, word in cases:

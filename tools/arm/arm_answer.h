@@ -43,7 +43,7 @@ inline Eigen::Vector3d tip_of(const arm::Robot& robot, const arm::Goal& goal) {
 
 /// The unit of a plan's length.
 inline const char* unit_of(arm::Objective objective) {
-  return objective == arm::Objective::duration ? "s"
+  return objective == arm::Objective::duration ? "s at full speed"
          : objective == arm::Objective::joint  ? "rad"
                                                : "m";
 }

@@ -70,6 +70,7 @@ Json robot_json(const ArmCommand& command, const ArmAnswer& answer) {
                {"packages", std::move(packages)},
                {"files", files_json(answer.robot_files)},
                {"notes", robot.notes},
+               {"warnings", robot.warnings},
                {"bodies", bodies_json(robot)}};
   add_pairs(json, robot);
   return json;
@@ -80,6 +81,7 @@ Json scene_json(const ArmCommand& command, const ArmAnswer& answer) {
           {"hash", hash_text(answer.scene_file.second)},
           {"name", answer.scene.name},
           {"obstacles", answer.scene.obstacles.size()},
+          {"warnings", answer.scene.warnings},
           {"files", files_json(answer.scene_files)}};
 }
 

@@ -132,8 +132,12 @@ class ArmTask : public Task {
   /// What of the motion is not as one may expect, and what it takes for granted.
   void remark() const override {
     const arm::Result& motion = found_.plan;
-    if (found())
-      for (const std::string& note : found_.robot.notes) message(note);
+    for (const auto* notes :
+         {&found_.robot.notes, &found_.robot.warnings, &found_.scene.warnings, &motion.notes})
+      for (const std::string& note : *notes) message(note);
+    if (found_.parameters.objective == arm::Objective::duration && motion.duration > 0)
+      message("the motion takes " + to_text(motion.duration) + " s; " + to_text(motion.length) +
+              " s is what its way takes at the joints' largest velocities throughout");
     if (motion.stops)
       message(std::string("the motion rests at each waypoint: ") +
               (motion.status == Status::solved ? "no faster one between them was found free"
@@ -211,6 +215,7 @@ class ArmTask : public Task {
     json["tip_travel"] = found ? number(plan.tip_travel) : Json(nullptr);
     json["joint_travel"] = found ? number(plan.joint_travel) : Json(nullptr);
     json["duration"] = plan.trajectory.empty() ? Json(nullptr) : number(plan.duration);
+    json["notes"] = plan.notes;
     json["lattice"] = {
         {"pitch", number(plan.pitch)}, {"points", plan.points}, {"postures", plan.postures}};
   }

@@ -94,8 +94,8 @@ Subcommand add_arm(CLI::App& app) {
                   "questions\n"
                   ".html  one page with the arm moving in space, to be turned"});
   option("--objective", raw->value_of("objective"),
-         "What is made short: moves of the lattice times pitch, joint travel, or time (default "
-         "length)",
+         "What is made short: moves of the lattice times pitch, joint travel, or time at "
+         "full speed (default length)",
          "length|joint|duration");
   option("--max-questions", raw->value_of("max_questions"),
          "Ask the sensor at most so often (default 0, as often as needed)", "N");

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
 
 #include "core/base/output.h"
-#include "core/io/json_values.h"
 #include "tools/console/values.h"
+#include "tools/draw/text.h"
 
 namespace lasius::tool {
 namespace {
@@ -33,11 +32,6 @@ std::uint32_t packed(Colour colour) {
     return static_cast<std::uint32_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
   };
   return byte(colour.red) << 16 | byte(colour.green) << 8 | byte(colour.blue);
-}
-
-/// File names may hold bytes that are no UTF-8, which cairo refuses: these become U+FFFD.
-std::string utf8(const std::string& text) {
-  return json::read(json::line(text), "a text").get<std::string>();
 }
 
 }  // namespace
@@ -194,13 +188,13 @@ void Canvas::select_font(double size, bool bold) {
 double Canvas::text_width(const std::string& text, double size, bool bold) {
   select_font(size, bold);
   cairo_text_extents_t extents;
-  cairo_text_extents(context_.get(), utf8(text).c_str(), &extents);
+  cairo_text_extents(context_.get(), drawn(text).c_str(), &extents);
   return extents.x_advance;
 }
 
 void Canvas::text(Point at, const std::string& text, double size, Align align, Colour colour,
                   bool bold, bool turned) {
-  words_.push_back(text);
+  words_.push_back(drawn(text));
   const double width = text_width(text, size, bold);
   const double shift = align == Align::left ? 0 : align == Align::centre ? -width / 2 : -width;
   cairo_t* const c = context_.get();
@@ -209,7 +203,7 @@ void Canvas::text(Point at, const std::string& text, double size, Align align, C
   if (turned) cairo_rotate(c, -std::numbers::pi / 2);
   ink(colour);
   cairo_move_to(c, shift, 0);
-  cairo_show_text(c, utf8(text).c_str());
+  cairo_show_text(c, drawn(text).c_str());
   cairo_restore(c);
 }
 
@@ -217,7 +211,7 @@ std::string Canvas::description() const {
   static constexpr Escape kXml[] = {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}};
   std::string text = "<desc>\n";
   for (const std::string& words : words_) {
-    std::string line = utf8(words);
+    std::string line = words;
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
     std::ranges::replace_if(line, is_control, '?');  // XML has none of them
     text += with_escapes(line, kXml) + '\n';

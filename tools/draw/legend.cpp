@@ -10,8 +10,9 @@
 namespace lasius::tool {
 namespace {
 
-std::vector<std::string> wrapped(Canvas& canvas, const std::string& text, double size, double width,
-                                 bool bold = false) {
+std::vector<std::string> wrapped(Canvas& canvas, const std::string& whole, double size,
+                                 double width, bool bold = false) {
+  const std::string text = drawn(whole);
   const auto fits = [&](const std::string& s) { return canvas.text_width(s, size, bold) <= width; };
   std::vector<std::string> lines;
   for (std::size_t from = 0; from < text.size();) {

@@ -1,4 +1,4 @@
-// Words that are never cut, and the legend of a picture.
+// Words in lines, and the legend of a picture.
 #pragma once
 
 #include <functional>

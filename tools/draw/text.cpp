@@ -1,10 +1,44 @@
 #include "tools/draw/text.h"
 
+#include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <string_view>
 
+#include "core/io/json_values.h"
 #include "tools/console/values.h"
 
 namespace lasius::tool {
+namespace {
+
+/// The end of the first letters of a UTF-8 text, `most` of them.
+std::size_t end_of_letters(std::string_view text, std::size_t most) {
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
+  std::size_t at = 0;
+  for (; at < text.size(); ++at)
+    if (begins(text[at]) && most-- == 0) return at;
+  return at;
+}
+
+std::string cut(std::string_view text, std::size_t most) {
+  if (end_of_letters(text, most) == text.size()) return std::string(text);
+  return std::string(text.substr(0, end_of_letters(text, most - 1))) + "\u2026";
+}
+
+}  // namespace
+
+std::string drawn(const std::string& text) {
+  constexpr std::size_t kMostOfWord = 100, kMost = 1000;
+  const auto whole = json::read(json::line(text), "a text").get<std::string>();
+  std::string words;
+  for (std::size_t from = 0; from <= whole.size();) {
+    const std::size_t to = std::min(whole.find(' ', from), whole.size());
+    words +=
+        (from > 0 ? " " : "") + cut(std::string_view(whole).substr(from, to - from), kMostOfWord);
+    from = to + 1;
+  }
+  return cut(words, kMost);
+}
 
 std::string fixed(double value, int decimals) {
   if (!std::isfinite(value)) return "-";

@@ -1,4 +1,4 @@
-// Numbers as tables show them.
+// Numbers as tables show them, texts as pictures do.
 #pragma once
 
 #include <string>
@@ -6,6 +6,11 @@
 #include "lasius/status.h"
 
 namespace lasius::tool {
+
+/// What is drawn of a text: bytes that are no UTF-8 (of file names, say) are U+FFFD; of a word of
+/// more than 100 letters, and of a text of more than 1000, the first are left and "…" at their end.
+/// Cairo takes seconds for longer ones. What this gives it leaves as it is.
+std::string drawn(const std::string& text);
 
 /// With this many decimals, 0 without a sign; "-" where it is not finite.
 std::string fixed(double value, int decimals);

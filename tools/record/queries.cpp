@@ -111,10 +111,20 @@ QueryFile read_scenario(Lines& lines, int width, int height) {
     lines.fail("the first line is not 'version 1'", "only scenarios of version 1 are read");
   QueryFile file{.queries = {}, .scenario = true};
   while (lines.next()) {
-    const auto fields = words_of(lines.text(), kBlanks);
-    if (fields.size() != 9)
-      lines.fail(std::to_string(fields.size()) + " fields instead of 9",
-                 "write: bucket map width height sx sy gx gy optimal");
+    auto fields = words_of(lines.text(), kBlanks);
+    constexpr std::size_t kFields = 9;
+    const auto fail_count = [&, count = fields.size()] {
+      lines.fail(
+          std::to_string(count) + " fields instead of 9",
+          "write: bucket map width height sx sy gx gy optimal; only the map may have blanks");
+    };
+    if (fields.size() < kFields) fail_count();
+    // A map's name with blanks: the fields behind it are counted from the right.
+    const bool blanks = fields.size() > kFields;
+    fields.erase(fields.begin() + 2, fields.end() - (kFields - 2));
+    if (blanks && (parse_whole(fields[2]) != width || parse_whole(fields[3]) != height ||
+                   !parse_real(fields[8])))
+      fail_count();
     if (!parse_whole(fields[0]) || !parse_real(fields[8]))
       lines.fail("bucket or optimal length is not a number", "write numbers there");
     const double w = lines.coordinate("width", fields[2], true);

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/file_kind.h"
+
 namespace lasius::tool {
 
 /// A value of a document: a text, a list or a map. All that asks more of it than it holds throws
@@ -74,8 +76,10 @@ class Node {
 /// a key that is given again, aliases that make more of it than any document of ours.
 Node parse_document(const std::string& text, const std::string& file);
 
-/// The document of a file of at most 64 kB. @throws Error(file_missing), Error(file_broken)
-Node read_document(const std::string& file);
+/// The document of a file of at most 64 kB, which is to be of this kind. @throws
+/// Error(file_missing), Error(file_broken), Error(file_unsupported) where it is seen to be of
+/// another kind
+Node read_document(const std::string& file, FileKind kind = FileKind::unknown);
 
 /// True for files that may be one: .yaml, .yml, .json.
 bool is_document(std::string_view file);

@@ -75,6 +75,11 @@ struct Step {
 
 }  // namespace
 
+std::string joint_name(const Robot& robot, int joint) {
+  const std::string& name = robot.joints[joint].name;
+  return "joint " + std::to_string(joint + 1) + (name.empty() ? "" : " (" + name + ")");
+}
+
 void check_values(const Robot& robot, std::span<const double> q, double most) {
   if (q.size() != robot.joints.size()) {
     throw invalid_parameter(

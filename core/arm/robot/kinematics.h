@@ -12,6 +12,9 @@ namespace lasius::arm {
 /// Values of up to kMaxJoints joints.
 using JointArray = std::array<double, Robot::kMaxJoints>;
 
+/// A joint's name in messages: "joint 2 (elbow)".
+std::string joint_name(const Robot& robot, int joint);
+
 /// @throws Error(invalid_parameter) unless `q` holds a number for each joint, none beyond `most`.
 void check_values(const Robot& robot, std::span<const double> q, double most = 1e6);
 

@@ -15,6 +15,7 @@
 #include "core/arm/robot/refusals.h"
 #include "core/arm/robot/vec3.h"
 #include "core/arm/robot/xml_text.h"
+#include "core/base/number_text.h"
 #include "core/map_files/byte_reader.h"
 
 namespace lasius::arm {
@@ -114,6 +115,18 @@ Triangles read_mesh(const std::string& path) {
     leave_materials_out(text);
   }
   return import_mesh(text, path, ending.c_str() + 1);
+}
+
+void doubt_size(const Triangles& mesh, const std::string& file, double most,
+                std::vector<std::string>& warnings) {
+  Eigen::AlignedBox3d box;
+  for (const auto& triangle : mesh) {
+    for (const Eigen::Vector3d& corner : triangle) box.extend(corner);
+  }
+  const double longest = mesh.empty() ? 0 : box.sizes().maxCoeff();
+  if (longest <= most) return;
+  warnings.push_back("the mesh " + file + " is " + number_text(std::round(10 * longest) / 10) +
+                     " m long: if it is in millimetres, scale it by 0.001");
 }
 
 std::string mesh_path(const std::string& file, const std::string& name) {

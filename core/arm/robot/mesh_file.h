@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "lasius/arm_robot.h"
 #include "lasius/error.h"
@@ -11,6 +12,11 @@ namespace lasius::arm {
 
 /// Triangles that the meshes of one robot or scene may have in all, as the largest that is read.
 inline constexpr std::size_t kMostTriangles = 5'400'000;
+
+/// Adds a warning where a mesh that nothing scales is longer than `most` metres: it is likely to be
+/// in millimetres.
+void doubt_size(const Triangles& mesh, const std::string& file, double most,
+                std::vector<std::string>& warnings);
 
 /// Where the mesh `name` is, its path relative to that of the file that names it.
 std::string mesh_path(const std::string& file, const std::string& name);

@@ -9,6 +9,7 @@
 #include "core/arm/robot/solid.h"
 #include "core/arm/robot/urdf.h"
 #include "core/arm/robot/vec3.h"
+#include "core/base/file_kind.h"
 #include "core/base/output.h"
 #include "core/map_files/byte_reader.h"
 #include "lasius/arm_robot.h"
@@ -179,6 +180,8 @@ template bool compile_with_the_Eigen_alignment_of_lasius<EIGEN_DEFAULT_ALIGN_BYT
                                                          EIGEN_MALLOC_ALREADY_ALIGNED>() noexcept;
 
 Robot parse_robot(std::string_view text, const std::string& file, const Chain& chain) {
+  refuse_other_kinds(text, file, {FileKind::urdf, FileKind::other_xml, FileKind::arm},
+                     "give the robot's URDF or its description in JSON; an SRDF goes to --srdf");
   const auto first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
   const char begins = first == std::string_view::npos ? '\0' : text[first];
   const bool named = has_ending(file, ".urdf") || has_ending(file, ".xml");
@@ -206,7 +209,7 @@ void validate(const Robot& robot) {
   }
   for (int j = 0; j < robot.size(); ++j) {
     const Joint& joint = robot.joints[j];
-    const std::string what = "joint " + std::to_string(j + 1);
+    const std::string what = joint_name(robot, j);
     if (!finite(from_eigen(joint.frame).position)) {
       refuse(what + ": its origin is out of range", "within 1000 m");
     }

@@ -6,6 +6,7 @@
 #include "core/arm/robot/mesh_file.h"
 #include "core/arm/robot/vec3.h"
 #include "core/base/did_you_mean.h"
+#include "core/base/file_kind.h"
 #include "core/map_files/byte_reader.h"
 #include "lasius/arm_robot.h"
 #include "lasius/error.h"
@@ -14,6 +15,7 @@ namespace lasius::arm {
 namespace {
 
 constexpr double kThin = 1e-6;
+constexpr double kMostMetres = 100;  // of a mesh in metres: a hall
 
 Obstacle::Shape shape_of(const JsonFields& fields) {
   const auto names = std::span(kShapeNames).first<4>();
@@ -83,6 +85,8 @@ Obstacle read_obstacle(const JsonFields& fields) {
 
 Scene parse_scene(std::string_view text, const std::string& file) {
   constexpr std::size_t kMost = 10000;
+  refuse_other_kinds(text, file, {FileKind::scene},
+                     "give a scene, JSON of the format \"lasius-scene/1\"");
   const auto document = parse_json(text, file, "lasius-scene/1");
   const JsonFields top(*document, text, file, "", {"format", "name", "obstacles"});
   Scene scene;
@@ -92,7 +96,11 @@ Scene parse_scene(std::string_view text, const std::string& file) {
            "obstacles", 0, kMost,
            {"shape", "name", "position", "rpy", "size", "radius", "length", "file", "scale"})) {
     scene.obstacles.push_back(read_obstacle(fields));
-    if (const auto& mesh = scene.obstacles.back().triangles) triangles += mesh->size();
+    if (const auto& mesh = scene.obstacles.back().triangles) {
+      triangles += mesh->size();
+      if (!fields.has("scale"))
+        doubt_size(*mesh, scene.obstacles.back().file, kMostMetres, scene.warnings);
+    }
     if (triangles > kMostTriangles) {
       fields.fail("file",
                   "brings the scene's meshes to " + std::to_string(triangles) + " triangles",

@@ -5,6 +5,7 @@
 
 #include "core/arm/robot/refusals.h"
 #include "core/arm/robot/xml_text.h"
+#include "core/base/file_kind.h"
 #include "core/base/number_text.h"
 #include "core/map_files/byte_reader.h"
 
@@ -77,6 +78,9 @@ Srdf read_srdf(const std::string& file, const std::vector<std::string_view>& lin
                const std::vector<std::string_view>& joints) {
   constexpr std::int64_t kMostBytes = 4 << 20;
   const std::string text = read_text(file, kMostBytes);
+  constexpr const char* kRemedy =
+      "give the SRDF file of the robot, as MoveIt's assistant writes it";
+  refuse_other_kinds(text, file, {FileKind::srdf, FileKind::urdf}, kRemedy);
   check_xml(text, file);
   TiXmlDocument document;
   document.Parse(text.c_str());
@@ -85,8 +89,11 @@ Srdf read_srdf(const std::string& file, const std::vector<std::string_view>& lin
            std::string("this is no XML (") + document.ErrorDesc() + ")", "correct it");
   }
   const TiXmlElement* const root = document.FirstChildElement("robot");
-  if (root == nullptr) {
-    broken({.file = file}, "there is no <robot>", "give the SRDF file of the robot");
+  if (root == nullptr) broken({.file = file}, "there is no <robot>", kRemedy);
+  refuse_xacro(*root, file, "srdf");
+  for (const char* const tag : {"link", "joint"}) {
+    if (const TiXmlElement* const at = root->FirstChildElement(tag))
+      unsupported({.file = file, .line = at->Row()}, "this is " + told(FileKind::urdf), kRemedy);
   }
   return Reader(file, links, joints).read(*root);
 }

@@ -261,7 +261,7 @@ void RobotMaker::add_links() {
     auto [link, parent] = open.back();
     open.pop_back();
     const Place& place = places_.at(link->name);
-    std::vector<Solid> solids = geometry.read(*link, place.at, robot_.files);
+    std::vector<Solid> solids = geometry.read(*link, place.at, robot_);
     if (solids.empty()) {
       without.push_back(link->name);
     } else {

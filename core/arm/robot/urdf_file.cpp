@@ -126,16 +126,6 @@ UrdfFile::UrdfFile(std::string_view text, std::string file) : file_(std::move(fi
   parse(copy);
 }
 
-void UrdfFile::refuse_xacro(std::int64_t row) const {
-  unsupported(line(row), "this is a xacro file, from which URDF is made",
-              "make it first: xacro " + file_ + " > robot.urdf");
-}
-
-void UrdfFile::refuse_expressions(const std::string& text) const {
-  const auto expression = text.find("${");
-  if (expression != text.npos) refuse_xacro(line_at(text, expression));
-}
-
 /// Notes the lines, which urdfdom does not keep, and where the XML is broken. Names given
 /// twice are left to urdfdom to tell.
 void UrdfFile::read_xml(const std::string& text) {
@@ -144,10 +134,7 @@ void UrdfFile::read_xml(const std::string& text) {
   if (document.Error()) broken_line_ = document.ErrorRow();
   const TiXmlElement* const robot = document.FirstChildElement("robot");
   if (document.Error() || robot == nullptr) return;
-  for (const TiXmlElement* at = robot->FirstChildElement(); at != nullptr;
-       at = at->NextSiblingElement()) {
-    if (at->ValueStr().starts_with("xacro:")) refuse_xacro(at->Row());
-  }
+  refuse_xacro(*robot, file_, "urdf");
   const std::string version = attribute(robot, "version");
   if (attribute(robot, "name").empty() || (!version.empty() && version != "1.0"))
     part_lines_.push_back(robot->Row());
@@ -167,7 +154,6 @@ void UrdfFile::read_xml(const std::string& text) {
     const bool is_new = joints_.emplace(edge.name, edge.line).second;
     twice |= !is_new;
     if (edge.parent.empty() || edge.child.empty()) {
-      refuse_expressions(text);
       broken(line(edge.line),
              "joint " + in_quotes(edge.name) + " has no " +
                  (edge.parent.empty() ? "<parent link=...>" : "<child link=...>"),
@@ -199,7 +185,6 @@ void UrdfFile::parse(const std::string& text) {
   const std::int64_t row =
       broken_line_ < 0 && part < part_lines_.size() ? part_lines_[part] : broken_line_;
   if (model_ == nullptr) {
-    refuse_expressions(text);
     if (!fault.empty()) complaint = fault;
     broken(line(row),
            "this is no URDF (" + (complaint.empty() ? "urdfdom does not say why" : complaint) + ")",

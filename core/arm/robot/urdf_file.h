@@ -39,8 +39,6 @@ class UrdfFile {
   }
   void read_xml(const std::string& text);
   void parse(const std::string& text);
-  [[noreturn]] void refuse_xacro(std::int64_t row) const;
-  void refuse_expressions(const std::string& text) const;
 
   std::string file_;
   Lines links_, joints_;

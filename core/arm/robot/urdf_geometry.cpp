@@ -12,6 +12,8 @@
 namespace lasius::arm {
 namespace {
 
+constexpr double kMostMetres = 10;  // of a link's mesh in metres
+
 /// urdfdom computes rotations by the C library: rounded, seldom others on another machine.
 double settle(double v) { return std::round(v * 0x1p40) * 0x1p-40; }
 
@@ -33,8 +35,7 @@ Placement placement(const urdf::Pose& p) {
   return result;
 }
 
-Solid LinkGeometry::mesh(const urdf::Mesh& mesh, const urdf::Link& link,
-                         std::vector<std::string>& files) {
+Solid LinkGeometry::mesh(const urdf::Mesh& mesh, const urdf::Link& link, Robot& robot) {
   for (const double s : {mesh.scale.x, mesh.scale.y, mesh.scale.z}) {
     if (s != 0 && std::isfinite(s)) continue;
     broken(source_.link(link.name),
@@ -53,15 +54,16 @@ Solid LinkGeometry::mesh(const urdf::Mesh& mesh, const urdf::Link& link,
       c = Vec3(c[0] * mesh.scale.x, c[1] * mesh.scale.y, c[2] * mesh.scale.z);
     }
   }
-  files.push_back(file);
+  robot.files.push_back(file);
+  if (mesh.scale.x == 1 && mesh.scale.y == 1 && mesh.scale.z == 1)
+    doubt_size(triangles, file, kMostMetres, robot.warnings);
   Solid solid;
   solid.shape = Solid::Shape::mesh;
   solid.triangles = std::make_shared<const Triangles>(std::move(triangles));
   return solid;
 }
 
-Solid LinkGeometry::solid(const urdf::Geometry& shape, const urdf::Link& link,
-                          std::vector<std::string>& files) {
+Solid LinkGeometry::solid(const urdf::Geometry& shape, const urdf::Link& link, Robot& robot) {
   const auto check_sizes = [&](std::initializer_list<double> sizes) {
     for (const double size : sizes) {
       if (!(size > 0 && std::isfinite(size))) refuse_geometry(link, source_);
@@ -85,17 +87,16 @@ Solid LinkGeometry::solid(const urdf::Geometry& shape, const urdf::Link& link,
       check_sizes({solid.size[0], solid.size[1], solid.size[2]});
       break;
     default:
-      return mesh(static_cast<const urdf::Mesh&>(shape), link, files);
+      return mesh(static_cast<const urdf::Mesh&>(shape), link, robot);
   }
   return solid;
 }
 
-std::vector<Solid> LinkGeometry::read(const urdf::Link& link, const Placement& at,
-                                      std::vector<std::string>& files) {
+std::vector<Solid> LinkGeometry::read(const urdf::Link& link, const Placement& at, Robot& robot) {
   std::vector<Solid> solids;
   const auto add = [&](const auto& part) {
     if (part == nullptr || part->geometry == nullptr) refuse_geometry(link, source_);
-    solids.push_back(solid(*part->geometry, link, files));
+    solids.push_back(solid(*part->geometry, link, robot));
     solids.back().pose = to_eigen(at * placement(part->origin));
   };
   for (const auto& part : link.collision_array) add(part);

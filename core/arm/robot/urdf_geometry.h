@@ -18,14 +18,14 @@ class LinkGeometry {
  public:
   LinkGeometry(const UrdfFile& source, const Chain& chain) : source_(source), chain_(chain) {}
 
-  /// Of a link at `at` in its body; meshes are read, and their files added to `files`.
+  /// Of a link at `at` in its body; meshes are read, their files and what is odd of
+  /// them added to `robot`.
   /// @throws Error for geometry that is less than it should be: it would not collide.
-  std::vector<Solid> read(const urdf::Link& link, const Placement& at,
-                          std::vector<std::string>& files);
+  std::vector<Solid> read(const urdf::Link& link, const Placement& at, Robot& robot);
 
  private:
-  Solid solid(const urdf::Geometry& shape, const urdf::Link& link, std::vector<std::string>& files);
-  Solid mesh(const urdf::Mesh& mesh, const urdf::Link& link, std::vector<std::string>& files);
+  Solid solid(const urdf::Geometry& shape, const urdf::Link& link, Robot& robot);
+  Solid mesh(const urdf::Mesh& mesh, const urdf::Link& link, Robot& robot);
 
   const UrdfFile& source_;
   const Chain& chain_;

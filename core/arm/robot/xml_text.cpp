@@ -1,6 +1,7 @@
 #include "core/arm/robot/xml_text.h"
 
 #include <algorithm>
+#include <deque>
 #include <utility>
 
 #include "core/arm/robot/refusals.h"
@@ -58,6 +59,26 @@ void check_xml(std::string_view text, const std::string& file) {
       broken({.file = file, .line = line_at(text, at)}, "elements nest too deep",
              "none goes deeper than " + std::to_string(kDeepest));
     }
+  }
+}
+
+void refuse_xacro(const TiXmlElement& root, const std::string& file, const std::string& ending) {
+  const auto refuse_at = [&](int row) {
+    unsupported({.file = file, .line = row},
+                "this is a xacro file, from which " + ending + " is made",
+                "make it first: xacro " + file + " > robot." + ending);
+  };
+  std::deque<const TiXmlElement*> open{&root};
+  for (; !open.empty(); open.pop_front()) {
+    const TiXmlElement& element = *open.front();
+    if (element.ValueStr().starts_with("xacro:")) refuse_at(element.Row());
+    for (const TiXmlAttribute* at = element.FirstAttribute(); at != nullptr; at = at->Next()) {
+      for (const char* const expression : {"${", "$(arg ", "$(find "})
+        if (at->ValueStr().find(expression) != std::string::npos) refuse_at(element.Row());
+    }
+    for (const TiXmlElement* at = element.FirstChildElement(); at != nullptr;
+         at = at->NextSiblingElement())
+      if (at->ValueStr() != "gazebo") open.push_back(at);
   }
 }
 

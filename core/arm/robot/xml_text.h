@@ -13,6 +13,10 @@ namespace lasius::arm {
 /// Error(file_broken) with the line, where that would hurt.
 void check_xml(std::string_view text, const std::string& file);
 
+/// @throws Error(file_unsupported) with the line where elements or attributes are xacro's, from
+/// which a file of this ending is made. What is in <gazebo> is not looked at.
+void refuse_xacro(const TiXmlElement& root, const std::string& file, const std::string& ending);
+
 inline std::string in_quotes(const std::string& name) { return '"' + name + '"'; }
 
 /// Calls visit(child) for the elements right in this one that have the tag.

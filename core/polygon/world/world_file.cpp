@@ -3,6 +3,7 @@
 #include <cctype>
 #include <ostream>
 
+#include "core/base/file_kind.h"
 #include "core/base/output.h"
 #include "core/map_files/byte_reader.h"
 #include "lasius/error.h"
@@ -32,6 +33,7 @@ World read_world(const std::string& path, const ReadOptions& options) {
   if (first == text.size()) {
     throw Error(ErrorCode::file_broken, {.file = path}, "is empty", "give a GeoJSON or WKT world");
   }
+  refuse_other_kinds(text, path, {FileKind::geojson}, "give a GeoJSON or WKT world");
   const bool wkt = is_wkt(std::string_view(text).substr(first), path);
   return wkt ? parse_wkt(text, path, options) : parse_geojson(text, path, options);
 }

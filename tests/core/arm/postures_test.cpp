@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 #include <kdl/chainfksolverpos_recursive.hpp>
+#include <numbers>
 #include <random>
+#include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -249,6 +252,49 @@ TEST(ArmPostures, GoalsThatCannotBeAreRefused) {
   expect_says(error({Goal::joints(joints({1}))}), "1 joint values");
   expect_says(error({Goal::joints(joints({1, 4}))}), "joint 2 is 4");
   expect_says(error({Goal::pose(Pose::Identity(), 0, 1)}), "tolerances");
+}
+
+// By whole turns of a joint that turns freely, and of no other.
+TEST(ArmPlan, EqualUpToTurnsIsThere) {
+  Robot robot = two_links();
+  for (Joint& joint : robot.joints) std::tie(joint.low, joint.high) = std::pair(-40, 40);
+  robot.joints[0].continuous = true;
+  const double turn = 2 * std::numbers::pi;
+  for (const char* const algorithm : {"postures", "goritov2020"}) {
+    for (const double turns : {-4., -1., 0., 1., 3.}) {
+      const Result r = plan(robot, Nothing(),
+                            {.start = joints({0.3 - turn, 1}),
+                             .goals = {Goal::joints(joints({0.3 + (turns - 1) * turn, 1}))}},
+                            Params(algorithm));
+      EXPECT_EQ(r.status, Status::solved);
+      EXPECT_EQ(std::tuple(r.length, r.joints.cols(), r.optimal), std::tuple(0., 1, true)) << turns;
+    }
+    const Result other =
+        plan(robot, Nothing(),
+             {.start = joints({0.3, 1}), .goals = {Goal::joints(joints({0.3, 1 - turn}))}},
+             Params(algorithm));
+    EXPECT_NE(other.length, 0);
+  }
+}
+
+TEST(ArmPlan, AHairOutsideOfALimitIsTakenAtIt) {
+  Robot robot = two_links();
+  robot.joints[1].name = "elbow";
+  const auto ask = [&](double start, double goal) {
+    return plan(robot, Nothing(),
+                {.start = joints({0, start}), .goals = {Goal::joints(joints({0.5, goal}))}});
+  };
+  using Notes = std::vector<std::string>;
+  const Result at = ask(3.0009, -3.001);
+  EXPECT_EQ(at.status, Status::solved);
+  EXPECT_EQ(at.joints(1, 0), 3);
+  EXPECT_EQ(last(at), joints({0.5, -3}));
+  EXPECT_EQ(at.notes,
+            (Notes{"start: joint 2 (elbow) is 3.0009, its limits are -3 .. 3: taken at the limit",
+                   "goal: joint 2 (elbow) is -3.001, its limits are -3 .. 3: taken at the limit"}));
+  EXPECT_EQ(ask(3, -3).notes, Notes{});
+  EXPECT_EQ(ask(3.0011, 0).error, "start: joint 2 (elbow) is 3.0011, its limits are -3 .. 3");
+  EXPECT_EQ(ask(0, 4).error, "goal: joint 2 (elbow) is 4, its limits are -3 .. 3");
 }
 
 }  // namespace

@@ -18,7 +18,10 @@ TEST(SceneSensor, APositionByHand) {
   const JointVector q = joints({0, 0});
   EXPECT_TRUE(SceneSensor(robot, scene, 0.0049).position_free(q));
   EXPECT_FALSE(SceneSensor(robot, scene, 0.0051).position_free(q));
-  EXPECT_EQ(SceneSensor(robot, scene, 0.0051).contact(q), "link 1 and obstacle 1");
+  EXPECT_EQ(
+      SceneSensor(robot, scene, 0.0051).contact(q),
+      "link 1 and obstacle 1, 0.01 m apart (less than twice the clearance, 0.0102 m, counts as "
+      "touching)");
   EXPECT_EQ(SceneSensor(robot, scene, 0.0049).contact(q), "");
   EXPECT_NEAR(SceneSensor(robot, scene).distance(q), 0.01, 1e-12);
   EXPECT_EQ(SceneSensor(robot, {"", {ball({0.3, 0.05, 0}, 0.045)}}).distance(q), 0);

@@ -23,5 +23,29 @@ TEST(Fixed, ZeroHasNoSign) {
   EXPECT_EQ(fixed(0, 3), "0.000");
 }
 
+TEST(Drawn, LongWordsAndTextsAreCutBetweenLetters) {
+  const auto times = [](int count, const std::string& text) {
+    std::string all;
+    for (int i = 0; i < count; ++i) all += text;
+    return all;
+  };
+  const std::string u = "\u00fc", more = "\u2026";
+  const std::pair<std::string, std::string> cases[] = {
+      {"", ""},
+      {" a  b ", " a  b "},
+      {times(100, u), times(100, u)},
+      {times(101, u), times(99, u) + more},
+      {"a " + times(9999, u) + " b", "a " + times(99, u) + more + " b"},
+      {times(500, "a "), times(500, "a ")},
+      {times(501, "a "), times(499, "a ") + "a" + more},
+      {"a\x80", "a\ufffd"},
+      {times(300, "\x80"), times(99, "\ufffd") + more},
+  };
+  for (const auto& [text, shown] : cases) {
+    EXPECT_EQ(drawn(text), shown) << text;
+    EXPECT_EQ(drawn(shown), shown) << text;
+  }
+}
+
 }  // namespace
 }  // namespace lasius::tool

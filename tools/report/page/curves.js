@@ -15,7 +15,7 @@
 //   dots   points, not lines
 // Clicks on a name in the legend hide a curve.
 
-import { element, isNumber, numberText, shortText, svgElement } from "./dom.js";
+import { cutText, element, isNumber, numberText, shortText, svgElement } from "./dom.js";
 
 export const kCurveColours = 8;
 const kLeft = 56, kRight = 12, kTop = 10, kBottom = 38;
@@ -54,7 +54,7 @@ export class Curves {
     Object.assign(this, { title, xLabel, yLabel, levels, logarithmic, calm, dots, decimals, span, onPick, hidden: new Set(), x: null });
     this.picture = svgElement("svg", { role: "img" });
     this.legend = element("div", { class: "keys" });
-    this.frame = element("div", { class: "curves" }, title ? element("h3", {}, title) : null, this.picture, this.legend);
+    this.frame = element("div", { class: "curves" }, title ? element("h3", {}, cutText(title, 300)) : null, this.picture, this.legend);
     host.append(this.frame);
     this.set(series);
     this.picture.addEventListener("pointermove", (event) => this.pointed(event, event.buttons > 0));
@@ -65,7 +65,7 @@ export class Curves {
 
   set(series) {
     this.series = series.filter((s) => s.y.some(isNumber)).map((s, i) => ({
-      ...s, colour: s.colour ?? `var(--curve-${(i % kCurveColours) + 1})`, x: s.x ?? s.y.map((_, k) => k + 1) }));
+      ...s, name: cutText(s.name), colour: s.colour ?? `var(--curve-${(i % kCurveColours) + 1})`, x: s.x ?? s.y.map((_, k) => k + 1) }));
     this.makeLegend();
     this.draw();
   }

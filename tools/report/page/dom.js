@@ -3,6 +3,7 @@
 //   element("p", {class: "note"}, "text", child)  text is always a text node: nothing is parsed
 //   svgElement("path", {d: "..."})                the same for SVG
 //   numberText(12.3456, 2)                        "12.35"; "none" for what is no number
+//   cutText("a name ...")                         its first 100 letters, "…" in place of more
 //   themeColour("--path")                         "#d62728", the variable as the theme has it
 //   channels("#d62728")                           [214, 39, 40]
 //   paintSoon(view)                               view.paint() at the next frame of the screen
@@ -47,6 +48,11 @@ export function numberText(value, decimals = 2) {
   if (size === 0) return "0";
   if (size >= 1e7 || size < 0.5 * 10 ** -decimals) return value.toPrecision(3);
   return value.toFixed(decimals).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
+}
+
+export function cutText(text, most = 100) {
+  const letters = [...(text ?? "")];
+  return letters.length > most ? letters.slice(0, most - 1).join("") + "…" : text;
 }
 
 /** A plain number in as many digits as a label has room for. */

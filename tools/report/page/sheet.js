@@ -6,7 +6,7 @@
 //   sheet.finish()                           parameters, command line, keys, footer
 //   choices(name, [["trail", "Trail"]], chosen, onChange), checkBox(text, on, onChange), swatches([[name, variable, "line"]])
 
-import { element, isNumber, numberText, themeButton } from "./dom.js";
+import { cutText, element, isNumber, numberText, themeButton } from "./dom.js";
 import { copyButton } from "./files.js";
 import { factTable } from "./table.js";
 
@@ -49,7 +49,7 @@ export class Sheet {
     this.root = document.getElementById("report");
     this.sides = Object.fromEntries(["left", "right", "rest"].map((side) => [side, element("div", { class: side })]));
     this.root.append(
-      element("header", {}, element("div", {}, element("h1", {}, title),
+      element("header", {}, element("div", {}, element("h1", {}, cutText(title, 300)),
                                     element("p", { class: "subtitle" }, result ? statusText(result) : content.subtitle ?? "")),
               themeButton()));
   }

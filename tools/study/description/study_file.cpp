@@ -152,7 +152,7 @@ Study parse_study(std::string_view text, const std::string& file) {
 }
 
 Study read_study(const std::string& file) {
-  const Node root = tool::read_document(file);
+  const Node root = tool::read_document(file, FileKind::study);
   Study study =
       StudyReader(root, fs::path(file).parent_path()).read(fs::path(file).stem().string());
   study.file = file;

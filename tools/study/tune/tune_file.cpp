@@ -64,7 +64,7 @@ void check_apart(const std::vector<Question>& training, const std::vector<Questi
 }  // namespace
 
 Tuning read_tuning(const std::string& file) {
-  const Node root = tool::read_document(file);
+  const Node root = tool::read_document(file, FileKind::tuning);
   root.allow({"name", "algorithm", "preset", "set", "parameters", "candidates", "seed", "budget",
               "value", "at", "target", "optimum", "maps", "training", "judging", "seeds", "race"});
   const fs::path path(file);

@@ -229,6 +229,12 @@ TEST_F(FilesOfRobot, Srdf) {
   refused("<group_state name=\"x\">\n<joint name=\"j1\" value=\"one\"/></group_state>", 3, "one");
   refused("<group_state name=\"x\">", 2, "no XML");
   refused("</robot>\n<robot name=\"r\">", 3, "a second document follows the first");
+  refused("<xacro:arm prefix=\"\"/>", 2, "make it first: xacro ");
+  refused("<disable_collisions link1=\"${p}a\" link2=\"b\"/>", 2, "xacro");
+  refused("<group name=\"g\">\n<link name=\"$(arg p)a\"/></group>", 3, "xacro");
+  refused("<link name=\"a\"/>", 2, "this is a robot in URDF");
+  EXPECT_THROW(read(kUrdf), Error);
+  EXPECT_NO_THROW(read("<robot name=\"r\" xmlns:xacro=\"http://x\"/>")) << "one that was made";
   const std::string all = "<robot name=\"r\"><disable_default_collisions link=\"b\"/>";
   EXPECT_EQ(read(all + "</robot>").may_touch, (std::vector{std::pair{0, 1}}));
   EXPECT_TRUE(read(all + "<enable_collisions link1=\"c\" link2=\"b\"/></robot>").may_touch.empty());
@@ -275,7 +281,9 @@ joint_limits:
   refused("joint_limits:\n  j9: {has_velocity_limits: false}\n", 2, "did you mean");
   refused("joint_limits:\n  j1: {}\n  j1: {}\n", 3, "names \"j1\" twice");
   refused("joint_limits:\n  j1:\n    has_velocity_limits: true\n", 3, "max_velocity is missing");
-  refused("velocity: 3\n", 1, "has no joint_limits");
+  refused("velocity: 3\n", 1, "the file has no joint_limits");
+  refused("default_velocity_scaling_factor: 0\n", 1, ": default_velocity_scaling_factor is 0");
+  refused("type octile\n", -1, "this is a MovingAI map");
   // The factors are of all joints, those too of which the file says nothing else.
   const Robot slow = read(
       "default_velocity_scaling_factor: 0.5\ndefault_acceleration_scaling_factor: 0.25\n"

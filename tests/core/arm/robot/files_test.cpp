@@ -145,6 +145,12 @@ TEST_F(StlFile, AMeshOfARobotMayBeMirroredButNotFlattened) {
   const Error error = error_of([&] { return scaled("1 1 0"); });
   EXPECT_EQ(error.place().line, 4) << error.what();
   expect_says(error, "is scaled by 0");
+  EXPECT_TRUE(scaled("1 1 1").warnings.empty());
+  file("solid s\nvertex 0 0 0\nvertex 400 0 0\nvertex 0 1 1\nendsolid\n", "M.STL");
+  EXPECT_EQ(scaled("1 1 1").warnings,
+            std::vector{"the mesh " + path("M.STL") +
+                        " is 400 m long: if it is in millimetres, scale it by 0.001"});
+  EXPECT_TRUE(scaled("0.001 0.001 0.001").warnings.empty());
 }
 
 using AnyFile = Files;
