@@ -95,6 +95,8 @@ struct BatchCommand {
 
 struct InfoCommand {
   MapOptions map;
+  Frame frame = Frame::cell;
+  std::optional<Point> start, goal;  ///< both or none
   Corners corners = Corners::forbid;
   bool json = false;
 };
