@@ -30,8 +30,10 @@ std::optional<Planner> with_unknown_free(const LoadedMap& map, const StopConditi
 }  // namespace
 
 std::string length_text(const LoadedMap& map, Frame frame, double cells, int decimals, bool down) {
-  const std::string text = rounded_text(map.length_in(frame, cells), decimals, down);
-  return text + (frame == Frame::world ? " m" : text == "1" ? " cell" : " cells");
+  const bool metres = frame == Frame::world;
+  const double length = metres && down ? metres_within(map, cells) : map.length_in(frame, cells);
+  const std::string text = rounded_text(length, decimals, down);
+  return text + (metres ? " m" : text == "1" ? " cell" : " cells");
 }
 
 std::string place_text(const Place& place, Frame frame) {

@@ -12,7 +12,7 @@
 namespace lasius::tool {
 
 /// A length in the unit of `frame`, as in "0.2855 m": to so many decimals, zeros at the end left
-/// out; rounded down where `down`.
+/// out; rounded down where `down`, so that --radius takes it for no more.
 std::string length_text(const LoadedMap& map, Frame frame, double cells, int decimals = 3,
                         bool down = false);
 

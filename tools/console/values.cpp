@@ -149,7 +149,8 @@ std::string whole_text(double value) {
 
 std::string rounded_text(double value, int decimals, bool down) {
   const double scale = std::pow(10.0, decimals), scaled = value * scale;
-  const double rounded = (down ? std::floor(scaled) : std::round(scaled)) / scale;
+  double rounded = (down ? std::floor(scaled) : std::round(scaled)) / scale;
+  if (down && rounded > value) rounded = (std::floor(scaled) - 1) / scale;
   return to_text(std::isfinite(rounded) ? rounded : value);
 }
 
