@@ -19,7 +19,7 @@ std::string MapTask::error() const {
     return invalid_text() + metres_hint(map(), frame, at_start() ? start() : goal());
   std::string text = result().error;
   if (result().status != Status::unreachable) return text;
-  if (remedy())
+  if (remedy() && in_metres())
     text = "start " + place_text(start(), frame) + " and goal " + place_text(goal(), frame) +
            " lie in different regions of free cells";
   if (map().radius > 0)  // why cells that look free are not

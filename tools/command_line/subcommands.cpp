@@ -19,7 +19,7 @@ constexpr const char* kPrepare =
     "are as short as without; lasius info MAP --prepare shows what it costs";
 
 constexpr const char* kMapHelp =
-    "Map: .map, PBM, PGM, PNG or ROS YAML; polygon world: .geojson, .json or .wkt";
+    "Map: .map, PBM, PGM, PNG, BMP or ROS YAML; polygon world: .geojson, .json or .wkt";
 
 constexpr const char* kOutputs =
     "Write a file, by its ending (repeatable):\n"
@@ -146,7 +146,7 @@ Subcommand add_drive(CLI::App& app) {
   option("--sense", raw->sense,
          "How far the robot sees, in cells (metres with --frame world; default 20 cells)", "R");
   option("--max-ticks", raw->max_ticks, "Moves and waits at most (default 1000000)", "N");
-  add_run_options(*drive, *raw, "Map that the robot knows: .map, PBM, PGM, PNG or ROS YAML",
+  add_run_options(*drive, *raw, "Map that the robot knows: .map, PBM, PGM, PNG, BMP or ROS YAML",
                   {.seed = "Seed, from 0 to 2^53-1 (default 1)",
                    .time_limit = "Stop the drive after this time",
                    .target_gap = "Plan no further than to this certified gap (1 means 1%)",
