@@ -1,6 +1,7 @@
 // A map file made ready for planning.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <stop_token>
@@ -30,8 +31,9 @@ struct LoadedMap {
   std::optional<Grid> unknown{};     ///< as Map::unknown
   double read_ms = 0;                ///< reading, and growing obstacles
   double ready_ms = 0;               ///< making the planner
-  /// Made when reasons.h first needs them: of the grid as read; with the unknown cells free.
-  std::optional<WidestRadius> widest{};
+  /// Made when reasons.h first needs them: of the grid as read, with 4 and 8 neighbours; with the
+  /// unknown cells free.
+  std::array<std::optional<WidestRadius>, 2> widest{};
   std::optional<Planner> with_unknown_free{};
 
   const Grid& grid() const { return planner ? planner->grid() : *grid_alone; }

@@ -83,9 +83,10 @@ Remedy widest_of(LoadedMap& map, Cell start, Cell goal, Corners corners,
                  const std::stop_token& token) {
   const Grid& grid = true_grid(map);
   if (std::int64_t{map.width} * map.height > Remedy::kMostCells) return {};
-  if (!map.widest) map.widest = WidestRadius::make(grid, corners, {.token = token});
-  if (!map.widest || !grid.contains(start) || !grid.contains(goal)) return {};
-  return {.searched = true, .widest_radius = map.widest->between(start, goal)};
+  auto& widest = map.widest[corners == Corners::allow ? 1 : 0];
+  if (!widest) widest = WidestRadius::make(grid, corners, {.token = token});
+  if (!widest || !grid.contains(start) || !grid.contains(goal)) return {};
+  return {.searched = true, .widest_radius = widest->between(start, goal)};
 }
 
 Remedy remedy_of(LoadedMap& map, Cell start, Cell goal, Corners corners,
