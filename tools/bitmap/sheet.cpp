@@ -115,9 +115,11 @@ void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet,
     const Span rows = cells_under(y, share.height, window.rows);
     for (int x = 0; x < share.width; ++x) {
       const Span columns = cells_under(x, share.width, window.columns);
+      const double unknown_here = wall_strength(unknown.at(x, y));
       Colour colour = ground(columns, rows);
+      if (!hides && colour == kFree) colour = blend(colour, kUnknownCell, unknown_here);
       if (read) colour = blend(colour, kGrown, wall_strength(share.at(x, y)));
-      colour = blend(colour, kUnknownCell, wall_strength(unknown.at(x, y)));
+      if (hides) colour = blend(colour, kUnknownCell, unknown_here);
       const float obstacles = inner.at(x, y) - (hides ? unknown.at(x, y) : 0);
       pixels.at(x, y) = blend(colour, kWall, wall_strength(obstacles));
     }

@@ -140,11 +140,12 @@ class BitmapStage {
     this.view.layers = [
       groundLayer(content.map),
       (context, view) => {
+        if (unknown && content.map.unknown_free) view.image(context, unknown, x, y, width, height, view.scale < 1);
         const side = content.frames?.cells_a_pixel;
         if (heat && this.shown !== "none") view.image(context, heat.image, 0, 0, side * heat.image.width, side * heat.image.height);
       },
       (context, view) => {
-        for (const image of [walls, inner, unknown]) if (image) view.image(context, image, x, y, width, height, view.scale < 1);
+        for (const image of [walls, inner, !content.map.unknown_free && unknown]) if (image) view.image(context, image, x, y, width, height, view.scale < 1);
       },
       (context, view) => this.drawPath(context, view),
     ];
