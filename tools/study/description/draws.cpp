@@ -39,7 +39,7 @@ void take_cells(const Study& study, const Map& map, Question& question) {
   if (!question.in_metres) return;
   if (!map.frame)
     fail(study, question, "`frame: world`, but the map gives no frame",
-         "name the .yaml file of a ROS map, or leave the frame out");
+         "name the .yaml file of a ROS map, or leave the frame out", ErrorCode::file_unsupported);
   const auto cell = [&](Point metres) {
     const Point cells = map.frame->to_cells(metres, map.grid.height());
     const auto whole = [](double n) { return static_cast<int>(std::clamp(n, -1e9, 1e9)); };
