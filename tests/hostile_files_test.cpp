@@ -124,6 +124,9 @@ TEST_F(HostileFiles, MapsThatClaimTheLargestSize) {
         "P2 32768 32768 9 0 1 2", "P4 32768 32768 ....", "P5 32768 32768 65535 ...."}) {
     refused(read_map_file, "a.map", content, says);
   }
+  std::string bmp =
+      "BM" + std::string(8, '\0') + "\x36\0\0\0\x28\0\0\0\0\x80\0\0\0\x80\0\0\1\0\x20"s;
+  refused(read_map_file, "a.bmp", bmp + std::string(80, '\0'), says);
   taken(read_map_file, "a.map", filled("P1 1024 1024 ", "0", ""));
 }
 

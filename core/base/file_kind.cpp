@@ -95,6 +95,7 @@ FileKind kind_of(std::string_view text) noexcept {
   static constexpr Mark kBegins[] = {{"\x89PNG", FileKind::image},
                                      {"\xff\xd8\xff", FileKind::image},
                                      {"GIF8", FileKind::image},
+                                     {"BM", FileKind::image},
                                      {"II*", FileKind::image},
                                      {"type octile", FileKind::movingai_map},
                                      {"version 1", FileKind::scenario}};

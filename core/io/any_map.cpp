@@ -5,6 +5,7 @@
 #include "core/base/output.h"
 #include "core/io/png_reader.h"
 #include "core/io/ros_map.h"
+#include "core/map_files/bmp.h"
 #include "core/map_files/byte_reader.h"
 #include "core/map_files/movingai.h"
 #include "core/map_files/pixel_rule.h"
@@ -21,11 +22,12 @@ bool is_yaml_name(const std::string& path) {
   return has_ending(path, ".yaml") || has_ending(path, ".yml");
 }
 
-Grid read_image(ByteReader& in, const PixelRule& rule) {
+Map read_image(ByteReader& in, const PixelRule& rule) {
   const std::string_view head = in.ahead(kHead);
   if (is_png(head)) return read_png(in, rule);
   if (is_pnm(head)) return read_pnm(in, rule);
-  in.fail_at_offset(0, "this is no PNG, PGM or PBM image", "convert it",
+  if (is_bmp(head)) return read_bmp(in, rule);
+  in.fail_at_offset(0, "this is no PNG, PGM, PBM or BMP image", "convert it",
                     ErrorCode::file_unsupported);
 }
 
@@ -34,7 +36,10 @@ Map read_ros_map(ByteReader& in, const ReadOptions& options) {
   const auto image = std::filesystem::path(in.name()).parent_path() / ros.image;
   try {
     InputFile file(image.string());
-    return {read_image(file.reader(), ros_rule(ros, options)), ros.frame, image.string()};
+    Map map = read_image(file.reader(), ros_rule(ros, options));
+    map.frame = ros.frame;
+    map.image = image.string();
+    return map;
   } catch (const Error& error) {
     if (error.code() != ErrorCode::file_missing) throw;
     in.fail_at_line(ros.image_line, "its image " + image.string() + " " + error.problem(),
@@ -50,9 +55,9 @@ Map read_any_map(const std::string& path, const ReadOptions& options) {
   ByteReader& in = file.reader();
   const std::string_view head = in.ahead(kHead);
   if (is_movingai(head)) return {read_movingai(in), std::nullopt};
-  if (is_png(head) || is_pnm(head)) return {read_image(in, rule), std::nullopt};
+  if (is_png(head) || is_pnm(head) || is_bmp(head)) return read_image(in, rule);
   constexpr const char* kMaps =
-      "give a MovingAI .map, a PBM, PGM or PNG image, or a ROS map's .yaml";
+      "give a MovingAI .map, a PBM, PGM, PNG or BMP image, or a ROS map's .yaml";
   refuse_other_kinds(in.ahead(ByteReader::kBuffer), path, {FileKind::ros_map, FileKind::image},
                      kMaps);
   if (is_yaml_name(path)) return read_ros_map(in, options);

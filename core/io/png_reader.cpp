@@ -27,23 +27,23 @@ class PngReader {
   PngReader& operator=(const PngReader&) = delete;
   ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
-  Grid read() {
+  Map read() {
     if (info_ == nullptr) throw std::bad_alloc();
     read_header();
-    Grid grid(width_, height_);
+    Map map = rule_.map(width_, height_);
     if (!interlaced_) {
-      read_pass({width_, height_, 0, 0, 1, 1}, grid);
+      read_pass({width_, height_, 0, 0, 1, 1}, map);
     } else {
       // Adam7 without libpng's help: a pass is a small image whose pixels lie apart.
       for (int k = 0; k < PNG_INTERLACE_ADAM7_PASSES; ++k) {
         const Pass pass{PNG_PASS_COLS(width_, k), PNG_PASS_ROWS(height_, k),
                         PNG_PASS_START_COL(k),    PNG_PASS_START_ROW(k),
                         PNG_PASS_COL_OFFSET(k),   PNG_PASS_ROW_OFFSET(k)};
-        if (pass.columns > 0) read_pass(pass, grid);
+        if (pass.columns > 0) read_pass(pass, map);
       }
     }
     guarded([this] { png_read_end(png_, nullptr); });
-    return grid;
+    return map;
   }
 
  private:
@@ -104,7 +104,7 @@ class PngReader {
     depth_ = png_get_bit_depth(png_, info_) / 8;
     channels_ = indexed_ ? 4 : png_get_channels(png_, info_);
     white_ = depth_ == 1 ? 255 : 65535;
-    blocked_ = rule_.table(white_);
+    kinds_ = rule_.table(white_);
     row_.resize(png_get_rowbytes(png_, info_));
   }
 
@@ -122,14 +122,15 @@ class PngReader {
     }
   }
 
-  void read_pass(const Pass& pass, Grid& grid) {
+  void read_pass(const Pass& pass, Map& map) {
     for (int j = 0; j < pass.rows; ++j) {
       guarded([this] { png_read_row(png_, row_.data(), nullptr); });
       const int y = pass.y + j * pass.step_y;
       for (int i = 0; i < pass.columns; ++i) {
-        if (pixel_blocked(pixel(i))) {
-          grid.set_blocked({pass.x + i * pass.step_x, y});
-        }
+        const int kind = kind_of(pixel(i));
+        const Cell cell{pass.x + i * pass.step_x, y};
+        if ((kind & PixelRule::kBlocked) != 0) map.grid.set_blocked(cell);
+        if ((kind & PixelRule::kUnknown) != 0) map.unknown->set_blocked(cell);
       }
     }
   }
@@ -146,27 +147,12 @@ class PngReader {
     return palette_.data() + 4 * index;
   }
 
-  bool pixel_blocked(const png_byte* pixel) const noexcept {
+  int kind_of(const png_byte* pixel) const noexcept {
     const auto sample = [&](std::ptrdiff_t i) noexcept -> std::int64_t {
       return depth_ == 1 ? pixel[i] : pixel[2 * i] << 8 | pixel[2 * i + 1];
     };
-    const std::int64_t white = white_;
-    std::int64_t level = sample(0);
-    if (channels_ >= 3) {
-      level = (2126 * level + 7152 * sample(1) + 722 * sample(2) + 5000) / 10000;
-    }
-    if (channels_ % 2 == 0) {
-      const std::int64_t alpha = sample(channels_ - 1);
-      if (alpha < white) {
-        using Transparent = PixelRule::Transparent;
-        if (rule_.transparent == Transparent::blocked) return true;
-        if (rule_.transparent == Transparent::free) return false;
-        if (rule_.transparent == Transparent::on_white) {
-          level = (level * alpha + white * (white - alpha) + white / 2) / white;
-        }
-      }
-    }
-    return blocked_[level] != 0;
+    const std::int64_t level = channels_ >= 3 ? luma(sample(0), sample(1), sample(2)) : sample(0);
+    return rule_.kind_of(kinds_, level, channels_ % 2 == 0 ? sample(channels_ - 1) : white_);
   }
 
   ByteReader& in_;
@@ -183,8 +169,8 @@ class PngReader {
   int depth_ = 0;     // bytes a sample
   int channels_ = 0;  // grey, grey + alpha, RGB, RGB + alpha
   int white_ = 255;
-  std::vector<std::uint8_t> blocked_;  // by level
-  std::vector<png_byte> palette_;      // RGBA, where pixels are its indices
+  std::vector<std::uint8_t> kinds_;  // by level
+  std::vector<png_byte> palette_;    // RGBA, where pixels are its indices
   std::vector<png_byte> row_;
 };
 
@@ -192,6 +178,6 @@ class PngReader {
 
 bool is_png(std::string_view head) noexcept { return head.starts_with(kSignature); }
 
-Grid read_png(ByteReader& in, const PixelRule& rule) { return PngReader(in, rule).read(); }
+Map read_png(ByteReader& in, const PixelRule& rule) { return PngReader(in, rule).read(); }
 
 }  // namespace lasius

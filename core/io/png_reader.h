@@ -5,7 +5,6 @@
 
 #include "core/map_files/byte_reader.h"
 #include "core/map_files/pixel_rule.h"
-#include "lasius/grid.h"
 
 namespace lasius {
 
@@ -14,6 +13,6 @@ bool is_png(std::string_view head) noexcept;
 
 /// Reads one image, one row at a time; interlaced ones pass by pass into the grid itself.
 /// @throws Error(file_broken, file_unsupported) with the byte offset.
-Grid read_png(ByteReader& in, const PixelRule& rule);
+Map read_png(ByteReader& in, const PixelRule& rule);
 
 }  // namespace lasius

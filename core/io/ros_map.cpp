@@ -2,6 +2,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -72,7 +73,7 @@ class Fields {
     int number = 0;
     bool value = false;
     if (node.IsScalar() && YAML::convert<int>::decode(node, number)) {
-      if (number == 0 || number == 1) return number == 1;
+      return number != 0;  // as map_server takes it
     } else if (node.IsScalar() && YAML::convert<bool>::decode(node, value)) {
       return value;
     }
@@ -104,9 +105,13 @@ WorldFrame read_frame(const Fields& fields) {
 RosMap::Mode read_mode(const Fields& fields) {
   if (!fields.has("mode")) return RosMap::Mode::trinary;
   const std::string mode = fields.text("mode", "trinary");
-  if (mode == "trinary") return RosMap::Mode::trinary;
-  if (mode == "scale") return RosMap::Mode::scale;
-  if (mode == "raw") return RosMap::Mode::raw;
+  const auto is = [&](std::string_view name) {  // small or capital letters
+    return std::ranges::equal(mode, name, {},
+                              [](char c) { return c >= 'A' && c <= 'Z' ? c | 32 : c; });
+  };
+  if (is("trinary")) return RosMap::Mode::trinary;
+  if (is("scale")) return RosMap::Mode::scale;
+  if (is("raw")) return RosMap::Mode::raw;
   fields.fail("mode", "is '" + mode.substr(0, 20) + "'", "the modes are trinary, scale and raw");
 }
 
@@ -119,10 +124,10 @@ RosMap read_fields(const Fields& fields) {
   ros.negate = fields.flag("negate");
   ros.occupied_thresh = fields.number("occupied_thresh", "0.65");
   ros.free_thresh = fields.number("free_thresh", "0.196");
-  if (!(0 <= ros.free_thresh && ros.free_thresh < ros.occupied_thresh &&
+  if (!(0 <= ros.free_thresh && ros.free_thresh <= ros.occupied_thresh &&
         ros.occupied_thresh <= 1)) {
     fields.fail("free_thresh", "and 'occupied_thresh' are out of order",
-                "0 <= free_thresh < occupied_thresh <= 1 must hold");
+                "0 <= free_thresh <= occupied_thresh <= 1 must hold");
   }
   return ros;
 }
@@ -146,24 +151,27 @@ RosMap read_ros_yaml(ByteReader& in) {
 }
 
 PixelRule ros_rule(const RosMap& ros, const ReadOptions& options) {
-  const bool unknown = !options.unknown_is_free;
+  const int unknown =
+      PixelRule::kUnknown | (options.unknown_is_free ? PixelRule::kFree : PixelRule::kBlocked);
   const double free_below = options.free_below;
-  const auto transparent = unknown ? PixelRule::Transparent::blocked : PixelRule::Transparent::free;
-  if (ros.mode == RosMap::Mode::raw) {
-    const auto blocked = [=](int level, int white) {
-      const int grey = (level * 255 + white / 2) / white;
-      return grey > 100 ? unknown : grey >= 100 * free_below;
-    };
-    return {blocked, PixelRule::Transparent::ignored};
-  }
-  const auto blocked = [=](int level, int white) {
-    const double p = static_cast<double>(ros.negate ? level : white - level) / white;
-    if (p <= ros.free_thresh) return false;
-    if (p >= ros.occupied_thresh) return true;
-    if (ros.mode == RosMap::Mode::trinary) return unknown;
-    return p - ros.free_thresh >= free_below * (ros.occupied_thresh - ros.free_thresh);
+  const auto blocked_if = [](bool blocked) -> int {
+    return blocked ? PixelRule::kBlocked : PixelRule::kFree;
   };
-  return {blocked, transparent};
+  if (ros.mode == RosMap::Mode::raw) {
+    const auto kind = [=](int level, int white) {
+      const int grey = (level * 255 + white / 2) / white;
+      return grey > 100 ? unknown : blocked_if(grey >= 100 * free_below);
+    };
+    return {kind, unknown, PixelRule::Transparent::ignored};
+  }
+  const auto kind = [=](int level, int white) {
+    const double p = static_cast<double>(ros.negate ? level : white - level) / white;
+    if (p <= ros.free_thresh || p >= ros.occupied_thresh)
+      return blocked_if(p >= ros.occupied_thresh);
+    if (ros.mode == RosMap::Mode::trinary) return unknown;
+    return blocked_if(p - ros.free_thresh >= free_below * (ros.occupied_thresh - ros.free_thresh));
+  };
+  return {kind, unknown, PixelRule::Transparent::unknown};
 }
 
 }  // namespace lasius

@@ -11,14 +11,16 @@
 
 namespace lasius {
 
-/// Reads a map of any kind: .map, PBM, PGM and PNG, told apart by content, and ROS map_server YAML,
-/// known by its name (.yaml, .yml, small or capital). PNG is read row by row, interlaced or not.
+/// Reads a map of any kind: .map, PBM, PGM, BMP and PNG, told apart by content, and ROS map_server
+/// YAML, known by its name (.yaml, .yml, small or capital). PNG is read row by row, interlaced or
+/// not.
 ///
-/// PNG: colours count by their luma (Rec. 709 weights of the stored values, gamma is ignored), what
-/// is transparent is seen on a white page, and the pixel then counts as in ReadOptions::free_below.
+/// PNG and BMP: colours count by their luma (Rec. 709 weights of the stored values, gamma is
+/// ignored), what is transparent is seen on a white page, and the pixel then counts as in
+/// ReadOptions::free_below.
 ///
-/// ROS: the image (PNG, PGM or PBM; its path relative to the YAML file) by the rules of map_server
-/// in nav2, with p = darkness, or lightness where `negate` is set:
+/// ROS: the image (PNG, PGM, PBM or BMP; its path relative to the YAML file) by the rules of
+/// map_server in nav2, with p = darkness, or lightness where `negate` is set:
 /// - trinary: p >= occupied_thresh is blocked, p <= free_thresh is free; between them, and where
 ///   the image is not opaque, it is unknown.
 /// - scale: as trinary, but between them s = (p - free_thresh) / (occupied_thresh - free_thresh)
@@ -26,7 +28,9 @@ namespace lasius {
 /// - raw: the stored grey v in 0 .. 255 is the occupancy. Up to 100 it is free where
 ///   v / 100 < free_below, above it is unknown; `negate` and opacity do not count.
 ///
-/// Unknown is blocked unless ReadOptions::unknown_is_free. `frame` holds resolution and origin.
+/// Unknown is blocked unless ReadOptions::unknown_is_free; either way Map::unknown tells which
+/// cells are. `frame` holds resolution and origin. `mode` may be written in capitals; any whole
+/// number but 0 negates.
 /// @throws Error(file_missing, file_broken, file_unsupported), naming the file, the line of a text
 ///         format or the byte offset of a binary one, and the remedy; Error(invalid_parameter) for
 ///         free_below out of range.

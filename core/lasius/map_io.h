@@ -1,4 +1,4 @@
-// Maps on disk: MovingAI .map, PBM, PGM here; PNG and ROS YAML in the component lasius::io.
+// Maps on disk: MovingAI .map, PBM, PGM, BMP here; PNG and ROS YAML in the component lasius::io.
 #pragma once
 
 #include <optional>
@@ -30,19 +30,22 @@ struct Map {
   Grid grid;                        ///< row 0 at the top
   std::optional<WorldFrame> frame;  ///< only where the file gives one
   std::string image = {};           ///< of a ROS map the file of its image, else empty
+  /// Of a ROS map the unknown cells, as the blocked ones of a grid of the same size.
+  std::optional<Grid> unknown = {};
 };
 
 /// How grey values and unknown cells become free or blocked: dark is blocked.
 struct ReadOptions {
   bool unknown_is_free = false;  ///< ROS maps: unknown cells count as free
-  /// PGM and PNG: a pixel of darkness (white - grey) / white below this is free, in (0, 1]. At the
-  /// default 0.5 the greys 128 .. 255 of 255 are free. Black pixels (1) of a PBM are blocked.
+  /// PGM, PNG and BMP: a pixel of darkness (white - grey) / white below this is free, in (0, 1]. At
+  /// the default 0.5 the greys 128 .. 255 of 255 are free. Black pixels (1) of a PBM are blocked.
   double free_below = 0.5;
 };
 
-/// Reads .map, .pbm or .pgm, told apart by content; row by row, without a buffer of the whole file.
-/// A .map's '.', 'G' and 'S' are free, '@', 'O', 'T' and 'W' blocked. A UTF-8 byte order mark is
-/// stepped over. The map is returned whole or not at all.
+/// Reads .map, .pbm, .pgm or uncompressed .bmp (1, 4, 8, 24 or 32 bits a pixel), told apart by
+/// content; row by row, without a buffer of the whole file. A .map's '.', 'G' and 'S' are free,
+/// '@', 'O', 'T' and 'W' blocked; colours of a .bmp count by their luma, as in io.h. A UTF-8 byte
+/// order mark is stepped over. The map is returned whole or not at all.
 /// @throws Error(file_missing, file_broken, file_unsupported), naming the file, the line of a text
 ///         format or the byte offset of a binary one, and the remedy; Error(invalid_parameter) for
 ///         free_below out of range.

@@ -5,6 +5,7 @@
 
 #include "core/base/invalid_parameter.h"
 #include "core/base/output.h"
+#include "core/map_files/bmp.h"
 #include "core/map_files/byte_reader.h"
 #include "core/map_files/movingai.h"
 #include "core/map_files/pixel_rule.h"
@@ -32,7 +33,9 @@ Point WorldFrame::to_world(Point cells, int height) const noexcept {
 PixelRule plain_rule(double free_below) {
   require_parameter(free_below > 0 && free_below <= 1, "free_below", free_below,
                     "it must lie above 0 and be at most 1");
-  return {[free_below](int level, int white) { return white - level >= free_below * white; }};
+  return {[free_below](int level, int white) {
+    return white - level >= free_below * white ? PixelRule::kBlocked : PixelRule::kFree;
+  }};
 }
 
 Map read_map(const std::string& path, const ReadOptions& options) {
@@ -41,8 +44,9 @@ Map read_map(const std::string& path, const ReadOptions& options) {
   ByteReader& in = file.reader();
   const std::string_view head = in.ahead(8);
   if (is_movingai(head)) return {read_movingai(in), std::nullopt};
-  if (is_pnm(head)) return {read_pnm(in, rule), std::nullopt};
-  in.fail_at_offset(0, "this is no MovingAI .map, PBM or PGM file",
+  if (is_pnm(head)) return read_pnm(in, rule);
+  if (is_bmp(head)) return read_bmp(in, rule);
+  in.fail_at_offset(0, "this is no MovingAI .map, PBM, PGM or BMP file",
                     "convert it, or read PNG and ROS YAML maps with lasius::io",
                     ErrorCode::file_unsupported);
 }

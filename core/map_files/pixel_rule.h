@@ -1,34 +1,86 @@
-// Which pixels of an image are blocked cells.
+// What the pixels of an image are as cells, and the map that they make.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "lasius/export.h"
+#include "lasius/map_io.h"
 
 namespace lasius {
 
 // Exported for lasius::io only; not part of the public API.
 struct PixelRule {
-  /// Whether an opaque pixel is blocked; `level` in [0, white], 0 is black.
-  std::function<bool(int level, int white)> blocked;
+  /// Bits of what a pixel is; none: known to be free.
+  enum Kind : std::uint8_t { kFree = 0, kBlocked = 1, kUnknown = 2 };
+
+  /// What an opaque pixel is; `level` in [0, white], 0 is black.
+  std::function<int(int level, int white)> kind;
+  /// What an unknown pixel is, kUnknown with kBlocked or without; kFree: none is unknown.
+  int unknown = kFree;
 
   /// What a pixel is that is not fully opaque.
   enum class Transparent {
     on_white,  ///< seen on a white page
-    blocked,
-    free,
+    unknown,
     ignored,  ///< its colour counts as if it were opaque
   };
   Transparent transparent = Transparent::on_white;
 
-  /// `blocked` for every level, 1 or 0.
+  /// `kind` of every level.
   std::vector<std::uint8_t> table(int white) const {
     std::vector<std::uint8_t> result(static_cast<std::size_t>(white) + 1);
-    for (int level = 0; level <= white; ++level) result[level] = blocked(level, white) ? 1 : 0;
+    for (int level = 0; level <= white; ++level)
+      result[level] = static_cast<std::uint8_t>(kind(level, white));
     return result;
   }
+
+  /// What a pixel of this alpha is, 0: transparent; `kinds`: a table.
+  int kind_of(const std::vector<std::uint8_t>& kinds, std::int64_t level,
+              std::int64_t alpha) const noexcept {
+    const auto white = static_cast<std::int64_t>(kinds.size()) - 1;
+    if (alpha < white) {
+      if (transparent == Transparent::unknown) return unknown;
+      if (transparent == Transparent::on_white)
+        level = (level * alpha + white * (white - alpha) + white / 2) / white;
+    }
+    return kinds[static_cast<std::size_t>(level)];
+  }
+
+  /// What pixels make: a free map, without unknown cells yet.
+  Map map(int width, int height) const {
+    Map made{Grid(width, height), std::nullopt};
+    if (unknown != kFree) made.unknown.emplace(width, height);
+    return made;
+  }
+};
+
+/// Grey of a colour, as light as it (Rec. 709).
+constexpr std::int64_t luma(std::int64_t red, std::int64_t green, std::int64_t blue) noexcept {
+  return (2126 * red + 7152 * green + 722 * blue + 5000) / 10000;
+}
+
+/// One row of a map, pixel by pixel.
+class PixelRow {
+ public:
+  explicit PixelRow(const Grid& grid) : blocked(grid.words()), unknown(grid.words()) {}
+  void add(int x, int kind) noexcept {
+    const auto bits = static_cast<std::uint64_t>(kind);
+    blocked[x >> 6] |= (bits & PixelRule::kBlocked) << (x & 63);
+    unknown[x >> 6] |= bits >> 1 << (x & 63);
+  }
+  /// Puts it into the map, and begins the next one.
+  void end(int y, Map& map) {
+    map.grid.set_row(y, blocked.data());
+    if (map.unknown) map.unknown->set_row(y, unknown.data());
+    std::ranges::fill(blocked, 0);
+    std::ranges::fill(unknown, 0);
+  }
+
+  std::vector<std::uint64_t> blocked, unknown;  ///< words, as of a grid's row
 };
 
 /// Plain images: free where the darkness (white - level) / white lies below `free_below`.

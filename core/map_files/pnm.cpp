@@ -31,24 +31,23 @@ class PnmReader {
  public:
   PnmReader(ByteReader& in, const PixelRule& rule) : in_(in), rule_(rule) {}
 
-  Grid read() {
+  Map read() {
     read_header();
-    blocked_ = rule_.table(white_);
-    Grid grid(width_, height_);
-    std::vector<std::uint64_t> words(grid.words());
+    kinds_ = rule_.table(white_);
+    Map map = rule_.map(width_, height_);
+    PixelRow row(map.grid);
     for (int y = 0; y < height_; ++y) {
-      std::ranges::fill(words, 0);
       if (plain_) {
-        read_plain_row(y, words);
+        read_plain_row(y, row);
       } else if (bitmap_) {
-        read_bit_row(y, words);
+        read_bit_row(y, row);
       } else {
-        read_level_row(y, words);
+        read_level_row(y, row);
       }
-      grid.set_row(y, words.data());
+      row.end(y, map);
     }
     check_end();
-    return grid;
+    return map;
   }
 
  private:
@@ -151,7 +150,7 @@ class PnmReader {
          "get the whole file, or correct the size");
   }
 
-  void read_plain_row(int y, std::vector<std::uint64_t>& words) {
+  void read_plain_row(int y, PixelRow& row) {
     for (int x = 0; x < width_; ++x) {
       skip_space();
       const Mark at = mark();
@@ -170,22 +169,27 @@ class PnmReader {
                "correct either");
         }
       }
-      words[x >> 6] |= std::uint64_t{blocked_[level]} << (x & 63);
+      row.add(x, kinds_[level]);
     }
   }
 
-  void read_bit_row(int y, std::vector<std::uint64_t>& words) {
+  void read_bit_row(int y, PixelRow& row) {
     if (in_.read(bytes_.data(), bytes_.size()) < bytes_.size()) fail_at_end(y);
-    const std::uint64_t if_black = blocked_[0] != 0 ? ~std::uint64_t{0} : 0;
-    const std::uint64_t if_white = blocked_[1] != 0 ? ~std::uint64_t{0} : 0;
     for (std::size_t i = 0; i < bytes_.size(); ++i) {
-      words[i >> 3] |= std::uint64_t{kReversed[static_cast<unsigned char>(bytes_[i])]}
-                       << (i & 7) * 8;
+      row.blocked[i >> 3] |= std::uint64_t{kReversed[static_cast<unsigned char>(bytes_[i])]}
+                             << (i & 7) * 8;
     }
-    for (std::uint64_t& word : words) word = (word & if_black) | (~word & if_white);
+    const auto chosen = [this](std::uint64_t black, int bit) {
+      return ((kinds_[0] & bit) != 0 ? black : 0) | ((kinds_[1] & bit) != 0 ? ~black : 0);
+    };
+    for (std::size_t i = 0; i < row.blocked.size(); ++i) {
+      const std::uint64_t black = row.blocked[i];
+      row.blocked[i] = chosen(black, PixelRule::kBlocked);
+      row.unknown[i] = chosen(black, PixelRule::kUnknown);
+    }
   }
 
-  void read_level_row(int y, std::vector<std::uint64_t>& words) {
+  void read_level_row(int y, PixelRow& row) {
     const std::int64_t start = in_.offset();
     if (in_.read(bytes_.data(), bytes_.size()) < bytes_.size()) fail_at_end(y);
     const int depth = white_ > 255 ? 2 : 1;
@@ -200,7 +204,7 @@ class PnmReader {
             "grey level " + std::to_string(level) + " lies above maxval, " + std::to_string(white_),
             "correct either");
       }
-      words[x >> 6] |= std::uint64_t{blocked_[level]} << (x & 63);
+      row.add(x, kinds_[level]);
     }
   }
 
@@ -219,8 +223,8 @@ class PnmReader {
   int width_ = 0;
   int height_ = 0;
   int white_ = 1;
-  std::vector<std::uint8_t> blocked_;  // by level
-  std::vector<char> bytes_;            // of one binary row
+  std::vector<std::uint8_t> kinds_;  // by level
+  std::vector<char> bytes_;          // of one binary row
 };
 
 }  // namespace
@@ -231,7 +235,7 @@ bool is_pnm(std::string_view head) noexcept {
          (is_space(head[2]) || head[2] == '#');
 }
 
-Grid read_pnm(ByteReader& in, const PixelRule& rule) { return PnmReader(in, rule).read(); }
+Map read_pnm(ByteReader& in, const PixelRule& rule) { return PnmReader(in, rule).read(); }
 
 void write_pbm(const Grid& grid, std::ostream& out) {
   out << "P4\n" << grid.width() << ' ' << grid.height() << '\n';

@@ -12,7 +12,7 @@ LASIUS_EXPORT bool is_pnm(std::string_view head) noexcept;
 
 /// Reads one image row by row; pixels of a PBM have level 0 (1, black) or 1 of white 1.
 /// @throws Error(file_broken, file_unsupported) with the line (ASCII) or byte offset (binary).
-LASIUS_EXPORT Grid read_pnm(ByteReader& in, const PixelRule& rule);
+LASIUS_EXPORT Map read_pnm(ByteReader& in, const PixelRule& rule);
 
 /// Writes a binary PBM (P4), blocked = 1 = black.
 void write_pbm(const Grid& grid, std::ostream& out);

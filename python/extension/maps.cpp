@@ -22,7 +22,7 @@ py::tuple read(const std::string& path, bool unknown_is_free, double free_below)
     const py::gil_scoped_release released;
     return read_any_map(path, {unknown_is_free, free_below});
   }();
-  return py::make_tuple(map.grid, map.frame, words(map.image));
+  return py::make_tuple(map.grid, map.frame, words(map.image), map.unknown);
 }
 
 py::tuple generated(const std::string& kind, int width, int height, std::optional<double> density,

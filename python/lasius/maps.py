@@ -23,15 +23,16 @@ class Map:
     grid: Grid  #: row 0 at the top
     frame: Optional[WorldFrame]  #: where it lies in the world; None where the file does not say
     image: str  #: of a ROS map the file of its image, else empty
+    unknown: Optional[Grid] = None  #: of a ROS map a grid whose blocked cells are the unknown ones
 
 
 @explained
 def read_map(path: Path, *, unknown_is_free: bool = False, free_below: float = 0.5) -> Map:
-    """Reads MovingAI .map, PBM, PGM, PNG (told apart by content) or ROS map_server YAML.
+    """Reads MovingAI .map, PBM, PGM, PNG, BMP (told apart by content) or ROS map_server YAML.
 
     Args:
         path: the file's name.
-        unknown_is_free: unknown cells of a ROS map count as free.
+        unknown_is_free: unknown cells of a ROS map count as free; `Map.unknown` tells which they are.
         free_below: a pixel of less darkness than this is free, in (0, 1].
     Raises:
         FileMissing, FileBroken, FileUnsupported: with the file, the line or offset, and the remedy.

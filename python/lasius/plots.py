@@ -5,14 +5,15 @@ from __future__ import annotations
 import base64
 import html
 import io
-from typing import TYPE_CHECKING, Any, Optional, Tuple
+from typing import TYPE_CHECKING, Any, List, Optional, Tuple
 
 import numpy as np
 
-from ._lasius import Grid
+from ._lasius import Grid, WorldFrame
 from .arrays import BoolArray
 
 if TYPE_CHECKING:
+    from .maps import Map
     from .results import DriveResult, Result
 
 MOST = 1024  # cells a side that are drawn one by one
@@ -45,17 +46,39 @@ def axes_of(figure: Any, curves: bool) -> Tuple[Any, Any]:
     return upper, lower
 
 
-def draw_map(grid: Optional[Grid], axes: Any) -> Any:
-    """Blocked cells dark, row 0 at the top, a cell from 0 to 1 along each axis. None, of an answer that was
-    parted from its map: the axes alone."""
+def draw_map(grid: Optional[Grid], axes: Any, map: Optional[Map] = None) -> Any:
+    """Blocked cells dark, row 0 at the top, a cell from 0 to 1 along each axis; in metres where the map has a
+    frame. No grid, of an answer that was parted from its map: the axes alone."""
     if grid is None:
         axes.yaxis.set_inverted(True)
     else:
-        extent = (0, grid.width, grid.height, 0)
-        picture = blocked_picture(grid)
-        axes.imshow(picture, cmap="Greys", vmin=0, vmax=1.4, extent=extent, interpolation="nearest")
+        how = dict(extent=(0, grid.width, grid.height, 0), interpolation="nearest")
+        images = [axes.imshow(blocked_picture(grid), cmap="Greys", vmin=0, vmax=1.4, **how)]
+        if map is not None and map.unknown is not None:
+            from matplotlib.colors import ListedColormap
+
+            unknown = blocked_picture(map.unknown)
+            tone = ListedColormap(["#dbc9a8"])
+            images.append(axes.imshow(np.ma.masked_where(~unknown, unknown), cmap=tone, **how))
+        if map is not None and map.frame is not None:
+            place_images(images, axes, map.frame, grid)
+            return axes
     axes.set(aspect="equal", xlabel="x, cells", ylabel="y, cells")
     return axes
+
+
+def place_images(images: List[Any], axes: Any, frame: WorldFrame, grid: Grid) -> None:
+    """Moves images in cells to where they are in metres."""
+    from matplotlib.transforms import Affine2D
+
+    width, height = grid.width, grid.height
+    origin, x, y = frame.to_world([[0, 0], [1, 0], [0, 1]], height)
+    to_metres = Affine2D(np.vstack([np.column_stack([x - origin, y - origin, origin]), [0, 0, 1]]))
+    for image in images:
+        image.set_transform(to_metres + axes.transData)
+    corners = to_metres.transform([[0, 0], [width, 0], [0, height], [width, height]])
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    axes.set(aspect="equal", xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel="x, m", ylabel="y, m")
 
 
 def draw_line(points: Any, axes: Any) -> None:
@@ -82,8 +105,11 @@ def title(result: Any) -> str:
     return f"{result.params.algorithm}: {result.status}{length}"
 
 
-def draw_result(result: Result, upper: Any, lower: Any) -> None:
-    draw_line(result.path, draw_map(result.grid, upper))
+def draw_result(result: Result, upper: Any, lower: Any, map: Optional[Map] = None) -> None:
+    path = result.path
+    if map is not None and map.frame is not None and len(path) > 0:
+        path = map.frame.to_world(path, map.grid.height)
+    draw_line(path, draw_map(result.grid, upper, map))
     upper.set_title(title(result))
     if lower is not None:
         draw_curves(result, lower)
@@ -94,9 +120,9 @@ def plot_grid(grid: Grid, axes: Any = None) -> Any:
     return draw_map(grid, axes if axes is not None else new_axes(False)[0])
 
 
-def plot_result(result: Result, axes: Any) -> Any:
+def plot_result(result: Result, axes: Any, map: Optional[Map]) -> Any:
     upper, lower = (axes, None) if axes is not None else new_axes(result.curves is not None)
-    draw_result(result, upper, lower)
+    draw_result(result, upper, lower, map)
     return upper
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, List, Optional, Tuple, TypeVar
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -13,6 +13,9 @@ from ._lasius import Grid, status_names
 from .arrays import BoolArray, Cell, FloatArray, IntArray, LongArray, same
 from .errors import finish
 from .parameters import ParameterSet
+
+if TYPE_CHECKING:
+    from .maps import Map
 
 T = TypeVar("T")
 
@@ -105,17 +108,19 @@ class Result(SearchResult):
     params: ParameterSet  #: as asked
     grid: Grid  #: the map; None where it was left out by dataclasses.replace
 
-    def plot(self, axes: Any = None) -> Any:
+    def plot(self, axes: Any = None, *, map: Optional[Map] = None) -> Any:
         """Draws map, path and, of a colony, its curves. Needs matplotlib.
 
         Args:
             axes: matplotlib's, to draw map and path in; None: a new figure.
+            map: as read_map gave it: draws in metres where it has a frame, and its unknown cells in a
+                tone of their own.
         Returns:
             The axes of the map.
         """
         from . import plots
 
-        return plots.plot_result(self, axes)
+        return plots.plot_result(self, axes, map)
 
     @property
     def __geo_interface__(self) -> Dict[str, Any]:

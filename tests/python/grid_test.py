@@ -128,7 +128,15 @@ def test_a_ros_map_has_a_frame(tmp_path):
     assert np.array_equal(frame.to_world([[0, 4], [6, 0]], 4), [[1, 2], [4, 4]])
     assert np.array_equal(frame.to_cells([[1, 2]], 4), [[0, 4]])
     assert pickle.loads(pickle.dumps(frame)).origin_y == 2
-    assert lasius.read_map(tmp_path / "it.yaml") == lasius.read_map(tmp_path / "it.yaml")
+    read = lasius.read_map(tmp_path / "it.yaml")
+    assert read == lasius.read_map(tmp_path / "it.yaml")
+    assert read.unknown.count_free() == 24 and lasius.read_map(tmp_path / "it.png").unknown is None
+    (tmp_path / "it.pgm").write_bytes(b"P5 3 1 255\n\x00\xcd\xfe")
+    (tmp_path / "it.yaml").write_text((tmp_path / "it.yaml").read_text().replace("it.png", "it.pgm"))
+    for free in (False, True):
+        read = lasius.read_map(tmp_path / "it.yaml", unknown_is_free=free)
+        assert read.unknown.to_array(free=False).tolist() == [[False, True, False]]
+        assert read.grid.to_array(free=True).tolist() == [[False, free, True]]
 
 
 def test_frames_are_values():

@@ -35,6 +35,24 @@ def test_a_plot_shows_map_path_and_curves(planner, pyplot):
     assert len(planner.plan(START, (999, 0)).plot().lines) == 0, "no path, no line"
 
 
+def test_a_plot_in_metres_with_unknown_cells(pyplot):
+    cells = np.zeros((4, 6), np.uint8)
+    unknown = lasius.Grid(np.arange(24).reshape(4, 6) > 20, free=False)
+    for yaw, x, y in ((0, (1, 4), (2, 4)), (np.pi / 2, (-1, 1), (2, 5))):
+        frame = lasius.WorldFrame(0.5, 1, 2, yaw)
+        grid = lasius.Grid(cells, free=0)
+        read = lasius.Map(grid, frame, "", unknown)
+        result = lasius.Planner(grid).plan((0, 0), (5, 3))
+        axes = result.plot(map=read)
+        assert np.allclose(np.column_stack(axes.lines[0].get_data()), frame.to_world(result.path, 4))
+        assert np.allclose([axes.get_xlim(), axes.get_ylim()], [x, y]) and axes.get_xlabel() == "x, m"
+        assert len(axes.images) == 2 and axes.images[1].get_array().count() == 3
+        low, high = axes.images[0].get_window_extent().min, axes.images[0].get_window_extent().max
+        assert np.allclose(axes.transData.inverted().transform([low, high]), [[x[0], y[0]], [x[1], y[1]]])
+    without = result.plot(map=lasius.Map(grid, None, "", unknown))
+    assert without.get_xlabel() == "x, cells" and len(without.images) == 2
+
+
 def test_answers_in_a_notebook(planner, pyplot):
     result = planner.plan(START, GOAL)
     assert result._repr_png_().startswith(PNG) and planner.grid._repr_png_().startswith(PNG)

@@ -170,6 +170,25 @@ class OwnStudy(ProgramTest):
         row = next(r for r in rows if r["contender"] == "mmas-2" and r["seed"] == "2")
         self.assertAlmostEqual(plan.json["length"], float(row["length"]), places=8)
 
+    def test_a_radius_and_metres(self):
+        self.write("m.pgm", b"P5 20 12 255\n" + (b"\xfe" * 9 + b"\x00" + b"\xfe" * 10) * 4 + b"\xfe" * 160)
+        self.write("m.yaml", "image: m.pgm\nresolution: 0.5\norigin: [-2, 1, 0]\nnegate: 0\n"
+                   "occupied_thresh: 0.65\nfree_thresh: 0.196\n")
+        world = ("--start=-0.25,4.25", "--goal=6.25,4.75", "--frame", "world", "--radius", "0.6")
+        cells = ("--start=3,5", "--goal=16,4", "--radius", "1.2")
+        plan = self.run_program("plan", "m.yaml", *world, "--json", "--algorithm", "exact").json
+        for name, ends in (("w", world), ("c", cells)):
+            form = ("study", "run", "m.yaml", *ends, "--algorithm", "exact", "--seeds", "1", "-o", name)
+            self.ended(self.run_program(*form), 0)
+            self.assertAlmostEqual(float(self.runs_of(name)[0]["length"]), plan["length"], places=8)
+        self.assertEqual(self.runs_of("w")[0]["length"], self.runs_of("c")[0]["length"])
+        self.assertIn('"frame": "world"', self.read("w/study.yaml").decode().replace('":"', '": "'))
+        self.refused(self.run_program("study", "run", "small.map", *world, "--algorithm", "as"), 3, "gives no frame")
+        self.refused(self.run_program("study", "run", "m.yaml", *cells[:2], "--radius=-1", "--algorithm", "as"), 2, "--radius")
+        self.refused(self.run_program("study", "fan2004", "--radius", "1"), 2, "--radius is for")
+        self.refused(self.run_program("study", "run", "m.yaml", "--start", "0.5,4", "--goal", "9,5", "--algorithm", "as"),
+                     2, "add --frame world")
+
     def test_what_no_contender_reads_is_told_once(self):
         run = (*self.SHORT, "--algorithm", "as", "--set", "elite_weight=2,3", "--set", "iterations=2", "--seeds", "1")
         told = "elite_weight of as has no effect: it is read only with update=elitist"

@@ -72,6 +72,17 @@ class Pictures(ProgramTest):
             self.assertEqual(grown in colours, radius > 0)
             self.assertEqual("blocked once obstacles are grown by 3.00 cells" in text, radius > 0)
 
+    def test_unknown_cells_have_a_tone_of_their_own(self):
+        self.write("world.pgm", b"P5 9 9 255\n" + (b"\xfe" * 6 + b"\xcd" * 2 + b"\x00") * 9)
+        self.write("world.yaml", "image: world.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\n"
+                   "occupied_thresh: 0.65\nfree_thresh: 0.196\n")
+        for how, told in ((["--radius", "0.6"], "blocked"), (["--unknown-free"], "free")):
+            text = self.drawn(*how, "-o", "run.png", map_file="world.yaml", start="2,2", goal="4,6", algorithm="exact")
+            self.assertIn("unknown, counted as " + told, text)
+            colours = {pixel for row in self.png_pixels("run.png") for pixel in row}
+            self.assertLessEqual({(219, 201, 168), (148, 154, 163)}, colours)
+        self.assertNotIn("unknown", self.drawn(map_file="small.map", goal="9,5"))
+
     def test_a_batch_says_how_many_paths_and_why_others_are_missing(self):
         self.write("q.tsv", "sx\tsy\tgx\tgy\n0\t0\t19\t19\n0\t0\t50\t50\n")
         self.quiet(self.run_program("batch", GRID["map_file"], "q.tsv", "-o", "run.svg"))

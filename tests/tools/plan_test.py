@@ -59,7 +59,7 @@ class ExitCodes(ProgramTest):
         self.assertEqual(self.plan(start="3,1", goal="4,2").code, 4)
 
     def test_grown_obstacles_are_named(self):
-        self.ended(self.plan("--radius", "0.5"), 4, "grown by 0.5 cells")
+        self.ended(self.plan("--radius", "0.5"), 4, "too near to the edge of the map, 0.5 cells away")
 
     def test_no_path_within_the_iterations(self):
         run = self.plan("--iterations", "0")

@@ -47,6 +47,13 @@ Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, c
   return answer;
 }
 
+void set_remedy(LoadedMap& map, const RunOptions& run, const std::stop_token& token,
+                Answer& answer) {
+  if (answer.result.status != Status::unreachable) return;
+  const Corners corners = squeezes(run.params) ? Corners::allow : Corners::forbid;
+  answer.remedy = remedy_of(map, answer.start.cell, answer.goal.cell, corners, token);
+}
+
 void set_optima(const RunOptions& run, std::optional<double> any_angle,
                 std::optional<double> by_moves, Answer& answer) {
   if (!squeezes(run.params) || answer.start.cell == answer.goal.cell) answer.optimum = any_angle;

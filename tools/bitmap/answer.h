@@ -5,7 +5,7 @@
 
 #include "lasius/batch.h"
 #include "lasius/planner.h"
-#include "tools/bitmap/map_file.h"
+#include "tools/bitmap/reasons.h"
 #include "tools/options/options.h"
 
 namespace lasius::tool {
@@ -20,7 +20,12 @@ struct Answer {
   std::optional<double> optimum{};
   /// With --gap: the shortest by the algorithm's own moves, any angle for `exact`.
   std::optional<double> grid_optimum{};
+  std::optional<Remedy> remedy{};  ///< where the ends are not joined
 };
+
+/// Looks for what would join ends that are not.
+void set_remedy(LoadedMap& map, const RunOptions& run, const std::stop_token& token,
+                Answer& answer);
 
 /// Plans from `start` to `goal` under `stop`, then looks for --gap's optima under the token and,
 /// each, as long a limit again.

@@ -53,7 +53,8 @@ std::vector<std::optional<double>> own_optima(const LoadedMap& map, const RunOpt
 /// The command's queries: a file's, or its own one.
 QueryFile queries_of(const BatchCommand& command, const LoadedMap& map) {
   if (command.queries.empty()) return {.queries = {{command.start, command.goal}}};
-  return read_queries(command.queries, map.width, map.height, command.run.frame == Frame::cell);
+  const bool cells = command.run.frame == Frame::cell;
+  return read_queries(command.queries, map.width, map.height, cells, cells && map.frame);
 }
 
 /// Start and goal of a line.
@@ -105,6 +106,7 @@ int run_command(const BatchCommand& command) {
                     .result = found.result,
                     .elapsed_ms = 1e3 * found.elapsed.count()};
       if (run.with_optimum) set_optima(run, any_angle[found.index], by_moves[found.index], answer);
+      set_remedy(*shared, run, how.token, answer);
       task.set_index(index);
       task.set_seed(found.seed);
       task.take(std::move(answer));

@@ -35,6 +35,8 @@ Json map_view_json(const LoadedMap& map, const Window& window) {
                {"window", {window.columns.from, window.rows.from, window.width(), window.height()}},
                {"walls", walls_json(map.grid(), window)},
                {"obstacles", map.as_read ? walls_json(*map.as_read, window) : Json(nullptr)},
+               {"unknown", map.unknown ? walls_json(*map.unknown, window) : Json(nullptr)},
+               {"unknown_free", map.unknown_is_free},
                {"to_world", nullptr}};
   if (map.frame) {
     const Point origin = map.to_world({0, 0}), x = map.to_world({1, 0}), y = map.to_world({0, 1});

@@ -75,6 +75,7 @@ void BitmapTask::plan(const StopCondition& stop, const Watch& watch) {
       if (frames_) frames_->observe(progress);
     };
   answer_ = answer(*map_, run, answer_.start, answer_.goal, stop, observer);
+  set_remedy(*map_, run, stop.token, answer_);
 }
 
 std::vector<std::string> BitmapTask::input_files() const {
@@ -131,6 +132,7 @@ void BitmapTask::add_path(Json& json) const {
 }
 
 void BitmapTask::add_findings(Json& json) const {
+  MapTask::add_findings(json);
   if (!options().with_optimum) return;
   json["grid_optimum"] = optional_number(answer_.grid_optimum);
   if (moves_on_cells(command_.run.params))

@@ -49,6 +49,7 @@ class BitmapTask : public MapTask {
   const Place& start() const override { return answer_.start; }
   const Place& goal() const override { return answer_.goal; }
   const std::optional<Cell>& nearest_free() const override { return result().nearest_free; }
+  const Remedy* remedy() const override { return answer_.remedy ? &*answer_.remedy : nullptr; }
 
   PlanCommand command_;
   SharedMap map_;

@@ -1,7 +1,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "tools/bitmap/map_file.h"
+#include "tools/bitmap/map_record.h"
+#include "tools/bitmap/reasons.h"
 #include "tools/console/exit_code.h"
 #include "tools/console/streams.h"
 #include "tools/console/values.h"
@@ -27,6 +28,22 @@ Json preparation_json(const LoadedMap& map) {
           {"ms", number(1000 * prepared.seconds)}};
 }
 
+/// Whether two places are joined, and with how wide a radius they would be.
+void add_joined(Json& json, LoadedMap& map, const InfoCommand& command) {
+  if (!command.start) return;
+  const Place start = to_place(map, *command.start, command.frame);
+  const Place goal = to_place(map, *command.goal, command.frame);
+  const Remedy widest = widest_of(map, start.cell, goal.cell, command.corners, {});
+  json["start"] = cell_json(start);
+  json["goal"] = cell_json(goal);
+  json["joined"] = map.grid().free(start.cell) && map.grid().free(goal.cell) &&
+                   map.planner->connected(start.cell, goal.cell, command.corners);
+  json["widest_radius"] = optional_number(widest.widest_radius);
+  if (!map.frame) return;
+  json["widest_radius_m"] =
+      widest.widest_radius ? number(metres_within(map, *widest.widest_radius)) : Json(nullptr);
+}
+
 Json info_json(const LoadedMap& map, Corners corners) {
   const Grid& grid = map.grid();
   const bool eight = corners == Corners::allow;
@@ -44,9 +61,17 @@ Json info_json(const LoadedMap& map, Corners corners) {
   json["radius"] = number(map.radius);
   json["free_cells"] = free;
   json["free_share"] = number(static_cast<double>(free) / cells);
+  json["unknown_cells"] = nullptr;
+  json["unknown_share"] = nullptr;
+  if (map.unknown) {
+    const double unknown = cells - static_cast<double>(map.unknown->count_free());
+    json["unknown_cells"] = static_cast<std::int64_t>(unknown);
+    json["unknown_share"] = number(unknown / cells);
+  }
   json["connectivity"] = eight ? 8 : 4;
   json["components"] = map.planner->components(corners);
   json["frame"] = frame_json(map.frame);
+  if (map.frame) json["extent_m"] = {number(map.metres(map.width)), number(map.metres(map.height))};
   json["read_ms"] = number(map.read_ms);
   json["prepare_ms"] = number(map.ready_ms);
   json["preparation"] = preparation_json(map);
@@ -58,17 +83,25 @@ Json info_json(const LoadedMap& map, Corners corners) {
   return json;
 }
 
-std::string info_text(const Json& json) {
+std::string info_text(const Json& json, const LoadedMap& map, const InfoCommand& command) {
   const auto ms = [](const Json& value) { return printed("%.2f ms", value.get<double>()); };
   const auto& memory = json["memory"];
   std::string text;
   const auto row = [&text](const char* name, const std::string& value) {
     text += row_text(name, value);
   };
-  row("size", dumped(json["width"]) + " x " + dumped(json["height"]) + " cells");
+  const auto percent = [&json](const char* share) {
+    return " cells, " + std::to_string(std::lround(100 * json[share].get<double>())) + "%";
+  };
+  row("size", dumped(json["width"]) + " x " + dumped(json["height"]) + " cells" +
+                  (map.frame ? ", " + rounded_text(map.metres(map.width), 3) + " x " +
+                                   length_text(map, Frame::world, map.height)
+                             : ""));
   row("hash", json["hash"].get<std::string>());
-  row("free", dumped(json["free_cells"]) + " cells, " +
-                  std::to_string(std::lround(100 * json["free_share"].get<double>())) + "%");
+  row("free", dumped(json["free_cells"]) + percent("free_share"));
+  if (map.unknown)
+    row("unknown", dumped(json["unknown_cells"]) + percent("unknown_share") +
+                       (map.unknown_is_free ? ", counted as free" : ", counted as blocked"));
   row("components",
       dumped(json["components"]) + " (" + dumped(json["connectivity"]) + "-connected)");
   if (!json["frame"].is_null()) {
@@ -76,6 +109,13 @@ std::string info_text(const Json& json) {
     row("frame", to_text(json["frame"]["resolution"].get<double>()) + " m a cell, origin " +
                      to_text(origin[0].get<double>()) + "," + to_text(origin[1].get<double>()) +
                      " m, yaw " + to_text(origin[2].get<double>()));
+  }
+  if (command.start) {
+    std::string joined = json["joined"].get<bool>() ? "yes" : "no";
+    if (!json["widest_radius"].is_null())
+      joined += ", up to --radius " +
+                length_text(map, command.frame, json["widest_radius"].get<double>(), 3, true);
+    row("joined", joined);
   }
   row("read", ms(json["read_ms"]));
   row("made ready", ms(json["prepare_ms"]));
@@ -98,9 +138,10 @@ std::string info_text(const Json& json) {
 }  // namespace
 
 int run_command(const InfoCommand& command) {
-  const LoadedMap map = load_map(command.map);
-  const Json json = info_json(map, command.corners);
-  print(command.json ? line(json) : info_text(json));
+  LoadedMap map = load_map(command.map, command.frame);
+  Json json = info_json(map, command.corners);
+  add_joined(json, map, command);
+  print(command.json ? line(json) : info_text(json, map, command));
   return kFound;
 }
 

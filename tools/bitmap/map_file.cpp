@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "lasius/clearance.h"
 #include "lasius/io.h"
 #include "tools/console/elapsed.h"
 #include "tools/console/exit_code.h"
@@ -65,7 +64,8 @@ LoadedMap read_map(const MapOptions& options, Frame frame) {
                 .unknown_is_free = options.unknown_is_free,
                 .radius = radius,
                 .prepare = options.prepare,
-                .grid_alone = std::move(read.grid)};
+                .grid_alone = std::move(read.grid),
+                .unknown = std::move(read.unknown)};
   map.read_ms = ms_since(start);
   return map;
 }

@@ -1,12 +1,14 @@
 // A map file made ready for planning.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "lasius/clearance.h"
 #include "lasius/map_io.h"
 #include "lasius/planner.h"
 #include "tools/options/options.h"
@@ -26,8 +28,13 @@ struct LoadedMap {
   std::optional<Planner> planner{};  ///< nothing: the token fired before it was made
   std::optional<Grid> grid_alone{};  ///< without a planner: the grid as far as it came
   std::optional<Grid> as_read{};     ///< before obstacles grew, where they did
+  std::optional<Grid> unknown{};     ///< as Map::unknown
   double read_ms = 0;                ///< reading, and growing obstacles
   double ready_ms = 0;               ///< making the planner
+  /// Made when reasons.h first needs them: of the grid as read, with 4 and 8 neighbours; with the
+  /// unknown cells free.
+  std::array<std::optional<WidestRadius>, 2> widest{};
+  std::optional<Planner> with_unknown_free{};
 
   const Grid& grid() const { return planner ? planner->grid() : *grid_alone; }
 

@@ -14,31 +14,27 @@ std::string MapTask::parameter(std::string_view name) const {
 }
 
 std::string MapTask::error() const {
-  const Status status = result().status;
-  std::string text = status == Status::invalid ? invalid_text() : result().error;
-  const bool refused = status == Status::invalid || status == Status::unreachable;
-  if (refused && map().radius > 0)  // why a cell that looks free is not
-    text.append(" (obstacles grown by ").append(to_text(map().radius)).append(" cells)");
-  return text;
+  const Frame frame = options().frame;
+  if (result().status == Status::invalid)
+    return invalid_text() + metres_hint(map(), frame, at_start() ? start() : goal());
+  std::string text = result().error;
+  if (result().status != Status::unreachable) return text;
+  if (remedy() && in_metres())
+    text = "start " + place_text(start(), frame) + " and goal " + place_text(goal(), frame) +
+           " lie in different regions of free cells";
+  if (map().radius > 0)  // why cells that look free are not
+    text += " (obstacles grown by " + length_text(map(), frame, map().radius, 6) + ")";
+  return remedy() ? text + remedy_text(map(), frame, *remedy()) : text;
+}
+
+bool MapTask::at_start() const {
+  return result().fault == Fault::start_blocked || result().fault == Fault::start_outside;
 }
 
 std::string MapTask::invalid_text() const {
-  const Fault fault = result().fault;
-  const bool at_start = fault == Fault::start_blocked || fault == Fault::start_outside;
-  const bool outside = fault == Fault::start_outside || fault == Fault::goal_outside;
-  const auto& [cell, number, asked] = at_start ? start() : goal();
-  const std::string named = std::string("(")
-                                .append(whole_text(number.x))
-                                .append(", ")
-                                .append(whole_text(number.y))
-                                .append(")");
-  std::string text = at_start ? "start " : "goal ";
-  if (in_metres()) {
-    text += to_text(asked.x) + "," + to_text(asked.y) + " m, in cell " + named + ",";
-  } else {
-    text += named;
-  }
-  text += outside ? " is outside the map" : " is blocked";
+  const Place& place = at_start() ? start() : goal();
+  std::string text = (at_start() ? "start " : "goal ") + place_text(place, options().frame) +
+                     obstruction_text(map(), options().frame, obstruction_of(map(), place.cell));
   if (!nearest_free())
     return map().grid().count_free() == 0 ? text + "; the map has no free cell" : text;
   const Cell free = *nearest_free();
@@ -47,6 +43,16 @@ std::string MapTask::invalid_text() const {
   const Point metres = map().to_world(centre(free));
   return text + ", its centre at " + decimal_text(metres.x, 3) + "," + decimal_text(metres.y, 3) +
          " m";
+}
+
+void MapTask::add_findings(Json& json) const {
+  if (result().status == Status::invalid) {
+    const auto why = obstruction_of(map(), (at_start() ? start() : goal()).cell);
+    json["blocked_by"] = why.by.empty() ? "obstacle" : why.by;  // that a drive's map has not
+    if (why.by == "radius") json["clearance"] = number(why.clearance);
+  }
+  if (remedy() && remedy()->searched)
+    json["widest_radius"] = optional_number(remedy()->widest_radius);
 }
 
 std::pair<Json, Json> MapTask::ends() const { return {cell_json(start()), cell_json(goal())}; }

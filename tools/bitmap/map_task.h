@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "tools/bitmap/map_file.h"
+#include "tools/bitmap/reasons.h"
 #include "tools/record/task.h"
 
 namespace lasius::tool {
@@ -14,13 +14,16 @@ class MapTask : public Task {
   const Algorithm& algorithm() const override;
   std::string parameter(std::string_view name) const override;
 
-  /// Of an invalid start or goal where it is, as it was given, and the free cell that is nearest.
+  /// Of an invalid start or goal where it is, as it was given, what blocks it, and the free cell
+  /// that is nearest; of two that are not joined what would join them.
   std::string error() const override;
 
   double shown(double length) const override { return map().length_in(options().frame, length); }
   std::string unit() const override { return in_metres() ? "m" : ""; }
 
   std::pair<Json, Json> ends() const override;
+  /// What blocks an invalid start or goal.
+  void add_findings(Json& json) const override;
   void add_settings(Json& json) const override;
 
  protected:
@@ -29,9 +32,12 @@ class MapTask : public Task {
   virtual const Place& goal() const = 0;
   virtual const std::optional<Cell>& nearest_free() const = 0;  ///< to an invalid start or goal
 
+  virtual const Remedy* remedy() const { return nullptr; }  ///< of ends that are not joined
+
   bool in_metres() const { return options().frame == Frame::world; }
 
  private:
+  bool at_start() const;  ///< an invalid end is the start
   std::string invalid_text() const;
 };
 

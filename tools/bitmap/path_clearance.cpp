@@ -26,17 +26,17 @@ std::vector<Point> spread(const std::vector<Point>& path, int count, double step
 
 }  // namespace
 
-double distance_to_blocked(const Grid& grid, Point at, double most) {
+NearestBlocked nearest_blocked(const Grid& grid, Point at, double most) {
   const Cell middle{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))};
-  double best = most;
+  NearestBlocked best{most, {}};
   const auto look = [&](int x, int y) {
     if (grid.contains({x, y}) && grid.free({x, y})) return;
     const double dx = std::max({x - at.x, at.x - x - 1, 0.0});
     const double dy = std::max({y - at.y, at.y - y - 1, 0.0});
-    best = std::min(best, std::hypot(dx, dy));
+    if (const double d = std::hypot(dx, dy); d < best.distance) best = {d, {x, y}};
   };
   // Ring by ring: cells of ring r are at least r - 1 away.
-  for (int r = 0; r - 1 < best; ++r)
+  for (int r = 0; r - 1 < best.distance; ++r)
     for (int i = -r; i <= r; ++i) {
       look(middle.x + i, middle.y - r);
       look(middle.x + i, middle.y + r);
@@ -44,6 +44,10 @@ double distance_to_blocked(const Grid& grid, Point at, double most) {
       look(middle.x + r, middle.y + i);
     }
   return best;
+}
+
+double distance_to_blocked(const Grid& grid, Point at, double most) {
+  return nearest_blocked(grid, at, most).distance;
 }
 
 ClearanceAlong clearance_along(const Grid& grid, const std::vector<Point>& path, double length) {

@@ -11,6 +11,13 @@ namespace lasius::tool {
 /// Farther than this, in cells, counts as this.
 inline constexpr int kMostClearance = 64;
 
+/// What is blocked nearest to a point.
+struct NearestBlocked {
+  double distance = 0;  ///< to its square, cells
+  Cell cell{};          ///< perhaps outside; any where nothing is as near as `most`
+};
+NearestBlocked nearest_blocked(const Grid& grid, Point at, double most);
+
 /// Distance from a point to the nearest blocked cell's square or the outside, at most `most`.
 double distance_to_blocked(const Grid& grid, Point at, double most = kMostClearance);
 

@@ -78,6 +78,10 @@ Page Sheet::page(std::string title) const {
             .legend = {start_key(), goal_key(), area_key("blocked", kWall)},
             .wide = 1.0 * window.width(),
             .high = 1.0 * window.height()};
+  if (unknown != nullptr && unknown->count_free() < std::int64_t{1} * map.width * map.height)
+    page.legend.push_back(
+        area_key(map.unknown_is_free ? "unknown, counted as free" : "unknown, counted as blocked",
+                 kUnknownCell));
   if (map.as_read)
     page.legend.push_back(
         area_key("blocked once obstacles are grown by " + length(map.radius), kGrown));
@@ -102,14 +106,22 @@ void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet,
                     std::min(window.height(), static_cast<int>(box.height)));
   const auto& read = sheet.map.as_read;
   const auto inner = read ? blocked_share(*read, window, share.width, share.height) : share;
+  const auto unknown = sheet.unknown != nullptr
+                           ? blocked_share(*sheet.unknown, window, share.width, share.height)
+                           : Raster<float>(share.width, share.height);
+  const bool hides = sheet.unknown != nullptr && !sheet.map.unknown_is_free;
   Raster<Colour> pixels(share.width, share.height);
   for (int y = 0; y < share.height; ++y) {
     const Span rows = cells_under(y, share.height, window.rows);
     for (int x = 0; x < share.width; ++x) {
       const Span columns = cells_under(x, share.width, window.columns);
+      const double unknown_here = wall_strength(unknown.at(x, y));
       Colour colour = ground(columns, rows);
+      if (!hides && colour == kFree) colour = blend(colour, kUnknownCell, unknown_here);
       if (read) colour = blend(colour, kGrown, wall_strength(share.at(x, y)));
-      pixels.at(x, y) = blend(colour, kWall, wall_strength(inner.at(x, y)));
+      if (hides) colour = blend(colour, kUnknownCell, unknown_here);
+      const float obstacles = inner.at(x, y) - (hides ? unknown.at(x, y) : 0);
+      pixels.at(x, y) = blend(colour, kWall, wall_strength(obstacles));
     }
   }
   canvas.image(pixels, box);

@@ -22,6 +22,8 @@ struct Sheet {
   const Grid& grid;  ///< whose walls are painted
   const RunOptions& run;
   Window window;
+  /// Painted in a tone of its own; null: none, or as blocked.
+  const Grid* unknown = map.unknown ? &*map.unknown : nullptr;
 
   Axes axes(const Box& box) const;  ///< in cells
   bool metres() const { return run.frame == Frame::world; }

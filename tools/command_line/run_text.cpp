@@ -178,14 +178,13 @@ RunOptions make_run(const RunText& text, std::span<const std::string_view> endin
   read_search(text, run, endings);
   run.params = make_params<Params>(run, World::Kind::bitmap, algorithms(), run.notes);
   const bool certifies = !moves_on_cells(run.params);
-  if (!text.frame.empty())
-    run.frame = static_cast<Frame>(choice_value("--frame", text.frame, kFrames));
+  run.frame = frame_of(text.frame);
   MapOptions& map = run.map;
   map.file = text.map;
   take_real("--radius", text.radius, 0, kNoLimit, map.radius);
   map.radius_metres = run.frame == Frame::world;
   map.unknown_is_free = text.unknown_free;
-  if (text.unknown_free && !has_ending(map.file, ".yaml") && !has_ending(map.file, ".yml"))
+  if (text.unknown_free && !is_document(map.file))
     run.notes.push_back("--unknown-free has no effect: only ROS maps (.yaml) have unknown cells");
   if (run.target_gap > 0 && !certifies)
     run.notes.push_back("--target-gap has no effect: " + run.params.algorithm() +
@@ -204,12 +203,28 @@ RunOptions make_run(const RunText& text, std::span<const std::string_view> endin
   return run;
 }
 
+Frame frame_of(const std::string& text) {
+  return text.empty() ? Frame::cell : static_cast<Frame>(choice_value("--frame", text, kFrames));
+}
+
+Point end_value(std::string_view option, const std::string& text, Frame frame,
+                const std::string& map) {
+  if (frame == Frame::world) return pair_value(option, text, false);
+  try {
+    return pair_value(option, text, true);
+  } catch (const UsageError& error) {
+    if (!is_document(map)) throw;
+    (void)pair_value(option, text, false);
+    throw UsageError(std::string(error.what()) +
+                     "; for metres of the map's frame add --frame world");
+  }
+}
+
 PlanCommand make_plan(const EndsText& ends, RunOptions run) {
-  const bool cells = run.frame == Frame::cell;
   if (ends.start.empty()) throw UsageError("--start is required; see --help");
   if (ends.goal.empty()) throw UsageError("--goal is required; see --help");
-  const Point start = pair_value("--start", ends.start, cells);
-  const Point goal = pair_value("--goal", ends.goal, cells);
+  const Point start = end_value("--start", ends.start, run.frame, run.map.file);
+  const Point goal = end_value("--goal", ends.goal, run.frame, run.map.file);
   return {std::move(run), start, goal};
 }
 

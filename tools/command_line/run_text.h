@@ -51,6 +51,11 @@ RunOptions make_run(const RunText& text,
 struct EndsText {
   std::string start, goal;
 };
+/// The frame of --frame; cells where that is not given.
+Frame frame_of(const std::string& text);
+/// A start or goal on a bitmap: a cell, or metres. @throws UsageError
+Point end_value(std::string_view option, const std::string& text, Frame frame,
+                const std::string& map);
 PlanCommand make_plan(const EndsText& ends, RunOptions run);
 
 /// Options of drive.

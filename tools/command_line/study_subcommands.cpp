@@ -20,7 +20,7 @@ namespace {
 
 /// What only `study run` takes, as typed.
 struct ShortText {
-  std::string map, start, goal, algorithms, preset, steps, time_limit;
+  std::string map, start, goal, frame, radius, algorithms, preset, steps, time_limit;
   std::vector<std::string> set;
 };
 
@@ -68,15 +68,16 @@ ShortStudy short_study(const ShortText& text) {
                      " is a polygon world; own studies plan on bitmaps alone");
   if (text.start.empty()) throw UsageError("study run: --start is required; see --help");
   if (text.goal.empty()) throw UsageError("study run: --goal is required; see --help");
-  const auto cell = [](const char* option, const std::string& value) {
-    const Point p = pair_value(option, value, true);
+  const Frame frame = frame_of(text.frame);
+  const auto end = [&](const char* option, const std::string& value) {
+    const Point p = end_value(option, value, frame, text.map);
     constexpr double kOutside = 1e9;  // outside of every map
-    return Cell{static_cast<int>(std::clamp(p.x, -kOutside, kOutside)),
-                static_cast<int>(std::clamp(p.y, -kOutside, kOutside))};
+    return Point{std::clamp(p.x, -kOutside, kOutside), std::clamp(p.y, -kOutside, kOutside)};
   };
   ShortStudy run{.map = text.map,
-                 .start = cell("--start", text.start),
-                 .goal = cell("--goal", text.goal),
+                 .start = end("--start", text.start),
+                 .goal = end("--goal", text.goal),
+                 .frame = frame,
                  .algorithms = {},
                  .preset = text.preset,
                  .factors = {},
@@ -98,6 +99,7 @@ ShortStudy short_study(const ShortText& text) {
   refuse_repeats(text.set);
   for (const std::string& setting : text.set)
     run.factors.push_back(factor_of(setting, run.algorithms));
+  if (!text.radius.empty()) run.radius = real_value("--radius", text.radius, 0, kNoLimit);
   if (!text.steps.empty()) run.steps = real_value("--steps", text.steps, 1, 1e15);
   if (!text.time_limit.empty())
     run.seconds = real_value("--time-limit", text.time_limit, 1e-6, 1e9);
@@ -108,6 +110,8 @@ void refuse_short_options(const ShortText& text, const std::string& name) {
   const char* option = !text.map.empty()          ? "a second argument"
                        : !text.start.empty()      ? "--start"
                        : !text.goal.empty()       ? "--goal"
+                       : !text.frame.empty()      ? "--frame"
+                       : !text.radius.empty()     ? "--radius"
                        : !text.algorithms.empty() ? "--algorithm"
                        : !text.preset.empty()     ? "--preset"
                        : !text.steps.empty()      ? "--steps"
@@ -172,6 +176,9 @@ Subcommand add_study(CLI::App& app) {
   option("--maps", raw->maps, "Folder of the maps, instead of the program's own", "DIR");
   option("--start", raw->run.start, "With run: where paths start", "X,Y");
   option("--goal", raw->run.goal, "With run: where they end", "X,Y");
+  option("--frame", raw->run.frame, "With run: of --start, --goal and --radius, as plan has it",
+         "cell|world");
+  option("--radius", raw->run.radius, "With run: grow obstacles as plan --radius does", "R");
   option("--algorithm", raw->run.algorithms, "With run: the algorithms", "NAME,NAME");
   option("--preset", raw->run.preset, "With run: numbers to start with", "usual|book|FILE");
   add_repeatable(*study, "--set", raw->run.set,

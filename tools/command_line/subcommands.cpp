@@ -19,7 +19,7 @@ constexpr const char* kPrepare =
     "are as short as without; lasius info MAP --prepare shows what it costs";
 
 constexpr const char* kMapHelp =
-    "Map: .map, PBM, PGM, PNG or ROS YAML; polygon world: .geojson, .json or .wkt";
+    "Map: .map, PBM, PGM, PNG, BMP or ROS YAML; polygon world: .geojson, .json or .wkt";
 
 constexpr const char* kOutputs =
     "Write a file, by its ending (repeatable):\n"
@@ -146,7 +146,7 @@ Subcommand add_drive(CLI::App& app) {
   option("--sense", raw->sense,
          "How far the robot sees, in cells (metres with --frame world; default 20 cells)", "R");
   option("--max-ticks", raw->max_ticks, "Moves and waits at most (default 1000000)", "N");
-  add_run_options(*drive, *raw, "Map that the robot knows: .map, PBM, PGM, PNG or ROS YAML",
+  add_run_options(*drive, *raw, "Map that the robot knows: .map, PBM, PGM, PNG, BMP or ROS YAML",
                   {.seed = "Seed, from 0 to 2^53-1 (default 1)",
                    .time_limit = "Stop the drive after this time",
                    .target_gap = "Plan no further than to this certified gap (1 means 1%)",
@@ -182,7 +182,7 @@ Subcommand add_batch(CLI::App& app) {
 
 Subcommand add_info(CLI::App& app) {
   struct Raw {
-    std::string map, corners, radius;
+    std::string map, corners, radius, frame, start, goal;
     WorldText world;
     bool unknown_free = false, prepare = false, json = false;
   };
@@ -191,7 +191,12 @@ Subcommand add_info(CLI::App& app) {
   const AddOption option = option_adder(*info);
   option("MAP", raw->map, kMapHelp, "FILE")->required();
   option("--corners", raw->corners, "Rule by which components are joined", "forbid|one-side|allow");
-  option("--radius", raw->radius, "Grow obstacles as plan --radius does, in cells", "R");
+  option("--radius", raw->radius,
+         "Grow obstacles as plan --radius does, in cells (metres with --frame world)", "R");
+  option("--frame", raw->frame, "Of --radius, --start and --goal, as plan has it", "cell|world");
+  option("--start", raw->start,
+         "With --goal: tell whether both are joined, and up to which radius they are", "X,Y");
+  option("--goal", raw->goal, "The other end", "X,Y");
   add_switch(*info, "--unknown-free", raw->unknown_free,
              "Unknown cells of a ROS map count as free");
   add_switch(*info, "--prepare", raw->prepare,
@@ -205,6 +210,8 @@ Subcommand add_info(CLI::App& app) {
               corners = static_cast<Corners>(choice_value("--corners", raw->corners, kRules));
             if (is_world(raw->map)) {
               if (raw->prepare) throw UsageError("--prepare is for bitmaps");
+              if (!raw->frame.empty() || !raw->start.empty() || !raw->goal.empty())
+                throw UsageError("--frame, --start and --goal of info are for bitmaps");
               refuse_radius(raw->radius);
               return WorldInfoCommand{make_world_options(raw->map, raw->world), raw->json};
             }
@@ -213,10 +220,20 @@ Subcommand add_info(CLI::App& app) {
                                         .unknown_is_free = raw->unknown_free,
                                         .prepare = raw->prepare,
                                         .threads = thread_count("")},
+                                .frame = frame_of(raw->frame),
+                                .start = {},
+                                .goal = {},
                                 .corners = corners,
                                 .json = raw->json};
+            options.map.radius_metres = options.frame == Frame::world;
             if (!raw->radius.empty())
               options.map.radius = real_value("--radius", raw->radius, 0, kNoLimit);
+            if (raw->start.empty() != raw->goal.empty())
+              throw UsageError("info takes --start and --goal together");
+            if (!raw->start.empty()) {
+              options.start = end_value("--start", raw->start, options.frame, raw->map);
+              options.goal = end_value("--goal", raw->goal, options.frame, raw->map);
+            }
             return options;
           }};
 }

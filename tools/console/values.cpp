@@ -147,6 +147,13 @@ std::string whole_text(double value) {
              : to_text(value);
 }
 
+std::string rounded_text(double value, int decimals, bool down) {
+  const double scale = std::pow(10.0, decimals), scaled = value * scale;
+  double rounded = (down ? std::floor(scaled) : std::round(scaled)) / scale;
+  if (down && rounded > value) rounded = (std::floor(scaled) - 1) / scale;
+  return to_text(std::isfinite(rounded) ? rounded : value);
+}
+
 std::string decimal_text(double value, int decimals) {
   constexpr double kMost = 1e100;  // results of 0.1.0 hold messages with nearly as many digits
   return std::abs(value) < kMost ? printed("%.*f", decimals, value) : to_text(value);

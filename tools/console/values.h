@@ -70,6 +70,9 @@ std::string finite_text(double value);
 /// The same of a whole number, in digits where they are exact.
 std::string whole_text(double value);
 
+/// The shortest text of a number rounded to so many decimals, downwards where `down`.
+std::string rounded_text(double value, int decimals, bool down = false);
+
 /// A number with so many decimals; the shortest text where it has too many digits before them.
 std::string decimal_text(double value, int decimals);
 

@@ -64,6 +64,7 @@ Raster<float> blocked_share(const Grid& grid, const Window& window, int width, i
 
 struct Colour {
   double red, green, blue;
+  friend bool operator==(const Colour&, const Colour&) = default;
 };
 
 /// `from` at 0, `to` at 1.

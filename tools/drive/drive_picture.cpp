@@ -130,7 +130,7 @@ void write_drive_picture(const std::string& file, const RunOptions& run, const D
   const LoadedMap& truth = answer.truth();
   const Walls walls(answer.map.grid(), world_at(answer, answer.result.ticks));
   const Sheet sheet{answer.map, walls.both, run,
-                    shown_of(truth, {answer.start.cell, answer.goal.cell})};
+                    shown_of(truth, {answer.start.cell, answer.goal.cell}), nullptr};
   const ColourScale times = time_scale(answer);
   const auto draw = [&](Canvas& canvas, const Box& box) {
     paint_map(canvas, box, sheet, [&](Span columns, Span rows) {

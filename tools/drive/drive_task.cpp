@@ -249,6 +249,7 @@ class DriveTask : public MapTask {
     json["ratio"] = optional_number(answer_.ratio());
     json["waits"] = result.waits;
     json["deferred"] = result.deferred_changes;
+    add_findings(json);
   }
   void add_path(Json& json) const override {
     Json& track = json["track"];

@@ -95,6 +95,8 @@ struct BatchCommand {
 
 struct InfoCommand {
   MapOptions map;
+  Frame frame = Frame::cell;
+  std::optional<Point> start, goal;  ///< both or none
   Corners corners = Corners::forbid;
   bool json = false;
 };
@@ -120,7 +122,9 @@ struct VerifyCommand {
 /// `study run`: a study without a file.
 struct ShortStudy {
   std::string map;
-  Cell start, goal;
+  Point start, goal;  ///< as PlanCommand has them
+  Frame frame = Frame::cell;
+  double radius = 0;  ///< in the same unit
   std::vector<std::string> algorithms;
   std::string preset;  ///< usual, book or a file; empty: usual
   /// Parameters, each with the values that are swept.

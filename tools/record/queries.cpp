@@ -58,7 +58,8 @@ class Lines {
                 problem, remedy);
   }
 
-  double coordinate(std::string_view name, std::string_view field, bool whole) const {
+  double coordinate(std::string_view name, std::string_view field, bool whole,
+                    bool metres = false) const {
     if (field.find('\0') != std::string_view::npos)
       fail(std::string(name) + " holds a zero byte", "leave it out");
     if (whole) {
@@ -67,7 +68,9 @@ class Lines {
       return *value;
     }
     fail(std::string(name) + " is '" + std::string(field) + "'",
-         whole ? "give a whole number" : "give a finite number");
+         metres  ? "give a whole number, or metres with --frame world"
+         : whole ? "give a whole number"
+                 : "give a finite number");
   }
 
  private:
@@ -141,7 +144,7 @@ QueryFile read_scenario(Lines& lines, int width, int height) {
   return file;
 }
 
-QueryFile read_rows(Lines& lines, bool whole) {
+QueryFile read_rows(Lines& lines, bool whole, bool metres) {
   const bool tabs = lines.text().find('\t') != std::string_view::npos;
   const std::string header_text(lines.text());
   const auto header = tabs ? split_tabs(header_text) : words_of(header_text, kBlanks);
@@ -164,7 +167,7 @@ QueryFile read_rows(Lines& lines, bool whole) {
                  "give every column a value");
     std::array<double, 4> values;
     for (std::size_t i = 0; i < 4; ++i)
-      values[i] = lines.coordinate(kColumnNames[i], fields[column[i]], whole);
+      values[i] = lines.coordinate(kColumnNames[i], fields[column[i]], whole, metres);
     file.queries.push_back(make_line(values));
   }
   return file;
@@ -172,13 +175,13 @@ QueryFile read_rows(Lines& lines, bool whole) {
 
 }  // namespace
 
-QueryFile read_queries(std::istream& in, const std::string& file, int width, int height,
-                       bool whole) {
+QueryFile read_queries(std::istream& in, const std::string& file, int width, int height, bool whole,
+                       bool metres) {
   Lines lines(in, file);
   if (!lines.next())
     lines.fail("is empty", "name a MovingAI .scen, or a TSV with columns sx sy gx gy");
   if (is_scenario(lines)) return read_scenario(lines, width, height);
-  return read_rows(lines, whole);
+  return read_rows(lines, whole, metres);
 }
 
 std::ifstream opened(const std::string& file, const std::string& remedy) {
@@ -194,9 +197,9 @@ std::ifstream opened(const std::string& file, const std::string& remedy) {
   return in;
 }
 
-QueryFile read_queries(const std::string& file, int width, int height, bool whole) {
+QueryFile read_queries(const std::string& file, int width, int height, bool whole, bool metres) {
   auto in = opened(file, kRemedyMissing);
-  return read_queries(in, file, width, height, whole);
+  return read_queries(in, file, width, height, whole, metres);
 }
 
 QueryFile read_table(const std::string& file) {
@@ -205,7 +208,7 @@ QueryFile read_table(const std::string& file) {
   constexpr const char* kRemedy = "give a TSV with columns sx sy gx gy";
   if (!lines.next()) lines.fail("is empty", kRemedy);
   if (is_scenario(lines)) lines.fail("is a scenario, of a bitmap's cells", kRemedy);
-  return read_rows(lines, false);
+  return read_rows(lines, false, false);
 }
 
 }  // namespace lasius::tool

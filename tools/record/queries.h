@@ -22,16 +22,18 @@ struct QueryFile {
 ///          split at any blanks; the map's name is not looked at, its size must be width x height
 ///   TSV    a header that names sx, sy, gx and gy among others, split at tabs; at any blanks where
 ///          the header has no tab
-/// Coordinates are whole numbers of any size; in a TSV any finite ones unless `whole`.
+/// Coordinates are whole numbers of any size; in a TSV any finite ones unless `whole`. `metres`:
+/// whether these could be given instead, which a refusal then says.
 /// @throws Error(file_missing, file_broken) naming file and line.
-QueryFile read_queries(const std::string& file, int width, int height, bool whole);
+QueryFile read_queries(const std::string& file, int width, int height, bool whole,
+                       bool metres = false);
 
 /// A TSV of finite coordinates, whatever a map's size; no scenario.
 QueryFile read_table(const std::string& file);
 
 /// The same from a stream; `file` is named in errors.
-QueryFile read_queries(std::istream& in, const std::string& file, int width, int height,
-                       bool whole);
+QueryFile read_queries(std::istream& in, const std::string& file, int width, int height, bool whole,
+                       bool metres = false);
 
 /// A file to read. @throws Error(file_missing) with the reason and `remedy`, also for a folder.
 std::ifstream opened(const std::string& file, const std::string& remedy);

@@ -79,13 +79,13 @@ std::optional<double> true_optimum(const Planner& planner, const Question& quest
 Bitmaps::Bitmaps(const Study& study, const std::filesystem::path& maps) {
   for (const Experiment& experiment : study.experiments)
     for (const Question& question : experiment.questions)
-      if (!planners_.contains(question.map))
-        planners_.emplace(question.map, Planner(load_map(question.map, maps)));
+      if (!planners_.contains(question.ground()))
+        planners_.emplace(question.ground(), Planner(load_map(question, maps)));
 }
 
 Task Bitmaps::task(const Question& question, const Contender& contender) const {
   const Params params = params_of(contender);
-  const Planner& planner = planners_.at(question.map);
+  const Planner& planner = planners_.at(question.ground());
   const Grid& grid = planner.grid();
   Task task =
       task_of(question_key(grid, question, params.algorithm()) + budget_key(contender.budget),
@@ -126,14 +126,14 @@ Task Bitmaps::task(const Question& question, const Contender& contender) const {
 
 /// The shortest walk of the contender's own moves.
 double Bitmaps::shortest(const Question& question, const Params& params) const {
-  return shortest_walk(planners_.at(question.map).grid(), question.start, question.goal,
+  return shortest_walk(planners_.at(question.ground()).grid(), question.start, question.goal,
                        params.neighbours, params.corners)
       .value_or(kUnknown);
 }
 
 std::optional<double> Bitmaps::optimum(const Question& question, const Truth& truth,
                                        const StopCondition& stop) const {
-  return true_optimum(planners_.at(question.map), question, truth, stop);
+  return true_optimum(planners_.at(question.ground()), question, truth, stop);
 }
 
 }  // namespace lasius::study

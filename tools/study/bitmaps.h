@@ -28,7 +28,7 @@ class Bitmaps final : public Domain {
  private:
   double shortest(const Question& question, const Params& params) const;
 
-  std::map<std::string, Planner> planners_;
+  std::map<std::pair<std::string, double>, Planner> planners_;  ///< by Question::ground()
 };
 
 }  // namespace lasius::study

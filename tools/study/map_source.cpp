@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/number_text.h"
+#include "lasius/clearance.h"
 #include "lasius/error.h"
 #include "lasius/io.h"
 #include "tools/console/values.h"
@@ -47,10 +48,18 @@ MadeMap made_map(const std::string& source) {
   return made;
 }
 
-Grid load_map(const std::string& source, const std::filesystem::path& folder) {
-  if (!is_generated(source)) return read_any_map((folder / source).string()).grid;
+Map load_framed_map(const std::string& source, const std::filesystem::path& folder) {
+  if (!is_generated(source)) return read_any_map((folder / source).string());
   const MadeMap made = made_map(source);
-  return generate(made.kind, made.options);
+  return {generate(made.kind, made.options), std::nullopt};
+}
+
+Grid load_map(const std::string& source, const std::filesystem::path& folder) {
+  return load_framed_map(source, folder).grid;
+}
+
+Grid load_map(const Question& question, const std::filesystem::path& folder) {
+  return grow_obstacles(load_map(question.map, folder), question.radius);
 }
 
 }  // namespace lasius::study

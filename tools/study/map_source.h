@@ -5,7 +5,8 @@
 #include <string>
 
 #include "lasius/generate.h"
-#include "lasius/grid.h"
+#include "lasius/map_io.h"
+#include "tools/study/study.h"
 
 namespace lasius::study {
 
@@ -13,6 +14,10 @@ namespace lasius::study {
 /// kind of `lasius generate`, whose own density is "default". @throws Error for a missing or broken
 /// file, or a map that cannot be made.
 Grid load_map(const std::string& source, const std::filesystem::path& folder);
+/// The same with the frame that a ROS map has.
+Map load_framed_map(const std::string& source, const std::filesystem::path& folder);
+/// The map of a question, its obstacles grown by the radius, in cells.
+Grid load_map(const Question& question, const std::filesystem::path& folder);
 
 /// True for a map that is generated: its second word is a size.
 bool is_generated(const std::string& source);

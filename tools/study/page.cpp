@@ -65,7 +65,7 @@ Json path_json(const std::vector<Point>& path) {
 
 /// The map of a question with the best path of each contender.
 Json map_json(const PageInput& input, const Experiment& experiment, const Question& question) {
-  const Grid grid = load_map(question.map, input.maps);
+  const Grid grid = load_map(question, input.maps);
   Json paths = Json::array();
   for (const Sample* sample : drawn(input.findings, experiment, question)) {
     const Run* const run = best_run(*sample);

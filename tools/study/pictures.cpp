@@ -190,7 +190,7 @@ std::vector<Figure> draw_pictures(const Study& study, const Findings& findings,
       if (drawn(findings, experiment, question).empty()) continue;
       const std::string stem = "pictures/" + experiment.name + "-" + question.name;
       if (study.world == World::bitmap) {
-        const Grid grid = load_map(question.map, maps);
+        const Grid grid = load_map(question, maps);
         draw_paths(findings, experiment, question, grid, folder / (stem + "-paths"));
         figures.push_back(
             {&experiment, stem + "-paths", "Best paths of each algorithm on " + question.name});

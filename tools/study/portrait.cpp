@@ -27,6 +27,7 @@ struct Place {
 Figure draw_run(const Place& place) {
   tool::RunOptions run;
   run.map.file = (place.maps / place.question.map).string();
+  run.map.radius = place.question.radius;
   run.params = place.params;
   const tool::LoadedMap map = tool::load_map(run.map);
   tool::PictureRecorder recorder(map.grid(), run.track_iterations, run.params);
@@ -65,7 +66,7 @@ struct Ants {
 };
 
 Figure draw_ants(const Place& place) {
-  const Planner planner(load_map(place.question.map, place.maps));
+  const Planner planner(load_map(place.question, place.maps));
   Ants ants;
   (void)planner.plan({place.question.start, place.question.goal}, place.params, nullptr,
                      [&](const GridProgress& progress) { ants.observe(progress); });

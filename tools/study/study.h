@@ -65,6 +65,12 @@ struct Question {
   std::vector<Published> published = {};
   std::optional<Draw> draw = {};  ///< in place of start and goal: see draw_questions()
   int line = 0;                   ///< of the study's file, for messages
+  double radius = 0;              ///< by which obstacles grow: cells once draw_questions() is done
+  /// Until then radius, start and goal may be in metres of the map's frame.
+  bool in_metres = false;
+  Point start_m{}, goal_m{};
+
+  std::pair<std::string, double> ground() const { return {map, radius}; }  ///< what it is asked on
 };
 
 /// The paths among which a question's optimum is the shortest.

@@ -8,6 +8,7 @@
 
 #include "lasius/error.h"
 #include "lasius/generate.h"
+#include "lasius/planner.h"
 #include "tests/worlds/grids.h"
 
 namespace lasius {
@@ -100,6 +101,47 @@ TEST(GrowObstacles, IsWorkedOutByHand) {
   EXPECT_EQ(grow_obstacles(grid, 0.75), drawn({"#########", "#.......#", "#..###..#", "#..###..#",
                                                "#..###..#", "#.......#", "#########"}));
   EXPECT_EQ(grow_obstacles(grid, 100).count_free(), 0);
+}
+
+/// Joined with that radius, not with the next larger number.
+TEST(WidestRadius, IsTheLastWithWhichCellsAreJoined) {
+  int joined = 0, apart = 0;
+  for (const Grid& grid : sample_grids())
+    for (const Corners corners : {Corners::forbid, Corners::allow}) {
+      const auto widest = WidestRadius::make(grid, corners);
+      const auto are_joined = [&](double radius, Cell a, Cell b) {
+        const Planner planner(grow_obstacles(grid, radius));
+        return planner.grid().free(a) && planner.grid().free(b) && planner.connected(a, b, corners);
+      };
+      for (int i = 0; i < 12; ++i) {
+        const Cell a{17 * i % grid.width(), 5 * i % grid.height()};
+        const Cell b{(31 * i + 7) % grid.width(), (11 * i + 3) % grid.height()};
+        const auto radius = widest->between(a, b);
+        ++(radius ? joined : apart);
+        EXPECT_EQ(radius, widest->between(b, a));
+        EXPECT_EQ(radius.has_value(), are_joined(0, a, b));
+        if (!radius) continue;
+        EXPECT_TRUE(are_joined(*radius, a, b)) << *radius;
+        EXPECT_FALSE(are_joined(std::nextafter(*radius, 1e9), a, b)) << *radius;
+      }
+    }
+  EXPECT_GT(joined, 100);
+  EXPECT_GT(apart, 20);
+}
+
+TEST(WidestRadius, IsWorkedOutByHand) {
+  // A door of one cell.
+  const Grid grid = drawn({"....#....", "....#....", ".........", "....#....", "....#...."});
+  EXPECT_EQ(WidestRadius::make(grid)->between({0, 2}, {8, 2}), std::nextafter(0.5, 0));
+  EXPECT_EQ(WidestRadius::make(grid)->between({1, 1}, {2, 2}), std::nextafter(1.5, 0));
+  EXPECT_EQ(WidestRadius::make(grid)->between({4, 0}, {0, 0}), std::nullopt);
+  const Grid squeezed = drawn({".#", "#."});
+  EXPECT_EQ(WidestRadius::make(squeezed)->between({0, 0}, {1, 1}), std::nullopt);
+  EXPECT_EQ(WidestRadius::make(squeezed, Corners::allow)->between({0, 0}, {1, 1}),
+            std::nextafter(0.5, 0));
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(WidestRadius::make(Grid(900, 900), Corners::forbid, {.token = stop.get_token()}));
 }
 
 TEST(GrowObstacles, RefusesBadRadii) {

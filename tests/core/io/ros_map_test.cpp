@@ -39,6 +39,54 @@ TEST_F(RosIo, ReadsTrinaryRosMaps) {
   EXPECT_EQ(map.frame->yaw, 0);
 }
 
+/// As the blocked cells of Map::unknown, however they count.
+TEST_F(RosIo, TellsUnknownCells) {
+  const struct {
+    const char* what;
+    std::string lines, image;
+    Grid unknown;
+  } cases[] = {
+      {"trinary", kTrinary, "P2 6 1 255  0 89 90 205 206 255", drawn({"..##.."})},
+      {"binary", kTrinary, "P5 4 1 255\n\x00\x80\xff\x81"s, drawn({".#.#"})},
+      {"raw", kTrinary + "mode: raw\n", "P2 6 1 255  0 49 50 100 101 255", drawn({"....##"})},
+      {"raw bits", kTrinary + "mode: raw\n", "P4 4 1\n\x50", drawn({"#.#."})},
+      {"scale", kTrinary + "mode: scale\n", "P2 3 1 255 0 128 255", drawn({"..."})},
+      {"alpha", kTrinary, png_of({2, 1, 8, PNG_COLOR_TYPE_GRAY_ALPHA, {{255, 255, 255, 254}}}),
+       drawn({".#"})},
+  };
+  for (const auto& c : cases)
+    for (const bool free : {false, true}) {
+      const Map map = read_ros(c.lines, c.image, {.unknown_is_free = free});
+      ASSERT_TRUE(map.unknown.has_value()) << c.what;
+      EXPECT_EQ(*map.unknown, c.unknown) << c.what;
+      for (const Cell cell : cells_of(map.grid)) {
+        if (map.unknown->blocked(cell)) {
+          EXPECT_EQ(map.grid.free(cell), free) << c.what;
+        }
+      }
+    }
+  EXPECT_FALSE(read_any_map(path("image")).unknown.has_value());
+}
+
+/// What nav2's map_server takes.
+TEST_F(RosIo, TakesWhatMapServerTakes) {
+  const auto pgm = "P2 6 1 255  0 89 90 205 206 255"s;
+  for (const char* mode : {"trinary", "scale", "raw"}) {
+    const Grid expected = read_ros(kTrinary + "mode: " + mode + "\n", pgm).grid;
+    std::string capital = mode, large = mode;
+    capital[0] = static_cast<char>(capital[0] - 32);
+    for (char& c : large) c = static_cast<char>(c - 32);
+    for (const std::string& written : {capital, large, "\"" + large + "\""})
+      EXPECT_EQ(read_ros(kTrinary + "mode: " + written + "\n", pgm).grid, expected) << written;
+  }
+  const auto thresholds = "occupied_thresh: 0.5\nfree_thresh: 0.5\n"s;
+  for (const char* negate : {"1", "2", "-1", "True", "yes"})
+    EXPECT_EQ(read_ros("negate: "s + negate + "\n" + thresholds, "P2 4 1 4  0 1 3 4").grid,
+              drawn({"..##"}))
+        << negate;
+  EXPECT_EQ(read_ros("negate: 0\n" + thresholds, "P2 3 1 4  1 2 3").grid, drawn({"##."}));
+}
+
 TEST_F(RosIo, ThresholdsOfRosMapsAreInclusive) {
   const auto lines = "negate: 0\noccupied_thresh: 0.75\nfree_thresh: 0.25\n"s;
   EXPECT_EQ(read_ros(lines, "P2 4 1 4  1 2 3 4").grid, drawn({"##.."}));
@@ -143,8 +191,6 @@ const BrokenRos kBrokenRosMaps[] = {
      "'resolution' is given again"},
     {"no_negate", kTop + "occupied_thresh: 0.65\nfree_thresh: 0.2\n", kBroken, 1, "'negate'"},
     {"negate_text", kTop + "negate: perhaps\n", kBroken, 4, "neither 0 nor 1"},
-    {"negate_2", kTop + "negate: 2\n", kBroken, 4, "neither 0 nor 1"},
-    {"negate_minus_1", kTop + "negate: -1\n", kBroken, 4, "neither 0 nor 1"},
     {"image_with_a_zero_byte", "image: \"image\\0.pgm\"\n" + kTrinary, kBroken, 1, "a zero byte"},
     {"lines_of_cr", "image: image\rresolution: 0\r", kBroken, 2, "not above 0"},
     {"lines_of_cr_in_yaml", "image: image\rresolution: [\r", kBroken, 3, "broken YAML"},

@@ -150,8 +150,8 @@ const std::string kHead = "type octile\nheight 2\nwidth 3\nmap\n";
 
 const Broken kBrokenMaps[] = {
     {"empty", "", kBroken, -1, 0, "is empty"},
-    {"text", "hello\n", kUnsupported, -1, 0, "no MovingAI .map, PBM or PGM"},
-    {"colour", "P6 1 1 255\nabc", kUnsupported, -1, 0, "no MovingAI .map, PBM or PGM"},
+    {"text", "hello\n", kUnsupported, -1, 0, "no MovingAI .map, PBM, PGM or BMP"},
+    {"colour", "P6 1 1 255\nabc", kUnsupported, -1, 0, "no MovingAI .map, PBM, PGM or BMP"},
     {"png", "\x89PNG\r\n\x1a\n", kUnsupported, -1, 0, "lasius::io"},
     {"other_type", "type hex\nheight 1\nwidth 1\nmap\n.\n", kUnsupported, 1, -1, "'hex'"},
     {"header_ends", "type octile\nheight 2\n", kBroken, 3, -1, "ends early"},

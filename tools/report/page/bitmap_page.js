@@ -133,17 +133,19 @@ class BitmapStage {
     const ends = `from ${content.result.start} to ${content.result.goal}`;
     this.view = new MapView(this.host, { low: [x, y], high: [x + width, y + height], label: `Map with the path ${ends}`, tools: this.tools,
                                          onHover: (px, py) => this.pointed(px, py) });
-    const { obstacles } = content.map, walls = await wallImage(content.map.walls, obstacles ? "--grown" : "--wall");
+    const { obstacles } = content.map, unknown = content.map.unknown && (await wallImage(content.map.unknown, "--no-data"));
+    const walls = await wallImage(content.map.walls, obstacles ? "--grown" : "--wall");
     const inner = obstacles && (await wallImage(obstacles));
     const heat = this.heat = content.frames ? new HeatMap(content.frames.width, content.frames.height) : null;
     this.view.layers = [
       groundLayer(content.map),
       (context, view) => {
+        if (unknown && content.map.unknown_free) view.image(context, unknown, x, y, width, height, view.scale < 1);
         const side = content.frames?.cells_a_pixel;
         if (heat && this.shown !== "none") view.image(context, heat.image, 0, 0, side * heat.image.width, side * heat.image.height);
       },
       (context, view) => {
-        for (const image of [walls, inner]) if (image) view.image(context, image, x, y, width, height, view.scale < 1);
+        for (const image of [walls, inner, !content.map.unknown_free && unknown]) if (image) view.image(context, image, x, y, width, height, view.scale < 1);
       },
       (context, view) => this.drawPath(context, view),
     ];
@@ -168,8 +170,10 @@ class BitmapStage {
   }
 
   addKeys() {
-    const { radius, map } = this.content, cells = `${numberText(radius)} ${radius === 1 ? "cell" : "cells"}`;
+    const { radius, map } = this.content, unknown = `unknown, counted as ${map.unknown_free ? "free" : "blocked"}`;
+    const cells = `${numberText(radius)} ${radius === 1 ? "cell" : "cells"}`;
     this.card.append(swatches([["start", "--start"], ["goal", "--goal"], ["blocked", "--wall"],
+                               ...(map.unknown ? [[unknown, "--no-data"]] : []),
                                ...(map.obstacles ? [[`blocked once obstacles are grown by ${cells}`, "--grown"]] : []), ["path", "--path", "line"]]));
     if (radius > 0)
       this.card.append(element("p", { class: "note" }, `Obstacles are grown by ${cells}; clearance is measured to them as grown.`));

@@ -2,11 +2,13 @@
 
 #include <Random123/philox.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
 
+#include "lasius/clearance.h"
 #include "lasius/error.h"
 #include "lasius/planner.h"
 #include "tools/study/map_source.h"
@@ -22,13 +24,31 @@ constexpr std::uint32_t kMostAttempts = 1 << 20;
               "question \"" + question.name + "\" on " + question.map + ": " + problem, remedy);
 }
 
-Grid map_of(const Study& study, const Question& question, const std::filesystem::path& maps) {
+/// The map as it is in its file.
+Map map_of(const Study& study, const Question& question, const std::filesystem::path& maps) {
   try {
-    return load_map(question.map, maps);
+    return load_framed_map(question.map, maps);
   } catch (const Error& fault) {
     if (fault.code() != ErrorCode::file_missing) throw;
     fail(study, question, fault.problem(), fault.remedy(), fault.code());
   }
+}
+
+/// Start, goal and radius in cells, of a question that has them in metres.
+void take_cells(const Study& study, const Map& map, Question& question) {
+  if (!question.in_metres) return;
+  if (!map.frame)
+    fail(study, question, "`frame: world`, but the map gives no frame",
+         "name the .yaml file of a ROS map, or leave the frame out", ErrorCode::file_unsupported);
+  const auto cell = [&](Point metres) {
+    const Point cells = map.frame->to_cells(metres, map.grid.height());
+    const auto whole = [](double n) { return static_cast<int>(std::clamp(n, -1e9, 1e9)); };
+    return Cell{whole(std::floor(cells.x)), whole(std::ceil(cells.y) - 1)};
+  };
+  question.start = cell(question.start_m);
+  question.goal = cell(question.goal_m);
+  question.radius /= map.frame->resolution;
+  question.in_metres = false;
 }
 
 std::string cell_text(Cell c) { return std::to_string(c.x) + "," + std::to_string(c.y); }
@@ -72,13 +92,20 @@ void draw_ends(const Study& study, const Planner& planner, const Draw& draw, std
 }  // namespace
 
 void draw_questions(Study& study, const std::filesystem::path& maps) {
-  std::map<std::string, Planner> planners;
+  std::map<std::string, Map> read;
+  std::map<std::pair<std::string, double>, Planner> planners;
   for (Experiment& experiment : study.experiments) {
     std::vector<Question> questions;
-    for (const Question& question : experiment.questions) {
-      auto at = planners.find(question.map);
+    for (Question& question : experiment.questions) {
+      auto map = read.find(question.map);
+      if (map == read.end()) map = read.emplace(question.map, map_of(study, question, maps)).first;
+      take_cells(study, map->second, question);
+      auto at = planners.find(question.ground());
       if (at == planners.end())
-        at = planners.emplace(question.map, Planner(map_of(study, question, maps))).first;
+        at = planners
+                 .emplace(question.ground(),
+                          Planner(grow_obstacles(map->second.grid, question.radius)))
+                 .first;
       const Planner& planner = at->second;
       if (!question.draw) {
         check_end(study, question, planner, "start", question.start);

@@ -70,15 +70,32 @@ std::vector<std::string> family_of(const Node& family) {
   return sources;
 }
 
-Cell cell_of(const Node& question, const char* name, bool needed) {
+/// A start or goal: a cell, or metres.
+Point end_of(const Node& question, const char* name, bool needed, bool in_metres) {
   const Node* const node = needed ? &question.at(name) : question.find(name);
   if (node == nullptr) return {};
-  if (!node->is_list() || node->items().size() != 2) node->fail("is no cell", "write it as [X, Y]");
+  if (!node->is_list() || node->items().size() != 2)
+    node->fail(in_metres ? "is no point" : "is no cell", "write it as [X, Y]");
   const auto number = [&](std::size_t i) {
     constexpr int kFar = 1'000'000'000;  // whether it is on the map is seen there
-    return static_cast<int>(node->items()[i].integer(-kFar, kFar));
+    const Node& item = node->items()[i];
+    return in_metres ? item.number(-kFar, kFar) : static_cast<double>(item.integer(-kFar, kFar));
   };
   return {number(0), number(1)};
+}
+
+/// What a question says of a place: cells, or metres.
+void take_ends(const Node& node, bool needed, Question& question) {
+  constexpr std::string_view kFrames[] = {"cell", "world"};
+  const Node* const frame = node.find("frame");
+  question.in_metres = frame != nullptr && frame->choice(kFrames) == 1;
+  question.radius = node.number_or("radius", 0, 0, tool::kNoLimit);
+  question.start_m = end_of(node, "start", needed, question.in_metres);
+  question.goal_m = end_of(node, "goal", needed, question.in_metres);
+  const auto cell = [](Point p) { return Cell{static_cast<int>(p.x), static_cast<int>(p.y)}; };
+  if (question.in_metres) return;
+  question.start = cell(question.start_m);
+  question.goal = cell(question.goal_m);
 }
 
 std::optional<Draw> draw_of(const Node& question) {
@@ -182,8 +199,11 @@ std::vector<Question> questions_of(const Node& list, const MapNames* maps) {
   std::vector<Question> questions;
   std::set<std::string> names;
   for (const Node& node : list.items()) {
-    node.allow({"name", "map", "start", "goal", "published", "draw"});
     const bool bitmap = maps != nullptr;
+    if (bitmap)
+      node.allow({"name", "map", "start", "goal", "published", "draw", "radius", "frame"});
+    else
+      node.allow({"name", "map", "start", "goal", "published"});
     const auto draw = bitmap ? draw_of(node) : std::nullopt;
     const bool needed = bitmap && !draw;
     for (auto& [name, source] : maps_of(node, maps)) {
@@ -191,11 +211,12 @@ std::vector<Question> questions_of(const Node& list, const MapNames* maps) {
         node.fail("has two questions called \"" + name + "\"", "give one another name");
       questions.push_back({.name = name,
                            .map = source,
-                           .start = cell_of(node, "start", needed),
-                           .goal = cell_of(node, "goal", needed),
+                           .start = {},
+                           .goal = {},
                            .published = published_of(node),
                            .draw = draw,
                            .line = static_cast<int>(node.line())});
+      take_ends(node, needed, questions.back());
     }
   }
   if (questions.empty()) list.fail("has no question", "add {map, start, goal} or {map, draw}");

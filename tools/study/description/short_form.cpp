@@ -55,9 +55,15 @@ std::string study_text(const tool::ShortStudy& run, const Seeds& seeds) {
   if (run.steps || run.seconds) text += "budget:\n";
   if (run.steps) text += line("  steps", *run.steps);
   if (run.seconds) text += line("  seconds", *run.seconds);
-  const Json question = {{"map", file ? absolute(run.map) : run.map},
-                         {"start", {run.start.x, run.start.y}},
-                         {"goal", {run.goal.x, run.goal.y}}};
+  const bool cells = run.frame == tool::Frame::cell;
+  const auto end = [cells](Point p) {
+    return cells ? Json{static_cast<int>(p.x), static_cast<int>(p.y)} : Json{p.x, p.y};
+  };
+  Json question = {{"map", file ? absolute(run.map) : run.map},
+                   {"start", end(run.start)},
+                   {"goal", end(run.goal)}};
+  if (!cells) question["frame"] = tool::kFrames[1];
+  if (run.radius > 0) question["radius"] = run.radius;
   return text + "questions:\n  - " + text_of(question) + "\n";
 }
 

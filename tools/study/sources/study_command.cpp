@@ -200,7 +200,7 @@ int run_users_study(const StudyCommand& command) {
     if (study.world == study::World::bitmap) study::draw_questions(study, find_maps(command.maps));
   } catch (const Error& fault) {
     if (!is_short || fault.place().file != study.file) throw;
-    if (fault.code() == ErrorCode::file_missing)
+    if (fault.code() != ErrorCode::file_broken)
       throw Error(fault.code(), {.file = command.run.map}, fault.problem(), fault.remedy());
     message(fault.problem() + ": " + fault.remedy());
     return kInvalidQuery;

@@ -1,0 +1,121 @@
+"""Why a start or a goal is refused or not reached, and what would help: maps of a robot among them."""
+import math
+import unittest
+
+from program import ProgramTest
+
+LEVELS = {".": 254, "#": 0, "?": 205}
+# A wall with a door of three cells, and a closet whose door is unknown.
+ROOMS = ["...........#........",
+         "...........#........",
+         "...........#....####",
+         "................?...",
+         "................?...",
+         "................?...",
+         "...........#....####",
+         "...........#........",
+         "...........#........"]
+
+
+class Reasons(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.algorithm = "exact"
+        self.ros(ROOMS)
+
+    def ros(self, rows, resolution=0.1, origin="[-1, 2, 0]"):
+        pixels = bytes(LEVELS[c] for row in rows for c in row)
+        self.write("map.pgm", b"P5\n%d %d\n255\n" % (len(rows[0]), len(rows)) + pixels)
+        self.write("map.yaml", f"image: map.pgm\nresolution: {resolution}\norigin: {origin}\n"
+                   "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")
+
+    def asked(self, *arguments, start="3,4", goal="13,4"):
+        return self.plan(*arguments, map_file="map.yaml", start=start, goal=goal)
+
+    def info(self, *arguments):
+        return self.ended(self.run_program("info", "map.yaml", *arguments), 0)
+
+    def test_what_blocks_a_start(self):
+        for arguments, start, by, text in (
+                ([], "11,0", "obstacle", "start (11, 0) is blocked by an obstacle; the nearest"),
+                ([], "16,4", "unknown", "is unknown, and blocked without --unknown-free; the nearest"),
+                ([], "20,4", "outside", "is outside the map"),
+                (["--radius", "1.2"], "15,4", "radius",
+                 "is too near to an unknown cell, 0.5 cells away: the radius is 1.2 cells"),
+                (["--radius", "2.2", "--unknown-free"], "10,2", "radius",
+                 "is too near to an obstacle, 0.5 cells away: the radius is 2.2 cells"),
+                (["--radius", "1.2"], "4,0", "radius", "is too near to the edge of the map, 0.5 cells"),
+                (["--radius", "0.12", "--frame", "world"], "0.55,2.45", "radius",
+                 "start 0.55,2.45 m, in cell (15, 4), is too near to an unknown cell, 0.05 m away: "
+                 "the radius is 0.12 m; the nearest")):
+            with self.subTest(start=start, arguments=arguments):
+                goal = "-0.65,2.45" if "world" in arguments else "3,4"
+                run = self.asked("--json", *arguments, start=start, goal=goal)
+                self.ended(run, 4, text)
+                self.assertEqual(run.json["blocked_by"], by)
+                self.assertEqual("clearance" in run.json, by == "radius")
+                self.write("r.json", run.out)
+                self.assertEqual(self.run_program("verify", "r.json").code, 0)
+        self.ended(self.plan(start="3,2"), 4, "start (3, 2) is blocked; the nearest")
+
+    def test_metres_given_as_cells(self):
+        self.ended(self.asked(start="-0.65,2.45"), 2, "is not a cell X,Y", "add --frame world")
+        self.ended(self.asked(start="a,2"), 2, "is not a point X,Y")
+        run = self.plan(start="0.5,0.5")
+        self.ended(run, 2, "is not a cell X,Y")
+        self.assertNotIn("--frame", run.err)
+        self.ended(self.asked(start="0,2", goal="-1,2"), 4, "goal (-1, 2) is outside the map",
+                   "taken as metres, with --frame world, it is in the free cell (0, 8)")
+        self.write("q.tsv", "sx\tsy\tgx\tgy\n0.5\t2\t0\t2\n")
+        self.refused(self.run_program("batch", "map.yaml", "q.tsv"), 3, "metres with --frame world")
+
+    def test_what_would_join_two_regions(self):
+        self.ended(self.asked(goal="18,4"), 5, "different regions of free cells; with --unknown-free they are joined")
+        self.assertNotIn("widest", self.asked(goal="18,4").err)
+        run = self.asked("--json", "--radius", "1.6")
+        self.ended(run, 5, "(obstacles grown by 1.6 cells)", "the widest radius that joins them is 1.499 cells")
+        self.assertEqual(run.json["widest_radius"], math.nextafter(1.5, 0))
+        self.ended(self.asked("--radius", "0.16", "--frame", "world", start="-0.65,2.45", goal="0.35,2.45"), 5,
+                   "start -0.65,2.45 m, in cell (3, 4), and goal 0.35,2.45 m, in cell (13, 4), lie in different",
+                   "(obstacles grown by 0.16 m)", "the widest radius that joins them is 0.15 m")
+        closed = self.asked("--radius", "0.4", "--json", goal="18,4")
+        self.ended(closed, 5, "no radius joins them", "with --unknown-free they are joined")
+        self.assertIsNone(closed.json["widest_radius"])
+        self.write("q.tsv", "sx sy gx gy\n3 4 13 4\n3 4 18 4\n")
+        for line, alone in zip(self.run_program("batch", "map.yaml", "q.tsv", "--radius", "1.6").lines,
+                               (run, self.asked("--json", "--radius", "1.6", goal="18,4"))):
+            self.assertEqual(line["error"], alone.json["error"])
+
+    def test_the_widest_radius_passes_and_a_hair_more_does_not(self):
+        for resolution in (0.1, 0.05, 0.07):
+            self.ros(ROOMS, resolution)
+            start, goal = ("%r,%r" % (-1 + (x + 0.5) * resolution, 2 + 4.5 * resolution) for x in (3, 13))
+            found = self.info("--json", "--frame", "world", "--start", start, "--goal", goal).json
+            self.assertTrue(found["joined"])
+            for radius, code in ((found["widest_radius_m"], 0),
+                                 (math.nextafter(found["widest_radius_m"], 1), 5)):
+                run = self.asked("--frame", "world", "--radius", repr(radius), start=start, goal=goal)
+                self.assertEqual(run.code, code, (resolution, radius))
+            for radius, code in ((found["widest_radius"], 0), (math.nextafter(found["widest_radius"], 9), 5)):
+                self.assertEqual(self.asked("--radius", repr(radius)).code, code, (resolution, radius))
+
+    def test_info_tells_metres_unknown_cells_and_the_widest_radius(self):
+        known = self.info("--json").json
+        self.assertEqual((known["unknown_cells"], known["unknown_share"]), (3, 3 / 180))
+        self.assertEqual([round(m, 9) for m in known["extent_m"]], [2.0, 0.9])
+        self.assertNotIn("joined", known)
+        text = self.info("--frame", "world", "--radius", "0.12", "--start", "-0.65,2.45", "--goal", "0.35,2.45").out
+        for words in ("20 x 9 cells, 2 x 0.9 m", "3 cells, 2%, counted as blocked", "yes, up to --radius 0.15 m"):
+            self.assertIn(words, text)
+        self.assertIn("no, up to --radius 1.499 cells", self.info("--radius", "2", "--start", "3,4", "--goal", "13,4").out)
+        self.assertIn("counted as free", self.info("--unknown-free").out)
+        self.assertIn("joined      no\n", self.info("--start", "3,4", "--goal", "99,4").out)
+        self.assertIsNone(self.run_program("info", "small.map", "--json").json["unknown_cells"])
+        for arguments, says in ((["map.yaml", "--start", "3,4"], "together"),
+                                (["small.map", "--frame", "world"], "gives no frame"),
+                                (["w.wkt", "--start", "3,4", "--goal", "3,4"], "for bitmaps")):
+            self.refused(self.run_program("info", *arguments), 2, says)
+
+
+if __name__ == "__main__":
+    unittest.main()
