@@ -150,7 +150,7 @@ World thickened(World world, double hair) {
 
 TEST(Walls, AreAsThinAreasAmongRandomObstacles) {
   int solved = 0, closed = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 40; ++i) {
     const std::string which = "world " + std::to_string(i);
     const double step = i % 2 == 0 ? 0 : 10;  // on a coarse grid they touch, cross and overlap
     World world = random_world(700 + i, i % 12, step);
@@ -183,7 +183,7 @@ TEST(Walls, AreAsThinAreasAmongRandomObstacles) {
       }
     }
     EXPECT_NEAR(cut, whole, 1e-6 * 40'000) << which;
-    for (int q = 0; q < 4; ++q) {
+    for (int q = 0; q < 3; ++q) {
       const Request request = random_request(thin, 40 * i + q);
       const Result result = planner.plan(request), expected = thin.plan(request);
       EXPECT_EQ(result.status, expected.status) << which << ", " << q;
@@ -192,15 +192,16 @@ TEST(Walls, AreAsThinAreasAmongRandomObstacles) {
         continue;
       }
       EXPECT_NEAR(result.length, expected.length, 1e-3 + 0.05 * world.margin) << which << ", " << q;
+      ++solved;
+      if (q > 0) continue;
       Params colony("maklink-acs");
       colony.iterations = 20;
       const Result walked = planner.plan(request, colony);
       EXPECT_GE(walked.length, result.length - 1e-9) << which;
-      ++solved;
     }
   }
-  EXPECT_GT(solved, 60);
-  EXPECT_GT(closed, 20);
+  EXPECT_GT(solved, 30);
+  EXPECT_GT(closed, 10);
 }
 
 }  // namespace
