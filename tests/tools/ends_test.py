@@ -312,13 +312,13 @@ class Missing(ProgramTest):
         self.refused(self.limited(resource.RLIMIT_STACK, 256 << 10, *self.PLAN), 1, "256 kB", "ulimit -s")
 
     def test_threads(self):
-        # The least address space in which one thread plans has no room for the stacks of a thousand.
+        # With the least address space in which one thread plans there is no room for 300 stacks.
         colony = (*self.PLAN[:-1], "as", "--ants", "3000", "--iterations", "2", "--json", "--threads")
         space = 128 << 20
         while (one := self.limited(resource.RLIMIT_AS, space, *colony, "1")).code != 0:
             self.assertLess(space, 8 << 30, one.err)
             space += 64 << 20
-        many = self.limited(resource.RLIMIT_AS, space + (256 << 20), *colony, "1000")
+        many = self.limited(resource.RLIMIT_AS, space + (1 << 30), *colony, "300")
         self.ended(many, 0)
         self.assertEqual(many.json["path"], one.json["path"])
 

@@ -166,6 +166,11 @@ Table result_table(const Findings& findings, const Experiment& experiment) {
   for (const char* title : {"paper: iterations", "paper: time, s", "time, s"})
     header.emplace_back(title);
   for (const Question& question : experiment.questions) {
+    std::vector<const Sample*> run;
+    for (const Contender& contender : experiment.contenders)
+      if (const Sample* s = findings.find(experiment.name, question.name, contender.name))
+        if (!s->runs.empty()) run.push_back(s);
+    if (run.empty() && !findings.whole) continue;  // after a signal perhaps thousands
     if (const auto optimum = findings.optimum(experiment, question)) {
       std::vector<std::string> row(table.header.size(), "");
       row[0] = question.name;
@@ -173,9 +178,7 @@ Table result_table(const Findings& findings, const Experiment& experiment) {
       row[3] = row[4] = length_text(*optimum);
       table.rows.push_back(std::move(row));
     }
-    for (const Contender& contender : experiment.contenders)
-      if (const Sample* s = findings.find(experiment.name, question.name, contender.name))
-        if (!s->runs.empty()) table.rows.push_back(result_row(findings, *s));
+    for (const Sample* s : run) table.rows.push_back(result_row(findings, *s));
   }
   return table;
 }

@@ -223,7 +223,9 @@ TEST(ArmPlan, AnObserverComesTooLateOnceTheSearchHasEnded) {
       });
       EXPECT_EQ(r.iterations, whole.iterations - before);
       EXPECT_EQ(r.status, before > 0 ? Status::interrupted : Status::solved) << patience;
-      if (before == 0) EXPECT_EQ(r.joints, whole.joints);
+      if (before == 0) {
+        EXPECT_EQ(r.joints, whole.joints);
+      }
     }
   }
 }

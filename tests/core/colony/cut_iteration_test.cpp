@@ -76,7 +76,9 @@ TEST_P(CutIteration, LeavesNeitherTrailNorRecord) {
       EXPECT_EQ(trails.curves.steps, uncut.curves.steps) << i;
       EXPECT_EQ(trails.curves.arrived, uncut.curves.arrived) << i;
       // What a cut iteration found is kept.
-      if (!cut.path.empty()) EXPECT_LE(rest.length, cut.length) << i;
+      if (!cut.path.empty()) {
+        EXPECT_LE(rest.length, cut.length) << i;
+      }
     }
   }
   EXPECT_GT(cut_runs, 30);
@@ -101,7 +103,9 @@ TEST_P(CutIteration, AnObserverComesTooLateOnceTheSearchHasEnded) {
       EXPECT_EQ(result.iterations, at + 1);
       const bool last = at + 1 == whole.iterations;
       EXPECT_EQ(result.status, last ? Status::solved : Status::interrupted) << at;
-      if (last) EXPECT_EQ(result.path, whole.path);
+      if (last) {
+        EXPECT_EQ(result.path, whole.path);
+      }
     }
   }
 }

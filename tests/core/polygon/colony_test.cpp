@@ -90,7 +90,9 @@ TEST(Stops, AnObserverComesTooLateInTheLastIterationOfTheLastRoute) {
       const bool last = at + 1 == whole.iterations;
       EXPECT_EQ(result.iterations, at + 1);
       EXPECT_EQ(result.status, last ? Status::solved : Status::interrupted) << at;
-      if (last) EXPECT_EQ(result.path, whole.path);
+      if (last) {
+        EXPECT_EQ(result.path, whole.path);
+      }
     }
   }
   EXPECT_GT(routes, 2);
