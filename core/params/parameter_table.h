@@ -31,6 +31,11 @@ inline void check_target_gap(double gap) {
   require_parameter(gap >= 0, "target_gap", gap, "it is a fraction: 0 or more, 0.01 for 1%");
 }
 
+/// @throws Error(invalid_parameter) unless a request's goal tolerance is a number from 0 up.
+inline void check_goal_tolerance(double tolerance) {
+  require_parameter(tolerance >= 0, "goal_tolerance", tolerance, "it must be 0 or more");
+}
+
 /// @throws Error(invalid_parameter) for a gap that the algorithm cannot certify.
 inline void check_certifies(const Algorithm& algorithm, double target_gap) {
   check_target_gap(target_gap);
@@ -119,7 +124,9 @@ class ParameterTable {
         return put(fields, static_cast<int>(found - info.choices.begin()));
       }
       throw invalid_parameter(std::string(info.name) + " is \"" + std::string(text) + "\"",
-                              did_you_mean(text, info.choices) + " It must be " + info.range());
+                              nearest_name(text, info.choices)
+                                  ? did_you_mean(text, info.choices) + " It must be " + info.range()
+                                  : "it must be " + info.range());
     }
   };
 

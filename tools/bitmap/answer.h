@@ -22,6 +22,9 @@ struct Answer {
   std::optional<double> grid_optimum{};
 };
 
+/// The question, without what ends it.
+Request request_of(const LoadedMap& map, const RunOptions& run, Cell start, Cell goal);
+
 /// Plans from `start` to `goal` under `stop`, then looks for --gap's optima under the token and,
 /// each, as long a limit again.
 Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, const Place& goal,

@@ -49,6 +49,10 @@ class BitmapTask : public MapTask {
   const Place& start() const override { return answer_.start; }
   const Place& goal() const override { return answer_.goal; }
   const std::optional<Cell>& nearest_free() const override { return result().nearest_free; }
+  const std::optional<Cell>& nearest_reachable() const override {
+    return result().nearest_reachable;
+  }
+  const std::optional<Cell>& goal_reached() const override { return result().goal_reached; }
 
   PlanCommand command_;
   SharedMap map_;

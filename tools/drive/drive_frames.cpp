@@ -28,7 +28,7 @@ double rounded(double clearance) { return std::round(1000 * clearance) / 1000; }
 
 }  // namespace
 
-DriveFrames::DriveFrames(const Grid& map, Cell goal, double radius) : goal_(goal), radius_(radius) {
+DriveFrames::DriveFrames(const Grid& map, double radius) : radius_(radius) {
   const double shrink = std::min(1.0, 1.0 * kMostPixels / std::max(map.width(), map.height()));
   width_ = std::max(1, static_cast<int>(shrink * map.width()));
   height_ = std::max(1, static_cast<int>(shrink * map.height()));
@@ -39,7 +39,7 @@ void DriveFrames::observe(const DriveTick& tick, const DriveRecorder& recorder) 
       distance_to_blocked(*tick.world, centre(tick.robot), kMostClearance + radius_);
   last_clearance_ = rounded(std::clamp(middle - radius_, 0.0, 1.0 * kMostClearance));
   if (clearances_.wants(tick.tick)) clearances_.add(last_clearance_);
-  if (!frames_.wants(tick.tick) && tick.robot != goal_) return;
+  if (!frames_.wants(tick.tick) && !tick.arrived) return;
   frames_.add({.tick = tick.tick,
                .robot = tick.robot,
                .obstacles = tick.obstacles,

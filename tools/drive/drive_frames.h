@@ -20,7 +20,7 @@ class DriveFrames {
   static constexpr std::size_t kMostWayVertices = 500;  ///< of a way that a frame keeps
 
   /// `radius` is the robot's, in cells.
-  DriveFrames(const Grid& map, Cell goal, double radius);
+  DriveFrames(const Grid& map, double radius);
 
   /// `recorder` has observed the tick.
   void observe(const DriveTick& tick, const DriveRecorder& recorder);
@@ -46,7 +46,6 @@ class DriveFrames {
   };
 
   int width_, height_;
-  Cell goal_;
   double radius_;
   KeyFrames<Frame> frames_{kMostFrames};
   KeyFrames<double> clearances_{kMostClearances};

@@ -52,7 +52,7 @@ void Film::observe(const DriveTick& tick, const DriveRecorder& recorder) {
   const Point robot = centre(tick.robot);
   if (tick.tick > 0) draw_line(track_, robot_, robot, kTrack);
   robot_ = robot;
-  if (frames_.wants(tick.tick) || tick.robot == goal_) frames_.add(drawn(tick, recorder));
+  if (frames_.wants(tick.tick) || tick.arrived) frames_.add(drawn(tick, recorder));
 }
 
 Film::Frame Film::drawn(const DriveTick& tick, const DriveRecorder& recorder) const {
