@@ -72,7 +72,7 @@ inline std::string did_you_mean(std::string_view name, std::span<const std::stri
   constexpr std::size_t kFew = 16;
   if (known.size() > kFew) return "no known name is like it";
   std::string all = known.size() > 1 ? "it is one of" : "the only one is";
-  for (const auto one : known) all.append(&one == known.data() ? " " : ", ").append(one);
+  for (const auto& one : known) all.append(&one == known.data() ? " " : ", ").append(one);
   return all;
 }
 
@@ -87,7 +87,7 @@ std::string did_you_mean(std::string_view name, std::span<const Described> known
     const std::string_view summary = one.summary;
     if (summary.ends_with(symbol) || summary.find(symbol + ";") != summary.npos ||
         summary.starts_with(std::string(name) + " of ")) {
-      return did_you_mean(name, std::span(&one.name, 1));
+      return "did you mean \"" + std::string(one.name) + "\"?";
     }
     names.push_back(one.name);
   }

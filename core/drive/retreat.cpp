@@ -17,9 +17,8 @@ struct Reached {
 /// Cells by the number of moves that lead there, `from` first; to the first that is wanted, or at
 /// least `most`.
 template <class Wanted>
-std::vector<Reached> reach(const Grid& grid, Corners corners, Cell from, std::size_t most,
-                           const Wanted& wanted) {
-  static const kernels::Moves moves = moves_of(Neighbours::eight);
+std::vector<Reached> reach(const Grid& grid, Corners corners, const kernels::Moves& moves,
+                           Cell from, std::size_t most, const Wanted& wanted) {
   std::vector<Reached> reached{{from, 0}};
   std::unordered_set<std::int64_t> known{std::int64_t{from.y} * grid.width() + from.x};
   for (std::size_t i = 0; i < reached.size() && reached.size() < most; ++i) {
@@ -45,7 +44,8 @@ std::vector<Cell> walk_back(const std::vector<Reached>& reached, std::size_t at)
 
 std::vector<Cell> find_retreat(const Grid& passable, Corners corners, Cell from,
                                std::uint32_t word) {
-  const auto reached = reach(passable, corners, from, 4096, [](Cell) { return false; });
+  static const kernels::Moves moves = moves_of(Neighbours::eight);
+  const auto reached = reach(passable, corners, moves, from, 4096, [](Cell) { return false; });
   if (reached.size() == 1) return {};
   return walk_back(reached, 1 + static_cast<std::size_t>(
                                     kernels::below(static_cast<int>(reached.size()) - 1, word)));
@@ -53,8 +53,16 @@ std::vector<Cell> find_retreat(const Grid& passable, Corners corners, Cell from,
 
 std::vector<Cell> find_way_out(const Grid& map, Corners corners, Cell from,
                                const std::function<bool(Cell)>& wanted) {
+  static const kernels::Moves moves = [] {
+    kernels::Moves straight_first = moves_of(Neighbours::eight);
+    std::stable_sort(straight_first.move.begin(),
+                     straight_first.move.begin() + straight_first.count,
+                     [](const auto& a, const auto& b) { return a.length < b.length; });
+    return straight_first;
+  }();
   bool found = false;
-  const auto reached = reach(map, corners, from, 65536, [&](Cell c) { return found = wanted(c); });
+  const auto reached =
+      reach(map, corners, moves, from, 65536, [&](Cell c) { return found = wanted(c); });
   if (!found) return {};
   std::vector<Cell> way = walk_back(reached, reached.size() - 1);
   way.push_back(from);

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/bitmap/path_clearance.h"
-#include "tools/drive/ground.h"
 #include "tools/report/packed.h"
 #include "tools/report/report.h"
 #include "tools/report/thinned.h"
@@ -24,15 +23,21 @@ std::vector<float> way_of(const DriveTick& tick) {
   return way;
 }
 
+int pixels_along(const Grid& map, int side) {
+  const double shrink =
+      std::min(1.0, 1.0 * DriveFrames::kMostPixels / std::max(map.width(), map.height()));
+  return std::max(1, static_cast<int>(shrink * side));
+}
+
 double rounded(double clearance) { return std::round(1000 * clearance) / 1000; }
 
 }  // namespace
 
-DriveFrames::DriveFrames(const Grid& map, double radius) : radius_(radius) {
-  const double shrink = std::min(1.0, 1.0 * kMostPixels / std::max(map.width(), map.height()));
-  width_ = std::max(1, static_cast<int>(shrink * map.width()));
-  height_ = std::max(1, static_cast<int>(shrink * map.height()));
-}
+DriveFrames::DriveFrames(const Grid& map, double radius)
+    : width_(pixels_along(map, map.width())),
+      height_(pixels_along(map, map.height())),
+      ground_(map, width_, height_),
+      radius_(radius) {}
 
 void DriveFrames::observe(const DriveTick& tick, const DriveRecorder& recorder) {
   const double middle =
@@ -44,7 +49,7 @@ void DriveFrames::observe(const DriveTick& tick, const DriveRecorder& recorder) 
                .robot = tick.robot,
                .obstacles = tick.obstacles,
                .way = way_of(tick),
-               .codes = tick_codes::codes_of(tick, recorder, width_, height_).values});
+               .codes = ground_.codes(tick, recorder).values});
 }
 
 Json DriveFrames::json() const {

@@ -5,6 +5,7 @@
 
 #include "lasius/drive.h"
 #include "tools/drive/drive_recorder.h"
+#include "tools/drive/ground.h"
 #include "tools/record/json_values.h"
 #include "tools/report/key_frames.h"
 
@@ -46,6 +47,7 @@ class DriveFrames {
   };
 
   int width_, height_;
+  tick_codes::Ground ground_;
   double radius_;
   KeyFrames<Frame> frames_{kMostFrames};
   KeyFrames<double> clearances_{kMostClearances};
