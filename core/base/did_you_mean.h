@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,26 +31,49 @@ inline int edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-/// Asks for the known name nearest to `name`, the first of equals: one that begins with it before
-/// others, and capitals count as small letters unless nothing else differs. Precondition: `known`
-/// is not empty. `list` tells where all are, and is added where the nearest is far.
-inline std::string did_you_mean(std::string_view name, std::span<const std::string_view> known,
-                                const std::string& list = {}) {
+/// The known name that `name` most likely means, the first of equals: one that begins with it
+/// before others, then one that has it in it, and capitals count as small letters unless nothing
+/// else differs. Nothing where each is far: of more than a third of its letters another.
+inline std::optional<std::string_view> nearest_name(std::string_view name,
+                                                    std::span<const std::string_view> known) {
+  const auto bare = [](std::string_view text) {  // an option without its dashes
+    return text.substr(std::min(text.find_first_not_of('-'), text.size()));
+  };
   const auto small = [](std::string_view text) {
     std::string letters(text);
     for (char& c : letters) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return letters;
   };
-  const auto farness = [&, name_small = small(name)](std::string_view candidate) {
-    const std::string candidate_small = small(candidate);
-    return std::tuple(!candidate_small.starts_with(name_small),
-                      edit_distance(name_small, candidate_small), edit_distance(name, candidate));
+  constexpr std::size_t kWord = 4;  // letters that name something
+  std::string word = small(bare(name));
+  if (word == "dims" || word == "dimensions") word = "size";
+  const auto farness = [&](std::string_view candidate) {
+    const std::string other = small(bare(candidate));
+    const int kind = other.starts_with(word)                                         ? 0
+                     : word.size() >= kWord && other.find(word) != std::string::npos ? 1
+                                                                                     : 2;
+    return std::tuple(kind, edit_distance(word, other), edit_distance(name, candidate));
   };
   const auto nearest =
       std::ranges::min_element(known, [&](auto a, auto b) { return farness(a) < farness(b); });
-  const auto [other_begin, changes, exact_changes] = farness(*nearest);
-  const bool far = other_begin && 2 * static_cast<std::size_t>(changes) > name.size();
-  return "did you mean \"" + std::string(*nearest) + "\"?" + (far ? list : "");
+  if (nearest == known.end()) return std::nullopt;
+  const auto [kind, changes, exact_changes] = farness(*nearest);
+  if (kind == 2 && 3 * static_cast<std::size_t>(changes) > word.size() + 1) return std::nullopt;
+  return *nearest;
+}
+
+/// Asks for the known name nearest to `name`; where none is near, tells where all are, as `list`
+/// has it, or which they are. Precondition: `known` is not empty.
+inline std::string did_you_mean(std::string_view name, std::span<const std::string_view> known,
+                                const std::string& list = {}) {
+  if (const auto nearest = nearest_name(name, known))
+    return "did you mean \"" + std::string(*nearest) + "\"?";
+  if (!list.empty()) return list;
+  constexpr std::size_t kFew = 16;
+  if (known.size() > kFew) return "no known name is like it";
+  std::string all = known.size() > 1 ? "it is one of" : "the only one is";
+  for (const auto& one : known) all.append(&one == known.data() ? " " : ", ").append(one);
+  return all;
 }
 
 /// The same among things with a name and a summary, such as parameters: one whose summary gives
@@ -63,7 +87,7 @@ std::string did_you_mean(std::string_view name, std::span<const Described> known
     const std::string_view summary = one.summary;
     if (summary.ends_with(symbol) || summary.find(symbol + ";") != summary.npos ||
         summary.starts_with(std::string(name) + " of ")) {
-      return did_you_mean(name, std::span(&one.name, 1));
+      return "did you mean \"" + std::string(one.name) + "\"?";
     }
     names.push_back(one.name);
   }

@@ -18,6 +18,7 @@
 #include "core/drive/sensor.h"
 #include "core/drive/world.h"
 #include "core/grid/cell_distance.h"
+#include "core/grid/components.h"
 #include "core/grid/move_rule.h"
 #include "core/grid/nearest_free.h"
 #include "core/loop/run_status.h"
@@ -61,6 +62,7 @@ class Drive {
         before_(start) {}
 
   DriveResult run() {
+    pilot_.begin_drive();
     result_.track = {robot_};
     while (!ended_) tick();
     result_.ticks = tick_;
@@ -77,12 +79,16 @@ class Drive {
     if (tick_ == 0 && blocked_at_start()) return;
     look();
     const Found found = robot_ == pilot_.goal() ? Found::way : find_way();
+    arrived_ = robot_ == pilot_.goal() || (found == Found::way && way_->goal_reached == robot_);
     result_.planning_ms += planning_.count();
     planning_ = {};
     if (ended_) return;
     const bool stopped = show(found);
     news_.clear();  // what is felt in the move is news of the next tick
-    if (robot_ == pilot_.goal()) return end(Status::solved);
+    if (arrived_) {
+      if (pilot_.goal_tolerance() > 0) result_.goal_reached = robot_;
+      return end(Status::solved);
+    }
     if (tick_ == options_.max_ticks) {
       result_.limit = Limit::ticks;
       return end(Status::limit);
@@ -112,17 +118,27 @@ class Drive {
     const Cell goal = pilot_.goal();
     const bool bad_start = world_.passable().blocked(robot_);
     if (!bad_start) look();
-    if (!bad_start && pilot_.passable().free(goal)) return false;
+    if (!bad_start && (pilot_.passable().free(goal) || near_goal())) return false;
     const Cell cell = bad_start ? robot_ : goal;
     auto [fault, text] = fault_of_end(world_.now(), bad_start, cell);
     end(Status::invalid, std::move(text));
     result_.fault = fault;
     const StopCondition until_found{.token = stop_.token};
     Poller poller(until_found);
-    result_.nearest_free = nearest_free(
-        bad_start ? world_.passable() : walls_of_both(world_.passable(), pilot_.passable()), cell,
-        poller);
+    const Grid grid =
+        bad_start ? world_.passable() : walls_of_both(world_.passable(), pilot_.passable());
+    result_.nearest_free = nearest_free(grid, cell, poller);
+    const Cell other = bad_start ? goal : robot_;
+    if (grid.blocked(other)) return true;
+    const Components components(grid, connectivity_of(corners_));
+    const auto joined = [&](Cell c) { return components.connected(grid, other, c); };
+    result_.nearest_reachable = nearest_free(grid, cell, poller, joined);
     return true;
+  }
+  /// A way leads near enough to the goal, as far as is known.
+  bool near_goal() {
+    if (pilot_.goal_tolerance() > 0) ask();
+    return way_ != nullptr && !way_->path.empty();
   }
 
   void look() {
@@ -161,7 +177,9 @@ class Drive {
 
   Found find_way() {
     ask();
-    if (way_->path.empty() && proven() && doubt()) {
+    const bool no_way = way_->path.empty() && proven();
+    const bool short_of = way_->goal_reached && *way_->goal_reached != pilot_.goal();
+    if ((no_way || short_of) && doubt()) {
       look();
       ask();
     }
@@ -316,7 +334,8 @@ class Drive {
     view.world = &world_.now();
     view.still = &world_.still();
     view.robot_knows = &pilot_;
-    view.way = found == Found::way && robot_ != pilot_.goal() ? way_ : nullptr;
+    view.arrived = arrived_;
+    view.way = found == Found::way && !arrived_ ? way_ : nullptr;
     view.obstacles = world_.obstacles();
     view.news = news_;
     view.replanned = replanned_;
@@ -340,7 +359,7 @@ class Drive {
   const Way* way_ = nullptr;
   News seen_;
   std::vector<Cell> news_;
-  bool replanned_ = false;
+  bool replanned_ = false, arrived_ = false;
   Headway headway_{map_.width(), map_.height()};
   Milliseconds planning_{};
   int waited_ = 0, attempts_ = 0, doubts_ = 0;

@@ -7,14 +7,17 @@
 
 #include "core/base/held_bytes.h"
 #include "core/base/invalid_parameter.h"
-#include "core/colony/colony.h"
+#include "core/drive/doubts.h"
 #include "core/drive/edited_map.h"
+#include "core/drive/live_map.h"
 #include "core/drive/path_walker.h"
+#include "core/drive/retreat.h"
 #include "core/grid/cell_distance.h"
-#include "core/grid/components.h"
 #include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
 #include "core/plan/workspace.h"
+#include "core/smooth/taut_string.h"
+#include "lasius/path.h"
 
 namespace lasius {
 namespace {
@@ -30,83 +33,6 @@ void check_kind(const Algorithm& algorithm, Algorithm::Kind kind, const char* op
       std::string("leave it out, or take ") + whose);
 }
 
-/// The components of a map that is edited, brought up to date when they are asked for.
-class LiveComponents {
- public:
-  LiveComponents(const Grid& grid, Connectivity connectivity) : components_(grid, connectivity) {}
-
-  /// `grid` has the change already.
-  void changed(const Grid& grid, const Rectangle& part) {
-    changed_.push_back(part);
-    constexpr std::size_t kMost = 256;  // where nobody asks
-    if (changed_.size() == kMost) (void)update(grid, {});
-  }
-  /// Nothing if stopped; the next call goes on.
-  std::optional<bool> connected(const Grid& grid, Cell a, Cell b, const StopCondition& stop) {
-    if (!update(grid, stop)) return std::nullopt;
-    return components_.connected(grid, a, b);
-  }
-  std::int64_t bytes() const noexcept { return components_.bytes() + held_bytes(changed_); }
-
- private:
-  bool update(const Grid& grid, const StopCondition& stop) {
-    if (!changed_.empty() || !up_to_date_) {
-      up_to_date_ = components_.update(grid, changed_, stop);
-      changed_.clear();  // if it was stopped, they are kept there
-    }
-    return up_to_date_;
-  }
-
-  Components components_;
-  std::vector<Rectangle> changed_;
-  bool up_to_date_ = true;
-};
-
-/// A colony and what it was not told yet: changes beside each other in one, since each is repaired.
-class LiveColony {
- public:
-  LiveColony(const Grid& grid, Cell goal, const Params& params)
-      : colony_(grid, goal, params), iterations_(params.iterations) {}
-
-  void changed(const Rectangle& part) {
-    if (!changed_.empty()) {
-      Rectangle& last = changed_.back();
-      const Rectangle both = round(last, part);
-      if (area(both) <= 4 * (area(last) + area(part))) {
-        last = both;
-        return;
-      }
-    }
-    changed_.push_back(part);
-    constexpr std::size_t kMost = 256;  // where nobody asks
-    if (changed_.size() < kMost) return;
-    Rectangle all = part;
-    for (const Rectangle& one : changed_) all = round(all, one);
-    changed_.assign(1, all);
-  }
-  Result run(const Request& request, const Observer& observer) {
-    for (const Rectangle& part : changed_) colony_.changed(part);
-    changed_.clear();
-    return colony_.run(request.start, iterations_, request.stop, observer);
-  }
-  void forget() {
-    changed_.clear();
-    colony_.forget();
-  }
-
- private:
-  static std::int64_t area(const Rectangle& r) noexcept { return std::int64_t{r.width} * r.height; }
-  static Rectangle round(const Rectangle& a, const Rectangle& b) noexcept {
-    const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
-    return {left, top, std::max(a.x + a.width, b.x + b.width) - left,
-            std::max(a.y + a.height, b.y + b.height) - top};
-  }
-
-  SurvivingColony colony_;
-  int iterations_;
-  std::vector<Rectangle> changed_;
-};
-
 }  // namespace
 
 class Navigator::Impl {
@@ -116,16 +42,20 @@ class Navigator::Impl {
     validate(options.params);
     const Algorithm& algorithm = find_algorithm(options.params.algorithm());
     check_certifies(algorithm, options.target_gap);
+    check_goal_tolerance(options.goal_tolerance);
+    require_parameter(options.doubt_after >= 0, "doubt_after", options.doubt_after,
+                      "it must be 0 (never) or more steps");
     if (options.prepare) check_kind(algorithm, Algorithm::Kind::exact, "prepare", "exact");
     if (options.search_on) check_kind(algorithm, Algorithm::Kind::colony, "search_on", "a colony");
-    if (algorithm.kind == Algorithm::Kind::colony) send_colony();
+    if (algorithm.kind == Algorithm::Kind::colony) send_colony(goal);
     corners = corners_of_paths(options.params);
+    taut = algorithm.kind == Algorithm::Kind::exact || options.params.polish == Polish::taut;
     if (corners == Corners::allow) eight.emplace(map.passable(), Connectivity::eight);
     if (options.prepare) prepare(*options.prepare);
   }
 
   /// A trail leads to one goal.
-  void send_colony() { colony.emplace(map.passable(), goal, options.params); }
+  void send_colony(Cell to) { colony.emplace(map.passable(), to, options.params); }
 
   void prepare(const PrepareOptions& how) {
     check_threads(how.threads);
@@ -146,7 +76,11 @@ class Navigator::Impl {
   };
   /// Does a cell that has become blocked make the way impossible, or the fault another one?
   bool breaks(Cell cell) const noexcept {
-    if (way.path.empty()) return cell == at || cell == goal || cell == way.nearest_free;
+    if (way.path.empty())
+      return cell == at || cell == goal || cell == way.nearest_free ||
+             cell == way.nearest_reachable;
+    for (std::size_t i = 1; i < way.path.size(); ++i)
+      if (touches(way.path[i - 1], way.path[i], cell)) return true;
     return walker.touches_rest(cell) || beside_walk(cell);
   }
   /// Does the walk pass a cell by a diagonal move?
@@ -161,11 +95,13 @@ class Navigator::Impl {
   /// Might a way over a cell that has become free be shorter than what is left of this one? There
   /// is none shorter through it where the straight distances to both ends are as long together.
   bool shortens(Cell cell) const noexcept {
-    if (way.path.empty()) return true;
+    if (way.path.empty() || ends_short()) return true;
     // Of the cell any point may be met, and of the robot's cell.
     constexpr double kSlack = 4;
-    return distance(at, cell) + distance(cell, goal) < walker.rest() + kSlack;
+    return distance(at, cell) + distance(cell, goal) < way.length + kSlack;
   }
+  /// Of the goal itself, which cannot be reached.
+  bool ends_short() const noexcept { return way.goal_reached && *way.goal_reached != goal; }
 
   Result ask(Cell robot, const StopCondition& stop) {
     PlanningMap known{
@@ -174,21 +110,100 @@ class Navigator::Impl {
         .connected = [&](Cell a, Cell b, Corners rule) { return connected(a, b, rule, stop); }};
     if (colony) {
       known.colony = [&](const Request& request, const Observer& observer) {
+        if (colony->goal() != request.goal) send_colony(request.goal);
         return colony->run(request, observer);
       };
     }
-    const Request request{
-        .start = robot, .goal = goal, .stop = stop, .target_gap = options.target_gap};
+    const Request request{.start = robot,
+                          .goal = goal,
+                          .stop = stop,
+                          .target_gap = options.target_gap,
+                          .goal_tolerance = options.goal_tolerance};
     return answer(known, request, options.params, &workspace, {});
   }
 
   void take(Result&& result) {
     static_cast<Result&>(way) = std::move(result);
     way.replanned = true;
+    way.way_out.reset();
     way.walk.clear();
     walker.begin(way.path);
-    holds = way.status == Status::solved || way.status == Status::unreachable ||
-            way.status == Status::invalid;
+    holds = way.status == Status::solved || way.status == Status::unreachable || blocked();
+  }
+  bool blocked() const noexcept { return way.status == Status::invalid; }
+
+  void plan(Cell robot, const StopCondition& stop) {
+    take(ask(robot, stop));
+    if (way.fault == Fault::start_blocked) leave(robot, stop);
+  }
+  /// The way of a robot that is where it may not be: out first, over what is free on the map.
+  void leave(Cell robot, const StopCondition& stop) {
+    const Grid& passable = map.passable();
+    const auto leads_on = [&](Cell c) {
+      return passable.free(c) && connected(c, goal, corners, stop) == true;
+    };
+    const Corners rule = rule_of_walks(corners);
+    auto out = find_way_out(map.map(), rule, robot, leads_on);
+    if (out.empty() && options.goal_tolerance > 0)
+      out = find_way_out(map.map(), rule, robot, [&](Cell c) { return passable.free(c); });
+    if (out.empty()) return;
+    Result rest = ask(out.back(), stop);
+    if (rest.path.empty()) {
+      holds = rest.status != Status::limit && rest.status != Status::interrupted;
+      return;
+    }
+    rest.length += length_of(out);
+    rest.lower_bound.reset();
+    rest.optimal = false;
+    take(std::move(rest));
+    way.way_out = out.back();
+    for (std::size_t i = out.size() - 1; i > 0; --i)
+      way.path.insert(way.path.begin(), centre(out[i - 1]));
+    way.walk = std::move(out);
+  }
+
+  /// The robot went on by the first moves of its walk: what is left of the path begins there, and
+  /// is pulled taut as far as that changes it.
+  void go_on(std::size_t moves) {
+    if (moves == 0) return;
+    auto& path = way.path;
+    if (way.way_out) {
+      path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(moves));
+      if (way.walk[moves] == *way.way_out) way.way_out.reset();
+    } else {
+      const std::size_t left = walker.vertices_after(way.walk[moves]);
+      std::size_t last = path.size() - std::min(left + 1, path.size() - 1);
+      if (taut) last = std::min(last + 3, path.size() - 1);
+      std::vector<kernels::HalfPoint> front;
+      for (std::size_t i = moves; i > 0; --i) front.push_back(halves_of(centre(way.walk[i])));
+      for (std::size_t i = 0; i <= last; ++i) front.push_back(halves_of(path[i]));
+      string.run(map.passable(), front, corners);
+      path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+      path.insert(path.begin(), string.path().begin(), string.path().end());
+    }
+    way.length = path_length(path);
+    way.lower_bound.reset();
+    way.optimal = false;
+    way.walk.erase(way.walk.begin(), way.walk.begin() + static_cast<std::ptrdiff_t>(moves));
+  }
+  static kernels::HalfPoint halves_of(Point p) noexcept {
+    return {static_cast<int>(2 * p.x), static_cast<int>(2 * p.y)};
+  }
+  /// On its way out a robot is where changes of the grown map tell nothing.
+  bool way_out_is_shut() const noexcept {
+    return way.way_out && std::any_of(way.walk.begin() + 1, way.walk.end(),
+                                      [&](Cell c) { return map.map().blocked(c); });
+  }
+
+  /// After some steps without a way, walls that were not observed again are taken for free.
+  void doubt(Cell robot, const StopCondition& stop) {
+    const bool none = way.path.empty() && (way.status == Status::unreachable || blocked());
+    if (!none) return doubts.end_wait();
+    const std::vector<Cell> walls = doubts.wait(map.map());
+    if (walls.empty()) return;
+    map.set(walls, false, on_change);
+    plan(robot, stop);
+    way.doubted = static_cast<std::int64_t>(walls.size());
   }
 
   std::optional<bool> connected(Cell a, Cell b, Corners rule, const StopCondition& stop) {
@@ -199,17 +214,20 @@ class Navigator::Impl {
 
   const Way& step(Cell robot, const StopCondition& stop) {
     way.replanned = false;
+    way.doubted = 0;
     const auto here = std::ranges::find(way.walk, robot);
     const bool on_way = way.path.empty() ? robot == at : here != way.walk.end();
-    const bool go_on = holds && on_way;
     at = robot;
-    if (go_on) way.walk.erase(way.walk.begin(), here);
-    if (!go_on) {
-      take(ask(robot, stop));
-    } else if (colony && options.search_on && robot != goal) {
-      Result result = ask(robot, stop);
-      if (!result.path.empty() && result.length < walker.rest()) take(std::move(result));
+    if (!holds || !on_way || way_out_is_shut()) {
+      plan(robot, stop);
+    } else {
+      if (!way.path.empty()) go_on(static_cast<std::size_t>(here - way.walk.begin()));
+      if (colony && options.search_on && robot != goal && !way.way_out) {
+        Result result = ask(robot, stop);
+        if (!result.path.empty() && result.length < way.length) take(std::move(result));
+      }
     }
+    doubt(robot, stop);
     if (!way.path.empty() && way.walk.size() < 2) {
       walker.next(map.passable(), rule_of_walks(corners), robot, way.walk);
       if (way.walk.size() < 2 && robot != goal) holds = false;
@@ -220,7 +238,9 @@ class Navigator::Impl {
   Cell goal;
   NavigatorOptions options;
   EditedMap map;
+  Doubts doubts{options.doubt_after};
   Corners corners;
+  bool taut;  ///< the algorithm's paths are
   std::optional<LiveColony> colony;
   LiveComponents four{map.passable(), Connectivity::four};
   std::optional<LiveComponents> eight;  ///< only where paths may squeeze
@@ -228,6 +248,7 @@ class Navigator::Impl {
   Preparation preparation;
   Workspace workspace;
   PathWalker walker;
+  TautString string;
   Way way;
   bool holds = false;  ///< the way, as far as is known
   Cell at{-1, -1};     ///< where the robot was in the last step
@@ -242,9 +263,11 @@ Navigator::Navigator(Navigator&&) noexcept = default;
 Navigator& Navigator::operator=(Navigator&&) noexcept = default;
 
 void Navigator::observe(const Rectangle& part, bool blocked) {
+  if (blocked) impl_->doubts.saw_walls(impl_->map.map(), part);
   impl_->map.set(part, blocked, impl_->on_change);
 }
 void Navigator::observe(std::span<const Cell> cells, bool blocked) {
+  if (blocked) impl_->doubts.saw_walls(impl_->map.map(), cells);
   impl_->map.set(cells, blocked, impl_->on_change);
 }
 const Way& Navigator::step(Cell robot, const StopCondition& stop) {
@@ -256,7 +279,7 @@ void Navigator::set_goal(Cell goal) {
   if (goal == impl_->goal) return;
   impl_->goal = goal;
   impl_->holds = false;
-  if (impl_->colony) impl_->send_colony();
+  if (impl_->colony) impl_->send_colony(goal);
 }
 void Navigator::forget() {
   impl_->holds = false;
@@ -267,6 +290,8 @@ const Grid& Navigator::map() const noexcept { return impl_->map.map(); }
 const Grid& Navigator::passable() const noexcept { return impl_->map.passable(); }
 bool Navigator::connected(Cell a, Cell b) { return *impl_->connected(a, b, impl_->corners, {}); }
 double Navigator::radius() const noexcept { return impl_->options.radius; }
+void Navigator::begin_drive() { impl_->doubts = Doubts(0); }
+double Navigator::goal_tolerance() const noexcept { return impl_->options.goal_tolerance; }
 Corners Navigator::corners() const noexcept { return impl_->corners; }
 Preparation Navigator::preparation() const noexcept {
   Preparation now = impl_->preparation;
@@ -279,7 +304,8 @@ Preparation Navigator::preparation() const noexcept {
 std::int64_t Navigator::bytes() const noexcept {
   const Impl& i = *impl_;
   return i.map.bytes() + i.four.bytes() + (i.eight ? i.eight->bytes() : 0) + preparation().bytes +
-         i.workspace.bytes() + held_bytes(i.way.path, i.way.walk);
+         i.workspace.bytes() + i.doubts.bytes() + i.string.bytes() +
+         held_bytes(i.way.path, i.way.walk);
 }
 
 }  // namespace lasius

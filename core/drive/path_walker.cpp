@@ -8,7 +8,6 @@
 
 #include "core/base/special_values.h"
 #include "core/grid/move_rule.h"
-#include "lasius/path.h"
 
 namespace lasius {
 namespace {
@@ -176,8 +175,10 @@ bool PathWalker::touches_rest(Cell cell) const noexcept {
   return path_.size() == 1 && touches(path_[0], path_[0], cell);
 }
 
-double PathWalker::rest() const noexcept {
-  return path_length(std::span(path_).subspan(std::min(begun_segment_, path_.size())));
+std::size_t PathWalker::vertices_after(Cell cell) const noexcept {
+  std::size_t i = std::min(segment_ + 2, path_.size());
+  while (i > begun_segment_ + 2 && !touches(path_[i - 2], path_[i - 1], cell)) --i;
+  return path_.size() - i;
 }
 
 }  // namespace lasius

@@ -33,9 +33,8 @@ class PathWalker {
 
   /// True when what is left of the path, from the beginning of the last piece, touches a cell.
   bool touches_rest(Cell cell) const noexcept;
-  /// Length of what is left of the path from the beginning of the last piece: at most too long by
-  /// a segment's part that was passed.
-  double rest() const noexcept;
+  /// Vertices behind the end of the last piece's last segment that touches a cell.
+  std::size_t vertices_after(Cell cell) const noexcept;
 
  private:
   /// The columns of a segment, rows where it is steeper than a diagonal: a line of cells each.

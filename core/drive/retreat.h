@@ -1,7 +1,8 @@
-// Somewhere else to be for a while.
+// Somewhere else to be: for a while, or to be gone from where the robot may not be.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "lasius/geometry.h"
@@ -15,5 +16,10 @@ namespace lasius {
 /// other.
 std::vector<Cell> find_retreat(const Grid& passable, Corners corners, Cell from,
                                std::uint32_t word);
+
+/// The fewest such moves over free cells to one that is wanted, `from` first, which may be blocked;
+/// empty where none of the 65536 nearest is.
+std::vector<Cell> find_way_out(const Grid& map, Corners corners, Cell from,
+                               const std::function<bool(Cell)>& wanted);
 
 }  // namespace lasius

@@ -158,9 +158,7 @@ bool World::joined(Cell from, Cell to, Corners corners, Without without) const {
     grid.fill(mover.cells(mover.at), true);
   }
   if (radius_ > 0) grid = grow_obstacles(grid, radius_);
-  const auto how =
-      corners == Corners::allow ? Components::Connectivity::eight : Components::Connectivity::four;
-  return Components(grid, how).connected(grid, from, to);
+  return Components(grid, connectivity_of(corners)).connected(grid, from, to);
 }
 
 }  // namespace lasius

@@ -11,6 +11,7 @@
 #include "lasius/export.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
+#include "lasius/moves.h"
 #include "lasius/stop.h"
 
 namespace lasius {
@@ -89,5 +90,11 @@ class LASIUS_EXPORT Components {
   std::vector<std::vector<Block>> blocks_;  // by level, of 2 x 2 tiles first; the last is the map
   std::vector<Rectangle> pending_;          // of updates that were stopped
 };
+
+/// By which cells are joined for paths under a rule.
+constexpr Components::Connectivity connectivity_of(Corners corners) noexcept {
+  return corners == Corners::allow ? Components::Connectivity::eight
+                                   : Components::Connectivity::four;
+}
 
 }  // namespace lasius

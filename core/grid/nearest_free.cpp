@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
@@ -11,28 +12,53 @@
 namespace lasius {
 namespace {
 
-/// The column of the free cell of row y nearest to x, the left one of two, or nothing. x may lie
-/// outside.
-std::optional<int> nearest_free_in_row(const Grid& grid, int x, int y) {
+constexpr std::uint64_t kFree = ~std::uint64_t{0}, kBlocked = 0;
+
+/// The last column up to x whose cell is as wanted, or -1.
+int seek_left(const std::uint64_t* row, int x, std::uint64_t wanted) {
+  for (int w = x >> 6; w >= 0; x = w * 64 - 1, --w) {
+    const std::uint64_t bits = (row[w] ^ wanted) & ~std::uint64_t{0} >> (63 - (x & 63));
+    if (bits != 0) return w * 64 + 63 - std::countl_zero(bits);
+  }
+  return -1;
+}
+/// The first from x on; the columns past the last are blocked. -1 where there is none.
+int seek_right(const Grid& grid, const std::uint64_t* row, int x, std::uint64_t wanted) {
+  for (int w = x >> 6; w < grid.words(); ++w, x = w * 64) {
+    const std::uint64_t bits = (row[w] ^ wanted) & ~std::uint64_t{0} << (x & 63);
+    if (bits != 0) return w * 64 + std::countr_zero(bits);
+  }
+  return -1;
+}
+
+using Taken = std::function<bool(Cell)>;
+
+/// The column nearest to x of a free cell of row y that is taken, the left one of two, or nothing
+/// where none is at most `most` columns away. x may lie outside.
+std::optional<int> nearest_in_row(const Grid& grid, int x, int y, double most, const Taken& taken) {
   const std::uint64_t* row = grid.row(y);
+  const auto within = [&](int column) { return column >= 0 && std::abs(1.0 * column - x) <= most; };
+  const auto good = [&](int column) { return !taken || taken({column, y}); };
   const int inside = std::clamp(x, 0, grid.width() - 1);
-  std::optional<int> left, right;
-  std::uint64_t upto = ~std::uint64_t{0} >> (63 - (inside & 63));
-  for (int w = inside >> 6; w >= 0 && !left; --w, upto = ~std::uint64_t{0}) {
-    if (const std::uint64_t free = ~row[w] & upto) left = w * 64 + 63 - std::countl_zero(free);
-  }
-  std::uint64_t from = ~std::uint64_t{0} << (inside & 63);
-  for (int w = inside >> 6; w < grid.words() && !right; ++w, from = ~std::uint64_t{0}) {
-    if (const std::uint64_t free = ~row[w] & from) right = w * 64 + std::countr_zero(free);
-  }
-  if (!left || !right) return left ? left : right;
+  int left = seek_left(row, inside, kFree);
+  int right = seek_right(grid, row, inside, kFree);
+  const bool same = left == right;  // one run on both sides
+  while (within(left) && !good(left)) left = seek_left(row, seek_left(row, left, kBlocked), kFree);
+  if (same && within(left) && left == right) return left;
+  const auto skip = [&] {
+    const int end = seek_right(grid, row, right, kBlocked);
+    right = end < 0 ? -1 : seek_right(grid, row, end, kFree);
+  };
+  if (same && right >= 0) skip();
+  while (within(right) && !good(right)) skip();
+  if (!within(left)) return within(right) ? std::optional(right) : std::nullopt;
   const std::int64_t at = x;  // perhaps far outside
-  return std::abs(*right - at) < std::abs(at - *left) ? right : left;
+  return within(right) && std::abs(right - at) < std::abs(at - left) ? right : left;
 }
 
 }  // namespace
 
-std::optional<Cell> nearest_free(const Grid& grid, Cell c, Poller& poller) {
+std::optional<Cell> nearest_free(const Grid& grid, Cell c, Poller& poller, const Taken& taken) {
   std::optional<Cell> best;
   std::uint64_t best_squared = std::numeric_limits<std::uint64_t>::max();
   // Rows outwards from the cell's own, the upper one first.
@@ -43,7 +69,9 @@ std::optional<Cell> nearest_free(const Grid& grid, Cell c, Poller& poller) {
     if (dy * dy > best_squared) break;
     for (const std::int64_t y : {c.y - d, c.y + d}) {
       if (y < 0 || y >= grid.height()) continue;
-      const auto x = nearest_free_in_row(grid, c.x, static_cast<int>(y));
+      // A column more: sums of large squares are rounded, and ties go to the upper row.
+      const double most = best ? std::sqrt(static_cast<double>(best_squared - dy * dy)) + 1 : 1e10;
+      const auto x = nearest_in_row(grid, c.x, static_cast<int>(y), most, taken);
       if (poller.stop_after(grid.words())) return std::nullopt;
       if (!x) continue;
       const auto dx = static_cast<std::uint64_t>(std::abs(static_cast<std::int64_t>(*x) - c.x));

@@ -1,6 +1,7 @@
 // The free cell nearest to a place.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "core/base/poller.h"
@@ -10,7 +11,10 @@
 namespace lasius {
 
 /// The free cell nearest to `c`, which may lie outside (Euclidean, ties to the smaller row, then
-/// column); nothing where the map has none, or when stopped.
-std::optional<Cell> nearest_free(const Grid& grid, Cell c, Poller& poller);
+/// column); nothing where the map has none, or when stopped. With `taken` it is the nearest of
+/// those that this takes: it is asked about one cell of each run in a row, since the others are
+/// joined to that.
+std::optional<Cell> nearest_free(const Grid& grid, Cell c, Poller& poller,
+                                 const std::function<bool(Cell)>& taken = {});
 
 }  // namespace lasius

@@ -117,6 +117,14 @@ Params params_from_json(std::string_view text) {
   return params;
 }
 
+namespace {
+/// Of a result: the cells that it may have.
+constexpr std::pair<const char*, std::optional<Cell> Result::*> kCells[] = {
+    {"goal_reached", &Result::goal_reached},
+    {"nearest_free", &Result::nearest_free},
+    {"nearest_reachable", &Result::nearest_reachable}};
+}  // namespace
+
 std::string result_to_json(const Result& result) {
   Json object = {{"status", to_string(result.status)},
                  {"error", json::text_or_null(result.error)},
@@ -126,7 +134,8 @@ std::string result_to_json(const Result& result) {
   json::add_proof(object, result);
   if (result.fault != Fault::none) object["fault"] = to_string(result.fault);
   if (result.own_rules) object["own_rules"] = true;
-  if (const auto free = result.nearest_free) object["nearest_free"] = {free->x, free->y};
+  for (const auto& [name, cell] : kCells)
+    if (const auto& c = result.*cell) object[name] = {c->x, c->y};
   return json::line(object);
 }
 
@@ -159,10 +168,11 @@ Result result_from_json(std::string_view text) {
   result.optimal = member<bool>(object, "optimal");
   if (object.contains("fault")) result.fault = named(object, "fault", Fault::trapped);
   result.own_rules = member_or(object, "own_rules", false);
-  if (object.contains("nearest_free")) {
-    const auto cell = whole_numbers(object, "nearest_free");
-    if (cell.size() != 2) throw broken("holds \"nearest_free\" that is no cell");
-    result.nearest_free = Cell{cell[0], cell[1]};
+  for (const auto& [name, to] : kCells) {
+    if (!object.contains(name) || object[name].is_null()) continue;
+    const auto cell = whole_numbers(object, name);
+    if (cell.size() != 2) throw broken(std::string("holds \"") + name + "\" that is no cell");
+    result.*to = Cell{cell[0], cell[1]};
   }
   return result;
 }

@@ -97,6 +97,9 @@ struct DriveResult {
   std::string error;          ///< the same in a sentence; empty for none
   /// To a start or goal that is invalid: free in truth, and for a goal on the robot's map too.
   std::optional<Cell> nearest_free;
+  std::optional<Cell> nearest_reachable;  ///< the same, joined to the other end: see Result
+  /// With a goal tolerance: where the robot arrived.
+  std::optional<Cell> goal_reached;
   std::vector<Cell> track;            ///< where the robot was at each tick, the start first
   std::int64_t ticks = 0;             ///< moves and waits: track.size() - 1
   std::vector<Replan> replans;        ///< in order
@@ -120,6 +123,7 @@ class DriveTick {
   std::vector<Rectangle> obstacles;    ///< where the moving ones are, those that have appeared
   std::vector<Cell> news;              ///< cells that the robot learned in this tick
   bool replanned = false;              ///< the way was planned in this tick
+  bool arrived = false;                ///< at the goal, or as near as its tolerance lets it
 
   /// Ends the drive here, where it has neither arrived nor spent its ticks: Status::interrupted.
   void stop() const noexcept { stopped_ = true; }
@@ -146,7 +150,8 @@ using DriveObserver = std::function<void(const DriveTick&)>;
 /// changes are to come, it waits first, and every 16 ticks steps aside to a cell nearby, drawn at
 /// random, so that an obstacle that waits for it can pass. The simulation tells it from the truth
 /// whether a way exists at all: it gives up where none does, and else searches until it arrives,
-/// unless it is trapped.
+/// unless it is trapped. With a goal tolerance it has arrived, too, where a way that it was given
+/// ends short of a goal that cannot be reached as far as it knows, when it has doubted walls.
 /// @param map    what the robot knows in the beginning
 /// @param truth  what is there, of the same size
 /// @param navigator  how it plans, and its radius

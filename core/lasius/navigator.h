@@ -29,17 +29,28 @@ struct NavigatorOptions {
   /// step() searches on every time; else only where the way has to be planned anew. For colonies
   /// only (Algorithm::Kind::colony).
   bool search_on = false;
+  double goal_tolerance = 0;  ///< as in Request
+  /// After so many steps without a way walls count as free that were learned, and not observed
+  /// again in these steps: what stood there may have gone. 0: never.
+  int doubt_after = 16;
 };
 
 /// The way that a robot is to go on.
 struct Way : Result {
   /// The way was planned in this step; else it is the one of an earlier step, which still holds:
-  /// `path`, `length` and what else a Result tells are those of the plan.
+  /// `path` is what is left of it from the robot on, `length` that of this, and where the robot has
+  /// moved nothing is certified; what else a Result tells is of the plan.
   bool replanned = false;
   /// The next cells, by moves to one of the eight neighbours, the robot's own first. They are cells
-  /// that the path touches. Some dozens of moves; the rest comes with later steps. Empty without a
-  /// path.
+  /// that the planned path touches. Some dozens of moves; the rest comes with later steps. Empty
+  /// without a path. Eight directions make it up to 8.3% longer than the path, which goes at any
+  /// angle: a robot that can, follows `path`.
   std::vector<Cell> walk;
+  /// The robot is where its centre may not be, its cell blocked or too near to one that is: path
+  /// and walk lead first to this cell, by the fewest moves over free cells of map().
+  std::optional<Cell> way_out;
+  /// So many walls were taken for free in this step: see NavigatorOptions::doubt_after.
+  std::int64_t doubted = 0;
 };
 
 /// What drive() needs of a planner that belongs to a robot: a Navigator, or another to compare
@@ -68,6 +79,11 @@ class LASIUS_EXPORT Pilot {
   virtual double radius() const noexcept { return 0; }
   /// Corners::allow where its walks squeeze past blocked cells. Corners::forbid, unless overridden.
   virtual Corners corners() const noexcept { return Corners::forbid; }
+  /// See Request. 0, unless overridden.
+  virtual double goal_tolerance() const noexcept { return 0; }
+  /// drive() calls it first: from then on it is drive() that doubts walls, by what the robot sees.
+  /// Does nothing, unless overridden.
+  virtual void begin_drive() {}
 };
 
 /// A planner that belongs to a robot, with one map. The robot's program tells the Navigator what
@@ -95,8 +111,8 @@ class LASIUS_EXPORT Navigator final : public Pilot {
   void observe(std::span<const Cell> cells, bool blocked) override;
 
   /// The way to the goal from where the robot is now. Never throws for what the world is like:
-  /// Status::unreachable and Status::invalid (the robot's cell or the goal has become blocked) are
-  /// answers, and the next step may find another one.
+  /// Status::unreachable and Status::invalid (the goal has become blocked, or the robot's cell and
+  /// no way leads out) are answers, and the next step may find another one.
   /// Holds until the next call of any member that is not const.
   const Way& step(Cell robot, const StopCondition& stop = {}) override;
 
@@ -110,6 +126,8 @@ class LASIUS_EXPORT Navigator final : public Pilot {
   bool connected(Cell a, Cell b) override;
   double radius() const noexcept override;
   Corners corners() const noexcept override;  ///< of its paths, by its parameters
+  double goal_tolerance() const noexcept override;
+  void begin_drive() override;  ///< as with NavigatorOptions::doubt_after = 0 from then on
   /// What came of the visibility graph; its edges and bytes are those of now.
   Preparation preparation() const noexcept;
   std::int64_t bytes() const noexcept;  ///< memory held, a colony's trail not counted

@@ -94,6 +94,9 @@ class LASIUS_EXPORT Planner {
   /// one.
   std::optional<Cell> nearest_free(Cell c) const;
 
+  /// The same of the cells that are joined to `from` under a rule; nothing where that is blocked.
+  std::optional<Cell> nearest_reachable(Cell c, Cell from, Corners corners = Corners::forbid) const;
+
   /// Answers one request.
   /// Deterministic in (grid, request, params); threads and CPU never change the answer, a deadline
   /// or token may. An unreachable goal is proven before any search.

@@ -14,6 +14,9 @@ struct Request {
   /// Stop at this certified gap, as a fraction, 0 or more; above 0 only for algorithms that certify
   /// one (Algorithm::Kind::exact).
   double target_gap = 0;
+  /// Where the goal cannot be reached, the path ends at the cell nearest to it that can be: centre
+  /// to centre at most so far from it, in cells, ties to the smaller row, then column. 0 or more.
+  double goal_tolerance = 0;
 };
 
 }  // namespace lasius

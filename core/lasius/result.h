@@ -13,7 +13,11 @@ namespace lasius {
 struct Result : SearchResult {
   /// Start and goal at cell centres; one point where they are the same, none without a path.
   std::vector<Point> path;
+  std::optional<Cell> goal_reached;  ///< with a goal tolerance: where the path ends, or is to end
   std::optional<Cell> nearest_free;  ///< to a start or goal that is blocked or outside
+  /// The same among the cells that are joined to the other end, where that is free; with a goal
+  /// tolerance also of a goal in another region.
+  std::optional<Cell> nearest_reachable;
   /// Rules of the caller's own took part, see OwnRules: parameters and seed alone do not give this
   /// answer again.
   bool own_rules = false;

@@ -124,7 +124,9 @@ class ParameterTable {
         return put(fields, static_cast<int>(found - info.choices.begin()));
       }
       throw invalid_parameter(std::string(info.name) + " is \"" + std::string(text) + "\"",
-                              did_you_mean(text, info.choices) + " It must be " + info.range());
+                              nearest_name(text, info.choices)
+                                  ? did_you_mean(text, info.choices) + " It must be " + info.range()
+                                  : "it must be " + info.range());
     }
   };
 

@@ -2,12 +2,14 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "core/base/poller.h"
 #include "core/colony/colony.h"
 #include "core/colony/own_update.h"
 #include "core/exact/anytime.h"
 #include "core/genetic/grid_ga.h"
+#include "core/grid/cell_distance.h"
 #include "core/grid/nearest_free.h"
 #include "core/loop/run_status.h"
 #include "core/params/grid_parameters.h"
@@ -70,20 +72,83 @@ Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Reques
   return result;
 }
 
-/// The answer to a start or goal that is blocked or outside.
-Result invalid(const Grid& grid, bool at_start, Cell cell, const std::stop_token& token) {
-  const auto [fault, text] = fault_of_end(grid, at_start, cell);
-  auto result = failed<Result>(Status::invalid, fault, text);
-  // It is named whatever the deadline.
+/// Of the free cells joined to `from` the nearest to `c`. It is found whatever the deadline.
+std::optional<Cell> nearest_joined(const PlanningMap& map, Cell c, Cell from, Corners corners,
+                                   const std::stop_token& token) {
   const StopCondition no_deadline{.token = token};
   Poller poller(no_deadline);
-  result.nearest_free = nearest_free(grid, cell, poller);
+  const auto joined = [&](Cell at) { return map.connected(from, at, corners).value_or(false); };
+  return nearest_free(map.grid, c, poller, joined);
+}
+
+/// What a sentence about such an end goes on with.
+std::string nearest_text(bool at_start, Cell free, const std::optional<Cell>& reachable) {
+  const std::string nearest = "; the nearest free cell ";
+  if (!reachable || *reachable == free) return nearest + "is " + cell_name(free);
+  return nearest + (at_start ? "from which the goal" : "that") + " can be reached" +
+         (at_start ? "" : " from the start") + " is " + cell_name(*reachable) + "; " +
+         cell_name(free) + " is nearer, but " +
+         (at_start ? "does not lead there" : "cannot be reached");
+}
+
+/// The answer to a start or goal that is blocked or outside.
+Result invalid(const PlanningMap& map, bool at_start, const Request& request, Corners corners) {
+  const Cell cell = at_start ? request.start : request.goal;
+  const Cell other = at_start ? request.goal : request.start;
+  const auto [fault, text] = fault_of_end(map.grid, at_start, cell);
+  auto result = failed<Result>(Status::invalid, fault, text);
+  const StopCondition no_deadline{.token = request.stop.token};
+  Poller poller(no_deadline);
+  result.nearest_free = nearest_free(map.grid, cell, poller);
+  if (result.nearest_free && map.grid.free(other)) {
+    result.nearest_reachable = map.connected(other, *result.nearest_free, corners) == true
+                                   ? result.nearest_free
+                                   : nearest_joined(map, cell, other, corners, request.stop.token);
+  }
   if (result.nearest_free) {
-    result.error += "; the nearest free cell is " + cell_name(*result.nearest_free);
+    result.error += nearest_text(at_start, *result.nearest_free, result.nearest_reachable);
   } else if (!poller.stopped()) {
     result.error += "; the map has no free cell";
   }
   return result;
+}
+
+/// Why no path leads to the goal, or nothing where one does; not `connected` when stopped.
+std::optional<Result> refused(const PlanningMap& map, const Request& request, Corners corners) {
+  const auto& [start, goal] = std::pair(request.start, request.goal);
+  if (map.grid.blocked(start)) return invalid(map, true, request, corners);
+  if (map.grid.blocked(goal)) return invalid(map, false, request, corners);
+  if (start == goal) return std::nullopt;
+  const auto connected = map.connected(start, goal, corners);
+  if (connected == true) return std::nullopt;
+  Result result;
+  if (!connected) {
+    end_run(result, request.stop.poll(), Status::limit);
+    return result;
+  }
+  result = failed<Result>(Status::unreachable, Fault::disconnected,
+                          "start " + cell_name(start) + " and goal " + cell_name(goal) +
+                              " lie in different regions of free cells");
+  if (request.goal_tolerance > 0)
+    result.nearest_reachable = nearest_joined(map, goal, start, corners, request.stop.token);
+  return result;
+}
+
+/// Makes the nearest cell that can be reached the goal, or says why not.
+bool take_nearest(Request& request, Result& refusal) {
+  const auto& nearest = refusal.nearest_reachable;
+  const bool at_goal = refusal.fault == Fault::goal_blocked ||
+                       refusal.fault == Fault::goal_outside || refusal.fault == Fault::disconnected;
+  if (!nearest || !at_goal || request.goal_tolerance == 0) return false;
+  const double away = distance(*nearest, request.goal);
+  if (away > request.goal_tolerance) {
+    refusal.error += "; the nearest cell that can be reached, " + cell_name(*nearest) + ", is " +
+                     number_text(away) + " from the goal, its tolerance " +
+                     number_text(request.goal_tolerance);
+    return false;
+  }
+  request.goal = *nearest;
+  return true;
 }
 
 }  // namespace
@@ -101,31 +166,24 @@ Corners corners_of_paths(const Params& params) {
   return exact ? Corners::forbid : params.corners;
 }
 
-Result answer(const PlanningMap& map, const Request& request, const Params& params,
+Result answer(const PlanningMap& map, const Request& asked, const Params& params,
               Workspace* workspace, const Observer& observer, const OwnRules& own) {
   validate(params, own);
   const Algorithm& algorithm = find_algorithm(params.algorithm());
-  check_certifies(algorithm, request.target_gap);
+  check_certifies(algorithm, asked.target_gap);
+  check_goal_tolerance(asked.goal_tolerance);
   const Grid& grid = map.grid;
   check_own_rules(own, grid, params);
-  if (grid.blocked(request.start)) return invalid(grid, true, request.start, request.stop.token);
-  if (grid.blocked(request.goal)) return invalid(grid, false, request.goal, request.stop.token);
+  const Corners corners = corners_of_paths(params);
+  Request request = asked;
+  if (auto refusal = refused(map, asked, corners); refusal && !take_nearest(request, *refusal))
+    return std::move(*refusal);
+  Result result;
+  if (request.goal_tolerance > 0) result.goal_reached = request.goal;
   if (request.start == request.goal) {
-    auto result = already_there<Result>();
+    static_cast<SearchResult&>(result) = already_there<SearchResult>();
     result.path = {centre(request.start)};
     return result;
-  }
-  const Corners corners = corners_of_paths(params);
-  const auto connected = map.connected(request.start, request.goal, corners);
-  Result result;
-  if (!connected) {
-    end_run(result, request.stop.poll(), Status::limit);
-    return result;
-  }
-  if (!*connected) {
-    return failed<Result>(Status::unreachable, Fault::disconnected,
-                          "start " + cell_name(request.start) + " and goal " +
-                              cell_name(request.goal) + " lie in different regions of free cells");
   }
 
   std::optional<Workspace> temporary;
@@ -148,6 +206,7 @@ Result answer(const PlanningMap& map, const Request& request, const Params& para
       result.own_rules = !own.none();
       break;
   }
+  if (request.goal_tolerance > 0) result.goal_reached = request.goal;
   if (result.path.empty()) return result;
   // Not to be cut short: a glance at the words along the path.
   if (const auto fault = path_fault(grid, result.path, corners)) {

@@ -15,7 +15,10 @@ std::size_t plan_batch(const Planner& planner, std::span<const Request> requests
   validate(params, own);
   check_own_rules(own, planner.grid(), params);
   const Algorithm& algorithm = find_algorithm(params.algorithm());
-  for (const Request& request : requests) check_certifies(algorithm, request.target_gap);
+  for (const Request& request : requests) {
+    check_certifies(algorithm, request.target_gap);
+    check_goal_tolerance(request.goal_tolerance);
+  }
   const auto make_plan = [&] {
     Params mine = params;
     mine.threads = 1;

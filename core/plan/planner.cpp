@@ -57,6 +57,13 @@ std::optional<Cell> Planner::nearest_free(Cell c) const {
   return lasius::nearest_free(impl_->grid, c, poller);
 }
 
+std::optional<Cell> Planner::nearest_reachable(Cell c, Cell from, Corners corners) const {
+  const StopCondition never;
+  Poller poller(never);
+  const auto joined = [&](Cell at) { return connected(from, at, corners); };
+  return lasius::nearest_free(impl_->grid, c, poller, joined);
+}
+
 Result Planner::plan(const Request& request, const Params& params, Workspace* workspace,
                      const Observer& observer) const {
   return plan(request, params, {}, workspace, observer);

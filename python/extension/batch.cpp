@@ -26,13 +26,13 @@ namespace {
 
 py::tuple batch(const Planner& planner, const IntRows& starts, const IntRows& goals,
                 const Params& params, int threads, int seeds, std::optional<double> time_limit,
-                double target_gap, const py::object& callback, const OwnTable& heuristic,
-                const py::object& update, const py::object& schedule) {
+                double target_gap, double goal_tolerance, const py::object& callback,
+                const OwnTable& heuristic, const py::object& update, const py::object& schedule) {
   Call call;
   const Given given{heuristic, update, schedule};
   const OwnRules own = own_rules(given, params, call);
-  const auto requests =
-      requests_from<Request>(cells_from(starts, "starts"), cells_from(goals, "goals"), target_gap);
+  const auto requests = requests_from<Request>(
+      cells_from(starts, "starts"), cells_from(goals, "goals"), target_gap, goal_tolerance);
   return run_batch(call, requests.size(), threads, seeds, time_limit, callback,
                    [&](const BatchOptions& options, const BatchReceiver& receive) {
                      plan_batch(planner, requests, params, options, receive, own);

@@ -65,13 +65,17 @@ class Teller {
 /// A request for each start and goal. @throws py::value_error unless there are as many of both.
 template <class Request, class Place>
 std::vector<Request> requests_from(const std::vector<Place>& starts,
-                                   const std::vector<Place>& goals, double target_gap) {
+                                   const std::vector<Place>& goals, double target_gap,
+                                   double goal_tolerance = 0) {
   if (starts.size() != goals.size())
     throw py::value_error(std::to_string(starts.size()) + " starts and " +
                           std::to_string(goals.size()) + " goals: give as many of both");
   std::vector<Request> requests;
-  for (std::size_t i = 0; i < starts.size(); ++i)
+  for (std::size_t i = 0; i < starts.size(); ++i) {
     requests.push_back({.start = starts[i], .goal = goals[i], .target_gap = target_gap});
+    if constexpr (requires { requests.back().goal_tolerance; })
+      requests.back().goal_tolerance = goal_tolerance;
+  }
   return requests;
 }
 

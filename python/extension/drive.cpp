@@ -27,7 +27,7 @@ py::tuple fields(const DriveResult& r) {
   return py::make_tuple(text(to_string(r.status)), text(to_string(r.limit)),
                         text(to_string(r.fault)), r.error, to_array(std::span<const Cell>(r.track)),
                         r.ticks, replans(r.replans), r.seen, r.length, r.planning_ms, r.waits,
-                        r.deferred_changes);
+                        r.deferred_changes, r.goal_reached);
 }
 
 py::tuple driven(const Grid& map, const Grid& truth, Cell start, Cell goal, const Changes& changes,

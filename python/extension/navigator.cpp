@@ -12,16 +12,21 @@
 namespace lasius::python {
 
 NavigatorOptions navigator_options(const Params& params, double radius, bool prepare,
-                                   double target_gap, bool search_on) {
-  NavigatorOptions options{
-      .params = params, .radius = radius, .target_gap = target_gap, .search_on = search_on};
+                                   double target_gap, bool search_on, double goal_tolerance,
+                                   int doubt_after) {
+  NavigatorOptions options{.params = params,
+                           .radius = radius,
+                           .target_gap = target_gap,
+                           .search_on = search_on,
+                           .goal_tolerance = goal_tolerance,
+                           .doubt_after = doubt_after};
   if (prepare) options.prepare.emplace();
   return options;
 }
 
 py::tuple fields(const Way& way) {
   return py::make_tuple(fields(static_cast<const Result&>(way)), way.replanned,
-                        to_array(std::span<const Cell>(way.walk)));
+                        to_array(std::span<const Cell>(way.walk)), way.way_out, way.doubted);
 }
 
 namespace {
@@ -48,12 +53,14 @@ auto alone(SharedNavigator& shared, const Use& use) {
 
 void bind_navigator(py::module_& module) {
   py::class_<SharedNavigator>(module, "Navigator")
-      .def(py::init([](const Grid& map, Cell goal, const Params& params, double radius,
-                       bool prepare, double target_gap, bool search_on) {
-        const auto options = navigator_options(params, radius, prepare, target_gap, search_on);
-        const py::gil_scoped_release released;
-        return std::make_unique<SharedNavigator>(Navigator(map, goal, options));
-      }))
+      .def(
+          py::init([](const Grid& map, Cell goal, const Params& params, double radius, bool prepare,
+                      double target_gap, bool search_on, double goal_tolerance, int doubt_after) {
+            const auto options = navigator_options(params, radius, prepare, target_gap, search_on,
+                                                   goal_tolerance, doubt_after);
+            const py::gil_scoped_release released;
+            return std::make_unique<SharedNavigator>(Navigator(map, goal, options));
+          }))
       .def("observe",
            [](SharedNavigator& shared, const IntRows& rows, bool blocked) {
              const auto cells = cells_from(rows, "cells");

@@ -17,7 +17,8 @@ struct SharedNavigator {
 };
 
 NavigatorOptions navigator_options(const Params& params, double radius, bool prepare,
-                                   double target_gap, bool search_on);
+                                   double target_gap, bool search_on, double goal_tolerance,
+                                   int doubt_after);
 
 /// The fields of lasius.Way.
 py::tuple fields(const Way& way);

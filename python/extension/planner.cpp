@@ -58,17 +58,17 @@ py::tuple prepared(const Planner& planner, int threads, std::int64_t max_bytes) 
 }
 
 py::tuple plan(const Planner& planner, Cell start, Cell goal, const Params& params,
-               double target_gap, std::optional<double> time_limit, SharedWorkspace* workspace,
-               const py::object& callback, const OwnTable& heuristic, const py::object& update,
-               const py::object& schedule) {
+               double target_gap, double goal_tolerance, std::optional<double> time_limit,
+               SharedWorkspace* workspace, const py::object& callback, const OwnTable& heuristic,
+               const py::object& update, const py::object& schedule) {
   Call call(time_limit);
   const SharedWorkspace::Use use(workspace);
   const Observer observe = observer<GridProgress>(call, callback);
   const Given given{heuristic, update, schedule};
   const OwnRules own = own_rules(given, params, call);
   const Result result = call.run([&] {
-    return planner.plan({start, goal, call.condition(), target_gap}, params, own, use.get(),
-                        observe);
+    return planner.plan({start, goal, call.condition(), target_gap, goal_tolerance}, params, own,
+                        use.get(), observe);
   });
   return py::make_tuple(call.error(), fields(result));
 }

@@ -19,7 +19,8 @@ py::tuple search_fields(const SearchResult& r) {
 }
 
 py::tuple fields(const Result& r) {
-  return py::make_tuple(search_fields(r), to_array(std::span(r.path)), r.nearest_free, r.own_rules);
+  return py::make_tuple(search_fields(r), to_array(std::span(r.path)), r.goal_reached,
+                        r.nearest_free, r.nearest_reachable, r.own_rules);
 }
 
 }  // namespace lasius::python

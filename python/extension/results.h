@@ -14,7 +14,8 @@ py::object curves(const Convergence& convergence);
 /// The fields of lasius.SearchResult.
 py::tuple search_fields(const SearchResult& result);
 
-/// (fields of lasius.SearchResult, path, nearest_free, own_rules).
+/// (fields of lasius.SearchResult, path, goal_reached, nearest_free, nearest_reachable,
+/// own_rules).
 py::tuple fields(const Result& result);
 
 }  // namespace lasius::python

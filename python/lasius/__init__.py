@@ -15,6 +15,7 @@ Cells are (x, y), column and row from the top left; arrays of cells are [y, x]. 
 from . import _lasius, plots
 from ._lasius import DriveTick, Grid, IterationTours, Pheromone, Progress, WorldFrame, Workspace
 from ._lasius import version as __version__
+from .arguments import told
 from .arrays import reduced
 from .errors import Error, FileBroken, FileMissing, FileUnsupported, InvalidParameter, OutputFailed
 from .maps import (
@@ -86,8 +87,11 @@ __all__ = [
 for _module in (_lasius, getattr(_lasius, "polygon", None), getattr(_lasius, "arm", None)):
     if _module is not None:
         setattr(_module.Progress, "curves", property(curves_of))
+        told(_module.Progress)
         for _class in vars(_module).values():
             if isinstance(_class, type):
                 setattr(_class, "__reduce_ex__", reduced)
+for _class in (DriveTick, Grid, IterationTours, Pheromone, WorldFrame):
+    told(_class)
 setattr(Grid, "plot", plots.plot_grid)
 setattr(Grid, "_repr_png_", plots.png_of_grid)

@@ -178,6 +178,7 @@ class Planner:
         goal: _Cell,
         params: Params,
         target_gap: float,
+        goal_tolerance: float,
         time_limit: Optional[float],
         workspace: Optional[Workspace],
         observer: Optional[Callable[[Progress], Any]],
@@ -207,6 +208,8 @@ class Navigator:
         prepare: bool,
         target_gap: float,
         search_on: bool,
+        goal_tolerance: float,
+        doubt_after: int,
     ) -> None: ...
     def observe(self, cells: npt.NDArray[np.int32], blocked: bool) -> None: ...
     def observe_rectangle(self, x: int, y: int, width: int, height: int, blocked: bool) -> None: ...
@@ -219,7 +222,16 @@ class Navigator:
     def connected(self, a: _Cell, b: _Cell) -> bool: ...
 
 class NavigatorOptions:
-    def __init__(self, params: Params, radius: float, prepare: bool, target_gap: float, search_on: bool) -> None: ...
+    def __init__(
+        self,
+        params: Params,
+        radius: float,
+        prepare: bool,
+        target_gap: float,
+        search_on: bool,
+        goal_tolerance: float,
+        doubt_after: int,
+    ) -> None: ...
 
 class Changes:
     def __init__(self) -> None: ...
@@ -238,6 +250,7 @@ def batch(
     seeds: int,
     time_limit: Optional[float],
     target_gap: float,
+    goal_tolerance: float,
     tell: Optional[Callable[[int], Any]],
     heuristic: Optional[npt.NDArray[np.float64]],
     update: Optional[Callable[[Pheromone, IterationTours], Any]],

@@ -10,7 +10,7 @@ import operator
 import re
 import sys
 import types
-from typing import Any, Callable, Dict, Optional, Tuple, TypeVar
+from typing import Any, Callable, Dict, Optional, Tuple, Type, TypeVar
 
 import numpy as np
 
@@ -108,12 +108,12 @@ def suggested(error: InvalidParameter, function: Callable[..., Any]) -> Optional
     parameters = inspect.signature(function).parameters
     found = re.fullmatch(r'unknown parameter "(.*)"', error.problem)
     guess = re.search(r'did you mean "(.*?)"', error.remedy)
-    if not found or not guess or "settings" not in parameters:
+    if not found or "settings" not in parameters:
         return None
     name = found[1]
     own = [n for n in dict.fromkeys([*parameters, "seed", "threads"]) if n not in ("self", "settings")]
     nearest = max(own, key=lambda known: likeness(name, known))
-    like, like_guess = likeness(name, nearest), likeness(name, guess[1])
+    like, like_guess = likeness(name, nearest), likeness(name, guess[1]) if guess else (False, 0.0)
     if like > like_guess and (like[0] or like[1] >= 0.6):
         return invalid(error.problem, f'did you mean "{nearest}"?')
     if len(name) > 4 and like_guess < (False, 0.5):  # short ones may be a paper's symbols
@@ -156,6 +156,28 @@ def explained(target: T) -> T:
         raise fault from None
 
     return call  # type: ignore[return-value]
+
+
+def told(kind: Type[Any]) -> None:
+    """Lets the methods of a class of the extension say how they are called, where arguments do not fit."""
+    for name, method in list(vars(kind).items()):
+        if not name.startswith("_") and callable(method):
+            setattr(kind, name, told_method(f"{kind.__name__}.{name}", method))
+
+
+def told_method(name: str, method: Any) -> Any:
+    @functools.wraps(method)
+    def call(*args: Any, **keywords: Any) -> Any:
+        try:
+            return method(*args, **keywords)
+        except TypeError as error:
+            if UNFIT not in str(error):
+                raise
+        form = re.sub(r"^\w+\(self[^,)]*(, )?", "", str(method.__doc__).splitlines()[0].split(" -> ")[0])
+        given = [shown(value) for value in args[1:]] + [f"{key}={shown(value)}" for key, value in keywords.items()]
+        raise TypeError(f"{name} was given ({', '.join(given)}): call it as {name}({form}") from None
+
+    return call
 
 
 def within(error: BaseException) -> bool:

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _lasius
-from ._lasius import Grid, WorldFrame
+from ._lasius import Grid, WorldFrame, Workspace
 from .arguments import explained
 from .arrays import Cell, FloatArray, Path, file_name, flag_of, unmasked
 from .errors import invalid, made
@@ -142,6 +142,7 @@ def pull_taut(grid: Grid, path: npt.ArrayLike, corners: str = "forbid") -> Float
     return made(*_lasius.pull_taut(grid, unmasked(path, "path"), corners))
 
 
+_made_workspace: Any = Workspace.__init__
 _made_grid: Any = Grid.__init__  # the extension's
 _made_frame: Any = WorldFrame.__init__
 
@@ -150,6 +151,12 @@ def grid_init(self: Grid, array: npt.NDArray[Any], *, free: Any) -> None:
     if not isinstance(array, np.ndarray):
         raise TypeError(f"array is a {type(array).__name__}: give one of numpy, as np.asarray(cells, np.uint8)")
     _made_grid(self, unmasked(array, "array"), free=free)
+
+
+def workspace_init(self: Workspace, *args: Any, **keywords: Any) -> None:
+    if args or keywords:
+        raise TypeError("Workspace takes nothing: call it as lasius.Workspace()")
+    _made_workspace(self)
 
 
 def frame_init(
@@ -180,6 +187,7 @@ def frame_repr(frame: WorldFrame) -> str:
 
 grid_init.__qualname__, frame_init.__qualname__ = "Grid", "WorldFrame"
 setattr(Grid, "__init__", explained(grid_init))
+setattr(Workspace, "__init__", workspace_init)
 setattr(WorldFrame, "__init__", explained(frame_init))
 setattr(WorldFrame, "__eq__", frame_equal)
 setattr(WorldFrame, "__hash__", frame_hash)

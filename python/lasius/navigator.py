@@ -38,6 +38,9 @@ class Navigator:
         prepare: keeps a visibility graph; for `exact` only.
         target_gap: as of Planner.plan.
         search_on: goes on searching in every step; for colonies only.
+        goal_tolerance: as of Planner.plan.
+        doubt_after: after so many steps without a way walls count as free that were learned, and not
+            observed again in these steps; 0: never.
         **settings: parameters by name.
     """
 
@@ -53,10 +56,14 @@ class Navigator:
         prepare: bool = False,
         target_gap: float = 0.0,
         search_on: bool = False,
+        goal_tolerance: float = 0.0,
+        doubt_after: int = 16,
         **settings: Any,
     ) -> None:
         self._params = chosen(Params, params, settings)
-        self._raw = _lasius.Navigator(grid, goal, self._params._raw, radius, prepare, target_gap, search_on)
+        self._raw = _lasius.Navigator(
+            grid, goal, self._params._raw, radius, prepare, target_gap, search_on, goal_tolerance, doubt_after
+        )
 
     def observe(self, cells: npt.ArrayLike, blocked: bool) -> None:
         """Each of these cells, integers (n, 2), is blocked or free. What lies outside is ignored."""
@@ -73,9 +80,9 @@ class Navigator:
             robot: its cell (x, y).
             time_limit: seconds.
         """
-        error, ((search, *found), replanned, walk) = self._raw.step(robot, time_limit)
+        error, ((search, *found), *going) = self._raw.step(robot, time_limit)
         grid, goal = self._raw.map(), self._raw.goal()
-        way = answer(Way, search, *found, robot, goal, self._params, grid, replanned, walk)
+        way = answer(Way, search, *found, robot, goal, self._params, grid, *going)
         return finish(error, way)
 
     @property
@@ -165,6 +172,7 @@ def drive(
     prepare: bool = False,
     target_gap: float = 0.0,
     search_on: bool = False,
+    goal_tolerance: float = 0.0,
     observer: Optional[Callable[[DriveTick], Any]] = None,
     **settings: Any,
 ) -> DriveResult:
@@ -180,7 +188,8 @@ def drive(
     Args:
         grid: what the robot knows in the beginning.
         truth: what is there, of the same size.
-        params: as of Navigator, as `radius`, `prepare`, `target_gap`, `search_on` and settings.
+        params: as of Navigator, as `radius`, `prepare`, `target_gap`, `search_on`, `goal_tolerance` and
+            settings.
         changes: what happens meanwhile.
         sense: how far it sees, in cells.
         max_ticks: then it ends with the status "limit", its `limit` "ticks".
@@ -189,7 +198,7 @@ def drive(
         observer: called with a DriveTick at each tick; its stop() ends the drive there.
     """
     used = chosen(Params, params, settings)
-    options = _lasius.NavigatorOptions(used._raw, radius, prepare, target_gap, search_on)
+    options = _lasius.NavigatorOptions(used._raw, radius, prepare, target_gap, search_on, goal_tolerance, 0)
     happening = (changes if changes is not None else Changes())._raw
     error, fields = _lasius.drive(
         grid, truth, start, goal, happening, options, sense, max_ticks, seconds_per_tick, time_limit, observer

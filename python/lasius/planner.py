@@ -81,6 +81,7 @@ class Planner:
         *,
         time_limit: Optional[float] = None,
         target_gap: float = 0.0,
+        goal_tolerance: float = 0.0,
         observer: Optional[Observer] = None,
         progress: Shown = None,
         workspace: Optional[Workspace] = None,
@@ -106,6 +107,8 @@ class Planner:
             params: an algorithm's name or Params; None: `exact`.
             time_limit: seconds; then the answer is the best so far, with the status "limit".
             target_gap: `exact` stops at this certified gap, a fraction.
+            goal_tolerance: where the goal cannot be reached, the path ends at the cell nearest to it that
+                can be, at most so many cells away: `goal_reached`.
             observer: called with a Progress once an iteration, of `exact` with every shorter path;
                 `progress.stop()` ends the search.
             progress: True shows a bar in a terminal or notebook; or called with (done, all, text).
@@ -124,7 +127,7 @@ class Planner:
         used, own = self._asked(params, settings, heuristic, update, schedule)
         with watched(observer, progress, used) as watch:
             error, (search, *found) = self._raw.plan(
-                start, goal, used._raw, target_gap, time_limit, workspace, watch, *own
+                start, goal, used._raw, target_gap, goal_tolerance, time_limit, workspace, watch, *own
             )
         result = answer(Result, search, *found, start, goal, used, self._grid)
         return result if error is None else finish(error, result)
@@ -139,6 +142,7 @@ class Planner:
         seeds: int = 1,
         time_limit: Optional[float] = None,
         target_gap: float = 0.0,
+        goal_tolerance: float = 0.0,
         progress: Shown = None,
         update: Union[None, str, Update] = None,
         heuristic: Optional[Heuristic] = None,
@@ -160,6 +164,7 @@ class Planner:
             seeds: each request is answered with `seed` and the seeds after it, as many as this.
             time_limit: seconds for each request.
             target_gap: as of `plan`.
+            goal_tolerance: as of `plan`; a row's path tells where it ends.
             progress: True shows a bar; or called with (done, all, text), some times a second, on
                 the thread that plans.
             update, heuristic, schedule: as of `plan`. Functions of yours are called from the threads
@@ -173,7 +178,8 @@ class Planner:
         start_cells, goal_cells = int_rows(starts, "starts"), int_rows(goals, "goals")
         with counted(progress, len(start_cells) * max(seeds, 1)) as tell:
             columns = _lasius.batch(
-                self._raw, start_cells, goal_cells, used._raw, threads, seeds, time_limit, target_gap, tell, *own
+                self._raw, start_cells, goal_cells, used._raw, threads, seeds, time_limit, target_gap,
+                goal_tolerance, tell, *own,
             )
         return batch_result(*columns)
 

@@ -101,7 +101,10 @@ class Result(SearchResult):
     """One answer on a bitmap; lengths in cells."""
 
     path: FloatArray  #: (n, 2), x and y in continuous cell coordinates: (0.5, 0.5) is cell (0, 0)'s centre
+    goal_reached: Optional[Cell]  #: with a goal tolerance: where the path ends, or is to end
     nearest_free: Optional[Cell]  #: to a start or goal that is blocked or outside
+    #: the same, joined to the other end; with a goal tolerance also of a goal in another region
+    nearest_reachable: Optional[Cell]
     own_rules: bool  #: rules of your own took part: parameters and seed alone do not give it again
     start: Cell  #: as asked
     goal: Cell  #: as asked
@@ -142,8 +145,10 @@ class Result(SearchResult):
 class Way(Result):
     """The way that a robot is to go on, see Navigator."""
 
-    replanned: bool  #: planned in this step; else it is an earlier one that still holds
+    replanned: bool  #: planned in this step; else `path` is what is left of an earlier one that still holds
     walk: IntArray  #: (n, 2), the next cells, the robot's own first; empty without a path
+    way_out: Optional[Cell]  #: the robot is where its centre may not be: first it goes to this cell
+    doubted: int  #: walls taken for free in this step, see `doubt_after`
 
 
 @dataclass(eq=False, repr=False)
@@ -216,6 +221,7 @@ class DriveResult(Record):
     planning_ms: float  #: in all ticks
     waits: int  #: ticks in which the robot stood
     deferred_changes: int  #: sum over ticks of cells whose change waits for the robot
+    goal_reached: Optional[Cell]  #: with a goal tolerance: where the robot arrived
     truth: Grid  #: the world in the beginning
 
     def plot(self, axes: Any = None) -> Any:

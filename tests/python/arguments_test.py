@@ -56,6 +56,10 @@ def test_a_keyword_of_another_function(planner):
     (lambda p: lasius.drive(p.grid, p.grid, START, GOAL, changes=5), TypeError, "changes is 5: give a lasius.Changes, or None"),
     (lambda p: lasius.Navigator(p, GOAL), TypeError, "grid is a Planner: give a lasius.Grid"),
     (lambda p: lasius.read_map("x", unknown_is_free=None), TypeError, "unknown_is_free is None: give True or False"),
+    (lambda p: p.grid.to_array(), TypeError, "Grid.to_array was given (): call it as Grid.to_array(*, free: bool)"),
+    (lambda p: p.grid.free(1, 2), TypeError, "Grid.free was given (1, 2): call it as Grid.free(cell: "),
+    (lambda p: lasius.WorldFrame(1).to_world([[1, 2]], height="x"), TypeError, "WorldFrame.to_world was given ([[1, 2]], height='x')"),
+    (lambda p: lasius.Workspace(3), TypeError, "Workspace takes nothing"),
 ])
 def test_values_that_do_not_fit(planner, use, error, words):
     with pytest.raises(error) as caught:

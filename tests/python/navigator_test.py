@@ -36,6 +36,20 @@ def test_a_robot_with_a_radius_and_a_colony():
         lasius.Navigator(open_grid(), (1, 1), radius=-1)
 
 
+def test_ways_where_none_is_known():
+    navigator = lasius.Navigator(open_grid(), (25, 10), radius=2, goal_tolerance=9, doubt_after=3)
+    first = navigator.step((0, 10))
+    assert first.way_out == (2, 10) and first.status == "solved" and first.walk[:3].tolist() == [[0, 10], [1, 10], [2, 10]]
+    navigator.observe_rectangle(24, 9, 3, 3, blocked=True)
+    assert navigator.step((5, 10)).goal_reached == (25, 6)
+    navigator.observe_rectangle(10, 0, 1, 20, blocked=True)
+    steps = [navigator.step((5, 10)) for _ in range(4)]
+    assert [way.status for way in steps] == ["unreachable"] * 3 + ["solved"]
+    assert [way.doubted for way in steps] == [0, 0, 0, 29] and steps[3].goal_reached == (25, 10)
+    later = navigator.step(tuple(steps[3].walk[5]))
+    assert not later.replanned and later.path[0].tolist() == [10.5, 10.5] and later.length == 15
+
+
 def test_threads_take_turns():
     navigator = lasius.Navigator(open_grid(200, 200), (199, 100))
     lengths = []

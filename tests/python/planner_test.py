@@ -51,6 +51,23 @@ def test_ends_that_are_bad_are_answers(planner):
     assert (apart.status, apart.fault) == ("unreachable", "disconnected") and not apart.found
 
 
+def test_a_goal_tolerance_and_the_nearest_cell_that_can_be_reached():
+    walls = np.zeros((16, 20), np.uint8)
+    walls[5:12, 10:17] = 1
+    walls[6:11, 11:16] = 0
+    walls[8, 12] = 1
+    planner = lasius.Planner(lasius.Grid(walls, free=0))
+    bad = planner.plan((2, 2), (12, 8), goal_tolerance=2)
+    assert (bad.status, bad.nearest_free, bad.nearest_reachable, bad.goal_reached) == ("invalid", (12, 7), (9, 8), None)
+    near = planner.plan((2, 2), (12, 8), goal_tolerance=3)
+    assert (near.status, near.goal, near.goal_reached) == ("solved", (12, 8), (9, 8))
+    assert near.path[-1].tolist() == [9.5, 8.5] and pickle.loads(pickle.dumps(near)) == near
+    answers = planner.batch([(2, 2), (2, 2)], [(12, 8), (30, 8)], goal_tolerance=3)
+    assert answers.status.tolist() == ["solved", "invalid"] and "its tolerance 3" in answers.errors[1]
+    with pytest.raises(lasius.InvalidParameter, match="goal_tolerance is -1"):
+        planner.plan((2, 2), (3, 3), goal_tolerance=-1)
+
+
 def test_parameters():
     params = lasius.Params("mmas", ants=7, persistence=0.5, seed=2**53 - 1)
     assert (params.ants, params.persistence, params.seed, params.algorithm) == (7, 0.5, 2**53 - 1, "mmas")

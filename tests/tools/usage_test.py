@@ -63,6 +63,24 @@ class Usage(ProgramTest):
             with self.subTest(arguments=arguments):
                 self.refused(self.run_program(*arguments), 2, "did you mean " + nearest)
 
+    def test_a_word_that_is_like_none_is_not_taken_for_one(self):
+        plan = ["plan", "small.map", "--start", "0,0", "--goal", "9,5"]
+        cases = [
+            ([*plan, "--footprint", "1"], "robots are discs: --radius R; see --help"),
+            ([*plan, "--via", "3,3"], "a path has one goal: plan it part by part; see --help"),
+            ([*plan, "--inflation", "1"], "obstacles grow by --radius R; see --help"),
+            ([*plan, "--quux"], 'unknown option "--quux"; see --help'),
+            ([*plan, "--polish", "smooth"], "none|straight|taut|local"),
+            (["zzzz"], "it is one of plan, drive, batch"),
+            ([*plan, "--set", "zzzz=1", "--algorithm", "acs"], "`lasius algorithms acs` lists all"),
+        ]
+        for arguments, words in cases:
+            with self.subTest(arguments=arguments):
+                run = self.run_program(*arguments)
+                self.refused(run, 2, words)
+                self.assertNotIn("did you mean", run.err)
+        self.refused(self.run_program(*plan, "--tolerance", "3"), 2, 'did you mean "--goal-tolerance"?')
+
     def test_what_belongs_elsewhere_is_sent_there(self):
         plan = ["plan", "small.map", "--start", "0,0", "--goal", "9,5"]
         self.refused(self.run_program(*plan, "--algorithm", "goritov2020"), 2, "lasius arm")

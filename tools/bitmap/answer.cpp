@@ -15,7 +15,7 @@ namespace {
 /// Adds what --gap asks for. Each search has the time that the plan had, from its own start.
 void add_optima(const LoadedMap& map, const RunOptions& run, const StopCondition& stop,
                 Answer& answer) {
-  const Request query{answer.start.cell, answer.goal.cell};
+  const Request query{answer.start.cell, answer.result.goal_reached.value_or(answer.goal.cell)};
   const Request exact{
       .start = query.start, .goal = query.goal, .stop = again(stop, run.time_limit)};
   const Result best = map.planner->plan(exact, optimum_params(run));
@@ -28,6 +28,13 @@ void add_optima(const LoadedMap& map, const RunOptions& run, const StopCondition
 
 }  // namespace
 
+Request request_of(const LoadedMap& map, const RunOptions& run, Cell start, Cell goal) {
+  return {.start = start,
+          .goal = goal,
+          .target_gap = moves_on_cells(run.params) ? 0 : run.target_gap,
+          .goal_tolerance = map.cells_of(run.map.radius_metres, run.goal_tolerance)};
+}
+
 Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, const Place& goal,
               const StopCondition& stop, const Observer& observer) {
   Answer answer{.start = start, .goal = goal};
@@ -35,10 +42,8 @@ Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, c
     answer.result.status = Status::interrupted;
     return answer;
   }
-  const Request request{.start = start.cell,
-                        .goal = goal.cell,
-                        .stop = stop,
-                        .target_gap = moves_on_cells(run.params) ? 0 : run.target_gap};
+  Request request = request_of(map, run, start.cell, goal.cell);
+  request.stop = stop;
   Workspace workspace;  // to give back a large one takes time, which is not the plan's
   const auto begin = Clock::now();
   answer.result = map.planner->plan(request, as_read(run.params), &workspace, observer);
@@ -63,11 +68,21 @@ void set_optima(const RunOptions& run, std::optional<double> any_angle,
 std::optional<double> shortest_by_own_moves(const LoadedMap& map, const RunOptions& run,
                                             const Request& query, const StopCondition& stop) {
   const Grid& grid = map.grid();
-  const bool joined = grid.free(query.start) && grid.free(query.goal) &&
-                      map.planner->connected(query.start, query.goal, run.params.corners);
-  if (!joined) return std::nullopt;
-  return shortest_walk(grid, query.start, query.goal, run.params.neighbours, run.params.corners,
-                       stop);
+  if (grid.blocked(query.start)) return std::nullopt;
+  const auto joined = [&](Cell c) {
+    return grid.free(c) && map.planner->connected(query.start, c, run.params.corners);
+  };
+  Cell goal = query.goal;
+  if (!joined(goal)) {
+    const auto nearest = query.goal_tolerance > 0
+                             ? map.planner->nearest_reachable(goal, query.start, run.params.corners)
+                             : std::nullopt;
+    if (!nearest ||
+        std::hypot(1.0 * nearest->x - goal.x, 1.0 * nearest->y - goal.y) > query.goal_tolerance)
+      return std::nullopt;
+    goal = *nearest;
+  }
+  return shortest_walk(grid, query.start, goal, run.params.neighbours, run.params.corners, stop);
 }
 
 std::optional<double> grid_gap(const Answer& answer, const Params& params) {

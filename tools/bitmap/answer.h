@@ -26,6 +26,8 @@ struct Answer {
 /// Looks for what would join ends that are not.
 void set_remedy(LoadedMap& map, const RunOptions& run, const std::stop_token& token,
                 Answer& answer);
+/// The question, without what ends it.
+Request request_of(const LoadedMap& map, const RunOptions& run, Cell start, Cell goal);
 
 /// Plans from `start` to `goal` under `stop`, then looks for --gap's optima under the token and,
 /// each, as long a limit again.

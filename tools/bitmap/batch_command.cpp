@@ -70,9 +70,7 @@ std::vector<Request> requests_of(const QueryFile& file, const LoadedMap& map,
   std::vector<Request> requests;
   for (std::size_t i = 0; i < file.queries.size(); ++i) {
     const auto [start, goal] = ends_of(file, i, map, run.frame);
-    requests.push_back({.start = start.cell,
-                        .goal = goal.cell,
-                        .target_gap = moves_on_cells(run.params) ? 0 : run.target_gap});
+    requests.push_back(request_of(map, run, start.cell, goal.cell));
   }
   return requests;
 }

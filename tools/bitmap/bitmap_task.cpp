@@ -16,11 +16,12 @@ namespace lasius::tool {
 namespace {
 
 /// False where the answer is known before any search, and a visibility graph a waste.
-bool is_search(const LoadedMap& map, Corners corners, Cell start, Cell goal,
+bool is_search(const LoadedMap& map, const RunOptions& run, Cell start, Cell goal,
                const std::stop_token& token) {
-  return map.planner && map.grid().free(start) && map.grid().free(goal) && start != goal &&
+  const Corners corners = run.params.corners;
+  return map.planner && map.grid().free(start) && start != goal &&
          map.planner->label(corners, {.token = token}) &&
-         map.planner->connected(start, goal, corners);
+         (run.goal_tolerance > 0 || map.planner->connected(start, goal, corners));
 }
 
 }  // namespace
@@ -39,7 +40,7 @@ void BitmapTask::load(const std::stop_token& token) {
   answer_.goal = to_place(*map_, command_.goal, run.frame);
   map_->prepare = run.map.prepare;
   if (!given && map_->prepare &&
-      is_search(*map_, run.params.corners, answer_.start.cell, answer_.goal.cell, token))
+      is_search(*map_, run, answer_.start.cell, answer_.goal.cell, token))
     prepare(*map_, run.map.threads, token);
 }
 
@@ -84,6 +85,7 @@ std::vector<std::string> BitmapTask::input_files() const {
 
 /// What --gap found.
 void BitmapTask::remark() const {
+  MapTask::remark();
   const auto& [any_angle, by_moves] = std::pair(answer_.optimum, answer_.grid_optimum);
   if (options().json || (!any_angle && !by_moves)) return;
   const auto against = [&](const char* name, double optimum) {
@@ -123,6 +125,7 @@ std::vector<std::string> BitmapTask::end_texts() const {
 Json BitmapTask::inputs() const { return {{"map", map_json(*map_)}}; }
 
 void BitmapTask::add_path(Json& json) const {
+  add_goal_reached(json);
   json["path"] = points(result().path);
   if (!in_metres()) return;
   json["start_world"] = point(answer_.start.asked);

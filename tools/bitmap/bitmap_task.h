@@ -50,6 +50,10 @@ class BitmapTask : public MapTask {
   const Place& goal() const override { return answer_.goal; }
   const std::optional<Cell>& nearest_free() const override { return result().nearest_free; }
   const Remedy* remedy() const override { return answer_.remedy ? &*answer_.remedy : nullptr; }
+  const std::optional<Cell>& nearest_reachable() const override {
+    return result().nearest_reachable;
+  }
+  const std::optional<Cell>& goal_reached() const override { return result().goal_reached; }
 
   PlanCommand command_;
   SharedMap map_;

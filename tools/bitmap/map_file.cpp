@@ -90,6 +90,12 @@ void prepare(LoadedMap& map, int threads, const std::stop_token& token) {
   map.ready_ms += ms_since(start);
 }
 
+double LoadedMap::cells_of(bool metres, double length) const {
+  if (!metres) return length;
+  const double cells = length / frame->resolution, whole = std::round(cells);
+  return std::abs(cells - whole) <= 1e-12 * cells ? whole : cells;
+}
+
 std::vector<Point> LoadedMap::to_world(const std::vector<Point>& path) const {
   std::vector<Point> metres;
   metres.reserve(path.size());

@@ -47,6 +47,8 @@ struct LoadedMap {
   double length_in(Frame wanted, double cells) const {
     return wanted == Frame::world ? metres(cells) : cells;
   }
+  /// A length that was given in metres, or in cells, in cells: what is whole stays whole.
+  double cells_of(bool metres, double length) const;
 };
 
 /// Reads a map without growing obstacles: no planner, `radius` as asked for.

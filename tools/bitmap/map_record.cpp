@@ -55,6 +55,8 @@ PlanCommand recorded_plan(const Recorded& from) {
   if (result["parameters"].contains("prepare"))
     run.map.prepare = recorded<bool>(result, "parameters/prepare");
   if (recorded<std::string>(result, "parameters/frame") == kFrames[1]) run.frame = Frame::world;
+  if (result["parameters"].contains("goal_tolerance"))
+    run.goal_tolerance = recorded_real(result, "parameters/goal_tolerance", 0, kNoLimit);
   command.start = recorded_end(result, "start", run.frame);
   command.goal = recorded_end(result, "goal", run.frame);
   return command;

@@ -1,8 +1,11 @@
 #include "tools/bitmap/map_task.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tools/bitmap/answer.h"
 #include "tools/bitmap/map_record.h"
+#include "tools/console/streams.h"
 #include "tools/console/values.h"
 
 namespace lasius::tool {
@@ -32,16 +35,25 @@ bool MapTask::at_start() const {
 }
 
 std::string MapTask::invalid_text() const {
-  const Place& place = at_start() ? start() : goal();
-  std::string text = (at_start() ? "start " : "goal ") + place_text(place, options().frame) +
+  const bool bad_start = at_start();
+  const Place& place = bad_start ? start() : goal();
+  std::string text = (bad_start ? "start " : "goal ") + place_text(place, options().frame) +
                      obstruction_text(map(), options().frame, obstruction_of(map(), place.cell));
   if (!nearest_free())
     return map().grid().count_free() == 0 ? text + "; the map has no free cell" : text;
-  const Cell free = *nearest_free();
-  text += printed("; the nearest free cell is (%d, %d)", free.x, free.y);
-  if (!in_metres()) return text;
-  const Point metres = map().to_world(centre(free));
-  return text + ", its centre at " + decimal_text(metres.x, 3) + "," + decimal_text(metres.y, 3) +
+  const auto& [free, reachable] = std::pair(*nearest_free(), nearest_reachable());
+  const std::string nearest = "; the nearest free cell ";
+  if (!reachable || *reachable == free) return text + nearest + "is " + name_of(free);
+  return text + nearest + (bad_start ? "from which the goal" : "that") + " can be reached" +
+         (bad_start ? "" : " from the start") + " is " + name_of(*reachable) + "; " + name_of(free) +
+         " is nearer, but " + (bad_start ? "does not lead there" : "cannot be reached");
+}
+
+std::string MapTask::name_of(Cell cell) const {
+  const std::string name = printed("(%d, %d)", cell.x, cell.y);
+  if (!in_metres()) return name;
+  const Point metres = map().to_world(centre(cell));
+  return name + ", its centre at " + decimal_text(metres.x, 3) + "," + decimal_text(metres.y, 3) +
          " m";
 }
 
@@ -55,11 +67,30 @@ void MapTask::add_findings(Json& json) const {
     json["widest_radius"] = optional_number(remedy()->widest_radius);
 }
 
+void MapTask::remark() const {
+  if (options().json || !has_path() || !goal_reached() || *goal_reached() == goal().cell) return;
+  const Point end = centre(*goal_reached()), asked{goal().number.x + 0.5, goal().number.y + 0.5};
+  message("the path ends at " + name_of(*goal_reached()) + ", " +
+          to_text(shown(std::hypot(end.x - asked.x, end.y - asked.y))) +
+          (in_metres() ? " m" : " cells") + " from the goal, which cannot be reached");
+}
+
+void MapTask::add_goal_reached(Json& json) const {
+  if (!(options().goal_tolerance > 0)) return;
+  json["goal_reached"] = goal_reached() ? Json{goal_reached()->x, goal_reached()->y} : Json();
+  if (in_metres())
+    json["goal_reached_world"] =
+        goal_reached() ? point(map().to_world(centre(*goal_reached()))) : Json();
+}
+
 std::pair<Json, Json> MapTask::ends() const { return {cell_json(start()), cell_json(goal())}; }
 
 void MapTask::add_settings(Json& json) const {
   add_limits(json);
   add_map_settings(json, map(), options().frame);
+  if (options().goal_tolerance > 0)
+    json["goal_tolerance"] =
+        number(request_of(map(), options(), start().cell, goal().cell).goal_tolerance);
 }
 
 }  // namespace lasius::tool

@@ -21,6 +21,9 @@ class MapTask : public Task {
   double shown(double length) const override { return map().length_in(options().frame, length); }
   std::string unit() const override { return in_metres() ? "m" : ""; }
 
+  /// Of a path that ends short of its goal, where.
+  void remark() const override;
+
   std::pair<Json, Json> ends() const override;
   /// What blocks an invalid start or goal.
   void add_findings(Json& json) const override;
@@ -31,6 +34,10 @@ class MapTask : public Task {
   virtual const Place& start() const = 0;
   virtual const Place& goal() const = 0;
   virtual const std::optional<Cell>& nearest_free() const = 0;  ///< to an invalid start or goal
+  virtual const std::optional<Cell>& nearest_reachable() const = 0;  ///< likewise
+  virtual const std::optional<Cell>& goal_reached() const = 0;
+  /// Where the path ends, where a goal tolerance was given.
+  void add_goal_reached(Json& json) const;
 
   virtual const Remedy* remedy() const { return nullptr; }  ///< of ends that are not joined
 
@@ -39,6 +46,7 @@ class MapTask : public Task {
  private:
   bool at_start() const;  ///< an invalid end is the start
   std::string invalid_text() const;
+  std::string name_of(Cell cell) const;  ///< with its metres, where those are in use
 };
 
 }  // namespace lasius::tool

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <span>
 #include <string>
@@ -18,6 +19,19 @@
 
 namespace lasius::tool {
 namespace {
+
+/// What there is in place of options that planners elsewhere have, and where all are.
+std::string instead_of(std::string_view word, std::span<const std::string_view> known) {
+  constexpr std::array<std::array<std::string_view, 3>, 4> kElsewhere{
+      {{"--footprint", "--radius", "robots are discs: --radius R; "},
+       {"--inflation", "--radius", "obstacles grow by --radius R; "},
+       {"--via", "--goal", "a path has one goal: plan it part by part; "},
+       {"--waypoints", "--goal", "a path has one goal: plan it part by part; "}}};
+  for (const auto& [theirs, ours, text] : kElsewhere)
+    if (word == theirs && std::ranges::find(known, ours) != known.end())
+      return std::string(text) + "see --help";
+  return "see --help";
+}
 
 /// The first thing on the command line that nothing takes, with the nearest known word.
 void refuse_extras(const CLI::App& app, const std::vector<std::string_view>& words) {
@@ -37,7 +51,8 @@ void refuse_extras(const CLI::App& app, const std::vector<std::string_view>& wor
     for (const auto& name : option->get_snames()) names.push_back("-" + name);
   }
   const std::vector<std::string_view> known(names.begin(), names.end());
-  throw UsageError("unknown option \"" + word + "\"; " + did_you_mean(word, known));
+  throw UsageError("unknown option \"" + word + "\"; " +
+                   did_you_mean(word, known, instead_of(word, known)));
 }
 
 /// A first word that is no subcommand, named before CLI11 gets to see the rest.

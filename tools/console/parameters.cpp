@@ -12,7 +12,7 @@ namespace lasius::tool {
 namespace {
 
 std::string list_of(const Algorithm& algorithm) {
-  return " `lasius algorithms " + std::string(algorithm.name) + "` lists all";
+  return "`lasius algorithms " + std::string(algorithm.name) + "` lists all";
 }
 
 }  // namespace

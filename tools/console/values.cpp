@@ -81,7 +81,8 @@ std::size_t choice_value(std::string_view option, std::string_view text,
   if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
   std::string wanted;
   for (const auto name : known) wanted.append(wanted.empty() ? "" : "|").append(name);
-  throw bad_value(option, text, wanted.append("; ").append(did_you_mean(text, known)));
+  if (nearest_name(text, known)) wanted.append("; ").append(did_you_mean(text, known));
+  throw bad_value(option, text, wanted);
 }
 
 Point pair_value(std::string_view option, std::string_view text, bool whole) {

@@ -32,18 +32,20 @@ Span cells_under(int pixel, int pixels, const Span& shown) {
   return {from, std::max(from + 1, edge(pixel + 1))};
 }
 
+float blocked_share(const Grid& grid, Span columns, Span rows) {
+  int blocked = 0;
+  for (int r = rows.from; r < rows.to; ++r)
+    blocked += count_blocked(grid.row(r), columns.from, columns.to);
+  const int cells = (rows.to - rows.from) * (columns.to - columns.from);
+  return static_cast<float>(blocked) / static_cast<float>(cells);
+}
+
 Raster<float> blocked_share(const Grid& grid, const Window& window, int width, int height) {
   Raster<float> share(width, height);
   for (int y = 0; y < height; ++y) {
     const Span rows = cells_under(y, height, window.rows);
-    for (int x = 0; x < width; ++x) {
-      const Span columns = cells_under(x, width, window.columns);
-      int blocked = 0;
-      for (int r = rows.from; r < rows.to; ++r)
-        blocked += count_blocked(grid.row(r), columns.from, columns.to);
-      const int cells = (rows.to - rows.from) * (columns.to - columns.from);
-      share.at(x, y) = static_cast<float>(blocked) / static_cast<float>(cells);
-    }
+    for (int x = 0; x < width; ++x)
+      share.at(x, y) = blocked_share(grid, cells_under(x, width, window.columns), rows);
   }
   return share;
 }

@@ -59,7 +59,8 @@ struct Window {
 };
 Window whole(const Grid& grid);
 
-/// Share of blocked cells under each pixel, in [0, 1].
+/// Share of blocked cells among some, at least one, in [0, 1]; and under each pixel.
+float blocked_share(const Grid& grid, Span columns, Span rows);
 Raster<float> blocked_share(const Grid& grid, const Window& window, int width, int height);
 
 struct Colour {

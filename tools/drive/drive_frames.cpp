@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/bitmap/path_clearance.h"
-#include "tools/drive/ground.h"
 #include "tools/report/packed.h"
 #include "tools/report/report.h"
 #include "tools/report/thinned.h"
@@ -24,27 +23,33 @@ std::vector<float> way_of(const DriveTick& tick) {
   return way;
 }
 
+int pixels_along(const Grid& map, int side) {
+  const double shrink =
+      std::min(1.0, 1.0 * DriveFrames::kMostPixels / std::max(map.width(), map.height()));
+  return std::max(1, static_cast<int>(shrink * side));
+}
+
 double rounded(double clearance) { return std::round(1000 * clearance) / 1000; }
 
 }  // namespace
 
-DriveFrames::DriveFrames(const Grid& map, Cell goal, double radius) : goal_(goal), radius_(radius) {
-  const double shrink = std::min(1.0, 1.0 * kMostPixels / std::max(map.width(), map.height()));
-  width_ = std::max(1, static_cast<int>(shrink * map.width()));
-  height_ = std::max(1, static_cast<int>(shrink * map.height()));
-}
+DriveFrames::DriveFrames(const Grid& map, double radius)
+    : width_(pixels_along(map, map.width())),
+      height_(pixels_along(map, map.height())),
+      ground_(map, width_, height_),
+      radius_(radius) {}
 
 void DriveFrames::observe(const DriveTick& tick, const DriveRecorder& recorder) {
   const double middle =
       distance_to_blocked(*tick.world, centre(tick.robot), kMostClearance + radius_);
   last_clearance_ = rounded(std::clamp(middle - radius_, 0.0, 1.0 * kMostClearance));
   if (clearances_.wants(tick.tick)) clearances_.add(last_clearance_);
-  if (!frames_.wants(tick.tick) && tick.robot != goal_) return;
+  if (!frames_.wants(tick.tick) && !tick.arrived) return;
   frames_.add({.tick = tick.tick,
                .robot = tick.robot,
                .obstacles = tick.obstacles,
                .way = way_of(tick),
-               .codes = tick_codes::codes_of(tick, recorder, width_, height_).values});
+               .codes = ground_.codes(tick, recorder).values});
 }
 
 Json DriveFrames::json() const {

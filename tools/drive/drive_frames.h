@@ -5,6 +5,7 @@
 
 #include "lasius/drive.h"
 #include "tools/drive/drive_recorder.h"
+#include "tools/drive/ground.h"
 #include "tools/record/json_values.h"
 #include "tools/report/key_frames.h"
 
@@ -20,7 +21,7 @@ class DriveFrames {
   static constexpr std::size_t kMostWayVertices = 500;  ///< of a way that a frame keeps
 
   /// `radius` is the robot's, in cells.
-  DriveFrames(const Grid& map, Cell goal, double radius);
+  DriveFrames(const Grid& map, double radius);
 
   /// `recorder` has observed the tick.
   void observe(const DriveTick& tick, const DriveRecorder& recorder);
@@ -46,7 +47,7 @@ class DriveFrames {
   };
 
   int width_, height_;
-  Cell goal_;
+  tick_codes::Ground ground_;
   double radius_;
   KeyFrames<Frame> frames_{kMostFrames};
   KeyFrames<double> clearances_{kMostClearances};

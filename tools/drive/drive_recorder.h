@@ -22,6 +22,7 @@ class DriveRecorder {
 
   /// By pixel: when a free cell under it was in sight first.
   const Ticks& seen() const { return seen_; }
+  int cells_a_pixel() const { return cells_a_pixel_; }  ///< of both rasters, along a side
   /// By pixel: when a cell under it was last learned to be other than it was known.
   const Ticks& learned() const { return learned_; }
   /// Both: the latest tick under some cells.

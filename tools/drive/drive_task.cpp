@@ -7,6 +7,7 @@
 #include "lasius/clearance.h"
 #include "lasius/error.h"
 #include "lasius/shortest_walk.h"
+#include "tools/bitmap/answer.h"
 #include "tools/bitmap/bitmap_report.h"
 #include "tools/bitmap/map_record.h"
 #include "tools/bitmap/map_task.h"
@@ -124,7 +125,7 @@ class DriveTask : public MapTask {
     if (filmed || played || asked(is_picture)) recorder_.emplace(map().grid(), answer_.sense);
     if (filmed) film_.emplace(map().grid(), goal().cell);
     std::optional<Grid> at_start;  // the world without moving obstacles
-    if (played) frames_.emplace(map().grid(), goal().cell, map().radius);
+    if (played) frames_.emplace(map().grid(), map().radius);
     DriveObserver observer;
     if (watch || recorder_)
       observer = [&](const DriveTick& tick) {
@@ -187,6 +188,7 @@ class DriveTask : public MapTask {
     return text;
   }
   void remark() const override {
+    MapTask::remark();
     if (options().json || !has_path()) return;
     const DriveResult& result = answer_.result;
     std::string text = counted(result.ticks, "tick") + ", " +
@@ -252,6 +254,7 @@ class DriveTask : public MapTask {
     add_findings(json);
   }
   void add_path(Json& json) const override {
+    add_goal_reached(json);
     Json& track = json["track"];
     if (has_path())
       for (const Cell c : answer_.result.track) track.push_back({c.x, c.y});
@@ -266,13 +269,19 @@ class DriveTask : public MapTask {
   const Place& start() const override { return answer_.start; }
   const Place& goal() const override { return answer_.goal; }
   const std::optional<Cell>& nearest_free() const override { return answer_.result.nearest_free; }
+  const std::optional<Cell>& nearest_reachable() const override {
+    return answer_.result.nearest_reachable;
+  }
+  const std::optional<Cell>& goal_reached() const override { return answer_.result.goal_reached; }
 
   NavigatorOptions navigator_options(const StopCondition& stop) const {
     NavigatorOptions navigator{.params = as_read(options().params), .radius = map().radius};
     if (map().prepare)
       navigator.prepare =
           PrepareOptions{.threads = options().map.threads, .stop = {.token = stop.token}};
-    navigator.target_gap = moves_on_cells(options().params) ? 0 : options().target_gap;
+    const Request request = request_of(map(), options(), start().cell, goal().cell);
+    navigator.target_gap = request.target_gap;
+    navigator.goal_tolerance = request.goal_tolerance;
     return navigator;
   }
   /// By the corners that the robot's moves may pass, whatever its paths are made of.
@@ -280,8 +289,8 @@ class DriveTask : public MapTask {
     const Corners corners = squeezes(options().params) ? Corners::allow : Corners::forbid;
     const auto grown = grow_obstacles(world, map().radius, stop);
     if (grown)
-      answer_.optimum =
-          shortest_walk(*grown, start().cell, goal().cell, Neighbours::eight, corners, stop);
+      answer_.optimum = shortest_walk(*grown, start().cell, goal_reached().value_or(goal().cell),
+                                      Neighbours::eight, corners, stop);
   }
   std::vector<Point> centres_in_metres() const {
     std::vector<Point> points;

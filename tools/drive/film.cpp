@@ -6,7 +6,6 @@
 
 #include "tools/draw/colours.h"
 #include "tools/drive/gif.h"
-#include "tools/drive/ground.h"
 
 namespace lasius::tool {
 namespace {
@@ -35,27 +34,32 @@ std::array<Colour, kColours> palette() {
   return colours;
 }
 
+double scale_of(const Grid& map) {
+  const double most = Film::kMostSide, cells = std::max(map.width(), map.height());
+  return cells < most ? std::floor(most / cells) : most / cells;
+}
+int pixels_of(double scale, int side) {
+  return std::max(1, static_cast<int>(std::floor(scale * side)));
+}
+
 }  // namespace
 
-Film::Film(const Grid& map, Cell goal) : goal_(goal) {
-  const double most = kMostSide, cells = std::max(map.width(), map.height());
-  scale_ = cells < most ? std::floor(most / cells) : most / cells;
-  const auto pixels = [&](int side) {
-    return std::max(1, static_cast<int>(std::floor(scale_ * side)));
-  };
-  width_ = pixels(map.width());
-  height_ = pixels(map.height());
-  track_ = Frame(width_, height_, kUnseen);
-}
+Film::Film(const Grid& map, Cell goal)
+    : scale_(scale_of(map)),
+      width_(pixels_of(scale_, map.width())),
+      height_(pixels_of(scale_, map.height())),
+      goal_(goal),
+      ground_(map, width_, height_),
+      track_(width_, height_, kUnseen) {}
 
 void Film::observe(const DriveTick& tick, const DriveRecorder& recorder) {
   const Point robot = centre(tick.robot);
   if (tick.tick > 0) draw_line(track_, robot_, robot, kTrack);
   robot_ = robot;
-  if (frames_.wants(tick.tick) || tick.robot == goal_) frames_.add(drawn(tick, recorder));
+  if (frames_.wants(tick.tick) || tick.arrived) frames_.add(drawn(tick, recorder));
 }
 
-Film::Frame Film::drawn(const DriveTick& tick, const DriveRecorder& recorder) const {
+Film::Frame Film::drawn(const DriveTick& tick, const DriveRecorder& recorder) {
   Frame frame(width_, height_, kUnseen);
   draw_cells(frame, tick, recorder);
   for (int y = 0; y < height_; ++y)
@@ -80,8 +84,8 @@ Span Film::pixels(int cell, int cells, int side) const {
   return {from, std::clamp(static_cast<int>(scale_ * (cell + cells)), from + 1, side)};
 }
 
-void Film::draw_cells(Frame& frame, const DriveTick& tick, const DriveRecorder& recorder) const {
-  const Frame cells = codes_of(tick, recorder, width_, height_);
+void Film::draw_cells(Frame& frame, const DriveTick& tick, const DriveRecorder& recorder) {
+  const Frame& cells = ground_.codes(tick, recorder);
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x)
       frame.at(x, y) = cells.at(x * cells.width / width_, y * cells.height / height_);

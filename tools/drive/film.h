@@ -6,6 +6,7 @@
 
 #include "lasius/drive.h"
 #include "tools/drive/drive_recorder.h"
+#include "tools/drive/ground.h"
 #include "tools/report/key_frames.h"
 
 namespace lasius::tool {
@@ -26,15 +27,16 @@ class Film {
 
  private:
   using Frame = Raster<std::uint8_t>;
-  Frame drawn(const DriveTick& tick, const DriveRecorder& recorder) const;
+  Frame drawn(const DriveTick& tick, const DriveRecorder& recorder);
   Span pixels(int cell, int cells, int side) const;
-  void draw_cells(Frame& frame, const DriveTick& tick, const DriveRecorder& recorder) const;
+  void draw_cells(Frame& frame, const DriveTick& tick, const DriveRecorder& recorder);
   void draw_line(Frame& frame, Point from, Point to, std::uint8_t colour) const;
   void draw_disc(Frame& frame, Point at, double radius, std::uint8_t colour) const;
 
   double scale_;  ///< pixels a cell
   int width_, height_;
   Cell goal_;
+  tick_codes::Ground ground_;
   Frame track_;    ///< what it draws on every frame: where the robot was
   Point robot_{};  ///< in the tick before
   KeyFrames<Frame> frames_{kMostFrames};

@@ -18,25 +18,57 @@ std::uint8_t code_of(bool seen, double there, double known) {
 
 }  // namespace
 
-Raster<std::uint8_t> codes_of(const DriveTick& tick, const DriveRecorder& recorder, int columns,
-                              int rows) {
+Ground::Ground(const Grid& map, int columns, int rows)
+    : there_(map),
+      known_(map),
+      tick_(-1),
+      codes_(std::min(columns, map.width()), std::min(rows, map.height())) {}
+
+/// The pixels of a row, whose cells are in `rows`, that differ from those of the last tick; some
+/// beside them, too.
+Span Ground::changed(const Grid& there, const Grid& known, const DriveRecorder& recorder,
+                     Span rows) const {
+  if (!begun_) return {0, codes_.width};
+  const int width = there.width();
+  Span cells{width, 0};
+  const auto add = [&](int from, int to) {
+    cells = {std::min(cells.from, from), std::max(cells.to, to)};
+  };
+  for (int y = rows.from; y < rows.to; ++y)
+    for (int w = 0; w < there.words(); ++w)
+      if (there.row(y)[w] != there_.row(y)[w] || known.row(y)[w] != known_.row(y)[w])
+        add(64 * w, 64 * w + 64);
+  const auto& seen = recorder.seen();
+  const int side = recorder.cells_a_pixel();
+  for (int y = rows.from / side; y <= (rows.to - 1) / side; ++y)
+    for (int x = 0; x < seen.width; ++x)
+      if (seen.at(x, y) > tick_) add(x * side, x * side + side);
+  if (cells.to == 0) return {0, 0};
+  const auto pixel = [&](int cell) {
+    return static_cast<int>(std::int64_t{cell} * codes_.width / width);
+  };
+  return {std::max(0, pixel(cells.from) - 1), std::min(codes_.width, pixel(cells.to) + 2)};
+}
+
+const Raster<std::uint8_t>& Ground::codes(const DriveTick& tick, const DriveRecorder& recorder) {
   const Grid& there = *tick.world;
   const Grid& known = tick.robot_knows->map();
-  columns = std::min(columns, there.width());
-  rows = std::min(rows, there.height());
   const Window all = whole(there);
-  const auto there_share = blocked_share(there, all, columns, rows);
-  const auto known_share = blocked_share(known, all, columns, rows);
-  Raster<std::uint8_t> codes(columns, rows);
-  for (int y = 0; y < rows; ++y) {
-    const Span down = cells_under(y, rows, all.rows);
-    for (int x = 0; x < columns; ++x) {
-      const Span across = cells_under(x, columns, all.columns);
+  for (int y = 0; y < codes_.height; ++y) {
+    const Span down = cells_under(y, codes_.height, all.rows);
+    const Span pixels = changed(there, known, recorder, down);
+    for (int x = pixels.from; x < pixels.to; ++x) {
+      const Span across = cells_under(x, codes_.width, all.columns);
       const bool seen = recorder.latest(recorder.seen(), across, down) >= 0;
-      codes.at(x, y) = code_of(seen, there_share.at(x, y), known_share.at(x, y));
+      codes_.at(x, y) =
+          code_of(seen, blocked_share(there, across, down), blocked_share(known, across, down));
     }
   }
-  return codes;
+  there_ = there;
+  known_ = known;
+  tick_ = tick.tick;
+  begun_ = true;
+  return codes_;
 }
 
 }  // namespace lasius::tool::tick_codes

@@ -17,8 +17,23 @@ enum Code : std::uint8_t { kUnseen, kSeen, kWalls };
 enum Wall : std::uint8_t { kKnown, kUnknown, kBelieved, kWallKinds };
 inline constexpr std::uint8_t kCodes = kWalls + 2 * kWallKinds * kShades;  ///< how many there are
 
-/// The map on at most columns x rows pixels. `recorder` has observed the tick.
-Raster<std::uint8_t> codes_of(const DriveTick& tick, const DriveRecorder& recorder, int columns,
-                              int rows);
+/// The map tick by tick: a tick costs what it changes.
+class Ground {
+ public:
+  /// On at most columns x rows pixels.
+  Ground(const Grid& map, int columns, int rows);
+
+  /// The codes of a tick, not before the last one asked for, which `recorder` has observed.
+  const Raster<std::uint8_t>& codes(const DriveTick& tick, const DriveRecorder& recorder);
+
+ private:
+  Span changed(const Grid& there, const Grid& known, const DriveRecorder& recorder,
+               Span rows) const;
+
+  Grid there_, known_;  // in the last tick
+  std::int64_t tick_;   // its number
+  Raster<std::uint8_t> codes_;
+  bool begun_ = false;
+};
 
 }  // namespace lasius::tool::tick_codes

@@ -52,8 +52,9 @@ void refuse_topic(const Manual& manual, const std::string& name) {
   std::vector<std::string_view> known;
   for (const Topic& topic : topics()) known.push_back(topic.name);
   for (const CommandText& command : manual.commands) known.push_back(command.name);
-  throw UsageError("there is no topic \"" + name + "\"; " + did_you_mean(name, known) +
-                   " `lasius help` lists them");
+  throw UsageError("there is no topic \"" + name + "\"; " +
+                   (nearest_name(name, known) ? did_you_mean(name, known) + " " : std::string()) +
+                   "`lasius help` lists them");
 }
 
 std::string topic_text(const Topic& topic) {

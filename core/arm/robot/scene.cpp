@@ -24,7 +24,7 @@ Obstacle::Shape shape_of(const JsonFields& fields) {
     if (name == names[i]) return static_cast<Obstacle::Shape>(i);
   }
   fields.fail("shape", "is \"" + name + "\"",
-              did_you_mean(name, names) + " It must be box|sphere|cylinder|mesh");
+              did_you_mean(name, names, "it must be box|sphere|cylinder|mesh"));
 }
 
 void refuse_foreign(const JsonFields& fields, std::string_view shape,

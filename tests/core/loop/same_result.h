@@ -32,6 +32,8 @@ inline void expect_same(const Result& a, const Result& b) {
   EXPECT_EQ(a.fault, b.fault);
   EXPECT_EQ(a.error, b.error);
   EXPECT_EQ(a.nearest_free, b.nearest_free);
+  EXPECT_EQ(a.nearest_reachable, b.nearest_reachable);
+  EXPECT_EQ(a.goal_reached, b.goal_reached);
   EXPECT_EQ(a.iterations, b.iterations);
   EXPECT_EQ(a.arrived, b.arrived);
   EXPECT_EQ(a.optimal, b.optimal);

@@ -97,10 +97,11 @@ TEST(Document, NamesLineAndKeyOfAWrongValue) {
               r.at("b").allow({"count", "dd", "e"});
             }),
             "3: 'c' is unknown here; did you mean \"count\"?");
-  EXPECT_EQ(with([](const Node& r) { r.at("a").flag(); }), "1: 'a' is \"x\"; did you mean \"on\"?");
+  EXPECT_EQ(with([](const Node& r) { r.at("a").flag(); }),
+            "1: 'a' is \"x\"; it is one of true, yes, on, false, no, off");
   static constexpr std::string_view kNames[] = {"grid", "latin"};
   EXPECT_EQ(with([](const Node& r) { r.at("a").choice(kNames); }),
-            "1: 'a' is \"x\"; did you mean \"grid\"?");
+            "1: 'a' is \"x\"; it is one of grid, latin");
 }
 
 class PresetFiles : public Files {

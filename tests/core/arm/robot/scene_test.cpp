@@ -40,6 +40,11 @@ TEST_F(Shapes, HaveNoFieldsOfOthers) {
   }
 }
 
+TEST_F(Shapes, AnotherWordForSizeIsKnown) {
+  const std::string box = R"("shape": "box", "dims": [1, 1, 1])";
+  EXPECT_EQ(error_of([&] { return scene(box); }, box).remedy(), "did you mean \"size\"?");
+}
+
 TEST_F(Shapes, MeshesReachNoFurtherThan1000Metres) {
   const std::string mesh = R"("shape": "mesh", "file": "m.stl", "scale": )";
   EXPECT_NO_THROW(scene(mesh + "500"));
