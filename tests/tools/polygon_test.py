@@ -129,7 +129,7 @@ class PolygonTest(WorldTest):
         self.assertAlmostEqual(json.loads(self.read("it.json"))["optimum"], 2 * math.hypot(9, 5), places=12)
         self.assertIn('"walls":[[[10', self.read("it.html").decode().replace(".0", ""))
         self.quiet(self.run_program("verify", "it.json"))
-        self.assertIn("obstacles    0 with 0 corners, 1 wall, 0 grown and merged",
+        self.assertIn("obstacles   0 with 0 corners, 1 wall, 0 grown and merged",
                       self.quiet(self.run_program("info", "it.wkt")).out)
         self.assertEqual(self.run_program("info", "it.wkt", "--json").json["walls"], 1)
 

@@ -61,12 +61,12 @@ class WktReader {
   [[noreturn]] void refuse(const std::string& problem, const std::string& remedy) const {
     fail(begin_, place_ + " " + problem, remedy);
   }
-  /// A token in the place of another.
+  /// A token in the place of another; where the file ends, its place is that of the geometry.
   [[noreturn]] void miss(const std::string& wanted) const {
     constexpr std::size_t kMostShown = 40;
     std::string here = token_.empty() ? "the file ends" : "\"";
     if (!token_.empty()) here.append(token_.substr(0, kMostShown)).append("\" stands");
-    fail(at_, place_ + ": " + here + " where " + wanted + " must stand",
+    fail(token_.empty() ? begin_ : at_, place_ + ": " + here + " where " + wanted + " must stand",
          "write it as POLYGON ((0 0, 1 0, 1 1, 0 0)), LINESTRING (0 0, 1 1) or POINT (0 0)");
   }
 

@@ -72,7 +72,7 @@ TEST(Wkt, NamesWhatIsWrong) {
   expect_refusal("MULTIPOLYGON (((0 0, 9 0, 9 9, 0 0)), ((20 0, 29 0, 29 9, 20 0)))",
                  "geometry 0 is in several parts", true);
   expect_refusal("POLYGON ((0 0, 1 0, 1 1, 0 0))\nPOLYGON ((0 0, 1 0",
-                 "line 2, byte 49: geometry 1: the file ends where \")\" must stand", true);
+                 "line 2, byte 31: geometry 1: the file ends where \")\" must stand", true);
   expect_refusal("POLYGON ((0 0, 1 0, 1 1))", "line 1, byte 0: geometry 0, ring 0: is not closed",
                  true);
   expect_refusal("MULTIPOINT ((0 0), (1 1))", "is a MULTIPOINT", true);
