@@ -1,5 +1,5 @@
 // What touches is closed, wherever the world lies and however its rings are written.
-// LASIUS_POLYGON_WORLDS sets how many random worlds are judged (default 60).
+// LASIUS_POLYGON_WORLDS sets how many random worlds are judged (default 40).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -144,7 +144,7 @@ TEST(Repair, TellsWhatHasNoWidth) {
 
 TEST(Touching, RandomWorldsAreJudgedWhereverTheyLie) {
   const char* const asked = std::getenv("LASIUS_POLYGON_WORLDS");
-  const std::uint64_t worlds = asked == nullptr ? 60 : std::strtoull(asked, nullptr, 10);
+  const std::uint64_t worlds = asked == nullptr ? 40 : std::strtoull(asked, nullptr, 10);
   Verdicts count;
   for (std::uint64_t number = 0; number < worlds; ++number) {
     ASSERT_NO_THROW(judge_world(number, count)) << TouchingWorlds::make(number).wkt;
