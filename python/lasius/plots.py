@@ -100,17 +100,18 @@ def draw_curves(result: Any, axes: Any) -> None:
     axes.legend(fontsize="small")
 
 
-def title(result: Any) -> str:
-    length = f", length {result.length:.6g}" if result.found else ""
+def title(result: Any, frame: Optional[WorldFrame] = None) -> str:
+    told = f"{result.length:.6g}" if frame is None else f"{result.length * frame.resolution:.6g} m"
+    length = f", length {told}" if result.found else ""
     return f"{result.params.algorithm}: {result.status}{length}"
 
 
 def draw_result(result: Result, upper: Any, lower: Any, map: Optional[Map] = None) -> None:
-    path = result.path
-    if map is not None and map.frame is not None and len(path) > 0:
-        path = map.frame.to_world(path, map.grid.height)
+    path, frame = result.path, map.frame if map is not None else None
+    if map is not None and frame is not None and len(path) > 0:
+        path = frame.to_world(path, map.grid.height)
     draw_line(path, draw_map(result.grid, upper, map))
-    upper.set_title(title(result))
+    upper.set_title(title(result, frame))
     if lower is not None:
         draw_curves(result, lower)
 

@@ -46,9 +46,10 @@ def test_a_plot_in_metres_with_unknown_cells(pyplot):
         axes = result.plot(map=read)
         assert np.allclose(np.column_stack(axes.lines[0].get_data()), frame.to_world(result.path, 4))
         assert np.allclose([axes.get_xlim(), axes.get_ylim()], [x, y]) and axes.get_xlabel() == "x, m"
+        assert axes.get_title().endswith(f"length {result.length / 2:.6g} m")
         assert len(axes.images) == 2 and axes.images[1].get_array().count() == 3
-        low, high = axes.images[0].get_window_extent().min, axes.images[0].get_window_extent().max
-        assert np.allclose(axes.transData.inverted().transform([low, high]), [[x[0], y[0]], [x[1], y[1]]])
+        placed = (axes.images[0].get_transform() - axes.transData).transform([[0, 0], [6, 4]])
+        assert np.allclose(placed, frame.to_world([[0, 0], [6, 4]], 4))
     without = result.plot(map=lasius.Map(grid, None, "", unknown))
     assert without.get_xlabel() == "x, cells" and len(without.images) == 2
 

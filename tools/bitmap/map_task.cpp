@@ -58,7 +58,7 @@ std::string MapTask::name_of(Cell cell) const {
 }
 
 void MapTask::add_findings(Json& json) const {
-  if (result().status == Status::invalid) {
+  if (result().status == Status::invalid && (map().unknown || map().radius > 0)) {
     const auto why = obstruction_of(map(), (at_start() ? start() : goal()).cell);
     json["blocked_by"] = why.by.empty() ? "obstacle" : why.by;  // that a drive's map has not
     if (why.by == "radius") json["clearance"] = number(why.clearance);
