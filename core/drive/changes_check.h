@@ -1,4 +1,4 @@
-// Which changes a map can have.
+// Which changes a map can have, and which drives there are.
 #pragma once
 
 #include <optional>
@@ -14,5 +14,7 @@ std::optional<std::string> fault_of(const MovingObstacle& obstacle, int width, i
 
 /// @throws Error(invalid_parameter) for the first that is wrong.
 void check_changes(const Changes& changes, int width, int height);
+/// The same for what a drive is asked.
+void check_drive(const Grid& map, const Grid& truth, const DriveOptions& options);
 
 }  // namespace lasius

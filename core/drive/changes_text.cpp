@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/did_you_mean.h"
+#include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
 #include "core/base/text_lines.h"
 #include "core/drive/changes_check.h"
@@ -118,6 +119,20 @@ std::optional<std::string> fault_of(const MovingObstacle& obstacle, int width, i
     if (auto fault = fault_of(obstacle.tick, part, width, height)) return fault;
   }
   return std::nullopt;
+}
+
+void check_drive(const Grid& map, const Grid& truth, const DriveOptions& options) {
+  if (map.width() != truth.width() || map.height() != truth.height()) {
+    throw invalid_parameter("the world is " + size_text(truth.width(), truth.height()) +
+                                " cells, the map " + size_text(map.width(), map.height()),
+                            "give both for the same place, in cells of the same size");
+  }
+  require_parameter(options.sense >= 1, "sense", options.sense, "it must be at least 1 cell");
+  const double tick = options.seconds_per_tick;
+  require_parameter(tick >= std::numeric_limits<double>::min(), "seconds_per_tick", tick,
+                    "it must be above 0");
+  require_parameter(options.max_ticks >= 0, "max_ticks", options.max_ticks, "it must be 0 or more");
+  check_seed(options.seed);
 }
 
 void check_changes(const Changes& changes, int width, int height) {

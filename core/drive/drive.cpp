@@ -11,7 +11,7 @@
 
 #include "core/base/invalid_parameter.h"
 #include "core/base/number_text.h"
-#include "core/base/poller.h"
+#include "core/drive/changes_check.h"
 #include "core/drive/headway.h"
 #include "core/drive/path_walker.h"
 #include "core/drive/retreat.h"
@@ -20,9 +20,7 @@
 #include "core/grid/cell_distance.h"
 #include "core/grid/components.h"
 #include "core/grid/move_rule.h"
-#include "core/grid/nearest_free.h"
 #include "core/loop/run_status.h"
-#include "core/params/parameter_table.h"
 #include "core/plan/answer.h"
 #include "kernels/base/random_stream.h"
 
@@ -30,20 +28,6 @@ namespace lasius {
 namespace {
 
 using Milliseconds = std::chrono::duration<double, std::milli>;
-
-void check(const Grid& map, const Grid& truth, const DriveOptions& options) {
-  if (map.width() != truth.width() || map.height() != truth.height()) {
-    throw invalid_parameter("the world is " + size_text(truth.width(), truth.height()) +
-                                " cells, the map " + size_text(map.width(), map.height()),
-                            "give both for the same place, in cells of the same size");
-  }
-  require_parameter(options.sense >= 1, "sense", options.sense, "it must be at least 1 cell");
-  const double tick = options.seconds_per_tick;
-  require_parameter(tick >= std::numeric_limits<double>::min(), "seconds_per_tick", tick,
-                    "it must be above 0");
-  require_parameter(options.max_ticks >= 0, "max_ticks", options.max_ticks, "it must be 0 or more");
-  check_seed(options.seed);
-}
 
 /// A robot under way. See drive() for its rules.
 class Drive {
@@ -123,16 +107,16 @@ class Drive {
     auto [fault, text] = fault_of_end(world_.now(), bad_start, cell);
     end(Status::invalid, std::move(text));
     result_.fault = fault;
-    const StopCondition until_found{.token = stop_.token};
-    Poller poller(until_found);
     const Grid grid =
         bad_start ? world_.passable() : walls_of_both(world_.passable(), pilot_.passable());
-    result_.nearest_free = nearest_free(grid, cell, poller);
     const Cell other = bad_start ? goal : robot_;
-    if (grid.blocked(other)) return true;
-    const Components components(grid, connectivity_of(corners_));
-    const auto joined = [&](Cell c) { return components.connected(grid, other, c); };
-    result_.nearest_reachable = nearest_free(grid, cell, poller, joined);
+    std::optional<Components> components;
+    std::function<bool(Cell)> joined;
+    if (grid.free(other)) {
+      components.emplace(grid, connectivity_of(corners_));
+      joined = [&](Cell c) { return components->connected(grid, other, c); };
+    }
+    find_nearest(result_, grid, cell, stop_.token, joined);
     return true;
   }
   /// A way leads near enough to the goal, as far as is known.
@@ -377,7 +361,7 @@ class Drive {
 DriveResult drive(const Grid& map, const Grid& truth, Cell start, Cell goal, const Changes& changes,
                   const DriveOptions& options, const NavigatorOptions& navigator,
                   const StopCondition& stop, const DriveObserver& observer) {
-  check(map, truth, options);
+  check_drive(map, truth, options);
   Navigator pilot(map, goal, navigator);
   return Drive(map, truth, start, pilot, changes, options, stop, observer).run();
 }
@@ -386,7 +370,7 @@ DriveResult drive(Pilot& pilot, const Grid& truth, Cell start, const Changes& ch
                   const DriveOptions& options, const StopCondition& stop,
                   const DriveObserver& observer) {
   const Grid map = pilot.map();
-  check(map, truth, options);
+  check_drive(map, truth, options);
   return Drive(map, truth, start, pilot, changes, options, stop, observer).run();
 }
 

@@ -4,13 +4,11 @@
 #include <string>
 #include <utility>
 
-#include "core/base/poller.h"
 #include "core/colony/colony.h"
 #include "core/colony/own_update.h"
 #include "core/exact/anytime.h"
 #include "core/genetic/grid_ga.h"
 #include "core/grid/cell_distance.h"
-#include "core/grid/nearest_free.h"
 #include "core/loop/run_status.h"
 #include "core/params/grid_parameters.h"
 #include "core/params/parameter_table.h"
@@ -72,16 +70,12 @@ Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Reques
   return result;
 }
 
-/// Of the free cells joined to `from` the nearest to `c`. It is found whatever the deadline.
-std::optional<Cell> nearest_joined(const PlanningMap& map, Cell c, Cell from, Corners corners,
-                                   const std::stop_token& token) {
-  const StopCondition no_deadline{.token = token};
-  Poller poller(no_deadline);
-  const auto joined = [&](Cell at) { return map.connected(from, at, corners).value_or(false); };
-  return nearest_free(map.grid, c, poller, joined);
+/// Whether a cell is joined to another one; not when stopped.
+std::function<bool(Cell)> joined_to(const PlanningMap& map, Cell from, Corners corners) {
+  return [&map, from, corners](Cell c) { return map.connected(from, c, corners) == true; };
 }
 
-/// What a sentence about such an end goes on with.
+/// What a sentence about an end that is bad goes on with.
 std::string nearest_text(bool at_start, Cell free, const std::optional<Cell>& reachable) {
   const std::string nearest = "; the nearest free cell ";
   if (!reachable || *reachable == free) return nearest + "is " + cell_name(free);
@@ -97,17 +91,12 @@ Result invalid(const PlanningMap& map, bool at_start, const Request& request, Co
   const Cell other = at_start ? request.goal : request.start;
   const auto [fault, text] = fault_of_end(map.grid, at_start, cell);
   auto result = failed<Result>(Status::invalid, fault, text);
-  const StopCondition no_deadline{.token = request.stop.token};
-  Poller poller(no_deadline);
-  result.nearest_free = nearest_free(map.grid, cell, poller);
-  if (result.nearest_free && map.grid.free(other)) {
-    result.nearest_reachable = map.connected(other, *result.nearest_free, corners) == true
-                                   ? result.nearest_free
-                                   : nearest_joined(map, cell, other, corners, request.stop.token);
-  }
+  std::function<bool(Cell)> joined;
+  if (map.grid.free(other)) joined = joined_to(map, other, corners);
+  const bool whole = find_nearest(result, map.grid, cell, request.stop.token, joined);
   if (result.nearest_free) {
     result.error += nearest_text(at_start, *result.nearest_free, result.nearest_reachable);
-  } else if (!poller.stopped()) {
+  } else if (whole) {
     result.error += "; the map has no free cell";
   }
   return result;
@@ -129,8 +118,11 @@ std::optional<Result> refused(const PlanningMap& map, const Request& request, Co
   result = failed<Result>(Status::unreachable, Fault::disconnected,
                           "start " + cell_name(start) + " and goal " + cell_name(goal) +
                               " lie in different regions of free cells");
-  if (request.goal_tolerance > 0)
-    result.nearest_reachable = nearest_joined(map, goal, start, corners, request.stop.token);
+  if (request.goal_tolerance > 0) {
+    const StopCondition no_deadline{.token = request.stop.token};
+    Poller poller(no_deadline);
+    result.nearest_reachable = nearest_free(map.grid, goal, poller, joined_to(map, start, corners));
+  }
   return result;
 }
 

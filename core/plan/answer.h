@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/base/poller.h"
 #include "core/exact/corner_graph.h"
+#include "core/grid/nearest_free.h"
 #include "lasius/planner.h"
 
 namespace lasius {
@@ -29,6 +31,19 @@ Result answer(const PlanningMap& map, const Request& request, const Params& para
 /// Why a start or goal is invalid, and a sentence that names it. Precondition: it is blocked or
 /// outside the map.
 std::pair<Fault, std::string> fault_of_end(const Grid& grid, bool at_start, Cell cell);
+
+/// Looks for the free cell nearest to a start or goal that is invalid, and for the nearest of those
+/// that are joined to the other end; `joined` is empty where that is bad too. False when stopped.
+template <class SomeResult>
+bool find_nearest(SomeResult& result, const Grid& grid, Cell cell, const std::stop_token& token,
+                  const std::function<bool(Cell)>& joined) {
+  const StopCondition no_deadline{.token = token};  // it is named whatever the deadline
+  Poller poller(no_deadline);
+  const auto free = result.nearest_free = nearest_free(grid, cell, poller);
+  if (free && joined)
+    result.nearest_reachable = joined(*free) ? free : nearest_free(grid, cell, poller, joined);
+  return !poller.stopped();
+}
 
 /// The rule of corners that paths obey: any-angle paths never squeeze, and with 4 neighbours no
 /// corner is ever passed.
