@@ -55,7 +55,8 @@ py::object crossing(const std::optional<pg::Crossing>& way) {
 /// In the order of the fields of lasius.polygon.Result.
 py::tuple fields(const pg::Result& r) {
   return py::make_tuple(search_fields(r), to_array(std::span(r.path)), r.goal_reached,
-                        r.nearest_free, r.nearest_reachable, crossing(r.crossing), crossing(r.dijkstra), crossing(r.discrete_optimum),
+                        r.nearest_free, r.nearest_reachable, crossing(r.crossing),
+                        crossing(r.dijkstra), crossing(r.discrete_optimum),
                         crossing(r.sequence_optimum), r.optimum, r.note);
 }
 
@@ -82,11 +83,11 @@ py::tuple plan_among(const pg::Planner& planner, std::optional<Point> start,
 
 py::tuple batch_among(const pg::Planner& planner, const Rows& starts, const Rows& goals,
                       const pg::Params& params, int threads, int seeds,
-                      std::optional<double> time_limit, double target_gap,
-                      double goal_tolerance, const py::object& callback) {
+                      std::optional<double> time_limit, double target_gap, double goal_tolerance,
+                      const py::object& callback) {
   Call call;
   auto requests = requests_from<pg::Request>(points_from(starts, "starts"),
-                                                   points_from(goals, "goals"), target_gap);
+                                             points_from(goals, "goals"), target_gap);
   for (pg::Request& request : requests) request.goal_tolerance = goal_tolerance;
   return run_batch(call, requests.size(), threads, seeds, time_limit, callback,
                    [&](const BatchOptions& options, const pg::BatchReceiver& receive) {

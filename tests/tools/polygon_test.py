@@ -201,7 +201,6 @@ class PolygonTest(WorldTest):
             ("b.geojson", "{}", "FeatureCollection"),
             ("c.geojson", collection(obstacles=[bow]), "feature 1 (obstacle): Self-intersection"),
             ("d.wkt", "POLYGON ((0 0, 1 1", "byte 0"),
-            ("e.geojson", collection(obstacles=[WORLD["boundary"]]), "no free space"),
         ]
         for name, text, part in cases:
             with self.subTest(name=name):
@@ -240,6 +239,43 @@ class PolygonTest(WorldTest):
         for algorithm in ("exact", "maklink-acs", "real-ga"):
             run = self.plan_world("--json", "--algorithm", algorithm, world="wall.geojson")
             self.assertEqual((run.code, run.json["status"]), (5, "unreachable"))
+
+    def test_no_space_is_free(self):
+        self.write("full.geojson", collection(obstacles=[WORLD["boundary"]]))
+        for world, margin, says in (("full.geojson", [], "blocked; no space is free"),
+                                    ("world.geojson", ["--margin", "120"],
+                                     "blocked; no space is free with a margin of 120")):
+            run = self.ended(self.plan_world(*margin, "--json", world=world), 4)
+            self.assertEqual(run.json["status"], "invalid")
+            self.assertIn(says, run.json["error"])
+            run = self.ended(self.run_program("info", world, *margin, "--json"), 0)
+            self.assertEqual((run.json["components"], run.json["regions"]), (0, 0))
+            self.write("q.tsv", "sx\tsy\tgx\tgy\n1\t1\t2\t2\n3\t3\t4\t4\n")
+            run = self.run_program("batch", world, "q.tsv", *margin)
+            self.assertEqual((run.code, [line["status"] for line in run.lines]), (0, 2 * ["invalid"]))
+
+    def test_a_goal_that_cannot_be_reached(self):
+        shelf = [[[30, 30], [70, 30], [70, 40], [30, 40]], [[30, 60], [70, 60], [70, 70], [30, 70]],
+                 [[30, 30], [40, 30], [40, 70], [30, 70]], [[60, 30], [70, 30], [70, 70], [60, 70]]]
+        self.write("shelf.geojson", collection((10, 50), (50, 50), obstacles=shelf))
+        shelf = ["--json", "-o", "r.json", "--goal-tolerance"]
+        run = self.plan_world(*shelf, "25", world="shelf.geojson")
+        self.assertEqual((run.code, run.json["goal"], run.json["goal_reached"], run.json["length"]),
+                         (0, [50, 50], [30, 50], 20))
+        self.assertEqual(run.json["parameters"]["goal_tolerance"], 25)
+        self.quiet(self.run_program("verify", "r.json"))
+        self.ended(self.plan_world("--goal-tolerance", "25", world="shelf.geojson"), 0,
+                   "the path ends at (30, 50), 20 from the goal, which cannot be reached")
+        run = self.plan_world(*shelf, "19", world="shelf.geojson")
+        self.assertEqual((run.code, run.json["goal_reached"]), (5, None))
+        self.assertIn("the nearest point that can be reached, (30, 50), is 20 from the goal",
+                      run.json["error"])
+        self.quiet(self.run_program("verify", "r.json"))
+        self.write("q.tsv", "sx\tsy\tgx\tgy\n10\t50\t50\t50\n10\t50\t65\t50\n")
+        lines = self.run_program("batch", "shelf.geojson", "q.tsv", "--goal-tolerance", "21").lines
+        self.assertEqual([(line["status"], line["goal_reached"]) for line in lines],
+                         [("solved", [30, 50]), ("solved", [70, 50])])
+        self.assertNotIn("goal_reached", self.plan_world("--json").json)
 
     def test_time_limit(self):
         run = self.plan_world("--algorithm", "maklink-acs", "--time-limit", "0", "--json")

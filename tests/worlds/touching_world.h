@@ -138,9 +138,8 @@ class TouchingWorlds {
       }
       default: {
         const auto [c, d] = edge_of(earlier().ring);
-        return {standing_on(dice_.whole(0, 1) == 0 ? c : d, dice_.whole(0, 1) == 0 ? d : c,
-                            dice_.real(5, 30)),
-                {}};
+        const bool turned = dice_.whole(0, 1) == 0;
+        return {standing_on(turned ? d : c, turned ? c : d, dice_.real(5, 30)), {}};
       }
     }
   }

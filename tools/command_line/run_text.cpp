@@ -183,6 +183,7 @@ RunOptions make_run(const RunText& text, std::span<const std::string_view> endin
   MapOptions& map = run.map;
   map.file = text.map;
   take_real("--radius", text.radius, 0, kNoLimit, map.radius);
+  take_real("--goal-tolerance", text.goal_tolerance, 0, kNoLimit, run.goal_tolerance);
   map.radius_metres = run.frame == Frame::world;
   map.unknown_is_free = text.unknown_free;
   if (text.unknown_free && !has_ending(map.file, ".yaml") && !has_ending(map.file, ".yml"))
@@ -296,6 +297,7 @@ PolygonCommand make_polygon(const RunText& run, const PolygonText& text,
     command.notes.emplace_back("--frame has no effect on a polygon world");
   }
   refuse_radius(run.radius);
+  take_real("--goal-tolerance", run.goal_tolerance, 0, kNoLimit, command.goal_tolerance);
   if (run.unknown_free)
     command.notes.emplace_back("--unknown-free has no effect: a polygon world has no unknown part");
   if (run.prepare) command.notes.emplace_back("--prepare has no effect on a polygon world");

@@ -28,7 +28,7 @@ struct SearchText {
 /// Options of plan and batch.
 struct RunText : SearchText {
   RunText();
-  std::string map, frame, radius, tracks;
+  std::string map, frame, radius, tracks, goal_tolerance;
   bool unknown_free = false, prepare = false, gap = false;
 };
 

@@ -75,6 +75,11 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help,
          "cells (metres with --frame world). Paths keep R - 0.71 cells: give R + 0.71 where a disc "
          "of radius R has to be safe",
          "R");
+  option(
+      "--goal-tolerance", text.goal_tolerance,
+      "Where the goal cannot be reached, end at the free cell nearest to it that can be, at most "
+      "R away from centre to centre; R in cells (metres with --frame world)",
+      "R");
   add_switch(app, "--unknown-free", text.unknown_free, "Unknown cells of a ROS map count as free");
   add_switch(app, "--prepare", text.prepare, kPrepare);
   add_switch(app, "--gap", text.gap,

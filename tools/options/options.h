@@ -27,7 +27,7 @@ struct MapOptions {
   std::string file;
   bool unknown_is_free = false;
   double radius = 0;           ///< obstacles grow by it
-  bool radius_metres = false;  ///< else cells
+  bool radius_metres = false;  ///< else cells; so a goal tolerance
   bool prepare = false;        ///< make the visibility graph
   int threads = 1;             ///< that make it
 };
@@ -54,6 +54,7 @@ struct SearchOptions {
   bool ranged = false;  ///< seeds were given as a range, also of one
   int threads = 1;
   double target_gap = 0;             ///< fraction
+  double goal_tolerance = 0;         ///< in the world's unit; of a bitmap as MapOptions::radius
   std::optional<double> time_limit;  ///< seconds
   bool with_optimum = false;
   bool json = false;

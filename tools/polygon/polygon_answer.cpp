@@ -75,7 +75,8 @@ PolygonAnswer polygon_answer(const LoadedWorld& world, const PolygonCommand& com
   const polygon::Request asked{.start = command.start ? command.start : world.planner.world().start,
                                .goal = command.goal ? command.goal : world.planner.world().goal,
                                .stop = stop,
-                               .target_gap = command.target_gap};
+                               .target_gap = command.target_gap,
+                               .goal_tolerance = command.goal_tolerance};
   const auto begin = Clock::now();
   polygon::Result result = world.planner.plan(asked, parameters, observer);
   return to_answer(parameters, asked, std::move(result), Clock::now() - begin);

@@ -1,6 +1,7 @@
 #include "tools/polygon/polygon_task.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -97,6 +98,11 @@ class PolygonTask : public Task {
 
   void remark() const override {
     if (!answer_.result.note.empty()) message(answer_.result.note);
+    const auto& end = answer_.result.goal_reached;
+    if (options().json || !end || *end == answer_.goal) return;
+    message("the path ends at (" + to_text(end->x) + ", " + to_text(end->y) + "), " +
+            to_text(std::hypot(end->x - answer_.goal.x, end->y - answer_.goal.y)) +
+            " from the goal, which cannot be reached");
   }
 
   void write_path(std::ostream& out, const char* between) const override {
@@ -127,8 +133,13 @@ class PolygonTask : public Task {
     json["join"] = made.before_round ? recorded_join(made.join) : kJoins[made.join];
     if (!made.before_round) json["boundary"] = kBoundaries[made.boundary];
     json["repair"] = made.repair;
+    if (options().goal_tolerance > 0) json["goal_tolerance"] = number(options().goal_tolerance);
   }
-  void add_path(Json& json) const override { json["path"] = points(answer_.result.path); }
+  void add_path(Json& json) const override {
+    const auto& end = answer_.result.goal_reached;
+    if (options().goal_tolerance > 0) json["goal_reached"] = end ? point(*end) : Json();
+    json["path"] = points(answer_.result.path);
+  }
   /// What the graph gave: sizes, the lines crossed, and the optima that bound the path.
   void add_findings(Json& json) const override {
     const polygon::Maklink& graph = world_->planner.maklink();
@@ -200,6 +211,8 @@ std::unique_ptr<Task> recorded_polygon(const Recorded& from, SharedWorld& last) 
   command.world = recorded_world(from);
   command.start = recorded_point(result, "start");
   command.goal = recorded_point(result, "goal");
+  if (result["parameters"].contains("goal_tolerance"))
+    command.goal_tolerance = recorded_real(result, "parameters/goal_tolerance", 0, kNoLimit);
   if (!last || last->options != command.world)
     last = std::make_shared<LoadedWorld>(load_world(command.world));
   return std::make_unique<PolygonTask>(std::move(command), last);
@@ -218,7 +231,10 @@ int run_command(const PolygonBatchCommand& command) {
   const auto world = std::make_shared<LoadedWorld>(load_world(plan.world));
   std::vector<polygon::Request> queries;
   for (const auto& [start, goal] : queries_of(command, world->planner.world()))
-    queries.push_back({.start = start, .goal = goal, .target_gap = plan.target_gap});
+    queries.push_back({.start = start,
+                       .goal = goal,
+                       .target_gap = plan.target_gap,
+                       .goal_tolerance = plan.goal_tolerance});
   PolygonTask task(plan, world);
   PolygonAnswer asked;
   asked.parameters = parameters;

@@ -8,14 +8,17 @@
 namespace lasius::polygon {
 namespace {
 
-/// How often a ring winds around a point that does not lie on it.
+/// How often a ring winds around a point. What it goes along to and fro cancels out, also where the
+/// point lies on it.
 int winding(const Ring& ring, Point p) {
   int turns = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
     if ((a.y > p.y) == (b.y > p.y)) continue;
-    const double side = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-    if ((side > 0) == (b.y > a.y)) turns += b.y > a.y ? 1 : -1;
+    const bool rises = b.y > a.y;
+    const Point low = rises ? a : b, high = rises ? b : a;
+    if ((high.x - low.x) * (p.y - low.y) > (high.y - low.y) * (p.x - low.x))
+      turns += rises ? 1 : -1;
   }
   return turns;
 }

@@ -298,6 +298,49 @@ TEST(Ends, BlockedAndOutsideNameTheNearestFreePoint) {
   EXPECT_THROW(Planner(open).plan(), Error);
 }
 
+// A shelf around a block: what is nearest is walled in.
+TEST(Ends, BlockedOnesNameWhatIsJoinedToTheOther) {
+  World world = empty_world(10, 10);
+  const auto box = [](double left, double low, double right, double high) {
+    return Polygon{{{left, low}, {right, low}, {right, high}, {left, high}}, {}};
+  };
+  world.obstacles = {box(3, 3, 7, 4), box(3, 6, 7, 7), box(3, 3, 4, 7), box(6, 3, 7, 7),
+                     box(4.5, 4.5, 5.5, 5.5)};
+  const Planner planner(world);
+  const Point out{1, 5}, in_block{4.75, 5}, in_shelf{4.25, 5}, in_wall{3.75, 5};
+  const auto says = [&](Point start, Point goal) {
+    return planner.plan({.start = start, .goal = goal}).error;
+  };
+  expect_says(says(out, in_block),
+              "goal (4.75, 5) is blocked; the nearest free point that can be reached from the "
+              "start is (3, 5); (4.5, 5) is nearer, but cannot be reached");
+  expect_says(says(in_block, out),
+              "start (4.75, 5) is blocked; the nearest free point from which the goal can be "
+              "reached is (3, 5); (4.5, 5) is nearer, but does not lead there");
+  expect_says(says(in_shelf, in_block), "is blocked; the nearest free point is (4.5, 5)");
+  expect_says(says(in_wall, in_block), "is blocked; the nearest free point is (4, 5)");
+  const auto reached = [&](Point goal, double tolerance) {
+    return planner.plan({.start = out, .goal = goal, .goal_tolerance = tolerance});
+  };
+  for (const Point goal : {in_block, in_shelf, in_wall}) {
+    const double away = goal.x - 3;
+    for (const char* algorithm : {"exact", "maklink-acs"}) {
+      const Result result =
+          planner.plan({.start = out, .goal = goal, .goal_tolerance = away}, Params(algorithm));
+      EXPECT_EQ(result.goal_reached, (Point{3, 5}));
+      EXPECT_EQ(result.length, 2);
+      EXPECT_EQ(result.path.back(), (Point{3, 5}));
+    }
+    const Result result = reached(goal, 0.9 * away);
+    EXPECT_TRUE(result.path.empty() && !result.goal_reached);
+    EXPECT_EQ(result.nearest_reachable, (Point{3, 5}));
+    expect_says(result.error, "; the nearest point that can be reached, (3, 5), is ");
+  }
+  EXPECT_EQ(reached({1, 6}, 3).goal_reached, (Point{1, 6}));
+  EXPECT_EQ(reached(out, 3).goal_reached, out);
+  EXPECT_THROW(reached(out, -1), Error);
+}
+
 TEST(Ends, AnEdgeOfTheBoundaryIsNotOutside) {
   World world = empty_world(4, 4, Point{0.5, 0.5});
   world.obstacles = {{{{1, 3}, {3, 3}, {3, 5}, {1, 5}}, {}},
