@@ -39,6 +39,8 @@ AreaLike = Any
 
 def points_of(points: Any, name: str) -> FloatArray:
     """Points as an array (n, 2); of 3-D coordinates x and y."""
+    if isinstance(points, (list, tuple)) and all(isinstance(point, (list, tuple)) for point in points):
+        points = [point[:2] for point in points]  # GeoJSON's may have more, each as many as it likes
     array = np.asarray(unmasked(points, name), np.float64)
     if array.ndim != 2 or array.shape[1] < 2:
         raise ValueError(f"{name} of the shape {array.shape}: give (n, 2)")

@@ -47,8 +47,7 @@ std::optional<std::string> points_fault(const Ring& ring, std::string which, std
     if (std::max(high.x - low.x, high.y - low.y) >= kLeastExtent) return std::nullopt;
     return which += ", at " + text(ring[0]) + ", is less than 1e-100 wide";
   }
-  which += " has only " + std::to_string(distinct.size()) +
-           (distinct.size() == 1 ? " distinct point" : " distinct points");
+  which += " has only " + std::to_string(distinct.size()) + " distinct points";
   if (!distinct.empty()) which += ", the first " + text(ring[0]);
   return which;
 }

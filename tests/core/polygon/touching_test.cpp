@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "core/polygon/repair.h"
+#include "core/polygon/world/repair.h"
 #include "tests/oracle/polygon/polygon_judge.h"
 #include "tests/worlds/touching_world.h"
 
