@@ -32,8 +32,9 @@ inline int edit_distance(std::string_view a, std::string_view b) {
 }
 
 /// The known name that `name` most likely means, the first of equals: one that begins with it
-/// before others, then one that has it in it, and capitals count as small letters unless nothing
-/// else differs. Nothing where each is far: of more than a third of its letters another.
+/// before others, then one that has it in it or is in it, and capitals count as small letters
+/// unless nothing else differs. Nothing where each is far: of more than a third of its letters
+/// another.
 inline std::optional<std::string_view> nearest_name(std::string_view name,
                                                     std::span<const std::string_view> known) {
   const auto bare = [](std::string_view text) {  // an option without its dashes
@@ -49,9 +50,10 @@ inline std::optional<std::string_view> nearest_name(std::string_view name,
   if (word == "dims" || word == "dimensions") word = "size";
   const auto farness = [&](std::string_view candidate) {
     const std::string other = small(bare(candidate));
-    const int kind = other.starts_with(word)                                         ? 0
-                     : word.size() >= kWord && other.find(word) != std::string::npos ? 1
-                                                                                     : 2;
+    const auto holds = [&](const std::string& text, const std::string& part) {
+      return part.size() >= kWord && text.find(part) != std::string::npos;
+    };
+    const int kind = other.starts_with(word) ? 0 : holds(other, word) || holds(word, other) ? 1 : 2;
     return std::tuple(kind, edit_distance(word, other), edit_distance(name, candidate));
   };
   const auto nearest =

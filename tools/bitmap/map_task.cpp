@@ -71,7 +71,7 @@ void MapTask::remark() const {
   if (options().json || !has_path() || !goal_reached() || *goal_reached() == goal().cell) return;
   const Point end = centre(*goal_reached()), asked{goal().number.x + 0.5, goal().number.y + 0.5};
   message("the path ends at " + name_of(*goal_reached()) + ", " +
-          to_text(shown(std::hypot(end.x - asked.x, end.y - asked.y))) +
+          to_text(std::round(1e3 * shown(std::hypot(end.x - asked.x, end.y - asked.y))) / 1e3) +
           (in_metres() ? " m" : " cells") + " from the goal, which cannot be reached");
 }
 
