@@ -76,7 +76,7 @@ class Labels {
     return false;
   }
   /// Up to which normal a label's rays are to be looked along: where the next one of the same turn
-  /// has a way at most as long, else the arc's end.
+  /// has a shorter way, else the arc's end.
   Normal last_ray(const Label& label, Normal end) const noexcept {
     double nearest = 4;
     const Head& head = heads_[label.arc];
@@ -84,7 +84,7 @@ class Labels {
       const Label& other = labels_[i];
       const double turned = label.rising ? other.angle - label.angle : label.angle - other.angle;
       if (other.rising != label.rising || !(turned > 0) || turned >= nearest ||
-          other.length > label.length + radius_ * turned)
+          !(other.length < label.length + radius_ * turned))
         continue;
       nearest = turned;
       end = other.normal;

@@ -14,12 +14,15 @@ namespace {
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kSlack = 1e-9;
 
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double distance(Point a, Point b) {
+  const double x = b.x - a.x, y = b.y - a.y;
+  return std::sqrt(x * x + y * y);
+}
 
 double to_square(Point p, Point square) {
   const double x = std::max({0.0, square.x - p.x, p.x - square.x - 1});
   const double y = std::max({0.0, square.y - p.y, p.y - square.y - 1});
-  return std::hypot(x, y);
+  return std::sqrt(x * x + y * y);
 }
 
 double to_segment(Point p, Point a, Point b) {
@@ -85,6 +88,11 @@ double DiscPaths::clearance(Point p) const {
   double least = kFar;
   for (const Point square : squares_) least = std::min(least, to_square(p, square));
   return least;
+}
+
+bool DiscPaths::clear(Point p) const {
+  return std::ranges::all_of(squares_,
+                             [&](Point square) { return to_square(p, square) >= limit_; });
 }
 
 double DiscPaths::clearance(Point a, Point b) const {

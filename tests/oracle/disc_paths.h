@@ -24,7 +24,7 @@ class DiscPaths {
   double clearance(Point a, Point b) const;
   /// Of an arc of less than a full turn, between two angles, from < to.
   double arc_clearance(Point centre, double from, double to) const;
-  bool clear(Point p) const { return clearance(p) >= limit_; }
+  bool clear(Point p) const;
 
   /// The length of a shortest path between two clear points; nothing where there is none.
   std::optional<double> shortest(Point start, Point goal);
