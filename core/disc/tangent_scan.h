@@ -3,8 +3,9 @@
 // Rays run into one quadrant, in mirrored columns u as in kernels/sight/scan_cone.h, whose windows
 // and fixed point this shares: line j (j = 0, 1, ...) is a grid line, row j the cells between lines j
 // and j + 1. A gap holds what the rays between two of them reach of a line. Blocked cells, in which
-// no point is free, cut gaps; the band does not: what is found may turn out to be out of sight. Rays
-// past a blocked cell are those past its corners, tangents from the circle to a lattice point.
+// no point is free, cut gaps, and so do shadows that the visitor casts; the rest of the band does not:
+// what is found may turn out to be out of sight. Rays past a blocked cell are those past its corners,
+// tangents from the circle to a lattice point.
 //
 // A gap grows as long as rays still leave the circle: one of its sides is the circle itself, which is
 // free there, until the row in which the last ray leaves.
@@ -33,6 +34,15 @@ struct Gap {
   bool grows = false;  ///< one side is the circle
 };
 
+/// Rays that end in the row in hand: columns on the next line, and the slopes of the rays there
+/// where these are known.
+struct Shadow {
+  Fixed left, right;
+  Fixed left_slope = kUnknownSlope, right_slope = kUnknownSlope;
+
+  static constexpr Fixed kUnknownSlope = -1;
+};
+
 /// A circle or point, and the first and last of the rays that leave it.
 struct Sweep {
   double u, v;      ///< centre; v from line 0 on
@@ -51,14 +61,15 @@ constexpr Fixed kOutward = kOne >> 23;  ///< what is looked at beyond the sides 
 constexpr Fixed kThin = kOne >> 26;     ///< a gap that is not wider holds no ray of its own
 
 /// A Visitor has
-///   void meet(int u, const Gap&)  for each cell of row gap.line that arcs pass
+///   void meet(int u, const Gap&, const Gap& next)  for each cell of row gap.line that arcs pass;
+///       `next`: its sides on the next line. Adds to `shadows`.
 ///   kernels::ConeLimits limits()  asked when the scan leaves the neighbourhood
 ///   bool go_on(std::int64_t words)  told of the work done, false to stop.
 template <int S, class Visitor>
 class TangentScan {
  public:
   TangentScan(const ScanFrame& frame, const Sweep& sweep, std::vector<Gap>& stack,
-              Visitor& visitor) noexcept
+              std::vector<Shadow>& shadows, Visitor& visitor) noexcept
       : sweep_(sweep),
         row0_(row_bytes(frame, frame.blocked)),
         passed0_(row_bytes(frame, frame.passed)),
@@ -71,6 +82,7 @@ class TangentScan {
                                                        : frame.line0)),
         limit_(kernels::fixed(kernels::floor_column(to_fixed(start_u_)) + kNearColumns)),
         stack_(stack),
+        shadows_(shadows),
         visitor_(visitor) {}
 
   /// Returns whether rays were cut off at the limits.
@@ -136,8 +148,8 @@ class TangentScan {
     return sweep_.u + sweep_.offset * sweep_.to.a + last_slope_ * (line - leaves_v_);
   }
 
-  // Of the ray through a lattice point.
-  Fixed slope_to(int u, int line) const noexcept {
+  // Of the ray through a point.
+  Fixed slope_to(double u, int line) const noexcept {
     const double du = u - sweep_.u, dv = line - sweep_.v;
     const double along =
         std::sqrt(std::max(0.0, du * du + dv * dv - sweep_.offset * sweep_.offset));
@@ -175,7 +187,7 @@ class TangentScan {
     return gap.right - gap.left > kOne;
   }
 
-  // Follows one gap until it ends; others that it falls into go on the stack. False when stopped.
+  // Follows one gap until it ends or falls into several, which go on the stack. False when stopped.
   bool follow(Gap& gap) {
     const char* next = row0_ + step_ * gap.line;
     const char* passed = passed0_ + step_ * gap.line;
@@ -184,29 +196,28 @@ class TangentScan {
         gap.right_slope = slope_to(floor_of(gap.right + kOutward), gap.line);
         gap.wall = false;
       }
-      Fixed left = gap.left + gap.left_slope;
-      Fixed right = gap.wall ? gap.right : gap.right + gap.right_slope;
-      if (gap.grows) (sweep_.offset > 0 ? left : right) = to_fixed(edge(gap.line + 1));
-      if (near_ && (gap.line > last_line_ || right > limit_)) look_far();
+      Gap ahead = gap;
+      ahead.left += gap.left_slope;
+      if (!gap.wall) ahead.right += gap.right_slope;
+      ++ahead.line;
+      if (gap.grows) (sweep_.offset > 0 ? ahead.left : ahead.right) = to_fixed(edge(ahead.line));
+      if (near_ && (gap.line > last_line_ || ahead.right > limit_)) look_far();
       if (gap.line > last_line_) {
         cut_off_ = true;
         return true;
       }
       ++words_;
       const Fixed from = gap.line == 0 ? std::max(gap.left, to_fixed(start_u_)) : gap.left;
-      const Fixed reached = std::min(right, limit_);
+      const Fixed reached = std::min(ahead.right, limit_);
       const int to = std::min(border_, floor_of(reached + kOutward));
-      const bool open = look(next, passed, floor_of(from - kOutward), to, gap);
-      const int first = floor_of(from + kOutward), last = floor_of(reached - kOutward);
-      const bool grown = gap.grows && gap.line + 1 >= leaves_v_;
-      if (open) {
-        gap.left = left;
-        gap.right = right;
-      } else if (!split(next, first, last, left, right, gap)) {
+      const bool open = look(next, passed, floor_of(from - kOutward), to, gap, ahead);
+      if (!open || !shadows_.empty()) {
+        split(next, floor_of(from + kOutward), floor_of(reached - kOutward), ahead);
+        shadows_.clear();
         return words_ < kWordsAtOnce || tell();
       }
-      ++gap.line;
-      if (grown && gap.grows) finish(gap);
+      if (ahead.grows && ahead.line >= leaves_v_) finish(ahead);
+      gap = ahead;
       if (!clip(gap, gap.line)) return true;
       if (words_ >= kWordsAtOnce && !tell()) return false;
     }
@@ -225,7 +236,8 @@ class TangentScan {
   }
 
   // Meets the cells that arcs pass; true if no cell is blocked from one column to another.
-  bool look(const char* next, const char* passed, int from, int to, const Gap& gap) {
+  bool look(const char* next, const char* passed, int from, int to, const Gap& gap,
+            const Gap& ahead) {
     bool open = true;
     for (int c = from; c <= to; c += B::kValid) {
       const std::uint64_t valid = B::to(std::min(to - c, B::kValid - 1));
@@ -234,44 +246,70 @@ class TangentScan {
       for (std::uint64_t cells = B::window(passed, c) & valid & ~blocked; cells != 0;) {
         const int i = B::first(cells);
         cells &= ~B::only(i);
-        visitor_.meet(c + i, gap);
+        visitor_.meet(c + i, gap, ahead);
       }
     }
     return open;
   }
 
-  // Goes on by a row with blocked cells. The last gap stays (false if there is none), on its line;
-  // those before it go on the stack. `left` and `right` are the sides on the next line.
-  bool split(const char* next, int c, int last, Fixed left, Fixed right, Gap& gap) {
-    bool at_edge = sweep_.offset > 0 && gap.grows;
+  // Cuts a gap, whose sides are those on the next line, at the blocked cells from column c on.
+  void split(const char* next, int c, int last, Gap gap) {
+    const int line = gap.line - 1;
+    const bool right_grows = gap.grows && sweep_.offset < 0;
+    bool left_grows = gap.grows && sweep_.offset > 0;
     for (;;) {
       if (c <= last && kernels::blocked_cell<S>(next, c)) {
         c = kernels::next_cell<S, false>(next, c + 1, last);
-        if (c > last) return false;
-        gap.left_slope = slope_to(c, gap.line);
-        left = kernels::fixed(c) + gap.left_slope;
-        at_edge = false;
+        if (c > last) return;
+        gap.left_slope = slope_to(c, line);
+        gap.left = kernels::fixed(c) + gap.left_slope;
+        left_grows = false;
       }
       const int a = kernels::next_cell<S, true>(next, c, last);
+      Gap part = gap;
+      part.grows = left_grows;
       if (a > last) {
-        gap.left = left;
-        gap.right = right;
-        gap.grows = gap.grows && (at_edge || sweep_.offset < 0);
-        return gap.grows || right - left > kThin;
+        part.grows |= right_grows;
+        return shade(part, 0);
       }
-      const Fixed stop = kernels::fixed(a);
-      if (stop - left > kThin || at_edge) {
-        Gap& part = stack_.emplace_back();
-        part.left = left;
-        part.right = stop;
-        part.left_slope = gap.left_slope;
-        part.line = gap.line + 1;
-        part.wall = true;
-        part.grows = at_edge;
-        if (at_edge && part.line >= leaves_v_) finish(part);
-      }
+      part.right = kernels::fixed(a);
+      part.wall = true;
+      shade(part, 0);
       c = a;
     }
+  }
+
+  // Takes the shadows from the first one on off a gap; what is left goes on the stack.
+  void shade(Gap gap, std::size_t first) {
+    const bool grows_left = gap.grows && sweep_.offset > 0;
+    for (; first < shadows_.size(); ++first) {
+      const Shadow& shadow = shadows_[first];
+      if (shadow.right <= gap.left || shadow.left >= gap.right) continue;
+      if (shadow.right < gap.right) {
+        Gap rest = gap;
+        rest.left = shadow.right;
+        rest.left_slope = slope_at(shadow.right, shadow.right_slope, gap.line);
+        rest.grows = gap.grows && !grows_left;
+        if (shadow.left <= gap.left) {
+          gap = rest;
+          continue;
+        }
+        shade(rest, first + 1);
+      } else if (shadow.left <= gap.left) {
+        return;
+      }
+      gap.right = shadow.left;
+      gap.right_slope = slope_at(shadow.left, shadow.left_slope, gap.line);
+      gap.wall = false;
+      gap.grows = grows_left;
+    }
+    if (gap.right - gap.left <= kThin && !gap.grows) return;
+    if (gap.grows && gap.line >= leaves_v_) finish(gap);
+    stack_.push_back(gap);
+  }
+  Fixed slope_at(Fixed u, Fixed known, int line) const noexcept {
+    if (known != Shadow::kUnknownSlope) return known;
+    return slope_to(static_cast<double>(u) / static_cast<double>(kOne), line);
   }
 
   static constexpr std::int64_t kWordsAtOnce = 4096;
@@ -289,6 +327,7 @@ class TangentScan {
   Fixed limit_;
   Fixed left0_ = 0, right0_ = 0, slope_ = 0;
   std::vector<Gap>& stack_;
+  std::vector<Shadow>& shadows_;  // of the row in hand
   Visitor& visitor_;
   std::int64_t words_ = 0;
   bool cut_off_ = false;

@@ -52,7 +52,7 @@ struct Seen {
 /// What a view keeps from time to time.
 class ViewMemory {
  public:
-  std::int64_t bytes() const noexcept { return held_bytes(marks_, tangents_, stack_); }
+  std::int64_t bytes() const noexcept { return held_bytes(marks_, tangents_, stack_, shadows_); }
 
  private:
   template <class Sink>
@@ -64,12 +64,17 @@ class ViewMemory {
   };
   struct Waiting {
     Tangent tangent;
-    double offset, along;  // of its ray: column = (along + b v) / a
-    int row;
+    double offset;
+    double along;          // of its ray: a column = along + b line
+    double column, slope;  // the same: column + slope * line
+    double u, v;           // centre
+    int row;               // in which it touches
+    bool wanted;
   };
   std::vector<Mark> marks_;  // by arc
   std::vector<Waiting> tangents_;
   std::vector<Gap> stack_;
+  std::vector<Shadow> shadows_;
   std::uint32_t scan_ = 0;
 };
 
@@ -107,10 +112,10 @@ class View {
     const Sweep& sweep;
     int down, line0;
 
-    void meet(int u, const Gap& gap) {
+    void meet(int u, const Gap& gap, const Gap& ahead) {
       const int x = S > 0 ? u : -u - 1;
       const int y = down > 0 ? line0 + gap.line : line0 - gap.line - 1;
-      for (const std::uint32_t arc : view.space_.arcs_at(x, y)) view.meet(*this, arc, gap);
+      for (const std::uint32_t arc : view.space_.arcs_at(x, y)) view.meet(*this, arc, gap, ahead);
     }
     kernels::ConeLimits limits() { return view.sink_.template limits<S>(down, line0); }
     bool go_on(std::int64_t words) { return view.sink_.go_on(words); }
@@ -127,7 +132,7 @@ class View {
                           line0};
     Visitor<S> visitor{*this, root, sweep, down, line0};
     begin();
-    return TangentScan<S, Visitor<S>>(frame, sweep, memory_.stack_, visitor).run();
+    return TangentScan<S, Visitor<S>>(frame, sweep, memory_.stack_, memory_.shadows_, visitor).run();
   }
 
   void begin() {
@@ -136,20 +141,22 @@ class View {
   }
 
   template <int S>
-  void meet(const Visitor<S>& visitor, std::uint32_t number, const Gap& gap) {
+  void meet(const Visitor<S>& visitor, std::uint32_t number, const Gap& gap, const Gap& ahead) {
     ViewMemory::Mark& mark = memory_.marks_[number];
     if (mark.scan != memory_.scan_) {
       mark.scan = memory_.scan_;
       mark.tangent = find(visitor, number);
     }
     if (mark.tangent == kDone) return;
-    const ViewMemory::Waiting& waiting = memory_.tangents_[mark.tangent];
-    if (gap.line < waiting.row || !in_gap(visitor.sweep, waiting, gap)) return;
-    mark.tangent = kDone;
+    ViewMemory::Waiting& waiting = memory_.tangents_[mark.tangent];
+    if (gap.line < waiting.row) return;
+    cast_shadow(waiting, ahead);
+    if (!waiting.wanted || !in_gap(visitor.sweep, waiting, gap)) return;
+    waiting.wanted = false;
     offer(visitor.root, number, waiting.offset < 0, waiting.tangent);
   }
 
-  // The tangent to an arc, if there is one among the rays; kDone for none.
+  // The tangent to an arc, if there is one in the quadrant; kDone for none.
   template <int S>
   std::uint32_t find(const Visitor<S>& visitor, std::uint32_t number) {
     const Arc& arc = space_.arcs()[number];
@@ -158,13 +165,41 @@ class View {
     const double offset = rising ? -space_.radius() : space_.radius();
     if (number == visitor.root.arc || (!rising && arc.type != type_passed(visitor.root.heading, false)))
       return kDone;
-    const double v = visitor.down * (arc.y - visitor.line0);
-    const Tangent line = tangent(S * arc.x - sweep.u, v - sweep.v, sweep.offset - offset);
-    if (line.length < 0 || !on_arc(arc, line.normal) || !between(sweep, line.normal)) return kDone;
+    const double u = S * arc.x, v = visitor.down * (arc.y - visitor.line0);
+    const Tangent line = tangent(u - sweep.u, v - sweep.v, sweep.offset - offset);
     const Normal n = line.normal;
-    memory_.tangents_.push_back({line, offset, n.a * sweep.u - n.b * sweep.v + sweep.offset,
-                                 static_cast<int>(std::floor(v - offset * n.b - kRowSlack))});
+    if (line.length < 0 || n.a < -kSlack || n.b < -kSlack) return kDone;
+    const bool wanted = on_arc(arc, n) && between(sweep, n);
+    if (!wanted && n.a < kLevel) return kDone;
+    const double per_a = 1 / std::max(n.a, kLevel);
+    const double along = n.a * sweep.u - n.b * sweep.v + sweep.offset;
+    memory_.tangents_.push_back({line, offset, along, along * per_a, n.b * per_a, u, v,
+                                 static_cast<int>(std::floor(v - offset * n.b - kRowSlack)), wanted});
     return static_cast<std::uint32_t>(memory_.tangents_.size() - 1);
+  }
+
+  // Rays that meet the circle end there, be the arc that the tangent touches free or not. In the row
+  // where the tangent to its left side touches, all others have met it; where that to its right side
+  // does, those that are in the circle on the next line.
+  void cast_shadow(const ViewMemory::Waiting& waiting, const Gap& ahead) {
+    if (waiting.tangent.normal.a < kLevel) return;
+    const double column = waiting.column + waiting.slope * ahead.line;
+    const double depth = ahead.line - waiting.v;
+    const double square = space_.radius() * space_.radius() - depth * depth;
+    const double half = square > 0 ? std::sqrt(square) : 0;
+    const bool right = waiting.offset < 0;
+    const double end = right ? waiting.u + half : waiting.u - half;
+    if (right ? end <= column : end >= column) return;
+    const Fixed ray = column_of(column), other = column_of(end);
+    const Fixed slope = static_cast<Fixed>(waiting.slope * static_cast<double>(kOne));
+    if (right ? ray < ahead.right && other > ahead.left : other < ahead.right && ray > ahead.left) {
+      memory_.shadows_.push_back(right ? Shadow{.left = ray, .right = other, .left_slope = slope}
+                                       : Shadow{.left = other, .right = ray, .right_slope = slope});
+    }
+  }
+  static Fixed column_of(double column) noexcept {
+    constexpr double kMost = kernels::kAllColumns;
+    return static_cast<Fixed>(std::clamp(column, -kMost, kMost) * static_cast<double>(kOne));
   }
 
   static double turned(Normal from, Normal to) noexcept { return from.a * to.b - from.b * to.a; }
@@ -251,6 +286,7 @@ class View {
 
   static constexpr std::uint32_t kDone = ~std::uint32_t{0};
   static constexpr double kRowSlack = 1e-7, kRaySlack = 1e-8;
+  static constexpr double kLevel = 1e-4;  // rays that are less steep have no column of their own
 
   const DiscSpace& space_;
   ViewMemory& memory_;
