@@ -75,10 +75,11 @@ class Labels {
     }
     return false;
   }
-  /// Up to which normal a label's rays are to be looked along: where the next one of the same turn
-  /// has a shorter way, else the arc's end.
-  Normal last_ray(const Label& label, Normal end) const noexcept {
-    double nearest = 4;
+  /// The label of the same turn that a label's rays are to be looked along up to, since it has a
+  /// shorter way; kStart: none, they reach to the arc's end.
+  std::uint32_t ahead(const Label& label) const noexcept {
+    double nearest = 4;  // more than any turn
+    std::uint32_t found = kStart;
     const Head& head = heads_[label.arc];
     for (std::uint32_t i = head.stamp == stamp_ ? head.first : 0; i != 0; i = labels_[i].next) {
       const Label& other = labels_[i];
@@ -87,9 +88,9 @@ class Labels {
           !(other.length < label.length + radius_ * turned))
         continue;
       nearest = turned;
-      end = other.normal;
+      found = i;
     }
-    return end;
+    return found;
   }
 
   std::int64_t bytes() const noexcept { return labels_.bytes() + held_bytes(heads_); }
