@@ -20,6 +20,9 @@ namespace lasius::disc {
 constexpr double kLeastRadius = 0.05;
 constexpr double kLargestRadius = 54;
 
+/// @throws Error(invalid_parameter) unless kLeastRadius <= radius <= kLargestRadius
+void check_disc_radius(double radius);
+
 /// The free space of a disc: all points whose distance to every blocked cell, a closed square, and
 /// to what lies outside the map is at least the radius (up to kSlack).
 ///
