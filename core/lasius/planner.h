@@ -105,9 +105,12 @@ class LASIUS_EXPORT Planner {
   const Grid& passable() const noexcept;
   /// May the robot's centre be at the centre of a cell, for `exact`?
   bool clear(Cell c) const noexcept;
+  /// Can it go from the centre of one cell to that of another, for `exact`? False proves that it
+  /// cannot; for a point as `connected`.
+  bool joined(Cell a, Cell b) const;
   /// The largest radius in cells, at most 54, with which a disc can go from the centre of one cell to
   /// that of another, whatever this planner's; nothing where not even a point can, or when stopped.
-  /// Makes the disc's free space up to 14 times. Precondition: both are cells of the map.
+  /// Makes a disc's free space for up to 14 radii, and keeps a quarter of a byte a cell of each.
   std::optional<double> widest_disc(Cell a, Cell b, const StopCondition& stop = {}) const;
 
   /// Labels the components under a rule, if that is still to do: those of 8 neighbours, for

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -82,6 +83,15 @@ class Planner::Impl {
     return eight->connected(grid, a, b);
   }
 
+  /// Which cells some points of a disc's free space lie in, and how they are joined. Kept from
+  /// question to question: the first radii that a bisection tries are always the same.
+  struct Regions {
+    Grid blocked;
+    Components four;
+  };
+  /// By the square of the radius in half cells. Nothing if stopped.
+  std::shared_ptr<const Regions> regions(int squared_half_cells, const StopCondition& stop) const;
+
   /// Memory that components hold.
   std::int64_t component_bytes() const noexcept {
     const Components* const eight = eight_.load(std::memory_order_acquire);
@@ -98,6 +108,8 @@ class Planner::Impl {
   Preparation preparation;
 
  private:
+  mutable std::mutex regions_kept_;
+  mutable std::map<int, std::shared_ptr<const Regions>> regions_;
   mutable std::once_flag eight_kept_;
   mutable std::optional<Components> made_eight_;
   mutable std::atomic<const Components*> eight_ = nullptr;  ///< null until they are kept

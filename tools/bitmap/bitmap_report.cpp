@@ -34,7 +34,7 @@ Json map_view_json(const LoadedMap& map, const Window& window) {
                {"height", map.height},
                {"window", {window.columns.from, window.rows.from, window.width(), window.height()}},
                {"walls", walls_json(map.grid(), window)},
-               {"obstacles", map.as_read ? walls_json(*map.as_read, window) : Json(nullptr)},
+               {"obstacles", map.grown() ? walls_json(map.as_read(), window) : Json(nullptr)},
                {"unknown", map.unknown ? walls_json(*map.unknown, window) : Json(nullptr)},
                {"unknown_free", map.unknown_is_free},
                {"to_world", nullptr}};
