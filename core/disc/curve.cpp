@@ -17,8 +17,8 @@ class ArcSides {
   ArcSides(const DiscSpace& space, Point centre, std::vector<Point>& path) noexcept
       : space_(space), centre_(centre), path_(path) {}
 
-  // Between two unit vectors less than half a turn apart: the point where the tangents meet, if both
-  // keep clear, else more of them.
+  // Between two unit vectors less than half a turn apart: the point where the tangents meet, if
+  // both keep clear, else more of them.
   void add(Point from, Point to, int depth) {
     const double x = from.x + to.x, y = from.y + to.y;
     const double size = std::sqrt(x * x + y * y);

@@ -11,7 +11,7 @@ namespace lasius::disc {
 /// A straight piece, or an arc about a corner of a blocked cell with the disc's radius.
 struct CurvePiece {
   Point from, to;
-  int turn = 0;       ///< 0: straight; +1: an arc that turns from the x axis to the y axis, -1: back
+  int turn = 0;  ///< 0: straight; +1: an arc that turns from the x axis to the y axis, -1: back
   Point centre = {};  ///< of an arc
   double angle = 0;   ///< of an arc, in radians, more than 0 and at most pi / 2
 };
