@@ -1,4 +1,5 @@
-// Circles about the corners of blocked cells, and the pieces of them that a disc's centre may be on.
+// Circles about the corners of blocked cells, and the pieces of them that a disc's centre may be
+// on.
 #pragma once
 
 #include <cmath>
@@ -12,6 +13,8 @@ namespace lasius::disc {
 /// All tests of a distance allow for so much, in cells: a disc fits where its centre is nowhere
 /// nearer to a blocked cell than its radius less this.
 constexpr double kSlack = 1e-9;
+/// What boxes and arcs are made with, so that their ends pass such tests.
+constexpr double kMadeSlack = 0.9e-9;
 
 /// A unit vector in the quadrant of both signs: the sizes of its components.
 struct Normal {
@@ -27,16 +30,17 @@ struct Normal {
 /// negative, bit 1 that y is. How far a normal (a, b) has turned in its quadrant is told by its
 /// fraction b / (a + b): 0 along x, 1 along y.
 struct Arc {
-  std::uint16_t x = 0, y = 0;   ///< of the corner
-  std::uint32_t type = 0;       ///< 0 to 3
-  double low = 0, high = 1;     ///< fractions at the ends
+  std::uint16_t x = 0, y = 0;  ///< of the corner
+  std::uint32_t type = 0;      ///< 0 to 3
+  double low = 0, high = 1;    ///< fractions at the ends
 
   int right() const noexcept { return (type & 1) != 0 ? -1 : 1; }  ///< sign of normals' x
   int down() const noexcept { return (type & 2) != 0 ? -1 : 1; }   ///< sign of normals' y
 };
 static_assert(sizeof(Arc) == 24);
 
-/// How far a normal has turned past an end of an arc: the sine of the angle, times a number of [0.7, 1].
+/// How far a normal has turned past an end of an arc: the sine of the angle, times a number of
+/// [0.7, 1].
 inline double past(double fraction, Normal n) noexcept {
   return (1 - fraction) * n.b - fraction * n.a;
 }

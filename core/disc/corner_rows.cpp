@@ -26,8 +26,8 @@ CornerRows::CornerRows(const Grid& grid)
         const int bit = std::countr_zero(left);
         std::uint32_t type = 0;
         while ((rows_[type][word] >> bit & 1) == 0) ++type;
-        corners_.push_back({static_cast<std::uint16_t>(64 * i + bit),
-                            static_cast<std::uint16_t>(y), type});
+        corners_.push_back(
+            {static_cast<std::uint16_t>(64 * i + bit), static_cast<std::uint16_t>(y), type});
       }
     }
   }

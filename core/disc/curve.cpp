@@ -17,8 +17,8 @@ class ArcSides {
   ArcSides(const DiscSpace& space, Point centre, std::vector<Point>& path) noexcept
       : space_(space), centre_(centre), path_(path) {}
 
-  // Between two unit vectors less than half a turn apart: the point where the tangents meet, if both
-  // keep clear, else more of them.
+  // Between two unit vectors less than half a turn apart: the point where the tangents meet, if
+  // both keep clear, else more of them.
   void add(Point from, Point to, int depth) {
     const double x = from.x + to.x, y = from.y + to.y;
     const double size = std::sqrt(x * x + y * y);
@@ -26,8 +26,9 @@ class ArcSides {
     const double half = 0.5 * size;  // the cosine of half the angle
     if (half >= kCoarsest || depth == kDeepest) {
       const Point vertex = on(middle, space_.radius() / half);
-      const bool keeps = depth == kDeepest || (space_.sees(on(from, space_.radius()), vertex) &&
-                                               space_.sees(vertex, on(to, space_.radius())));
+      const bool keeps = depth == kDeepest ||
+                         (space_.clear(vertex) && space_.sees(on(from, space_.radius()), vertex) &&
+                          space_.sees(vertex, on(to, space_.radius())));
       if (keeps) {
         path_.push_back(vertex);
         return;

@@ -6,8 +6,8 @@
 
 namespace lasius::disc {
 
-/// As of a point: `path` is the polyline of the curve (polyline_of), `length` the curve's own, which
-/// is the one that `lower_bound` and `optimal` are about.
+/// As of a point: `path` is the polyline of the curve (polyline_of), `length` the curve's own,
+/// which is the one that `lower_bound` and `optimal` are about.
 struct DiscAnswer : ExactAnswer {
   Curve curve;  ///< start to goal; empty without one
 };

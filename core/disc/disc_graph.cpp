@@ -28,7 +28,8 @@ class DiscGraph::Builder {
     fixed_bytes_ = held_bytes(graph_->chunks_);
     too_large_ = fixed_bytes_ > options_.max_bytes;
     const int threads = thread_count(options_.threads);
-    std::vector<Worker> team(static_cast<std::size_t>(threads), Worker{Poller(options_.stop), {}, {}});
+    std::vector<Worker> team(static_cast<std::size_t>(threads),
+                             Worker{Poller(options_.stop), {}, {}});
     parallel_for(static_cast<int>(graph_->chunks_.size()), threads, [&](int chunk, int thread) {
       if (!stopped_ && !too_large_)
         fill(static_cast<std::uint32_t>(chunk), team[static_cast<std::size_t>(thread)]);
@@ -61,11 +62,10 @@ class DiscGraph::Builder {
       // Lines that do not cross are as long as the centres are apart.
       const double x = to.x - from.x, y = to.y - from.y;
       const bool across = seen.length * seen.length + 2 * radius * radius < x * x + y * y;
-      worker.edges.push_back({seen.normal.angle(),
-                              seen.arc | (seen.rising ? GraphEdge::kRising : 0) |
-                                  (across ? GraphEdge::kAcross : 0),
-                              static_cast<std::int16_t>(to.x - from.x),
-                              static_cast<std::int16_t>(to.y - from.y)});
+      worker.edges.push_back(
+          {seen.normal.angle(),
+           seen.arc | (seen.rising ? GraphEdge::kRising : 0) | (across ? GraphEdge::kAcross : 0),
+           static_cast<std::int16_t>(to.x - from.x), static_cast<std::int16_t>(to.y - from.y)});
     }
     template <int S>
     kernels::ConeLimits limits(int down, int line0) const noexcept {

@@ -29,12 +29,12 @@ struct GraphEdge {
 };
 static_assert(sizeof(GraphEdge) == 16);
 
-/// For each arc and way to turn around it all lines that lead on, from the arc's far end: those that
-/// a disc can take which comes to it at some normal are the first ones.
+/// For each arc and way to turn around it all lines that lead on, from the arc's far end: those
+/// that a disc can take which comes to it at some normal are the first ones.
 class DiscGraph {
  public:
-  /// Takes a view from every arc, both ways, in parallel; the result does not depend on the threads.
-  /// Null if it would take more than the bytes allowed, or was stopped: `report` tells.
+  /// Takes a view from every arc, both ways, in parallel; the result does not depend on the
+  /// threads. Null if it would take more than the bytes allowed, or was stopped: `report` tells.
   static std::shared_ptr<DiscGraph> make(const DiscSpace& space, const PrepareOptions& options,
                                          Preparation& report);
 

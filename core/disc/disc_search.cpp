@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::int64_t kWordsPerExpansion = 16;
 
-// As in the search for a point: the weighted search that runs now and then until there is a path, and
-// how far ahead of a label's bound its view is taken at first.
+// As in the search for a point: the weighted search that runs now and then until there is a path,
+// and how far ahead of a label's bound its view is taken at first.
 constexpr double kWeight = 1.2;
 constexpr std::int64_t kFirstWeighted = 16;
 constexpr std::int64_t kWeightedShare = 8;
@@ -44,7 +44,8 @@ struct DiscSearch::Sink {
     return wants(seen.arc, seen.rising, seen.normal, seen.normal.angle(), seen.length,
                  seen.arrives);
   }
-  bool wants(std::uint32_t arc, bool rising, Normal normal, double angle, double way, Point arrives) {
+  bool wants(std::uint32_t arc, bool rising, Normal normal, double angle, double way,
+             Point arrives) {
     const double to_goal = distance(arrives, search.goal_);
     double length = from.length + way;
     if (search.in_hand_ != Labels::kStart)
@@ -203,8 +204,8 @@ double DiscSearch::ahead(int scans) const noexcept {
   return (kHorizon * straight_ + kHorizonOfRise * (lower_ - straight_)) * (1 << 2 * scans);
 }
 
-// As in the search for a point: a view that was cut off waits in the frontier with the horizon as its
-// key, and looks four times as far ahead then.
+// As in the search for a point: a view that was cut off waits in the frontier with the horizon as
+// its key, and looks four times as far ahead then.
 void DiscSearch::expand(std::uint32_t number) {
   ++counters_.expansions;
   Label& label = labels_[number];

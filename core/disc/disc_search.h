@@ -16,16 +16,17 @@ namespace lasius::disc {
 
 /// A* over taut turns. Keeps its memory from search to search. One thread at a time.
 ///
-/// A shortest path of a disc's centre is made of arcs about corners of blocked cells and of lines that
-/// touch them: it is taut. A label is a way to an arc, with its length g to where it touches it; to
-/// leave it is to turn around the arc, and to go on along a line to what is seen from there
+/// A shortest path of a disc's centre is made of arcs about corners of blocked cells and of lines
+/// that touch them: it is taut. A label is a way to an arc, with its length g to where it touches
+/// it; to leave it is to turn around the arc, and to go on along a line to what is seen from there
 /// (core/disc/view.h). The frontier holds labels by g + h, h the straight distance to the goal. No
-/// path is shorter than its least key (lower bound), the first label that sees the goal gives a path
-/// (upper bound); where they meet, it is proven shortest. docs/exact.md proves that none is missed.
+/// path is shorter than its least key (lower bound), the first label that sees the goal gives a
+/// path (upper bound); where they meet, it is proven shortest. docs/exact.md proves that none is
+/// missed.
 ///
-/// With a graph views are taken from start and goal alone: the first labels are asked whether they see
-/// the goal, then the goal tells which arcs see it. Both look as far as a horizon; when the bound has
-/// risen to it, farther.
+/// With a graph views are taken from start and goal alone: the first labels are asked whether they
+/// see the goal, then the goal tells which arcs see it. Both look as far as a horizon; when the
+/// bound has risen to it, farther.
 class DiscSearch {
  public:
   /// Plans between two clear points. Deterministic, except for when it is stopped.

@@ -10,9 +10,9 @@ namespace lasius::disc {
 /// From its upper end down.
 struct DiscSpace::Segment {
   Point from, to;
-  double x, y;   // along it
-  double across; // columns a row
-  double least;  // of the square of what it has to pass circles' centres by, times its own
+  double x, y;    // along it
+  double across;  // columns a row
+  double least;   // of the square of what it has to pass circles' centres by, times its own
   double at(double row) const noexcept {
     return row <= from.y ? from.x : row >= to.y ? to.x : from.x + (row - from.y) * across;
   }
@@ -41,7 +41,8 @@ bool DiscSpace::keeps_box(const Segment& segment, int x, int y) const noexcept {
   if (left < x || right > x + 1) {  // the part that is in the cell
     const double slope = segment.y / segment.x;
     const double enters = segment.from.y + (std::max<double>(left, x) - segment.from.x) * slope;
-    const double leaves = segment.from.y + (std::min<double>(right, x + 1) - segment.from.x) * slope;
+    const double leaves =
+        segment.from.y + (std::min<double>(right, x + 1) - segment.from.x) * slope;
     const auto [first, last] = std::minmax(enters, leaves);
     top = std::max(top, first);
     bottom = std::min(bottom, last);
@@ -51,7 +52,8 @@ bool DiscSpace::keeps_box(const Segment& segment, int x, int y) const noexcept {
   return left >= box.left && right <= box.right && top >= box.top && bottom <= box.bottom;
 }
 
-bool DiscSpace::row_free(const Segment& segment, int y, double low_x, double high_x) const noexcept {
+bool DiscSpace::row_free(const Segment& segment, int y, double low_x,
+                         double high_x) const noexcept {
   const int first = std::clamp(static_cast<int>(low_x), 0, map_.width() - 1);
   const int last = std::clamp(static_cast<int>(std::ceil(high_x)) - 1, first, map_.width() - 1);
   const std::uint64_t* blocked = blocked_.row(y);

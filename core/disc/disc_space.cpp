@@ -45,7 +45,7 @@ std::optional<DiscSpace> DiscSpace::make(const Grid& grid, double radius,
 DiscSpace::Box DiscSpace::box_of(const BandCell& cell, int x, int y) const noexcept {
   Box box{static_cast<double>(x), static_cast<double>(y), x + 1.0, y + 1.0};
   // From the blocked cell's near side, its steps less one away.
-  const double beside = radius_ - kSlack;
+  const double beside = radius_ - kMadeSlack;
   const auto steps = [&](int side) { return cell.box_and_count >> 6 * side & kFar; };
   if (steps(0) != kFar) box.left = std::max(box.left, x + 1.0 - steps(0) + beside);
   if (steps(1) != kFar) box.top = std::max(box.top, y + 1.0 - steps(1) + beside);
@@ -69,9 +69,7 @@ double DiscSpace::clearance(Point p, double most) const noexcept {
   return std::sqrt(least);
 }
 
-bool DiscSpace::clear(Point p) const noexcept {
-  return clearance(p, radius_) >= radius_ - kSlack;
-}
+bool DiscSpace::clear(Point p) const noexcept { return clearance(p, radius_) >= radius_ - kSlack; }
 
 bool DiscSpace::joined(Point a, Point b) const noexcept {
   const Cell from{column_of(map_, a.x), row_of(map_, a.y)};

@@ -31,12 +31,12 @@ void check_disc_radius(double radius);
 /// beside, above or below it, or to a corner (see Arc) that lies diagonally. So what is free of a
 /// cell is a box without circles: the box ends a radius away from the nearest blocked cells of its
 /// row and column, and where a circle bounds what is free, an arc passes the cell. A segment that
-/// begins in free space and leaves it does so through a side of a box or through an arc, in the cell
-/// that knows it.
+/// begins in free space and leaves it does so through a side of a box or through an arc, in the
+/// cell that knows it.
 ///
-/// A map of w x h cells takes 0.69 w h bytes, 8 for each cell of the band, 24 for each arc and 4 for
-/// each cell that it passes. Nothing is random, nothing depends on threads. Const members may be
-/// called by several threads at once.
+/// A map of w x h cells takes 0.69 w h bytes, 8 for each cell of the band, 24 for each arc and 4
+/// for each cell that it passes. Nothing is random, nothing depends on threads. Const members may
+/// be called by several threads at once.
 class DiscSpace {
  public:
   /// Copies the map. Empty if stopped.

@@ -24,7 +24,7 @@ int columns_within(double limit, int rows) {
 }  // namespace
 
 Reach::Reach(double radius) {
-  const double limit = radius - kSlack;
+  const double limit = radius - kMadeSlack;
   for (int rows = 0; columns_within(limit, rows) >= 0; ++rows) {
     covered.push_back(columns_within(limit, rows));
   }

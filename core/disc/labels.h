@@ -13,8 +13,8 @@
 
 namespace lasius::disc {
 
-/// A way to an arc and the turn around it: what comes early by a longer way and what comes late by a
-/// shorter one can both matter, so an arc may have several.
+/// A way to an arc and the turn around it: what comes early by a longer way and what comes late by
+/// a shorter one can both matter, so an arc may have several.
 struct Label {
   double length = 0;   ///< from the start to where it touches the arc
   double to_goal = 0;  ///< from there, straight
@@ -59,8 +59,9 @@ class Labels {
   }
 
   /// Is there a shorter way to where a label touches its arc, along the arc from where another one
-  /// does? One of the same turn that comes there by a way of the same length will do, too. Distances
-  /// along an arc are the least that there are on the arc, so no shortest path has such a label.
+  /// does? One of the same turn that comes there by a way of the same length will do, too.
+  /// Distances along an arc are the least that there are on the arc, so no shortest path has such a
+  /// label.
   bool dominated(const Label& label, std::uint32_t number = ~std::uint32_t{0}) const noexcept {
     const Head& head = heads_[label.arc];
     for (std::uint32_t i = head.stamp == stamp_ ? head.first : 0; i != 0; i = labels_[i].next) {

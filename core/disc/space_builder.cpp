@@ -56,7 +56,7 @@ SpaceBuilder::SpaceBuilder(DiscSpace& space, Poller& poller)
     : space_(space),
       poller_(poller),
       radius_(space.radius()),
-      least_square_((radius_ - kSlack) * (radius_ - kSlack)),
+      least_square_((radius_ - kMadeSlack) * (radius_ - kMadeSlack)),
       reach_(radius_),
       corners_(space.map()),
       columns_(transposed(space.map())) {}
@@ -135,8 +135,8 @@ void SpaceBuilder::find_circles(int x, int y) {
       const int columns = reach_.covered[rows];
       const int corner_y = up ? y + 1 + rows : y - rows;
       const int first = left ? x + 1 : x - columns;
-      std::uint64_t found = corners_.window(type, first, corner_y) &
-                            (~std::uint64_t{0} >> (63 - columns));
+      std::uint64_t found =
+          corners_.window(type, first, corner_y) & (~std::uint64_t{0} >> (63 - columns));
       for (; found != 0; found &= found - 1) {
         circles_.push_back({first + std::countr_zero(found), corner_y, type});
       }
@@ -176,8 +176,8 @@ void SpaceBuilder::cut(const Circle& circle, const Circle& other) {
   const double y = (circle.type & 2) != 0 ? circle.y - other.y : other.y - circle.y;
   const double square = x * x + y * y;
   if (square == 0 || (x < 0 && y < 0)) return;
-  // The normals at which the circle is radius_ - kSlack away from the other one's centre.
-  const double share = (square + 2 * radius_ * kSlack) / (2 * radius_ * square);
+  // The normals at which the circle is radius_ - kMadeSlack away from the other one's centre.
+  const double share = (square + 2 * radius_ * kMadeSlack) / (2 * radius_ * square);
   const double cosine_square = share * share * square;
   if (cosine_square >= 1) return;
   const double across = std::sqrt((1 - cosine_square) / square);
@@ -186,7 +186,8 @@ void SpaceBuilder::cut(const Circle& circle, const Circle& other) {
   if (high < low) (x < 0 ? high += 4 : low -= 4);
   cut_spans_.clear();
   for (const Span& span : spans_) {
-    if (span.low <= std::min(span.high, low)) cut_spans_.push_back({span.low, std::min(span.high, low)});
+    if (span.low <= std::min(span.high, low))
+      cut_spans_.push_back({span.low, std::min(span.high, low)});
     if (std::max(span.low, high) <= span.high && high > low)
       cut_spans_.push_back({std::max(span.low, high), span.high});
   }

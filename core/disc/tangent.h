@@ -15,11 +15,11 @@ struct Heading {
   int right = 1, down = 1;
 };
 
-/// Rays into a quadrant turn around circles on their left (towards v) or right (towards u). A ray of
-/// direction (b, a) in u, v, with a, b >= 0, touches a circle at its centre + offset (a, -b), where the
-/// offset is the radius for a circle on its left and minus the radius for one on its right; 0 for a
-/// point. Along an arc the normal's fraction falls for a circle on the left, rises for one on the
-/// right.
+/// Rays into a quadrant turn around circles on their left (towards v) or right (towards u). A ray
+/// of direction (b, a) in u, v, with a, b >= 0, touches a circle at its centre + offset (a, -b),
+/// where the offset is the radius for a circle on its left and minus the radius for one on its
+/// right; 0 for a point. Along an arc the normal's fraction falls for a circle on the left, rises
+/// for one on the right.
 constexpr Heading heading_of(const Arc& arc, bool rising) noexcept {
   const int right = (arc.type & 1) != 0 ? -1 : 1, down = (arc.type & 2) != 0 ? -1 : 1;
   return rising ? Heading{-right, down} : Heading{right, -down};

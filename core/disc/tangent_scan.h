@@ -1,14 +1,14 @@
 // The rays that leave a circle along one of its arcs, or a point, followed row by row on bits.
 //
 // Rays run into one quadrant, in mirrored columns u as in kernels/sight/scan_cone.h, whose windows
-// and fixed point this shares: line j (j = 0, 1, ...) is a grid line, row j the cells between lines j
-// and j + 1. A gap holds what the rays between two of them reach of a line. Blocked cells, in which
-// no point is free, cut gaps, and so do shadows that the visitor casts; the rest of the band does not:
-// what is found may turn out to be out of sight. Rays past a blocked cell are those past its corners,
-// tangents from the circle to a lattice point.
+// and fixed point this shares: line j (j = 0, 1, ...) is a grid line, row j the cells between lines
+// j and j + 1. A gap holds what the rays between two of them reach of a line. Blocked cells, in
+// which no point is free, cut gaps, and so do shadows that the visitor casts; the rest of the band
+// does not: what is found may turn out to be out of sight. Rays past a blocked cell are those past
+// its corners, tangents from the circle to a lattice point.
 //
-// A gap grows as long as rays still leave the circle: one of its sides is the circle itself, which is
-// free there, until the row in which the last ray leaves.
+// A gap grows as long as rays still leave the circle: one of its sides is the circle itself, which
+// is free there, until the row in which the last ray leaves.
 #pragma once
 
 #include <algorithm>
@@ -53,7 +53,7 @@ struct Sweep {
 /// Where a scan runs: rows of blocked cells, and of those that arcs pass.
 struct ScanFrame {
   kernels::BitmapView blocked, passed;
-  int down;   ///< +1: line j is grid line line0 + j; -1: line0 - j
+  int down;  ///< +1: line j is grid line line0 + j; -1: line0 - j
   int line0;
 };
 
@@ -78,8 +78,8 @@ class TangentScan {
         leaves_v_(sweep.v - sweep.offset * sweep.to.b),
         last_slope_(slope_of(sweep.to)),
         border_(S > 0 ? frame.blocked.width : 0),
-        last_line_(std::min(kNearLines, frame.down > 0 ? frame.blocked.height - frame.line0
-                                                       : frame.line0)),
+        last_line_(std::min(kNearLines,
+                            frame.down > 0 ? frame.blocked.height - frame.line0 : frame.line0)),
         limit_(kernels::fixed(kernels::floor_column(to_fixed(start_u_)) + kNearColumns)),
         stack_(stack),
         shadows_(shadows),
@@ -142,8 +142,8 @@ class TangentScan {
   double edge(int line) const noexcept {
     const double depth = line - sweep_.v;
     if (line < leaves_v_) {
-      return sweep_.u + std::copysign(std::sqrt(sweep_.offset * sweep_.offset - depth * depth),
-                                      sweep_.offset);
+      return sweep_.u +
+             std::copysign(std::sqrt(sweep_.offset * sweep_.offset - depth * depth), sweep_.offset);
     }
     return sweep_.u + sweep_.offset * sweep_.to.a + last_slope_ * (line - leaves_v_);
   }
@@ -321,7 +321,7 @@ class TangentScan {
   const char* passed0_;
   std::ptrdiff_t step_;
   double start_u_, leaves_v_, last_slope_;
-  int border_;  // the column past the map
+  int border_;        // the column past the map
   bool near_ = true;  // limits were not asked for yet
   int last_line_;
   Fixed limit_;

@@ -1,4 +1,5 @@
-// What a disc sees from an arc that it turns around, or from a point: the arcs that it can go on to.
+// What a disc sees from an arc that it turns around, or from a point: the arcs that it can go on
+// to.
 #pragma once
 
 #include <cmath>
@@ -13,11 +14,11 @@
 
 namespace lasius::disc {
 
-/// Where a view is taken from: an arc and the normal that the disc comes to it by, or a point. As an
-/// arc of radius 0 a point has neither type nor ends.
+/// Where a view is taken from: an arc and the normal that the disc comes to it by, or a point. As
+/// an arc of radius 0 a point has neither type nor ends.
 struct Root {
-  double x, y;     ///< centre
-  double offset;   ///< see heading_of
+  double x, y;    ///< centre
+  double offset;  ///< see heading_of
   Heading heading;
   Normal from, to;  ///< the first and last ray
   std::uint32_t arc;
@@ -27,9 +28,13 @@ struct Root {
   /// Rays onward from `from` to the arc's end.
   static Root on(const DiscSpace& space, std::uint32_t arc, bool rising, Normal from) noexcept {
     const Arc& a = space.arcs()[arc];
-    return {static_cast<double>(a.x), static_cast<double>(a.y),
-            rising ? -space.radius() : space.radius(), heading_of(a, rising), from,
-            normal_at(rising ? a.high : a.low), arc};
+    return {static_cast<double>(a.x),
+            static_cast<double>(a.y),
+            rising ? -space.radius() : space.radius(),
+            heading_of(a, rising),
+            from,
+            normal_at(rising ? a.high : a.low),
+            arc};
   }
   /// All rays into one quadrant.
   static Root at(Point p, Heading heading) noexcept {
@@ -92,9 +97,7 @@ class View {
   }
 
   /// Returns whether rays were cut off at the limits.
-  bool look(const Root& root) {
-    return root.heading.right > 0 ? scan<1>(root) : scan<-1>(root);
-  }
+  bool look(const Root& root) { return root.heading.right > 0 ? scan<1>(root) : scan<-1>(root); }
 
   /// Along the wall that an arc ends at, if it does: to what lies on the last ray alone.
   bool look_along_wall(const Root& root) {
@@ -132,7 +135,8 @@ class View {
                           line0};
     Visitor<S> visitor{*this, root, sweep, down, line0};
     begin();
-    return TangentScan<S, Visitor<S>>(frame, sweep, memory_.stack_, memory_.shadows_, visitor).run();
+    return TangentScan<S, Visitor<S>>(frame, sweep, memory_.stack_, memory_.shadows_, visitor)
+        .run();
   }
 
   void begin() {
@@ -163,7 +167,8 @@ class View {
     const Sweep& sweep = visitor.sweep;
     const bool rising = arc.type == type_passed(visitor.root.heading, true);
     const double offset = rising ? -space_.radius() : space_.radius();
-    if (number == visitor.root.arc || (!rising && arc.type != type_passed(visitor.root.heading, false)))
+    if (number == visitor.root.arc ||
+        (!rising && arc.type != type_passed(visitor.root.heading, false)))
       return kDone;
     const double u = S * arc.x, v = visitor.down * (arc.y - visitor.line0);
     const Tangent line = tangent(u - sweep.u, v - sweep.v, sweep.offset - offset);
@@ -174,13 +179,14 @@ class View {
     const double per_a = 1 / std::max(n.a, kLevel);
     const double along = n.a * sweep.u - n.b * sweep.v + sweep.offset;
     memory_.tangents_.push_back({line, offset, along, along * per_a, n.b * per_a, u, v,
-                                 static_cast<int>(std::floor(v - offset * n.b - kRowSlack)), wanted});
+                                 static_cast<int>(std::floor(v - offset * n.b - kRowSlack)),
+                                 wanted});
     return static_cast<std::uint32_t>(memory_.tangents_.size() - 1);
   }
 
-  // Rays that meet the circle end there, be the arc that the tangent touches free or not. In the row
-  // where the tangent to its left side touches, all others have met it; where that to its right side
-  // does, those that are in the circle on the next line.
+  // Rays that meet the circle end there, be the arc that the tangent touches free or not. In the
+  // row where the tangent to its left side touches, all others have met it; where that to its right
+  // side does, those that are in the circle on the next line.
   void cast_shadow(const ViewMemory::Waiting& waiting, const Gap& ahead) {
     if (waiting.tangent.normal.a < kLevel) return;
     const double column = waiting.column + waiting.slope * ahead.line;
@@ -209,7 +215,8 @@ class View {
            sign * turned(n, sweep.to) >= -kSlack;
   }
   // Is the ray between the sides of a gap, or has it not left the circle before this row?
-  static bool in_gap(const Sweep& sweep, const ViewMemory::Waiting& waiting, const Gap& gap) noexcept {
+  static bool in_gap(const Sweep& sweep, const ViewMemory::Waiting& waiting,
+                     const Gap& gap) noexcept {
     const Normal n = waiting.tangent.normal;
     const double leaves = sweep.v - sweep.offset * n.b;
     if (leaves > gap.line - kRowSlack && (gap.grows || gap.line == 0)) return true;
@@ -227,8 +234,8 @@ class View {
     if (sink_.wants(seen) && space_.sees(seen.leaves, seen.arrives)) sink_.take(seen);
   }
 
-  // An arc that the last ray along a wall touches at its quadrant's edge; it is met with its fraction
-  // at 0 where the ray is upright, 1 where it is level.
+  // An arc that the last ray along a wall touches at its quadrant's edge; it is met with its
+  // fraction at 0 where the ray is upright, 1 where it is level.
   void meet_on_ray(const Root& root, std::uint32_t number) {
     ViewMemory::Mark& mark = memory_.marks_[number];
     if (mark.scan == memory_.scan_ || number == root.arc) return;
@@ -243,8 +250,8 @@ class View {
     const Normal n = rising ? Normal{1, 0} : Normal{0, 1};
     const double radius = space_.radius();
     const double u = heading.right * (arc.x - root.x), v = heading.down * (arc.y - root.y);
-    const double offset = rising ? heading.right * arc.right() * radius
-                                 : -heading.down * arc.down() * radius;
+    const double offset =
+        rising ? heading.right * arc.right() * radius : -heading.down * arc.down() * radius;
     const double beside = n.a * u - n.b * v - (root.offset - offset);
     const double length = rising ? v : u;
     if (std::abs(beside) > kSlack || length < 0) return;

@@ -13,19 +13,26 @@ struct DiscSpace::Nearest {
   double distance = kInfinity;
 };
 
-// Offers what of a cell may be nearest: its free box, where no circle covers that point, a corner of
-// the box, or a point or an end of one of its arcs.
+// Offers what of a cell may be nearest: its free box, where no circle covers that point, a corner
+// of the box, or a point or an end of one of its arcs.
 void DiscSpace::nearest_in(Cell cell, Nearest& nearest) const {
   const Point from = nearest.from;
   const auto offer = [&](Point p) {
-    const double distance = std::sqrt((p.x - from.x) * (p.x - from.x) + (p.y - from.y) * (p.y - from.y));
+    const double distance =
+        std::sqrt((p.x - from.x) * (p.x - from.x) + (p.y - from.y) * (p.y - from.y));
     if (!(distance < nearest.distance) || !clear(p)) return;
     nearest.best = p;
     nearest.distance = distance;
   };
   const bool band = in_band(cell);
-  const Box box = band ? box_of(band_cell(cell.x, cell.y), cell.x, cell.y)
-                       : Box{1.0 * cell.x, 1.0 * cell.y, cell.x + 1.0, cell.y + 1.0};
+  const Box whole{1.0 * cell.x, 1.0 * cell.y, cell.x + 1.0, cell.y + 1.0};
+  Box box = band ? box_of(band_cell(cell.x, cell.y), cell.x, cell.y) : whole;
+  // Points are the radius away from walls where that is possible.
+  const Point middle{0.5 * (box.left + box.right), 0.5 * (box.top + box.bottom)};
+  if (box.left > whole.left) box.left = std::min(box.left + kMadeSlack, middle.x);
+  if (box.top > whole.top) box.top = std::min(box.top + kMadeSlack, middle.y);
+  if (box.right < whole.right) box.right = std::max(box.right - kMadeSlack, middle.x);
+  if (box.bottom < whole.bottom) box.bottom = std::max(box.bottom - kMadeSlack, middle.y);
   offer({std::clamp(from.x, box.left, box.right), std::clamp(from.y, box.top, box.bottom)});
   if (!band) return;
   for (const double x : {box.left, box.right}) {

@@ -97,7 +97,7 @@ class Planner:
         >>> planner.widest_disc((1, 1), (7, 1))
         1.5
         """
-        return made(*self._raw.widest_disc(a, b))
+        return finish(*self._raw.widest_disc(a, b))
 
     def plan(
         self,

@@ -62,21 +62,19 @@ Point on_circle(Point centre, double radius, double angle) {
 
 }  // namespace
 
-DiscPaths::DiscPaths(const Grid& grid, double radius) : radius_(radius), limit_(radius - kSlack) {
-  const auto blocked = [&](int x, int y) { return grid.blocked({x, y}); };
+DiscPaths::DiscPaths(const Grid& grid, double radius, Lines lines)
+    : radius_(radius), limit_(radius - kSlack) {
   std::set<std::pair<int, int>> vertices;
   for (int y = -1; y <= grid.height(); ++y) {
     for (int x = -1; x <= grid.width(); ++x) {
-      // What is nearest is never a square with squares all around.
-      if (!blocked(x, y) || (blocked(x - 1, y) && blocked(x + 1, y) && blocked(x, y - 1) &&
-                             blocked(x, y + 1)))
-        continue;
+      if (grid.free({x, y})) continue;
       squares_.push_back({1.0 * x, 1.0 * y});
       for (const int i : {0, 1}) {
         for (const int j : {0, 1}) vertices.insert({x + i, y + j});
       }
     }
   }
+  if (lines == Lines::none) return;
   for (const auto& [x, y] : vertices) circles_.push_back({1.0 * x, 1.0 * y});
   for (int a = 0; a < static_cast<int>(circles_.size()); ++a) {
     for (int b = a + 1; b < static_cast<int>(circles_.size()); ++b)

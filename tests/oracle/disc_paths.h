@@ -11,12 +11,14 @@
 
 namespace lasius::oracle {
 
-/// Whole circles about all vertices of blocked squares, and of the squares around the map; all lines
-/// that touch two of them; Dijkstra over the points where they touch. Each test of a point, a line
-/// or an arc is a distance to all squares.
+/// Whole circles about all vertices of blocked squares, and of the squares around the map; all
+/// lines that touch two of them; Dijkstra over the points where they touch. Each test of a point, a
+/// line or an arc is a distance to all squares.
 class DiscPaths {
  public:
-  DiscPaths(const Grid& grid, double radius);
+  enum class Lines { all, none };
+  /// Without lines it knows distances alone.
+  DiscPaths(const Grid& grid, double radius, Lines lines = Lines::all);
 
   /// From a point to the nearest square.
   double clearance(Point p) const;

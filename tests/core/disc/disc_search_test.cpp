@@ -46,7 +46,8 @@ void expect_curve(const DiscAnswer& answer, const DiscSpace& space, Point start,
     Point last = piece.from;
     for (int k = 1; k <= 16; ++k) {
       const double angle = from + piece.turn * piece.angle * k / 16;
-      const Point p{piece.centre.x + radius * std::cos(angle), piece.centre.y + radius * std::sin(angle)};
+      const Point p{piece.centre.x + radius * std::cos(angle),
+                    piece.centre.y + radius * std::sin(angle)};
       EXPECT_GE(clearance(p, p), radius - 2e-9);
       last = p;
     }
@@ -80,7 +81,8 @@ TEST(DiscSearch, EqualsBruteForceOnSmallMaps) {
       if (!start || !goal) continue;
       ASSERT_TRUE(paths.clear(*start));
       const auto expected = paths.shortest(*start, *goal);
-      for (const DiscGraph* with : {static_cast<const DiscGraph*>(nullptr), static_cast<const DiscGraph*>(graph.get())}) {
+      for (const DiscGraph* with :
+           {static_cast<const DiscGraph*>(nullptr), static_cast<const DiscGraph*>(graph.get())}) {
         const DiscAnswer answer = solve(search, *space, with, *start, *goal);
         SCOPED_TRACE(testing::Message()
                      << "round " << round << " radius " << radius << " from " << start->x << ' '

@@ -22,7 +22,8 @@ inline int scaled(int count) {
 inline double random_radius(double most, std::mt19937& random) {
   const auto any = [&] { return 0.3 + (most - 0.3) * random_in(0, 1 << 20, random) / (1 << 20); };
   double radius = any();
-  if (random_in(0, 2, random) == 0) radius = std::max(1.0, std::round(2 * radius)) / 2;
+  if (random_in(0, 2, random) == 0)
+    radius = std::max(1.0, std::round(2 * radius)) / 2;
   else if (random_in(0, 1, random) == 0) {
     const int limit = std::max(1, static_cast<int>(2 * radius));
     const int x = random_in(1, limit, random), y = random_in(0, limit, random);
@@ -31,7 +32,8 @@ inline double random_radius(double most, std::mt19937& random) {
   return radius;
 }
 
-/// Rows or columns of walls, each with a door as wide as the disc where it is a whole number of cells.
+/// Rows or columns of walls, each with a door as wide as the disc where it is a whole number of
+/// cells.
 inline Grid walls(int width, int height, double radius, std::mt19937& random) {
   Grid grid(width, height);
   const bool upright = random_in(0, 1, random) == 0;
@@ -50,13 +52,13 @@ inline Grid walls(int width, int height, double radius, std::mt19937& random) {
 /// A small map whose sides suit the radius.
 inline Grid random_map(double radius, std::mt19937& random) {
   const int least = static_cast<int>(4 * radius) + 3;
-  const int width = random_in(least, least + 12, random), height = random_in(least, least + 12, random);
+  const int width = random_in(least, least + 12, random),
+            height = random_in(least, least + 12, random);
   switch (random_in(0, 3, random)) {
     case 0: {  // noise; thinner for larger discs
       const double share = random_in(2, 60, random) / (1 + radius * radius);
-      return grid_of(width, height, [&](int, int) {
-        return random_in(0, 9999, random) < 100 * share;
-      });
+      return grid_of(width, height,
+                     [&](int, int) { return random_in(0, 9999, random) < 100 * share; });
     }
     case 1: {
       Grid grid(width, height);
