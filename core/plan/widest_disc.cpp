@@ -29,9 +29,9 @@ std::shared_ptr<const Planner::Impl::Regions> Planner::Impl::regions(
   }
   const auto space = disc::DiscSpace::make(map(), radius_of(squared_half_cells), stop);
   if (!space) return nullptr;
-  auto four = Components::make(space->blocked_cells(), Components::Connectivity::four, stop);
-  if (!four) return nullptr;
-  auto made = std::make_shared<const Regions>(space->blocked_cells(), std::move(*four));
+  auto joined = Components::make(space->blocked_cells(), Components::Connectivity::four, stop);
+  if (!joined) return nullptr;
+  auto made = std::make_shared<const Regions>(Regions{space->blocked_cells(), std::move(*joined)});
   const std::scoped_lock lock(regions_kept_);
   return regions_.emplace(squared_half_cells, std::move(made)).first->second;
 }
