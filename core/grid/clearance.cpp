@@ -1,20 +1,22 @@
-#include "lasius/clearance.h"
+#include "core/grid/clearance.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "core/base/poller.h"
 
 namespace lasius {
 namespace {
 
 // A cell's centre has odd coordinates in half cells, edges of cells have even ones. Straight up or
-// down, a centre is 2k - 1 half cells from the edge of the blocked cell k rows away.
-std::int32_t edge_distance(std::int32_t rows) noexcept { return std::max(0, 2 * rows - 1); }
+// down, a centre is 2k - 1 half cells from the edge of the blocked cell k rows away, and a whole
+// cell 2k - 2.
+std::int32_t edge_distance(std::int32_t rows, ClearanceOf of) noexcept {
+  return std::max(0, 2 * rows - (of == ClearanceOf::centres ? 1 : 2));
+}
 
-// Half cells from every centre straight up or down to a blocked cell or the outside, row by row;
+// Half cells from every cell straight up or down to a blocked cell or the outside, row by row;
 // false when stopped. `field` is empty before, with room for all of them.
-bool measure_columns(const Grid& grid, std::vector<std::int32_t>& field, Poller& poller) {
+bool measure_columns(const Grid& grid, ClearanceOf of, std::vector<std::int32_t>& field,
+                     Poller& poller) {
   const int width = grid.width();
   std::vector<std::int32_t> rows(width, 0);  // to the nearest blocked cell met so far
   const auto sweep = [&](int y, auto&& put) {
@@ -22,7 +24,7 @@ bool measure_columns(const Grid& grid, std::vector<std::int32_t>& field, Poller&
     std::int32_t* target = field.data() + std::ptrdiff_t{y} * width;
     for (int x = 0; x < width; ++x) {
       rows[x] = (words[x >> 6] >> (x & 63) & 1) != 0 ? 0 : rows[x] + 1;
-      put(target[x], edge_distance(rows[x]));
+      put(target[x], edge_distance(rows[x], of));
     }
   };
   for (int y = 0; y < grid.height(); ++y) {
@@ -41,15 +43,23 @@ bool measure_columns(const Grid& grid, std::vector<std::int32_t>& field, Poller&
 // Turns one row of column distances into squared distances. The nearest point outside a centre's
 // own column lies on the edge of a column, at an even abscissa 2i, and the distance to it is a
 // parabola about 2i: (2x + 1 - 2i)^2 + h(i)^2, with h(i) the lesser distance of the columns that
-// meet there. Column -1 and column `width` are blocked.
+// meet there. From whole cells, column i counts in the columns beside it, too, and the parabolas are
+// about centres: (2x - 2i)^2 + h(i)^2, h(i) the least of three. Column -1 and column `width` are
+// blocked.
 class RowTransform {
  public:
-  explicit RowTransform(int width)
-      : width_(width), height_(width + 1), edge_(width + 1), start_(width + 1) {}
+  RowTransform(int width, ClearanceOf of)
+      : width_(width),
+        shift_(of == ClearanceOf::centres ? 1 : 0),
+        height_(width + shift_),
+        edge_(width + shift_),
+        start_(width + shift_) {}
 
   void apply(std::int32_t* row) {
-    for (int i = 0; i <= width_; ++i) {
-      const std::int64_t h = std::min(i > 0 ? row[i - 1] : 0, i < width_ ? row[i] : 0);
+    const auto in = [&](int i) { return i >= 0 && i < width_ ? row[i] : 0; };
+    for (int i = 0; i < width_ + shift_; ++i) {
+      std::int64_t h = std::min(in(i - 1), in(i));
+      if (shift_ == 0) h = std::min<std::int64_t>(h, in(i + 1));
       height_[i] = h * h;
     }
     build_envelope();
@@ -62,19 +72,19 @@ class RowTransform {
 
  private:
   std::int64_t value(int i, int x) const noexcept {
-    const std::int64_t d = 2 * (std::int64_t{x} - i) + 1;
+    const std::int64_t d = 2 * (std::int64_t{x} - i) + shift_;
     return d * d + height_[i];
   }
   // The first x at which the parabola of j > i is at most that of i.
   int crossing(std::int64_t i, std::int64_t j) const noexcept {
-    const std::int64_t n = 4 * (j * j - i * i) + height_[j] - height_[i] - 4 * (j - i);
+    const std::int64_t n = 4 * (j * j - i * i) + height_[j] - height_[i] - 4 * shift_ * (j - i);
     const std::int64_t d = 8 * (j - i);
     const std::int64_t up = n > 0 ? (n + d - 1) / d : -(-n / d);
     return static_cast<int>(std::clamp<std::int64_t>(up, 0, width_));
   }
   void build_envelope() {
     last_ = -1;
-    for (int j = 0; j <= width_; ++j) {
+    for (int j = 0; j < width_ + shift_; ++j) {
       while (last_ >= 0 && value(j, start_[last_]) <= value(edge_[last_], start_[last_])) --last_;
       const int from = last_ < 0 ? 0 : crossing(edge_[last_], j);
       if (from >= width_) continue;
@@ -85,6 +95,7 @@ class RowTransform {
   }
 
   int width_;
+  int shift_;                         // of a parabola's place, in half cells
   std::vector<std::int64_t> height_;  // h(i)^2
   std::vector<int> edge_;             // of the envelope's parabolas, from left to right
   std::vector<int> start_;            // the first x of each
@@ -101,12 +112,16 @@ double ClearanceField::at(Cell c) const noexcept {
 ClearanceField clearance(const Grid& grid) { return *clearance(grid, {}); }
 
 std::optional<ClearanceField> clearance(const Grid& grid, const StopCondition& stop) {
+  Poller poller(stop, Poller::kWords - grid.width());  // one row more is not too much
+  return clearance(grid, ClearanceOf::centres, poller);
+}
+
+std::optional<ClearanceField> clearance(const Grid& grid, ClearanceOf of, Poller& poller) {
   std::optional field = ClearanceField{grid.width(), grid.height(), {}};
   auto& values = field->squared_half_cells;
   values.reserve(static_cast<std::size_t>(grid.width()) * grid.height());
-  Poller poller(stop, Poller::kWords - grid.width());  // one row more is not too much
-  if (!measure_columns(grid, values, poller)) return std::nullopt;
-  RowTransform transform(grid.width());
+  if (!measure_columns(grid, of, values, poller)) return std::nullopt;
+  RowTransform transform(grid.width(), of);
   for (int y = 0; y < grid.height(); ++y) {
     transform.apply(values.data() + std::ptrdiff_t{y} * grid.width());
     if (poller.stop_after(grid.width())) return std::nullopt;

@@ -76,19 +76,31 @@ class NearestRows {
 
 }  // namespace
 
-// With distances as in clearance.h, (2 columns - 1)^2 + (2 rows - 1)^2 <= 4 radius^2.
+std::int64_t largest_below_square(double radius) noexcept {
+  const double square = radius * radius;
+  const double error = std::fma(radius, radius, -square);
+  const bool above = square != std::floor(square) || error > 0;  // the square as it is, unrounded
+  return static_cast<std::int64_t>(std::floor(square)) - (above ? 0 : 1);
+}
+
+// Two cells that are so many columns and rows apart are max(0, columns - 1) and max(0, rows - 1)
+// from each other: less than the radius where the sum of the squares is at most `limit`.
 Growth::Growth(const Grid& grid, double radius) {
   require_parameter(radius >= 0 && std::isfinite(radius), "radius", radius,
                     "it must be 0 or more cells");
+  if (radius == 0) {
+    columns_.push_back(0);
+    return;
+  }
   // Past the longest side everything is blocked, and nothing overflows.
-  const double reach = std::min(radius, static_cast<double>(Grid::kMaxSide));
-  const auto limit = static_cast<std::int64_t>(4 * reach * reach);
+  const double reach = std::min(radius, static_cast<double>(2 * Grid::kMaxSide));
+  const auto limit = std::max<std::int64_t>(0, largest_below_square(reach));
   for (std::int64_t rows = 0; rows <= grid.height(); ++rows) {
-    const std::int64_t up = std::max<std::int64_t>(0, 2 * rows - 1);
+    const std::int64_t up = std::max<std::int64_t>(0, rows - 1);
     if (up * up > limit) break;
     // The root is right to the last bit for numbers below 2^52.
     const auto across = static_cast<std::int64_t>(std::sqrt(static_cast<double>(limit - up * up)));
-    columns_.push_back(static_cast<int>((across + 1) / 2));
+    columns_.push_back(static_cast<int>(across + 1));
   }
 }
 

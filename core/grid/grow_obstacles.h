@@ -1,6 +1,7 @@
 // Obstacles grown by a radius, cell by cell and where a map has changed.
 #pragma once
 
+#include <cstdint>
 #include <cstdlib>
 #include <vector>
 
@@ -10,7 +11,11 @@
 
 namespace lasius {
 
-/// Which cells a blocked one blocks, as grow_obstacles() has it.
+/// The largest whole number that is less than the square of a number of [0, 2^26], exactly.
+std::int64_t largest_below_square(double radius) noexcept;
+
+/// Which cells a blocked one blocks, as grow_obstacles() has it: those that have a point nearer to
+/// it than the radius.
 class Growth {
  public:
   /// @throws Error(invalid_parameter) for a negative or not finite radius.

@@ -2,25 +2,25 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/poller.h"
-#include "lasius/clearance.h"
+#include "core/grid/clearance.h"
+#include "core/grid/grow_obstacles.h"
 
 namespace lasius {
 namespace {
 
-// The free cells, those of the largest clearance first: as many counts as there are cells suffice,
-// since no clearance in half cells is more than the shorter side.
-std::vector<std::int32_t> widest_first(const std::vector<std::int32_t>& squared) {
-  std::vector<std::int32_t> from(*std::ranges::max_element(squared) + 2);
-  for (const std::int32_t s : squared) ++from[s];
+// The free cells, those of the highest level first: as many counts as there are cells suffice, since
+// no clearance is more than half the shorter side.
+std::vector<std::int32_t> widest_first(const std::vector<std::int32_t>& levels) {
+  std::vector<std::int32_t> from(*std::ranges::max_element(levels) + 2);
+  for (const std::int32_t level : levels) ++from[level];
   std::int32_t sum = 0;
   for (std::size_t s = from.size() - 1; s > 0; --s) {
     const std::int32_t count = std::exchange(from[s], sum);
     sum += count;
   }
   std::vector<std::int32_t> order(sum);
-  for (std::size_t i = 0; i < squared.size(); ++i)
-    if (squared[i] > 0) order[from[squared[i]]++] = static_cast<std::int32_t>(i);
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    if (levels[i] > 0) order[from[levels[i]]++] = static_cast<std::int32_t>(i);
   return order;
 }
 
@@ -33,18 +33,22 @@ std::int32_t WidestRadius::root_of(std::int32_t cell) const noexcept {
 
 std::optional<WidestRadius> WidestRadius::make(const Grid& grid, Corners corners,
                                                const StopCondition& stop) {
-  auto field = clearance(grid, stop);
+  Poller poller(stop, Poller::kWords - grid.width());
+  auto field = clearance(grid, ClearanceOf::cells, poller);
   if (!field) return std::nullopt;
   std::optional<WidestRadius> made = WidestRadius();
-  made->field_ = std::move(*field);
-  const auto& squared = made->field_.squared_half_cells;
+  made->width_ = grid.width();
+  auto& levels = made->levels_;
+  levels = std::move(field->squared_half_cells);
+  for (int y = 0, i = 0; y < grid.height(); ++y)
+    for (int x = 0; x < grid.width(); ++x, ++i)
+      levels[i] = grid.blocked({x, y}) ? 0 : levels[i] / 4 + 1;
   auto& parent = made->parent_;
   auto& joined = made->joined_;
-  parent.assign(squared.size(), 0);  // 0, of a cell that is not there yet or blocked
-  joined.assign(squared.size(), 0);
-  Poller poller(stop);
+  parent.assign(levels.size(), 0);  // 0, of a cell that is not there yet or blocked
+  joined.assign(levels.size(), 0);
   const int reach = corners == Corners::allow ? 2 : 1;  // steps of a neighbour along both axes
-  for (const std::int32_t cell : widest_first(squared)) {
+  for (const std::int32_t cell : widest_first(levels)) {
     if (poller.stop_after(1)) return std::nullopt;
     parent[cell] = -1;
     const int x = cell % grid.width(), y = cell / grid.width();
@@ -58,26 +62,26 @@ std::optional<WidestRadius> WidestRadius::make(const Grid& grid, Corners corners
         if (parent[a] > parent[b]) std::swap(a, b);
         parent[a] += parent[b];
         parent[b] = a;
-        joined[b] = squared[cell];
+        joined[b] = levels[cell];
       }
   }
   return made;
 }
 
 std::optional<double> WidestRadius::between(Cell a, Cell b) const noexcept {
-  const auto index = [this](Cell c) { return c.y * field_.width + c.x; };
+  const auto index = [this](Cell c) { return c.y * width_ + c.x; };
   std::int32_t from = index(a), to = index(b);
-  std::int32_t least = std::min(field_.squared_half_cells[from], field_.squared_half_cells[to]);
+  std::int32_t least = std::min(levels_[from], levels_[to]);
   while (from != to && least > 0) {
-    // Trees were joined from wide to narrow: on the way up the clearance falls.
+    // Trees were joined from wide to narrow: on the way up the level falls.
     std::int32_t& lower = joined_[from] > joined_[to] ? from : to;
     least = std::min(least, joined_[lower]);
     lower = parent_[lower];
   }
   if (least == 0) return std::nullopt;
-  // As Growth has it: cells are blocked up to 4 radius^2.
-  double radius = std::sqrt(static_cast<double>(least)) / 2;
-  while (4 * radius * radius >= least) radius = std::nextafter(radius, 0);
+  // As Growth has it: cells are blocked whose squared clearance is less than the radius squared.
+  double radius = std::sqrt(static_cast<double>(least - 1));
+  while (largest_below_square(radius) >= least - 1) radius = std::nextafter(radius, 0);
   return radius;
 }
 

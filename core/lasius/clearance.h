@@ -31,8 +31,10 @@ struct ClearanceField {
 [[nodiscard]] LASIUS_EXPORT std::optional<ClearanceField> clearance(const Grid& grid,
                                                                     const StopCondition& stop);
 
-/// Blocks every cell whose centre lies at most `radius` cells from a blocked cell's square or from
-/// the outside, that is, where squared_half_cells <= 4 radius^2. Exact; radius 0 changes nothing.
+/// Blocks every cell that has a point nearer than `radius` cells to a blocked cell (a closed square)
+/// or to the outside: whatever is planned on the cells that stay free keeps the radius. That of a
+/// cell c columns and r rows away: where max(0, c - 1)^2 + max(0, r - 1)^2 < radius^2. Exact; radius
+/// 0 changes nothing. A disc passes more than that: Planner(Grid, Disc) plans `exact` for it.
 /// O(1) per cell; beside the grids some rows of memory, whatever the radius.
 /// @throws Error(invalid_parameter) for a negative or not finite radius.
 [[nodiscard]] LASIUS_EXPORT Grid grow_obstacles(const Grid& grid, double radius);
@@ -41,7 +43,8 @@ struct ClearanceField {
 [[nodiscard]] LASIUS_EXPORT std::optional<Grid> grow_obstacles(const Grid& grid, double radius,
                                                                const StopCondition& stop);
 
-/// With how wide a radius the cells of a map are still joined, for any number of pairs. Made in
+/// With how wide a radius the cells of a map are still joined when obstacles grow by it, for any
+/// number of pairs (of a disc by its own rule: Planner::widest_disc). Made in
 /// O(log) and 16 bytes a cell, of which it keeps 12; a question takes O(log of the cells).
 class LASIUS_EXPORT WidestRadius {
  public:
@@ -57,11 +60,12 @@ class LASIUS_EXPORT WidestRadius {
   WidestRadius() = default;
   std::int32_t root_of(std::int32_t cell) const noexcept;
 
-  ClearanceField field_;
+  int width_ = 0;
+  std::vector<std::int32_t> levels_;  ///< squared clearance of whole cells + 1; 0: blocked
   // A forest: cells are joined as the radius shrinks, the smaller tree under the root of the
   // larger.
   std::vector<std::int32_t> parent_;  ///< of a root less than 0: its cells
-  std::vector<std::int32_t> joined_;  ///< squared_half_cells at which it got its parent
+  std::vector<std::int32_t> joined_;  ///< level at which it got its parent
 };
 
 }  // namespace lasius

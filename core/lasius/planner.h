@@ -49,6 +49,12 @@ class LASIUS_EXPORT Workspace {
   std::unique_ptr<WorkspaceMemory> memory_;
 };
 
+/// A robot: a disc whose centre keeps a distance of `radius` cells, and no more is asked, from every
+/// blocked cell (a closed square) and from what lies outside the map. 0: a point.
+struct Disc {
+  double radius = 0;  ///< cells
+};
+
 /// A map made ready for planning. Immutable: use one from many threads, a Workspace each. After a
 /// move only assignment and destruction are left.
 class LASIUS_EXPORT Planner {
@@ -68,6 +74,21 @@ class LASIUS_EXPORT Planner {
   /// @throws as the constructor with options.
   [[nodiscard]] static std::optional<Planner> make_prepared(Grid&& grid,
                                                             const PrepareOptions& options = {});
+  /// For a disc; of radius 0 as above. `exact` plans exactly where the disc can go: its answers have
+  /// a Result::curve of straight pieces and arcs, a door as wide as the disc is open, and start and
+  /// goal may be cells whose centres alone keep the radius. Its radii are those of [0.05, 54] cells;
+  /// for any other it refuses every request. All other algorithms plan on `passable()`: their paths
+  /// keep the radius, too, but not every door is open to them.
+  /// @throws Error(invalid_parameter) for a radius that is negative or not finite.
+  Planner(Grid grid, Disc robot);
+  /// The same; the graph that is made is that of the disc's curves. @throws as both.
+  Planner(Grid grid, Disc robot, const PrepareOptions& options);
+  /// As make, for a disc. @throws as the constructor.
+  [[nodiscard]] static std::optional<Planner> make(Grid&& grid, Disc robot,
+                                                   const StopCondition& stop = {});
+  /// As make_prepared, for a disc. @throws as the constructor.
+  [[nodiscard]] static std::optional<Planner> make_prepared(Grid&& grid, Disc robot,
+                                                            const PrepareOptions& options = {});
   /// A planner for the same map, prepared as by the constructor. Copies the bitmap and its
   /// components; this one stays as it is. @throws as the constructor with options.
   Planner prepared(const PrepareOptions& options) const;
@@ -77,7 +98,20 @@ class LASIUS_EXPORT Planner {
   Planner(Planner&&) noexcept;
   Planner& operator=(Planner&&) noexcept;
 
-  const Grid& grid() const noexcept;  ///< holds as long as the planner
+  const Grid& grid() const noexcept;  ///< the map; holds as long as the planner
+  Disc robot() const noexcept;        ///< whom it plans for
+  /// The cells that colonies plan on, and what components, `connected`, `nearest_free` and
+  /// `nearest_reachable` are about: grow_obstacles(grid(), radius). Holds as long as the planner.
+  const Grid& passable() const noexcept;
+  /// May the robot's centre be at the centre of a cell, for `exact`?
+  bool clear(Cell c) const noexcept;
+  /// Can it go from the centre of one cell to that of another, for `exact`? False proves that it
+  /// cannot; for a point as `connected`.
+  bool joined(Cell a, Cell b) const;
+  /// The largest radius in cells, at most 54, with which a disc can go from the centre of one cell to
+  /// that of another, whatever this planner's; nothing where not even a point can, or when stopped.
+  /// Makes a disc's free space for up to 14 radii, and keeps a quarter of a byte a cell of each.
+  std::optional<double> widest_disc(Cell a, Cell b, const StopCondition& stop = {}) const;
 
   /// Labels the components under a rule, if that is still to do: those of 8 neighbours, for
   /// Corners::allow. Else the first call does that needs them, on its own time: a plan or a call of
@@ -166,6 +200,7 @@ class LASIUS_EXPORT Planner {
     std::int64_t bitmap = 0;            ///< one bit per cell and the border
     std::int64_t components = 0;        ///< as labelled so far
     std::int64_t visibility_graph = 0;  ///< 0 where the map is not prepared
+    std::int64_t disc = 0;              ///< the map before it grew, and a disc's free space
   };
   Footprint footprint() const noexcept;  ///< now
 

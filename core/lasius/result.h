@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "lasius/curve.h"
 #include "lasius/geometry.h"
 #include "lasius/search_result.h"
 
@@ -12,7 +13,10 @@ namespace lasius {
 /// One answer; lengths in cells.
 struct Result : SearchResult {
   /// Start and goal at cell centres; one point where they are the same, none without a path.
+  /// Of a disc's curve a polyline that keeps the radius as well and is at most a thousandth longer.
   std::vector<Point> path;
+  /// Of `exact` for a disc: the path itself, whose length `length` is; else empty.
+  Curve curve;
   std::optional<Cell> goal_reached;  ///< with a goal tolerance: where the path ends, or is to end
   std::optional<Cell> nearest_free;  ///< to a start or goal that is blocked or outside
   /// The same among the cells that are joined to the other end, where that is free; with a goal

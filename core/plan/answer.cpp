@@ -12,6 +12,7 @@
 #include "core/loop/run_status.h"
 #include "core/params/grid_parameters.h"
 #include "core/params/parameter_table.h"
+#include "core/plan/disc_path.h"
 #include "core/plan/workspace.h"
 #include "lasius/path.h"
 
@@ -32,25 +33,7 @@ class ExactView final : public GridProgress {
   const std::vector<Point>& path_;
 };
 
-Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Request& request,
-                 WorkspaceMemory& memory, const Observer& observer) {
-  ExactAnswer& answer = memory.exact_answer;
-  int improvements = 0;
-  const OnImproved show = [&](const std::vector<Point>& path, double length, double bound) {
-    const ExactView view(path, improvements++, length, bound);
-    observer(view);
-    return !view.stopped();
-  };
-  exact::Anytime anytime(memory.bounding, grid, request.start, request.goal,
-                         {.target_gap = request.target_gap, .improved = observer ? &show : nullptr},
-                         request.stop);
-  if (graph != nullptr) {
-    memory.prepared.search(grid, *graph, request.start, request.goal, anytime.options(),
-                           request.stop, answer);
-  } else {
-    memory.exact.search(grid, request.start, request.goal, anytime.options(), request.stop, answer);
-  }
-  anytime.merge(answer);
+Result result_of(const ExactAnswer& answer) {
   Result result;
   switch (answer.end) {
     case ExactEnd::proven:
@@ -70,12 +53,90 @@ Result run_exact(const Grid& grid, const exact::CornerGraph* graph, const Reques
   return result;
 }
 
-/// Whether a cell is joined to another one; not when stopped.
-std::function<bool(Cell)> joined_to(const PlanningMap& map, Cell from, Corners corners) {
-  return [&map, from, corners](Cell c) { return map.connected(from, c, corners) == true; };
+Result run_exact(const PlanningMap& map, const Request& request, WorkspaceMemory& memory,
+                 const Observer& observer) {
+  int improvements = 0;
+  const OnImproved show = [&](const std::vector<Point>& path, double length, double bound) {
+    const ExactView view(path, improvements++, length, bound);
+    observer(view);
+    return !view.stopped();
+  };
+  const ExactOptions options{.target_gap = request.target_gap,
+                             .improved = observer ? &show : nullptr};
+  if (map.disc != nullptr) {
+    disc::DiscAnswer& answer = memory.disc_answer;
+    memory.disc.search(*map.disc->space, map.disc_graph, centre(request.start),
+                       centre(request.goal), options, request.stop, answer);
+    Result result = result_of(answer);
+    if (!result.path.empty()) result.curve = answer.curve;
+    return result;
+  }
+  ExactAnswer& answer = memory.exact_answer;
+  exact::Anytime anytime(memory.bounding, map.grid, request.start, request.goal, options,
+                         request.stop);
+  if (map.graph != nullptr) {
+    memory.prepared.search(map.grid, *map.graph, request.start, request.goal, anytime.options(),
+                           request.stop, answer);
+  } else {
+    memory.exact.search(map.grid, request.start, request.goal, anytime.options(), request.stop,
+                        answer);
+  }
+  anytime.merge(answer);
+  return result_of(answer);
 }
 
-/// What a sentence about an end that is bad goes on with.
+/// Where a path may begin and end: cells that are free, or for `exact` and a disc those whose centres
+/// are clear.
+class Ends {
+ public:
+  Ends(const PlanningMap& map, const disc::DiscSpace* space, Corners corners)
+      : map_(map), space_(space), corners_(corners) {}
+
+  const PlanningMap& map() const noexcept { return map_; }
+  bool serves(Cell c) const {
+    return space_ == nullptr ? map_.grid.free(c) : space_->clear(centre(c));
+  }
+  /// Of two that serve; nothing if stopped.
+  std::optional<bool> joined(Cell a, Cell b) const {
+    if (space_ == nullptr) return map_.connected(a, b, corners_);
+    return space_->joined(centre(a), centre(b));
+  }
+  /// Of those that serve, if given of those joined to `other`, the nearest to `c`. It is found
+  /// whatever the deadline.
+  std::optional<Cell> nearest(Cell c, const std::stop_token& token,
+                              const std::optional<Cell>& other = {}) const {
+    const StopCondition no_deadline{.token = token};
+    Poller poller(no_deadline);
+    if (space_ != nullptr) {
+      const auto cells = clear_cells(*space_, poller, other);
+      return cells ? nearest_free(*cells, c, poller) : std::nullopt;
+    }
+    if (!other) return nearest_free(map_.grid, c, poller);
+    const auto joined = [&](Cell at) {
+      return map_.connected(*other, at, corners_).value_or(false);
+    };
+    return nearest_free(map_.grid, c, poller, joined);
+  }
+  /// What is wrong with a cell that does not serve.
+  std::pair<Fault, std::string> fault(bool at_start, Cell c) const {
+    auto [fault, text] = fault_of_end(map_.disc != nullptr ? map_.disc->map : map_.grid, at_start, c);
+    if (map_.disc == nullptr || map_.disc->map.blocked(c)) return {fault, text};
+    text.replace(text.find(" is blocked"), std::string::npos,
+                 " is nearer to what is blocked than the radius of " +
+                     number_text(map_.disc->radius));
+    if (space_ == nullptr && map_.disc->space && map_.disc->space->clear(centre(c)))
+      text += ", though its centre is not: exact plans from there, other algorithms on cells that "
+              "keep the radius all over";
+    return {fault, text};
+  }
+
+ private:
+  const PlanningMap& map_;
+  const disc::DiscSpace* space_;
+  Corners corners_;
+};
+
+/// What a sentence about such an end goes on with.
 std::string nearest_text(bool at_start, Cell free, const std::optional<Cell>& reachable) {
   const std::string nearest = "; the nearest free cell ";
   if (!reachable || *reachable == free) return nearest + "is " + cell_name(free);
@@ -86,43 +147,48 @@ std::string nearest_text(bool at_start, Cell free, const std::optional<Cell>& re
 }
 
 /// The answer to a start or goal that is blocked or outside.
-Result invalid(const PlanningMap& map, bool at_start, const Request& request, Corners corners) {
+Result invalid(const Ends& ends, bool at_start, const Request& request) {
   const Cell cell = at_start ? request.start : request.goal;
   const Cell other = at_start ? request.goal : request.start;
-  const auto [fault, text] = fault_of_end(map.grid, at_start, cell);
+  const std::stop_token& token = request.stop.token;
+  const auto [fault, text] = ends.fault(at_start, cell);
   auto result = failed<Result>(Status::invalid, fault, text);
-  std::function<bool(Cell)> joined;
-  if (map.grid.free(other)) joined = joined_to(map, other, corners);
-  const bool whole = find_nearest(result, map.grid, cell, request.stop.token, joined);
+  result.nearest_free = ends.nearest(cell, token);
+  if (result.nearest_free && ends.serves(other)) {
+    result.nearest_reachable = ends.joined(other, *result.nearest_free) == true
+                                   ? result.nearest_free
+                                   : ends.nearest(cell, token, other);
+  }
   if (result.nearest_free) {
     result.error += nearest_text(at_start, *result.nearest_free, result.nearest_reachable);
-  } else if (whole) {
+  } else if (!token.stop_requested()) {
     result.error += "; the map has no free cell";
   }
   return result;
 }
 
+/// The answer where start and goal are not joined.
+Result apart(const Ends& ends, const Request& request) {
+  auto result = failed<Result>(Status::unreachable, Fault::disconnected,
+                               "start " + cell_name(request.start) + " and goal " +
+                                   cell_name(request.goal) +
+                                   " lie in different regions of free cells");
+  if (request.goal_tolerance > 0)
+    result.nearest_reachable = ends.nearest(request.goal, request.stop.token, request.start);
+  return result;
+}
+
 /// Why no path leads to the goal, or nothing where one does; not `connected` when stopped.
-std::optional<Result> refused(const PlanningMap& map, const Request& request, Corners corners) {
+std::optional<Result> refused(const Ends& ends, const Request& request) {
   const auto& [start, goal] = std::pair(request.start, request.goal);
-  if (map.grid.blocked(start)) return invalid(map, true, request, corners);
-  if (map.grid.blocked(goal)) return invalid(map, false, request, corners);
+  if (!ends.serves(start)) return invalid(ends, true, request);
+  if (!ends.serves(goal)) return invalid(ends, false, request);
   if (start == goal) return std::nullopt;
-  const auto connected = map.connected(start, goal, corners);
-  if (connected == true) return std::nullopt;
+  const auto joined = ends.joined(start, goal);
+  if (joined == true) return std::nullopt;
+  if (joined) return apart(ends, request);
   Result result;
-  if (!connected) {
-    end_run(result, request.stop.poll(), Status::limit);
-    return result;
-  }
-  result = failed<Result>(Status::unreachable, Fault::disconnected,
-                          "start " + cell_name(start) + " and goal " + cell_name(goal) +
-                              " lie in different regions of free cells");
-  if (request.goal_tolerance > 0) {
-    const StopCondition no_deadline{.token = request.stop.token};
-    Poller poller(no_deadline);
-    result.nearest_reachable = nearest_free(map.grid, goal, poller, joined_to(map, start, corners));
-  }
+  end_run(result, request.stop.poll(), Status::limit);
   return result;
 }
 
@@ -153,6 +219,11 @@ std::pair<Fault, std::string> fault_of_end(const Grid& grid, bool at_start, Cell
                      (inside ? " is blocked" : " is outside the map")};
 }
 
+void check_serves(const Algorithm& algorithm, Disc robot) {
+  if (robot.radius != 0 && algorithm.kind == Algorithm::Kind::exact)
+    disc::check_disc_radius(robot.radius);
+}
+
 Corners corners_of_paths(const Params& params) {
   const bool exact = find_algorithm(params.algorithm()).kind == Algorithm::Kind::exact;
   return exact ? Corners::forbid : params.corners;
@@ -164,11 +235,14 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& params
   const Algorithm& algorithm = find_algorithm(params.algorithm());
   check_certifies(algorithm, asked.target_gap);
   check_goal_tolerance(asked.goal_tolerance);
+  check_serves(algorithm, {map.disc != nullptr ? map.disc->radius : 0});
   const Grid& grid = map.grid;
   check_own_rules(own, grid, params);
   const Corners corners = corners_of_paths(params);
+  const bool curved = map.disc != nullptr && algorithm.kind == Algorithm::Kind::exact;
+  const Ends ends(map, curved ? &*map.disc->space : nullptr, corners);
   Request request = asked;
-  if (auto refusal = refused(map, asked, corners); refusal && !take_nearest(request, *refusal))
+  if (auto refusal = refused(ends, asked); refusal && !take_nearest(request, *refusal))
     return std::move(*refusal);
   Result result;
   if (request.goal_tolerance > 0) result.goal_reached = request.goal;
@@ -183,7 +257,9 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& params
   WorkspaceMemory& memory = WorkspaceMemory::of(*workspace);
   switch (algorithm.kind) {
     case Algorithm::Kind::exact:
-      result = run_exact(grid, map.graph, request, memory, observer);
+      result = run_exact(map, request, memory, observer);
+      // Cells may be joined where a disc is not: then the search has proven it.
+      if (result.status == Status::unreachable) return apart(ends, request);
       break;
     case Algorithm::Kind::genetic: {
       const auto joined = [&](Cell c) {
@@ -201,9 +277,10 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& params
   if (request.goal_tolerance > 0) result.goal_reached = request.goal;
   if (result.path.empty()) return result;
   // Not to be cut short: a glance at the words along the path.
-  if (const auto fault = path_fault(grid, result.path, corners)) {
-    throw std::logic_error("a planned path is not valid: " + *fault);
-  }
+  const auto fault =
+      curved ? disc_path_fault(map.disc->map, map.disc->radius, result.path, result.curve)
+             : path_fault(grid, result.path, corners);
+  if (fault) throw std::logic_error("a planned path is not valid: " + *fault);
   return result;
 }
 

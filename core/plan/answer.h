@@ -8,20 +8,31 @@
 
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
+#include "core/disc/disc_graph.h"
+#include "core/disc/disc_space.h"
 #include "core/exact/corner_graph.h"
 #include "core/grid/nearest_free.h"
 #include "lasius/planner.h"
 
 namespace lasius {
 
+/// A map before it grew by a disc's radius, and where `exact` may go on it.
+struct DiscMap {
+  Grid map;
+  double radius;
+  std::optional<disc::DiscSpace> space;  ///< nothing for a radius that there is none for
+};
+
 /// A map, and what its owner knows about it.
 struct PlanningMap {
-  const Grid& grid;
+  const Grid& grid;  ///< grown where `disc` is given
   const exact::CornerGraph* graph = nullptr;  ///< of `grid`; null if not prepared
   /// Are two free cells joined under a rule? Nothing if stopped.
   std::function<std::optional<bool>(Cell, Cell, Corners)> connected;
   /// Runs the colony in the owner's way; empty: a new one a question, run_colony().
   std::function<Result(const Request&, const Observer&)> colony = {};
+  const DiscMap* disc = nullptr;  ///< what `exact` plans on for a disc; null: it plans on `grid`
+  const disc::DiscGraph* disc_graph = nullptr;  ///< of that; null if not prepared
 };
 
 /// What Planner::plan answers, and throws. `own`: the caller's, if any.
@@ -44,6 +55,8 @@ bool find_nearest(SomeResult& result, const Grid& grid, Cell cell, const std::st
     result.nearest_reachable = joined(*free) ? free : nearest_free(grid, cell, poller, joined);
   return !poller.stopped();
 }
+/// @throws Error(invalid_parameter) for a radius that the algorithm does not serve.
+void check_serves(const Algorithm& algorithm, Disc robot);
 
 /// The rule of corners that paths obey: any-angle paths never squeeze, and with 4 neighbours no
 /// corner is ever passed.

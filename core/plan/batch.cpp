@@ -6,6 +6,7 @@
 #include "core/loop/batch_run.h"
 #include "core/params/grid_parameters.h"
 #include "core/params/parameter_table.h"
+#include "core/plan/answer.h"
 
 namespace lasius {
 
@@ -15,6 +16,7 @@ std::size_t plan_batch(const Planner& planner, std::span<const Request> requests
   validate(params, own);
   check_own_rules(own, planner.grid(), params);
   const Algorithm& algorithm = find_algorithm(params.algorithm());
+  check_serves(algorithm, planner.robot());
   for (const Request& request : requests) {
     check_certifies(algorithm, request.target_gap);
     check_goal_tolerance(request.goal_tolerance);

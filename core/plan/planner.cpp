@@ -6,8 +6,16 @@
 #include "core/plan/answer.h"
 #include "core/plan/planner_impl.h"
 #include "core/plan/workspace.h"
+#include "lasius/clearance.h"
 
 namespace lasius {
+namespace {
+
+std::int64_t disc_bytes(const DiscMap& disc) noexcept {
+  return bitmap_bytes(disc.map) + (disc.space ? disc.space->bytes() : 0);
+}
+
+}  // namespace
 
 Workspace::Workspace() : memory_(std::make_unique<WorkspaceMemory>()) {}
 Workspace::~Workspace() = default;
@@ -16,18 +24,51 @@ Workspace& Workspace::operator=(Workspace&&) noexcept = default;
 std::int64_t Workspace::bytes() const noexcept { return memory_->bytes(); }
 void Workspace::release() { memory_ = std::make_unique<WorkspaceMemory>(); }
 
-Planner::Planner(Grid grid) : impl_(Impl::make(std::move(grid), {})) {}
+std::shared_ptr<Planner::Impl> Planner::Impl::make(Grid&& map, Disc robot,
+                                                   const StopCondition& stop,
+                                                   std::vector<Direction> excluded,
+                                                   std::vector<Cell> closed) {
+  std::optional<Grid> grown;
+  std::shared_ptr<DiscMap> disc;
+  if (robot.radius != 0) {
+    grown = grow_obstacles(map, robot.radius, stop);
+    if (!grown) return nullptr;
+    disc = std::make_shared<DiscMap>(DiscMap{Grid(1, 1), robot.radius, {}});
+    if (robot.radius >= disc::kLeastRadius && robot.radius <= disc::kLargestRadius) {
+      disc->space = disc::DiscSpace::make(map, robot.radius, stop);
+      if (!disc->space) return nullptr;
+    }
+  }
+  auto four = Components::make(grown ? *grown : map, Components::Connectivity::four, stop);
+  if (!four) return nullptr;
+  if (disc != nullptr) disc->map = std::move(map);
+  return std::make_shared<Impl>(grown ? std::move(*grown) : std::move(map), std::move(*four),
+                                std::move(excluded), std::move(closed), std::move(disc));
+}
+
+Planner::Planner(Grid grid) : Planner(std::move(grid), Disc{}) {}
 Planner::Planner(Grid grid, const PrepareOptions& options)
-    : impl_(Impl::make(std::move(grid), {}, options)) {}
+    : Planner(std::move(grid), Disc{}, options) {}
+Planner::Planner(Grid grid, Disc robot) : impl_(Impl::make(std::move(grid), robot, {})) {}
+Planner::Planner(Grid grid, Disc robot, const PrepareOptions& options)
+    : impl_(Impl::make(std::move(grid), robot, options, {})) {}
 std::optional<Planner> Planner::make(Grid&& grid, const StopCondition& stop) {
-  return if_made(Impl::make(std::move(grid), stop));
+  return make(std::move(grid), Disc{}, stop);
+}
+std::optional<Planner> Planner::make(Grid&& grid, Disc robot, const StopCondition& stop) {
+  return if_made(Impl::make(std::move(grid), robot, stop));
 }
 std::optional<Planner> Planner::make_prepared(Grid&& grid, const PrepareOptions& options) {
-  return if_made(Impl::make(std::move(grid), options.stop, options));
+  return make_prepared(std::move(grid), Disc{}, options);
+}
+std::optional<Planner> Planner::make_prepared(Grid&& grid, Disc robot,
+                                              const PrepareOptions& options) {
+  return if_made(Impl::make(std::move(grid), robot, options, options.stop));
 }
 Planner Planner::prepared(const PrepareOptions& options) const {
   check_threads(options.threads);
-  auto more = std::make_shared<Impl>(impl_->grid, impl_->four, impl_->excluded, impl_->closed);
+  auto more = std::make_shared<Impl>(impl_->grid, impl_->four, impl_->excluded, impl_->closed,
+                                     impl_->disc);
   more->prepare_more(options);
   return Planner(std::move(more));
 }
@@ -41,7 +82,13 @@ Planner& Planner::operator=(const Planner&) noexcept = default;
 Planner::Planner(Planner&&) noexcept = default;
 Planner& Planner::operator=(Planner&&) noexcept = default;
 
-const Grid& Planner::grid() const noexcept { return impl_->grid; }
+const Grid& Planner::grid() const noexcept { return impl_->map(); }
+Disc Planner::robot() const noexcept { return impl_->robot(); }
+const Grid& Planner::passable() const noexcept { return impl_->grid; }
+bool Planner::clear(Cell c) const noexcept {
+  if (impl_->disc == nullptr || !impl_->disc->space) return impl_->grid.free(c);
+  return impl_->disc->space->clear(centre(c));
+}
 
 bool Planner::label(Corners corners, const StopCondition& stop) const {
   return impl_->components(corners, stop) != nullptr;
@@ -74,8 +121,12 @@ Result Planner::plan(const Request& request, const Params& params, const OwnRule
   const auto connected = [&](Cell a, Cell b, Corners corners) {
     return impl_->connected(a, b, corners, request.stop);
   };
-  return answer({impl_->grid, impl_->graph.get(), connected}, request, params, workspace, observer,
-                own);
+  return answer({.grid = impl_->grid,
+                 .graph = impl_->graph.get(),
+                 .connected = connected,
+                 .disc = impl_->disc.get(),
+                 .disc_graph = impl_->disc_graph.get()},
+                request, params, workspace, observer, own);
 }
 
 const Preparation& Planner::preparation() const noexcept { return impl_->preparation; }
@@ -87,7 +138,8 @@ std::int64_t Planner::components(Corners corners) const {
 Planner::Footprint Planner::footprint() const noexcept {
   return {.bitmap = bitmap_bytes(impl_->grid),
           .components = impl_->component_bytes(),
-          .visibility_graph = impl_->preparation.bytes};
+          .visibility_graph = impl_->preparation.bytes,
+          .disc = impl_->disc != nullptr ? disc_bytes(*impl_->disc) : 0};
 }
 
 }  // namespace lasius

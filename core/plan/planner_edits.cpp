@@ -25,7 +25,7 @@ std::set<Key> keys_of(std::span<const Planner::Direction> directions) {
 std::shared_ptr<const Planner::Impl> Planner::Impl::next(std::span<const Edit> edits,
                                                          std::vector<Direction> directions,
                                                          const StopCondition& stop) const {
-  Grid now = grid;
+  Grid now = map();
   for (const Cell c : closed) now.set_blocked(c, false);  // the map as it is
   for (const Edit& edit : edits) {
     if (!now.contains(edit.cell)) {
@@ -41,6 +41,8 @@ std::shared_ptr<const Planner::Impl> Planner::Impl::next(std::span<const Edit> e
     now.set_blocked(c, true);
     shut.push_back(c);
   }
+  if (disc != nullptr)
+    return make(std::move(now), robot(), stop, std::move(directions), std::move(shut));
   std::vector<Cell> changed;
   const auto note = [&](Cell c) {
     if (now.blocked(c) != grid.blocked(c)) changed.push_back(c);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -19,27 +20,39 @@ namespace lasius {
 
 class Planner::Impl {
  public:
-  Impl(Grid g, Components c, std::vector<Direction> e = {}, std::vector<Cell> shut = {})
-      : grid(std::move(g)), four(std::move(c)), excluded(std::move(e)), closed(std::move(shut)) {}
+  Impl(Grid g, Components c, std::vector<Direction> e = {}, std::vector<Cell> shut = {},
+       std::shared_ptr<const DiscMap> d = {})
+      : grid(std::move(g)),
+        four(std::move(c)),
+        excluded(std::move(e)),
+        closed(std::move(shut)),
+        disc(std::move(d)) {}
 
-  /// Null, and the grid as it was, when stopped.
-  static std::shared_ptr<Impl> make(Grid&& grid, const StopCondition& stop) {
-    auto four = Components::make(grid, Components::Connectivity::four, stop);
-    return four ? std::make_shared<Impl>(std::move(grid), std::move(*four)) : nullptr;
-  }
-  static std::shared_ptr<Impl> make(Grid&& grid, const StopCondition& stop,
-                                    const PrepareOptions& options) {
+  /// Null, and the map as it was, when stopped.
+  static std::shared_ptr<Impl> make(Grid&& map, Disc robot, const StopCondition& stop,
+                                    std::vector<Direction> excluded = {},
+                                    std::vector<Cell> closed = {});
+  static std::shared_ptr<Impl> make(Grid&& map, Disc robot, const PrepareOptions& options,
+                                    const StopCondition& stop) {
     check_threads(options.threads);
-    auto impl = make(std::move(grid), stop);
+    auto impl = make(std::move(map), robot, stop);
     if (impl != nullptr) impl->prepare_more(options);
     return impl;
   }
 
   void prepare_more(const PrepareOptions& options) {
     const auto begin = Clock::now();
-    graph = exact::CornerGraph::make(grid, options, preparation);
+    if (disc == nullptr) {
+      graph = exact::CornerGraph::make(grid, options, preparation);
+    } else if (disc->space) {
+      disc_graph = disc::DiscGraph::make(*disc->space, options, preparation);
+    }
     preparation.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   }
+
+  /// The map as it was given, with what is excluded.
+  const Grid& map() const noexcept { return disc != nullptr ? disc->map : grid; }
+  Disc robot() const noexcept { return {disc != nullptr ? disc->radius : 0}; }
 
   /// The next version: the map with some edits, and these directions excluded. Null when stopped.
   std::shared_ptr<const Impl> next(std::span<const Edit> edits, std::vector<Direction> directions,
@@ -70,20 +83,33 @@ class Planner::Impl {
     return eight->connected(grid, a, b);
   }
 
+  /// Which cells some points of a disc's free space lie in, and how they are joined. Kept from
+  /// question to question: the first radii that a bisection tries are always the same.
+  struct Regions {
+    Grid blocked;
+    Components four;
+  };
+  /// By the square of the radius in half cells. Nothing if stopped.
+  std::shared_ptr<const Regions> regions(int squared_half_cells, const StopCondition& stop) const;
+
   /// Memory that components hold.
   std::int64_t component_bytes() const noexcept {
     const Components* const eight = eight_.load(std::memory_order_acquire);
     return four.bytes() + (eight != nullptr ? eight->bytes() : 0);
   }
 
-  const Grid grid;
+  const Grid grid;  ///< grown, for a disc
   const Components four;
   const std::vector<Direction> excluded;
-  const std::vector<Cell> closed;  ///< blocked in `grid` by `excluded`, not by the map
+  const std::vector<Cell> closed;  ///< blocked in `map()` by `excluded` alone
   std::shared_ptr<const exact::CornerGraph> graph;  ///< of `grid`; null if not prepared
+  const std::shared_ptr<const DiscMap> disc;        ///< null for a point
+  std::shared_ptr<const disc::DiscGraph> disc_graph;  ///< of `disc`; null if not prepared
   Preparation preparation;
 
  private:
+  mutable std::mutex regions_kept_;
+  mutable std::map<int, std::shared_ptr<const Regions>> regions_;
   mutable std::once_flag eight_kept_;
   mutable std::optional<Components> made_eight_;
   mutable std::atomic<const Components*> eight_ = nullptr;  ///< null until they are kept

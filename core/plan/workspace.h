@@ -3,6 +3,7 @@
 
 #include "core/base/held_bytes.h"
 #include "core/colony/colony_memory.h"
+#include "core/disc/disc_search.h"
 #include "core/exact/anytime.h"
 #include "core/exact/exact.h"
 #include "core/exact/prepared_search.h"
@@ -18,10 +19,13 @@ struct WorkspaceMemory {
   exact::PreparedSearch prepared;
   exact::Anytime::Memory bounding;  ///< beside one of these
   ExactAnswer exact_answer;
+  disc::DiscSearch disc;
+  disc::DiscAnswer disc_answer;
 
   std::int64_t bytes() const noexcept {
     return static_cast<std::int64_t>(sizeof *this) + colony.bytes() + genetic.bytes() +
-           exact.bytes() + prepared.bytes() + bounding.bytes() + held_bytes(exact_answer.path);
+           exact.bytes() + prepared.bytes() + bounding.bytes() + disc.bytes() +
+           held_bytes(exact_answer.path, disc_answer.path, disc_answer.curve);
   }
   static WorkspaceMemory& of(Workspace& workspace) noexcept { return *workspace.memory_; }
 };

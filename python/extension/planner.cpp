@@ -47,14 +47,20 @@ PrepareOptions prepare_options(int threads, std::int64_t max_bytes, Call& call) 
 }
 
 /// (error, Planner or None)
-py::tuple made(const Grid& grid) {
+py::tuple made(const Grid& grid, double radius) {
   Call call;
-  return call.answer([&] { return Planner::make(Grid(grid), call.condition()); });
+  return call.answer([&] { return Planner::make(Grid(grid), Disc{radius}, call.condition()); });
 }
 
 py::tuple prepared(const Planner& planner, int threads, std::int64_t max_bytes) {
   Call call;
   return call.answer([&] { return planner.prepared(prepare_options(threads, max_bytes, call)); });
+}
+
+py::tuple widest_disc(const Planner& planner, Cell a, Cell b) {
+  Call call;
+  const auto widest = call.run([&] { return planner.widest_disc(a, b, call.condition()); });
+  return py::make_tuple(call.error(), widest);
 }
 
 py::tuple plan(const Planner& planner, Cell start, Cell goal, const Params& params,
@@ -146,6 +152,11 @@ void bind_planner(py::module_& module) {
   module.def("make_planner", &made);
   py::class_<Planner>(module, "Planner")
       .def_property_readonly("grid", &Planner::grid, py::return_value_policy::reference_internal)
+      .def_property_readonly("passable", &Planner::passable,
+                             py::return_value_policy::reference_internal)
+      .def_property_readonly("radius", [](const Planner& p) { return p.robot().radius; })
+      .def("clear", &Planner::clear)
+      .def("widest_disc", &widest_disc)
       .def("prepared", &prepared)
       .def("plan", &plan)
       .def("edited", &edited)

@@ -19,8 +19,13 @@ py::tuple search_fields(const SearchResult& r) {
 }
 
 py::tuple fields(const Result& r) {
+  py::list curve;
+  for (const CurvePiece& piece : r.curve)
+    curve.append(py::make_tuple(piece.from, piece.to, piece.turn,
+                                piece.turn == 0 ? py::object(py::none()) : py::cast(piece.centre),
+                                piece.radius, piece.angle));
   return py::make_tuple(search_fields(r), to_array(std::span(r.path)), r.goal_reached,
-                        r.nearest_free, r.nearest_reachable, r.own_rules);
+                        r.nearest_free, r.nearest_reachable, r.own_rules, py::tuple(curve));
 }
 
 }  // namespace lasius::python

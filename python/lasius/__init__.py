@@ -35,12 +35,13 @@ from .maps import (
 from .navigator import Changes, Navigator, drive
 from .parameters import Algorithm, Parameter, Params, algorithms
 from .planner import Planner, Preparation, plan
-from .results import BatchResult, Curves, DriveResult, Replans, Result, SearchResult, Way, curves_of
+from .results import BatchResult, CurvePiece, Curves, DriveResult, Replans, Result, SearchResult, Way, curves_of
 
 __all__ = [
     "Algorithm",
     "BatchResult",
     "Changes",
+    "CurvePiece",
     "Curves",
     "DriveResult",
     "DriveTick",

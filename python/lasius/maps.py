@@ -85,8 +85,8 @@ def clearance(grid: Grid) -> FloatArray:
 
 @explained
 def grow_obstacles(grid: Grid, radius: float) -> Grid:
-    """The map for a robot of this radius, in cells: blocks each cell whose centre is at most so far
-    from a blocked cell or the outside. Radius 0 changes nothing.
+    """The map for a robot of this radius, in cells: blocks each cell that has a point nearer than that
+    to a blocked cell or the outside. Radius 0 changes nothing. A disc passes more: Planner(grid, radius=...).
 
     >>> grow_obstacles(lasius.Grid(np.zeros((3, 3), np.uint8), free=0), 1).count_free()
     1

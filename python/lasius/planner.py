@@ -46,6 +46,9 @@ class Planner:
 
     Args:
         grid: the map.
+        radius: of the robot, a disc, in cells: its centre keeps that distance from every blocked cell and
+            from the outside. `exact` plans its curve, for radii of 0.05 to 54, and all doors are open that it
+            passes; the other algorithms plan on `passable` cells, and keep the radius, too. 0: a point.
         prepare: also makes the visibility graph, so that `exact` answers faster; see `prepared`.
         threads: to prepare with, to 1024; 0: as many as OpenMP gives.
         max_bytes: a visibility graph that would take more is abandoned.
@@ -53,12 +56,12 @@ class Planner:
 
     __slots__ = ("_raw", "_grid")
 
-    def __init__(self, grid: Grid, *, prepare: bool = False, threads: int = 0, max_bytes: int = 1 << 30) -> None:
+    def __init__(self, grid: Grid, *, radius: float = 0.0, prepare: bool = False, threads: int = 0, max_bytes: int = 1 << 30) -> None:
         if not isinstance(grid, Grid):
             raise TypeError(f"grid is a {type(grid).__name__}: make one by lasius.Grid(array, free=...)")
         threads = whole("threads", threads)
         self._grid = grid
-        self._raw = made(*_lasius.make_planner(grid))
+        self._raw = made(*_lasius.make_planner(grid, radius))
         if prepare:
             self._raw = made(*self._raw.prepared(threads, max_bytes))
 
@@ -72,6 +75,29 @@ class Planner:
     def grid(self) -> Grid:
         """The map."""
         return self._grid
+
+    @property
+    def radius(self) -> float:
+        """Of the robot, in cells."""
+        return float(self._raw.radius)
+
+    @property
+    def passable(self) -> Grid:
+        """The cells that colonies plan on, which are free all over for the robot: `grow_obstacles(grid, radius)`."""
+        return self._raw.passable
+
+    def clear(self, cell: Cell) -> bool:
+        """True when the robot's centre may be at the centre of a cell: `exact` plans from there."""
+        return bool(self._raw.clear(cell))
+
+    def widest_disc(self, a: Cell, b: Cell) -> Optional[float]:
+        """The largest radius, at most 54, with which a disc can go from one cell to another; None: none can.
+
+        >>> planner = Planner(lasius.Grid(np.zeros((3, 9), np.uint8), free=0))
+        >>> planner.widest_disc((1, 1), (7, 1))
+        1.5
+        """
+        return finish(*self._raw.widest_disc(a, b))
 
     def plan(
         self,
@@ -258,15 +284,16 @@ class Planner:
     def __reduce__(self) -> Tuple[Any, ...]:
         excluded = self.excluded  # what they block counts as blocked in the planner's map
         grid = self.allow(excluded).grid if len(excluded) else self._grid
-        return (restored, (grid, self.preparation.state == "ready", excluded))
+        return (restored, (grid, self.preparation.state == "ready", excluded, self.radius))
 
     def __repr__(self) -> str:
-        return f"Planner({self._grid!r}{', prepare=True' if self.preparation.state == 'ready' else ''})"
+        radius = f", radius={self.radius:g}" if self.radius else ""
+        return f"Planner({self._grid!r}{radius}{', prepare=True' if self.preparation.state == 'ready' else ''})"
 
 
-def restored(grid: Grid, prepare: bool, excluded: IntArray) -> Planner:
+def restored(grid: Grid, prepare: bool, excluded: IntArray, radius: float = 0.0) -> Planner:
     """A planner that was pickled: its map is labelled and prepared anew."""
-    planner = Planner(grid)
+    planner = Planner(grid, radius=radius)
     if len(excluded):
         planner = planner.exclude(excluded)
     return planner.prepared() if prepare else planner

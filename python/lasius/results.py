@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple, TypeVar
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Optional, Tuple, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -96,6 +96,17 @@ def answer(kind: Callable[..., T], search: Tuple[Any, ...], *others: Any) -> T:
     return kind(*told, None if curves is None else Curves(*curves), *others)
 
 
+class CurvePiece(NamedTuple):
+    """A straight piece of a disc's path, or an arc about a corner of a blocked cell."""
+
+    start: Tuple[float, float]  #: where it begins, x and y as of `Result.path`
+    end: Tuple[float, float]  #: and ends
+    turn: int  #: 0: straight; 1: an arc that turns from the x axis to the y axis, -1: back
+    centre: Optional[Tuple[float, float]]  #: of an arc
+    radius: float  #: of an arc: the disc's
+    angle: float  #: of an arc, in radians, at most pi / 2
+
+
 @dataclass(eq=False, repr=False)
 class Result(SearchResult):
     """One answer on a bitmap; lengths in cells."""
@@ -106,10 +117,16 @@ class Result(SearchResult):
     #: the same, joined to the other end; with a goal tolerance also of a goal in another region
     nearest_reachable: Optional[Cell]
     own_rules: bool  #: rules of your own took part: parameters and seed alone do not give it again
+    #: of `exact` for a disc: the path as it is, of which `path` is a polyline that keeps the radius, too,
+    #: and is at most a thousandth longer than `length`; else empty
+    curve: Tuple[CurvePiece, ...]
     start: Cell  #: as asked
     goal: Cell  #: as asked
     params: ParameterSet  #: as asked
     grid: Grid  #: the map; None where it was left out by dataclasses.replace
+
+    def __post_init__(self) -> None:
+        self.curve = tuple(CurvePiece(*piece) for piece in self.curve)
 
     def plot(self, axes: Any = None, *, map: Optional[Map] = None) -> Any:
         """Draws map, path and, of a colony, its curves. Needs matplotlib.

@@ -41,7 +41,7 @@ class Reasons(ProgramTest):
                 ([], "16,4", "unknown", "is unknown, and blocked without --unknown-free; the nearest"),
                 ([], "20,4", "outside", "is outside the map"),
                 (["--radius", "1.2"], "15,4", "radius",
-                 "is too near to an unknown cell, 0.5 cells away: the radius is 1.2 cells"),
+                 "is too near to an unknown cell, 0.5 cells away: the radius is 1.2 cells; the nearest"),
                 (["--radius", "2.2", "--unknown-free"], "10,2", "radius",
                  "is too near to an obstacle, 0.5 cells away: the radius is 2.2 cells"),
                 (["--radius", "1.2"], "4,0", "radius", "is too near to the edge of the map, 0.5 cells"),
@@ -58,6 +58,14 @@ class Reasons(ProgramTest):
                 self.assertEqual(self.run_program("verify", "r.json").code, 0)
         self.ended(self.plan(start="3,2"), 4, "start (3, 2) is blocked; the nearest")
 
+    def test_a_cell_that_is_free_in_part(self):
+        self.ended(self.asked("--radius", "1.5", start="1,4"), 0)
+        self.algorithm = "as"
+        run = self.asked("--json", "--radius", "1.5", start="1,4", goal="5,4")
+        self.ended(run, 4, "is in part too near to the edge of the map, 1 cell away: the radius is 1.5 cells; its "
+                   "centre is not, from which exact plans; the nearest free cell is (2, 4)")
+        self.assertEqual((run.json["blocked_by"], run.json["clearance"]), ("radius", 1))
+
     def test_metres_given_as_cells(self):
         self.ended(self.asked(start="-0.65,2.45"), 2, "is not a cell X,Y", "add --frame world")
         self.ended(self.asked(start="a,2"), 2, "is not a point X,Y")
@@ -73,11 +81,16 @@ class Reasons(ProgramTest):
         self.ended(self.asked(goal="18,4"), 5, "different regions of free cells; with --unknown-free they are joined")
         self.assertNotIn("widest", self.asked(goal="18,4").err)
         run = self.asked("--json", "--radius", "1.6")
-        self.ended(run, 5, "(obstacles grown by 1.6 cells)", "the widest radius that joins them is 1.499 cells")
-        self.assertEqual(run.json["widest_radius"], math.nextafter(1.5, 0))
+        self.ended(run, 5, "(for a disc of radius 1.6 cells)", "the widest radius that joins them is 1.5 cells")
+        self.assertEqual(run.json["widest_radius"], 1.5)
+        self.algorithm = "as"
+        run = self.asked("--json", "--radius", "1.2")
+        self.ended(run, 5, "(obstacles grown by 1.2 cells)", "the widest radius that joins them is 1 cell")
+        self.assertEqual(run.json["widest_radius"], 1)
+        self.algorithm = "exact"
         self.ended(self.asked("--radius", "0.16", "--frame", "world", start="-0.65,2.45", goal="0.35,2.45"), 5,
                    "start -0.65,2.45 m, in cell (3, 4), and goal 0.35,2.45 m, in cell (13, 4), lie in different",
-                   "(obstacles grown by 0.16 m)", "the widest radius that joins them is 0.15 m")
+                   "(for a disc of radius 0.16 m)", "the widest radius that joins them is 0.15 m")
         closed = self.asked("--radius", "0.4", "--json", goal="18,4")
         self.ended(closed, 5, "no radius joins them", "with --unknown-free they are joined")
         self.assertIsNone(closed.json["widest_radius"])
@@ -92,12 +105,14 @@ class Reasons(ProgramTest):
             start, goal = ("%r,%r" % (-1 + (x + 0.5) * resolution, 2 + 4.5 * resolution) for x in (3, 13))
             found = self.info("--json", "--frame", "world", "--start", start, "--goal", goal).json
             self.assertTrue(found["joined"])
-            for radius, code in ((found["widest_radius_m"], 0),
-                                 (math.nextafter(found["widest_radius_m"], 1), 5)):
-                run = self.asked("--frame", "world", "--radius", repr(radius), start=start, goal=goal)
-                self.assertEqual(run.code, code, (resolution, radius))
-            for radius, code in ((found["widest_radius"], 0), (math.nextafter(found["widest_radius"], 9), 5)):
-                self.assertEqual(self.asked("--radius", repr(radius)).code, code, (resolution, radius))
+            for algorithm, key, hair in (("exact", "widest_radius", 1e-6), ("as", "widest_radius_grown", 1e-15)):
+                self.algorithm = algorithm
+                metres, cells = found[key + "_m"], found[key]
+                for radius, code in ((metres, 0), (metres + hair, 5)):
+                    run = self.asked("--frame", "world", "--radius", repr(radius), start=start, goal=goal)
+                    self.assertEqual(run.code, code, (resolution, radius))
+                for radius, code in ((cells, 0), (cells + hair, 5)):
+                    self.assertEqual(self.asked("--radius", repr(radius)).code, code, (resolution, radius))
 
     def test_info_tells_metres_unknown_cells_and_the_widest_radius(self):
         known = self.info("--json").json
@@ -105,9 +120,9 @@ class Reasons(ProgramTest):
         self.assertEqual([round(m, 9) for m in known["extent_m"]], [2.0, 0.9])
         self.assertNotIn("joined", known)
         text = self.info("--frame", "world", "--radius", "0.12", "--start", "-0.65,2.45", "--goal", "0.35,2.45").out
-        for words in ("20 x 9 cells, 2 x 0.9 m", "3 cells, 2%, counted as blocked", "yes, up to --radius 0.15 m"):
+        for words in ("20 x 9 cells, 2 x 0.9 m", "3 cells, 2%, counted as blocked", "yes, up to --radius 0.15 m for exact, for the others up to 0.1 m"):
             self.assertIn(words, text)
-        self.assertIn("no, up to --radius 1.499 cells", self.info("--radius", "2", "--start", "3,4", "--goal", "13,4").out)
+        self.assertIn("no, up to --radius 1.5 cells for exact, for the others up to 1 cell", self.info("--radius", "2", "--start", "3,4", "--goal", "13,4").out)
         self.assertIn("counted as free", self.info("--unknown-free").out)
         self.assertIn("joined      no\n", self.info("--start", "3,4", "--goal", "99,4").out)
         self.assertIsNone(self.run_program("info", "small.map", "--json").json["unknown_cells"])

@@ -131,6 +131,12 @@ class Verify(ProgramTest):
                              goal="21,12")["length"] for radius in ("0", "2.5")]
         self.assertLess(lengths[0], lengths[1])
         self.assertEqual(self.run_program("verify", "r.json").code, 0)
+        old = self.save("--radius", "2.5", map_file="block.map", start="4,12", goal="21,12")
+        self.write("r.json", json.dumps({**old, "version": "0.3.0"}))
+        self.refused(self.run_program("verify", "r.json"), 2, "the radius asked is now the radius kept")
+        old["curve"][2]["turn"] *= -1
+        self.write("r.json", json.dumps(old))
+        self.refused(self.run_program("verify", "r.json"), 1, "'curve'")
 
     def test_failures_are_results_too(self):
         for goal in ("399,0", "1000,0"):

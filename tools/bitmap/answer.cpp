@@ -52,11 +52,17 @@ Answer answer(const LoadedMap& map, const RunOptions& run, const Place& start, c
   return answer;
 }
 
+Route route_of(const LoadedMap& map, const RunOptions& run) {
+  const bool exact = find_algorithm(run.params.algorithm()).kind == Algorithm::Kind::exact;
+  return {.curved = exact && map.grown(),
+          .corners = squeezes(run.params) ? Corners::allow : Corners::forbid};
+}
+
 void set_remedy(LoadedMap& map, const RunOptions& run, const std::stop_token& token,
                 Answer& answer) {
   if (answer.result.status != Status::unreachable) return;
-  const Corners corners = squeezes(run.params) ? Corners::allow : Corners::forbid;
-  answer.remedy = remedy_of(map, answer.start.cell, answer.goal.cell, corners, token);
+  answer.remedy =
+      remedy_of(map, answer.start.cell, answer.goal.cell, route_of(map, run), token);
 }
 
 void set_optima(const RunOptions& run, std::optional<double> any_angle,

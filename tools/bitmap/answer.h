@@ -23,6 +23,8 @@ struct Answer {
   std::optional<Remedy> remedy{};  ///< where the ends are not joined
 };
 
+/// How the algorithm goes about on a map with a planner.
+Route route_of(const LoadedMap& map, const RunOptions& run);
 /// Looks for what would join ends that are not.
 void set_remedy(LoadedMap& map, const RunOptions& run, const std::stop_token& token,
                 Answer& answer);

@@ -34,7 +34,7 @@ Json map_view_json(const LoadedMap& map, const Window& window) {
                {"height", map.height},
                {"window", {window.columns.from, window.rows.from, window.width(), window.height()}},
                {"walls", walls_json(map.grid(), window)},
-               {"obstacles", map.as_read ? walls_json(*map.as_read, window) : Json(nullptr)},
+               {"obstacles", map.grown() ? walls_json(map.as_read(), window) : Json(nullptr)},
                {"unknown", map.unknown ? walls_json(*map.unknown, window) : Json(nullptr)},
                {"unknown_free", map.unknown_is_free},
                {"to_world", nullptr}};
@@ -59,7 +59,7 @@ void write_bitmap_report(std::ostream& out, const Task& task, const LoadedMap& m
                          const std::vector<Point>& path, const RunFrames* frames) {
   Json content = run_json(task, "bitmap", map_title(map, run));
   content["map"] = map_view_json(map, shown_of(map, ends));
-  content["clearance"] = clearance_json(map.grid(), path, task.result().length);
+  content["clearance"] = clearance_json(map.as_read(), path, task.result().length);
   content["radius"] = map.radius;
   content["frames"] = frames != nullptr ? frames->json() : Json(nullptr);
   write_report_page(out, content);

@@ -18,10 +18,9 @@ namespace {
 /// False where the answer is known before any search, and a visibility graph a waste.
 bool is_search(const LoadedMap& map, const RunOptions& run, Cell start, Cell goal,
                const std::stop_token& token) {
-  const Corners corners = run.params.corners;
-  return map.planner && map.grid().free(start) && start != goal &&
-         map.planner->label(corners, {.token = token}) &&
-         (run.goal_tolerance > 0 || map.planner->connected(start, goal, corners));
+  const Route route = route_of(map, run);
+  return map.planner && start != goal && map.planner->label(route.corners, {.token = token}) &&
+         (run.goal_tolerance > 0 || route.joined(*map.planner, start, goal));
 }
 
 }  // namespace
@@ -124,9 +123,28 @@ std::vector<std::string> BitmapTask::end_texts() const {
 
 Json BitmapTask::inputs() const { return {{"map", map_json(*map_)}}; }
 
+/// Points, and between the two where one begins and ends, arcs. `frame`: in its metres, y up.
+Json BitmapTask::curve_json(const LoadedMap* frame) const {
+  const auto at = [&](Point p) { return point(frame != nullptr ? frame->to_world(p) : p); };
+  Json json = Json::array({at(result().path.front())});
+  for (const CurvePiece& piece : result().curve) {
+    if (piece.turn != 0)
+      json.push_back(
+          {{"centre", at(piece.centre)},
+           {"radius", number(frame != nullptr ? frame->metres(piece.radius) : piece.radius)},
+           {"turn", frame != nullptr ? -piece.turn : piece.turn}});
+    json.push_back(at(piece.to));
+  }
+  return json;
+}
+
 void BitmapTask::add_path(Json& json) const {
   add_goal_reached(json);
   json["path"] = points(result().path);
+  const bool has_curve = curved() && has_path();
+  if (curved()) json["curve"] = has_curve ? curve_json(nullptr) : Json(nullptr);
+  if (curved() && in_metres())
+    json["curve_world"] = has_curve ? curve_json(&map()) : Json(nullptr);
   if (!in_metres()) return;
   json["start_world"] = point(answer_.start.asked);
   json["goal_world"] = point(answer_.goal.asked);

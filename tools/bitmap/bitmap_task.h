@@ -45,6 +45,8 @@ class BitmapTask : public MapTask {
   void add_findings(Json& json) const override;
 
  private:
+  Json curve_json(const LoadedMap* frame) const;
+
   const LoadedMap& map() const override { return *map_; }
   const Place& start() const override { return answer_.start; }
   const Place& goal() const override { return answer_.goal; }

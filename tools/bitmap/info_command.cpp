@@ -28,20 +28,24 @@ Json preparation_json(const LoadedMap& map) {
           {"ms", number(1000 * prepared.seconds)}};
 }
 
-/// Whether two places are joined, and with how wide a radius they would be.
+/// Whether two places are joined, and with how wide a radius they would be: by a disc's curves, and
+/// on cells of the grown map.
 void add_joined(Json& json, LoadedMap& map, const InfoCommand& command) {
   if (!command.start) return;
   const Place start = to_place(map, *command.start, command.frame);
   const Place goal = to_place(map, *command.goal, command.frame);
-  const Remedy widest = widest_of(map, start.cell, goal.cell, command.corners, {});
+  const Route cells{.corners = command.corners};
   json["start"] = cell_json(start);
   json["goal"] = cell_json(goal);
-  json["joined"] = map.grid().free(start.cell) && map.grid().free(goal.cell) &&
-                   map.planner->connected(start.cell, goal.cell, command.corners);
-  json["widest_radius"] = optional_number(widest.widest_radius);
-  if (!map.frame) return;
-  json["widest_radius_m"] =
-      widest.widest_radius ? number(metres_within(map, *widest.widest_radius)) : Json(nullptr);
+  json["joined"] =
+      (map.grown() ? Route{.curved = true} : cells).joined(*map.planner, start.cell, goal.cell);
+  const auto add = [&](const std::string& key, const Route& route) {
+    const auto widest = widest_of(map, start.cell, goal.cell, route, {}).widest_radius;
+    json[key] = optional_number(widest);
+    if (map.frame) json[key + "_m"] = widest ? number(metres_within(map, *widest)) : Json(nullptr);
+  };
+  add("widest_radius", {.curved = true});
+  add("widest_radius_grown", cells);
 }
 
 Json info_json(const LoadedMap& map, Corners corners) {
@@ -112,9 +116,12 @@ std::string info_text(const Json& json, const LoadedMap& map, const InfoCommand&
   }
   if (command.start) {
     std::string joined = json["joined"].get<bool>() ? "yes" : "no";
-    if (!json["widest_radius"].is_null())
-      joined += ", up to --radius " +
-                length_text(map, command.frame, json["widest_radius"].get<double>(), 3, true);
+    const auto add = [&](const char* before, const char* key) {
+      if (!json[key].is_null())
+        joined += before + length_text(map, command.frame, json[key].get<double>(), 3, true);
+    };
+    add(", up to --radius ", "widest_radius");
+    add(" for exact, for the others up to ", "widest_radius_grown");
     row("joined", joined);
   }
   row("read", ms(json["read_ms"]));

@@ -23,21 +23,12 @@ double finite(double number) {
   return std::isnan(number) ? kNoLimit : std::clamp(number, -kNoLimit, kNoLimit);
 }
 
-/// False, and the grid as it was, when stopped.
-bool grow(LoadedMap& map, const StopCondition& stop) {
-  if (map.radius == 0) return true;
-  auto grown = grow_obstacles(*map.grid_alone, map.radius, stop);
-  if (!grown) return false;
-  map.as_read = std::exchange(map.grid_alone, std::move(grown));
-  return true;
-}
-
 /// Nothing, and the grid as it was, when stopped.
-std::optional<Planner> make_planner(Grid& grid, const MapOptions& options, Corners corners,
-                                    const StopCondition& stop) {
+std::optional<Planner> make_planner(Grid& grid, Disc robot, const MapOptions& options,
+                                    Corners corners, const StopCondition& stop) {
   const PrepareOptions more{.threads = options.threads, .stop = stop};
-  auto planner = options.prepare ? Planner::make_prepared(std::move(grid), more)
-                                 : Planner::make(std::move(grid), stop);
+  auto planner = options.prepare ? Planner::make_prepared(std::move(grid), robot, more)
+                                 : Planner::make(std::move(grid), robot, stop);
   // Should this be stopped, the plan is at once.
   if (planner) planner->label(corners, stop);
   return planner;
@@ -75,12 +66,9 @@ LoadedMap load_map(const MapOptions& options, Frame frame, Corners corners,
   LoadedMap map = read_map(options, frame);
   const StopCondition stop{.token = token};
   const auto start = Clock::now();
-  const bool whole = grow(map, stop);
-  map.read_ms += ms_since(start);
-  const auto ready_start = Clock::now();
-  if (whole) map.planner = make_planner(*map.grid_alone, options, corners, stop);
+  map.planner = make_planner(*map.grid_alone, {map.radius}, options, corners, stop);
   if (map.planner) map.grid_alone.reset();
-  map.ready_ms = ms_since(ready_start);
+  map.ready_ms = ms_since(start);
   return map;
 }
 

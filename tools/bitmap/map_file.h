@@ -26,17 +26,20 @@ struct LoadedMap {
   double radius = 0;                 ///< cells
   bool prepare = false;              ///< more was asked for: see Planner::preparation
   std::optional<Planner> planner{};  ///< nothing: the token fired before it was made
-  std::optional<Grid> grid_alone{};  ///< without a planner: the grid as far as it came
-  std::optional<Grid> as_read{};     ///< before obstacles grew, where they did
+  std::optional<Grid> grid_alone{};  ///< without a planner: the grid as read
   std::optional<Grid> unknown{};     ///< as Map::unknown
-  double read_ms = 0;                ///< reading, and growing obstacles
-  double ready_ms = 0;               ///< making the planner
-  /// Made when reasons.h first needs them: of the grid as read, with 4 and 8 neighbours; with the
-  /// unknown cells free.
+  double read_ms = 0;                ///< reading
+  double ready_ms = 0;               ///< making the planner, growing obstacles
+  /// Made when reasons.h first needs them: of the map, with 4 and 8 neighbours; with the unknown
+  /// cells free.
   std::array<std::optional<WidestRadius>, 2> widest{};
   std::optional<Planner> with_unknown_free{};
 
-  const Grid& grid() const { return planner ? planner->grid() : *grid_alone; }
+  /// The cells that are planned on: grown by the radius, but for a drive's.
+  const Grid& grid() const { return planner ? planner->passable() : *grid_alone; }
+  /// Before obstacles grew.
+  const Grid& as_read() const { return planner ? planner->grid() : *grid_alone; }
+  bool grown() const { return planner && radius > 0; }
 
   // Precondition of these: the map has a frame.
   Point to_world(Point cells) const { return frame->to_world(cells, height); }

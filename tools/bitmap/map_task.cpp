@@ -26,9 +26,12 @@ std::string MapTask::error() const {
     text = "start " + place_text(start(), frame) + " and goal " + place_text(goal(), frame) +
            " lie in different regions of free cells";
   if (map().radius > 0)  // why cells that look free are not
-    text += " (obstacles grown by " + length_text(map(), frame, map().radius, 6) + ")";
+    text += (curved() ? " (for a disc of radius " : " (obstacles grown by ") +
+            length_text(map(), frame, map().radius, 6) + ")";
   return remedy() ? text + remedy_text(map(), frame, *remedy()) : text;
 }
+
+bool MapTask::curved() const { return route_of(map(), options()).curved; }
 
 bool MapTask::at_start() const {
   return result().fault == Fault::start_blocked || result().fault == Fault::start_outside;
@@ -38,7 +41,7 @@ std::string MapTask::invalid_text() const {
   const bool bad_start = at_start();
   const Place& place = bad_start ? start() : goal();
   std::string text = (bad_start ? "start " : "goal ") + place_text(place, options().frame) +
-                     obstruction_text(map(), options().frame, obstruction_of(map(), place.cell));
+                     obstruction_text(map(), options().frame, obstruction_of(map(), place.cell, curved()));
   if (!nearest_free())
     return map().grid().count_free() == 0 ? text + "; the map has no free cell" : text;
   const auto& [free, reachable] = std::pair(*nearest_free(), nearest_reachable());
@@ -59,7 +62,7 @@ std::string MapTask::name_of(Cell cell) const {
 
 void MapTask::add_findings(Json& json) const {
   if (result().status == Status::invalid && (map().unknown || map().radius > 0)) {
-    const auto why = obstruction_of(map(), (at_start() ? start() : goal()).cell);
+    const auto why = obstruction_of(map(), (at_start() ? start() : goal()).cell, curved());
     json["blocked_by"] = why.by.empty() ? "obstacle" : why.by;  // that a drive's map has not
     if (why.by == "radius") json["clearance"] = number(why.clearance);
   }

@@ -41,6 +41,7 @@ class MapTask : public Task {
 
   virtual const Remedy* remedy() const { return nullptr; }  ///< of ends that are not joined
 
+  bool curved() const;  ///< paths are a disc's curves
   bool in_metres() const { return options().frame == Frame::world; }
 
  private:

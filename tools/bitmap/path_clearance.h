@@ -16,7 +16,8 @@ struct NearestBlocked {
   double distance = 0;  ///< to its square, cells
   Cell cell{};          ///< perhaps outside; any where nothing is as near as `most`
 };
-NearestBlocked nearest_blocked(const Grid& grid, Point at, double most);
+/// @param beside  the nearest to any point so far from `at` along each axis
+NearestBlocked nearest_blocked(const Grid& grid, Point at, double most, double beside = 0);
 
 /// Distance from a point to the nearest blocked cell's square or the outside, at most `most`.
 double distance_to_blocked(const Grid& grid, Point at, double most = kMostClearance);

@@ -1,5 +1,6 @@
 #include "tools/bitmap/reasons.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tools/bitmap/path_clearance.h"
@@ -8,23 +9,19 @@
 namespace lasius::tool {
 namespace {
 
-/// Before obstacles grew.
-const Grid& true_grid(const LoadedMap& map) { return map.as_read ? *map.as_read : map.grid(); }
-
 bool is_unknown(const LoadedMap& map, Cell c) {
   return map.unknown && map.unknown->contains(c) && map.unknown->blocked(c);
 }
 
 /// The map with its unknown cells free, and grown as it is.
 std::optional<Planner> with_unknown_free(const LoadedMap& map, const StopCondition& stop) {
-  Grid grid = true_grid(map);
+  Grid grid = map.as_read();
   std::vector<std::uint64_t> words(grid.words());
   for (int y = 0; y < grid.height(); ++y) {
     for (int i = 0; i < grid.words(); ++i) words[i] = grid.row(y)[i] & ~map.unknown->row(y)[i];
     grid.set_row(y, words.data());
   }
-  auto grown = grow_obstacles(grid, map.radius, stop);
-  return grown ? Planner::make(std::move(*grown), stop) : std::nullopt;
+  return Planner::make(std::move(grid), Disc{map.radius}, stop);
 }
 
 }  // namespace
@@ -43,25 +40,41 @@ std::string place_text(const Place& place, Frame frame) {
   return to_text(place.asked.x) + "," + to_text(place.asked.y) + " m, in cell " + cell + ",";
 }
 
-Obstruction obstruction_of(const LoadedMap& map, Cell cell) {
-  const Grid& grid = true_grid(map);
-  if (!grid.contains(cell)) return {"outside", 0, {}};
-  if (grid.blocked(cell)) return {is_unknown(map, cell) ? "unknown" : "obstacle", 0, {}};
-  const auto [clearance, nearest] = nearest_blocked(grid, centre(cell), map.radius + 1);
-  if (clearance > map.radius && map.grid().free(cell)) return {};  // a drive's grid has not grown
-  return {"radius", clearance,
-          !grid.contains(nearest)    ? "the edge of the map"
-          : is_unknown(map, nearest) ? "an unknown cell"
-                                     : "an obstacle"};
+bool Route::joined(const Planner& planner, Cell start, Cell goal) const {
+  if (curved) return planner.joined(start, goal);
+  const Grid& grid = planner.passable();
+  return grid.free(start) && grid.free(goal) && planner.connected(start, goal, corners);
+}
+
+Obstruction obstruction_of(const LoadedMap& map, Cell cell, bool curved) {
+  const Grid& grid = map.as_read();
+  if (!grid.contains(cell)) return {.by = "outside"};
+  if (grid.blocked(cell)) return {.by = is_unknown(map, cell) ? "unknown" : "obstacle"};
+  const auto near_to = [&](double beside) {
+    const auto [clearance, nearest] =
+        nearest_blocked(grid, centre(cell), std::min(map.radius, 1e6) + 1, beside);
+    return Obstruction{.by = "radius",
+                       .clearance = clearance,
+                       .nearest = !grid.contains(nearest)    ? "the edge of the map"
+                                  : is_unknown(map, nearest) ? "an unknown cell"
+                                                             : "an obstacle"};
+  };
+  const Obstruction centre_near = near_to(0);
+  if (curved) return map.planner->clear(cell) ? Obstruction{} : centre_near;
+  if (centre_near.clearance < map.radius) return centre_near;
+  Obstruction cell_near = near_to(0.5);
+  cell_near.in_part = true;
+  return cell_near.clearance < map.radius ? cell_near : Obstruction{};
 }
 
 std::string obstruction_text(const LoadedMap& map, Frame frame, const Obstruction& why) {
   if (why.by == "outside") return " is outside the map";
   if (why.by == "unknown") return " is unknown, and blocked without --unknown-free";
   if (why.by == "radius")
-    return " is too near to " + std::string(why.nearest) + ", " +
-           length_text(map, frame, why.clearance) + " away: the radius is " +
-           length_text(map, frame, map.radius, 6);
+    return " is " + std::string(why.in_part ? "in part " : "") + "too near to " +
+           std::string(why.nearest) + ", " + length_text(map, frame, why.clearance, 3, true) +
+           " away: the radius is " + length_text(map, frame, map.radius, 6) +
+           (why.in_part ? "; its centre is not, from which exact plans" : "");
   return map.unknown || map.radius > 0 ? " is blocked by an obstacle" : " is blocked";
 }
 
@@ -79,24 +92,29 @@ double metres_within(const LoadedMap& map, double cells) {
   return metres;
 }
 
-Remedy widest_of(LoadedMap& map, Cell start, Cell goal, Corners corners,
+Remedy widest_of(LoadedMap& map, Cell start, Cell goal, const Route& route,
                  const std::stop_token& token) {
-  const Grid& grid = true_grid(map);
+  const Grid& grid = map.as_read();
   if (std::int64_t{map.width} * map.height > Remedy::kMostCells) return {};
-  auto& widest = map.widest[corners == Corners::allow ? 1 : 0];
-  if (!widest) widest = WidestRadius::make(grid, corners, {.token = token});
-  if (!widest || !grid.contains(start) || !grid.contains(goal)) return {};
+  if (!grid.contains(start) || !grid.contains(goal)) return {};
+  if (route.curved) {
+    const auto widest = map.planner->widest_disc(start, goal, {.token = token});
+    return {.searched = widest || !token.stop_requested(), .widest_radius = widest};
+  }
+  auto& widest = map.widest[route.corners == Corners::allow ? 1 : 0];
+  if (!widest) widest = WidestRadius::make(grid, route.corners, {.token = token});
+  if (!widest) return {};
   return {.searched = true, .widest_radius = widest->between(start, goal)};
 }
 
-Remedy remedy_of(LoadedMap& map, Cell start, Cell goal, Corners corners,
+Remedy remedy_of(LoadedMap& map, Cell start, Cell goal, const Route& route,
                  const std::stop_token& token) {
   Remedy remedy;
-  if (map.radius > 0) remedy = widest_of(map, start, goal, corners, token);
+  if (map.radius > 0) remedy = widest_of(map, start, goal, route, token);
   if (map.unknown && !map.unknown_is_free && !map.with_unknown_free)
     map.with_unknown_free = with_unknown_free(map, {.token = token});
   remedy.unknown_free =
-      map.with_unknown_free && map.with_unknown_free->connected(start, goal, corners);
+      map.with_unknown_free && route.joined(*map.with_unknown_free, start, goal);
   return remedy;
 }
 

@@ -19,13 +19,24 @@ std::string length_text(const LoadedMap& map, Frame frame, double cells, int dec
 /// A start or goal as it was given, as in "(3, 4)" or "1.2,0.5 m, in cell (3, 4),".
 std::string place_text(const Place& place, Frame frame);
 
+/// How an algorithm goes about: `exact` along a disc's curves from centre to centre, the others on
+/// cells of the grown map, under a rule of corners.
+struct Route {
+  bool curved = false;
+  Corners corners = Corners::forbid;  ///< unless curved
+
+  bool joined(const Planner& planner, Cell start, Cell goal) const;
+};
+
 /// What keeps a cell from being planned on.
 struct Obstruction {
-  std::string_view by;       ///< "outside", "obstacle", "unknown", "radius"; empty: nothing here
-  double clearance = 0;      ///< of its centre to what is blocked, cells; with "radius"
-  std::string_view nearest;  ///< with "radius": what is so near
+  std::string_view by = {};       ///< "outside", "obstacle", "unknown", "radius"; empty: nothing here
+  double clearance = 0;           ///< with "radius": of its centre to what is blocked, cells
+  std::string_view nearest = {};  ///< with "radius": what is so near
+  bool in_part = false;           ///< the centre keeps the radius; `clearance` is the whole cell's
 };
-Obstruction obstruction_of(const LoadedMap& map, Cell cell);
+/// Of algorithms that go along a disc's curves, or on cells.
+Obstruction obstruction_of(const LoadedMap& map, Cell cell, bool curved);
 /// As in " is outside the map", to follow a place.
 std::string obstruction_text(const LoadedMap& map, Frame frame, const Obstruction& why);
 
@@ -45,11 +56,11 @@ struct Remedy {
 /// The most metres that are at most so many cells, as --radius takes them. Precondition: a frame.
 double metres_within(const LoadedMap& map, double cells);
 /// Of free cells of the map as it was read. What it makes of the map stays with that.
-Remedy remedy_of(LoadedMap& map, Cell start, Cell goal, Corners corners,
+Remedy remedy_of(LoadedMap& map, Cell start, Cell goal, const Route& route,
                  const std::stop_token& token);
 /// The widest radius alone; nothing where no radius joins them, the map is too large, or an end
 /// outside.
-Remedy widest_of(LoadedMap& map, Cell start, Cell goal, Corners corners,
+Remedy widest_of(LoadedMap& map, Cell start, Cell goal, const Route& route,
                  const std::stop_token& token);
 /// As in "; the widest radius that joins them is 0.371 m", or empty.
 std::string remedy_text(const LoadedMap& map, Frame frame, const Remedy& remedy);

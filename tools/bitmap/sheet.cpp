@@ -82,9 +82,9 @@ Page Sheet::page(std::string title) const {
     page.legend.push_back(
         area_key(map.unknown_is_free ? "unknown, counted as free" : "unknown, counted as blocked",
                  kUnknownCell));
-  if (map.as_read)
+  if (map.grown())
     page.legend.push_back(
-        area_key("blocked once obstacles are grown by " + length(map.radius), kGrown));
+        area_key("in part or wholly nearer than " + length(map.radius) + " to that", kGrown));
   return page;
 }
 
@@ -104,8 +104,9 @@ void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet,
   const auto share =
       blocked_share(sheet.grid, window, std::min(window.width(), static_cast<int>(box.width)),
                     std::min(window.height(), static_cast<int>(box.height)));
-  const auto& read = sheet.map.as_read;
-  const auto inner = read ? blocked_share(*read, window, share.width, share.height) : share;
+  const bool grown = sheet.map.grown();
+  const auto inner =
+      grown ? blocked_share(sheet.map.as_read(), window, share.width, share.height) : share;
   const auto unknown = sheet.unknown != nullptr
                            ? blocked_share(*sheet.unknown, window, share.width, share.height)
                            : Raster<float>(share.width, share.height);
@@ -118,7 +119,7 @@ void paint_map(Canvas& canvas, const Box& box, const Sheet& sheet,
       const double unknown_here = wall_strength(unknown.at(x, y));
       Colour colour = ground(columns, rows);
       if (!hides && colour == kFree) colour = blend(colour, kUnknownCell, unknown_here);
-      if (read) colour = blend(colour, kGrown, wall_strength(share.at(x, y)));
+      if (grown) colour = blend(colour, kGrown, wall_strength(share.at(x, y)));
       if (hides) colour = blend(colour, kUnknownCell, unknown_here);
       const float obstacles = inner.at(x, y) - (hides ? unknown.at(x, y) : 0);
       pixels.at(x, y) = blend(colour, kWall, wall_strength(obstacles));

@@ -71,9 +71,9 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help,
          "edge there",
          "cell|world");
   option("--radius", text.radius,
-         "Grow obstacles: block cells whose centre is within R of one or of the map's edge; R in "
-         "cells (metres with --frame world). Paths keep R - 0.71 cells: give R + 0.71 where a disc "
-         "of radius R has to be safe",
+         "The robot is a disc: its centre keeps R cells (metres with --frame world) from what is "
+         "blocked and from the map's edge. exact passes whatever such a disc can, R from 0.05 to 54 "
+         "cells; other algorithms plan on cells all of whose points keep R",
          "R");
   option(
       "--goal-tolerance", text.goal_tolerance,
@@ -197,7 +197,7 @@ Subcommand add_info(CLI::App& app) {
   option("MAP", raw->map, kMapHelp, "FILE")->required();
   option("--corners", raw->corners, "Rule by which components are joined", "forbid|one-side|allow");
   option("--radius", raw->radius,
-         "Grow obstacles as plan --radius does, in cells (metres with --frame world)", "R");
+         "Of a disc as plan --radius has it, in cells (metres with --frame world)", "R");
   option("--frame", raw->frame, "Of --radius, --start and --goal, as plan has it", "cell|world");
   option("--start", raw->start,
          "With --goal: tell whether both are joined, and up to which radius they are", "X,Y");

@@ -26,7 +26,7 @@ enum class ProgressMode { automatic, always, never };
 struct MapOptions {
   std::string file;
   bool unknown_is_free = false;
-  double radius = 0;           ///< obstacles grow by it
+  double radius = 0;           ///< of the robot, a disc
   bool radius_metres = false;  ///< else cells; so a goal tolerance
   bool prepare = false;        ///< make the visibility graph
   int threads = 1;             ///< that make it

@@ -194,6 +194,13 @@ std::unique_ptr<Task> task_of(const Recorded& recorded, Last& last) {
   return world ? recorded_polygon(recorded, last.world) : recorded_bitmap(recorded, last.map);
 }
 
+/// True for what was planned on a bitmap with a radius before 0.4.0.
+bool radius_has_changed(const Json& result, const std::string& version) {
+  if (version_of(version) >= Version{0, 4, 0} || !result.contains("map")) return false;
+  const Json radius = result.value(Json::json_pointer("/parameters/radius"), Json());
+  return !is_world(text_of(result["map"], "file")) && radius.is_number() && radius != 0;
+}
+
 /// True where no clock took part: the number of questions, or of ticks, was what ended it.
 bool ended_by_count(const Json& result) {
   const Json& given = value_at(result, "parameters");
@@ -235,6 +242,12 @@ int verify(const VerifyCommand& command, const Saved& saved, const std::string& 
   if (const auto own = result.find("own_rules"); own != result.end() && *own == true) {
     message(name +
             ": cannot be replayed: rules of the caller's own took part, which it does not hold");
+    return kUsage;
+  }
+  if (radius_has_changed(result, version)) {
+    message(name + ": cannot be replayed: version " + version +
+            " kept a radius by half a cell's diagonal less; plan it anew, the radius asked is now "
+            "the radius kept");
     return kUsage;
   }
   if (version != LASIUS_VERSION && !command.quiet)

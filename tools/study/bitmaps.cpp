@@ -18,6 +18,8 @@ std::string question_key(const Grid& grid, const Question& question, const std::
   std::string key = "map " + std::to_string(grid.hash());
   for (const int v : {question.start.x, question.start.y, question.goal.x, question.goal.y})
     key += ' ' + std::to_string(v);
+  // What `exact` may do depends on more than the grown map.
+  if (question.radius > 0) key += " radius " + tool::to_text(question.radius);
   return key + ' ' + algorithm;
 }
 
@@ -69,7 +71,7 @@ Params params_of(const Contender& contender) {
 std::optional<double> true_optimum(const Planner& planner, const Question& question,
                                    const Truth& truth, const StopCondition& stop) {
   if (truth.kind == Truth::Kind::moves)
-    return shortest_walk(planner.grid(), question.start, question.goal, truth.neighbours,
+    return shortest_walk(planner.passable(), question.start, question.goal, truth.neighbours,
                          truth.corners, stop);
   const Result result = planner.plan({question.start, question.goal, stop}, Params(kExact));
   if (!result.optimal) return std::nullopt;
@@ -80,13 +82,14 @@ Bitmaps::Bitmaps(const Study& study, const std::filesystem::path& maps) {
   for (const Experiment& experiment : study.experiments)
     for (const Question& question : experiment.questions)
       if (!planners_.contains(question.ground()))
-        planners_.emplace(question.ground(), Planner(load_map(question, maps)));
+        planners_.emplace(question.ground(),
+                          Planner(load_map(question.map, maps), Disc{question.radius}));
 }
 
 Task Bitmaps::task(const Question& question, const Contender& contender) const {
   const Params params = params_of(contender);
   const Planner& planner = planners_.at(question.ground());
-  const Grid& grid = planner.grid();
+  const Grid& grid = planner.passable();
   Task task =
       task_of(question_key(grid, question, params.algorithm()) + budget_key(contender.budget),
               params, find_algorithm(params.algorithm()).parameters, grid.width() + grid.height());

@@ -72,18 +72,34 @@ TEST(Clearance, HoldsTheLargestValue) {
   EXPECT_EQ(clearance(corner).at({699, 750}), 699.5);
 }
 
-TEST(GrowObstacles, AgreesWithTheClearance) {
-  const double radii[] = {0,    0.25,           0.49, 0.5, 0.7, std::sqrt(0.5), 0.75, 1,    1.5,
-                          1.58, std::sqrt(2.5), 2.5,  3.3, 5,   7.07,           12,   19.5, 40,
-                          1e6,  1e300};
+// From the cell's nearest point, in cells.
+double squared_gap(const Grid& grid, Cell c) {
+  double best = 1e18;
+  for (int y = -1; y <= grid.height(); ++y) {
+    for (int x = -1; x <= grid.width(); ++x) {
+      if (grid.free({x, y})) continue;
+      const double dx = std::max(0, std::abs(x - c.x) - 1), dy = std::max(0, std::abs(y - c.y) - 1);
+      best = std::min(best, dx * dx + dy * dy);
+    }
+  }
+  return best;
+}
+
+TEST(GrowObstacles, BlocksWhatHasAPointNearerThanTheRadius) {
+  std::vector<double> radii = {0, 1e-300, 0.25, 0.7, 1.58, 3.3, 7.07, 12, 19.5, 40, 1e6, 1e300};
+  for (const double squared : {1, 2, 4, 5, 9, 10, 13, 25})  // the least number that blocks, or not
+    for (const double towards : {0.0, std::sqrt(squared), 9.0})
+      radii.push_back(std::nextafter(std::sqrt(squared), towards));
   for (const Grid& grid : sample_grids()) {
-    const ClearanceField field = clearance(grid);
+    std::vector<double> gaps;
+    for (const Cell c : cells_of(grid)) gaps.push_back(squared_gap(grid, c));
     for (const double radius : radii) {
       const Grid grown = grow_obstacles(grid, radius);
+      std::size_t i = 0;
       for (const Cell c : cells_of(grid)) {
-        const double squared =
-            field.squared_half_cells[static_cast<std::size_t>(c.y) * grid.width() + c.x];
-        ASSERT_EQ(grown.blocked(c), squared <= 4 * radius * radius)
+        const double gap = gaps[i++];
+        const bool near = gap == 0 || std::fma(radius, radius, -gap) > 0;  // its sign is exact
+        ASSERT_EQ(grown.blocked(c), grid.blocked(c) || (radius > 0 && near))
             << grid.width() << 'x' << grid.height() << " at " << c.x << ',' << c.y << ", "
             << radius;
       }
@@ -95,11 +111,10 @@ TEST(GrowObstacles, IsWorkedOutByHand) {
   const Grid grid = drawn(
       {".........", ".........", ".........", "....#....", ".........", ".........", "........."});
   EXPECT_EQ(grow_obstacles(grid, 0), grid);
-  EXPECT_EQ(grow_obstacles(grid, 0.49), grid);
-  EXPECT_EQ(grow_obstacles(grid, 0.5), drawn({"#########", "#.......#", "#...#...#", "#..###..#",
-                                              "#...#...#", "#.......#", "#########"}));
-  EXPECT_EQ(grow_obstacles(grid, 0.75), drawn({"#########", "#.......#", "#..###..#", "#..###..#",
-                                               "#..###..#", "#.......#", "#########"}));
+  for (const double radius : {1e-9, 0.5, 1.0})
+    EXPECT_EQ(grow_obstacles(grid, radius), drawn({"#########", "#.......#", "#..###..#", "#..###..#",
+                                                   "#..###..#", "#.......#", "#########"}));
+  EXPECT_EQ(grow_obstacles(grid, std::nextafter(1.0, 2)).count_free(), 0);
   EXPECT_EQ(grow_obstacles(grid, 100).count_free(), 0);
 }
 
@@ -132,13 +147,12 @@ TEST(WidestRadius, IsTheLastWithWhichCellsAreJoined) {
 TEST(WidestRadius, IsWorkedOutByHand) {
   // A door of one cell.
   const Grid grid = drawn({"....#....", "....#....", ".........", "....#....", "....#...."});
-  EXPECT_EQ(WidestRadius::make(grid)->between({0, 2}, {8, 2}), std::nextafter(0.5, 0));
-  EXPECT_EQ(WidestRadius::make(grid)->between({1, 1}, {2, 2}), std::nextafter(1.5, 0));
+  EXPECT_EQ(WidestRadius::make(grid)->between({0, 2}, {8, 2}), 0);
+  EXPECT_EQ(WidestRadius::make(grid)->between({1, 1}, {2, 2}), 1);
   EXPECT_EQ(WidestRadius::make(grid)->between({4, 0}, {0, 0}), std::nullopt);
   const Grid squeezed = drawn({".#", "#."});
   EXPECT_EQ(WidestRadius::make(squeezed)->between({0, 0}, {1, 1}), std::nullopt);
-  EXPECT_EQ(WidestRadius::make(squeezed, Corners::allow)->between({0, 0}, {1, 1}),
-            std::nextafter(0.5, 0));
+  EXPECT_EQ(WidestRadius::make(squeezed, Corners::allow)->between({0, 0}, {1, 1}), 0);
   std::stop_source stop;
   stop.request_stop();
   EXPECT_FALSE(WidestRadius::make(Grid(900, 900), Corners::forbid, {.token = stop.get_token()}));

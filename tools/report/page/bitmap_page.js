@@ -174,9 +174,9 @@ class BitmapStage {
     const cells = `${numberText(radius)} ${radius === 1 ? "cell" : "cells"}`;
     this.card.append(swatches([["start", "--start"], ["goal", "--goal"], ["blocked", "--wall"],
                                ...(map.unknown ? [[unknown, "--no-data"]] : []),
-                               ...(map.obstacles ? [[`blocked once obstacles are grown by ${cells}`, "--grown"]] : []), ["path", "--path", "line"]]));
+                               ...(map.obstacles ? [[`in part or wholly nearer than ${cells} to that`, "--grown"]] : []), ["path", "--path", "line"]]));
     if (radius > 0)
-      this.card.append(element("p", { class: "note" }, `Obstacles are grown by ${cells}; clearance is measured to them as grown.`));
+      this.card.append(element("p", { class: "note" }, `The robot is a disc with a radius of ${cells}; clearance is measured from its centre to what is blocked.`));
     if (this.content.thinned)
       this.card.append(element("p", { class: "note" }, `The path is long: the page holds one vertex in ${this.content.thinned}.`));
   }

@@ -1,0 +1,64 @@
+// Circles about the corners of blocked cells, and the pieces of them that a disc's centre may be
+// on.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "kernels/base/arctangent.h"
+#include "lasius/geometry.h"
+
+namespace lasius::disc {
+
+/// All tests of a distance allow for so much, in cells: a disc fits where its centre is nowhere
+/// nearer to a blocked cell than its radius less this.
+constexpr double kSlack = 1e-9;
+/// What boxes and arcs are made with, so that their ends pass such tests.
+constexpr double kMadeSlack = 0.9e-9;
+
+/// A unit vector in the quadrant of both signs: the sizes of its components.
+struct Normal {
+  double a = 1, b = 0;
+
+  double angle() const noexcept { return kernels::quadrant_angle(a, b); }  ///< from (1, 0)
+};
+
+/// The piece of a circle about a corner of a blocked cell that keeps the radius from all others.
+///
+/// A corner is a lattice point with exactly one of its four cells blocked. Normals of its circle
+/// that point away from that cell lie in one quadrant: its type, whose bit 0 says that x is
+/// negative, bit 1 that y is. How far a normal (a, b) has turned in its quadrant is told by its
+/// fraction b / (a + b): 0 along x, 1 along y.
+struct Arc {
+  std::uint16_t x = 0, y = 0;  ///< of the corner
+  std::uint32_t type = 0;      ///< 0 to 3
+  double low = 0, high = 1;    ///< fractions at the ends
+
+  int right() const noexcept { return (type & 1) != 0 ? -1 : 1; }  ///< sign of normals' x
+  int down() const noexcept { return (type & 2) != 0 ? -1 : 1; }   ///< sign of normals' y
+};
+static_assert(sizeof(Arc) == 24);
+
+/// How far a normal has turned past an end of an arc: the sine of the angle, times a number of
+/// [0.7, 1].
+inline double past(double fraction, Normal n) noexcept {
+  return (1 - fraction) * n.b - fraction * n.a;
+}
+
+/// Is a normal of an arc's quadrant on the arc, up to rounding?
+inline bool on_arc(const Arc& arc, Normal n) noexcept {
+  return past(arc.low, n) >= -kSlack && past(arc.high, n) <= kSlack;
+}
+
+/// The normal with a fraction.
+inline Normal normal_at(double fraction) noexcept {
+  const double a = 1 - fraction;
+  const double size = std::sqrt(a * a + fraction * fraction);
+  return {a / size, fraction / size};
+}
+
+inline Point point_on(const Arc& arc, Normal n, double radius) noexcept {
+  return {arc.x + arc.right() * (radius * n.a), arc.y + arc.down() * (radius * n.b)};
+}
+
+}  // namespace lasius::disc

@@ -1,0 +1,329 @@
+#include "core/disc/disc_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/special_values.h"
+#include "core/disc/scan_limits.h"
+
+namespace lasius::disc {
+
+using exact::kBucketWidth;
+using exact::kWordsPerPoll;
+
+namespace {
+
+constexpr std::int64_t kWordsPerExpansion = 16;
+
+// As in the search for a point: the weighted search that runs now and then until there is a path,
+// and how far ahead of a label's bound its view is taken at first.
+constexpr double kWeight = 1.2;
+constexpr std::int64_t kFirstWeighted = 16;
+constexpr std::int64_t kWeightedShare = 8;
+constexpr double kHorizon = 1.0 / 1024;
+constexpr double kHorizonOfRise = 4;
+constexpr int kMostScans = 4;
+// Labels that are asked whether they see the goal before the goal takes a look.
+constexpr std::int64_t kGlance = 16;
+
+double distance(Point a, Point b) noexcept {
+  const double x = b.x - a.x, y = b.y - a.y;
+  return std::sqrt(x * x + y * y);
+}
+
+}  // namespace
+
+// What a view finds, put into labels and frontiers.
+struct DiscSearch::Sink {
+  DiscSearch& search;
+  const Label from;
+  Label found = {};
+
+  // Leaves the label in `found`.
+  bool wants(const Seen& seen) {
+    return wants(seen.arc, seen.rising, seen.normal, seen.normal.angle(), seen.length,
+                 seen.arrives);
+  }
+  bool wants(std::uint32_t arc, bool rising, Normal normal, double angle, double way,
+             Point arrives) {
+    const double to_goal = distance(arrives, search.goal_);
+    double length = from.length + way;
+    if (search.in_hand_ != Labels::kStart)
+      length += search.space_->radius() * std::abs(angle - from.angle);
+    if (length + to_goal >= search.upper_) return false;
+    found = {.length = length,
+             .to_goal = to_goal,
+             .angle = angle,
+             .normal = normal,
+             .arc = arc,
+             .parent = search.in_hand_,
+             .rising = rising};
+    return !search.labels_.dominated(found);
+  }
+  void take() {
+    const std::uint32_t number = search.labels_.add(found);
+    const double key = found.length + found.to_goal;
+    search.frontier_.push(number, key);
+    if (search.weighted_on_)
+      search.weighted_frontier_.push(number, found.length + kWeight * found.to_goal);
+  }
+  void take(const Seen&) { take(); }
+  template <int S>
+  kernels::ConeLimits limits(int down, int line0) const noexcept {
+    return limits_around<S>(view_of(search.space_->map()), search.leaves_, search.goal_,
+                            search.horizon_ - from.length, down, line0);
+  }
+  bool go_on(std::int64_t words) {
+    search.counters_.words += words;
+    return !search.poller_->stop_after(words);
+  }
+};
+
+// The arcs that the goal sees: turned around the other way, they are left for it.
+struct DiscSearch::GoalSink {
+  DiscSearch& search;
+
+  bool wants(const Seen&) const noexcept { return true; }
+  void take(const Seen& seen) {
+    search.exits_[2 * seen.arc + (seen.rising ? 0 : 1)] = {search.exit_stamp_, seen.normal,
+                                                           seen.normal.angle(), seen.length};
+  }
+  template <int S>
+  kernels::ConeLimits limits(int down, int line0) const noexcept {
+    return limits_around<S>(view_of(search.space_->map()), search.goal_, search.start_,
+                            search.goal_horizon_, down, line0);
+  }
+  bool go_on(std::int64_t words) {
+    search.counters_.words += words;
+    return !search.poller_->stop_after(words);
+  }
+};
+
+void DiscSearch::look_from_goal() {
+  goal_horizon_ = goal_looks_ < kMostScans ? std::min(upper_, lower_ + ahead(goal_looks_)) : upper_;
+  ++goal_looks_;
+  ++exit_stamp_;
+  exits_.resize(2 * space_->arcs().size());
+  GoalSink sink{*this};
+  View<GoalSink> view(*space_, view_, sink);
+  bool cut_off = false;
+  for (const int down : {1, -1}) {
+    for (const int right : {1, -1}) cut_off |= view.look(Root::at(goal_, {right, down}));
+  }
+  if (!cut_off) goal_horizon_ = kInfinity;
+  for (std::uint32_t i = 1; i < labels_.size(); ++i) {
+    if (labels_[i].expanded) exits(i);
+  }
+}
+
+// Does the goal see the arc of a label, where it turns on? Every other way on is longer then.
+bool DiscSearch::exits(std::uint32_t number) {
+  const Label& label = labels_[number];
+  const Exit& exit = exits_[2 * label.arc + (label.rising ? 1 : 0)];
+  const double turned = label.rising ? exit.angle - label.angle : label.angle - exit.angle;
+  if (exit.stamp != exit_stamp_ || turned < -kSlack) return false;
+  const double length = label.length + space_->radius() * std::max(0.0, turned) + exit.length;
+  if (length < upper_) {
+    upper_ = length;
+    last_ = number;
+    last_normal_ = exit.normal;
+  }
+  return true;
+}
+
+// Is the goal where a taut path over this label goes straight to it?
+bool DiscSearch::meets_goal(std::uint32_t number, const Root& root) {
+  const Label& label = labels_[number];
+  const Tangent line = tangent(root.heading.right * (goal_.x - root.x),
+                               root.heading.down * (goal_.y - root.y), root.offset);
+  const Normal n = line.normal;
+  const double sign = label.rising ? 1 : -1;
+  if (line.length < 0 || n.a < 0 || n.b < 0 ||
+      sign * (root.from.a * n.b - root.from.b * n.a) < -kSlack ||
+      sign * (n.a * root.to.b - n.b * root.to.a) < -kSlack)
+    return false;
+  const double turned = std::max(0.0, sign * (n.angle() - label.angle));
+  const double length = label.length + space_->radius() * turned + line.length;
+  if (length >= upper_) return true;
+  if (!space_->sees(root.leaves(n), goal_)) return false;
+  upper_ = length;
+  last_ = number;
+  last_normal_ = n;
+  return true;
+}
+
+// Goes on along edges of the graph.
+bool DiscSearch::follow(std::uint32_t number) {
+  const Label label = labels_[number];  // labels may move from here on
+  const Root root = Root::on(*space_, label.arc, label.rising, label.normal);
+  if (goal_looks_ == 0 ? meets_goal(number, root) : exits(number)) return false;
+  const std::uint32_t next = labels_.ahead(label);
+  const double last = next != Labels::kStart ? labels_[next].angle : label.rising ? kInfinity : -1;
+  Sink sink{*this, label};
+  for (const GraphEdge& edge : graph_->edges(label.arc, label.rising)) {
+    if (label.rising ? edge.angle < label.angle - kSlack : edge.angle > label.angle + kSlack) break;
+    if (label.rising ? edge.angle > last : edge.angle < last) continue;
+    const Tangent line = tangent(root.heading.right * edge.dx, root.heading.down * edge.dy,
+                                 edge.across() ? 2 * root.offset : 0);
+    const Normal n = line.normal;
+    const Point leaves = root.leaves(n);
+    const Point arrives{leaves.x + root.heading.right * (n.b * line.length),
+                        leaves.y + root.heading.down * (n.a * line.length)};
+    if (sink.wants(edge.to(), edge.rising(), n, edge.angle, line.length, arrives)) sink.take();
+  }
+  return false;
+}
+
+// Returns whether rays were cut off at the horizon.
+bool DiscSearch::leave(std::uint32_t number) {
+  const Label label = labels_[number];  // labels may move from here on
+  Root root = Root::on(*space_, label.arc, label.rising, label.normal);
+  const std::uint32_t next = labels_.ahead(label);
+  if (next != Labels::kStart) root.to = labels_[next].normal;
+  if (meets_goal(number, root)) return false;  // every other way on from here is longer
+  Sink sink{*this, label};
+  View<Sink> view(*space_, view_, sink);
+  leaves_ = root.leaves(root.from);
+  bool cut_off = view.look(root);
+  if (next == Labels::kStart) cut_off |= view.look_along_wall(root);
+  return cut_off;
+}
+
+bool DiscSearch::leave_start() {
+  Sink sink{*this, labels_[Labels::kStart]};
+  View<Sink> view(*space_, view_, sink);
+  leaves_ = start_;
+  bool cut_off = false;
+  for (const int down : {1, -1}) {
+    for (const int right : {1, -1}) cut_off |= view.look(Root::at(start_, {right, down}));
+  }
+  return cut_off;
+}
+
+double DiscSearch::ahead(int scans) const noexcept {
+  return (kHorizon * straight_ + kHorizonOfRise * (lower_ - straight_)) * (1 << 2 * scans);
+}
+
+// As in the search for a point: a view that was cut off waits in the frontier with the horizon as
+// its key, and looks four times as far ahead then.
+void DiscSearch::expand(std::uint32_t number) {
+  ++counters_.expansions;
+  Label& label = labels_[number];
+  label.expanded = true;
+  horizon_ = upper_;
+  if (label.scans < kMostScans) {
+    horizon_ = std::min(upper_, label.length + label.to_goal + ahead(label.scans));
+  }
+  in_hand_ = number;
+  const double horizon = horizon_;
+  const bool cut_off = number == Labels::kStart ? leave_start()
+                       : graph_ != nullptr      ? follow(number)
+                                                : leave(number);
+  if (!cut_off || horizon >= upper_) return;
+  Label& again = labels_[number];
+  again.expanded = again.weighed = false;
+  ++again.scans;
+  frontier_.push(number, horizon);
+  if (weighted_on_) weighted_frontier_.push(number, horizon + (kWeight - 1) * again.to_goal);
+}
+
+// Takes the best label of the frontier; false when none can lead to a shorter path, or stopped.
+bool DiscSearch::next_label(std::uint32_t& number, Poller& poller) {
+  while (frontier_.advance(poller)) {
+    const double floor = frontier_.floor();
+    if (graph_ != nullptr && goal_looks_ > 0 && floor > goal_horizon_ && goal_horizon_ < upper_) {
+      lower_ = std::max(lower_, std::min(floor, goal_horizon_));
+      look_from_goal();
+    }
+    lower_ = std::max(lower_, std::min(floor, upper_));
+    if (lower_ >= upper_) return false;
+    number = frontier_.pop();
+    const Label& label = labels_[number];
+    if (!label.expanded && label.length + label.to_goal < upper_ &&
+        (number == Labels::kStart || !labels_.dominated(label, number)))
+      return true;
+    if (poller.stop_after(1)) return false;
+  }
+  lower_ = upper_;
+  return false;
+}
+
+void DiscSearch::search_weighted(std::int64_t steps, Poller& poller) {
+  for (;
+       steps > 0 && upper_ == kInfinity && !poller.stopped() && weighted_frontier_.advance(poller);
+       --steps) {
+    const std::uint32_t number = weighted_frontier_.pop();
+    Label& label = labels_[number];
+    if (label.weighed || label.expanded) continue;
+    label.weighed = true;
+    expand(number);
+    poller.stop_after(kWordsPerExpansion);
+  }
+  weighted_on_ = upper_ == kInfinity;
+}
+
+bool DiscSearch::tell_improvement(const Poller* poller) {
+  return improvements_.tell(lower_, upper_, poller, [this](std::vector<Point>& path) {
+    path = polyline_of(trace(*space_, labels_, last_, last_normal_, start_, goal_), *space_);
+  });
+}
+
+void DiscSearch::run(const ExactOptions& options, Poller& poller) {
+  frontier_.reset(lower_, kBucketWidth);
+  weighted_frontier_.reset(lower_, kBucketWidth);
+  weighted_on_ = graph_ == nullptr;
+  expand(Labels::kStart);
+  std::int64_t next_weighted = kFirstWeighted;
+  std::uint32_t number = 0;
+  bool go_on = tell_improvement(&poller);
+  while (go_on && !poller.stopped() && next_label(number, poller)) {
+    if (upper_ - lower_ <= options.target_gap * lower_) break;
+    if (graph_ != nullptr && goal_looks_ == 0 && counters_.expansions > kGlance) look_from_goal();
+    expand(number);
+    poller.stop_after(kWordsPerExpansion);
+    go_on = tell_improvement(&poller);
+    if (!weighted_on_ || counters_.expansions < next_weighted) continue;
+    search_weighted(counters_.expansions / kWeightedShare, poller);
+    next_weighted = counters_.expansions * 2;
+  }
+}
+
+void DiscSearch::search(const DiscSpace& space, const DiscGraph* graph, Point start, Point goal,
+                        const ExactOptions& options, const StopCondition& stop,
+                        DiscAnswer& answer) {
+  Poller poller(stop, kWordsPerPoll, options.beside);
+  poller_ = &poller;
+  space_ = &space;
+  graph_ = graph;
+  goal_looks_ = 0;
+  start_ = start;
+  goal_ = goal;
+  counters_ = {};
+  labels_.reset(space);
+  straight_ = lower_ = distance(start, goal);
+  labels_[Labels::kStart].to_goal = straight_;
+  upper_ = kInfinity;
+  last_ = Labels::kStart;
+  improvements_.begin(options);
+  if (space.sees(start, goal)) {
+    upper_ = lower_;
+  } else if (space.joined(start, goal)) {
+    run(options, poller);
+  } else {
+    lower_ = kInfinity;
+  }
+  poller_ = nullptr;
+  graph_ = nullptr;
+  tell_improvement(nullptr);  // the last one; nothing is left to stop
+  counters_.labels = labels_.size() - 1;
+  Curve curve;
+  if (upper_ < kInfinity) curve = trace(space, labels_, last_, last_normal_, start, goal);
+  conclude(lower_, upper_, poller.cause(), options.target_gap, std::move(curve), space, answer);
+}
+
+std::int64_t DiscSearch::bytes() const noexcept {
+  return labels_.bytes() + frontier_.bytes() + weighted_frontier_.bytes() + view_.bytes() +
+         improvements_.bytes() + held_bytes(exits_);
+}
+
+}  // namespace lasius::disc

@@ -1,0 +1,86 @@
+// Exact shortest paths of a disc on a bitmap, anytime, with a certificate.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/bucket_queue.h"
+#include "core/base/poller.h"
+#include "core/disc/disc_answer.h"
+#include "core/disc/disc_graph.h"
+#include "core/disc/disc_space.h"
+#include "core/disc/labels.h"
+#include "core/disc/view.h"
+
+namespace lasius::disc {
+
+/// A* over taut turns. Keeps its memory from search to search. One thread at a time.
+///
+/// A shortest path of a disc's centre is made of arcs about corners of blocked cells and of lines
+/// that touch them: it is taut. A label is a way to an arc, with its length g to where it touches
+/// it; to leave it is to turn around the arc, and to go on along a line to what is seen from there
+/// (core/disc/view.h). The frontier holds labels by g + h, h the straight distance to the goal. No
+/// path is shorter than its least key (lower bound), the first label that sees the goal gives a
+/// path (upper bound); where they meet, it is proven shortest. docs/exact.md proves that none is
+/// missed.
+///
+/// With a graph views are taken from start and goal alone: the first labels are asked whether they
+/// see the goal, then the goal tells which arcs see it. Both look as far as a horizon; when the
+/// bound has risen to it, farther.
+class DiscSearch {
+ public:
+  /// Plans between two clear points. Deterministic, except for when it is stopped.
+  /// @param graph  of this space; null: none
+  void search(const DiscSpace& space, const DiscGraph* graph, Point start, Point goal,
+              const ExactOptions& options, const StopCondition& stop, DiscAnswer& answer);
+
+  const Counters& counters() const noexcept { return counters_; }
+  std::int64_t bytes() const noexcept;
+
+ private:
+  struct Sink;
+  struct GoalSink;
+  // Where an arc is left straight for the goal, by arc and turn.
+  struct Exit {
+    std::uint32_t stamp = 0;
+    Normal normal;
+    double angle, length;
+  };
+
+  void run(const ExactOptions& options, Poller& poller);
+  void search_weighted(std::int64_t steps, Poller& poller);
+  bool next_label(std::uint32_t& number, Poller& poller);
+  void expand(std::uint32_t number);
+  bool leave(std::uint32_t number);
+  bool leave_start();
+  bool meets_goal(std::uint32_t number, const Root& root);
+  bool follow(std::uint32_t number);
+  bool exits(std::uint32_t number);
+  void look_from_goal();
+  double ahead(int scans) const noexcept;
+  bool tell_improvement(const Poller* poller);
+
+  const DiscSpace* space_ = nullptr;  // these three of the call in hand
+  const DiscGraph* graph_ = nullptr;
+  Poller* poller_ = nullptr;
+  Point start_, goal_;
+  std::uint32_t in_hand_ = 0;  // the label whose view is taken
+  Point leaves_;               // where its first ray does
+  double horizon_ = 0;         // paths over it that are longer do not matter yet
+  double straight_ = 0;
+  double lower_ = 0, upper_ = 0;  // upper: length of the best path
+  std::uint32_t last_ = 0;        // its last label
+  Normal last_normal_;            // where it leaves that
+  double goal_horizon_ = 0;       // longer paths may have exits that are not known yet
+  int goal_looks_ = 0;
+  std::uint32_t exit_stamp_ = 0;
+  std::vector<Exit> exits_;
+  bool weighted_on_ = false;
+  exact::Improvements improvements_;
+  Labels labels_;
+  BucketQueue frontier_, weighted_frontier_;
+  ViewMemory view_;
+  Counters counters_;
+};
+
+}  // namespace lasius::disc

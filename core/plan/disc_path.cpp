@@ -1,0 +1,159 @@
+#include "core/plan/disc_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/number_text.h"
+#include "core/disc/bit_rows.h"
+#include "kernels/sight/sight.h"
+
+namespace lasius {
+namespace {
+
+double distance(Point a, Point b) noexcept {
+  const double x = b.x - a.x, y = b.y - a.y;
+  return std::sqrt(x * x + y * y);
+}
+
+double distance_to_segment(Point p, Point a, Point b) noexcept {
+  const double x = b.x - a.x, y = b.y - a.y;
+  const double square = x * x + y * y;
+  const double along = square > 0 ? ((p.x - a.x) * x + (p.y - a.y) * y) / square : 0;
+  const double t = std::clamp(along, 0.0, 1.0);
+  return distance(p, {a.x + t * x, a.y + t * y});
+}
+
+/// From a segment that does not cross the cell.
+double distance_to_cell(int x, int y, Point a, Point b) noexcept {
+  const auto from = [&](Point p) {
+    return distance(p, {std::clamp(p.x, 1.0 * x, x + 1.0), std::clamp(p.y, 1.0 * y, y + 1.0)});
+  };
+  double least = std::min(from(a), from(b));
+  for (const Point corner : {Point{1.0 * x, 1.0 * y}, {x + 1.0, 1.0 * y}, {1.0 * x, y + 1.0},
+                             {x + 1.0, y + 1.0}})
+    least = std::min(least, distance_to_segment(corner, a, b));
+  return least;
+}
+
+std::string text(Point p) { return pair_text(p.x, p.y); }
+
+/// Names a piece of which a point lies nearer than it may.
+class Judge {
+ public:
+  Judge(const Grid& map, double radius)
+      : map_(map), radius_(radius), least_(radius - 2 * disc::kSlack) {}
+
+  std::optional<std::string> straight(Point a, Point b) const {
+    for (const Point p : {a, b}) {
+      if (!(p.x >= 0 && p.y >= 0 && p.x <= map_.width() && p.y <= map_.height()))
+        return "the point " + text(p) + " is outside the map";
+    }
+    const double clearance = segment_clearance(map_, a, b, radius_);
+    if (clearance >= least_) return std::nullopt;
+    return "the segment " + text(a) + " - " + text(b) + " comes as near as " +
+           number_text(clearance) + " to a blocked cell, the radius is " + number_text(radius_);
+  }
+
+  std::optional<std::string> arc(const CurvePiece& piece) const {
+    const auto off = [&](Point p) { return std::abs(distance(piece.centre, p) - radius_); };
+    if (piece.radius != radius_ || off(piece.from) > disc::kSlack || off(piece.to) > disc::kSlack)
+      return "the arc about " + text(piece.centre) + " has another radius than the disc";
+    return arc(piece.centre, piece.from, piece.to, 4);
+  }
+
+ private:
+  // Its ends and the points that halve it, again and again. What comes nearer between these comes
+  // nearer to the polyline's sides around the arc, too, which are judged whole.
+  std::optional<std::string> arc(Point centre, Point from, Point to, int halvings) const {
+    if (auto fault = straight(from, from)) return fault;
+    if (auto fault = straight(to, to)) return fault;
+    if (halvings == 0) return std::nullopt;
+    const double x = from.x + to.x - 2 * centre.x, y = from.y + to.y - 2 * centre.y;
+    const double scale = radius_ / std::sqrt(x * x + y * y);
+    const Point middle{centre.x + scale * x, centre.y + scale * y};
+    if (auto fault = arc(centre, from, middle, halvings - 1)) return fault;
+    return arc(centre, middle, to, halvings - 1);
+  }
+
+  const Grid& map_;
+  double radius_, least_;
+};
+
+}  // namespace
+
+std::optional<Grid> clear_cells(const disc::DiscSpace& space, Poller& poller,
+                                const std::optional<Cell>& other) {
+  Grid cells = space.map();
+  for (int y = 0; y < cells.height(); ++y) {
+    if (poller.stop_after(cells.width())) return std::nullopt;
+    for (int x = 0; x < cells.width(); ++x) {
+      if (cells.blocked({x, y})) continue;
+      const Point at = centre({x, y});
+      const bool clear = space.blocked_cells().free({x, y}) &&
+                         (!space.in_band({x, y}) || space.clear(at)) &&
+                         (!other || space.joined(at, centre(*other)));
+      if (!clear) cells.set_blocked({x, y});
+    }
+  }
+  return cells;
+}
+
+// Row by row of cells: those nearest to the segment are straight below or above what of it is nearest
+// to the row, or the first to the left or right of that.
+double segment_clearance(const Grid& map, Point a, Point b, double most) noexcept {
+  if (a.y > b.y) std::swap(a, b);
+  double least = most;
+  const int last = std::min(map.height(), static_cast<int>(std::floor(b.y + most)));
+  for (int y = std::max(-1, static_cast<int>(std::floor(a.y - most)) - 1); y <= last; ++y) {
+    const double above = std::max(0.0, y - b.y), below = std::max(0.0, a.y - (y + 1));
+    const double away = std::max(above, below);
+    if (away >= least) continue;
+    // The part of the segment that is nearest to the row.
+    const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
+    const auto at = [&](double height) {
+      if (height <= a.y) return a.x;
+      return height >= b.y ? b.x : a.x + slope * (height - a.y);
+    };
+    const bool level = a.y == b.y;
+    const double one = level ? a.x : at(y), other = level ? b.x : at(y + 1.0);
+    const int left = static_cast<int>(std::floor(std::min(one, other)));
+    const int right = static_cast<int>(std::floor(std::max(one, other)));
+    const std::uint64_t* const row = map.row(y);
+    if (!kernels::row_free(row, left, right)) {
+      least = std::min(least, away);
+      continue;
+    }
+    const int before = disc::blocked_before(row, left), after = disc::blocked_after(row, right);
+    least = std::min({least, distance_to_cell(before, y, a, b), distance_to_cell(after, y, a, b)});
+  }
+  return least;
+}
+
+std::optional<std::string> disc_path_fault(const Grid& map, double radius,
+                                           std::span<const Point> path,
+                                           std::span<const CurvePiece> curve) {
+  if (path.empty() || curve.empty()) return "the path is empty";
+  const Judge judge(map, radius);
+  double length = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (auto fault = judge.straight(path[i - 1], path[i])) return fault;
+    length += distance(path[i - 1], path[i]);
+  }
+  double curve_length = 0;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const CurvePiece& piece = curve[i];
+    if (i > 0 && distance(curve[i - 1].to, piece.from) > disc::kSlack)
+      return "the curve is broken at " + text(piece.from);
+    if (auto fault = piece.turn == 0 ? judge.straight(piece.from, piece.to) : judge.arc(piece))
+      return fault;
+    curve_length += piece.turn == 0 ? distance(piece.from, piece.to) : piece.angle * radius;
+  }
+  if (distance(path.front(), curve.front().from) > 0 || distance(path.back(), curve.back().to) > 0)
+    return "the curve's ends are not the path's";
+  if (length < curve_length * (1 - disc::kSlack) || length > curve_length * 1.001)
+    return "the path's length is " + number_text(length) + ", the curve's " +
+           number_text(curve_length);
+  return std::nullopt;
+}
+
+}  // namespace lasius

@@ -1,0 +1,71 @@
+// How wide a disc can be that goes from one cell to another.
+#include <algorithm>
+#include <cmath>
+
+#include "core/plan/disc_path.h"
+#include "core/plan/planner_impl.h"
+
+namespace lasius {
+namespace {
+
+double radius_of(int squared_half_cells) { return std::sqrt(1.0 * squared_half_cells) / 2; }
+
+/// The square of the distance in half cells from a cell's centre to what is blocked, as far as it
+/// matters: whole.
+int squared_clearance(const Grid& map, Cell c) {
+  const double clearance =
+      2 * segment_clearance(map, centre(c), centre(c), disc::kLargestRadius + 1);
+  return static_cast<int>(std::lround(clearance * clearance));
+}
+
+}  // namespace
+
+std::shared_ptr<const Planner::Impl::Regions> Planner::Impl::regions(
+    int squared_half_cells, const StopCondition& stop) const {
+  {
+    const std::scoped_lock lock(regions_kept_);
+    if (const auto known = regions_.find(squared_half_cells); known != regions_.end())
+      return known->second;
+  }
+  const auto space = disc::DiscSpace::make(map(), radius_of(squared_half_cells), stop);
+  if (!space) return nullptr;
+  auto joined = Components::make(space->blocked_cells(), Components::Connectivity::four, stop);
+  if (!joined) return nullptr;
+  auto made = std::make_shared<const Regions>(Regions{space->blocked_cells(), std::move(*joined)});
+  const std::scoped_lock lock(regions_kept_);
+  return regions_.emplace(squared_half_cells, std::move(made)).first->second;
+}
+
+// The narrowest place of the widest way lies midway between the two points of blocked squares that
+// hold the disc there, which are lattice points or straight across from one, or it is one of the
+// ends. So four times the square of the radius is a whole number.
+std::optional<double> Planner::widest_disc(Cell a, Cell b, const StopCondition& stop) const {
+  const Grid& map = impl_->map();
+  if (map.blocked(a) || map.blocked(b)) return std::nullopt;
+  constexpr int kMost = static_cast<int>(4 * disc::kLargestRadius * disc::kLargestRadius);
+  const int ends = std::min(squared_clearance(map, a), squared_clearance(map, b));
+  if (a == b) return radius_of(std::min(ends, kMost));
+  int open = 0, closed = kMost + 1;
+  while (closed - open > 1) {
+    const int middle = open + (closed - open) / 2;
+    bool joined = middle <= ends;
+    if (joined) {
+      const auto regions = impl_->regions(middle, stop);
+      if (regions == nullptr) return std::nullopt;
+      // A cell that keeps a clear point may count as blocked by rounding alone.
+      joined = regions->blocked.free(a) && regions->blocked.free(b) &&
+               regions->four.connected(regions->blocked, a, b);
+    }
+    (joined ? open : closed) = middle;
+  }
+  // Cells that are joined at all are by doors as wide as a cell.
+  return open > 0 ? std::optional(radius_of(open)) : std::nullopt;
+}
+
+bool Planner::joined(Cell a, Cell b) const {
+  if (!clear(a) || !clear(b)) return false;
+  if (impl_->disc == nullptr || !impl_->disc->space) return connected(a, b);
+  return impl_->disc->space->joined(centre(a), centre(b));
+}
+
+}  // namespace lasius

@@ -1,0 +1,112 @@
+#include "core/disc/disc_search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "core/disc/disc_graph.h"
+#include "tests/core/disc/disc_worlds.h"
+#include "tests/oracle/disc_paths.h"
+
+namespace lasius::disc {
+namespace {
+
+DiscAnswer solve(DiscSearch& search, const DiscSpace& space, const DiscGraph* graph, Point start,
+                 Point goal, const ExactOptions& options = {}, const StopCondition& stop = {}) {
+  DiscAnswer answer;
+  search.search(space, graph, start, goal, options, stop, answer);
+  return answer;
+}
+
+std::shared_ptr<DiscGraph> graph_of(const DiscSpace& space, int threads = 1) {
+  Preparation report;
+  auto graph = DiscGraph::make(space, {.threads = threads}, report);
+  EXPECT_EQ(report.state, Preparation::State::ready);
+  EXPECT_EQ(report.edges, graph->edge_count());
+  return graph;
+}
+
+// Pieces that follow each other, tangents and arcs, all of it and its polyline clear.
+void expect_curve(const DiscAnswer& answer, const DiscSpace& space, Point start, Point goal,
+                  const std::function<double(Point, Point)>& clearance) {
+  const double radius = space.radius();
+  ASSERT_FALSE(answer.curve.empty());
+  EXPECT_EQ(answer.curve.back().to, goal);
+  EXPECT_EQ(answer.length, curve_length(answer.curve, radius));
+  for (std::size_t i = 0; i < answer.curve.size(); ++i) {
+    const CurvePiece& piece = answer.curve[i];
+    EXPECT_EQ(piece.from, i > 0 ? answer.curve[i - 1].to : start);
+    if (piece.turn == 0) {
+      EXPECT_GE(clearance(piece.from, piece.to), radius - 2e-9);
+      continue;
+    }
+    const double from = std::atan2(piece.from.y - piece.centre.y, piece.from.x - piece.centre.x);
+    Point last = piece.from;
+    for (int k = 1; k <= 16; ++k) {
+      const double angle = from + piece.turn * piece.angle * k / 16;
+      const Point p{piece.centre.x + radius * std::cos(angle),
+                    piece.centre.y + radius * std::sin(angle)};
+      EXPECT_GE(clearance(p, p), radius - 2e-9);
+      last = p;
+    }
+    EXPECT_NEAR(last.x, piece.to.x, 1e-9);
+    EXPECT_NEAR(last.y, piece.to.y, 1e-9);
+  }
+  double length = 0;
+  for (std::size_t i = 1; i < answer.path.size(); ++i) {
+    const Point a = answer.path[i - 1], b = answer.path[i];
+    EXPECT_GE(clearance(a, b), radius - 2e-9);
+    length += std::hypot(a.x - b.x, a.y - b.y);
+  }
+  EXPECT_EQ(answer.path.front(), start);
+  EXPECT_EQ(answer.path.back(), goal);
+  EXPECT_GE(length, answer.length * (1 - 1e-12));
+  EXPECT_LE(length, answer.length * 1.001);
+}
+
+TEST(DiscSearch, EqualsBruteForceOnSmallMaps) {
+  std::mt19937 random(1);
+  DiscSearch search;
+  int found = 0, closed = 0, bent = 0;
+  for (int round = 0; round < scaled(40); ++round) {
+    const double radius = random_radius(round % 32 == 31 ? 20 : round % 4 == 0 ? 5 : 2, random);
+    const Grid grid = random_map(radius, random);
+    const auto space = DiscSpace::make(grid, radius);
+    const auto graph = graph_of(*space);
+    oracle::DiscPaths paths(grid, radius);
+    for (int i = 0; i < 6; ++i) {
+      const auto start = random_clear(*space, random), goal = random_clear(*space, random);
+      if (!start || !goal) continue;
+      ASSERT_TRUE(paths.clear(*start));
+      const auto expected = paths.shortest(*start, *goal);
+      for (const DiscGraph* with :
+           {static_cast<const DiscGraph*>(nullptr), static_cast<const DiscGraph*>(graph.get())}) {
+        const DiscAnswer answer = solve(search, *space, with, *start, *goal);
+        SCOPED_TRACE(testing::Message()
+                     << "round " << round << " radius " << radius << " from " << start->x << ' '
+                     << start->y << " to " << goal->x << ' ' << goal->y << " graph " << with);
+        if (!expected) {
+          ++closed;
+          EXPECT_EQ(answer.end, ExactEnd::unreachable);
+          EXPECT_TRUE(answer.curve.empty());
+          continue;
+        }
+        ++found;
+        bent += answer.curve.size() > 1;
+        ASSERT_EQ(answer.end, ExactEnd::proven);
+        EXPECT_NEAR(answer.length, *expected, 1e-9);
+        EXPECT_EQ(answer.lower_bound, answer.length);
+        expect_curve(answer, *space, *start, *goal,
+                     [&](Point a, Point b) { return paths.clearance(a, b); });
+      }
+    }
+  }
+  EXPECT_GT(found, 100);
+  EXPECT_GT(closed, 10);
+  EXPECT_GT(bent, 50);
+}
+
+}  // namespace
+}  // namespace lasius::disc

@@ -1,0 +1,144 @@
+#include "core/disc/disc_space.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "lasius/error.h"
+#include "tests/core/base/counting_time.h"
+#include "tests/core/disc/disc_worlds.h"
+#include "tests/oracle/disc_paths.h"
+
+namespace lasius::disc {
+namespace {
+
+Point random_point(const Grid& grid, std::mt19937& random) {
+  const int grain = random_in(0, 1, random) == 0 ? 2 : 1 << 16;
+  return {1.0 * random_in(0, grain * grid.width(), random) / grain,
+          1.0 * random_in(0, grain * grid.height(), random) / grain};
+}
+
+// What cells say of their points, what points say of themselves, and straight moves.
+TEST(DiscSpace, AgreesWithDistancesToAllSquares) {
+  std::mt19937 random(2);
+  int clear = 0, seen = 0, hidden = 0, band = 0;
+  for (int round = 0; round < scaled(60); ++round) {
+    const double radius = random_radius(round % 8 == 0 ? 8 : 2, random);
+    const Grid grid = random_map(radius, random);
+    const auto space = DiscSpace::make(grid, radius);
+    const oracle::DiscPaths paths(grid, radius, oracle::DiscPaths::Lines::none);
+    for (int i = 0; i < 200; ++i) {
+      const Point p = random_point(grid, random);
+      const Cell cell{std::min(static_cast<int>(p.x), grid.width() - 1),
+                      std::min(static_cast<int>(p.y), grid.height() - 1)};
+      ASSERT_NEAR(space->clearance(p, 9), std::min(9.0, paths.clearance(p)), 1e-12);
+      ASSERT_EQ(space->clear(p), paths.clear(p));
+      if (space->in_band(cell)) {
+        ++band;
+      } else {
+        ASSERT_EQ(paths.clear(p), space->blocked_cells().free(cell));
+      }
+    }
+    for (int i = 0; i < 60; ++i) {
+      const auto a = random_clear(*space, random), b = random_clear(*space, random);
+      if (!a || !b) continue;
+      ++clear;
+      const bool expected = paths.clearance(*a, *b) >= radius - kSlack;
+      ASSERT_EQ(space->sees(*a, *b), expected) << round << ' ' << i;
+      ++(expected ? seen : hidden);
+      ASSERT_TRUE(!expected || space->joined(*a, *b));
+    }
+  }
+  EXPECT_GT(seen, 200);
+  EXPECT_GT(hidden, 200);
+  EXPECT_GT(band, 500);
+}
+
+TEST(DiscSpace, IsOpenWhereItJustFits) {
+  for (const double radius : {0.5, 1.0, 1.5, 3.0, 7.5}) {
+    const int width = static_cast<int>(2 * radius);
+    const Grid grid = grid_of(40, width + 20, [&](int x, int y) {
+      return x >= 10 && x < 30 && (y < 10 || y >= 10 + width);
+    });
+    const Point a{4, 10 + radius}, b{36, 10 + radius};
+    const auto fits = DiscSpace::make(grid, radius);
+    if (radius <= 3) {
+      EXPECT_TRUE(fits->sees(a, b)) << radius;
+      EXPECT_TRUE(fits->joined(a, b));
+      const auto wider = DiscSpace::make(grid, radius + 5e-7);
+      EXPECT_FALSE(wider->joined(a, b)) << radius;
+    } else {
+      EXPECT_FALSE(fits->clear(a));  // the outside is too near
+    }
+  }
+}
+
+TEST(DiscSpace, ArcsOfOneBlock) {
+  Grid grid(20, 20);
+  grid.set_blocked({10, 10});
+  const auto space = DiscSpace::make(grid, 2.0);
+  ASSERT_EQ(space->arcs().size(), 4u);
+  for (const Arc& arc : space->arcs()) {
+    EXPECT_EQ(arc.low, 0);
+    EXPECT_EQ(arc.high, 1);
+  }
+  EXPECT_NEAR(space->clearance({13, 14}, 9), std::hypot(2, 3), 1e-15);
+  EXPECT_EQ(space->clearance({-1, 3}, 9), 0);
+}
+
+TEST(DiscSpace, WayOutIsTheNearestClearPoint) {
+  std::mt19937 random(3);
+  int moved = 0, none = 0;
+  for (int round = 0; round < scaled(40); ++round) {
+    const double radius = random_radius(3, random);
+    const Grid grid = round % 8 == 7 ? random_grid(9, 9, 60, random) : random_map(radius, random);
+    const auto space = DiscSpace::make(grid, radius);
+    const oracle::DiscPaths paths(grid, radius, oracle::DiscPaths::Lines::none);
+    for (int i = 0; i < 6; ++i) {
+      const Point p = random_point(grid, random);
+      const auto out = space->way_out(p);
+      double nearest = 1e9;
+      for (double y = 0; y <= grid.height(); y += 0.125) {
+        for (double x = 0; x <= grid.width(); x += 0.125) {
+          const double distance = std::hypot(x - p.x, y - p.y);
+          if (distance < nearest && paths.clear({x, y})) nearest = distance;
+        }
+      }
+      if (!out) {
+        ++none;
+        ASSERT_EQ(nearest, 1e9);
+        continue;
+      }
+      ASSERT_TRUE(space->clear(*out));
+      ASSERT_LE(std::hypot(out->x - p.x, out->y - p.y), nearest + 1e-9);
+      moved += !(*out == p);
+    }
+  }
+  EXPECT_GT(moved, 50);
+  EXPECT_GT(none, 0);
+}
+
+TEST(DiscSpace, RefusesRadiiOutOfRange) {
+  const Grid grid(4, 4);
+  for (const double radius : {0.0, 0.04, 54.1, -1.0, std::nan("")}) {
+    try {
+      DiscSpace::make(grid, radius);
+      ADD_FAILURE() << radius;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::invalid_parameter);
+      EXPECT_NE(error.remedy().find("0.05"), std::string::npos);
+    }
+  }
+  EXPECT_TRUE(DiscSpace::make(grid, 54)->way_out({1, 1}) == std::nullopt);
+  EXPECT_TRUE(DiscSpace::make(grid, 0.05)->clear({1, 1}));
+}
+
+TEST(DiscSpace, CanBeStopped) {
+  const Grid grid = grid_of(500, 500, [](int x, int y) { return (x * y) % 7 == 3; });
+  EXPECT_FALSE(DiscSpace::make(grid, 1.5, CountingTime(0).is_up()).has_value());
+}
+
+}  // namespace
+}  // namespace lasius::disc

@@ -1,0 +1,244 @@
+// Planners of a disc: what is planned keeps the radius, by an independent distance.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+
+#include "core/plan/disc_path.h"
+#include "lasius/batch.h"
+#include "lasius/clearance.h"
+#include "lasius/error.h"
+#include "tests/core/disc/disc_worlds.h"
+#include "tests/oracle/disc_paths.h"
+
+namespace lasius {
+namespace {
+
+constexpr double kRoom = 1e-9;  // of a clearance
+
+double least_clearance(const oracle::DiscPaths& judge, const Result& result) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < result.path.size(); ++i)
+    least = std::min(least, judge.clearance(result.path[i - 1], result.path[i]));
+  for (const CurvePiece& piece : result.curve) {
+    if (piece.turn == 0) {
+      least = std::min(least, judge.clearance(piece.from, piece.to));
+      continue;
+    }
+    const double from = std::atan2(piece.from.y - piece.centre.y, piece.from.x - piece.centre.x);
+    const double to = from + piece.turn * piece.angle;
+    least = std::min(least,
+                     judge.arc_clearance(piece.centre, std::min(from, to), std::max(from, to)));
+    EXPECT_NEAR(piece.centre.x + piece.radius * std::cos(to), piece.to.x, 1e-9);
+    EXPECT_NEAR(piece.centre.y + piece.radius * std::sin(to), piece.to.y, 1e-9);
+  }
+  return least;
+}
+
+Params small(std::string_view algorithm, int threads = 1) {
+  Params params{algorithm};
+  params.threads = threads;
+  if (find_algorithm(algorithm).has("iterations")) params.iterations = 4;
+  if (find_algorithm(algorithm).has("ants")) params.ants = std::min(params.ants, 8);
+  return params;
+}
+
+bool same(const Result& a, const Result& b) {
+  return a.status == b.status && a.path == b.path && a.curve == b.curve && a.error == b.error &&
+         (a.length == b.length || a.path.empty()) && a.lower_bound == b.lower_bound;
+}
+
+TEST(DiscPlanner, AllThatIsPlannedKeepsTheRadius) {
+  std::mt19937 random(3);
+  int curved = 0, walked = 0, closed_to_cells = 0;
+  for (int round = 0; round < 100; ++round) {
+    const double radius = disc::random_radius(round % 5 == 0 ? 6 : 2.5, random);
+    const Grid grid = disc::random_map(radius, random);
+    const Planner planner(grid, Disc{radius});
+    const Planner prepared(grid, Disc{radius}, PrepareOptions{.threads = 1 + round % 5});
+    EXPECT_EQ(planner.grid(), grid);
+    EXPECT_EQ(planner.passable(), grow_obstacles(grid, radius));
+    const oracle::DiscPaths judge(grid, radius, oracle::DiscPaths::Lines::none);
+    for (int i = 0; i < 3; ++i) {
+      const Request request{random_cell(grid, random), random_cell(grid, random)};
+      const Result exact = planner.plan(request);
+      const bool clear = grid.free(request.start) && grid.free(request.goal) &&
+                         judge.clear(centre(request.start)) && judge.clear(centre(request.goal));
+      EXPECT_EQ(exact.status == Status::invalid, !clear) << exact.error;
+      const Result again = prepared.plan(request);
+      EXPECT_EQ(again.status, exact.status);
+      if (exact.status == Status::solved && request.start != request.goal) {
+        ++curved;
+        EXPECT_TRUE(exact.optimal);
+        EXPECT_NEAR(again.length, exact.length, 1e-9);
+        EXPECT_GE(least_clearance(judge, exact), radius - kRoom);
+        EXPECT_GE(least_clearance(judge, again), radius - kRoom);
+        const double polyline = path_length(exact.path);
+        EXPECT_GE(polyline, exact.length * (1 - 1e-12));
+        EXPECT_LE(polyline, exact.length * 1.001);
+        EXPECT_GE(*planner.widest_disc(request.start, request.goal), radius - kRoom);
+      } else if (exact.status == Status::unreachable) {
+        EXPECT_LT(planner.widest_disc(request.start, request.goal).value_or(0), radius);
+      }
+      for (const Algorithm& algorithm : algorithms()) {
+        if (algorithm.kind == Algorithm::Kind::exact || (round + i) % 6 != 0) continue;
+        const Result colony = planner.plan(request, small(algorithm.name));
+        EXPECT_TRUE(colony.curve.empty());
+        closed_to_cells += exact.status == Status::solved && colony.path.empty();
+        if (colony.path.size() < 2) continue;
+        ++walked;
+        EXPECT_GE(least_clearance(judge, colony), radius - kRoom) << algorithm.name;
+        EXPECT_GE(colony.length, exact.length * (1 - 1e-12)) << algorithm.name;
+      }
+    }
+  }
+  EXPECT_GT(curved, 40);
+  EXPECT_GT(walked, 100);
+  EXPECT_GT(closed_to_cells, 10);
+}
+
+TEST(DiscPlanner, ACorridorAsWideAsTheDiscIsOpen) {
+  Grid grid(40, 21);
+  grid.fill({10, 0, 20, 9}, true);
+  grid.fill({10, 12, 20, 9}, true);
+  const Request request{{3, 3}, {36, 17}};
+  for (const auto& [radius, open] : {std::pair{1.5, true}, {1.5 + 1e-6, false}, {0.7, true}}) {
+    const Planner planner(grid, Disc{radius});
+    const Result result = planner.plan(request);
+    EXPECT_EQ(result.status, open ? Status::solved : Status::unreachable) << radius;
+    EXPECT_EQ(result.optimal, open);
+    EXPECT_EQ(planner.joined(request.start, request.goal), open);
+    EXPECT_EQ(planner.widest_disc(request.start, request.goal), 1.5);
+  }
+  EXPECT_EQ(Planner(grid).widest_disc({3, 3}, {3, 4}), 3.5) << "as near as the ends are";
+  EXPECT_EQ(Planner(grid).widest_disc({3, 3}, {15, 3}), std::nullopt) << "into a wall";
+}
+
+TEST(DiscPlanner, AnswersDependOnNoThreads) {
+  std::mt19937 random(8);
+  const Grid grid = random_grid(70, 50, 1, random);
+  const Planner planner(grid, Disc{0.8});
+  std::vector<Request> requests;
+  for (int i = 0; i < 12; ++i) requests.push_back({random_cell(grid, random), random_cell(grid, random)});
+  const Planner prepared = planner.prepared({.threads = 1});
+  EXPECT_EQ(prepared.preparation().state, Preparation::State::ready);
+  EXPECT_GT(prepared.preparation().edges, 0);
+  for (const int threads : {1, 2, 5}) {
+    const auto batch = plan_batch(planner, requests, {}, {.threads = threads});
+    const Planner other = planner.prepared({.threads = threads});
+    ASSERT_EQ(batch.size(), requests.size());
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      EXPECT_TRUE(same(batch[i].result, planner.plan(requests[i])));
+      EXPECT_TRUE(same(prepared.plan(requests[i]), other.plan(requests[i])));
+      EXPECT_TRUE(same(planner.plan(requests[i], small("as", 1)),
+                       planner.plan(requests[i], small("as", threads))));
+    }
+  }
+}
+
+TEST(DiscPlanner, RadiiThatItIsNotMadeFor) {
+  for (const double radius : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(Planner(Grid(9, 9), Disc{radius}), Error) << radius;
+  const Planner wide(Grid(200, 200), Disc{60}), thin(Grid(9, 9), Disc{0.01});
+  EXPECT_EQ(wide.plan({{70, 70}, {120, 130}}, small("as")).status, Status::solved);
+  for (const Planner* planner : {&wide, &thin}) {
+    const Request request{{4, 4}, {5, 4}};
+    EXPECT_THROW((void)planner->plan(request), Error);
+    EXPECT_THROW((void)plan_batch(*planner, std::span(&request, 1)), Error);
+  }
+  try {
+    (void)wide.plan({{70, 70}, {120, 130}});
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("radius is 60; for exact a disc's radius is between"),
+              std::string::npos)
+        << error.what();
+  }
+  const Planner point(Grid(9, 9), Disc{});
+  EXPECT_TRUE(point.plan({{0, 0}, {8, 5}}).curve.empty());
+  EXPECT_EQ(point.plan({{0, 0}, {8, 5}}).path, Planner(Grid(9, 9)).plan({{0, 0}, {8, 5}}).path);
+}
+
+TEST(DiscPlanner, EndsInCellsThatAreFreeInPart) {
+  const Planner planner(Grid(20, 9), Disc{1.5});
+  const Request request{{1, 4}, {18, 4}};
+  EXPECT_TRUE(planner.clear({1, 4}));
+  EXPECT_TRUE(planner.passable().blocked({1, 4}));
+  EXPECT_EQ(planner.plan(request).length, 17);
+  const Result refused = planner.plan(request, small("as"));
+  EXPECT_EQ(refused.status, Status::invalid);
+  EXPECT_EQ(refused.error,
+            "start (1, 4) is nearer to what is blocked than the radius of 1.5, though its centre is "
+            "not: exact plans from there, other algorithms on cells that keep the radius all over; "
+            "the nearest free cell is (2, 4)");
+  const Result outside = planner.plan({{0, 4}, {18, 4}});
+  EXPECT_EQ(outside.nearest_free, (Cell{1, 4}));
+  EXPECT_EQ(outside.nearest_reachable, (Cell{1, 4}));
+  EXPECT_EQ(outside.fault, Fault::start_blocked);
+  const Result near = planner.plan({.start = {1, 4}, .goal = {19, 0}, .goal_tolerance = 2});
+  EXPECT_EQ(near.status, Status::solved);
+  EXPECT_EQ(near.goal_reached, (Cell{18, 1}));
+}
+
+TEST(DiscPlanner, AnEditedMapIsPlannedAnew) {
+  Grid grid(30, 15);
+  const Planner before(grid, Disc{1.2});
+  std::vector<Planner::Edit> edits;
+  for (int y = 2; y < 13; ++y) edits.push_back({{15, y}, true});
+  for (const auto& edit : edits) grid.set_blocked(edit.cell);
+  const Planner after = before.edited(edits), anew(grid, Disc{1.2});
+  EXPECT_EQ(after.grid(), grid);
+  EXPECT_EQ(after.robot().radius, 1.2);
+  const Request request{{3, 7}, {26, 7}};
+  EXPECT_TRUE(same(after.plan(request), anew.plan(request)));
+  EXPECT_EQ(after.plan(request).status, Status::unreachable) << "2 cells are left on each side";
+  const Planner::Direction ahead{{14, 1}, 1, 0};
+  const Planner shut = before.exclude(std::span(&ahead, 1));
+  EXPECT_TRUE(shut.grid().blocked({15, 1}));
+  EXPECT_EQ(shut.allow(std::span(&ahead, 1)).grid(), before.grid());
+}
+
+TEST(DiscPlanner, IsStopped) {
+  std::stop_source stop;
+  stop.request_stop();
+  std::mt19937 random(2);
+  Grid grid = random_grid(400, 400, 1, random);
+  EXPECT_FALSE(Planner::make(Grid(grid), Disc{0.9}, {.token = stop.get_token()}));
+  const Planner planner(grid, Disc{0.5});
+  std::vector<double> lengths;
+  Result whole, cut;
+  for (int i = 0; i < 100 && lengths.size() < 2; ++i) {
+    const Request request{random_cell(grid, random), random_cell(grid, random)};
+    lengths.clear();
+    whole = planner.plan(request, {}, nullptr,
+                         [&](const GridProgress& seen) { lengths.push_back(seen.best_length); });
+    cut = planner.plan(request, {}, nullptr, [&](const GridProgress& seen) { seen.stop(); });
+  }
+  ASSERT_GE(lengths.size(), 2U) << "no question with several paths";
+  EXPECT_EQ(cut.status, Status::interrupted);
+  EXPECT_GT(*cut.lower_bound, 0);
+  EXPECT_LE(*cut.lower_bound, whole.length);
+  EXPECT_GE(cut.length, whole.length);
+}
+
+TEST(SegmentClearance, AgreesWithTheDistanceToAllSquares) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 60; ++round) {
+    const Grid grid = disc::random_map(1 + round % 4, random);
+    const oracle::DiscPaths judge(grid, 1, oracle::DiscPaths::Lines::none);
+    for (int i = 0; i < 40; ++i) {
+      const int grain = 1 << random_in(0, 9, random);
+      const auto point = [&] {
+        return Point{1.0 * random_in(0, grain * grid.width(), random) / grain,
+                     1.0 * random_in(0, grain * grid.height(), random) / grain};
+      };
+      const Point a = point(), b = i % 4 == 0 ? a : point();
+      EXPECT_NEAR(segment_clearance(grid, a, b, 7), std::min(7.0, judge.clearance(a, b)), 1e-12)
+          << a.x << ' ' << a.y << " to " << b.x << ' ' << b.y;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lasius
