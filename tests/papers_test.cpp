@@ -8,7 +8,6 @@
 #include "core/colony/update.h"
 #include "lasius/planner.h"
 #include "lasius/schedule.h"
-#include "tests/core/base/counting_time.h"
 #include "tests/core/colony/walked_grid.h"
 #include "tests/worlds/grids.h"
 
@@ -152,23 +151,6 @@ TEST(AntSystem, PheromoneLiesOnTheArcsWalked) {
                      });
   EXPECT_NEAR(on_arc, 0.7 + 0.25, 1e-6);
   EXPECT_NEAR(off, 0.7, 1e-6);
-}
-
-TEST(AntSystem, AnUpdateIsCutShort) {
-  // To and fro 10000 times, Q / L = 1/4096; time is up at the second look, before move 8192: half
-  // of 8191 moves, rounded up, leave (2, 2).
-  Params params("as", Preset::book);
-  params.persistence = 1;
-  params.deposit = 10000.0 / 4096;
-  WalkedGrid trail(params);
-  std::vector<std::uint8_t> moves;
-  for (int i = 0; i < 5000; ++i) moves.insert(moves.end(), {kEast, kWest});
-  trail.walk(moves);
-  const CountingTime time(1);
-  trail.update(-1, 0, time.is_up());
-  EXPECT_EQ(time.polls(), 2);
-  EXPECT_DOUBLE_EQ(trail.tau(2, 2, kEast), 2);
-  EXPECT_DOUBLE_EQ(trail.tau(3, 2, kWest), 2 - 1.0 / 4096);
 }
 
 TEST(Elitist, TheBestTourSoFarDepositsAgain) {
