@@ -92,13 +92,11 @@ FileKind kind_by_key(std::string_view text) {
 }  // namespace
 
 FileKind kind_of(std::string_view text) noexcept {
-  static constexpr Mark kBegins[] = {{"\x89PNG", FileKind::image},
-                                     {"\xff\xd8\xff", FileKind::image},
-                                     {"GIF8", FileKind::image},
-                                     {"BM", FileKind::image},
-                                     {"II*", FileKind::image},
-                                     {"type octile", FileKind::movingai_map},
-                                     {"version 1", FileKind::scenario}};
+  static constexpr Mark kBegins[] = {
+      {"\x89PNG", FileKind::image},     {"\xff\xd8\xff", FileKind::image},
+      {"GIF8", FileKind::image},        {"BM", FileKind::image},
+      {"II*", FileKind::image},         {"type octile", FileKind::movingai_map},
+      {"version 1", FileKind::scenario}};
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   const auto first = text.find_first_not_of(" \t\r\n");
   if (first == text.npos) return FileKind::unknown;

@@ -26,9 +26,10 @@ double square(double x) noexcept { return x * x; }
 }  // namespace
 
 void check_disc_radius(double radius) {
-  require_parameter(radius >= kLeastRadius && radius <= kLargestRadius, "radius", radius,
-                    "for exact a disc's radius is between 0.05 and 54 cells: coarsen the map or ask "
-                    "a colony for a larger one, plan for a point with radius 0");
+  require_parameter(
+      radius >= kLeastRadius && radius <= kLargestRadius, "radius", radius,
+      "for exact a disc's radius is between 0.05 and 54 cells: coarsen the map or ask "
+      "a colony for a larger one, plan for a point with radius 0");
 }
 
 std::optional<DiscSpace> DiscSpace::make(const Grid& grid, double radius,
