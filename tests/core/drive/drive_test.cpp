@@ -104,11 +104,17 @@ TEST(Drive, DoubtsTheMapWhereItKnowsNoOtherWay) {
   const Grid truth = drawn({"..@.@..",  //
                             "..@.@..",  //
                             "......."});
-  // The doors are not in sight.
-  for (const double radius : {0.0, 0.4}) {
-    const DriveResult r = drive(map, truth, {0, 0}, {6, 0}, {}, {.sense = 1}, {.radius = radius});
+  // The doors are not in sight. A disc needs all to be three times as wide.
+  for (const auto& [radius, by] : {std::pair{0.0, 1}, {0.4, 3}}) {
+    const auto wide = [by = by](const Grid& grid) {
+      return grid_of(by * grid.width(), by * grid.height(),
+                     [&](int x, int y) { return grid.blocked({x / by, y / by}); });
+    };
+    const Cell start{by / 2, by / 2}, goal{6 * by + by / 2, by / 2};
+    const DriveResult r =
+        drive(wide(map), wide(truth), start, goal, {}, {.sense = 1}, {.radius = radius});
     EXPECT_EQ(r.status, Status::solved);
-    EXPECT_EQ(DriveChecker(truth, {}, radius).fault(r.track), "");
+    EXPECT_EQ(DriveChecker(wide(truth), {}, radius).fault(r.track), "");
     EXPECT_GT(r.seen, 0);
   }
 }

@@ -78,11 +78,11 @@ class DriveChecker {
     if (truth_.blocked(c)) return true;
     return std::any_of(movers_.begin(), movers_.end(), [&](const Mover& m) { return m.covers(c); });
   }
-  /// Does a disc round the centre of one cell reach the square of another? In half cells.
-  bool near(Cell centre, Cell square) const {
-    const double dx = std::max(0, 2 * std::abs(centre.x - square.x) - 1);
-    const double dy = std::max(0, 2 * std::abs(centre.y - square.y) - 1);
-    return dx * dx + dy * dy <= 4 * radius_ * radius_ || centre == square;
+  /// Is a point of one cell nearer than the radius to the square of another?
+  bool near(Cell held, Cell square) const {
+    const double dx = std::max(0, std::abs(held.x - square.x) - 1);
+    const double dy = std::max(0, std::abs(held.y - square.y) - 1);
+    return dx * dx + dy * dy < radius_ * radius_;
   }
   bool touches(Cell robot) const {
     const int reach = static_cast<int>(radius_) + 1;
