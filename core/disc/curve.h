@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/disc/disc_space.h"
-#include "lasius/curve.h"
 #include "lasius/geometry.h"
+#include "lasius/path.h"
 
 namespace lasius::disc {
 

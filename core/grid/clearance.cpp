@@ -43,9 +43,9 @@ bool measure_columns(const Grid& grid, ClearanceOf of, std::vector<std::int32_t>
 // Turns one row of column distances into squared distances. The nearest point outside a centre's
 // own column lies on the edge of a column, at an even abscissa 2i, and the distance to it is a
 // parabola about 2i: (2x + 1 - 2i)^2 + h(i)^2, with h(i) the lesser distance of the columns that
-// meet there. From whole cells, column i counts in the columns beside it, too, and the parabolas are
-// about centres: (2x - 2i)^2 + h(i)^2, h(i) the least of three. Column -1 and column `width` are
-// blocked.
+// meet there. From whole cells, column i counts in the columns beside it, too, and the parabolas
+// are about centres: (2x - 2i)^2 + h(i)^2, h(i) the least of three. Column -1 and column `width`
+// are blocked.
 class RowTransform {
  public:
   RowTransform(int width, ClearanceOf of)

@@ -8,8 +8,8 @@
 namespace lasius {
 namespace {
 
-// The free cells, those of the highest level first: as many counts as there are cells suffice, since
-// no clearance is more than half the shorter side.
+// The free cells, those of the highest level first: as many counts as there are cells suffice,
+// since no clearance is more than half the shorter side.
 std::vector<std::int32_t> widest_first(const std::vector<std::int32_t>& levels) {
   std::vector<std::int32_t> from(*std::ranges::max_element(levels) + 2);
   for (const std::int32_t level : levels) ++from[level];

@@ -31,11 +31,11 @@ struct ClearanceField {
 [[nodiscard]] LASIUS_EXPORT std::optional<ClearanceField> clearance(const Grid& grid,
                                                                     const StopCondition& stop);
 
-/// Blocks every cell that has a point nearer than `radius` cells to a blocked cell (a closed square)
-/// or to the outside: whatever is planned on the cells that stay free keeps the radius. That of a
-/// cell c columns and r rows away: where max(0, c - 1)^2 + max(0, r - 1)^2 < radius^2. Exact; radius
-/// 0 changes nothing. A disc passes more than that: Planner(Grid, Disc) plans `exact` for it.
-/// O(1) per cell; beside the grids some rows of memory, whatever the radius.
+/// Blocks every cell that has a point nearer than `radius` cells to a blocked cell (a closed
+/// square) or to the outside: whatever is planned on the cells that stay free keeps the radius.
+/// That of a cell c columns and r rows away: where max(0, c - 1)^2 + max(0, r - 1)^2 < radius^2.
+/// Exact; radius 0 changes nothing. A disc passes more than that: Planner(Grid, Disc) plans `exact`
+/// for it. O(1) per cell; beside the grids some rows of memory, whatever the radius.
 /// @throws Error(invalid_parameter) for a negative or not finite radius.
 [[nodiscard]] LASIUS_EXPORT Grid grow_obstacles(const Grid& grid, double radius);
 /// The same, or empty if stopped. The measure of work is a cell looked at; the new bitmap itself is

@@ -4,7 +4,6 @@
 #include "lasius/batch.h"
 #include "lasius/batch_options.h"
 #include "lasius/clearance.h"
-#include "lasius/curve.h"
 #include "lasius/drive.h"
 #include "lasius/error.h"
 #include "lasius/generate.h"

@@ -20,8 +20,8 @@ namespace lasius {
 /// How a Navigator plans.
 struct NavigatorOptions {
   Params params = {};  ///< the algorithm: `exact`, or any other
-  /// Of the robot, in cells: path and walk keep this far from blocked cells and from the outside, on
-  /// the cells that grow_obstacles() leaves free. 0: a point.
+  /// Of the robot, in cells: path and walk keep this far from blocked cells and from the outside,
+  /// on the cells that grow_obstacles() leaves free. 0: a point.
   double radius = 0;
   /// Prepares the map, see Planner; the visibility graph is then kept up to date. For `exact` only.
   std::optional<PrepareOptions> prepare = {};

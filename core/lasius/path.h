@@ -1,4 +1,4 @@
-// Paths of a point among the blocked cells of a grid: length, sight, checking.
+// Paths of a point among the blocked cells of a grid: length, sight, checking. A disc's curve.
 //
 // The rule of the plane: a path may touch corners of blocked cells and slide along their edges; it
 // may not enter the interior of a blocked cell, run along a grid line with blocked cells on both
@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "lasius/export.h"
 #include "lasius/geometry.h"
@@ -15,6 +16,21 @@
 #include "lasius/moves.h"
 
 namespace lasius {
+
+/// A straight piece, or an arc about a corner of a blocked cell with the disc's radius.
+struct CurvePiece {
+  Point from;         ///< where it begins
+  Point to;           ///< and ends
+  int turn = 0;       ///< 0: straight; 1: an arc that turns from the x axis to the y axis, -1: back
+  Point centre = {};  ///< of an arc
+  double angle = 0;   ///< of an arc, in radians, more than 0 and at most pi / 2
+  double radius = 0;  ///< of an arc, in cells
+  friend bool operator==(const CurvePiece&, const CurvePiece&) = default;
+};
+
+/// Pieces from start to goal, each beginning where the one before ends and, but for single points,
+/// in its direction.
+using Curve = std::vector<CurvePiece>;
 
 /// Euclidean length of a polyline, summed from its first vertex; 0 for fewer than two.
 LASIUS_EXPORT double path_length(std::span<const Point> path) noexcept;

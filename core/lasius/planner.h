@@ -49,8 +49,8 @@ class LASIUS_EXPORT Workspace {
   std::unique_ptr<WorkspaceMemory> memory_;
 };
 
-/// A robot: a disc whose centre keeps a distance of `radius` cells, and no more is asked, from every
-/// blocked cell (a closed square) and from what lies outside the map. 0: a point.
+/// A robot: a disc whose centre keeps a distance of `radius` cells, and no more is asked, from
+/// every blocked cell (a closed square) and from what lies outside the map. 0: a point.
 struct Disc {
   double radius = 0;  ///< cells
 };
@@ -74,11 +74,11 @@ class LASIUS_EXPORT Planner {
   /// @throws as the constructor with options.
   [[nodiscard]] static std::optional<Planner> make_prepared(Grid&& grid,
                                                             const PrepareOptions& options = {});
-  /// For a disc; of radius 0 as above. `exact` plans exactly where the disc can go: its answers have
-  /// a Result::curve of straight pieces and arcs, a door as wide as the disc is open, and start and
-  /// goal may be cells whose centres alone keep the radius. Its radii are those of [0.05, 54] cells;
-  /// for any other it refuses every request. All other algorithms plan on `passable()`: their paths
-  /// keep the radius, too, but not every door is open to them.
+  /// For a disc; of radius 0 as above. `exact` plans exactly where the disc can go: its answers
+  /// have a Result::curve of straight pieces and arcs, a door as wide as the disc is open, and
+  /// start and goal may be cells whose centres alone keep the radius. Its radii are those of [0.05,
+  /// 54] cells; for any other it refuses every request. All other algorithms plan on `passable()`:
+  /// their paths keep the radius, too, but not every door is open to them.
   /// @throws Error(invalid_parameter) for a radius that is negative or not finite.
   Planner(Grid grid, Disc robot);
   /// The same; the graph that is made is that of the disc's curves. @throws as both.
@@ -108,9 +108,10 @@ class LASIUS_EXPORT Planner {
   /// Can it go from the centre of one cell to that of another, for `exact`? False proves that it
   /// cannot; for a point as `connected`.
   bool joined(Cell a, Cell b) const;
-  /// The largest radius in cells, at most 54, with which a disc can go from the centre of one cell to
-  /// that of another, whatever this planner's; nothing where not even a point can, or when stopped.
-  /// Makes a disc's free space for up to 14 radii, and keeps a quarter of a byte a cell of each.
+  /// The largest radius in cells, at most 54, with which a disc can go from the centre of one cell
+  /// to that of another, whatever this planner's; nothing where not even a point can, or when
+  /// stopped. Makes a disc's free space for up to 14 radii, and keeps a quarter of a byte a cell of
+  /// each.
   std::optional<double> widest_disc(Cell a, Cell b, const StopCondition& stop = {}) const;
 
   /// Labels the components under a rule, if that is still to do: those of 8 neighbours, for

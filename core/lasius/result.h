@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "lasius/curve.h"
 #include "lasius/geometry.h"
+#include "lasius/path.h"
 #include "lasius/search_result.h"
 
 namespace lasius {

@@ -87,8 +87,8 @@ Result run_exact(const PlanningMap& map, const Request& request, WorkspaceMemory
   return result_of(answer);
 }
 
-/// Where a path may begin and end: cells that are free, or for `exact` and a disc those whose centres
-/// are clear.
+/// Where a path may begin and end: cells that are free, or for `exact` and a disc those whose
+/// centres are clear.
 class Ends {
  public:
   Ends(const PlanningMap& map, const disc::DiscSpace* space, Corners corners)
@@ -121,14 +121,16 @@ class Ends {
   }
   /// What is wrong with a cell that does not serve.
   std::pair<Fault, std::string> fault(bool at_start, Cell c) const {
-    auto [fault, text] = fault_of_end(map_.disc != nullptr ? map_.disc->map : map_.grid, at_start, c);
+    auto [fault, text] =
+        fault_of_end(map_.disc != nullptr ? map_.disc->map : map_.grid, at_start, c);
     if (map_.disc == nullptr || map_.disc->map.blocked(c)) return {fault, text};
-    text.replace(text.find(" is blocked"), std::string::npos,
-                 " is nearer to what is blocked than the radius of " +
-                     number_text(map_.disc->radius));
+    text.replace(
+        text.find(" is blocked"), std::string::npos,
+        " is nearer to what is blocked than the radius of " + number_text(map_.disc->radius));
     if (space_ == nullptr && map_.disc->space && map_.disc->space->clear(centre(c)))
-      text += ", though its centre is not: exact plans from there, other algorithms on cells that "
-              "keep the radius all over";
+      text +=
+          ", though its centre is not: exact plans from there, other algorithms on cells that "
+          "keep the radius all over";
     return {fault, text};
   }
 
@@ -171,10 +173,10 @@ Result invalid(const Ends& ends, bool at_start, const Request& request) {
 
 /// The answer where start and goal are not joined.
 Result apart(const Ends& ends, const Request& request) {
-  auto result = failed<Result>(Status::unreachable, Fault::disconnected,
-                               "start " + cell_name(request.start) + " and goal " +
-                                   cell_name(request.goal) +
-                                   " lie in different regions of free cells");
+  auto result =
+      failed<Result>(Status::unreachable, Fault::disconnected,
+                     "start " + cell_name(request.start) + " and goal " + cell_name(request.goal) +
+                         " lie in different regions of free cells");
   if (request.goal_tolerance > 0)
     result.nearest_reachable = ends.nearest(request.goal, request.stop.token, request.start);
   return result;

@@ -23,7 +23,7 @@ struct DiscMap {
 
 /// A map, and what its owner knows about it.
 struct PlanningMap {
-  const Grid& grid;  ///< grown where `disc` is given
+  const Grid& grid;                           ///< grown where `disc` is given
   const exact::CornerGraph* graph = nullptr;  ///< of `grid`; null if not prepared
   /// Are two free cells joined under a rule? Nothing if stopped.
   std::function<std::optional<bool>(Cell, Cell, Corners)> connected;

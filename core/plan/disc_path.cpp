@@ -29,8 +29,8 @@ double distance_to_cell(int x, int y, Point a, Point b) noexcept {
     return distance(p, {std::clamp(p.x, 1.0 * x, x + 1.0), std::clamp(p.y, 1.0 * y, y + 1.0)});
   };
   double least = std::min(from(a), from(b));
-  for (const Point corner : {Point{1.0 * x, 1.0 * y}, {x + 1.0, 1.0 * y}, {1.0 * x, y + 1.0},
-                             {x + 1.0, y + 1.0}})
+  for (const Point corner :
+       {Point{1.0 * x, 1.0 * y}, {x + 1.0, 1.0 * y}, {1.0 * x, y + 1.0}, {x + 1.0, y + 1.0}})
     least = std::min(least, distance_to_segment(corner, a, b));
   return least;
 }
@@ -98,8 +98,8 @@ std::optional<Grid> clear_cells(const disc::DiscSpace& space, Poller& poller,
   return cells;
 }
 
-// Row by row of cells: those nearest to the segment are straight below or above what of it is nearest
-// to the row, or the first to the left or right of that.
+// Row by row of cells: those nearest to the segment are straight below or above what of it is
+// nearest to the row, or the first to the left or right of that.
 double segment_clearance(const Grid& map, Point a, Point b, double most) noexcept {
   if (a.y > b.y) std::swap(a, b);
   double least = most;

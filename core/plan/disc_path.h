@@ -10,17 +10,17 @@
 
 namespace lasius {
 
-/// A map whose free cells are those whose centres are clear, of those the ones from which a disc can
-/// go to `other`, if given. Empty when stopped.
+/// A map whose free cells are those whose centres are clear, of those the ones from which a disc
+/// can go to `other`, if given. Empty when stopped.
 std::optional<Grid> clear_cells(const disc::DiscSpace& space, Poller& poller,
                                 const std::optional<Cell>& other = {});
 
-/// The least distance from a segment to a blocked cell or the outside, at most `most` cells, which is
-/// less than 64. Both ends lie on the map.
+/// The least distance from a segment to a blocked cell or the outside, at most `most` cells, which
+/// is less than 64. Both ends lie on the map.
 double segment_clearance(const Grid& map, Point a, Point b, double most) noexcept;
 
-/// Why a disc's path or curve is none, or comes nearer than the radius (up to twice disc::kSlack), or
-/// nothing. Shares nothing with the search but what bits of a row say.
+/// Why a disc's path or curve is none, or comes nearer than the radius (up to twice disc::kSlack),
+/// or nothing. Shares nothing with the search but what bits of a row say.
 std::optional<std::string> disc_path_fault(const Grid& map, double radius,
                                            std::span<const Point> path,
                                            std::span<const CurvePiece> curve);

@@ -67,8 +67,8 @@ std::optional<Planner> Planner::make_prepared(Grid&& grid, Disc robot,
 }
 Planner Planner::prepared(const PrepareOptions& options) const {
   check_threads(options.threads);
-  auto more = std::make_shared<Impl>(impl_->grid, impl_->four, impl_->excluded, impl_->closed,
-                                     impl_->disc);
+  auto more =
+      std::make_shared<Impl>(impl_->grid, impl_->four, impl_->excluded, impl_->closed, impl_->disc);
   more->prepare_more(options);
   return Planner(std::move(more));
 }

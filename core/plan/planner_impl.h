@@ -101,9 +101,9 @@ class Planner::Impl {
   const Grid grid;  ///< grown, for a disc
   const Components four;
   const std::vector<Direction> excluded;
-  const std::vector<Cell> closed;  ///< blocked in `map()` by `excluded` alone
-  std::shared_ptr<const exact::CornerGraph> graph;  ///< of `grid`; null if not prepared
-  const std::shared_ptr<const DiscMap> disc;        ///< null for a point
+  const std::vector<Cell> closed;                     ///< blocked in `map()` by `excluded` alone
+  std::shared_ptr<const exact::CornerGraph> graph;    ///< of `grid`; null if not prepared
+  const std::shared_ptr<const DiscMap> disc;          ///< null for a point
   std::shared_ptr<const disc::DiscGraph> disc_graph;  ///< of `disc`; null if not prepared
   Preparation preparation;
 

@@ -61,8 +61,7 @@ Route route_of(const LoadedMap& map, const RunOptions& run) {
 void set_remedy(LoadedMap& map, const RunOptions& run, const std::stop_token& token,
                 Answer& answer) {
   if (answer.result.status != Status::unreachable) return;
-  answer.remedy =
-      remedy_of(map, answer.start.cell, answer.goal.cell, route_of(map, run), token);
+  answer.remedy = remedy_of(map, answer.start.cell, answer.goal.cell, route_of(map, run), token);
 }
 
 void set_optima(const RunOptions& run, std::optional<double> any_angle,

@@ -143,8 +143,7 @@ void BitmapTask::add_path(Json& json) const {
   json["path"] = points(result().path);
   const bool has_curve = curved() && has_path();
   if (curved()) json["curve"] = has_curve ? curve_json(nullptr) : Json(nullptr);
-  if (curved() && in_metres())
-    json["curve_world"] = has_curve ? curve_json(&map()) : Json(nullptr);
+  if (curved() && in_metres()) json["curve_world"] = has_curve ? curve_json(&map()) : Json(nullptr);
   if (!in_metres()) return;
   json["start_world"] = point(answer_.start.asked);
   json["goal_world"] = point(answer_.goal.asked);

@@ -40,16 +40,18 @@ bool MapTask::at_start() const {
 std::string MapTask::invalid_text() const {
   const bool bad_start = at_start();
   const Place& place = bad_start ? start() : goal();
-  std::string text = (bad_start ? "start " : "goal ") + place_text(place, options().frame) +
-                     obstruction_text(map(), options().frame, obstruction_of(map(), place.cell, curved()));
+  std::string text =
+      (bad_start ? "start " : "goal ") + place_text(place, options().frame) +
+      obstruction_text(map(), options().frame, obstruction_of(map(), place.cell, curved()));
   if (!nearest_free())
     return map().grid().count_free() == 0 ? text + "; the map has no free cell" : text;
   const auto& [free, reachable] = std::pair(*nearest_free(), nearest_reachable());
   const std::string nearest = "; the nearest free cell ";
   if (!reachable || *reachable == free) return text + nearest + "is " + name_of(free);
   return text + nearest + (bad_start ? "from which the goal" : "that") + " can be reached" +
-         (bad_start ? "" : " from the start") + " is " + name_of(*reachable) + "; " + name_of(free) +
-         " is nearer, but " + (bad_start ? "does not lead there" : "cannot be reached");
+         (bad_start ? "" : " from the start") + " is " + name_of(*reachable) + "; " +
+         name_of(free) + " is nearer, but " +
+         (bad_start ? "does not lead there" : "cannot be reached");
 }
 
 std::string MapTask::name_of(Cell cell) const {

@@ -113,8 +113,7 @@ Remedy remedy_of(LoadedMap& map, Cell start, Cell goal, const Route& route,
   if (map.radius > 0) remedy = widest_of(map, start, goal, route, token);
   if (map.unknown && !map.unknown_is_free && !map.with_unknown_free)
     map.with_unknown_free = with_unknown_free(map, {.token = token});
-  remedy.unknown_free =
-      map.with_unknown_free && route.joined(*map.with_unknown_free, start, goal);
+  remedy.unknown_free = map.with_unknown_free && route.joined(*map.with_unknown_free, start, goal);
   return remedy;
 }
 

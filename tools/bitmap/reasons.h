@@ -30,8 +30,8 @@ struct Route {
 
 /// What keeps a cell from being planned on.
 struct Obstruction {
-  std::string_view by = {};       ///< "outside", "obstacle", "unknown", "radius"; empty: nothing here
-  double clearance = 0;           ///< with "radius": of its centre to what is blocked, cells
+  std::string_view by = {};  ///< "outside", "obstacle", "unknown", "radius"; empty: nothing here
+  double clearance = 0;      ///< with "radius": of its centre to what is blocked, cells
   std::string_view nearest = {};  ///< with "radius": what is so near
   bool in_part = false;           ///< the centre keeps the radius; `clearance` is the whole cell's
 };

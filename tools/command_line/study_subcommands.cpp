@@ -178,7 +178,8 @@ Subcommand add_study(CLI::App& app) {
   option("--goal", raw->run.goal, "With run: where they end", "X,Y");
   option("--frame", raw->run.frame, "With run: of --start, --goal and --radius, as plan has it",
          "cell|world");
-  option("--radius", raw->run.radius, "With run: of the robot, a disc, as plan --radius has it", "R");
+  option("--radius", raw->run.radius, "With run: of the robot, a disc, as plan --radius has it",
+         "R");
   option("--algorithm", raw->run.algorithms, "With run: the algorithms", "NAME,NAME");
   option("--preset", raw->run.preset, "With run: numbers to start with", "usual|book|FILE");
   add_repeatable(*study, "--set", raw->run.set,

@@ -70,11 +70,12 @@ void add_run_options(CLI::App& app, RunText& text, const char* map_help,
          "Coordinates in cells, or in metres of a ROS map's frame; a cell holds its left and lower "
          "edge there",
          "cell|world");
-  option("--radius", text.radius,
-         "The robot is a disc: its centre keeps R cells (metres with --frame world) from what is "
-         "blocked and from the map's edge. exact passes whatever such a disc can, R from 0.05 to 54 "
-         "cells; other algorithms plan on cells all of whose points keep R",
-         "R");
+  option(
+      "--radius", text.radius,
+      "The robot is a disc: its centre keeps R cells (metres with --frame world) from what is "
+      "blocked and from the map's edge. exact passes whatever such a disc can, R from 0.05 to 54 "
+      "cells; other algorithms plan on cells all of whose points keep R",
+      "R");
   option(
       "--goal-tolerance", text.goal_tolerance,
       "Where the goal cannot be reached, end at the free cell nearest to it that can be, at most "

@@ -201,8 +201,8 @@ struct WorldOptions {
   std::string file;
   bool repair = false;
   std::optional<double> margin;
-  int join = 1;               ///< index in kJoins
-  int boundary = 0;           ///< index in kBoundaries
+  int join = 1;      ///< index in kJoins
+  int boundary = 0;  ///< index in kBoundaries
   friend bool operator==(const WorldOptions&, const WorldOptions&) = default;
 };
 

@@ -107,8 +107,9 @@ TEST(Drive, DoubtsTheMapWhereItKnowsNoOtherWay) {
   // The doors are not in sight. A disc needs all to be three times as wide.
   for (const auto& [radius, by] : {std::pair{0.0, 1}, {0.4, 3}}) {
     const auto wide = [by = by](const Grid& grid) {
-      return grid_of(by * grid.width(), by * grid.height(),
-                     [&](int x, int y) { return grid.blocked({x / by, y / by}); });
+      return grid_of(by * grid.width(), by * grid.height(), [&](int x, int y) {
+        return grid.blocked({x / by, y / by});
+      });
     };
     const Cell start{by / 2, by / 2}, goal{6 * by + by / 2, by / 2};
     const DriveResult r =

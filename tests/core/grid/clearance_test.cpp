@@ -112,8 +112,9 @@ TEST(GrowObstacles, IsWorkedOutByHand) {
       {".........", ".........", ".........", "....#....", ".........", ".........", "........."});
   EXPECT_EQ(grow_obstacles(grid, 0), grid);
   for (const double radius : {1e-9, 0.5, 1.0})
-    EXPECT_EQ(grow_obstacles(grid, radius), drawn({"#########", "#.......#", "#..###..#", "#..###..#",
-                                                   "#..###..#", "#.......#", "#########"}));
+    EXPECT_EQ(grow_obstacles(grid, radius),
+              drawn({"#########", "#.......#", "#..###..#", "#..###..#", "#..###..#", "#.......#",
+                     "#########"}));
   EXPECT_EQ(grow_obstacles(grid, std::nextafter(1.0, 2)).count_free(), 0);
   EXPECT_EQ(grow_obstacles(grid, 100).count_free(), 0);
 }

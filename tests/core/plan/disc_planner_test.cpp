@@ -29,8 +29,8 @@ double least_clearance(const oracle::DiscPaths& judge, const Result& result) {
     }
     const double from = std::atan2(piece.from.y - piece.centre.y, piece.from.x - piece.centre.x);
     const double to = from + piece.turn * piece.angle;
-    least = std::min(least,
-                     judge.arc_clearance(piece.centre, std::min(from, to), std::max(from, to)));
+    least =
+        std::min(least, judge.arc_clearance(piece.centre, std::min(from, to), std::max(from, to)));
     EXPECT_NEAR(piece.centre.x + piece.radius * std::cos(to), piece.to.x, 1e-9);
     EXPECT_NEAR(piece.centre.y + piece.radius * std::sin(to), piece.to.y, 1e-9);
   }
@@ -121,7 +121,8 @@ TEST(DiscPlanner, AnswersDependOnNoThreads) {
   const Grid grid = random_grid(70, 50, 1, random);
   const Planner planner(grid, Disc{0.8});
   std::vector<Request> requests;
-  for (int i = 0; i < 12; ++i) requests.push_back({random_cell(grid, random), random_cell(grid, random)});
+  for (int i = 0; i < 12; ++i)
+    requests.push_back({random_cell(grid, random), random_cell(grid, random)});
   const Planner prepared = planner.prepared({.threads = 1});
   EXPECT_EQ(prepared.preparation().state, Preparation::State::ready);
   EXPECT_GT(prepared.preparation().edges, 0);
@@ -168,10 +169,11 @@ TEST(DiscPlanner, EndsInCellsThatAreFreeInPart) {
   EXPECT_EQ(planner.plan(request).length, 17);
   const Result refused = planner.plan(request, small("as"));
   EXPECT_EQ(refused.status, Status::invalid);
-  EXPECT_EQ(refused.error,
-            "start (1, 4) is nearer to what is blocked than the radius of 1.5, though its centre is "
-            "not: exact plans from there, other algorithms on cells that keep the radius all over; "
-            "the nearest free cell is (2, 4)");
+  EXPECT_EQ(
+      refused.error,
+      "start (1, 4) is nearer to what is blocked than the radius of 1.5, though its centre is "
+      "not: exact plans from there, other algorithms on cells that keep the radius all over; "
+      "the nearest free cell is (2, 4)");
   const Result outside = planner.plan({{0, 4}, {18, 4}});
   EXPECT_EQ(outside.nearest_free, (Cell{1, 4}));
   EXPECT_EQ(outside.nearest_reachable, (Cell{1, 4}));
