@@ -187,8 +187,10 @@ def test_clearance_by_hand():
     distances = lasius.clearance(lasius.Grid(array, free=0))
     assert distances.shape == (9, 9) and distances[4, 4] == 0
     assert distances[4, 2] == 1.5 and distances[2, 2] == pytest.approx(np.hypot(1.5, 1.5)) and distances[0, 0] == 0.5
-    grown = lasius.grow_obstacles(lasius.Grid(array, free=0), 1.5)
-    assert np.array_equal(grown.to_array(free=False), distances <= 1.5)
+    grown = lasius.grow_obstacles(lasius.Grid(array, free=0), 1)
+    near = np.pad(np.zeros((7, 7), bool), 1, constant_values=True)
+    near[3:6, 3:6] = True
+    assert np.array_equal(grown.to_array(free=False), near)
     with pytest.raises(lasius.InvalidParameter):
         lasius.grow_obstacles(grown, -1)
 

@@ -27,6 +27,36 @@ def test_a_colony_is_the_same_with_any_number_of_threads(planner):
     assert not np.array_equal(planner.plan(START, GOAL, "fan2004", iterations=30, seed=2).curves.mean, runs[0].curves.mean)
 
 
+def test_a_disc():
+    array = np.zeros((20, 30), np.uint8)
+    array[:17, 15] = 1
+    grid = lasius.Grid(array, free=0)
+    disc = lasius.Planner(grid, radius=1.5)
+    result = disc.plan((3, 3), (26, 3))
+    assert result.optimal and [piece.turn for piece in result.curve] == [0, -1, 0, -1, 0]
+    straight = [np.hypot(*np.subtract(p.end, p.start)) for p in result.curve if p.turn == 0]
+    arcs = [p.angle * p.radius for p in result.curve if p.turn]
+    assert sum(straight) + sum(arcs) == pytest.approx(result.length, abs=1e-9)
+    assert {p.centre for p in result.curve if p.turn} == {(15.0, 17.0), (16.0, 17.0)} and result.curve[0].centre is None
+    assert result.length <= lasius.path_length(result.path) <= 1.001 * result.length
+    assert (disc.radius, disc.grid, disc.passable) == (1.5, grid, lasius.grow_obstacles(grid, 1.5))
+    assert disc.clear((1, 3)) and not disc.clear((0, 3)) and disc.widest_disc((3, 3), (26, 3)) == 1.5
+    assert lasius.Planner(grid).plan((3, 3), (26, 3)).curve == ()
+    assert lasius.Planner(grid, radius=1.500001).plan((3, 3), (26, 3)).status == "unreachable"
+    for other in (disc.prepared(), pickle.loads(pickle.dumps(disc)), disc.edited([[0, 0]], blocked=False)):
+        assert (other.radius, other.plan((3, 3), (26, 3)).curve) == (1.5, result.curve)
+    batch = disc.batch([[3, 3]], [[26, 3]])
+    assert batch.length[0] == result.length and np.array_equal(batch.path(0), result.path)
+    assert pickle.loads(pickle.dumps(result)) == result
+    colony = lasius.Planner(grid, radius=1).plan((3, 3), (26, 3), "acs", iterations=5)
+    assert colony.found and colony.curve == ()
+    for radius in (-1, float("nan")):
+        with pytest.raises(lasius.InvalidParameter, match="radius"):
+            lasius.Planner(grid, radius=radius)
+    with pytest.raises(lasius.InvalidParameter, match="between 0.05 and 54"):
+        lasius.Planner(grid, radius=60).plan((3, 3), (26, 3))
+
+
 @pytest.mark.parametrize("cells", [([14, 14], (380, 179)), (np.array([14, 14]), np.array([380, 179], np.uint16))])
 def test_cells_of_any_kind(planner, cells):
     assert planner.plan(*cells).length == 445.0006683543657

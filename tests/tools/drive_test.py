@@ -215,12 +215,12 @@ class Drive(ProgramTest):
         self.ended(self.run_program("verify", "cut.json"), 0, "'optimum' is null")
 
     def test_text_and_table(self):
-        run = self.drive("-o", "t.csv", "--radius", "0.3")
+        run = self.drive("-o", "t.csv", "--radius", "0.3", start="1,1", goal="1,4")
         lines = run.out.splitlines()
         self.assertEqual(lines[0], "solved")
         self.assertEqual(lines[2:], [line.replace(",", " ")
                                      for line in self.read("t.csv").decode().splitlines()[1:]])
-        self.assertEqual((lines[2], lines[-1]), ("0 0", "9 5"))
+        self.assertEqual((lines[2], lines[-1]), ("1 1", "1 4"))
         self.assertIn("1.0000 of the optimum", run.err)
 
     def test_a_recorded_drive_is_replayed(self):

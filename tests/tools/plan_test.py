@@ -59,7 +59,8 @@ class ExitCodes(ProgramTest):
         self.assertEqual(self.plan(start="3,1", goal="4,2").code, 4)
 
     def test_grown_obstacles_are_named(self):
-        self.ended(self.plan("--radius", "0.5"), 4, "too near to the edge of the map, 0.5 cells away")
+        self.ended(self.plan("--radius", "0.5"), 4, "in part too near to the edge of the map, 0 cells away")
+        self.ended(self.plan("--radius", "0.6", "--algorithm", "exact"), 4, "is too near to the edge of the map, 0.5 cells away")
 
     def test_no_path_within_the_iterations(self):
         run = self.plan("--iterations", "0")
@@ -174,7 +175,8 @@ class Json(ProgramTest):
                    "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")
         metric = {"map_file": "metric.yaml", "start": "0.5,0.5"}
         for words, where in ((["--iterations", "2"], {}),
-                             (["--ants", "7", "--radius", "0.25", "--time-limit", "9", "--gap"], {}),
+                             (["--ants", "7", "--radius", "0.25", "--time-limit", "9", "--gap"],
+                              {"start": "1,1", "goal": "1,4"}),
                              (["--algorithm", "exact", "--prepare", "--target-gap", "0.1"], {}),
                              (["--unknown-free", "--frame", "world"], metric)):
             with self.subTest(words=words):
