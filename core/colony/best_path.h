@@ -21,6 +21,8 @@ class BestPath {
  public:
   bool none() const noexcept { return points_.empty(); }
   const std::vector<Point>& points() const noexcept { return points_; }
+  /// Leaves none.
+  std::vector<Point> give() noexcept { return std::move(points_); }
   /// NaN without one.
   double length() const noexcept { return length_ < kInfinity ? length_ : kNaN; }
   /// The ant of the last offer that it is of, by index; -1 where it is an older one.

@@ -81,7 +81,9 @@ class GridColony final : public ColonyWorld {
     constexpr int kMany = 1 << 30;  // schedules have long ended
     if (first_iteration_ < kMany) first_iteration_ += run.iterations;
     const bool cut = cut_path_.shorter_than(best_path_);
-    return result_after(cause, std::move(run), (cut ? cut_path_ : best_path_).points());
+    BestPath& best = cut ? cut_path_ : best_path_;
+    return result_after(cause, std::move(run),
+                        after_ == After::nothing ? best.give() : best.points());
   }
 
   /// Fits what is remembered to cells that have changed.

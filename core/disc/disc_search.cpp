@@ -268,7 +268,7 @@ bool DiscSearch::tell_improvement(const Poller* poller) {
   });
 }
 
-void DiscSearch::run(const ExactOptions& options, Poller& poller) {
+StopCondition::Cause DiscSearch::run(const ExactOptions& options, Poller& poller) {
   frontier_.reset(lower_, kBucketWidth);
   weighted_frontier_.reset(lower_, kBucketWidth);
   weighted_on_ = graph_ == nullptr;
@@ -286,6 +286,7 @@ void DiscSearch::run(const ExactOptions& options, Poller& poller) {
     search_weighted(counters_.expansions / kWeightedShare, poller);
     next_weighted = counters_.expansions * 2;
   }
+  return go_on ? poller.cause() : StopCondition::Cause::token;
 }
 
 void DiscSearch::search(const DiscSpace& space, const DiscGraph* graph, Point start, Point goal,
@@ -305,10 +306,11 @@ void DiscSearch::search(const DiscSpace& space, const DiscGraph* graph, Point st
   upper_ = kInfinity;
   last_ = Labels::kStart;
   improvements_.begin(options);
+  auto cause = StopCondition::Cause::none;
   if (space.sees(start, goal)) {
     upper_ = lower_;
   } else if (space.joined(start, goal)) {
-    run(options, poller);
+    cause = run(options, poller);
   } else {
     lower_ = kInfinity;
   }
@@ -318,7 +320,7 @@ void DiscSearch::search(const DiscSpace& space, const DiscGraph* graph, Point st
   counters_.labels = labels_.size() - 1;
   Curve curve;
   if (upper_ < kInfinity) curve = trace(space, labels_, last_, last_normal_, start, goal);
-  conclude(lower_, upper_, poller.cause(), options.target_gap, std::move(curve), space, answer);
+  conclude(lower_, upper_, cause, options.target_gap, std::move(curve), space, answer);
 }
 
 std::int64_t DiscSearch::bytes() const noexcept {

@@ -47,7 +47,8 @@ class DiscSearch {
     double angle, length;
   };
 
-  void run(const ExactOptions& options, Poller& poller);
+  /// Why it was cut short, by the poller or by who looks on, or none.
+  StopCondition::Cause run(const ExactOptions& options, Poller& poller);
   void search_weighted(std::int64_t steps, Poller& poller);
   bool next_label(std::uint32_t& number, Poller& poller);
   void expand(std::uint32_t number);

@@ -93,7 +93,7 @@ TEST(Navigator, IsAsGoodAsAFreshPlannerAfterEveryEdit) {
 }
 
 TEST(Navigator, IsAsGoodAsAFreshPlannerForARobotWithARadius) {
-  EXPECT_GT(compare_with_fresh_planners({.radius = 1.2}, 40, 40), 200);
+  EXPECT_GT(compare_with_fresh_planners({.radius = 1.2}, 120, 40), 200);
 }
 
 TEST(Navigator, IsAsGoodOnAPreparedMap) {
