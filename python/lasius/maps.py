@@ -153,10 +153,11 @@ def grid_init(self: Grid, array: npt.NDArray[Any], *, free: Any) -> None:
     _made_grid(self, unmasked(array, "array"), free=free)
 
 
-def workspace_init(self: Workspace, *args: Any, **keywords: Any) -> None:
-    if args or keywords:
-        raise TypeError("Workspace takes nothing: call it as lasius.Workspace()")
+def workspace_init(self: Workspace) -> None:
     _made_workspace(self)
+
+
+workspace_init.__qualname__ = "Workspace"
 
 
 def frame_init(

@@ -125,7 +125,7 @@ class Planner:
         >>> planner.plan((14, 14), (380, 179), "fan2004", iterations=20, seed=3).status
         'solved'
         >>> planner.plan((14, 14), (9999, 0)).error
-        'goal (9999, 0) is outside the map; the nearest free cell is (399, 0)'
+        'goal (9999, 0) is outside the map; the nearest free cell that can be reached from the start is (399, 9); (399, 0) is nearer, but cannot be reached'
 
         Args:
             start: cell (x, y), column and row from the top left; the path begins at its centre.

@@ -59,7 +59,7 @@ def draw_map(grid: Optional[Grid], axes: Any, map: Optional[Map] = None) -> Any:
 
             unknown = blocked_picture(map.unknown)
             tone = ListedColormap(["#dbc9a8"])
-            images.append(axes.imshow(np.ma.masked_where(~unknown, unknown), cmap=tone, **how))
+            images.append(axes.imshow(np.where(unknown, 1.0, np.nan), cmap=tone, **how))
         if map is not None and map.frame is not None:
             place_images(images, axes, map.frame, grid)
             return axes

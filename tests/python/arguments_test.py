@@ -59,7 +59,7 @@ def test_a_keyword_of_another_function(planner):
     (lambda p: p.grid.to_array(), TypeError, "Grid.to_array was given (): call it as Grid.to_array(*, free: bool)"),
     (lambda p: p.grid.free(1, 2), TypeError, "Grid.free was given (1, 2): call it as Grid.free(cell: "),
     (lambda p: lasius.WorldFrame(1).to_world([[1, 2]], height="x"), TypeError, "WorldFrame.to_world was given ([[1, 2]], height='x')"),
-    (lambda p: lasius.Workspace(3), TypeError, "Workspace takes nothing"),
+    (lambda p: lasius.Workspace(3), TypeError, "Workspace() takes 1 positional argument but 2 were given"),
 ])
 def test_values_that_do_not_fit(planner, use, error, words):
     with pytest.raises(error) as caught:

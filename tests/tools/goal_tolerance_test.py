@@ -46,8 +46,6 @@ class GoalTolerance(ProgramTest):
         self.assertNotIn("goal_reached", result)
         self.assertNotIn("goal_tolerance", result["parameters"])
         self.refused(self.shelf("--goal-tolerance", "-1"), 2, "a number from 0 up")
-        self.write("w.wkt", "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0)) POINT (1 1) POINT (8 8)")
-        self.refused(self.run_program("plan", "w.wkt", "--goal-tolerance", "1"), 2, "for bitmaps only")
 
     def test_in_metres(self):
         where = {"start": "0.125,0.675", "goal": "0.625,0.375", "map_file": "shelf.yaml"}

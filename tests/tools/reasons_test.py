@@ -84,9 +84,9 @@ class Reasons(ProgramTest):
         self.ended(run, 5, "(for a disc of radius 1.6 cells)", "the widest radius that joins them is 1.5 cells")
         self.assertEqual(run.json["widest_radius"], 1.5)
         self.algorithm = "as"
-        run = self.asked("--json", "--radius", "1.2")
-        self.ended(run, 5, "(obstacles grown by 1.2 cells)", "the widest radius that joins them is 1 cell")
-        self.assertEqual(run.json["widest_radius"], 1)
+        of_cells = self.asked("--json", "--radius", "1.2")
+        self.ended(of_cells, 5, "(obstacles grown by 1.2 cells)", "the widest radius that joins them is 1 cell")
+        self.assertEqual(of_cells.json["widest_radius"], 1)
         self.algorithm = "exact"
         self.ended(self.asked("--radius", "0.16", "--frame", "world", start="-0.65,2.45", goal="0.35,2.45"), 5,
                    "start -0.65,2.45 m, in cell (3, 4), and goal 0.35,2.45 m, in cell (13, 4), lie in different",

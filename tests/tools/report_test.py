@@ -50,7 +50,7 @@ class Report(ProgramTest):
     def test_a_radius_keeps_the_obstacles_as_they_were(self):
         near = {**FAN, "goal": "60,63"}
         self.assertIsNone(self.reported(**near)[1]["map"]["obstacles"])
-        grown = self.reported("--radius", "3", **near)[1]["map"]
+        grown = self.reported("--radius", "2.8", **near)[1]["map"]
         walls, obstacles = (unpacked(grown[part]["shares"]) for part in ("walls", "obstacles"))
         self.assertTrue(all(a >= b for a, b in zip(walls, obstacles, strict=True)))
         self.assertGreater(sum(map(bool, walls)), 1.3 * sum(map(bool, obstacles)))
