@@ -138,7 +138,7 @@ TEST(StoppedPlanner, LeavesTheGridAsItWas) {
   EXPECT_EQ(grid, noise());
   EXPECT_FALSE(Planner::make_prepared(std::move(grid), {.stop = fired()}));
   EXPECT_EQ(grid, noise());
-  const auto planner = Planner::make(std::move(grid), {});
+  const auto planner = Planner::make(std::move(grid));
   ASSERT_TRUE(planner);
   EXPECT_EQ(planner->grid(), noise());
   EXPECT_EQ(planner->preparation().state, Preparation::State::none);

@@ -1,0 +1,141 @@
+// lasius_bench discs: what a disc's exact path costs, against a point's on the same queries.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/clocks.h"
+#include "bench/commands.h"
+#include "bench/query_set.h"
+#include "bench/report.h"
+#include "core/base/number_text.h"
+#include "core/base/special_values.h"
+#include "core/disc/disc_graph.h"
+#include "core/disc/disc_search.h"
+#include "core/disc/disc_space.h"
+#include "core/exact/exact.h"
+
+namespace lasius::bench {
+namespace {
+
+struct DiscOptions : QueryOptions {
+  DiscOptions() : QueryOptions{.count = 30, .rounds = 3} {}
+  std::vector<double> radii{0.5, 1.7, 4.4, 8, 12.3};
+  bool prepare = false;
+  std::string markdown;
+};
+
+// The least time of so many calls, microseconds of processor time.
+template <class Call>
+double least_microseconds(int rounds, const Call& call) {
+  double least = kInfinity;
+  for (int round = 0; round < rounds; ++round) {
+    const ThreadStopwatch watch;
+    call();
+    least = std::min(least, 1e6 * watch.seconds());
+  }
+  return least;
+}
+
+struct Times {
+  int found = 0, closed = 0;
+  double point = 0, scan = 0, graph = 0;  // sums over what was found
+};
+
+Times measure_queries(const QuerySet& set, const disc::DiscSpace& space,
+                      const disc::DiscGraph* graph, int rounds) {
+  Times times;
+  ExactSearch point;
+  disc::DiscSearch search;
+  for (const Query& query : set.queries) {
+    const Point start = centre(query.start), goal = centre(query.goal);
+    if (!space.clear(start) || !space.clear(goal)) continue;
+    disc::DiscAnswer answer;
+    const auto ask = [&](const disc::DiscGraph* with) {
+      return least_microseconds(rounds,
+                                [&] { search.search(space, with, start, goal, {}, {}, answer); });
+    };
+    const double scan = ask(nullptr);
+    if (answer.end == ExactEnd::unreachable) {
+      ++times.closed;
+      continue;
+    }
+    ++times.found;
+    times.scan += scan;
+    if (graph != nullptr) times.graph += ask(graph);
+    ExactAnswer of_point;
+    times.point += least_microseconds(
+        rounds, [&] { point.search(set.grid, query.start, query.goal, {}, {}, of_point); });
+  }
+  return times;
+}
+
+// The logarithms of a map's two ratios, where it had queries.
+struct Ratios {
+  double scan = 0, graph = 0;
+  int maps = 0;
+};
+
+void measure_map(const QuerySet& set, double radius, const DiscOptions& options, Table& table,
+                 Ratios& ratios) {
+  std::optional<disc::DiscSpace> space;
+  const double made =
+      least_microseconds(options.rounds, [&] { space = disc::DiscSpace::make(set.grid, radius); });
+  std::shared_ptr<disc::DiscGraph> graph;
+  Preparation report;
+  double prepared = kNaN;
+  if (options.prepare) {
+    prepared = least_microseconds(
+        1, [&] { graph = disc::DiscGraph::make(*space, {.threads = 1}, report); });
+  }
+  const Times times = measure_queries(set, *space, graph.get(), options.rounds);
+  const double cells = static_cast<double>(set.grid.width()) * set.grid.height();
+  const double scan = times.scan / times.point;
+  const double with_graph = graph != nullptr ? times.graph / times.point : kNaN;
+  table.row(set.name + ' ' + number_text(radius),
+            {1.0 * times.found, 1.0 * times.closed, times.point / times.found, scan, with_graph,
+             made / 1000, static_cast<double>(space->bytes()) / cells, prepared / 1000,
+             graph != nullptr ? static_cast<double>(graph->edge_count()) : kNaN});
+  if (times.found == 0) return;
+  ratios.scan += std::log(scan);
+  ratios.graph += std::log(with_graph);
+  ++ratios.maps;
+}
+
+void run_discs(const DiscOptions& options) {
+  Table table("Discs on " + std::to_string(options.count) +
+                  " queries a map, processor time of one thread, least of " +
+                  std::to_string(options.rounds) + " rounds.",
+              {"map, radius", "found", "closed", "point, us", "scan / point", "graph / point",
+               "space, ms", "bytes a cell", "graph, ms", "edges"},
+              options.markdown);
+  const auto sources = sources_of(options.maps, {options.markdown});
+  std::string means;
+  for (const double radius : options.radii) {
+    Ratios ratios;
+    for (const QuerySource& source : sources)
+      measure_map(load(source, options.count), radius, options, table, ratios);
+    means += "Radius " + number_text(radius) + ": geometric mean over " +
+             std::to_string(ratios.maps) + " maps " +
+             short_number(std::exp(ratios.scan / ratios.maps)) + ", with the graph " +
+             short_number(std::exp(ratios.graph / ratios.maps)) + ".\n";
+  }
+  table.close(means);
+}
+
+}  // namespace
+
+void add_disc_command(CLI::App& app) {
+  const auto [command, options] =
+      add_command(app, "discs", "Exact paths of discs, against a point's", run_discs);
+  add_query_options(command, options);
+  command.add_option("--radii", options.radii, "Radii in cells, as 0.5,4.4")
+      ->delimiter(',')
+      ->check(CLI::Range(disc::kLeastRadius, disc::kLargestRadius));
+  command.add_flag("--prepare", options.prepare, "Make the graph, too, and ask it");
+  add_output(command, options.markdown);
+}
+
+}  // namespace lasius::bench
