@@ -16,6 +16,11 @@ constexpr double kSlack = 1e-9;
 /// What boxes and arcs are made with, so that their ends pass such tests.
 constexpr double kMadeSlack = 0.9e-9;
 
+/// What a radius is planned with less than was asked for, in cells. A disc that touches two corners
+/// at once then passes between them with room to compute in: without, the line that touches both
+/// circles where they meet has no length and, by rounding, no direction.
+constexpr double kRadiusMargin = 1e-10;
+
 /// A unit vector in the quadrant of both signs: the sizes of its components.
 struct Normal {
   double a = 1, b = 0;

@@ -231,10 +231,7 @@ void DiscSearch::expand(std::uint32_t number) {
 bool DiscSearch::next_label(std::uint32_t& number, Poller& poller) {
   while (frontier_.advance(poller)) {
     const double floor = frontier_.floor();
-    if (graph_ != nullptr && goal_looks_ > 0 && floor > goal_horizon_ && goal_horizon_ < upper_) {
-      lower_ = std::max(lower_, std::min(floor, goal_horizon_));
-      look_from_goal();
-    }
+    if (!look_as_far_as(floor, poller)) return false;
     lower_ = std::max(lower_, std::min(floor, upper_));
     if (lower_ >= upper_) return false;
     number = frontier_.pop();
@@ -244,8 +241,19 @@ bool DiscSearch::next_label(std::uint32_t& number, Poller& poller) {
       return true;
     if (poller.stop_after(1)) return false;
   }
-  lower_ = upper_;
+  if (look_as_far_as(kInfinity, poller)) lower_ = upper_;
   return false;
+}
+
+// Paths over arcs that the goal sees only past its horizon are longer than that. False when
+// stopped: what the goal saw then is not all.
+bool DiscSearch::look_as_far_as(double length, Poller& poller) {
+  while (graph_ != nullptr && goal_looks_ > 0 && length > goal_horizon_ && goal_horizon_ < upper_) {
+    lower_ = std::max(lower_, goal_horizon_);
+    look_from_goal();
+    if (poller.stopped()) return false;
+  }
+  return true;
 }
 
 void DiscSearch::search_weighted(std::int64_t steps, Poller& poller) {

@@ -51,6 +51,7 @@ class DiscSearch {
   StopCondition::Cause run(const ExactOptions& options, Poller& poller);
   void search_weighted(std::int64_t steps, Poller& poller);
   bool next_label(std::uint32_t& number, Poller& poller);
+  bool look_as_far_as(double length, Poller& poller);
   void expand(std::uint32_t number);
   bool leave(std::uint32_t number);
   bool leave_start();

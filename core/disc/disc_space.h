@@ -44,7 +44,9 @@ class DiscSpace {
   static std::optional<DiscSpace> make(const Grid& grid, double radius,
                                        const StopCondition& stop = {});
 
+  /// That the disc is planned with: kRadiusMargin less than was asked for.
   double radius() const noexcept { return radius_; }
+  double asked_radius() const noexcept { return asked_radius_; }
   const Grid& map() const noexcept { return map_; }
   /// The cells without any free point, as a bitmap.
   const Grid& blocked_cells() const noexcept { return blocked_; }
@@ -94,7 +96,8 @@ class DiscSpace {
   };
 
   DiscSpace(const Grid& grid, double radius)
-      : radius_(radius),
+      : asked_radius_(radius),
+        radius_(radius - kRadiusMargin),
         map_(grid),
         blocked_(grid.width(), grid.height()),
         band_(grid.width(), grid.height()),
@@ -118,6 +121,7 @@ class DiscSpace {
   struct Nearest;
   void nearest_in(Cell cell, Nearest& nearest) const;
 
+  double asked_radius_;
   double radius_;
   Grid map_;
   Grid blocked_;

@@ -18,7 +18,7 @@ Curve trace(const DiscSpace& space, const Labels& labels, std::uint32_t last, No
     const double angle = std::abs(leaves.angle() - label.angle);
     if (angle > 0) {
       const int turn = (arc.right() == arc.down()) == label.rising ? 1 : -1;
-      curve.push_back({on, off, turn, {1.0 * arc.x, 1.0 * arc.y}, angle, space.radius()});
+      curve.push_back({on, off, turn, {1.0 * arc.x, 1.0 * arc.y}, angle, space.asked_radius()});
     }
     to = on;
     leaves = label.normal;

@@ -261,7 +261,11 @@ Result answer(const PlanningMap& map, const Request& asked, const Params& params
     case Algorithm::Kind::exact:
       result = run_exact(map, request, memory, observer);
       // Cells may be joined where a disc is not: then the search has proven it.
-      if (result.status == Status::unreachable) return apart(ends, request);
+      if (result.status == Status::unreachable) {
+        request = asked;
+        request.goal_tolerance = 0;  // what would be named as the nearest is what has no way
+        return apart(ends, request);
+      }
       break;
     case Algorithm::Kind::genetic: {
       const auto joined = [&](Cell c) {

@@ -1,11 +1,12 @@
 #include "core/plan/disc_path.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "core/base/number_text.h"
 #include "core/disc/bit_rows.h"
-#include "kernels/sight/sight.h"
 
 namespace lasius {
 namespace {
@@ -23,14 +24,33 @@ double distance_to_segment(Point p, Point a, Point b) noexcept {
   return distance(p, {a.x + t * x, a.y + t * y});
 }
 
-/// From a segment that does not cross the cell.
-double distance_to_cell(int x, int y, Point a, Point b) noexcept {
+/// Blocked cells of one row, side by side: columns `first` to before `end`.
+struct Run {
+  int first, end;
+};
+
+/// The first run from column `from` on, which ends after column `last` at the latest; an empty one
+/// where all is free up to there.
+Run run_from(const std::uint64_t* row, int from, int last) noexcept {
+  const auto first_of = [row, last](int x, std::uint64_t inverted) {
+    for (; x <= last; x += 64) {
+      const std::uint64_t bits = disc::bits_from(row, x) ^ inverted;
+      if (bits != 0) return std::min(x + std::countr_zero(bits), last + 1);
+    }
+    return last + 1;
+  };
+  const int first = first_of(from, 0);
+  return {first, first_of(first, ~std::uint64_t{0})};
+}
+
+/// From a segment to the rectangle of a run in row y, which it does not cross.
+double distance_to_run(Run run, int y, Point a, Point b) noexcept {
+  const double left = run.first, right = run.end, top = y, bottom = y + 1.0;
   const auto from = [&](Point p) {
-    return distance(p, {std::clamp(p.x, 1.0 * x, x + 1.0), std::clamp(p.y, 1.0 * y, y + 1.0)});
+    return distance(p, {std::clamp(p.x, left, right), std::clamp(p.y, top, bottom)});
   };
   double least = std::min(from(a), from(b));
-  for (const Point corner :
-       {Point{1.0 * x, 1.0 * y}, {x + 1.0, 1.0 * y}, {1.0 * x, y + 1.0}, {x + 1.0, y + 1.0}})
+  for (const Point corner : {Point{left, top}, {right, top}, {left, bottom}, {right, bottom}})
     least = std::min(least, distance_to_segment(corner, a, b));
   return least;
 }
@@ -98,33 +118,35 @@ std::optional<Grid> clear_cells(const disc::DiscSpace& space, Poller& poller,
   return cells;
 }
 
-// Row by row of cells: those nearest to the segment are straight below or above what of it is
-// nearest to the row, or the first to the left or right of that.
+// Row by row, run by run of blocked cells: those beside the part of the segment that is near the
+// row.
 double segment_clearance(const Grid& map, Point a, Point b, double most) noexcept {
   if (a.y > b.y) std::swap(a, b);
+  const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
+  const auto at = [&](double height) {
+    if (height <= a.y) return a.x;
+    return height >= b.y ? b.x : a.x + slope * (height - a.y);
+  };
+  // Columns of what lies between two heights.
+  const auto across = [&](double from, double to) {
+    if (a.y == b.y) return std::minmax({a.x, b.x});
+    return std::minmax({at(from), at(to)});
+  };
   double least = most;
-  const int last = std::min(map.height(), static_cast<int>(std::floor(b.y + most)));
-  for (int y = std::max(-1, static_cast<int>(std::floor(a.y - most)) - 1); y <= last; ++y) {
-    const double above = std::max(0.0, y - b.y), below = std::max(0.0, a.y - (y + 1));
-    const double away = std::max(above, below);
-    if (away >= least) continue;
-    // The part of the segment that is nearest to the row.
-    const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
-    const auto at = [&](double height) {
-      if (height <= a.y) return a.x;
-      return height >= b.y ? b.x : a.x + slope * (height - a.y);
-    };
-    const bool level = a.y == b.y;
-    const double one = level ? a.x : at(y), other = level ? b.x : at(y + 1.0);
-    const int left = static_cast<int>(std::floor(std::min(one, other)));
-    const int right = static_cast<int>(std::floor(std::max(one, other)));
-    const std::uint64_t* const row = map.row(y);
-    if (!kernels::row_free(row, left, right)) {
-      least = std::min(least, away);
-      continue;
+  const int last_row = std::min(map.height(), static_cast<int>(std::floor(b.y + most)));
+  for (int y = std::max(-1, static_cast<int>(std::floor(a.y - most)) - 1); y <= last_row; ++y) {
+    const auto [low, high] = across(y - least, y + 1 + least);
+    const int last = std::min(map.width(), static_cast<int>(std::floor(high + least)));
+    int x = std::max(-1, static_cast<int>(std::floor(low - least)) - 1);
+    const bool meets_row = a.y <= y + 1 && b.y >= y;
+    const auto [left, right] = across(y, y + 1.0);
+    while (x <= last) {
+      const Run run = run_from(map.row(y), x, last);
+      if (run.first > last) break;
+      if (meets_row && left <= run.end && right >= run.first) return 0;
+      least = std::min(least, distance_to_run(run, y, a, b));
+      x = run.end;
     }
-    const int before = disc::blocked_before(row, left), after = disc::blocked_after(row, right);
-    least = std::min({least, distance_to_cell(before, y, a, b), distance_to_cell(after, y, a, b)});
   }
   return least;
 }

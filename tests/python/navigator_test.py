@@ -44,7 +44,7 @@ def test_ways_where_none_is_known():
     assert navigator.step((5, 10)).goal_reached == (25, 6)
     navigator.observe_rectangle(10, 0, 1, 20, blocked=True)
     steps = [navigator.step((5, 10)) for _ in range(4)]
-    assert [way.status for way in steps] == ["unreachable"] * 3 + ["solved"]
+    assert [way.status for way in steps] == ["invalid"] * 3 + ["solved"]
     assert [way.doubted for way in steps] == [0, 0, 0, 29] and steps[3].goal_reached == (25, 10)
     later = navigator.step(tuple(steps[3].walk[5]))
     assert not later.replanned and later.path[0].tolist() == [10.5, 10.5] and later.length == 15

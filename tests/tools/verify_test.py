@@ -131,7 +131,9 @@ class Verify(ProgramTest):
                              goal="21,12")["length"] for radius in ("0", "2.5")]
         self.assertLess(lengths[0], lengths[1])
         self.assertEqual(self.run_program("verify", "r.json").code, 0)
-        old = self.save("--radius", "2.5", map_file="block.map", start="4,12", goal="21,12")
+        run = self.plan("--json", "--radius", "2.5", "--algorithm", "exact", map_file="block.map", start="4,12",
+                        goal="21,12")
+        old = run.json
         self.write("r.json", json.dumps({**old, "version": "0.3.0"}))
         self.ended(self.run_program("verify", "r.json"), 2, "the radius asked is now the radius kept")
         old["curve"][2]["turn"] *= -1

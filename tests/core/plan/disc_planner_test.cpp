@@ -224,10 +224,35 @@ TEST(DiscPlanner, IsStopped) {
   EXPECT_GE(cut.length, whole.length);
 }
 
+TEST(DiscPlanner, LongWaysPastFewObstaclesAreTheSameByTheGraph) {
+  std::mt19937 random(5);
+  int bent = 0;
+  for (int round = 0; round < 40; ++round) {
+    const double radius = std::array{0.5, 2.0, 4.4, 9.0}[round % 4];
+    Grid grid(400, 90);
+    for (int i = 0; i < 40 - 3 * (round % 4) * (round % 4); ++i)
+      grid.fill({random_in(0, 395, random), random_in(0, 87, random), 1 + i % 5, 1 + i % 3}, true);
+    const Planner planner(grid, Disc{radius});
+    const Planner prepared(grid, Disc{radius}, PrepareOptions{});
+    for (int i = 0; i < 8; ++i) {
+      const Request request{random_cell(grid, random), random_cell(grid, random)};
+      const Result one = planner.plan(request), other = prepared.plan(request);
+      EXPECT_EQ(one.status, other.status);
+      if (one.path.empty()) continue;
+      EXPECT_NEAR(one.length, other.length, 1e-9) << "round " << round << ", question " << i;
+      EXPECT_TRUE(one.optimal && other.optimal);
+      bent += one.curve.size() > 1;
+    }
+  }
+  EXPECT_GT(bent, 60);
+}
+
 TEST(SegmentClearance, AgreesWithTheDistanceToAllSquares) {
   std::mt19937 random(11);
-  for (int round = 0; round < 60; ++round) {
-    const Grid grid = disc::random_map(1 + round % 4, random);
+  for (int round = 0; round < 70; ++round) {
+    // Long ones, too, that pass a row far from what lies in it.
+    const Grid grid = round < 60 ? disc::random_map(1 + round % 4, random)
+                                 : random_grid(200 + round, 30, round - 59, random);
     const oracle::DiscPaths judge(grid, 1, oracle::DiscPaths::Lines::none);
     for (int i = 0; i < 40; ++i) {
       const int grain = 1 << random_in(0, 9, random);
