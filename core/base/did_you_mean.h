@@ -32,9 +32,9 @@ inline int edit_distance(std::string_view a, std::string_view b) {
 }
 
 /// The known name that `name` most likely means, the first of equals: one that begins with it
-/// before others, then one that has it in it or is in it, and capitals count as small letters
-/// unless nothing else differs. Nothing where each is far: of more than a third of its letters
-/// another.
+/// before others, then one of which at most a third of its letters are others, then one that has it
+/// in it or is in it. Capitals count as small letters unless nothing else differs. Nothing where
+/// each is far.
 inline std::optional<std::string_view> nearest_name(std::string_view name,
                                                     std::span<const std::string_view> known) {
   const auto bare = [](std::string_view text) {  // an option without its dashes
@@ -47,20 +47,23 @@ inline std::optional<std::string_view> nearest_name(std::string_view name,
   };
   constexpr std::size_t kWord = 4;  // letters that name something
   std::string word = small(bare(name));
+  if (word.empty()) return std::nullopt;
   if (word == "dims" || word == "dimensions") word = "size";
   const auto farness = [&](std::string_view candidate) {
     const std::string other = small(bare(candidate));
     const auto holds = [&](const std::string& text, const std::string& part) {
       return part.size() >= kWord && text.find(part) != std::string::npos;
     };
-    const int kind = other.starts_with(word) ? 0 : holds(other, word) || holds(word, other) ? 1 : 2;
-    return std::tuple(kind, edit_distance(word, other), edit_distance(name, candidate));
+    const int changes = edit_distance(word, other);
+    const bool near = 3 * static_cast<std::size_t>(changes) <= word.size() + 1;
+    const bool part = holds(other, word) || holds(word, other);
+    const int kind = other.starts_with(word) ? 0 : near ? 1 : part ? 2 : 3;
+    return std::tuple(kind, changes, edit_distance(name, candidate));
   };
   const auto nearest =
       std::ranges::min_element(known, [&](auto a, auto b) { return farness(a) < farness(b); });
   if (nearest == known.end()) return std::nullopt;
-  const auto [kind, changes, exact_changes] = farness(*nearest);
-  if (kind == 2 && 3 * static_cast<std::size_t>(changes) > word.size() + 1) return std::nullopt;
+  if (std::get<0>(farness(*nearest)) == 3) return std::nullopt;
   return *nearest;
 }
 

@@ -102,7 +102,10 @@ struct DiscSearch::GoalSink {
 void DiscSearch::look_from_goal() {
   goal_horizon_ = goal_looks_ < kMostScans ? std::min(upper_, lower_ + ahead(goal_looks_)) : upper_;
   ++goal_looks_;
-  ++exit_stamp_;
+  if (++exit_stamp_ == 0) {  // all numbers were used
+    std::ranges::fill(exits_, Exit{});
+    exit_stamp_ = 1;
+  }
   exits_.resize(2 * space_->arcs().size());
   GoalSink sink{*this};
   View<GoalSink> view(*space_, view_, sink);

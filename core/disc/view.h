@@ -2,6 +2,7 @@
 // to.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -140,7 +141,10 @@ class View {
   }
 
   void begin() {
-    ++memory_.scan_;
+    if (++memory_.scan_ == 0) {  // all numbers were used
+      std::ranges::fill(memory_.marks_, ViewMemory::Mark{});
+      memory_.scan_ = 1;
+    }
     memory_.tangents_.clear();
   }
 

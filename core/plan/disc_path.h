@@ -1,4 +1,4 @@
-// Paths of a disc: where they may begin and end, the search, and the check of what it found.
+// Paths of a disc: where they may begin and end, and the check of what a search found.
 #pragma once
 
 #include <optional>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 
 #include "core/polygon/world/lattice_point.h"
 
@@ -38,7 +39,7 @@ bool beside(Point a, Point b, Point p, double reach) {
   // Kahan's difference of products.
   const double second = to_a.y * to_b.x;
   const double cross = std::fma(to_a.x, to_b.y, -second) + std::fma(-to_a.y, to_b.x, second);
-  return std::abs(cross) <= reach * std::hypot(edge.x, edge.y);
+  return std::abs(cross) <= reach * std::sqrt(edge.x * edge.x + edge.y * edge.y);
 }
 
 /// The ring or line with the points that lie on its edges; `known`: all points from the left.
@@ -59,9 +60,10 @@ Ring with_points(const Ring& ring, bool closed, const std::vector<Point>& known,
       if (p->y < low || p->y > high || *p == a || *p == b) continue;
       if (beside(a, b, *p, reach)) result.push_back(*p);
     }
-    std::sort(result.begin() + first, result.end(), [&](Point p, Point q) {
-      return (q.x - p.x) * (b.x - a.x) + (q.y - p.y) * (b.y - a.y) > 0;
-    });
+    const auto along = [&](Point p) {
+      return std::tuple((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y), p.x, p.y);
+    };
+    std::ranges::sort(result.begin() + first, result.end(), {}, along);
   }
   return result;
 }

@@ -70,7 +70,7 @@ TEST(DiscSearch, EqualsBruteForceOnSmallMaps) {
   std::mt19937 random(1);
   DiscSearch search;
   int found = 0, closed = 0, bent = 0;
-  for (int round = 0; round < scaled(40); ++round) {
+  for (int round = 0; round < scaled(24); ++round) {
     const double radius = random_radius(round % 32 == 31 ? 20 : round % 4 == 0 ? 5 : 2, random);
     const Grid grid = random_map(radius, random);
     const auto space = DiscSpace::make(grid, radius);

@@ -247,6 +247,19 @@ TEST(DiscPlanner, LongWaysPastFewObstaclesAreTheSameByTheGraph) {
   EXPECT_GT(bent, 60);
 }
 
+TEST(DiscPlanner, PassesBetweenCornersThatItTouchesAtOnce) {
+  Grid grid(21, 12);
+  for (const Cell c : {Cell{16, 1}, {9, 3}, {9, 4}, {13, 4}, {6, 6}, {4, 9}}) grid.set_blocked(c);
+  const double touching = std::sqrt(2.0);
+  for (const double radius : {touching, std::nextafter(touching, 0), touching - 1e-9}) {
+    const Planner planner(grid, Disc{radius});
+    for (const Planner& with : {planner, planner.prepared({})}) {
+      EXPECT_NEAR(with.plan({{19, 10}, {2, 3}}).length, 21.7655927628, 3e-9);
+      EXPECT_NEAR(with.plan({{2, 3}, {19, 10}}).length, 21.7655927628, 3e-9);
+    }
+  }
+}
+
 TEST(SegmentClearance, AgreesWithTheDistanceToAllSquares) {
   std::mt19937 random(11);
   for (int round = 0; round < 70; ++round) {
