@@ -54,8 +54,8 @@ Json info_json(const LoadedMap& map, Corners corners) {
   const auto footprint = map.planner->footprint();
   const double cells = static_cast<double>(map.width) * map.height;
   const auto free = grid.count_free();
-  const auto bytes = footprint.bitmap + footprint.components + footprint.visibility_graph +
-                     footprint.disc;
+  const auto bytes =
+      footprint.bitmap + footprint.components + footprint.visibility_graph + footprint.disc;
 
   Json json = Json::object();
   json["format"] = "lasius-info/1";
@@ -140,8 +140,8 @@ std::string info_text(const Json& json, const LoadedMap& map, const InfoCommand&
                     printed("%.3f", memory["bits_per_cell"].get<double>()) +
                     " bits a cell (bitmap " + dumped(memory["bitmap"]) + ", components " +
                     dumped(memory["components"]) + ", visibility graph " +
-                    dumped(memory["corners"]) + ", a disc's free space " +
-                    dumped(memory["disc"]) + ")");
+                    dumped(memory["corners"]) + ", a disc's free space " + dumped(memory["disc"]) +
+                    ")");
   return text;
 }
 
