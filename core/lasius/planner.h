@@ -110,8 +110,8 @@ class LASIUS_EXPORT Planner {
   bool joined(Cell a, Cell b) const;
   /// The largest radius in cells, at most 54, with which a disc can go from the centre of one cell
   /// to that of another, whatever this planner's; nothing where not even a point can, or when
-  /// stopped. Makes a disc's free space for up to 14 radii, and keeps a quarter of a byte a cell of
-  /// each.
+  /// stopped (ask its token), or one is outside. Makes a disc's free space for up to 14 radii, and
+  /// keeps a quarter of a byte a cell of 32 of all that it made.
   std::optional<double> widest_disc(Cell a, Cell b, const StopCondition& stop = {}) const;
 
   /// Labels the components under a rule, if that is still to do: those of 8 neighbours, for
@@ -137,7 +137,8 @@ class LASIUS_EXPORT Planner {
   /// or token may. An unreachable goal is proven before any search.
   /// `observer` is called as Progress says, and may stop the run.
   /// @throws Error(invalid_parameter) for parameters that validate() refuses, a target gap that is
-  /// out of range or that the algorithm cannot certify, and from a colony where the environment's
+  /// out of range or that the algorithm cannot certify, a goal tolerance out of range, a disc's
+  /// radius that `exact` has no answers for, and from a colony where the environment's
   /// LASIUS_KERNELS names no kernels that this CPU has; what the observer throws. Start or goal
   /// outside or blocked is an answer, not an exception: Status::invalid.
   Result plan(const Request& request, const Params& params = {}, Workspace* workspace = nullptr,

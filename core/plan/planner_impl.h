@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -89,6 +90,7 @@ class Planner::Impl {
     Grid blocked;
     Components four;
   };
+  static constexpr std::size_t kMostRegions = 32;  ///< that are kept
   /// By the square of the radius in half cells. Nothing if stopped.
   std::shared_ptr<const Regions> regions(int squared_half_cells, const StopCondition& stop) const;
 

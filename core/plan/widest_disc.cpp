@@ -33,6 +33,7 @@ std::shared_ptr<const Planner::Impl::Regions> Planner::Impl::regions(
   if (!joined) return nullptr;
   auto made = std::make_shared<const Regions>(Regions{space->blocked_cells(), std::move(*joined)});
   const std::scoped_lock lock(regions_kept_);
+  if (regions_.size() >= kMostRegions) return made;
   return regions_.emplace(squared_half_cells, std::move(made)).first->second;
 }
 
