@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/poller.h"
+#include "core/base/special_values.h"
 #include "core/loop/run_status.h"
 #include "core/params/parameter_table.h"
 #include "core/polygon/free_space.h"
@@ -14,6 +15,7 @@
 #include "core/polygon/route_plan.h"
 #include "core/polygon/shortest_path.h"
 #include "core/polygon/world/geometry_check.h"
+#include "core/polygon/world/rings.h"
 #include "lasius/polygon_plan.h"
 
 namespace lasius::polygon {
