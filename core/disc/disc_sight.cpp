@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/disc/disc_space.h"
+#include "kernels/sight/sight.h"
 
 namespace lasius::disc {
 
@@ -52,8 +53,8 @@ bool DiscSpace::keeps_box(const Segment& segment, int x, int y) const noexcept {
   return left >= box.left && right <= box.right && top >= box.top && bottom <= box.bottom;
 }
 
-bool DiscSpace::row_free(const Segment& segment, int y, double low_x,
-                         double high_x) const noexcept {
+bool DiscSpace::keeps_row(const Segment& segment, int y, double low_x,
+                          double high_x) const noexcept {
   const int first = std::clamp(static_cast<int>(low_x), 0, map_.width() - 1);
   const int last = std::clamp(static_cast<int>(std::ceil(high_x)) - 1, first, map_.width() - 1);
   const std::uint64_t* blocked = blocked_.row(y);
@@ -78,10 +79,25 @@ bool DiscSpace::sees(Point a, Point b) const noexcept {
   const Segment segment{a, b, x, y, y > 0 ? x / y : 0, limit * limit * (x * x + y * y)};
   const int first = std::clamp(static_cast<int>(a.y), 0, map_.height() - 1);
   const int last = std::clamp(static_cast<int>(std::ceil(b.y)) - 1, first, map_.height() - 1);
-  for (int row = first; row <= last; ++row) {
-    const double top = row == first ? a.x : segment.at(row);
-    const double bottom = row == last ? b.x : segment.at(row + 1);
-    if (!row_free(segment, row, std::min(top, bottom), std::max(top, bottom))) return false;
+  double top = a.x;
+  for (int row = first; row <= last;) {
+    // The rows of a tile at once, where its cells, and those beside it, are free.
+    const int end = std::min(last, row | 7);
+    const double bottom = end == last ? b.x : segment.at(end + 1);
+    const auto [low, high] = std::minmax(top, bottom);
+    const int left = std::clamp(static_cast<int>(low), 0, map_.width() - 1);
+    const int right = std::clamp(static_cast<int>(high), left, map_.width() - 1);
+    if (!kernels::row_free(crowded_.row(row >> 3), left >> 3, right >> 3)) {
+      double above = top;
+      for (; row < end; ++row) {
+        const double below = segment.at(row + 1);
+        if (!keeps_row(segment, row, std::min(above, below), std::max(above, below))) return false;
+        above = below;
+      }
+      if (!keeps_row(segment, row, std::min(above, bottom), std::max(above, bottom))) return false;
+    }
+    row = end + 1;
+    top = bottom;
   }
   return true;
 }

@@ -131,8 +131,8 @@ class View {
     const int line0 = static_cast<int>(down > 0 ? std::floor(start.y) : std::ceil(start.y));
     const std::uint32_t type = type_passed(root.heading, false);
     const Sweep sweep{S * root.x, down * (root.y - line0), root.offset, root.from, root.to};
-    const ScanFrame frame{view_of(space_.blocked_cells()), view_of(space_.arc_cells(type)), down,
-                          line0};
+    const ScanFrame frame{view_of(space_.blocked_cells()), view_of(space_.arc_cells(type)),
+                          view_of(space_.crowded()), down, line0};
     Visitor<S> visitor{*this, root, sweep, down, line0};
     begin();
     return TangentScan<S, Visitor<S>>(frame, sweep, memory_.stack_, memory_.shadows_, visitor)
