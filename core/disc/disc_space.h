@@ -120,8 +120,7 @@ class DiscSpace {
   }
   Box box_of(const BandCell& cell, int x, int y) const noexcept;
   struct Segment;
-  bool keeps_arcs(const Segment& segment, int x, int y) const noexcept;
-  bool keeps_box(const Segment& segment, int x, int y) const noexcept;
+  bool keeps_cell(const Segment& segment, int x, int y, double left, double right) const noexcept;
   bool keeps_row(const Segment& segment, int y, double low_x, double high_x) const noexcept;
   struct Nearest;
   void nearest_in(Cell cell, Nearest& nearest) const;
