@@ -46,19 +46,18 @@ struct DiscSearch::Sink {
   }
   bool wants(std::uint32_t arc, bool rising, Normal normal, double angle, double way,
              Point arrives) {
-    const double to_goal = distance(arrives, search.goal_);
     double length = from.length + way;
     if (search.in_hand_ != Labels::kStart)
       length += search.space_->radius() * std::abs(angle - from.angle);
-    if (length + to_goal >= search.upper_) return false;
     found = {.length = length,
-             .to_goal = to_goal,
              .angle = angle,
              .normal = normal,
              .arc = arc,
              .parent = search.in_hand_,
              .rising = rising};
-    return !search.labels_.dominated(found);
+    if (search.labels_.dominated(found)) return false;
+    found.to_goal = distance(arrives, search.goal_);
+    return length + found.to_goal < search.upper_;
   }
   void take() {
     const std::uint32_t number = search.labels_.add(found);

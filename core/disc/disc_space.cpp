@@ -6,7 +6,6 @@
 
 #include "core/base/held_bytes.h"
 #include "core/base/invalid_parameter.h"
-#include "core/disc/bit_rows.h"
 #include "core/disc/space_builder.h"
 #include "core/grid/grid_view.h"
 
@@ -81,8 +80,8 @@ bool DiscSpace::joined(Point a, Point b) const noexcept {
 
 std::int64_t DiscSpace::bytes() const noexcept {
   return bitmap_bytes(map_) + bitmap_bytes(blocked_) + bitmap_bytes(band_) +
-         bitmap_bytes(arc_cells_even_) + bitmap_bytes(arc_cells_odd_) +
-         held_bytes(ranks_, cells_, passing_, arcs_) + components_->bytes();
+         bitmap_bytes(arc_cells_even_) + bitmap_bytes(arc_cells_odd_) + bitmap_bytes(crowded_) +
+         held_bytes(tiles_, cells_, passing_, arcs_) + components_->bytes();
 }
 
 }  // namespace lasius::disc

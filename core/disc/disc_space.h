@@ -1,7 +1,6 @@
 // Where the centre of a disc may be on a bitmap, exactly.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -9,6 +8,7 @@
 
 #include "core/base/poller.h"
 #include "core/disc/arc.h"
+#include "core/disc/bit_rows.h"
 #include "core/grid/components.h"
 #include "lasius/geometry.h"
 #include "lasius/grid.h"
@@ -34,9 +34,9 @@ void check_disc_radius(double radius);
 /// begins in free space and leaves it does so through a side of a box or through an arc, in the
 /// cell that knows it.
 ///
-/// A map of w x h cells takes 0.69 w h bytes, 8 for each cell of the band, 24 for each arc and 4
-/// for each cell that it passes. Nothing is random, nothing depends on threads. Const members may
-/// be called by several threads at once.
+/// A map of w x h cells takes 0.88 w h bytes, 8 for each cell of the band, 24 for each arc and 4
+/// for each cell with several of them. Nothing is random, nothing depends on threads. Const members
+/// may be called by several threads at once.
 class DiscSpace {
  public:
   /// Copies the map. Empty if stopped.
@@ -73,8 +73,11 @@ class DiscSpace {
   /// Numbers of the arcs that pass a cell of the band.
   std::span<const std::uint32_t> arcs_at(int x, int y) const noexcept {
     const BandCell& cell = band_cell(x, y);
-    return {passing_.data() + cell.first, cell.box_and_count >> 24};
+    const std::uint32_t count = cell.box_and_count >> 24;
+    return {count == 1 ? &cell.first : passing_.data() + cell.first, count};
   }
+  /// A bit for each 8 x 8 cells: set where one of them is not free.
+  const Grid& crowded() const noexcept { return crowded_; }
   /// Rows of bits, of the cells that arcs pass: of types 0 and 3, or 1 and 2. Laid out as a Grid's,
   /// but for the bits around the map, which mean nothing.
   const Grid& arc_cells(std::uint32_t type) const noexcept {
@@ -85,12 +88,18 @@ class DiscSpace {
   friend class SpaceBuilder;
 
   // How far the nearest blocked cells of row and column are, by side (6 bits each: the steps to
-  // them, kFar for none within reach), and the number of arcs (8 bits); the first of these.
+  // them, kFar for none within reach), and the number of arcs (8 bits); the one arc, or where
+  // several stand in passing_.
   struct BandCell {
     std::uint32_t box_and_count;
     std::uint32_t first;
   };
   static constexpr std::uint32_t kFar = 63;
+  // 8 x 8 cells: those of the band, row by row, stand together. So do arcs, by their corners.
+  struct Tile {
+    std::uint64_t band = 0;
+    std::uint32_t first = 0;
+  };
   struct Box {
     double left, top, right, bottom;
   };
@@ -102,22 +111,23 @@ class DiscSpace {
         blocked_(grid.width(), grid.height()),
         band_(grid.width(), grid.height()),
         arc_cells_even_(grid.width(), grid.height()),
-        arc_cells_odd_(grid.width(), grid.height()) {}
+        arc_cells_odd_(grid.width(), grid.height()),
+        crowded_((grid.width() + 7) / 8, (grid.height() + 7) / 8),
+        tiles_across_((static_cast<std::size_t>(grid.width()) + 7) / 8),
+        tiles_(tiles_across_ * ((static_cast<std::size_t>(grid.height()) + 7) / 8)) {}
 
   static bool bit(const Grid& plane, int x, int y) noexcept {
     return (plane.row(y)[x >> 6] >> (x & 63) & 1) != 0;
   }
   const BandCell& band_cell(int x, int y) const noexcept {
-    const int word = x >> 6;
-    const std::uint64_t below = band_.row(y)[word] & ((std::uint64_t{1} << (x & 63)) - 1);
-    return cells_[ranks_[static_cast<std::size_t>(y) * band_.words() + word] +
-                  static_cast<std::uint32_t>(std::popcount(below))];
+    const Tile& tile = tiles_[static_cast<std::size_t>(y >> 3) * tiles_across_ + (x >> 3)];
+    const std::uint64_t below = (std::uint64_t{1} << ((y & 7) << 3 | (x & 7))) - 1;
+    return cells_[tile.first + count_bits(tile.band & below)];
   }
   Box box_of(const BandCell& cell, int x, int y) const noexcept;
   struct Segment;
-  bool keeps_arcs(const Segment& segment, int x, int y) const noexcept;
-  bool keeps_box(const Segment& segment, int x, int y) const noexcept;
-  bool row_free(const Segment& segment, int y, double low_x, double high_x) const noexcept;
+  bool keeps_cell(const Segment& segment, int x, int y, double left, double right) const noexcept;
+  bool keeps_row(const Segment& segment, int y, double low_x, double high_x) const noexcept;
   struct Nearest;
   void nearest_in(Cell cell, Nearest& nearest) const;
 
@@ -127,7 +137,9 @@ class DiscSpace {
   Grid blocked_;
   Grid band_;
   Grid arc_cells_even_, arc_cells_odd_;
-  std::vector<std::uint32_t> ranks_;  // band cells before each word
+  Grid crowded_;
+  std::size_t tiles_across_;
+  std::vector<Tile> tiles_;
   std::vector<BandCell> cells_;
   std::vector<std::uint32_t> passing_;  // arcs, cell by cell
   std::vector<Arc> arcs_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 #include "core/disc/bit_rows.h"
 
@@ -64,45 +65,55 @@ SpaceBuilder::SpaceBuilder(DiscSpace& space, Poller& poller)
 bool SpaceBuilder::build() {
   GrownRows grown(space_.map(), reach_);
   if (!grown.grow(poller_)) return false;
-  for (int y = 0; y < space_.map().height(); ++y) {
-    build_row(y, grown);
+  for (int y = 0; y < space_.map().height(); y += 8) {
+    build_tiles(y, grown);
     if (poller_.stopped()) return false;
   }
   join_pieces();
   return !poller_.stop_after(static_cast<std::int64_t>(pieces_.size()));
 }
 
-void SpaceBuilder::build_row(int y, const GrownRows& grown) {
-  const int words = space_.map().words(), width = space_.map().width();
-  std::vector<std::uint64_t> blocked(grown.covered(y), grown.covered(y) + words);
-  std::vector<std::uint64_t> band(words), even(words), odd(words);
-  for (int i = 0; i < words; ++i) {
-    space_.ranks_.push_back(static_cast<std::uint32_t>(space_.cells_.size()));
-    for (std::uint64_t left = grown.touched(y)[i] & ~blocked[i]; left != 0; left &= left - 1) {
-      const int bit = std::countr_zero(left);
-      const std::uint64_t here = std::uint64_t{1} << bit;
-      const std::size_t before = pieces_.size();
-      const std::uint32_t box = steps_to_blocked(64 * i + bit, y);
-      space_.cells_.push_back({box, static_cast<std::uint32_t>(before)});
-      if (64 * i + bit >= width || !build_cell(64 * i + bit, y)) {
-        space_.cells_.pop_back();
-        blocked[i] |= here;
-        continue;
-      }
-      band[i] |= here;
-      for (std::size_t k = before; k < pieces_.size(); ++k) {
-        const std::uint32_t type = corners_.corners()[pieces_[k].corner].type;
-        (type == 0 || type == 3 ? even : odd)[i] |= here;
-      }
-      space_.cells_.back().box_and_count |= static_cast<std::uint32_t>(pieces_.size() - before)
-                                            << 24;
-      poller_.stop_after(4);
-    }
+// A row of tiles, from cells' row y0 on.
+void SpaceBuilder::build_tiles(int y0, const GrownRows& grown) {
+  const int words = space_.map().words();
+  const int rows = std::min(8, space_.map().height() - y0);
+  DiscSpace::Tile* tile = &space_.tiles_[static_cast<std::size_t>(y0 >> 3) * space_.tiles_across_];
+  for (RowBits& bits : rows_) bits.assign(static_cast<std::size_t>(words) * 8, 0);
+  auto& [blocked, band, even, odd] = rows_;
+  for (int k = 0; k < rows; ++k) {
+    std::copy_n(grown.covered(y0 + k), words, blocked.data() + k * words);
   }
-  space_.blocked_.set_row(y, blocked.data());
-  space_.band_.set_row(y, band.data());
-  space_.arc_cells_even_.set_row(y, even.data());
-  space_.arc_cells_odd_.set_row(y, odd.data());
+  for (int x0 = 0; x0 < space_.map().width(); x0 += 8, ++tile) {
+    tile->first = static_cast<std::uint32_t>(space_.cells_.size());
+    bool crowded = false;
+    for (int k = 0; k < rows; ++k) {
+      const int word = k * words + (x0 >> 6), shift = x0 & 63;
+      crowded |= (grown.touched(y0 + k)[x0 >> 6] >> shift & 0xff) != 0;
+      const std::uint64_t doubtful = grown.touched(y0 + k)[x0 >> 6] & ~blocked[word];
+      for (std::uint64_t left = doubtful >> shift & 0xff; left != 0; left &= left - 1) {
+        const int x = x0 + std::countr_zero(left);
+        const std::uint64_t here = std::uint64_t{1} << (x & 63);
+        if (!build_cell(x, y0 + k)) {
+          blocked[word] |= here;
+          continue;
+        }
+        band[word] |= here;
+        tile->band |= std::uint64_t{1} << (8 * k + (x & 7));
+        for (std::size_t i = space_.cells_.back().first; i < pieces_.size(); ++i) {
+          const std::uint32_t type = corners_.corners()[pieces_[i].corner].type;
+          (type == 0 || type == 3 ? even : odd)[word] |= here;
+        }
+      }
+    }
+    if (crowded) space_.crowded_.set_blocked({x0 >> 3, y0 >> 3});
+    poller_.stop_after(4 * (1 + count_bits(tile->band)));
+  }
+  for (int k = 0; k < rows; ++k) {
+    space_.blocked_.set_row(y0 + k, blocked.data() + k * words);
+    space_.band_.set_row(y0 + k, band.data() + k * words);
+    space_.arc_cells_even_.set_row(y0 + k, even.data() + k * words);
+    space_.arc_cells_odd_.set_row(y0 + k, odd.data() + k * words);
+  }
 }
 
 // Steps to the blocked cells left, above, right and below, 6 bits each.
@@ -116,15 +127,20 @@ std::uint32_t SpaceBuilder::steps_to_blocked(int x, int y) const noexcept {
          cut(blocked_after(row, x + 1) - x) << 12 | cut(blocked_after(column, y + 1) - y) << 18;
 }
 
-// Adds the arcs' pieces of a cell; false if no point of it is free.
+// Adds a cell and its pieces of arcs; false if no point of it is free.
 bool SpaceBuilder::build_cell(int x, int y) {
-  const DiscSpace::Box box = space_.box_of(space_.cells_.back(), x, y);
+  const std::size_t before = pieces_.size();
+  DiscSpace::BandCell cell{steps_to_blocked(x, y), static_cast<std::uint32_t>(before)};
+  const DiscSpace::Box box = space_.box_of(cell, x, y);
   if (box.left > box.right || box.top > box.bottom) return false;
   find_circles(x, y);
   bool free = outside_circles({box.left, box.top}) || outside_circles({box.right, box.top}) ||
               outside_circles({box.left, box.bottom}) || outside_circles({box.right, box.bottom});
   for (const Circle& circle : circles_) free |= add_pieces(circle, box);
-  return free;
+  if (!free) return false;
+  cell.box_and_count |= static_cast<std::uint32_t>(pieces_.size() - before) << 24;
+  space_.cells_.push_back(cell);
+  return true;
 }
 
 void SpaceBuilder::find_circles(int x, int y) {
@@ -205,16 +221,18 @@ bool SpaceBuilder::add_pieces(const Circle& circle, const DiscSpace::Box& box) {
   return true;
 }
 
-// Pieces of one circle that meet are an arc. Numbers them corner by corner, by the angle.
+// Pieces of one circle that meet are an arc. Numbers them by tiles of their corners, each circle's
+// by the angle.
 void SpaceBuilder::join_pieces() {
-  std::vector<std::uint32_t> first(corners_.corners().size() + 1);
+  const auto& corners = corners_.corners();
+  std::vector<std::uint32_t> first(corners.size() + 1);
   for (const Piece& piece : pieces_) ++first[piece.corner + 1];
   for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
   std::vector<std::uint32_t> order(pieces_.size());
   std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
   for (std::uint32_t i = 0; i < pieces_.size(); ++i) order[next[pieces_[i].corner]++] = i;
-  space_.passing_.resize(pieces_.size());
-  for (std::size_t corner = 0; corner + 1 < first.size(); ++corner) {
+  std::vector<std::uint32_t> arcs(pieces_.size());
+  for (const std::uint32_t corner : by_tiles()) {
     const auto begin = order.begin() + first[corner], end = order.begin() + first[corner + 1];
     std::stable_sort(begin, end, [this](std::uint32_t i, std::uint32_t j) {
       return pieces_[i].low < pieces_[j].low;
@@ -225,12 +243,35 @@ void SpaceBuilder::join_pieces() {
       if (joins) {
         space_.arcs_.back().high = std::max(space_.arcs_.back().high, piece.high);
       } else {
-        const CornerRows::Corner& c = corners_.corners()[corner];
+        const CornerRows::Corner& c = corners[corner];
         space_.arcs_.push_back({c.x, c.y, c.type, piece.low, piece.high});
       }
-      space_.passing_[*i] = static_cast<std::uint32_t>(space_.arcs_.size() - 1);
+      arcs[*i] = static_cast<std::uint32_t>(space_.arcs_.size() - 1);
     }
   }
+  for (DiscSpace::BandCell& cell : space_.cells_) {
+    const std::uint32_t count = cell.box_and_count >> 24;
+    const auto* here = arcs.data() + cell.first;
+    cell.first = count == 1 ? *here : static_cast<std::uint32_t>(space_.passing_.size());
+    if (count > 1) space_.passing_.insert(space_.passing_.end(), here, here + count);
+  }
+}
+
+// The corners, which stand row by row, by tiles of 8 x 8 lattice points.
+std::vector<std::uint32_t> SpaceBuilder::by_tiles() const {
+  const auto& corners = corners_.corners();
+  std::vector<std::uint32_t> order(corners.size());
+  std::iota(order.begin(), order.end(), 0);
+  for (auto begin = order.begin(); begin != order.end();) {
+    const int row = corners[*begin].y >> 3;
+    const auto end =
+        std::find_if(begin, order.end(), [&](std::uint32_t i) { return corners[i].y >> 3 != row; });
+    std::stable_sort(begin, end, [&](std::uint32_t i, std::uint32_t j) {
+      return corners[i].x >> 3 < corners[j].x >> 3;
+    });
+    begin = end;
+  }
+  return order;
 }
 
 }  // namespace lasius::disc

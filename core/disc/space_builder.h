@@ -57,7 +57,7 @@ class SpaceBuilder {
     double low, high;
   };
 
-  void build_row(int y, const GrownRows& grown);
+  void build_tiles(int y0, const GrownRows& grown);
   bool build_cell(int x, int y);
   std::uint32_t steps_to_blocked(int x, int y) const noexcept;
   void find_circles(int x, int y);
@@ -66,6 +66,7 @@ class SpaceBuilder {
   Span span_in(const Circle& circle, const DiscSpace::Box& box) const noexcept;
   void cut(const Circle& circle, const Circle& other);
   void join_pieces();
+  std::vector<std::uint32_t> by_tiles() const;
 
   DiscSpace& space_;
   Poller& poller_;
@@ -74,6 +75,8 @@ class SpaceBuilder {
   Reach reach_;
   CornerRows corners_;
   Grid columns_;  // the map with rows and columns swapped
+  using RowBits = std::vector<std::uint64_t>;
+  std::array<RowBits, 4> rows_;  // of eight rows: blocked, band, arcs of even types, of odd ones
   std::vector<Circle> circles_;
   std::vector<Span> spans_, cut_spans_;
   std::vector<Piece> pieces_;

@@ -19,6 +19,7 @@
 #include "core/disc/tangent.h"
 #include "kernels/sight/cone.h"
 #include "kernels/sight/scan_bits.h"
+#include "kernels/sight/sight.h"
 
 namespace lasius::disc {
 
@@ -53,7 +54,8 @@ struct Sweep {
 /// Where a scan runs: rows of blocked cells, and of those that arcs pass.
 struct ScanFrame {
   kernels::BitmapView blocked, passed;
-  int down;  ///< +1: line j is grid line line0 + j; -1: line0 - j
+  kernels::BitmapView crowded;  ///< a bit for 8 x 8 cells: any of them in either
+  int down;                     ///< +1: line j is grid line line0 + j; -1: line0 - j
   int line0;
 };
 
@@ -81,6 +83,9 @@ class TangentScan {
         last_line_(std::min(kNearLines,
                             frame.down > 0 ? frame.blocked.height - frame.line0 : frame.line0)),
         limit_(kernels::fixed(kernels::floor_column(to_fixed(start_u_)) + kNearColumns)),
+        crowded_(frame.crowded),
+        down_(frame.down),
+        line0_(frame.line0),
         stack_(stack),
         shadows_(shadows),
         visitor_(visitor) {}
@@ -189,38 +194,73 @@ class TangentScan {
 
   // Follows one gap until it ends or falls into several, which go on the stack. False when stopped.
   bool follow(Gap& gap) {
-    const char* next = row0_ + step_ * gap.line;
-    const char* passed = passed0_ + step_ * gap.line;
-    for (;; next += step_, passed += step_) {
+    int quiet = 0;  // rows in succession that held nothing
+    for (;;) {
+      const char* next = row0_ + step_ * gap.line;
       if (gap.wall && !kernels::blocked_cell<S>(next, floor_of(gap.right + kOutward))) {
         gap.right_slope = slope_to(floor_of(gap.right + kOutward), gap.line);
         gap.wall = false;
       }
-      Gap ahead = gap;
-      ahead.left += gap.left_slope;
-      if (!gap.wall) ahead.right += gap.right_slope;
-      ++ahead.line;
-      if (gap.grows) (sweep_.offset > 0 ? ahead.left : ahead.right) = to_fixed(edge(ahead.line));
-      if (near_ && (gap.line > last_line_ || ahead.right > limit_)) look_far();
-      if (gap.line > last_line_) {
+      if (quiet >= kQuietRows && !gap.wall && stride(gap)) {
+        if (!clip(gap, gap.line)) return true;
+        if (words_ >= kWordsAtOnce && !tell()) return false;
+        continue;
+      }
+      const int line = gap.line;
+      Fixed left = gap.left + gap.left_slope;
+      Fixed right = gap.wall ? gap.right : gap.right + gap.right_slope;
+      if (gap.grows) (sweep_.offset > 0 ? left : right) = to_fixed(edge(line + 1));
+      if (near_ && (line > last_line_ || right > limit_)) look_far();
+      if (line > last_line_) {
         cut_off_ = true;
         return true;
       }
       ++words_;
-      const Fixed from = gap.line == 0 ? std::max(gap.left, to_fixed(start_u_)) : gap.left;
-      const Fixed reached = std::min(ahead.right, limit_);
+      const Fixed from = line == 0 ? std::max(gap.left, to_fixed(start_u_)) : gap.left;
+      const Fixed reached = std::min(right, limit_);
+      const int first = floor_of(from - kOutward);
       const int to = std::min(border_, floor_of(reached + kOutward));
-      const bool open = look(next, passed, floor_of(from - kOutward), to, gap, ahead);
-      if (!open || !shadows_.empty()) {
-        split(next, floor_of(from + kOutward), floor_of(reached - kOutward), ahead);
-        shadows_.clear();
-        return words_ < kWordsAtOnce || tell();
+      const char* passed = passed0_ + step_ * line;
+      ++quiet;
+      if (to - first >= B::kValid || ((B::window(next, first) | B::window(passed, first)) &
+                                      B::to(std::max(0, to - first))) != 0) {
+        quiet = 0;
+        Gap ahead = gap;
+        ahead.left = left;
+        ahead.right = right;
+        ++ahead.line;
+        const bool open = look(next, passed, first, to, gap, ahead);
+        if (!open || !shadows_.empty()) {
+          split(next, floor_of(from + kOutward), floor_of(reached - kOutward), ahead);
+          shadows_.clear();
+          return words_ < kWordsAtOnce || tell();
+        }
       }
-      if (ahead.grows && ahead.line >= leaves_v_) finish(ahead);
-      gap = ahead;
+      gap.left = left;
+      gap.right = right;
+      ++gap.line;
+      if (gap.grows && gap.line >= leaves_v_) finish(gap);
       if (!clip(gap, gap.line)) return true;
       if (words_ >= kWordsAtOnce && !tell()) return false;
     }
+  }
+
+  // Goes on to the end of a row of tiles, if all that a gap reaches there is free.
+  bool stride(Gap& gap) noexcept {
+    const int y = down_ > 0 ? line0_ + gap.line : line0_ - gap.line - 1;
+    const int lines = down_ > 0 ? 8 - (y & 7) : (y & 7) + 1;
+    const Fixed right = gap.right + lines * gap.right_slope;
+    if (gap.grows || lines < kLeastStride || right > limit_ || gap.line + lines > last_line_)
+      return false;
+    const int first = floor_of(gap.left - kOutward), to = floor_of(right + kOutward);
+    if (to >= border_) return false;
+    const int low = S > 0 ? first : -to - 1, high = S > 0 ? to : -first - 1;
+    if (!kernels::row_free(crowded_.row(y >> 3), low >> 3, high >> 3)) return false;
+    gap.left += lines * gap.left_slope;
+    gap.right = right;
+    gap.line += lines;
+    ++words_;
+    return true;
   }
 
   // The last ray has left: its slope is the side's.
@@ -315,6 +355,8 @@ class TangentScan {
   static constexpr std::int64_t kWordsAtOnce = 4096;
   static constexpr int kNearLines = 12;
   static constexpr int kNearColumns = 40;
+  static constexpr int kQuietRows = 2;
+  static constexpr int kLeastStride = 4;
 
   const Sweep& sweep_;
   const char* row0_;
@@ -326,6 +368,8 @@ class TangentScan {
   int last_line_;
   Fixed limit_;
   Fixed left0_ = 0, right0_ = 0, slope_ = 0;
+  const kernels::BitmapView crowded_;
+  int down_, line0_;
   std::vector<Gap>& stack_;
   std::vector<Shadow>& shadows_;  // of the row in hand
   Visitor& visitor_;

@@ -129,11 +129,12 @@ class View {
   bool scan(const Root& root) {
     const int down = root.heading.down;
     const Point start = root.leaves(root.from);
-    const int line0 = static_cast<int>(down > 0 ? std::floor(start.y) : std::ceil(start.y));
+    const int row = static_cast<int>(start.y);
+    const int line0 = down < 0 && row < start.y ? row + 1 : row;
     const std::uint32_t type = type_passed(root.heading, false);
     const Sweep sweep{S * root.x, down * (root.y - line0), root.offset, root.from, root.to};
-    const ScanFrame frame{view_of(space_.blocked_cells()), view_of(space_.arc_cells(type)), down,
-                          line0};
+    const ScanFrame frame{view_of(space_.blocked_cells()), view_of(space_.arc_cells(type)),
+                          view_of(space_.crowded()), down, line0};
     Visitor<S> visitor{*this, root, sweep, down, line0};
     begin();
     return TangentScan<S, Visitor<S>>(frame, sweep, memory_.stack_, memory_.shadows_, visitor)
@@ -183,8 +184,7 @@ class View {
     const double per_a = 1 / std::max(n.a, kLevel);
     const double along = n.a * sweep.u - n.b * sweep.v + sweep.offset;
     memory_.tangents_.push_back({line, offset, along, along * per_a, n.b * per_a, u, v,
-                                 static_cast<int>(std::floor(v - offset * n.b - kRowSlack)),
-                                 wanted});
+                                 static_cast<int>(v - offset * n.b - kRowSlack), wanted});
     return static_cast<std::uint32_t>(memory_.tangents_.size() - 1);
   }
 
@@ -193,18 +193,19 @@ class View {
   // side does, those that are in the circle on the next line.
   void cast_shadow(const ViewMemory::Waiting& waiting, const Gap& ahead) {
     if (waiting.tangent.normal.a < kLevel) return;
-    const double column = waiting.column + waiting.slope * ahead.line;
+    const bool right = waiting.offset < 0;
+    const Fixed ray = column_of(waiting.column + waiting.slope * ahead.line);
+    if (right ? ray >= ahead.right : ray <= ahead.left) return;
     const double depth = ahead.line - waiting.v;
     const double square = space_.radius() * space_.radius() - depth * depth;
     const double half = square > 0 ? std::sqrt(square) : 0;
-    const bool right = waiting.offset < 0;
-    const double end = right ? waiting.u + half : waiting.u - half;
-    if (right ? end <= column : end >= column) return;
-    const Fixed ray = column_of(column), other = column_of(end);
+    const Fixed end = column_of(right ? waiting.u + half : waiting.u - half);
     const Fixed slope = static_cast<Fixed>(waiting.slope * static_cast<double>(kOne));
-    if (right ? ray < ahead.right && other > ahead.left : other < ahead.right && ray > ahead.left) {
-      memory_.shadows_.push_back(right ? Shadow{.left = ray, .right = other, .left_slope = slope}
-                                       : Shadow{.left = other, .right = ray, .right_slope = slope});
+    if (right) {
+      if (end > std::max(ray, ahead.left))
+        memory_.shadows_.push_back({.left = ray, .right = end, .left_slope = slope});
+    } else if (end < std::min(ray, ahead.right)) {
+      memory_.shadows_.push_back({.left = end, .right = ray, .right_slope = slope});
     }
   }
   static Fixed column_of(double column) noexcept {
@@ -271,10 +272,10 @@ class View {
   bool run_level(const Root& root) {
     begin();
     const Point start = root.leaves(root.to);
-    const int y0 = static_cast<int>(std::floor(start.y - kRowSlack));
-    const int y1 = static_cast<int>(std::floor(start.y + kRowSlack));
+    const int y0 = static_cast<int>(start.y - kRowSlack);
+    const int y1 = static_cast<int>(start.y + kRowSlack);
     const Grid& blocked = space_.blocked_cells();
-    for (int x = static_cast<int>(std::floor(start.x));; x += root.heading.right) {
+    for (int x = static_cast<int>(start.x);; x += root.heading.right) {
       if (blocked.blocked({x, y0}) || blocked.blocked({x, y1})) return false;
       meet_cell(root, x, y0);
       if (y1 != y0) meet_cell(root, x, y1);
@@ -284,10 +285,10 @@ class View {
   bool run_upright(const Root& root) {
     begin();
     const Point start = root.leaves(root.to);
-    const int x0 = static_cast<int>(std::floor(start.x - kRowSlack));
-    const int x1 = static_cast<int>(std::floor(start.x + kRowSlack));
+    const int x0 = static_cast<int>(start.x - kRowSlack);
+    const int x1 = static_cast<int>(start.x + kRowSlack);
     const Grid& blocked = space_.blocked_cells();
-    for (int y = static_cast<int>(std::floor(start.y));; y += root.heading.down) {
+    for (int y = static_cast<int>(start.y);; y += root.heading.down) {
       if (blocked.blocked({x0, y}) || blocked.blocked({x1, y})) return false;
       meet_cell(root, x0, y);
       if (x1 != x0) meet_cell(root, x1, y);
