@@ -102,7 +102,7 @@ class DiscGraph::Builder {
       if (a.angle != b.angle) return rising ? a.angle > b.angle : a.angle < b.angle;
       return a.to_and_flags < b.to_and_flags;
     });
-    const auto last = std::ranges::unique(worker.edges).begin();
+    const auto last = std::unique(worker.edges.begin(), worker.edges.end());
     chunk.edges.insert(chunk.edges.end(), worker.edges.begin(), last);
   }
 
