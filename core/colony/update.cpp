@@ -1,7 +1,6 @@
 #include "core/colony/update.h"
 
 #include <algorithm>
-#include <ranges>
 
 #include "core/base/special_values.h"
 #include "core/colony/polish.h"
@@ -102,7 +101,8 @@ void update_locally(Field& field, const Params& params, double tau0, const Tours
 }
 
 void take_back(Field& field, std::vector<EarlierTau>& before) {
-  for (const auto& [place, tau] : std::views::reverse(before)) field.set_tau(place, tau);
+  for (auto last = before.rbegin(); last != before.rend(); ++last)
+    field.set_tau(last->place, last->tau);
   before.clear();
 }
 
