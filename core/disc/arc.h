@@ -21,6 +21,11 @@ constexpr double kMadeSlack = 0.9e-9;
 /// circles where they meet has no length and, by rounding, no direction.
 constexpr double kRadiusMargin = 1e-10;
 
+inline double distance(Point a, Point b) noexcept {
+  const double x = b.x - a.x, y = b.y - a.y;
+  return std::sqrt(x * x + y * y);
+}
+
 /// A unit vector in the quadrant of both signs: the sizes of its components.
 struct Normal {
   double a = 1, b = 0;

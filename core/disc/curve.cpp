@@ -6,11 +6,6 @@ namespace lasius::disc {
 
 namespace {
 
-double distance(Point a, Point b) noexcept {
-  const double x = b.x - a.x, y = b.y - a.y;
-  return std::sqrt(x * x + y * y);
-}
-
 /// The sides of a polygon around an arc, as long as they keep clear.
 class ArcSides {
  public:

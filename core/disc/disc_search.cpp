@@ -26,11 +26,6 @@ constexpr int kMostScans = 4;
 // Labels that are asked whether they see the goal before the goal takes a look.
 constexpr std::int64_t kGlance = 16;
 
-double distance(Point a, Point b) noexcept {
-  const double x = b.x - a.x, y = b.y - a.y;
-  return std::sqrt(x * x + y * y);
-}
-
 }  // namespace
 
 // What a view finds, put into labels and frontiers.
