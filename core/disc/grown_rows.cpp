@@ -44,7 +44,7 @@ GrownRows::GrownRows(const Grid& grid, const Reach& reach)
 bool GrownRows::grow(Poller& poller) {
   for (int y = -1; y <= grid_.height(); ++y) {
     spread(y);
-    if (poller.stop_after(4 * grid_.words() * (reach_.touched[0] + 1))) return false;
+    if (poller.stop_after(std::int64_t{4} * grid_.words() * (reach_.touched[0] + 1))) return false;
   }
   return true;
 }

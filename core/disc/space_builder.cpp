@@ -81,7 +81,7 @@ void SpaceBuilder::build_tiles(int y0, const GrownRows& grown) {
   for (RowBits& bits : rows_) bits.assign(static_cast<std::size_t>(words) * 8, 0);
   auto& [blocked, band, even, odd] = rows_;
   for (int k = 0; k < rows; ++k) {
-    std::copy_n(grown.covered(y0 + k), words, blocked.data() + k * words);
+    std::copy_n(grown.covered(y0 + k), words, blocked.data() + std::ptrdiff_t{k} * words);
   }
   for (int x0 = 0; x0 < space_.map().width(); x0 += 8, ++tile) {
     tile->first = static_cast<std::uint32_t>(space_.cells_.size());
@@ -106,13 +106,13 @@ void SpaceBuilder::build_tiles(int y0, const GrownRows& grown) {
       }
     }
     if (crowded) space_.crowded_.set_blocked({x0 >> 3, y0 >> 3});
-    poller_.stop_after(4 * (1 + count_bits(tile->band)));
+    poller_.stop_after(std::int64_t{4} * (1 + count_bits(tile->band)));
   }
-  for (int k = 0; k < rows; ++k) {
-    space_.blocked_.set_row(y0 + k, blocked.data() + k * words);
-    space_.band_.set_row(y0 + k, band.data() + k * words);
-    space_.arc_cells_even_.set_row(y0 + k, even.data() + k * words);
-    space_.arc_cells_odd_.set_row(y0 + k, odd.data() + k * words);
+  for (std::ptrdiff_t k = 0; k < rows; ++k) {
+    space_.blocked_.set_row(y0 + static_cast<int>(k), blocked.data() + k * words);
+    space_.band_.set_row(y0 + static_cast<int>(k), band.data() + k * words);
+    space_.arc_cells_even_.set_row(y0 + static_cast<int>(k), even.data() + k * words);
+    space_.arc_cells_odd_.set_row(y0 + static_cast<int>(k), odd.data() + k * words);
   }
 }
 

@@ -115,7 +115,8 @@ class TangentScan {
   }
   static int floor_of(Fixed u) noexcept { return kernels::floor_column(u); }
   static double slope_of(Normal n) noexcept {
-    constexpr double kLevel = static_cast<double>(kernels::kLevelSlope / kOne);
+    constexpr Fixed kLevelColumns = kernels::kLevelSlope / kOne;
+    constexpr auto kLevel = static_cast<double>(kLevelColumns);
     return n.b < kLevel * n.a ? n.b / n.a : kLevel;
   }
 

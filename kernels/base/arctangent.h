@@ -28,7 +28,7 @@ inline double quadrant_angle(double x, double y) noexcept {
   constexpr Split kQuarterTurn{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
   const bool steep = y > x;
   if (steep) std::swap(x, y);
-  const int eighths = static_cast<int>(8 * (y / x) + 0.5);
+  const int eighths = static_cast<int>((16 * (y / x) + 1) / 2);
   const double c = eighths * 0.125;
   const double t = (y - c * x) / (x + c * y);
   const double z = t * t;
