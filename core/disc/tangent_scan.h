@@ -115,8 +115,7 @@ class TangentScan {
   }
   static int floor_of(Fixed u) noexcept { return kernels::floor_column(u); }
   static double slope_of(Normal n) noexcept {
-    constexpr Fixed kLevelColumns = kernels::kLevelSlope / kOne;
-    constexpr auto kLevel = static_cast<double>(kLevelColumns);
+    constexpr double kLevel = static_cast<double>(kernels::kLevelSlope) / static_cast<double>(kOne);
     return n.b < kLevel * n.a ? n.b / n.a : kLevel;
   }
 
@@ -250,9 +249,10 @@ class TangentScan {
   bool stride(Gap& gap) noexcept {
     const int y = down_ > 0 ? line0_ + gap.line : line0_ - gap.line - 1;
     const int lines = down_ > 0 ? 8 - (y & 7) : (y & 7) + 1;
-    const Fixed right = gap.right + lines * gap.right_slope;
-    if (gap.grows || lines < kLeastStride || right > limit_ || gap.line + lines > last_line_)
+    if (gap.grows || lines < kLeastStride || gap.line + lines > last_line_ ||
+        gap.right_slope > (limit_ - gap.right) / lines)
       return false;
+    const Fixed right = gap.right + lines * gap.right_slope;
     const int first = floor_of(gap.left - kOutward), to = floor_of(right + kOutward);
     if (to >= border_) return false;
     const int low = S > 0 ? first : -to - 1, high = S > 0 ? to : -first - 1;
