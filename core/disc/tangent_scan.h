@@ -115,7 +115,7 @@ class TangentScan {
   }
   static int floor_of(Fixed u) noexcept { return kernels::floor_column(u); }
   static double slope_of(Normal n) noexcept {
-    constexpr double kLevel = static_cast<double>(kernels::kLevelSlope) / static_cast<double>(kOne);
+    constexpr double kLevel = 0x1p16;  // kernels::kLevelSlope
     return n.b < kLevel * n.a ? n.b / n.a : kLevel;
   }
 
