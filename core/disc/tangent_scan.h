@@ -115,8 +115,7 @@ class TangentScan {
   }
   static int floor_of(Fixed u) noexcept { return kernels::floor_column(u); }
   static double slope_of(Normal n) noexcept {
-    constexpr double kLevel = 0x1p16;  // kernels::kLevelSlope
-    return n.b < kLevel * n.a ? n.b / n.a : kLevel;
+    return n.b < 0x1p16 * n.a ? n.b / n.a : 0x1p16;  // kernels::kLevelSlope
   }
 
   Gap first_gap() const noexcept {
