@@ -1,9 +1,6 @@
 // Work over threads.
 #pragma once
 
-#include <omp.h>
-
-#include <algorithm>
 #include <atomic>
 #include <exception>
 
@@ -13,14 +10,12 @@ namespace lasius {
 
 /// The threads asked for, or where that is 0 as many as OpenMP gives, which may be any number that
 /// OMP_NUM_THREADS says; 1024 at most, as of those asked for.
-inline int thread_count(int wanted) noexcept {
-  return wanted > 0 ? wanted : std::min(omp_get_max_threads(), 1024);
-}
+LASIUS_EXPORT int thread_count(int wanted) noexcept;
 
-/// Calls body(i, thread) once for every i below `count`, on up to `threads` threads; `thread`, from
-/// 0, is the number of the one that calls. Where a call throws, no other begins once the exception
-/// is noted, and one such exception is thrown on when those under way have ended. On a thread that
-/// leads a team, the team does it.
+/// Calls body(i, thread) once for every i below `count`, begun in rising order, on up to `threads`
+/// threads; `thread`, from 0, is the number of the one that calls. Where a call throws, no other
+/// begins once the exception is noted, and one such exception is thrown on when those under way
+/// have ended. On a thread that leads a team, the team does it.
 template <class Body>
 void parallel_for(int count, int threads, const Body& body) {
   ThreadTeam* const team = ThreadTeam::led_here();
@@ -39,18 +34,14 @@ void parallel_for(int count, int threads, const Body& body) {
       if (!failed.exchange(true)) error = std::current_exception();
     }
   };
-  if (team != nullptr) {
-    using Call = decltype(call);
-    team->share(
-        count, threads,
-        [](const void* context, int i, int member) noexcept {
-          (*static_cast<const Call*>(context))(i, member);
-        },
-        &call);
-  } else {
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-    for (int i = 0; i < count; ++i) call(i, omp_get_thread_num());
-  }
+  using Call = decltype(call);
+  const ThreadTeam::Task task = [](const void* context, int i, int thread) noexcept {
+    (*static_cast<const Call*>(context))(i, thread);
+  };
+  if (team != nullptr)
+    team->share(count, threads, task, &call);
+  else
+    ThreadTeam::share_once(count, threads, task, &call);
   if (error) std::rethrow_exception(error);
 }
 

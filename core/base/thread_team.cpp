@@ -1,11 +1,15 @@
 #include "core/base/thread_team.h"
 
+#include <omp.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <exception>
 #include <thread>
+#include <utility>
 #include <vector>
+
+#include "core/base/parallel.h"
 
 namespace lasius {
 namespace {
@@ -56,12 +60,44 @@ int available(int wanted) noexcept {
 
 }  // namespace
 
+int thread_count(int wanted) noexcept {
+  return wanted > 0 ? wanted : std::min(omp_get_max_threads(), 1024);
+}
+
 int region_threads(int wanted) noexcept {
   if (wanted <= 1) return wanted;
   const pid_t here = getpid();
   pid_t first = 0;
   const bool ours = region_process.compare_exchange_strong(first, here) || first == here;
   return ours ? available(wanted) : 1;
+}
+
+void ThreadTeam::lead(int threads, const std::function<void()>& run) {
+  threads = region_threads(threads);
+  if (threads <= 1) return run();
+  ThreadTeam team;
+  std::exception_ptr error;
+#pragma omp parallel num_threads(threads)
+  {
+    if (const int member = omp_get_thread_num(); member > 0) {
+      team.serve(member);
+    } else {
+      ThreadTeam* const before = appoint(&team);
+      try {
+        run();
+      } catch (...) {  // none may leave the parallel region
+        error = std::current_exception();
+      }
+      appoint(before);
+      team.dismiss();
+    }
+  }
+  if (error) std::rethrow_exception(std::move(error));
+}
+
+void ThreadTeam::share_once(int count, int threads, Task task, const void* context) noexcept {
+#pragma omp parallel for schedule(monotonic : dynamic) num_threads(threads)
+  for (int i = 0; i < count; ++i) task(context, i, omp_get_thread_num());
 }
 
 ThreadTeam* ThreadTeam::led_here() noexcept { return led; }

@@ -1,12 +1,9 @@
 // Threads that stand by for the parallel loops of one run.
 #pragma once
 
-#include <omp.h>
-
 #include <atomic>
 #include <cstdint>
-#include <exception>
-#include <utility>
+#include <functional>
 
 #include "lasius/export.h"
 
@@ -25,8 +22,7 @@ class ThreadTeam {
  public:
   /// Calls run() on this thread; parallel_for in it shares its loops with up to `threads` - 1
   /// others. Throws what `run` throws.
-  template <class Run>
-  static void lead(int threads, const Run& run);
+  LASIUS_EXPORT static void lead(int threads, const std::function<void()>& run);
 
   /// The team that this thread leads, or null.
   LASIUS_EXPORT static ThreadTeam* led_here() noexcept;
@@ -37,10 +33,14 @@ class ThreadTeam {
   using Task = void (*)(const void* context, int i, int member) noexcept;
   LASIUS_EXPORT void share(int count, int members, Task task, const void* context) noexcept;
 
+  /// The same on a thread that leads no team, in a region that OpenMP makes for it.
+  LASIUS_EXPORT static void share_once(int count, int threads, Task task,
+                                       const void* context) noexcept;
+
  private:
-  LASIUS_EXPORT static ThreadTeam* appoint(ThreadTeam* team) noexcept;  ///< returns the one before
-  LASIUS_EXPORT void serve(int member) noexcept;
-  LASIUS_EXPORT void dismiss() noexcept;
+  static ThreadTeam* appoint(ThreadTeam* team) noexcept;  ///< returns the one before
+  void serve(int member) noexcept;
+  void dismiss() noexcept;
   void take(int member) noexcept;
 
   // Written by the leader while nobody is inside.
@@ -54,29 +54,5 @@ class ThreadTeam {
   alignas(64) std::atomic<int> next_{0};
   alignas(64) std::atomic<int> inside_{0};
 };
-
-template <class Run>
-void ThreadTeam::lead(int threads, const Run& run) {
-  threads = region_threads(threads);
-  if (threads <= 1) return run();
-  ThreadTeam team;
-  std::exception_ptr error;
-#pragma omp parallel num_threads(threads)
-  {
-    if (const int member = omp_get_thread_num(); member > 0) {
-      team.serve(member);
-    } else {
-      ThreadTeam* const before = appoint(&team);
-      try {
-        run();
-      } catch (...) {  // none may leave the parallel region
-        error = std::current_exception();
-      }
-      appoint(before);
-      team.dismiss();
-    }
-  }
-  if (error) std::rethrow_exception(std::move(error));
-}
 
 }  // namespace lasius

@@ -1,8 +1,8 @@
 #include "core/loop/batch_run.h"
 
 #include <algorithm>
+#include <atomic>
 #include <condition_variable>
-#include <exception>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -41,20 +41,19 @@ class EitherToken {
   std::stop_callback<Relay> first_, second_;
 };
 
-/// Hands out tasks in order, and gives their answers on in order.
-class Sequencer {
+/// Gives the answers of tasks on in their order; what throws stops the tasks under way.
+class OrderedAnswers {
  public:
-  Sequencer(std::size_t count, std::size_t window, const std::stop_token& token)
-      : count_(count), link_(token, [this] { stop_.request_stop(); }), waiting_(window) {}
+  OrderedAnswers(std::size_t window, const std::stop_token& token)
+      : waiting_(window), link_(token, [this] { end(); }) {}
 
   std::stop_token token() const noexcept { return stop_.get_token(); }
 
-  /// The next task to begin, or nothing. Waits while it is too far ahead of the oldest answer.
-  std::optional<std::size_t> next() {
+  /// Waits while the task is too far ahead of the oldest answer; false where it need not begin.
+  bool await(std::size_t task) {
     std::unique_lock lock(mutex_);
-    moved_.wait(lock, [this] { return begun_ - received_ < waiting_.size() || fault_; });
-    if (begun_ == count_ || stop_.stop_requested()) return std::nullopt;
-    return begun_++;
+    moved_.wait(lock, [&] { return task - received_ < waiting_.size() || stop_.stop_requested(); });
+    return !stop_.stop_requested();
   }
 
   void finish(std::size_t task, std::function<void()> give) {
@@ -63,57 +62,45 @@ class Sequencer {
     if (!receiving_) give_on(lock);
   }
 
-  void fail(std::exception_ptr fault) {
+  /// Stops what is under way, and lets nothing more be given on.
+  void fail() {
+    failed_ = true;
+    end();
+  }
+
+  std::size_t received() const noexcept { return received_; }
+
+ private:
+  void end() {
     const std::lock_guard lock(mutex_);
-    note(std::move(fault));
+    stop_.request_stop();
     moved_.notify_all();
   }
 
-  std::size_t result() const {
-    if (fault_) std::rethrow_exception(fault_);
-    return received_;
-  }
-
- private:
-  /// Keeps the first fault, and stops what is in flight.
-  void note(std::exception_ptr fault) {
-    if (!fault_) fault_ = std::move(fault);
-    stop_.request_stop();
-  }
-
-  /// Gives on what is complete, without the lock, so that the others plan meanwhile.
+  /// Gives on what is complete, without the lock, so that the others plan meanwhile. What `give`
+  /// throws leaves `receiving_`: nothing is given on after it.
   void give_on(std::unique_lock<std::mutex>& lock) {
     receiving_ = true;
     while (auto& slot = waiting_[received_ % waiting_.size()]) {
-      if (fault_) break;
+      if (failed_) break;
       const auto give = std::exchange(slot, {});
       lock.unlock();
-      std::exception_ptr fault;
-      try {
-        give();
-      } catch (...) {
-        fault = std::current_exception();
-      }
+      give();
       lock.lock();
-      if (fault)
-        note(std::move(fault));
-      else
-        ++received_;
+      ++received_;
       moved_.notify_all();
     }
     receiving_ = false;
   }
 
-  const std::size_t count_;
   std::stop_source stop_;
-  const std::stop_callback<std::function<void()>> link_;
   std::mutex mutex_;
   std::condition_variable moved_;
-  std::size_t begun_ = 0;
   std::size_t received_ = 0;
   bool receiving_ = false;
-  std::exception_ptr fault_;
+  std::atomic<bool> failed_ = false;
   std::vector<std::function<void()>> waiting_;  // ring: task modulo its size
+  const std::stop_callback<std::function<void()>> link_;
 };
 
 }  // namespace
@@ -124,34 +111,37 @@ std::size_t run_tasks(std::size_t requests, std::uint64_t seed, const BatchOptio
   check(options, seed);
   const auto seeds = static_cast<std::size_t>(options.seeds);
   const std::size_t tasks = requests * seeds;
-  // A worker without a task would still make all that a plan works with.
+  // A thread without a task would still make all that a plan works with.
   const int threads = static_cast<int>(
       std::clamp<std::size_t>(tasks, 1, static_cast<std::size_t>(thread_count(options.threads))));
-  Sequencer sequencer(tasks, 64 + 8 * static_cast<std::size_t>(threads), options.token);
-
-  const auto work = [&] {
-    const BatchWorker worker = make_worker();
-    while (const auto number = sequencer.next()) {
-      BatchTask task{*number / seeds, seed + *number % seeds, stop_of(*number / seeds)};
-      std::optional<EitherToken> either;
-      if (task.stop.token.stop_possible()) either.emplace(task.stop.token, sequencer.token());
-      task.stop.token = either ? either->get() : sequencer.token();
-      if (options.time_limit) {
-        task.stop.deadline =
-            std::min(task.stop.deadline, deadline_in(*options.time_limit, task.stop.now()));
-      }
-      sequencer.finish(*number, worker(task));
+  std::vector<BatchWorker> workers(static_cast<std::size_t>(threads));
+  OrderedAnswers answers(64 + 8 * workers.size(), options.token);
+  const auto work = [&](std::size_t number, BatchWorker& worker) {
+    if (!answers.await(number)) return;
+    if (!worker) worker = make_worker();
+    BatchTask task{number / seeds, seed + number % seeds, stop_of(number / seeds)};
+    std::optional<EitherToken> either;
+    if (task.stop.token.stop_possible()) either.emplace(task.stop.token, answers.token());
+    task.stop.token = either ? either->get() : answers.token();
+    if (options.time_limit) {
+      task.stop.deadline =
+          std::min(task.stop.deadline, deadline_in(*options.time_limit, task.stop.now()));
     }
+    answers.finish(number, worker(task));
   };
-#pragma omp parallel num_threads(region_threads(threads))
-  {
-    try {
-      work();
-    } catch (...) {
-      sequencer.fail(std::current_exception());
-    }
+  // parallel_for counts in int.
+  constexpr std::size_t kMost = 1 << 30;
+  for (std::size_t first = 0; first < tasks; first += kMost) {
+    parallel_for(static_cast<int>(std::min(kMost, tasks - first)), threads, [&](int i, int thread) {
+      try {
+        work(first + static_cast<std::size_t>(i), workers[static_cast<std::size_t>(thread)]);
+      } catch (...) {
+        answers.fail();
+        throw;
+      }
+    });
   }
-  return sequencer.result();
+  return answers.received();
 }
 
 }  // namespace lasius

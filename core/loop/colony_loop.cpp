@@ -1,6 +1,7 @@
 #include "core/loop/colony_loop.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "core/base/thread_team.h"
 
@@ -78,7 +79,8 @@ StopCondition::Cause run_colony_loop(ColonyWorld& world, int iterations, const S
                                      Convergence& run) {
   auto cause = stop.poll();  // before threads are woken
   if (cause != StopCondition::Cause::none) return cause;
-  ThreadTeam::lead(world.threads(), [&] { cause = loop(world, iterations, stop, run); });
+  const auto run_loop = [&] { cause = loop(world, iterations, stop, run); };
+  ThreadTeam::lead(world.threads(), std::ref(run_loop));  // a reference: nothing is allocated
   return cause;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/output.h"
+#include "core/base/parallel.h"
 #include "lasius/batch.h"
 #include "tools/bitmap/answer.h"
 #include "tools/bitmap/bitmap_task.h"
@@ -14,7 +15,6 @@
 #include "tools/console/elapsed.h"
 #include "tools/console/parameters.h"
 #include "tools/console/signals.h"
-#include "tools/console/team.h"
 #include "tools/options/commands.h"
 #include "tools/record/batch.h"
 #include "tools/record/queries.h"
@@ -42,11 +42,11 @@ std::vector<std::optional<double>> own_optima(const LoadedMap& map, const RunOpt
                                               const std::stop_token& token) {
   std::vector<std::optional<double>> found(queries.size());
   if (!moves_on_cells(run.params)) return found;
-  const auto ask = [&](std::size_t i) {
+  parallel_for(static_cast<int>(queries.size()), run.threads, [&](int number, int) {
+    const auto i = static_cast<std::size_t>(number);
     const StopCondition stop{.token = token, .deadline = deadline_after(run.time_limit)};
     found[i] = shortest_by_own_moves(map, run, queries[i], stop);
-  };
-  share_out(queries.size(), run.threads, [&] { return ask; });
+  });
   return found;
 }
 

@@ -6,9 +6,10 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <vector>
 
+#include "core/base/parallel.h"
 #include "lasius/error.h"
-#include "tools/console/team.h"
 #include "tools/study/files.h"
 #include "tools/study/run_file.h"
 
@@ -103,21 +104,22 @@ void work(std::vector<Job>& jobs, const RunnerOptions& options) {
   if (options.estimate)
     options.estimate(jobs.size(), 1e-6 * static_cast<double>(total) / options.threads);
   std::mutex mutex;
-  tool::share_out(jobs.size(), options.threads, [&] {
-    return [&, workspace = Workspace()](std::size_t i) mutable {
-      if (options.stop.stop_requested()) return;
-      const Job& job = jobs[i];
-      Run run = job.task->run(job.seed, false, options.stop, workspace);
-      if (options.stop.stop_requested()) return;
-      run.seed = job.seed;
-      write_run(job.file, job.task->key, run);
-      const std::scoped_lock lock(mutex);
-      job.sample->runs[job.run] = std::move(run);
-      done += microseconds(job);
-      if (options.progress)
-        options.progress(done, total,
-                         job.sample->contender->label + " on " + job.sample->question->name);
-    };
+  std::vector<Workspace> workspaces(static_cast<std::size_t>(options.threads));
+  const auto run_job = [&](const Job& job, Workspace& workspace) {
+    if (options.stop.stop_requested()) return;
+    Run run = job.task->run(job.seed, false, options.stop, workspace);
+    if (options.stop.stop_requested()) return;
+    run.seed = job.seed;
+    write_run(job.file, job.task->key, run);
+    const std::scoped_lock lock(mutex);
+    job.sample->runs[job.run] = std::move(run);
+    done += microseconds(job);
+    if (options.progress)
+      options.progress(done, total,
+                       job.sample->contender->label + " on " + job.sample->question->name);
+  };
+  parallel_for(static_cast<int>(jobs.size()), options.threads, [&](int i, int thread) {
+    run_job(jobs[static_cast<std::size_t>(i)], workspaces[static_cast<std::size_t>(thread)]);
   });
 }
 

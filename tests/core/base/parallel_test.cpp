@@ -1,6 +1,7 @@
 #include "core/base/parallel.h"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <array>
