@@ -51,11 +51,11 @@ reference() {
 
 # What is made from other files is up to date.
 made_documents() {
-  docs/draw_rooms --check
+  docs/draw_modules --check
   docs/quote_examples --check
 }
 
-# tidy CHECKS: core/ and kernels/, a room at a time, which halves the time; headers not precompiled. CHECKS are added to those of .clang-tidy.
+# tidy CHECKS: core/ and kernels/, a module at a time, which halves the time; headers not precompiled. CHECKS are added to those of .clang-tidy.
 tidy() {
   cmake --preset dev-clang -B build/tidy -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DLASIUS_UNITY=ON \
     -DLASIUS_SHORT_BUILD=ON

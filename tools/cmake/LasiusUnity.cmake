@@ -1,6 +1,6 @@
 # Most of a small file's time goes into the templates of headers, which files that are compiled together
 # share. With LASIUS_UNITY not walks, sight and exact searches: what the compiler inlines there is
-# measured. With LASIUS_SHORT_BUILD all of them, a room at a time: for sanitizers.
+# measured. With LASIUS_SHORT_BUILD all of them, a module at a time: for sanitizers.
 
 # lasius_unite(TARGET [GROUP SOURCE...]): with LASIUS_UNITY the sources of a group are compiled as one;
 # without a group all sources of the target, several at a time in the order of its list. With
@@ -20,8 +20,8 @@ function(lasius_unite target)
   if(LASIUS_SHORT_BUILD)
     get_target_property(sources ${target} SOURCES)
     foreach(source IN LISTS sources)
-      get_filename_component(room ${source} DIRECTORY)
-      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room})
+      get_filename_component(module ${source} DIRECTORY)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${module})
     endforeach()
   else()
     set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${group})
