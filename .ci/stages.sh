@@ -43,6 +43,12 @@ build_and_test() {
   ctest --preset "$1" "${@:2}"
 }
 
+# without_tests CASES PRESET [CTEST ARGUMENT...]: without these cases of GoogleTest, a:b*:c
+without_tests() {
+  local -x GTEST_FILTER="-$1"
+  build_and_test "${@:2}"
+}
+
 # The public reference, where each warning is an error.
 reference() {
   mkdir -p build
