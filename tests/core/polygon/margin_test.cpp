@@ -91,7 +91,8 @@ TEST(Margin, HoldsAtTheBoundaryUnlessThatIsKept) {
   EXPECT_NEAR(kept.plan().length, 2 * std::hypot(11, 1), 1e-9);
   const Result none = Planner(world, {.margin = 6}).plan();
   EXPECT_EQ(none.fault, Fault::start_blocked) << "nothing is left";
-  expect_says(none.error, "start (1, 7) is blocked; no space is free with a margin of 6");
+  expect_says(none.error,
+              "start (1, 7) is nearer to what is blocked than the margin of 6; no space is free");
 }
 
 TEST(Margin, AMitreThatClosesAPassageSaysSo) {
