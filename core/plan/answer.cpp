@@ -262,14 +262,13 @@ std::optional<Result> refused(const Ends& ends, const Request& request, Places& 
   return refusal;
 }
 
-/// Puts the leg from the start to the way out before a plan.
+/// Puts the leg from the start to the way out before a plan; the ants' tours begin there.
 void lead_out(Result& result, Point start, Point way_out, bool curved) {
   const double leg = disc::distance(start, way_out);
   result.way_out = way_out;
   result.lower_bound.reset();
   result.optimal = false;
-  for (auto* lengths : {&result.best, &result.mean, &result.raw_best, &result.cut_mean,
-                        &result.cut_best, &result.iteration_best})
+  for (auto* lengths : {&result.best, &result.iteration_best})
     for (double& length : *lengths) length += leg;
   if (result.path.empty()) return;
   result.path.insert(result.path.begin(), start);

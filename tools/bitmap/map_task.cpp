@@ -96,18 +96,18 @@ void MapTask::remark() const {
             "; the path first leads straight out to " + spot_text(map(), frame, *out) + ", " +
             length_text(map(), frame, std::hypot(out->x - from.x, out->y - from.y)) + " away");
   }
-  if (!goal_reached() || reached() == centre(goal().cell)) return;
-  message("the path ends at " + spot_text(map(), frame, reached()) + ", " +
-          length_text(map(), frame, from_goal(reached())) +
+  if (!goal_reached() || path_end() == centre(goal().cell)) return;
+  message("the path ends at " + spot_text(map(), frame, path_end()) + ", " +
+          length_text(map(), frame, from_goal(path_end())) +
           " from the goal, which cannot be reached");
 }
 
 void MapTask::add_goal_reached(Json& json) const {
   if (!(options().goal_tolerance > 0)) return;
   const auto& cell = goal_reached();
-  const bool middle = cell && reached() == centre(*cell);
-  json["goal_reached"] = middle ? Json{cell->x, cell->y} : cell ? point(reached()) : Json();
-  if (in_metres()) json["goal_reached_world"] = cell ? point(map().to_world(reached())) : Json();
+  const bool middle = cell && path_end() == centre(*cell);
+  json["goal_reached"] = middle ? Json{cell->x, cell->y} : cell ? point(path_end()) : Json();
+  if (in_metres()) json["goal_reached_world"] = cell ? point(map().to_world(path_end())) : Json();
 }
 
 std::pair<Json, Json> MapTask::ends() const { return {cell_json(start()), cell_json(goal())}; }

@@ -38,7 +38,7 @@ class MapTask : public Task {
   virtual const std::optional<Cell>& goal_reached() const = 0;
   virtual std::optional<Point> way_out() const { return std::nullopt; }
   /// Of a path with a goal tolerance: where it ends.
-  virtual Point reached() const { return centre(*goal_reached()); }
+  virtual Point path_end() const { return centre(*goal_reached()); }
   /// Where the path ends, where a goal tolerance was given.
   void add_goal_reached(Json& json) const;
 

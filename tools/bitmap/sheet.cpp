@@ -145,8 +145,8 @@ void draw_marks(Canvas& canvas, const Box& box, const Sheet& sheet, Cell from, C
   if (sheet.grid.contains(from)) canvas.ring(axes.at(start.x, start.y), radius, kStart);
 }
 
-Curve Sheet::on_page(const Box& box, const Result& result) const {
-  Curve curve = result.curve;
+std::vector<CurvePiece> Sheet::on_page(const Box& box, const Result& result) const {
+  std::vector<CurvePiece> curve = result.curve;
   for (std::size_t i = 1; result.curve.empty() && i < result.path.size(); ++i)
     curve.push_back({.from = result.path[i - 1], .to = result.path[i]});
   const Axes axes = this->axes(box);
@@ -159,7 +159,7 @@ Curve Sheet::on_page(const Box& box, const Result& result) const {
 
 void draw_plan(Canvas& canvas, const Box& box, const Sheet& sheet, const Answer& answer) {
   const Result& result = answer.result;
-  const Curve curve = sheet.on_page(box, result);
+  const auto curve = sheet.on_page(box, result);
   if (sheet.map.grown()) {
     canvas.clip(box);
     const double diameter = 2 * sheet.map.radius * box.width / sheet.window.width();

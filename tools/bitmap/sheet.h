@@ -33,7 +33,7 @@ struct Sheet {
   /// In cells; in metres of the world where the map is not turned in it.
   void frame(Canvas& canvas, const Box& box) const;
   /// A path on the page: its curve, or its polyline as straight pieces.
-  Curve on_page(const Box& box, const Result& result) const;
+  std::vector<CurvePiece> on_page(const Box& box, const Result& result) const;
   std::string note() const;            ///< what the window leaves out
   Page page(std::string title) const;  ///< its legend has start, goal, blocked cells
 };

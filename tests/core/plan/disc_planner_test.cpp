@@ -182,9 +182,11 @@ TEST(DiscPlanner, IsLedOutOfWhereItMayNotStand) {
   }
   std::stop_source stop;
   stop.request_stop();
-  const Planner large(Grid(600, 600), Disc{50});
+  Grid large(600, 600);
+  for (const Cell c : cells_of({0, 0, 30, 20})) large.set_blocked(c, grid.blocked(c));
   const Result stopped =
-      large.plan({.start = {2, 2}, .goal = {300, 300}, .stop = {.token = stop.get_token()}});
+      Planner(large, Disc{2.25})
+          .plan({.start = {11, 7}, .goal = {300, 300}, .stop = {.token = stop.get_token()}});
   EXPECT_EQ(stopped.status, Status::interrupted);
 }
 
