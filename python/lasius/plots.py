@@ -95,13 +95,13 @@ def points_of(result: Result) -> Any:
     """The path; of a disc's curve the arcs as many short chords."""
     if not result.curve:
         return result.path
-    points = []
+    points: List[Any] = []
     for piece in result.curve:
         if piece.centre is None:
             points += [piece.start, piece.end]
             continue
         centre = np.array(piece.centre)
-        x, y = piece.start - centre
+        x, y = np.subtract(piece.start, centre)
         angles = np.arctan2(y, x) + piece.turn * np.linspace(0, piece.angle, 2 + int(64 * piece.angle))
         points += list(centre + piece.radius * np.column_stack([np.cos(angles), np.sin(angles)]))
     return np.array(points)
@@ -111,13 +111,13 @@ def draw_swept(points: Any, radius: float, axes: Any) -> None:
     """What a disc of that radius, in the axes' unit, sweeps on a path."""
     from matplotlib.lines import Line2D
 
-    class Swept(Line2D):
-        def draw(self, renderer: Any) -> None:
-            (left, _), (right, _) = axes.transData.transform([(0, 0), (2 * radius, 0)])
-            self.set_linewidth(abs(right - left) / renderer.points_to_pixels(1))
-            super().draw(renderer)
+    def draw(line: Any, renderer: Any) -> None:
+        (left, _), (right, _) = axes.transData.transform([(0, 0), (2 * radius, 0)])
+        line.set_linewidth(abs(right - left) / renderer.points_to_pixels(1))
+        Line2D.draw(line, renderer)
 
-    axes.add_line(Swept(points[:, 0], points[:, 1], color="#d62728", alpha=0.16, solid_capstyle="round",
+    swept = type("Swept", (Line2D,), {"draw": draw})  # as wide as the axes show it
+    axes.add_line(swept(points[:, 0], points[:, 1], color="#d62728", alpha=0.16, solid_capstyle="round",
                         solid_joinstyle="round", zorder=1.5, label="swept by the robot"))
 
 
