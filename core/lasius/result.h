@@ -20,8 +20,8 @@ struct Result : SearchResult {
   /// Of a disc that stands nearer than its radius to what is blocked: the nearest place from which
   /// the goal can be reached, of those that a straight leg leads to which is nowhere nearer than
   /// the start. `exact` takes a point that just keeps the radius, the others a cell's centre. Path,
-  /// curve and lengths begin with the leg; the rest is the plan from here, which is all that a
-  /// target gap and observers are about. Nothing is certified of the whole.
+  /// curve and their lengths begin with the leg; the rest is the plan from here, which is all that
+  /// a target gap, ants' tours and observers are about. Nothing is certified of the whole.
   std::optional<Point> way_out;
   /// With a goal tolerance: the cell where the path ends, or is to end. There its last vertex is
   /// the centre, or for a disc, by `exact`, the point nearest to the goal.
